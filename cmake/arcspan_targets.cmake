@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+# Flags shared by every target of the project. Consumers inherit none of them.
+
+# Warnings for our own code, on every target that is linked with it.
+add_library(arcspan_warnings INTERFACE)
+target_compile_options(
+  arcspan_warnings
+  INTERFACE -Wall
+            -Wextra
+            -Wpedantic
+            -Wconversion
+            -Wsign-conversion
+            -Wshadow
+            -Wold-style-cast
+            -Wcast-align
+            -Wundef
+            -Wnon-virtual-dtor
+            -Woverloaded-virtual
+            $<$<BOOL:${ARCSPAN_WERROR}>:-Werror>)
+
+# What the bar for pipeline/ and hal/ demands of the compiler: no exceptions, no RTTI, no guard variables.
+add_library(arcspan_embedded INTERFACE)
+target_compile_options(arcspan_embedded INTERFACE -fno-exceptions -fno-rtti -fno-threadsafe-statics
+                                                  -ffunction-sections -fdata-sections)
+
+# Declares a library of the project: arcspan_library(NAME DIRECTORY) gives the target arcspan_NAME with the
+# alias arcspan::NAME, whose public headers live in DIRECTORY/arcspan.
+function(arcspan_library name)
+  add_library(arcspan_${name} STATIC)
+  add_library(arcspan::${name} ALIAS arcspan_${name})
+  set_target_properties(arcspan_${name} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(arcspan_${name} PUBLIC cxx_std_20)
+  set_target_properties(arcspan_${name} PROPERTIES CXX_EXTENSIONS OFF)
+  target_include_directories(
+    arcspan_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>
+                           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(arcspan_${name} PRIVATE $<BUILD_INTERFACE:arcspan_warnings>
+                                                $<BUILD_INTERFACE:arcspan_embedded>)
+endfunction()

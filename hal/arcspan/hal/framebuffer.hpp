@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/format.hpp>
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/status.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan::hal {
+
+/// A picture, or a horizontal band of one, in caller memory: the plainest pixel sink.
+///
+/// A band of `rows` rows starting at row `first_row` of the picture takes the same drawing calls as the whole
+/// picture and keeps only its own rows ("page mode"): draw, send, `move_to` the next band, draw again.
+template <PixelFormat F>
+class Framebuffer {
+ public:
+  using Format = F;
+  using Unit = typename F::Unit;
+
+  /// Units of memory that `rows` rows of `width` pixels need.
+  [[nodiscard]] static constexpr std::size_t units(std::int32_t width, std::int32_t rows) {
+    return F::units_per_row(width) * static_cast<std::size_t>(rows);
+  }
+
+  /// `memory` must hold units(width, rows); one that does not gives an empty framebuffer, which `status()`
+  /// tells.
+  constexpr Framebuffer(std::span<Unit> memory, std::int32_t width, std::int32_t rows,
+                        std::int32_t first_row = 0)
+      : memory_(memory.data()), stride_(static_cast<std::int32_t>(F::units_per_row(width < 0 ? 0 : width))) {
+    if (width < 0 || rows < 0 || first_row < 0) {
+      status_ = Status::kInvalidArgument;
+    } else if (memory.size() < units(width, rows)) {
+      status_ = Status::kBufferTooSmall;
+    } else {
+      bounds_ = {0, first_row, width, first_row + rows};
+    }
+  }
+
+  [[nodiscard]] constexpr Status status() const { return status_; }
+  [[nodiscard]] constexpr Rect bounds() const { return bounds_; }
+
+  [[nodiscard]] constexpr typename F::Cursor open(const Span& run) {
+    return typename F::Cursor(row(run.y), run.x);
+  }
+  [[nodiscard]] constexpr Status close(const Span&) { return Status::kOk; }
+
+  /// Makes this memory stand for the rows first_row ... first_row + rows - 1 of the picture; pixels are kept.
+  constexpr void move_to(std::int32_t first_row) {
+    const std::int32_t rows = bounds_.height();
+    bounds_.top = first_row;
+    bounds_.bottom = first_row + rows;
+  }
+
+  /// Sets every pixel to `colour`.
+  constexpr void clear(Rgb8 colour) {
+    const typename F::Code code = F::encode(colour);
+    for (std::int32_t y = bounds_.top; y < bounds_.bottom; ++y) {
+      typename F::Cursor cursor(row(y), 0);
+      for (std::int32_t x = 0; x < bounds_.right; ++x, cursor.next()) cursor.write(code);
+    }
+  }
+
+  /// The colour of pixel (x, y), which must lie inside bounds().
+  [[nodiscard]] constexpr Rgb8 pixel(std::int32_t x, std::int32_t y) const {
+    return F::decode(typename F::Cursor(row(y), x).read());
+  }
+
+  /// Row y of the picture, which must lie inside bounds(), as an array of Units.
+  [[nodiscard]] constexpr Unit* row(std::int32_t y) const { return memory_ + (y - bounds_.top) * stride_; }
+
+ private:
+  Unit* memory_;
+  std::int32_t stride_;
+  Rect bounds_{};
+  Status status_ = Status::kOk;
+};
+
+static_assert(PixelSink<Framebuffer<Rgb565>> && PixelSink<Framebuffer<Mono>>);
+
+}  // namespace arcspan::hal

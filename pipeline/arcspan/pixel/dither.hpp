@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace arcspan {
+
+/// 4x4 ordered-dither offsets in 8-bit units for a 5-bit output channel (step 8), as fixed-function consoles
+/// use them. Row = y mod 4, column = x mod 4.
+inline constexpr std::int8_t kDitherMatrix[4][4] = {
+    {-4, 0, -3, 1}, {2, -2, 3, -1}, {-3, 1, -4, 0}, {3, -1, 2, -2}};
+
+/// Adds the dither offset of pixel (x, y) to `level` (0...255) and saturates, ready to be truncated to its
+/// `Bits` most significant bits. The offsets scale with the quantisation step 2^(8-Bits); `Bits` = 8 leaves
+/// the level alone.
+template <unsigned Bits>
+[[nodiscard]] constexpr std::uint8_t dithered(std::uint8_t level, std::int32_t x, std::int32_t y) {
+  static_assert(Bits >= 1 && Bits <= 8);
+  if constexpr (Bits == 8) {
+    return level;
+  } else {
+    const std::int32_t base =
+        kDitherMatrix[static_cast<std::uint32_t>(y) & 3u][static_cast<std::uint32_t>(x) & 3u];
+    const std::int32_t offset = base * (1 << (8 - Bits)) >> 3;
+    const std::int32_t sum = level + offset;
+    return static_cast<std::uint8_t>(sum < 0 ? 0 : sum > 255 ? 255 : sum);
+  }
+}
+
+}  // namespace arcspan

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/status.hpp>
+
+namespace arcspan {
+
+const char* to_string(Status status) {
+  switch (status) {
+    case Status::kOk:
+      return "ok";
+    case Status::kInvalidArgument:
+      return "invalid argument";
+    case Status::kIndexOutOfRange:
+      return "index out of range";
+    case Status::kBufferTooSmall:
+      return "buffer too small";
+    case Status::kUnsupported:
+      return "unsupported";
+    case Status::kNotReady:
+      return "not ready";
+    case Status::kBusy:
+      return "busy";
+    case Status::kTimeout:
+      return "timeout";
+    case Status::kTransferFailed:
+      return "transfer failed";
+    case Status::kTransferShort:
+      return "transfer short";
+  }
+  return "unknown status";
+}
+
+}  // namespace arcspan

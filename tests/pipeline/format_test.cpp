@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/pixel/format.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cstdlib>
+
+using namespace arcspan;
+
+TEMPLATE_TEST_CASE("encode and decode keep black, white and every code", "", Rgb565, Rgb888, Gray8, Gray4,
+                   Mono) {
+  CHECK(TestType::decode(TestType::encode({0, 0, 0})) == Rgb8{0, 0, 0});
+  CHECK(TestType::decode(TestType::encode({255, 255, 255})) == Rgb8{255, 255, 255});
+  for (int v = 0; v < 256; ++v) {
+    const auto level = static_cast<std::uint8_t>(v);
+    const auto code = TestType::encode({level, level, level});
+    CHECK(TestType::encode(TestType::decode(code)) == code);
+  }
+}
+
+TEST_CASE("rgb565 truncates each channel") {
+  CHECK(Rgb565::encode({255, 255, 255}) == 0xFFFF);
+  CHECK(Rgb565::encode({0x0F, 0x07, 0x0F}) == 0x0821);
+  CHECK(Rgb565::encode({0, 4, 0}) == 0x0020);
+}
+
+TEMPLATE_TEST_CASE("a bit cursor touches only its own pixel", "", Gray4, Mono) {
+  constexpr auto kFull = static_cast<std::uint8_t>((1u << TestType::kBitsPerPixel) - 1);
+  for (std::int32_t x = 0; x < 20; ++x) {
+    std::array<std::uint8_t, 10> row{};
+    typename TestType::Cursor(row.data(), x).write(kFull);
+    typename TestType::Cursor cursor(row.data(), 0);
+    for (std::int32_t i = 0; i < 20; ++i, cursor.next()) CHECK(cursor.read() == (i == x ? kFull : 0));
+  }
+}
+
+TEST_CASE("dither keeps the mean of a level that the format cannot show") {
+  // Over a 4x4 tile the mean of the truncated output is within one step of the matrix (1/8 of 8) of the
+  // input.
+  for (int v = 8; v < 248; ++v) {
+    int sum = 0;
+    for (int y = 0; y < 4; ++y)
+      for (int x = 0; x < 4; ++x) sum += (dithered<5>(static_cast<std::uint8_t>(v), x, y) >> 3) * 8;
+    // Truncation loses 3.5 of 8 on average and the matrix adds -0.5.
+    CHECK(std::abs(sum / 16.0 - (v - 4.0)) <= 0.5);
+  }
+}
+
+TEST_CASE("dither saturates at both ends") {
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 4; ++x) {
+      CHECK(dithered<1>(0, x, y) < 128);
+      CHECK(dithered<1>(255, x, y) >= 128);
+      CHECK(dithered<8>(77, x, y) == 77);
+    }
+  }
+}

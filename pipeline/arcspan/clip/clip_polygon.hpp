@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/reciprocal.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan {
+
+/// A vertex on its way through clipping.
+template <class Method>
+struct ClipVertex {
+  ClipPosition position;
+  typename Method::Vertex shade;
+};
+
+/// A convex polygon of at most 8 vertices: a triangle cut by five planes.
+template <class Method>
+struct ClipPolygon {
+  static constexpr std::size_t kCapacity = 8;
+  ClipVertex<Method> vertices[kCapacity];
+  std::size_t count = 0;
+};
+
+namespace detail {
+
+/// Signed distance of a vertex from a plane of the clip volume, positive inside.
+[[nodiscard]] constexpr std::int32_t plane_distance(const ClipPosition& p, ClipOutcode plane,
+                                                    std::int32_t near_w) {
+  switch (plane) {
+    case kOutsideNear:
+      return p.w - near_w;
+    case kOutsideLeft:
+      return wrap_add(p.w, p.x);
+    case kOutsideRight:
+      return wrap_sub(p.w, p.x);
+    case kOutsideTop:
+      return wrap_add(p.w, p.y);
+    case kOutsideBottom:
+      return wrap_sub(p.w, p.y);
+    case kInside:
+      break;
+  }
+  return 0;
+}
+
+/// Where the edge from `inside` to `outside` meets a plane. Always taken in this direction, so that the two
+/// triangles of a cut edge get the same vertex.
+template <class Method>
+[[nodiscard]] constexpr ClipVertex<Method> cut(const ClipVertex<Method>& inside,
+                                               const ClipVertex<Method>& outside,
+                                               std::int32_t inside_distance, std::int32_t outside_distance) {
+  // t = inside / (inside - outside), 30 fraction bits; the sum of magnitudes is below 2^32.
+  const std::uint32_t whole =
+      static_cast<std::uint32_t>(inside_distance) - static_cast<std::uint32_t>(outside_distance);
+  const WideReciprocal inverse = wide_reciprocal(whole);
+  const std::int64_t t = static_cast<std::int64_t>(
+      (std::uint64_t{static_cast<std::uint32_t>(inside_distance)} * inverse.mantissa) >>
+      (inverse.exponent - 30));
+  const auto mix = [t](std::int32_t from, std::int32_t to) {
+    return static_cast<std::int32_t>(from + (((std::int64_t{to} - from) * t + (1 << 29)) >> 30));
+  };
+  ClipVertex<Method> vertex;
+  vertex.position = {mix(inside.position.x, outside.position.x), mix(inside.position.y, outside.position.y),
+                     mix(inside.position.w, outside.position.w)};
+  vertex.shade =
+      Method::between(inside.shade, outside.shade, Factor::from_raw(static_cast<std::int32_t>(t >> 15)));
+  return vertex;
+}
+
+/// Sutherland and Hodgman against one plane, from `in` to `out`.
+template <class Method>
+constexpr void clip_to_plane(const ClipPolygon<Method>& in, ClipPolygon<Method>& out, ClipOutcode plane,
+                             std::int32_t near_w) {
+  out.count = 0;
+  for (std::size_t i = 0; i < in.count; ++i) {
+    const ClipVertex<Method>& here = in.vertices[i];
+    const ClipVertex<Method>& next = in.vertices[i + 1 == in.count ? 0 : i + 1];
+    const std::int32_t d0 = plane_distance(here.position, plane, near_w);
+    const std::int32_t d1 = plane_distance(next.position, plane, near_w);
+    // A convex polygon gains at most one vertex a plane; the test only guards against inconsistent input.
+    if (d0 >= 0 && out.count < ClipPolygon<Method>::kCapacity) out.vertices[out.count++] = here;
+    if ((d0 >= 0) != (d1 >= 0) && out.count < ClipPolygon<Method>::kCapacity) {
+      out.vertices[out.count++] = d0 >= 0 ? cut(here, next, d0, d1) : cut(next, here, d1, d0);
+    }
+  }
+}
+
+}  // namespace detail
+
+/// Cuts `polygon` by the near plane and the four sides of the guard band; `spare` is scratch. Returns the one
+/// of the two that holds the result, whose count is 0 if nothing is left.
+template <class Method>
+[[nodiscard]] constexpr const ClipPolygon<Method>& clip_polygon(ClipPolygon<Method>& polygon,
+                                                                ClipPolygon<Method>& spare,
+                                                                std::int32_t near_w) {
+  ClipPolygon<Method>* from = &polygon;
+  ClipPolygon<Method>* to = &spare;
+  for (const ClipOutcode plane : {kOutsideNear, kOutsideLeft, kOutsideRight, kOutsideTop, kOutsideBottom}) {
+    detail::clip_to_plane(*from, *to, plane, near_w);
+    ClipPolygon<Method>* const result = to;
+    to = from;
+    from = result;
+    if (from->count == 0) break;
+  }
+  return *from;
+}
+
+}  // namespace arcspan

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/clip/clip_polygon.hpp>
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/prepare/split.hpp>
+#include <arcspan/span/draw_command.hpp>
+#include <arcspan/vertex/clip_transform.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan {
+
+/// A transformed and shaded vertex, as the vertex cache keeps it.
+template <class Method>
+struct CachedVertex {
+  RasterVertex<Method> raster;
+  std::uint8_t outcode = 0;
+};
+
+struct DrawOptions {
+  bool two_sided = false;  ///< draw back faces too, lit with the opposite normals
+};
+
+struct DrawResult {
+  Status status = Status::kOk;
+  std::uint32_t triangles = 0;  ///< of the mesh, at least partly inside the clip rectangle's rows and columns
+};
+
+namespace detail {
+
+[[nodiscard]] constexpr Rect intersection(const Rect& a, const Rect& b) {
+  return {a.left > b.left ? a.left : b.left, a.top > b.top ? a.top : b.top,
+          a.right < b.right ? a.right : b.right, a.bottom < b.bottom ? a.bottom : b.bottom};
+}
+
+/// One call of draw_mesh: the way of every triangle through the stages.
+template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
+class MeshDrawer {
+ public:
+  using Raster = RasterVertex<Method>;
+
+  MeshDrawer(const MeshView& mesh, const ClipTransform& transform, const typename Method::Object& object,
+             Sink& sink, const Depth& depth, std::span<CachedVertex<Method>> cache,
+             const DrawOptions& options)
+      : mesh_(mesh), transform_(transform), object_(object), sink_(sink), depth_(depth), options_(options) {
+    const Viewport& viewport = transform.viewport();
+    origin_ = {viewport.width >> 1, viewport.height >> 1};
+    clip_ =
+        intersection({0, 0, viewport.width, viewport.height}, intersection(sink.bounds(), depth.bounds()));
+    rows_ = {-origin_.y, viewport.height - origin_.y};
+    if (cache.size() >= mesh.vertex_count()) cache_ = cache.data();
+  }
+
+  [[nodiscard]] DrawResult draw() {
+    if (clip_.empty()) return {};
+    if (cache_ != nullptr) {
+      for (std::size_t i = 0; i < mesh_.vertex_count(); ++i) transform_vertex(i, cache_[i]);
+    }
+    for (std::size_t i = 0; i < mesh_.triangle_count() && ok(result_.status); ++i) {
+      draw_triangle(mesh_.triangle(i));
+    }
+    return result_;
+  }
+
+ private:
+  void transform_vertex(std::size_t i, CachedVertex<Method>& vertex) const {
+    const ClipPosition position = transform_(mesh_.position(i));
+    vertex.outcode = outcode(position, transform_.near_w());
+    if (vertex.outcode == kInside) vertex.raster.position = project(position, transform_);
+    vertex.raster.shade = Method::shade_vertex(object_, unpack_normal(mesh_.normal(i)));
+  }
+
+  void draw_triangle(const TriangleIndices& t) {
+    const bool counted = drawn_;
+    drawn_ = false;
+    if (cache_ != nullptr) {
+      draw_vertices(t, cache_[t.a], cache_[t.b], cache_[t.c]);
+    } else {
+      CachedVertex<Method> a;
+      CachedVertex<Method> b;
+      CachedVertex<Method> c;
+      transform_vertex(t.a, a);
+      transform_vertex(t.b, b);
+      transform_vertex(t.c, c);
+      draw_vertices(t, a, b, c);
+    }
+    if (drawn_) ++result_.triangles;
+    drawn_ = counted;
+  }
+
+  void draw_vertices(const TriangleIndices& t, const CachedVertex<Method>& a, const CachedVertex<Method>& b,
+                     const CachedVertex<Method>& c) {
+    if ((a.outcode & b.outcode & c.outcode) != 0) return;
+    if ((a.outcode | b.outcode | c.outcode) != 0) {
+      draw_clipped(t, a.raster.shade, b.raster.shade, c.raster.shade);
+    } else {
+      draw_projected(t, a.raster, b.raster, c.raster);
+    }
+  }
+
+  void draw_clipped(const TriangleIndices& t, const typename Method::Vertex& a,
+                    const typename Method::Vertex& b, const typename Method::Vertex& c) {
+    ClipPolygon<Method> polygon;
+    ClipPolygon<Method> spare;
+    polygon.vertices[0] = {transform_(mesh_.position(t.a)), a};
+    polygon.vertices[1] = {transform_(mesh_.position(t.b)), b};
+    polygon.vertices[2] = {transform_(mesh_.position(t.c)), c};
+    polygon.count = 3;
+    const ClipPolygon<Method>& inside = clip_polygon(polygon, spare, transform_.near_w());
+    for (std::size_t i = 2; i < inside.count; ++i) {
+      draw_projected(t, projected(inside.vertices[0]), projected(inside.vertices[i - 1]),
+                     projected(inside.vertices[i]));
+    }
+  }
+
+  [[nodiscard]] Raster projected(const ClipVertex<Method>& vertex) const {
+    return {project(vertex.position, transform_), vertex.shade};
+  }
+
+  void draw_projected(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c) {
+    const std::int32_t area = doubled_area(a.position, b.position, c.position);
+    const bool back = area > 0;
+    if (area == 0 || (back && !options_.two_sided) || outside_columns(a.position, b.position, c.position))
+      return;
+    typename Method::Face face{};
+    if constexpr (Method::kNeedsFaceNormal) {
+      const Direction normal = face_normal(t);
+      face = Method::shade_face(object_, back ? -normal : normal);
+    }
+    auto emit = [this, &face](const Raster& p, const Raster& q, const Raster& r) {
+      draw_part(p, q, r, face);
+    };
+    if (back) {
+      // Rare, so it is shaded afresh instead of being kept for every vertex.
+      split_triangle<kMaxSplits>(turned(a, t.a), turned(b, t.b), turned(c, t.c), emit);
+    } else {
+      split_triangle<kMaxSplits>(a, b, c, emit);
+    }
+  }
+
+  void draw_part(const Raster& a, const Raster& b, const Raster& c, const typename Method::Face& face) {
+    TriangleCommand<Method> command;
+    if (!ok(result_.status) || !prepare_triangle(a, b, c, face, rows_, command)) return;
+    drawn_ = true;
+    result_.status = draw_command(command, origin_, clip_, object_, sink_, depth_);
+  }
+
+  [[nodiscard]] Raster turned(const Raster& vertex, std::uint16_t index) const {
+    return {vertex.position, Method::shade_vertex(object_, -unpack_normal(mesh_.normal(index)))};
+  }
+
+  /// No pixel centre of the clip rectangle's columns lies between the leftmost and the rightmost vertex.
+  [[nodiscard]] bool outside_columns(const RasterPosition& a, const RasterPosition& b,
+                                     const RasterPosition& c) const {
+    const std::int32_t left = (clip_.left - origin_.x) * 16;
+    const std::int32_t right = (clip_.right - origin_.x) * 16;
+    return (a.x < left && b.x < left && c.x < left) || (a.x > right && b.x > right && c.x > right);
+  }
+
+  [[nodiscard]] Direction face_normal(const TriangleIndices& t) const {
+    const ObjectPosition a = mesh_.position(t.a);
+    const ObjectPosition b = mesh_.position(t.b);
+    const ObjectPosition c = mesh_.position(t.c);
+    const std::int64_t ux = b.x - a.x;
+    const std::int64_t uy = b.y - a.y;
+    const std::int64_t uz = b.z - a.z;
+    const std::int64_t vx = c.x - a.x;
+    const std::int64_t vy = c.y - a.y;
+    const std::int64_t vz = c.z - a.z;
+    // Each difference is below 2^34; normalised() keeps 15 bits of the largest anyway.
+    return normalised_wide(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+  }
+
+  const MeshView& mesh_;
+  const ClipTransform& transform_;
+  const typename Method::Object& object_;
+  Sink& sink_;
+  const Depth& depth_;
+  CachedVertex<Method>* cache_ = nullptr;
+  DrawOptions options_;
+  RasterOrigin origin_{};
+  RowRange rows_{};
+  Rect clip_{};
+  DrawResult result_{};
+  bool drawn_ = false;
+};
+
+}  // namespace detail
+
+/// Draws a mesh: transform, clip, cull, prepare, span by span into `sink`, within the common bounds of the
+/// viewport, the sink and the depth target. To draw a picture in bands, call this once a band.
+///
+/// `object` is the illumination in the object's space. `cache` may hold mesh.vertex_count() vertices, each of
+/// which is then transformed once; if it is smaller it is not used, and every triangle transforms its own
+/// three. The result's status is the sink's first that is not kOk.
+template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
+                                   const typename Method::Object& object, Sink& sink, const Depth& depth,
+                                   std::span<CachedVertex<Method>> cache = {},
+                                   const DrawOptions& options = {}) {
+  return detail::MeshDrawer<Method, Sink, Depth>(mesh, transform, object, sink, depth, cache, options).draw();
+}
+
+}  // namespace arcspan

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/mesh/packed_normal.hpp>
+
+namespace arcspan {
+
+namespace {
+
+constexpr std::int32_t kOne = 32767;
+
+std::int32_t magnitude(std::int32_t v) { return v < 0 ? wrap_sub(0, v) : v; }
+
+/// Folds the lower half of the octahedron over the upper one's corners; its own inverse on the outline.
+void fold(std::int32_t& u, std::int32_t& v) {
+  const std::int32_t folded_u = kOne - magnitude(v);
+  const std::int32_t folded_v = kOne - magnitude(u);
+  u = u < 0 ? -folded_u : folded_u;
+  v = v < 0 ? -folded_v : folded_v;
+}
+
+std::int32_t scaled_to_one(std::int32_t c, std::int64_t sum) {
+  const std::int64_t product = std::int64_t{c} * kOne;
+  return static_cast<std::int32_t>((product >= 0 ? product + sum / 2 : product - sum / 2) / sum);
+}
+
+}  // namespace
+
+PackedNormal pack_normal(std::int32_t x, std::int32_t y, std::int32_t z) {
+  const std::int64_t sum = std::int64_t{magnitude(x)} + magnitude(y) + magnitude(z);
+  if (sum <= 0) return {};
+  std::int32_t u = scaled_to_one(x, sum);
+  std::int32_t v = scaled_to_one(y, sum);
+  if (z < 0) fold(u, v);
+  return {static_cast<std::int16_t>(u), static_cast<std::int16_t>(v)};
+}
+
+Direction unpack_normal(PackedNormal packed) {
+  std::int32_t u = packed.u < -kOne ? -kOne : packed.u;
+  std::int32_t v = packed.v < -kOne ? -kOne : packed.v;
+  const std::int32_t z = kOne - magnitude(u) - magnitude(v);
+  if (z < 0) fold(u, v);
+  return normalised(u, v, z);
+}
+
+}  // namespace arcspan

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <compare>
+#include <concepts>
+#include <cstdint>
+
+namespace arcspan {
+
+/// Two's-complement arithmetic that wraps instead of being undefined. In range it is the plain operation; out
+/// of range the result is wrong but defined, which is all that callers with stated ranges need.
+[[nodiscard]] constexpr std::int32_t wrap_add(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+}
+[[nodiscard]] constexpr std::int32_t wrap_sub(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
+}
+[[nodiscard]] constexpr std::int32_t wrap_mul(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b));
+}
+[[nodiscard]] constexpr std::int32_t wrap_shl(std::int32_t a, int bits) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) << bits);
+}
+
+/// floor(a / 2^bits + 1/2), bits in 1...31: the rounding that every product of the pipeline gets.
+[[nodiscard]] constexpr std::int32_t round_shift(std::int32_t a, int bits) {
+  return wrap_add(a, std::int32_t{1} << (bits - 1)) >> bits;
+}
+
+namespace detail {
+/// Never defined: a constant expression that would call it does not compile.
+void constant_out_of_range();
+}  // namespace detail
+
+/// A fixed-point number: the integer `raw()` stands for raw() / 2^F. Formats do not mix, nothing converts by
+/// itself, and there is no division: code in the span stage that divides does not compile.
+template <std::signed_integral R, int F>
+requires(F >= 0 && F < static_cast<int>(8 * sizeof(R))) class Fixed {
+ public:
+  using Rep = R;
+  static constexpr int kFraction = F;
+
+  constexpr Fixed() = default;
+
+  /// The number raw / 2^F.
+  [[nodiscard]] static constexpr Fixed from_raw(R raw) {
+    Fixed result;
+    result.raw_ = raw;
+    return result;
+  }
+
+  /// A constant from a decimal literal, rounded to nearest; one out of range does not compile.
+  [[nodiscard]] static consteval Fixed of(double value) {
+    const double scaled = value * static_cast<double>(std::int64_t{1} << F);
+    const double rounded = scaled < 0 ? scaled - 0.5 : scaled + 0.5;
+    constexpr double kLimit = static_cast<double>(std::int64_t{1} << (8 * sizeof(R) - 1));
+    if (!(rounded > -kLimit - 1 && rounded < kLimit)) detail::constant_out_of_range();
+    return from_raw(static_cast<R>(rounded));
+  }
+
+  [[nodiscard]] constexpr R raw() const { return raw_; }
+
+  /// Sums wrap (see wrap_add); each format states the range in which they do not.
+  [[nodiscard]] friend constexpr Fixed operator+(Fixed a, Fixed b) {
+    return from_raw(static_cast<R>(wrap_add(a.raw_, b.raw_)));
+  }
+  [[nodiscard]] friend constexpr Fixed operator-(Fixed a, Fixed b) {
+    return from_raw(static_cast<R>(wrap_sub(a.raw_, b.raw_)));
+  }
+  [[nodiscard]] friend constexpr Fixed operator-(Fixed a) { return Fixed{} - a; }
+  constexpr Fixed& operator+=(Fixed other) { return *this = *this + other; }
+  constexpr Fixed& operator-=(Fixed other) { return *this = *this - other; }
+
+  friend constexpr auto operator<=>(Fixed, Fixed) = default;
+
+ private:
+  R raw_ = 0;
+};
+
+/// a * b in format `To`, rounded, by one 32-bit multiply: |a.raw() * b.raw()| must be below 2^31 less half a
+/// unit of the result, otherwise the result wraps.
+template <class To, class A, class B>
+[[nodiscard]] constexpr To multiply(A a, B b) {
+  constexpr int kShift = A::kFraction + B::kFraction - To::kFraction;
+  static_assert(kShift >= 0 && kShift < 32);
+  const std::int32_t product = wrap_mul(a.raw(), b.raw());
+  if constexpr (kShift == 0) {
+    return To::from_raw(static_cast<typename To::Rep>(product));
+  } else {
+    return To::from_raw(static_cast<typename To::Rep>(round_shift(product, kShift)));
+  }
+}
+
+/// a * b in format `To`, rounded, by a 64-bit product: exact for all arguments whose result fits.
+template <class To, class A, class B>
+[[nodiscard]] constexpr To multiply_wide(A a, B b) {
+  constexpr int kShift = A::kFraction + B::kFraction - To::kFraction;
+  static_assert(kShift > 0 && kShift < 63);
+  const std::int64_t product = std::int64_t{a.raw()} * b.raw();
+  return To::from_raw(static_cast<typename To::Rep>((product + (std::int64_t{1} << (kShift - 1))) >> kShift));
+}
+
+/// `a` in a format with fewer fraction bits, rounded; or with more, exactly (it must fit).
+template <class To, class A>
+[[nodiscard]] constexpr To convert(A a) {
+  constexpr int kShift = A::kFraction - To::kFraction;
+  if constexpr (kShift > 0) {
+    return To::from_raw(static_cast<typename To::Rep>(round_shift(a.raw(), kShift)));
+  } else {
+    return To::from_raw(static_cast<typename To::Rep>(wrap_shl(a.raw(), -kShift)));
+  }
+}
+
+}  // namespace arcspan

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/prepare/arc_angle.hpp>
+#include <arcspan/prepare/edge.hpp>
+#include <arcspan/prepare/recurrence.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace arcspan {
+
+/// `Count` scalars on their way along one arc, with the step they share.
+template <std::size_t Count>
+struct ArcEdge {
+  std::array<ArcScalar, Count> scalars;
+  ArcStep step;
+
+  constexpr void advance() {
+    for (ArcScalar& scalar : scalars) scalar.step(step.mantissa, step.shift);
+  }
+};
+
+/// The step of an arc as a fraction a = mantissa * 2^-exponent <= 1 of it, mantissa in [2^15, 2^16].
+struct ArcFraction {
+  std::uint32_t mantissa = 1u << 16;
+  int exponent = 16;
+
+  [[nodiscard]] constexpr Factor factor() const {
+    return exponent - Factor::kFraction > 31
+               ? Factor{}
+               : Factor::from_raw(static_cast<std::int32_t>(mantissa >> (exponent - Factor::kFraction)));
+  }
+};
+
+/// 1 / length as a fraction, where `inverse` is the reciprocal of the length with `bits` fraction bits; a
+/// length below one step counts as one, for then there is no second pixel or row to step to.
+[[nodiscard]] constexpr ArcFraction arc_fraction(const Reciprocal& inverse, int bits) {
+  const int exponent = inverse.exponent - bits;
+  if (exponent < 16) return {};
+  return {inverse.mantissa, exponent};
+}
+
+/// How many bits of a Q1.30 slope are dropped before it meets the 16-bit mantissa of a fraction: slopes of
+/// arcs up to 33 degrees are below 1, wider ones below 2.
+[[nodiscard]] constexpr int slope_drop(Factor angle2) { return angle2 > Factor::of(0.34) ? 16 : 15; }
+
+/// One scalar at its start on an arc from value `from` to value `to` (see ArcStart); six 16-bit multiplies.
+[[nodiscard]] constexpr ArcScalar start_scalar(const ArcStart& start, const ArcFraction& a, int drop,
+                                               Unit from, Unit to) {
+  const std::int32_t middle30 = wrap_add(from.raw() >> 1, to.raw() >> 1);
+  const Factor middle = Factor::from_raw(round_shift(middle30, 15));
+  const Factor rise = Factor::from_raw(round_shift(wrap_sub(to.raw(), from.raw()), 15));
+  ArcScalar scalar;
+  scalar.x = Unit::from_raw(middle30) + multiply<Unit>(start.even, middle) + multiply<Unit>(start.odd, rise);
+  const Unit slope = multiply<Unit>(start.slope_odd, rise) + multiply<Unit>(start.slope_even, middle);
+  const std::int32_t product =
+      wrap_mul(round_shift(slope.raw(), drop), static_cast<std::int32_t>(a.mantissa));
+  const int down = a.exponent - drop;
+  scalar.d = Unit::from_raw(down > 31 ? 0 : down < 1 ? product : round_shift(product, down));
+  return scalar;
+}
+
+/// Scalars on their way down an edge, from the values `from` at its top to `to` at its bottom.
+template <std::size_t Count>
+[[nodiscard]] constexpr ArcEdge<Count> make_arc_edge(const EdgeSpan& edge, Factor angle2,
+                                                     const std::array<Unit, Count>& from,
+                                                     const std::array<Unit, Count>& to) {
+  const ArcFraction row = arc_fraction(edge.inverse, Subpixel::kFraction);
+  const ArcStart start = arc_start(angle2, start_fraction(edge), row.factor());
+  const int drop = slope_drop(angle2);
+  ArcEdge<Count> arc;
+  for (std::size_t i = 0; i < Count; ++i) arc.scalars[i] = start_scalar(start, row, drop, from[i], to[i]);
+  arc.step = arc_step(angle2, row.mantissa, row.exponent);
+  return arc;
+}
+
+}  // namespace arcspan

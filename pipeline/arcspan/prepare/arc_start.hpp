@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/formats.hpp>
+
+#include <cstdint>
+
+namespace arcspan {
+
+/// How a scalar and its first difference follow from the scalar's values at the two ends of an arc of angle
+/// psi, at a fraction u of it and one step of the fraction a further:
+///
+///     x    = M + even * M + odd * D,         M = (I0 + I1) / 2,  D = I1 - I0
+///     diff = a * (slope_odd * D + slope_even * M)
+///
+/// From x(u) = [sin((1-u) psi) I0 + sin(u psi) I1] / sin(psi) (S0 eq. 2) with c = u - 1/2 and v = c + a/2:
+///     1 + even   = cos(c psi) / cos(psi/2)
+///     odd        = sin(c psi) / (2 sin(psi/2))
+///     slope_even = -2 sin(v psi) sin(a psi/2) / (a cos(psi/2))
+///     slope_odd  = cos(v psi) sin(a psi/2) / (a sin(psi/2))
+/// each as a series in psi^2 to the second order. The factors hold for every scalar of the arc.
+struct ArcStart {
+  Factor even;
+  Factor odd;
+  Factor slope_even;
+  Factor slope_odd;
+};
+
+/// `angle2` = psi^2 in 0...1.1 (60 degrees), `u` and `a` in 0...1. Error of x and of the end that diff leads
+/// to at most 2e-5 up to 30 degrees and 1e-3 at 60, beside rounding.
+[[nodiscard]] constexpr ArcStart arc_start(Factor angle2, Factor u, Factor a) {
+  constexpr Factor kHalf = Factor::of(0.5);
+  const Factor c = u - kHalf;
+  const Factor c2 = multiply<Factor>(c, c);
+  const Factor v = c + Factor::from_raw(a.raw() >> 1);
+  const Factor v2 = multiply<Factor>(v, v);
+  const Factor a2 = multiply<Factor>(a, a);
+  const Factor p = angle2;
+  const Factor p2 = multiply<Factor>(p, p);
+  const Factor bow = multiply<Factor>(p, Factor::of(0.25) - c2);
+
+  ArcStart start;
+  // even = (p/2) (1/4 - c^2) (1 + p (5/4 - c^2) / 12)
+  const Factor even_rise = multiply<Factor>(multiply<Factor>(p, Factor::of(1.25) - c2), Factor::of(1.0 / 24));
+  start.even = multiply<Factor>(bow, kHalf + even_rise);
+  // odd = c (1 + p (1/4 - c^2) (1/6 + 0.0043 p))
+  const Factor odd_rise = Factor::of(1.0 / 6) + multiply<Factor>(p, Factor::of(0.0043));
+  start.odd = c + multiply<Factor>(c, multiply<Factor>(bow, odd_rise));
+  // slope_odd = 1 + p (1 - a^2) / 24 + 0.0012 p^2 - v^2 p (1/2 + 0.0104 p)
+  const Factor one_minus_a2 = Factor::of(1.0) - a2;
+  const Factor odd_fall =
+      multiply<Factor>(v2, multiply<Factor>(p, kHalf + multiply<Factor>(p, Factor::of(0.0104))));
+  start.slope_odd = Factor::of(1.0) +
+                    multiply<Factor>(multiply<Factor>(p, one_minus_a2), Factor::of(1.0 / 24)) +
+                    multiply<Factor>(p2, Factor::of(0.0012)) - odd_fall;
+  // slope_even = -v p [1 + p (1/8 - a^2/24) + 0.0130 p^2 - v^2 p (1/6 + 0.0188 p)]
+  const Factor even_fall = multiply<Factor>(
+      v2, multiply<Factor>(p, Factor::of(1.0 / 6) + multiply<Factor>(p, Factor::of(0.0188))));
+  const Factor gain = Factor::of(1.0) +
+                      multiply<Factor>(p, Factor::of(0.125) - multiply<Factor>(a2, Factor::of(1.0 / 24))) +
+                      multiply<Factor>(p2, Factor::of(0.0130)) - even_fall;
+  start.slope_even = -multiply<Factor>(multiply<Factor>(v, p), gain);
+  return start;
+}
+
+}  // namespace arcspan

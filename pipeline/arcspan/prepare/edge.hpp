@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/formats.hpp>
+#include <arcspan/numbers/reciprocal.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
+
+#include <cstdint>
+
+namespace arcspan {
+
+/// An edge on its way down the rows. `x` is where the row's centre line meets it, in pixels with 32 fraction
+/// bits, plus 1/2, less 2^-20. Its upper word is then ceil(x - 1/2), the first column whose centre is not
+/// left of the edge, and its complemented lower word is the distance from the edge to that centre.
+///
+/// This is exact: an edge's true x at a row centre is a multiple of 2^-19, since both coordinates have 4
+/// fraction bits and dy fits 15; the step is short by less than 2^-32, over 2048 rows 2^-21.
+struct EdgeWalk {
+  std::int64_t x = 0;
+  std::int64_t step = 0;
+
+  [[nodiscard]] constexpr std::int32_t column() const { return static_cast<std::int32_t>(x >> 32); }
+
+  /// Distance from the edge to the centre of column(), 16 fraction bits, 0...1.
+  [[nodiscard]] constexpr std::uint32_t fraction() const { return ~static_cast<std::uint32_t>(x) >> 16; }
+
+  constexpr void advance() { x += step; }
+};
+
+/// The part of an edge's way that depends on its two ends only: from `top` to `bottom`, top.y < bottom.y, so
+/// that the two triangles of an edge walk it alike. `row` is the first row to be drawn, `offset` its centre's
+/// distance below the top in 16ths of a row (0 <= offset < 2^15).
+struct EdgeSpan {
+  const RasterPosition* top;
+  std::int32_t dy;      ///< height, 1...2^15 - 1 16ths of a row
+  std::int32_t offset;  ///< centre of the first row below the top, 16ths of a row
+  Reciprocal inverse;   ///< of dy
+};
+
+/// First row whose centre is at or below y: ceil(y - 1/2).
+[[nodiscard]] constexpr std::int32_t first_row_at(std::int32_t y) { return (y + 7) >> 4; }
+
+[[nodiscard]] constexpr EdgeSpan make_edge_span(const RasterPosition& top, const RasterPosition& bottom,
+                                                std::int32_t row) {
+  const std::int32_t dy = bottom.y - top.y;
+  return {&top, dy, row * 16 + 8 - top.y, reciprocal(static_cast<std::uint32_t>(dy))};
+}
+
+/// offset / dy in 15 fraction bits, at most 1.
+[[nodiscard]] constexpr Factor start_fraction(const EdgeSpan& edge) {
+  const std::uint32_t product = static_cast<std::uint32_t>(edge.offset) * edge.inverse.mantissa;
+  const std::uint32_t fraction = product >> (edge.inverse.exponent - Factor::kFraction);
+  return Factor::from_raw(static_cast<std::int32_t>(fraction > 32768 ? 32768 : fraction));
+}
+
+/// The exact walk of an edge (see EdgeWalk).
+[[nodiscard]] constexpr EdgeWalk make_edge_walk(const EdgeSpan& edge, const RasterPosition& bottom) {
+  const std::int32_t dx = bottom.x - edge.top->x;
+  const auto dy = static_cast<std::uint32_t>(edge.dy);
+  // floor(dx * 2^32 / dy) by schoolbook division in base 2^16; dy < 2^15 keeps every step in 32 bits.
+  const std::uint32_t magnitude = static_cast<std::uint32_t>(dx < 0 ? -dx : dx);
+  const std::uint32_t whole = magnitude / dy;
+  std::uint32_t rest = (magnitude - whole * dy) << 16;
+  const std::uint32_t high = rest / dy;
+  rest = (rest - high * dy) << 16;
+  const std::uint32_t low = rest / dy;
+  const bool inexact = rest != low * dy;
+  const auto quotient = static_cast<std::int64_t>((std::uint64_t{whole} << 32) | (high << 16) | low);
+  EdgeWalk walk;
+  walk.step = dx < 0 ? -quotient - inexact : quotient;
+  constexpr std::int64_t kBias = (std::int64_t{1} << 31) - (1 << 12);  // 1/2 - 2^-20
+  walk.x = (std::int64_t{edge.top->x} * (std::int64_t{1} << 28)) + ((walk.step * edge.offset) >> 4) + kBias;
+  return walk;
+}
+
+}  // namespace arcspan

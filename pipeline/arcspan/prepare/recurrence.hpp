@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/formats.hpp>
+
+#include <bit>
+#include <cstdint>
+
+namespace arcspan {
+
+/// k = 2 - 2 cos(phi) of an arc's step phi, block-floating: k = mantissa * 2^-(16 + shift). A zero mantissa
+/// makes the step linear. mantissa < 2^15; shift 1...31, so k < 1/4 (28.9 degrees a step); a larger k, which
+/// only occurs where an arc has no second step to make, saturates.
+struct ArcStep {
+  std::int32_t mantissa = 0;
+  std::int32_t shift = 31;
+};
+
+/// A scalar on its way along an arc: S0 eq. 14 in Reinsch's difference form,
+///
+///     x <- x + d;    d <- d - round(k x)
+///
+/// one 16x16->32 multiply, one shift, and sums. The multiplier sees the top 16 bits of x (14 fraction bits);
+/// d keeps all 30, because its error grows with the number of steps (shading.md section 3).
+struct ArcScalar {
+  Unit x;
+  Unit d;
+
+  constexpr void step(std::int32_t mantissa, std::int32_t shift) {
+    x += d;
+    const std::int32_t kx = wrap_mul(mantissa, x.raw() >> 16);
+    d -= Unit::from_raw(wrap_add(kx, std::int32_t{1} << (shift - 1)) >> shift);
+  }
+
+  /// Undoes step() exactly, whatever the rounding.
+  constexpr void step_back(std::int32_t mantissa, std::int32_t shift) {
+    const std::int32_t kx = wrap_mul(mantissa, x.raw() >> 16);
+    d += Unit::from_raw(wrap_add(kx, std::int32_t{1} << (shift - 1)) >> shift);
+    x -= d;
+  }
+};
+
+/// k of an arc whose squared angle is `angle2` (0...1.1) and whose step is the fraction a = mantissa *
+/// 2^-exponent of it, mantissa in [2^15, 2^16], exponent >= 16 (a <= 1): phi^2 = a^2 psi^2,
+/// k = phi^2 (1 - phi^2/12).
+[[nodiscard]] constexpr ArcStep arc_step(Factor angle2, std::uint32_t mantissa, int exponent) {
+  // phi^2 = wide * 2^-(30 + 2 (exponent - 16)), wide below 1.1 * 2^30.
+  const std::uint32_t half = mantissa >> 1;
+  const std::uint32_t once = (static_cast<std::uint32_t>(angle2.raw()) * half + (1u << 14)) >> 15;
+  std::uint32_t wide = once * half;
+  const int scale = 2 * (exponent - 16);
+  if (wide == 0) return {};
+  if (scale < 16) {
+    const std::uint32_t phi2 = wide >> (15 + scale);  // 15 fraction bits
+    wide -= (wide >> 15) * ((phi2 * 2731u) >> 15);    // phi^2 / 12
+  }
+  const int drop = 17 - std::countl_zero(wide);  // leaves 15 bits
+  const int shift = 14 + scale - drop;
+  if (shift < 1) return {32767, 1};
+  if (shift > 31) return {};
+  return {static_cast<std::int32_t>(drop >= 0 ? wide >> drop : wide << -drop), shift};
+}
+
+}  // namespace arcspan

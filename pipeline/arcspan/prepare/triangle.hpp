@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/prepare/linear.hpp>
+
+#include <cstdint>
+
+namespace arcspan {
+
+/// A vertex as triangle preparation takes it: where it is, and what the shading method knows of it.
+template <class Method>
+struct RasterVertex {
+  RasterPosition position;
+  typename Method::Vertex shade;
+};
+
+/// The rows that are to be drawn of a viewport, relative to the raster origin: first ... end - 1.
+struct RowRange {
+  std::int32_t first = 0;
+  std::int32_t end = 0;
+};
+
+/// Twice the signed area in 256ths of a square pixel; negative if a, b, c go counter-clockwise as seen on the
+/// screen (y down), which is how front faces arrive. Exact: by the guard band it fits 32 bits.
+[[nodiscard]] constexpr std::int32_t doubled_area(const RasterPosition& a, const RasterPosition& b,
+                                                  const RasterPosition& c) {
+  return wrap_sub(wrap_mul(b.x - a.x, c.y - a.y), wrap_mul(c.x - a.x, b.y - a.y));
+}
+
+/// *The command that the span stage takes.* Plain integers; nothing else passes from preparation to spans, so
+/// the span stage can as well be another core or a piece of hardware. docs/triangle-command.md is its layout.
+///
+/// The rows first_row ... middle_row - 1 lie between the long edge and the upper one, those from middle_row
+/// to end_row - 1 between the long edge and the lower one. Edges stand at the first row they are used in.
+template <class Method>
+struct TriangleCommand {
+  std::int16_t first_row;  ///< relative to the raster origin
+  std::int16_t middle_row;
+  std::int16_t end_row;
+  bool middle_left;  ///< the upper and lower edges are on the left of the long one
+  EdgeWalk long_edge;
+  EdgeWalk upper_edge;
+  EdgeWalk lower_edge;
+  LinearPlane depth;
+  typename Method::Prepared shade;
+};
+
+/// What preparation knows of a triangle while it sets up attributes: vertices by height, edges as walked.
+template <class Method>
+struct TriangleFrame {
+  const RasterVertex<Method>* top;
+  const RasterVertex<Method>* middle;
+  const RasterVertex<Method>* bottom;
+  EdgeSpan long_edge;
+  EdgeSpan upper_edge;
+  EdgeSpan lower_edge;
+  bool has_upper;  ///< rows of the upper half will be drawn
+  bool has_lower;
+  bool middle_left;
+  Factor middle_fraction;  ///< fraction of the long edge at the middle vertex's height
+  std::uint32_t width;     ///< of the triangle at that height, 16 fraction bits, at least 1
+  Reciprocal inverse_width;
+};
+
+/// A 16-bit attribute with the given values at the top, middle and bottom vertex as a plane over the rows.
+template <class Method>
+[[nodiscard]] constexpr LinearPlane make_linear_plane(const TriangleFrame<Method>& frame, std::int32_t top,
+                                                      std::int32_t middle, std::int32_t bottom) {
+  LinearPlane plane;
+  const std::int32_t along = round_shift(wrap_mul(bottom - top, frame.middle_fraction.raw() >> 1), 14);
+  const std::int32_t across = middle - (top + along);
+  plane.dx = gradient(frame.middle_left ? -across : across, frame.inverse_width, 16);
+  if (frame.middle_left) {
+    plane.left[0] = frame.has_upper ? make_linear_edge(frame.upper_edge, top, middle) : LinearEdge{};
+    plane.left[1] = frame.has_lower ? make_linear_edge(frame.lower_edge, middle, bottom) : LinearEdge{};
+  } else {
+    plane.left[0] = make_linear_edge(frame.long_edge, top, bottom);
+    plane.left[1] = LinearEdge{};
+  }
+  return plane;
+}
+
+namespace detail {
+
+template <class Vertex>
+constexpr void order_by_height(const Vertex*& upper, const Vertex*& lower) {
+  if (lower->position.y < upper->position.y) {
+    const Vertex* const held = upper;
+    upper = lower;
+    lower = held;
+  }
+}
+
+/// The rows of the command; false if there are none.
+template <class Method>
+[[nodiscard]] constexpr bool place_rows(const TriangleFrame<Method>& frame, const RowRange& rows,
+                                        TriangleCommand<Method>& command) {
+  const auto clamped = [&rows](std::int32_t row) {
+    return row < rows.first ? rows.first : row > rows.end ? rows.end : row;
+  };
+  const std::int32_t first = clamped(first_row_at(frame.top->position.y));
+  const std::int32_t middle = clamped(first_row_at(frame.middle->position.y));
+  const std::int32_t end = clamped(first_row_at(frame.bottom->position.y));
+  command.first_row = static_cast<std::int16_t>(first);
+  command.middle_row = static_cast<std::int16_t>(middle);
+  command.end_row = static_cast<std::int16_t>(end);
+  return first < end;
+}
+
+/// Walks the edges that have rows to draw, and measures the triangle at its middle vertex.
+template <class Method>
+constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>& command) {
+  const RasterPosition& top = frame.top->position;
+  const RasterPosition& middle = frame.middle->position;
+  const RasterPosition& bottom = frame.bottom->position;
+  frame.has_upper = command.first_row < command.middle_row;
+  frame.has_lower = command.middle_row < command.end_row;
+  frame.long_edge = make_edge_span(top, bottom, command.first_row);
+  command.long_edge = make_edge_walk(frame.long_edge, bottom);
+  if (frame.has_upper) {
+    frame.upper_edge = make_edge_span(top, middle, command.first_row);
+    command.upper_edge = make_edge_walk(frame.upper_edge, middle);
+  }
+  if (frame.has_lower) {
+    frame.lower_edge = make_edge_span(middle, bottom, command.middle_row);
+    command.lower_edge = make_edge_walk(frame.lower_edge, bottom);
+  }
+  const auto height = static_cast<std::uint32_t>(middle.y - top.y);
+  frame.middle_fraction = Factor::from_raw(static_cast<std::int32_t>(
+      (height * frame.long_edge.inverse.mantissa) >> (frame.long_edge.inverse.exponent - Factor::kFraction)));
+  const std::int64_t across = (std::int64_t{middle.x - top.x} << 28) -
+                              ((command.long_edge.step * static_cast<std::int64_t>(height)) >> 4);
+  const std::int64_t width = (across < 0 ? -across : across) >> 16;
+  frame.width = width < 1 ? 1u : static_cast<std::uint32_t>(width);
+  frame.inverse_width = reciprocal(frame.width);
+}
+
+}  // namespace detail
+
+/// Turns a triangle into the command that draws it. `rows` are the viewport's; false if none of the
+/// triangle's rows is among them, or if it has no area. Either orientation is drawn.
+template <class Method>
+[[nodiscard]] constexpr bool prepare_triangle(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+                                              const RasterVertex<Method>& c,
+                                              const typename Method::Face& face, const RowRange& rows,
+                                              TriangleCommand<Method>& command) {
+  TriangleFrame<Method> frame{};
+  frame.top = &a;
+  frame.middle = &b;
+  frame.bottom = &c;
+  detail::order_by_height(frame.top, frame.middle);
+  detail::order_by_height(frame.middle, frame.bottom);
+  detail::order_by_height(frame.top, frame.middle);
+  const std::int32_t area = doubled_area(frame.top->position, frame.middle->position, frame.bottom->position);
+  if (area == 0 || !detail::place_rows(frame, rows, command)) return false;
+  frame.middle_left = area < 0;
+  command.middle_left = frame.middle_left;
+  detail::place_edges(frame, command);
+  command.depth =
+      make_linear_plane(frame, frame.top->position.z, frame.middle->position.z, frame.bottom->position.z);
+  Method::prepare(frame, face, command.shade);
+  return true;
+}
+
+}  // namespace arcspan

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/root.hpp>
+#include <arcspan/prepare/arc_rows.hpp>
+#include <arcspan/shading/illumination.hpp>
+#include <arcspan/shading/method.hpp>
+
+#include <array>
+
+namespace arcspan {
+
+/// Spherical-angular Phong shading on scalars (S0 eq. 14): the products of the normal with L, H or V run
+/// along great circles down the edges and along the rows, each by one multiply, one shift and sums a step.
+template <class Illumination>
+struct Arc {
+  static constexpr std::size_t kScalars = Illumination::kScalars;
+  using Scalars = std::array<Unit, kScalars>;
+  using Object = Illumination;
+  struct Face {};
+  struct Vertex {
+    Normal normal;
+    Scalars scalars;
+  };
+  /// The edges' arcs, each at its first row, and the rows of the upper and the lower half.
+  struct Prepared {
+    ArcEdge<kScalars> long_edge;
+    ArcEdge<kScalars> upper_edge;
+    ArcEdge<kScalars> lower_edge;
+    ArcRows upper_rows;
+    ArcRows lower_rows;
+    std::int32_t slope_drop;
+    bool middle_left;
+  };
+  static constexpr bool kNeedsFaceNormal = false;
+
+  /// Normals farther apart than 60 degrees (squared chord 1) are not interpolated; the triangle is split.
+  static constexpr Factor kWidest = Factor::of(1.0);
+
+  [[nodiscard]] static Vertex shade_vertex(const Object& object, const Direction& normal) {
+    return {to_normal(normal), object.scalars(normal)};
+  }
+  [[nodiscard]] static constexpr Face shade_face(const Object&, const Direction&) { return {}; }
+  [[nodiscard]] static constexpr bool too_wide(const Vertex& a, const Vertex& b) {
+    return squared_chord(a.normal, b.normal) > kWidest;
+  }
+
+  /// The vertex at the fraction t of the arc from a to b. Wide arcs are halved until the series hold.
+  [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
+    Vertex from = a;
+    Vertex to = b;
+    constexpr Factor kHalf = Factor::of(0.5);
+    for (int halvings = 0; halvings < 2 && too_wide(from, to); ++halvings) {
+      const Vertex middle = middle_of(from, to);
+      if (t < kHalf) {
+        to = middle;
+        t = t + t;
+      } else {
+        from = middle;
+        t = t + t - Factor::of(1.0);
+      }
+    }
+    return on_arc(from, to, t);
+  }
+
+  static constexpr void prepare(const TriangleFrame<Arc>& frame, const Face&, Prepared& prepared) {
+    const Vertex& top = frame.top->shade;
+    const Vertex& middle = frame.middle->shade;
+    const Vertex& bottom = frame.bottom->shade;
+    const Factor top_middle = squared_chord(top.normal, middle.normal);
+    const Factor top_bottom = squared_chord(top.normal, bottom.normal);
+    const Factor middle_bottom = squared_chord(middle.normal, bottom.normal);
+    const CornerChords from_top{top_middle, top_bottom, middle_bottom};
+    const CornerChords from_bottom{middle_bottom, top_bottom, top_middle};
+    const Factor row_middle = row_angle_at_middle(from_top, frame.middle_fraction);
+
+    prepared.long_edge =
+        make_arc_edge(frame.long_edge, angle_of_chord(top_bottom), top.scalars, bottom.scalars);
+    Factor widest = row_middle;
+    if (frame.has_upper) {
+      const Factor corner = row_angle_at_corner(from_top, frame.middle_fraction);
+      prepared.upper_edge =
+          make_arc_edge(frame.upper_edge, angle_of_chord(top_middle), top.scalars, middle.scalars);
+      prepared.upper_rows = make_arc_rows(corner, row_middle, frame.inverse_width, frame.upper_edge, true);
+      widest = corner > widest ? corner : widest;
+    }
+    if (frame.has_lower) {
+      const Factor corner = row_angle_at_corner(from_bottom, Factor::of(1.0) - frame.middle_fraction);
+      prepared.lower_edge =
+          make_arc_edge(frame.lower_edge, angle_of_chord(middle_bottom), middle.scalars, bottom.scalars);
+      prepared.lower_rows = make_arc_rows(corner, row_middle, frame.inverse_width, frame.lower_edge, false);
+      widest = corner > widest ? corner : widest;
+    }
+    prepared.slope_drop = arcspan::slope_drop(widest);
+    prepared.middle_left = frame.middle_left;
+  }
+
+  /// The scalars of a row's pixels.
+  class Run {
+   public:
+    constexpr Run(const std::array<ArcScalar, kScalars>& scalars, std::int32_t mantissa, std::int32_t shift)
+        : scalars_(scalars), mantissa_(mantissa), shift_(shift) {}
+    [[nodiscard]] constexpr Rgb8 colour(const Object& object) const {
+      Scalars values;
+      for (std::size_t i = 0; i < kScalars; ++i) values[i] = scalars_[i].x;
+      return object.colour(values);
+    }
+    [[nodiscard]] constexpr Unit scalar(std::size_t i) const { return scalars_[i].x; }
+    constexpr void next() {
+      for (ArcScalar& scalar : scalars_) scalar.step(mantissa_, shift_);
+    }
+
+   private:
+    std::array<ArcScalar, kScalars> scalars_;
+    std::int32_t mantissa_;
+    std::int32_t shift_;
+  };
+
+  /// Both edges' scalars, from row to row.
+  class Walker {
+   public:
+    constexpr explicit Walker(const Prepared& prepared)
+        : prepared_(&prepared),
+          long_(prepared.long_edge),
+          short_(prepared.upper_edge),
+          rows_(prepared.upper_rows) {}
+
+    [[nodiscard]] constexpr Run row(const RowStart& start) const {
+      const Factor t = Factor::from_raw(rows_.t >> 15);
+      const Factor t2 = multiply<Factor>(t, t);
+      const Factor angle2 = multiply<Factor>(t2, rows_.corner + multiply<Factor>(t2, rows_.rise));
+      const std::int32_t mantissa = wrap_add(rows_.k_corner, wrap_mul(rows_.k_rise, t2.raw()) >> 15);
+
+      const Reciprocal inverse = reciprocal(start.width);
+      const ArcFraction pixel = arc_fraction(inverse, 16);
+      const std::uint32_t inside = start.fraction < start.width ? start.fraction : start.width;
+      const std::uint32_t normalised = inside << (47 - inverse.exponent);
+      const std::uint32_t u = ((normalised >> 16) * inverse.mantissa) >> 16;
+      const ArcStart arc = arc_start(angle2, Factor::from_raw(static_cast<std::int32_t>(u)), pixel.factor());
+
+      const ArcEdge<kScalars>& left = prepared_->middle_left ? short_ : long_;
+      const ArcEdge<kScalars>& right = prepared_->middle_left ? long_ : short_;
+      std::array<ArcScalar, kScalars> scalars;
+      for (std::size_t i = 0; i < kScalars; ++i) {
+        scalars[i] = start_scalar(arc, pixel, prepared_->slope_drop, left.scalars[i].x, right.scalars[i].x);
+      }
+      return Run(scalars, mantissa, rows_.k_shift);
+    }
+
+    constexpr void next_row() {
+      long_.advance();
+      short_.advance();
+      rows_.t = wrap_add(rows_.t, rows_.dt);
+    }
+    constexpr void enter_lower() {
+      short_ = prepared_->lower_edge;
+      rows_ = prepared_->lower_rows;
+    }
+
+   private:
+    const Prepared* prepared_;
+    ArcEdge<kScalars> long_;
+    ArcEdge<kScalars> short_;
+    ArcRows rows_;
+  };
+
+ private:
+  /// Middle of an arc by dichotomy: (a + b) / sqrt(2 + z), z = 2 a·b = 2 - s. Opposite normals have no middle
+  /// and give the zero vector, which is dark.
+  [[nodiscard]] static constexpr Vertex middle_of(const Vertex& a, const Vertex& b) {
+    const Factor rest = Factor::of(4.0) - squared_chord(a.normal, b.normal);
+    if (rest.raw() <= 64) return {};
+    const ReciprocalRoot root = reciprocal_root(static_cast<std::uint32_t>(rest.raw()));
+    // The root is of the raw value, 15 fraction bits up: 1/sqrt(value) = 2^7.5 / sqrt(raw), 46341 = 2^15.5.
+    const auto scaled = [&root](std::int64_t sum) {
+      const std::int64_t product = ((sum * root.mantissa) >> 8) * 46341;
+      return (product + (std::int64_t{1} << (root.exponent - 1))) >> root.exponent;
+    };
+    const auto component = [&scaled](NormalComponent p, NormalComponent q) {
+      return NormalComponent::from_raw(static_cast<std::int16_t>(scaled(std::int64_t{p.raw()} + q.raw())));
+    };
+    Vertex middle;
+    middle.normal = {component(a.normal.x, b.normal.x), component(a.normal.y, b.normal.y),
+                     component(a.normal.z, b.normal.z)};
+    for (std::size_t i = 0; i < kScalars; ++i) {
+      middle.scalars[i] = Unit::from_raw(
+          static_cast<std::int32_t>(scaled(std::int64_t{a.scalars[i].raw()} + b.scalars[i].raw())));
+    }
+    return middle;
+  }
+
+  /// S0 eq. 2 at the fraction t of an arc of at most 60 degrees.
+  [[nodiscard]] static constexpr Vertex on_arc(const Vertex& a, const Vertex& b, Factor t) {
+    const ArcStart at = arc_start(angle_of_chord(squared_chord(a.normal, b.normal)), t, Factor{});
+    const auto component = [&at](NormalComponent p, NormalComponent q) {
+      const Factor middle = Factor::from_raw(p.raw() + q.raw());  // 14 bits summed: 15 bits of the mean
+      const Factor rise = Factor::from_raw((q.raw() - p.raw()) * 2);
+      const Factor sum = middle + multiply<Factor>(at.even, middle) + multiply<Factor>(at.odd, rise);
+      return NormalComponent::from_raw(static_cast<std::int16_t>(round_shift(sum.raw(), 1)));
+    };
+    Vertex point;
+    point.normal = {component(a.normal.x, b.normal.x), component(a.normal.y, b.normal.y),
+                    component(a.normal.z, b.normal.z)};
+    for (std::size_t i = 0; i < kScalars; ++i) {
+      point.scalars[i] = start_scalar(at, {}, 15, a.scalars[i], b.scalars[i]).x;
+    }
+    return point;
+  }
+};
+
+}  // namespace arcspan

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/shading/illumination.hpp>
+#include <arcspan/shading/method.hpp>
+
+namespace arcspan {
+
+/// Flat shading: one colour a triangle, from its plane's normal.
+template <class Illumination>
+struct Flat {
+  using Object = Illumination;
+  using Face = Rgb8;
+  struct Vertex {};
+  using Prepared = Rgb8;
+  static constexpr bool kNeedsFaceNormal = true;
+
+  [[nodiscard]] static Vertex shade_vertex(const Object&, const Direction&) { return {}; }
+  [[nodiscard]] static Face shade_face(const Object& object, const Direction& normal) {
+    return object.colour(object.scalars(normal));
+  }
+  [[nodiscard]] static constexpr Vertex between(const Vertex&, const Vertex&, Factor) { return {}; }
+  [[nodiscard]] static constexpr bool too_wide(const Vertex&, const Vertex&) { return false; }
+  static constexpr void prepare(const TriangleFrame<Flat>&, const Face& face, Prepared& prepared) {
+    prepared = face;
+  }
+
+  struct Run {
+    Rgb8 value;
+    [[nodiscard]] constexpr Rgb8 colour(const Object&) const { return value; }
+    constexpr void next() {}
+  };
+
+  class Walker {
+   public:
+    constexpr explicit Walker(const Prepared& prepared) : value_(prepared) {}
+    [[nodiscard]] constexpr Run row(const RowStart&) const { return {value_}; }
+    constexpr void next_row() {}
+    constexpr void enter_lower() {}
+
+   private:
+    Rgb8 value_;
+  };
+};
+
+}  // namespace arcspan

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/shading/illumination.hpp>
+#include <arcspan/shading/method.hpp>
+#include <arcspan/span/linear_walk.hpp>
+
+namespace arcspan {
+
+/// Gouraud shading: the full illumination at the vertices, colour linear on the screen.
+template <class Illumination>
+struct Gouraud {
+  using Object = Illumination;
+  struct Face {};
+  using Vertex = DeepColour;
+  struct Prepared {
+    LinearPlane r;
+    LinearPlane g;
+    LinearPlane b;
+    bool middle_left;
+  };
+  static constexpr bool kNeedsFaceNormal = false;
+
+  [[nodiscard]] static Vertex shade_vertex(const Object& object, const Direction& normal) {
+    return object.deep_colour(object.scalars(normal));
+  }
+  [[nodiscard]] static constexpr Face shade_face(const Object&, const Direction&) { return {}; }
+  [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
+    const auto mix = [t](std::int32_t from, std::int32_t to) {
+      return from + round_shift(wrap_mul(to - from, t.raw() >> 1), 14);
+    };
+    return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
+  }
+  [[nodiscard]] static constexpr bool too_wide(const Vertex&, const Vertex&) { return false; }
+
+  static constexpr void prepare(const TriangleFrame<Gouraud>& frame, const Face&, Prepared& prepared) {
+    const Vertex& top = frame.top->shade;
+    const Vertex& middle = frame.middle->shade;
+    const Vertex& bottom = frame.bottom->shade;
+    prepared.r = make_linear_plane(frame, top.r, middle.r, bottom.r);
+    prepared.g = make_linear_plane(frame, top.g, middle.g, bottom.g);
+    prepared.b = make_linear_plane(frame, top.b, middle.b, bottom.b);
+    prepared.middle_left = frame.middle_left;
+  }
+
+  struct Run {
+    Linear r;
+    Linear g;
+    Linear b;
+    Linear dr;
+    Linear dg;
+    Linear db;
+
+    [[nodiscard]] constexpr Rgb8 colour(const Object&) const { return {level(r), level(g), level(b)}; }
+    constexpr void next() {
+      r += dr;
+      g += dg;
+      b += db;
+    }
+
+   private:
+    /// Rounded to 8 bits; gradients have errors, so that a value may leave 0...255 by a little.
+    [[nodiscard]] static constexpr std::uint8_t level(Linear value) {
+      const std::int32_t rounded = round_shift(value.raw(), Linear::kFraction + 8);
+      return static_cast<std::uint8_t>(rounded < 0 ? 0 : rounded > 255 ? 255 : rounded);
+    }
+  };
+
+  class Walker {
+   public:
+    constexpr explicit Walker(const Prepared& p)
+        : r_(p.r, p.middle_left), g_(p.g, p.middle_left), b_(p.b, p.middle_left) {}
+    [[nodiscard]] constexpr Run row(const RowStart& start) const {
+      return {r_.at(start.fraction), g_.at(start.fraction), b_.at(start.fraction), r_.dx(), g_.dx(), b_.dx()};
+    }
+    constexpr void next_row() {
+      r_.next_row();
+      g_.next_row();
+      b_.next_row();
+    }
+    constexpr void enter_lower() {
+      r_.enter_lower();
+      g_.enter_lower();
+      b_.enter_lower();
+    }
+
+   private:
+    LinearWalk r_;
+    LinearWalk g_;
+    LinearWalk b_;
+  };
+};
+
+}  // namespace arcspan

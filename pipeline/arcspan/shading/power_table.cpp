@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/shading/power_table.hpp>
+
+#include <bit>
+
+namespace arcspan {
+
+namespace {
+
+/// base^exponent, 31 fraction bits, by square-and-multiply.
+std::uint32_t power(std::uint32_t base, std::int32_t exponent) {
+  std::uint64_t result = std::uint64_t{1} << 31;
+  std::uint64_t square = base;
+  for (; exponent > 0; exponent >>= 1) {
+    if ((exponent & 1) != 0) result = (result * square + (1u << 30)) >> 31;
+    square = (square * square + (1u << 30)) >> 31;
+  }
+  return static_cast<std::uint32_t>(result);
+}
+
+/// The distance from 1 at which c^n falls to 2^-10, by bisection; 30 fraction bits.
+std::uint32_t reach(std::int32_t exponent) {
+  std::uint32_t reach = 0;
+  for (std::uint32_t bit = 1u << 29; bit != 0; bit >>= 1) {
+    const std::uint32_t further = reach + bit;
+    if (power((1u << 31) - 2 * further, exponent) >= 1u << 21) reach = further;
+  }
+  return reach + 1;
+}
+
+}  // namespace
+
+PowerTable::PowerTable(std::int32_t exponent) {
+  const std::int32_t n = exponent < 1 ? 1 : exponent > kMaxExponent ? kMaxExponent : exponent;
+  reach_ = reach(n);
+  const auto bits = static_cast<std::uint32_t>(std::bit_width(reach_));
+  drop_ = bits > 16 ? bits - 16 : 0;
+  const std::uint32_t reach16 = reach_ >> drop_;
+  scale_ = ((kIntervals << 8) << 16) / (reach16 + 1);
+  for (std::uint32_t i = 0; i < kIntervals + 2; ++i) {
+    // The distance that position i << 8 stands for, doubled to 31 fraction bits.
+    const std::uint64_t distance = ((std::uint64_t{i} << (8 + 16 + 1)) << drop_) / scale_;
+    const std::uint64_t base = distance < (std::uint64_t{1} << 31) ? (std::uint64_t{1} << 31) - distance : 0;
+    values_[i] = static_cast<std::uint16_t>((power(static_cast<std::uint32_t>(base), n) + (1u << 15)) >> 16);
+  }
+}
+
+}  // namespace arcspan

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/formats.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace arcspan {
+
+/// c^n for the specular factor: a table over 1 - c with linear interpolation. It covers the part where the
+/// power is above 2^-10, a quarter of an 8-bit step; further out it is 0. Working on 1 - c keeps the
+/// highlight sharp, for it is there that c has the fewest significant bits (shading.md section 2).
+class PowerTable {
+ public:
+  static constexpr std::uint32_t kIntervals = 128;
+  static constexpr std::int32_t kMaxExponent = 256;
+
+  constexpr PowerTable() = default;
+
+  /// The table of c^n; `exponent` is clamped to 1...256. Error at most 2^-11 (swept in the tests).
+  explicit PowerTable(std::int32_t exponent);
+
+  /// c^n in 15 fraction bits, 0...1; c <= 0 gives 0 (or its limit for n = 1), c >= 1 gives 1.
+  [[nodiscard]] constexpr std::uint32_t operator()(Unit c) const {
+    const std::int32_t below_one = wrap_sub(1 << Unit::kFraction, c.raw());
+    if (below_one <= 0) return values_[0];
+    const std::uint32_t distance = static_cast<std::uint32_t>(below_one);
+    if (distance >= reach_) return 0;
+    const std::uint32_t position = ((distance >> drop_) * scale_) >> 16;  // 8 fraction bits
+    const std::uint32_t index = position >> 8;
+    const std::uint32_t here = values_[index];
+    const std::uint32_t next = values_[index + 1];
+    return here - (((here - next) * (position & 0xFFu) + 128u) >> 8);
+  }
+
+ private:
+  std::uint32_t reach_ = 0;  ///< 1 - c up to here is in the table, 30 fraction bits
+  std::uint32_t drop_ = 0;   ///< leaves 16 bits of a distance within reach
+  std::uint32_t scale_ = 0;  ///< from there to the table's position
+  std::array<std::uint16_t, kIntervals + 2> values_{};
+};
+
+}  // namespace arcspan

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/sink.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan {
+
+/// No depth test: triangles cover what was drawn before them (painter's order, convex objects).
+struct NoDepth {
+  static constexpr bool kTests = false;
+  [[nodiscard]] constexpr Rect bounds() const {
+    return {INT32_MIN / 2, INT32_MIN / 2, INT32_MAX / 2, INT32_MAX / 2};
+  }
+};
+
+/// A 16-bit depth buffer over caller memory, of the size of the picture or of a band of it. A pixel is drawn
+/// if it is nearer (smaller) than what is there; equal depths keep the first.
+class DepthBuffer {
+ public:
+  static constexpr bool kTests = true;
+  static constexpr std::uint16_t kFarthest = 0xFFFF;
+
+  [[nodiscard]] static constexpr std::size_t units(std::int32_t width, std::int32_t rows) {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
+  }
+
+  /// `memory` must hold units(width, rows); otherwise bounds() is empty and nothing is drawn.
+  constexpr DepthBuffer(std::span<std::uint16_t> memory, std::int32_t width, std::int32_t rows,
+                        std::int32_t first_row = 0)
+      : memory_(memory.data()) {
+    if (width >= 0 && rows >= 0 && memory.size() >= units(width, rows)) {
+      bounds_ = {0, first_row, width, first_row + rows};
+    }
+  }
+
+  [[nodiscard]] constexpr Rect bounds() const { return bounds_; }
+  [[nodiscard]] constexpr std::uint16_t* row(std::int32_t y) const {
+    return memory_ + (y - bounds_.top) * bounds_.right;
+  }
+
+  /// Makes this memory stand for the rows from first_row on; depths are kept.
+  constexpr void move_to(std::int32_t first_row) {
+    const std::int32_t rows = bounds_.height();
+    bounds_.top = first_row;
+    bounds_.bottom = first_row + rows;
+  }
+
+  constexpr void clear() {
+    const std::size_t count = units(bounds_.right, bounds_.height());
+    for (std::size_t i = 0; i < count; ++i) memory_[i] = kFarthest;
+  }
+
+ private:
+  std::uint16_t* memory_;
+  Rect bounds_{};
+};
+
+template <class D>
+concept DepthTarget = std::same_as<D, NoDepth> || std::same_as<D, DepthBuffer>;
+
+}  // namespace arcspan

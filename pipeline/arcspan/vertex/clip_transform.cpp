@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/vertex/clip_transform.hpp>
+
+#include <bit>
+
+namespace arcspan {
+
+namespace {
+
+/// No 16-bit position is farther from the object's origin: 32768 * sqrt(3), rounded up.
+constexpr std::int64_t kObjectRadius = 56756;
+constexpr std::int64_t kMaxTranslation = std::int64_t{1} << 22;
+constexpr std::int64_t kMaxDepthRange = std::int64_t{1} << 32;  // times 2^30 fits 64 bits
+constexpr std::int32_t kMaxPicture = 2 * kGuardBand;
+constexpr int kGuardBits = 10 + PixelLength::kFraction;  // focal / kGuardBand in PixelLength
+
+std::int64_t magnitude(std::int64_t v) { return v < 0 ? -v : v; }
+
+bool acceptable(const Placement& placement, const Projection& projection, const Viewport& viewport) {
+  for (const ObjectLength t : placement.translation) {
+    if (magnitude(t.raw()) > kMaxTranslation << ObjectLength::kFraction) return false;
+  }
+  return viewport.width >= 1 && viewport.height >= 1 && viewport.width <= kMaxPicture &&
+         viewport.height <= kMaxPicture && projection.focal.raw() > 0 && projection.near_plane.raw() > 0 &&
+         projection.far_plane > projection.near_plane;
+}
+
+/// How far coordinates of clip space may be scaled up, as a power of two: the largest stays below 2^29.
+int scale_bits(const Placement& placement, const Projection& projection) {
+  const auto reach = [](ObjectLength t) {
+    return kObjectRadius + (magnitude(t.raw()) >> ObjectLength::kFraction) + 1;
+  };
+  const std::int64_t x = reach(placement.translation[0]);
+  const std::int64_t y = reach(placement.translation[1]);
+  const std::int64_t widest = ((x > y ? x : y) * projection.focal.raw() >> kGuardBits) + 1;
+  const std::int64_t w = reach(placement.translation[2]);
+  const std::int64_t largest = widest > w ? widest : w;
+  return 29 - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(largest)));
+}
+
+/// value * factor * 2^shift, rounded towards minus infinity; |value| < 2^32, 0 < factor < 2^31.
+std::int32_t rescaled(std::int64_t value, std::int64_t factor, int shift) {
+  const std::int64_t product = value * factor;
+  return static_cast<std::int32_t>(shift >= 0 ? product << shift : product >> -shift);
+}
+
+}  // namespace
+
+Status ClipTransform::make(const Placement& placement, const Projection& projection, const Viewport& viewport,
+                           ClipTransform& transform) {
+  if (!acceptable(placement, projection, viewport)) return Status::kInvalidArgument;
+  const int bits = scale_bits(placement, projection);
+  // Rows x and y carry focal / kGuardBand, y and w a minus sign: screen y goes down, the camera looks along
+  // -z.
+  const std::int64_t factors[3] = {projection.focal.raw(), projection.focal.raw(),
+                                   std::int64_t{1} << kGuardBits};
+  for (int i = 0; i < 3; ++i) {
+    const std::int64_t sign = i == 0 ? 1 : -1;
+    for (int j = 0; j < 3; ++j) {
+      transform.matrix_[i][j] = rescaled(sign * placement.rotation[i][j].raw(), factors[i],
+                                         bits + 15 - RotationEntry::kFraction - kGuardBits);
+    }
+    transform.offset_[i] = rescaled(sign * placement.translation[i].raw(), factors[i],
+                                    bits - ObjectLength::kFraction - kGuardBits);
+  }
+  const std::int32_t near_w = rescaled(projection.near_plane.raw(), std::int64_t{1} << kGuardBits,
+                                       bits - ObjectLength::kFraction - kGuardBits);
+  transform.near_w_ = near_w < 1 ? 1 : near_w;
+  // depth = margin + range * far / (far - near) * (1 - near / w).
+  const std::int64_t range = 65535 - 2 * kDepthMargin;
+  const std::int64_t depth_range = range * projection.far_plane.raw() /
+                                   (std::int64_t{projection.far_plane.raw()} - projection.near_plane.raw());
+  transform.depth_range_ = depth_range < kMaxDepthRange ? depth_range : kMaxDepthRange;
+  transform.viewport_ = viewport;
+  return Status::kOk;
+}
+
+std::uint16_t ClipTransform::depth(std::int32_t near_over_w) const {
+  constexpr std::int64_t kDeepest = 65535 - kDepthMargin;
+  const std::int64_t one_minus = (std::int64_t{1} << 30) - near_over_w;
+  const std::int64_t depth = kDepthMargin + ((depth_range_ * one_minus) >> 30);
+  return static_cast<std::uint16_t>(depth < kDepthMargin ? kDepthMargin
+                                    : depth > kDeepest   ? kDeepest
+                                                         : depth);
+}
+
+}  // namespace arcspan

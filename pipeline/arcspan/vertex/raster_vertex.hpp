@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/reciprocal.hpp>
+#include <arcspan/vertex/clip_transform.hpp>
+
+#include <cstdint>
+
+namespace arcspan {
+
+/// A vertex on the screen. `x` and `y` are Subpixel values (28.4, relative to the middle pixel
+/// (width / 2, height / 2), rounded down, of the viewport, y down) in 16 bits; `z` is the depth, nearer is
+/// smaller.
+struct RasterPosition {
+  std::int16_t x = 0;
+  std::int16_t y = 0;
+  std::uint16_t z = 0;
+
+  friend constexpr bool operator==(const RasterPosition&, const RasterPosition&) = default;
+};
+
+/// The planes that a clip-space vertex is outside of, one bit each.
+enum ClipOutcode : std::uint8_t {
+  kInside = 0,
+  kOutsideNear = 1,
+  kOutsideLeft = 2,
+  kOutsideRight = 4,
+  kOutsideTop = 8,
+  kOutsideBottom = 16,
+};
+
+[[nodiscard]] constexpr std::uint8_t outcode(const ClipPosition& p, std::int32_t near_w) {
+  // Behind the near plane the sides mean nothing: w may be negative.
+  if (p.w < near_w) return kOutsideNear;
+  return static_cast<std::uint8_t>((p.x < -p.w ? kOutsideLeft : 0) | (p.x > p.w ? kOutsideRight : 0) |
+                                   (p.y < -p.w ? kOutsideTop : 0) | (p.y > p.w ? kOutsideBottom : 0));
+}
+
+/// Divides by w and snaps to 28.4, rounding to nearest. Needs w >= near_w; x and y saturate at the guard
+/// band.
+[[nodiscard]] inline RasterPosition project(const ClipPosition& p, const ClipTransform& transform) {
+  const WideReciprocal inverse = wide_reciprocal(static_cast<std::uint32_t>(p.w));
+  constexpr int kBits = 10 + Subpixel::kFraction;  // x / w = 1 is kGuardBand pixels
+  const int shift = inverse.exponent - kBits;
+  const auto screen = [&](std::int32_t c, std::int32_t half_pixel) {
+    const std::int64_t product = std::int64_t{c} * inverse.mantissa;
+    const std::int64_t snapped = ((product + (std::int64_t{1} << (shift - 1))) >> shift) + half_pixel;
+    constexpr std::int64_t kMax = (std::int64_t{1} << kBits) - 1;
+    return static_cast<std::int16_t>(snapped < -kMax - 1 ? -kMax - 1 : snapped > kMax ? kMax : snapped);
+  };
+  // The middle of an odd picture is the centre of its middle pixel.
+  const std::int32_t odd_x = (transform.viewport().width & 1) * 8;
+  const std::int32_t odd_y = (transform.viewport().height & 1) * 8;
+  const std::int64_t near_over_w =
+      (std::int64_t{transform.near_w()} * inverse.mantissa) >> (inverse.exponent - 30);
+  return {screen(p.x, odd_x), screen(p.y, odd_y), transform.depth(static_cast<std::int32_t>(near_over_w))};
+}
+
+}  // namespace arcspan

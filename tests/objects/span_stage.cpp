@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The span stage and nothing else, for every method and format: the object that must hold no division.
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/arc.hpp>
+#include <arcspan/shading/flat.hpp>
+#include <arcspan/shading/gouraud.hpp>
+#include <arcspan/span/draw_command.hpp>
+
+namespace arcspan {
+
+using Blinn1 = Illumination<1, Highlight::kBlinn>;
+using Blinn4 = Illumination<4, Highlight::kBlinn>;
+using Phong1 = Illumination<1, Highlight::kPhong>;
+using Phong4 = Illumination<4, Highlight::kPhong>;
+
+#define ARCSPAN_INSTANTIATE(METHOD, FORMAT, DEPTH)                                             \
+  template Status draw_command<METHOD, hal::Framebuffer<FORMAT>, DEPTH>(                       \
+      const TriangleCommand<METHOD>&, const RasterOrigin&, const Rect&, const METHOD::Object&, \
+      hal::Framebuffer<FORMAT>&, const DEPTH&)
+
+ARCSPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Arc<Phong1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Arc<Blinn4>, Rgb888, DepthBuffer);
+ARCSPAN_INSTANTIATE(Arc<Phong4>, Gray8, NoDepth);
+ARCSPAN_INSTANTIATE(Arc<Phong1>, Gray4, NoDepth);
+ARCSPAN_INSTANTIATE(Arc<Phong1>, Dithered<Mono>, NoDepth);
+ARCSPAN_INSTANTIATE(Arc<Phong1>, Dithered<Rgb565>, DepthBuffer);
+
+}  // namespace arcspan

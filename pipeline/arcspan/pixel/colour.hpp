@@ -14,6 +14,22 @@ struct Rgb8 {
   friend constexpr bool operator==(const Rgb8&, const Rgb8&) = default;
 };
 
+/// Three channels in one word, each with 8 bits and 2 fraction bits to which half a step has been added, so
+/// that dropping them rounds: r in bits 29...20, g in 19...10, b in 9...0. What shading hands to pixel
+/// formats.
+struct PackedRgb {
+  std::uint32_t lanes = 0;
+
+  /// Channels in 0...1023.
+  [[nodiscard]] static constexpr PackedRgb of(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
+    return {(r << 20) | (g << 10) | b};
+  }
+  [[nodiscard]] constexpr Rgb8 rgb8() const {
+    return {static_cast<std::uint8_t>(lanes >> 22), static_cast<std::uint8_t>(lanes >> 12),
+            static_cast<std::uint8_t>(lanes >> 2)};
+  }
+};
+
 /// Luma of `c`, 0...255: the BT.601 weights 0.299, 0.587, 0.114 in eighths of a byte (77, 150, 29 of 256),
 /// rounded. A neutral grey keeps its value exactly, since the weights sum to 256.
 [[nodiscard]] constexpr std::uint8_t luma(Rgb8 c) {

@@ -105,8 +105,13 @@ struct Rgb565 {
   [[nodiscard]] static constexpr Code encode(Rgb8 c) {
     return static_cast<Code>(((c.r & 0xF8u) << 8) | ((c.g & 0xFCu) << 3) | (c.b >> 3));
   }
+  /// encode(c.rgb8()), straight from the lanes.
+  [[nodiscard]] static constexpr Code encode(PackedRgb c) {
+    return static_cast<Code>((((c.lanes >> 25) & 31u) << 11) | (((c.lanes >> 14) & 63u) << 5) |
+                             ((c.lanes >> 5) & 31u));
+  }
   [[nodiscard]] static constexpr Code encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
-    return encode({dithered<5>(c.r, x, y), dithered<6>(c.g, x, y), dithered<5>(c.b, x, y)});
+    return encode(Rgb8{dithered<5>(c.r, x, y), dithered<6>(c.g, x, y), dithered<5>(c.b, x, y)});
   }
   [[nodiscard]] static constexpr Rgb8 decode(Code code) {
     return {detail::expand_to_8<5>(static_cast<unsigned>(code >> 11)),
@@ -197,11 +202,13 @@ struct Dithered : F {
 
 /// The code that format `F` stores for colour `c` at pixel (x, y) of the picture.
 template <PixelFormat F>
-[[nodiscard]] constexpr typename F::Code encode_at(Rgb8 c, std::int32_t x, std::int32_t y) {
+[[nodiscard]] constexpr typename F::Code encode_at(PackedRgb c, std::int32_t x, std::int32_t y) {
   if constexpr (F::kDithers) {
-    return F::encode_dithered(c, x, y);
-  } else {
+    return F::encode_dithered(c.rgb8(), x, y);
+  } else if constexpr (requires { F::encode(c); }) {
     return F::encode(c);
+  } else {
+    return F::encode(c.rgb8());
   }
 }
 

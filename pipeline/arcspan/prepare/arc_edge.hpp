@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/unroll.hpp>
 #include <arcspan/prepare/arc_angle.hpp>
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/recurrence.hpp>
@@ -17,7 +18,7 @@ struct ArcEdge {
   ArcStep step;
 
   constexpr void advance() {
-    for (ArcScalar& scalar : scalars) scalar.step(step.mantissa, step.shift);
+    unrolled<Count>([this](auto i) { scalars[i].step(step.mantissa, step.shift); });
   }
 };
 

@@ -144,7 +144,7 @@ template <class Method>
                                               const RasterVertex<Method>& c,
                                               const typename Method::Face& face, const RowRange& rows,
                                               TriangleCommand<Method>& command) {
-  TriangleFrame<Method> frame{};
+  TriangleFrame<Method> frame;
   frame.top = &a;
   frame.middle = &b;
   frame.bottom = &c;

@@ -100,14 +100,14 @@ struct Arc {
    public:
     constexpr Run(const std::array<ArcScalar, kScalars>& scalars, std::int32_t mantissa, std::int32_t shift)
         : scalars_(scalars), mantissa_(mantissa), shift_(shift) {}
-    [[nodiscard]] constexpr Rgb8 colour(const Object& object) const {
+    [[nodiscard]] constexpr PackedRgb colour(const Object& object) const {
       Scalars values;
-      for (std::size_t i = 0; i < kScalars; ++i) values[i] = scalars_[i].x;
+      unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
       return object.colour(values);
     }
     [[nodiscard]] constexpr Unit scalar(std::size_t i) const { return scalars_[i].x; }
     constexpr void next() {
-      for (ArcScalar& scalar : scalars_) scalar.step(mantissa_, shift_);
+      unrolled<kScalars>([this](auto i) { scalars_[i].step(mantissa_, shift_); });
     }
 
    private:

@@ -10,9 +10,9 @@ namespace arcspan {
 template <class Illumination>
 struct Flat {
   using Object = Illumination;
-  using Face = Rgb8;
+  using Face = PackedRgb;
   struct Vertex {};
-  using Prepared = Rgb8;
+  using Prepared = PackedRgb;
   static constexpr bool kNeedsFaceNormal = true;
 
   [[nodiscard]] static Vertex shade_vertex(const Object&, const Direction&) { return {}; }
@@ -26,8 +26,8 @@ struct Flat {
   }
 
   struct Run {
-    Rgb8 value;
-    [[nodiscard]] constexpr Rgb8 colour(const Object&) const { return value; }
+    PackedRgb value;
+    [[nodiscard]] constexpr PackedRgb colour(const Object&) const { return value; }
     constexpr void next() {}
   };
 
@@ -39,7 +39,7 @@ struct Flat {
     constexpr void enter_lower() {}
 
    private:
-    Rgb8 value_;
+    PackedRgb value_;
   };
 };
 

@@ -51,7 +51,9 @@ struct Gouraud {
     Linear dg;
     Linear db;
 
-    [[nodiscard]] constexpr Rgb8 colour(const Object&) const { return {level(r), level(g), level(b)}; }
+    [[nodiscard]] constexpr PackedRgb colour(const Object&) const {
+      return PackedRgb::of(level(r), level(g), level(b));
+    }
     constexpr void next() {
       r += dr;
       g += dg;
@@ -59,10 +61,11 @@ struct Gouraud {
     }
 
    private:
-    /// Rounded to 8 bits; gradients have errors, so that a value may leave 0...255 by a little.
-    [[nodiscard]] static constexpr std::uint8_t level(Linear value) {
-      const std::int32_t rounded = round_shift(value.raw(), Linear::kFraction + 8);
-      return static_cast<std::uint8_t>(rounded < 0 ? 0 : rounded > 255 ? 255 : rounded);
+    /// 8 and 2 bits, half a step added; gradients have errors, so that a value may leave 0...255 by a little.
+    [[nodiscard]] static constexpr std::uint32_t level(Linear value) {
+      constexpr int kDrop = Linear::kFraction + 6;
+      const std::int32_t rounded = wrap_add(value.raw(), 1 << (kDrop + 1)) >> kDrop;
+      return static_cast<std::uint32_t>(rounded < 0 ? 0 : rounded > 1023 ? 1023 : rounded);
     }
   };
 

@@ -46,13 +46,29 @@ Status Illumination<Lights, Model>::make(const Material& material,
   for (std::size_t i = 0; i < Lights; ++i) {
     illumination.axes_[i] = lights[i].towards;
     illumination.strength_[i] = static_cast<std::uint32_t>(lights[i].strength.raw());
-    illumination.light_eye_[i] = dot(lights[i].towards, to_eye);
+    illumination.half_one_plus_light_eye_[i] =
+        (1 << (Unit::kFraction - 1)) + (dot(lights[i].towards, to_eye).raw() >> 1);
     if (Model == Highlight::kBlinn)
       illumination.axes_[(Lights + i) % kScalars] = half_way(lights[i].towards, to_eye);
   }
   if (Model == Highlight::kPhong) illumination.axes_[Lights] = to_eye;
   illumination.power_ = PowerTable(material.shininess);
+  illumination.make_ramp();
   return Status::kOk;
+}
+
+template <std::size_t Lights, Highlight Model>
+void Illumination<Lights, Model>::make_ramp() {
+  for (std::size_t i = 0; i < ramp_.size(); ++i) {
+    std::uint32_t lanes = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      // 20 fraction bits become 2; entry 0 also serves the unlit side, where the diffuse part is 0.
+      const std::uint32_t light = i == 0 ? 0 : static_cast<std::uint32_t>(i) * 128 + 64;
+      const std::uint32_t deep = (ambient_[c] + diffuse_[c] * light + (1u << 19) + (1u << 17)) >> 18;
+      lanes = (lanes << 10) | (deep > 1023 ? 1023u : deep);
+    }
+    ramp_[i] = lanes;
+  }
 }
 
 template class Illumination<1, Highlight::kBlinn>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/numbers/direction.hpp>
+#include <arcspan/numbers/unroll.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/shading/power_table.hpp>
 #include <arcspan/status.hpp>
@@ -72,24 +73,43 @@ class Illumination {
   }
 
   /// pixel = ambient + diffuse * sum(strength * max(0, N·L)) + specular * sum(strength * factor^n), where N·L
-  /// > 0.
-  [[nodiscard]] constexpr Rgb8 colour(const Scalars& scalars) const {
-    const Light light = gather(scalars);
-    return {level(0, light), level(1, light), level(2, light)};
+  /// > 0, each channel rounded and clamped. With one light the diffuse part comes from a ramp of 256 colours.
+  [[nodiscard]] constexpr PackedRgb colour(const Scalars& scalars) const {
+    if constexpr (Lights == 1) {
+      const std::int32_t index = scalars[0].raw() >> (Unit::kFraction - kRampBits);
+      const PackedRgb ramp{ramp_[static_cast<std::size_t>(index < 0 ? 0 : index > 255 ? 255 : index)]};
+      const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
+      if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return ramp;
+      return with_highlight(ramp, power_(half_distance));
+    } else {
+      const Light light = gather(scalars);
+      return PackedRgb::of(level(0, light), level(1, light), level(2, light));
+    }
   }
 
-  /// The same in 256ths of a step.
+  /// The same in 256ths of a step, always by multiplication.
   [[nodiscard]] constexpr DeepColour deep_colour(const Scalars& scalars) const {
     const Light light = gather(scalars);
     return {deep_level(0, light), deep_level(1, light), deep_level(2, light)};
   }
 
  private:
+  static constexpr int kRampBits = 8;
+
   /// Sums over the lights with 15 fraction bits, 0...4 each.
   struct Light {
     std::uint32_t diffuse = 0;
     std::uint32_t specular = 0;
   };
+
+  /// A ramp colour plus the highlight, each channel clamped.
+  [[nodiscard]] constexpr PackedRgb with_highlight(PackedRgb ramp, std::uint32_t power) const {
+    const auto lit = [this, power](std::uint32_t channel, std::size_t c) {
+      const std::uint32_t sum = (channel & 0x3FFu) + ((specular_[c] * power) >> 18);
+      return sum > 1023 ? 1023u : sum;
+    };
+    return PackedRgb::of(lit(ramp.lanes >> 20, 0), lit(ramp.lanes >> 10, 1), lit(ramp.lanes, 2));
+  }
 
   /// A scalar of at most 1 as 15 bits; negative becomes 0.
   [[nodiscard]] static constexpr std::uint32_t clamped(Unit scalar) {
@@ -97,30 +117,32 @@ class Illumination {
     return raw <= 0 ? 0u : raw > 32768 ? 32768u : static_cast<std::uint32_t>(raw);
   }
 
-  /// R·V = 2 (N·L)(N·V) - L·V.
-  [[nodiscard]] constexpr Unit reflected(Unit normal_light, Unit normal_eye, std::size_t light) const {
-    const std::int32_t product =
-        wrap_mul(normal_light.raw() >> 15, normal_eye.raw() >> 15);  // 30 fraction bits
-    const std::int32_t half = wrap_sub(product, light_eye_[light].raw() >> 1);
-    constexpr std::int32_t kHalfOne = 1 << 29;
-    return Unit::from_raw(half >= kHalfOne ? 2 * kHalfOne : half <= -kHalfOne ? -2 * kHalfOne : 2 * half);
+  /// (1 - c) / 2 of the cosine c that the highlight is a power of, 30 fraction bits. `other` is the light's
+  /// N·H or N·V. Phong's c is R·V = 2 (N·L)(N·V) - L·V, so this is (1 + L·V) / 2 - (N·L)(N·V).
+  [[nodiscard]] constexpr std::int32_t highlight_distance(Unit normal_light, Unit other,
+                                                          std::size_t light) const {
+    if constexpr (Model == Highlight::kBlinn) {
+      return (1 << (Unit::kFraction - 1)) - (other.raw() >> 1);
+    } else {
+      return wrap_sub(half_one_plus_light_eye_[light], wrap_mul(normal_light.raw() >> 15, other.raw() >> 15));
+    }
   }
 
   [[nodiscard]] constexpr Light gather(const Scalars& scalars) const {
     Light light;
-    for (std::size_t i = 0; i < Lights; ++i) {
+    unrolled<Lights>([&](auto i) {
       const std::uint32_t diffuse = clamped(scalars[i]);
-      if (diffuse == 0) continue;
-      const Unit cosine = Model == Highlight::kBlinn ? scalars[(Lights + i) % kScalars]
-                                                     : reflected(scalars[i], scalars[Lights], i);
-      const std::uint32_t specular = power_(cosine);
+      if (diffuse == 0) return;
+      const Unit other = scalars[Model == Highlight::kBlinn ? Lights + i : Lights];
+      const std::int32_t half_distance = highlight_distance(scalars[i], other, i);
+      const std::uint32_t specular = half_distance < power_.half_reach() ? power_(half_distance) : 0;
       if constexpr (Lights == 1) {
         light = {diffuse, specular};
       } else {
         light.diffuse += (diffuse * strength_[i] + (1u << 14)) >> 15;
         light.specular += (specular * strength_[i] + (1u << 14)) >> 15;
       }
-    }
+    });
     return light;
   }
 
@@ -129,22 +151,26 @@ class Illumination {
   [[nodiscard]] constexpr std::uint32_t channel(std::size_t c, const Light& light) const {
     return ambient_[c] + diffuse_[c] * light.diffuse + specular_[c] * light.specular;
   }
-  [[nodiscard]] constexpr std::uint8_t level(std::size_t c, const Light& light) const {
-    const std::uint32_t rounded = (channel(c, light) + (1u << 19)) >> 20;
-    return static_cast<std::uint8_t>(rounded > 255 ? 255 : rounded);
+  [[nodiscard]] constexpr std::uint32_t level(std::size_t c, const Light& light) const {
+    const std::uint32_t rounded = (channel(c, light) + (1u << 19)) >> 18;
+    return rounded > 1023 ? 1023 : rounded;
   }
   [[nodiscard]] constexpr std::int32_t deep_level(std::size_t c, const Light& light) const {
     const std::uint32_t rounded = (channel(c, light) + (1u << 11)) >> 12;
     return static_cast<std::int32_t>(rounded > 65280 ? 65280 : rounded);
   }
 
+  void make_ramp();
+
   std::array<Direction, kScalars> axes_{};
   std::array<std::uint32_t, 3> ambient_{};
   std::array<std::uint32_t, 3> diffuse_{};
   std::array<std::uint32_t, 3> specular_{};
   std::array<std::uint32_t, Lights> strength_{};
-  std::array<Unit, Lights> light_eye_{};
+  std::array<std::int32_t, Lights> half_one_plus_light_eye_{};
   PowerTable power_{};
+  /// ambient + diffuse * (i + 1/2) / 256 as lanes r, g, b of 8 and 2 bits, half a step added; one light only.
+  std::array<std::uint32_t, Lights == 1 ? 256 : 0> ramp_{};
 };
 
 }  // namespace arcspan

@@ -36,7 +36,7 @@ concept ShadingMethod = requires(const typename M::Object& object, const Directi
   { walker.row(row) } -> std::same_as<typename M::Run>;
   {walker.next_row()};
   {walker.enter_lower()};
-  { run.colour(object) } -> std::same_as<Rgb8>;
+  { run.colour(object) } -> std::same_as<PackedRgb>;
   {run.next()};
   { M::kNeedsFaceNormal } -> std::convertible_to<bool>;
 };

@@ -18,12 +18,12 @@ std::uint32_t power(std::uint32_t base, std::int32_t exponent) {
   return static_cast<std::uint32_t>(result);
 }
 
-/// The distance from 1 at which c^n falls to 2^-10, by bisection; 30 fraction bits.
-std::uint32_t reach(std::int32_t exponent) {
+/// Half the distance from 1 at which c^n falls to 2^-10, by bisection; 30 fraction bits.
+std::uint32_t half_reach_of(std::int32_t exponent) {
   std::uint32_t reach = 0;
-  for (std::uint32_t bit = 1u << 29; bit != 0; bit >>= 1) {
+  for (std::uint32_t bit = 1u << 28; bit != 0; bit >>= 1) {
     const std::uint32_t further = reach + bit;
-    if (power((1u << 31) - 2 * further, exponent) >= 1u << 21) reach = further;
+    if (power((1u << 31) - 4 * further, exponent) >= 1u << 21) reach = further;
   }
   return reach + 1;
 }
@@ -32,14 +32,14 @@ std::uint32_t reach(std::int32_t exponent) {
 
 PowerTable::PowerTable(std::int32_t exponent) {
   const std::int32_t n = exponent < 1 ? 1 : exponent > kMaxExponent ? kMaxExponent : exponent;
-  reach_ = reach(n);
-  const auto bits = static_cast<std::uint32_t>(std::bit_width(reach_));
+  const std::uint32_t reach = half_reach_of(n);
+  half_reach_ = static_cast<std::int32_t>(reach);
+  const auto bits = static_cast<std::uint32_t>(std::bit_width(reach));
   drop_ = bits > 16 ? bits - 16 : 0;
-  const std::uint32_t reach16 = reach_ >> drop_;
-  scale_ = ((kIntervals << 8) << 16) / (reach16 + 1);
+  scale_ = ((kIntervals << 8) << 16) / ((reach >> drop_) + 1);
   for (std::uint32_t i = 0; i < kIntervals + 2; ++i) {
-    // The distance that position i << 8 stands for, doubled to 31 fraction bits.
-    const std::uint64_t distance = ((std::uint64_t{i} << (8 + 16 + 1)) << drop_) / scale_;
+    // The half distance that position i << 8 stands for, times 4: 1 - c with 31 fraction bits.
+    const std::uint64_t distance = ((std::uint64_t{i} << (8 + 16 + 2)) << drop_) / scale_;
     const std::uint64_t base = distance < (std::uint64_t{1} << 31) ? (std::uint64_t{1} << 31) - distance : 0;
     values_[i] = static_cast<std::uint16_t>((power(static_cast<std::uint32_t>(base), n) + (1u << 15)) >> 16);
   }

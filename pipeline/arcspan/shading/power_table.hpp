@@ -21,13 +21,14 @@ class PowerTable {
   /// The table of c^n; `exponent` is clamped to 1...256. Error at most 2^-11 (swept in the tests).
   explicit PowerTable(std::int32_t exponent);
 
-  /// c^n in 15 fraction bits, 0...1; c <= 0 gives 0 (or its limit for n = 1), c >= 1 gives 1.
-  [[nodiscard]] constexpr std::uint32_t operator()(Unit c) const {
-    const std::int32_t below_one = wrap_sub(1 << Unit::kFraction, c.raw());
-    if (below_one <= 0) return values_[0];
-    const std::uint32_t distance = static_cast<std::uint32_t>(below_one);
-    if (distance >= reach_) return 0;
-    const std::uint32_t position = ((distance >> drop_) * scale_) >> 16;  // 8 fraction bits
+  /// Cosines c with (1 - c) / 2 below this have a power worth looking up; 30 fraction bits, at most 2^29 + 1.
+  [[nodiscard]] constexpr std::int32_t half_reach() const { return half_reach_; }
+
+  /// c^n in 15 fraction bits, 0...1, for half_distance = (1 - c) / 2 (30 fraction bits) below half_reach(). A
+  /// cosine that rounding has lifted above 1 has a negative distance and counts as 1.
+  [[nodiscard]] constexpr std::uint32_t operator()(std::int32_t half_distance) const {
+    const std::uint32_t inside = half_distance < 0 ? 0u : static_cast<std::uint32_t>(half_distance);
+    const std::uint32_t position = ((inside >> drop_) * scale_) >> 16;  // 8 fraction bits
     const std::uint32_t index = position >> 8;
     const std::uint32_t here = values_[index];
     const std::uint32_t next = values_[index + 1];
@@ -35,8 +36,8 @@ class PowerTable {
   }
 
  private:
-  std::uint32_t reach_ = 0;  ///< 1 - c up to here is in the table, 30 fraction bits
-  std::uint32_t drop_ = 0;   ///< leaves 16 bits of a distance within reach
+  std::int32_t half_reach_ = 0;
+  std::uint32_t drop_ = 0;   ///< leaves 16 bits of a half distance within reach
   std::uint32_t scale_ = 0;  ///< from there to the table's position
   std::array<std::uint16_t, kIntervals + 2> values_{};
 };

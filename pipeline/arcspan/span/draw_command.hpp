@@ -22,8 +22,10 @@ namespace detail {
 
 /// Draws one run of pixels: the colours of `run` through `cursor`, with the depth test of `Depth`.
 template <class Format, ShadingMethod Method, DepthTarget Depth>
-constexpr void draw_run(typename Format::Cursor cursor, const Span& span, typename Method::Run& run,
-                        const typename Method::Object& object, const Depth& depth, Linear z, Linear dz) {
+[[gnu::always_inline]] constexpr void draw_run(typename Format::Cursor cursor, const Span& span,
+                                               typename Method::Run run,
+                                               const typename Method::Object& object, const Depth& depth,
+                                               Linear z, Linear dz) {
   [[maybe_unused]] std::uint16_t* at = nullptr;
   if constexpr (Depth::kTests) at = depth.row(span.y) + span.x;
   for (std::int32_t i = 0; i < span.count; ++i) {

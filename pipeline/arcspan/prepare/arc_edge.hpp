@@ -28,9 +28,7 @@ struct ArcFraction {
   int exponent = 16;
 
   [[nodiscard]] constexpr Factor factor() const {
-    return exponent - Factor::kFraction > 31
-               ? Factor{}
-               : Factor::from_raw(static_cast<std::int32_t>(mantissa >> (exponent - Factor::kFraction)));
+    return Factor::from_raw(static_cast<std::int32_t>(mantissa >> ((exponent - Factor::kFraction) & 31)));
   }
 };
 

@@ -63,4 +63,32 @@ struct ArcStart {
   return start;
 }
 
+/// Arcs up to this psi^2 (20 degrees) may start by near_arc_start().
+inline constexpr Factor kNearAngle2 = Factor::of(0.122);
+
+/// arc_start() to the first order, where the second is below 2e-5 (5e-6 at 10 degrees): for the rows of
+/// triangles of finely divided meshes, which are most.
+[[nodiscard]] constexpr ArcStart near_arc_start(Factor angle2, Factor u, Factor a) {
+  constexpr Factor kOne = Factor::of(1.0);
+  constexpr Factor kTwentyFourth = Factor::of(1.0 / 24);
+  constexpr Factor kSixth = Factor::of(1.0 / 6);
+  const Factor p = angle2;
+  const Factor c = u - Factor::of(0.5);
+  const Factor v = c + Factor::from_raw(a.raw() >> 1);
+  const Factor v2 = multiply_floor<Factor>(v, v);
+  const Factor bow = multiply_floor<Factor>(p, u - multiply_floor<Factor>(u, u));
+
+  ArcStart start;
+  // (5/4 - c^2) / 24 is 0.042...0.052.
+  start.even = multiply<Factor>(bow, Factor::of(0.5) + multiply_floor<Factor>(p, Factor::of(0.047)));
+  start.odd = c + multiply_floor<Factor>(c, multiply_floor<Factor>(bow, kSixth));
+  const Factor fall = kTwentyFourth - multiply_floor<Factor>(multiply_floor<Factor>(a, a), kTwentyFourth) -
+                      Factor::from_raw(v2.raw() >> 1);
+  start.slope_odd = kOne + multiply_floor<Factor>(p, fall);
+  const Factor gain =
+      kOne + multiply_floor<Factor>(p, Factor::of(0.125) - multiply_floor<Factor>(v2, kSixth));
+  start.slope_even = -multiply<Factor>(multiply<Factor>(v, p), gain);
+  return start;
+}
+
 }  // namespace arcspan

@@ -30,6 +30,7 @@ struct Arc {
     ArcRows upper_rows;
     ArcRows lower_rows;
     std::int32_t slope_drop;
+    bool near_rows;  ///< all rows are within kNearAngle2
     bool middle_left;
   };
   static constexpr bool kNeedsFaceNormal = false;
@@ -92,6 +93,7 @@ struct Arc {
       widest = corner > widest ? corner : widest;
     }
     prepared.slope_drop = arcspan::slope_drop(widest);
+    prepared.near_rows = widest <= kNearAngle2;
     prepared.middle_left = frame.middle_left;
   }
 
@@ -127,23 +129,22 @@ struct Arc {
 
     [[nodiscard]] constexpr Run row(const RowStart& start) const {
       const Factor t = Factor::from_raw(rows_.t >> 15);
-      const Factor t2 = multiply<Factor>(t, t);
-      const Factor angle2 = multiply<Factor>(t2, rows_.corner + multiply<Factor>(t2, rows_.rise));
+      const Factor t2 = multiply_floor<Factor>(t, t);
+      const Factor angle2 = multiply_floor<Factor>(t2, rows_.corner + multiply_floor<Factor>(t2, rows_.rise));
       const std::int32_t mantissa = wrap_add(rows_.k_corner, wrap_mul(rows_.k_rise, t2.raw()) >> 15);
 
       const Reciprocal inverse = reciprocal(start.width);
       const ArcFraction pixel = arc_fraction(inverse, 16);
-      const std::uint32_t inside = start.fraction < start.width ? start.fraction : start.width;
-      const std::uint32_t normalised = inside << (47 - inverse.exponent);
-      const std::uint32_t u = ((normalised >> 16) * inverse.mantissa) >> 16;
-      const ArcStart arc = arc_start(angle2, Factor::from_raw(static_cast<std::int32_t>(u)), pixel.factor());
+      const Factor u = fraction_of_row(start, inverse);
+      const ArcStart arc = prepared_->near_rows ? near_arc_start(angle2, u, pixel.factor())
+                                                : arc_start(angle2, u, pixel.factor());
 
       const ArcEdge<kScalars>& left = prepared_->middle_left ? short_ : long_;
       const ArcEdge<kScalars>& right = prepared_->middle_left ? long_ : short_;
       std::array<ArcScalar, kScalars> scalars;
-      for (std::size_t i = 0; i < kScalars; ++i) {
+      unrolled<kScalars>([&](auto i) {
         scalars[i] = start_scalar(arc, pixel, prepared_->slope_drop, left.scalars[i].x, right.scalars[i].x);
-      }
+      });
       return Run(scalars, mantissa, rows_.k_shift);
     }
 
@@ -158,6 +159,13 @@ struct Arc {
     }
 
    private:
+    /// Where the row's first pixel is between its ends, 0...1; `inverse` is the width's reciprocal.
+    [[nodiscard]] static constexpr Factor fraction_of_row(const RowStart& start, const Reciprocal& inverse) {
+      const std::uint32_t inside = start.fraction < start.width ? start.fraction : start.width;
+      const std::uint32_t normalised = inside << (47 - inverse.exponent);  // as the width has its bit 31 set
+      return Factor::from_raw(static_cast<std::int32_t>(((normalised >> 16) * inverse.mantissa) >> 16));
+    }
+
     const Prepared* prepared_;
     ArcEdge<kScalars> long_;
     ArcEdge<kScalars> short_;

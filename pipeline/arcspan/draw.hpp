@@ -17,7 +17,7 @@ namespace arcspan {
 template <class Method>
 struct CachedVertex {
   RasterVertex<Method> raster;
-  std::uint8_t outcode = 0;
+  std::uint8_t outcode;
 };
 
 struct DrawOptions {

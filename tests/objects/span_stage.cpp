@@ -13,9 +13,9 @@ using Blinn4 = Illumination<4, Highlight::kBlinn>;
 using Phong1 = Illumination<1, Highlight::kPhong>;
 using Phong4 = Illumination<4, Highlight::kPhong>;
 
-#define ARCSPAN_INSTANTIATE(METHOD, FORMAT, DEPTH)                                             \
-  template Status draw_command<METHOD, hal::Framebuffer<FORMAT>, DEPTH>(                       \
-      const TriangleCommand<METHOD>&, const RasterOrigin&, const Rect&, const METHOD::Object&, \
+#define ARCSPAN_INSTANTIATE(METHOD, FORMAT, DEPTH)                                       \
+  template Status draw_command<METHOD, hal::Framebuffer<FORMAT>, DEPTH>(                 \
+      TriangleCommand<METHOD>&, const RasterOrigin&, const Rect&, const METHOD::Object&, \
       hal::Framebuffer<FORMAT>&, const DEPTH&)
 
 ARCSPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);

@@ -21,7 +21,7 @@ template <class Method>
 struct ClipPolygon {
   static constexpr std::size_t kCapacity = 8;
   ClipVertex<Method> vertices[kCapacity];
-  std::size_t count = 0;
+  std::size_t count;
 };
 
 namespace detail {

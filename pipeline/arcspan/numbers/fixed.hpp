@@ -40,11 +40,12 @@ requires(F >= 0 && F < static_cast<int>(8 * sizeof(R))) class Fixed {
   using Rep = R;
   static constexpr int kFraction = F;
 
+  /// `Fixed x;` is left uninitialised like a built-in number, `Fixed{}` is 0.
   constexpr Fixed() = default;
 
   /// The number raw / 2^F.
   [[nodiscard]] static constexpr Fixed from_raw(R raw) {
-    Fixed result;
+    Fixed result{};
     result.raw_ = raw;
     return result;
   }
@@ -74,7 +75,7 @@ requires(F >= 0 && F < static_cast<int>(8 * sizeof(R))) class Fixed {
   friend constexpr auto operator<=>(Fixed, Fixed) = default;
 
  private:
-  R raw_ = 0;
+  R raw_;
 };
 
 /// a * b in format `To`, rounded, by one 32-bit multiply: |a.raw() * b.raw()| must be below 2^31 less half a

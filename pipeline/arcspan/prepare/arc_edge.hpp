@@ -62,16 +62,13 @@ struct ArcFraction {
 
 /// Scalars on their way down an edge, from the values `from` at its top to `to` at its bottom.
 template <std::size_t Count>
-[[nodiscard]] constexpr ArcEdge<Count> make_arc_edge(const EdgeSpan& edge, Factor angle2,
-                                                     const std::array<Unit, Count>& from,
-                                                     const std::array<Unit, Count>& to) {
+constexpr void make_arc_edge(const EdgeSpan& edge, Factor angle2, const std::array<Unit, Count>& from,
+                             const std::array<Unit, Count>& to, ArcEdge<Count>& arc) {
   const ArcFraction row = arc_fraction(edge.inverse, Subpixel::kFraction);
   const ArcStart start = arc_start(angle2, start_fraction(edge), row.factor());
   const int drop = slope_drop(angle2);
-  ArcEdge<Count> arc;
   for (std::size_t i = 0; i < Count; ++i) arc.scalars[i] = start_scalar(start, row, drop, from[i], to[i]);
   arc.step = arc_step(angle2, row.mantissa, row.exponent);
-  return arc;
 }
 
 }  // namespace arcspan

@@ -17,19 +17,18 @@ namespace arcspan {
 struct ArcRows {
   Factor corner;
   Factor rise;
-  std::int32_t k_corner = 0;
-  std::int32_t k_rise = 0;
-  std::int32_t k_shift = 31;
-  std::int32_t t = 0;   ///< of the first row, 30 fraction bits
-  std::int32_t dt = 0;  ///< per row
+  std::int32_t k_corner;
+  std::int32_t k_rise;
+  std::int32_t k_shift;
+  std::int32_t t;   ///< of the first row, 30 fraction bits
+  std::int32_t dt;  ///< per row
 };
 
 /// Rows of a half triangle. `at_corner` and `at_middle` are psi^2 as of arc_angle.hpp, `width` the reciprocal
 /// of the row's length in pixels at the middle vertex. `edge` is the half's short edge; `from_top` tells at
 /// which of its ends the corner is.
-[[nodiscard]] constexpr ArcRows make_arc_rows(Factor at_corner, Factor at_middle, const Reciprocal& width,
-                                              const EdgeSpan& edge, bool from_top) {
-  ArcRows rows;
+constexpr void make_arc_rows(Factor at_corner, Factor at_middle, const Reciprocal& width,
+                             const EdgeSpan& edge, bool from_top, ArcRows& rows) {
   rows.corner = at_corner;
   rows.rise = at_middle - at_corner;
   const ArcFraction pixel = arc_fraction(width, 16);
@@ -47,7 +46,6 @@ struct ArcRows {
   const std::uint32_t below_top = start > kOne ? kOne : start;
   rows.t = static_cast<std::int32_t>(from_top ? below_top : kOne - below_top);
   rows.dt = from_top ? static_cast<std::int32_t>(step) : -static_cast<std::int32_t>(step);
-  return rows;
 }
 
 }  // namespace arcspan

@@ -16,8 +16,8 @@ namespace arcspan {
 /// This is exact: an edge's true x at a row centre is a multiple of 2^-19, since both coordinates have 4
 /// fraction bits and dy fits 15; the step is short by less than 2^-32, over 2048 rows 2^-21.
 struct EdgeWalk {
-  std::int64_t x = 0;
-  std::int64_t step = 0;
+  std::int64_t x;
+  std::int64_t step;
 
   [[nodiscard]] constexpr std::int32_t column() const { return static_cast<std::int32_t>(x >> 32); }
 

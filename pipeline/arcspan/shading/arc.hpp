@@ -75,21 +75,21 @@ struct Arc {
     const CornerChords from_bottom{middle_bottom, top_bottom, top_middle};
     const Factor row_middle = row_angle_at_middle(from_top, frame.middle_fraction);
 
-    prepared.long_edge =
-        make_arc_edge(frame.long_edge, angle_of_chord(top_bottom), top.scalars, bottom.scalars);
+    make_arc_edge(frame.long_edge, angle_of_chord(top_bottom), top.scalars, bottom.scalars,
+                  prepared.long_edge);
     Factor widest = row_middle;
     if (frame.has_upper) {
       const Factor corner = row_angle_at_corner(from_top, frame.middle_fraction);
-      prepared.upper_edge =
-          make_arc_edge(frame.upper_edge, angle_of_chord(top_middle), top.scalars, middle.scalars);
-      prepared.upper_rows = make_arc_rows(corner, row_middle, frame.inverse_width, frame.upper_edge, true);
+      make_arc_edge(frame.upper_edge, angle_of_chord(top_middle), top.scalars, middle.scalars,
+                    prepared.upper_edge);
+      make_arc_rows(corner, row_middle, frame.inverse_width, frame.upper_edge, true, prepared.upper_rows);
       widest = corner > widest ? corner : widest;
     }
     if (frame.has_lower) {
       const Factor corner = row_angle_at_corner(from_bottom, Factor::of(1.0) - frame.middle_fraction);
-      prepared.lower_edge =
-          make_arc_edge(frame.lower_edge, angle_of_chord(middle_bottom), middle.scalars, bottom.scalars);
-      prepared.lower_rows = make_arc_rows(corner, row_middle, frame.inverse_width, frame.lower_edge, false);
+      make_arc_edge(frame.lower_edge, angle_of_chord(middle_bottom), middle.scalars, bottom.scalars,
+                    prepared.lower_edge);
+      make_arc_rows(corner, row_middle, frame.inverse_width, frame.lower_edge, false, prepared.lower_rows);
       widest = corner > widest ? corner : widest;
     }
     prepared.slope_drop = arcspan::slope_drop(widest);
@@ -100,14 +100,14 @@ struct Arc {
   /// The scalars of a row's pixels.
   class Run {
    public:
-    constexpr Run(const std::array<ArcScalar, kScalars>& scalars, std::int32_t mantissa, std::int32_t shift)
-        : scalars_(scalars), mantissa_(mantissa), shift_(shift) {}
+    constexpr Run(std::int32_t mantissa, std::int32_t shift) : mantissa_(mantissa), shift_(shift) {}
+
     [[nodiscard]] constexpr PackedRgb colour(const Object& object) const {
       Scalars values;
       unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
       return object.colour(values);
     }
-    [[nodiscard]] constexpr Unit scalar(std::size_t i) const { return scalars_[i].x; }
+    [[nodiscard]] constexpr ArcScalar& scalar(std::size_t i) { return scalars_[i]; }
     constexpr void next() {
       unrolled<kScalars>([this](auto i) { scalars_[i].step(mantissa_, shift_); });
     }
@@ -118,20 +118,18 @@ struct Arc {
     std::int32_t shift_;
   };
 
-  /// Both edges' scalars, from row to row.
+  /// Both edges' scalars, from row to row; walks the prepared edges in place.
   class Walker {
    public:
-    constexpr explicit Walker(const Prepared& prepared)
-        : prepared_(&prepared),
-          long_(prepared.long_edge),
-          short_(prepared.upper_edge),
-          rows_(prepared.upper_rows) {}
+    constexpr explicit Walker(Prepared& prepared)
+        : prepared_(&prepared), short_(&prepared.upper_edge), rows_(&prepared.upper_rows) {}
 
     [[nodiscard]] constexpr Run row(const RowStart& start) const {
-      const Factor t = Factor::from_raw(rows_.t >> 15);
+      const Factor t = Factor::from_raw(rows_->t >> 15);
       const Factor t2 = multiply_floor<Factor>(t, t);
-      const Factor angle2 = multiply_floor<Factor>(t2, rows_.corner + multiply_floor<Factor>(t2, rows_.rise));
-      const std::int32_t mantissa = wrap_add(rows_.k_corner, wrap_mul(rows_.k_rise, t2.raw()) >> 15);
+      const Factor angle2 =
+          multiply_floor<Factor>(t2, rows_->corner + multiply_floor<Factor>(t2, rows_->rise));
+      const std::int32_t mantissa = wrap_add(rows_->k_corner, wrap_mul(rows_->k_rise, t2.raw()) >> 15);
 
       const Reciprocal inverse = reciprocal(start.width);
       const ArcFraction pixel = arc_fraction(inverse, 16);
@@ -139,23 +137,24 @@ struct Arc {
       const ArcStart arc = prepared_->near_rows ? near_arc_start(angle2, u, pixel.factor())
                                                 : arc_start(angle2, u, pixel.factor());
 
-      const ArcEdge<kScalars>& left = prepared_->middle_left ? short_ : long_;
-      const ArcEdge<kScalars>& right = prepared_->middle_left ? long_ : short_;
-      std::array<ArcScalar, kScalars> scalars;
+      const ArcEdge<kScalars>& left = prepared_->middle_left ? *short_ : prepared_->long_edge;
+      const ArcEdge<kScalars>& right = prepared_->middle_left ? prepared_->long_edge : *short_;
+      Run run(mantissa, rows_->k_shift);
       unrolled<kScalars>([&](auto i) {
-        scalars[i] = start_scalar(arc, pixel, prepared_->slope_drop, left.scalars[i].x, right.scalars[i].x);
+        run.scalar(i) =
+            start_scalar(arc, pixel, prepared_->slope_drop, left.scalars[i].x, right.scalars[i].x);
       });
-      return Run(scalars, mantissa, rows_.k_shift);
+      return run;
     }
 
     constexpr void next_row() {
-      long_.advance();
-      short_.advance();
-      rows_.t = wrap_add(rows_.t, rows_.dt);
+      prepared_->long_edge.advance();
+      short_->advance();
+      rows_->t = wrap_add(rows_->t, rows_->dt);
     }
     constexpr void enter_lower() {
-      short_ = prepared_->lower_edge;
-      rows_ = prepared_->lower_rows;
+      short_ = &prepared_->lower_edge;
+      rows_ = &prepared_->lower_rows;
     }
 
    private:
@@ -166,10 +165,9 @@ struct Arc {
       return Factor::from_raw(static_cast<std::int32_t>(((normalised >> 16) * inverse.mantissa) >> 16));
     }
 
-    const Prepared* prepared_;
-    ArcEdge<kScalars> long_;
-    ArcEdge<kScalars> short_;
-    ArcRows rows_;
+    Prepared* prepared_;
+    ArcEdge<kScalars>* short_;
+    ArcRows* rows_;
   };
 
  private:

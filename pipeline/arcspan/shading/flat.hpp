@@ -33,7 +33,7 @@ struct Flat {
 
   class Walker {
    public:
-    constexpr explicit Walker(const Prepared& prepared) : value_(prepared) {}
+    constexpr explicit Walker(Prepared& prepared) : value_(prepared) {}
     [[nodiscard]] constexpr Run row(const RowStart&) const { return {value_}; }
     constexpr void next_row() {}
     constexpr void enter_lower() {}

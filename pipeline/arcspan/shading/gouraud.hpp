@@ -71,7 +71,7 @@ struct Gouraud {
 
   class Walker {
    public:
-    constexpr explicit Walker(const Prepared& p)
+    constexpr explicit Walker(Prepared& p)
         : r_(p.r, p.middle_left), g_(p.g, p.middle_left), b_(p.b, p.middle_left) {}
     [[nodiscard]] constexpr Run row(const RowStart& start) const {
       return {r_.at(start.fraction), g_.at(start.fraction), b_.at(start.fraction), r_.dx(), g_.dx(), b_.dx()};

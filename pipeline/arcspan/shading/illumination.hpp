@@ -41,9 +41,9 @@ struct DirectionalLight {
 
 /// A colour in 256ths of an 8-bit step per channel, 0...65280: what Gouraud shading interpolates.
 struct DeepColour {
-  std::int32_t r = 0;
-  std::int32_t g = 0;
-  std::int32_t b = 0;
+  std::int32_t r;
+  std::int32_t g;
+  std::int32_t b;
 };
 
 /// The illumination of one object by `Lights` (1...4) lights: constants and the way from a normal's scalars

@@ -20,7 +20,8 @@ struct RowStart {
 /// `Object` is what it needs of the object's illumination, `Face` of a face, `Vertex` of a vertex; `Prepared`
 /// is its part of the triangle command. A `Walker` goes down the rows of a command: `row` gives the `Run`
 /// that makes the colours of a row's pixels from left to right, `next_row` steps down, `enter_lower` changes
-/// to the lower edge. Everything in `Walker` and `Run` is span stage: no division.
+/// to the lower edge. It may use the prepared part up. Everything in `Walker` and `Run` is span stage: no
+/// division.
 template <class M>
 concept ShadingMethod = requires(const typename M::Object& object, const Direction& normal,
                                  const typename M::Vertex& vertex, const typename M::Face& face,

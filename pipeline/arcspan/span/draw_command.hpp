@@ -23,7 +23,7 @@ namespace detail {
 /// Draws one run of pixels: the colours of `run` through `cursor`, with the depth test of `Depth`.
 template <class Format, ShadingMethod Method, DepthTarget Depth>
 [[gnu::always_inline]] constexpr void draw_run(typename Format::Cursor cursor, const Span& span,
-                                               typename Method::Run run,
+                                               typename Method::Run& run,
                                                const typename Method::Object& object, const Depth& depth,
                                                Linear z, Linear dz) {
   [[maybe_unused]] std::uint16_t* at = nullptr;
@@ -45,33 +45,33 @@ template <class Format, ShadingMethod Method, DepthTarget Depth>
   }
 }
 
-/// Everything that goes down the rows of one command.
+/// Everything that goes down the rows of one command, in place.
 template <ShadingMethod Method>
 struct CommandWalk {
-  EdgeWalk long_edge;
-  EdgeWalk short_edge;
+  EdgeWalk* long_edge;
+  EdgeWalk* short_edge;
   LinearWalk depth;
   typename Method::Walker shade;
   bool middle_left;
 
-  constexpr explicit CommandWalk(const TriangleCommand<Method>& command)
-      : long_edge(command.long_edge),
-        short_edge(command.upper_edge),
+  constexpr explicit CommandWalk(TriangleCommand<Method>& command)
+      : long_edge(&command.long_edge),
+        short_edge(&command.upper_edge),
         depth(command.depth, command.middle_left),
         shade(command.shade),
         middle_left(command.middle_left) {}
 
-  [[nodiscard]] constexpr const EdgeWalk& left() const { return middle_left ? short_edge : long_edge; }
-  [[nodiscard]] constexpr const EdgeWalk& right() const { return middle_left ? long_edge : short_edge; }
+  [[nodiscard]] constexpr const EdgeWalk& left() const { return middle_left ? *short_edge : *long_edge; }
+  [[nodiscard]] constexpr const EdgeWalk& right() const { return middle_left ? *long_edge : *short_edge; }
 
   constexpr void next_row() {
-    long_edge.advance();
-    short_edge.advance();
+    long_edge->advance();
+    short_edge->advance();
     depth.next_row();
     shade.next_row();
   }
-  constexpr void enter_lower(const TriangleCommand<Method>& command) {
-    short_edge = command.lower_edge;
+  constexpr void enter_lower(TriangleCommand<Method>& command) {
+    short_edge = &command.lower_edge;
     depth.enter_lower();
     shade.enter_lower();
   }
@@ -105,10 +105,9 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 /// is not kOk, having stopped there. Rows above the bounds are walked, not skipped, so that a picture drawn
 /// in bands is bit for bit the picture drawn at once.
 template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
-[[nodiscard]] constexpr Status draw_command(const TriangleCommand<Method>& command,
-                                            const RasterOrigin& origin, const Rect& clip,
-                                            const typename Method::Object& object, Sink& sink,
-                                            const Depth& depth) {
+[[nodiscard]] constexpr Status draw_command(TriangleCommand<Method>& command, const RasterOrigin& origin,
+                                            const Rect& clip, const typename Method::Object& object,
+                                            Sink& sink, const Depth& depth) {
   if (clip.empty() || command.end_row + origin.y <= clip.top || command.first_row + origin.y >= clip.bottom) {
     return Status::kOk;
   }

@@ -7,29 +7,26 @@
 
 namespace arcspan {
 
-/// A LinearPlane on its way down the rows.
+/// A LinearPlane on its way down the rows, which it walks in place.
 class LinearWalk {
  public:
-  constexpr LinearWalk(const LinearPlane& plane, bool middle_left)
-      : edge_(plane.left[0]), lower_(plane.left[1]), dx_(plane.dx), middle_left_(middle_left) {}
+  constexpr LinearWalk(LinearPlane& plane, bool middle_left)
+      : edge_(&plane.left[0]), lower_(middle_left ? &plane.left[1] : &plane.left[0]), dx_(plane.dx) {}
 
   /// The attribute at a distance of `fraction` (16 fraction bits) pixels to the right of the left edge.
   [[nodiscard]] constexpr Linear at(std::uint32_t fraction) const {
     const Linear whole = Linear::from_raw(wrap_mul(dx_.raw(), static_cast<std::int32_t>(fraction >> 16)));
-    return edge_.at + whole + times_fraction(dx_, fraction & 0xFFFFu);
+    return edge_->at + whole + times_fraction(dx_, fraction & 0xFFFFu);
   }
   [[nodiscard]] constexpr Linear dx() const { return dx_; }
 
-  constexpr void next_row() { edge_.at += edge_.step; }
-  constexpr void enter_lower() {
-    if (middle_left_) edge_ = lower_;
-  }
+  constexpr void next_row() { edge_->at += edge_->step; }
+  constexpr void enter_lower() { edge_ = lower_; }
 
  private:
-  LinearEdge edge_;
-  LinearEdge lower_;
+  LinearEdge* edge_;
+  LinearEdge* lower_;
   Linear dx_;
-  bool middle_left_;
 };
 
 }  // namespace arcspan

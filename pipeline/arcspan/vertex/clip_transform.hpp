@@ -37,9 +37,9 @@ struct Viewport {
 /// A vertex before the division: inside the guard band -w <= x <= w and -w <= y <= w, y downwards; in front
 /// of the near plane w >= ClipTransform::near_w(). All of one scale, |value| < 2^30.
 struct ClipPosition {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
-  std::int32_t w = 0;
+  std::int32_t x;
+  std::int32_t y;
+  std::int32_t w;
 };
 
 /// Object space to clip space, and the depth of a clip-space vertex. Made once per object and frame.

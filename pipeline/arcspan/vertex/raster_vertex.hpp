@@ -12,9 +12,9 @@ namespace arcspan {
 /// (width / 2, height / 2), rounded down, of the viewport, y down) in 16 bits; `z` is the depth, nearer is
 /// smaller.
 struct RasterPosition {
-  std::int16_t x = 0;
-  std::int16_t y = 0;
-  std::uint16_t z = 0;
+  std::int16_t x;
+  std::int16_t y;
+  std::uint16_t z;
 
   friend constexpr bool operator==(const RasterPosition&, const RasterPosition&) = default;
 };

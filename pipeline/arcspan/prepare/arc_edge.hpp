@@ -44,19 +44,29 @@ struct ArcFraction {
 /// arcs up to 33 degrees are below 1, wider ones below 2.
 [[nodiscard]] constexpr int slope_drop(Factor angle2) { return angle2 > Factor::of(0.34) ? 16 : 15; }
 
+/// How a slope of 1 over a whole arc becomes one per step: (slope >> drop) * mantissa >> down.
+struct SlopeScale {
+  std::int32_t mantissa;
+  int drop;
+  int down;
+};
+
+[[nodiscard]] constexpr SlopeScale slope_scale(const ArcFraction& a, int drop) {
+  const int down = a.exponent - drop;
+  return {static_cast<std::int32_t>(a.mantissa), drop, down > 31 ? 31 : down};
+}
+
 /// One scalar at its start on an arc from value `from` to value `to` (see ArcStart); six 16-bit multiplies.
-[[nodiscard]] constexpr ArcScalar start_scalar(const ArcStart& start, const ArcFraction& a, int drop,
-                                               Unit from, Unit to) {
+[[nodiscard]] constexpr ArcScalar start_scalar(const ArcStart& start, const SlopeScale& scale, Unit from,
+                                               Unit to) {
   const std::int32_t middle30 = wrap_add(from.raw() >> 1, to.raw() >> 1);
   const Factor middle = Factor::from_raw(round_shift(middle30, 15));
   const Factor rise = Factor::from_raw(round_shift(wrap_sub(to.raw(), from.raw()), 15));
   ArcScalar scalar;
   scalar.x = Unit::from_raw(middle30) + multiply<Unit>(start.even, middle) + multiply<Unit>(start.odd, rise);
   const Unit slope = multiply<Unit>(start.slope_odd, rise) + multiply<Unit>(start.slope_even, middle);
-  const std::int32_t product =
-      wrap_mul(round_shift(slope.raw(), drop), static_cast<std::int32_t>(a.mantissa));
-  const int down = a.exponent - drop;
-  scalar.d = Unit::from_raw(down > 31 ? 0 : down < 1 ? product : round_shift(product, down));
+  // d is rounded down: half a unit of 2^-30 a step is nothing over the longest row.
+  scalar.d = Unit::from_raw(wrap_mul(round_shift(slope.raw(), scale.drop), scale.mantissa) >> scale.down);
   return scalar;
 }
 
@@ -66,8 +76,8 @@ constexpr void make_arc_edge(const EdgeSpan& edge, Factor angle2, const std::arr
                              const std::array<Unit, Count>& to, ArcEdge<Count>& arc) {
   const ArcFraction row = arc_fraction(edge.inverse, Subpixel::kFraction);
   const ArcStart start = arc_start(angle2, start_fraction(edge), row.factor());
-  const int drop = slope_drop(angle2);
-  for (std::size_t i = 0; i < Count; ++i) arc.scalars[i] = start_scalar(start, row, drop, from[i], to[i]);
+  const SlopeScale scale = slope_scale(row, slope_drop(angle2));
+  for (std::size_t i = 0; i < Count; ++i) arc.scalars[i] = start_scalar(start, scale, from[i], to[i]);
   arc.step = arc_step(angle2, row.mantissa, row.exponent);
 }
 

@@ -139,11 +139,10 @@ struct Arc {
 
       const ArcEdge<kScalars>& left = prepared_->middle_left ? *short_ : prepared_->long_edge;
       const ArcEdge<kScalars>& right = prepared_->middle_left ? prepared_->long_edge : *short_;
+      const SlopeScale scale = slope_scale(pixel, prepared_->slope_drop);
       Run run(mantissa, rows_->k_shift);
-      unrolled<kScalars>([&](auto i) {
-        run.scalar(i) =
-            start_scalar(arc, pixel, prepared_->slope_drop, left.scalars[i].x, right.scalars[i].x);
-      });
+      unrolled<kScalars>(
+          [&](auto i) { run.scalar(i) = start_scalar(arc, scale, left.scalars[i].x, right.scalars[i].x); });
       return run;
     }
 
@@ -175,8 +174,8 @@ struct Arc {
   /// and give the zero vector, which is dark.
   [[nodiscard]] static constexpr Vertex middle_of(const Vertex& a, const Vertex& b) {
     const Factor rest = Factor::of(4.0) - squared_chord(a.normal, b.normal);
-    if (rest.raw() <= 64) return {};
-    const ReciprocalRoot root = reciprocal_root(static_cast<std::uint32_t>(rest.raw()));
+    ReciprocalRoot root = reciprocal_root(static_cast<std::uint32_t>(rest.raw()));
+    if (rest.raw() <= 64) root.mantissa = 0;
     // The root is of the raw value, 15 fraction bits up: 1/sqrt(value) = 2^7.5 / sqrt(raw), 46341 = 2^15.5.
     const auto scaled = [&root](std::int64_t sum) {
       const std::int64_t product = ((sum * root.mantissa) >> 8) * 46341;
@@ -208,7 +207,7 @@ struct Arc {
     point.normal = {component(a.normal.x, b.normal.x), component(a.normal.y, b.normal.y),
                     component(a.normal.z, b.normal.z)};
     for (std::size_t i = 0; i < kScalars; ++i) {
-      point.scalars[i] = start_scalar(at, {}, 15, a.scalars[i], b.scalars[i]).x;
+      point.scalars[i] = start_scalar(at, {}, a.scalars[i], b.scalars[i]).x;
     }
     return point;
   }

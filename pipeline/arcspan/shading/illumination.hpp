@@ -162,6 +162,9 @@ class Illumination {
 
   void make_ramp();
 
+  /// ambient + diffuse * (i + 1/2) / 256 as lanes of PackedRgb; one light only. First, so that an index
+  /// reaches it.
+  std::array<std::uint32_t, Lights == 1 ? 256 : 0> ramp_{};
   std::array<Direction, kScalars> axes_{};
   std::array<std::uint32_t, 3> ambient_{};
   std::array<std::uint32_t, 3> diffuse_{};
@@ -169,8 +172,6 @@ class Illumination {
   std::array<std::uint32_t, Lights> strength_{};
   std::array<std::int32_t, Lights> half_one_plus_light_eye_{};
   PowerTable power_{};
-  /// ambient + diffuse * (i + 1/2) / 256 as lanes r, g, b of 8 and 2 bits, half a step added; one light only.
-  std::array<std::uint32_t, Lights == 1 ? 256 : 0> ramp_{};
 };
 
 }  // namespace arcspan

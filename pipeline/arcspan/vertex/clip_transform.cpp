@@ -57,7 +57,7 @@ Status ClipTransform::make(const Placement& placement, const Projection& project
   for (int i = 0; i < 3; ++i) {
     const std::int64_t sign = i == 0 ? 1 : -1;
     for (int j = 0; j < 3; ++j) {
-      transform.matrix_[i][j] = rescaled(sign * placement.rotation[i][j].raw(), factors[i],
+      transform.matrix_[i][j] = rescaled(sign * placement.rotation.m[i][j].raw(), factors[i],
                                          bits + 15 - RotationEntry::kFraction - kGuardBits);
     }
     transform.offset_[i] = rescaled(sign * placement.translation[i].raw(), factors[i],

@@ -4,6 +4,7 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/numbers/formats.hpp>
 #include <arcspan/status.hpp>
+#include <arcspan/vertex/rotation.hpp>
 
 #include <cstdint>
 
@@ -16,7 +17,7 @@ inline constexpr std::int32_t kGuardBand = 1024;
 /// camera looks along -z, y is up. `rotation` must be orthonormal (rows within 2^-20 of unit length are); a
 /// uniform scale belongs into the units of the object.
 struct Placement {
-  RotationEntry rotation[3][3];
+  Rotation rotation;
   ObjectLength translation[3];
 };
 

@@ -40,13 +40,19 @@ struct Normal {
 }
 
 /// |a - b|^2 = 2 - 2 a·b, from the difference vector: 2 - 2 a·b itself would lose a fifth of the value at an
-/// angle of one degree (shading.md section 4). 0...4.
-[[nodiscard]] constexpr Factor squared_chord(const Normal& a, const Normal& b) {
+/// angle of one degree (shading.md section 4). 0...4, with 28 fraction bits, unsigned.
+[[nodiscard]] constexpr std::uint32_t squared_chord(const Normal& a, const Normal& b) {
   const std::int32_t x = a.x.raw() - b.x.raw();
   const std::int32_t y = a.y.raw() - b.y.raw();
   const std::int32_t z = a.z.raw() - b.z.raw();
-  return Factor::from_raw(
-      round_shift(wrap_add(wrap_add(wrap_mul(x, x), wrap_mul(y, y)), wrap_mul(z, z)), 13));
+  return static_cast<std::uint32_t>(wrap_add(wrap_add(wrap_mul(x, x), wrap_mul(y, y)), wrap_mul(z, z)));
+}
+
+/// A squared chord in the format `Angle`, rounded; it must fit.
+template <class Angle>
+[[nodiscard]] constexpr Angle chord_as(std::uint32_t chord) {
+  constexpr int kDrop = 28 - Angle::kFraction;
+  return Angle::from_raw(static_cast<std::int32_t>((chord + (1u << (kDrop - 1))) >> kDrop));
 }
 
 /// The unit vector along (x, y, z), whatever its length; the zero vector gives the zero vector.

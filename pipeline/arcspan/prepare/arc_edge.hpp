@@ -40,9 +40,13 @@ struct ArcFraction {
   return {inverse.mantissa, exponent};
 }
 
+/// Squared chords of arcs that may be near, 0.119 (19.8 degrees): their angles stay below 1/8. 28 fraction
+/// bits.
+inline constexpr std::uint32_t kNearChord = 31943819;
+
 /// How many bits of a Q1.30 slope are dropped before it meets the 16-bit mantissa of a fraction: slopes of
-/// arcs up to 33 degrees are below 1, wider ones below 2.
-[[nodiscard]] constexpr int slope_drop(Factor angle2) { return angle2 > Factor::of(0.34) ? 16 : 15; }
+/// arcs up to a squared chord of 1/3 are below 1, wider ones below 2.
+[[nodiscard]] constexpr int slope_drop(std::uint32_t chord) { return chord > (1u << 28) / 3 ? 16 : 15; }
 
 /// How a slope of 1 over a whole arc becomes one per step: (slope >> drop) * mantissa >> down.
 struct SlopeScale {
@@ -56,29 +60,47 @@ struct SlopeScale {
   return {static_cast<std::int32_t>(a.mantissa), drop, down > 31 ? 31 : down};
 }
 
-/// One scalar at its start on an arc from value `from` to value `to` (see ArcStart); six 16-bit multiplies.
-[[nodiscard]] constexpr ArcScalar start_scalar(const ArcStart& start, const SlopeScale& scale, Unit from,
-                                               Unit to) {
+/// One scalar at its start on an arc from value `from` to value `to` (see ArcStart); five 16-bit multiplies.
+template <class Angle>
+[[nodiscard]] constexpr ArcScalar start_scalar(const ArcStart<Angle>& start, const SlopeScale& scale,
+                                               Unit from, Unit to) {
   const std::int32_t middle30 = wrap_add(from.raw() >> 1, to.raw() >> 1);
   const Factor middle = Factor::from_raw(round_shift(middle30, 15));
   const Factor rise = Factor::from_raw(round_shift(wrap_sub(to.raw(), from.raw()), 15));
   ArcScalar scalar;
-  scalar.x = Unit::from_raw(middle30) + multiply<Unit>(start.even, middle) + multiply<Unit>(start.odd, rise);
-  const Unit slope = multiply<Unit>(start.slope_odd, rise) + multiply<Unit>(start.slope_even, middle);
+  scalar.x =
+      Unit::from_raw(middle30) + multiply_floor<Unit>(start.even, middle) + multiply<Unit>(start.odd, rise);
+  const Unit slope = multiply<Unit>(start.slope_odd, rise) + multiply_floor<Unit>(start.slope_even, middle);
   // d is rounded down: half a unit of 2^-30 a step is nothing over the longest row.
   scalar.d = Unit::from_raw(wrap_mul(round_shift(slope.raw(), scale.drop), scale.mantissa) >> scale.down);
   return scalar;
 }
 
-/// Scalars on their way down an edge, from the values `from` at its top to `to` at its bottom.
-template <std::size_t Count>
-constexpr void make_arc_edge(const EdgeSpan& edge, Factor angle2, const std::array<Unit, Count>& from,
-                             const std::array<Unit, Count>& to, ArcEdge<Count>& arc) {
+namespace detail {
+
+template <class Angle, std::size_t Count>
+constexpr void start_arc_edge(const EdgeSpan& edge, std::uint32_t chord, const std::array<Unit, Count>& from,
+                              const std::array<Unit, Count>& to, ArcEdge<Count>& arc) {
+  const Angle angle2 = angle_of_chord(chord_as<Angle>(chord));
   const ArcFraction row = arc_fraction(edge.inverse, Subpixel::kFraction);
-  const ArcStart start = arc_start(angle2, start_fraction(edge), row.factor());
-  const SlopeScale scale = slope_scale(row, slope_drop(angle2));
+  const ArcStart<Angle> start = arc_start(angle2, start_fraction(edge), row.factor());
+  const SlopeScale scale = slope_scale(row, slope_drop(chord));
   for (std::size_t i = 0; i < Count; ++i) arc.scalars[i] = start_scalar(start, scale, from[i], to[i]);
   arc.step = arc_step(angle2, row.mantissa, row.exponent);
+}
+
+}  // namespace detail
+
+/// Scalars on their way down an edge, from the values `from` at its top to `to` at its bottom. `chord` is the
+/// squared chord of the normals there.
+template <std::size_t Count>
+constexpr void make_arc_edge(const EdgeSpan& edge, std::uint32_t chord, const std::array<Unit, Count>& from,
+                             const std::array<Unit, Count>& to, ArcEdge<Count>& arc) {
+  if (chord <= kNearChord) {
+    detail::start_arc_edge<NearAngle>(edge, chord, from, to, arc);
+  } else {
+    detail::start_arc_edge<Factor>(edge, chord, from, to, arc);
+  }
 }
 
 }  // namespace arcspan

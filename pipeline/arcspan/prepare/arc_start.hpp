@@ -18,17 +18,19 @@ namespace arcspan {
 ///     odd        = sin(c psi) / (2 sin(psi/2))
 ///     slope_even = -2 sin(v psi) sin(a psi/2) / (a cos(psi/2))
 ///     slope_odd  = cos(v psi) sin(a psi/2) / (a sin(psi/2))
-/// each as a series in psi^2 to the second order. The factors hold for every scalar of the arc.
+/// each as a series in psi^2. The factors hold for every scalar of the arc. `Angle` is the format of psi^2
+/// and of the two factors that vanish with it.
+template <class Angle>
 struct ArcStart {
-  Factor even;
+  Angle even;
   Factor odd;
-  Factor slope_even;
   Factor slope_odd;
+  Angle slope_even;
 };
 
-/// `angle2` = psi^2 in 0...1.1 (60 degrees), `u` and `a` in 0...1. Error of x and of the end that diff leads
-/// to at most 2e-5 up to 30 degrees and 1e-3 at 60, beside rounding.
-[[nodiscard]] constexpr ArcStart arc_start(Factor angle2, Factor u, Factor a) {
+/// Any arc: `angle2` = psi^2 in 0...1.1 (60 degrees), `u` and `a` in 0...1. Second order: error of x and of
+/// the end that diff leads to at most 2e-5 up to 30 degrees and 1e-3 at 60, beside rounding.
+[[nodiscard]] constexpr ArcStart<Factor> arc_start(Factor angle2, Factor u, Factor a) {
   constexpr Factor kHalf = Factor::of(0.5);
   const Factor c = u - kHalf;
   const Factor c2 = multiply<Factor>(c, c);
@@ -39,7 +41,7 @@ struct ArcStart {
   const Factor p2 = multiply<Factor>(p, p);
   const Factor bow = multiply<Factor>(p, Factor::of(0.25) - c2);
 
-  ArcStart start;
+  ArcStart<Factor> start;
   // even = (p/2) (1/4 - c^2) (1 + p (5/4 - c^2) / 12)
   const Factor even_rise = multiply<Factor>(multiply<Factor>(p, Factor::of(1.25) - c2), Factor::of(1.0 / 24));
   start.even = multiply<Factor>(bow, kHalf + even_rise);
@@ -63,31 +65,28 @@ struct ArcStart {
   return start;
 }
 
-/// Arcs up to this psi^2 (20 degrees) may start by near_arc_start().
-inline constexpr Factor kNearAngle2 = Factor::of(0.122);
-
-/// arc_start() to the first order, where the second is below 2e-5 (5e-6 at 10 degrees): for the rows of
-/// triangles of finely divided meshes, which are most.
-[[nodiscard]] constexpr ArcStart near_arc_start(Factor angle2, Factor u, Factor a) {
+/// A near arc, psi^2 below 1/8 (20 degrees): first order, which is within 2e-5 there and 5e-6 at 10 degrees,
+/// and three more bits for the angle. Most rows of finely divided meshes are such.
+[[nodiscard]] constexpr ArcStart<NearAngle> arc_start(NearAngle angle2, Factor u, Factor a) {
   constexpr Factor kOne = Factor::of(1.0);
   constexpr Factor kTwentyFourth = Factor::of(1.0 / 24);
   constexpr Factor kSixth = Factor::of(1.0 / 6);
-  const Factor p = angle2;
+  const NearAngle p = angle2;
   const Factor c = u - Factor::of(0.5);
   const Factor v = c + Factor::from_raw(a.raw() >> 1);
   const Factor v2 = multiply_floor<Factor>(v, v);
-  const Factor bow = multiply_floor<Factor>(p, u - multiply_floor<Factor>(u, u));
+  const NearAngle bow = multiply_floor<NearAngle>(p, u - multiply_floor<Factor>(u, u));
 
-  ArcStart start;
+  ArcStart<NearAngle> start;
   // (5/4 - c^2) / 24 is 0.042...0.052.
-  start.even = multiply<Factor>(bow, Factor::of(0.5) + multiply_floor<Factor>(p, Factor::of(0.047)));
-  start.odd = c + multiply_floor<Factor>(c, multiply_floor<Factor>(bow, kSixth));
+  start.even = multiply_floor<NearAngle>(bow, Factor::of(0.5) + multiply_floor<Factor>(p, Factor::of(0.047)));
+  start.odd = c + multiply_floor<Factor>(c, multiply_floor<NearAngle>(bow, kSixth));
   const Factor fall = kTwentyFourth - multiply_floor<Factor>(multiply_floor<Factor>(a, a), kTwentyFourth) -
                       Factor::from_raw(v2.raw() >> 1);
-  start.slope_odd = kOne + multiply_floor<Factor>(p, fall);
+  start.slope_odd = kOne + multiply<Factor>(p, fall);
   const Factor gain =
       kOne + multiply_floor<Factor>(p, Factor::of(0.125) - multiply_floor<Factor>(v2, kSixth));
-  start.slope_even = -multiply<Factor>(multiply<Factor>(v, p), gain);
+  start.slope_even = -multiply<NearAngle>(multiply<NearAngle>(v, p), gain);
   return start;
 }
 

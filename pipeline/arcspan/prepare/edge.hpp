@@ -24,6 +24,12 @@ struct EdgeWalk {
   /// Distance from the edge to the centre of column(), 16 fraction bits, 0...1.
   [[nodiscard]] constexpr std::uint32_t fraction() const { return ~static_cast<std::uint32_t>(x) >> 16; }
 
+  /// The same with 32 fraction bits and without the bias: for rows so narrow that 16 bits of it say little.
+  [[nodiscard]] constexpr std::uint32_t fine_fraction() const {
+    const std::uint32_t biased = ~static_cast<std::uint32_t>(x);
+    return biased < 4096u ? 0u : biased - 4096u;
+  }
+
   constexpr void advance() { x += step; }
 };
 

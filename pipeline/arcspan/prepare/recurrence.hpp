@@ -40,15 +40,15 @@ struct ArcScalar {
   }
 };
 
-/// k of an arc whose squared angle is `angle2` (0...1.1) and whose step is the fraction a = mantissa *
-/// 2^-exponent of it, mantissa in [2^15, 2^16], exponent >= 16 (a <= 1): phi^2 = a^2 psi^2,
-/// k = phi^2 (1 - phi^2/12).
-[[nodiscard]] constexpr ArcStep arc_step(Factor angle2, std::uint32_t mantissa, int exponent) {
-  // phi^2 = wide * 2^-(30 + 2 (exponent - 16)), wide below 1.1 * 2^30.
+/// k of an arc whose squared angle is `angle2` and whose step is the fraction a = mantissa * 2^-exponent of
+/// it, mantissa in [2^15, 2^16], exponent >= 16 (a <= 1): phi^2 = a^2 psi^2, k = phi^2 (1 - phi^2/12).
+template <class Angle>
+[[nodiscard]] constexpr ArcStep arc_step(Angle angle2, std::uint32_t mantissa, int exponent) {
+  // phi^2 = wide * 2^-(15 + Angle bits + scale), wide below 1.1 * 2^30.
   const std::uint32_t half = mantissa >> 1;
   const std::uint32_t once = (static_cast<std::uint32_t>(angle2.raw()) * half + (1u << 14)) >> 15;
   std::uint32_t wide = once * half;
-  const int scale = 2 * (exponent - 16);
+  const int scale = 2 * (exponent - 16) + Angle::kFraction - 15;
   if (wide == 0) return {};
   if (scale < 16) {
     const std::uint32_t phi2 = wide >> (15 + scale);  // 15 fraction bits

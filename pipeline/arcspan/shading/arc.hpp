@@ -36,14 +36,14 @@ struct Arc {
   static constexpr bool kNeedsFaceNormal = false;
 
   /// Normals farther apart than 60 degrees (squared chord 1) are not interpolated; the triangle is split.
-  static constexpr Factor kWidest = Factor::of(1.0);
+  static constexpr std::uint32_t kWidestChord = 1u << 28;
 
   [[nodiscard]] static Vertex shade_vertex(const Object& object, const Direction& normal) {
     return {to_normal(normal), object.scalars(normal)};
   }
   [[nodiscard]] static constexpr Face shade_face(const Object&, const Direction&) { return {}; }
   [[nodiscard]] static constexpr bool too_wide(const Vertex& a, const Vertex& b) {
-    return squared_chord(a.normal, b.normal) > kWidest;
+    return squared_chord(a.normal, b.normal) > kWidestChord;
   }
 
   /// The vertex at the fraction t of the arc from a to b. Wide arcs are halved until the series hold.
@@ -68,32 +68,24 @@ struct Arc {
     const Vertex& top = frame.top->shade;
     const Vertex& middle = frame.middle->shade;
     const Vertex& bottom = frame.bottom->shade;
-    const Factor top_middle = squared_chord(top.normal, middle.normal);
-    const Factor top_bottom = squared_chord(top.normal, bottom.normal);
-    const Factor middle_bottom = squared_chord(middle.normal, bottom.normal);
-    const CornerChords from_top{top_middle, top_bottom, middle_bottom};
-    const CornerChords from_bottom{middle_bottom, top_bottom, top_middle};
-    const Factor row_middle = row_angle_at_middle(from_top, frame.middle_fraction);
-
-    make_arc_edge(frame.long_edge, angle_of_chord(top_bottom), top.scalars, bottom.scalars,
-                  prepared.long_edge);
-    Factor widest = row_middle;
+    const Chords chords{squared_chord(top.normal, middle.normal), squared_chord(top.normal, bottom.normal),
+                        squared_chord(middle.normal, bottom.normal)};
+    make_arc_edge(frame.long_edge, chords.top_bottom, top.scalars, bottom.scalars, prepared.long_edge);
     if (frame.has_upper) {
-      const Factor corner = row_angle_at_corner(from_top, frame.middle_fraction);
-      make_arc_edge(frame.upper_edge, angle_of_chord(top_middle), top.scalars, middle.scalars,
-                    prepared.upper_edge);
-      make_arc_rows(corner, row_middle, frame.inverse_width, frame.upper_edge, true, prepared.upper_rows);
-      widest = corner > widest ? corner : widest;
+      make_arc_edge(frame.upper_edge, chords.top_middle, top.scalars, middle.scalars, prepared.upper_edge);
     }
     if (frame.has_lower) {
-      const Factor corner = row_angle_at_corner(from_bottom, Factor::of(1.0) - frame.middle_fraction);
-      make_arc_edge(frame.lower_edge, angle_of_chord(middle_bottom), middle.scalars, bottom.scalars,
+      make_arc_edge(frame.lower_edge, chords.middle_bottom, middle.scalars, bottom.scalars,
                     prepared.lower_edge);
-      make_arc_rows(corner, row_middle, frame.inverse_width, frame.lower_edge, false, prepared.lower_rows);
-      widest = corner > widest ? corner : widest;
     }
+    const std::uint32_t widest = chords.widest();
     prepared.slope_drop = arcspan::slope_drop(widest);
-    prepared.near_rows = widest <= kNearAngle2;
+    prepared.near_rows = widest <= kNearChord;
+    if (prepared.near_rows) {
+      prepare_rows<NearAngle>(frame, chords, prepared);
+    } else {
+      prepare_rows<Factor>(frame, chords, prepared);
+    }
     prepared.middle_left = frame.middle_left;
   }
 
@@ -125,25 +117,7 @@ struct Arc {
         : prepared_(&prepared), short_(&prepared.upper_edge), rows_(&prepared.upper_rows) {}
 
     [[nodiscard]] constexpr Run row(const RowStart& start) const {
-      const Factor t = Factor::from_raw(rows_->t >> 15);
-      const Factor t2 = multiply_floor<Factor>(t, t);
-      const Factor angle2 =
-          multiply_floor<Factor>(t2, rows_->corner + multiply_floor<Factor>(t2, rows_->rise));
-      const std::int32_t mantissa = wrap_add(rows_->k_corner, wrap_mul(rows_->k_rise, t2.raw()) >> 15);
-
-      const Reciprocal inverse = reciprocal(start.width);
-      const ArcFraction pixel = arc_fraction(inverse, 16);
-      const Factor u = fraction_of_row(start, inverse);
-      const ArcStart arc = prepared_->near_rows ? near_arc_start(angle2, u, pixel.factor())
-                                                : arc_start(angle2, u, pixel.factor());
-
-      const ArcEdge<kScalars>& left = prepared_->middle_left ? *short_ : prepared_->long_edge;
-      const ArcEdge<kScalars>& right = prepared_->middle_left ? prepared_->long_edge : *short_;
-      const SlopeScale scale = slope_scale(pixel, prepared_->slope_drop);
-      Run run(mantissa, rows_->k_shift);
-      unrolled<kScalars>(
-          [&](auto i) { run.scalar(i) = start_scalar(arc, scale, left.scalars[i].x, right.scalars[i].x); });
-      return run;
+      return prepared_->near_rows ? row_as<NearAngle>(start) : row_as<Factor>(start);
     }
 
     constexpr void next_row() {
@@ -157,9 +131,30 @@ struct Arc {
     }
 
    private:
+    template <class Angle>
+    [[nodiscard]] constexpr Run row_as(const RowStart& start) const {
+      const Factor t = Factor::from_raw(rows_->t >> 15);
+      const Factor t2 = multiply_floor<Factor>(t, t);
+      const Angle angle2 = multiply<Angle>(
+          t2, Angle::from_raw(rows_->corner) + multiply_floor<Angle>(t2, Angle::from_raw(rows_->rise)));
+      const std::int32_t mantissa = wrap_add(rows_->k_corner, wrap_mul(rows_->k_rise, t2.raw()) >> 15);
+
+      const Reciprocal inverse = reciprocal(start.width);
+      const ArcFraction pixel = arc_fraction(inverse, start.bits);
+      const ArcStart<Angle> arc = arc_start(angle2, fraction_of_row(start, inverse), pixel.factor());
+      const SlopeScale scale = slope_scale(pixel, prepared_->slope_drop);
+
+      const ArcEdge<kScalars>& left = prepared_->middle_left ? *short_ : prepared_->long_edge;
+      const ArcEdge<kScalars>& right = prepared_->middle_left ? prepared_->long_edge : *short_;
+      Run run(mantissa, rows_->k_shift);
+      unrolled<kScalars>(
+          [&](auto i) { run.scalar(i) = start_scalar(arc, scale, left.scalars[i].x, right.scalars[i].x); });
+      return run;
+    }
+
     /// Where the row's first pixel is between its ends, 0...1; `inverse` is the width's reciprocal.
     [[nodiscard]] static constexpr Factor fraction_of_row(const RowStart& start, const Reciprocal& inverse) {
-      const std::uint32_t inside = start.fraction < start.width ? start.fraction : start.width;
+      const std::uint32_t inside = start.inside < start.width ? start.inside : start.width;
       const std::uint32_t normalised = inside << (47 - inverse.exponent);  // as the width has its bit 31 set
       return Factor::from_raw(static_cast<std::int32_t>(((normalised >> 16) * inverse.mantissa) >> 16));
     }
@@ -170,10 +165,41 @@ struct Arc {
   };
 
  private:
+  /// Squared chords of a triangle's edges, 28 fraction bits.
+  struct Chords {
+    std::uint32_t top_middle;
+    std::uint32_t top_bottom;
+    std::uint32_t middle_bottom;
+
+    [[nodiscard]] constexpr std::uint32_t widest() const {
+      const std::uint32_t upper = top_middle > top_bottom ? top_middle : top_bottom;
+      return upper > middle_bottom ? upper : middle_bottom;
+    }
+  };
+
+  template <class Angle>
+  static constexpr void prepare_rows(const TriangleFrame<Arc>& frame, const Chords& chords,
+                                     Prepared& prepared) {
+    const Angle top_middle = chord_as<Angle>(chords.top_middle);
+    const Angle top_bottom = chord_as<Angle>(chords.top_bottom);
+    const Angle middle_bottom = chord_as<Angle>(chords.middle_bottom);
+    const CornerChords<Angle> from_top{top_middle, top_bottom, middle_bottom};
+    const CornerChords<Angle> from_bottom{middle_bottom, top_bottom, top_middle};
+    const Angle at_middle = row_angle_at_middle(from_top, frame.middle_fraction);
+    if (frame.has_upper) {
+      const Angle at_top = row_angle_at_corner(from_top, frame.middle_fraction);
+      make_arc_rows(at_top, at_middle, frame.inverse_width, frame.upper_edge, true, prepared.upper_rows);
+    }
+    if (frame.has_lower) {
+      const Angle at_bottom = row_angle_at_corner(from_bottom, Factor::of(1.0) - frame.middle_fraction);
+      make_arc_rows(at_bottom, at_middle, frame.inverse_width, frame.lower_edge, false, prepared.lower_rows);
+    }
+  }
+
   /// Middle of an arc by dichotomy: (a + b) / sqrt(2 + z), z = 2 a·b = 2 - s. Opposite normals have no middle
   /// and give the zero vector, which is dark.
   [[nodiscard]] static constexpr Vertex middle_of(const Vertex& a, const Vertex& b) {
-    const Factor rest = Factor::of(4.0) - squared_chord(a.normal, b.normal);
+    const Factor rest = Factor::of(4.0) - chord_as<Factor>(squared_chord(a.normal, b.normal));
     ReciprocalRoot root = reciprocal_root(static_cast<std::uint32_t>(rest.raw()));
     if (rest.raw() <= 64) root.mantissa = 0;
     // The root is of the raw value, 15 fraction bits up: 1/sqrt(value) = 2^7.5 / sqrt(raw), 46341 = 2^15.5.
@@ -196,7 +222,8 @@ struct Arc {
 
   /// S0 eq. 2 at the fraction t of an arc of at most 60 degrees.
   [[nodiscard]] static constexpr Vertex on_arc(const Vertex& a, const Vertex& b, Factor t) {
-    const ArcStart at = arc_start(angle_of_chord(squared_chord(a.normal, b.normal)), t, Factor{});
+    const Factor chord = chord_as<Factor>(squared_chord(a.normal, b.normal));
+    const ArcStart<Factor> at = arc_start(angle_of_chord(chord), t, Factor{});
     const auto component = [&at](NormalComponent p, NormalComponent q) {
       const Factor middle = Factor::from_raw(p.raw() + q.raw());  // 14 bits summed: 15 bits of the mean
       const Factor rise = Factor::from_raw((q.raw() - p.raw()) * 2);

@@ -10,8 +10,13 @@ namespace arcspan {
 
 /// A row of a triangle as its method's walker gets it.
 struct RowStart {
-  std::uint32_t fraction = 0;  ///< from the left edge to the first pixel's centre, 16 fraction bits
-  std::uint32_t width = 0;     ///< of the whole row between the edges, 16 fraction bits, 1...2^27
+  std::uint32_t
+      fraction;  ///< from the left edge to the first pixel's centre, in pixels with 16 fraction bits
+  /// The same distance and the whole row's length, at least 1, both with `bits` fraction bits: 16, or 32 for
+  /// rows shorter than a pixel.
+  std::uint32_t inside;
+  std::uint32_t width;
+  int bits;
 };
 
 /// A way of shading triangles, chosen at compile time: one file each, and a firmware holds only the ones it

@@ -77,6 +77,14 @@ struct CommandWalk {
   }
 };
 
+[[nodiscard]] constexpr RowStart row_start(const EdgeWalk& left, const EdgeWalk& right,
+                                           std::uint32_t fraction) {
+  const std::int64_t width = right.x - left.x;
+  if ((width >> 32) != 0) return {fraction, fraction, static_cast<std::uint32_t>(width >> 16), 16};
+  const auto narrow = static_cast<std::uint32_t>(width);
+  return {fraction, left.fine_fraction(), narrow | static_cast<std::uint32_t>(narrow == 0), 32};
+}
+
 /// Draws the row that `walk` stands on: picture row y, columns left ... right - 1 of the picture only.
 template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] constexpr Status draw_row(const CommandWalk<Method>& walk, std::int32_t y,
@@ -90,9 +98,8 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
   const std::int32_t first = begin < clip.left ? clip.left : begin;
   const std::int32_t last = end > clip.right ? clip.right : end;
   if (first >= last) return Status::kOk;
-  const auto width = static_cast<std::uint32_t>((right.x - left.x) >> 16);
   const std::uint32_t fraction = left.fraction() + (static_cast<std::uint32_t>(first - begin) << 16);
-  typename Method::Run run = walk.shade.row({fraction, width < 1 ? 1u : width});
+  typename Method::Run run = walk.shade.row(row_start(left, right, fraction));
   const Span span{y, first, last - first};
   draw_run<typename Sink::Format, Method>(sink.open(span), span, run, object, depth, walk.depth.at(fraction),
                                           walk.depth.dx());

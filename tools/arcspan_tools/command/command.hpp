@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+// Every file of this folder named NAME_command.cpp is the subcommand NAME and defines
+//
+//   void arcspan::tools::add_NAME_command(CLI::App& app);
+//
+// which adds it to `app` with a callback that runs it; the list of them is made by the build. A callback throws
+// Failure for what is wrong; ExitStatus to end with another status than 0.
+
+namespace arcspan::tools {
+
+struct ExitStatus {
+  int value = 0;
+};
+
+/// Adds every subcommand (generated).
+void add_commands(CLI::App& app);
+
+/// The whole program: parses, runs one subcommand, prints one line for a failure. Returns the exit status: 0,
+/// 1 for what was wrong with files, 2 for wrong arguments.
+[[nodiscard]] int run_command_line(int argc, const char* const* argv);
+
+}  // namespace arcspan::tools

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/output_file.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <memory>
+
+// The only file that includes stb; its code is not held to this project's warnings.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#pragma GCC diagnostic ignored "-Wcast-align"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wpedantic"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#pragma GCC diagnostic ignored "-Wimplicit-fallthrough"
+#define STBI_ONLY_PNG
+#define STBI_ONLY_PNM
+#define STBI_NO_STDIO
+#define STBI_MAX_DIMENSIONS 16384
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#include <stb/stb_image.h>
+#define STBI_WRITE_NO_STDIO
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace arcspan::tools {
+namespace {
+
+constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
+
+std::string png(const Image& image) {
+  static_assert(sizeof(Rgb8) == 3);
+  std::string out;
+  const auto append = [](void* to, void* data, int size) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+  };
+  stbi_write_png_to_func(append, &out, image.width, image.height, 3, image.pixels.data(), image.width * 3);
+  return out;
+}
+
+std::string netpbm_header(const char* kind, const Image& image) {
+  return std::string(kind) + "\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n255\n";
+}
+
+std::string ppm(const Image& image) {
+  std::string out = netpbm_header("P6", image);
+  for (const Rgb8& p : image.pixels) {
+    for (const std::uint8_t channel : {p.r, p.g, p.b}) out.push_back(static_cast<char>(channel));
+  }
+  return out;
+}
+
+std::string pgm(const Image& image) {
+  std::string out = netpbm_header("P5", image);
+  for (const Rgb8& p : image.pixels) out.push_back(static_cast<char>(luma(p)));
+  return out;
+}
+
+}  // namespace
+
+ImageFormat image_format(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".ppm") return ImageFormat::kPpm;
+  if (extension == ".pgm") return ImageFormat::kPgm;
+  if (extension == ".png") return ImageFormat::kPng;
+  throw Failure(path.string(), "a picture's name must end in .png, .ppm or .pgm");
+}
+
+std::string encode_image(const Image& image, ImageFormat format) {
+  switch (format) {
+    case ImageFormat::kPpm:
+      return ppm(image);
+    case ImageFormat::kPgm:
+      return pgm(image);
+    case ImageFormat::kPng:
+      break;
+  }
+  return png(image);
+}
+
+void write_image(const Image& image, const std::filesystem::path& path) {
+  write_whole_file(path, encode_image(image, image_format(path)));
+}
+
+Image read_image(const std::filesystem::path& path) {
+  const std::string bytes = read_whole_file(path, kMaxFileBytes);
+  int width = 0;
+  int height = 0;
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> decoded(
+      stbi_load_from_memory(data, static_cast<int>(bytes.size()), &width, &height, nullptr, 3), &stbi_image_free);
+  if (decoded == nullptr) {
+    throw Failure(path.string(), std::string("not a PNG, PPM or PGM picture (") + stbi_failure_reason() + ")");
+  }
+  Image image(width, height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = {decoded.get()[3 * i], decoded.get()[3 * i + 1], decoded.get()[3 * i + 2]};
+  }
+  return image;
+}
+
+}  // namespace arcspan::tools

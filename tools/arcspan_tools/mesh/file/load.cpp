@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/plain/generate.hpp>
+#include <arcspan_tools/mesh/file/import.hpp>
+#include <arcspan_tools/mesh/file/isolate.hpp>
+#include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/mesh/file/screen.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/progress.hpp>
+
+#include <algorithm>
+#include <cctype>
+
+namespace arcspan::tools {
+namespace {
+
+/// A text file of kMaxTriangles triangles needs about a tenth of this.
+constexpr std::size_t kMaxFileBytes = std::size_t{256} << 20;
+
+RawMesh import_isolated(std::string_view screened, MeshFormat format, const std::string& subject) {
+  Progress progress("reading " + subject, 0);
+  return run_isolated(
+      subject, [&] { return import_mesh(screened, format, subject); },
+      [&](std::size_t received) { progress.show(received); });
+}
+
+}  // namespace
+
+std::optional<MeshFormat> mesh_format(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".obj") return MeshFormat::kObj;
+  if (extension == ".ply") return MeshFormat::kPly;
+  if (extension == ".stl") return MeshFormat::kStl;
+  if (extension == ".off") return MeshFormat::kOff;
+  return std::nullopt;
+}
+
+MeshData load_mesh_from_memory(std::string_view bytes, MeshFormat format, const std::string& subject) {
+  return weld(import_mesh(screened(bytes, format, subject), format, subject), subject);
+}
+
+MeshData load_mesh(const std::string& name) {
+  if (const std::optional<GeneratedMesh> wanted = parse_generated_mesh(name)) return generate(*wanted);
+  const std::optional<MeshFormat> format = mesh_format(name);
+  if (!format) {
+    throw Failure(name, "not a mesh that can be read (.obj, .ply, .stl, .off, sphere:32x16, torus:48x24)");
+  }
+  const std::string text = screened(read_whole_file(name, kMaxFileBytes), *format, name);
+  return weld(import_isolated(text, *format, name), name);
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/text_lines.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/parse.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace arcspan::tools {
+
+bool TextLines::next() {
+  words_.clear();
+  if (rest_.empty()) return false;
+  number_ = next_number_;
+  for (bool continues = true; continues && !rest_.empty();) {
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    ++next_number_;
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    continues = joining_ == Joining::kBackslash && !line.empty() && line.back() == '\\';
+    if (continues) line.remove_suffix(1);
+    split(line.substr(0, line.find('#')));
+  }
+  return true;
+}
+
+void TextLines::next_words(const std::string& expected) {
+  while (next()) {
+    if (!words_.empty()) return;
+  }
+  fail("the file ends before " + expected);
+}
+
+void TextLines::split(std::string_view line) {
+  constexpr std::string_view kBlanks = " \t\r\f\v";
+  for (;;) {
+    const std::size_t begin = line.find_first_not_of(kBlanks);
+    if (begin == std::string_view::npos) return;
+    line.remove_prefix(begin);
+    const std::size_t size = std::min(line.find_first_of(kBlanks), line.size());
+    words_.push_back(line.substr(0, size));
+    line.remove_prefix(size);
+  }
+}
+
+double TextLines::number_at(std::size_t i) const {
+  if (i >= words_.size()) fail("a number is missing");
+  const std::optional<double> value = parse_number(words_[i]);
+  if (!value) fail(in_quotes(words_[i]) + " is not a number");
+  // The library keeps floats: what is beyond them would be infinite there.
+  if (!std::isfinite(*value) || std::fabs(*value) > 1e30) fail(in_quotes(words_[i]) + " is not a finite number");
+  return *value;
+}
+
+std::int64_t TextLines::integer_at(std::size_t i, std::int64_t least, std::int64_t most, const char* what) const {
+  if (i >= words_.size()) fail(std::string(what) + " is missing");
+  const std::optional<std::int64_t> value = parse_integer(words_[i]);
+  if (!value) fail(in_quotes(words_[i]) + " is not an integer (" + what + ")");
+  if (*value < least || *value > most) {
+    fail(std::string(what) + " out of range (" + std::to_string(*value) + "; allowed are " +
+         std::to_string(least) + " to " + std::to_string(most) + ")");
+  }
+  return *value;
+}
+
+void TextLines::fail(const std::string& what) const {
+  throw Failure(subject_, "line " + std::to_string(number_) + ": " + what);
+}
+
+std::string in_quotes(std::string_view word) {
+  constexpr std::size_t kMost = 24;
+  std::string text(word.substr(0, kMost));
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return "'" + text + (word.size() > kMost ? "...'" : "'");
+}
+
+std::string plain_text(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) return std::string(text.substr(3));
+  const bool big = text.starts_with("\xFE\xFF");
+  if (!big && !text.starts_with("\xFF\xFE")) return std::string(text);
+  std::string plain;
+  for (std::size_t i = 2; i + 1 < text.size(); i += 2) {
+    const char high = text[big ? i : i + 1];
+    const char low = text[big ? i + 1 : i];
+    plain.push_back(high == 0 && low > 0 ? low : '?');
+  }
+  return plain;
+}
+
+void require_text(std::string_view text, const std::string& subject) {
+  const auto is_binary = [](char c) { return (c >= 0 && c < ' ' && c != '\n' && c != '\r' && c != '\t' &&
+                                              c != '\f' && c != '\v') || c == 0x7F; };
+  const auto at = std::find_if(text.begin(), text.end(), is_binary);
+  if (at == text.end()) return;
+  throw Failure(subject, "not a text file (byte " + std::to_string(static_cast<unsigned char>(*at)) +
+                             " at offset " + std::to_string(at - text.begin()) + ")");
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/support/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace arcspan::tools {
+
+/// Most vertices of a mesh: the pipeline's indices have 16 bits.
+inline constexpr std::size_t kMaxVertices = 65'536;
+/// Most triangles of a mesh: twice what a closed surface of kMaxVertices has.
+inline constexpr std::size_t kMaxTriangles = 262'144;
+
+/// A triangle mesh in doubles: position i and normal i (unit length) belong together; triangles are
+/// counter-clockwise seen from the front.
+struct MeshData {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> normals;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// Faces of the file that have no area, left out of `triangles`.
+  std::size_t dropped_faces = 0;
+};
+
+/// Triangles whose corners carry their own copies of positions and normals, as loaders give them.
+struct RawMesh {
+  struct Corner {
+    Vec3 position;
+    /// Zero where the file gives no normal.
+    Vec3 normal;
+  };
+  std::vector<std::array<Corner, 3>> triangles;
+};
+
+/// Joins corners of equal position and normal into vertices. Corners without a normal get the area-weighted
+/// average over all triangles that share the position. Triangles without area are dropped and counted.
+/// `subject` names the mesh in the Failure that is thrown if a limit is passed or nothing is left.
+[[nodiscard]] MeshData weld(const RawMesh& raw, const std::string& subject);
+
+}  // namespace arcspan::tools

@@ -7,8 +7,8 @@
 //
 //   void arcspan::tools::add_NAME_command(CLI::App& app);
 //
-// which adds it to `app` with a callback that runs it; the list of them is made by the build. A callback throws
-// Failure for what is wrong; ExitStatus to end with another status than 0.
+// which adds it to `app` with a callback that runs it; the list of them is made by the build. A callback
+// throws Failure for what is wrong; ExitStatus to end with another status than 0.
 
 namespace arcspan::tools {
 

@@ -6,6 +6,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace arcspan::tools {
 namespace {
@@ -18,10 +19,17 @@ int complain(const std::string& what, int status) {
   return status;
 }
 
+std::string what_is_missing(const CLI::App& app) {
+  const std::vector<std::string> extras = app.remaining();
+  const std::string problem =
+      extras.empty() ? "no subcommand given" : "no such subcommand: '" + extras[0] + "'";
+  return problem + " (see arcspan --help)";
+}
+
 int parse_and_run(CLI::App& app, int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
-    return 0;
+    return app.get_subcommands().empty() ? complain(what_is_missing(app), kWrongArguments) : 0;
   } catch (const CLI::Success& wanted) {  // --help, --version
     return app.exit(wanted);
   } catch (const CLI::ParseError& e) {
@@ -42,8 +50,9 @@ int parse_and_run(CLI::App& app, int argc, const char* const* argv) {
 int run_command_line(int argc, const char* const* argv) {
   CLI::App app("Phong-shaded 3D in integers: tools for the desk", "arcspan");
   app.set_version_flag("--version", ARCSPAN_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   add_commands(app);
+  app.allow_extras();  // for the root only, so that an unknown subcommand can be named
   return parse_and_run(app, argc, argv);
 }
 

@@ -30,8 +30,8 @@ void run_diff(const DiffArguments& arguments) {
   }
   const Difference d = difference(a, b);
   if (!arguments.out.empty()) write_image(difference_picture(a, b), arguments.out);
-  std::printf("largest difference %d, mean %.4f, %zu of %zu pixels differ\n", d.largest, d.mean, d.differing_pixels,
-              a.pixels.size());
+  std::printf("largest difference %d, mean %.4f, %zu of %zu pixels differ\n", d.largest, d.mean,
+              d.differing_pixels, a.pixels.size());
   if (d.largest > arguments.limit) throw ExitStatus{1};
 }
 
@@ -42,7 +42,8 @@ void add_diff_command(CLI::App& app) {
   CLI::App* diff = app.add_subcommand("diff", "Compare two pictures of one size (PNG, PPM, PGM)");
   diff->add_option("A", arguments->a, "the one picture")->required();
   diff->add_option("B", arguments->b, "the other picture")->required();
-  diff->add_option("-o,--output", arguments->out, "write a picture of the differences, scaled to full brightness");
+  diff->add_option("-o,--output", arguments->out,
+                   "write a picture of the differences, scaled to full brightness");
   diff->add_option("--limit", arguments->limit, "end with status 1 if any channel differs by more (0...255)")
       ->check(CLI::Range(0, 255));
   diff->callback([arguments] { run_diff(*arguments); });

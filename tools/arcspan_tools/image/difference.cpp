@@ -26,7 +26,8 @@ Difference difference(const Image& a, const Image& b) {
     sum += std::uint64_t{d.r} + d.g + d.b;
     if (d != Rgb8{}) ++result.differing_pixels;
   }
-  if (!a.pixels.empty()) result.mean = static_cast<double>(sum) / (3.0 * static_cast<double>(a.pixels.size()));
+  if (!a.pixels.empty())
+    result.mean = static_cast<double>(sum) / (3.0 * static_cast<double>(a.pixels.size()));
   return result;
 }
 

@@ -50,7 +50,8 @@ std::string png(const Image& image) {
 }
 
 std::string netpbm_header(const char* kind, const Image& image) {
-  return std::string(kind) + "\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n255\n";
+  return std::string(kind) + "\n" + std::to_string(image.width) + " " + std::to_string(image.height) +
+         "\n255\n";
 }
 
 std::string ppm(const Image& image) {
@@ -101,9 +102,11 @@ Image read_image(const std::filesystem::path& path) {
   int height = 0;
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> decoded(
-      stbi_load_from_memory(data, static_cast<int>(bytes.size()), &width, &height, nullptr, 3), &stbi_image_free);
+      stbi_load_from_memory(data, static_cast<int>(bytes.size()), &width, &height, nullptr, 3),
+      &stbi_image_free);
   if (decoded == nullptr) {
-    throw Failure(path.string(), std::string("not a PNG, PPM or PGM picture (") + stbi_failure_reason() + ")");
+    throw Failure(path.string(),
+                  std::string("not a PNG, PPM or PGM picture (") + stbi_failure_reason() + ")");
   }
   Image image(width, height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {

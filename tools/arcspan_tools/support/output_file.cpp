@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
-
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -112,7 +111,8 @@ std::string read_whole_file(const fs::path& path, std::size_t limit) {
   if (!in) fail_with_errno(path, "read");
   std::string bytes(static_cast<std::size_t>(size), '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (in.gcount() != static_cast<std::streamsize>(size)) throw Failure(path.string(), "cannot read to its end");
+  if (in.gcount() != static_cast<std::streamsize>(size))
+    throw Failure(path.string(), "cannot read to its end");
   return bytes;
 }
 

@@ -47,7 +47,8 @@ std::optional<Size> parse_size(std::string_view text) {
   if (cross == std::string_view::npos) return std::nullopt;
   const auto width = parse_integer(text.substr(0, cross));
   const auto height = parse_integer(text.substr(cross + 1));
-  if (!width || !height || *width < 1 || *height < 1 || *width > kMost || *height > kMost) return std::nullopt;
+  if (!width || !height || *width < 1 || *height < 1 || *width > kMost || *height > kMost)
+    return std::nullopt;
   return Size{static_cast<std::int32_t>(*width), static_cast<std::int32_t>(*height)};
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/support/progress.hpp>
-
 #include <unistd.h>
 
 #include <algorithm>

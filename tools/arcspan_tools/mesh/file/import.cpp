@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/file/import.hpp>
 #include <arcspan_tools/support/failure.hpp>
-
 #include <assimp/BaseImporter.h>
+#include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <assimp/Importer.hpp>
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/file/isolate.hpp>
 #include <arcspan_tools/support/failure.hpp>
-
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
@@ -102,7 +101,8 @@ RawMesh decode(const std::string& bytes, const std::string& subject) {
   }
   RawMesh mesh;
   mesh.triangles.resize(body.size() / sizeof(Triangle));
-  std::memcpy(static_cast<void*>(mesh.triangles.data()), body.data(), mesh.triangles.size() * sizeof(Triangle));
+  std::memcpy(static_cast<void*>(mesh.triangles.data()), body.data(),
+              mesh.triangles.size() * sizeof(Triangle));
   return mesh;
 }
 

@@ -14,9 +14,9 @@ PlyType type_at(const TextLines& lines, std::size_t i) {
     PlyType type;
   };
   static constexpr Named kTypes[] = {
-      {"char", "int8", {Kind::kSigned, 1}},   {"uchar", "uint8", {Kind::kUnsigned, 1}},
-      {"short", "int16", {Kind::kSigned, 2}}, {"ushort", "uint16", {Kind::kUnsigned, 2}},
-      {"int", "int32", {Kind::kSigned, 4}},   {"uint", "uint32", {Kind::kUnsigned, 4}},
+      {"char", "int8", {Kind::kSigned, 1}},    {"uchar", "uint8", {Kind::kUnsigned, 1}},
+      {"short", "int16", {Kind::kSigned, 2}},  {"ushort", "uint16", {Kind::kUnsigned, 2}},
+      {"int", "int32", {Kind::kSigned, 4}},    {"uint", "uint32", {Kind::kUnsigned, 4}},
       {"float", "float32", {Kind::kFloat, 4}}, {"double", "float64", {Kind::kFloat, 8}},
   };
   if (i >= lines.words().size()) lines.fail("the type of a property is missing");
@@ -62,7 +62,6 @@ PlyHeader read_ply_header(TextLines& lines) {
     lines.next_words("end_header");
     const std::string_view keyword = lines.words()[0];
     if (keyword == "end_header") return header;
-    if (keyword == "comment" || keyword == "obj_info") continue;
     if (keyword == "element") {
       if (lines.words().size() < 2) lines.fail("the name of an element is missing");
       const std::int64_t count =
@@ -72,9 +71,8 @@ PlyHeader read_ply_header(TextLines& lines) {
       if (header.elements.empty()) lines.fail("a property before any element");
       if (++properties > kMostProperties) lines.fail("too many properties");
       header.elements.back().properties.push_back(property_of(lines));
-    } else {
-      lines.fail(in_quotes(keyword) + " is not a keyword of a PLY header");
     }
+    // Anything else is a comment: some exporters write theirs without the keyword.
   }
 }
 

@@ -81,7 +81,8 @@ struct ObjScreen {
 
   void face() {
     if (lines.words().size() < 4) {
-      lines.fail("a face needs three corners or more (this has " + std::to_string(lines.words().size() - 1) + ")");
+      lines.fail("a face needs three corners or more (this has " + std::to_string(lines.words().size() - 1) +
+                 ")");
     }
     out += 'f';
     for (std::size_t i = 1; i < lines.words().size(); ++i) corner(lines.words()[i]);

@@ -39,7 +39,8 @@ std::string screened_off(std::string_view bytes, const std::string& subject) {
     const std::int64_t corners = lines.integer_at(0, 1, kMostCorners, "number of corners");
     out += std::to_string(corners);
     for (std::int64_t i = 1; i <= corners; ++i) {
-      out += ' ' + std::to_string(lines.integer_at(static_cast<std::size_t>(i), 0, vertices - 1, "vertex index"));
+      out += ' ' +
+             std::to_string(lines.integer_at(static_cast<std::size_t>(i), 0, vertices - 1, "vertex index"));
     }
     out += '\n';
   }

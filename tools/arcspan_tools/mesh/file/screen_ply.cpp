@@ -10,10 +10,17 @@
 namespace arcspan::tools {
 namespace {
 
+void append_number(std::string& out, double value) {
+  char text[32];
+  const auto [end, error] = std::to_chars(text, text + sizeof text, value);
+  out.append(text, end);
+}
+
 /// The numbers of a PLY body, one after the other, from text or from either byte order.
 class PlyBody {
  public:
-  PlyBody(TextLines& lines, PlyEncoding encoding) : lines_(lines), encoding_(encoding), bytes_(lines.rest()) {}
+  PlyBody(TextLines& lines, PlyEncoding encoding)
+      : lines_(lines), encoding_(encoding), bytes_(lines.rest()) {}
 
   /// Starts the next element; `what` names it in messages.
   void begin(std::string what) {
@@ -33,8 +40,10 @@ class PlyBody {
     if (value >= 0 && value <= static_cast<double>(most) && value == std::floor(value)) {
       return static_cast<std::int64_t>(value);
     }
-    fail(std::string(what) + " out of range (" + std::to_string(value) + "; allowed are 0 to " +
-         std::to_string(most) + ") in " + what_);
+    std::string text;
+    append_number(text, value);
+    fail(std::string(what) + " out of range (" + text + "; allowed are 0 to " + std::to_string(most) +
+         ") in " + what_);
   }
 
   [[noreturn]] void fail(const std::string& what) const { lines_.fail(what); }
@@ -63,12 +72,6 @@ class PlyBody {
   std::string what_;
   std::size_t word_ = 0;
 };
-
-void append_number(std::string& out, double value) {
-  char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, value);
-  out.append(text, end).push_back(' ');
-}
 
 std::size_t property_index(const PlyElement& element, std::string_view name) {
   for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -115,7 +118,10 @@ struct PlyScreen {
           values[p] = body.number(element.properties[p].type);
         }
       }
-      for (std::size_t i = 0; i < (has_normals ? 6u : 3u); ++i) append_number(vertices, values[at[i]]);
+      for (std::size_t i = 0; i < (has_normals ? 6u : 3u); ++i) {
+        append_number(vertices, values[at[i]]);
+        vertices += ' ';
+      }
       vertices += '\n';
     }
   }
@@ -164,14 +170,16 @@ std::string screened_ply(std::string_view bytes, const std::string& subject) {
   PlyScreen screen{header, PlyBody(lines, header.encoding)};
   for (const PlyElement& element : header.elements) {
     // Nothing in the file would stop the count of an element without properties.
-    if (element.properties.empty() && element.count > 0) lines.fail("element " + in_quotes(element.name) + " is empty");
+    if (element.properties.empty() && element.count > 0)
+      lines.fail("element " + in_quotes(element.name) + " is empty");
     screen.read(element, subject);
   }
   if (screen.face_count == 0) throw Failure(subject, "no faces");
   std::string out = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(screen.vertex_count) +
                     "\nproperty float x\nproperty float y\nproperty float z\n";
   if (screen.has_normals) out += "property float nx\nproperty float ny\nproperty float nz\n";
-  out += "element face " + std::to_string(screen.face_count) + "\nproperty list int int vertex_indices\nend_header\n";
+  out += "element face " + std::to_string(screen.face_count) +
+         "\nproperty list int int vertex_indices\nend_header\n";
   return out + screen.vertices + screen.faces;
 }
 

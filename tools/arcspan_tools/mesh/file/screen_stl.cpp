@@ -34,8 +34,8 @@ std::string screened_binary(std::string_view bytes, const std::string& subject) 
   check_facet_count(facets, subject);
   const std::uint64_t wanted = kHeaderBytes + 4 + std::uint64_t{kFacetBytes} * facets;
   if (bytes.size() < wanted) {
-    throw Failure(subject, "truncated (" + std::to_string(bytes.size()) + " bytes of " + std::to_string(wanted) +
-                               " for " + std::to_string(facets) + " triangles)");
+    throw Failure(subject, "truncated (" + std::to_string(bytes.size()) + " bytes of " +
+                               std::to_string(wanted) + " for " + std::to_string(facets) + " triangles)");
   }
   for (std::size_t f = 0; f < facets; ++f) {
     for (std::size_t i = 3; i < 12; ++i) {
@@ -113,7 +113,8 @@ std::string screened_stl(std::string_view bytes, const std::string& subject) {
   // A binary file may start with "solid" too, so its exact size decides first.
   const bool has_count = bytes.size() >= kHeaderBytes + 4;
   const bool exact =
-      has_count && bytes.size() == kHeaderBytes + 4 + std::uint64_t{kFacetBytes} * little_u32(bytes, kHeaderBytes);
+      has_count &&
+      bytes.size() == kHeaderBytes + 4 + std::uint64_t{kFacetBytes} * little_u32(bytes, kHeaderBytes);
   if (!exact && bytes.starts_with("solid")) return screened_ascii(bytes, subject);
   if (!has_count) throw Failure(subject, "not an STL mesh (neither text nor long enough for a binary one)");
   return screened_binary(bytes, subject);

@@ -49,11 +49,13 @@ double TextLines::number_at(std::size_t i) const {
   const std::optional<double> value = parse_number(words_[i]);
   if (!value) fail(in_quotes(words_[i]) + " is not a number");
   // The library keeps floats: what is beyond them would be infinite there.
-  if (!std::isfinite(*value) || std::fabs(*value) > 1e30) fail(in_quotes(words_[i]) + " is not a finite number");
+  if (!std::isfinite(*value) || std::fabs(*value) > 1e30)
+    fail(in_quotes(words_[i]) + " is not a finite number");
   return *value;
 }
 
-std::int64_t TextLines::integer_at(std::size_t i, std::int64_t least, std::int64_t most, const char* what) const {
+std::int64_t TextLines::integer_at(std::size_t i, std::int64_t least, std::int64_t most,
+                                   const char* what) const {
   if (i >= words_.size()) fail(std::string(what) + " is missing");
   const std::optional<std::int64_t> value = parse_integer(words_[i]);
   if (!value) fail(in_quotes(words_[i]) + " is not an integer (" + what + ")");
@@ -90,8 +92,9 @@ std::string plain_text(std::string_view text) {
 }
 
 void require_text(std::string_view text, const std::string& subject) {
-  const auto is_binary = [](char c) { return (c >= 0 && c < ' ' && c != '\n' && c != '\r' && c != '\t' &&
-                                              c != '\f' && c != '\v') || c == 0x7F; };
+  const auto is_binary = [](char c) {
+    return (c >= 0 && c < ' ' && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != '\v') || c == 0x7F;
+  };
   const auto at = std::find_if(text.begin(), text.end(), is_binary);
   if (at == text.end()) return;
   throw Failure(subject, "not a text file (byte " + std::to_string(static_cast<unsigned char>(*at)) +

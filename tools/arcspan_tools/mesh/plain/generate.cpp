@@ -81,7 +81,8 @@ MeshData torus(std::int32_t around, std::int32_t tube) {
     return static_cast<std::uint32_t>(i % around * tube + j % tube);
   };
   for (std::int32_t i = 0; i < around; ++i) {
-    for (std::int32_t j = 0; j < tube; ++j) add_quad(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    for (std::int32_t j = 0; j < tube; ++j)
+      add_quad(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
   }
   return mesh;
 }
@@ -97,8 +98,8 @@ std::optional<GeneratedMesh> parse_generated_mesh(const std::string& name) {
   const std::optional<Size> size = parse_size(std::string_view(name).substr(colon + 1));
   const std::int32_t least_along = mesh.kind == GeneratedMesh::Kind::kSphere ? 2 : 3;
   if (!size || size->width < 3 || size->height < least_along) {
-    throw Failure(name, "expected " + std::string(kind) + ":AROUNDxALONG, at least 3x" +
-                            std::to_string(least_along));
+    throw Failure(
+        name, "expected " + std::string(kind) + ":AROUNDxALONG, at least 3x" + std::to_string(least_along));
   }
   mesh.around = size->width;
   mesh.along = size->height;

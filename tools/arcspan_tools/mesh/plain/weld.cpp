@@ -55,9 +55,8 @@ NormalAt averaged_normals(const RawMesh& raw) {
 
 void check_limit(const std::string& subject, const char* what, std::size_t count, std::size_t limit) {
   if (count <= limit) return;
-  throw Failure(subject, "too many " + std::string(what) + " (" + std::to_string(count) +
-                             (count == limit + 1 ? " or more" : "") + "; the limit is " + std::to_string(limit) +
-                             ")");
+  throw Failure(subject,
+                "too many " + std::string(what) + " (more than " + std::to_string(limit) + ", the limit)");
 }
 
 class Welder {
@@ -101,9 +100,9 @@ MeshData weld(const RawMesh& raw, const std::string& subject) {
     mesh.triangles.push_back(indices);
   }
   if (mesh.triangles.empty()) {
-    throw Failure(subject, mesh.dropped_faces == 0
-                               ? "no faces"
-                               : "no faces with an area (" + std::to_string(mesh.dropped_faces) + " dropped)");
+    throw Failure(subject, mesh.dropped_faces == 0 ? "no faces"
+                                                   : "no faces with an area (" +
+                                                         std::to_string(mesh.dropped_faces) + " dropped)");
   }
   return mesh;
 }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/isolate.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <catch2/catch.hpp>
+#include <tests/tools/temporary_folder.hpp>
+#include <unistd.h>
+
+#include <csignal>
+#include <new>
+
+using namespace arcspan::tools;
+using arcspan::test::message_of;
+
+namespace {
+
+std::string message_for(const std::function<RawMesh()>& import) {
+  return message_of<Failure>([&] { (void)run_isolated("m.obj", import, [](std::size_t) {}); });
+}
+
+}  // namespace
+
+TEST_CASE("a mesh comes back whole from the loader's process") {
+  RawMesh sent;
+  for (int i = 0; i < 5000; ++i) sent.triangles.push_back({{{{0.1 * i, 0, 0}, {0, 0, 1}}, {}, {}}});
+  std::size_t last = 0;
+  const RawMesh received = run_isolated(
+      "m.obj", [&] { return sent; }, [&](std::size_t bytes) { last = bytes; });
+  REQUIRE(received.triangles.size() == sent.triangles.size());
+  CHECK(received.triangles[4999][0].position == sent.triangles[4999][0].position);
+  CHECK(received.triangles[4999][0].normal == Vec3{0, 0, 1});
+  CHECK(last == 1 + 5000 * sizeof(sent.triangles[0]));
+}
+
+TEST_CASE("whatever ends the loader's process is told in one line") {
+  CHECK(message_for([]() -> RawMesh { throw Failure("m.obj", "line 3: wrong"); }) == "m.obj: line 3: wrong");
+  CHECK(message_for([]() -> RawMesh { throw std::bad_alloc(); }) ==
+        "m.obj: the mesh loader needs more memory than it may have");
+  CHECK(message_for([]() -> RawMesh { ::_exit(3); }) == "m.obj: the mesh loader library ended with status 3");
+  CHECK(message_for([]() -> RawMesh {
+          std::signal(SIGSEGV, SIG_DFL);
+          ::raise(SIGSEGV);
+          return {};
+        }) == "m.obj: the mesh loader library crashed: Segmentation fault");
+}

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <catch2/catch.hpp>
+#include <tests/tools/temporary_folder.hpp>
+
+using namespace arcspan::tools;
+using namespace arcspan::test;
+
+namespace {
+
+constexpr const char* kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+// What loading the file says, without the file's name.
+std::string complaint(const std::string& name, const std::string& bytes) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file(name, bytes);
+  const std::string message = message_of<Failure>([&] { (void)load_mesh(path); });
+  const std::string prefix = path + ": ";
+  return message.rfind(prefix, 0) == 0 ? message.substr(prefix.size()) : "(without the name) " + message;
+}
+
+MeshData loaded(const std::string& name, const std::string& bytes) {
+  const TemporaryFolder folder;
+  return load_mesh(folder.file(name, bytes));
+}
+
+}  // namespace
+
+TEST_CASE("OBJ polygons are triangulated and their normals face the front") {
+  const MeshData mesh = loaded("a.obj", std::string(kSquare) + "f 1 2 3 4\n");
+  CHECK(mesh.triangles.size() == 2);
+  CHECK(mesh.positions.size() == 4);
+  for (const Vec3& n : mesh.normals) CHECK(n == Vec3{0, 0, 1});
+}
+
+TEST_CASE("a concave polygon keeps its area") {
+  const MeshData mesh = loaded("a.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n");
+  double area = 0;
+  for (const auto& t : mesh.triangles) {
+    area +=
+        cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]).z / 2;
+  }
+  CHECK(area == Approx(10.0));
+}
+
+TEST_CASE(
+    "OBJ: vn normals, references of every form, negative ones, comments, continued lines, DOS line ends") {
+  const std::string text =
+      std::string("# square\r\nmtllib none.mtl\r\no x\r\n") + kSquare +
+      "vt 0 0\nvn 0 0 1\nvn 0 1 0 # up\nusemtl m\ns 1\nf 1/1/2 \\\n 2//2 3/1/2\nf 1 -2 -1\n";
+  const MeshData mesh = loaded("a.OBJ", text);
+  REQUIRE(mesh.triangles.size() == 2);
+  CHECK(mesh.normals[mesh.triangles[0][0]] == Vec3{0, 1, 0});
+  CHECK(mesh.normals[mesh.triangles[1][0]] == Vec3{0, 0, 1});
+  CHECK(mesh.positions[mesh.triangles[1][1]] == Vec3{1, 1, 0});
+}
+
+TEST_CASE("every wrong OBJ gets a line that names the place and the value") {
+  const std::string square = kSquare;
+  CHECK(complaint("a.obj", "") == "empty file");
+  CHECK(complaint("a.obj", " \n\n") == "empty file");
+  CHECK(complaint("a.obj", "hello world\n") == "not an OBJ mesh (no vertices)");
+  CHECK(complaint("a.obj", square) == "no faces");
+  CHECK(complaint("a.obj", square + "f 1 2\n") == "line 5: a face needs three corners or more (this has 2)");
+  CHECK(complaint("a.obj", square + "f 1 2 7\n") == "line 5: vertex index out of range (7; there are 4)");
+  CHECK(complaint("a.obj", square + "f 1 2 0\n") == "line 5: vertex index out of range (0; there are 4)");
+  CHECK(complaint("a.obj", square + "f 1 2 -5\n") == "line 5: vertex index out of range (-5; there are 4)");
+  CHECK(complaint("a.obj", square + "f 1 2 3//1\n") == "line 5: normal index out of range (1; there are 0)");
+  CHECK(complaint("a.obj", square + "f 1 2 3/9\n") == "line 5: texture index out of range (9; there are 0)");
+  CHECK(complaint("a.obj", square + "f 1 2 x\n") == "line 5: 'x' is not a vertex index");
+  CHECK(complaint("a.obj", square + "f 1 2 1/1/1/1\n") == "line 5: '1/1/1/1' is not a corner of a face");
+  CHECK(complaint("a.obj", "v 0 zero 0\n" + square) == "line 1: 'zero' is not a number");
+  CHECK(complaint("a.obj", square + "v 0 nan 0\nf 1 2 3\n") == "line 5: 'nan' is not a finite number");
+  CHECK(complaint("a.obj", square + "v 0 1e39 0\nf 1 2 3\n") == "line 5: '1e39' is not a finite number");
+  CHECK(complaint("a.obj", square + "v 1 2") == "line 5: a number is missing");
+  CHECK(complaint("a.obj", square + "f 1 1 2\n") == "no faces with an area (1 dropped)");
+  CHECK(complaint("a.obj", std::string("v \0\1\2", 5)) == "not a text file (byte 0 at offset 2)");
+}
+
+TEST_CASE("a mesh that is too large names the limit") {
+  std::string million = kSquare;
+  for (int i = 0; i < 1'000'000; ++i) million += "f 1 2 3\n";
+  CHECK(complaint("a.obj", million) == "too many faces (more than 262144, the limit)");
+  std::string vertices;
+  std::string faces;
+  for (int i = 0; i < 66'000; ++i)
+    vertices += "v 0 " + std::to_string(i % 300) + " " + std::to_string(i) + "\n";
+  for (int i = 1; i < 65'999; i += 3) {
+    faces += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
+  }
+  faces += "f 65999 66000 1\nf 65998 66000 1\n";
+  CHECK_FALSE(complaint("a.obj", vertices + faces) == "(nothing was thrown)");
+}
+
+TEST_CASE("files that are not there or of no known kind") {
+  const TemporaryFolder folder;
+  CHECK(message_of<Failure>([&] { (void)load_mesh(folder / "none.obj"); }) ==
+        (folder / "none.obj") + ": cannot read (no such file)");
+  CHECK(message_of<Failure>([] { (void)load_mesh("picture.jpg"); }) ==
+        "picture.jpg: not a mesh that can be read (.obj, .ply, .stl, .off, sphere:32x16, torus:48x24)");
+}
+
+TEST_CASE("OFF: a cube, and what can be wrong with one") {
+  const std::string head = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  CHECK(loaded("a.off", head + "4 0 1 2 3\n3 0 2 1 255 0 0\n").triangles.size() == 3);
+  CHECK(complaint("a.off", "COFF\n") == "line 1: expected OFF, not 'COFF'");
+  CHECK(complaint("a.off", "OFF\n") == "line 1: the file ends before its counts");
+  CHECK(complaint("a.off", "OFF\n4 x 0\n") == "line 2: 'x' is not an integer (face count)");
+  CHECK(complaint("a.off", "OFF\n4 999999 0\n") ==
+        "line 2: face count out of range (999999; allowed are 1 to 262144)");
+  CHECK(complaint("a.off", head + "3 0 1 2\n") == "line 7: the file ends before face 2 of 2");
+  CHECK(complaint("a.off", head + "3 0 1 4\n3 0 1 2\n") ==
+        "line 7: vertex index out of range (4; allowed are 0 to 3)");
+  CHECK(complaint("a.off", "OFF 2 1 0\n0 0 0\n0 inf 0\n") == "line 3: 'inf' is not a finite number");
+}
+
+TEST_CASE("STL: text and binary, and what can be wrong with them") {
+  const std::string facet =
+      "facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n endloop\nendfacet\n";
+  CHECK(loaded("a.stl", "solid a\n" + facet + facet + "endsolid a\n").triangles.size() == 2);
+  CHECK(complaint("a.stl", "solid a\nendsolid a\n") == "no faces");
+  CHECK(complaint("a.stl", "solid a\n" + facet) == "line 8: the file ends before endsolid");
+  CHECK(complaint("a.stl", "solid a\n" + facet.substr(0, 40)) == "line 4: a number is missing");
+  CHECK(complaint("a.stl", "solid a\n" + facet.substr(0, 46)) ==
+        "line 4: the file ends before the facet's third vertex");
+  CHECK(complaint("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 nan 0\n") ==
+        "line 4: 'nan' is not a finite number");
+  CHECK(complaint("a.stl", "neither\n") == "not an STL mesh (neither text nor long enough for a binary one)");
+
+  std::string binary(84, '\0');
+  binary[80] = 1;
+  binary += std::string(50, '\0');
+  const auto put = [&binary](std::size_t number, const char* bytes) {
+    for (std::size_t i = 0; i < 4; ++i) binary[84 + 4 * number + i] = bytes[i];
+  };
+  put(6, "\x00\x00\x80\x3F");
+  put(10, "\x00\x00\x80\x3F");
+  const MeshData mesh = loaded("a.stl", binary);
+  REQUIRE(mesh.triangles.size() == 1);
+  CHECK(mesh.normals[0] == Vec3{0, 0, 1});
+  CHECK(complaint("a.stl", binary.substr(0, 130)) == "truncated (130 bytes of 134 for 1 triangles)");
+  put(10, "\x00\x00\xC0\x7F");
+  CHECK(complaint("a.stl", binary) == "a coordinate of triangle 0 is not a finite number");
+  binary[82] = 0x7F;
+  CHECK(complaint("a.stl", binary) == "too many triangles (8323073; the limit is 262144)");
+}
+
+TEST_CASE("PLY: text and both byte orders give the same mesh") {
+  const std::string header =
+      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const MeshData text = loaded(
+      "a.ply", "ply\nformat ascii 1.0\ncomment C:\\\n" + header + "0 0 0 9\n1 0 0 9\n0 1 0 9\n3 0 1 2\n");
+  const std::string zero(4, '\0');
+  const std::string little_one("\0\0\x80\x3F", 4);
+  const std::string big_one("\x3F\x80\0\0", 4);
+  const auto body = [&zero](const std::string& one, const std::string& indices) {
+    return zero + zero + zero + "r" + one + zero + zero + "r" + zero + one + zero + "r\3" + indices;
+  };
+  const MeshData little = loaded("a.ply", "ply\nformat binary_little_endian 1.0\n" + header +
+                                              body(little_one, std::string("\0\0\0\0\1\0\0\0\2\0\0\0", 12)));
+  const MeshData big = loaded("a.ply", "ply\nformat binary_big_endian 1.0\n" + header +
+                                           body(big_one, std::string("\0\0\0\0\0\0\0\1\0\0\0\2", 12)));
+  CHECK(text.positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  CHECK(little.positions == text.positions);
+  CHECK(big.positions == text.positions);
+  CHECK(little.triangles == text.triangles);
+  CHECK(big.triangles == text.triangles);
+}
+
+TEST_CASE("PLY: what can be wrong with one") {
+  const std::string head = "ply\nformat ascii 1.0\n";
+  const std::string vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+  const std::string body = "end_header\n0 0 0\n1 0 0\n0 1 0\n";
+  CHECK(complaint("a.ply", "nothing\n") == "line 1: expected 'ply'");
+  CHECK(complaint("a.ply", "ply\nformat text 1.0\n") == "line 2: 'text' is not a format");
+  CHECK(complaint("a.ply", head + vertices) == "line 6: the file ends before end_header");
+  CHECK(complaint("a.ply", head + "element vertex -1\n") ==
+        "line 3: number of elements out of range (-1; allowed are 0 to 2147483647)");
+  CHECK(complaint("a.ply", head + "property half x\n") == "line 3: a property before any element");
+  CHECK(complaint("a.ply", head + "element vertex 3\nproperty half x\n") == "line 4: 'half' is not a type");
+  CHECK(complaint("a.ply", head + vertices + body) == "no faces");
+  CHECK(complaint("a.ply", head + vertices + faces + body) == "line 12: the file ends before face 1 of 1");
+  CHECK(complaint("a.ply", head + vertices + faces + body + "3 0 1 3\n") ==
+        "line 13: vertex index out of range (3; allowed are 0 to 2) in face 1 of 1");
+  CHECK(complaint("a.ply", head + vertices + faces + "end_header\n0 0 0\n1 no 0\n") ==
+        "line 11: 'no' is not a number");
+  CHECK(complaint("a.ply", head + "element vertex 9\nproperty float x\n" + faces + "end_header\n1\n") ==
+        "line 7: the vertices have no x, y and z");
+  CHECK(complaint("a.ply", "ply\nformat binary_little_endian 1.0\n" + vertices + faces +
+                               "end_header\n\1\2\3") == "line 9: the file ends before vertex 1 of 3");
+}
+
+TEST_CASE("real meshes of the loader's own collection") {
+  const std::string folder = "/usr/share/assimp/models/";
+  if (!std::filesystem::exists(folder)) return;
+  for (const char* name :
+       {"OBJ/box.obj", "OBJ/box_UTF16BE.obj", "OBJ/WusonOBJ.obj", "OBJ/spider.obj", "OBJ/concave_polygon.obj",
+        "OFF/Wuson.off", "PLY/Wuson.ply", "PLY/cube_binary.ply", "STL/Spider_ascii.stl",
+        "STL/Spider_binary.stl", "STL/triangle_with_two_solids.stl"}) {
+    CAPTURE(name);
+    const MeshData mesh = load_mesh(folder + name);
+    CHECK(mesh.triangles.size() >= 2);
+    CHECK(mesh.positions.size() == mesh.normals.size());
+    for (const Vec3& n : mesh.normals) CHECK(length(n) == Approx(1.0).margin(1e-9));
+  }
+  for (const char* name :
+       {"OBJ/point_cloud.obj", "OFF/invalid.off", "PLY/pond.0.ply", "invalid/OutOfMemory.off",
+        "invalid/empty.obj", "invalid/malformed.obj", "invalid/malformed2.obj"}) {
+    CAPTURE(name);
+    CHECK_THROWS_AS(load_mesh(folder + name), Failure);
+  }
+  CHECK(load_mesh(folder + "STL/Spider_ascii.stl").triangles.size() ==
+        load_mesh(folder + "STL/Spider_binary.stl").triangles.size());
+}

@@ -20,7 +20,6 @@ static_assert(sizeof(RawMesh::Corner) == 6 * sizeof(double), "corners travel as 
 using Triangle = std::array<RawMesh::Corner, 3>;
 
 constexpr rlim_t kMostSeconds = 120;
-constexpr rlim_t kMostBytes = rlim_t{4} << 30;
 
 // The first byte of what the child sends: triangles follow, or the text of what went wrong.
 enum class Answer : char { kMesh = 'm', kFailure = 'f' };
@@ -44,6 +43,7 @@ void limit_resources() {
   ::setrlimit(RLIMIT_CORE, &no_core);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(ARCSPAN_SANITIZED)
   // The address sanitizer reserves terabytes for its shadow.
+  constexpr rlim_t kMostBytes = rlim_t{4} << 30;
   const rlimit bytes{kMostBytes, kMostBytes};
   ::setrlimit(RLIMIT_AS, &bytes);
 #endif

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/render_options.hpp>
+#include <arcspan_tools/command/render_report.hpp>
+#include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/progress.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+namespace arcspan::tools {
+namespace {
+
+struct RenderArguments {
+  RenderOptions options;
+  std::string output;
+  std::string stats;
+};
+
+struct Loaded {
+  FixedMesh mesh;
+  RenderReport report;
+};
+
+Loaded load(const RenderArguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  const MeshData data = load_mesh(arguments.options.mesh);
+  Loaded loaded{to_fixed(data), {}};
+  const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+  RenderReport& report = loaded.report;
+  report.mesh_name = arguments.options.mesh;
+  report.output = arguments.output;
+  report.shading = arguments.options.shading;
+  report.format = arguments.options.format + (arguments.options.dither ? ", dithered" : "");
+  report.vertices = data.positions.size();
+  report.mesh_triangles = data.triangles.size();
+  report.dropped_faces = data.dropped_faces;
+  report.mesh_bytes = loaded.mesh.bytes();
+  report.load_milliseconds = elapsed.count();
+  return loaded;
+}
+
+void run_render(const RenderArguments& arguments) {
+  const RenderOptions& options = arguments.options;
+  (void)image_format(arguments.output);
+  Loaded loaded = load(arguments);
+  const RenderJob job = make_job(options.scene, loaded.mesh, options.mesh);
+  const Size size = options.scene.size;
+  Progress progress("drawing", static_cast<std::size_t>(size.height));
+  const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);
+  const RenderResult result = renderer.render(job, [&progress](std::size_t rows) { progress.show(rows); });
+  loaded.report.width = size.width;
+  loaded.report.height = size.height;
+  loaded.report.stats = result.stats;
+  write_image(result.image, arguments.output);
+  if (!arguments.stats.empty()) write_whole_file(arguments.stats, to_json(loaded.report));
+  std::fputs(to_text(loaded.report).c_str(), stdout);
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app) {
+  auto arguments = std::make_shared<RenderArguments>();
+  CLI::App* render = app.add_subcommand("render", "Draw a mesh with the integer pipeline");
+  add_render_options(*render, arguments->options);
+  render->add_option("-o,--output", arguments->output, "the picture: .png, .ppm or .pgm")->required();
+  render->add_option("--stats", arguments->stats, "write the printed figures as JSON");
+  render->callback([arguments] { run_render(*arguments); });
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/render_options.hpp>
+#include <arcspan_tools/render/render.hpp>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace arcspan::tools {
+namespace {
+
+constexpr std::int32_t kMostPixels = 2048;  // the pipeline's guard band
+constexpr std::size_t kMostLights = 4;
+
+// Adds an option whose text `parse` turns into a value; nothing means that it is not `expected`.
+template <class T>
+void add_parsed(CLI::App& app, const std::string& name, const std::string& type, const std::string& help,
+                const std::string& expected, std::function<std::optional<T>(const std::string&)> parse,
+                std::function<void(const T&)> use) {
+  const auto take = [name, expected, parse, use](const std::string& text) {
+    const std::optional<T> value = parse(text);
+    if (!value) throw CLI::ValidationError(name, "expected " + expected + ", not '" + text + "'");
+    use(*value);
+  };
+  app.add_option_function<std::string>(name, take, help)->type_name(type)->multi_option_policy(
+      CLI::MultiOptionPolicy::TakeLast);
+}
+
+std::optional<Vec3> parse_direction(const std::string& text) {
+  const std::optional<Vec3> v = parse_triple(text);
+  return v && length(*v) > 0 ? v : std::nullopt;
+}
+
+std::optional<Vec3> parse_colour(const std::string& text) {
+  const std::optional<Vec3> v = parse_triple(text);
+  const auto fits = [](double c) { return c >= 0 && c <= 1; };
+  return v && fits(v->x) && fits(v->y) && fits(v->z) ? v : std::nullopt;
+}
+
+void add_number(CLI::App& app, const std::string& name, const std::string& help, double least, double most,
+                double& value) {
+  const auto short_text = [](double v) {
+    std::string text = std::to_string(v);
+    text.erase(text.find_last_not_of('0') + 1);
+    return text.back() == '.' ? text.substr(0, text.size() - 1) : text;
+  };
+  const std::string range = short_text(least) + "..." + short_text(most);
+  add_parsed<double>(
+      app, name, range, help + " (default " + short_text(value) + ")", "a number " + range,
+      [least, most](const std::string& text) {
+        const std::optional<double> v = parse_number(text);
+        return v && *v >= least && *v <= most ? v : std::nullopt;
+      },
+      [&value](double v) { value = v; });
+}
+
+void add_integer(CLI::App& app, const std::string& name, const std::string& type, const std::string& help,
+                 std::int32_t least, std::int32_t most, std::int32_t& value) {
+  add_parsed<std::int32_t>(
+      app, name, type, help, "an integer " + std::to_string(least) + "..." + std::to_string(most),
+      [least, most](const std::string& text) -> std::optional<std::int32_t> {
+        const std::optional<std::int64_t> v = parse_integer(text);
+        if (!v || *v < least || *v > most) return std::nullopt;
+        return static_cast<std::int32_t>(*v);
+      },
+      [&value](std::int32_t v) { value = v; });
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : "|") + name;
+  return text;
+}
+
+void add_choice(CLI::App& app, const std::string& name, const std::string& help,
+                const std::vector<std::string>& choices, std::string& value) {
+  const std::string all = joined(choices);
+  add_parsed<std::string>(
+      app, name, all, help + " (default " + value + ")", all,
+      [choices](const std::string& text) -> std::optional<std::string> {
+        for (const std::string& choice : choices) {
+          if (choice == text) return text;
+        }
+        return std::nullopt;
+      },
+      [&value](const std::string& v) { value = v; });
+}
+
+void add_picture_options(CLI::App& app, RenderOptions& o) {
+  add_parsed<Size>(
+      app, "--size", "WxH", "picture size, each 1...2048 (default 320x240)", "WxH with each 1...2048",
+      [](const std::string& text) {
+        const std::optional<Size> size = parse_size(text);
+        return size && size->width <= kMostPixels && size->height <= kMostPixels ? size : std::nullopt;
+      },
+      [&o](Size size) { o.scene.size = size; });
+  add_choice(app, "--format", "pixel format", format_names(), o.format);
+  app.add_flag("--dither,!--no-dither", o.dither, "ordered dither before truncation (default off)");
+  add_integer(app, "--band", "ROWS", "draw and store the picture ROWS at a time", 1, kMostPixels, o.scene.band_rows);
+  app.add_flag("--depth,!--no-depth", o.scene.depth, "16-bit depth buffer (default), or painter's order");
+  add_parsed<Vec3>(
+      app, "--background", "R,G,B", "each 0...1", "R,G,B with each 0...1", parse_colour,
+      [&o](Vec3 v) { o.scene.background = v; });
+}
+
+void add_shading_options(CLI::App& app, RenderOptions& o) {
+  add_choice(app, "--shading", "shading method", shading_names(), o.shading);
+  add_parsed<Highlight>(
+      app, "--illumination", "blinn|phong", "illumination model (default blinn)", "blinn or phong",
+      [](const std::string& text) -> std::optional<Highlight> {
+        if (text == "blinn") return Highlight::kBlinn;
+        if (text == "phong") return Highlight::kPhong;
+        return std::nullopt;
+      },
+      [&o](Highlight h) { o.scene.highlight = h; });
+  add_parsed<Vec3>(
+      app, "--colour", "R,G,B", "of the surface, each 0...1", "R,G,B with each 0...1", parse_colour,
+      [&o](Vec3 v) { o.scene.surface.colour = v; });
+  add_number(app, "--ambient", "ambient share", 0, 1, o.scene.surface.ambient);
+  add_number(app, "--diffuse", "diffuse share", 0, 1, o.scene.surface.diffuse);
+  add_number(app, "--specular", "share of the white highlight", 0, 1, o.scene.surface.specular);
+  add_integer(app, "--shininess", "1...256", "exponent of the highlight (default 40)", 1, 256, o.scene.surface.shininess);
+  app.add_flag("--two-sided", o.scene.two_sided, "draw back faces too, lit from their side");
+  const auto take_light = [&o](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+      const std::optional<Vec3> light = parse_direction(text);
+      if (!light) throw CLI::ValidationError("--light", "expected a direction X,Y,Z, not '" + text + "'");
+      o.lights.push_back(*light);
+    }
+    if (o.lights.size() > kMostLights) {
+      throw CLI::ValidationError("--light", "at most 4 lights, not " + std::to_string(o.lights.size()));
+    }
+    o.scene.lights = o.lights;
+  };
+  app.add_option_function<std::vector<std::string>>(
+         "--light", take_light, "towards a light (default 0.4,0.7,0.6); up to 4 times")
+      ->type_name("X,Y,Z")
+      ->allow_extra_args(false);
+}
+
+void add_camera_options(CLI::App& app, RenderOptions& o) {
+  const std::string point = "three numbers X,Y,Z";
+  const auto parse_point = [](const std::string& text) { return parse_triple(text); };
+  add_parsed<Vec3>(
+      app, "--eye", "X,Y,Z", "where the camera stands (default: the whole mesh in view)", point, parse_point,
+      [&o](Vec3 v) { o.scene.camera.eye = v; });
+  add_parsed<Vec3>(
+      app, "--target", "X,Y,Z", "what it looks at (default: the mesh's centre)", point, parse_point,
+      [&o](Vec3 v) { o.scene.camera.target = v; });
+  add_parsed<Vec3>(
+      app, "--up", "X,Y,Z", "its upward direction (default 0,1,0)", "a direction X,Y,Z", parse_direction,
+      [&o](Vec3 v) { o.scene.camera.up = v; });
+  add_number(app, "--fov", "vertical field of view in degrees", 1, 170, o.scene.camera.fov_degrees);
+}
+
+}  // namespace
+
+void add_render_options(CLI::App& app, RenderOptions& options) {
+  app.add_option("MESH", options.mesh, "an .obj, .ply, .stl or .off file, or sphere:32x16, torus:48x24")
+      ->required();
+  add_picture_options(app, options);
+  add_shading_options(app, options);
+  add_camera_options(app, options);
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/render_report.hpp>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace arcspan::tools {
+namespace {
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+  char line[256];
+  std::snprintf(line, sizeof line, format, values...);
+  return line;
+}
+
+}  // namespace
+
+std::string to_text(const RenderReport& r) {
+  const RenderStats& s = r.stats;
+  std::string text = r.mesh_name + ": " + std::to_string(r.vertices) + " vertices, " +
+                     std::to_string(r.mesh_triangles) + " triangles";
+  if (r.dropped_faces > 0) text += ", " + std::to_string(r.dropped_faces) + " faces without area left out";
+  text += "\n" + r.output + ": " + std::to_string(r.width) + "x" + std::to_string(r.height) + ", " + r.shading +
+          " shading, " + r.format + "\n";
+  text += formatted("drawn: %u triangles, %llu spans, %llu pixels\n", s.triangles,
+                    static_cast<unsigned long long>(s.spans), static_cast<unsigned long long>(s.pixels));
+  text += formatted("time: %.1f ms to load, %.2f ms to draw\n", r.load_milliseconds, s.draw_milliseconds);
+  text += formatted("pipeline memory: %zu bytes (mesh %zu, frame %zu, depth %zu, vertex cache %zu)\n",
+                    r.memory_bytes(), r.mesh_bytes, s.frame_bytes, s.depth_bytes, s.cache_bytes);
+  return text;
+}
+
+std::string to_json(const RenderReport& r) {
+  const RenderStats& s = r.stats;
+  const nlohmann::ordered_json json = {
+      {"mesh",
+       {{"name", r.mesh_name},
+        {"vertices", r.vertices},
+        {"triangles", r.mesh_triangles},
+        {"dropped_faces", r.dropped_faces}}},
+      {"picture",
+       {{"file", r.output},
+        {"width", r.width},
+        {"height", r.height},
+        {"shading", r.shading},
+        {"format", r.format},
+        {"bands", s.bands}}},
+      {"drawn", {{"triangles", s.triangles}, {"spans", s.spans}, {"pixels", s.pixels}}},
+      {"milliseconds", {{"load", r.load_milliseconds}, {"draw", s.draw_milliseconds}}},
+      {"bytes",
+       {{"total", r.memory_bytes()},
+        {"mesh", r.mesh_bytes},
+        {"frame", s.frame_bytes},
+        {"depth", s.depth_bytes},
+        {"vertex_cache", s.cache_bytes}}},
+  };
+  // Names of files may be any bytes.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace arcspan::tools

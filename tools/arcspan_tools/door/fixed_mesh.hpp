@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/mesh/plain/mesh_data.hpp>
+
+#include <arcspan/mesh/mesh_view.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace arcspan::tools {
+
+/// A mesh as the pipeline takes it. An object unit is `unit` long in the world, the object's origin lies at
+/// `centre`; the axes are the world's, so that directions need no change.
+struct FixedMesh {
+  std::vector<ObjectPosition> positions;
+  std::vector<PackedNormal> normals;
+  std::vector<std::uint16_t> indices;
+  double unit = 1;
+  Vec3 centre;
+
+  [[nodiscard]] std::size_t bytes() const {
+    return positions.size() * sizeof(ObjectPosition) + normals.size() * sizeof(PackedNormal) +
+           indices.size() * sizeof(std::uint16_t);
+  }
+  /// Valid as long as this object is; throws Failure if the pipeline does not take it.
+  [[nodiscard]] MeshView view(const std::string& subject) const;
+};
+
+/// Centres and scales `mesh` so that its largest extent fills 16 bits, and rounds.
+[[nodiscard]] FixedMesh to_fixed(const MeshData& mesh);
+
+}  // namespace arcspan::tools

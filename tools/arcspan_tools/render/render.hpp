@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/image/image.hpp>
+
+#include <arcspan/draw.hpp>
+#include <arcspan/shading/illumination.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace arcspan::tools {
+
+/// One picture for the pipeline: everything is fixed point or integer already.
+struct RenderJob {
+  MeshView mesh;
+  ClipTransform transform;
+  Material material;
+  /// Towards each light, 1 to 4 of them.
+  std::vector<Direction> lights;
+  Direction to_eye;
+  Highlight highlight = Highlight::kBlinn;
+  bool depth = true;
+  bool two_sided = false;
+  Rgb8 background;
+  /// Rows of a band, 1 or more; a band of the picture's height or more is a full frame.
+  std::int32_t band_rows = 0;
+};
+
+struct RenderStats {
+  std::uint32_t triangles = 0;
+  std::uint64_t spans = 0;
+  /// Of the spans: those that the depth test hid are counted too.
+  std::uint64_t pixels = 0;
+  std::uint64_t bands = 0;
+  double draw_milliseconds = 0;
+  std::size_t frame_bytes = 0;
+  std::size_t depth_bytes = 0;
+  std::size_t cache_bytes = 0;
+};
+
+struct RenderResult {
+  Image image;
+  RenderStats stats;
+};
+
+/// Told the number of rows that are finished.
+using RowsDone = std::function<void(std::size_t)>;
+
+/// A renderer that was chosen at compile time: shading method × pixel format.
+struct Renderer {
+  std::string_view shading;
+  std::string_view format;
+  bool dithers;
+  RenderResult (*render)(const RenderJob& job, const RowsDone& rows_done);
+};
+
+/// All of them (generated, one translation unit each).
+[[nodiscard]] std::span<const Renderer> renderers();
+
+/// The renderer of that name, which must be one; formats of 8 bits a channel look the same with dither.
+[[nodiscard]] const Renderer& find_renderer(std::string_view shading, std::string_view format, bool dithers);
+
+/// Names for messages and options: every shading, every format, each once, in order.
+[[nodiscard]] std::vector<std::string> shading_names();
+[[nodiscard]] std::vector<std::string> format_names();
+
+}  // namespace arcspan::tools

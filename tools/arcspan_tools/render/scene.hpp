@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/door/camera.hpp>
+#include <arcspan_tools/door/material.hpp>
+#include <arcspan_tools/render/render.hpp>
+
+#include <string>
+#include <vector>
+
+namespace arcspan::tools {
+
+/// What a picture shows, in doubles: the last of them before the door to fixed point.
+struct Scene {
+  CameraWish camera;
+  std::vector<Vec3> lights{{0.4, 0.7, 0.6}};
+  Surface surface;
+  Vec3 background{0.09, 0.11, 0.14};
+  Highlight highlight = Highlight::kBlinn;
+  Size size{320, 240};
+  std::int32_t band_rows = 0;  ///< 0: the whole picture at once
+  bool depth = true;
+  bool two_sided = false;
+};
+
+/// `scene` with `mesh`, in fixed point. The mesh must outlive the job; `subject` names it in a Failure.
+[[nodiscard]] RenderJob make_job(const Scene& scene, const FixedMesh& mesh, const std::string& subject);
+
+}  // namespace arcspan::tools

@@ -82,7 +82,7 @@ Placement placement_of(Vec3 eye, const Axes& axes, const FixedMesh& mesh) {
     const double moved = dot(mesh.centre - eye, rows[i]) / mesh.unit;
     const std::optional<ObjectLength> translation = to_fixed_point<ObjectLength>(moved);
     if (!translation || std::fabs(moved) > 4'194'303) {
-      throw Failure("--eye", "too far away (" + std::to_string(length(mesh.centre - eye)) +
+      throw Failure("camera", "too far away (" + std::to_string(length(mesh.centre - eye)) +
                                  "; the limit is 64 times the size of the mesh)");
     }
     placement.translation[i] = *translation;

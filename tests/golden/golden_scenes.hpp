@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/render/scene.hpp>
+
+#include <string>
+#include <vector>
+
+namespace arcspan::test {
+
+/// A picture of a mesh whose pixels are pinned, in every pixel format and band height.
+struct GoldenScene {
+  std::string name;  ///< "arc", "arc-phong", ...: a file name
+  std::string shading;
+  tools::Scene scene;
+};
+
+/// The scenes that every mesh is drawn in. A new shading method is in the list by itself.
+[[nodiscard]] std::vector<GoldenScene> golden_scenes();
+
+}  // namespace arcspan::test

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/door/fixed_mesh.hpp>
+#include <arcspan_tools/mesh/plain/generate.hpp>
+#include <arcspan_tools/render/scene.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+
+using namespace arcspan;
+using namespace arcspan::tools;
+
+namespace {
+
+FixedMesh mesh(const char* name) { return to_fixed(generate(parse_generated_mesh(name).value())); }
+
+RenderResult render(const Scene& scene, const FixedMesh& mesh, const char* shading = "arc",
+                    const char* format = "rgb888", bool dithers = false) {
+  return find_renderer(shading, format, dithers).render(make_job(scene, mesh, "m"), [](std::size_t) {});
+}
+
+Scene small_scene() {
+  Scene scene;
+  scene.size = {96, 72};
+  return scene;
+}
+
+// How many different colours a picture has.
+std::size_t colours(const Image& image) {
+  std::set<std::uint32_t> seen;
+  for (const Rgb8& p : image.pixels) seen.insert(p.r * 65536u + p.g * 256u + p.b);
+  return seen.size();
+}
+
+}  // namespace
+
+TEST_CASE("every band height gives the same picture and the same figures") {
+  const FixedMesh torus = mesh("torus:24x12");
+  const std::string shading = GENERATE(from_range(shading_names()));
+  const bool depth = GENERATE(true, false);
+  CAPTURE(shading, depth);
+  Scene scene = small_scene();
+  scene.depth = depth;
+  const RenderResult whole = render(scene, torus, shading.c_str(), "rgb565", true);
+  CHECK(whole.stats.bands == 1);
+  for (const std::int32_t rows : {1, 2, 7, 16, 71, 72, 2048}) {
+    CAPTURE(rows);
+    scene.band_rows = rows;
+    const RenderResult banded = render(scene, torus, shading.c_str(), "rgb565", true);
+    CHECK(banded.image == whole.image);
+    CHECK(banded.stats.triangles == whole.stats.triangles);
+    CHECK(banded.stats.pixels == whole.stats.pixels);
+    CHECK(banded.stats.bands == static_cast<std::uint64_t>((72 + std::min(rows, 72) - 1) / std::min(rows, 72)));
+    CHECK(banded.stats.frame_bytes <= whole.stats.frame_bytes);
+  }
+}
+
+TEST_CASE("every shading and format draws the sphere where it is, over the background") {
+  const FixedMesh sphere = mesh("sphere:24x12");
+  const std::string shading = GENERATE(from_range(shading_names()));
+  const std::string format = GENERATE(from_range(format_names()));
+  const bool dithers = GENERATE(false, true);
+  CAPTURE(shading, format, dithers);
+  Scene scene = small_scene();
+  scene.background = {0, 0, 0};
+  const RenderResult result = render(scene, sphere, shading.c_str(), format.c_str(), dithers);
+  CHECK(result.image.at(0, 0) == Rgb8{});
+  CHECK(result.image.at(95, 71) == Rgb8{});
+  const auto lit = std::count_if(result.image.pixels.begin(), result.image.pixels.end(),
+                                 [](const Rgb8& p) { return p != Rgb8{}; });
+  // A disc that fills the height: about pi/4 of 72 x 72 pixels; mono shows only its bright part.
+  CHECK(lit > (format == "mono" ? 300 : 3000));
+  CHECK(lit < 4100);
+  CHECK(result.stats.pixels > 3000);
+  CHECK(result.stats.triangles > 100);
+}
+
+TEST_CASE("the shadings differ as they should") {
+  const FixedMesh sphere = mesh("sphere:12x6");
+  const Scene scene = small_scene();
+  const Image flat = render(scene, sphere, "flat").image;
+  const Image gouraud = render(scene, sphere, "gouraud").image;
+  const Image arc = render(scene, sphere, "arc").image;
+  CHECK(colours(flat) <= 12 * 5 * 2 + 1);
+  CHECK(colours(gouraud) > 2 * colours(flat));
+  CHECK(gouraud != arc);
+  // Gouraud misses a highlight between vertices.
+  const auto brightest = [](const Image& image) {
+    std::uint8_t level = 0;
+    for (const Rgb8& p : image.pixels) level = std::max(level, luma(p));
+    return level;
+  };
+  CHECK(brightest(arc) > brightest(gouraud));
+}
+
+TEST_CASE("lights add up, models differ, two-sided fills what culling leaves open") {
+  const FixedMesh sphere = mesh("sphere:24x12");
+  Scene scene = small_scene();
+  const Image one = render(scene, sphere).image;
+  std::vector<Image> pictures{one};
+  for (const Vec3 light : {Vec3{-1, 0, 0.5}, Vec3{1, -1, 0}, Vec3{0, 0, 1}}) {
+    scene.lights.push_back(light);
+    pictures.push_back(render(scene, sphere).image);
+  }
+  for (std::size_t i = 1; i < pictures.size(); ++i) {
+    int darker = 0;
+    for (std::size_t p = 0; p < one.pixels.size(); ++p) {
+      // Several lights are weighted one by one: a step of rounding.
+      if (pictures[i].pixels[p].r + 2 < pictures[i - 1].pixels[p].r) ++darker;
+    }
+    CHECK(darker == 0);
+    CHECK(pictures[i] != pictures[i - 1]);
+  }
+  Scene phong = small_scene();
+  phong.highlight = Highlight::kPhong;
+  CHECK(render(phong, sphere).image != one);
+
+  // From inside, every face is a back face.
+  Scene inside = small_scene();
+  inside.camera = {Vec3{0, 0, 0.3}, Vec3{0, 0, -1}, {0, 1, 0}, 60};
+  CHECK(render(inside, sphere).stats.pixels == 0);
+  inside.two_sided = true;
+  CHECK(render(inside, sphere).stats.pixels == 96 * 72);
+}
+
+TEST_CASE("a wrong number of lights or an unknown renderer is refused") {
+  const FixedMesh sphere = mesh("sphere:8x4");
+  Scene scene = small_scene();
+  scene.lights.clear();
+  CHECK_THROWS_AS(render(scene, sphere), Failure);
+  scene.lights.assign(5, {0, 0, 1});
+  CHECK_THROWS_AS(render(scene, sphere), Failure);
+  CHECK_THROWS_AS(find_renderer("arc", "rgb332", false), Failure);
+  CHECK(find_renderer("arc", "rgb888", true).dithers == false);
+  CHECK(find_renderer("arc", "mono", true).dithers == true);
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// `arcspan render` as a user runs it.
+#include <arcspan_tools/image/image.hpp>
+#include <tests/tools/command_run.hpp>
+#include <tests/tools/temporary_folder.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+using namespace arcspan::tools;
+using namespace arcspan::test;
+
+TEST_CASE("render writes the picture and the same figures for people and machines") {
+  const TemporaryFolder folder;
+  const CommandRun drawn = run("render sphere:32x16 -o " + (folder / "a.png") + " --stats " + (folder / "a.json"));
+  REQUIRE(drawn.status == 0);
+  CHECK(drawn.err.empty());
+  const Image image = read_image(folder / "a.png");
+  CHECK(image.width == 320);
+  CHECK(image.height == 240);
+  const auto json = nlohmann::json::parse(contents(folder / "a.json"));
+  CHECK(json["mesh"]["triangles"] == 960);
+  CHECK(json["picture"]["shading"] == "arc");
+  CHECK(json["drawn"]["pixels"].get<int>() > 30'000);
+  CHECK(json["bytes"]["frame"] == 320 * 240 * 2);
+  CHECK(json["bytes"]["depth"] == 320 * 240 * 2);
+  const std::string line = "drawn: " + json["drawn"]["triangles"].dump() + " triangles, " +
+                           json["drawn"]["spans"].dump() + " spans, " + json["drawn"]["pixels"].dump() + " pixels\n";
+  CHECK(drawn.out.find(line) != std::string::npos);
+  CHECK(drawn.out.find("pipeline memory: " + json["bytes"]["total"].dump() + " bytes") != std::string::npos);
+}
+
+TEST_CASE("PNG, PPM and PGM hold the same picture") {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.png", "a.ppm", "a.pgm"}) {
+    REQUIRE(run("render torus:24x12 --size 80x60 --format gray8 -o " + (folder / name)).status == 0);
+  }
+  CHECK(read_image(folder / "a.png") == read_image(folder / "a.ppm"));
+  CHECK(read_image(folder / "a.png") == read_image(folder / "a.pgm"));
+}
+
+TEST_CASE("every option is taken, and has an effect") {
+  const TemporaryFolder folder;
+  const std::string base = "render torus:16x8 --size 64x48 -o ";
+  REQUIRE(run(base + (folder / "a.ppm")).status == 0);
+  const std::string plain = contents(folder / "a.ppm");
+  for (const char* option :
+       {"--size 48x64", "--format mono", "--dither", "--shading flat", "--shading gouraud", "--illumination phong",
+        "--eye 3,2,1", "--target 0,0.2,0", "--up 1,0,0", "--fov 20 --eye 2,2,2", "--light 1,0,0",
+        "--light 0.4,0.7,0.6 --light -1,0,0", "--colour 0,1,0", "--ambient 0.5", "--diffuse 0.1", "--specular 0",
+        "--shininess 5", "--background 1,0,0", "--no-depth --eye 3,0.3,0"}) {
+    CAPTURE(option);
+    const CommandRun drawn = run(base + (folder / "b.ppm") + " " + option);
+    CHECK(drawn.err.empty());
+    CHECK(drawn.status == 0);
+    CHECK(contents(folder / "b.ppm") != plain);
+  }
+  for (const char* option : {"--band 1", "--band 7", "--band 48", "--no-dither", "--depth", "--two-sided",
+                             "--light 0.4,0.7,0.6", "--format rgb565", "--fov 40", "--shininess 40"}) {
+    CAPTURE(option);
+    CHECK(run(base + (folder / "b.ppm") + " " + option).status == 0);
+    CHECK(contents(folder / "b.ppm") == plain);
+  }
+}
+
+TEST_CASE("wrong arguments: one line that names the value, status 2, nothing written") {
+  struct Case {
+    const char* arguments;
+    const char* complaint;
+  };
+  const Case wrong = GENERATE(values<Case>({
+      {"--size 320", "--size: expected WxH with each 1...2048, not '320'"},
+      {"--size 0x10", "--size: expected WxH with each 1...2048, not '0x10'"},
+      {"--size 99999x99999", "--size: expected WxH with each 1...2048, not '99999x99999'"},
+      {"--format rgb332", "--format: expected rgb565|rgb888|gray8|gray4|mono, not 'rgb332'"},
+      {"--shading ray", "--shading: expected flat|gouraud|arc, not 'ray'"},
+      {"--illumination lambert", "--illumination: expected blinn or phong, not 'lambert'"},
+      {"--eye 1,2", "--eye: expected three numbers X,Y,Z, not '1,2'"},
+      {"--eye nan,0,0", "--eye: expected three numbers X,Y,Z, not 'nan,0,0'"},
+      {"--up 0,0,0", "--up: expected a direction X,Y,Z, not '0,0,0'"},
+      {"--fov 0", "--fov: expected a number 1...170, not '0'"},
+      {"--fov 171", "--fov: expected a number 1...170, not '171'"},
+      {"--light 0,0,0", "--light: expected a direction X,Y,Z, not '0,0,0'"},
+      {"--light 1,0,0 --light 1,0,0 --light 1,0,0 --light 1,0,0 --light 1,0,0", "--light: at most 4 lights, not 5"},
+      {"--colour 2,0,0", "--colour: expected R,G,B with each 0...1, not '2,0,0'"},
+      {"--background red", "--background: expected R,G,B with each 0...1, not 'red'"},
+      {"--ambient -0.1", "--ambient: expected a number 0...1, not '-0.1'"},
+      {"--diffuse 1.1", "--diffuse: expected a number 0...1, not '1.1'"},
+      {"--specular much", "--specular: expected a number 0...1, not 'much'"},
+      {"--shininess 0", "--shininess: expected an integer 1...256, not '0'"},
+      {"--shininess 257", "--shininess: expected an integer 1...256, not '257'"},
+      {"--band 0", "--band: expected an integer 1...2048, not '0'"},
+      {"--polish", "The following argument was not expected: --polish"},
+  }));
+  CAPTURE(wrong.arguments);
+  const TemporaryFolder folder;
+  const CommandRun drawn = run("render sphere:8x4 -o " + (folder / "a.png") + " " + wrong.arguments);
+  CHECK(drawn.status == 2);
+  CHECK(drawn.err == "arcspan: " + std::string(wrong.complaint) + "\n");
+  CHECK(drawn.out.empty());
+  CHECK(folder.size() == 0);
+}
+
+TEST_CASE("what is wrong with files: one line, status 1, nothing left behind") {
+  const TemporaryFolder folder;
+  const std::string out = folder / "out.png";
+  const auto check = [&](const std::string& arguments, const std::string& complaint) {
+    CAPTURE(arguments);
+    const CommandRun drawn = run("render " + arguments);
+    CHECK(drawn.status == 1);
+    CHECK(drawn.err == "arcspan: " + complaint + "\n");
+    CHECK(drawn.out.empty());
+  };
+  const std::string bad = folder.file("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 x 0\nf 1 2 3\n");
+  check(bad + " -o " + out, bad + ": line 3: 'x' is not a number");
+  check((folder / "none.obj") + " -o " + out, (folder / "none.obj") + ": cannot read (no such file)");
+  check("sphere:8x4 -o " + (folder / "out.jpg"), (folder / "out.jpg") + ": a picture's name must end in .png, .ppm or .pgm");
+  check("sphere:8x4 -o " + (folder / "no/out.png"), (folder / "no/out.png") + ": cannot write (No such file or directory)");
+  check("sphere:8x4 -o " + out + " --eye 0,0,0", "--eye: is where the target is");
+  check("sphere:99999x9 -o " + out, "sphere:99999x9: too many vertices (799994; the limit is 65536)");
+  CHECK(folder.size() == 1);
+}

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+# Install and export: find_package(arcspan) gives arcspan::pipeline and arcspan::hal.
+include(CMakePackageConfigHelpers)
+
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/arcspan)
+install(TARGETS arcspan_pipeline arcspan_hal EXPORT arcspan_targets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+foreach(part IN ITEMS pipeline hal)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${part}/arcspan DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+          FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+install(EXPORT arcspan_targets NAMESPACE arcspan:: DESTINATION ${config_dir} FILE arcspan-targets.cmake)
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/arcspan-config.cmake.in
+                              ${PROJECT_BINARY_DIR}/arcspan-config.cmake INSTALL_DESTINATION ${config_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/arcspan-config-version.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/arcspan-config.cmake ${PROJECT_BINARY_DIR}/arcspan-config-version.cmake
+        DESTINATION ${config_dir})
+
+if(TARGET arcspan)
+  install(TARGETS arcspan RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // golden_tests MESH HASHES REFERENCES FOUND [--update]
 //
-// Draws MESH (a .fixed file or a generated mesh) in every golden scene, pixel format and some band heights and
-// compares: the pixels' hashes with the file HASHES, and each format with the encoding of the picture in 8 bits a
-// channel. Where a picture differs, it and its difference from the one in the folder REFERENCES are written to
-// the folder FOUND. With --update the hashes (on standard output) and the reference pictures are made instead.
+// Draws MESH (a .fixed file or a generated mesh) in every golden scene, pixel format and some band heights
+// and compares: the pixels' hashes with the file HASHES, and each format with the encoding of the picture in
+// 8 bits a channel. Where a picture differs, it and its difference from the one in the folder REFERENCES are
+// written to the folder FOUND. With --update the hashes (on standard output) and the reference pictures are
+// made instead.
 #include <arcspan_tools/image/difference.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
 #include <tests/golden/fixed_file.hpp>
@@ -60,7 +61,8 @@ struct Goldens {
   void compare(const std::string& name, const Image& image) {
     if (update) return static_cast<void>(std::printf("%s %s\n", hex(hash(image)).c_str(), name.c_str()));
     ++compared;
-    if (hashes.count(name) == 0 || hashes[name] != hex(hash(image))) complain(name, image, "is not the golden one");
+    if (hashes.count(name) == 0 || hashes[name] != hex(hash(image)))
+      complain(name, image, "is not the golden one");
   }
 
   void complain(const std::string& name, const Image& image, const char* what) {
@@ -108,7 +110,8 @@ Image encoded(const Image& image, const Renderer& renderer) {
   if (renderer.format == "gray4") {
     return renderer.dithers ? encoded<Dithered<Gray4>>(image) : encoded<Gray4>(image);
   }
-  if (renderer.format == "mono") return renderer.dithers ? encoded<Dithered<Mono>>(image) : encoded<Mono>(image);
+  if (renderer.format == "mono")
+    return renderer.dithers ? encoded<Dithered<Mono>>(image) : encoded<Mono>(image);
   return renderer.format == "gray8" ? encoded<Gray8>(image) : image;
 }
 
@@ -137,7 +140,8 @@ void check_scene(Goldens& goldens, const std::string& mesh_name, const tools::Fi
       goldens.complain(name, image, "is not the encoding of the one in 8 bits a channel");
     }
     job.band_rows = renderer.dithers ? 1 : 17;
-    if (renderer.render(job, quiet).image != image) goldens.complain(name, image, "changes when drawn in bands");
+    if (renderer.render(job, quiet).image != image)
+      goldens.complain(name, image, "changes when drawn in bands");
   }
 }
 
@@ -154,10 +158,12 @@ int run(int argc, char** argv) {
   goldens.update = argc > 5 && std::string(argv[5]) == "--update";
   std::filesystem::create_directories(goldens.found);
   const auto generated = tools::parse_generated_mesh(mesh_argument);
-  const tools::FixedMesh mesh = generated ? tools::to_fixed(tools::generate(*generated)) : read_fixed(mesh_argument);
+  const tools::FixedMesh mesh =
+      generated ? tools::to_fixed(tools::generate(*generated)) : read_fixed(mesh_argument);
   const std::string name = generated ? mesh_argument : std::filesystem::path(mesh_argument).stem().string();
   for (const GoldenScene& scene : golden_scenes()) check_scene(goldens, name, mesh, scene);
-  if (!goldens.update) std::printf("%s: %d pictures compared, %d wrong\n", name.c_str(), goldens.compared, goldens.wrong);
+  if (!goldens.update)
+    std::printf("%s: %d pictures compared, %d wrong\n", name.c_str(), goldens.compared, goldens.wrong);
   return goldens.wrong == 0 && (goldens.update || goldens.compared > 0) ? 0 : 1;
 }
 

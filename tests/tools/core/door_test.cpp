@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/vertex/raster_vertex.hpp>
+
 #include <arcspan_tools/door/camera.hpp>
 #include <arcspan_tools/door/fixed_mesh.hpp>
 #include <arcspan_tools/door/material.hpp>
 #include <arcspan_tools/door/rounding.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
 #include <arcspan_tools/support/failure.hpp>
-#include <tests/tools/temporary_folder.hpp>
-
-#include <arcspan/vertex/raster_vertex.hpp>
-
 #include <catch2/catch.hpp>
+#include <tests/tools/temporary_folder.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +92,8 @@ TEST_CASE("the default camera has the whole mesh in view, near the edge of the p
   CHECK(box.right < size.width);
   CHECK(box.top >= 0);
   CHECK(box.bottom < size.height);
-  const double filled = std::max(double(box.right - box.left + 2) / size.width, double(box.bottom - box.top + 2) / size.height);
+  const double filled =
+      std::max(double(box.right - box.left + 2) / size.width, double(box.bottom - box.top + 2) / size.height);
   CHECK(filled > 0.75);
 }
 
@@ -101,7 +101,9 @@ TEST_CASE("a camera sees right-handed: x to the right, y up, nearer is larger") 
   const FixedMesh mesh = to_fixed(triangle({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}));
   const CameraWish wish{Vec3{0, 0, 10}, Vec3{0, 0, 0}, {0, 1, 0}, 40};
   const FixedCamera camera = to_fixed(place_camera(wish, mesh, {200, 200}), mesh, {200, 200});
-  const auto at = [&](std::size_t i) { return project(camera.transform(mesh.positions[i]), camera.transform); };
+  const auto at = [&](std::size_t i) {
+    return project(camera.transform(mesh.positions[i]), camera.transform);
+  };
   const double pixels = 100 / std::tan(20 * std::acos(-1.0) / 180) / 10;
   CHECK(at(0).x / 16.0 == Approx(-pixels).margin(0.1));
   CHECK(at(0).y / 16.0 == Approx(pixels).margin(0.1));
@@ -121,7 +123,8 @@ TEST_CASE("cameras that see nothing sensible are refused or put right") {
         "camera: too far away (5000.000000; the limit is 64 times the size of the mesh)");
   CHECK_NOTHROW(to_fixed(place_camera({Vec3{0, 9, 0}, {}, {0, 1, 0}, 40}, mesh, size), mesh, size));
   CHECK_NOTHROW(to_fixed(place_camera({Vec3{0, 0, 0.5}, {}, {0, 1, 0}, 40}, mesh, size), mesh, size));
-  CHECK_NOTHROW(to_fixed(place_camera({Vec3{0, 0, 5}, Vec3{0, 0, 9}, {0, 1, 0}, 40}, mesh, size), mesh, size));
+  CHECK_NOTHROW(
+      to_fixed(place_camera({Vec3{0, 0, 5}, Vec3{0, 0, 9}, {0, 1, 0}, 40}, mesh, size), mesh, size));
 }
 
 TEST_CASE("surfaces become coefficients") {

@@ -3,7 +3,6 @@
 #include <arcspan_tools/mesh/plain/generate.hpp>
 #include <arcspan_tools/render/scene.hpp>
 #include <arcspan_tools/support/failure.hpp>
-
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -52,7 +51,8 @@ TEST_CASE("every band height gives the same picture and the same figures") {
     CHECK(banded.image == whole.image);
     CHECK(banded.stats.triangles == whole.stats.triangles);
     CHECK(banded.stats.pixels == whole.stats.pixels);
-    CHECK(banded.stats.bands == static_cast<std::uint64_t>((72 + std::min(rows, 72) - 1) / std::min(rows, 72)));
+    CHECK(banded.stats.bands ==
+          static_cast<std::uint64_t>((72 + std::min(rows, 72) - 1) / std::min(rows, 72)));
     CHECK(banded.stats.frame_bytes <= whole.stats.frame_bytes);
   }
 }

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 // `arcspan render` as a user runs it.
 #include <arcspan_tools/image/image.hpp>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/temporary_folder.hpp>
-
-#include <catch2/catch.hpp>
-
-#include <nlohmann/json.hpp>
 
 using namespace arcspan::tools;
 using namespace arcspan::test;
 
 TEST_CASE("render writes the picture and the same figures for people and machines") {
   const TemporaryFolder folder;
-  const CommandRun drawn = run("render sphere:32x16 -o " + (folder / "a.png") + " --stats " + (folder / "a.json"));
+  const CommandRun drawn =
+      run("render sphere:32x16 -o " + (folder / "a.png") + " --stats " + (folder / "a.json"));
   REQUIRE(drawn.status == 0);
   CHECK(drawn.err.empty());
   const Image image = read_image(folder / "a.png");
@@ -26,7 +25,8 @@ TEST_CASE("render writes the picture and the same figures for people and machine
   CHECK(json["bytes"]["frame"] == 320 * 240 * 2);
   CHECK(json["bytes"]["depth"] == 320 * 240 * 2);
   const std::string line = "drawn: " + json["drawn"]["triangles"].dump() + " triangles, " +
-                           json["drawn"]["spans"].dump() + " spans, " + json["drawn"]["pixels"].dump() + " pixels\n";
+                           json["drawn"]["spans"].dump() + " spans, " + json["drawn"]["pixels"].dump() +
+                           " pixels\n";
   CHECK(drawn.out.find(line) != std::string::npos);
   CHECK(drawn.out.find("pipeline memory: " + json["bytes"]["total"].dump() + " bytes") != std::string::npos);
 }
@@ -46,10 +46,10 @@ TEST_CASE("every option is taken, and has an effect") {
   REQUIRE(run(base + (folder / "a.ppm")).status == 0);
   const std::string plain = contents(folder / "a.ppm");
   for (const char* option :
-       {"--size 48x64", "--format mono", "--dither", "--shading flat", "--shading gouraud", "--illumination phong",
-        "--eye 3,2,1", "--target 0,0.2,0", "--up 1,0,0", "--fov 20 --eye 2,2,2", "--light 1,0,0",
-        "--light 0.4,0.7,0.6 --light -1,0,0", "--colour 0,1,0", "--ambient 0.5", "--diffuse 0.1", "--specular 0",
-        "--shininess 5", "--background 1,0,0", "--no-depth --eye 3,0.3,0"}) {
+       {"--size 48x64", "--format mono", "--dither", "--shading flat", "--shading gouraud",
+        "--illumination phong", "--eye 3,2,1", "--target 0,0.2,0", "--up 1,0,0", "--fov 20 --eye 2,2,2",
+        "--light 1,0,0", "--light 0.4,0.7,0.6 --light -1,0,0", "--colour 0,1,0", "--ambient 0.5",
+        "--diffuse 0.1", "--specular 0", "--shininess 5", "--background 1,0,0", "--no-depth --eye 3,0.3,0"}) {
     CAPTURE(option);
     const CommandRun drawn = run(base + (folder / "b.ppm") + " " + option);
     CHECK(drawn.err.empty());
@@ -82,7 +82,8 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
       {"--fov 0", "--fov: expected a number 1...170, not '0'"},
       {"--fov 171", "--fov: expected a number 1...170, not '171'"},
       {"--light 0,0,0", "--light: expected a direction X,Y,Z, not '0,0,0'"},
-      {"--light 1,0,0 --light 1,0,0 --light 1,0,0 --light 1,0,0 --light 1,0,0", "--light: at most 4 lights, not 5"},
+      {"--light 1,0,0 --light 1,0,0 --light 1,0,0 --light 1,0,0 --light 1,0,0",
+       "--light: at most 4 lights, not 5"},
       {"--colour 2,0,0", "--colour: expected R,G,B with each 0...1, not '2,0,0'"},
       {"--background red", "--background: expected R,G,B with each 0...1, not 'red'"},
       {"--ambient -0.1", "--ambient: expected a number 0...1, not '-0.1'"},
@@ -115,8 +116,10 @@ TEST_CASE("what is wrong with files: one line, status 1, nothing left behind") {
   const std::string bad = folder.file("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 x 0\nf 1 2 3\n");
   check(bad + " -o " + out, bad + ": line 3: 'x' is not a number");
   check((folder / "none.obj") + " -o " + out, (folder / "none.obj") + ": cannot read (no such file)");
-  check("sphere:8x4 -o " + (folder / "out.jpg"), (folder / "out.jpg") + ": a picture's name must end in .png, .ppm or .pgm");
-  check("sphere:8x4 -o " + (folder / "no/out.png"), (folder / "no/out.png") + ": cannot write (No such file or directory)");
+  check("sphere:8x4 -o " + (folder / "out.jpg"),
+        (folder / "out.jpg") + ": a picture's name must end in .png, .ppm or .pgm");
+  check("sphere:8x4 -o " + (folder / "no/out.png"),
+        (folder / "no/out.png") + ": cannot write (No such file or directory)");
   check("sphere:8x4 -o " + out + " --eye 0,0,0", "--eye: is where the target is");
   check("sphere:99999x9 -o " + out, "sphere:99999x9: too many vertices (799994; the limit is 65536)");
   CHECK(folder.size() == 1);

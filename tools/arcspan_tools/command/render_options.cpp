@@ -22,8 +22,9 @@ void add_parsed(CLI::App& app, const std::string& name, const std::string& type,
     if (!value) throw CLI::ValidationError(name, "expected " + expected + ", not '" + text + "'");
     use(*value);
   };
-  app.add_option_function<std::string>(name, take, help)->type_name(type)->multi_option_policy(
-      CLI::MultiOptionPolicy::TakeLast);
+  app.add_option_function<std::string>(name, take, help)
+      ->type_name(type)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
 std::optional<Vec3> parse_direction(const std::string& text) {
@@ -96,11 +97,11 @@ void add_picture_options(CLI::App& app, RenderOptions& o) {
       [&o](Size size) { o.scene.size = size; });
   add_choice(app, "--format", "pixel format", format_names(), o.format);
   app.add_flag("--dither,!--no-dither", o.dither, "ordered dither before truncation (default off)");
-  add_integer(app, "--band", "ROWS", "draw and store the picture ROWS at a time", 1, kMostPixels, o.scene.band_rows);
+  add_integer(app, "--band", "ROWS", "draw and store the picture ROWS at a time", 1, kMostPixels,
+              o.scene.band_rows);
   app.add_flag("--depth,!--no-depth", o.scene.depth, "16-bit depth buffer (default), or painter's order");
-  add_parsed<Vec3>(
-      app, "--background", "R,G,B", "each 0...1", "R,G,B with each 0...1", parse_colour,
-      [&o](Vec3 v) { o.scene.background = v; });
+  add_parsed<Vec3>(app, "--background", "R,G,B", "each 0...1", "R,G,B with each 0...1", parse_colour,
+                   [&o](Vec3 v) { o.scene.background = v; });
 }
 
 void add_shading_options(CLI::App& app, RenderOptions& o) {
@@ -113,13 +114,13 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
         return std::nullopt;
       },
       [&o](Highlight h) { o.scene.highlight = h; });
-  add_parsed<Vec3>(
-      app, "--colour", "R,G,B", "of the surface, each 0...1", "R,G,B with each 0...1", parse_colour,
-      [&o](Vec3 v) { o.scene.surface.colour = v; });
+  add_parsed<Vec3>(app, "--colour", "R,G,B", "of the surface, each 0...1", "R,G,B with each 0...1",
+                   parse_colour, [&o](Vec3 v) { o.scene.surface.colour = v; });
   add_number(app, "--ambient", "ambient share", 0, 1, o.scene.surface.ambient);
   add_number(app, "--diffuse", "diffuse share", 0, 1, o.scene.surface.diffuse);
   add_number(app, "--specular", "share of the white highlight", 0, 1, o.scene.surface.specular);
-  add_integer(app, "--shininess", "1...256", "exponent of the highlight (default 40)", 1, 256, o.scene.surface.shininess);
+  add_integer(app, "--shininess", "1...256", "exponent of the highlight (default 40)", 1, 256,
+              o.scene.surface.shininess);
   app.add_flag("--two-sided", o.scene.two_sided, "draw back faces too, lit from their side");
   const auto take_light = [&o](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
@@ -132,8 +133,8 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
     }
     o.scene.lights = o.lights;
   };
-  app.add_option_function<std::vector<std::string>>(
-         "--light", take_light, "towards a light (default 0.4,0.7,0.6); up to 4 times")
+  app.add_option_function<std::vector<std::string>>("--light", take_light,
+                                                    "towards a light (default 0.4,0.7,0.6); up to 4 times")
       ->type_name("X,Y,Z")
       ->allow_extra_args(false);
 }
@@ -141,15 +142,12 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
 void add_camera_options(CLI::App& app, RenderOptions& o) {
   const std::string point = "three numbers X,Y,Z";
   const auto parse_point = [](const std::string& text) { return parse_triple(text); };
-  add_parsed<Vec3>(
-      app, "--eye", "X,Y,Z", "where the camera stands (default: the whole mesh in view)", point, parse_point,
-      [&o](Vec3 v) { o.scene.camera.eye = v; });
-  add_parsed<Vec3>(
-      app, "--target", "X,Y,Z", "what it looks at (default: the mesh's centre)", point, parse_point,
-      [&o](Vec3 v) { o.scene.camera.target = v; });
-  add_parsed<Vec3>(
-      app, "--up", "X,Y,Z", "its upward direction (default 0,1,0)", "a direction X,Y,Z", parse_direction,
-      [&o](Vec3 v) { o.scene.camera.up = v; });
+  add_parsed<Vec3>(app, "--eye", "X,Y,Z", "where the camera stands (default: the whole mesh in view)", point,
+                   parse_point, [&o](Vec3 v) { o.scene.camera.eye = v; });
+  add_parsed<Vec3>(app, "--target", "X,Y,Z", "what it looks at (default: the mesh's centre)", point,
+                   parse_point, [&o](Vec3 v) { o.scene.camera.target = v; });
+  add_parsed<Vec3>(app, "--up", "X,Y,Z", "its upward direction (default 0,1,0)", "a direction X,Y,Z",
+                   parse_direction, [&o](Vec3 v) { o.scene.camera.up = v; });
   add_number(app, "--fov", "vertical field of view in degrees", 1, 170, o.scene.camera.fov_degrees);
 }
 

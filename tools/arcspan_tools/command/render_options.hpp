@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/render/scene.hpp>
-
 #include <CLI/CLI.hpp>
+#include <arcspan_tools/render/scene.hpp>
 
 #include <string>
 #include <vector>

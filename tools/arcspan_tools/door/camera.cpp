@@ -46,7 +46,8 @@ double fitting_distance(const FixedMesh& mesh, Vec3 target, const Axes& axes, do
   double distance = 0;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const Vec3 p = mesh.centre + from_centre(mesh, i) - target;
-    const double aside = std::max(std::fabs(dot(p, axes.x)) / horizontal, std::fabs(dot(p, axes.y)) / vertical);
+    const double aside =
+        std::max(std::fabs(dot(p, axes.x)) / horizontal, std::fabs(dot(p, axes.y)) / vertical);
     distance = std::max(distance, dot(p, axes.z) + kMargin * aside);
   }
   return distance;
@@ -83,7 +84,7 @@ Placement placement_of(Vec3 eye, const Axes& axes, const FixedMesh& mesh) {
     const std::optional<ObjectLength> translation = to_fixed_point<ObjectLength>(moved);
     if (!translation || std::fabs(moved) > 4'194'303) {
       throw Failure("camera", "too far away (" + std::to_string(length(mesh.centre - eye)) +
-                                 "; the limit is 64 times the size of the mesh)");
+                                  "; the limit is 64 times the size of the mesh)");
     }
     placement.translation[i] = *translation;
   }
@@ -118,7 +119,8 @@ FixedCamera to_fixed(const Camera& camera, const FixedMesh& mesh, Size size) {
   fixed.to_eye = to_direction(backwards);
   const Status status = ClipTransform::make(placement_of(camera.eye, axes, mesh), projection,
                                             {size.width, size.height}, fixed.transform);
-  if (!ok(status)) throw Failure("camera", std::string("cannot look at this mesh (") + to_string(status) + ")");
+  if (!ok(status))
+    throw Failure("camera", std::string("cannot look at this mesh (") + to_string(status) + ")");
   return fixed;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/door/fixed_mesh.hpp>
-#include <arcspan_tools/support/parse.hpp>
-
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
+
+#include <arcspan_tools/door/fixed_mesh.hpp>
+#include <arcspan_tools/support/parse.hpp>
 
 #include <optional>
 

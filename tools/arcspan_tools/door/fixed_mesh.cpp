@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/mesh/packed_normal.hpp>
+
 #include <arcspan_tools/door/fixed_mesh.hpp>
 #include <arcspan_tools/door/rounding.hpp>
 #include <arcspan_tools/support/failure.hpp>
-
-#include <arcspan/mesh/packed_normal.hpp>
 
 #include <algorithm>
 
@@ -27,7 +27,9 @@ Box bounds(const MeshData& mesh) {
 std::int16_t to_unit(double length, double unit) { return static_cast<std::int16_t>(rounded(length / unit)); }
 
 PackedNormal packed(Vec3 normal) {
-  const auto component = [](double c) { return static_cast<std::int32_t>(rounded(std::ldexp(c, 30) * 0.9999)); };
+  const auto component = [](double c) {
+    return static_cast<std::int32_t>(rounded(std::ldexp(c, 30) * 0.9999));
+  };
   return pack_normal(component(normal.x), component(normal.y), component(normal.z));
 }
 
@@ -55,7 +57,8 @@ FixedMesh to_fixed(const MeshData& mesh) {
 MeshView FixedMesh::view(const std::string& subject) const {
   MeshView view;
   const Status status = MeshView::make(positions, normals, std::span(indices), view);
-  if (!ok(status)) throw Failure(subject, std::string("not a mesh for the pipeline (") + to_string(status) + ")");
+  if (!ok(status))
+    throw Failure(subject, std::string("not a mesh for the pipeline (") + to_string(status) + ")");
   return view;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/mesh/plain/mesh_data.hpp>
-
 #include <arcspan/mesh/mesh_view.hpp>
+
+#include <arcspan_tools/mesh/plain/mesh_data.hpp>
 
 #include <cstdint>
 #include <string>

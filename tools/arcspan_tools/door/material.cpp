@@ -24,7 +24,9 @@ Material to_fixed(const Surface& surface) {
 }
 
 Rgb8 to_rgb8(Vec3 colour) {
-  const auto level = [](double c) { return static_cast<std::uint8_t>(rounded(std::clamp(c, 0.0, 1.0) * 255)); };
+  const auto level = [](double c) {
+    return static_cast<std::uint8_t>(rounded(std::clamp(c, 0.0, 1.0) * 255));
+  };
   return {level(colour.x), level(colour.y), level(colour.z)};
 }
 

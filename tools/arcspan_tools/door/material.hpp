@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/support/vec3.hpp>
-
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/shading/illumination.hpp>
 
+#include <arcspan_tools/support/vec3.hpp>
+
 namespace arcspan::tools {
 
-/// A surface in doubles: pixel = colour * (ambient + diffuse * max(0, N·L)) + specular * highlight. All 0...1.
+/// A surface in doubles: pixel = colour * (ambient + diffuse * max(0, N·L)) + specular * highlight. All
+/// 0...1.
 struct Surface {
   Vec3 colour{0.86, 0.52, 0.30};
   double ambient = 0.14;

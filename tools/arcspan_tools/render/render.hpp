@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/image/image.hpp>
-
 #include <arcspan/draw.hpp>
 #include <arcspan/shading/illumination.hpp>
+
+#include <arcspan_tools/image/image.hpp>
 
 #include <cstdint>
 #include <functional>

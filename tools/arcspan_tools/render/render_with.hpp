@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/hal/framebuffer.hpp>
+
 #include <arcspan_tools/render/counting_sink.hpp>
 #include <arcspan_tools/render/render.hpp>
 #include <arcspan_tools/support/failure.hpp>
-
-#include <arcspan/hal/framebuffer.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -40,11 +40,12 @@ void copy_rows(const Band<Format>& band, Image& image) {
 }
 
 template <class Method, class Format, class Depth>
-void draw_band(const RenderJob& job, const typename Method::Object& object, Band<Format>& band, const Depth& depth,
-               std::span<CachedVertex<Method>> cache, RenderStats& stats) {
+void draw_band(const RenderJob& job, const typename Method::Object& object, Band<Format>& band,
+               const Depth& depth, std::span<CachedVertex<Method>> cache, RenderStats& stats) {
   CountingSink sink(band.frame);
   const auto start = std::chrono::steady_clock::now();
-  const DrawResult drawn = draw_mesh<Method>(job.mesh, job.transform, object, sink, depth, cache, {job.two_sided});
+  const DrawResult drawn =
+      draw_mesh<Method>(job.mesh, job.transform, object, sink, depth, cache, {job.two_sided});
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
   // Every band walks all triangles of the picture and counts those that reach it.
@@ -55,7 +56,8 @@ void draw_band(const RenderJob& job, const typename Method::Object& object, Band
 }
 
 template <class Method, class Format>
-RenderResult render_bands(const RenderJob& job, const typename Method::Object& object, const RowsDone& rows_done) {
+RenderResult render_bands(const RenderJob& job, const typename Method::Object& object,
+                          const RowsDone& rows_done) {
   const Viewport& size = job.transform.viewport();
   RenderResult result;
   result.image = Image(size.width, size.height);
@@ -114,8 +116,9 @@ RenderResult render_model(const RenderJob& job, const RowsDone& rows_done) {
 /// instantiations made here.
 template <template <class> class Method, class Format>
 RenderResult render_with(const RenderJob& job, const RowsDone& rows_done) {
-  return job.highlight == Highlight::kBlinn ? detail::render_model<Method, Format, Highlight::kBlinn>(job, rows_done)
-                                            : detail::render_model<Method, Format, Highlight::kPhong>(job, rows_done);
+  return job.highlight == Highlight::kBlinn
+             ? detail::render_model<Method, Format, Highlight::kBlinn>(job, rows_done)
+             : detail::render_model<Method, Format, Highlight::kPhong>(job, rows_done);
 }
 
 }  // namespace arcspan::tools

@@ -97,7 +97,8 @@ Image encoded(const Image& image) {
   Image out(image.width, image.height);
   for (std::int32_t y = 0; y < image.height; ++y) {
     for (std::int32_t x = 0; x < image.width; ++x) {
-      out.at(x, y) = Format::decode(encode_at<Format>(image.at(x, y), x, y));
+      const Rgb8 p = image.at(x, y);
+      out.at(x, y) = Format::decode(encode_at<Format>(PackedRgb::of(4u * p.r, 4u * p.g, 4u * p.b), x, y));
     }
   }
   return out;

@@ -17,7 +17,7 @@ int main() {
   if (!ok(MeshView::make(kPositions, normals, std::span(kIndices), mesh))) return 1;
 
   Placement placement{};
-  for (int i = 0; i < 3; ++i) placement.rotation[i][i] = RotationEntry::of(1.0);
+  placement.rotation = Rotation::identity();
   placement.translation[2] = ObjectLength::of(-80000.0);
   const Projection projection{PixelLength::of(80.0), ObjectLength::of(10000.0), ObjectLength::of(100000.0)};
   ClipTransform transform;

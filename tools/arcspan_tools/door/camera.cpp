@@ -78,7 +78,7 @@ Placement placement_of(Vec3 eye, const Axes& axes, const FixedMesh& mesh) {
   for (int i = 0; i < 3; ++i) {
     const double entries[3] = {rows[i].x, rows[i].y, rows[i].z};
     for (int j = 0; j < 3; ++j) {
-      placement.rotation[i][j] = to_fixed_point<RotationEntry>(std::clamp(entries[j], -1.0, 1.0)).value();
+      placement.rotation.m[i][j] = to_fixed_point<RotationEntry>(std::clamp(entries[j], -1.0, 1.0)).value();
     }
     const double moved = dot(mesh.centre - eye, rows[i]) / mesh.unit;
     const std::optional<ObjectLength> translation = to_fixed_point<ObjectLength>(moved);

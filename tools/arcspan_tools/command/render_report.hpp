@@ -32,7 +32,7 @@ struct RenderReport {
 /// For people, several lines.
 [[nodiscard]] std::string to_text(const RenderReport& report);
 
-/// For machines: one object, keys as in docs/stats.md.
+/// For machines: one object, keys as written below.
 [[nodiscard]] std::string to_json(const RenderReport& report);
 
 }  // namespace arcspan::tools

@@ -234,7 +234,7 @@ struct Arc {
     point.normal = {component(a.normal.x, b.normal.x), component(a.normal.y, b.normal.y),
                     component(a.normal.z, b.normal.z)};
     for (std::size_t i = 0; i < kScalars; ++i) {
-      point.scalars[i] = start_scalar(at, {}, a.scalars[i], b.scalars[i]).x;
+      point.scalars[i] = start_scalar(at, {0, 1, 0}, a.scalars[i], b.scalars[i]).x;
     }
     return point;
   }

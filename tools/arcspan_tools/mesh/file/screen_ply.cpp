@@ -61,9 +61,9 @@ class PlyBody {
       return type.bytes == 8 ? std::bit_cast<double>(bits)
                              : double{std::bit_cast<float>(static_cast<std::uint32_t>(bits))};
     }
-    const bool negative = type.kind == PlyType::Kind::kSigned && ((bits >> (8 * type.bytes - 1)) & 1u) != 0;
     const double magnitude = static_cast<double>(bits);
-    return negative ? magnitude - std::ldexp(1.0, 8 * type.bytes) : magnitude;
+    const double range = std::ldexp(1.0, 8 * type.bytes);
+    return type.kind == PlyType::Kind::kSigned && magnitude >= range / 2 ? magnitude - range : magnitude;
   }
 
   TextLines& lines_;

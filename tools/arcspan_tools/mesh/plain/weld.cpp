@@ -9,13 +9,14 @@ namespace arcspan::tools {
 namespace {
 
 struct VertexHash {
-  static std::size_t mix(std::size_t seed, double value) {
+  // The golden ratio's bits carry upwards only, so the upper half comes down at the end.
+  static std::uint64_t mix(std::uint64_t seed, double value) {
     return (seed ^ std::bit_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15u;
   }
-  std::size_t operator()(const Vec3& v) const { return mix(mix(mix(0, v.x), v.y), v.z); }
-  std::size_t operator()(const RawMesh::Corner& c) const {
-    return mix(mix(mix((*this)(c.position), c.normal.x), c.normal.y), c.normal.z);
-  }
+  static std::uint64_t mix(std::uint64_t seed, const Vec3& v) { return mix(mix(mix(seed, v.x), v.y), v.z); }
+  static std::size_t folded(std::uint64_t hash) { return static_cast<std::size_t>(hash ^ (hash >> 32)); }
+  std::size_t operator()(const Vec3& v) const { return folded(mix(0, v)); }
+  std::size_t operator()(const RawMesh::Corner& c) const { return folded(mix(mix(0, c.position), c.normal)); }
 };
 
 struct SameVertex {

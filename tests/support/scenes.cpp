@@ -26,7 +26,7 @@ MeshView TestMesh::view() const {
 
 TestMesh TestMesh::inside_out() const {
   TestMesh turned = *this;
-  for (std::size_t i = 0; i < turned.indices.size(); i += 3) std::swap(turned.indices[i], turned.indices[i + 1]);
+  for (std::size_t i = 0; i < turned.indices.size(); i += 3) std::swap(turned.indices[i + 1], turned.indices[i + 2]);
   for (PackedNormal& normal : turned.normals) {
     const Direction n = unpack_normal(normal);
     normal = pack_normal(-n.x.raw(), -n.y.raw(), -n.z.raw());

@@ -53,6 +53,7 @@ struct Arc {
     constexpr Factor kHalf = Factor::of(0.5);
     for (int halvings = 0; halvings < 2 && too_wide(from, to); ++halvings) {
       const Vertex middle = middle_of(from, to);
+      if (t == kHalf) return middle;  // exact, and the same from either end
       if (t < kHalf) {
         to = middle;
         t = t + t;

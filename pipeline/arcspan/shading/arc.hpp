@@ -56,6 +56,7 @@ struct Arc {
     constexpr Factor kHalf = Factor::of(0.5);
     for (int halvings = 0; halvings < 2 && too_wide(from, to); ++halvings) {
       const Vertex middle = middle_of(from, to);
+      if (t == kHalf) return middle;  // exact, and the same from either end
       if (t < kHalf) {
         to = middle;
         t = t + t;
@@ -229,11 +230,12 @@ struct Arc {
       const Factor sum = middle + multiply<Factor>(at.even, middle) + multiply<Factor>(at.odd, rise);
       return NormalComponent::from_raw(static_cast<std::int16_t>(round_shift(sum.raw(), 1)));
     };
+    constexpr SlopeScale kWholeArc = slope_scale(ArcFraction{}, 15);  // only x is wanted of start_scalar()
     Vertex point;
     point.normal = {component(a.normal.x, b.normal.x), component(a.normal.y, b.normal.y),
                     component(a.normal.z, b.normal.z)};
     for (std::size_t i = 0; i < kScalars; ++i) {
-      point.scalars[i] = start_scalar(at, {}, a.scalars[i], b.scalars[i]).x;
+      point.scalars[i] = start_scalar(at, kWholeArc, a.scalars[i], b.scalars[i]).x;
     }
     return point;
   }

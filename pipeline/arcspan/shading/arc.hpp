@@ -230,7 +230,7 @@ struct Arc {
       const Factor sum = middle + multiply<Factor>(at.even, middle) + multiply<Factor>(at.odd, rise);
       return NormalComponent::from_raw(static_cast<std::int16_t>(round_shift(sum.raw(), 1)));
     };
-    constexpr SlopeScale kWholeArc = slope_scale(ArcFraction{}, 15);  // only x is wanted of start_scalar()
+    constexpr SlopeScale kWholeArc = slope_scale(ArcFraction{}, 15, 0);  // only x is wanted of start_scalar()
     Vertex point;
     point.normal = {component(a.normal.x, b.normal.x), component(a.normal.y, b.normal.y),
                     component(a.normal.z, b.normal.z)};

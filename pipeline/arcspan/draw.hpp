@@ -95,14 +95,17 @@ class MeshDrawer {
                      const CachedVertex<Method>& c) {
     if ((a.outcode & b.outcode & c.outcode) != 0) return;
     if ((a.outcode | b.outcode | c.outcode) != 0) {
-      draw_clipped(t, a.raster.shade, b.raster.shade, c.raster.shade);
+      draw_clipped(t, a.raster.shade, b.raster.shade, c.raster.shade, false);
+      // A cut vertex has no normal in the mesh to turn, so the back is clipped with its own shading.
+      if (options_.two_sided) draw_clipped(t, turned_shade(t.a), turned_shade(t.b), turned_shade(t.c), true);
     } else {
       draw_projected(t, a.raster, b.raster, c.raster);
     }
   }
 
+  /// Draws what is left of a clipped triangle if it shows its front, or its `back`.
   void draw_clipped(const TriangleIndices& t, const typename Method::Vertex& a,
-                    const typename Method::Vertex& b, const typename Method::Vertex& c) {
+                    const typename Method::Vertex& b, const typename Method::Vertex& c, bool back) {
     ClipPolygon<Method> polygon;
     ClipPolygon<Method> spare;
     polygon.vertices[0] = {transform_(mesh_.position(t.a)), a};
@@ -111,8 +114,11 @@ class MeshDrawer {
     polygon.count = 3;
     const ClipPolygon<Method>& inside = clip_polygon(polygon, spare, transform_.near_w());
     for (std::size_t i = 2; i < inside.count; ++i) {
-      draw_projected(t, projected(inside.vertices[0]), projected(inside.vertices[i - 1]),
-                     projected(inside.vertices[i]));
+      const Raster p = projected(inside.vertices[0]);
+      const Raster q = projected(inside.vertices[i - 1]);
+      const Raster r = projected(inside.vertices[i]);
+      const std::int32_t area = doubled_area(p.position, q.position, r.position);
+      if (back ? area > 0 : area < 0) draw_side(t, p, q, r, back);
     }
   }
 
@@ -122,9 +128,17 @@ class MeshDrawer {
 
   void draw_projected(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c) {
     const std::int32_t area = doubled_area(a.position, b.position, c.position);
-    const bool back = area > 0;
-    if (area == 0 || (back && !options_.two_sided) || outside_columns(a.position, b.position, c.position))
-      return;
+    if (area < 0) {
+      draw_side(t, a, b, c, false);
+    } else if (area > 0 && options_.two_sided) {
+      // Rare, so it is shaded afresh instead of being kept for every vertex.
+      draw_side(t, {a.position, turned_shade(t.a)}, {b.position, turned_shade(t.b)},
+                {c.position, turned_shade(t.c)}, true);
+    }
+  }
+
+  void draw_side(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c, bool back) {
+    if (outside_columns(a.position, b.position, c.position)) return;
     typename Method::Face face{};
     if constexpr (Method::kNeedsFaceNormal) {
       const Direction normal = face_normal(t);
@@ -133,12 +147,7 @@ class MeshDrawer {
     auto emit = [this, &face](const Raster& p, const Raster& q, const Raster& r) {
       draw_part(p, q, r, face);
     };
-    if (back) {
-      // Rare, so it is shaded afresh instead of being kept for every vertex.
-      split_triangle<kMaxSplits>(turned(a, t.a), turned(b, t.b), turned(c, t.c), emit);
-    } else {
-      split_triangle<kMaxSplits>(a, b, c, emit);
-    }
+    split_triangle<kMaxSplits>(a, b, c, emit);
   }
 
   void draw_part(const Raster& a, const Raster& b, const Raster& c, const typename Method::Face& face) {
@@ -148,8 +157,8 @@ class MeshDrawer {
     result_.status = draw_command(command, origin_, clip_, object_, sink_, depth_);
   }
 
-  [[nodiscard]] Raster turned(const Raster& vertex, std::uint16_t index) const {
-    return {vertex.position, Method::shade_vertex(object_, -unpack_normal(mesh_.normal(index)))};
+  [[nodiscard]] typename Method::Vertex turned_shade(std::uint16_t index) const {
+    return Method::shade_vertex(object_, -unpack_normal(mesh_.normal(index)));
   }
 
   /// No pixel centre of the clip rectangle's columns lies between the leftmost and the rightmost vertex.

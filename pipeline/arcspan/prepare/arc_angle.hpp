@@ -10,14 +10,11 @@ namespace arcspan {
 
 /// psi^2 of a squared chord s = 2 - 2 cos(psi): s + s^2/12 + s^3/90 + s^4/560 (of 4 asin^2(sqrt(s)/2)); s at
 /// most 1.
-[[nodiscard]] constexpr Factor angle_of_chord(Factor s) {
+template <class Angle>
+[[nodiscard]] constexpr Angle angle_of_chord(Angle s) {
   const Factor inner = Factor::of(1.0 / 90) + multiply<Factor>(s, Factor::of(1.0 / 560 + 0.0004));
   const Factor outer = Factor::of(1.0 / 12) + multiply<Factor>(s, inner);
-  return s + multiply<Factor>(multiply<Factor>(s, s), outer);
-}
-[[nodiscard]] constexpr NearAngle angle_of_chord(NearAngle s) {
-  const Factor outer = Factor::of(1.0 / 12) + multiply<Factor>(s, Factor::of(1.0 / 90));
-  return s + multiply<NearAngle>(multiply<NearAngle>(s, s), outer);
+  return s + multiply<Angle>(multiply<Angle>(s, s), outer);
 }
 
 /// psi / sin(psi) - 1 of a squared chord: s/6 + s^2/30 + s^3/140.

@@ -18,7 +18,7 @@ struct ArcEdge {
   ArcStep step;
 
   constexpr void advance() {
-    unrolled<Count>([this](auto i) { scalars[i].step(step.mantissa, step.shift); });
+    unrolled<Count>([this](auto i) { scalars[i].fine_step(step); });
   }
 };
 
@@ -40,13 +40,26 @@ struct ArcFraction {
   return {inverse.mantissa, exponent};
 }
 
-/// Squared chords of arcs that may be near, 0.119 (19.8 degrees): their angles stay below 1/8. 28 fraction
-/// bits.
-inline constexpr std::uint32_t kNearChord = 31943819;
+/// Which format of angle an arc, or the rows of a triangle, are worked out in.
+enum class ArcClass : std::uint8_t { kNear, kMiddle, kWide };
+
+/// By the squared chord of the widest arc concerned, 28 fraction bits: 0.119 keeps angles below 1/8, 0.47
+/// below 1/2.
+[[nodiscard]] constexpr ArcClass arc_class(std::uint32_t chord) {
+  return chord <= 31943819u ? ArcClass::kNear : chord <= 126164664u ? ArcClass::kMiddle : ArcClass::kWide;
+}
+
+/// Calls `f` with a value of the class's format of angle.
+template <class F>
+constexpr decltype(auto) with_angle(ArcClass c, F&& f) {
+  return c == ArcClass::kNear ? f(NearAngle{}) : c == ArcClass::kMiddle ? f(MiddleAngle{}) : f(WideAngle{});
+}
 
 /// How many bits of a Q1.30 slope are dropped before it meets the 16-bit mantissa of a fraction: slopes of
-/// arcs up to a squared chord of 1/3 are below 1, wider ones below 2.
-[[nodiscard]] constexpr int slope_drop(std::uint32_t chord) { return chord > (1u << 28) / 3 ? 16 : 15; }
+/// near arcs are below 1/2, of arcs up to a squared chord of 1/3 below 1, of wider ones below 2.
+[[nodiscard]] constexpr int slope_drop(std::uint32_t chord) {
+  return chord > (1u << 28) / 3 ? 16 : arc_class(chord) == ArcClass::kNear ? 14 : 15;
+}
 
 /// How a slope of 1 over a whole arc becomes one per step: (slope >> drop) * mantissa >> down.
 struct SlopeScale {
@@ -55,8 +68,9 @@ struct SlopeScale {
   int down;
 };
 
-[[nodiscard]] constexpr SlopeScale slope_scale(const ArcFraction& a, int drop) {
-  const int down = a.exponent - drop;
+/// For differences with 30 + fine fraction bits, fine at most a.exponent - 16.
+[[nodiscard]] constexpr SlopeScale slope_scale(const ArcFraction& a, int drop, int fine) {
+  const int down = a.exponent - drop - fine;
   return {static_cast<std::int32_t>(a.mantissa), drop, down > 31 ? 31 : down};
 }
 
@@ -84,9 +98,11 @@ constexpr void start_arc_edge(const EdgeSpan& edge, std::uint32_t chord, const s
   const Angle angle2 = angle_of_chord(chord_as<Angle>(chord));
   const ArcFraction row = arc_fraction(edge.inverse, Subpixel::kFraction);
   const ArcStart<Angle> start = arc_start(angle2, start_fraction(edge), row.factor());
-  const SlopeScale scale = slope_scale(row, slope_drop(chord));
+  // A difference is a slope below 2 times a, so that many of its leading bits are free; two stay so for k.
+  const int fine = row.exponent > 18 ? row.exponent - 18 : 0;
+  const SlopeScale scale = slope_scale(row, slope_drop(chord), fine);
   for (std::size_t i = 0; i < Count; ++i) arc.scalars[i] = start_scalar(start, scale, from[i], to[i]);
-  arc.step = arc_step(angle2, row.mantissa, row.exponent);
+  arc.step = arc_step(angle2, row.mantissa, row.exponent, fine);
 }
 
 }  // namespace detail
@@ -96,11 +112,8 @@ constexpr void start_arc_edge(const EdgeSpan& edge, std::uint32_t chord, const s
 template <std::size_t Count>
 constexpr void make_arc_edge(const EdgeSpan& edge, std::uint32_t chord, const std::array<Unit, Count>& from,
                              const std::array<Unit, Count>& to, ArcEdge<Count>& arc) {
-  if (chord <= kNearChord) {
-    detail::start_arc_edge<NearAngle>(edge, chord, from, to, arc);
-  } else {
-    detail::start_arc_edge<Factor>(edge, chord, from, to, arc);
-  }
+  with_angle(arc_class(chord),
+             [&](auto angle) { detail::start_arc_edge<decltype(angle)>(edge, chord, from, to, arc); });
 }
 
 }  // namespace arcspan

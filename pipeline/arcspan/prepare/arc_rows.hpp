@@ -33,8 +33,8 @@ constexpr void make_arc_rows(Angle at_corner, Angle at_middle, const Reciprocal&
   rows.corner = at_corner.raw();
   rows.rise = (at_middle - at_corner).raw();
   const ArcFraction pixel = arc_fraction(width, 16);
-  const ArcStep corner = arc_step(at_corner, pixel.mantissa, pixel.exponent);
-  const ArcStep middle = arc_step(at_middle, pixel.mantissa, pixel.exponent);
+  const ArcStep corner = arc_step(at_corner, pixel.mantissa, pixel.exponent, 0);
+  const ArcStep middle = arc_step(at_middle, pixel.mantissa, pixel.exponent, 0);
   rows.k_shift = corner.shift < middle.shift ? corner.shift : middle.shift;
   rows.k_corner = corner.mantissa >> (corner.shift - rows.k_shift);
   rows.k_rise = (middle.mantissa >> (middle.shift - rows.k_shift)) - rows.k_corner;

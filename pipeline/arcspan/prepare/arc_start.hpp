@@ -28,40 +28,38 @@ struct ArcStart {
   Angle slope_even;
 };
 
-/// Any arc: `angle2` = psi^2 in 0...1.1 (60 degrees), `u` and `a` in 0...1. Second order: error of x and of
-/// the end that diff leads to at most 2e-5 up to 30 degrees and 1e-3 at 60, beside rounding.
-[[nodiscard]] constexpr ArcStart<Factor> arc_start(Factor angle2, Factor u, Factor a) {
+/// Any arc up to the limit of `Angle`; `u` and `a` in 0...1. Second order: error of x and of the end that
+/// diff leads to at most 2e-5 up to 30 degrees and 1e-3 at 60, beside rounding.
+template <class Angle>
+[[nodiscard]] constexpr ArcStart<Angle> arc_start(Angle angle2, Factor u, Factor a) {
+  constexpr Factor kOne = Factor::of(1.0);
   constexpr Factor kHalf = Factor::of(0.5);
+  const Angle p = angle2;
   const Factor c = u - kHalf;
   const Factor c2 = multiply<Factor>(c, c);
   const Factor v = c + Factor::from_raw(a.raw() >> 1);
   const Factor v2 = multiply<Factor>(v, v);
   const Factor a2 = multiply<Factor>(a, a);
-  const Factor p = angle2;
-  const Factor p2 = multiply<Factor>(p, p);
-  const Factor bow = multiply<Factor>(p, Factor::of(0.25) - c2);
+  const Angle bow = multiply<Angle>(p, Factor::of(0.25) - c2);
 
-  ArcStart<Factor> start;
+  ArcStart<Angle> start;
   // even = (p/2) (1/4 - c^2) (1 + p (5/4 - c^2) / 12)
-  const Factor even_rise = multiply<Factor>(multiply<Factor>(p, Factor::of(1.25) - c2), Factor::of(1.0 / 24));
-  start.even = multiply<Factor>(bow, kHalf + even_rise);
+  const Factor even_rise = multiply<Factor>(multiply<Angle>(p, Factor::of(1.25) - c2), Factor::of(1.0 / 24));
+  start.even = multiply<Angle>(bow, kHalf + even_rise);
   // odd = c (1 + p (1/4 - c^2) (1/6 + 0.0043 p))
   const Factor odd_rise = Factor::of(1.0 / 6) + multiply<Factor>(p, Factor::of(0.0043));
-  start.odd = c + multiply<Factor>(c, multiply<Factor>(bow, odd_rise));
-  // slope_odd = 1 + p (1 - a^2) / 24 + 0.0012 p^2 - v^2 p (1/2 + 0.0104 p)
-  const Factor one_minus_a2 = Factor::of(1.0) - a2;
-  const Factor odd_fall =
-      multiply<Factor>(v2, multiply<Factor>(p, kHalf + multiply<Factor>(p, Factor::of(0.0104))));
-  start.slope_odd = Factor::of(1.0) +
-                    multiply<Factor>(multiply<Factor>(p, one_minus_a2), Factor::of(1.0 / 24)) +
-                    multiply<Factor>(p2, Factor::of(0.0012)) - odd_fall;
-  // slope_even = -v p [1 + p (1/8 - a^2/24) + 0.0130 p^2 - v^2 p (1/6 + 0.0188 p)]
-  const Factor even_fall = multiply<Factor>(
-      v2, multiply<Factor>(p, Factor::of(1.0 / 6) + multiply<Factor>(p, Factor::of(0.0188))));
-  const Factor gain = Factor::of(1.0) +
-                      multiply<Factor>(p, Factor::of(0.125) - multiply<Factor>(a2, Factor::of(1.0 / 24))) +
-                      multiply<Factor>(p2, Factor::of(0.0130)) - even_fall;
-  start.slope_even = -multiply<Factor>(multiply<Factor>(v, p), gain);
+  start.odd = c + multiply<Factor>(c, multiply<Angle>(bow, odd_rise));
+  // slope_odd = 1 + p [(1 - a^2) / 24 + 0.0012 p - v^2 (1/2 + 0.0104 p)]
+  const Factor odd_fall = multiply<Factor>(v2, kHalf + multiply<Factor>(p, Factor::of(0.0104)));
+  const Factor odd_rate =
+      multiply<Factor>(kOne - a2, Factor::of(1.0 / 24)) + multiply<Factor>(p, Factor::of(0.0012)) - odd_fall;
+  start.slope_odd = kOne + multiply<Factor>(p, odd_rate);
+  // slope_even = -v p [1 + p (1/8 - a^2/24 + 0.0130 p - v^2 (1/6 + 0.0188 p))]
+  const Factor even_fall =
+      multiply<Factor>(v2, Factor::of(1.0 / 6) + multiply<Factor>(p, Factor::of(0.0188)));
+  const Factor even_rate = Factor::of(0.125) - multiply<Factor>(a2, Factor::of(1.0 / 24)) +
+                           multiply<Factor>(p, Factor::of(0.0130)) - even_fall;
+  start.slope_even = -multiply<Angle>(multiply<Angle>(v, p), kOne + multiply<Factor>(p, even_rate));
   return start;
 }
 

@@ -8,12 +8,14 @@
 
 namespace arcspan {
 
-/// k = 2 - 2 cos(phi) of an arc's step phi, block-floating: k = mantissa * 2^-(16 + shift). A zero mantissa
-/// makes the step linear. mantissa < 2^15; shift 1...31, so k < 1/4 (28.9 degrees a step); a larger k, which
-/// only occurs where an arc has no second step to make, saturates.
+/// k = 2 - 2 cos(phi) of an arc's step phi, block-floating, for differences with 30 + fine fraction bits:
+/// k = mantissa * 2^-(16 + shift + fine). A zero mantissa makes the step linear. mantissa < 2^15;
+/// shift 1...31. A k of 1/4 (28.9 degrees a step) or more only occurs where an arc has no second step to
+/// make, and saturates.
 struct ArcStep {
-  std::int32_t mantissa = 0;
-  std::int32_t shift = 31;
+  std::int32_t mantissa;
+  std::int32_t shift;
+  std::int32_t fine;
 };
 
 /// A scalar on its way along an arc: S0 eq. 14 in Reinsch's difference form,
@@ -38,27 +40,35 @@ struct ArcScalar {
     d += Unit::from_raw(wrap_add(kx, std::int32_t{1} << (shift - 1)) >> shift);
     x -= d;
   }
+
+  /// The same with a difference of 30 + fine fraction bits: over m steps the rounding of k x, which hardly
+  /// changes from one to the next, adds up to m^2 / 4 units of d. For edges, which may have 2048 rows.
+  constexpr void fine_step(const ArcStep& k) {
+    x += Unit::from_raw(d.raw() >> k.fine);
+    const std::int32_t kx = wrap_mul(k.mantissa, x.raw() >> 16);
+    d -= Unit::from_raw(wrap_add(kx, std::int32_t{1} << (k.shift - 1)) >> k.shift);
+  }
 };
 
 /// k of an arc whose squared angle is `angle2` and whose step is the fraction a = mantissa * 2^-exponent of
 /// it, mantissa in [2^15, 2^16], exponent >= 16 (a <= 1): phi^2 = a^2 psi^2, k = phi^2 (1 - phi^2/12).
 template <class Angle>
-[[nodiscard]] constexpr ArcStep arc_step(Angle angle2, std::uint32_t mantissa, int exponent) {
-  // phi^2 = wide * 2^-(15 + Angle bits + scale), wide below 1.1 * 2^30.
+[[nodiscard]] constexpr ArcStep arc_step(Angle angle2, std::uint32_t mantissa, int exponent, int fine) {
+  // phi^2 = wide * 2^-(30 + scale), wide below 1.1 * 2^30.
   const std::uint32_t half = mantissa >> 1;
   const std::uint32_t once = (static_cast<std::uint32_t>(angle2.raw()) * half + (1u << 14)) >> 15;
   std::uint32_t wide = once * half;
   const int scale = 2 * (exponent - 16) + Angle::kFraction - 15;
-  if (wide == 0) return {};
+  if (wide == 0) return {0, 31, fine};
   if (scale < 16) {
     const std::uint32_t phi2 = wide >> (15 + scale);  // 15 fraction bits
     wide -= (wide >> 15) * ((phi2 * 2731u) >> 15);    // phi^2 / 12
   }
   const int drop = 17 - std::countl_zero(wide);  // leaves 15 bits
-  const int shift = 14 + scale - drop;
-  if (shift < 1) return {32767, 1};
-  if (shift > 31) return {};
-  return {static_cast<std::int32_t>(drop >= 0 ? wide >> drop : wide << -drop), shift};
+  const int shift = 14 + scale - drop - fine;
+  if (shift < 1) return {32767, 1, fine};
+  if (shift > 31) return {0, 31, fine};
+  return {static_cast<std::int32_t>(drop >= 0 ? wide >> drop : wide << -drop), shift, fine};
 }
 
 }  // namespace arcspan

@@ -23,8 +23,33 @@ template <class Method>
 /// Halving 180 degrees three times leaves less than the 60 that arcs are good for.
 inline constexpr int kMaxSplits = 3;
 
+namespace detail {
+
+/// Halves ab.
+template <class Method, class Emit>
+constexpr void split_one_edge(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+                              const RasterVertex<Method>& c, const Emit& emit) {
+  const RasterVertex<Method> m = middle_vertex(a, b);
+  emit(a, m, c);
+  emit(m, b, c);
+}
+
+/// Halves ab and bc.
+template <class Method, class Emit>
+constexpr void split_two_edges(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+                               const RasterVertex<Method>& c, const Emit& emit) {
+  const RasterVertex<Method> m = middle_vertex(a, b);
+  const RasterVertex<Method> n = middle_vertex(b, c);
+  emit(m, b, n);
+  emit(a, m, n);
+  emit(a, n, c);
+}
+
+}  // namespace detail
+
 /// Calls `emit(a, b, c)` for the parts of a triangle whose normals are close enough for its method. Every
-/// edge that is too wide is halved, whatever the other two are: the decision is the edge's own.
+/// edge that is too wide is halved at once, whatever the other two are: an edge's fate is its own, so that no
+/// gap opens towards the triangle behind it, however deep either may be split.
 template <int Splits, class Method, class Emit>
 constexpr void split_triangle(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                               const RasterVertex<Method>& c, Emit& emit) {
@@ -46,19 +71,18 @@ constexpr void split_triangle(const RasterVertex<Method>& a, const RasterVertex<
       again(m, b, n);
       again(o, n, c);
       again(m, n, o);
-    } else if (ab && !ca) {
-      // One wide edge, or ab and bc: cut from its middle to the opposite corner, the rest follows.
-      const RasterVertex<Method> m = middle_vertex(a, b);
-      again(a, m, c);
-      again(m, b, c);
-    } else if (bc && !ab) {
-      const RasterVertex<Method> m = middle_vertex(b, c);
-      again(b, m, a);
-      again(m, c, a);
+    } else if (ab && bc) {
+      detail::split_two_edges(a, b, c, again);
+    } else if (bc && ca) {
+      detail::split_two_edges(b, c, a, again);
+    } else if (ca && ab) {
+      detail::split_two_edges(c, a, b, again);
+    } else if (ab) {
+      detail::split_one_edge(a, b, c, again);
+    } else if (bc) {
+      detail::split_one_edge(b, c, a, again);
     } else {
-      const RasterVertex<Method> m = middle_vertex(c, a);
-      again(c, m, b);
-      again(m, a, b);
+      detail::split_one_edge(c, a, b, again);
     }
   }
 }

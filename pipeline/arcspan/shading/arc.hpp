@@ -30,9 +30,12 @@ struct Arc {
     ArcRows upper_rows;
     ArcRows lower_rows;
     std::int32_t slope_drop;
-    bool near_rows;  ///< all rows are within kNearAngle2
+    ArcClass rows;  ///< the format of the rows' angles
     bool middle_left;
   };
+  /// The recurrence's rounding adds up to m^2 / 4 units of 2^-30: 1.5e-5 over 256 pixels, then the row starts
+  /// anew.
+  static constexpr std::int32_t kLongestRun = 256;
   static constexpr bool kNeedsFaceNormal = false;
 
   /// Normals farther apart than 60 degrees (squared chord 1) are not interpolated; the triangle is split.
@@ -53,6 +56,7 @@ struct Arc {
     constexpr Factor kHalf = Factor::of(0.5);
     for (int halvings = 0; halvings < 2 && too_wide(from, to); ++halvings) {
       const Vertex middle = middle_of(from, to);
+      if (t == kHalf) return middle;  // exact, and the same from either end
       if (t < kHalf) {
         to = middle;
         t = t + t;
@@ -80,12 +84,8 @@ struct Arc {
     }
     const std::uint32_t widest = chords.widest();
     prepared.slope_drop = arcspan::slope_drop(widest);
-    prepared.near_rows = widest <= kNearChord;
-    if (prepared.near_rows) {
-      prepare_rows<NearAngle>(frame, chords, prepared);
-    } else {
-      prepare_rows<Factor>(frame, chords, prepared);
-    }
+    prepared.rows = arc_class(widest);
+    with_angle(prepared.rows, [&](auto angle) { prepare_rows<decltype(angle)>(frame, chords, prepared); });
     prepared.middle_left = frame.middle_left;
   }
 
@@ -117,7 +117,7 @@ struct Arc {
         : prepared_(&prepared), short_(&prepared.upper_edge), rows_(&prepared.upper_rows) {}
 
     [[nodiscard]] constexpr Run row(const RowStart& start) const {
-      return prepared_->near_rows ? row_as<NearAngle>(start) : row_as<Factor>(start);
+      return with_angle(prepared_->rows, [&](auto angle) { return row_as<decltype(angle)>(start); });
     }
 
     constexpr void next_row() {
@@ -134,15 +134,15 @@ struct Arc {
     template <class Angle>
     [[nodiscard]] constexpr Run row_as(const RowStart& start) const {
       const Factor t = Factor::from_raw(rows_->t >> 15);
-      const Factor t2 = multiply_floor<Factor>(t, t);
+      const Factor t2 = multiply<Factor>(t, t);
       const Angle angle2 = multiply<Angle>(
-          t2, Angle::from_raw(rows_->corner) + multiply_floor<Angle>(t2, Angle::from_raw(rows_->rise)));
+          t2, Angle::from_raw(rows_->corner) + multiply<Angle>(t2, Angle::from_raw(rows_->rise)));
       const std::int32_t mantissa = wrap_add(rows_->k_corner, wrap_mul(rows_->k_rise, t2.raw()) >> 15);
 
       const Reciprocal inverse = reciprocal(start.width);
       const ArcFraction pixel = arc_fraction(inverse, start.bits);
       const ArcStart<Angle> arc = arc_start(angle2, fraction_of_row(start, inverse), pixel.factor());
-      const SlopeScale scale = slope_scale(pixel, prepared_->slope_drop);
+      const SlopeScale scale = slope_scale(pixel, prepared_->slope_drop, 0);
 
       const ArcEdge<kScalars>& left = prepared_->middle_left ? *short_ : prepared_->long_edge;
       const ArcEdge<kScalars>& right = prepared_->middle_left ? prepared_->long_edge : *short_;
@@ -230,11 +230,12 @@ struct Arc {
       const Factor sum = middle + multiply<Factor>(at.even, middle) + multiply<Factor>(at.odd, rise);
       return NormalComponent::from_raw(static_cast<std::int16_t>(round_shift(sum.raw(), 1)));
     };
+    constexpr SlopeScale kWholeArc = slope_scale(ArcFraction{}, 15, 0);  // only x is wanted of start_scalar()
     Vertex point;
     point.normal = {component(a.normal.x, b.normal.x), component(a.normal.y, b.normal.y),
                     component(a.normal.z, b.normal.z)};
     for (std::size_t i = 0; i < kScalars; ++i) {
-      point.scalars[i] = start_scalar(at, {0, 1, 0}, a.scalars[i], b.scalars[i]).x;
+      point.scalars[i] = start_scalar(at, kWholeArc, a.scalars[i], b.scalars[i]).x;
     }
     return point;
   }

@@ -13,6 +13,7 @@ struct Flat {
   using Face = PackedRgb;
   struct Vertex {};
   using Prepared = PackedRgb;
+  static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
   static constexpr bool kNeedsFaceNormal = true;
 
   [[nodiscard]] static Vertex shade_vertex(const Object&, const Direction&) { return {}; }

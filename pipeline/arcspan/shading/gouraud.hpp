@@ -19,6 +19,7 @@ struct Gouraud {
     LinearPlane b;
     bool middle_left;
   };
+  static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
   static constexpr bool kNeedsFaceNormal = false;
 
   [[nodiscard]] static Vertex shade_vertex(const Object& object, const Direction& normal) {

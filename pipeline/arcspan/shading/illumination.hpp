@@ -124,7 +124,10 @@ class Illumination {
     if constexpr (Model == Highlight::kBlinn) {
       return (1 << (Unit::kFraction - 1)) - (other.raw() >> 1);
     } else {
-      return wrap_sub(half_one_plus_light_eye_[light], wrap_mul(normal_light.raw() >> 15, other.raw() >> 15));
+      // 15 rounded bits each: truncated ones would shift a highlight of n = 64 by up to two 8-bit steps.
+      const std::int32_t product =
+          wrap_mul(round_shift(normal_light.raw(), 15), round_shift(other.raw(), 15));
+      return wrap_sub(half_one_plus_light_eye_[light], product);
     }
   }
 

@@ -98,12 +98,16 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
   const std::int32_t first = begin < clip.left ? clip.left : begin;
   const std::int32_t last = end > clip.right ? clip.right : end;
   if (first >= last) return Status::kOk;
-  const std::uint32_t fraction = left.fraction() + (static_cast<std::uint32_t>(first - begin) << 16);
-  typename Method::Run run = walk.shade.row(row_start(left, right, fraction));
-  const Span span{y, first, last - first};
-  draw_run<typename Sink::Format, Method>(sink.open(span), span, run, object, depth, walk.depth.at(fraction),
-                                          walk.depth.dx());
-  return sink.close(span);
+  for (std::int32_t x = first; x < last; x += Method::kLongestRun) {
+    const Span span{y, x, last - x < Method::kLongestRun ? last - x : Method::kLongestRun};
+    const std::uint32_t fraction = left.fraction() + (static_cast<std::uint32_t>(x - begin) << 16);
+    typename Method::Run run = walk.shade.row(row_start(left, right, fraction));
+    draw_run<typename Sink::Format, Method>(sink.open(span), span, run, object, depth,
+                                            walk.depth.at(fraction), walk.depth.dx());
+    const Status status = sink.close(span);
+    if (!ok(status)) return status;
+  }
+  return Status::kOk;
 }
 
 }  // namespace detail

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/prepare/triangle.hpp>
+#include <arcspan/shading/flat.hpp>
+#include <arcspan/span/draw_command.hpp>
+#include <tests/support/strict_sink.hpp>
+
+namespace arcspan::test {
+
+/// Method for tests that only look at coverage: nothing is interpolated.
+using Silhouette = Flat<Illumination<1, Highlight::kBlinn>>;
+
+/// The raster half of the pipeline, from vertices on the screen to a sink, as draw_mesh runs it.
+template <class Method, class Sink, class Depth = NoDepth>
+class RasterStage {
+ public:
+  RasterStage(Sink& sink, std::int32_t width, std::int32_t height, typename Method::Object object = {},
+              Depth depth = {})
+      : sink_(sink),
+        object_(object),
+        depth_(depth),
+        origin_{width / 2, height / 2},
+        rows_{-(height / 2), height - height / 2},
+        clip_(sink.bounds()) {}
+
+  /// True if the triangle gave a command.
+  bool draw(const RasterVertex<Method>& a, const RasterVertex<Method>& b, const RasterVertex<Method>& c,
+            const typename Method::Face& face = {}) {
+    TriangleCommand<Method> command;
+    if (!prepare_triangle(a, b, c, face, rows_, command)) return false;
+    return ok(draw_command(command, origin_, clip_, object_, sink_, depth_));
+  }
+
+  void clip_to(const Rect& clip) { clip_ = clip; }
+  [[nodiscard]] const Rect& clip() const { return clip_; }
+  [[nodiscard]] RasterOrigin origin() const { return origin_; }
+
+ private:
+  Sink& sink_;
+  typename Method::Object object_;
+  Depth depth_;
+  RasterOrigin origin_;
+  RowRange rows_;
+  Rect clip_;
+};
+
+[[nodiscard]] inline RasterVertex<Silhouette> at(std::int32_t x, std::int32_t y) {
+  return {{static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), 0}, {}};
+}
+
+}  // namespace arcspan::test

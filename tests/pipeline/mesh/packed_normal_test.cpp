@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/mesh/packed_normal.hpp>
-#include <tests/support/vec3.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/vec3.hpp>
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/numbers/direction.hpp>
-#include <tests/support/vec3.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/vec3.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -62,7 +62,8 @@ TEST_CASE("dot products of unit vectors stay within rounding of the truth") {
   for (int i = 0; i < 500000; ++i) {
     const Vec3 a = random_unit(random);
     const Vec3 b = random.chance(0.5) ? random_unit(random) : tilted(random, a, random.decades(1e-5, 1e-2));
-    worst = std::max(worst, std::abs(to_double(arcspan::dot(to_direction(a), to_direction(b))) - test::dot(a, b)));
+    worst = std::max(worst,
+                     std::abs(to_double(arcspan::dot(to_direction(a), to_direction(b))) - test::dot(a, b)));
   }
   CHECK(worst < 0x1p-14);
 }

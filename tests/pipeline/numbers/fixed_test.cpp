@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/numbers/fixed.hpp>
 #include <arcspan/numbers/formats.hpp>
-#include <tests/support/random.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/random.hpp>
 
 #include <cmath>
 #include <concepts>
@@ -24,11 +24,17 @@ using Q30 = Fixed<std::int32_t, 30>;
 using Narrow = Fixed<std::int16_t, 14>;
 
 template <class A, class B>
-concept Divides = requires(A a, B b) { a / b; };
+concept Divides = requires(A a, B b) {
+  a / b;
+};
 template <class A, class B>
-concept Adds = requires(A a, B b) { a + b; };
+concept Adds = requires(A a, B b) {
+  a + b;
+};
 template <class A, class B>
-concept Multiplies = requires(A a, B b) { a * b; };
+concept Multiplies = requires(A a, B b) {
+  a* b;
+};
 
 // What must not compile; tests/pipeline/numbers/misuse checks the messages.
 static_assert(!Divides<Q15, Q15> && !Divides<Q15, int> && !Divides<int, Q15>);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/numbers/root.hpp>
-#include <tests/support/random.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/random.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What must hold bit for bit: seams, reversibility, flat surfaces.
 #include <arcspan/shading/arc.hpp>
+
+#include <catch2/catch.hpp>
 #include <tests/support/probe.hpp>
 #include <tests/support/raster_stage.hpp>
 #include <tests/support/vec3.hpp>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 
@@ -29,9 +29,12 @@ const ArcEdge<3>* edge_between(const Vertex& p, const Vertex& q, const Vertex* c
   const Vertex* sorted[3] = {v[0], v[1], v[2]};
   std::stable_sort(sorted, sorted + 3,
                    [](const Vertex* a, const Vertex* b) { return a->position.y < b->position.y; });
-  const auto is = [&](const Vertex* a, const Vertex* b) { return (a == &p && b == &q) || (a == &q && b == &p); };
+  const auto is = [&](const Vertex* a, const Vertex* b) {
+    return (a == &p && b == &q) || (a == &q && b == &p);
+  };
   if (is(sorted[0], sorted[2])) return &command.shade.long_edge;
-  if (is(sorted[0], sorted[1])) return command.first_row < command.middle_row ? &command.shade.upper_edge : nullptr;
+  if (is(sorted[0], sorted[1]))
+    return command.first_row < command.middle_row ? &command.shade.upper_edge : nullptr;
   return command.middle_row < command.end_row ? &command.shade.lower_edge : nullptr;
 }
 
@@ -111,7 +114,8 @@ TEST_CASE("a flat surface is exactly constant") {
   for (int i = 0; i < 4000; ++i) {
     for (Direction& axis : probe.axes) axis = to_direction(random_unit(random));
     const Vec3 normal = random_unit(random);
-    const Vertex v[3] = {random_vertex(random, probe, normal, 0, 1024), random_vertex(random, probe, normal, 0, 1024),
+    const Vertex v[3] = {random_vertex(random, probe, normal, 0, 1024),
+                         random_vertex(random, probe, normal, 0, 1024),
                          random_vertex(random, probe, normal, 0, 1024)};
     samples.clear();
     RasterStage<Method, StrictSink> stage(sink, 128, 128, probe);
@@ -143,7 +147,8 @@ TEST_CASE("a pixel in a corner has the corner's scalars") {
   for (int i = 0; i < 20000; ++i) {
     for (Direction& axis : probe.axes) axis = to_direction(random_unit(random));
     const Vec3 around = random_unit(random);
-    Vertex v[3] = {random_vertex(random, probe, around, 0.25, 1000), random_vertex(random, probe, around, 0.25, 1000),
+    Vertex v[3] = {random_vertex(random, probe, around, 0.25, 1000),
+                   random_vertex(random, probe, around, 0.25, 1000),
                    random_vertex(random, probe, around, 0.25, 1000)};
     // The first corner on a pixel's centre; the pixel is drawn if the corner is top-left.
     v[0].position = {static_cast<std::int16_t>((v[0].position.x & ~15) | 8),
@@ -162,7 +167,8 @@ TEST_CASE("a pixel in a corner has the corner's scalars") {
     }
     ++hits;
     for (std::size_t k = 0; k < 3; ++k) {
-      worst = std::max(worst, std::abs(to_double(samples.at(before).scalars[k]) - to_double(v[0].shade.scalars[k])));
+      worst = std::max(worst,
+                       std::abs(to_double(samples.at(before).scalars[k]) - to_double(v[0].shade.scalars[k])));
     }
   }
   CHECK(hits > 2000);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/shading/power_table.hpp>
-#include <tests/support/random.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/random.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ double worst_error(std::int32_t n) {
     worst = std::max(worst, std::abs(looked_up(table, half_distance) - truth(n, half_distance)));
   };
   for (std::int32_t i = 0; i <= 8192; ++i) {
-    check(i << 16);                                                          // the whole range 1 ... 0
+    check(i << 16);                                                                 // the whole range 1 ... 0
     check(static_cast<std::int32_t>(std::int64_t{table.half_reach()} * i / 8192));  // the part in the table
   }
   for (std::int32_t d = -3; d <= 3; ++d) check(std::max(0, table.half_reach() + d));

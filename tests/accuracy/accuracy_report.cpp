@@ -28,11 +28,13 @@ AccuracyFigures measure_class(int index, int triangles) {
 }
 
 void print(int index, const AccuracyFigures& f) {
-  std::printf("| %.0f° | %llu | %llu | %.1e (%.1e) | %.1e (%.1e) | %.1e (%.1e) | %d / %.2f | %d / %.2f | %d / %.2f |\n",
-              kClasses[index + 1], static_cast<unsigned long long>(f.triangles),
-              static_cast<unsigned long long>(f.pixels), f.normal_light.max, f.normal_light.rms(),
-              f.normal_half.max, f.normal_half.rms(), f.normal_eye.max, f.normal_eye.rms(), f.matt_steps,
-              f.matt.max, f.blinn_steps, f.blinn.max, f.phong_steps, f.phong.max);
+  std::printf(
+      "| %.0f° | %llu | %llu | %.1e (%.1e) | %.1e (%.1e) | %.1e (%.1e) | %d / %.2f | %d / %.2f | %d / %.2f "
+      "|\n",
+      kClasses[index + 1], static_cast<unsigned long long>(f.triangles),
+      static_cast<unsigned long long>(f.pixels), f.normal_light.max, f.normal_light.rms(), f.normal_half.max,
+      f.normal_half.rms(), f.normal_eye.max, f.normal_eye.rms(), f.matt_steps, f.matt.max, f.blinn_steps,
+      f.blinn.max, f.phong_steps, f.phong.max);
   std::fflush(stdout);
 }
 
@@ -45,11 +47,15 @@ int main(int argc, char** argv) {
       "# Measured accuracy of the arcs\n\n"
       "Printed by the program `accuracy_report` (CMake target `update_accuracy` writes it here); the tests\n"
       "check the bounds. Random triangles from a third of a pixel to the whole guard band, slim ones among\n"
-      "them, go through triangle preparation and the span stage with normals packed as in a mesh. Every pixel\n"
-      "is compared with bilinear SLERP of the exact normals in double precision: along the screen edges by the\n"
+      "them, go through triangle preparation and the span stage with normals packed as in a mesh. Every "
+      "pixel\n"
+      "is compared with bilinear SLERP of the exact normals in double precision: along the screen edges by "
+      "the\n"
       "row centre's fraction, then along the row by the pixel centre's.\n\n"
-      "Cosines: largest (root mean square) error. Channels: largest difference in 8-bit steps from the rounded\n"
-      "truth / from the unrounded truth, of which half a step is rounding. Random materials, shininess 1 to 64,\n"
+      "Cosines: largest (root mean square) error. Channels: largest difference in 8-bit steps from the "
+      "rounded\n"
+      "truth / from the unrounded truth, of which half a step is rounding. Random materials, shininess 1 to "
+      "64,\n"
       "specular coefficients up to 1.\n\n"
       "| normals apart up to | triangles | pixels | N·L | N·H | N·V | diffuse only | Blinn | Phong |\n"
       "|---|---|---|---|---|---|---|---|---|");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/shading/arc.hpp>
+
 #include <tests/support/accuracy.hpp>
 #include <tests/support/illumination_oracle.hpp>
 #include <tests/support/probe.hpp>
@@ -204,8 +205,7 @@ class Measurement {
     }
     const auto left = static_cast<std::int32_t>(x / sum / 16) + kPicture / 2 - 24;
     const auto top = static_cast<std::int32_t>(y / sum / 16) + kPicture / 2 - 24;
-    return {std::max(left, 0), std::max(top, 0), std::min(left + 48, kPicture),
-            std::min(top + 48, kPicture)};
+    return {std::max(left, 0), std::max(top, 0), std::min(left + 48, kPicture), std::min(top + 48, kPicture)};
   }
 
   void compare(const Subject& subject, const Lighting& lighting) {

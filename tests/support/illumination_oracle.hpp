@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/shading/illumination.hpp>
+
 #include <tests/support/vec3.hpp>
 
 #include <algorithm>
@@ -26,8 +27,7 @@ struct IlluminationOracle {
     const double s = lit ? std::pow(std::max(0.0, cosine), shininess) : 0;
     Levels result;
     for (std::size_t c = 0; c < 3; ++c) {
-      result[c] =
-          std::clamp(255 * (ambient[c] + strength * (diffuse[c] * d + specular[c] * s)), 0.0, 255.0);
+      result[c] = std::clamp(255 * (ambient[c] + strength * (diffuse[c] * d + specular[c] * s)), 0.0, 255.0);
     }
     return result;
   }

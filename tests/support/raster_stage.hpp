@@ -4,6 +4,7 @@
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/span/draw_command.hpp>
+
 #include <tests/support/strict_sink.hpp>
 
 namespace arcspan::test {

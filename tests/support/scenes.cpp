@@ -26,7 +26,8 @@ MeshView TestMesh::view() const {
 
 TestMesh TestMesh::inside_out() const {
   TestMesh turned = *this;
-  for (std::size_t i = 0; i < turned.indices.size(); i += 3) std::swap(turned.indices[i + 1], turned.indices[i + 2]);
+  for (std::size_t i = 0; i < turned.indices.size(); i += 3)
+    std::swap(turned.indices[i + 1], turned.indices[i + 2]);
   for (PackedNormal& normal : turned.normals) {
     const Direction n = unpack_normal(normal);
     normal = pack_normal(-n.x.raw(), -n.y.raw(), -n.z.raw());
@@ -36,21 +37,21 @@ TestMesh TestMesh::inside_out() const {
 
 TestMesh make_sphere(int rings, int segments, double radius, double jitter, Random& random) {
   TestMesh mesh;
-  const auto place = [&](Vec3 n) {
-    return mesh.add(radius * (1 - jitter * random.unit()) * n, n);
-  };
+  const auto place = [&](Vec3 n) { return mesh.add(radius * (1 - jitter * random.unit()) * n, n); };
   const std::uint16_t top = place({0, 1, 0});
   std::vector<std::uint16_t> ring;
   for (int i = 1; i < rings; ++i) {
     for (int j = 0; j < segments; ++j) {
       const double theta = std::numbers::pi * i / rings;
       const double phi = 2 * std::numbers::pi * j / segments;
-      ring.push_back(place(
-          {std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi)}));
+      ring.push_back(
+          place({std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi)}));
     }
   }
   const std::uint16_t bottom = place({0, -1, 0});
-  const auto at = [&](int i, int j) { return ring[static_cast<std::size_t>((i - 1) * segments + j % segments)]; };
+  const auto at = [&](int i, int j) {
+    return ring[static_cast<std::size_t>((i - 1) * segments + j % segments)];
+  };
   for (int j = 0; j < segments; ++j) {
     mesh.triangle(top, at(1, j), at(1, j + 1));
     for (int i = 1; i + 1 < rings; ++i) {
@@ -94,10 +95,12 @@ Vec3 TestCamera::to_view(Vec3 object) const {
 
 ClipTransform TestCamera::transform() const {
   const auto entry = [](double v) {
-    return RotationEntry::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(v, RotationEntry::kFraction))));
+    return RotationEntry::from_raw(
+        static_cast<std::int32_t>(std::lround(std::ldexp(v, RotationEntry::kFraction))));
   };
   const auto object_length = [](double v) {
-    return ObjectLength::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(v, ObjectLength::kFraction))));
+    return ObjectLength::from_raw(
+        static_cast<std::int32_t>(std::lround(std::ldexp(v, ObjectLength::kFraction))));
   };
   Placement placement;
   const Vec3 rows[3] = {right, up, back};
@@ -109,8 +112,8 @@ ClipTransform TestCamera::transform() const {
     placement.translation[i] = object_length(shift[i]);
   }
   Projection projection;
-  projection.focal =
-      PixelLength::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(focal, PixelLength::kFraction))));
+  projection.focal = PixelLength::from_raw(
+      static_cast<std::int32_t>(std::lround(std::ldexp(focal, PixelLength::kFraction))));
   projection.near_plane = object_length(near_plane);
   projection.far_plane = object_length(far_plane);
   ClipTransform transform;

@@ -4,6 +4,7 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/shading/illumination.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
+
 #include <tests/support/vec3.hpp>
 
 #include <cstdint>
@@ -65,7 +66,8 @@ template <std::size_t Lights, Highlight Model>
     lights[i].strength = Lights == 1 ? Coefficient::of(1.0) : Coefficient::of(0.6);
   }
   Illumination<Lights, Model> illumination;
-  static_cast<void>(Illumination<Lights, Model>::make(material, lights, to_direction(camera.back), illumination));
+  static_cast<void>(
+      Illumination<Lights, Model>::make(material, lights, to_direction(camera.back), illumination));
   return illumination;
 }
 

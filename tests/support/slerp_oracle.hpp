@@ -65,7 +65,8 @@ class TriangleOracle {
     Vec3 normal;
   };
   [[nodiscard]] static End end(const Corner& top, const Corner& bottom, double y) {
-    const double t = (y - static_cast<double>(top.point.y)) / static_cast<double>(bottom.point.y - top.point.y);
+    const double t =
+        (y - static_cast<double>(top.point.y)) / static_cast<double>(bottom.point.y - top.point.y);
     const auto x0 = static_cast<double>(top.point.x);
     return {x0 + t * (static_cast<double>(bottom.point.x) - x0), Slerp(top.normal, bottom.normal)(t)};
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/numbers/direction.hpp>
+
 #include <tests/support/random.hpp>
 
 #include <cmath>
@@ -28,7 +29,9 @@ struct Vec3 {
 [[nodiscard]] inline Vec3 normalised(Vec3 v) { return (1 / length(v)) * v; }
 
 /// Precise for small angles and near 180 degrees alike.
-[[nodiscard]] inline double angle_between(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+[[nodiscard]] inline double angle_between(Vec3 a, Vec3 b) {
+  return std::atan2(length(cross(a, b)), dot(a, b));
+}
 
 [[nodiscard]] inline double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 [[nodiscard]] inline double degrees(double radians) { return radians * 180 / std::numbers::pi; }

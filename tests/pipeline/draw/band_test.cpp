@@ -5,9 +5,9 @@
 #include <arcspan/shading/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <tests/support/scenes.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/scenes.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -83,9 +83,8 @@ Picture drawn(const Scene& scene, std::int32_t rows, bool with_depth, bool with_
     depth.clear();
     const DrawOptions options{two_sided};
     const DrawResult result =
-        with_depth
-            ? draw_mesh<Method>(mesh, transform, object, band, depth, std::span(cache), options)
-            : draw_mesh<Method>(mesh, transform, object, band, NoDepth{}, std::span(cache), options);
+        with_depth ? draw_mesh<Method>(mesh, transform, object, band, depth, std::span(cache), options)
+                   : draw_mesh<Method>(mesh, transform, object, band, NoDepth{}, std::span(cache), options);
     REQUIRE(ok(result.status));
     picture.triangles += result.triangles;
     picture.pixels.insert(picture.pixels.end(), memory.begin(), memory.end());

@@ -2,10 +2,10 @@
 // Seen from inside, a closed mesh covers every pixel exactly once, wherever its triangles are cut.
 #include <arcspan/draw.hpp>
 #include <arcspan/shading/arc.hpp>
-#include <tests/support/raster_stage.hpp>
-#include <tests/support/scenes.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/raster_stage.hpp>
+#include <tests/support/scenes.hpp>
 
 #include <cstdio>
 #include <cstdlib>

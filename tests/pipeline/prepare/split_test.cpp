@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/prepare/split.hpp>
 #include <arcspan/shading/arc.hpp>
-#include <tests/support/slerp_oracle.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/slerp_oracle.hpp>
 
 #include <set>
 
@@ -78,8 +78,10 @@ TEST_CASE("a vertex between two others lies on their arc") {
       const Vec3 m = tilted(random, n, radians(limits[k] * std::sqrt(random.unit())));
       const Vec3 axis = random_unit(random);
       Method::Vertex v[2] = {{to_normal(to_direction(n)), {}}, {to_normal(to_direction(m)), {}}};
-      v[0].scalars = {Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(dot(n, axis), 30)))), {}};
-      v[1].scalars = {Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(dot(m, axis), 30)))), {}};
+      v[0].scalars = {Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(dot(n, axis), 30)))),
+                      {}};
+      v[1].scalars = {Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(dot(m, axis), 30)))),
+                      {}};
       const std::int32_t raw = random.integer(0, 32768);
       const Method::Vertex got = Method::between(v[0], v[1], Factor::from_raw(raw));
       const Vec3 truth = Slerp(n, m)(raw / 32768.0);
@@ -99,7 +101,8 @@ TEST_CASE("splitting keeps the area, the orientation and narrow arcs") {
   double largest_difference = 0;
   for (int i = 0; i < 20000; ++i) {
     const Vec3 around = random_unit(random);
-    const Vertex v[3] = {random_vertex(random, around, radians(60)), random_vertex(random, around, radians(60)),
+    const Vertex v[3] = {random_vertex(random, around, radians(60)),
+                         random_vertex(random, around, radians(60)),
                          random_vertex(random, around, radians(60))};
     double area = 0;
     const auto emit = [&](const Vertex& a, const Vertex& b, const Vertex& c) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every pixel of random triangles against bilinear SLERP in double precision. docs/accuracy.md holds the
 // measured figures; here are the bounds.
-#include <tests/support/accuracy.hpp>
-
 #include <catch2/catch.hpp>
+#include <tests/support/accuracy.hpp>
 
 #include <cstdlib>
 

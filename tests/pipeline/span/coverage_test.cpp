@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Every pixel of random triangles against the exact top-left rule.
+#include <catch2/catch.hpp>
 #include <tests/support/coverage.hpp>
 #include <tests/support/random.hpp>
 #include <tests/support/raster_stage.hpp>
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 
@@ -97,7 +96,8 @@ class Comparison {
     const Rect picture = sink_.bounds();
     const auto pixel = [](std::int64_t v) { return static_cast<std::int32_t>(v >> 4); };
     Rect r{std::max(pixel(left) - 1 + o.x, picture.left), std::max(pixel(top) - 1 + o.y, picture.top),
-           std::min(pixel(right) + 2 + o.x, picture.right), std::min(pixel(bottom) + 2 + o.y, picture.bottom)};
+           std::min(pixel(right) + 2 + o.x, picture.right),
+           std::min(pixel(bottom) + 2 + o.y, picture.bottom)};
     if (r.right < r.left) r.right = r.left;
     if (r.bottom < r.top) r.bottom = r.top;
     return r;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The rasterisation truths that others have published (shading.md section 10).
-#include <tests/support/raster_stage.hpp>
-
 #include <catch2/catch.hpp>
+#include <tests/support/raster_stage.hpp>
 
 #include <cmath>
 #include <numbers>

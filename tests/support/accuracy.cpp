@@ -39,7 +39,6 @@ void AccuracyFigures::add(const AccuracyFigures& other) {
   matt_steps = std::max(matt_steps, other.matt_steps);
   blinn_steps = std::max(blinn_steps, other.blinn_steps);
   phong_steps = std::max(phong_steps, other.phong_steps);
-  phong_beyond_two += other.phong_beyond_two;
   missing_pixels += other.missing_pixels;
 }
 
@@ -235,17 +234,15 @@ class Measurement {
     figures_.normal_half.add(to_double(sample.scalars[1]) - half);
     figures_.normal_eye.add(to_double(sample.scalars[2]) - eye);
     const double reflected = 2 * light * eye - dot(lighting.light, lighting.eye);
-    std::uint64_t ignored = 0;
-    colour(sample.matt, matt, light, half, figures_.matt, figures_.matt_steps, ignored);
-    colour(sample.blinn, shiny, light, half, figures_.blinn, figures_.blinn_steps, ignored);
-    colour(sample.phong, shiny, light, reflected, figures_.phong, figures_.phong_steps,
-           figures_.phong_beyond_two);
+    colour(sample.matt, matt, light, half, figures_.matt, figures_.matt_steps);
+    colour(sample.blinn, shiny, light, half, figures_.blinn, figures_.blinn_steps);
+    colour(sample.phong, shiny, light, reflected, figures_.phong, figures_.phong_steps);
     ++figures_.pixels;
   }
 
   /// The highlight ends sharply where N·L = 0; there either side of the step is right.
   static void colour(Rgb8 got, const IlluminationOracle& oracle, double light, double cosine,
-                     ErrorFigure& figure, int& steps, std::uint64_t& beyond_two) {
+                     ErrorFigure& figure, int& steps) {
     const bool lit = light > 0;
     const IlluminationOracle::Levels truth = oracle.levels(light, cosine, lit);
     const bool border = std::abs(light) < 0x1p-11;
@@ -255,9 +252,7 @@ class Measurement {
       const bool nearer = std::abs(channels[c] - other[c]) < std::abs(channels[c] - truth[c]);
       const double best = nearer ? other[c] : truth[c];
       figure.add(channels[c] - best);
-      const int off = static_cast<int>(std::abs(channels[c] - std::round(best)));
-      steps = std::max(steps, off);
-      beyond_two += off > 2 ? 1u : 0u;
+      steps = std::max(steps, static_cast<int>(std::abs(channels[c] - std::round(best))));
     }
   }
 

@@ -31,8 +31,7 @@ struct AccuracyFigures {
   int matt_steps = 0;
   int blinn_steps = 0;
   int phong_steps = 0;
-  std::uint64_t phong_beyond_two = 0;  ///< channels that are more than 2 steps off
-  std::uint64_t missing_pixels = 0;    ///< samples that did not come with their run
+  std::uint64_t missing_pixels = 0;  ///< samples that did not come with their run
 
   void add(const AccuracyFigures& other);
 };

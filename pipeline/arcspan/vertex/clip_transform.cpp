@@ -63,9 +63,11 @@ Status ClipTransform::make(const Placement& placement, const Projection& project
     transform.offset_[i] = rescaled(sign * placement.translation[i].raw(), factors[i],
                                     bits - ObjectLength::kFraction - kGuardBits);
   }
-  const std::int32_t near_w = rescaled(projection.near_plane.raw(), std::int64_t{1} << kGuardBits,
-                                       bits - ObjectLength::kFraction - kGuardBits);
-  transform.near_w_ = near_w < 1 ? 1 : near_w;
+  // A near plane behind all that the numbers reach hides everything; it must not wrap around to the front.
+  constexpr std::int64_t kFarthest = (std::int64_t{1} << 30) - 1;
+  const std::int64_t near_w = (std::int64_t{projection.near_plane.raw()} << kGuardBits) >>
+                              (ObjectLength::kFraction + kGuardBits - bits);
+  transform.near_w_ = static_cast<std::int32_t>(near_w < 1 ? 1 : near_w > kFarthest ? kFarthest : near_w);
   // depth = margin + range * far / (far - near) * (1 - near / w).
   const std::int64_t range = 65535 - 2 * kDepthMargin;
   const std::int64_t depth_range = range * projection.far_plane.raw() /

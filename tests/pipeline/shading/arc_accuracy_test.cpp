@@ -45,15 +45,12 @@ TEST_CASE("arcs up to 30 degrees keep the cosines within 2^-11 and the colours w
   f.add(measure(0, 3, 0.3, 64, 15000, 2));
   f.add(measure(3, 6, 0.3, 64, 15000, 3));
   f.add(measure(6, 11, 0.3, 64, 15000, 4));
-  // R·V doubles the errors of both N·L and N·V, the rounding of the packed normals among them.
-  CHECK(f.phong_steps <= 3);
-  CHECK(f.phong_beyond_two * 1000000 <= f.phong.count);
   f.add(measure(0, 30, 64, 1024, 5000, 5));
-  check_cosines(f, 0x1p-11);
+  check_cosines(f, 0x1p-12);  // the demand is 2^-11
   CHECK(f.matt_steps <= 1);
   CHECK(f.blinn_steps <= 2);
-  CHECK(f.phong_steps <= 5);
-  CHECK(f.phong_beyond_two * 100000 <= f.phong.count);
+  // R·V doubles the errors of both N·L and N·V, the rounding of the packed normals among them.
+  CHECK(f.phong_steps <= 2);
   // The largest errors are rare.
   CHECK(f.normal_light.rms() < 0x1p-15);
   CHECK(f.normal_half.rms() < 0x1p-15);

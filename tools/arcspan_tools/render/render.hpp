@@ -51,15 +51,37 @@ struct RenderResult {
 /// Told the number of rows that are finished.
 using RowsDone = std::function<void(std::size_t)>;
 
-/// A renderer that was chosen at compile time: shading method × pixel format.
+/// What pixels are stored as.
+struct PixelChoice {
+  std::string_view format;
+  bool dithers = false;
+};
+
+using RenderFunction = RenderResult(const RenderJob& job, const PixelChoice& pixels,
+                                    const RowsDone& rows_done);
+
+/// A shading method that was chosen at compile time.
+struct ShadingRenderer {
+  std::string_view shading;
+  RenderFunction* function;
+};
+
+/// All of them (generated, one translation unit each).
+[[nodiscard]] std::span<const ShadingRenderer> shading_renderers();
+
+/// A shading method into a pixel format.
 struct Renderer {
   std::string_view shading;
   std::string_view format;
   bool dithers;
-  RenderResult (*render)(const RenderJob& job, const RowsDone& rows_done);
+  RenderFunction* function;
+
+  [[nodiscard]] RenderResult render(const RenderJob& job, const RowsDone& rows_done) const {
+    return function(job, {format, dithers}, rows_done);
+  }
 };
 
-/// All of them (generated, one translation unit each).
+/// Every shading into every format, without dither and with it where that makes a difference.
 [[nodiscard]] std::span<const Renderer> renderers();
 
 /// The renderer of that name, which must be one; formats of 8 bits a channel look the same with dither.

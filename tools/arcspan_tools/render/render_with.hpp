@@ -3,46 +3,72 @@
 
 #include <arcspan/hal/framebuffer.hpp>
 
+#include <arcspan_tools/render/any_format.hpp>
 #include <arcspan_tools/render/counting_sink.hpp>
 #include <arcspan_tools/render/render.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 
 namespace arcspan::tools {
 namespace detail {
 
-/// A band of a picture in memory of its own, with or without depth.
-template <class Format>
-struct Band {
-  std::int32_t rows;
-  std::vector<typename Format::Unit> frame_memory;
-  std::vector<std::uint16_t> depth_memory;
-  hal::Framebuffer<Format> frame;
-  DepthBuffer depth;
+/// A band of a picture in the one format that is instantiated by itself.
+class DirectBand {
+ public:
+  using Sink = hal::Framebuffer<Rgb565>;
 
-  Band(std::int32_t width, std::int32_t band_rows, bool with_depth)
-      : rows(band_rows),
-        frame_memory(hal::Framebuffer<Format>::units(width, band_rows)),
-        depth_memory(with_depth ? DepthBuffer::units(width, band_rows) : 0),
-        frame(frame_memory, width, band_rows),
-        depth(depth_memory, width, with_depth ? band_rows : 0) {}
+  DirectBand(const PixelChoice&, std::int32_t width, std::int32_t rows)
+      : memory_(Sink::units(width, rows)), frame_(memory_, width, rows) {}
+
+  [[nodiscard]] Sink& sink() { return frame_; }
+  void start(std::int32_t first_row, Rgb8 background) {
+    frame_.move_to(first_row);
+    frame_.clear(background);
+  }
+  [[nodiscard]] Rgb8 pixel(std::int32_t x, std::int32_t y) const { return frame_.pixel(x, y); }
+  [[nodiscard]] std::size_t bytes() const { return memory_.size() * sizeof(Rgb565::Unit); }
+
+ private:
+  std::vector<Rgb565::Unit> memory_;
+  Sink frame_;
 };
 
-template <class Format>
-void copy_rows(const Band<Format>& band, Image& image) {
-  const std::int32_t first = band.frame.bounds().top;
-  const std::int32_t end = std::min(first + band.rows, image.height);
+/// A band of a picture in any format.
+class AnyBand {
+ public:
+  using Sink = AnySink;
+
+  AnyBand(const PixelChoice& pixels, std::int32_t width, std::int32_t rows)
+      : store_(make_pixel_store(pixels.format, pixels.dithers, width, rows)), sink_(*store_) {}
+
+  [[nodiscard]] Sink& sink() { return sink_; }
+  void start(std::int32_t first_row, Rgb8 background) {
+    store_->move_to(first_row);
+    store_->clear(background);
+  }
+  [[nodiscard]] Rgb8 pixel(std::int32_t x, std::int32_t y) const { return store_->pixel(x, y); }
+  [[nodiscard]] std::size_t bytes() const { return store_->bytes(); }
+
+ private:
+  std::unique_ptr<PixelStore> store_;
+  AnySink sink_;
+};
+
+template <class Band>
+void copy_rows(const Band& band, std::int32_t first, std::int32_t rows, Image& image) {
+  const std::int32_t end = std::min(first + rows, image.height);
   for (std::int32_t y = first; y < end; ++y) {
-    for (std::int32_t x = 0; x < image.width; ++x) image.at(x, y) = band.frame.pixel(x, y);
+    for (std::int32_t x = 0; x < image.width; ++x) image.at(x, y) = band.pixel(x, y);
   }
 }
 
-template <class Method, class Format, class Depth>
-void draw_band(const RenderJob& job, const typename Method::Object& object, Band<Format>& band,
-               const Depth& depth, std::span<CachedVertex<Method>> cache, RenderStats& stats) {
-  CountingSink sink(band.frame);
+template <class Method, class Band, class Depth>
+void draw_band(const RenderJob& job, const typename Method::Object& object, Band& band, const Depth& depth,
+               std::span<CachedVertex<Method>> cache, RenderStats& stats) {
+  CountingSink sink(band.sink());
   const auto start = std::chrono::steady_clock::now();
   const DrawResult drawn =
       draw_mesh<Method>(job.mesh, job.transform, object, sink, depth, cache, {job.two_sided});
@@ -55,56 +81,64 @@ void draw_band(const RenderJob& job, const typename Method::Object& object, Band
   stats.draw_milliseconds += elapsed.count();
 }
 
-template <class Method, class Format>
-RenderResult render_bands(const RenderJob& job, const typename Method::Object& object,
-                          const RowsDone& rows_done) {
+template <class Method, class Band>
+RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
+                          const typename Method::Object& object, const RowsDone& rows_done) {
   const Viewport& size = job.transform.viewport();
+  const std::int32_t rows = std::clamp(job.band_rows, 1, size.height);
   RenderResult result;
   result.image = Image(size.width, size.height);
-  Band<Format> band(size.width, std::clamp(job.band_rows, 1, size.height), job.depth);
+  Band band(pixels, size.width, rows);
+  std::vector<std::uint16_t> depth_memory(job.depth ? DepthBuffer::units(size.width, rows) : 0);
+  DepthBuffer depth(depth_memory, size.width, job.depth ? rows : 0);
   std::vector<CachedVertex<Method>> cache(job.mesh.vertex_count());
-  result.stats.frame_bytes = band.frame_memory.size() * sizeof(typename Format::Unit);
-  result.stats.depth_bytes = band.depth_memory.size() * sizeof(std::uint16_t);
+  result.stats.frame_bytes = band.bytes();
+  result.stats.depth_bytes = depth_memory.size() * sizeof(std::uint16_t);
   result.stats.cache_bytes = cache.size() * sizeof(CachedVertex<Method>);
-  for (std::int32_t first = 0; first < size.height; first += band.rows) {
-    band.frame.move_to(first);
-    band.frame.clear(job.background);
+  for (std::int32_t first = 0; first < size.height; first += rows) {
+    band.start(first, job.background);
     if (job.depth) {
-      band.depth.move_to(first);
-      band.depth.clear();
-      draw_band<Method>(job, object, band, band.depth, std::span(cache), result.stats);
+      depth.move_to(first);
+      depth.clear();
+      draw_band<Method>(job, object, band, depth, std::span(cache), result.stats);
     } else {
       draw_band<Method>(job, object, band, NoDepth{}, std::span(cache), result.stats);
     }
-    copy_rows(band, result.image);
+    copy_rows(band, first, rows, result.image);
     ++result.stats.bands;
-    rows_done(static_cast<std::size_t>(first + band.rows));
+    rows_done(static_cast<std::size_t>(first + rows));
   }
   return result;
 }
 
-template <template <class> class Method, class Format, std::size_t Lights, Highlight Model>
-RenderResult render_lit(const RenderJob& job, const RowsDone& rows_done) {
+template <template <class> class Method, std::size_t Lights, Highlight Model>
+RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   using Lit = Illumination<Lights, Model>;
   std::array<DirectionalLight, Lights> lights;
   for (std::size_t i = 0; i < Lights; ++i) lights[i].towards = job.lights[i];
   Lit object;
   const Status status = Lit::make(job.material, lights, job.to_eye, object);
   if (!ok(status)) throw Failure("illumination", to_string(status));
-  return render_bands<Method<Lit>, Format>(job, object, rows_done);
+  if constexpr (Lights == 1) {
+    // What is drawn most often is drawn as a firmware would.
+    if (pixels.format == "rgb565" && !pixels.dithers) {
+      return render_bands<Method<Lit>, DirectBand>(job, pixels, object, rows_done);
+    }
+  }
+  return render_bands<Method<Lit>, AnyBand>(job, pixels, object, rows_done);
 }
 
-template <template <class> class Method, class Format, Highlight Model>
-RenderResult render_model(const RenderJob& job, const RowsDone& rows_done) {
+template <template <class> class Method, Highlight Model>
+RenderResult render_model(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   switch (job.lights.size()) {
     case 1:
-      return render_lit<Method, Format, 1, Model>(job, rows_done);
+      return render_lit<Method, 1, Model>(job, pixels, rows_done);
     case 2:
-      return render_lit<Method, Format, 2, Model>(job, rows_done);
+      return render_lit<Method, 2, Model>(job, pixels, rows_done);
     case 3:
-      return render_lit<Method, Format, 3, Model>(job, rows_done);
+      return render_lit<Method, 3, Model>(job, pixels, rows_done);
     case 4:
-      return render_lit<Method, Format, 4, Model>(job, rows_done);
+      return render_lit<Method, 4, Model>(job, pixels, rows_done);
     default:
       throw Failure("--light", "1 to 4 lights, not " + std::to_string(job.lights.size()));
   }
@@ -112,13 +146,12 @@ RenderResult render_model(const RenderJob& job, const RowsDone& rows_done) {
 
 }  // namespace detail
 
-/// Renders with the shading `Method` into the pixel format `Format`; the rest of the job picks among the
-/// instantiations made here.
-template <template <class> class Method, class Format>
-RenderResult render_with(const RenderJob& job, const RowsDone& rows_done) {
+/// Renders with the shading `Method`; the rest of the job picks among the instantiations made here.
+template <template <class> class Method>
+RenderResult render_with(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   return job.highlight == Highlight::kBlinn
-             ? detail::render_model<Method, Format, Highlight::kBlinn>(job, rows_done)
-             : detail::render_model<Method, Format, Highlight::kPhong>(job, rows_done);
+             ? detail::render_model<Method, Highlight::kBlinn>(job, pixels, rows_done)
+             : detail::render_model<Method, Highlight::kPhong>(job, pixels, rows_done);
 }
 
 }  // namespace arcspan::tools

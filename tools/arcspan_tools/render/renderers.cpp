@@ -7,6 +7,19 @@
 namespace arcspan::tools {
 namespace {
 
+constexpr PixelChoice kPixelChoices[] = {{"rgb565"}, {"rgb888"},       {"gray8"},       {"gray4"},
+                                         {"mono"},   {"rgb565", true}, {"gray4", true}, {"mono", true}};
+
+std::vector<Renderer> all_renderers() {
+  std::vector<Renderer> all;
+  for (const ShadingRenderer& method : shading_renderers()) {
+    for (const PixelChoice& pixels : kPixelChoices) {
+      all.push_back({method.shading, pixels.format, pixels.dithers, method.function});
+    }
+  }
+  return all;
+}
+
 std::vector<std::string> names(std::string_view Renderer::*member) {
   std::vector<std::string> result;
   for (const Renderer& renderer : renderers()) {
@@ -17,6 +30,11 @@ std::vector<std::string> names(std::string_view Renderer::*member) {
 }
 
 }  // namespace
+
+std::span<const Renderer> renderers() {
+  static const std::vector<Renderer> kAll = all_renderers();
+  return kAll;
+}
 
 const Renderer& find_renderer(std::string_view shading, std::string_view format, bool dithers) {
   const Renderer* found = nullptr;

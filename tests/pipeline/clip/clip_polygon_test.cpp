@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// Clipping against the same planes in double precision.
+#include <arcspan/clip/clip_polygon.hpp>
+#include <arcspan/shading/arc.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/support/raster_stage.hpp>
+#include <tests/support/vec3.hpp>
+
+#include <algorithm>
+#include <vector>
+
+using namespace arcspan;
+using namespace arcspan::test;
+using Polygon = ClipPolygon<Silhouette>;
+
+namespace {
+
+/// (x, y, w) in a Vec3, w in its z.
+double distance(Vec3 p, int plane, double near_w) {
+  switch (plane) {
+    case 0:
+      return p.z - near_w;
+    case 1:
+      return p.z + p.x;
+    case 2:
+      return p.z - p.x;
+    case 3:
+      return p.z + p.y;
+    default:
+      return p.z - p.y;
+  }
+}
+
+std::vector<Vec3> clipped(std::vector<Vec3> polygon, double near_w) {
+  for (int plane = 0; plane < 5; ++plane) {
+    std::vector<Vec3> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vec3 a = polygon[i];
+      const Vec3 b = polygon[(i + 1) % polygon.size()];
+      const double da = distance(a, plane, near_w);
+      const double db = distance(b, plane, near_w);
+      if (da >= 0) kept.push_back(a);
+      if ((da >= 0) != (db >= 0)) kept.push_back(a + (da / (da - db)) * (b - a));
+    }
+    polygon = kept;
+  }
+  return polygon;
+}
+
+struct Outline {
+  double area = 0;
+  double perimeter = 0;
+};
+
+/// On the screen, in 16ths of a pixel.
+Outline outline(const std::vector<Vec3>& polygon) {
+  Outline o;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 p = polygon[i];
+    const Vec3 q = polygon[(i + 1) % polygon.size()];
+    const double px = 16384 * p.x / p.z;
+    const double py = 16384 * p.y / p.z;
+    const double qx = 16384 * q.x / q.z;
+    const double qy = 16384 * q.y / q.z;
+    o.area += (px * qy - qx * py) / 2;
+    o.perimeter += std::hypot(qx - px, qy - py);
+  }
+  return o;
+}
+
+std::int32_t random_coordinate(Random& random, double size) {
+  return static_cast<std::int32_t>(random.real(-size, size));
+}
+
+ClipPosition random_clip_position(Random& random, std::int32_t near_w) {
+  const double size = random.decades(1 << 18, 1 << 29);
+  ClipPosition p{random_coordinate(random, size), random_coordinate(random, size),
+                 random_coordinate(random, size)};
+  switch (random.integer(0, 9)) {
+    case 0:
+      p.w = near_w;
+      break;
+    case 1:
+      p.x = p.w;
+      break;
+    case 2:
+      p.y = -p.w;
+      break;
+    case 3:
+      p = {0, 0, p.w};
+      break;
+    case 4:
+      p.w = std::abs(p.w);
+      p.x /= 1024;
+      p.y /= 1024;
+      break;
+    default:
+      break;
+  }
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("clipping agrees with double precision, within capacity and within the planes") {
+  Random random(91);
+  int survivors = 0;
+  std::size_t most = 0;
+  double worst_plane = 0;  // units beyond a plane
+  double worst_area = 0;   // difference of area per length of outline, in sixteenths
+  for (int i = 0; i < 300000; ++i) {
+    const std::int32_t near_w = random.integer(1 << 15, 1 << 20);
+    Polygon polygon;
+    Polygon spare;
+    polygon.count = 3;
+    std::vector<Vec3> reference;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ClipPosition p = random_clip_position(random, near_w);
+      polygon.vertices[k].position = p;
+      reference.push_back({double(p.x), double(p.y), double(p.w)});
+    }
+    reference = clipped(reference, near_w);
+    const Polygon& result = clip_polygon(polygon, spare, near_w);
+    most = std::max(most, result.count);
+    std::vector<Vec3> got;
+    for (std::size_t k = 0; k < result.count; ++k) {
+      const ClipPosition& p = result.vertices[k].position;
+      got.push_back({double(p.x), double(p.y), double(p.w)});
+      for (int plane = 0; plane < 5; ++plane) {
+        worst_plane = std::max(worst_plane, -distance(got.back(), plane, near_w));
+      }
+    }
+    if (reference.size() < 3 && got.size() < 3) continue;
+    ++survivors;
+    const Outline truth = outline(reference);
+    const Outline ours = outline(got);
+    worst_area = std::max(worst_area, std::abs(ours.area - truth.area) / (truth.perimeter + 16));
+  }
+  CHECK(survivors > 50000);
+  CHECK(most <= Polygon::kCapacity);
+  CHECK(most >= 6);
+  CHECK(worst_plane <= 4);
+  CHECK(worst_area < 2);
+}
+
+TEST_CASE("a triangle inside stays as it is, one outside vanishes") {
+  Polygon polygon;
+  Polygon spare;
+  polygon.vertices[0].position = {-1000, -1000, 1000};
+  polygon.vertices[1].position = {1000, -1000, 1000};
+  polygon.vertices[2].position = {0, 5000, 5000};
+  polygon.count = 3;
+  const Polygon& same = clip_polygon(polygon, spare, 1000);
+  REQUIRE(same.count == 3);
+  CHECK(same.vertices[0].position.x == -1000);
+  CHECK(same.vertices[2].position.w == 5000);
+
+  Polygon behind;
+  for (auto& vertex : behind.vertices) vertex.position = {0, 0, -(1 << 29)};
+  behind.count = 3;
+  CHECK(clip_polygon(behind, spare, 1).count == 0);
+
+  Polygon left;
+  for (auto& vertex : left.vertices) vertex.position = {-(1 << 29), 0, 1 << 20};
+  left.count = 3;
+  CHECK(clip_polygon(left, spare, 1).count == 0);
+}
+
+TEST_CASE("the two triangles of a cut edge get the same vertex") {
+  Random random(92);
+  using ArcMethod = Arc<Illumination<1, Highlight::kBlinn>>;
+  int different = 0;
+  int cut = 0;
+  for (int i = 0; i < 20000; ++i) {
+    ClipVertex<ArcMethod> a{random_clip_position(random, 1 << 16), {}};
+    ClipVertex<ArcMethod> b{random_clip_position(random, 1 << 16), {}};
+    const Vec3 n = random_unit(random);
+    a.shade = ArcMethod::shade_vertex({}, to_direction(n));
+    b.shade = ArcMethod::shade_vertex({}, to_direction(tilted(random, n, random.real(0, 2))));
+    const auto cut_by = [&](const ClipVertex<ArcMethod>& p, const ClipVertex<ArcMethod>& q) {
+      ClipPolygon<ArcMethod> polygon;
+      ClipPolygon<ArcMethod> spare;
+      polygon.vertices[0] = p;
+      polygon.vertices[1] = q;
+      polygon.count = 2;  // an edge there and back
+      ClipPolygon<ArcMethod> result = clip_polygon(polygon, spare, 1 << 16);
+      std::vector<std::array<std::int32_t, 6>> list;
+      for (std::size_t k = 0; k < result.count; ++k) {
+        const ClipVertex<ArcMethod>& v = result.vertices[k];
+        list.push_back({v.position.x, v.position.y, v.position.w, v.shade.normal.x.raw(),
+                        v.shade.normal.y.raw(), v.shade.normal.z.raw()});
+      }
+      std::sort(list.begin(), list.end());
+      return list;
+    };
+    const auto one = cut_by(a, b);
+    different += one == cut_by(b, a) ? 0 : 1;
+    cut += one.size() > 2 || (!one.empty() && one[0][0] != a.position.x) ? 1 : 0;
+  }
+  CHECK(cut > 2000);
+  CHECK(different == 0);
+}

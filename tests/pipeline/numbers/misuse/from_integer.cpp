@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// An integer is not a number until from_raw says what it means.
+#include <arcspan/numbers/formats.hpp>
+
+using namespace arcspan;
+
+Factor f(int a) { return a; }

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/hal/framebuffer.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace arcspan::tools {
+
+/// Pixels of a format that is known at run time only, in a hal::Framebuffer of that format.
+class PixelStore {
+ public:
+  virtual ~PixelStore() = default;
+  virtual void write(std::int32_t x, std::int32_t y, PackedRgb colour) = 0;
+  [[nodiscard]] virtual Rgb8 pixel(std::int32_t x, std::int32_t y) const = 0;
+  virtual void move_to(std::int32_t first_row) = 0;
+  virtual void clear(Rgb8 colour) = 0;
+  [[nodiscard]] virtual Rect bounds() const = 0;
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
+};
+
+/// The store of the named format, e.g. "rgb565"; throws Failure if there is none of that name.
+[[nodiscard]] std::unique_ptr<PixelStore> make_pixel_store(std::string_view format, bool dithers,
+                                                           std::int32_t width, std::int32_t rows);
+
+/// The pipeline's view of such a store. One instantiation of a shading method with it serves every format: a
+/// desk would rather wait for a virtual call a pixel than for the build of every combination. A firmware
+/// names its format instead.
+struct AnyFormat {
+  using Code = PackedRgb;
+  using Unit = PixelStore;
+  static constexpr unsigned kBitsPerPixel = 32;
+  static constexpr bool kDithers = false;
+
+  class Cursor {
+   public:
+    Cursor(PixelStore* store, std::int32_t x, std::int32_t y = 0) : store_(store), x_(x), y_(y) {}
+    void write(Code code) { store_->write(x_, y_, code); }
+    [[nodiscard]] Code read() const { return encode(store_->pixel(x_, y_)); }
+    void next() { ++x_; }
+
+   private:
+    PixelStore* store_;
+    std::int32_t x_;
+    std::int32_t y_;
+  };
+
+  [[nodiscard]] static std::size_t units_per_row(std::int32_t) { return 1; }
+  [[nodiscard]] static Code encode(PackedRgb c) { return c; }
+  [[nodiscard]] static Code encode(Rgb8 c) { return PackedRgb::of(c.r * 4u, c.g * 4u, c.b * 4u); }
+  [[nodiscard]] static Code encode_dithered(Rgb8 c, std::int32_t, std::int32_t) { return encode(c); }
+  [[nodiscard]] static Rgb8 decode(Code code) { return code.rgb8(); }
+};
+
+/// The sink over such a store.
+class AnySink {
+ public:
+  using Format = AnyFormat;
+
+  explicit AnySink(PixelStore& store) : store_(&store) {}
+  [[nodiscard]] Rect bounds() const { return store_->bounds(); }
+  [[nodiscard]] AnyFormat::Cursor open(const Span& run) { return {store_, run.x, run.y}; }
+  [[nodiscard]] Status close(const Span&) { return Status::kOk; }
+
+ private:
+  PixelStore* store_;
+};
+
+static_assert(PixelSink<AnySink>);
+
+}  // namespace arcspan::tools

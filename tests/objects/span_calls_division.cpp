@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// must be rejected by: division
+// The span stage itself does not divide; what it calls does.
+namespace arcspan {
+[[gnu::noinline]] int quotient(int a, int b) { return a % b; }
+namespace span {
+int step(int a, int b) { return quotient(a, b) + 1; }
+}  // namespace span
+}  // namespace arcspan

@@ -20,12 +20,10 @@ target_compile_options(
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
             $<$<BOOL:${ARCSPAN_WERROR}>:-Werror>)
 
-# What the bar for pipeline/ and hal/ demands of the compiler: no exceptions, no RTTI, no guard variables, and no
-# call of memset or memcpy made out of a loop, since a freestanding target may have neither.
+# What the bar for pipeline/ and hal/ demands of the compiler: no exceptions, no RTTI, no guard variables.
 add_library(arcspan_embedded INTERFACE)
 target_compile_options(arcspan_embedded INTERFACE -fno-exceptions -fno-rtti -fno-threadsafe-statics
                                                   -ffunction-sections -fdata-sections
-                                                  $<$<CXX_COMPILER_ID:GNU>:-fno-tree-loop-distribute-patterns>
                                                   $<$<BOOL:${ARCSPAN_FORBID_FLOAT}>:-mgeneral-regs-only>)
 
 # Declares a library of the project: arcspan_library(NAME DIRECTORY) gives the target arcspan_NAME with the

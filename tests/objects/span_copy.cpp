@@ -1,3 +1,5 @@
 // SPDX-License-Identifier: MIT
-// must be rejected by: libc
+// must be rejected by: span libc
+namespace arcspan::span {
 void copy(int* to, const int* from, unsigned count) { __builtin_memcpy(to, from, count * sizeof(int)); }
+}  // namespace arcspan::span

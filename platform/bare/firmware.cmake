@@ -12,7 +12,7 @@ list(TRANSFORM ARCSPAN_BOARD_SOURCES PREPEND ${ARCSPAN_BOARD_FOLDER}/ REGEX "^[^
 # The board layer. An object library, so that the linker takes the vector table without being asked.
 add_library(
   arcspan_board OBJECT
-  ${ARCSPAN_BOARD_SOURCES} ${ARCSPAN_BARE}/console.cpp ${ARCSPAN_BARE}/memory_functions.cpp ${ARCSPAN_BARE}/run.cpp
+  ${ARCSPAN_BOARD_SOURCES} ${ARCSPAN_BARE}/console.cpp ${ARCSPAN_BARE}/mark.cpp ${ARCSPAN_BARE}/memory_functions.cpp ${ARCSPAN_BARE}/run.cpp
   ${ARCSPAN_BARE}/stack.cpp)
 target_compile_features(arcspan_board PUBLIC cxx_std_20)
 set_target_properties(arcspan_board PROPERTIES CXX_EXTENSIONS OFF)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 
 namespace arcspan::bare {
@@ -10,8 +11,12 @@ void print(const char* text);
 
 /// Writes `value` in decimal.
 void print(std::uint64_t value);
-inline void print(std::uint32_t value) { print(static_cast<std::uint64_t>(value)); }
-inline void print(std::int32_t) = delete;  // no signed figures so far: convert on purpose
+
+/// The same for the shorter unsigned types; signed ones must be converted on purpose.
+template <std::unsigned_integral T>
+void print(T value) {
+  print(static_cast<std::uint64_t>(value));
+}
 
 /// A 32-bit value to be written as eight hexadecimal digits.
 struct Hex {

@@ -3,7 +3,5 @@
 // The span stage itself does not divide; what it calls does.
 namespace arcspan {
 [[gnu::noinline]] int quotient(int a, int b) { return a % b; }
-namespace span {
-int step(int a, int b) { return quotient(a, b) + 1; }
-}  // namespace span
+int draw_command(int a, int b) { return quotient(a, b) + 1; }
 }  // namespace arcspan

@@ -1,5 +1,0 @@
-// SPDX-License-Identifier: MIT
-// must be rejected by: span libc
-namespace arcspan::span {
-void copy(int* to, const int* from, unsigned count) { __builtin_memcpy(to, from, count * sizeof(int)); }
-}  // namespace arcspan::span

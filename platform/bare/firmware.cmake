@@ -9,6 +9,9 @@ endif()
 include(${ARCSPAN_BOARD_FOLDER}/board.cmake)
 list(TRANSFORM ARCSPAN_BOARD_SOURCES PREPEND ${ARCSPAN_BOARD_FOLDER}/ REGEX "^[^/]+$")
 
+# Last on every link line, after the libraries that need it.
+set(CMAKE_CXX_STANDARD_LIBRARIES "-lgcc")
+
 # The board layer. An object library, so that the linker takes the vector table without being asked.
 add_library(
   arcspan_board OBJECT
@@ -27,7 +30,7 @@ function(arcspan_firmware name)
   set_target_properties(${name} PROPERTIES SUFFIX .elf CXX_EXTENSIONS OFF LINK_DEPENDS
                                                        "${ARCSPAN_BARE}/sections.ld;${ARCSPAN_BOARD_FOLDER}/memory.ld")
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_link_libraries(${name} PRIVATE arcspan_board gcc)
+  target_link_libraries(${name} PRIVATE arcspan_board)
   target_link_options(${name} PRIVATE -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings
                       LINKER:-L,${ARCSPAN_BOARD_FOLDER} -T ${ARCSPAN_BARE}/sections.ld LINKER:-Map,${name}.map)
 endfunction()

@@ -64,7 +64,7 @@ def count(image, emulator, prefix="arm-none-eabi-", timeout=120):
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
         ranges, mark = functions(image, prefix)
-        (folder / "ranges").write_text("".join(f"{first:x} {size:x} {name}\n" for first, size, name in ranges))
+        (folder / "ranges").write_text("".join(f"{first:x} {size:x} {name[:500]}\n" for first, size, name in ranges))
         plugin = f"{build_plugin(folder)},ranges={folder}/ranges,mark={mark:x},out={folder}/report"
         done = subprocess.run([HERE / "run-firmware", "--timeout", str(timeout), "--plugin", plugin, image, "--",
                                *emulator], capture_output=True, text=True)

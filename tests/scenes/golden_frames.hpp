@@ -48,6 +48,8 @@ union VertexMemory {
   CachedVertex<Gouraud<Light>> gouraud[Count == 0 ? 1 : Count];
   CachedVertex<Arc<Light>> arc[Count == 0 ? 1 : Count];
 
+  constexpr VertexMemory() : flat{} {}
+
   template <class Method>
   [[nodiscard]] std::span<CachedVertex<Method>> of() {
     if constexpr (std::same_as<Method, Flat<Light>>) return {flat, Count};

@@ -24,7 +24,7 @@ constexpr std::int64_t sine30(std::uint32_t turn) {
   const std::int64_t square = (x * x) >> 30;
   std::int64_t term = x;
   std::int64_t sum = x;
-  for (std::int64_t n = 2; n <= 10; n += 2) {
+  for (std::int64_t n = 2; n <= 12; n += 2) {
     term = -((term * square) >> 30) / (n * (n + 1));
     sum += term;
   }

@@ -23,7 +23,8 @@ target_compile_options(
 # What the bar for pipeline/ and hal/ demands of the compiler: no exceptions, no RTTI, no guard variables.
 add_library(arcspan_embedded INTERFACE)
 target_compile_options(arcspan_embedded INTERFACE -fno-exceptions -fno-rtti -fno-threadsafe-statics
-                                                  -ffunction-sections -fdata-sections)
+                                                  -ffunction-sections -fdata-sections
+                                                  $<$<BOOL:${ARCSPAN_FORBID_FLOAT}>:-mgeneral-regs-only>)
 
 # Declares a library of the project: arcspan_library(NAME DIRECTORY) gives the target arcspan_NAME with the
 # alias arcspan::NAME, whose public headers live in DIRECTORY/arcspan.

@@ -147,7 +147,7 @@ class MeshDrawer {
     auto emit = [this, &face](const Raster& p, const Raster& q, const Raster& r) {
       draw_part(p, q, r, face);
     };
-    split_triangle<kMaxSplits>(a, b, c, emit);
+    split_triangle(a, b, c, emit);
   }
 
   void draw_part(const Raster& a, const Raster& b, const Raster& c, const typename Method::Face& face) {

@@ -83,11 +83,12 @@ void take_shade(Input& in, typename Gouraud<I>::Vertex& shade) {
 template <class I>
 void take_shade(Input&, typename Flat<I>::Vertex&) {}
 
-/// A position in the guard band, often on a pixel border.
+/// A position, as a rule in the guard band, often on a pixel border; some are anywhere that 16 bits reach.
 RasterPosition take_position(Input& in) {
   const std::uint8_t kind = in.take<std::uint8_t>();
-  auto coordinate = [&in](bool snap) {
-    const std::int32_t v = in.take<std::int16_t>() >> 1;
+  const int wild = (kind & 0xF0) == 0xF0 ? 0 : 1;
+  auto coordinate = [&in, wild](bool snap) {
+    const std::int32_t v = in.take<std::int16_t>() >> wild;
     return static_cast<std::int16_t>(snap ? v & ~7 : v);
   };
   const std::int16_t x = coordinate((kind & 1) != 0);
@@ -141,7 +142,7 @@ void fuzz_triangles(Input& in) {
         static_cast<void>(draw_command(command, origin, clip, object, target.sink, NoDepth{}));
       }
     };
-    split_triangle<kMaxSplits>(v[0], v[1], v[2], emit);
+    split_triangle(v[0], v[1], v[2], emit);
   }
 }
 

@@ -29,7 +29,7 @@ struct ArcStart {
 };
 
 /// Any arc up to the limit of `Angle`; `u` and `a` in 0...1. Second order: error of x and of the end that
-/// diff leads to at most 2e-5 up to 30 degrees and 1e-3 at 60, beside rounding.
+/// diff leads to at most 2e-5 up to 30 degrees and 2e-3 at 60, beside rounding.
 template <class Angle>
 [[nodiscard]] constexpr ArcStart<Angle> arc_start(Angle angle2, Factor u, Factor a) {
   constexpr Factor kOne = Factor::of(1.0);

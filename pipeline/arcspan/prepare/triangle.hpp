@@ -137,13 +137,21 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
 
 }  // namespace detail
 
+/// Inside the guard band, +-1024 pixels, in which edges and areas fit their words.
+[[nodiscard]] constexpr bool in_guard_band(const RasterPosition& p) {
+  constexpr std::uint32_t kHalf = kGuardBand << Subpixel::kFraction;
+  return ((static_cast<std::uint32_t>(p.x) + kHalf) | (static_cast<std::uint32_t>(p.y) + kHalf)) < 2 * kHalf;
+}
+
 /// Turns a triangle into the command that draws it. `rows` are the viewport's; false if none of the
-/// triangle's rows is among them, or if it has no area. Either orientation is drawn.
+/// triangle's rows is among them, if it has no area, or if a vertex is outside the guard band, where
+/// project() puts none. Either orientation is drawn.
 template <class Method>
 [[nodiscard]] constexpr bool prepare_triangle(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                                               const RasterVertex<Method>& c,
                                               const typename Method::Face& face, const RowRange& rows,
                                               TriangleCommand<Method>& command) {
+  if (!in_guard_band(a.position) || !in_guard_band(b.position) || !in_guard_band(c.position)) return false;
   TriangleFrame<Method> frame;
   frame.top = &a;
   frame.middle = &b;

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <cstring>
 #include <limits>
+#include <new>
 
 using namespace arcspan;
 using namespace arcspan::test;
@@ -63,6 +65,13 @@ TEST_CASE("sums wrap as two's complement does") {
   CHECK((Narrow::from_raw(32767) + Narrow::from_raw(1)).raw() == -32768);
   CHECK(wrap_mul(kMin, -1) == kMin);
   CHECK(wrap_shl(3, 31) == kMin);
+}
+
+TEST_CASE("a number that nothing initialises is 0") {
+  // clang 14 takes a defaulted constructor of a constrained class template for trivial.
+  alignas(Q15) unsigned char memory[sizeof(Q15)];
+  std::memset(memory, 0xAA, sizeof memory);
+  CHECK((::new (memory) Q15)->raw() == 0);
 }
 
 TEST_CASE("numbers are ordered by value") {

@@ -146,6 +146,21 @@ TEST_CASE("coverage is the top-left rule: triangles partly or wholly off the scr
   CHECK(comparison.covered() > 1000000);
 }
 
+TEST_CASE("coverage is the top-left rule: edges over the whole height") {
+  // Their distance from a pixel centre gets as small as 2^-19 of a pixel: it takes millions of rows.
+  Random random(4);
+  Comparison comparison(40, 2048);
+  std::uint64_t faults = 0;
+  for (int i = 0; i < 2500; ++i) {
+    Triangle t;
+    t.corner[0] = {random.integer(-400, 400), random.integer(-kLimit, -kLimit + 999)};
+    t.corner[1] = {random.integer(-400, 400), random.integer(kLimit - 999, kLimit - 1)};
+    t.corner[2] = {random.integer(-400, 400), random.integer(-kLimit, kLimit - 1)};
+    faults += comparison.faults(t);
+  }
+  CHECK(faults == 0);
+}
+
 TEST_CASE("coverage is the top-left rule: the whole guard band") {
   Random random(3);
   Comparison comparison(2048, 2048);

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: MIT
+# Armv6-M: no divide instruction, 32-bit product only, 16-bit Thumb.
+set(ARCSPAN_CORE_FLAGS "-mcpu=cortex-m0")
+include(${CMAKE_CURRENT_LIST_DIR}/arm-none-eabi.cmake)

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: MIT
+# Armv6-M with the two-stage pipeline: no divide instruction, 32-bit product only.
+set(ARCSPAN_CORE_FLAGS "-mcpu=cortex-m0plus")
+include(${CMAKE_CURRENT_LIST_DIR}/arm-none-eabi.cmake)

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/hal/spi_bus.hpp>
+
+namespace arcspan::hal {
+
+Status SpiBus::write(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return Status::kInvalidArgument;
+  if (under_way_) return Status::kBusy;
+  return do_write(bytes);
+}
+
+Status SpiBus::start(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return Status::kInvalidArgument;
+  if (under_way_) return Status::kBusy;
+  const Status status = do_start(bytes);
+  under_way_ = ok(status);
+  return status;
+}
+
+Status SpiBus::poll() {
+  if (!under_way_) return Status::kOk;
+  const Status status = do_poll();
+  under_way_ = status == Status::kBusy;
+  return status;
+}
+
+Status SpiBus::wait(Clock& clock, std::uint32_t limit_us) {
+  if (limit_us > INT32_MAX) return Status::kInvalidArgument;
+  const std::uint32_t begin = clock.now_us();
+  Status status = poll();
+  while (status == Status::kBusy) {
+    // Unsigned, so that a count that wraps meanwhile still gives the time that has passed.
+    if (clock.now_us() - begin >= limit_us) {
+      do_abort();
+      under_way_ = false;
+      return Status::kTimeout;
+    }
+    clock.delay_us(kPollIntervalUs);
+    status = poll();
+  }
+  return status;
+}
+
+}  // namespace arcspan::hal

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Reset and faults of Cortex-M (Armv6-M and Armv7-M Architecture Reference Manuals, B1.5: exception model).
+// The FPU of a Cortex-M4F or M7 stays off, as it is after reset: a floating-point instruction faults.
+#include "start.hpp"
+
+#include <arcspan/bare/board.hpp>
+#include <arcspan/bare/console.hpp>
+#include <arcspan/bare/memory_map.hpp>
+#include <arcspan/bare/run.hpp>
+
+namespace arcspan::bare {
+namespace {
+
+const char* exception_name(std::uint32_t number) {
+  switch (number) {
+    case 2:
+      return "NMI";
+    case 3:
+      return "HardFault";
+    case 4:
+      return "MemManage";
+    case 5:
+      return "BusFault";
+    case 6:
+      return "UsageFault";
+    default:
+      return "unexpected exception";
+  }
+}
+
+/// The stacked registers r0-r3, r12, lr, pc, xpsr lie at `frame`, unless the stack ran out.
+[[noreturn, gnu::used]] void report_fault(const std::uint32_t* frame) {
+  std::uint32_t number;
+  __asm volatile("mrs %0, ipsr" : "=r"(number));
+  print("fault: ");
+  print(exception_name(number));
+  if (frame < arcspan_stack_bottom) {
+    print_line(", stack overflow");
+    leave(kExitStackOverflow);
+  }
+  print_line(" at ", Hex{frame[6]}, ", called from ", Hex{frame[5]});
+  leave(kExitFault);
+}
+
+}  // namespace
+}  // namespace arcspan::bare
+
+extern "C" {
+
+[[noreturn]] void arcspan_reset() { arcspan::bare::run(); }
+
+/// Reports from a fresh stack, since the old one may be what went wrong.
+[[gnu::naked]] void arcspan_fault() {
+  __asm volatile(
+      ".syntax unified\n"
+      "mrs r0, msp\n"
+      "ldr r1, =arcspan_stack_top\n"
+      "mov sp, r1\n"
+      "ldr r1, =%c0\n"
+      "bx r1\n"
+      ".ltorg" ::"i"(&arcspan::bare::report_fault));
+}
+
+/// A board whose counter needs the SysTick interrupt replaces this.
+[[gnu::weak]] void arcspan_systick() { arcspan_fault(); }
+
+/// Initial stack pointer, reset, exceptions 2...15. No interrupt is ever enabled.
+[[gnu::section(".vectors"), gnu::used]] const arcspan::bare::Vector arcspan_vectors[16] = {
+    {.stack = arcspan_stack_top},
+    {arcspan_reset},
+    {arcspan_fault},
+    {arcspan_fault},
+    {arcspan_fault},
+    {arcspan_fault},
+    {arcspan_fault},
+    {arcspan_fault},
+    {arcspan_fault},
+    {arcspan_fault},
+    {arcspan_fault},
+    {arcspan_fault},
+    {arcspan_fault},
+    {arcspan_fault},
+    {arcspan_fault},
+    {arcspan_systick}};
+}

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+# Functions that make programs for the board that ARCSPAN_BOARD names (a folder of platform/), linked with nothing but
+# libgcc, and run them in its emulator.
+set(ARCSPAN_BARE ${CMAKE_CURRENT_LIST_DIR})
+set(ARCSPAN_BOARD_FOLDER ${PROJECT_SOURCE_DIR}/platform/${ARCSPAN_BOARD})
+if(NOT EXISTS ${ARCSPAN_BOARD_FOLDER}/board.cmake)
+  message(FATAL_ERROR "ARCSPAN_BOARD: there is no platform/${ARCSPAN_BOARD}/board.cmake")
+endif()
+include(${ARCSPAN_BOARD_FOLDER}/board.cmake)
+list(TRANSFORM ARCSPAN_BOARD_SOURCES PREPEND ${ARCSPAN_BOARD_FOLDER}/ REGEX "^[^/]+$")
+
+# Last on every link line, after the libraries that need it.
+set(CMAKE_CXX_STANDARD_LIBRARIES "-lgcc")
+
+# The board layer. An object library, so that the linker takes the vector table without being asked.
+add_library(
+  arcspan_board OBJECT
+  ${ARCSPAN_BOARD_SOURCES} ${ARCSPAN_BARE}/console.cpp ${ARCSPAN_BARE}/mark.cpp ${ARCSPAN_BARE}/memory_functions.cpp ${ARCSPAN_BARE}/run.cpp
+  ${ARCSPAN_BARE}/stack.cpp)
+target_compile_features(arcspan_board PUBLIC cxx_std_20)
+set_target_properties(arcspan_board PROPERTIES CXX_EXTENSIONS OFF)
+target_include_directories(arcspan_board PUBLIC ${ARCSPAN_BARE} ${ARCSPAN_BOARD_FOLDER})
+target_link_libraries(arcspan_board PUBLIC arcspan_embedded arcspan_warnings arcspan::hal arcspan::pipeline)
+set_source_files_properties(${ARCSPAN_BARE}/memory_functions.cpp PROPERTIES COMPILE_OPTIONS
+                                                                            -fno-tree-loop-distribute-patterns)
+
+# arcspan_firmware(NAME SOURCES...): a program for the board.
+function(arcspan_firmware name)
+  add_executable(${name} ${ARGN})
+  set_target_properties(${name} PROPERTIES SUFFIX .elf CXX_EXTENSIONS OFF LINK_DEPENDS
+                                                       "${ARCSPAN_BARE}/sections.ld;${ARCSPAN_BOARD_FOLDER}/memory.ld")
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE arcspan_board)
+  target_link_options(${name} PRIVATE -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings
+                      LINKER:-L,${ARCSPAN_BOARD_FOLDER} -T ${ARCSPAN_BARE}/sections.ld LINKER:-Map,${name}.map)
+endfunction()
+
+# arcspan_firmware_test(NAME PROGRAM [ARGUMENTS of run-firmware...]): runs a program in the board's emulator.
+function(arcspan_firmware_test name program)
+  add_test(NAME firmware.${ARCSPAN_BOARD}.${name}
+           COMMAND ${PROJECT_SOURCE_DIR}/platform/qemu/run-firmware ${ARGN} $<TARGET_FILE:${program}> -- ${ARCSPAN_BOARD_EMULATOR})
+  set_tests_properties(firmware.${ARCSPAN_BOARD}.${name} PROPERTIES LABELS firmware TIMEOUT 120)
+endfunction()

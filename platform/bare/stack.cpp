@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/bare/memory_map.hpp>
+#include <arcspan/bare/stack.hpp>
+
+namespace arcspan::bare {
+namespace {
+
+constexpr std::uint32_t kPattern = 0x5AFE57ACu;
+// Room for the frame of paint_stack() itself and of a caller that the compiler did not inline it into.
+constexpr std::uintptr_t kMargin = 64;
+
+}  // namespace
+
+std::uint32_t stack_size() {
+  return static_cast<std::uint32_t>(arcspan_stack_top - arcspan_stack_bottom) * sizeof(std::uint32_t);
+}
+
+void paint_stack() {
+  const auto here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
+  // The volatile store keeps the compiler from making a memset of the loop, whose frame would be painted
+  // over.
+  for (volatile std::uint32_t* word = arcspan_stack_bottom;
+       reinterpret_cast<std::uintptr_t>(word) < here - kMargin; ++word) {
+    *word = kPattern;
+  }
+}
+
+std::uint32_t deepest_stack() {
+  const volatile std::uint32_t* word = arcspan_stack_bottom;
+  while (word < arcspan_stack_top && *word == kPattern) ++word;
+  return static_cast<std::uint32_t>(arcspan_stack_top - word) * sizeof(std::uint32_t);
+}
+
+}  // namespace arcspan::bare

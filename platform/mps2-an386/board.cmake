@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: MIT
+# Arm MPS2 with application note 386: Cortex-M4F, 4 MB + 4 MB SRAM, 16 MB PSRAM for frames.
+set(ARCSPAN_BOARD_TOOLCHAIN cortex-m4f)
+set(ARCSPAN_BOARD_EMULATOR qemu-system-arm -machine mps2-an386)
+set(ARCSPAN_BOARD_SOURCES
+    ${ARCSPAN_BARE}/cortex_m/start.cpp ${ARCSPAN_BARE}/cortex_m/semihosting.cpp ${ARCSPAN_BARE}/cortex_m/systick.cpp)
+# Rows of a frame that are drawn at once, and transformed vertices that are kept, in the scenes of tests/firmware.
+set(ARCSPAN_BOARD_BAND_ROWS 120)
+set(ARCSPAN_BOARD_CACHED_VERTICES 500)

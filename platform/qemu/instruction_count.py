@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Counts the instructions that a firmware image executes between its marks, per function.
+
+    instruction_count.py [--prefix arm-none-eabi-] IMAGE -- EMULATOR [ARGUMENTS...]
+
+The image calls arcspan::bare::mark() and names each section in its output with a line "section: NAME"; the text
+between two marks is one section. Prints JSON: a list of {"name", "instructions", "functions"}; what ran before the
+first mark is left out.
+"""
+
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+MARK = "arcspan_mark"
+
+
+def build_plugin(folder):
+    plugin = folder / "instruction_count.so"
+    subprocess.run(["cc", "-O2", "-Wall", "-Wextra", "-Werror", "-fPIC", "-shared", "-fvisibility=hidden",
+                    HERE / "instruction_count.c", "-o", plugin], check=True)
+    return plugin
+
+
+def functions(image, prefix):
+    """(first address, size, demangled name) of every function, sorted and without overlap, and the mark's address."""
+    text = subprocess.run([prefix + "nm", "-C", "-n", "--defined-only", image], check=True, capture_output=True,
+                          text=True).stdout
+    starts = {}
+    for line in text.splitlines():
+        if symbol := re.match(r"([0-9a-f]+) [tTwW] (.+)$", line):
+            starts.setdefault(int(symbol[1], 16), symbol[2])
+    mark = next((first for first, name in starts.items() if name == MARK), None)
+    if mark is None:
+        sys.exit(f"{image}: there is no {MARK}")
+    # Functions written in assembly carry no size, so each one reaches to the next.
+    ends = [*list(starts)[1:], list(starts)[-1] + 0x1000]
+    return [(first, end - first, name) for (first, name), end in zip(starts.items(), ends)], mark
+
+
+def read_report(path, names):
+    sections = []
+    for line in path.read_text().splitlines():
+        kind, count, *name = line.split(" ", 2)
+        if kind == "section":
+            sections.append({"instructions": int(count), "functions": {}})
+        else:
+            entry = sections[-1]["functions"]
+            entry[name[0]] = entry.get(name[0], 0) + int(count)
+    sections = sections[1:]  # up to the first mark
+    if len(sections) != len(names):
+        sys.exit(f"{len(sections)} marks were passed and {len(names)} sections named")
+    return [{"name": name, **section} for name, section in zip(names, sections)]
+
+
+def count(image, emulator, prefix="arm-none-eabi-", timeout=120):
+    """Runs the image and gives its sections and its output."""
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = pathlib.Path(temporary)
+        ranges, mark = functions(image, prefix)
+        (folder / "ranges").write_text("".join(f"{first:x} {size:x} {name[:500]}\n" for first, size, name in ranges))
+        plugin = f"{build_plugin(folder)},ranges={folder}/ranges,mark={mark:x},out={folder}/report"
+        done = subprocess.run([HERE / "run-firmware", "--timeout", str(timeout), "--plugin", plugin, image, "--",
+                               *emulator], capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(f"{image}:\n{done.stdout}{done.stderr}")
+        names = re.findall(r"^section: (.+)$", done.stdout, re.MULTILINE)
+        return read_report(folder / "report", names), done.stdout
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--prefix", default="arm-none-eabi-", help="of the image's binutils")
+    parser.add_argument("image")
+    parser.add_argument("emulator", nargs="+")
+    arguments = parser.parse_args()
+    sections, _ = count(arguments.image, arguments.emulator, arguments.prefix)
+    json.dump(sections, sys.stdout, indent=1)
+    print()
+
+
+if __name__ == "__main__":
+    main()

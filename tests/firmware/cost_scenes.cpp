@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The project's measured scene (tests/scenes/stage_set.hpp), 320x240, rgb565, 16-bit depth: spheres of three finenesses and three
+// radii by every method. Clearing and drawing are sections of their own for instruction_count.py; a line "scene: ..." tells
+// how much was drawn in the section that follows.
+#include <arcspan/bare/console.hpp>
+#include <arcspan/bare/mark.hpp>
+#include <arcspan/draw.hpp>
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/arc.hpp>
+#include <arcspan/shading/flat.hpp>
+#include <arcspan/shading/gouraud.hpp>
+#include <tests/scenes/stage_set.hpp>
+
+using namespace arcspan;
+
+namespace {
+
+constexpr std::int32_t kWidth = 320;
+constexpr std::int32_t kHeight = 240;
+
+constexpr auto kCoarse = scenes::make_sphere<16, 8>();
+constexpr auto kMiddle = scenes::make_sphere<32, 16>();
+constexpr auto kFine = scenes::make_sphere<64, 32>();
+
+[[gnu::section(".bss.frame")]] std::uint16_t colours[kWidth * kHeight];
+[[gnu::section(".bss.frame")]] std::uint16_t depths[kWidth * kHeight];
+
+/// Forwards to a framebuffer and counts what passes; for the counting pass, not for the measured one.
+struct CountingSink {
+  using Format = Rgb565;
+  hal::Framebuffer<Rgb565>& frame;
+  std::uint32_t spans = 0;
+  std::uint32_t pixels = 0;
+
+  [[nodiscard]] Rect bounds() const { return frame.bounds(); }
+  [[nodiscard]] Rgb565::Cursor open(const Span& run) {
+    ++spans;
+    pixels += static_cast<std::uint32_t>(run.count);
+    return frame.open(run);
+  }
+  [[nodiscard]] Status close(const Span& run) { return frame.close(run); }
+};
+
+template <class Method>
+bool measure(const char* method, const char* shape, const MeshView& mesh, std::int32_t radius) {
+  static CachedVertex<Method> cache[2048];
+  scenes::StageSet stage;
+  if (!ok(scenes::set_stage({kWidth, kHeight}, radius, {}, stage))) return false;
+  hal::Framebuffer<Rgb565> frame(colours, kWidth, kHeight);
+  DepthBuffer depth(depths, kWidth, kHeight);
+  CountingSink counting{frame};
+  depth.clear();
+  const DrawResult counted = draw_mesh<Method>(mesh, stage.transform, stage.light, counting, depth, cache);
+
+  arcspan_mark();
+  frame.clear({0, 0, 0});
+  depth.clear();
+  arcspan_mark();
+  const DrawResult drawn = draw_mesh<Method>(mesh, stage.transform, stage.light, frame, depth, cache);
+  arcspan_mark();
+  bare::print_line("section: clear ", method, " ", shape, " ", static_cast<std::uint32_t>(radius));
+  bare::print_line("section: draw ", method, " ", shape, " ", static_cast<std::uint32_t>(radius));
+  bare::print_line("section: between");
+  bare::print_line("scene: ", method, " ", shape, " ", static_cast<std::uint32_t>(radius), " ", mesh.vertex_count(), " ",
+                   counted.triangles, " ", counting.spans, " ", counting.pixels);
+  return ok(counted.status) && ok(drawn.status) && drawn.triangles == counted.triangles;
+}
+
+template <class Shape>
+bool measure_shape(const char* name, const Shape& shape) {
+  MeshView mesh;
+  bool good = ok(shape.view(mesh));
+  for (const std::int32_t radius : {36, 72, 108}) {
+    good = good && measure<Flat<scenes::Light>>("flat", name, mesh, radius);
+    good = good && measure<Gouraud<scenes::Light>>("gouraud", name, mesh, radius);
+    good = good && measure<Arc<scenes::Light>>("arc", name, mesh, radius);
+  }
+  return good;
+}
+
+}  // namespace
+
+int main() {
+  return measure_shape("16x8", kCoarse) && measure_shape("32x16", kMiddle) && measure_shape("64x32", kFine) ? 0 : 1;
+}

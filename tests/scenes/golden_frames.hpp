@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/draw.hpp>
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/arc.hpp>
+#include <arcspan/shading/flat.hpp>
+#include <arcspan/shading/gouraud.hpp>
+
+#include <tests/scenes/stage_set.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+/// Frames that every host must draw alike, in whatever bands its memory allows; tests/scenes/hashes.txt pins
+/// them.
+namespace arcspan::scenes {
+
+inline constexpr std::int32_t kWidth = 160;
+inline constexpr std::int32_t kHeight = 120;
+inline constexpr std::int32_t kFrameRadius = 52;
+
+inline constexpr auto kSmallSphere = make_sphere<16, 8>();
+inline constexpr auto kSphere = make_sphere<32, 16>();
+inline constexpr auto kTorus = make_torus<24, 12>();
+
+/// FNV-1a over bytes.
+class Hash {
+ public:
+  constexpr void add(std::uint8_t byte) { state_ = (state_ ^ byte) * 16777619u; }
+  constexpr void add(Rgb8 c) {
+    add(c.r);
+    add(c.g);
+    add(c.b);
+  }
+  [[nodiscard]] constexpr std::uint32_t value() const { return state_; }
+
+ private:
+  std::uint32_t state_ = 2166136261u;
+};
+
+/// Room for `Count` transformed vertices of any of the methods.
+template <std::size_t Count>
+union VertexMemory {
+  CachedVertex<Flat<Light>> flat[Count == 0 ? 1 : Count];
+  CachedVertex<Gouraud<Light>> gouraud[Count == 0 ? 1 : Count];
+  CachedVertex<Arc<Light>> arc[Count == 0 ? 1 : Count];
+
+  constexpr VertexMemory() : flat{} {}
+
+  template <class Method>
+  [[nodiscard]] std::span<CachedVertex<Method>> of() {
+    if constexpr (std::same_as<Method, Flat<Light>>) return {flat, Count};
+    if constexpr (std::same_as<Method, Gouraud<Light>>) return {gouraud, Count};
+    if constexpr (std::same_as<Method, Arc<Light>>) return {arc, Count};
+  }
+};
+
+/// Memory to draw in: the colours and depths of `Rows` rows, a divisor of kHeight, and a cache of `Vertices`.
+template <std::int32_t Rows, std::size_t Vertices>
+struct Workspace {
+  static_assert(kHeight % Rows == 0);
+  static constexpr std::int32_t kRows = Rows;
+  static constexpr std::size_t kPixels = static_cast<std::size_t>(kWidth) * static_cast<std::size_t>(Rows);
+  std::uint16_t colours[kPixels];
+  std::uint16_t depths[kPixels];
+  VertexMemory<Vertices> vertices;
+};
+
+/// Draws one frame band by band and hashes its pixels from left to right and top to bottom.
+template <class Method, class Space>
+[[nodiscard]] Status hash_frame(const MeshView& mesh, const StageSet& stage, Space& space, Hash& hash) {
+  hal::Framebuffer<Rgb565> band(space.colours, kWidth, Space::kRows);
+  DepthBuffer depth(space.depths, kWidth, Space::kRows);
+  for (std::int32_t top = 0; top < kHeight; top += Space::kRows) {
+    band.move_to(top);
+    depth.move_to(top);
+    band.clear({16, 16, 32});
+    depth.clear();
+    const auto cache = space.vertices.template of<Method>();
+    const DrawResult drawn = draw_mesh<Method>(mesh, stage.transform, stage.light, band, depth, cache);
+    if (!ok(drawn.status)) return drawn.status;
+    for (std::int32_t y = top; y < top + Space::kRows; ++y) {
+      for (std::int32_t x = 0; x < kWidth; ++x) hash.add(band.pixel(x, y));
+    }
+  }
+  return Status::kOk;
+}
+
+/// Calls report(shape, method, status, hash) for every frame: each shape by each method, turned a little
+/// further each time.
+template <class Space, class Report>
+void golden_frames(Space& space, const Report& report) {
+  Turn turn{0};
+  const auto frames_of = [&](const char* name, const auto& shape) {
+    MeshView mesh;
+    const Status valid = shape.view(mesh);
+    const auto frame = [&]<class Method>(const char* method) {
+      StageSet stage;
+      Status status = valid;
+      if (ok(status)) status = set_stage({kWidth, kHeight}, kFrameRadius, turn, stage);
+      Hash hash;
+      if (ok(status)) status = hash_frame<Method>(mesh, stage, space, hash);
+      report(name, method, status, hash.value());
+      turn = turn + Turn{1234};
+    };
+    frame.template operator()<Flat<Light>>("flat");
+    frame.template operator()<Gouraud<Light>>("gouraud");
+    frame.template operator()<Arc<Light>>("arc");
+  };
+  frames_of("sphere-16x8", kSmallSphere);
+  frames_of("sphere-32x16", kSphere);
+  frames_of("torus-24x12", kTorus);
+}
+
+}  // namespace arcspan::scenes

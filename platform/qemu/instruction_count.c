@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT
  * A TCG plugin that counts executed instructions, in all and per address range, from one mark to the next.
  *
- * Arguments: ranges=FILE  lines "first-address size name", addresses and sizes in hexadecimal, sorted, not overlapping
- *            mark=ADDRESS address of the function that the guest calls as a mark
- *            out=FILE     report: for every mark and at the end a line "section TOTAL" with the instructions since
- *                         the last one, followed by "range COUNT name" for every range that ran
+ * Arguments: ranges=FILE  lines "first-address size name", addresses and sizes in hexadecimal, sorted, not
+ * overlapping mark=ADDRESS address of the function that the guest calls as a mark out=FILE     report: for
+ * every mark and at the end a line "section TOTAL" with the instructions since the last one, followed by
+ * "range COUNT name" for every range that ran
  *
  * The instruction at ADDRESS is the first of the section that its call begins.
  */
+#include "plugin_api.h"
+
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "plugin_api.h"
 
 struct range {
   uint64_t first;
@@ -24,18 +24,18 @@ struct range {
 
 int qemu_plugin_version = 1;
 
-static struct range *ranges;
+static struct range* ranges;
 static size_t range_count;
 static uint64_t total;
 static uint64_t mark_address;
-static FILE *report;
+static FILE* report;
 
-static int read_ranges(const char *path) {
-  FILE *file = fopen(path, "r");
+static int read_ranges(const char* path) {
+  FILE* file = fopen(path, "r");
   struct range next = {0};
   if (file == NULL) return -1;
   while (fscanf(file, "%" SCNx64 " %" SCNx64 " %511[^\n]", &next.first, &next.size, next.name) == 3) {
-    struct range *grown = realloc(ranges, (range_count + 1) * sizeof *ranges);
+    struct range* grown = realloc(ranges, (range_count + 1) * sizeof *ranges);
     if (grown == NULL) break;
     ranges = grown;
     ranges[range_count++] = next;
@@ -45,9 +45,9 @@ static int read_ranges(const char *path) {
   return complete ? 0 : -1;
 }
 
-static int compare_address(const void *key, const void *element) {
-  const uint64_t address = *(const uint64_t *)key;
-  const struct range *range = element;
+static int compare_address(const void* key, const void* element) {
+  const uint64_t address = *(const uint64_t*)key;
+  const struct range* range = element;
   if (address < range->first) return -1;
   return address >= range->first + range->size;
 }
@@ -61,18 +61,18 @@ static void write_section(void) {
   total = 0;
 }
 
-static void on_mark(unsigned int vcpu, void *user) {
+static void on_mark(unsigned int vcpu, void* user) {
   (void)vcpu;
   (void)user;
   write_section();
 }
 
-static void on_translation(qemu_plugin_id_t id, struct qemu_plugin_tb *block) {
+static void on_translation(qemu_plugin_id_t id, struct qemu_plugin_tb* block) {
   (void)id;
   for (size_t i = 0; i < qemu_plugin_tb_n_insns(block); ++i) {
-    struct qemu_plugin_insn *instruction = qemu_plugin_tb_get_insn(block, i);
+    struct qemu_plugin_insn* instruction = qemu_plugin_tb_get_insn(block, i);
     const uint64_t address = qemu_plugin_insn_vaddr(instruction);
-    struct range *range = bsearch(&address, ranges, range_count, sizeof *ranges, compare_address);
+    struct range* range = bsearch(&address, ranges, range_count, sizeof *ranges, compare_address);
     if (address == mark_address) {
       qemu_plugin_register_vcpu_insn_exec_cb(instruction, on_mark, QEMU_PLUGIN_CB_NO_REGS, NULL);
     }
@@ -83,14 +83,14 @@ static void on_translation(qemu_plugin_id_t id, struct qemu_plugin_tb *block) {
   }
 }
 
-static void on_end(qemu_plugin_id_t id, void *user) {
+static void on_end(qemu_plugin_id_t id, void* user) {
   (void)id;
   (void)user;
   write_section();
   fclose(report);
 }
 
-static int read_argument(const char *argument) {
+static int read_argument(const char* argument) {
   if (strncmp(argument, "ranges=", 7) == 0) return read_ranges(argument + 7);
   if (strncmp(argument, "mark=", 5) == 0) {
     mark_address = strtoull(argument + 5, NULL, 16);
@@ -103,7 +103,7 @@ static int read_argument(const char *argument) {
   return -1;
 }
 
-int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t *info, int argc, char **argv) {
+int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t* info, int argc, char** argv) {
   (void)info;
   for (int i = 0; i < argc; ++i) {
     if (read_argument(argv[i]) != 0) {

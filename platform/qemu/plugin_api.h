@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * The part of the emulator's plugin interface (version 1, "QEMU TCG Plugins" in its developer manual) that
- * instruction_count.c uses, declared from that documentation: distributions ship the emulator without the header.
+ * instruction_count.c uses, declared from that documentation: distributions ship the emulator without the
+ * header.
  */
 #ifndef ARCSPAN_PLUGIN_API_H
 #define ARCSPAN_PLUGIN_API_H
@@ -18,20 +19,22 @@ enum qemu_plugin_op { QEMU_PLUGIN_INLINE_ADD_U64 };
 
 /* Called by the emulator. */
 __attribute__((visibility("default"))) extern int qemu_plugin_version;
-__attribute__((visibility("default"))) int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t *info,
-                                                               int argc, char **argv);
+__attribute__((visibility("default"))) int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t* info,
+                                                               int argc, char** argv);
 
-/* Called by the plugin. A translation block is a run of guest instructions that the emulator translates at once. */
+/* Called by the plugin. A translation block is a run of guest instructions that the emulator translates at
+ * once. */
 void qemu_plugin_register_vcpu_tb_trans_cb(qemu_plugin_id_t id,
-                                           void (*translated)(qemu_plugin_id_t, struct qemu_plugin_tb *));
-void qemu_plugin_register_atexit_cb(qemu_plugin_id_t id, void (*ended)(qemu_plugin_id_t, void *), void *user);
-size_t qemu_plugin_tb_n_insns(const struct qemu_plugin_tb *block);
-struct qemu_plugin_insn *qemu_plugin_tb_get_insn(const struct qemu_plugin_tb *block, size_t index);
-uint64_t qemu_plugin_insn_vaddr(const struct qemu_plugin_insn *instruction);
-void qemu_plugin_register_vcpu_insn_exec_inline(struct qemu_plugin_insn *instruction, enum qemu_plugin_op operation,
-                                                void *counter, uint64_t addend);
-void qemu_plugin_register_vcpu_insn_exec_cb(struct qemu_plugin_insn *instruction,
-                                            void (*executed)(unsigned int vcpu, void *user),
-                                            enum qemu_plugin_cb_flags flags, void *user);
+                                           void (*translated)(qemu_plugin_id_t, struct qemu_plugin_tb*));
+void qemu_plugin_register_atexit_cb(qemu_plugin_id_t id, void (*ended)(qemu_plugin_id_t, void*), void* user);
+size_t qemu_plugin_tb_n_insns(const struct qemu_plugin_tb* block);
+struct qemu_plugin_insn* qemu_plugin_tb_get_insn(const struct qemu_plugin_tb* block, size_t index);
+uint64_t qemu_plugin_insn_vaddr(const struct qemu_plugin_insn* instruction);
+void qemu_plugin_register_vcpu_insn_exec_inline(struct qemu_plugin_insn* instruction,
+                                                enum qemu_plugin_op operation, void* counter,
+                                                uint64_t addend);
+void qemu_plugin_register_vcpu_insn_exec_cb(struct qemu_plugin_insn* instruction,
+                                            void (*executed)(unsigned int vcpu, void* user),
+                                            enum qemu_plugin_cb_flags flags, void* user);
 
 #endif

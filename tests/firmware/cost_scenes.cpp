@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The project's measured scene (tests/scenes/stage_set.hpp), 320x240, rgb565, 16-bit depth: spheres of three finenesses and three
-// radii by every method. Clearing and drawing are sections of their own for instruction_count.py; a line "scene: ..." tells
-// how much was drawn in the section that follows.
+// The project's measured scene (tests/scenes/stage_set.hpp), 320x240, rgb565, 16-bit depth: spheres of three
+// finenesses and three radii by every method. Clearing and drawing are sections of their own for
+// instruction_count.py; a line "scene: ..." tells how much was drawn in the section that follows.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
 #include <arcspan/draw.hpp>
@@ -9,6 +9,7 @@
 #include <arcspan/shading/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
+
 #include <tests/scenes/stage_set.hpp>
 
 using namespace arcspan;
@@ -42,7 +43,8 @@ struct CountingSink {
 };
 
 template <class Method>
-bool measure(const char* method, const char* shape, const MeshView& mesh, std::int32_t radius) {
+bool measure(const char* method, const char* shape, const MeshView& mesh, const MeshView& vertices,
+             std::int32_t radius) {
   static CachedVertex<Method> cache[2048];
   scenes::StageSet stage;
   if (!ok(scenes::set_stage({kWidth, kHeight}, radius, {}, stage))) return false;
@@ -58,22 +60,28 @@ bool measure(const char* method, const char* shape, const MeshView& mesh, std::i
   arcspan_mark();
   const DrawResult drawn = draw_mesh<Method>(mesh, stage.transform, stage.light, frame, depth, cache);
   arcspan_mark();
+  // Without triangles only the vertex stage runs.
+  const DrawResult none = draw_mesh<Method>(vertices, stage.transform, stage.light, frame, depth, cache);
+  arcspan_mark();
   bare::print_line("section: clear ", method, " ", shape, " ", static_cast<std::uint32_t>(radius));
   bare::print_line("section: draw ", method, " ", shape, " ", static_cast<std::uint32_t>(radius));
+  bare::print_line("section: vertices ", method, " ", shape, " ", static_cast<std::uint32_t>(radius));
   bare::print_line("section: between");
-  bare::print_line("scene: ", method, " ", shape, " ", static_cast<std::uint32_t>(radius), " ", mesh.vertex_count(), " ",
-                   counted.triangles, " ", counting.spans, " ", counting.pixels);
-  return ok(counted.status) && ok(drawn.status) && drawn.triangles == counted.triangles;
+  bare::print_line("scene: ", method, " ", shape, " ", static_cast<std::uint32_t>(radius), " ",
+                   mesh.vertex_count(), " ", counted.triangles, " ", counting.spans, " ", counting.pixels);
+  return ok(none.status) && ok(counted.status) && ok(drawn.status) && drawn.triangles == counted.triangles;
 }
 
 template <class Shape>
 bool measure_shape(const char* name, const Shape& shape) {
   MeshView mesh;
-  bool good = ok(shape.view(mesh));
+  MeshView vertices;
+  bool good = ok(shape.view(mesh)) &&
+              ok(MeshView::make(shape.positions, shape.normals, std::span<const std::uint16_t>{}, vertices));
   for (const std::int32_t radius : {36, 72, 108}) {
-    good = good && measure<Flat<scenes::Light>>("flat", name, mesh, radius);
-    good = good && measure<Gouraud<scenes::Light>>("gouraud", name, mesh, radius);
-    good = good && measure<Arc<scenes::Light>>("arc", name, mesh, radius);
+    good = good && measure<Flat<scenes::Light>>("flat", name, mesh, vertices, radius);
+    good = good && measure<Gouraud<scenes::Light>>("gouraud", name, mesh, vertices, radius);
+    good = good && measure<Arc<scenes::Light>>("arc", name, mesh, vertices, radius);
   }
   return good;
 }
@@ -81,5 +89,7 @@ bool measure_shape(const char* name, const Shape& shape) {
 }  // namespace
 
 int main() {
-  return measure_shape("16x8", kCoarse) && measure_shape("32x16", kMiddle) && measure_shape("64x32", kFine) ? 0 : 1;
+  return measure_shape("16x8", kCoarse) && measure_shape("32x16", kMiddle) && measure_shape("64x32", kFine)
+             ? 0
+             : 1;
 }

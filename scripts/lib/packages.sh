@@ -19,5 +19,5 @@ install_packages() {
 # npm and node, wherever they come from: many machines have them from elsewhere, and Debian's are large.
 npm_packages() { command -v npm >/dev/null && command -v node >/dev/null || echo nodejs npm; }
 
-# What a build of the tools takes.
-build_packages() { echo cmake ninja-build g++ libassimp-dev libcli11-dev libstb-dev nlohmann-json3-dev catch2; }
+# What a build of the tools takes. zlib1g-dev: libassimp-dev's CMake file links libz.so without depending on it.
+build_packages() { echo cmake ninja-build g++ libassimp-dev zlib1g-dev libcli11-dev libstb-dev nlohmann-json3-dev catch2; }

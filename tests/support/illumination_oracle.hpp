@@ -10,7 +10,7 @@
 
 namespace arcspan::test {
 
-/// A material and one light in double precision; the equations of shading.md section 2.
+/// A material and one light in double precision; S0 eq. 1 and 12.
 struct IlluminationOracle {
   std::array<double, 3> ambient{};
   std::array<double, 3> diffuse{};

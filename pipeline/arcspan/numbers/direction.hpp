@@ -40,7 +40,7 @@ struct Normal {
 }
 
 /// |a - b|^2 = 2 - 2 a·b, from the difference vector: 2 - 2 a·b itself would lose a fifth of the value at an
-/// angle of one degree (shading.md section 4). 0...4, with 28 fraction bits, unsigned.
+/// angle of one degree (docs/papers.md). 0...4, with 28 fraction bits, unsigned.
 [[nodiscard]] constexpr std::uint32_t squared_chord(const Normal& a, const Normal& b) {
   const std::int32_t x = a.x.raw() - b.x.raw();
   const std::int32_t y = a.y.raw() - b.y.raw();

@@ -14,7 +14,7 @@ using Subpixel = Fixed<std::int32_t, 4>;
 
 /// A scalar that the arcs carry: N·L, N·H, N·V, and its difference from pixel to pixel. Q1.30, [-2, 2): the
 /// amplitude is 1, one bit is head-room; differences need all 30 fraction bits, since their error grows with
-/// the length of the span (shading.md section 3).
+/// the length of the span (decision 4).
 using Unit = Fixed<std::int32_t, 30>;
 
 /// Factor of the arc start, fraction of an edge, squared chord or squared angle up to 1.1 (60 degrees).
@@ -38,9 +38,6 @@ using DirectionComponent = Fixed<std::int32_t, 15>;
 /// Attribute that is linear on the screen (depth 0...65535, colour 0...255 in 256ths): 16 bits and 12
 /// fraction bits, so that an error of a gradient stays below 1/8 over 1024 pixels; 3 bits are head-room.
 using Linear = Fixed<std::int32_t, 12>;
-
-/// Clip-space coordinate; see ClipTransform for its scale. |value| < 2^30.
-using ClipCoordinate = Fixed<std::int32_t, 0>;
 
 /// Entry of a rotation, Q1.30, [-1, 1].
 using RotationEntry = Fixed<std::int32_t, 30>;

@@ -23,7 +23,7 @@ struct ArcStep {
 ///     x <- x + d;    d <- d - round(k x)
 ///
 /// one 16x16->32 multiply, one shift, and sums. The multiplier sees the top 16 bits of x (14 fraction bits);
-/// d keeps all 30, because its error grows with the number of steps (shading.md section 3).
+/// d keeps all 30, because its error grows with the number of steps (docs/papers.md).
 struct ArcScalar {
   Unit x;
   Unit d;

@@ -10,8 +10,8 @@ namespace arcspan {
 
 /// A row of a triangle as its method's walker gets it.
 struct RowStart {
-  std::uint32_t
-      fraction;  ///< from the left edge to the first pixel's centre, in pixels with 16 fraction bits
+  /// From the left edge to the first pixel's centre, in pixels with 16 fraction bits.
+  std::uint32_t fraction;
   /// The same distance and the whole row's length, at least 1, both with `bits` fraction bits: 16, or 32 for
   /// rows shorter than a pixel.
   std::uint32_t inside;
@@ -24,9 +24,9 @@ struct RowStart {
 ///
 /// `Object` is what it needs of the object's illumination, `Face` of a face, `Vertex` of a vertex; `Prepared`
 /// is its part of the triangle command. A `Walker` goes down the rows of a command: `row` gives the `Run`
-/// that makes the colours of a row's pixels from left to right, `next_row` steps down, `enter_lower` changes
-/// to the lower edge. It may use the prepared part up. Everything in `Walker` and `Run` is span stage: no
-/// division.
+/// that makes the colours of a row's pixels from left to right, of kLongestRun at most, `next_row` steps
+/// down, `enter_lower` changes to the lower edge. It may use the prepared part up. Everything in `Walker` and
+/// `Run` is span stage: no division.
 template <class M>
 concept ShadingMethod = requires(const typename M::Object& object, const Direction& normal,
                                  const typename M::Vertex& vertex, const typename M::Face& face,

@@ -10,7 +10,7 @@ namespace arcspan {
 
 /// c^n for the specular factor: a table over 1 - c with linear interpolation. It covers the part where the
 /// power is above 2^-10, a quarter of an 8-bit step; further out it is 0. Working on 1 - c keeps the
-/// highlight sharp, for it is there that c has the fewest significant bits (shading.md section 2).
+/// highlight sharp, for it is there that c has the fewest significant bits.
 class PowerTable {
  public:
   static constexpr std::uint32_t kIntervals = 128;

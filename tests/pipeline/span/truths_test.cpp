@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rasterisation truths that others have published (shading.md section 10).
+// The rasterisation truths that others have published.
 #include <catch2/catch.hpp>
 #include <tests/support/raster_stage.hpp>
 

@@ -74,6 +74,7 @@ class MeshDrawer {
   }
 
   void draw_triangle(const TriangleIndices& t) {
+    const bool counted = drawn_;
     drawn_ = false;
     if (cache_ != nullptr) {
       draw_vertices(t, cache_[t.a], cache_[t.b], cache_[t.c]);
@@ -87,6 +88,7 @@ class MeshDrawer {
       draw_vertices(t, a, b, c);
     }
     if (drawn_) ++result_.triangles;
+    drawn_ = counted;
   }
 
   void draw_vertices(const TriangleIndices& t, const CachedVertex<Method>& a, const CachedVertex<Method>& b,
@@ -199,8 +201,8 @@ class MeshDrawer {
 
 /// Draws a mesh: transform, clip, cull, prepare, span by span into `sink`, within the common bounds of the
 /// viewport, the sink and the depth target. To draw a picture in bands, call this once a
-/// band: the rows come out bit for bit the same. Columns that are cut off on the left may change the last
-/// bits of what is drawn, since rows begin at the first column drawn.
+/// band: the rows come out bit for bit the same. Columns cut off on the left may change the last bits of
+/// what is drawn, since a row begins at its first drawn column.
 ///
 /// `object` is the illumination in the object's space. `cache` may hold mesh.vertex_count() vertices, each of
 /// which is then transformed once; if it is smaller it is not used, and every triangle transforms its own

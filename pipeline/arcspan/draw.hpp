@@ -152,7 +152,7 @@ class MeshDrawer {
 
   void draw_part(const Raster& a, const Raster& b, const Raster& c, const typename Method::Face& face) {
     TriangleCommand<Method> command;
-    if (!ok(result_.status) || !prepare_triangle(a, b, c, face, rows_, command)) return;
+    if (!ok(result_.status) || !prepare_triangle(object_, a, b, c, face, rows_, command)) return;
     drawn_ = true;
     result_.status = draw_command(command, origin_, clip_, object_, sink_, depth_);
   }

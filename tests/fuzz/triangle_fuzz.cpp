@@ -134,7 +134,7 @@ void fuzz_triangles(Input& in) {
     const Direction normal = take_direction(in);
     auto emit = [&](const auto& a, const auto& b, const auto& c) {
       TriangleCommand<Method> command;
-      if (!prepare_triangle(a, b, c, Method::shade_face(object, normal), rows, command)) return;
+      if (!prepare_triangle(object, a, b, c, Method::shade_face(object, normal), rows, command)) return;
       const Rect clip = target.sink.bounds();
       if ((in.take<std::uint8_t>() & 1) != 0) {
         static_cast<void>(draw_command(command, origin, clip, object, target.sink, target.depth));

@@ -22,6 +22,7 @@ struct Probe {
   using Blinn = Illumination<1, Highlight::kBlinn>;
   using Phong = Illumination<1, Highlight::kPhong>;
   static constexpr std::size_t kScalars = 3;
+  static constexpr std::size_t kLights = 3;  ///< not one, so that every triangle carries all scalars
   using Scalars = std::array<Unit, kScalars>;
 
   [[nodiscard]] Scalars scalars(const Direction& normal) const {

@@ -29,7 +29,7 @@ class RasterStage {
   bool draw(const RasterVertex<Method>& a, const RasterVertex<Method>& b, const RasterVertex<Method>& c,
             const typename Method::Face& face = {}) {
     TriangleCommand<Method> command;
-    if (!prepare_triangle(a, b, c, face, rows_, command)) return false;
+    if (!prepare_triangle(object_, a, b, c, face, rows_, command)) return false;
     return ok(draw_command(command, origin_, clip_, object_, sink_, depth_));
   }
 

@@ -40,8 +40,9 @@ requires(F >= 0 && F < static_cast<int>(8 * sizeof(R))) class Fixed {
   using Rep = R;
   static constexpr int kFraction = F;
 
-  /// 0. Not defaulted: clang 14 then forgets the member's initialiser, the class being constrained.
-  constexpr Fixed() : raw_(0) {}
+  /// Like the integer it is: `Fixed x;` is left unset, so that tables and commands cost nothing to declare;
+  /// `Fixed{}` is 0.
+  Fixed() = default;
 
   /// The number raw / 2^F.
   [[nodiscard]] static constexpr Fixed from_raw(R raw) {

@@ -15,18 +15,28 @@ struct Rgb8 {
 };
 
 /// Three channels in one word, each with 8 bits and 2 fraction bits to which half a step has been added, so
-/// that dropping them rounds: r in bits 29...20, g in 19...10, b in 9...0. What shading hands to pixel
-/// formats.
+/// that dropping them rounds: g in bits 31...22, r in 20...11, b in 9...0. What shading hands to pixel
+/// formats. Red and blue lie as far apart as in a 5-6-5 pixel, and have a bit above each for a carry.
 struct PackedRgb {
   std::uint32_t lanes = 0;
 
   /// Channels in 0...1023.
   [[nodiscard]] static constexpr PackedRgb of(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
-    return {(r << 20) | (g << 10) | b};
+    return {(g << 22) | (r << 11) | b};
   }
   [[nodiscard]] constexpr Rgb8 rgb8() const {
-    return {static_cast<std::uint8_t>(lanes >> 22), static_cast<std::uint8_t>(lanes >> 12),
+    return {static_cast<std::uint8_t>(lanes >> 13), static_cast<std::uint8_t>(lanes >> 24),
             static_cast<std::uint8_t>(lanes >> 2)};
+  }
+
+  /// Every channel plus one of 0...1023, saturated; red and blue are given as `r << 11 | b`.
+  [[nodiscard]] constexpr PackedRgb plus(std::uint32_t red_blue, std::uint32_t green) const {
+    constexpr std::uint32_t kLanes = 0x001FFBFF;
+    std::uint32_t sum = (lanes & kLanes) + red_blue;
+    const std::uint32_t carries = sum & ~kLanes;
+    sum |= carries - (carries >> 10);
+    const std::uint32_t g = (lanes >> 22) + green;
+    return {((g > 1023 ? 1023 : g) << 22) | (sum & kLanes)};
   }
 };
 

@@ -107,8 +107,7 @@ struct Rgb565 {
   }
   /// encode(c.rgb8()), straight from the lanes.
   [[nodiscard]] static constexpr Code encode(PackedRgb c) {
-    return static_cast<Code>((((c.lanes >> 25) & 31u) << 11) | (((c.lanes >> 14) & 63u) << 5) |
-                             ((c.lanes >> 5) & 31u));
+    return static_cast<Code>(((c.lanes >> 5) & 0xF81Fu) | ((c.lanes >> 21) & 0x07E0u));
   }
   [[nodiscard]] static constexpr Code encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
     return encode(Rgb8{dithered<5>(c.r, x, y), dithered<6>(c.g, x, y), dithered<5>(c.b, x, y)});

@@ -13,12 +13,17 @@ struct LinearEdge {
   Linear step;  ///< per row
 };
 
-/// An attribute linear on the screen: its values along the left edge, and its gradient along a row. `left[0]`
-/// is the left edge from the first row on, `left[1]` the one from the middle row on where the middle vertex
-/// is on the left.
+/// An attribute linear on the screen: its values along the left edge, and its gradient along a row. `lower`
+/// takes the left edge's place at the middle row if the middle vertex is on the left.
 struct LinearPlane {
-  LinearEdge left[2];
+  LinearEdge left;
+  LinearEdge lower;
   Linear dx;  ///< per pixel
+
+  constexpr void next_row() { left.at += left.step; }
+  constexpr void enter_lower(bool middle_left) {
+    if (middle_left) left = lower;
+  }
 };
 
 /// The largest gradient: the whole 16-bit range in one pixel. A steeper one only occurs in triangles narrower

@@ -30,17 +30,17 @@ struct RowRange {
 /// *The command that the span stage takes.* Plain integers; nothing else passes from preparation to spans, so
 /// the span stage can as well be another core or a piece of hardware. docs/triangle-command.md is its layout.
 ///
-/// The rows first_row ... middle_row - 1 lie between the long edge and the upper one, those from middle_row
-/// to end_row - 1 between the long edge and the lower one. Edges stand at the first row they are used in.
+/// The rows from first_row to end_row - 1 lie between `left` and `right`; at middle_row the lower edge takes
+/// over on the side of the middle vertex. Edges stand at the first row they are used in.
 template <class Method>
 struct TriangleCommand {
   std::int16_t first_row;  ///< relative to the raster origin
   std::int16_t middle_row;
   std::int16_t end_row;
-  bool middle_left;  ///< the upper and lower edges are on the left of the long one
-  EdgeWalk long_edge;
-  EdgeWalk upper_edge;
-  EdgeWalk lower_edge;
+  bool middle_left;  ///< the middle vertex is on the left of the long edge
+  EdgeWalk left;
+  EdgeWalk right;
+  EdgeWalk lower;
   LinearPlane depth;
   typename Method::Prepared shade;
 };
@@ -71,11 +71,11 @@ template <class Method>
   const std::int32_t across = middle - (top + along);
   plane.dx = gradient(frame.middle_left ? -across : across, frame.inverse_width, 16);
   if (frame.middle_left) {
-    plane.left[0] = frame.has_upper ? make_linear_edge(frame.upper_edge, top, middle) : LinearEdge{};
-    plane.left[1] = frame.has_lower ? make_linear_edge(frame.lower_edge, middle, bottom) : LinearEdge{};
+    plane.left = frame.has_upper ? make_linear_edge(frame.upper_edge, top, middle) : LinearEdge{};
+    plane.lower = frame.has_lower ? make_linear_edge(frame.lower_edge, middle, bottom) : LinearEdge{};
   } else {
-    plane.left[0] = make_linear_edge(frame.long_edge, top, bottom);
-    plane.left[1] = LinearEdge{};
+    plane.left = make_linear_edge(frame.long_edge, top, bottom);
+    plane.lower = LinearEdge{};
   }
   return plane;
 }
@@ -116,20 +116,21 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   frame.has_upper = command.first_row < command.middle_row;
   frame.has_lower = command.middle_row < command.end_row;
   frame.long_edge = make_edge_span(top, bottom, command.first_row);
-  command.long_edge = make_edge_walk(frame.long_edge, bottom);
+  EdgeWalk& long_walk = frame.middle_left ? command.right : command.left;
+  long_walk = make_edge_walk(frame.long_edge, bottom);
   if (frame.has_upper) {
     frame.upper_edge = make_edge_span(top, middle, command.first_row);
-    command.upper_edge = make_edge_walk(frame.upper_edge, middle);
+    (frame.middle_left ? command.left : command.right) = make_edge_walk(frame.upper_edge, middle);
   }
   if (frame.has_lower) {
     frame.lower_edge = make_edge_span(middle, bottom, command.middle_row);
-    command.lower_edge = make_edge_walk(frame.lower_edge, bottom);
+    command.lower = make_edge_walk(frame.lower_edge, bottom);
   }
   const auto height = static_cast<std::uint32_t>(middle.y - top.y);
   frame.middle_fraction = Factor::from_raw(static_cast<std::int32_t>(
       (height * frame.long_edge.inverse.mantissa) >> (frame.long_edge.inverse.exponent - Factor::kFraction)));
   const std::int64_t across = (std::int64_t{middle.x - top.x} << 28) -
-                              ((command.long_edge.step * static_cast<std::int64_t>(height)) >> 4);
+                              ((long_walk.step * static_cast<std::int64_t>(height)) >> 4);
   const std::int64_t width = (across < 0 ? -across : across) >> 16;
   frame.width = width < 1 ? 1u : static_cast<std::uint32_t>(width);
   frame.inverse_width = reciprocal(frame.width);
@@ -147,7 +148,8 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
 /// triangle's rows is among them, if it has no area, or if a vertex is outside the guard band, where
 /// project() puts none. Either orientation is drawn.
 template <class Method>
-[[nodiscard]] constexpr bool prepare_triangle(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+[[nodiscard]] constexpr bool prepare_triangle(const typename Method::Object& object,
+                                              const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                                               const RasterVertex<Method>& c,
                                               const typename Method::Face& face, const RowRange& rows,
                                               TriangleCommand<Method>& command) {
@@ -166,7 +168,7 @@ template <class Method>
   detail::place_edges(frame, command);
   command.depth =
       make_linear_plane(frame, frame.top->position.z, frame.middle->position.z, frame.bottom->position.z);
-  Method::prepare(frame, face, command.shade);
+  Method::prepare(object, frame, face, command.shade);
   return true;
 }
 

@@ -2,16 +2,17 @@
 #pragma once
 
 #include <arcspan/numbers/root.hpp>
-#include <arcspan/prepare/arc_rows.hpp>
+#include <arcspan/shading/arcs.hpp>
 #include <arcspan/shading/illumination.hpp>
-#include <arcspan/shading/method.hpp>
+#include <arcspan/shading/patches.hpp>
 
 #include <array>
 
 namespace arcspan {
 
 /// Spherical-angular Phong shading on scalars (S0 eq. 14): the products of the normal with L, H or V run
-/// along great circles down the edges and along the rows, each by one multiply, one shift and sums a step.
+/// along great circles down the edges and along the rows, each by one multiply, one shift and sums a step. In
+/// triangles whose normals are within 16 degrees the arcs are so flat that second differences do.
 template <class Illumination>
 struct Arc {
   static constexpr std::size_t kScalars = Illumination::kScalars;
@@ -22,20 +23,19 @@ struct Arc {
     Normal normal;
     Scalars scalars;
   };
-  /// The edges' arcs, each at its first row, and the rows of the upper and the lower half.
+  enum class Path : std::uint8_t {
+    kArcs,          ///< wide angles, slivers and very large triangles
+    kPatch,         ///< near normals
+    kDiffusePatch,  ///< near normals and no highlight within reach: N·L only
+  };
   struct Prepared {
-    ArcEdge<kScalars> long_edge;
-    ArcEdge<kScalars> upper_edge;
-    ArcEdge<kScalars> lower_edge;
-    ArcRows upper_rows;
-    ArcRows lower_rows;
-    std::int32_t slope_drop;
-    ArcClass rows;  ///< the format of the rows' angles
+    union {
+      Arcs<kScalars> arcs;
+      Patch<kScalars> patch;
+    };
+    Path path;
     bool middle_left;
   };
-  /// The recurrence's rounding adds up to m^2 / 4 units of 2^-30: 1.5e-5 over 256 pixels, then the row starts
-  /// anew.
-  static constexpr std::int32_t kLongestRun = 256;
   static constexpr bool kNeedsFaceNormal = false;
 
   /// Normals farther apart than 60 degrees (squared chord 1) are not interpolated; the triangle is split.
@@ -68,133 +68,51 @@ struct Arc {
     return on_arc(from, to, t);
   }
 
-  static constexpr void prepare(const TriangleFrame<Arc>& frame, const Face&, Prepared& prepared) {
+  static constexpr void prepare([[maybe_unused]] const Object& object, const TriangleFrame<Arc>& frame, const Face&,
+                                Prepared& prepared) {
     const Vertex& top = frame.top->shade;
     const Vertex& middle = frame.middle->shade;
     const Vertex& bottom = frame.bottom->shade;
-    const Chords chords{squared_chord(top.normal, middle.normal), squared_chord(top.normal, bottom.normal),
-                        squared_chord(middle.normal, bottom.normal)};
-    make_arc_edge(frame.long_edge, chords.top_bottom, top.scalars, bottom.scalars, prepared.long_edge);
-    if (frame.has_upper) {
-      make_arc_edge(frame.upper_edge, chords.top_middle, top.scalars, middle.scalars, prepared.upper_edge);
-    }
-    if (frame.has_lower) {
-      make_arc_edge(frame.lower_edge, chords.middle_bottom, middle.scalars, bottom.scalars,
-                    prepared.lower_edge);
-    }
-    const std::uint32_t widest = chords.widest();
-    prepared.slope_drop = arcspan::slope_drop(widest);
-    prepared.rows = arc_class(widest);
-    with_angle(prepared.rows, [&](auto angle) { prepare_rows<decltype(angle)>(frame, chords, prepared); });
+    const TriangleChords chords{squared_chord(top.normal, middle.normal),
+                                squared_chord(top.normal, bottom.normal),
+                                squared_chord(middle.normal, bottom.normal)};
     prepared.middle_left = frame.middle_left;
+    if (chords.widest() > kWidestPatch || !patch_fits(frame)) {
+      prepared.path = Path::kArcs;
+      make_arcs(frame, chords, prepared.arcs);
+      return;
+    }
+    const PatchBulges bulges{patch_bulge(chords.top_middle), patch_bulge(chords.top_bottom),
+                             patch_bulge(chords.middle_bottom)};
+    const auto scalar = [&](std::size_t i) {
+      make_patch_scalar(frame, bulges, {top.scalars[i], middle.scalars[i], bottom.scalars[i]},
+                        prepared.patch[i]);
+    };
+    scalar(0);
+    if constexpr (kHasDiffusePath) {
+      if (!object.may_shine(top.scalars, middle.scalars, bottom.scalars, kPatchHeadroom)) {
+        prepared.path = Path::kDiffusePatch;
+        return;
+      }
+    }
+    prepared.path = Path::kPatch;
+    for (std::size_t i = 1; i < kScalars; ++i) scalar(i);
   }
 
-  /// The scalars of a row's pixels.
-  class Run {
-   public:
-    constexpr Run(std::int32_t mantissa, std::int32_t shift) : mantissa_(mantissa), shift_(shift) {}
-
-    [[nodiscard]] constexpr PackedRgb colour(const Object& object) const {
-      Scalars values;
-      unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
-      return object.colour(values);
+  /// Calls `draw` with the walker of the command's path.
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    if (prepared.path == Path::kArcs) return draw(ArcWalker<Object>(prepared.arcs));
+    if constexpr (kHasDiffusePath) {
+      if (prepared.path == Path::kDiffusePatch) {
+        return draw(PatchWalker<Object, 1>(prepared.patch, prepared.middle_left));
+      }
     }
-    [[nodiscard]] constexpr ArcScalar& scalar(std::size_t i) { return scalars_[i]; }
-    constexpr void next() {
-      unrolled<kScalars>([this](auto i) { scalars_[i].step(mantissa_, shift_); });
-    }
-
-   private:
-    std::array<ArcScalar, kScalars> scalars_;
-    std::int32_t mantissa_;
-    std::int32_t shift_;
-  };
-
-  /// Both edges' scalars, from row to row; walks the prepared edges in place.
-  class Walker {
-   public:
-    constexpr explicit Walker(Prepared& prepared)
-        : prepared_(&prepared), short_(&prepared.upper_edge), rows_(&prepared.upper_rows) {}
-
-    [[nodiscard]] constexpr Run row(const RowStart& start) const {
-      return with_angle(prepared_->rows, [&](auto angle) { return row_as<decltype(angle)>(start); });
-    }
-
-    constexpr void next_row() {
-      prepared_->long_edge.advance();
-      short_->advance();
-      rows_->t = wrap_add(rows_->t, rows_->dt);
-    }
-    constexpr void enter_lower() {
-      short_ = &prepared_->lower_edge;
-      rows_ = &prepared_->lower_rows;
-    }
-
-   private:
-    template <class Angle>
-    [[nodiscard]] constexpr Run row_as(const RowStart& start) const {
-      const Factor t = Factor::from_raw(rows_->t >> 15);
-      const Factor t2 = multiply<Factor>(t, t);
-      const Angle angle2 = multiply<Angle>(
-          t2, Angle::from_raw(rows_->corner) + multiply<Angle>(t2, Angle::from_raw(rows_->rise)));
-      const std::int32_t mantissa = wrap_add(rows_->k_corner, wrap_mul(rows_->k_rise, t2.raw()) >> 15);
-
-      const Reciprocal inverse = reciprocal(start.width);
-      const ArcFraction pixel = arc_fraction(inverse, start.bits);
-      const ArcStart<Angle> arc = arc_start(angle2, fraction_of_row(start, inverse), pixel.factor());
-      const SlopeScale scale = slope_scale(pixel, prepared_->slope_drop, 0);
-
-      const ArcEdge<kScalars>& left = prepared_->middle_left ? *short_ : prepared_->long_edge;
-      const ArcEdge<kScalars>& right = prepared_->middle_left ? prepared_->long_edge : *short_;
-      Run run(mantissa, rows_->k_shift);
-      unrolled<kScalars>(
-          [&](auto i) { run.scalar(i) = start_scalar(arc, scale, left.scalars[i].x, right.scalars[i].x); });
-      return run;
-    }
-
-    /// Where the row's first pixel is between its ends, 0...1; `inverse` is the width's reciprocal.
-    [[nodiscard]] static constexpr Factor fraction_of_row(const RowStart& start, const Reciprocal& inverse) {
-      const std::uint32_t inside = start.inside < start.width ? start.inside : start.width;
-      const std::uint32_t normalised = inside << (47 - inverse.exponent);  // as the width has its bit 31 set
-      return Factor::from_raw(static_cast<std::int32_t>(((normalised >> 16) * inverse.mantissa) >> 16));
-    }
-
-    Prepared* prepared_;
-    ArcEdge<kScalars>* short_;
-    ArcRows* rows_;
-  };
+    return draw(PatchWalker<Object, kScalars>(prepared.patch, prepared.middle_left));
+  }
 
  private:
-  /// Squared chords of a triangle's edges, 28 fraction bits.
-  struct Chords {
-    std::uint32_t top_middle;
-    std::uint32_t top_bottom;
-    std::uint32_t middle_bottom;
-
-    [[nodiscard]] constexpr std::uint32_t widest() const {
-      const std::uint32_t upper = top_middle > top_bottom ? top_middle : top_bottom;
-      return upper > middle_bottom ? upper : middle_bottom;
-    }
-  };
-
-  template <class Angle>
-  static constexpr void prepare_rows(const TriangleFrame<Arc>& frame, const Chords& chords,
-                                     Prepared& prepared) {
-    const Angle top_middle = chord_as<Angle>(chords.top_middle);
-    const Angle top_bottom = chord_as<Angle>(chords.top_bottom);
-    const Angle middle_bottom = chord_as<Angle>(chords.middle_bottom);
-    const CornerChords<Angle> from_top{top_middle, top_bottom, middle_bottom};
-    const CornerChords<Angle> from_bottom{middle_bottom, top_bottom, top_middle};
-    const Angle at_middle = row_angle_at_middle(from_top, frame.middle_fraction);
-    if (frame.has_upper) {
-      const Angle at_top = row_angle_at_corner(from_top, frame.middle_fraction);
-      make_arc_rows(at_top, at_middle, frame.inverse_width, frame.upper_edge, true, prepared.upper_rows);
-    }
-    if (frame.has_lower) {
-      const Angle at_bottom = row_angle_at_corner(from_bottom, Factor::of(1.0) - frame.middle_fraction);
-      make_arc_rows(at_bottom, at_middle, frame.inverse_width, frame.lower_edge, false, prepared.lower_rows);
-    }
-  }
+  static constexpr bool kHasDiffusePath = Illumination::kLights == 1;
 
   /// Middle of an arc by dichotomy: (a + b) / sqrt(2 + z), z = 2 a·b = 2 - s. Opposite normals have no middle
   /// and give the zero vector, which is dark.

@@ -13,7 +13,6 @@ struct Flat {
   using Face = PackedRgb;
   struct Vertex {};
   using Prepared = PackedRgb;
-  static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
   static constexpr bool kNeedsFaceNormal = true;
 
   [[nodiscard]] static Vertex shade_vertex(const Object&, const Direction&) { return {}; }
@@ -22,7 +21,8 @@ struct Flat {
   }
   [[nodiscard]] static constexpr Vertex between(const Vertex&, const Vertex&, Factor) { return {}; }
   [[nodiscard]] static constexpr bool too_wide(const Vertex&, const Vertex&) { return false; }
-  static constexpr void prepare(const TriangleFrame<Flat>&, const Face& face, Prepared& prepared) {
+  static constexpr void prepare(const Object&, const TriangleFrame<Flat>&, const Face& face,
+                                Prepared& prepared) {
     prepared = face;
   }
 
@@ -34,6 +34,8 @@ struct Flat {
 
   class Walker {
    public:
+    using Run = Flat::Run;
+    static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
     constexpr explicit Walker(Prepared& prepared) : value_(prepared) {}
     [[nodiscard]] constexpr Run row(const RowStart&) const { return {value_}; }
     constexpr void next_row() {}
@@ -42,6 +44,11 @@ struct Flat {
    private:
     PackedRgb value_;
   };
+
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    return draw(Walker(prepared));
+  }
 };
 
 }  // namespace arcspan

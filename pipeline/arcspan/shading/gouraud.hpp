@@ -19,7 +19,6 @@ struct Gouraud {
     LinearPlane b;
     bool middle_left;
   };
-  static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
   static constexpr bool kNeedsFaceNormal = false;
 
   [[nodiscard]] static Vertex shade_vertex(const Object& object, const Direction& normal) {
@@ -34,7 +33,8 @@ struct Gouraud {
   }
   [[nodiscard]] static constexpr bool too_wide(const Vertex&, const Vertex&) { return false; }
 
-  static constexpr void prepare(const TriangleFrame<Gouraud>& frame, const Face&, Prepared& prepared) {
+  static constexpr void prepare(const Object&, const TriangleFrame<Gouraud>& frame, const Face&,
+                                Prepared& prepared) {
     const Vertex& top = frame.top->shade;
     const Vertex& middle = frame.middle->shade;
     const Vertex& bottom = frame.bottom->shade;
@@ -72,27 +72,32 @@ struct Gouraud {
 
   class Walker {
    public:
-    constexpr explicit Walker(Prepared& p)
-        : r_(p.r, p.middle_left), g_(p.g, p.middle_left), b_(p.b, p.middle_left) {}
+    using Run = Gouraud::Run;
+    static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
+    constexpr explicit Walker(Prepared& prepared) : p_(&prepared) {}
     [[nodiscard]] constexpr Run row(const RowStart& start) const {
-      return {r_.at(start.fraction), g_.at(start.fraction), b_.at(start.fraction), r_.dx(), g_.dx(), b_.dx()};
+      return {linear_at(p_->r, start), linear_at(p_->g, start), linear_at(p_->b, start),
+              p_->r.dx,                p_->g.dx,                p_->b.dx};
     }
     constexpr void next_row() {
-      r_.next_row();
-      g_.next_row();
-      b_.next_row();
+      p_->r.next_row();
+      p_->g.next_row();
+      p_->b.next_row();
     }
     constexpr void enter_lower() {
-      r_.enter_lower();
-      g_.enter_lower();
-      b_.enter_lower();
+      p_->r.enter_lower(p_->middle_left);
+      p_->g.enter_lower(p_->middle_left);
+      p_->b.enter_lower(p_->middle_left);
     }
 
    private:
-    LinearWalk r_;
-    LinearWalk g_;
-    LinearWalk b_;
+    Prepared* p_;
   };
+
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    return draw(Walker(prepared));
+  }
 };
 
 }  // namespace arcspan

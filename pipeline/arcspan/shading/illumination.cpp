@@ -52,6 +52,8 @@ Status Illumination<Lights, Model>::make(const Material& material,
       illumination.axes_[(Lights + i) % kScalars] = half_way(lights[i].towards, to_eye);
   }
   if (Model == Highlight::kPhong) illumination.axes_[Lights] = to_eye;
+  illumination.white_highlight_ =
+      illumination.specular_[0] == illumination.specular_[1] && illumination.specular_[1] == illumination.specular_[2];
   illumination.power_ = PowerTable(material.shininess);
   illumination.make_ramp();
   return Status::kOk;
@@ -60,14 +62,13 @@ Status Illumination<Lights, Model>::make(const Material& material,
 template <std::size_t Lights, Highlight Model>
 void Illumination<Lights, Model>::make_ramp() {
   for (std::size_t i = 0; i < ramp_.size(); ++i) {
-    std::uint32_t lanes = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      // 20 fraction bits become 2; entry 0 also serves the unlit side, where the diffuse part is 0.
-      const std::uint32_t light = i == 0 ? 0 : static_cast<std::uint32_t>(i) * 128 + 64;
-      const std::uint32_t deep = (ambient_[c] + diffuse_[c] * light + (1u << 19) + (1u << 17)) >> 18;
-      lanes = (lanes << 10) | (deep > 1023 ? 1023u : deep);
-    }
-    ramp_[i] = lanes;
+    // 20 fraction bits become 2; entry 0 also serves the unlit side, where the diffuse part is 0.
+    const std::uint32_t light = i == 0 ? 0 : static_cast<std::uint32_t>(i) * 128 + 64;
+    const auto deep = [&](std::size_t c) {
+      const std::uint32_t sum = (ambient_[c] + diffuse_[c] * light + (1u << 19) + (1u << 17)) >> 18;
+      return sum > 1023 ? 1023u : sum;
+    };
+    ramp_[i] = PackedRgb::of(deep(0), deep(1), deep(2));
   }
 }
 

@@ -74,10 +74,9 @@ class Illumination {
 
   /// pixel = ambient + diffuse * sum(strength * max(0, N·L)) + specular * sum(strength * factor^n), where N·L
   /// > 0, each channel rounded and clamped. With one light the diffuse part comes from a ramp of 256 colours.
-  [[nodiscard]] constexpr PackedRgb colour(const Scalars& scalars) const {
+  [[nodiscard, gnu::always_inline]] constexpr PackedRgb colour(const Scalars& scalars) const {
     if constexpr (Lights == 1) {
-      const std::int32_t index = scalars[0].raw() >> (Unit::kFraction - kRampBits);
-      const PackedRgb ramp{ramp_[static_cast<std::size_t>(index < 0 ? 0 : index > 255 ? 255 : index)]};
+      const PackedRgb ramp = diffuse_colour(scalars[0]);
       const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
       if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return ramp;
       return with_highlight(ramp, power_(half_distance));
@@ -85,6 +84,24 @@ class Illumination {
       const Light light = gather(scalars);
       return PackedRgb::of(level(0, light), level(1, light), level(2, light));
     }
+  }
+
+  /// The same where no highlight is within reach; one light only.
+  [[nodiscard]] constexpr PackedRgb diffuse_colour(Unit normal_light) const requires(Lights == 1) {
+    const std::int32_t index = normal_light.raw() >> (Unit::kFraction - kRampBits);
+    return ramp_[static_cast<std::size_t>(index < 0 ? 0 : index > 255 ? 255 : index)];
+  }
+
+  /// False if scalars that exceed those of the three vertices by `headroom` at most have no highlight.
+  [[nodiscard]] constexpr bool may_shine(const Scalars& a, const Scalars& b, const Scalars& c,
+                                         Unit headroom) const requires(Lights == 1) {
+    const auto highest = [&](std::size_t i) {
+      const Unit upper = a[i] > b[i] ? a[i] : b[i];
+      const Unit most = (upper > c[i] ? upper : c[i]) + headroom;
+      return most.raw() < 0 ? Unit{} : most;
+    };
+    const Unit light = highest(0);
+    return light.raw() != 0 && highlight_distance(light, highest(1), 0) < power_.half_reach();
   }
 
   /// The same in 256ths of a step, always by multiplication.
@@ -104,11 +121,9 @@ class Illumination {
 
   /// A ramp colour plus the highlight, each channel clamped.
   [[nodiscard]] constexpr PackedRgb with_highlight(PackedRgb ramp, std::uint32_t power) const {
-    const auto lit = [this, power](std::uint32_t channel, std::size_t c) {
-      const std::uint32_t sum = (channel & 0x3FFu) + ((specular_[c] * power) >> 18);
-      return sum > 1023 ? 1023u : sum;
-    };
-    return PackedRgb::of(lit(ramp.lanes >> 20, 0), lit(ramp.lanes >> 10, 1), lit(ramp.lanes, 2));
+    const std::uint32_t r = (specular_[0] * power) >> 18;
+    if (white_highlight_) return ramp.plus(r * 0x801u, r);
+    return ramp.plus((r << 11) | ((specular_[2] * power) >> 18), (specular_[1] * power) >> 18);
   }
 
   /// A scalar of at most 1 as 15 bits; negative becomes 0.
@@ -165,9 +180,8 @@ class Illumination {
 
   void make_ramp();
 
-  /// ambient + diffuse * (i + 1/2) / 256 as lanes of PackedRgb; one light only. First, so that an index
-  /// reaches it.
-  std::array<std::uint32_t, Lights == 1 ? 256 : 0> ramp_{};
+  /// ambient + diffuse * (i + 1/2) / 256; one light only. First, so that an index reaches it.
+  std::array<PackedRgb, Lights == 1 ? 256 : 0> ramp_{};
   std::array<Direction, kScalars> axes_{};
   std::array<std::uint32_t, 3> ambient_{};
   std::array<std::uint32_t, 3> diffuse_{};
@@ -175,6 +189,7 @@ class Illumination {
   std::array<std::uint32_t, Lights> strength_{};
   std::array<std::int32_t, Lights> half_one_plus_light_eye_{};
   PowerTable power_{};
+  bool white_highlight_ = false;  ///< the three specular coefficients are the same
 };
 
 }  // namespace arcspan

@@ -21,17 +21,16 @@ struct RasterOrigin {
 namespace detail {
 
 /// Draws one run of pixels: the colours of `run` through `cursor`, with the depth test of `Depth`.
-template <class Format, ShadingMethod Method, DepthTarget Depth>
-[[gnu::always_inline]] constexpr void draw_run(typename Format::Cursor cursor, const Span& span,
-                                               typename Method::Run& run,
-                                               const typename Method::Object& object, const Depth& depth,
-                                               Linear z, Linear dz) {
+template <class Format, class Run, class Object, DepthTarget Depth>
+[[gnu::always_inline]] constexpr void draw_run(typename Format::Cursor cursor, const Span& span, Run& run,
+                                               const Object& object, const Depth& depth, Linear z,
+                                               Linear dz) {
   [[maybe_unused]] std::uint16_t* at = nullptr;
   if constexpr (Depth::kTests) at = depth.row(span.y) + span.x;
   for (std::int32_t i = 0; i < span.count; ++i) {
     if constexpr (Depth::kTests) {
       const auto nearness = static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
-      if (nearness < *at) {
+      if (nearness < *at) [[likely]] {
         *at = nearness;
         cursor.write(encode_at<Format>(run.colour(object), span.x + i, span.y));
       }
@@ -45,69 +44,73 @@ template <class Format, ShadingMethod Method, DepthTarget Depth>
   }
 }
 
-/// Everything that goes down the rows of one command, in place.
-template <ShadingMethod Method>
-struct CommandWalk {
-  EdgeWalk* long_edge;
-  EdgeWalk* short_edge;
-  LinearWalk depth;
-  typename Method::Walker shade;
-  bool middle_left;
-
-  constexpr explicit CommandWalk(TriangleCommand<Method>& command)
-      : long_edge(&command.long_edge),
-        short_edge(&command.upper_edge),
-        depth(command.depth, command.middle_left),
-        shade(command.shade),
-        middle_left(command.middle_left) {}
-
-  [[nodiscard]] constexpr const EdgeWalk& left() const { return middle_left ? *short_edge : *long_edge; }
-  [[nodiscard]] constexpr const EdgeWalk& right() const { return middle_left ? *long_edge : *short_edge; }
-
-  constexpr void next_row() {
-    long_edge->advance();
-    short_edge->advance();
-    depth.next_row();
-    shade.next_row();
-  }
-  constexpr void enter_lower(TriangleCommand<Method>& command) {
-    short_edge = &command.lower_edge;
-    depth.enter_lower();
-    shade.enter_lower();
-  }
+/// What the rows of a command are drawn with and into.
+template <class Object, PixelSink Sink, DepthTarget Depth>
+struct RowTarget {
+  const Rect& clip;
+  const Object& object;
+  Sink& sink;
+  const Depth& depth;
 };
 
-[[nodiscard]] constexpr RowStart row_start(const EdgeWalk& left, const EdgeWalk& right,
-                                           std::uint32_t fraction) {
-  const std::int64_t width = right.x - left.x;
-  if ((width >> 32) != 0) return {fraction, fraction, static_cast<std::uint32_t>(width >> 16), 16};
-  const auto narrow = static_cast<std::uint32_t>(width);
-  return {fraction, left.fine_fraction(), narrow | static_cast<std::uint32_t>(narrow == 0), 32};
+/// Draws the row that the walkers stand on; `begin` is its first column, `span` what is to be seen of it.
+template <class Command, class Walker, class Object, PixelSink Sink, DepthTarget Depth>
+[[gnu::always_inline, nodiscard]] constexpr Status draw_row(const Command& command, const Walker& shade,
+                                                            Span span, std::int32_t begin,
+                                                            const RowTarget<Object, Sink, Depth>& target) {
+  constexpr bool kOneRun = Walker::kLongestRun >= 2 * kGuardBand;
+  const std::int32_t last = span.x + span.count;
+  while (true) {
+    if (!kOneRun && span.count > Walker::kLongestRun) span.count = Walker::kLongestRun;
+    const RowStart start = row_start(command.left, command.right, span.x - begin);
+    typename Walker::Run run = shade.row(start);
+    draw_run<typename Sink::Format>(target.sink.open(span), span, run, target.object, target.depth,
+                                    linear_at(command.depth, start), command.depth.dx);
+    const Status status = target.sink.close(span);
+    span.x += span.count;
+    span.count = last - span.x;
+    if (kOneRun || !ok(status) || span.count == 0) return status;
+  }
 }
 
-/// Draws the row that `walk` stands on: picture row y, columns left ... right - 1 of the picture only.
-template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
-[[nodiscard]] constexpr Status draw_row(const CommandWalk<Method>& walk, std::int32_t y,
-                                        std::int32_t origin_x, const Rect& clip,
-                                        const typename Method::Object& object, Sink& sink,
-                                        const Depth& depth) {
-  const EdgeWalk& left = walk.left();
-  const EdgeWalk& right = walk.right();
-  const std::int32_t begin = left.column() + origin_x;
-  const std::int32_t end = right.column() + origin_x;
-  const std::int32_t first = begin < clip.left ? clip.left : begin;
-  const std::int32_t last = end > clip.right ? clip.right : end;
-  if (first >= last) return Status::kOk;
-  for (std::int32_t x = first; x < last; x += Method::kLongestRun) {
-    const Span span{y, x, last - x < Method::kLongestRun ? last - x : Method::kLongestRun};
-    const std::uint32_t fraction = left.fraction() + (static_cast<std::uint32_t>(x - begin) << 16);
-    typename Method::Run run = walk.shade.row(row_start(left, right, fraction));
-    draw_run<typename Sink::Format, Method>(sink.open(span), span, run, object, depth,
-                                            walk.depth.at(fraction), walk.depth.dx());
-    const Status status = sink.close(span);
-    if (!ok(status)) return status;
+/// Steps a command's edges and attributes down by one row, in place.
+template <class Command, class Walker>
+[[gnu::always_inline]] constexpr void next_row(Command& command, Walker& shade) {
+  command.left.advance();
+  command.right.advance();
+  command.depth.next_row();
+  shade.next_row();
+}
+
+/// Changes to the lower edge on the side of the middle vertex.
+template <class Command, class Walker>
+[[gnu::always_inline]] constexpr void enter_lower(Command& command, Walker& shade) {
+  (command.middle_left ? command.left : command.right) = command.lower;
+  command.depth.enter_lower(command.middle_left);
+  shade.enter_lower();
+}
+
+template <class Command, class Walker, class Object, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] constexpr Status draw_rows(Command& command, const RasterOrigin& origin, Walker shade,
+                                         const RowTarget<Object, Sink, Depth>& target) {
+  const Rect& clip = target.clip;
+  const std::int32_t end = command.end_row + origin.y;
+  const std::int32_t stop = end < clip.bottom ? end : clip.bottom;
+  const std::int32_t middle = command.middle_row + origin.y;
+  std::int32_t y = command.first_row + origin.y;
+  for (std::int32_t half_end = middle < stop ? middle : stop;; half_end = stop) {
+    for (; y < half_end; ++y, next_row(command, shade)) {
+      const std::int32_t begin = command.left.column() + origin.x;
+      const std::int32_t end_column = command.right.column() + origin.x;
+      const std::int32_t first = begin < clip.left ? clip.left : begin;
+      const std::int32_t last = end_column > clip.right ? clip.right : end_column;
+      if (first >= last || y < clip.top) continue;
+      const Status status = draw_row(command, shade, {y, first, last - first}, begin, target);
+      if (!ok(status)) return status;
+    }
+    if (y >= stop) return Status::kOk;
+    enter_lower(command, shade);
   }
-  return Status::kOk;
 }
 
 }  // namespace detail
@@ -122,19 +125,10 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
   if (clip.empty() || command.end_row + origin.y <= clip.top || command.first_row + origin.y >= clip.bottom) {
     return Status::kOk;
   }
-  detail::CommandWalk<Method> walk(command);
-  const std::int32_t end =
-      command.end_row + origin.y < clip.bottom ? command.end_row : clip.bottom - origin.y;
-  for (std::int32_t row = command.first_row; row < end; ++row) {
-    if (row == command.middle_row) walk.enter_lower(command);
-    const std::int32_t y = row + origin.y;
-    if (y >= clip.top) {
-      const Status status = detail::draw_row(walk, y, origin.x, clip, object, sink, depth);
-      if (!ok(status)) return status;
-    }
-    walk.next_row();
-  }
-  return Status::kOk;
+  const detail::RowTarget<typename Method::Object, Sink, Depth> target{clip, object, sink, depth};
+  return Method::walk(command.shade, [&](auto walker) [[gnu::always_inline]] {
+    return detail::draw_rows(command, origin, walker, target);
+  });
 }
 
 }  // namespace arcspan

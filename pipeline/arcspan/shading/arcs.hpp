@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/prepare/arc_rows.hpp>
+#include <arcspan/shading/method.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace arcspan {
+
+/// Squared chords of a triangle's edges, 28 fraction bits.
+struct TriangleChords {
+  std::uint32_t top_middle;
+  std::uint32_t top_bottom;
+  std::uint32_t middle_bottom;
+
+  [[nodiscard]] constexpr std::uint32_t widest() const {
+    const std::uint32_t upper = top_middle > top_bottom ? top_middle : top_bottom;
+    return upper > middle_bottom ? upper : middle_bottom;
+  }
+};
+
+/// `Count` scalars of a triangle along great circles: the edges' arcs, each at its first row, and the rows of
+/// the upper and the lower half.
+template <std::size_t Count>
+struct Arcs {
+  ArcEdge<Count> long_edge;
+  ArcEdge<Count> upper_edge;
+  ArcEdge<Count> lower_edge;
+  ArcRows upper_rows;
+  ArcRows lower_rows;
+  std::int32_t slope_drop;
+  ArcClass rows;  ///< the format of the rows' angles
+  bool middle_left;
+};
+
+namespace detail {
+
+template <class Angle, class Frame, std::size_t Count>
+constexpr void prepare_arc_rows(const Frame& frame, const TriangleChords& chords, Arcs<Count>& arcs) {
+  const Angle top_middle = chord_as<Angle>(chords.top_middle);
+  const Angle top_bottom = chord_as<Angle>(chords.top_bottom);
+  const Angle middle_bottom = chord_as<Angle>(chords.middle_bottom);
+  const CornerChords<Angle> from_top{top_middle, top_bottom, middle_bottom};
+  const CornerChords<Angle> from_bottom{middle_bottom, top_bottom, top_middle};
+  const Angle at_middle = row_angle_at_middle(from_top, frame.middle_fraction);
+  if (frame.has_upper) {
+    const Angle at_top = row_angle_at_corner(from_top, frame.middle_fraction);
+    make_arc_rows(at_top, at_middle, frame.inverse_width, frame.upper_edge, true, arcs.upper_rows);
+  }
+  if (frame.has_lower) {
+    const Angle at_bottom = row_angle_at_corner(from_bottom, Factor::of(1.0) - frame.middle_fraction);
+    make_arc_rows(at_bottom, at_middle, frame.inverse_width, frame.lower_edge, false, arcs.lower_rows);
+  }
+}
+
+}  // namespace detail
+
+/// `Frame` is a TriangleFrame whose vertices carry `scalars`.
+template <class Frame, std::size_t Count>
+constexpr void make_arcs(const Frame& frame, const TriangleChords& chords, Arcs<Count>& arcs) {
+  const auto& top = frame.top->shade.scalars;
+  const auto& middle = frame.middle->shade.scalars;
+  const auto& bottom = frame.bottom->shade.scalars;
+  make_arc_edge(frame.long_edge, chords.top_bottom, top, bottom, arcs.long_edge);
+  if (frame.has_upper) make_arc_edge(frame.upper_edge, chords.top_middle, top, middle, arcs.upper_edge);
+  if (frame.has_lower) make_arc_edge(frame.lower_edge, chords.middle_bottom, middle, bottom, arcs.lower_edge);
+  const std::uint32_t widest = chords.widest();
+  arcs.slope_drop = slope_drop(widest);
+  arcs.rows = arc_class(widest);
+  with_angle(arcs.rows, [&](auto angle) { detail::prepare_arc_rows<decltype(angle)>(frame, chords, arcs); });
+  arcs.middle_left = frame.middle_left;
+}
+
+/// The scalars of a row's pixels, by the recurrence.
+template <class Object>
+class ArcRun {
+ public:
+  static constexpr std::size_t kScalars = Object::kScalars;
+
+  constexpr ArcRun(std::int32_t mantissa, std::int32_t shift) : mantissa_(mantissa), shift_(shift) {}
+
+  [[nodiscard]] constexpr PackedRgb colour(const Object& object) const {
+    typename Object::Scalars values;
+    unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
+    return object.colour(values);
+  }
+  [[nodiscard]] constexpr ArcScalar& scalar(std::size_t i) { return scalars_[i]; }
+  constexpr void next() {
+    unrolled<kScalars>([this](auto i) { scalars_[i].step(mantissa_, shift_); });
+  }
+
+ private:
+  std::array<ArcScalar, kScalars> scalars_;
+  std::int32_t mantissa_;
+  std::int32_t shift_;
+};
+
+/// Both edges' scalars, from row to row; walks the prepared edges in place.
+template <class Object>
+class ArcWalker {
+ public:
+  static constexpr std::size_t kScalars = Object::kScalars;
+  using Run = ArcRun<Object>;
+
+  /// The recurrence's rounding adds up to m^2 / 4 units of 2^-30: 1.5e-5 over 256 pixels, then the row starts
+  /// anew.
+  static constexpr std::int32_t kLongestRun = 256;
+
+  constexpr explicit ArcWalker(Arcs<kScalars>& arcs)
+      : arcs_(&arcs), short_(&arcs.upper_edge), rows_(&arcs.upper_rows) {}
+
+  [[nodiscard]] constexpr Run row(const RowStart& start) const {
+    return with_angle(arcs_->rows, [&](auto angle) { return row_as<decltype(angle)>(start); });
+  }
+
+  constexpr void next_row() {
+    arcs_->long_edge.advance();
+    short_->advance();
+    rows_->t = wrap_add(rows_->t, rows_->dt);
+  }
+  constexpr void enter_lower() {
+    short_ = &arcs_->lower_edge;
+    rows_ = &arcs_->lower_rows;
+  }
+
+ private:
+  template <class Angle>
+  [[nodiscard]] constexpr Run row_as(const RowStart& start) const {
+    const Factor t = Factor::from_raw(rows_->t >> 15);
+    const Factor t2 = multiply<Factor>(t, t);
+    const Angle angle2 = multiply<Angle>(
+        t2, Angle::from_raw(rows_->corner) + multiply<Angle>(t2, Angle::from_raw(rows_->rise)));
+    const std::int32_t mantissa = wrap_add(rows_->k_corner, wrap_mul(rows_->k_rise, t2.raw()) >> 15);
+
+    const Reciprocal inverse = reciprocal(start.width);
+    const ArcFraction pixel = arc_fraction(inverse, start.bits);
+    const ArcStart<Angle> arc = arc_start(angle2, fraction_of_row(start, inverse), pixel.factor());
+    const SlopeScale scale = slope_scale(pixel, arcs_->slope_drop, 0);
+
+    const ArcEdge<kScalars>& left = arcs_->middle_left ? *short_ : arcs_->long_edge;
+    const ArcEdge<kScalars>& right = arcs_->middle_left ? arcs_->long_edge : *short_;
+    Run run(mantissa, rows_->k_shift);
+    unrolled<kScalars>(
+        [&](auto i) { run.scalar(i) = start_scalar(arc, scale, left.scalars[i].x, right.scalars[i].x); });
+    return run;
+  }
+
+  /// Where the row's first pixel is between its ends, 0...1; `inverse` is the width's reciprocal.
+  [[nodiscard]] static constexpr Factor fraction_of_row(const RowStart& start, const Reciprocal& inverse) {
+    const std::uint32_t inside = start.inside < start.width ? start.inside : start.width;
+    const std::uint32_t normalised = inside << (47 - inverse.exponent);  // as the width has its bit 31 set
+    return Factor::from_raw(static_cast<std::int32_t>(((normalised >> 16) * inverse.mantissa) >> 16));
+  }
+
+  Arcs<kScalars>* arcs_;
+  ArcEdge<kScalars>* short_;
+  ArcRows* rows_;
+};
+
+}  // namespace arcspan

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/prepare/patch.hpp>
+#include <arcspan/shading/method.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace arcspan {
+
+/// The first `Used` scalars of a row's pixels, by second differences.
+template <class Object, std::size_t Used>
+class PatchRun {
+ public:
+  [[nodiscard]] constexpr PackedRgb colour(const Object& object) const {
+    if constexpr (Used == Object::kScalars) {
+      return object.colour(x_);
+    } else {
+      return object.diffuse_colour(x_[0]);
+    }
+  }
+  constexpr void next() {
+    unrolled<Used>([this](auto i) {
+      x_[i] += d_[i];
+      d_[i] += bend_[i];
+    });
+  }
+
+  /// `p` is the distance of the first pixel from the left edge, 16 fraction bits below 1.
+  constexpr void start(std::size_t i, const PatchScalar& scalar, std::uint32_t p) {
+    // f(p) = at + p slope + p^2 bend / 2; f(p + 1) - f(p) = slope + p bend + bend / 2.
+    const Unit bend = scalar.bend;
+    const Unit slope = scalar.left.slope;
+    const Unit turn = Unit::from_raw(wrap_mul(bend.raw() >> 8, static_cast<std::int32_t>(p >> 8)));
+    const Unit mean = slope + Unit::from_raw(turn.raw() >> 1);
+    x_[i] = scalar.left.at + Unit::from_raw(wrap_mul(mean.raw() >> 12, static_cast<std::int32_t>(p >> 4)));
+    d_[i] = slope + turn + Unit::from_raw(bend.raw() >> 1);
+    bend_[i] = bend;
+  }
+  /// As `count` calls of next() would leave it, to the last bit.
+  constexpr void skip(std::int32_t count) {
+    const std::int32_t pairs = static_cast<std::int32_t>(
+        (static_cast<std::uint32_t>(count) * static_cast<std::uint32_t>(count - 1)) >> 1);
+    unrolled<Used>([&](auto i) {
+      x_[i] += Unit::from_raw(wrap_add(wrap_mul(d_[i].raw(), count), wrap_mul(bend_[i].raw(), pairs)));
+      d_[i] += Unit::from_raw(wrap_mul(bend_[i].raw(), count));
+    });
+  }
+
+ private:
+  std::array<Unit, Used> x_;
+  std::array<Unit, Used> d_;
+  std::array<Unit, Used> bend_;
+};
+
+/// The left edge's scalars, from row to row; walks the patch in place.
+template <class Object, std::size_t Used>
+class PatchWalker {
+ public:
+  static constexpr std::size_t kScalars = Object::kScalars;
+  using Run = PatchRun<Object, Used>;
+  static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
+
+  constexpr PatchWalker(Patch<kScalars>& patch, bool middle_left)
+      : patch_(&patch), middle_left_(middle_left) {}
+
+  [[nodiscard]] constexpr Run row(const RowStart& start) const {
+    Run run;
+    unrolled<Used>([&](auto i) { run.start(i, (*patch_)[i], start.fraction); });
+    if (start.skipped != 0) run.skip(start.skipped);
+    return run;
+  }
+  constexpr void next_row() {
+    unrolled<Used>([this](auto i) { (*patch_)[i].left.advance(); });
+  }
+  constexpr void enter_lower() {
+    if (!middle_left_) return;
+    unrolled<Used>([this](auto i) { (*patch_)[i].left = (*patch_)[i].lower; });
+  }
+
+ private:
+  Patch<kScalars>* patch_;
+  bool middle_left_;
+};
+
+}  // namespace arcspan

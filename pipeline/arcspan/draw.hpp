@@ -13,11 +13,12 @@
 
 namespace arcspan {
 
-/// A transformed and shaded vertex, as the vertex cache keeps it.
+/// A transformed vertex, as the vertex cache keeps it; shaded when the first triangle shows it.
 template <class Method>
 struct CachedVertex {
   RasterVertex<Method> raster;
   std::uint8_t outcode;
+  bool shaded;
 };
 
 struct DrawOptions {
@@ -70,7 +71,13 @@ class MeshDrawer {
     const ClipPosition position = transform_(mesh_.position(i));
     vertex.outcode = outcode(position, transform_.near_w());
     if (vertex.outcode == kInside) vertex.raster.position = project(position, transform_);
+    vertex.shaded = false;
+  }
+
+  void shade_vertex(std::size_t i, CachedVertex<Method>& vertex) const {
+    if (vertex.shaded) return;
     vertex.raster.shade = Method::shade_vertex(object_, unpack_normal(mesh_.normal(i)));
+    vertex.shaded = true;
   }
 
   void draw_triangle(const TriangleIndices& t) {
@@ -91,15 +98,23 @@ class MeshDrawer {
     drawn_ = counted;
   }
 
-  void draw_vertices(const TriangleIndices& t, const CachedVertex<Method>& a, const CachedVertex<Method>& b,
-                     const CachedVertex<Method>& c) {
+  void shade_vertices(const TriangleIndices& t, CachedVertex<Method>& a, CachedVertex<Method>& b,
+                      CachedVertex<Method>& c) const {
+    shade_vertex(t.a, a);
+    shade_vertex(t.b, b);
+    shade_vertex(t.c, c);
+  }
+
+  void draw_vertices(const TriangleIndices& t, CachedVertex<Method>& a, CachedVertex<Method>& b,
+                     CachedVertex<Method>& c) {
     if ((a.outcode & b.outcode & c.outcode) != 0) return;
     if ((a.outcode | b.outcode | c.outcode) != 0) {
+      shade_vertices(t, a, b, c);
       draw_clipped(t, a.raster.shade, b.raster.shade, c.raster.shade, false);
       // A cut vertex has no normal in the mesh to turn, so the back is clipped with its own shading.
       if (options_.two_sided) draw_clipped(t, turned_shade(t.a), turned_shade(t.b), turned_shade(t.c), true);
     } else {
-      draw_projected(t, a.raster, b.raster, c.raster);
+      draw_projected(t, a, b, c);
     }
   }
 
@@ -126,14 +141,18 @@ class MeshDrawer {
     return {project(vertex.position, transform_), vertex.shade};
   }
 
-  void draw_projected(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c) {
-    const std::int32_t area = doubled_area(a.position, b.position, c.position);
+  void draw_projected(const TriangleIndices& t, CachedVertex<Method>& a, CachedVertex<Method>& b,
+                      CachedVertex<Method>& c) {
+    const RasterPosition& p = a.raster.position;
+    const RasterPosition& q = b.raster.position;
+    const RasterPosition& r = c.raster.position;
+    const std::int32_t area = doubled_area(p, q, r);
     if (area < 0) {
-      draw_side(t, a, b, c, false);
+      shade_vertices(t, a, b, c);
+      draw_side(t, a.raster, b.raster, c.raster, false);
     } else if (area > 0 && options_.two_sided) {
       // Rare, so it is shaded afresh instead of being kept for every vertex.
-      draw_side(t, {a.position, turned_shade(t.a)}, {b.position, turned_shade(t.b)},
-                {c.position, turned_shade(t.c)}, true);
+      draw_side(t, {p, turned_shade(t.a)}, {q, turned_shade(t.b)}, {r, turned_shade(t.c)}, true);
     }
   }
 

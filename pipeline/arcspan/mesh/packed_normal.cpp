@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/mesh/packed_normal.hpp>
+#include <arcspan/numbers/root.hpp>
 
 namespace arcspan {
 
@@ -34,11 +35,17 @@ PackedNormal pack_normal(std::int32_t x, std::int32_t y, std::int32_t z) {
 }
 
 Direction unpack_normal(PackedNormal packed) {
-  std::int32_t u = packed.u < -kOne ? -kOne : packed.u;
-  std::int32_t v = packed.v < -kOne ? -kOne : packed.v;
-  const std::int32_t z = kOne - magnitude(u) - magnitude(v);
-  if (z < 0) fold(u, v);
-  return normalised(u, v, z);
+  std::int32_t x = packed.u < -kOne ? -kOne : packed.u;
+  std::int32_t y = packed.v < -kOne ? -kOne : packed.v;
+  const std::int32_t z = kOne - magnitude(x) - magnitude(y);
+  if (z < 0) fold(x, y);
+  // |x| + |y| + |z| = 1 makes 1/3 <= x^2 + y^2 + z^2 <= 1: nothing to normalise before the root.
+  const auto square = static_cast<std::uint32_t>(x * x + y * y + z * z);
+  const auto length = static_cast<std::int32_t>(detail::reciprocal_root_mantissa(square << 2));
+  const auto unit = [length](std::int32_t c) {
+    return DirectionComponent::from_raw(round_shift(c * length, 15));
+  };
+  return {unit(x), unit(y), unit(z)};
 }
 
 }  // namespace arcspan

@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/integer.hpp>
+
 #include <compare>
 #include <concepts>
 #include <cstdint>
 
 namespace arcspan {
-
-/// Two's-complement arithmetic that wraps instead of being undefined. In range it is the plain operation; out
-/// of range the result is wrong but defined, which is all that callers with stated ranges need.
-[[nodiscard]] constexpr std::int32_t wrap_add(std::int32_t a, std::int32_t b) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
-}
-[[nodiscard]] constexpr std::int32_t wrap_sub(std::int32_t a, std::int32_t b) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
-}
-[[nodiscard]] constexpr std::int32_t wrap_mul(std::int32_t a, std::int32_t b) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b));
-}
-[[nodiscard]] constexpr std::int32_t wrap_shl(std::int32_t a, int bits) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) << bits);
-}
 
 /// floor(a / 2^bits + 1/2), bits in 1...31: the rounding that every product of the pipeline gets.
 [[nodiscard]] constexpr std::int32_t round_shift(std::int32_t a, int bits) {

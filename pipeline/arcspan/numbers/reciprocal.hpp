@@ -52,17 +52,27 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
   return {detail::reciprocal_mantissa((v | static_cast<std::uint32_t>(v == 0)) << zeros), 16 + 31 - zeros};
 }
 
+namespace detail {
+
+/// 1/n as mantissa * 2^-31 of n = normalised / 2^31 in [1, 2): the table's value and one Newton step in
+/// 32-bit products.
+[[nodiscard]] constexpr std::uint32_t wide_reciprocal_mantissa(std::uint32_t normalised) {
+  const std::uint32_t r = reciprocal_mantissa(normalised);  // 16 fraction bits
+  // n r - 1 with 31 fraction bits, below 81700 in magnitude: the leading 1 is 2^31 and drops out.
+  const std::uint32_t product = (normalised >> 16) * r + (((normalised & 0xFFFFu) * r) >> 16);
+  const auto error = static_cast<std::int32_t>(product - (1u << 31));
+  const std::int32_t correction = (error * static_cast<std::int32_t>(r >> 2)) >> 14;
+  return (r << 15) - static_cast<std::uint32_t>(correction);
+}
+
+}  // namespace detail
+
 /// The reciprocal of v > 0, refined by one Newton step; relative error at most 2^-28 (swept in the tests).
-/// v = 0 is taken as 1. Two 32x32->64 multiplies: for the vertex and preparation stages.
+/// v = 0 is taken as 1.
 [[nodiscard]] constexpr WideReciprocal wide_reciprocal(std::uint32_t v) {
   const int zeros = std::countl_zero(v | 1u);
-  const std::uint32_t n = (v | static_cast<std::uint32_t>(v == 0)) << zeros;
-  const std::uint32_t r = detail::reciprocal_mantissa(n);  // 1/n, 16 fraction bits
-  const std::uint64_t product = std::uint64_t{n} * r;      // n * r, 47 fraction bits
-  const std::int64_t error = (std::int64_t{1} << 47) - static_cast<std::int64_t>(product);
-  const std::int64_t correction = (error >> 16) * static_cast<std::int64_t>(r);  // 31 + 16 fraction bits
-  const std::int64_t refined = (std::int64_t{r} << 15) + (correction >> 16);
-  return {static_cast<std::uint32_t>(refined), 31 + 31 - zeros};
+  const std::uint32_t normalised = (v | static_cast<std::uint32_t>(v == 0)) << zeros;
+  return {detail::wide_reciprocal_mantissa(normalised), 31 + 31 - zeros};
 }
 
 }  // namespace arcspan

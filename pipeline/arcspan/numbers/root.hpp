@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/fixed.hpp>
+
 #include <bit>
 #include <cstdint>
 
@@ -26,22 +28,34 @@ struct ReciprocalRoot {
   int exponent = 0;
 };
 
-/// The reciprocal root of v > 0, relative error at most 2^-15 (swept in the tests); v = 0 is taken as 1.
-/// A quadratic start (error 2^-5) and two Newton steps y <- y + y (1 - n y^2) / 2, the second with wide
-/// products.
-[[nodiscard]] constexpr ReciprocalRoot reciprocal_root(std::uint32_t v) {
-  const int zeros = std::countl_zero(v | 1u) & ~1;
-  // v = n * 2^(32 - zeros) with n in [1/4, 1); `n32` and `n` hold it with 32 and 16 fraction bits.
-  const std::uint32_t n32 = (v | static_cast<std::uint32_t>(v == 0)) << zeros;
+namespace detail {
+
+/// 1/sqrt(n) with 15 fraction bits, at most 2^16, of n = n32 / 2^32 in [1/4, 1). A quadratic start (error
+/// 2^-5) and two Newton steps y <- y + y (1 - n y^2) / 2.
+[[nodiscard]] constexpr std::uint32_t reciprocal_root_mantissa(std::uint32_t n32) {
   const std::uint32_t n = n32 >> 16;
   // Minimax fit of 1/sqrt(n) on [1/4, 1]: 2.67083 - 3.28537 n + 1.63861 n^2, 14 fraction bits.
   std::uint32_t y = 43759u - ((53828u * n) >> 16) + ((26847u * ((n * n) >> 16)) >> 16);
-  const std::uint32_t product = (n * ((y * y) >> 15)) >> 15;                    // n y^2, 14 fraction bits
-  y = (y * (49152u - product) + (1u << 13)) >> 14;                              // 15 fraction bits
-  const std::int64_t square = static_cast<std::int64_t>(std::uint64_t{y} * y);  // 30 fraction bits
-  const std::int64_t error = (std::int64_t{1} << 30) - ((square * n32) >> 32);  // 1 - n y^2
-  const std::int64_t refined = y + ((y * error + (std::int64_t{1} << 30)) >> 31);
-  return {static_cast<std::uint32_t>(refined > 65536 ? 65536 : refined), 15 + 16 - zeros / 2};
+  const std::uint32_t product = (n * ((y * y) >> 15)) >> 15;  // n y^2, 14 fraction bits
+  y = (y * (49152u - product) + (1u << 13)) >> 14;            // 15 fraction bits
+  // n y^2 with 29 fraction bits; y^2 is below 4 but for rounding at n = 1/4, where it is cut off.
+  const std::uint32_t y2 = y > 65535 ? 0xFFFFFFFFu : y * y;
+  const std::int32_t square =
+      multiply_high(static_cast<std::int32_t>(y2 >> 1), static_cast<std::int32_t>(n32 >> 1));
+  const std::int32_t error = (1 << 28) - square;  // below 2^-8
+  const std::uint32_t refined =
+      y + static_cast<std::uint32_t>(round_shift(wrap_mul(static_cast<std::int32_t>(y), error >> 6), 23));
+  return refined > 65536 ? 65536 : refined;
+}
+
+}  // namespace detail
+
+/// The reciprocal root of v > 0, relative error at most 2^-15 (swept in the tests); v = 0 is taken as 1.
+[[nodiscard]] constexpr ReciprocalRoot reciprocal_root(std::uint32_t v) {
+  const int zeros = std::countl_zero(v | 1u) & ~1;
+  // v = n * 2^(32 - zeros) with n in [1/4, 1).
+  const std::uint32_t n32 = (v | static_cast<std::uint32_t>(v == 0)) << zeros;
+  return {detail::reciprocal_root_mantissa(n32), 15 + 16 - zeros / 2};
 }
 
 }  // namespace arcspan

@@ -29,15 +29,21 @@ struct PackedRgb {
             static_cast<std::uint8_t>(lanes >> 2)};
   }
 
-  /// Every channel plus one of 0...1023, saturated; red and blue are given as `r << 11 | b`.
-  [[nodiscard]] constexpr PackedRgb plus(std::uint32_t red_blue, std::uint32_t green) const {
-    constexpr std::uint32_t kLanes = 0x001FFBFF;
-    std::uint32_t sum = (lanes & kLanes) + red_blue;
-    const std::uint32_t carries = sum & ~kLanes;
-    sum |= carries - (carries >> 10);
-    const std::uint32_t g = (lanes >> 22) + green;
-    return {((g > 1023 ? 1023 : g) << 22) | (sum & kLanes)};
+  /// The same value, 0...1023, in every channel.
+  [[nodiscard]] static constexpr PackedRgb grey(std::uint32_t v) { return {v * 0x00400801u}; }
+
+  /// Every channel plus the other's, saturated.
+  [[nodiscard]] constexpr PackedRgb plus(PackedRgb other) const {
+    const std::uint32_t sum = lanes + other.lanes;
+    if ((sum & kCarries) == 0 && sum >= lanes) return {sum};
+    // Green's carry left the word.
+    const std::uint32_t carries = sum & kCarries;
+    const std::uint32_t green = sum < lanes ? ~0u << 22 : sum;
+    return {(green & (~0u << 22)) | ((sum | (carries - (carries >> 10))) & 0x001FFBFF)};
   }
+
+ private:
+  static constexpr std::uint32_t kCarries = 0x00200400;
 };
 
 /// Luma of `c`, 0...255: the BT.601 weights 0.299, 0.587, 0.114 in eighths of a byte (77, 150, 29 of 256),

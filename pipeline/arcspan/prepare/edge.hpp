@@ -5,6 +5,7 @@
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 
+#include <bit>
 #include <cstdint>
 
 namespace arcspan {
@@ -46,10 +47,12 @@ struct EdgeSpan {
 /// First row whose centre is at or below y: ceil(y - 1/2).
 [[nodiscard]] constexpr std::int32_t first_row_at(std::int32_t y) { return (y + 7) >> 4; }
 
-[[nodiscard]] constexpr EdgeSpan make_edge_span(const RasterPosition& top, const RasterPosition& bottom,
-                                                std::int32_t row) {
-  const std::int32_t dy = bottom.y - top.y;
-  return {&top, dy, row * 16 + 8 - top.y, reciprocal(static_cast<std::uint32_t>(dy))};
+constexpr void make_edge_span(const RasterPosition& top, const RasterPosition& bottom, std::int32_t row,
+                              EdgeSpan& edge) {
+  edge.top = &top;
+  edge.dy = bottom.y - top.y;
+  edge.offset = row * 16 + 8 - top.y;
+  edge.inverse = reciprocal(static_cast<std::uint32_t>(edge.dy));
 }
 
 /// offset / dy in 15 fraction bits, at most 1.
@@ -59,24 +62,71 @@ struct EdgeSpan {
   return Factor::from_raw(static_cast<std::int32_t>(fraction > 32768 ? 32768 : fraction));
 }
 
+namespace detail {
+
+/// A quotient in base 2^16 and what is left; divisor below 2^15.
+struct Digits {
+  std::uint32_t whole;
+  std::uint32_t high;
+  std::uint32_t low;
+  bool exact;
+};
+
+/// dividend / divisor to 32 fraction bits, rounded down, by schoolbook division; dividend below 2^15.
+[[nodiscard]] constexpr Digits divide(std::uint32_t dividend, std::uint32_t divisor) {
+  Digits digits{};
+  digits.whole = dividend / divisor;
+  std::uint32_t rest = (dividend - digits.whole * divisor) << 16;
+  digits.high = rest / divisor;
+  rest = (rest - digits.high * divisor) << 16;
+  digits.low = rest / divisor;
+  digits.exact = rest == digits.low * divisor;
+  return digits;
+}
+
+/// The same without a divide: each digit is estimated by the reciprocal, off by one at most, and put right
+/// by what it leaves.
+[[nodiscard]] constexpr Digits divide_by_reciprocal(std::uint32_t dividend, std::uint32_t divisor) {
+  const int zeros = std::countl_zero(divisor);
+  const std::uint32_t inverse = wide_reciprocal_mantissa(divisor << zeros);
+  std::uint32_t rest = dividend;
+  const auto digit = [&](int up) {
+    // rest * 2^up / divisor = (rest << (up + zeros - 16)) * inverse >> 46, the product in two parts.
+    const std::uint32_t scaled_rest = rest << up;
+    std::uint32_t quotient = multiply_high(scaled_rest << 1, inverse) >> (31 - zeros);
+    rest = scaled_rest - quotient * divisor;
+    if (static_cast<std::int32_t>(rest) < 0) {
+      --quotient;
+      rest += divisor;
+    } else if (rest >= divisor) {
+      ++quotient;
+      rest -= divisor;
+    }
+    return quotient;
+  };
+  Digits digits{};
+  digits.whole = dividend < divisor ? 0 : digit(0);
+  digits.high = digit(16);
+  digits.low = digit(16);
+  digits.exact = rest == 0;
+  return digits;
+}
+
+}  // namespace detail
+
 /// The exact walk of an edge (see EdgeWalk).
-[[nodiscard]] constexpr EdgeWalk make_edge_walk(const EdgeSpan& edge, const RasterPosition& bottom) {
+constexpr void make_edge_walk(const EdgeSpan& edge, const RasterPosition& bottom, EdgeWalk& walk) {
   const std::int32_t dx = bottom.x - edge.top->x;
-  const auto dy = static_cast<std::uint32_t>(edge.dy);
-  // floor(dx * 2^32 / dy) by schoolbook division in base 2^16; dy < 2^15 keeps every step in 32 bits.
-  const std::uint32_t magnitude = static_cast<std::uint32_t>(dx < 0 ? -dx : dx);
-  const std::uint32_t whole = magnitude / dy;
-  std::uint32_t rest = (magnitude - whole * dy) << 16;
-  const std::uint32_t high = rest / dy;
-  rest = (rest - high * dy) << 16;
-  const std::uint32_t low = rest / dy;
-  const bool inexact = rest != low * dy;
-  const auto quotient = static_cast<std::int64_t>((std::uint64_t{whole} << 32) | (high << 16) | low);
-  EdgeWalk walk;
-  walk.step = dx < 0 ? -quotient - inexact : quotient;
+  const auto magnitude = static_cast<std::uint32_t>(dx < 0 ? -dx : dx);
+  const auto height = static_cast<std::uint32_t>(edge.dy);
+  const detail::Digits digits =
+      kLongMultiply ? detail::divide(magnitude, height) : detail::divide_by_reciprocal(magnitude, height);
+  const auto quotient =
+      static_cast<std::int64_t>((std::uint64_t{digits.whole} << 32) | ((digits.high << 16) | digits.low));
+  walk.step = dx < 0 ? -quotient - !digits.exact : quotient;
   constexpr std::int64_t kBias = (std::int64_t{1} << 31) - (1 << 12);  // 1/2 - 2^-20
-  walk.x = (std::int64_t{edge.top->x} * (std::int64_t{1} << 28)) + ((walk.step * edge.offset) >> 4) + kBias;
-  return walk;
+  walk.x = static_cast<std::int64_t>(static_cast<std::uint64_t>(edge.top->x) << 28) +
+           (scaled(walk.step, static_cast<std::uint32_t>(edge.offset)) >> 4) + kBias;
 }
 
 }  // namespace arcspan

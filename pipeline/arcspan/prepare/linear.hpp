@@ -22,7 +22,9 @@ struct LinearPlane {
 
   constexpr void next_row() { left.at += left.step; }
   constexpr void enter_lower(bool middle_left) {
-    if (middle_left) left = lower;
+    if (!middle_left) return;
+    left.at = lower.at;
+    left.step = lower.step;
   }
 };
 

@@ -12,8 +12,8 @@
 ///
 ///     f = sum I_i l_i + sum b_ij l_i l_j,     b_ij = 2 (I_i + I_j) (1 / cos(psi_ij / 2) - 1),
 ///
-/// l being the barycentric coordinates. Along an edge it depends on that edge alone, so that neighbours agree.
-/// Down the left edge and along the rows it goes by second differences: nothing is left to multiply.
+/// l being the barycentric coordinates. Along an edge it depends on that edge alone, so that neighbours
+/// agree. Down the left edge and along the rows it goes by second differences: nothing is left to multiply.
 namespace arcspan {
 
 /// A scalar on its way down a left edge. `slope` is its derivative along x there, per pixel.
@@ -23,6 +23,15 @@ struct PatchEdge {
   Unit bend;
   Unit slope;
   Unit slope_step;
+
+  /// Member by member: a call of memcpy costs more where there are few registers.
+  constexpr void become(const PatchEdge& other) {
+    at = other.at;
+    step = other.step;
+    bend = other.bend;
+    slope = other.slope;
+    slope_step = other.slope_step;
+  }
 
   constexpr void advance() {
     at += step;
@@ -119,22 +128,22 @@ struct PatchEnd {
 }
 
 /// Sets a scalar off down an edge; `width` is the reciprocal of the widest row.
-[[nodiscard]] constexpr PatchEdge make_patch_edge(const EdgeSpan& edge, const Reciprocal& width,
-                                                  const PatchEnd& from, const PatchEnd& to,
-                                                  PatchDifference bulge) {
+constexpr void make_patch_edge(const EdgeSpan& edge, const Reciprocal& width, const PatchEnd& from,
+                               const PatchEnd& to, PatchDifference bulge, PatchEdge& e) {
   const Factor t = start_fraction(edge);
   const PatchDifference rise = patch_difference(from.value, to.value) + bulge;
   const PatchDifference sag = multiply<PatchDifference>(t, bulge);
   const PatchDifference turn = to.slope - from.slope;
-  PatchEdge e{};
   e.at = from.value + multiply<Unit>(t, rise - sag);
   e.slope = patch_slope(from.slope + multiply<PatchDifference>(t, turn), width, 16);
-  if (edge.dy < 1 << Subpixel::kFraction) return e;  // it has one row
+  if (edge.dy < 1 << Subpixel::kFraction) {  // it has one row
+    e.step = e.bend = e.slope_step = Unit{};
+    return;
+  }
   constexpr int kBits = Subpixel::kFraction;
   e.bend = -patch_bend(bulge, edge.inverse, kBits, edge.inverse, kBits, 1);
   e.step = patch_slope(rise - sag - sag, edge.inverse, kBits) + Unit::from_raw(e.bend.raw() >> 1);
   e.slope_step = patch_bend(turn, edge.inverse, kBits, width, 16, 0);
-  return e;
 }
 
 }  // namespace detail
@@ -150,9 +159,8 @@ constexpr void make_patch_scalar(const TriangleFrame<Method>& frame, const Patch
   const PatchDifference top_bottom = patch_bulge_between(at.top, at.bottom, bulges.top_bottom);
   const PatchDifference above = multiply<PatchDifference>(m, top_bottom);
   const PatchDifference below = top_bottom - above;
-  const PatchDifference across =
-      detail::patch_difference(at.top, at.middle) -
-      multiply<PatchDifference>(m, detail::patch_difference(at.top, at.bottom));
+  const PatchDifference across = detail::patch_difference(at.top, at.middle) -
+                                 multiply<PatchDifference>(m, detail::patch_difference(at.top, at.bottom));
   const PatchDifference h = multiply<PatchDifference>(m, below) - top_middle -
                             multiply<PatchDifference>(m, middle_bottom - top_middle);
   // G at the three vertices.
@@ -161,8 +169,8 @@ constexpr void make_patch_scalar(const TriangleFrame<Method>& frame, const Patch
   PatchDifference g_middle = g_top + multiply<PatchDifference>(m, g_bottom - g_top) + h + h;
   scalar.bend = patch_bend(h, frame.inverse_width, 16, frame.inverse_width, 16, 1);
   if (!frame.middle_left) {
-    scalar.left = detail::make_patch_edge(frame.long_edge, frame.inverse_width, {at.top, g_top},
-                                                {at.bottom, g_bottom}, top_bottom);
+    detail::make_patch_edge(frame.long_edge, frame.inverse_width, {at.top, g_top}, {at.bottom, g_bottom},
+                            top_bottom, scalar.left);
     return;
   }
   // q runs from right to left.
@@ -170,12 +178,12 @@ constexpr void make_patch_scalar(const TriangleFrame<Method>& frame, const Patch
   g_middle = -g_middle;
   g_bottom = -g_bottom;
   if (frame.has_upper) {
-    scalar.left = detail::make_patch_edge(frame.upper_edge, frame.inverse_width, {at.top, g_top},
-                                                {at.middle, g_middle}, top_middle);
+    detail::make_patch_edge(frame.upper_edge, frame.inverse_width, {at.top, g_top}, {at.middle, g_middle},
+                            top_middle, scalar.left);
   }
   if (frame.has_lower) {
-    scalar.lower = detail::make_patch_edge(frame.lower_edge, frame.inverse_width, {at.middle, g_middle},
-                                                {at.bottom, g_bottom}, middle_bottom);
+    detail::make_patch_edge(frame.lower_edge, frame.inverse_width, {at.middle, g_middle},
+                            {at.bottom, g_bottom}, middle_bottom, scalar.lower);
   }
 }
 

@@ -115,22 +115,21 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   const RasterPosition& bottom = frame.bottom->position;
   frame.has_upper = command.first_row < command.middle_row;
   frame.has_lower = command.middle_row < command.end_row;
-  frame.long_edge = make_edge_span(top, bottom, command.first_row);
   EdgeWalk& long_walk = frame.middle_left ? command.right : command.left;
-  long_walk = make_edge_walk(frame.long_edge, bottom);
+  make_edge_span(top, bottom, command.first_row, frame.long_edge);
+  make_edge_walk(frame.long_edge, bottom, long_walk);
   if (frame.has_upper) {
-    frame.upper_edge = make_edge_span(top, middle, command.first_row);
-    (frame.middle_left ? command.left : command.right) = make_edge_walk(frame.upper_edge, middle);
+    make_edge_span(top, middle, command.first_row, frame.upper_edge);
+    make_edge_walk(frame.upper_edge, middle, frame.middle_left ? command.left : command.right);
   }
   if (frame.has_lower) {
-    frame.lower_edge = make_edge_span(middle, bottom, command.middle_row);
-    command.lower = make_edge_walk(frame.lower_edge, bottom);
+    make_edge_span(middle, bottom, command.middle_row, frame.lower_edge);
+    make_edge_walk(frame.lower_edge, bottom, command.lower);
   }
   const auto height = static_cast<std::uint32_t>(middle.y - top.y);
   frame.middle_fraction = Factor::from_raw(static_cast<std::int32_t>(
       (height * frame.long_edge.inverse.mantissa) >> (frame.long_edge.inverse.exponent - Factor::kFraction)));
-  const std::int64_t across = (std::int64_t{middle.x - top.x} << 28) -
-                              ((long_walk.step * static_cast<std::int64_t>(height)) >> 4);
+  const std::int64_t across = (std::int64_t{middle.x - top.x} << 28) - (scaled(long_walk.step, height) >> 4);
   const std::int64_t width = (across < 0 ? -across : across) >> 16;
   frame.width = width < 1 ? 1u : static_cast<std::uint32_t>(width);
   frame.inverse_width = reciprocal(frame.width);

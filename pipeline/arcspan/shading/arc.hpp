@@ -68,8 +68,8 @@ struct Arc {
     return on_arc(from, to, t);
   }
 
-  static constexpr void prepare([[maybe_unused]] const Object& object, const TriangleFrame<Arc>& frame, const Face&,
-                                Prepared& prepared) {
+  static constexpr void prepare([[maybe_unused]] const Object& object, const TriangleFrame<Arc>& frame,
+                                const Face&, Prepared& prepared) {
     const Vertex& top = frame.top->shade;
     const Vertex& middle = frame.middle->shade;
     const Vertex& bottom = frame.bottom->shade;

@@ -76,8 +76,12 @@ struct Gouraud {
     static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
     constexpr explicit Walker(Prepared& prepared) : p_(&prepared) {}
     [[nodiscard]] constexpr Run row(const RowStart& start) const {
-      return {linear_at(p_->r, start), linear_at(p_->g, start), linear_at(p_->b, start),
-              p_->r.dx,                p_->g.dx,                p_->b.dx};
+      return {linear_at(p_->r, start),
+              linear_at(p_->g, start),
+              linear_at(p_->b, start),
+              p_->r.dx,
+              p_->g.dx,
+              p_->b.dx};
     }
     constexpr void next_row() {
       p_->r.next_row();

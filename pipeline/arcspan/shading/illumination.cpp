@@ -52,8 +52,8 @@ Status Illumination<Lights, Model>::make(const Material& material,
       illumination.axes_[(Lights + i) % kScalars] = half_way(lights[i].towards, to_eye);
   }
   if (Model == Highlight::kPhong) illumination.axes_[Lights] = to_eye;
-  illumination.white_highlight_ =
-      illumination.specular_[0] == illumination.specular_[1] && illumination.specular_[1] == illumination.specular_[2];
+  illumination.white_highlight_ = illumination.specular_[0] == illumination.specular_[1] &&
+                                  illumination.specular_[1] == illumination.specular_[2];
   illumination.power_ = PowerTable(material.shininess);
   illumination.make_ramp();
   return Status::kOk;

@@ -18,9 +18,9 @@ enum class Highlight : std::uint8_t { kBlinn, kPhong };
 
 /// One value per colour channel, each 0...1.
 struct ChannelCoefficients {
-  Coefficient r;
-  Coefficient g;
-  Coefficient b;
+  Coefficient r{};
+  Coefficient g{};
+  Coefficient b{};
 };
 
 /// What the surface does with light: ambient, diffuse and specular share per channel, and the highlight's
@@ -121,9 +121,9 @@ class Illumination {
 
   /// A ramp colour plus the highlight, each channel clamped.
   [[nodiscard]] constexpr PackedRgb with_highlight(PackedRgb ramp, std::uint32_t power) const {
-    const std::uint32_t r = (specular_[0] * power) >> 18;
-    if (white_highlight_) return ramp.plus(r * 0x801u, r);
-    return ramp.plus((r << 11) | ((specular_[2] * power) >> 18), (specular_[1] * power) >> 18);
+    const auto share = [this, power](std::size_t c) { return (specular_[c] * power) >> 18; };
+    if (white_highlight_) return ramp.plus(PackedRgb::grey(share(0)));
+    return ramp.plus(PackedRgb::of(share(0), share(1), share(2)));
   }
 
   /// A scalar of at most 1 as 15 bits; negative becomes 0.

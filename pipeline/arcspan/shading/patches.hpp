@@ -76,7 +76,7 @@ class PatchWalker {
   }
   constexpr void enter_lower() {
     if (!middle_left_) return;
-    unrolled<Used>([this](auto i) { (*patch_)[i].left = (*patch_)[i].lower; });
+    unrolled<Used>([this](auto i) { (*patch_)[i].left.become((*patch_)[i].lower); });
   }
 
  private:

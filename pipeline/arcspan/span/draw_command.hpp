@@ -90,21 +90,38 @@ template <class Command, class Walker>
   shade.enter_lower();
 }
 
+/// Steps over the rows y ... end - 1, which are not to be seen.
+template <class Command, class Walker>
+constexpr void skip_rows(Command& command, Walker& shade, std::int32_t& y, std::int32_t end) {
+  for (; y < end; ++y) next_row(command, shade);
+}
+
+/// From relative to the raster origin to columns of the picture.
+template <class Command>
+[[gnu::always_inline]] constexpr void place_columns(Command& command, std::int32_t origin_x) {
+  const std::int64_t shift = static_cast<std::int64_t>(static_cast<std::uint64_t>(origin_x) << 32);
+  command.left.x += shift;
+  command.right.x += shift;
+  command.lower.x += shift;
+}
+
 template <class Command, class Walker, class Object, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] constexpr Status draw_rows(Command& command, const RasterOrigin& origin, Walker shade,
                                          const RowTarget<Object, Sink, Depth>& target) {
   const Rect& clip = target.clip;
+  place_columns(command, origin.x);
   const std::int32_t end = command.end_row + origin.y;
   const std::int32_t stop = end < clip.bottom ? end : clip.bottom;
   const std::int32_t middle = command.middle_row + origin.y;
   std::int32_t y = command.first_row + origin.y;
   for (std::int32_t half_end = middle < stop ? middle : stop;; half_end = stop) {
+    if (y < clip.top) skip_rows(command, shade, y, half_end < clip.top ? half_end : clip.top);
     for (; y < half_end; ++y, next_row(command, shade)) {
-      const std::int32_t begin = command.left.column() + origin.x;
-      const std::int32_t end_column = command.right.column() + origin.x;
+      const std::int32_t begin = command.left.column();
+      const std::int32_t end_column = command.right.column();
       const std::int32_t first = begin < clip.left ? clip.left : begin;
       const std::int32_t last = end_column > clip.right ? clip.right : end_column;
-      if (first >= last || y < clip.top) continue;
+      if (first >= last) continue;
       const Status status = draw_row(command, shade, {y, first, last - first}, begin, target);
       if (!ok(status)) return status;
     }
@@ -126,9 +143,8 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
     return Status::kOk;
   }
   const detail::RowTarget<typename Method::Object, Sink, Depth> target{clip, object, sink, depth};
-  return Method::walk(command.shade, [&](auto walker) [[gnu::always_inline]] {
-    return detail::draw_rows(command, origin, walker, target);
-  });
+  return Method::walk(command.shade,
+                      [&](auto walker) { return detail::draw_rows(command, origin, walker, target); });
 }
 
 }  // namespace arcspan

@@ -10,7 +10,7 @@ namespace {
 /// No 16-bit position is farther from the object's origin: 32768 * sqrt(3), rounded up.
 constexpr std::int64_t kObjectRadius = 56756;
 constexpr std::int64_t kMaxTranslation = std::int64_t{1} << 22;
-constexpr std::int64_t kMaxDepthRange = std::int64_t{1} << 32;  // times 2^30 fits 64 bits
+constexpr std::int64_t kMaxDepthRange = std::int64_t{1} << 27;  // shifted left by at least 3
 constexpr std::int32_t kMaxPicture = 2 * kGuardBand;
 constexpr int kGuardBits = 10 + PixelLength::kFraction;  // focal / kGuardBand in PixelLength
 
@@ -57,8 +57,9 @@ Status ClipTransform::make(const Placement& placement, const Projection& project
   for (int i = 0; i < 3; ++i) {
     const std::int64_t sign = i == 0 ? 1 : -1;
     for (int j = 0; j < 3; ++j) {
-      transform.matrix_[i][j] = rescaled(sign * placement.rotation.m[i][j].raw(), factors[i],
-                                         bits + 15 - RotationEntry::kFraction - kGuardBits);
+      const std::int32_t entry = rescaled(sign * placement.rotation.m[i][j].raw(), factors[i],
+                                          bits + 14 - RotationEntry::kFraction - kGuardBits);
+      transform.matrix_[i][j] = {entry >> 14, entry & 0x3FFF};
     }
     transform.offset_[i] = rescaled(sign * placement.translation[i].raw(), factors[i],
                                     bits - ObjectLength::kFraction - kGuardBits);
@@ -72,18 +73,14 @@ Status ClipTransform::make(const Placement& placement, const Projection& project
   const std::int64_t range = 65535 - 2 * kDepthMargin;
   const std::int64_t depth_range = range * projection.far_plane.raw() /
                                    (std::int64_t{projection.far_plane.raw()} - projection.near_plane.raw());
-  transform.depth_range_ = depth_range < kMaxDepthRange ? depth_range : kMaxDepthRange;
+  // depth_range * (1 - near / w) is (depth_range << shift) * beyond >> 32 >> (shift - 3).
+  const auto range32 =
+      static_cast<std::uint32_t>(depth_range < kMaxDepthRange ? depth_range : kMaxDepthRange);
+  const int shift = std::countl_zero(range32) - 1;
+  transform.depth_range_ = static_cast<std::int32_t>(range32 << shift);
+  transform.depth_shift_ = shift - 3;
   transform.viewport_ = viewport;
   return Status::kOk;
-}
-
-std::uint16_t ClipTransform::depth(std::int32_t near_over_w) const {
-  constexpr std::int64_t kDeepest = 65535 - kDepthMargin;
-  const std::int64_t one_minus = (std::int64_t{1} << 30) - near_over_w;
-  const std::int64_t depth = kDepthMargin + ((depth_range_ * one_minus) >> 30);
-  return static_cast<std::uint16_t>(depth < kDepthMargin ? kDepthMargin
-                                    : depth > kDeepest   ? kDeepest
-                                                         : depth);
 }
 
 }  // namespace arcspan

@@ -58,26 +58,38 @@ class ClipTransform {
   [[nodiscard]] std::int32_t near_w() const { return near_w_; }
   [[nodiscard]] const Viewport& viewport() const { return viewport_; }
 
-  /// Depth of a vertex at near_w() / w = `near_over_w` (30 fraction bits): 16 bits, nearer is smaller, linear
+  /// Depth of a vertex at near_w() / w = `near_over_w` (29 fraction bits): 16 bits, nearer is smaller, linear
   /// on the screen. Stays kDepthMargin away from both ends, so that stepping it cannot wrap.
-  [[nodiscard]] std::uint16_t depth(std::int32_t near_over_w) const;
+  [[nodiscard]] std::uint16_t depth(std::int32_t near_over_w) const {
+    const std::int32_t beyond = (1 << 29) - near_over_w;
+    if (beyond <= 0) return kDepthMargin;
+    const std::int32_t depth = kDepthMargin + (multiply_high(depth_range_, beyond) >> depth_shift_);
+    return static_cast<std::uint16_t>(depth > 65535 - kDepthMargin ? 65535 - kDepthMargin : depth);
+  }
 
   static constexpr std::int32_t kDepthMargin = 256;
 
  private:
+  /// An entry of the matrix in two parts, 15 bits with the sign and 14: products with 16-bit positions, and
+  /// sums of three, fit 32 bits. |entry| < 2^28.
+  struct Entry {
+    std::int32_t high;
+    std::int32_t low;
+  };
+
   [[nodiscard]] std::int32_t row(int i, ObjectPosition p) const {
-    return wrap_add(wrap_add(scaled(matrix_[i][0], p.x), scaled(matrix_[i][1], p.y)),
-                    wrap_add(scaled(matrix_[i][2], p.z), offset_[i]));
-  }
-  /// m * p / 2^15 in two 32-bit multiplies; |m| < 2^29.
-  [[nodiscard]] static std::int32_t scaled(std::int32_t m, std::int32_t p) {
-    return wrap_add(wrap_mul(m >> 15, p), wrap_mul(m & 0x7FFF, p) >> 15);
+    const Entry* const m = matrix_[i];
+    const std::int32_t high =
+        wrap_add(wrap_add(wrap_mul(m[0].high, p.x), wrap_mul(m[1].high, p.y)), wrap_mul(m[2].high, p.z));
+    const std::int32_t low = m[0].low * p.x + m[1].low * p.y + m[2].low * p.z;
+    return wrap_add(wrap_add(high, offset_[i]), low >> 14);
   }
 
-  std::int32_t matrix_[3][3] = {};
+  Entry matrix_[3][3] = {};
   std::int32_t offset_[3] = {};
   std::int32_t near_w_ = 1;
-  std::int64_t depth_range_ = 0;
+  std::int32_t depth_range_ = 0;  ///< times 2^-(depth_shift_ - 3)
+  std::int32_t depth_shift_ = 0;
   Viewport viewport_{};
 };
 

@@ -4,6 +4,7 @@
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
+#include <bit>
 #include <cstdint>
 
 namespace arcspan {
@@ -32,6 +33,10 @@ enum ClipOutcode : std::uint8_t {
 [[nodiscard]] constexpr std::uint8_t outcode(const ClipPosition& p, std::int32_t near_w) {
   // Behind the near plane the sides mean nothing: w may be negative.
   if (p.w < near_w) return kOutsideNear;
+  const auto inside = [&p](std::int32_t c) {
+    return static_cast<std::uint32_t>(c + p.w) <= 2 * static_cast<std::uint32_t>(p.w);
+  };
+  if (inside(p.x) && inside(p.y)) return kInside;
   return static_cast<std::uint8_t>((p.x < -p.w ? kOutsideLeft : 0) | (p.x > p.w ? kOutsideRight : 0) |
                                    (p.y < -p.w ? kOutsideTop : 0) | (p.y > p.w ? kOutsideBottom : 0));
 }
@@ -39,21 +44,22 @@ enum ClipOutcode : std::uint8_t {
 /// Divides by w and snaps to 28.4, rounding to nearest. Needs w >= near_w; x and y saturate at the guard
 /// band.
 [[nodiscard]] inline RasterPosition project(const ClipPosition& p, const ClipTransform& transform) {
-  const WideReciprocal inverse = wide_reciprocal(static_cast<std::uint32_t>(p.w));
-  constexpr int kBits = 10 + Subpixel::kFraction;  // x / w = 1 is kGuardBand pixels
-  const int shift = inverse.exponent - kBits;
+  // c / w = (c << zeros) / (w << zeros); `c` shifted one less keeps its sign.
+  const auto w = static_cast<std::uint32_t>(p.w);
+  const int zeros = std::countl_zero(w | 1u);
+  const std::uint32_t mantissa = detail::wide_reciprocal_mantissa(w << zeros);
+  const auto inverse = static_cast<std::int32_t>(mantissa - (mantissa >> 31));  // 2^31 would be negative
+  const auto over_w = [=](std::int32_t c) { return multiply_high(wrap_shl(c, zeros - 1), inverse); };
   const auto screen = [&](std::int32_t c, std::int32_t half_pixel) {
-    const std::int64_t product = std::int64_t{c} * inverse.mantissa;
-    const std::int64_t snapped = ((product + (std::int64_t{1} << (shift - 1))) >> shift) + half_pixel;
-    constexpr std::int64_t kMax = (std::int64_t{1} << kBits) - 1;
+    constexpr int kBits = 10 + Subpixel::kFraction;  // x / w = 1 is kGuardBand pixels
+    const std::int32_t snapped = round_shift(over_w(c), 29 - kBits) + half_pixel;
+    constexpr std::int32_t kMax = (1 << kBits) - 1;
     return static_cast<std::int16_t>(snapped < -kMax - 1 ? -kMax - 1 : snapped > kMax ? kMax : snapped);
   };
   // The middle of an odd picture is the centre of its middle pixel.
   const std::int32_t odd_x = (transform.viewport().width & 1) * 8;
   const std::int32_t odd_y = (transform.viewport().height & 1) * 8;
-  const std::int64_t near_over_w =
-      (std::int64_t{transform.near_w()} * inverse.mantissa) >> (inverse.exponent - 30);
-  return {screen(p.x, odd_x), screen(p.y, odd_y), transform.depth(static_cast<std::int32_t>(near_over_w))};
+  return {screen(p.x, odd_x), screen(p.y, odd_y), transform.depth(over_w(transform.near_w()))};
 }
 
 }  // namespace arcspan

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <limits>
 #include <new>
+#include <type_traits>
 
 using namespace arcspan;
 using namespace arcspan::test;
@@ -67,11 +68,11 @@ TEST_CASE("sums wrap as two's complement does") {
   CHECK(wrap_shl(3, 31) == kMin);
 }
 
-TEST_CASE("a number that nothing initialises is 0") {
-  // clang 14 takes a defaulted constructor of a constrained class template for trivial.
+TEST_CASE("a value-initialised number is 0, and declaring one costs nothing") {
   alignas(Q15) unsigned char memory[sizeof(Q15)];
   std::memset(memory, 0xAA, sizeof memory);
-  CHECK((::new (memory) Q15)->raw() == 0);
+  CHECK((::new (memory) Q15{})->raw() == 0);
+  STATIC_REQUIRE(std::is_trivially_default_constructible_v<Q15>);
 }
 
 TEST_CASE("numbers are ordered by value") {

@@ -164,7 +164,8 @@ TEST_CASE("a triangle that reaches beyond the guard band is refused") {
   };
   TriangleCommand<Method> command;
   const RowRange rows{-1024, 1024};
-  CHECK(prepare_triangle({}, vertex(-16384, -16384), vertex(16383, -16384), vertex(0, 16383), {}, rows, command));
+  CHECK(prepare_triangle({}, vertex(-16384, -16384), vertex(16383, -16384), vertex(0, 16383), {}, rows,
+                         command));
   for (const int beyond : {-32768, -16385, 16384, 32767}) {
     CHECK_FALSE(prepare_triangle({}, vertex(beyond, 0), vertex(0, 100), vertex(100, 0), {}, rows, command));
     CHECK_FALSE(prepare_triangle({}, vertex(0, 0), vertex(0, beyond), vertex(100, 0), {}, rows, command));

@@ -70,7 +70,8 @@ TEST_CASE("the two triangles of an edge have the same scalars along it, bit for 
     }
     TriangleCommand<Method> one;
     TriangleCommand<Method> other;
-    if (!prepare_triangle({}, p, q, r, {}, rows, one) || !prepare_triangle({}, q, p, s, {}, rows, other)) continue;
+    if (!prepare_triangle({}, p, q, r, {}, rows, one) || !prepare_triangle({}, q, p, s, {}, rows, other))
+      continue;
     const Vertex* const first[3] = {&p, &q, &r};
     const Vertex* const second[3] = {&q, &p, &s};
     const ArcEdge<3>* const a = edge_between(p, q, first, one);
@@ -112,20 +113,22 @@ TEST_CASE("the two patches of an edge have the same scalars along it") {
       continue;
     }
     for (std::int32_t row = left.first_row; row < left.end_row; ++row) {
-      const bool lower = row >= left.middle_row;
-      const EdgeWalk& start = lower ? left.lower_edge : left.upper_edge;
-      const double width = static_cast<double>(left.long_edge.x - start.x) / 4294967296.0;
-      const int from = lower ? left.middle_row : left.first_row;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const PatchEdge& on = left.shade.patch.edges[lower][k];
-        const double there = to_double(on.at) + width * to_double(on.slope) +
-                             width * width / 2 * to_double(left.shade.patch.bend[k]);
-        worst = std::max(worst, std::abs(there - to_double(right.shade.patch.edges[0][k].at)));
-        if (row >= from) left.shade.patch.edges[lower][k].advance();
-        right.shade.patch.edges[0][k].advance();
+      if (row == left.middle_row) {
+        left.left = left.lower;
+        for (PatchScalar& scalar : left.shade.patch) scalar.left.become(scalar.lower);
       }
-      left.long_edge.advance();
-      (lower ? left.lower_edge : left.upper_edge).advance();
+      const double width = static_cast<double>(left.right.x - left.left.x) / 4294967296.0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        PatchScalar& scalar = left.shade.patch[k];
+        PatchEdge& on = right.shade.patch[k].left;
+        const double there = to_double(scalar.left.at) + width * to_double(scalar.left.slope) +
+                             width * width / 2 * to_double(scalar.bend);
+        worst = std::max(worst, std::abs(there - to_double(on.at)));
+        scalar.left.advance();
+        on.advance();
+      }
+      left.left.advance();
+      left.right.advance();
     }
     ++compared;
   }

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace arcspan {
+
+/// Two's-complement arithmetic that wraps instead of being undefined. In range it is the plain operation; out
+/// of range the result is wrong but defined, which is all that callers with stated ranges need.
+[[nodiscard]] constexpr std::int32_t wrap_add(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+}
+[[nodiscard]] constexpr std::int32_t wrap_sub(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
+}
+[[nodiscard]] constexpr std::int32_t wrap_mul(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b));
+}
+[[nodiscard]] constexpr std::int32_t wrap_shl(std::int32_t a, int bits) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) << bits);
+}
+
+/// Whether the target has 32x32->64 multiplies and a divide. Where not (Armv6-M, AVR) the functions below do
+/// with 32-bit products; they are exact either way, so that every target draws the same bits.
+#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
+inline constexpr bool kLongMultiply = false;
+#else
+inline constexpr bool kLongMultiply = true;
+#endif
+
+namespace detail {
+
+[[nodiscard]] constexpr std::uint32_t short_multiply_high(std::uint32_t a, std::uint32_t b) {
+  const std::uint32_t a1 = a >> 16;
+  const std::uint32_t a0 = a & 0xFFFFu;
+  const std::uint32_t b1 = b >> 16;
+  const std::uint32_t b0 = b & 0xFFFFu;
+  const std::uint32_t first = a1 * b0 + ((a0 * b0) >> 16);
+  const std::uint32_t second = a0 * b1 + (first & 0xFFFFu);
+  return a1 * b1 + (first >> 16) + (second >> 16);
+}
+
+/// Taking a negative factor as unsigned adds 2^32 to it.
+[[nodiscard]] constexpr std::int32_t short_multiply_high(std::int32_t a, std::int32_t b) {
+  const std::uint32_t product =
+      short_multiply_high(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
+  return wrap_sub(wrap_sub(static_cast<std::int32_t>(product), a < 0 ? b : 0), b < 0 ? a : 0);
+}
+
+[[nodiscard]] constexpr std::int64_t short_scaled(std::int64_t value, std::uint32_t factor) {
+  const auto low = static_cast<std::uint32_t>(value);
+  const auto high = static_cast<std::uint32_t>(static_cast<std::uint64_t>(value) >> 32);
+  const std::uint32_t first = (low & 0xFFFFu) * factor;
+  const std::uint32_t second = (low >> 16) * factor + (first >> 16);
+  const std::uint32_t third = high * factor + (second >> 16);
+  return static_cast<std::int64_t>((std::uint64_t{third} << 32) | ((second << 16) | (first & 0xFFFFu)));
+}
+
+}  // namespace detail
+
+/// floor(a b / 2^32).
+[[nodiscard]] constexpr std::uint32_t multiply_high(std::uint32_t a, std::uint32_t b) {
+  if constexpr (kLongMultiply) {
+    return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> 32);
+  } else {
+    return detail::short_multiply_high(a, b);
+  }
+}
+[[nodiscard]] constexpr std::int32_t multiply_high(std::int32_t a, std::int32_t b) {
+  if constexpr (kLongMultiply) {
+    return static_cast<std::int32_t>((std::int64_t{a} * b) >> 32);
+  } else {
+    return detail::short_multiply_high(a, b);
+  }
+}
+
+/// value * factor, factor below 2^16; the result must fit.
+[[nodiscard]] constexpr std::int64_t scaled(std::int64_t value, std::uint32_t factor) {
+  if constexpr (kLongMultiply) {
+    return value * static_cast<std::int64_t>(factor);
+  } else {
+    return detail::short_scaled(value, factor);
+  }
+}
+
+}  // namespace arcspan

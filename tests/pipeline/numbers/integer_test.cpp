@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The short products that stand in for long ones, and the quotient without a divide, are exact.
+#include <arcspan/numbers/integer.hpp>
+#include <arcspan/prepare/edge.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/support/random.hpp>
+
+using namespace arcspan;
+using namespace arcspan::test;
+
+TEST_CASE("short products give the bits of long ones") {
+  Random random(21);
+  int wrong = 0;
+  for (int i = 0; i < 1000000; ++i) {
+    const auto a = static_cast<std::uint32_t>(random.bits() >> random.integer(32, 63));
+    const auto b = static_cast<std::uint32_t>(random.bits() >> random.integer(32, 63));
+    wrong += detail::short_multiply_high(a, b) == (std::uint64_t{a} * b) >> 32 ? 0 : 1;
+    const auto c = static_cast<std::int32_t>(a);
+    const auto d = static_cast<std::int32_t>(b);
+    wrong += detail::short_multiply_high(c, d) == (std::int64_t{c} * d) >> 32 ? 0 : 1;
+    const auto wide = static_cast<std::int64_t>(random.bits()) >> random.integer(17, 63);
+    const std::uint32_t factor = b & 0xFFFFu;
+    wrong += detail::short_scaled(wide, factor) == wide * static_cast<std::int64_t>(factor) ? 0 : 1;
+  }
+  CHECK(detail::short_multiply_high(0xFFFFFFFFu, 0xFFFFFFFFu) == 0xFFFFFFFEu);
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("multiply_high of signed numbers rounds down") {
+  CHECK(multiply_high(-1, 1) == -1);
+  CHECK(multiply_high(INT32_MIN, INT32_MIN) == 1 << 30);
+  CHECK(multiply_high(INT32_MIN, INT32_MAX) == -(1 << 30));
+}
+
+TEST_CASE("the quotient of an edge without a divide is the exact one") {
+  const auto same = [](std::uint32_t dividend, std::uint32_t divisor) {
+    const detail::Digits a = detail::divide(dividend, divisor);
+    const detail::Digits b = detail::divide_by_reciprocal(dividend, divisor);
+    return a.whole == b.whole && a.high == b.high && a.low == b.low && a.exact == b.exact;
+  };
+  int wrong = 0;
+  for (std::uint32_t divisor = 1; divisor < 1u << 15; divisor += divisor < 300 ? 1 : 61) {
+    for (std::uint32_t dividend = 0; dividend < 1u << 15; dividend += dividend < 300 ? 1 : 59) {
+      wrong += same(dividend, divisor) ? 0 : 1;
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(same(32767, 32767));
+  CHECK(same(32766, 32767));
+}

@@ -22,9 +22,9 @@ struct SpiSettings {
 /// one that failed is in `last_error()`.
 class SpiDevice final : public hal::SpiBus {
  public:
-  /// Opens `path`, e.g. /dev/spidev0.0, and sets mode and 8 bits a word. kInvalidArgument for a mode above 3
-  /// or a clock of 0; kNotReady if there is no such device or it may not be used; kUnsupported if it is no
-  /// spidev or its controller does not have the mode. After a failure the object is closed.
+  /// Opens `path`, e.g. /dev/spidev0.0, and sets mode, clock and 8 bits a word. kInvalidArgument for a mode
+  /// above 3 or a clock of 0; kNotReady if there is no such device or it may not be used; kUnsupported if it
+  /// is no spidev or its controller does not have the mode. After a failure the object is closed.
   Result open(const char* path, const SpiSettings& settings);
 
   /// The errno of the last transfer that failed; 0 if none has, or if it was too short.
@@ -37,7 +37,6 @@ class SpiDevice final : public hal::SpiBus {
   Status write_chunk(std::span<const std::uint8_t> bytes);
 
   FileDescriptor file_;
-  std::uint32_t clock_hz_ = 0;
   std::size_t chunk_bytes_ = 0;
   int last_error_ = 0;
 };

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Boots Debian's kernel in QEMU with a program and a scenario, and passes if the scenario does.
+"""Boots Debian's kernel in QEMU with programs and a scenario, and passes if the scenario does.
 
 Shots of the display are taken by QEMU, that is from outside of the guest. The scenario `show` names them; they are
 compared with each other, and with what `arcspan render` on this machine makes of the same scene.
@@ -37,11 +37,12 @@ def make_initrd(arguments, work):
     shutil.copy(HERE / "scenarios" / arguments.scenario, root / "scenario")
     for module in (arguments.prepared / "modules").glob("*.ko"):
         shutil.copy(module, root / "modules")
-    shutil.copy(arguments.program, root / "programs")
-    for library in libraries(arguments.program):
-        target = root / library.lstrip("/")
-        target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(library, target)
+    for program in arguments.program:
+        shutil.copy(program, root / "programs")
+        for library in libraries(program):
+            target = root / library.lstrip("/")
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(library, target)
     files = "\n".join(str(path.relative_to(root)) for path in sorted(root.rglob("*")))
     initrd = work / "initrd"
     with open(initrd, "wb") as out:
@@ -120,7 +121,7 @@ def check_shots(arguments, work, shots):
     wrong = []
     expected = work / "expected.ppm"
     pixels = "rgb565" if arguments.vga == 16 else "rgb888"
-    subprocess.run([arguments.program, "render", "sphere:16x8", "--size", "640x480", "--format", pixels, "-o",
+    subprocess.run([arguments.program[0], "render", "sphere:16x8", "--size", "640x480", "--format", pixels, "-o",
                     expected], check=True, stdout=subprocess.DEVNULL)
     if shots["picture"] != expected.read_bytes():
         wrong.append(f"the display differs from the picture: {work}/picture.ppm, {expected}")
@@ -137,7 +138,7 @@ def main():
     parser.add_argument("--prepared", type=pathlib.Path, required=True, help="what scripts/linux-guest made")
     parser.add_argument("--work", type=pathlib.Path, required=True, help="folder for what is made here")
     parser.add_argument("--scenario", required=True)
-    parser.add_argument("--program", required=True)
+    parser.add_argument("--program", required=True, nargs="+", help="what the scenario runs")
     parser.add_argument("--vga", type=int, choices=sorted(VESA_640X480), help="bits a pixel of the display")
     parser.add_argument("--gpiod", default="1", help="major version of libgpiod that the program must have")
     arguments = parser.parse_args()

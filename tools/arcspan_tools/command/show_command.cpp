@@ -7,6 +7,7 @@
 #include <arcspan_tools/show/display.hpp>
 #include <arcspan_tools/show/framebuffer_display.hpp>
 #include <arcspan_tools/show/orbit.hpp>
+#include <arcspan_tools/show/panel_display.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <algorithm>
@@ -30,6 +31,7 @@ struct ShowArguments {
   bool own_size = false;    // --size was given
   bool own_format = false;  // --format was given
   std::string device;
+  PanelOptions panel;
   int turntable = 0;  // pictures a turn; 0: one picture that stands still
   double fps = 30;
   double seconds = 0;  // 0: until a signal comes
@@ -136,11 +138,17 @@ class Show {
   Figures figures_;
 };
 
+// A path is a framebuffer, anything else the name of a panel.
+std::unique_ptr<Display> open_display(const ShowArguments& arguments) {
+  if (arguments.device.find('/') != std::string::npos) return open_framebuffer_display(arguments.device);
+  return open_panel_display(arguments.device, arguments.panel);
+}
+
 // Returns the signal that ended it, when everything is given back.
 int show_until_stopped(ShowArguments& arguments, const FixedMesh& mesh) {
   // Before the display is touched: from here on a signal waits until it can be left clean.
   linux_host::SignalWatch signals;
-  const std::unique_ptr<Display> display = open_framebuffer_display(arguments.device);
+  const std::unique_ptr<Display> display = open_display(arguments);
   fit(arguments, *display);
   Show show(arguments, mesh, *display, signals);
   const int signal = show.run();
@@ -175,7 +183,10 @@ void add_show_command(CLI::App& app) {
   CLI::App* show =
       app.add_subcommand("show", "Show a mesh on a display of this machine until a signal comes (Ctrl-C)");
   add_render_options(*show, arguments->options);
-  show->add_option("--device", arguments->device, "a framebuffer of the kernel, e.g. /dev/fb0")->required();
+  std::string devices = "a framebuffer of the kernel, e.g. /dev/fb0, or a panel:";
+  for (const std::string& name : panel_names()) devices += " " + name;
+  show->add_option("--device", arguments->device, devices)->required();
+  add_panel_options(*show, arguments->panel);
   show->add_option("--turntable", arguments->turntable,
                    "turn the mesh, N pictures a turn (default 0: it stands still)")
       ->type_name("N")

@@ -4,7 +4,7 @@
 //   spi_log      16-bit words, one for each byte: the level of the D/C line << 8 | the byte
 //   i2c_log      16-bit words: 0x100 | address at a start, the bytes, 0x200 at a stop
 //   clear        write: empties both logs and takes back what was injected
-//   spi_fail_at, spi_short_at   write n: the transfer that holds the n-th byte from now on fails, or ends before it
+//   spi_fail_at, spi_short_at   write n: the transfer that holds the n-th byte from now on fails, or ends before it; once
 //   i2c_error    write n: transactions end with the error -n
 #include <linux/debugfs.h>
 #include <linux/gpio.h>
@@ -58,10 +58,14 @@ static int spi_bytes(const struct spi_transfer *transfer, u16 level)
 	unsigned int i;
 
 	for (i = 0; bytes && i < transfer->len; i++) {
-		if (spi_fail_at == (s64)spi_log.count)
+		if (spi_fail_at == (s64)spi_log.count) {
+			spi_fail_at = NEVER;
 			return -EIO;
-		if (spi_short_at == (s64)spi_log.count)
+		}
+		if (spi_short_at == (s64)spi_log.count) {
+			spi_short_at = NEVER;
 			return i;
+		}
 		log_word(&spi_log, level << 8 | bytes[i]);
 	}
 	return transfer->len;

@@ -2,6 +2,7 @@
 #include <arcspan/linux_host/signal_watch.hpp>
 
 #include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/number_range.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/show/display.hpp>
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <memory>
@@ -169,13 +169,6 @@ void run_show(ShowArguments arguments) {
   throw ExitStatus{kSignalStatus + signal};
 }
 
-// CLI::Range lets "nan" pass.
-const CLI::Validator kNumber(
-    [](const std::string& text) {
-      return parse_number(text).value_or(NAN) >= 0 ? std::string() : "expected a number, not '" + text + "'";
-    },
-    "");
-
 }  // namespace
 
 void add_show_command(CLI::App& app) {
@@ -193,10 +186,10 @@ void add_show_command(CLI::App& app) {
       ->check(CLI::Range(0, 3600));
   show->add_option("--fps", arguments->fps, "most pictures a second of a turntable (default 30)")
       ->type_name("0.1...1000")
-      ->check(CLI::Range(0.1, 1000.0) & kNumber);
+      ->check(number_range(0.1, 1000, "0.1...1000"));
   show->add_option("--seconds", arguments->seconds, "stop after this time (default 0: never)")
       ->type_name("0...86400")
-      ->check(CLI::Range(0.0, 86400.0) & kNumber);
+      ->check(number_range(0, 86400, "0...86400"));
   show->callback([show, arguments] {
     arguments->own_size = show->count("--size") > 0;
     arguments->own_format = show->count("--format") > 0;

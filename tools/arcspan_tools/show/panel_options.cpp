@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/number_range.hpp>
 #include <arcspan_tools/show/panel_options.hpp>
 
 namespace arcspan::tools {
@@ -8,7 +9,7 @@ void add_panel_options(CLI::App& app, PanelOptions& options) {
   app.add_option("--spi", options.spi, "its bus (default " + options.spi + ")")->group(group);
   app.add_option("--spi-mhz", options.spi_mhz, "clock of the bus (default 10)")
       ->type_name("0.1...200")
-      ->check(CLI::Range(0.1, 200.0))
+      ->check(number_range(0.1, 200, "0.1...200"))
       ->group(group);
   const std::string line = "LINE";
   app.add_option("--dc", options.data_or_command,

@@ -6,6 +6,7 @@
 #include <tests/linux/guest/tests/guest.hpp>
 
 #include <cstdio>
+#include <filesystem>
 
 using namespace arcspan;
 using namespace arcspan::linux_host;
@@ -62,4 +63,20 @@ TEST_CASE("names that lead to no line, or to two, are refused") {
   CHECK(pin.request("gpiochip99:0", Level::kLow).status == Status::kNotReady);
   CHECK(pin.request("TWICE", Level::kLow).status == Status::kInvalidArgument);
   CHECK(ok(pin.request(chip + ":6", Level::kLow)));  // one of the two
+}
+
+TEST_CASE("a chip that is unplugged gives an error, and the pin can be released") {
+  namespace fs = std::filesystem;
+  const fs::path chip = "/sys/kernel/config/gpio-sim/unplugged";
+  fs::create_directories(chip / "bank0");
+  write_text(chip / "bank0/num_lines", "2");
+  write_text(chip / "live", "1");
+  const std::string name = read_text(chip / "bank0/chip_name");
+  GpioPin pin;
+  REQUIRE(ok(pin.request(name.substr(0, name.find('\n')) + ":1", Level::kHigh)));
+  CHECK(ok(pin.set(Level::kLow)));
+  write_text(chip / "live", "0");
+  CHECK(pin.set(Level::kHigh) == Status::kTransferFailed);
+  pin.release();
+  CHECK_FALSE(pin.is_held());
 }

@@ -127,6 +127,8 @@ def check_shots(arguments, work, shots):
         wrong.append(f"the display differs from the picture: {work}/picture.ppm, {expected}")
     if len(set(shots["before"])) < 3:
         wrong.append("there was no text before")
+    if shots["typed"] == shots["before"]:
+        wrong.append("the console does not draw any more")
     for name in ("after", "after_all", "after_time", "after_failure"):
         if shots[name] != shots["before"]:
             wrong.append(f"the display is not as it was before: {work}/{name}.ppm")

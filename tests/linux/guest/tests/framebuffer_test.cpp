@@ -95,6 +95,7 @@ void draw(Sink& sink) {
   Material material;
   material.ambient = {Coefficient::of(0.1), Coefficient::of(0.2), Coefficient::of(0.3)};
   material.diffuse = {Coefficient::of(0.8), Coefficient::of(0.5), Coefficient::of(0.2)};
+  material.specular = {Coefficient::of(0.4), Coefficient::of(0.4), Coefficient::of(0.4)};
   using Light = Illumination<1, Highlight::kBlinn>;
   Light light;
   REQUIRE(ok(Light::make(material, {DirectionalLight{placement.rotation.to_object(normalised(-2, 3, 4))}},

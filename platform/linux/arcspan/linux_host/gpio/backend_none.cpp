@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Built where there is no libgpiod: framebuffers and buses work, pins say why they do not.
+#include <arcspan/linux_host/gpio/backend.hpp>
+
+namespace arcspan::linux_host::gpio {
+namespace {
+constexpr Result kNone = Result::refused("pins need libgpiod, which was missing when arcspan was built");
+}
+
+const char* version() { return ""; }
+Result find_line(const char*, const char*, unsigned&) { return kNone; }
+Result request_output(const char*, unsigned, bool, OutputLine&) { return kNone; }
+Result set_value(const OutputLine&, bool) { return kNone; }
+void release(OutputLine&) {}
+
+}  // namespace arcspan::linux_host::gpio

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// libgpiod 2.x
+#include <arcspan/linux_host/gpio/backend.hpp>
+
+#include <gpiod.h>
+
+#include <cerrno>
+#include <memory>
+
+namespace arcspan::linux_host::gpio {
+namespace {
+
+template <class T>
+using Owned = std::unique_ptr<T, void (*)(T*)>;
+
+Owned<gpiod_chip> open_chip(const char* path) { return {gpiod_chip_open(path), &gpiod_chip_close}; }
+
+Result no_chip() { return Result::from_errno("the GPIO chip cannot be opened", Status::kNotReady); }
+
+// What is asked of the line: an output that starts at `value`. False if memory or the library refused.
+bool describe(unsigned offset, gpiod_line_value value, gpiod_line_config* config) {
+  const Owned<gpiod_line_settings> settings(gpiod_line_settings_new(), &gpiod_line_settings_free);
+  return settings && gpiod_line_settings_set_direction(settings.get(), GPIOD_LINE_DIRECTION_OUTPUT) == 0 &&
+         gpiod_line_settings_set_output_value(settings.get(), value) == 0 &&
+         gpiod_line_config_add_line_settings(config, &offset, 1, settings.get()) == 0;
+}
+
+gpiod_line_value value_of(bool high) { return high ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE; }
+
+Result refused_line() {
+  switch (errno) {
+    case EBUSY:
+      return Result::from_errno("the GPIO line cannot be taken", Status::kBusy);
+    case EINVAL:
+      return Result::refused("the GPIO chip has no such line", Status::kIndexOutOfRange);
+    default:
+      return Result::from_errno("the GPIO line cannot be taken");
+  }
+}
+
+}  // namespace
+
+const char* version() { return gpiod_api_version(); }
+
+Result find_line(const char* chip_path, const char* name, unsigned& offset) {
+  const Owned<gpiod_chip> chip = open_chip(chip_path);
+  if (!chip) return no_chip();
+  const int found = gpiod_chip_get_line_offset_from_name(chip.get(), name);
+  if (found < 0) {
+    if (errno == ENOENT) return Result::refused("has no such line", Status::kIndexOutOfRange);
+    return Result::from_errno("the GPIO chip's lines cannot be listed");
+  }
+  offset = static_cast<unsigned>(found);
+  return {};
+}
+
+Result request_output(const char* chip_path, unsigned offset, bool high, OutputLine& held) {
+  const Owned<gpiod_chip> chip = open_chip(chip_path);
+  if (!chip) return no_chip();
+  const Owned<gpiod_line_config> config(gpiod_line_config_new(), &gpiod_line_config_free);
+  const Owned<gpiod_request_config> request(gpiod_request_config_new(), &gpiod_request_config_free);
+  if (!config || !request || !describe(offset, value_of(high), config.get())) {
+    return Result::from_errno("the GPIO line cannot be described");
+  }
+  gpiod_request_config_set_consumer(request.get(), "arcspan");
+  gpiod_line_request* line = gpiod_chip_request_lines(chip.get(), request.get(), config.get());
+  if (line == nullptr) return refused_line();
+  // The request lives on without the chip.
+  held = {nullptr, line, offset};
+  return {};
+}
+
+Result set_value(const OutputLine& held, bool high) {
+  if (held.line == nullptr) return Result::refused("the GPIO line is not held", Status::kNotReady);
+  if (gpiod_line_request_set_value(static_cast<gpiod_line_request*>(held.line), held.offset, value_of(high)) <
+      0) {
+    return Result::from_errno("the GPIO line cannot be set");
+  }
+  return {};
+}
+
+void release(OutputLine& held) {
+  if (held.line != nullptr) gpiod_line_request_release(static_cast<gpiod_line_request*>(held.line));
+  held = {};
+}
+
+}  // namespace arcspan::linux_host::gpio

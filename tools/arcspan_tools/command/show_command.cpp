@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/linux_host/signal_watch.hpp>
+
+#include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/number_range.hpp>
+#include <arcspan_tools/command/render_options.hpp>
+#include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/show/display.hpp>
+#include <arcspan_tools/show/framebuffer_display.hpp>
+#include <arcspan_tools/show/orbit.hpp>
+#include <arcspan_tools/show/panel_display.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <numbers>
+
+namespace arcspan::tools {
+namespace {
+
+using Clock = std::chrono::steady_clock;  // CLOCK_MONOTONIC
+
+constexpr std::int32_t kMostPixels = 2048;  // the pipeline's guard band
+constexpr int kSignalStatus = 128;          // what shells add to a signal's number
+
+struct ShowArguments {
+  RenderOptions options;
+  bool own_size = false;    // --size was given
+  bool own_format = false;  // --format was given
+  std::string device;
+  PanelOptions panel;
+  int turntable = 0;  // pictures a turn; 0: one picture that stands still
+  double fps = 30;
+  double seconds = 0;  // 0: until a signal comes
+};
+
+struct Figures {
+  int frames = 0;
+  double draw_milliseconds = 0;
+  double send_milliseconds = 0;
+};
+
+std::string size_text(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+
+// What was not asked for is taken from the display.
+void fit(ShowArguments& arguments, const Display& display) {
+  const Size whole = display.size();
+  Size& size = arguments.options.scene.size;
+  if (!arguments.own_size) size = {std::min(whole.width, kMostPixels), std::min(whole.height, kMostPixels)};
+  if (size.width > whole.width || size.height > whole.height) {
+    throw Failure("--size", size_text(size) + " does not fit on the display's " + size_text(whole));
+  }
+  if (!arguments.own_format) arguments.options.format = display.format();
+}
+
+timespec to_timespec(Clock::time_point time) {
+  const auto since = time.time_since_epoch();
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(since);
+  const auto rest = std::chrono::duration_cast<std::chrono::nanoseconds>(since - seconds);
+  return {static_cast<time_t>(seconds.count()), static_cast<long>(rest.count())};
+}
+
+double milliseconds(Clock::duration duration) {
+  return std::chrono::duration<double, std::milli>(duration).count();
+}
+
+Clock::duration to_duration(double seconds) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+// Draws and shows frames until the time is over or a signal comes, which is returned (0 for none).
+class Show {
+ public:
+  Show(const ShowArguments& arguments, const FixedMesh& mesh, Display& display,
+       linux_host::SignalWatch& signals)
+      : arguments_(arguments),
+        mesh_(mesh),
+        display_(display),
+        signals_(signals),
+        renderer_(
+            find_renderer(arguments.options.shading, arguments.options.format, arguments.options.dither)),
+        start_(place_camera(arguments.options.scene.camera, mesh, arguments.options.scene.size)) {}
+
+  [[nodiscard]] int run() {
+    const Clock::time_point begin = Clock::now();
+    const Clock::time_point end =
+        arguments_.seconds > 0 ? begin + to_duration(arguments_.seconds) : Clock::time_point::max();
+    show_frame();
+    announce();
+    if (arguments_.turntable == 0) return hold(end);
+    Clock::time_point next = Clock::now();
+    while (true) {
+      // A frame that took too long moves those after it.
+      next = std::max(next + to_duration(1 / arguments_.fps), Clock::now());
+      if (const int signal = hold(std::min(next, end)); signal != 0 || next >= end) return signal;
+      show_frame();
+    }
+  }
+
+  [[nodiscard]] const Figures& figures() const { return figures_; }
+
+ private:
+  void show_frame() {
+    const Scene& still = arguments_.options.scene;
+    const int step = arguments_.turntable == 0 ? 0 : figures_.frames % arguments_.turntable;
+    const Scene scene =
+        step == 0 ? still : turned(still, start_, 2 * std::numbers::pi * step / arguments_.turntable);
+    const Clock::time_point begin = Clock::now();
+    const RenderResult drawn =
+        renderer_.render(make_job(scene, mesh_, arguments_.options.mesh), [](std::size_t) {});
+    const Clock::time_point ready = Clock::now();
+    display_.show(drawn.image);
+    figures_.draw_milliseconds += milliseconds(ready - begin);
+    figures_.send_milliseconds += milliseconds(Clock::now() - ready);
+    ++figures_.frames;
+  }
+
+  // After the first frame, so that whoever reads it knows that there is something to see.
+  void announce() const {
+    std::printf("showing %s, %s, on %s\n", size_text(arguments_.options.scene.size).c_str(),
+                arguments_.options.format.c_str(), display_.description().c_str());
+    std::fflush(stdout);
+  }
+
+  int hold(Clock::time_point until) {
+    return until == Clock::time_point::max() ? signals_.wait() : signals_.wait_until(to_timespec(until));
+  }
+
+  const ShowArguments& arguments_;
+  const FixedMesh& mesh_;
+  Display& display_;
+  linux_host::SignalWatch& signals_;
+  const Renderer& renderer_;
+  Camera start_;
+  Figures figures_;
+};
+
+// A path is a framebuffer, anything else the name of a panel.
+std::unique_ptr<Display> open_display(const ShowArguments& arguments) {
+  if (arguments.device.find('/') != std::string::npos) return open_framebuffer_display(arguments.device);
+  return open_panel_display(arguments.device, arguments.panel);
+}
+
+// Returns the signal that ended it, when everything is given back.
+int show_until_stopped(ShowArguments& arguments, const FixedMesh& mesh) {
+  // Before the display is touched: from here on a signal waits until it can be left clean.
+  linux_host::SignalWatch signals;
+  const std::unique_ptr<Display> display = open_display(arguments);
+  fit(arguments, *display);
+  Show show(arguments, mesh, *display, signals);
+  const int signal = show.run();
+  display->finish();
+  const Figures& figures = show.figures();
+  std::printf("%d frames; drawing %.1f ms, sending %.1f ms a frame\n", figures.frames,
+              figures.draw_milliseconds / figures.frames, figures.send_milliseconds / figures.frames);
+  std::fflush(stdout);
+  return signal;
+}
+
+void run_show(ShowArguments arguments) {
+  // A mesh that cannot be shown leaves the display untouched.
+  const FixedMesh mesh = to_fixed(load_mesh(arguments.options.mesh));
+  const int signal = show_until_stopped(arguments, mesh);
+  if (signal == 0) return;
+  (void)std::raise(signal);  // ends as others do, so that a shell or a service manager sees why
+  throw ExitStatus{kSignalStatus + signal};
+}
+
+}  // namespace
+
+void add_show_command(CLI::App& app) {
+  auto arguments = std::make_shared<ShowArguments>();
+  CLI::App* show =
+      app.add_subcommand("show", "Show a mesh on a display of this machine until a signal comes (Ctrl-C)");
+  add_render_options(*show, arguments->options);
+  std::string devices = "a framebuffer of the kernel, e.g. /dev/fb0, or a panel:";
+  for (const std::string& name : panel_names()) devices += " " + name;
+  show->add_option("--device", arguments->device, devices)->required();
+  add_panel_options(*show, arguments->panel);
+  show->add_option("--turntable", arguments->turntable,
+                   "turn the mesh, N pictures a turn (default 0: it stands still)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 3600));
+  show->add_option("--fps", arguments->fps, "most pictures a second of a turntable (default 30)")
+      ->type_name("0.1...1000")
+      ->check(number_range(0.1, 1000, "0.1...1000"));
+  show->add_option("--seconds", arguments->seconds, "stop after this time (default 0: never)")
+      ->type_name("0...86400")
+      ->check(number_range(0, 86400, "0...86400"));
+  show->callback([show, arguments] {
+    arguments->own_size = show->count("--size") > 0;
+    arguments->own_format = show->count("--format") > 0;
+    run_show(*arguments);
+  });
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace arcspan::tools {
+
+/// How a panel is wired to this machine.
+struct PanelOptions {
+  std::string spi = "/dev/spidev0.0";
+  double spi_mhz = 10;
+  /// Lines as linux_host::GpioPin takes them; empty for one that is not connected.
+  std::string data_or_command;
+  std::string reset;
+  std::string backlight;
+  int rotation = 0;  ///< degrees clockwise: 0, 90, 180, 270
+};
+
+/// Names of the panels that `--device` takes.
+[[nodiscard]] std::vector<std::string> panel_names();
+
+void add_panel_options(CLI::App& app, PanelOptions& options);
+
+}  // namespace arcspan::tools

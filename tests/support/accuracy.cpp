@@ -117,7 +117,7 @@ void random_corners(Random& random, double size, Subject& subject) {
 }
 
 /// Half of the highlights are put where the triangle is.
-Lighting random_lighting(Random& random, Vec3 near) {
+Lighting random_lighting(Random& random, Vec3 near, int shininess) {
   Lighting l;
   do {
     l.eye = random_unit(random);
@@ -129,8 +129,8 @@ Lighting random_lighting(Random& random, Vec3 near) {
     }
   } while (dot(l.light, l.eye) < -0.85);  // opposite ones have no H
   l.half = normalised(l.light + l.eye);
-  l.matt_material = random_material(random, false, 64);
-  l.shiny_material = random_material(random, true, 64);
+  l.matt_material = random_material(random, false, shininess);
+  l.shiny_material = random_material(random, true, shininess);
   return l;
 }
 
@@ -159,7 +159,7 @@ class Measurement {
     random_normals(random_, radians(random_.real(task_.from_degrees, task_.to_degrees)), subject);
     const double size = random_.decades(task_.smallest, task_.largest);
     random_corners(random_, size, subject);
-    const Lighting lighting = random_lighting(random_, subject.corner[0].normal);
+    const Lighting lighting = random_lighting(random_, subject.corner[0].normal, task_.shininess);
     draw(subject, lighting, size);
     compare(subject, lighting);
     ++figures_.triangles;
@@ -169,6 +169,7 @@ class Measurement {
     samples_.clear();
     runs_.runs.clear();
     Probe probe;
+    probe.shininess = task_.shininess;
     probe.samples = &samples_;
     probe.axes = {to_direction(lighting.light),
                   half_way(to_direction(lighting.light), to_direction(lighting.eye)),

@@ -43,6 +43,7 @@ struct AccuracyTask {
   double largest = 64;
   int triangles = 0;
   std::uint64_t seed = 1;
+  int shininess = 64;  ///< of the materials, at most
 };
 
 /// Draws random triangles through triangle preparation and the span stage, and compares every pixel with the

@@ -34,6 +34,9 @@ struct Probe {
     return {};
   }
 
+  [[nodiscard]] std::uint32_t widest_patch() const { return arcspan::widest_patch(shininess); }
+
+  std::int32_t shininess = 64;
   std::array<Direction, 3> axes{};
   const Blinn* matt = nullptr;
   const Blinn* blinn = nullptr;

@@ -51,17 +51,12 @@ struct PatchScalar {
 template <std::size_t Count>
 using Patch = std::array<PatchScalar, Count>;
 
-/// Squared chord of 16 degrees, 28 fraction bits: a patch up to there is within 2.6e-4 of bilinear SLERP.
-inline constexpr std::uint32_t kWidestPatch = 20797219u;
+/// The largest patch in pixels, either way: rounding of second differences adds up to 2^-17, which moves a
+/// highlight of n = 64 by half an 8-bit step.
+inline constexpr std::int32_t kLargestPatch = 128;
 
-/// The largest patch in pixels, either way: rounding of second differences adds up to 2^-16.
-inline constexpr std::int32_t kLargestPatch = 256;
-
-/// Difference of a scalar over a whole edge or over the widest row: below 1/2, 16 bits.
-using PatchDifference = Fixed<std::int32_t, 16>;
-
-/// 4 (1 / cos(psi/2) - 1) of a squared chord s (28 fraction bits, at most kWidestPatch), which is
-/// s/2 + 3/32 s^2 + ..., below 0.041.
+/// 4 (1 / cos(psi/2) - 1) of a squared chord s (28 fraction bits, at most 0.078, which is 16 degrees), which
+/// is s/2 + 3/32 s^2 + ..., below 0.041.
 using PatchBulge = Fixed<std::int32_t, 20>;
 [[nodiscard]] constexpr PatchBulge patch_bulge(std::uint32_t chord) {
   const std::uint32_t coarse = chord >> 10;  // 18 fraction bits
@@ -69,27 +64,43 @@ using PatchBulge = Fixed<std::int32_t, 20>;
       static_cast<std::int32_t>(((chord + 256) >> 9) + ((3 * (coarse * coarse)) >> 21)));
 }
 
-/// b of an edge between the values p and q.
-[[nodiscard]] constexpr PatchDifference patch_bulge_between(Unit p, Unit q, PatchBulge bulge) {
-  const Factor mean = Factor::from_raw(wrap_add(p.raw() >> 1, q.raw() >> 1) >> 15);
-  return multiply<PatchDifference>(mean, bulge);
+namespace detail {
+
+/// v * f rounded down, 0 <= f <= 2, to all 30 bits in two products: errors of a patch's parts are errors of
+/// the normal's length, to which highlights are most sensitive.
+[[nodiscard]] constexpr Unit part(Unit v, Factor f) {
+  const std::uint32_t low =
+      (static_cast<std::uint32_t>(v.raw()) & 0x7FFFu) * static_cast<std::uint32_t>(f.raw());
+  return Unit::from_raw(wrap_add(wrap_mul(v.raw() >> 15, f.raw()), static_cast<std::int32_t>(low >> 15)));
 }
 
-/// value / length as a Unit, where the length is given by its reciprocal with `bits` fraction bits and is at
-/// least 1/2.
-[[nodiscard]] constexpr Unit patch_slope(PatchDifference value, const Reciprocal& inverse, int bits) {
-  const std::int32_t product = wrap_mul(value.raw(), static_cast<std::int32_t>(inverse.mantissa >> 1));
-  return Unit::from_raw(product >> (inverse.exponent - 15 - bits));
+/// 1 / length = fraction * 2^-down.
+struct PatchStep {
+  Factor fraction;
+  int down;
+};
+
+/// Of a length of at least 1/2, given by its reciprocal with `bits` fraction bits.
+[[nodiscard]] constexpr PatchStep patch_step(const Reciprocal& inverse, int bits) {
+  const int down = inverse.exponent - bits - 16;
+  const std::uint32_t fraction = inverse.mantissa >> 1;
+  if (down >= 0) return {Factor::from_raw(static_cast<std::int32_t>(fraction)), down};
+  return {Factor::from_raw(static_cast<std::int32_t>(fraction << -down)), 0};
 }
 
-/// The same divided by two lengths, times `2^up`; |value| below 1/8.
-[[nodiscard]] constexpr Unit patch_bend(PatchDifference value, const Reciprocal& one, int one_bits,
-                                        const Reciprocal& other, int other_bits, int up) {
-  const std::int32_t once = wrap_mul(value.raw(), static_cast<std::int32_t>(one.mantissa >> 1));
-  const std::int32_t twice = wrap_mul(once >> 12, static_cast<std::int32_t>(other.mantissa >> 1));
-  const int down = one.exponent - one_bits + other.exponent - other_bits - 28 - up;
-  return Unit::from_raw(round_shift(twice, down < 1 ? 1 : down > 31 ? 31 : down));
+/// v / length.
+[[nodiscard]] constexpr Unit per_step(Unit v, const PatchStep& step) {
+  return Unit::from_raw(part(v, step.fraction).raw() >> step.down);
 }
+
+/// v / (length of one) / (length of the other), rounded to nearest: it is summed over and over.
+[[nodiscard]] constexpr Unit per_steps(Unit v, const PatchStep& one, const PatchStep& other) {
+  const Unit product = part(part(v, one.fraction), other.fraction);
+  const int down = one.down + other.down;
+  return down == 0 ? product : Unit::from_raw(round_shift(product.raw(), down > 31 ? 31 : down));
+}
+
+}  // namespace detail
 
 /// Of a triangle's edges, in common to its scalars.
 struct PatchBulges {
@@ -117,33 +128,36 @@ template <class Method>
 
 namespace detail {
 
-/// A scalar at one end of an edge: its value and its slope over the widest row.
+/// A scalar at one end of an edge: its value, and its slope over the widest row.
 struct PatchEnd {
   Unit value;
-  PatchDifference slope;
+  Unit slope;
 };
 
-[[nodiscard]] constexpr PatchDifference patch_difference(Unit from, Unit to) {
-  return convert<PatchDifference>(to - from);
+/// b of an edge between the values p and q.
+[[nodiscard]] constexpr Unit bulge_between(Unit p, Unit q, PatchBulge bulge) {
+  const Factor mean = Factor::from_raw(wrap_add(p.raw() >> 1, q.raw() >> 1) >> 15);
+  return multiply<Unit>(mean, bulge);
 }
 
-/// Sets a scalar off down an edge; `width` is the reciprocal of the widest row.
-constexpr void make_patch_edge(const EdgeSpan& edge, const Reciprocal& width, const PatchEnd& from,
-                               const PatchEnd& to, PatchDifference bulge, PatchEdge& e) {
+/// Sets a scalar off down an edge; `pixel` is one pixel of the widest row.
+constexpr void make_patch_edge(const EdgeSpan& edge, const PatchStep& pixel, const PatchEnd& from,
+                               const PatchEnd& to, Unit bulge, PatchEdge& e) {
+  // f(t) = from + t (to - from + bulge) - t^2 bulge.
   const Factor t = start_fraction(edge);
-  const PatchDifference rise = patch_difference(from.value, to.value) + bulge;
-  const PatchDifference sag = multiply<PatchDifference>(t, bulge);
-  const PatchDifference turn = to.slope - from.slope;
-  e.at = from.value + multiply<Unit>(t, rise - sag);
-  e.slope = patch_slope(from.slope + multiply<PatchDifference>(t, turn), width, 16);
+  const Unit rise = to.value - from.value + bulge;
+  const Unit sag = part(bulge, t);
+  const Unit turn = to.slope - from.slope;
+  e.at = from.value + part(rise - sag, t);
+  e.slope = per_step(from.slope + part(turn, t), pixel);
   if (edge.dy < 1 << Subpixel::kFraction) {  // it has one row
     e.step = e.bend = e.slope_step = Unit{};
     return;
   }
-  constexpr int kBits = Subpixel::kFraction;
-  e.bend = -patch_bend(bulge, edge.inverse, kBits, edge.inverse, kBits, 1);
-  e.step = patch_slope(rise - sag - sag, edge.inverse, kBits) + Unit::from_raw(e.bend.raw() >> 1);
-  e.slope_step = patch_bend(turn, edge.inverse, kBits, width, 16, 0);
+  const PatchStep row = patch_step(edge.inverse, Subpixel::kFraction);
+  e.bend = -per_steps(bulge + bulge, row, row);
+  e.step = per_step(rise - sag - sag, row) + Unit::from_raw(e.bend.raw() >> 1);
+  e.slope_step = per_steps(turn, row, pixel);
 }
 
 }  // namespace detail
@@ -153,24 +167,24 @@ constexpr void make_patch_edge(const EdgeSpan& edge, const Reciprocal& width, co
 template <class Method>
 constexpr void make_patch_scalar(const TriangleFrame<Method>& frame, const PatchBulges& bulges,
                                  const PatchValues& at, PatchScalar& scalar) {
+  using detail::part;
   const Factor m = frame.middle_fraction;
-  const PatchDifference top_middle = patch_bulge_between(at.top, at.middle, bulges.top_middle);
-  const PatchDifference middle_bottom = patch_bulge_between(at.middle, at.bottom, bulges.middle_bottom);
-  const PatchDifference top_bottom = patch_bulge_between(at.top, at.bottom, bulges.top_bottom);
-  const PatchDifference above = multiply<PatchDifference>(m, top_bottom);
-  const PatchDifference below = top_bottom - above;
-  const PatchDifference across = detail::patch_difference(at.top, at.middle) -
-                                 multiply<PatchDifference>(m, detail::patch_difference(at.top, at.bottom));
-  const PatchDifference h = multiply<PatchDifference>(m, below) - top_middle -
-                            multiply<PatchDifference>(m, middle_bottom - top_middle);
+  const Unit top_middle = detail::bulge_between(at.top, at.middle, bulges.top_middle);
+  const Unit middle_bottom = detail::bulge_between(at.middle, at.bottom, bulges.middle_bottom);
+  const Unit top_bottom = detail::bulge_between(at.top, at.bottom, bulges.top_bottom);
+  const Unit above = part(top_bottom, m);
+  const Unit below = top_bottom - above;
+  const Unit across = at.middle - at.top - part(at.bottom - at.top, m);
+  const Unit h = part(below - middle_bottom + top_middle, m) - top_middle;
   // G at the three vertices.
-  PatchDifference g_top = across + top_middle - above;
-  PatchDifference g_bottom = across + middle_bottom - below;
-  PatchDifference g_middle = g_top + multiply<PatchDifference>(m, g_bottom - g_top) + h + h;
-  scalar.bend = patch_bend(h, frame.inverse_width, 16, frame.inverse_width, 16, 1);
+  Unit g_top = across + top_middle - above;
+  Unit g_bottom = across + middle_bottom - below;
+  Unit g_middle = g_top + part(g_bottom - g_top, m) + h + h;
+  const detail::PatchStep pixel = detail::patch_step(frame.inverse_width, 16);
+  scalar.bend = detail::per_steps(h + h, pixel, pixel);
   if (!frame.middle_left) {
-    detail::make_patch_edge(frame.long_edge, frame.inverse_width, {at.top, g_top}, {at.bottom, g_bottom},
-                            top_bottom, scalar.left);
+    detail::make_patch_edge(frame.long_edge, pixel, {at.top, g_top}, {at.bottom, g_bottom}, top_bottom,
+                            scalar.left);
     return;
   }
   // q runs from right to left.
@@ -178,12 +192,12 @@ constexpr void make_patch_scalar(const TriangleFrame<Method>& frame, const Patch
   g_middle = -g_middle;
   g_bottom = -g_bottom;
   if (frame.has_upper) {
-    detail::make_patch_edge(frame.upper_edge, frame.inverse_width, {at.top, g_top}, {at.middle, g_middle},
-                            top_middle, scalar.left);
+    detail::make_patch_edge(frame.upper_edge, pixel, {at.top, g_top}, {at.middle, g_middle}, top_middle,
+                            scalar.left);
   }
   if (frame.has_lower) {
-    detail::make_patch_edge(frame.lower_edge, frame.inverse_width, {at.middle, g_middle},
-                            {at.bottom, g_bottom}, middle_bottom, scalar.lower);
+    detail::make_patch_edge(frame.lower_edge, pixel, {at.middle, g_middle}, {at.bottom, g_bottom},
+                            middle_bottom, scalar.lower);
   }
 }
 

@@ -68,8 +68,8 @@ struct Arc {
     return on_arc(from, to, t);
   }
 
-  static constexpr void prepare([[maybe_unused]] const Object& object, const TriangleFrame<Arc>& frame,
-                                const Face&, Prepared& prepared) {
+  static constexpr void prepare(const Object& object, const TriangleFrame<Arc>& frame, const Face&,
+                                Prepared& prepared) {
     const Vertex& top = frame.top->shade;
     const Vertex& middle = frame.middle->shade;
     const Vertex& bottom = frame.bottom->shade;
@@ -77,26 +77,18 @@ struct Arc {
                                 squared_chord(top.normal, bottom.normal),
                                 squared_chord(middle.normal, bottom.normal)};
     prepared.middle_left = frame.middle_left;
-    if (chords.widest() > kWidestPatch || !patch_fits(frame)) {
-      prepared.path = Path::kArcs;
+    prepared.path = choose_path(object, frame, chords.widest());
+    if (prepared.path == Path::kArcs) {
       make_arcs(frame, chords, prepared.arcs);
       return;
     }
     const PatchBulges bulges{patch_bulge(chords.top_middle), patch_bulge(chords.top_bottom),
                              patch_bulge(chords.middle_bottom)};
-    const auto scalar = [&](std::size_t i) {
+    const std::size_t count = prepared.path == Path::kDiffusePatch ? 1 : kScalars;
+    for (std::size_t i = 0; i < count; ++i) {
       make_patch_scalar(frame, bulges, {top.scalars[i], middle.scalars[i], bottom.scalars[i]},
                         prepared.patch[i]);
-    };
-    scalar(0);
-    if constexpr (kHasDiffusePath) {
-      if (!object.may_shine(top.scalars, middle.scalars, bottom.scalars, kPatchHeadroom)) {
-        prepared.path = Path::kDiffusePatch;
-        return;
-      }
     }
-    prepared.path = Path::kPatch;
-    for (std::size_t i = 1; i < kScalars; ++i) scalar(i);
   }
 
   /// Calls `draw` with the walker of the command's path.
@@ -113,6 +105,18 @@ struct Arc {
 
  private:
   static constexpr bool kHasDiffusePath = Illumination::kLights == 1;
+
+  [[nodiscard]] static constexpr Path choose_path(const Object& object, const TriangleFrame<Arc>& frame,
+                                                  std::uint32_t widest) {
+    if (widest > kWidestPatch || !patch_fits(frame)) return Path::kArcs;
+    if constexpr (kHasDiffusePath) {
+      if (!object.may_shine(frame.top->shade.scalars, frame.middle->shade.scalars,
+                            frame.bottom->shade.scalars, kPatchHeadroom)) {
+        return Path::kDiffusePatch;
+      }
+    }
+    return widest > object.widest_patch() ? Path::kArcs : Path::kPatch;
+  }
 
   /// Middle of an arc by dichotomy: (a + b) / sqrt(2 + z), z = 2 a·b = 2 - s. Opposite normals have no middle
   /// and give the zero vector, which is dark.

@@ -54,6 +54,7 @@ Status Illumination<Lights, Model>::make(const Material& material,
   if (Model == Highlight::kPhong) illumination.axes_[Lights] = to_eye;
   illumination.white_highlight_ = illumination.specular_[0] == illumination.specular_[1] &&
                                   illumination.specular_[1] == illumination.specular_[2];
+  illumination.widest_patch_ = arcspan::widest_patch(material.shininess);
   illumination.power_ = PowerTable(material.shininess);
   illumination.make_ramp();
   return Status::kOk;

@@ -46,6 +46,15 @@ struct DeepColour {
   std::int32_t b;
 };
 
+/// Squared chords (28 fraction bits) of 16 and of 12 degrees. A patch up to 16 degrees is within 3.3e-4 of
+/// bilinear SLERP; what is a third of an 8-bit step in the diffuse light grows with the exponent in a
+/// highlight, which therefore may ask for more.
+inline constexpr std::uint32_t kWidestPatch = 20797469u;
+inline constexpr std::uint32_t kWidestSharpPatch = 11731918u;
+[[nodiscard]] constexpr std::uint32_t widest_patch(std::int32_t shininess) {
+  return shininess > 16 ? kWidestSharpPatch : kWidestPatch;
+}
+
 /// The illumination of one object by `Lights` (1...4) lights: constants and the way from a normal's scalars
 /// to a colour. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V
 /// once (Phong). They are linear in N, which is why arcs carry them.
@@ -103,6 +112,9 @@ class Illumination {
     const Unit light = highest(0);
     return light.raw() != 0 && highlight_distance(light, highest(1), 0) < power_.half_reach();
   }
+
+  /// The squared chord up to which a triangle with a highlight may be a patch.
+  [[nodiscard]] constexpr std::uint32_t widest_patch() const { return widest_patch_; }
 
   /// The same in 256ths of a step, always by multiplication.
   [[nodiscard]] constexpr DeepColour deep_colour(const Scalars& scalars) const {
@@ -189,6 +201,7 @@ class Illumination {
   std::array<std::uint32_t, Lights> strength_{};
   std::array<std::int32_t, Lights> half_one_plus_light_eye_{};
   PowerTable power_{};
+  std::uint32_t widest_patch_ = 0;
   bool white_highlight_ = false;  ///< the three specular coefficients are the same
 };
 

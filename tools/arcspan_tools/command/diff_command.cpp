@@ -2,6 +2,7 @@
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/image/difference.hpp>
 #include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/output_file.hpp>
 
 #include <cstdio>
 #include <memory>
@@ -30,8 +31,8 @@ void run_diff(const DiffArguments& arguments) {
   }
   const Difference d = difference(a, b);
   if (!arguments.out.empty()) write_image(difference_picture(a, b), arguments.out);
-  std::printf("largest difference %d, mean %.4f, %zu of %zu pixels differ\n", d.largest, d.mean,
-              d.differing_pixels, a.pixels.size());
+  std::fprintf(report_stream(arguments.out), "largest difference %d, mean %.4f, %zu of %zu pixels differ\n",
+               d.largest, d.mean, d.differing_pixels, a.pixels.size());
   if (d.largest > arguments.limit) throw ExitStatus{1};
 }
 

@@ -56,7 +56,7 @@ void run_render(const RenderArguments& arguments) {
   loaded.report.stats = result.stats;
   write_image(result.image, arguments.output);
   if (!arguments.stats.empty()) write_whole_file(arguments.stats, to_json(loaded.report));
-  std::fputs(to_text(loaded.report).c_str(), stdout);
+  std::fputs(to_text(loaded.report).c_str(), report_stream(arguments.output));
 }
 
 }  // namespace

@@ -47,6 +47,10 @@ void add_diff_command(CLI::App& app) {
                    "write a picture of the differences, scaled to full brightness");
   diff->add_option("--limit", arguments->limit, "end with status 1 if any channel differs by more (0...255)")
       ->check(CLI::Range(0, 255));
+  diff->footer(
+      "Examples:\n"
+      "  arcspan diff before.png after.png\n"
+      "  arcspan diff arc.png gouraud.png -o difference.png --limit 8");
   diff->callback([arguments] { run_diff(*arguments); });
 }
 

@@ -65,8 +65,16 @@ void add_render_command(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* render = app.add_subcommand("render", "Draw a mesh with the integer pipeline");
   add_render_options(*render, arguments->options);
-  render->add_option("-o,--output", arguments->output, "the picture: .png, .ppm or .pgm")->required();
+  render
+      ->add_option("-o,--output", arguments->output,
+                   "the picture: .png, .ppm or .pgm; - is standard output (PNG), so are ppm:- and pgm:-")
+      ->required();
   render->add_option("--stats", arguments->stats, "write the printed figures as JSON");
+  render->footer(
+      "Examples:\n"
+      "  arcspan render bunny.obj -o bunny.png --size 640x480\n"
+      "  arcspan render torus:48x24 -o torus.png --shading gouraud --light 1,1,1 --light -1,0,0.5\n"
+      "  arcspan render part.stl -o - --format mono --dither --size 128x64 | display");
   render->callback([arguments] { run_render(*arguments); });
 }
 

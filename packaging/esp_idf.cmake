@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# arcspan as a component of ESP-IDF (5.0 or newer: gcc 11). Read twice: first as a script that ends at the
+# arcspan as a component of ESP-IDF (5.1 or newer: gcc 12). Read twice: first as a script that ends at the
 # registration, then for the build.
 get_filename_component(arcspan_root ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 file(GLOB_RECURSE arcspan_sources ${arcspan_root}/pipeline/arcspan/*.cpp ${arcspan_root}/hal/arcspan/*.cpp)

@@ -2,6 +2,7 @@
 // Commands in pipes, their help, and completion as a shell sees it.
 #include <arcspan_tools/image/image.hpp>
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/temporary_folder.hpp>
 
@@ -30,6 +31,18 @@ TEST_CASE("render on standard output: the picture alone; the report goes to stan
   CHECK(run("render torus:16x8 --size 40x30 -o ppm:-").out.substr(0, 3) == "P6\n");
   CHECK(run("render torus:16x8 --size 40x30 -o jpg:-").err ==
         "arcspan: jpg:-: a picture's name must end in .png, .ppm or .pgm\n");
+}
+
+TEST_CASE("one result can go to standard output, whichever it is") {
+  const TemporaryFolder folder;
+  const CommandRun figures = run("render torus:16x8 --size 40x30 --stats - -o " + (folder / "a.png"));
+  CHECK(figures.status == 0);
+  CHECK(nlohmann::json::parse(figures.out)["mesh"]["triangles"] == 256);
+  CHECK(figures.err.find("drawn: ") != std::string::npos);
+  const CommandRun both = run("mesh torus:16x8 --picture - -o -");
+  CHECK(both.status == 1);
+  CHECK(both.out.empty());
+  CHECK(both.err == "arcspan: standard output: only one result can go there\n");
 }
 
 TEST_CASE("a report that goes nowhere is a failure") {

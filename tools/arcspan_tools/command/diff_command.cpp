@@ -31,7 +31,7 @@ void run_diff(const DiffArguments& arguments) {
   }
   const Difference d = difference(a, b);
   if (!arguments.out.empty()) write_image(difference_picture(a, b), arguments.out);
-  std::fprintf(report_stream(arguments.out), "largest difference %d, mean %.4f, %zu of %zu pixels differ\n",
+  std::fprintf(report_stream({arguments.out}), "largest difference %d, mean %.4f, %zu of %zu pixels differ\n",
                d.largest, d.mean, d.differing_pixels, a.pixels.size());
   if (d.largest > arguments.limit) throw ExitStatus{1};
 }

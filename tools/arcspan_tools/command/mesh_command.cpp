@@ -76,6 +76,7 @@ std::string name_of(const MeshArguments& arguments) {
 
 void run_mesh(const MeshArguments& arguments) {
   const MeshOutput output = mesh_output(arguments.output);
+  std::FILE* const report_to = report_stream({arguments.output, arguments.picture, arguments.stats});
   if (!arguments.picture.empty()) (void)image_format(arguments.picture);
   const Made made = make(arguments, output);
   const MeshReport& report = made.report;
@@ -87,7 +88,7 @@ void run_mesh(const MeshArguments& arguments) {
   if (!arguments.picture.empty()) write_image(before_and_after(made, arguments.model), arguments.picture);
   write_whole_file(arguments.output, file);
   if (!arguments.stats.empty()) write_whole_file(arguments.stats, to_json(report));
-  std::fputs(to_text(report).c_str(), report_stream(arguments.output));
+  std::fputs(to_text(report).c_str(), report_to);
   const std::string caution = warning(report);
   if (!caution.empty())
     std::fprintf(stderr, "arcspan: warning: %s: %s\n", arguments.model.c_str(), caution.c_str());

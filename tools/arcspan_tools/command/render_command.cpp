@@ -45,6 +45,7 @@ Loaded load(const RenderArguments& arguments) {
 void run_render(const RenderArguments& arguments) {
   const RenderOptions& options = arguments.options;
   (void)image_format(arguments.output);
+  std::FILE* const report = report_stream({arguments.output, arguments.stats});
   Loaded loaded = load(arguments);
   const RenderJob job = make_job(options.scene, loaded.mesh, options.mesh);
   const Size size = options.scene.size;
@@ -56,7 +57,7 @@ void run_render(const RenderArguments& arguments) {
   loaded.report.stats = result.stats;
   write_image(result.image, arguments.output);
   if (!arguments.stats.empty()) write_whole_file(arguments.stats, to_json(loaded.report));
-  std::fputs(to_text(loaded.report).c_str(), report_stream(arguments.output));
+  std::fputs(to_text(loaded.report).c_str(), report);
 }
 
 }  // namespace

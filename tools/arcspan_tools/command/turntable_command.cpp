@@ -49,7 +49,7 @@ void run_turntable(const TurntableArguments& arguments) {
     progress.show(frame + 1);
   }
   output->finish();
-  std::fprintf(report_stream(arguments.output),
+  std::fprintf(report_stream({arguments.output}),
                "%s: %zu frames of %dx%d, %d ms each, drawn in %.2f ms each\n", arguments.output.c_str(),
                format.frames, format.size.width, format.size.height, format.milliseconds,
                milliseconds / static_cast<double>(format.frames));

@@ -98,7 +98,11 @@ std::string output_kind(const fs::path& path, std::string_view otherwise) {
   return kind.empty() ? kind : kind.substr(1);
 }
 
-std::FILE* report_stream(const fs::path& output) { return is_standard_output(output) ? stderr : stdout; }
+std::FILE* report_stream(std::initializer_list<fs::path> outputs) {
+  const auto count = std::count_if(outputs.begin(), outputs.end(), is_standard_output);
+  if (count > 1) throw Failure("standard output", "only one result can go there");
+  return count == 1 ? stderr : stdout;
+}
 
 void write_whole_file(const fs::path& path, std::string_view bytes) {
   if (is_standard_output(path)) {

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -22,9 +23,9 @@ void write_whole_file(const std::filesystem::path& path, std::string_view bytes)
 /// `otherwise` for `-`.
 [[nodiscard]] std::string output_kind(const std::filesystem::path& path, std::string_view otherwise);
 
-/// Where a command that writes `output` prints what it has to say about it: standard output, or standard
-/// error if the result itself goes there.
-[[nodiscard]] std::FILE* report_stream(const std::filesystem::path& output);
+/// Where a command that writes these files (empty names are none) prints what it has to say about them:
+/// standard output, or standard error if one of them goes there. Throws Failure if two would.
+[[nodiscard]] std::FILE* report_stream(std::initializer_list<std::filesystem::path> outputs);
 
 /// Reads the whole of a regular file of at most `limit` bytes. Throws Failure.
 [[nodiscard]] std::string read_whole_file(const std::filesystem::path& path, std::size_t limit);

@@ -18,6 +18,13 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/arcspan-config-version.cm
 install(FILES ${PROJECT_BINARY_DIR}/arcspan-config.cmake ${PROJECT_BINARY_DIR}/arcspan-config-version.cmake
         DESTINATION ${config_dir})
 
+# For builds without CMake: pkg-config --cflags --libs arcspan. Only if both folders lie inside the prefix.
+if(NOT IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}" AND NOT IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
+  file(RELATIVE_PATH ARCSPAN_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  configure_file(${PROJECT_SOURCE_DIR}/packaging/arcspan.pc.in ${PROJECT_BINARY_DIR}/arcspan.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/arcspan.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
+
 if(TARGET arcspan)
   install(TARGETS arcspan RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

@@ -21,10 +21,12 @@ struct CachedVertex {
   bool shaded;
 };
 
+/// What may be asked of draw_mesh besides a picture.
 struct DrawOptions {
   bool two_sided = false;  ///< draw back faces too, lit with the opposite normals
 };
 
+/// What became of a draw_mesh.
 struct DrawResult {
   Status status = Status::kOk;
   std::uint32_t triangles = 0;  ///< of the mesh, at least partly inside the clip rectangle's rows and columns

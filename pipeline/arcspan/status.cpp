@@ -25,6 +25,10 @@ const char* to_string(Status status) {
       return "transfer failed";
     case Status::kTransferShort:
       return "transfer short";
+    case Status::kTruncated:
+      return "truncated";
+    case Status::kCorrupted:
+      return "corrupted";
   }
   return "unknown status";
 }

@@ -18,6 +18,8 @@ enum class [[nodiscard]] Status : std::uint8_t{
     kTimeout,          ///< the device stayed busy for longer than the stated limit
     kTransferFailed,   ///< the bus reported an error
     kTransferShort,    ///< the bus accepted fewer bytes than it was given
+    kTruncated,        ///< data ends before it is complete
+    kCorrupted,        ///< data does not agree with its checksum or with itself
 };
 
 /// A short, stable, lower-case name for logs: "ok", "invalid argument", ...

@@ -27,7 +27,7 @@ struct RowRange {
   return wrap_sub(wrap_mul(b.x - a.x, c.y - a.y), wrap_mul(c.x - a.x, b.y - a.y));
 }
 
-/// *The command that the span stage takes.* Plain integers; nothing else passes from preparation to spans, so
+/// The command that the span stage takes. Plain integers; nothing else passes from preparation to spans, so
 /// the span stage can as well be another core or a piece of hardware. docs/triangle-command.md is its layout.
 ///
 /// The rows from first_row to end_row - 1 lie between `left` and `right`; at middle_row the lower edge takes

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <string>
 #include <vector>
@@ -19,6 +20,13 @@ int complain(const std::string& what, int status) {
   return status;
 }
 
+// What was printed may have gone nowhere: into a full disk, say.
+int flushed() {
+  std::cout.flush();
+  const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
+  return lost ? complain("standard output: cannot write", kFailed) : 0;
+}
+
 std::string what_is_missing(const CLI::App& app) {
   const std::vector<std::string> extras = app.remaining();
   const std::string problem =
@@ -29,9 +37,11 @@ std::string what_is_missing(const CLI::App& app) {
 int parse_and_run(CLI::App& app, int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
-    return app.get_subcommands().empty() ? complain(what_is_missing(app), kWrongArguments) : 0;
+    if (app.get_subcommands().empty()) return complain(what_is_missing(app), kWrongArguments);
+    return flushed();
   } catch (const CLI::Success& wanted) {  // --help, --version
-    return app.exit(wanted);
+    const int status = app.exit(wanted);
+    return status == 0 ? flushed() : status;
   } catch (const CLI::ParseError& e) {
     return complain(e.what(), kWrongArguments);
   } catch (const ExitStatus& status) {
@@ -51,6 +61,10 @@ int run_command_line(int argc, const char* const* argv) {
   CLI::App app("Phong-shaded 3D in integers: tools for the desk", "arcspan");
   app.set_version_flag("--version", ARCSPAN_VERSION);
   app.require_subcommand(0, 1);
+  app.footer(
+      "`arcspan COMMAND --help` shows a command's options and examples. Results go to standard output or\n"
+      "into files, progress and complaints to standard error. Exit status: 0; 1 for what is wrong with\n"
+      "files, or a comparison that fails; 2 for wrong arguments.");
   add_commands(app);
   app.allow_extras();  // for the root only, so that an unknown subcommand can be named
   return parse_and_run(app, argc, argv);

@@ -2,6 +2,7 @@
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/image/difference.hpp>
 #include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/output_file.hpp>
 
 #include <cstdio>
 #include <memory>
@@ -30,8 +31,8 @@ void run_diff(const DiffArguments& arguments) {
   }
   const Difference d = difference(a, b);
   if (!arguments.out.empty()) write_image(difference_picture(a, b), arguments.out);
-  std::printf("largest difference %d, mean %.4f, %zu of %zu pixels differ\n", d.largest, d.mean,
-              d.differing_pixels, a.pixels.size());
+  std::fprintf(report_stream({arguments.out}), "largest difference %d, mean %.4f, %zu of %zu pixels differ\n",
+               d.largest, d.mean, d.differing_pixels, a.pixels.size());
   if (d.largest > arguments.limit) throw ExitStatus{1};
 }
 
@@ -46,6 +47,10 @@ void add_diff_command(CLI::App& app) {
                    "write a picture of the differences, scaled to full brightness");
   diff->add_option("--limit", arguments->limit, "end with status 1 if any channel differs by more (0...255)")
       ->check(CLI::Range(0, 255));
+  diff->footer(
+      "Examples:\n"
+      "  arcspan diff before.png after.png\n"
+      "  arcspan diff arc.png gouraud.png -o difference.png --limit 8");
   diff->callback([arguments] { run_diff(*arguments); });
 }
 

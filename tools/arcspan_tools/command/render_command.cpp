@@ -45,6 +45,7 @@ Loaded load(const RenderArguments& arguments) {
 void run_render(const RenderArguments& arguments) {
   const RenderOptions& options = arguments.options;
   (void)image_format(arguments.output);
+  std::FILE* const report = report_stream({arguments.output, arguments.stats});
   Loaded loaded = load(arguments);
   const RenderJob job = make_job(options.scene, loaded.mesh, options.mesh);
   const Size size = options.scene.size;
@@ -56,7 +57,7 @@ void run_render(const RenderArguments& arguments) {
   loaded.report.stats = result.stats;
   write_image(result.image, arguments.output);
   if (!arguments.stats.empty()) write_whole_file(arguments.stats, to_json(loaded.report));
-  std::fputs(to_text(loaded.report).c_str(), stdout);
+  std::fputs(to_text(loaded.report).c_str(), report);
 }
 
 }  // namespace
@@ -65,8 +66,16 @@ void add_render_command(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* render = app.add_subcommand("render", "Draw a mesh with the integer pipeline");
   add_render_options(*render, arguments->options);
-  render->add_option("-o,--output", arguments->output, "the picture: .png, .ppm or .pgm")->required();
+  render
+      ->add_option("-o,--output", arguments->output,
+                   "the picture: .png, .ppm or .pgm; - is standard output (PNG), so are ppm:- and pgm:-")
+      ->required();
   render->add_option("--stats", arguments->stats, "write the printed figures as JSON");
+  render->footer(
+      "Examples:\n"
+      "  arcspan render bunny.obj -o bunny.png --size 640x480\n"
+      "  arcspan render torus:48x24 -o torus.png --shading gouraud --light 1,1,1 --light -1,0,0.5\n"
+      "  arcspan render part.stl -o - --format mono --dither --size 128x64 | display");
   render->callback([arguments] { run_render(*arguments); });
 }
 

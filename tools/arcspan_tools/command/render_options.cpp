@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/command/render_options.hpp>
+#include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/render/render.hpp>
 
 #include <cmath>
@@ -12,21 +13,6 @@ namespace {
 constexpr std::int32_t kMostPixels = 2048;  // the pipeline's guard band
 constexpr std::size_t kMostLights = 4;
 
-// Adds an option whose text `parse` turns into a value; nothing means that it is not `expected`.
-template <class T>
-void add_parsed(CLI::App& app, const std::string& name, const std::string& type, const std::string& help,
-                const std::string& expected, std::function<std::optional<T>(const std::string&)> parse,
-                std::function<void(const T&)> use) {
-  const auto take = [name, expected, parse, use](const std::string& text) {
-    const std::optional<T> value = parse(text);
-    if (!value) throw CLI::ValidationError(name, "expected " + expected + ", not '" + text + "'");
-    use(*value);
-  };
-  app.add_option_function<std::string>(name, take, help)
-      ->type_name(type)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-}
-
 std::optional<Vec3> parse_direction(const std::string& text) {
   const std::optional<Vec3> v = parse_triple(text);
   return v && length(*v) > 0 ? v : std::nullopt;
@@ -36,55 +22,6 @@ std::optional<Vec3> parse_colour(const std::string& text) {
   const std::optional<Vec3> v = parse_triple(text);
   const auto fits = [](double c) { return c >= 0 && c <= 1; };
   return v && fits(v->x) && fits(v->y) && fits(v->z) ? v : std::nullopt;
-}
-
-void add_number(CLI::App& app, const std::string& name, const std::string& help, double least, double most,
-                double& value) {
-  const auto short_text = [](double v) {
-    std::string text = std::to_string(v);
-    text.erase(text.find_last_not_of('0') + 1);
-    return text.back() == '.' ? text.substr(0, text.size() - 1) : text;
-  };
-  const std::string range = short_text(least) + "..." + short_text(most);
-  add_parsed<double>(
-      app, name, range, help + " (default " + short_text(value) + ")", "a number " + range,
-      [least, most](const std::string& text) {
-        const std::optional<double> v = parse_number(text);
-        return v && *v >= least && *v <= most ? v : std::nullopt;
-      },
-      [&value](double v) { value = v; });
-}
-
-void add_integer(CLI::App& app, const std::string& name, const std::string& type, const std::string& help,
-                 std::int32_t least, std::int32_t most, std::int32_t& value) {
-  add_parsed<std::int32_t>(
-      app, name, type, help, "an integer " + std::to_string(least) + "..." + std::to_string(most),
-      [least, most](const std::string& text) -> std::optional<std::int32_t> {
-        const std::optional<std::int64_t> v = parse_integer(text);
-        if (!v || *v < least || *v > most) return std::nullopt;
-        return static_cast<std::int32_t>(*v);
-      },
-      [&value](std::int32_t v) { value = v; });
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : "|") + name;
-  return text;
-}
-
-void add_choice(CLI::App& app, const std::string& name, const std::string& help,
-                const std::vector<std::string>& choices, std::string& value) {
-  const std::string all = joined(choices);
-  add_parsed<std::string>(
-      app, name, all, help + " (default " + value + ")", all,
-      [choices](const std::string& text) -> std::optional<std::string> {
-        for (const std::string& choice : choices) {
-          if (choice == text) return text;
-        }
-        return std::nullopt;
-      },
-      [&value](const std::string& v) { value = v; });
 }
 
 void add_picture_options(CLI::App& app, RenderOptions& o) {
@@ -154,7 +91,8 @@ void add_camera_options(CLI::App& app, RenderOptions& o) {
 }  // namespace
 
 void add_render_options(CLI::App& app, RenderOptions& options) {
-  app.add_option("MESH", options.mesh, "an .obj, .ply, .stl or .off file, or sphere:32x16, torus:48x24")
+  app.add_option("MESH", options.mesh,
+                 "an .obj, .ply, .stl, .off or .bin (mesh binary) file, or sphere:32x16, torus:48x24")
       ->required();
   add_picture_options(app, options);
   add_shading_options(app, options);

@@ -190,6 +190,10 @@ void add_show_command(CLI::App& app) {
   show->add_option("--seconds", arguments->seconds, "stop after this time (default 0: never)")
       ->type_name("0...86400")
       ->check(number_range(0, 86400, "0...86400"));
+  show->footer(
+      "Examples:\n"
+      "  arcspan show bunny.obj --device /dev/fb0 --turntable 120\n"
+      "  arcspan show torus:48x24 --device /dev/fb0 --seconds 10");
   show->callback([show, arguments] {
     arguments->own_size = show->count("--size") > 0;
     arguments->own_format = show->count("--format") > 0;

@@ -10,7 +10,6 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr Vec3 kDefaultView{0.5, 0.4, 1};
 /// Room around a mesh that is fitted into the picture.
 constexpr double kMargin = 1.06;
 /// The near plane of an eye inside or near a mesh, in object units: a 250th of the largest extent.
@@ -99,7 +98,7 @@ Camera place_camera(const CameraWish& wish, const FixedMesh& mesh, Size size) {
     camera.eye = *wish.eye;
     return camera;
   }
-  const Axes axes = axes_of(kDefaultView, wish.up);
+  const Axes axes = axes_of(wish.view, wish.up);
   camera.eye = camera.target + axes.z * fitting_distance(mesh, camera.target, axes, wish.fov_degrees, size);
   return camera;
 }

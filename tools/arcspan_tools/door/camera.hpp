@@ -17,6 +17,7 @@ struct CameraWish {
   std::optional<Vec3> target;
   Vec3 up{0, 1, 0};
   double fov_degrees = 40;  ///< vertical
+  Vec3 view{0.5, 0.4, 1};   ///< from the target towards an eye that is not given
 };
 
 struct Camera {
@@ -26,8 +27,8 @@ struct Camera {
   double fov_degrees = 40;
 };
 
-/// The camera that `wish` means for `mesh` and a picture of `size`. Without an eye it looks from direction
-/// (0.5, 0.4, 1), from where the mesh just fits; without a target it looks at the mesh's centre.
+/// The camera that `wish` means for `mesh` and a picture of `size`. Without an eye it stands in direction
+/// `view`, where the mesh just fits; without a target it looks at the mesh's centre.
 [[nodiscard]] Camera place_camera(const CameraWish& wish, const FixedMesh& mesh, Size size);
 
 /// A camera as the pipeline takes it, for one mesh and picture size.

@@ -5,8 +5,6 @@
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
-#include <algorithm>
-#include <cctype>
 #include <memory>
 
 namespace arcspan::tools {
@@ -46,12 +44,10 @@ std::string pgm(const Image& image) {
 }  // namespace
 
 ImageFormat image_format(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".ppm") return ImageFormat::kPpm;
-  if (extension == ".pgm") return ImageFormat::kPgm;
-  if (extension == ".png") return ImageFormat::kPng;
+  const std::string kind = output_kind(path, "png");
+  if (kind == "ppm") return ImageFormat::kPpm;
+  if (kind == "pgm") return ImageFormat::kPgm;
+  if (kind == "png") return ImageFormat::kPng;
   throw Failure(path.string(), "a picture's name must end in .png, .ppm or .pgm");
 }
 

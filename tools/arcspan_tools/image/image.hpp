@@ -30,7 +30,7 @@ struct Image {
 };
 
 /// The file formats that pictures are written in, by the extension of the name: .ppm (P6), .pgm (P5, luma),
-/// .png (8-bit RGB).
+/// .png (8-bit RGB). On standard output (`-`) a picture is a PNG; `ppm:-` and `pgm:-` are the others.
 enum class ImageFormat : std::uint8_t { kPpm, kPgm, kPng };
 
 /// The format that a file name asks for. Throws Failure for any other extension.

@@ -5,10 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <string>
 #include <system_error>
 
 namespace arcspan::tools {
@@ -79,7 +80,35 @@ void write_in_place(const fs::path& path, std::string_view bytes) {
 
 }  // namespace
 
+bool is_standard_output(const fs::path& path) {
+  const std::string& name = path.native();
+  if (name == "-") return true;
+  return name.size() > 2 && name.ends_with(":-") &&
+         std::all_of(name.begin(), name.end() - 2, [](unsigned char c) { return std::isalnum(c) != 0; });
+}
+
+std::string output_kind(const fs::path& path, std::string_view otherwise) {
+  std::string kind = path.extension().string();
+  if (is_standard_output(path)) {
+    const std::string& name = path.native();
+    kind = name == "-" ? "." + std::string(otherwise) : "." + name.substr(0, name.size() - 2);
+  }
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return kind.empty() ? kind : kind.substr(1);
+}
+
+std::FILE* report_stream(std::initializer_list<fs::path> outputs) {
+  const auto count = std::count_if(outputs.begin(), outputs.end(), is_standard_output);
+  if (count > 1) throw Failure("standard output", "only one result can go there");
+  return count == 1 ? stderr : stdout;
+}
+
 void write_whole_file(const fs::path& path, std::string_view bytes) {
+  if (is_standard_output(path)) {
+    std::fflush(stdout);
+    return write_all(STDOUT_FILENO, bytes, "standard output");
+  }
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status)) throw Failure(path.string(), "cannot write (it is a directory)");

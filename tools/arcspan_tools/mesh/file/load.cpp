@@ -43,9 +43,11 @@ MeshData load_mesh_from_memory(std::string_view bytes, MeshFormat format, const 
 
 MeshData load_mesh(const std::string& name) {
   if (const std::optional<GeneratedMesh> wanted = parse_generated_mesh(name)) return generate(*wanted);
+  if (output_kind(name, "") == "bin") return mesh_from_binary(read_whole_file(name, kMaxFileBytes), name);
   const std::optional<MeshFormat> format = mesh_format(name);
   if (!format) {
-    throw Failure(name, "not a mesh that can be read (.obj, .ply, .stl, .off, sphere:32x16, torus:48x24)");
+    throw Failure(name,
+                  "not a mesh that can be read (.obj, .ply, .stl, .off, .bin, sphere:32x16, torus:48x24)");
   }
   const std::string text = screened(read_whole_file(name, kMaxFileBytes), *format, name);
   return weld(import_isolated(text, *format, name), name);

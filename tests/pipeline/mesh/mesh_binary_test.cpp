@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/mesh/crc32.hpp>
+#include <arcspan/mesh/mesh_binary.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+using namespace arcspan;
+
+namespace {
+
+// Written by hand from docs/mesh-binary.md: one triangle, 8-bit indices, three bytes of padding.
+const std::vector<std::uint8_t> kTriangle{
+    'A',  'R',  'C',  'M',                                       // magic
+    1,    0,    1,    0,                                         // version, flags: 8-bit indices
+    72,   0,    0,    0,    3,    0,    0, 0, 1,    0,    0, 0,  // size, vertices, triangles
+    0xFE, 0xFF, 0x00, 0x80, 0x06, 0x00,                          // low (-2, -32768, 6)
+    0x04, 0x00, 0xFF, 0x7F, 0x06, 0x00,                          // high (4, 32767, 6)
+    0x04, 0x00, 0x05, 0x00, 0x06, 0x00,                          // positions
+    0xFE, 0xFF, 0x00, 0x80, 0x06, 0x00, 1, 0, 0xFF, 0x7F, 6, 0,
+    0,    0,    0,    0,    1,    0,    2, 0, 0xFF, 0x7F, 0, 0,  // normals
+    2,    0,    1,    0,    0,    0,                             // indices, padding
+};
+
+// Bytes at an even address, with a right checksum.
+class Binary {
+ public:
+  explicit Binary(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {
+    const std::uint32_t crc = crc32(bytes_);
+    for (int i = 0; i < 4; ++i) bytes_.push_back(static_cast<std::uint8_t>(crc >> (8 * i)));
+  }
+  Status view(MeshView& mesh, MeshBounds* bounds = nullptr) const {
+    return view_mesh_binary(bytes_, mesh, bounds);
+  }
+  Status status() const {
+    MeshView mesh;
+    return view(mesh);
+  }
+  [[nodiscard]] std::vector<std::uint8_t>& bytes() { return bytes_; }
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+};
+
+Binary changed(std::size_t at, std::uint8_t value) {
+  std::vector<std::uint8_t> bytes = kTriangle;
+  bytes.at(at) = value;
+  return Binary(bytes);
+}
+
+}  // namespace
+
+TEST_CASE("the checksum is the CRC-32 of zlib and PNG") {
+  const std::string_view text = "123456789";
+  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  CHECK(crc32(bytes) == 0xCBF43926);
+  CHECK(crc32({}) == 0);
+}
+
+TEST_CASE("a mesh binary is used where it lies") {
+  const Binary binary(kTriangle);
+  MeshView mesh;
+  MeshBounds bounds;
+  REQUIRE(ok(binary.view(mesh, &bounds)));
+  REQUIRE(mesh.vertex_count() == 3);
+  REQUIRE(mesh.triangle_count() == 1);
+  CHECK(mesh.position(0) == ObjectPosition{4, 5, 6});
+  CHECK(mesh.position(1) == ObjectPosition{-2, -32768, 6});
+  CHECK(mesh.position(2) == ObjectPosition{1, 32767, 6});
+  CHECK(mesh.normal(1) == PackedNormal{1, 2});
+  CHECK(mesh.normal(2) == PackedNormal{32767, 0});
+  CHECK(mesh.triangle(0).a == 2);
+  CHECK(mesh.triangle(0).b == 0);
+  CHECK(mesh.triangle(0).c == 1);
+  CHECK(bounds.low == ObjectPosition{-2, -32768, 6});
+  CHECK(bounds.high == ObjectPosition{4, 32767, 6});
+}
+
+TEST_CASE("a mesh binary may be followed by anything") {
+  Binary binary(kTriangle);
+  binary.bytes().resize(4096, 0xFF);
+  CHECK(binary.status() == Status::kOk);
+}
+
+TEST_CASE("every changed bit of a mesh binary is found") {
+  for (std::size_t bit = 0; bit < 8 * (kTriangle.size() + 4); ++bit) {
+    CAPTURE(bit);
+    Binary binary(kTriangle);
+    binary.bytes()[bit / 8] ^= static_cast<std::uint8_t>(1u << (bit % 8));
+    CHECK_FALSE(ok(binary.status()));
+  }
+}
+
+TEST_CASE("every truncation of a mesh binary is found") {
+  const Binary whole(kTriangle);
+  for (std::size_t size = 0; size < kTriangle.size() + 4; ++size) {
+    CAPTURE(size);
+    Binary binary = whole;
+    binary.bytes().resize(size);
+    CHECK(binary.status() == Status::kTruncated);
+  }
+}
+
+TEST_CASE("what is wrong with a mesh binary is told, and the view is left alone") {
+  CHECK(changed(0, 'B').status() == Status::kUnsupported);
+  CHECK(changed(4, 2).status() == Status::kUnsupported);
+  CHECK(changed(6, 2).status() == Status::kCorrupted);      // an unknown flag
+  CHECK(changed(8, 76).status() == Status::kCorrupted);     // size
+  CHECK(changed(12, 4).status() == Status::kCorrupted);     // vertices
+  CHECK(changed(15, 0xFF).status() == Status::kCorrupted);  // more than there can be
+  CHECK(changed(19, 0xFF).status() == Status::kCorrupted);  // triangles whose size does not fit 32 bits
+  CHECK(changed(62, 3).status() == Status::kIndexOutOfRange);
+  MeshView mesh;
+  MeshBounds bounds{{1, 2, 3}, {4, 5, 6}};
+  REQUIRE(ok(Binary(kTriangle).view(mesh)));
+  CHECK(changed(62, 3).view(mesh, &bounds) == Status::kIndexOutOfRange);
+  CHECK(mesh.triangle_count() == 1);
+  CHECK(bounds.low == ObjectPosition{1, 2, 3});
+}
+
+TEST_CASE("a mesh binary at an odd address is refused") {
+  Binary binary(kTriangle);
+  binary.bytes().insert(binary.bytes().begin(), 0);
+  MeshView mesh;
+  CHECK(view_mesh_binary(std::span(binary.bytes()).subspan(1), mesh) == Status::kInvalidArgument);
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// `arcspan mesh` as a user runs it.
+#include <arcspan_tools/image/image.hpp>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <tests/tools/command_run.hpp>
+#include <tests/tools/temporary_folder.hpp>
+
+using namespace arcspan::tools;
+using namespace arcspan::test;
+
+TEST_CASE("mesh writes a header, figures and a picture of before and after") {
+  const TemporaryFolder folder;
+  const std::string out = folder / "my torus.hpp";
+  const CommandRun made = run("mesh torus:48x24 -o '" + out + "' --max-bytes 8192 --stats " +
+                              (folder / "s.json") + " --picture " + (folder / "p.png"));
+  REQUIRE(made.status == 0);
+  CHECK(made.err.empty());
+  const auto json = nlohmann::json::parse(contents(folder / "s.json"));
+  CHECK(json["model"]["triangles"] == 2304);
+  CHECK(json["mesh"]["bytes"].get<int>() <= 8192);
+  CHECK(made.out.find(json["mesh"]["bytes"].dump() + " bytes, 16-bit indices\n") != std::string::npos);
+  const std::string header = contents(out);
+  CHECK(header.find("namespace my_torus {") != std::string::npos);
+  CHECK(header.find("std::uint16_t kIndices[]") != std::string::npos);
+  const Image picture = read_image(folder / "p.png");
+  CHECK(picture.width == 640);
+  CHECK(picture.height == 240);
+  CHECK(folder.size() == 3);
+}
+
+TEST_CASE("a mesh binary can be rendered, and compiled into a header") {
+  const TemporaryFolder folder;
+  const std::string bin = folder / "a.bin";
+  REQUIRE(run("mesh torus:24x12 -o " + bin).status == 0);
+  // The binary's units are steps; from where the camera stands by itself both look alike.
+  REQUIRE(run("render " + bin + " -o " + (folder / "a.ppm")).status == 0);
+  REQUIRE(run("render torus:24x12 -o " + (folder / "b.ppm")).status == 0);
+  const CommandRun compared = run("diff " + (folder / "a.ppm") + " " + (folder / "b.ppm"));
+  INFO(compared.out);
+  CHECK(std::stod(compared.out.substr(compared.out.find("mean ") + 5)) < 0.1);
+  REQUIRE(run("mesh " + bin + " -o " + (folder / "a.hpp")).status == 0);
+  CHECK(contents(folder / "a.hpp").find("namespace a {") != std::string::npos);
+}
+
+TEST_CASE("a damaged mesh binary is refused in one line") {
+  const TemporaryFolder folder;
+  const std::string bin = folder / "a.bin";
+  REQUIRE(run("mesh torus:24x12 -o " + bin).status == 0);
+  std::string bytes = contents(bin);
+  bytes[100] = static_cast<char>(bytes[100] ^ 1);
+  const std::string bad = folder.file("b.bin", bytes);
+  CHECK(run("mesh " + bad + " -o " + (folder / "c.hpp")).err ==
+        "arcspan: " + bad + ": the mesh binary is damaged (corrupted)\n");
+  const std::string cut = folder.file("d.bin", bytes.substr(0, 200));
+  CHECK(run("render " + cut + " -o " + (folder / "c.png")).err ==
+        "arcspan: " + cut + ": the mesh binary is damaged (truncated)\n");
+  const std::string foreign = folder.file("e.bin", "GIF89a and so on, for some forty bytes or more");
+  CHECK(run("mesh " + foreign + " -o " + (folder / "c.hpp")).err ==
+        "arcspan: " + foreign + ": not a mesh binary of version 1\n");
+  CHECK(folder.size() == 4);
+}
+
+TEST_CASE("mesh in a pipe: the result on standard output, the report on standard error") {
+  const TemporaryFolder folder;
+  const CommandRun header = run("mesh sphere:8x4 -o -");
+  CHECK(header.status == 0);
+  CHECK(header.out.find("#pragma once") != std::string::npos);
+  CHECK(header.out.find("namespace sphere_8x4 {") != std::string::npos);
+  CHECK(header.err.find("8-bit indices") != std::string::npos);
+  REQUIRE(run("mesh sphere:8x4 -o " + (folder / "a.bin")).status == 0);
+  CHECK(run("mesh sphere:8x4 -o bin:-").out == contents(folder / "a.bin"));
+}
+
+TEST_CASE("mesh warns of triangles that shading has to split") {
+  const CommandRun coarse = run("mesh sphere:6x3 -o bin:-");
+  CHECK(coarse.status == 0);
+  CHECK(coarse.err.find("arcspan: warning: sphere:6x3: ") != std::string::npos);
+  CHECK(run("mesh sphere:32x16 -o bin:-").err.find("warning") == std::string::npos);
+}
+
+TEST_CASE("mesh: wrong arguments and limits out of reach leave nothing behind") {
+  struct Case {
+    const char* arguments;
+    int status;
+    const char* complaint;
+  };
+  const Case wrong = GENERATE(values<Case>({
+      {"--max-bytes 0", 2, "--max-bytes: expected an integer 1...1000000000, not '0'"},
+      {"--max-triangles many", 2, "--max-triangles: expected an integer 1...1000000000, not 'many'"},
+      {"--crease 181", 2, "--crease: expected a number 0...180, not '181'"},
+      {"--name 3d", 2, "--name: '3d' cannot name a namespace"},
+      {"--picture p.gif", 1, "p.gif: a picture's name must end in .png, .ppm or .pgm"},
+  }));
+  CAPTURE(wrong.arguments);
+  const TemporaryFolder folder;
+  const CommandRun refused = run("mesh torus:8x8 -o " + (folder / "a.hpp") + " " + wrong.arguments);
+  CHECK(refused.status == wrong.status);
+  CHECK(refused.err == "arcspan: " + std::string(wrong.complaint) + "\n");
+  CHECK(run("mesh torus:8x8 -o " + (folder / "a.txt")).err ==
+        "arcspan: " + (folder / "a.txt") + ": a compiled mesh's name must end in .hpp, .h or .bin\n");
+  CHECK(run("mesh torus:8x8 --max-bytes 9 -o " + (folder / "a.hpp")).status == 1);
+  CHECK(folder.size() == 0);
+}

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/mesh_report.hpp>
+#include <arcspan_tools/command/typed_options.hpp>
+#include <arcspan_tools/image/side_by_side.hpp>
+#include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/output/mesh_writer.hpp>
+#include <arcspan_tools/render/scene.hpp>
+#include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/parse.hpp>
+#include <arcspan_tools/support/progress.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace arcspan::tools {
+namespace {
+
+struct MeshArguments {
+  std::string model;
+  std::string output;
+  std::string name;
+  std::string picture;
+  std::string stats;
+  MeshWish wish;
+};
+
+struct Made {
+  MeshReport report;
+  FixedMesh model;
+};
+
+Made make(const MeshArguments& arguments, MeshOutput output) {
+  const MeshData data = load_mesh(arguments.model);
+  const BytesOf bytes_of = [output](std::size_t vertices, std::size_t triangles) {
+    return mesh_bytes(output, vertices, triangles);
+  };
+  Made made{{}, to_fixed(data)};
+  MeshReport& report = made.report;
+  report.model = arguments.model;
+  report.output = arguments.output;
+  report.model_vertices = data.positions.size();
+  report.model_triangles = data.triangles.size();
+  report.model_bytes = bytes_of(data.positions.size(), data.triangles.size());
+  report.model_extent = made.model.unit * 65534;
+  report.dropped_faces = data.dropped_faces;
+  Progress progress("simplifying", 0);
+  report.compiled = compile_mesh(data, arguments.wish, bytes_of, arguments.model,
+                                 [&progress](std::size_t tried) { progress.show(tried); });
+  const FixedMesh& mesh = report.compiled.mesh;
+  report.bytes = bytes_of(mesh.positions.size(), mesh.indices.size() / 3);
+  report.figures = figures_of(mesh);
+  return made;
+}
+
+/// Both meshes from where the model as it was fills the picture.
+Image before_and_after(const Made& made, const std::string& subject) {
+  Scene scene;
+  const Camera camera = place_camera(scene.camera, made.model, scene.size);
+  scene.camera.eye = camera.eye;
+  scene.camera.target = camera.target;
+  const Renderer& renderer = find_renderer("arc", "rgb888", false);
+  const auto drawn = [&](const FixedMesh& mesh) {
+    return renderer.render(make_job(scene, mesh, subject), [](std::size_t) {}).image;
+  };
+  return side_by_side(drawn(made.model), drawn(made.report.compiled.mesh));
+}
+
+std::string name_of(const MeshArguments& arguments) {
+  if (!arguments.name.empty()) return arguments.name;
+  const std::filesystem::path from =
+      is_standard_output(arguments.output) ? arguments.model : arguments.output;
+  return identifier(from.stem().string());
+}
+
+void run_mesh(const MeshArguments& arguments) {
+  const MeshOutput output = mesh_output(arguments.output);
+  std::FILE* const report_to = report_stream({arguments.output, arguments.picture, arguments.stats});
+  if (!arguments.picture.empty()) (void)image_format(arguments.picture);
+  const Made made = make(arguments, output);
+  const MeshReport& report = made.report;
+  const FixedMesh& mesh = report.compiled.mesh;
+  const std::string file = output == MeshOutput::kBinary
+                               ? mesh_binary_file(mesh, report.figures)
+                               : mesh_header(mesh, report.figures, name_of(arguments),
+                                             std::filesystem::path(arguments.model).filename().string());
+  if (!arguments.picture.empty()) write_image(before_and_after(made, arguments.model), arguments.picture);
+  write_whole_file(arguments.output, file);
+  if (!arguments.stats.empty()) write_whole_file(arguments.stats, to_json(report));
+  std::fputs(to_text(report).c_str(), report_to);
+  const std::string caution = warning(report);
+  if (!caution.empty())
+    std::fprintf(stderr, "arcspan: warning: %s: %s\n", arguments.model.c_str(), caution.c_str());
+}
+
+void add_limits(CLI::App& mesh, MeshWish& wish) {
+  const auto parse_count = [](const std::string& text) -> std::optional<std::size_t> {
+    const std::optional<std::int64_t> value = parse_integer(text);
+    if (!value || *value < 1 || *value > 1'000'000'000) return std::nullopt;
+    return static_cast<std::size_t>(*value);
+  };
+  add_parsed<std::size_t>(mesh, "--max-triangles", "N", "simplify until there are no more",
+                          "an integer 1...1000000000", parse_count,
+                          [&wish](std::size_t n) { wish.max_triangles = n; });
+  add_parsed<std::size_t>(mesh, "--max-bytes", "N", "simplify until it takes no more",
+                          "an integer 1...1000000000", parse_count,
+                          [&wish](std::size_t n) { wish.max_bytes = n; });
+  add_parsed<double>(
+      mesh, "--crease", "DEGREES",
+      "make normals anew; edges sharper than this (0...180) stay sharp (default: the model's normals)",
+      "a number 0...180",
+      [](const std::string& text) {
+        const std::optional<double> v = parse_number(text);
+        return v && *v >= 0 && *v <= 180 ? v : std::nullopt;
+      },
+      [&wish](double v) { wish.crease_degrees = v; });
+}
+
+}  // namespace
+
+void add_mesh_command(CLI::App& app) {
+  auto arguments = std::make_shared<MeshArguments>();
+  CLI::App* mesh = app.add_subcommand("mesh", "Compile a model into a mesh for flash");
+  mesh->add_option("MODEL", arguments->model,
+                   "an .obj, .ply, .stl, .off or .bin file, or sphere:32x16, torus:48x24")
+      ->required();
+  mesh->add_option("-o,--output", arguments->output,
+                   "a header of constexpr arrays (.hpp, .h) or a mesh binary (.bin); hpp:- and bin:- are "
+                   "standard output")
+      ->required();
+  add_limits(*mesh, arguments->wish);
+  mesh->add_option("--name", arguments->name, "the header's namespace (default: from the file's name)")
+      ->check([](const std::string& text) {
+        return is_identifier(text) ? "" : "'" + text + "' cannot name a namespace";
+      });
+  mesh->add_option("--picture", arguments->picture, "draw the model before and after, side by side");
+  mesh->add_option("--stats", arguments->stats, "write the printed figures as JSON");
+  mesh->footer(
+      "Examples:\n"
+      "  arcspan mesh bunny.obj -o bunny.hpp --max-bytes 16384 --picture bunny.png\n"
+      "  arcspan mesh part.stl -o part.bin --crease 40 --max-triangles 800\n"
+      "  arcspan mesh torus:24x12 -o bin:- | xxd -i > torus.inc");
+  mesh->callback([arguments] { run_mesh(*arguments); });
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/mesh/compile/compile_mesh.hpp>
+#include <arcspan_tools/mesh/compile/mesh_figures.hpp>
+
+#include <string>
+
+namespace arcspan::tools {
+
+/// The figures of one compiled mesh.
+struct MeshReport {
+  std::string model;
+  std::string output;
+  std::size_t model_vertices = 0;
+  std::size_t model_triangles = 0;
+  std::size_t model_bytes = 0;  ///< what it would have taken as it was
+  double model_extent = 0;      ///< its largest, in its own units
+  std::size_t dropped_faces = 0;
+  std::size_t bytes = 0;
+  CompiledMesh compiled;
+  MeshFigures figures;
+};
+
+/// For people, several lines.
+[[nodiscard]] std::string to_text(const MeshReport& report);
+
+/// For machines: one object.
+[[nodiscard]] std::string to_json(const MeshReport& report);
+
+/// A line for standard error if shading will have to split triangles; else empty.
+[[nodiscard]] std::string warning(const MeshReport& report);
+
+}  // namespace arcspan::tools

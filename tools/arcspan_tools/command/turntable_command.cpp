@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/render_options.hpp>
+#include <arcspan_tools/command/typed_options.hpp>
+#include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/output/frame_output.hpp>
+#include <arcspan_tools/render/turntable.hpp>
+#include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/progress.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace arcspan::tools {
+namespace {
+
+struct TurntableArguments {
+  RenderOptions options;
+  std::string output;
+  std::int32_t frames = 36;
+  double frames_per_second = 18;
+  std::string pictures = "png";
+};
+
+FrameFormat format_of(const TurntableArguments& arguments) {
+  FrameFormat format;
+  format.frames = static_cast<std::size_t>(arguments.frames);
+  format.size = arguments.options.scene.size;
+  format.milliseconds = static_cast<std::int32_t>(std::lround(1000 / arguments.frames_per_second));
+  format.pictures = arguments.pictures == "ppm" ? ImageFormat::kPpm : ImageFormat::kPng;
+  return format;
+}
+
+void run_turntable(const TurntableArguments& arguments) {
+  const RenderOptions& options = arguments.options;
+  const FrameFormat format = format_of(arguments);
+  const std::unique_ptr<FrameOutput> output = make_frame_output(arguments.output, format);
+  const FixedMesh mesh = to_fixed(load_mesh(options.mesh));
+  const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);
+  const Turntable turntable(options.scene, mesh, format.frames);
+  Progress progress("drawing", format.frames);
+  double milliseconds = 0;
+  for (std::size_t frame = 0; frame < format.frames; ++frame) {
+    const RenderJob job = make_job(turntable.scene(frame), mesh, options.mesh);
+    RenderResult result = renderer.render(job, [](std::size_t) {});
+    milliseconds += result.stats.draw_milliseconds;
+    output->add(std::move(result.image));
+    progress.show(frame + 1);
+  }
+  output->finish();
+  std::fprintf(report_stream({arguments.output}),
+               "%s: %zu frames of %dx%d, %d ms each, drawn in %.2f ms each\n", arguments.output.c_str(),
+               format.frames, format.size.width, format.size.height, format.milliseconds,
+               milliseconds / static_cast<double>(format.frames));
+}
+
+}  // namespace
+
+void add_turntable_command(CLI::App& app) {
+  auto arguments = std::make_shared<TurntableArguments>();
+  CLI::App* turntable =
+      app.add_subcommand("turntable", "Draw a turn of a mesh as an animation or numbered pictures");
+  add_render_options(*turntable, arguments->options);
+  turntable
+      ->add_option(
+          "-o,--output", arguments->output,
+          "an animation (.gif, .png; gif:- and png:- are standard output), or a folder for numbered pictures")
+      ->required();
+  add_integer(*turntable, "--frames", "N", "pictures of a turn, 2...3600 (default 36)", 2, 3600,
+              arguments->frames);
+  add_number(*turntable, "--fps", "pictures a second of an animation", 1, 50, arguments->frames_per_second);
+  add_choice(*turntable, "--pictures", "format of a folder's pictures", {"png", "ppm"}, arguments->pictures);
+  turntable->footer(
+      "Examples:\n"
+      "  arcspan turntable bunny.obj -o bunny.gif --size 160x120\n"
+      "  arcspan turntable torus:48x24 -o turn.png --frames 72 --fps 30 --shading gouraud\n"
+      "  arcspan turntable part.stl -o frames/ --frames 360 --pictures ppm");
+  turntable->callback([arguments] { run_turntable(*arguments); });
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/shading/arc.hpp>
+
+#include <arcspan_tools/mesh/compile/mesh_figures.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace arcspan::tools {
+
+MeshFigures figures_of(const FixedMesh& mesh) {
+  MeshFigures found;
+  found.bounds = {mesh.positions[0], mesh.positions[0]};
+  for (const ObjectPosition& p : mesh.positions) {
+    ObjectPosition& low = found.bounds.low;
+    ObjectPosition& high = found.bounds.high;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  std::vector<Normal> normals;
+  normals.reserve(mesh.normals.size());
+  for (const PackedNormal& n : mesh.normals) normals.push_back(to_normal(unpack_normal(n)));
+  using AnyArc = Arc<Illumination<1, Highlight::kBlinn>>;
+  std::uint32_t widest = 0;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Normal& a = normals[mesh.indices[i]];
+    const Normal& b = normals[mesh.indices[i + 1]];
+    const Normal& c = normals[mesh.indices[i + 2]];
+    const std::uint32_t chord = std::max({squared_chord(a, b), squared_chord(b, c), squared_chord(c, a)});
+    widest = std::max(widest, chord);
+    if (chord > AnyArc::kWidestChord) ++found.wide_triangles;
+  }
+  const double half_chord = std::min(std::sqrt(std::ldexp(double(widest), -28)) / 2, 1.0);
+  found.widest_angle_degrees = 2 * std::asin(half_chord) * 180 / std::numbers::pi;
+  return found;
+}
+
+bool fits_indices8(std::size_t vertices) { return vertices <= 256; }
+
+std::size_t array_bytes(std::size_t vertices, std::size_t triangles) {
+  return 10 * vertices + triangles * (fits_indices8(vertices) ? 3 : 6);
+}
+
+}  // namespace arcspan::tools

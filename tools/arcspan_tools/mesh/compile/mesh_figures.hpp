@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/mesh/mesh_binary.hpp>
+
+#include <arcspan_tools/door/fixed_mesh.hpp>
+
+#include <cstddef>
+
+namespace arcspan::tools {
+
+/// What a firmware's author wants to know of a mesh.
+struct MeshFigures {
+  MeshBounds bounds;
+  double widest_angle_degrees = 0;  ///< between two normals of one triangle
+  std::size_t wide_triangles = 0;   ///< that the arc shading splits while it draws them
+};
+
+/// `mesh` must have a vertex.
+[[nodiscard]] MeshFigures figures_of(const FixedMesh& mesh);
+
+/// Whether the mesh's indices fit 8 bits.
+[[nodiscard]] bool fits_indices8(std::size_t vertices);
+
+/// Bytes of the three arrays: 10 a vertex, 3 or 6 a triangle.
+[[nodiscard]] std::size_t array_bytes(std::size_t vertices, std::size_t triangles);
+
+}  // namespace arcspan::tools

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/door/fixed_mesh.hpp>
+
+#include <cstddef>
+
+namespace arcspan::tools {
+
+/// `mesh` without what its 16 bits made useless: vertices that became equal are joined, triangles that lost
+/// their area are dropped, and vertices that nothing uses.
+[[nodiscard]] FixedMesh compacted(const FixedMesh& mesh);
+
+/// `mesh` with its triangles ordered for a vertex cache and its vertices in the order of their first use, so
+/// that a flash with read-ahead or a small data cache reads them one after the other.
+[[nodiscard]] FixedMesh ordered(const FixedMesh& mesh);
+
+/// Vertices that a first-in, first-out cache of 16 loads per triangle: 0.5 at best, 3 at worst.
+[[nodiscard]] double cache_misses_per_triangle(const FixedMesh& mesh);
+
+}  // namespace arcspan::tools

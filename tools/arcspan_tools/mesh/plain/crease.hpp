@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/mesh/plain/mesh_data.hpp>
+
+#include <string>
+
+namespace arcspan::tools {
+
+/// `mesh` with normals of its own making: a corner gets the area-weighted average over those faces at its
+/// position that lie within `degrees` of its own face, so edges sharper than that stay sharp. 180 smooths
+/// everything, 0 shades every face flat. Whatever normals the mesh had are dropped; vertices are joined
+/// afterwards. Throws Failure about `subject` if there are too many of them then.
+[[nodiscard]] MeshData with_crease(const MeshData& mesh, double degrees, const std::string& subject);
+
+}  // namespace arcspan::tools

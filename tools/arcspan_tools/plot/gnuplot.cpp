@@ -53,7 +53,7 @@ std::string gnuplot_script(const Figure& figure, PlotFormat format, const std::s
   script += "set output " + quoted(output) + "\nset grid\n";
   script += "set title " + quoted(figure.title) + "\n";
   script += "set xlabel " + quoted(figure.x_label) + "\nset ylabel " + quoted(figure.y_label) + "\n";
-  script += figure.curves.size() > 4 ? "set key outside right top\n" : "set key left top\n";
+  script += "set key below\nset autoscale xfix\n";
   if (figure.logarithmic_x) script += "set logscale x\n";
   if (figure.logarithmic_y) script += "set logscale y\nset format y '%.0e'\n";
   std::string plot;

@@ -44,15 +44,17 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
+[[noreturn]] void refuse_shading(const std::string& name) {
+  std::string complaint = "expected names out of ";
+  for (const std::string& known : shading_names()) complaint.append(known).append("|");
+  complaint.back() = ' ';
+  throw CLI::ValidationError("--shading", complaint + "with commas, not '" + name + "'");
+}
+
 std::vector<std::string> parse_shadings(const std::string& text) {
   std::vector<std::string> wanted;
   for (const std::string& name : split(text, ',')) {
-    if (!is_shading(name)) {
-      std::string all;
-      for (const std::string& known : shading_names()) all += (all.empty() ? "" : "|") + known;
-      throw CLI::ValidationError("--shading",
-                                 "expected names out of " + all + " with commas, not '" + name + "'");
-    }
+    if (!is_shading(name)) refuse_shading(name);
     if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
   }
   if (wanted.empty()) throw CLI::ValidationError("--shading", "names no shading");

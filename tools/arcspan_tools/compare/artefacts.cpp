@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr Size kSize{201, 151};  // odd: there is a middle pixel
+constexpr std::int32_t kMiddleX = kSize.width / 2;
+constexpr std::int32_t kMiddleY = kSize.height / 2;
 constexpr int kTurnStep = 5;
 
 /// A grey surface without ambient light, so that brightness is what the shading makes of it.
@@ -80,9 +82,7 @@ RotationSpread spread_of(const Shading& shading, double apart) {
 }  // namespace
 
 ArtefactScene::ArtefactScene(const MeshData& mesh, Scene scene)
-    : mesh_(to_fixed(mesh)), scene_(std::move(scene)) {
-  // The mesh is centred where its box is; the camera looks at the world's origin all the same.
-}
+    : mesh_(to_fixed(mesh)), scene_(std::move(scene)) {}
 
 ArtefactScene ArtefactScene::highlight() {
   Scene scene = front_view(4);
@@ -132,8 +132,7 @@ Profile ArtefactScene::middle_row(const std::string& shading) const {
   const TruthPicture cover = truth(TruthKind::kPhong);
   Profile profile;
   for (std::int32_t x = 0; x < kSize.width; ++x) {
-    const std::int32_t y = kSize.height / 2;
-    if (cover.at(x, y) != nullptr) profile.emplace_back(x, image.at(x, y).g);
+    if (cover.at(x, kMiddleY) != nullptr) profile.emplace_back(x, image.at(x, kMiddleY).g);
   }
   return profile;
 }
@@ -142,19 +141,17 @@ Profile ArtefactScene::middle_row(TruthKind kind) const {
   const TruthPicture picture = truth(kind);
   Profile profile;
   for (std::int32_t x = 0; x < kSize.width; ++x) {
-    const TruthSample* sample = picture.at(x, kSize.height / 2);
+    const TruthSample* sample = picture.at(x, kMiddleY);
     if (sample != nullptr) profile.emplace_back(x, sample->levels[1]);
   }
   return profile;
 }
 
 double ArtefactScene::middle(const std::string& shading) const {
-  return drawn(shading, scene_).at(kSize.width / 2, kSize.height / 2).g;
+  return drawn(shading, scene_).at(kMiddleX, kMiddleY).g;
 }
 
-double ArtefactScene::middle(TruthKind kind) const {
-  return truth(kind).at(kSize.width / 2, kSize.height / 2)->levels[1];
-}
+double ArtefactScene::middle(TruthKind kind) const { return truth(kind).at(kMiddleX, kMiddleY)->levels[1]; }
 
 Vec3 ArtefactScene::middle_normal(const std::string& shading) const {
   Vec3 normal;
@@ -162,14 +159,12 @@ Vec3 ArtefactScene::middle_normal(const std::string& shading) const {
     Scene scene = scene_;
     scene.lights = {light};
     scene.surface = grey(1, 0, 1);
-    normal = normal + light * drawn(shading, scene).at(kSize.width / 2, kSize.height / 2).g;
+    normal = normal + light * drawn(shading, scene).at(kMiddleX, kMiddleY).g;
   }
   return normalised(normal);
 }
 
-Vec3 ArtefactScene::middle_normal(TruthKind kind) const {
-  return truth(kind).at(kSize.width / 2, kSize.height / 2)->normal;
-}
+Vec3 ArtefactScene::middle_normal(TruthKind kind) const { return truth(kind).at(kMiddleX, kMiddleY)->normal; }
 
 double peak(const Profile& profile) {
   double highest = 0;

@@ -32,13 +32,19 @@ struct Plane {
 double luma_of(const Levels& c) { return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2]; }
 Levels levels_of(Rgb8 c) { return {double(c.r), double(c.g), double(c.b)}; }
 
+/// Where the weight of the neighbour at the distance i stands.
+std::size_t tap(int i) {
+  const int place = i + kRadius;
+  return static_cast<std::size_t>(place);
+}
+
 /// A Gaussian blur of a row or column; beyond the picture its border goes on.
 template <bool Down>
 Plane blurred_one_way(const Plane& in) {
   std::array<double, 2 * kRadius + 1> weights{};
   double sum = 0;
   for (int i = -kRadius; i <= kRadius; ++i) {
-    sum += weights[static_cast<std::size_t>(i + kRadius)] = std::exp(-i * i / (2 * kSigma * kSigma));
+    sum += weights[tap(i)] = std::exp(-i * i / (2 * kSigma * kSigma));
   }
   Plane out(in.width, in.height);
   for (std::int32_t y = 0; y < in.height; ++y) {
@@ -47,7 +53,7 @@ Plane blurred_one_way(const Plane& in) {
       for (int i = -kRadius; i <= kRadius; ++i) {
         const std::int32_t from_x = std::clamp(Down ? x : x + i, 0, in.width - 1);
         const std::int32_t from_y = std::clamp(Down ? y + i : y, 0, in.height - 1);
-        value += weights[static_cast<std::size_t>(i + kRadius)] * in.at(from_x, from_y);
+        value += weights[tap(i)] * in.at(from_x, from_y);
       }
       out.at(x, y) = value / sum;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace arcspan {
@@ -20,7 +21,7 @@ template <unsigned Bits>
     return level;
   } else {
     const std::int32_t base =
-        kDitherMatrix[static_cast<std::uint32_t>(y) & 3u][static_cast<std::uint32_t>(x) & 3u];
+        kDitherMatrix[static_cast<std::size_t>(y) & 3u][static_cast<std::size_t>(x) & 3u];
     const std::int32_t offset = base * (1 << (8 - Bits)) >> 3;
     const std::int32_t sum = level + offset;
     return static_cast<std::uint8_t>(sum < 0 ? 0 : sum > 255 ? 255 : sum);

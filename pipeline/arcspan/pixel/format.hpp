@@ -115,7 +115,7 @@ struct Rgb565 {
   [[nodiscard]] static constexpr Rgb8 decode(Code code) {
     return {detail::expand_to_8<5>(static_cast<unsigned>(code >> 11)),
             detail::expand_to_8<6>(static_cast<unsigned>(code >> 5) & 63u),
-            detail::expand_to_8<5>(code & 31u)};
+            detail::expand_to_8<5>(static_cast<unsigned>(code) & 31u)};
   }
 };
 

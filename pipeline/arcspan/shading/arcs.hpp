@@ -137,7 +137,7 @@ class ArcWalker {
     const Reciprocal inverse = reciprocal(start.width);
     const ArcFraction pixel = arc_fraction(inverse, start.bits);
     const ArcStart<Angle> arc = arc_start(angle2, fraction_of_row(start, inverse), pixel.factor());
-    const SlopeScale scale = slope_scale(pixel, arcs_->slope_drop, 0);
+    const SlopeScale scale = slope_scale(pixel, static_cast<int>(arcs_->slope_drop), 0);
 
     const ArcEdge<kScalars>& left = arcs_->middle_left ? *short_ : arcs_->long_edge;
     const ArcEdge<kScalars>& right = arcs_->middle_left ? arcs_->long_edge : *short_;

@@ -66,8 +66,9 @@ void copy_rows(const Band& band, std::int32_t first, std::int32_t rows, Image& i
 }
 
 template <class Method, class Band, class Depth>
-void draw_band(const RenderJob& job, const typename Method::Object& object, Band& band, const Depth& depth,
-               std::span<CachedVertex<Method>> cache, RenderStats& stats) {
+[[gnu::noinline]] void draw_band(const RenderJob& job, const typename Method::Object& object, Band& band,
+                                 const Depth& depth, std::span<CachedVertex<Method>> cache,
+                                 RenderStats& stats) {
   CountingSink sink(band.sink());
   const auto start = std::chrono::steady_clock::now();
   const DrawResult drawn =

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/render_options.hpp>
+#include <arcspan_tools/compare/instructions.hpp>
+#include <arcspan_tools/compare/sheet.hpp>
+#include <arcspan_tools/compare/table.hpp>
+#include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/progress.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <sstream>
+
+namespace arcspan::tools {
+namespace {
+
+struct CompareArguments {
+  RenderOptions options;
+  std::string output;
+  std::vector<std::string> tables;
+  std::vector<std::string> shadings;
+  TruthKind truth = TruthKind::kPhong;
+  bool instructions = true;
+  std::string draw_only;
+};
+
+constexpr const char* kYardsticks[] = {"gouraud", "phong"};
+
+bool is_shading(const std::string& name) {
+  const std::vector<std::string> all = shading_names();
+  return std::find(all.begin(), all.end(), name) != all.end();
+}
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, at);) parts.push_back(part);
+  return parts;
+}
+
+[[noreturn]] void refuse_shading(const std::string& name) {
+  std::string complaint = "expected names out of ";
+  for (const std::string& known : shading_names()) complaint.append(known).append("|");
+  complaint.back() = ' ';
+  throw CLI::ValidationError("--shading", complaint + "with commas, not '" + name + "'");
+}
+
+std::vector<std::string> parse_shadings(const std::string& text) {
+  std::vector<std::string> wanted;
+  for (const std::string& name : split(text, ',')) {
+    if (!is_shading(name)) refuse_shading(name);
+    if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
+  }
+  if (wanted.empty()) throw CLI::ValidationError("--shading", "names no shading");
+  return wanted;
+}
+
+/// This very program and its arguments, told to draw with one method and no more.
+std::vector<std::string> drawing_command(const std::string& shading) {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  const std::string line{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::vector<std::string> command = split(line, '\0');
+  std::error_code failed;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failed);
+  if (failed || command.empty()) return {};
+  command[0] = self.string();
+  command.push_back("--draw-only");
+  command.push_back(shading);
+  return command;
+}
+
+/// Instructions a pixel; nothing where they cannot be counted.
+std::optional<double> instructions_per_pixel(const std::string& shading, std::size_t pixels, bool wanted) {
+  if (!wanted || pixels == 0) return std::nullopt;
+  const std::vector<std::string> command = drawing_command(shading);
+  if (command.empty()) return std::nullopt;
+  const std::optional<std::uint64_t> count = drawing_instructions(command);
+  if (!count) return std::nullopt;
+  return static_cast<double>(*count) / static_cast<double>(pixels);
+}
+
+std::uint64_t drawn_pixels(const std::string& shading, const RenderJob& job) {
+  return find_renderer(shading, "rgb565", false).render(job, [](std::size_t) {}).stats.pixels;
+}
+
+/// Measures `shading`, or hands out what has been measured of it already.
+MethodFigures figures_of(const std::string& shading, const RenderJob& job, const FixedMesh& mesh,
+                         const TruthPicture& truth, bool instructions) {
+  MethodFigures figures = measure_method(shading, job, mesh, truth);
+  figures.instructions = instructions_per_pixel(shading, drawn_pixels(shading, job), instructions);
+  return figures;
+}
+
+Comparison compare(const CompareArguments& arguments, const RenderJob& job, const FixedMesh& mesh,
+                   const TruthPicture& truth) {
+  std::vector<std::string> measured = arguments.shadings.empty() ? shading_names() : arguments.shadings;
+  const std::size_t shown = measured.size();
+  for (const char* name : kYardsticks) {
+    if (is_shading(name) && std::find(measured.begin(), measured.end(), name) == measured.end()) {
+      measured.push_back(name);
+    }
+  }
+  Comparison comparison;
+  Progress progress("comparing", measured.size());
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    progress.show(i);
+    const MethodFigures figures = figures_of(measured[i], job, mesh, truth, arguments.instructions);
+    if (std::find(std::begin(kYardsticks), std::end(kYardsticks), measured[i]) != std::end(kYardsticks)) {
+      comparison.yardsticks.push_back({measured[i], figures.nanoseconds, figures.instructions});
+    }
+    if (i < shown) comparison.methods.push_back(figures);
+  }
+  return comparison;
+}
+
+void run_compare(const CompareArguments& arguments) {
+  (void)image_format(arguments.output);
+  for (const std::string& table : arguments.tables) (void)table_format(table);
+  const RenderOptions& options = arguments.options;
+  const MeshData data = load_mesh(options.mesh);
+  const FixedMesh mesh = to_fixed(data);
+  const RenderJob job = make_job(options.scene, mesh, options.mesh);
+  if (!arguments.draw_only.empty()) {
+    (void)drawn_pixels(arguments.draw_only, job);
+    return;
+  }
+  const TruthPicture truth = draw_truth(job, arguments.truth);
+  Comparison comparison = compare(arguments, job, mesh, truth);
+  comparison.mesh_name = options.mesh;
+  comparison.mesh_triangles = data.triangles.size();
+  comparison.width = truth.width;
+  comparison.height = truth.height;
+  comparison.truth_kind = arguments.truth;
+  comparison.truth = truth.image(job.background);
+  const Image sheet = contact_sheet(comparison, truth);
+  write_image(sheet, arguments.output);
+  for (const std::string& table : arguments.tables) {
+    write_whole_file(table, comparison_table(comparison, table_format(table)));
+  }
+  std::fputs(comparison_table(comparison, TableFormat::kMarkdown).c_str(), stdout);
+}
+
+void add_options(CLI::App& app, CompareArguments& a) {
+  add_render_options(app, a.options);
+  app.remove_option(app.get_option("--shading"));
+  app.remove_option(app.get_option("--format"));
+  app.remove_option(app.get_option("--dither"));
+  app.add_option("-o,--output", a.output, "the contact sheet: .png, .ppm or .pgm")->required();
+  app.add_option("--table", a.tables, "write the printed figures as .md, .csv or .json; may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  app.add_option_function<std::string>(
+         "--shading", [&a](const std::string& text) { a.shadings = parse_shadings(text); },
+         "only these, with commas between them (default: all)")
+      ->type_name("A,B,C");
+  app.add_option_function<std::string>(
+         "--truth",
+         [&a](const std::string& text) {
+           if (text != "phong" && text != "slerp") {
+             throw CLI::ValidationError("--truth", "expected phong or slerp, not '" + text + "'");
+           }
+           a.truth = text == "phong" ? TruthKind::kPhong : TruthKind::kSlerp;
+         },
+         "what errors are measured from: normals along chords (default) or along great circles")
+      ->type_name("phong|slerp");
+  app.add_flag("--instructions,!--no-instructions", a.instructions,
+               "count instructions by valgrind, if it is installed (default)");
+  // How this program asks itself, under valgrind, to draw once; not for people.
+  app.add_option("--draw-only", a.draw_only)->group("");
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app) {
+  auto arguments = std::make_shared<CompareArguments>();
+  CLI::App* compare = app.add_subcommand(
+      "compare", "Draw a mesh by every shading method: a contact sheet and what each costs");
+  add_options(*compare, *arguments);
+  compare->callback([arguments] { run_compare(*arguments); });
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/compare/artefacts.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace arcspan::tools {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr Size kSize{201, 151};  // odd: there is a middle pixel
+constexpr std::int32_t kMiddleX = kSize.width / 2;
+constexpr std::int32_t kMiddleY = kSize.height / 2;
+constexpr int kTurnStep = 5;
+
+/// A grey surface without ambient light, so that brightness is what the shading makes of it.
+Surface grey(double diffuse, double specular, std::int32_t shininess) {
+  return {{1, 1, 1}, 0, diffuse, specular, shininess};
+}
+
+Scene front_view(double distance) {
+  Scene scene;
+  scene.size = kSize;
+  scene.camera.eye = Vec3{0, 0, distance};
+  scene.camera.target = Vec3{0, 0, 0};
+  scene.camera.fov_degrees = 30;
+  scene.lights = {{0, 0, 1}};
+  scene.background = {0, 0, 0};
+  return scene;
+}
+
+/// A corner of a triangle around the origin, its normal leaning away from there.
+void add_corner(MeshData& mesh, double degrees, double radius, double lean_degrees) {
+  const double c = std::cos(degrees * kDegree);
+  const double s = std::sin(degrees * kDegree);
+  const double lean = std::sin(lean_degrees * kDegree);
+  mesh.positions.push_back({radius * c, radius * s, 0});
+  mesh.normals.push_back({lean * c, lean * s, std::cos(lean_degrees * kDegree)});
+}
+
+MeshData triangle(std::array<double, 3> corner_degrees, double lean_degrees) {
+  MeshData mesh;
+  for (const double degrees : corner_degrees) add_corner(mesh, degrees, 1, lean_degrees);
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+/// Three unit vectors at right angles to one another, each as far from z.
+std::array<Vec3, 3> three_lights() {
+  std::array<Vec3, 3> lights;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double around = (15 + 120.0 * static_cast<double>(i)) * kDegree;
+    const double side = std::sqrt(2.0 / 3);
+    lights[i] = {side * std::cos(around), side * std::sin(around), std::sqrt(1.0 / 3)};
+  }
+  return lights;
+}
+
+double angle_between(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)) / kDegree; }
+
+template <class Shading>
+RotationSpread spread_of(const Shading& shading, double apart) {
+  double brightest = 0;
+  double darkest = 255;
+  std::vector<Vec3> normals;
+  for (int turn = 0; turn < 360; turn += kTurnStep) {
+    const ArtefactScene scene = ArtefactScene::turned(apart, turn);
+    const double level = scene.middle(shading);
+    brightest = std::max(brightest, level);
+    darkest = std::min(darkest, level);
+    normals.push_back(scene.middle_normal(shading));
+  }
+  RotationSpread spread{brightest - darkest, 0};
+  for (const Vec3& a : normals) {
+    for (const Vec3& b : normals) spread.degrees = std::max(spread.degrees, angle_between(a, b));
+  }
+  return spread;
+}
+
+}  // namespace
+
+ArtefactScene::ArtefactScene(const MeshData& mesh, Scene scene)
+    : mesh_(to_fixed(mesh)), scene_(std::move(scene)) {}
+
+ArtefactScene ArtefactScene::highlight() {
+  Scene scene = front_view(4);
+  scene.surface = grey(0.5, 0.45, 64);
+  return {triangle({90, 210, 330}, 25), scene};
+}
+
+ArtefactScene ArtefactScene::fold() {
+  MeshData mesh;
+  for (const double x : {-1.0, 0.0, 1.0}) {
+    for (const double y : {-0.7, 0.7}) {
+      mesh.positions.push_back({x, y, 0});
+      mesh.normals.push_back({std::sin(30 * x * kDegree), 0, std::cos(30 * x * kDegree)});
+    }
+  }
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}};
+  Scene scene = front_view(4);
+  scene.surface = grey(1, 0, 1);
+  return {mesh, scene};
+}
+
+ArtefactScene ArtefactScene::turned(double apart, double turn) {
+  // Normals leaning by `lean` at 120 degrees from one another are `apart` from one another.
+  const double lean = std::asin(std::sin(apart / 2 * kDegree) / std::sin(60 * kDegree)) / kDegree;
+  // Not regular, lest it look the same after a third of a turn.
+  MeshData mesh = triangle({80, 200, 320}, lean);
+  mesh.positions[0] = mesh.positions[0] * 1.25;
+  mesh.positions[1] = mesh.positions[1] * 0.8;
+  Scene scene = front_view(5.5);
+  scene.camera.up = {std::sin(turn * kDegree), std::cos(turn * kDegree), 0};
+  scene.lights = {{0.5, 0.3, 1}};
+  scene.surface = grey(0.6, 0.35, 16);
+  return {mesh, scene};
+}
+
+Image ArtefactScene::drawn(const std::string& shading, const Scene& scene) const {
+  const RenderJob job = make_job(scene, mesh_, "artefact");
+  return find_renderer(shading, "rgb888", false).render(job, [](std::size_t) {}).image;
+}
+
+TruthPicture ArtefactScene::truth(TruthKind kind) const {
+  return draw_truth(make_job(scene_, mesh_, "artefact"), kind);
+}
+
+Profile ArtefactScene::middle_row(const std::string& shading) const {
+  const Image image = drawn(shading, scene_);
+  const TruthPicture cover = truth(TruthKind::kPhong);
+  Profile profile;
+  for (std::int32_t x = 0; x < kSize.width; ++x) {
+    if (cover.at(x, kMiddleY) != nullptr) profile.emplace_back(x, image.at(x, kMiddleY).g);
+  }
+  return profile;
+}
+
+Profile ArtefactScene::middle_row(TruthKind kind) const {
+  const TruthPicture picture = truth(kind);
+  Profile profile;
+  for (std::int32_t x = 0; x < kSize.width; ++x) {
+    const TruthSample* sample = picture.at(x, kMiddleY);
+    if (sample != nullptr) profile.emplace_back(x, sample->levels[1]);
+  }
+  return profile;
+}
+
+double ArtefactScene::middle(const std::string& shading) const {
+  return drawn(shading, scene_).at(kMiddleX, kMiddleY).g;
+}
+
+double ArtefactScene::middle(TruthKind kind) const { return truth(kind).at(kMiddleX, kMiddleY)->levels[1]; }
+
+Vec3 ArtefactScene::middle_normal(const std::string& shading) const {
+  Vec3 normal;
+  for (const Vec3& light : three_lights()) {
+    Scene scene = scene_;
+    scene.lights = {light};
+    scene.surface = grey(1, 0, 1);
+    normal = normal + light * drawn(shading, scene).at(kMiddleX, kMiddleY).g;
+  }
+  return normalised(normal);
+}
+
+Vec3 ArtefactScene::middle_normal(TruthKind kind) const { return truth(kind).at(kMiddleX, kMiddleY)->normal; }
+
+double peak(const Profile& profile) {
+  double highest = 0;
+  for (const auto& [x, level] : profile) highest = std::max(highest, level);
+  return highest;
+}
+
+double kink(const Profile& profile, double x, int reach) {
+  const auto level_at = [&profile](double at) {
+    const auto found = std::find_if(profile.begin(), profile.end(),
+                                    [at](const auto& point) { return std::fabs(point.first - at) < 0.5; });
+    return found == profile.end() ? 0.0 : found->second;
+  };
+  return (level_at(x + reach) - 2 * level_at(x) + level_at(x - reach)) / reach;
+}
+
+RotationSpread rotation_spread(const std::string& shading, double apart) { return spread_of(shading, apart); }
+RotationSpread rotation_spread(TruthKind kind, double apart) { return spread_of(kind, apart); }
+
+}  // namespace arcspan::tools

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/compare/comparison.hpp>
+#include <arcspan_tools/counting/counters.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+namespace arcspan::tools {
+namespace {
+
+using arcspan_counting::CountedDraw;
+
+constexpr int kFewestRuns = 5;
+constexpr std::chrono::milliseconds kMeasuringTime{150};
+
+template <class T>
+std::span<const std::byte> bytes_of(const std::vector<T>& values) {
+  return std::as_bytes(std::span(values));
+}
+template <class T>
+std::span<const std::byte> bytes_of_one(const T& value) {
+  return std::as_bytes(std::span(&value, 1));
+}
+
+OperationRates rates(const arcspan_counting::OperationCounts& counts, std::uint64_t pixels) {
+  OperationRates result{};
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = pixels == 0 ? 0 : static_cast<double>(counts.of[i]) / static_cast<double>(pixels);
+  }
+  return result;
+}
+
+void rate_operations(const RenderJob& job, const FixedMesh& mesh, MethodFigures& figures) {
+  const CountedDraw draw = count_operations(figures.shading, job, mesh);
+  const CountedDraw loop = count_operations("flat", job, mesh);
+  figures.per_pixel = rates(draw.in_spans, draw.pixels);
+  const OperationRates bare = rates(loop.in_spans, loop.pixels);
+  for (std::size_t i = 0; i < bare.size(); ++i) {
+    figures.per_pixel[i] = std::max(0.0, figures.per_pixel[i] - bare[i]);
+  }
+  for (const double rate : rates(draw.around, draw.pixels)) figures.around += rate;
+}
+
+double best_nanoseconds(const RenderJob& job, const Renderer& renderer) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + kMeasuringTime;
+  double best = INFINITY;
+  for (int run = 0; run < kFewestRuns || Clock::now() < end; ++run) {
+    const RenderStats stats = renderer.render(job, [](std::size_t) {}).stats;
+    if (stats.pixels == 0) return 0;
+    best = std::min(best, stats.draw_milliseconds * 1e6 / static_cast<double>(stats.pixels));
+  }
+  return best;
+}
+
+}  // namespace
+
+CountedDraw count_operations(const std::string& shading, const RenderJob& job, const FixedMesh& mesh) {
+  arcspan_counting::CountJob bytes;
+  bytes.positions = bytes_of(mesh.positions);
+  bytes.normals = bytes_of(mesh.normals);
+  bytes.indices = bytes_of(mesh.indices);
+  bytes.transform = bytes_of_one(job.transform);
+  bytes.material = bytes_of_one(job.material);
+  bytes.lights = bytes_of(job.lights);
+  bytes.to_eye = bytes_of_one(job.to_eye);
+  bytes.phong_highlight = job.highlight == Highlight::kPhong;
+  bytes.two_sided = job.two_sided;
+  for (const arcspan_counting::Counter& counter : arcspan_counting::counters()) {
+    if (counter.shading == shading) return counter.function(bytes);
+  }
+  throw Failure(shading, "no such shading to count");
+}
+
+MethodFigures measure_method(const std::string& shading, const RenderJob& job, const FixedMesh& mesh,
+                             const TruthPicture& truth) {
+  MethodFigures figures;
+  figures.shading = shading;
+  // The error in full 8-bit channels, the time in the format that a firmware would have.
+  figures.picture = find_renderer(shading, "rgb888", false).render(job, [](std::size_t) {}).image;
+  figures.error = picture_error(figures.picture, truth, job.background);
+  rate_operations(job, mesh, figures);
+  figures.nanoseconds = best_nanoseconds(job, find_renderer(shading, "rgb565", false));
+  return figures;
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/compare/metrics.hpp>
+#include <arcspan_tools/counting/count_job.hpp>
+#include <arcspan_tools/door/fixed_mesh.hpp>
+
+#include <optional>
+#include <string>
+
+namespace arcspan::tools {
+
+/// Operations a pixel, by arcspan_counting::Operation.
+using OperationRates = std::array<double, arcspan_counting::kOperationKinds>;
+
+/// What one shading method does on one job.
+struct MethodFigures {
+  std::string shading;
+  Image picture;
+  PictureError error;
+  /// Of the pixels alone; what the span loop itself counts (that is, flat shading) is taken off.
+  OperationRates per_pixel{};
+  /// All kinds together, spent on vertices, preparation and row starts, a pixel.
+  double around = 0;
+  double nanoseconds = 0;              ///< a pixel, whole draw, best of several
+  std::optional<double> instructions;  ///< a pixel, whole draw, if they could be counted
+};
+
+/// Draws with one method in the pipeline that counts, without depth test.
+[[nodiscard]] arcspan_counting::CountedDraw count_operations(const std::string& shading, const RenderJob& job,
+                                                             const FixedMesh& mesh);
+
+/// Draws with one method and compares with the truth; counts operations; takes the time. Not instructions.
+[[nodiscard]] MethodFigures measure_method(const std::string& shading, const RenderJob& job,
+                                           const FixedMesh& mesh, const TruthPicture& truth);
+
+/// Nanoseconds and instructions a pixel that others are compared with.
+struct Yardstick {
+  std::string shading;
+  double nanoseconds = 0;
+  std::optional<double> instructions;
+};
+
+struct Comparison {
+  std::string mesh_name;
+  std::size_t mesh_triangles = 0;
+  std::int32_t width = 0;
+  std::int32_t height = 0;
+  TruthKind truth_kind = TruthKind::kPhong;
+  Image truth;
+  std::vector<MethodFigures> methods;
+  std::vector<Yardstick> yardsticks;  ///< gouraud and phong, those that there are
+};
+
+}  // namespace arcspan::tools

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/compare/instructions.hpp>
+#include <arcspan_tools/support/child_process.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+#include <charconv>
+
+namespace arcspan::tools {
+namespace {
+
+constexpr std::size_t kMostProfile = std::size_t{1} << 28;
+
+/// The number behind `summary: ` in a callgrind profile (its manual, section "File Format").
+std::optional<std::uint64_t> summary(const std::string& profile) {
+  const std::string key = "\nsummary: ";
+  const std::size_t at = profile.find(key);
+  if (at == std::string::npos) return std::nullopt;
+  std::uint64_t count = 0;
+  const char* first = profile.data() + at + key.size();
+  const auto parsed = std::from_chars(first, profile.data() + profile.size(), count);
+  return parsed.ec == std::errc() ? std::optional(count) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> drawing_instructions(const std::vector<std::string>& command) {
+  const ScratchFolder folder;
+  const std::string profile = (folder / "profile").string();
+  std::vector<std::string> arguments = {"--tool=callgrind", "--toggle-collect=*draw_band*",
+                                        "--callgrind-out-file=" + profile};
+  arguments.insert(arguments.end(), command.begin(), command.end());
+  const std::optional<ChildEnd> end = run_child("valgrind", arguments);
+  if (!end) return std::nullopt;
+  if (end->status != 0) throw Failure("valgrind", "failed with status " + std::to_string(end->status));
+  const std::optional<std::uint64_t> count = summary(read_whole_file(profile, kMostProfile));
+  if (!count) throw Failure("valgrind", "its profile holds no sum");
+  return count;
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/compare/truth.hpp>
+
+namespace arcspan::tools {
+
+/// How far a picture is from the truth, over the pixels that the truth covers.
+struct PictureError {
+  /// Of one channel, in 8-bit steps, from the truth before rounding: half a step is what 8 bits must lose.
+  double max = 0;
+  double rms = 0;
+  /// 20 log10(255 / rms) in dB.
+  double psnr = 0;
+  /// Structural similarity of the lumas, 1 at best (Wang, Bovik, Sheikh, Simoncelli 2004: Gaussian window of
+  /// 11 x 11 with sigma 1.5, K1 = 0.01, K2 = 0.03), averaged over the covered pixels' windows.
+  double ssim = 0;
+  std::size_t pixels = 0;
+};
+
+/// `picture` has the truth's size and was drawn over `background`.
+[[nodiscard]] PictureError picture_error(const Image& picture, const TruthPicture& truth, Rgb8 background);
+
+/// The largest error of the three channels at every pixel, in 8-bit steps; 0 where nothing was drawn.
+[[nodiscard]] std::vector<double> error_map(const Image& picture, const TruthPicture& truth);
+
+}  // namespace arcspan::tools

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/counting/count_job.hpp>
+
+#include <span>
+#include <string_view>
+
+namespace arcspan_counting {
+
+/// A shading method in the pipeline that counts.
+struct Counter {
+  std::string_view shading;
+  CountFunction* function;
+};
+
+/// All of them (generated, one translation unit each), in the order of shading_renderers().
+[[nodiscard]] std::span<const Counter> counters();
+
+}  // namespace arcspan_counting

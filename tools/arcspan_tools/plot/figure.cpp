@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/plot/figure.hpp>
+#include <arcspan_tools/plot/figures.hpp>
+
+#include <cstdio>
+
+namespace arcspan::tools {
+
+std::span<const FigureMaker> figure_makers() {
+  static constexpr FigureMaker kMakers[] = {
+      {"diffuse-error", "error in the middle of a linear segment against its angle: diffuse (S3 fig. 2, 3)",
+       &diffuse_error_figure},
+      {"specular-error", "the same for highlights of several exponents (S3 fig. 4)", &specular_error_figure},
+      {"polynomial-error", "dichotomy: polynomials for 1/sqrt(2 + z) against the angle", &polynomial_figure},
+      {"recurrence-error", "the recurrence's error against the span's length, per word length",
+       &recurrence_figure},
+      {"highlight", "a highlight inside a triangle, by every shading", &highlight_figure},
+      {"mach-bands", "brightness across the edge between two triangles, by every shading", &mach_figure},
+      {"rotation", "brightness of one point while the picture is turned, by every shading", &rotation_figure},
+  };
+  return kMakers;
+}
+
+std::string to_csv(const Figure& figure) {
+  std::string text = "curve,x,y\n";
+  for (const Curve& curve : figure.curves) {
+    for (const auto& [x, y] : curve.points) {
+      char line[96];
+      std::snprintf(line, sizeof line, ",%.9g,%.9g\n", x, y);
+      text += "\"" + curve.label + "\"" + line;
+    }
+  }
+  return text;
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/plot/figure.hpp>
+
+namespace arcspan::tools {
+
+// The papers' own (formulas.cpp computes them).
+[[nodiscard]] Figure diffuse_error_figure();
+[[nodiscard]] Figure specular_error_figure();
+[[nodiscard]] Figure polynomial_figure();
+[[nodiscard]] Figure recurrence_figure();
+
+// What they describe, drawn by every shading of the pipeline.
+[[nodiscard]] Figure highlight_figure();
+[[nodiscard]] Figure mach_figure();
+[[nodiscard]] Figure rotation_figure();
+
+}  // namespace arcspan::tools

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/plot/figures.hpp>
+#include <arcspan_tools/plot/formulas.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace arcspan::tools {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr int kSteps = 360;
+
+Curve segment_curve(double widest_degrees, double n) {
+  Curve curve;
+  curve.label = "n = " + std::to_string(static_cast<int>(n));
+  for (int i = 1; i <= kSteps; ++i) {
+    const double degrees = widest_degrees * i / kSteps;
+    curve.points.emplace_back(degrees, 100 * segment_error(degrees * kDegree, n));
+  }
+  return curve;
+}
+
+Curve polynomial_curve(const char* label, Polynomial p) {
+  Curve curve;
+  curve.label = label;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double degrees = 90.0 * i / kSteps;
+    // What is exact has no place on a logarithmic axis.
+    curve.points.emplace_back(degrees, std::max(std::fabs(polynomial_error(p, degrees * kDegree)), 1e-8));
+  }
+  return curve;
+}
+
+template <class Error>
+Curve growth_curve(const char* label, const Error& error) {
+  Curve curve;
+  curve.label = label;
+  for (int pixels = 4; pixels <= 2048; pixels *= 2) curve.points.emplace_back(pixels, error(pixels));
+  return curve;
+}
+
+}  // namespace
+
+Figure diffuse_error_figure() {
+  Figure figure;
+  figure.title = "Segment with linear intensity: error in its middle, diffuse";
+  figure.x_label = "angle between the normals at its ends, degrees";
+  figure.y_label = "error, % of the exact intensity";
+  figure.curves = {segment_curve(90, 1)};
+  figure.curves[0].label = "1 - cos(angle/2)";
+  return figure;
+}
+
+Figure specular_error_figure() {
+  Figure figure;
+  figure.title = "Segment with linear intensity: error in its middle, highlight (N·H)^n";
+  figure.x_label = "angle between the normals at its ends, degrees";
+  figure.y_label = "error, % of the exact intensity";
+  for (const double n : {4.0, 16.0, 64.0, 100.0, 128.0, 256.0}) {
+    figure.curves.push_back(segment_curve(10, n));
+  }
+  figure.curves.push_back({"S3: 4 % at 4° for n = 100", {{4, 4}}, true});
+  return figure;
+}
+
+Figure polynomial_figure() {
+  Figure figure;
+  figure.title = "Dichotomy: polynomials for 1/sqrt(2 + z), z = 2 cos(angle)";
+  figure.x_label = "angle between the normals, degrees";
+  figure.y_label = "relative error";
+  figure.logarithmic_y = true;
+  figure.curves = {polynomial_curve("S3, linear, as printed", &s3_linear),
+                   polynomial_curve("S3, quadratic, as printed", &s3_quadratic),
+                   polynomial_curve("minimax to 45°, linear", &minimax_linear),
+                   polynomial_curve("minimax to 45°, quadratic", &minimax_quadratic),
+                   polynomial_curve("in 2 - z, quadratic", &flat_quadratic),
+                   polynomial_curve("in 2 - z, cubic", &flat_cubic)};
+  return figure;
+}
+
+Figure recurrence_figure() {
+  Figure figure;
+  figure.title = "The recurrence: largest error of N·L over a span";
+  figure.x_label = "pixels of the span";
+  figure.y_label = "largest error";
+  figure.logarithmic_x = true;
+  figure.logarithmic_y = true;
+  struct Words {
+    const char* label;
+    int fraction;
+  };
+  for (const Words& words : {Words{"as printed, 12-bit words", 10}, Words{"as printed, 16-bit words", 14},
+                             Words{"as printed, 24-bit words", 22}, Words{"as printed, 32-bit words", 30}}) {
+    figure.curves.push_back(growth_curve(
+        words.label, [&words](int pixels) { return printed_recurrence_error(pixels, words.fraction); }));
+  }
+  figure.curves.push_back(growth_curve("differences, 16x16 multiply, 32-bit state",
+                                       [](int pixels) { return difference_recurrence_error(pixels); }));
+  return figure;
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/plot/gnuplot.hpp>
+#include <arcspan_tools/support/child_process.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+#include <cstdio>
+
+namespace arcspan::tools {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 26;
+
+/// `text` as gnuplot's double-quoted string.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+std::string number(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", v);
+  return text;
+}
+
+std::string data_block(std::size_t index, const Curve& curve) {
+  std::string text = "$curve" + std::to_string(index) + " << EOD\n";
+  for (const auto& [x, y] : curve.points) text += number(x) + " " + number(y) + "\n";
+  return text + "EOD\n";
+}
+
+std::string plot_item(std::size_t index, const Curve& curve) {
+  return "$curve" + std::to_string(index) + " using 1:2 with " +
+         (curve.marks ? "points pt 7 ps 1.2" : "lines lw 2") + " title " + quoted(curve.label);
+}
+
+std::string first_line(const std::string& text) {
+  const std::size_t from = text.find_first_not_of("\n ");
+  if (from == std::string::npos) return "no message";
+  return text.substr(from, text.find('\n', from) - from);
+}
+
+}  // namespace
+
+std::string gnuplot_script(const Figure& figure, PlotFormat format, const std::string& output) {
+  std::string script = "set encoding utf8\n";
+  script += format == PlotFormat::kSvg
+                ? "set terminal svg size 960,600 noenhanced font 'DejaVu Sans,14' background rgb 'white'\n"
+                : "set terminal pngcairo size 960,600 noenhanced font 'DejaVu Sans,12'\n";
+  script += "set output " + quoted(output) + "\nset grid\n";
+  script += "set title " + quoted(figure.title) + "\n";
+  script += "set xlabel " + quoted(figure.x_label) + "\nset ylabel " + quoted(figure.y_label) + "\n";
+  script += "set key below\nset autoscale xfix\n";
+  if (figure.logarithmic_x) script += "set logscale x\n";
+  if (figure.logarithmic_y) script += "set logscale y\nset format y '%.0e'\n";
+  std::string plot;
+  for (std::size_t i = 0; i < figure.curves.size(); ++i) {
+    script += data_block(i, figure.curves[i]);
+    plot += (i == 0 ? "plot " : ", ") + plot_item(i, figure.curves[i]);
+  }
+  return script + plot + "\nset output\n";
+}
+
+std::string draw_figure(const Figure& figure, PlotFormat format) {
+  const ScratchFolder folder;
+  const std::string output = (folder / "figure").string();
+  const std::optional<ChildEnd> end = run_child("gnuplot", {}, gnuplot_script(figure, format, output));
+  if (!end) throw Failure("gnuplot", "not found; figures are drawn by it (Debian package gnuplot-nox)");
+  if (end->status != 0) throw Failure("gnuplot", first_line(end->error_text));
+  return read_whole_file(output, kMostBytes);
+}
+
+}  // namespace arcspan::tools

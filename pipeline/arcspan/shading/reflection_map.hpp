@@ -80,7 +80,7 @@ class ReflectionTable {
 
 /// Shading by a reflection map (S0 [6]), for comparison: the normal is interpolated linearly, not normalised,
 /// and its direction indexes a table of colours. No product with L, H or V and no power is left in the span,
-/// and the cells of 1.1 to 2.8 degrees are to be seen.
+/// and the table's cells are to be seen: a cell's centre is up to 3.9 degrees away.
 template <class Illumination>
 struct ReflectionMap {
   using Object = ReflectionTable<Illumination>;

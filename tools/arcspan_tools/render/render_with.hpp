@@ -115,7 +115,7 @@ template <template <class> class Method, std::size_t Lights, Highlight Model>
 RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   using Lit = Illumination<Lights, Model>;
   std::array<DirectionalLight, Lights> lights;
-  for (std::size_t i = 0; i < Lights; ++i) lights[i].towards = job.lights[i];
+  for (std::size_t i = 0; i < Lights; ++i) lights[i] = job.lights[i];
   Lit object;
   const Status status = Lit::make(job.material, lights, job.to_eye, object);
   if (!ok(status)) throw Failure("illumination", to_string(status));

@@ -13,9 +13,10 @@ struct GoldenScene {
   std::string name;  ///< "arc", "arc-phong", ...: a file name
   std::string shading;
   tools::Scene scene;
+  bool sample = false;  ///< in rgb888 and of two generated meshes only
 };
 
-/// The scenes that every mesh is drawn in. A new shading method is in the list by itself.
+/// The scenes that every mesh is drawn in. A new shading method is in the list by itself, as a sample.
 [[nodiscard]] std::vector<GoldenScene> golden_scenes();
 
 }  // namespace arcspan::test

@@ -3,8 +3,15 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/shading/arc.hpp>
+#include <arcspan/shading/arc_vector.hpp>
+#include <arcspan/shading/duff.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/kuijk_blake.hpp>
+#include <arcspan/shading/lyon.hpp>
+#include <arcspan/shading/phong.hpp>
+#include <arcspan/shading/reflection_map.hpp>
+#include <arcspan/shading/slerp.hpp>
 
 namespace arcspan {
 
@@ -21,6 +28,13 @@ using Phong4 = Illumination<4, Highlight::kPhong>;
 ARCSPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(ArcVector<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Duff<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(KuijkBlake<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Lyon<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Phong<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(ReflectionMap<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Slerp<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Blinn4>, Rgb888, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Phong4>, Gray8, NoDepth);

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The span stage and nothing else, for every method and format: the object that must hold no division.
+// The span stage and nothing else, for every format and every method but those that divide by definition
+// (phong, duff): the object that must hold no division.
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/shading/arc.hpp>
+#include <arcspan/shading/arc_vector.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/kuijk_blake.hpp>
+#include <arcspan/shading/lyon.hpp>
+#include <arcspan/shading/reflection_map.hpp>
+#include <arcspan/shading/slerp.hpp>
 #include <arcspan/span/draw_command.hpp>
 
 namespace arcspan {
@@ -21,6 +27,11 @@ using Phong4 = Illumination<4, Highlight::kPhong>;
 ARCSPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(ArcVector<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(KuijkBlake<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Lyon<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(ReflectionMap<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Slerp<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Blinn4>, Rgb888, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Phong4>, Gray8, NoDepth);

@@ -5,6 +5,7 @@
 #include <tests/support/illumination_oracle.hpp>
 #include <tests/support/probe.hpp>
 #include <tests/support/raster_stage.hpp>
+#include <tests/support/run_list.hpp>
 #include <tests/support/slerp_oracle.hpp>
 
 #include <algorithm>
@@ -46,27 +47,6 @@ namespace {
 
 using Method = Arc<Probe>;
 constexpr std::int32_t kPicture = 2048;
-
-/// A sink that only notes its runs: the colours are in the probe.
-class RunList {
- public:
-  using Format = StrictFormat;
-  explicit RunList(const Rect& bounds) : bounds_(bounds), row_(static_cast<std::size_t>(bounds.right)) {}
-  [[nodiscard]] Rect bounds() const { return bounds_; }
-  [[nodiscard]] Format::Cursor open(const Span& run) {
-    runs.push_back(run);
-    for (std::int32_t i = 0; i < run.count; ++i) row_[static_cast<std::size_t>(run.x + i)] = {};
-    return {row_.data() + run.x, row_.data() + run.x + run.count, &faults_};
-  }
-  [[nodiscard]] Status close(const Span&) { return Status::kOk; }
-
-  std::vector<Span> runs;
-
- private:
-  Rect bounds_;
-  std::vector<StrictFormat::Cell> row_;
-  SinkFaults faults_;
-};
 
 /// Light and eye of one triangle, exact and as the pipeline gets them.
 struct Lighting {

@@ -125,6 +125,51 @@ TEST_CASE("lights add up, models differ, two-sided fills what culling leaves ope
   CHECK(render(inside, sphere).stats.pixels == 96 * 72);
 }
 
+TEST_CASE("a light's strength is 1 / (d + K)") {
+  const FixedMesh sphere = mesh("sphere:24x12");
+  Scene weaker = small_scene();
+  weaker.surface.diffuse = 0.8 / 4;
+  weaker.surface.specular = 0.4 / 4;
+  Scene farther = small_scene();
+  farther.surface.diffuse = 0.8;
+  farther.surface.specular = 0.4;
+  farther.lights.front().distance = 1.5;
+  farther.attenuation = 2.5;
+  CHECK(render(farther, sphere).image == render(weaker, sphere).image);
+  // Each light has its own distance.
+  farther.lights = {SceneLight({0.4, 0.7, 0.6}, 0), SceneLight({-1, 0, 0.2}, 900)};
+  Scene alone = farther;
+  alone.lights.resize(1, farther.lights.front());
+  const Image both = render(farther, sphere).image;
+  const Image near = render(alone, sphere).image;
+  for (std::size_t p = 0; p < both.pixels.size(); ++p) {
+    CHECK(std::abs(int{both.pixels[p].r} - int{near.pixels[p].r}) <= 1);
+  }
+}
+
+TEST_CASE("shares are per channel") {
+  const FixedMesh sphere = mesh("sphere:24x12");
+  Scene scene = small_scene();
+  scene.surface.ambient = Vec3{0, 0.2, 0};
+  scene.surface.diffuse = Vec3{0, 0, 0.5};
+  scene.surface.specular = Vec3{0.5, 0, 0};
+  for (const Highlight model : {Highlight::kBlinn, Highlight::kPhong}) {
+    scene.highlight = model;
+    const Image image = render(scene, sphere).image;
+    int red = 0;
+    int blue = 0;
+    for (std::size_t p = 0; p < image.pixels.size(); ++p) {
+      if (image.pixels[p] == to_rgb8(scene.background)) continue;
+      // Green has the ambient light only, the same everywhere.
+      CHECK(image.pixels[p].g == image.pixels[image.pixels.size() / 2 + 48].g);
+      red = std::max<int>(red, image.pixels[p].r);
+      blue = std::max<int>(blue, image.pixels[p].b);
+    }
+    CHECK(red > 100);
+    CHECK(blue > 20);
+  }
+}
+
 TEST_CASE("a wrong number of lights or an unknown renderer is refused") {
   const FixedMesh sphere = mesh("sphere:8x4");
   Scene scene = small_scene();

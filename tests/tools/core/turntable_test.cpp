@@ -29,7 +29,7 @@ TEST_CASE("a turned mesh keeps its distance, its light and its height") {
     const Vec3 now = *turned.camera.eye - *turned.camera.target;
     CHECK(length(now) == Approx(length(from)));
     CHECK(now.y == Approx(from.y));
-    CHECK(dot(now, turned.lights[0]) == Approx(dot(from, first.lights[0])));
+    CHECK(dot(now, turned.lights[0].towards) == Approx(dot(from, first.lights[0].towards)));
     // An eighth of a turn a frame; from above, the camera goes clockwise, that is the mesh counter-clockwise.
     CHECK(std::atan2(from.z * now.x - from.x * now.z, from.x * now.x + from.z * now.z) ==
           Approx(-std::remainder(double(frame), 8.0) * std::acos(-1.0) / 4).margin(1e-9));

@@ -45,11 +45,33 @@ TEST_CASE("every option is taken, and has an effect") {
   const std::string base = "render torus:16x8 --size 64x48 -o ";
   REQUIRE(run(base + (folder / "a.ppm")).status == 0);
   const std::string plain = contents(folder / "a.ppm");
-  for (const char* option :
-       {"--size 48x64", "--format mono", "--dither", "--shading flat", "--shading gouraud",
-        "--illumination phong", "--eye 3,2,1", "--target 0,0.2,0", "--up 1,0,0", "--fov 20 --eye 2,2,2",
-        "--light 1,0,0", "--light 0.4,0.7,0.6 --light -1,0,0", "--colour 0,1,0", "--ambient 0.5",
-        "--diffuse 0.1", "--specular 0", "--shininess 5", "--background 1,0,0", "--no-depth --eye 3,0.3,0"}) {
+  for (const char* option : {"--size 48x64",
+                             "--format mono",
+                             "--dither",
+                             "--shading flat",
+                             "--shading gouraud",
+                             "--illumination phong",
+                             "--eye 3,2,1",
+                             "--target 0,0.2,0",
+                             "--up 1,0,0",
+                             "--fov 20 --eye 2,2,2",
+                             "--light 1,0,0",
+                             "--light 0.4,0.7,0.6 --light -1,0,0",
+                             "--light 0.4,0.7,0.6@1",
+                             "--attenuation 2",
+                             "--ambient 0,0.3,0.14",
+                             "--diffuse 0.7,0.7,0",
+                             "--specular 1,0,0",
+                             "--shading phong",
+                             "--shading kuijk-blake",
+                             "--shading reflection-map",
+                             "--colour 0,1,0",
+                             "--ambient 0.5",
+                             "--diffuse 0.1",
+                             "--specular 0",
+                             "--shininess 5",
+                             "--background 1,0,0",
+                             "--no-depth --eye 3,0.3,0"}) {
     CAPTURE(option);
     const CommandRun drawn = run(base + (folder / "b.ppm") + " " + option);
     CHECK(drawn.err.empty());
@@ -57,7 +79,8 @@ TEST_CASE("every option is taken, and has an effect") {
     CHECK(contents(folder / "b.ppm") != plain);
   }
   for (const char* option : {"--band 1", "--band 7", "--band 48", "--no-dither", "--depth", "--two-sided",
-                             "--light 0.4,0.7,0.6", "--format rgb565", "--fov 40", "--shininess 40"}) {
+                             "--light 0.4,0.7,0.6", "--light 0.4,0.7,0.6@0", "--attenuation 1",
+                             "--specular 0.45,0.45,0.45", "--format rgb565", "--fov 40", "--shininess 40"}) {
     CAPTURE(option);
     CHECK(run(base + (folder / "b.ppm") + " " + option).status == 0);
     CHECK(contents(folder / "b.ppm") == plain);
@@ -74,21 +97,28 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
       {"--size 0x10", "--size: expected WxH with each 1...2048, not '0x10'"},
       {"--size 99999x99999", "--size: expected WxH with each 1...2048, not '99999x99999'"},
       {"--format rgb332", "--format: expected rgb565|rgb888|gray8|gray4|mono, not 'rgb332'"},
-      {"--shading ray", "--shading: expected flat|gouraud|arc, not 'ray'"},
+      {"--shading ray",
+       "--shading: expected flat|gouraud|arc|phong|slerp|kuijk-blake|lyon|duff|reflection-map|arc-vector, "
+       "not 'ray'"},
       {"--illumination lambert", "--illumination: expected blinn or phong, not 'lambert'"},
       {"--eye 1,2", "--eye: expected three numbers X,Y,Z, not '1,2'"},
       {"--eye nan,0,0", "--eye: expected three numbers X,Y,Z, not 'nan,0,0'"},
       {"--up 0,0,0", "--up: expected a direction X,Y,Z, not '0,0,0'"},
       {"--fov 0", "--fov: expected a number 1...170, not '0'"},
       {"--fov 171", "--fov: expected a number 1...170, not '171'"},
-      {"--light 0,0,0", "--light: expected a direction X,Y,Z, not '0,0,0'"},
+      {"--light 0,0,0", "--light: expected a direction X,Y,Z[@DISTANCE], not '0,0,0'"},
+      {"--light 1,0,0@", "--light: expected a direction X,Y,Z[@DISTANCE], not '1,0,0@'"},
+      {"--light 1,0,0@-1", "--light: expected a direction X,Y,Z[@DISTANCE], not '1,0,0@-1'"},
+      {"--light 1,0,0@nan", "--light: expected a direction X,Y,Z[@DISTANCE], not '1,0,0@nan'"},
+      {"--attenuation 0.5", "--attenuation: expected a number 1...1000, not '0.5'"},
       {"--light 1,0,0 --light 1,0,0 --light 1,0,0 --light 1,0,0 --light 1,0,0",
        "--light: at most 4 lights, not 5"},
       {"--colour 2,0,0", "--colour: expected R,G,B with each 0...1, not '2,0,0'"},
       {"--background red", "--background: expected R,G,B with each 0...1, not 'red'"},
-      {"--ambient -0.1", "--ambient: expected a number 0...1, not '-0.1'"},
-      {"--diffuse 1.1", "--diffuse: expected a number 0...1, not '1.1'"},
-      {"--specular much", "--specular: expected a number 0...1, not 'much'"},
+      {"--ambient -0.1", "--ambient: expected a number 0...1 or R,G,B with each 0...1, not '-0.1'"},
+      {"--diffuse 1.1", "--diffuse: expected a number 0...1 or R,G,B with each 0...1, not '1.1'"},
+      {"--specular much", "--specular: expected a number 0...1 or R,G,B with each 0...1, not 'much'"},
+      {"--specular 1,2,0", "--specular: expected a number 0...1 or R,G,B with each 0...1, not '1,2,0'"},
       {"--shininess 0", "--shininess: expected an integer 1...256, not '0'"},
       {"--shininess 257", "--shininess: expected an integer 1...256, not '257'"},
       {"--band 0", "--band: expected an integer 1...2048, not '0'"},

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::int32_t kMostPixels = 2048;  // the pipeline's guard band
 constexpr std::size_t kMostLights = 4;
+constexpr double kFarthestLight = 1000;
 
 std::optional<Vec3> parse_direction(const std::string& text) {
   const std::optional<Vec3> v = parse_triple(text);
@@ -22,6 +23,34 @@ std::optional<Vec3> parse_colour(const std::string& text) {
   const std::optional<Vec3> v = parse_triple(text);
   const auto fits = [](double c) { return c >= 0 && c <= 1; };
   return v && fits(v->x) && fits(v->y) && fits(v->z) ? v : std::nullopt;
+}
+
+// `X,Y,Z` or `X,Y,Z@D`.
+std::optional<SceneLight> parse_light(const std::string& text) {
+  const std::size_t at = text.find('@');
+  const std::optional<Vec3> towards = parse_direction(text.substr(0, at));
+  if (!towards) return std::nullopt;
+  if (at == std::string::npos) return SceneLight(*towards);
+  const std::optional<double> distance = parse_number(text.substr(at + 1));
+  if (!distance || !(*distance >= 0 && *distance <= kFarthestLight)) return std::nullopt;
+  return SceneLight(*towards, *distance);
+}
+
+// One number for all channels, or R,G,B.
+std::optional<Share> parse_share(const std::string& text) {
+  if (const std::optional<double> all = parse_number(text)) {
+    return *all >= 0 && *all <= 1 ? std::optional<Share>(*all) : std::nullopt;
+  }
+  const std::optional<Vec3> channels = parse_colour(text);
+  return channels ? std::optional<Share>(*channels) : std::nullopt;
+}
+
+void add_share(CLI::App& app, const std::string& name, const std::string& help, Share& value) {
+  std::string standard = std::to_string(value.rgb.x);
+  standard.erase(standard.find_last_not_of('0') + 1);
+  add_parsed<Share>(app, name, "0...1|R,G,B", help + " (default " + standard + ")",
+                    "a number 0...1 or R,G,B with each 0...1", parse_share,
+                    [&value](const Share& v) { value = v; });
 }
 
 void add_picture_options(CLI::App& app, RenderOptions& o) {
@@ -53,16 +82,18 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
       [&o](Highlight h) { o.scene.highlight = h; });
   add_parsed<Vec3>(app, "--colour", "R,G,B", "of the surface, each 0...1", "R,G,B with each 0...1",
                    parse_colour, [&o](Vec3 v) { o.scene.surface.colour = v; });
-  add_number(app, "--ambient", "ambient share", 0, 1, o.scene.surface.ambient);
-  add_number(app, "--diffuse", "diffuse share", 0, 1, o.scene.surface.diffuse);
-  add_number(app, "--specular", "share of the white highlight", 0, 1, o.scene.surface.specular);
+  add_share(app, "--ambient", "ambient share of the colour", o.scene.surface.ambient);
+  add_share(app, "--diffuse", "diffuse share of the colour", o.scene.surface.diffuse);
+  add_share(app, "--specular", "share and colour of the highlight", o.scene.surface.specular);
   add_integer(app, "--shininess", "1...256", "exponent of the highlight (default 40)", 1, 256,
               o.scene.surface.shininess);
   app.add_flag("--two-sided", o.scene.two_sided, "draw back faces too, lit from their side");
   const auto take_light = [&o](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
-      const std::optional<Vec3> light = parse_direction(text);
-      if (!light) throw CLI::ValidationError("--light", "expected a direction X,Y,Z, not '" + text + "'");
+      const std::optional<SceneLight> light = parse_light(text);
+      if (!light) {
+        throw CLI::ValidationError("--light", "expected a direction X,Y,Z[@DISTANCE], not '" + text + "'");
+      }
       o.lights.push_back(*light);
     }
     if (o.lights.size() > kMostLights) {
@@ -70,10 +101,13 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
     }
     o.scene.lights = o.lights;
   };
-  app.add_option_function<std::vector<std::string>>("--light", take_light,
-                                                    "towards a light (default 0.4,0.7,0.6); up to 4 times")
-      ->type_name("X,Y,Z")
+  app.add_option_function<std::vector<std::string>>(
+         "--light", take_light,
+         "towards a light (default 0.4,0.7,0.6), at a distance (default 0); up to 4 times")
+      ->type_name("X,Y,Z[@D]")
       ->allow_extra_args(false);
+  add_number(app, "--attenuation", "K of a light's strength 1/(D + K)", 1, kFarthestLight,
+             o.scene.attenuation);
 }
 
 void add_camera_options(CLI::App& app, RenderOptions& o) {

@@ -17,7 +17,7 @@ struct RenderOptions {
   std::string shading = "arc";
   Scene scene;
   /// Those given; the scene's own stays if there are none.
-  std::vector<Vec3> lights;
+  std::vector<SceneLight> lights;
 };
 
 /// Adds MESH and the options to a subcommand. `options` must live as long as `app`.

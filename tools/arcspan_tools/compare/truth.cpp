@@ -69,19 +69,22 @@ TruthIllumination::TruthIllumination(const RenderJob& job)
       shininess(job.material.shininess),
       phong_highlight(job.highlight == Highlight::kPhong),
       to_eye(normalised(to_vec3(job.to_eye))) {
-  for (const Direction& light : job.lights) lights.push_back(normalised(to_vec3(light)));
+  for (const DirectionalLight& light : job.lights) {
+    lights.push_back({normalised(to_vec3(light.towards)),
+                      std::ldexp(light.strength.raw(), -Coefficient::kFraction)});
+  }
 }
 
 Levels TruthIllumination::levels(Vec3 normal) const {
   double lit = 0;
   double shine = 0;
-  for (const Vec3& light : lights) {
+  for (const auto& [light, strength] : lights) {
     const double normal_light = dot(normal, light);
     if (normal_light <= 0) continue;
     const double cosine = phong_highlight ? 2 * normal_light * dot(normal, to_eye) - dot(light, to_eye)
                                           : dot(normal, normalised(light + to_eye));
-    lit += normal_light;
-    shine += std::pow(std::max(cosine, 0.0), shininess);
+    lit += strength * normal_light;
+    shine += strength * std::pow(std::max(cosine, 0.0), shininess);
   }
   Levels result;
   for (std::size_t c = 0; c < 3; ++c) {

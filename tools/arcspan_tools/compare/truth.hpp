@@ -25,7 +25,11 @@ struct TruthIllumination {
   Levels specular{};
   double shininess = 1;
   bool phong_highlight = false;
-  std::vector<Vec3> lights;
+  struct Light {
+    Vec3 towards;
+    double strength;
+  };
+  std::vector<Light> lights;
   Vec3 to_eye;
 
   TruthIllumination() = default;

@@ -100,9 +100,9 @@ CountedDraw count_draw(const CountJob& job, const typename Method::Object& objec
 template <template <class> class Method, std::size_t Lights, counted::Highlight Model>
 CountedDraw count_lit(const CountJob& job) {
   using Lit = counted::Illumination<Lights, Model>;
-  const auto directions = copied<counted::Direction>(job.lights);
+  const auto given = copied<counted::DirectionalLight>(job.lights);
   arcspan_counted_std::array<counted::DirectionalLight, Lights> lights;
-  for (std::size_t i = 0; i < Lights; ++i) lights[i].towards = directions[i];
+  for (std::size_t i = 0; i < Lights; ++i) lights[i] = given[i];
   Lit object;
   const auto material = one<counted::Material>(job.material);
   const auto to_eye = one<counted::Direction>(job.to_eye);
@@ -114,7 +114,7 @@ CountedDraw count_lit(const CountJob& job) {
 
 template <template <class> class Method, counted::Highlight Model>
 CountedDraw count_model(const CountJob& job) {
-  switch (job.lights.size() / sizeof(counted::Direction)) {
+  switch (job.lights.size() / sizeof(counted::DirectionalLight)) {
     case 1:
       return count_lit<Method, 1, Model>(job);
     case 2:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/door/camera.hpp>
 #include <arcspan_tools/door/material.hpp>
 #include <arcspan_tools/door/rounding.hpp>
 
@@ -17,10 +18,17 @@ ChannelCoefficients channels(Vec3 values) {
 
 }  // namespace
 
+DirectionalLight to_fixed(const SceneLight& light, double attenuation) {
+  return {to_direction(light.towards), coefficient(1 / (light.distance + attenuation))};
+}
+
 Material to_fixed(const Surface& surface) {
-  const double s = surface.specular;
-  return {channels(surface.colour * surface.ambient), channels(surface.colour * surface.diffuse),
-          channels({s, s, s}), surface.shininess};
+  const auto of_colour = [&surface](const Share& share) {
+    const Vec3& c = surface.colour;
+    return channels({c.x * share.rgb.x, c.y * share.rgb.y, c.z * share.rgb.z});
+  };
+  return {of_colour(surface.ambient), of_colour(surface.diffuse), channels(surface.specular.rgb),
+          surface.shininess};
 }
 
 Rgb8 to_rgb8(Vec3 colour) {

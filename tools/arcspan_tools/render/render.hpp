@@ -20,8 +20,8 @@ struct RenderJob {
   MeshView mesh;
   ClipTransform transform;
   Material material;
-  /// Towards each light, 1 to 4 of them.
-  std::vector<Direction> lights;
+  /// 1 to 4 of them.
+  std::vector<DirectionalLight> lights;
   Direction to_eye;
   Highlight highlight = Highlight::kBlinn;
   bool depth = true;

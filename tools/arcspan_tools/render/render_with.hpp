@@ -115,8 +115,10 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
 template <template <class> class Method, std::size_t Lights, Highlight Model>
 RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   using Lit = Illumination<Lights, Model>;
+  // Lights beyond those given are dark, which adds nothing: 2 and 3 need no instantiation of their own.
   std::array<DirectionalLight, Lights> lights;
-  for (std::size_t i = 0; i < Lights; ++i) lights[i].towards = job.lights[i];
+  lights.fill({job.lights[0].towards, Coefficient{}});
+  std::copy(job.lights.begin(), job.lights.end(), lights.begin());
   Lit object;
   const Status status = Lit::make(job.material, lights, job.to_eye, object);
   if (!ok(status)) throw Failure("illumination", to_string(status));
@@ -131,18 +133,12 @@ RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const R
 
 template <template <class> class Method, Highlight Model>
 RenderResult render_model(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
-  switch (job.lights.size()) {
-    case 1:
-      return render_lit<Method, 1, Model>(job, pixels, rows_done);
-    case 2:
-      return render_lit<Method, 2, Model>(job, pixels, rows_done);
-    case 3:
-      return render_lit<Method, 3, Model>(job, pixels, rows_done);
-    case 4:
-      return render_lit<Method, 4, Model>(job, pixels, rows_done);
-    default:
-      throw Failure("--light", "1 to 4 lights, not " + std::to_string(job.lights.size()));
+  constexpr std::size_t kMost = 4;
+  if (job.lights.empty() || job.lights.size() > kMost) {
+    throw Failure("--light", "1 to 4 lights, not " + std::to_string(job.lights.size()));
   }
+  return job.lights.size() == 1 ? render_lit<Method, 1, Model>(job, pixels, rows_done)
+                                : render_lit<Method, kMost, Model>(job, pixels, rows_done);
 }
 
 }  // namespace detail

@@ -10,7 +10,7 @@ RenderJob make_job(const Scene& scene, const FixedMesh& mesh, const std::string&
   job.transform = camera.transform;
   job.to_eye = camera.to_eye;
   job.material = to_fixed(scene.surface);
-  for (const Vec3& light : scene.lights) job.lights.push_back(to_direction(light));
+  for (const SceneLight& light : scene.lights) job.lights.push_back(to_fixed(light, scene.attenuation));
   job.highlight = scene.highlight;
   job.depth = scene.depth;
   job.two_sided = scene.two_sided;

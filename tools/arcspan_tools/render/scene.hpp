@@ -13,7 +13,8 @@ namespace arcspan::tools {
 /// What a picture shows, in doubles: the last of them before the door to fixed point.
 struct Scene {
   CameraWish camera;
-  std::vector<Vec3> lights = std::vector<Vec3>(1, Vec3{0.4, 0.7, 0.6});
+  std::vector<SceneLight> lights = std::vector<SceneLight>(1, SceneLight{0.4, 0.7, 0.6});
+  double attenuation = 1;  ///< K of 1 / (d + K), 1 or more
   Surface surface;
   Vec3 background{0.09, 0.11, 0.14};
   Highlight highlight = Highlight::kBlinn;

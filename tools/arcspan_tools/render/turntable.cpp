@@ -43,7 +43,7 @@ Scene Turntable::scene(std::size_t frame) const {
   Scene scene = base_;
   scene.camera.target = target_;
   scene.camera.eye = target_ + turned(from_target_, axis, angle);
-  for (Vec3& light : scene.lights) light = turned(light, axis, angle);
+  for (SceneLight& light : scene.lights) light.towards = turned(light.towards, axis, angle);
   return scene;
 }
 

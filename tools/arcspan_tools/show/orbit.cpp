@@ -19,7 +19,7 @@ Scene turned(const Scene& scene, const Camera& start, double angle) {
   Scene result = scene;
   result.camera.eye = start.target + rotated(start.eye - start.target, axis, -angle);
   result.camera.target = start.target;
-  for (Vec3& light : result.lights) light = rotated(light, axis, -angle);
+  for (SceneLight& light : result.lights) light.towards = rotated(light.towards, axis, -angle);
   return result;
 }
 

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/shading/arc.hpp>
+
+namespace arcspan {
+
+namespace detail {
+
+/// An illumination whose scalars are the three components of the normal itself: what the arcs carry when the
+/// vector is wanted. `lit` makes colours of the direction.
+template <class Illumination>
+struct NormalAsScalars {
+  static constexpr std::size_t kScalars = 3;
+  static constexpr std::size_t kLights = 2;  ///< not one: there is no scalar that could do without the others
+  using Scalars = std::array<Unit, kScalars>;
+
+  const Illumination* lit;
+
+  [[nodiscard]] static constexpr Scalars scalars(const Direction& n) {
+    return {convert<Unit>(n.x), convert<Unit>(n.y), convert<Unit>(n.z)};
+  }
+  [[nodiscard]] constexpr PackedRgb colour(const Scalars& s) const {
+    return lit->colour(
+        lit->scalars(Direction{convert<DirectionComponent>(s[0]), convert<DirectionComponent>(s[1]),
+                               convert<DirectionComponent>(s[2])}));
+  }
+};
+
+}  // namespace detail
+
+/// Spherical-angular shading with the vector (S0 eq. 7), for comparison: the three components of the normal
+/// run along the arcs, each by the recurrence, and a pixel takes the products with L, H or V. The arcs are
+/// those of Arc; the vector is what Arc's scalars (eq. 14) save.
+template <class Illumination>
+struct ArcVector {
+  using Components = detail::NormalAsScalars<Illumination>;
+  using Base = Arc<Components>;
+  using Object = Illumination;
+  using Face = typename Base::Face;
+  using Vertex = typename Base::Vertex;
+  struct Prepared {
+    Arcs<3> arcs;
+  };
+  static constexpr bool kNeedsFaceNormal = false;
+
+  [[nodiscard]] static Vertex shade_vertex(const Object&, const Direction& normal) {
+    return {to_normal(normal), Components::scalars(normal)};
+  }
+  [[nodiscard]] static constexpr Face shade_face(const Object&, const Direction&) { return {}; }
+  [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
+    return Base::between(a, b, t);
+  }
+  [[nodiscard]] static constexpr bool too_wide(const Vertex& a, const Vertex& b) {
+    return Base::too_wide(a, b);
+  }
+
+  static constexpr void prepare(const Object&, const TriangleFrame<ArcVector>& frame, const Face&,
+                                Prepared& prepared) {
+    const Normal& top = frame.top->shade.normal;
+    const Normal& middle = frame.middle->shade.normal;
+    const Normal& bottom = frame.bottom->shade.normal;
+    make_arcs(frame, {squared_chord(top, middle), squared_chord(top, bottom), squared_chord(middle, bottom)},
+              prepared.arcs);
+  }
+
+  struct Run {
+    ArcRun<Components> components;
+
+    [[nodiscard]] constexpr PackedRgb colour(const Object& object) const {
+      return components.colour(Components{&object});
+    }
+    constexpr void next() { components.next(); }
+  };
+
+  class Walker {
+   public:
+    using Run = ArcVector::Run;
+    static constexpr std::int32_t kLongestRun = ArcWalker<Components>::kLongestRun;
+    constexpr explicit Walker(Prepared& prepared) : arcs_(prepared.arcs) {}
+    [[nodiscard]] constexpr Run row(const RowStart& start) const { return {arcs_.row(start)}; }
+    constexpr void next_row() { arcs_.next_row(); }
+    constexpr void enter_lower() { arcs_.enter_lower(); }
+
+   private:
+    ArcWalker<Components> arcs_;
+  };
+
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    return draw(Walker(prepared));
+  }
+};
+
+}  // namespace arcspan

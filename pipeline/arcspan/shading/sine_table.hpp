@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/formats.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace arcspan {
+
+/// An angle with 2^30 for a quarter turn, so that a whole turn wraps by itself.
+using Angle32 = std::uint32_t;
+inline constexpr Angle32 kQuarterTurn = 1u << 30;
+
+namespace detail {
+
+/// sin(x) for 0 <= x <= pi/2 by its series; compile time only.
+consteval double sine_series(double x) {
+  double term = x;
+  double sum = x;
+  for (int i = 1; i < 14; ++i) {
+    term *= -x * x / ((2 * i) * (2 * i + 1));
+    sum += term;
+  }
+  return sum;
+}
+
+/// Entry i is sin(i/256 of a quarter turn), 30 fraction bits; one more so that entry i + 1 always exists.
+consteval std::array<std::uint32_t, 258> make_sine_table() {
+  std::array<std::uint32_t, 258> table{};
+  constexpr double kHalfPi = 1.57079632679489661923;
+  for (std::size_t i = 0; i <= 256; ++i) {
+    const double x = kHalfPi * static_cast<double>(i) / 256;
+    table[i] = static_cast<std::uint32_t>(sine_series(x) * (1 << 30) + 0.5);
+  }
+  table[257] = table[256];
+  return table;
+}
+
+inline constexpr std::array<std::uint32_t, 258> kSineTable = make_sine_table();
+
+}  // namespace detail
+
+/// sin of an angle up to a quarter turn, 30 fraction bits: a table of 257 entries with linear interpolation.
+/// Error at most 6e-6 of 1, and 5e-5 of the sine itself down to 2^-8 rad (swept in the tests).
+[[nodiscard]] constexpr std::uint32_t quarter_sine(Angle32 angle) {
+  const std::uint32_t index = angle >> 22;
+  const std::uint32_t fraction = (angle >> 6) & 0xFFFFu;
+  const std::uint32_t here = detail::kSineTable[index];
+  return here + ((((detail::kSineTable[index + 1] - here) >> 7) * fraction) >> 9);
+}
+
+/// cos of any angle, 30 fraction bits.
+[[nodiscard]] constexpr std::int32_t cosine(Angle32 angle) {
+  const Angle32 turned = angle >> 31 == 0 ? angle : 0u - angle;  // cos is even: 0...half a turn
+  if (turned <= kQuarterTurn) return static_cast<std::int32_t>(quarter_sine(kQuarterTurn - turned));
+  return -static_cast<std::int32_t>(quarter_sine(turned - kQuarterTurn));
+}
+
+}  // namespace arcspan

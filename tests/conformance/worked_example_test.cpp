@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The worked example of S1: planes, vertices and weights as printed there, drawn by the integer pipeline.
+//
+//                                   exact       printed
+//   flat, polygon 3                 3.859864    3.95 in the text, 3.93 in the summary
+//   Gouraud at P                    4.470548    4.54
+//   Phong at P, normalised          4.488482    4.65 (without normalising 4.469560)
+//   spherical-angular at P          4.488443    (S1 has no such method)
+//
+// S1 rounds every step to two digits; that is the whole of the printed differences.
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/arc_vector.hpp>
+#include <arcspan/shading/duff.hpp>
+#include <arcspan/shading/flat.hpp>
+#include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/kuijk_blake.hpp>
+#include <arcspan/shading/lyon.hpp>
+#include <arcspan/shading/phong.hpp>
+#include <arcspan/shading/slerp.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/support/raster_stage.hpp>
+#include <tests/support/vec3.hpp>
+
+using namespace arcspan;
+using namespace arcspan::test;
+
+namespace {
+
+constexpr double kExactFlat = 3.859864;
+constexpr double kExactGouraud = 4.470548;
+constexpr double kExactPhong = 4.488482;
+constexpr double kExactArc = 4.488443;
+constexpr double kTolerance = 0.002;
+
+// The second light is dark: several lights are multiplied out, one alone comes from a ramp of 256 colours.
+using Lit = Illumination<2, Highlight::kPhong>;
+
+// The planes' normals; a vertex has the sum of those around it.
+const Vec3 kPlane1{0, 0, 2};
+const Vec3 kPlane2{-1, 1.732, 7.5};
+const Vec3 kPlane3{-2.25, 3.897, 10};
+const Vec3 kPlane4{0, 0, 5.5};
+// S1 prints n_A = -3.25i + 5.63j + 17.5k and so on: these are the sums.
+const Vec3 kA = normalised(kPlane2 + kPlane3);
+const Vec3 kB = normalised(kPlane1 + kPlane2 + kPlane3 + kPlane4);
+const Vec3 kC = normalised(kPlane3 + kPlane4);
+
+const Vec3 kTowardsLight{0, 0, 1};
+const Vec3 kTowardsEye = normalised(Vec3{1, 1, 1});
+
+// I = Ia ka + Il [kd N·L + ks (R·V)^2] = 0.15 + 1.5 N·L + 8 (R·V)^2, an eighth of which is within 0...1.
+constexpr double kScale = 8;
+
+/// The printed illumination, an eighth of it, brighter by `lift` in 2^-15.
+Lit printed_illumination(std::int32_t lift) {
+  const auto grey = [](std::int32_t raw) {
+    const Coefficient c = Coefficient::from_raw(raw);
+    return ChannelCoefficients{c, c, c};
+  };
+  Material material;
+  material.ambient = grey(static_cast<std::int32_t>(std::lround(0.15 / kScale * 32768)) + lift);
+  material.diffuse = grey(static_cast<std::int32_t>(std::lround(1.5 / kScale * 32768)));
+  material.specular = grey(32768);
+  material.shininess = 2;
+  std::array<DirectionalLight, 2> lights;
+  lights[0].towards = to_direction(kTowardsLight);
+  lights[1].towards = to_direction(kTowardsLight);
+  lights[1].strength = Coefficient{};
+  Lit lit;
+  REQUIRE(ok(Lit::make(material, lights, to_direction(kTowardsEye), lit)));
+  return lit;
+}
+
+/// The 8-bit level at P of the triangle A, B, C. On the screen B is at the top and the row of P cuts AB and
+/// BC as S1 has it: Q = 0.4 A + 0.6 B, R = 0.7 B + 0.3 C, P half-way between; all three weights are exact.
+template <class Method>
+int level_at_p(const Lit& lit) {
+  constexpr std::int32_t kSize = 128;
+  std::vector<Rgb888::Unit> memory(hal::Framebuffer<Rgb888>::units(kSize, kSize));
+  hal::Framebuffer<Rgb888> frame(memory, kSize, kSize);
+  RasterStage<Method, hal::Framebuffer<Rgb888>> stage(frame, kSize, kSize, lit);
+  const auto vertex = [&lit](double x, double y, Vec3 normal) {
+    return RasterVertex<Method>{{static_cast<std::int16_t>(16 * x), static_cast<std::int16_t>(16 * y), 0},
+                                Method::shade_vertex(lit, to_direction(normal))};
+  };
+  // Rows 0, 30, 40 below B: 0.4 * 30 = 0.3 * 40 = 12. Columns: Q at -8, R at 12, P at 2.
+  REQUIRE(stage.draw(vertex(-19.5, 30.5, kA), vertex(0.5, 0.5, kB), vertex(40.5, 40.5, kC),
+                     Method::shade_face(lit, to_direction(normalised(kPlane3)))));
+  return frame.pixel(kSize / 2 + 2, kSize / 2 + 12).g;
+}
+
+/// The intensity at P finer than a pixel's 8 bits: the mean over pictures whose ambient light differs by a
+/// fraction of a step: a step is 2^15 / 255 = 128.5 units, so 257 of them are two steps exactly.
+template <class Method>
+double intensity_at_p() {
+  constexpr int kPictures = 257;
+  double sum = 0;
+  for (int lift = 0; lift < kPictures; ++lift) {
+    sum += level_at_p<Method>(printed_illumination(lift)) - lift * 255.0 / 32768;
+  }
+  return sum / kPictures / 255 * kScale;
+}
+
+}  // namespace
+
+TEST_CASE("S1, the worked example: flat, Gouraud, Phong and spherical-angular shading at P") {
+  CHECK(intensity_at_p<Flat<Lit>>() == Approx(kExactFlat).margin(kTolerance));
+  CHECK(intensity_at_p<Gouraud<Lit>>() == Approx(kExactGouraud).margin(kTolerance));
+  CHECK(intensity_at_p<Phong<Lit>>() == Approx(kExactPhong).margin(kTolerance));
+  CHECK(intensity_at_p<Arc<Lit>>() == Approx(kExactArc).margin(kTolerance));
+}
+
+TEST_CASE("S1, the worked example by the other methods of normals") {
+  CHECK(intensity_at_p<Duff<Lit>>() == Approx(kExactPhong).margin(kTolerance));
+  CHECK(intensity_at_p<Lyon<Lit>>() == Approx(kExactPhong).margin(kTolerance));
+  CHECK(intensity_at_p<arcspan::Slerp<Lit>>() == Approx(kExactArc).margin(kTolerance));
+  CHECK(intensity_at_p<KuijkBlake<Lit>>() == Approx(kExactArc).margin(kTolerance));
+  CHECK(intensity_at_p<ArcVector<Lit>>() == Approx(kExactArc).margin(kTolerance));
+}
+
+TEST_CASE("S1, the exact values beside the printed ones, in double precision") {
+  const auto intensity = [](Vec3 n) {
+    const double light = dot(n, kTowardsLight);
+    const double reflected = 2 * light * dot(n, kTowardsEye) - dot(kTowardsLight, kTowardsEye);
+    return 0.15 + 1.5 * light + 8 * reflected * reflected;
+  };
+  CHECK(intensity(normalised(kPlane3)) == Approx(kExactFlat).margin(1e-6));
+  CHECK(intensity(kA) == Approx(4.203998).margin(1e-6));  // printed 4.25
+  CHECK(intensity(kB) == Approx(4.550902).margin(1e-6));  // printed 4.65
+  CHECK(intensity(kC) == Approx(4.477745).margin(1e-6));  // printed 4.45
+  const double q = 0.4 * intensity(kA) + 0.6 * intensity(kB);
+  const double r = 0.7 * intensity(kB) + 0.3 * intensity(kC);
+  CHECK((q + r) / 2 == Approx(kExactGouraud).margin(1e-6));
+  const Vec3 linear = 0.5 * (0.4 * kA + 0.6 * kB) + 0.5 * (0.7 * kB + 0.3 * kC);
+  CHECK(intensity(linear) == Approx(4.469560).margin(1e-6));  // as S1 does it: not normalised
+  CHECK(intensity(normalised(linear)) == Approx(kExactPhong).margin(1e-6));
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Every method of the literature against its own model in double precision: the integers add no more than the
+// bound to what the method's mathematics is wrong by.
+#include <arcspan/shading/arc_vector.hpp>
+#include <arcspan/shading/duff.hpp>
+#include <arcspan/shading/kuijk_blake.hpp>
+#include <arcspan/shading/lyon.hpp>
+#include <arcspan/shading/phong.hpp>
+#include <arcspan/shading/slerp.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/support/method_accuracy.hpp>
+
+#include <cstdlib>
+
+using namespace arcspan;
+using namespace arcspan::test;
+
+namespace {
+
+/// Fewer triangles where every one is slow (sanitizers): ARCSPAN_TEST_SHARE percent of them.
+int scaled(int triangles) {
+  const char* const share = std::getenv("ARCSPAN_TEST_SHARE");
+  const int percent = share == nullptr ? 100 : std::atoi(share);
+  return percent < 1 || percent > 100 ? triangles : triangles * percent / 100;
+}
+
+template <class Method, class Model>
+void check(double to_degrees, double bound, double rms_bound, std::uint64_t seed) {
+  MethodTask task;
+  task.to_degrees = to_degrees;
+  task.triangles = scaled(4000);
+  task.seed = seed;
+  const MethodFigures f = measure_method<Method, Model>(task);
+  INFO("N·L max " << f.normal_light.max << " rms " << f.normal_light.rms() << ", N·H max "
+                  << f.normal_half.max << ", pixels " << f.normal_light.count << ", slivers max "
+                  << f.slivers.max << " rms " << f.slivers.rms());
+  CHECK(f.missing == 0);
+  CHECK(f.normal_light.count > static_cast<std::uint64_t>(task.triangles) * 20);
+  CHECK(f.normal_light.max < bound);
+  CHECK(f.normal_half.max < bound);
+  CHECK(f.normal_light.rms() < rms_bound);
+  CHECK(f.slivers.rms() < 0.05);
+}
+
+}  // namespace
+
+TEST_CASE("phong: its integers against linear normals divided by their length") {
+  check<Phong<Probe>, UnitLinearModel>(30, 1.3e-4, 2e-5, 11);
+  check<Phong<Probe>, UnitLinearModel>(60, 1.3e-4, 2e-5, 12);
+  check<Phong<Probe>, UnitLinearModel>(150, 4e-4, 4e-5, 13);
+}
+
+TEST_CASE("duff: its integers against linear normals divided by their length") {
+  check<Duff<Probe>, UnitLinearModel>(30, 1.3e-4, 2e-5, 21);
+  check<Duff<Probe>, UnitLinearModel>(60, 1.3e-4, 2e-5, 22);
+}
+
+TEST_CASE("lyon: its integers against linear normals times the series") {
+  check<Lyon<Probe>, TaylorModel>(30, 1.3e-4, 2e-5, 31);
+  check<Lyon<Probe>, TaylorModel>(60, 1.3e-4, 2e-5, 32);
+  check<Lyon<Probe>, TaylorModel>(120, 4e-4, 4e-5, 33);
+}
+
+TEST_CASE("arc-vector: its integers against bilinear SLERP") {
+  check<ArcVector<Probe>, SlerpModel>(20, 1e-4, 2e-5, 41);
+  check<ArcVector<Probe>, SlerpModel>(30, 1e-4, 2e-5, 41);
+  check<ArcVector<Probe>, SlerpModel>(58, 1e-3, 3e-5, 42);
+}
+
+TEST_CASE("slerp: its integers against bilinear SLERP") {
+  check<arcspan::Slerp<Probe>, SlerpModel>(1, 3e-4, 6e-5, 50);
+  check<arcspan::Slerp<Probe>, SlerpModel>(30, 3e-4, 6e-5, 51);
+  check<arcspan::Slerp<Probe>, SlerpModel>(58, 3e-4, 6e-5, 52);
+}
+
+TEST_CASE("kuijk-blake: its integers against bilinear SLERP") {
+  check<KuijkBlake<Probe>, SlerpModel>(1, 2e-4, 4e-5, 60);
+  check<KuijkBlake<Probe>, SlerpModel>(30, 2e-4, 4e-5, 61);
+  check<KuijkBlake<Probe>, SlerpModel>(58, 2e-4, 4e-5, 62);
+}

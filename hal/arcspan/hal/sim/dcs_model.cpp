@@ -168,11 +168,11 @@ void DcsModel::store(std::uint16_t code) {
   if ((address_mode_ & kMirrorColumns) != 0) column = kColumns - 1 - column;
   if ((address_mode_ & kMirrorRows) != 0) row = kRows - 1 - row;
   if (column < 0 || row < 0 || column >= kColumns || row >= kRows) return;
-  memory_[static_cast<std::size_t>(row * kColumns + column)] = code;
+  memory_[index(row * kColumns + column)] = code;
 }
 
 Rgb8 DcsModel::do_pixel(int column, int row) const {
-  const std::uint16_t stored = memory_[static_cast<std::size_t>(row * kColumns + column)];
+  const std::uint16_t stored = memory_[index(row * kColumns + column)];
   const std::uint16_t code = inverted_ != glass().inverted ? static_cast<std::uint16_t>(~stored) : stored;
   Rgb8 colour = Rgb565::decode(code);
   if (((address_mode_ & kBlueFirst) != 0) != glass().blue_first) std::swap(colour.r, colour.b);

@@ -5,6 +5,7 @@
 #include <arcspan/hal/panel/glass.hpp>
 #include <arcspan/pixel/colour.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -75,6 +76,9 @@ class Device {
   bool in_reset_ = false;
   bool reset_lost_ = false;
 };
+
+/// An address of memory, which is not negative.
+[[nodiscard]] constexpr std::size_t index(int at) { return static_cast<std::size_t>(at); }
 
 /// "0x2c" of a byte.
 [[nodiscard]] std::string hex(unsigned byte);

@@ -91,7 +91,7 @@ void Ssd0323Model::do_execute(std::uint8_t opcode) {
 }
 
 bool Ssd0323Model::do_store(int column, int row, std::uint8_t byte) {
-  memory_[static_cast<std::size_t>(row * kByteColumns + column)] = byte;
+  memory_[index(row * kByteColumns + column)] = byte;
   return true;
 }
 
@@ -100,7 +100,7 @@ Rgb8 Ssd0323Model::do_pixel(int column, int row) const {
   const bool columns_mirrored = (remap_ & kColumnRemap) != 0;
   const int line = ((remap_ & kComRemap) != 0 ? multiplex_ - 1 - row : row) + start_line_ + offset_;
   const int pair = columns_mirrored ? kByteColumns - 1 - column / 2 : column / 2;
-  const unsigned byte = memory_[static_cast<std::size_t>(line % kRows * kByteColumns + pair)];
+  const unsigned byte = memory_[index(line % kRows * kByteColumns + pair)];
   // Address map: an even segment shows the low nibble, the high one with the nibbles exchanged.
   const bool high = (column % 2 != 0) != ((remap_ & kNibbleRemap) != 0);
   const unsigned level = high ? byte >> 4 : byte & 15u;

@@ -87,14 +87,14 @@ void Ssd1306Model::do_execute(std::uint8_t opcode) {
 
 bool Ssd1306Model::do_store(int column, int row, std::uint8_t byte) {
   const int segment = segments_mirrored_ ? kColumns - 1 - column : column;
-  memory_[static_cast<std::size_t>(row * kColumns + segment)] = byte;
+  memory_[index(row * kColumns + segment)] = byte;
   return true;
 }
 
 Rgb8 Ssd1306Model::do_pixel(int column, int row) const {
   if (row >= multiplex_) return {};
   const int line = ((coms_mirrored_ ? multiplex_ - 1 - row : row) + start_line_ + offset_) & 63;
-  const int bit = (memory_[static_cast<std::size_t>(line / 8 * kColumns + column)] >> (line % 8)) & 1;
+  const int bit = (memory_[index(line / 8 * kColumns + column)] >> (line % 8)) & 1;
   const bool lit = (bit != 0) != (inverted() != glass().inverted);
   return lit ? Rgb8{255, 255, 255} : Rgb8{};
 }

@@ -122,7 +122,7 @@ void Ssd1351Model::do_execute(std::uint8_t opcode) {
 }
 
 bool Ssd1351Model::do_store(int column, int row, std::uint8_t byte) {
-  memory_[static_cast<std::size_t>(2 * (row * kColumns + column) + (second_byte_ ? 1 : 0))] = byte;
+  memory_[index(2 * (row * kColumns + column) + (second_byte_ ? 1 : 0))] = byte;
   second_byte_ = !second_byte_;
   return !second_byte_;
 }
@@ -131,7 +131,7 @@ Rgb8 Ssd1351Model::do_pixel(int column, int row) const {
   if (row >= multiplex_) return {};
   const int x = (remap_ & kColumnRemap) != 0 ? kColumns - 1 - column : column;
   const int y = (((remap_ & kComRemap) != 0 ? multiplex_ - 1 - row : row) + start_line_ + offset_) % kRows;
-  const auto at = static_cast<std::size_t>(2 * (y * kColumns + x));
+  const auto at = index(2 * (y * kColumns + x));
   auto code = static_cast<std::uint16_t>(memory_[at] << 8 | memory_[at + 1]);
   if (inverted() != glass().inverted) code = static_cast<std::uint16_t>(~code);
   Rgb8 colour = Rgb565::decode(code);

@@ -54,7 +54,7 @@ struct Ili9341Bench : SpiBench<Ili9341, sim::DcsModel> {
 /// A glass that lies in the middle of the memory, so that offsets count on both sides of every axis.
 struct St7789Bench : SpiBench<St7789, sim::DcsModel> {
   explicit St7789Bench(const PanelSettings& s = {},
-                       const Glass& g = {135, 240, 52, 40, false, false, false, true})
+                       const Glass& g = {135, 240, 52, 30, false, false, false, true})
       : SpiBench(g, s) {}
 };
 struct Ssd1351Bench : SpiBench<Ssd1351, sim::Ssd1351Model> {

@@ -44,6 +44,12 @@ Status show(Bench& bench, unsigned seed) {
   });
 }
 
+/// Whether a parameter was taken for a command or the other way round, in the whole life of the device.
+template <class Bench>
+bool lost_its_place(const Bench& bench) {
+  return complaints(bench).find("unknown command") != std::string::npos;
+}
+
 template <class Bench>
 bool shows(const Bench& bench, unsigned seed) {
   return bench.device.picture() == expected(Scene<Bench>(bench.panel, seed).frame, Orientation::k0);
@@ -69,6 +75,7 @@ TEMPLATE_TEST_CASE("a fault at any byte of a frame is named, and the next frame 
       REQUIRE(status == sim::status_of(kind));
       REQUIRE(show(bench, 3) == Status::kOk);
       REQUIRE(shows(bench, 3));
+      REQUIRE_FALSE(lost_its_place(bench));
     }
   }
 }

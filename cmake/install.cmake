@@ -3,7 +3,11 @@
 include(CMakePackageConfigHelpers)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/arcspan)
-install(TARGETS arcspan_pipeline arcspan_hal EXPORT arcspan_targets
+set(libraries arcspan_pipeline arcspan_hal)
+if(TARGET arcspan_hal_sim AND PROJECT_IS_TOP_LEVEL)
+  list(APPEND libraries arcspan_hal_sim)
+endif()
+install(TARGETS ${libraries} EXPORT arcspan_targets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 foreach(part IN ITEMS pipeline hal)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${part}/arcspan DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}

@@ -35,6 +35,16 @@ void drop_received() {
   }
 }
 
+// A FIFO of 8 bytes is empty after 128 processor clocks with the prescaler set below.
+constexpr int kMostLooks = 10'000;
+
+[[nodiscard]] bool wait_for(std::uint32_t mask, std::uint32_t wanted) {
+  for (int i = 0; i < kMostLooks; ++i) {
+    if ((reg32(kStatus) & mask) == wanted) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void start_clocks() {
@@ -51,16 +61,15 @@ Ssi::Ssi() {
   reg32(kControl1) = kEnable;
 }
 
-void Ssi::write(std::span<const std::uint8_t> bytes) {
+Status Ssi::do_write(std::span<const std::uint8_t> bytes) {
   for (const std::uint8_t byte : bytes) {
-    while ((reg32(kStatus) & kTransmitNotFull) == 0) {
-    }
+    if (!wait_for(kTransmitNotFull, kTransmitNotFull)) return Status::kTimeout;
     reg32(kData) = byte;
     drop_received();
   }
-  while ((reg32(kStatus) & kBusy) != 0) {
-  }
+  if (!wait_for(kBusy, 0)) return Status::kTimeout;
   drop_received();
+  return Status::kOk;
 }
 
 }  // namespace arcspan::lm3s6965

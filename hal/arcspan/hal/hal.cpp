@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Compiles the header-only parts of hal/ once for every format, so that the built object can be checked.
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/hal/panel/ili9341.hpp>
+#include <arcspan/hal/panel/page_mode.hpp>
+#include <arcspan/hal/panel/ssd0323.hpp>
+#include <arcspan/hal/panel/ssd1306.hpp>
+#include <arcspan/hal/panel/ssd1351.hpp>
+#include <arcspan/hal/panel/st7789.hpp>
 
 namespace arcspan::hal {
 
@@ -9,5 +15,15 @@ template class Framebuffer<Rgb888>;
 template class Framebuffer<Gray8>;
 template class Framebuffer<Gray4>;
 template class Framebuffer<Mono>;
+
+template class DamageSink<Framebuffer<Rgb565>>;
+template class PageMode<Ili9341>;
+template class PageMode<Ssd0323>;
+template class PageMode<Ssd1306>;
+template Status send_area(Ili9341&, const Framebuffer<Rgb565>&, const Rect&, std::span<std::uint8_t>);
+template Status send_area(St7789&, const Framebuffer<Rgb565>&, const Rect&, std::span<std::uint8_t>);
+template Status send_area(Ssd1351&, const Framebuffer<Rgb565>&, const Rect&, std::span<std::uint8_t>);
+template Status send_area(Ssd0323&, const Framebuffer<Gray4>&, const Rect&, std::span<std::uint8_t>);
+template Status send_area(Ssd1306&, const Framebuffer<Mono>&, const Rect&, std::span<std::uint8_t>);
 
 }  // namespace arcspan::hal

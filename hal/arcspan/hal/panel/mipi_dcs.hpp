@@ -23,6 +23,7 @@ inline constexpr Command kMemoryWrite{0x2C};
 inline constexpr Command kSoftwareReset{0x01};  ///< (SWRESET)
 inline constexpr Command kSleepIn{0x10};        ///< (SLPIN)
 inline constexpr Command kSleepOut{0x11};       ///< (SLPOUT)
+inline constexpr Command kNormalMode{0x13};     ///< the whole memory, no scrolling (NORON)
 inline constexpr Command kDisplayOff{0x28};     ///< (DISPOFF)
 inline constexpr Command kDisplayOn{0x29};      ///< (DISPON)
 /// 16 bits a pixel, red in the high bits, high byte first (COLMOD).
@@ -67,5 +68,8 @@ struct AddressMode {
 
 /// Brightness 0 ... 255 of a backlight that the controller dims (WRDISBV).
 [[nodiscard]] constexpr Command brightness(std::uint8_t value) { return {0x51, 1, {value}}; }
+
+/// Lets the brightness and the backlight output take effect: BCTRL and BL (WRCTRLD).
+inline constexpr Command kBrightnessControlOn{0x53, 1, {0x24}};
 
 }  // namespace arcspan::hal::dcs

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/status.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan::hal {
+
+/// Columns left ... right - 1 of a row; none if right <= left.
+struct RowExtent {
+  std::uint16_t left = UINT16_MAX;
+  std::uint16_t right = 0;
+
+  constexpr void include(const RowExtent& other) {
+    if (other.left < left) left = other.left;
+    if (other.right > right) right = other.right;
+  }
+};
+
+/// Which pixels differ from those of the frame before: in every row, those that this frame or the last one
+/// has drawn on the background. Exact as long as both have the same background.
+class Damage {
+ public:
+  /// Extents of memory that a picture of `height` rows needs; 4 bytes each.
+  [[nodiscard]] static constexpr std::size_t extents(std::int32_t height) {
+    return 2 * static_cast<std::size_t>(height);
+  }
+
+  /// `memory` holds extents(height); with less, or a picture of more than 65,535 columns or rows, status()
+  /// tells and everything always counts as changed.
+  constexpr Damage(std::span<RowExtent> memory, std::int32_t width, std::int32_t height)
+      : memory_(memory.data()), width_(width), height_(height) {
+    if (width < 0 || height < 0 || width > UINT16_MAX || height > UINT16_MAX) {
+      status_ = Status::kInvalidArgument;
+    } else if (memory.size() < extents(height)) {
+      status_ = Status::kBufferTooSmall;
+    } else {
+      for (std::size_t i = 0; i < extents(height); ++i) memory_[i] = {};
+    }
+  }
+
+  [[nodiscard]] constexpr Status status() const { return status_; }
+
+  /// What was drawn becomes the last frame.
+  constexpr void begin_frame() {
+    if (!ok(status_)) return;
+    current_ ^= 1u;
+    for (std::int32_t y = 0; y < height_; ++y) at(y, current_) = {};
+    everything_ = next_everything_;
+    next_everything_ = false;
+  }
+
+  /// Nothing of the last frame can be relied on: the frame begun now or next counts as changed as a whole.
+  constexpr void mark_everything() { everything_ = next_everything_ = true; }
+
+  constexpr void mark(const Span& run) {
+    if (!ok(status_) || run.count <= 0 || run.y < 0 || run.y >= height_ || run.x < 0 ||
+        run.x > width_ - run.count) {
+      return;
+    }
+    at(run.y, current_)
+        .include({static_cast<std::uint16_t>(run.x), static_cast<std::uint16_t>(run.x + run.count)});
+  }
+
+  /// The smallest rectangle around what has changed in the rows first ... end - 1, which must be the
+  /// picture's; empty if nothing has.
+  [[nodiscard]] constexpr Rect changed(std::int32_t first, std::int32_t end) const {
+    if (!ok(status_) || everything_) return {0, first, width_, end};
+    Rect box{width_, end, 0, first};
+    for (std::int32_t y = first; y < end; ++y) {
+      RowExtent row = at(y, 0);
+      row.include(at(y, 1));
+      if (row.right <= row.left) continue;
+      if (row.left < box.left) box.left = row.left;
+      if (row.right > box.right) box.right = row.right;
+      if (y < box.top) box.top = y;
+      box.bottom = y + 1;
+    }
+    return box;
+  }
+
+ private:
+  [[nodiscard]] constexpr RowExtent& at(std::int32_t y, unsigned frame) const {
+    return memory_[2 * y + static_cast<std::int32_t>(frame)];
+  }
+
+  RowExtent* memory_;
+  std::int32_t width_;
+  std::int32_t height_;
+  unsigned current_ = 0;
+  bool everything_ = true;
+  bool next_everything_ = true;
+  Status status_ = Status::kOk;
+};
+
+/// Hands everything on to another sink and marks the runs as changed.
+template <PixelSink Target>
+class DamageSink {
+ public:
+  using Format = typename Target::Format;
+
+  constexpr DamageSink(Target& target, Damage& damage) : target_(target), damage_(damage) {}
+
+  [[nodiscard]] constexpr Rect bounds() const { return target_.bounds(); }
+  [[nodiscard]] constexpr typename Format::Cursor open(const Span& run) { return target_.open(run); }
+  [[nodiscard]] constexpr Status close(const Span& run) {
+    damage_.mark(run);
+    return target_.close(run);
+  }
+
+ private:
+  Target& target_;
+  Damage& damage_;
+};
+
+}  // namespace arcspan::hal

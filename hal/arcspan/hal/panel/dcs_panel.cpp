@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Times are the longest of the two datasheets: ILI9341 V1.11, 8.2.2 (SWRESET), 8.2.11 (SLPIN), 8.2.12
+// (SLPOUT) and 15.4 (reset); ST7789V V1.6, 9.1.2, 9.1.11, 9.1.12 and 7.4.5. They name the same ones.
+#include <arcspan/hal/panel/dcs_panel.hpp>
+
+namespace arcspan::hal {
+namespace {
+
+constexpr std::uint32_t kResetPulseUs = 20;     // at least 10
+constexpr std::uint32_t kAfterResetMs = 120;    // 5 if it slept, which nobody knows
+constexpr std::uint32_t kBeforeSleepOutMs = 5;  // after a software reset, also of one that sleeps
+constexpr std::uint32_t kAfterSleepMs = 120;    // between sleep in and sleep out, either way round
+
+}  // namespace
+
+bool DcsPanel::fits() const {
+  const Glass& g = glass();
+  return g.width > 0 && g.height > 0 && g.width + g.column_offset <= kColumns &&
+         g.height + g.row_offset <= kRows;
+}
+
+Status DcsPanel::pulse_reset() {
+  Status status = reset_->set(Level::kLow);
+  clock().delay_us(kResetPulseUs);
+  if (ok(status)) status = reset_->set(Level::kHigh);
+  clock().delay_ms(kAfterResetMs);
+  return status;
+}
+
+Status DcsPanel::reset() {
+  Status status = reset_ != nullptr ? pulse_reset() : Status::kOk;
+  // By software too: the line may not be connected, and the controller awake.
+  if (ok(status)) status = send(dcs::kSoftwareReset);
+  if (!ok(status)) return status;
+  clock().delay_ms(kAfterResetMs);
+  return send_wake();
+}
+
+Status DcsPanel::configure() {
+  const PanelSettings& s = settings();
+  const dcs::AddressMode mode{.mirror_rows = mirrors_rows(glass(), s.orientation),
+                              .mirror_columns = mirrors_columns(glass(), s.orientation),
+                              .swap_axes = turned(),
+                              .blue_first = glass().blue_first};
+  const dcs::Command commands[] = {dcs::kPixelFormatRgb565,
+                                   dcs::address_mode(mode),
+                                   dcs::kNormalMode,
+                                   dcs::inversion(s.inverted != glass().inverted),
+                                   dcs::brightness(s.brightness),
+                                   dcs::kBrightnessControlOn,
+                                   dcs::kDisplayOn};
+  for (const dcs::Command& command : commands) {
+    const Status status = send(command);
+    if (!ok(status)) return status;
+  }
+  return Status::kOk;
+}
+
+Status DcsPanel::send_sleep() {
+  Status status = send(dcs::kDisplayOff);
+  if (ok(status)) status = send(dcs::kSleepIn);
+  // Also after a failure: the command may have arrived.
+  clock().delay_ms(kAfterSleepMs);
+  return status;
+}
+
+Status DcsPanel::send_wake() {
+  clock().delay_ms(kBeforeSleepOutMs);
+  const Status status = send(dcs::kSleepOut);
+  clock().delay_ms(kAfterSleepMs);
+  return status;
+}
+
+bool DcsPanel::takes(const Rect& area, std::size_t bytes) const { return bytes == Layout::bytes(area); }
+
+Status DcsPanel::open_window(const Rect& area) {
+  const Glass& g = glass();
+  const Orientation o = settings().orientation;
+  // A mirrored axis counts from the other end of the memory, so the margin there is what comes first.
+  const int column_margin = mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
+  const int row_margin = mirrors_rows(g, o) ? kRows - g.height - g.row_offset : g.row_offset;
+  const int x = turned() ? row_margin : column_margin;
+  const int y = turned() ? column_margin : row_margin;
+  const auto address = [](std::int32_t margin, std::int32_t at) {
+    return static_cast<std::uint16_t>(margin + at);
+  };
+  Status status = send(dcs::columns(address(x, area.left), address(x, area.right - 1)));
+  if (ok(status)) status = send(dcs::rows(address(y, area.top), address(y, area.bottom - 1)));
+  if (ok(status)) status = send(dcs::kMemoryWrite);
+  return status;
+}
+
+}  // namespace arcspan::hal

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Commands are those of the SSD0323 datasheet, rev 1.8, table 9 and chapter 10.
+#include <arcspan/hal/panel/ssd0323.hpp>
+
+namespace arcspan::hal {
+namespace {
+
+constexpr std::uint8_t byte(int value) { return static_cast<std::uint8_t>(value); }
+
+// Re-map (A0h).
+constexpr int kColumnRemap = 0x01;
+constexpr int kNibbleRemap = 0x02;
+constexpr int kComRemap = 0x10;
+constexpr int kComSplit = 0x40;
+
+/// Without re-map the low nibble is the left pixel, with the nibbles exchanged the high one is; mirrored
+/// columns exchange left and right once more.
+constexpr int remap(bool columns, bool rows, bool split) {
+  return (columns ? kColumnRemap : kNibbleRemap) | (rows ? kComRemap : 0) | (split ? kComSplit : 0);
+}
+
+}  // namespace
+
+bool Ssd0323::do_fits() const {
+  const Glass& g = glass();
+  return g.width > 0 && g.width % 2 == 0 && g.column_offset % 2 == 0 &&
+         g.width + g.column_offset <= kColumns && g.height >= 16 && g.height <= kRows && g.row_offset == 0;
+}
+
+Status Ssd0323::do_configure() {
+  const Glass& g = glass();
+  const PanelSettings& s = settings();
+  const int map = remap(mirrors_columns(g, s.orientation), mirrors_rows(g, s.orientation), split_coms_);
+  const std::uint8_t bytes[] = {0xA0,
+                                byte(map),  // re-map
+                                0xA1,
+                                0x00,  // start line 0
+                                0xA2,
+                                0x00,  // display offset 0
+                                0xA8,
+                                byte(g.height - 1),  // multiplex ratio
+                                0x86,                // full current range
+                                0x81,
+                                byte(s.brightness / 2),                        // contrast, 7 bits
+                                byte(s.inverted != g.inverted ? 0xA7 : 0xA4),  // inverse or normal
+                                0xAF};                                         // display on
+  const Status status = end_command();
+  return ok(status) ? send(bytes) : status;
+}
+
+bool Ssd0323::do_takes(const Rect& area, std::size_t bytes) const {
+  return fits_steps<Layout>(area, settings().orientation) && bytes == Layout::bytes(area);
+}
+
+Status Ssd0323::do_open_window(const Rect& area) {
+  const Glass& g = glass();
+  const Orientation o = settings().orientation;
+  const Rect r = on_glass(area, o);
+  const int margin = mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
+  const std::uint8_t bytes[] = {
+      0x15,        byte((margin + r.left) / 2), byte((margin + r.right) / 2 - 1), 0x75,
+      byte(r.top), byte(r.bottom - 1)};
+  return send(bytes);
+}
+
+}  // namespace arcspan::hal

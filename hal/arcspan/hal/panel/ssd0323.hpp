@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/hal/panel/solomon_panel.hpp>
+#include <arcspan/hal/panel/wire_layout.hpp>
+
+namespace arcspan::hal {
+
+/// 128 x 64 pixels from the controller's first column and row on.
+inline constexpr Glass kSsd0323Module{128, 64, 0, 0, false, false, false, false};
+
+/// SSD0323 (Solomon Systech, rev 1.8): 128 x 80 pixels of 16 grey levels, on SPI. The controller mirrors; for
+/// a picture that lies on its side the pixels are rearranged while they are packed. Width and column offset
+/// of the glass are even.
+class Ssd0323 final : public SolomonPanel {
+ public:
+  using Layout = Gray4Pairs;
+  static constexpr int kColumns = 128;
+  static constexpr int kRows = 80;
+
+  /// `split_coms`: the glass has its odd rows on one side and its even ones on the other. `reset` may be null
+  /// if no pin is connected to it. Everything referred to must outlive the panel.
+  Ssd0323(SolomonPort& port, OutputPin* reset, Clock& clock, const Glass& glass = kSsd0323Module,
+          const PanelSettings& settings = {}, bool split_coms = true)
+      : SolomonPanel(port, reset, clock, glass, settings), split_coms_(split_coms) {}
+
+ private:
+  [[nodiscard]] bool do_fits() const override;
+  Status do_configure() override;
+  [[nodiscard]] bool do_takes(const Rect& area, std::size_t bytes) const override;
+  Status do_open_window(const Rect& area) override;
+
+  bool split_coms_;
+};
+
+}  // namespace arcspan::hal

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/hal/panel/solomon_panel.hpp>
+#include <arcspan/hal/panel/wire_layout.hpp>
+
+namespace arcspan::hal {
+
+/// The usual module of 128 x 64 pixels: first column and row of the controller are at the lower right.
+inline constexpr Glass kSsd1306Module{128, 64, 0, 0, true, true, false, false};
+
+/// How a module feeds and wires an SSD1306.
+struct Ssd1306Wiring {
+  bool charge_pump = true;       ///< VCC comes from the controller's own pump (rev 1.5, application note 2.1)
+  bool alternating_coms = true;  ///< rows are wired to both sides in turn; most glasses of 32 rows: false
+};
+
+/// SSD1306 (Solomon Systech, rev 1.1): 128 x 64 pixels of one bit, on SPI or I2C. The controller mirrors; for
+/// a picture that lies on its side the pixels are rearranged while they are packed. The glass is a multiple
+/// of 8 rows high, and as wide if it is turned.
+class Ssd1306 final : public SolomonPanel {
+ public:
+  using Layout = MonoPages;
+  static constexpr int kColumns = 128;
+  static constexpr int kRows = 64;
+
+  /// `reset` may be null if no pin is connected to it. Everything referred to must outlive the panel.
+  Ssd1306(SolomonPort& port, OutputPin* reset, Clock& clock, const Glass& glass = kSsd1306Module,
+          const PanelSettings& settings = {}, const Ssd1306Wiring& wiring = {})
+      : SolomonPanel(port, reset, clock, glass, settings), wiring_(wiring) {}
+
+ private:
+  [[nodiscard]] bool do_fits() const override;
+  Status do_configure() override;
+  [[nodiscard]] bool do_takes(const Rect& area, std::size_t bytes) const override;
+  Status do_open_window(const Rect& area) override;
+
+  Ssd1306Wiring wiring_;
+};
+
+}  // namespace arcspan::hal

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/hal/panel/glass.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan::hal {
+
+/// How a controller takes pixels: the last hand on the hot path, resolved at compile time.
+///
+/// `Format` is what is drawn in. Windows begin and end at multiples of column_step(o) columns and row_step(o)
+/// rows of the picture. `pack` writes bytes(area) bytes, the pixels of `area` in the order in which they go
+/// over the wire; `area` must fit the steps and lie inside the frame's bounds.
+template <class L>
+concept WireLayout = PixelFormat<typename L::Format> &&
+    requires(const Framebuffer<typename L::Format>& frame, const Rect& area, Orientation o,
+             std::uint8_t* out) {
+  { L::column_step(o) } -> std::same_as<std::int32_t>;
+  { L::row_step(o) } -> std::same_as<std::int32_t>;
+  { L::bytes(area) } -> std::same_as<std::size_t>;
+  { L::pack(frame, area, o, out) } -> std::same_as<void>;
+};
+
+namespace detail {
+[[nodiscard]] constexpr std::size_t area_of(const Rect& r) {
+  return static_cast<std::size_t>(r.width()) * static_cast<std::size_t>(r.height());
+}
+}  // namespace detail
+
+/// 16 bits a pixel, high byte first, rows of the picture one after the other; the controller turns them.
+struct BigEndianRgb565 {
+  using Format = Rgb565;
+  [[nodiscard]] static constexpr std::int32_t column_step(Orientation) { return 1; }
+  [[nodiscard]] static constexpr std::int32_t row_step(Orientation) { return 1; }
+  [[nodiscard]] static constexpr std::size_t bytes(const Rect& area) { return 2 * detail::area_of(area); }
+  static constexpr void pack(const Framebuffer<Rgb565>& frame, const Rect& area, Orientation,
+                             std::uint8_t* out) {
+    for (std::int32_t y = area.top; y < area.bottom; ++y) {
+      const std::uint16_t* row = frame.row(y);
+      for (std::int32_t x = area.left; x < area.right; ++x) {
+        *out++ = static_cast<std::uint8_t>(row[x] >> 8);
+        *out++ = static_cast<std::uint8_t>(row[x]);
+      }
+    }
+  }
+};
+
+/// Two pixels of 4 bits a byte, the left one in the high nibble, in rows of the glass: a controller that
+/// cannot exchange axes gets a turned picture column by column.
+struct Gray4Pairs {
+  using Format = Gray4;
+  [[nodiscard]] static constexpr std::int32_t column_step(Orientation o) { return swaps_axes(o) ? 1 : 2; }
+  [[nodiscard]] static constexpr std::int32_t row_step(Orientation o) { return swaps_axes(o) ? 2 : 1; }
+  [[nodiscard]] static constexpr std::size_t bytes(const Rect& area) { return detail::area_of(area) / 2; }
+  static constexpr void pack(const Framebuffer<Gray4>& frame, const Rect& area, Orientation o,
+                             std::uint8_t* out) {
+    if (swaps_axes(o)) {
+      for (std::int32_t x = area.left; x < area.right; ++x) {
+        for (std::int32_t y = area.top; y < area.bottom; y += 2) {
+          const unsigned left = Gray4::Cursor(frame.row(y), x).read();
+          *out++ = static_cast<std::uint8_t>((left << 4) | Gray4::Cursor(frame.row(y + 1), x).read());
+        }
+      }
+      return;
+    }
+    for (std::int32_t y = area.top; y < area.bottom; ++y) {
+      const std::uint8_t* row = frame.row(y);
+      for (std::int32_t i = area.left / 2; i < area.right / 2; ++i) *out++ = row[i];
+    }
+  }
+};
+
+/// Pages of 8 rows of the glass, a byte per column of them, the top pixel in the lowest bit.
+struct MonoPages {
+  using Format = Mono;
+  [[nodiscard]] static constexpr std::int32_t column_step(Orientation o) { return swaps_axes(o) ? 8 : 1; }
+  [[nodiscard]] static constexpr std::int32_t row_step(Orientation o) { return swaps_axes(o) ? 1 : 8; }
+  [[nodiscard]] static constexpr std::size_t bytes(const Rect& area) { return detail::area_of(area) / 8; }
+  static constexpr void pack(const Framebuffer<Mono>& frame, const Rect& area, Orientation o,
+                             std::uint8_t* out) {
+    if (swaps_axes(o)) {
+      for (std::int32_t x = area.left; x < area.right; x += 8) {
+        for (std::int32_t y = area.top; y < area.bottom; ++y) *out++ = reversed(frame.row(y)[x / 8]);
+      }
+      return;
+    }
+    for (std::int32_t y = area.top; y < area.bottom; y += 8) {
+      for (std::int32_t x = area.left; x < area.right; ++x) *out++ = column(frame, x, y);
+    }
+  }
+
+ private:
+  [[nodiscard]] static constexpr std::uint8_t reversed(unsigned b) {
+    b = ((b & 0x0Fu) << 4) | ((b >> 4) & 0x0Fu);
+    b = ((b & 0x33u) << 2) | ((b >> 2) & 0x33u);
+    b = ((b & 0x55u) << 1) | ((b >> 1) & 0x55u);
+    return static_cast<std::uint8_t>(b);
+  }
+  [[nodiscard]] static constexpr std::uint8_t column(const Framebuffer<Mono>& frame, std::int32_t x,
+                                                     std::int32_t y) {
+    unsigned bits = 0;
+    const int shift = 7 - (x & 7);
+    for (std::int32_t i = 0; i < 8; ++i) {
+      bits |= ((static_cast<unsigned>(frame.row(y + i)[x / 8]) >> shift) & 1u) << i;
+    }
+    return static_cast<std::uint8_t>(bits);
+  }
+};
+
+static_assert(WireLayout<BigEndianRgb565> && WireLayout<Gray4Pairs> && WireLayout<MonoPages>);
+
+/// Whether `area` begins and ends at steps of the layout.
+template <WireLayout L>
+[[nodiscard]] constexpr bool fits_steps(const Rect& area, Orientation o) {
+  const std::int32_t c = L::column_step(o);
+  const std::int32_t r = L::row_step(o);
+  return area.left % c == 0 && area.right % c == 0 && area.top % r == 0 && area.bottom % r == 0;
+}
+
+/// `area`, whose sides are not negative, widened to the steps of the layout.
+template <WireLayout L>
+[[nodiscard]] constexpr Rect widened(const Rect& area, Orientation o) {
+  const std::int32_t c = L::column_step(o);
+  const std::int32_t r = L::row_step(o);
+  return {area.left / c * c, area.top / r * r, (area.right + c - 1) / c * c, (area.bottom + r - 1) / r * r};
+}
+
+}  // namespace arcspan::hal

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/hal/sim/device.hpp>
+
+namespace arcspan::hal::sim {
+
+/// An ILI9341 or ST7789: memory of 240 x 320 pixels behind the MIPI display command set. The two differ for
+/// what is modelled here in nothing but the name (ILI9341 V1.11, chapter 8; ST7789V V1.6, chapter 9).
+class DcsModel final : public Device {
+ public:
+  static constexpr int kColumns = 240;
+  static constexpr int kRows = 320;
+
+  explicit DcsModel(const Glass& glass);
+
+  [[nodiscard]] bool awake() const { return !asleep_; }
+  [[nodiscard]] std::uint8_t brightness() const { return brightness_; }
+
+ private:
+  void do_command(std::uint8_t byte) override;
+  void do_data(std::uint8_t byte) override;
+  void do_reset() override;
+  void do_scramble() override;
+  [[nodiscard]] bool do_lit() const override { return !asleep_ && display_on_; }
+  [[nodiscard]] Rgb8 do_pixel(int column, int row) const override;
+  [[nodiscard]] std::uint64_t do_least_reset_ns() const override { return 10'000; }
+  [[nodiscard]] std::uint64_t do_after_reset_ns() const override { return 5'000'000; }
+
+  void finish_parameters();
+  void begin_memory_write();
+  void pixel_byte(std::uint8_t byte);
+  void store(std::uint16_t code);
+  void sleep(bool asleep);
+
+  std::vector<std::uint16_t> memory_;
+  std::uint8_t opcode_ = 0;
+  std::size_t wanted_ = 0;
+  std::vector<std::uint8_t> parameters_;
+  bool writing_ = false;
+  bool half_pixel_ = false;
+  std::uint8_t high_byte_ = 0;
+  int columns_[2] = {};
+  int rows_[2] = {};
+  int x_ = 0;
+  int y_ = 0;
+  bool window_full_ = false;
+  std::uint8_t address_mode_ = 0;
+  std::uint8_t pixel_format_ = 0;
+  std::uint8_t brightness_ = 0;
+  bool asleep_ = true;
+  bool display_on_ = false;
+  bool inverted_ = false;
+  std::uint64_t quiet_until_ns_ = 0;
+  std::uint64_t sleep_locked_until_ns_ = 0;
+};
+
+}  // namespace arcspan::hal::sim

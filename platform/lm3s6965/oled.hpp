@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/hal/panel/ssd0323.hpp>
+
+#include <clock.hpp>
+#include <pins.hpp>
+#include <ssi.hpp>
+
+namespace arcspan::lm3s6965 {
+
+/// The board's display with all its wires: an SSD0323 on SSI0, D/C at PC7, selected by PD0 high, which takes
+/// it off the bus it shares with the SD card. Its reset is the board's. 128 x 64 pixels.
+class Oled {
+ public:
+  /// Selects the display and starts it; statuses of Panel::start. start_clocks() comes first.
+  Status start() {
+    const Status status = select_.set(hal::Level::kHigh);
+    return ok(status) ? panel_.start() : status;
+  }
+  [[nodiscard]] hal::Ssd0323& panel() { return panel_; }
+
+ private:
+  BoardClock clock_;
+  Ssi bus_;
+  OutputPin data_or_command_{Port::kC, 7};
+  OutputPin select_{Port::kD, 0};
+  hal::SolomonSpi port_{bus_, data_or_command_};
+  hal::Ssd0323 panel_{port_, nullptr, clock_};
+};
+
+}  // namespace arcspan::lm3s6965

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/hal/panel/ili9341.hpp>
+#include <arcspan/hal/panel/page_mode.hpp>
+#include <arcspan/hal/panel/ssd1306.hpp>
+
+using namespace arcspan;
+using namespace arcspan::hal;
+
+void wrong(SpiBus& bus, OutputPin& pin, Clock& clock) {
+  Ili9341 panel(pin, bus, &pin, clock);
+  (void)panel;
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Every fault at every byte of an initialisation and of a frame ends in the status that names it, and the
+// next frame is right.
+#include "benches.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace arcspan;
+using namespace arcspan::hal;
+using namespace arcspan::hal::bench;
+using Kind = sim::Fault::Kind;
+
+namespace {
+
+// Small glasses, so that a frame at every byte is quick; no power of two, and offsets on every side.
+struct SmallIli9341 : SpiBench<Ili9341, sim::DcsModel> {
+  SmallIli9341() : SpiBench({24, 16, 100, 30, true, false, true, false}) {}
+};
+struct SmallSsd1351 : SpiBench<Ssd1351, sim::Ssd1351Model> {
+  SmallSsd1351() : SpiBench({24, 16, 5, 0, false, true, true, false}) {}
+};
+struct SmallSsd0323 : SolomonSpiBench<Ssd0323, sim::Ssd0323Model> {
+  SmallSsd0323() : SolomonSpiBench({24, 16, 6, 0, false, true, false, false}) {}
+};
+struct SmallSsd1306 : SolomonSpiBench<Ssd1306, sim::Ssd1306Model> {
+  SmallSsd1306() : SolomonSpiBench({72, 16, 28, 0, true, true, false, false}) {}
+};
+struct SmallSsd1306I2c : Ssd1306I2cBench {
+  SmallSsd1306I2c() : Ssd1306I2cBench({}, {72, 16, 28, 0, true, true, false, false}) {}
+};
+
+#define ARCSPAN_SMALL_PANELS SmallIli9341, SmallSsd1351, SmallSsd0323, SmallSsd1306, SmallSsd1306I2c
+
+constexpr Kind kKinds[] = {Kind::kFailed, Kind::kShort, Kind::kStuck};
+
+template <class Bench>
+Status show(Bench& bench, unsigned seed) {
+  using Mode = PageMode<typename Bench::Driver>;
+  std::vector<typename Mode::Frame::Unit> band(Mode::Frame::units(bench.panel.width(), 8));
+  std::vector<std::uint8_t> wire(wire_bytes<typename Bench::Driver>(bench.panel.width(), 8));
+  return Mode(bench.panel, band, wire, 8).show([seed](auto& frame) {
+    Scene<Bench>::paint(frame, seed);
+    return Status::kOk;
+  });
+}
+
+/// Whether a parameter was taken for a command or the other way round, in the whole life of the device.
+template <class Bench>
+bool lost_its_place(const Bench& bench) {
+  return complaints(bench).find("unknown command") != std::string::npos;
+}
+
+template <class Bench>
+bool shows(const Bench& bench, unsigned seed) {
+  return bench.device.picture() == expected(Scene<Bench>(bench.panel, seed).frame, Orientation::k0);
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("a fault at any byte of a frame is named, and the next frame is right", "",
+                   ARCSPAN_SMALL_PANELS) {
+  for (const Kind kind : kKinds) {
+    for (std::uint64_t at = 0;; ++at) {
+      TestType bench;
+      REQUIRE(bench.panel.start() == Status::kOk);
+      REQUIRE(show(bench, 1) == Status::kOk);
+      bench.bus.inject({kind, at});
+      const Status status = show(bench, 2);
+      if (bench.bus.take_back_fault()) {
+        CHECK(status == Status::kOk);
+        CHECK(at > 100);  // it ran past the frame's last byte
+        break;
+      }
+      INFO("byte " << at << ", fault " << static_cast<int>(kind));
+      REQUIRE(status == sim::status_of(kind));
+      REQUIRE(show(bench, 3) == Status::kOk);
+      REQUIRE(shows(bench, 3));
+      REQUIRE_FALSE(lost_its_place(bench));
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("a fault at any byte of an initialisation is named, and the next start is right", "",
+                   ARCSPAN_SMALL_PANELS) {
+  for (const bool lost_reset : {false, true}) {
+    for (const Kind kind : kKinds) {
+      for (std::uint64_t at = 0;; ++at) {
+        TestType bench;
+        if (lost_reset) bench.lose_reset();
+        bench.bus.inject({kind, at});
+        const Status status = bench.panel.start();
+        if (bench.bus.take_back_fault()) {
+          CHECK(status == Status::kOk);
+          CHECK(at > 10);
+          break;
+        }
+        INFO("byte " << at << ", fault " << static_cast<int>(kind));
+        REQUIRE(status == sim::status_of(kind));
+        REQUIRE(show(bench, 3) == Status::kNotReady);
+        REQUIRE(bench.panel.start() == Status::kOk);
+        REQUIRE(show(bench, 3) == Status::kOk);
+        REQUIRE(shows(bench, 3));
+      }
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("a fault while sleeping, waking or setting is mended by the next wake", "",
+                   ARCSPAN_SMALL_PANELS) {
+  for (const Kind kind : kKinds) {
+    for (int step = 0; step < 3; ++step) {
+      for (std::uint64_t at = 0; at < 60; ++at) {
+        TestType bench;
+        REQUIRE(bench.panel.start() == Status::kOk);
+        if (step == 1) REQUIRE(bench.panel.sleep() == Status::kOk);
+        bench.bus.inject({kind, at});
+        const Status status = step == 0   ? bench.panel.sleep()
+                              : step == 1 ? bench.panel.wake()
+                                          : bench.panel.set({.brightness = 7});
+        if (bench.bus.take_back_fault()) {
+          REQUIRE(status == Status::kOk);
+        } else {
+          REQUIRE(status == sim::status_of(kind));
+        }
+        if (step < 2) REQUIRE(bench.panel.wake() == Status::kOk);
+        REQUIRE(show(bench, 3) == Status::kOk);
+        REQUIRE(shows(bench, 3));
+      }
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("a pin that fails is named, and the next try is right", "", SmallIli9341, SmallSsd1351,
+                   SmallSsd0323, SmallSsd1306) {
+  TestType bench;
+  bench.bus.reset.fail_once();
+  CHECK(bench.panel.start() == Status::kTransferFailed);
+  REQUIRE(bench.panel.start() == Status::kOk);
+  bench.bus.dc.fail_once();
+  CHECK(show(bench, 1) == Status::kTransferFailed);
+  REQUIRE(show(bench, 2) == Status::kOk);
+  CHECK(shows(bench, 2));
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// `arcspan simulate` as a user runs it.
+#include <arcspan_tools/image/image.hpp>
+#include <catch2/catch.hpp>
+#include <tests/tools/command_run.hpp>
+#include <tests/tools/temporary_folder.hpp>
+
+using namespace arcspan::tools;
+using namespace arcspan::test;
+
+namespace {
+
+/// `image`, turned clockwise by 90 degrees.
+Image turned(const Image& image) {
+  Image result(image.height, image.width);
+  for (std::int32_t y = 0; y < result.height; ++y) {
+    for (std::int32_t x = 0; x < result.width; ++x) result.at(x, y) = image.at(y, image.height - 1 - x);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("what a simulated panel shows is what render draws in its format") {
+  const TemporaryFolder folder;
+  const struct {
+    const char* panel;
+    const char* size;
+    const char* format;
+  } panels[] = {{"ili9341", "240x320", "rgb565"},
+                {"st7789", "240x320", "rgb565"},
+                {"ssd1351", "128x128", "rgb565"},
+                {"ssd0323", "128x64", "gray4"},
+                {"ssd1306", "128x64", "mono"}};
+  for (const auto& p : panels) {
+    const std::string mesh = " torus:24x12 --dither --no-depth -o ";
+    REQUIRE(
+        run("render --size " + std::string(p.size) + " --format " + p.format + mesh + (folder / "want.png"))
+            .status == 0);
+    const CommandRun simulated =
+        run("simulate --panel " + std::string(p.panel) + mesh + (folder / "got.png"));
+    REQUIRE(simulated.status == 0);
+    CHECK(read_image(folder / "got.png") == read_image(folder / "want.png"));
+    CHECK(simulated.out.find(p.panel) == 0);
+    CHECK(simulated.out.find("bottleneck: ") != std::string::npos);
+  }
+}
+
+TEST_CASE("a rotated picture lies turned on the glass, and bands make no difference") {
+  const TemporaryFolder folder;
+  REQUIRE(run("render torus:24x12 --size 320x240 -o " + (folder / "want.png")).status == 0);
+  REQUIRE(run("simulate torus:24x12 --rotation 90 --band 40 -o " + (folder / "got.png")).status == 0);
+  CHECK(read_image(folder / "got.png") == turned(read_image(folder / "want.png")));
+}
+
+TEST_CASE("sending changes only gives the same turn with fewer bytes") {
+  const TemporaryFolder folder;
+  const std::string turn = "simulate torus:24x12 --panel ssd1306 --bus i2c --turntable 5 -o ";
+  const CommandRun whole = run(turn + (folder / "whole.png"));
+  const CommandRun changes = run(turn + (folder / "changes.png") + " --changes");
+  REQUIRE(whole.status == 0);
+  REQUIRE(changes.status == 0);
+  CHECK(contents(folder / "whole.png") == contents(folder / "changes.png"));
+  const auto bytes = [](const CommandRun& r) { return std::stoi(r.out.substr(r.out.find("sent: ") + 6)); };
+  CHECK(bytes(changes) < bytes(whole));
+  CHECK(bytes(whole) > 1024);
+}
+
+TEST_CASE("simulate says in one line what is wrong, and writes nothing") {
+  const TemporaryFolder folder;
+  const struct {
+    const char* arguments;
+    int status;
+    const char* line;
+  } cases[] = {
+      {"--panel ssd1306 --band 12", 1, "arcspan: --band: 12 rows, but ssd1306 needs a multiple of 8\n"},
+      {"--bus i2c", 1, "arcspan: --bus: ili9341 is not simulated on I2C\n"},
+      {"--spi-mhz 0", 2, "arcspan: --spi-mhz: expected a number 0.01...200, not '0'\n"},
+      {"--turntable 0", 2, "arcspan: --turntable: expected an integer 1...3600, not '0'\n"}};
+  for (const auto& c : cases) {
+    const CommandRun r = run("simulate torus:8x8 " + std::string(c.arguments) + " -o " + (folder / "x.png"));
+    CHECK(r.status == c.status);
+    CHECK(r.err == c.line);
+  }
+  CHECK(run("simulate torus:8x8 -o " + (folder / "x.txt")).status == 1);
+  CHECK(folder.size() == 0);
+}

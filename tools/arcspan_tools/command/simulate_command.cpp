@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/render_options.hpp>
+#include <arcspan_tools/command/typed_options.hpp>
+#include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/output/frame_output.hpp>
+#include <arcspan_tools/render/turntable.hpp>
+#include <arcspan_tools/simulate/processor_cost.hpp>
+#include <arcspan_tools/simulate/simulated_display.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/output_file.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace arcspan::tools {
+namespace {
+
+struct SimulateArguments {
+  RenderOptions options;
+  std::string output;
+  DisplayWish display;
+  std::string rotation = "0";
+  std::string bus = "spi";
+  double spi_mhz = 20;
+  double i2c_khz = 400;
+  double cpu_mhz = 50;
+  std::int32_t frames = 1;
+};
+
+/// Sums over all frames.
+struct Totals {
+  std::uint64_t draw_ns = 0;
+  std::uint64_t frame_ns = 0;
+  hal::sim::BusCount bus;
+  bool draw_known = true;
+};
+
+constexpr std::int32_t kTurnMilliseconds = 2000;
+
+DisplayWish wish_of(const SimulateArguments& arguments) {
+  DisplayWish wish = arguments.display;
+  wish.i2c = arguments.bus == "i2c";
+  wish.hertz =
+      static_cast<std::uint64_t>(std::llround(wish.i2c ? arguments.i2c_khz * 1e3 : arguments.spi_mhz * 1e6));
+  wish.orientation = arguments.rotation == "90"    ? hal::Orientation::k90
+                     : arguments.rotation == "180" ? hal::Orientation::k180
+                     : arguments.rotation == "270" ? hal::Orientation::k270
+                                                   : hal::Orientation::k0;
+  if (arguments.options.scene.band_rows > 0) wish.band_rows = arguments.options.scene.band_rows;
+  return wish;
+}
+
+/// Where the glass is shown after each frame: one picture, or a moving one.
+class GlassOutput {
+ public:
+  GlassOutput(const std::string& path, std::int32_t frames, const Image& like) : path_(path) {
+    if (frames == 1) {
+      (void)image_format(path);
+      return;
+    }
+    FrameFormat format;
+    format.frames = static_cast<std::size_t>(frames);
+    format.size = {like.width, like.height};
+    format.milliseconds = std::max(20, kTurnMilliseconds / frames);
+    moving_ = make_frame_output(path, format);
+  }
+  void add(Image glass) {
+    if (moving_) {
+      moving_->add(std::move(glass));
+    } else {
+      still_ = std::move(glass);
+    }
+  }
+  void finish() {
+    if (moving_) {
+      moving_->finish();
+    } else {
+      write_image(still_, path_);
+    }
+  }
+
+ private:
+  std::string path_;
+  Image still_;
+  std::unique_ptr<FrameOutput> moving_;
+};
+
+Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, GlassOutput& output) {
+  RenderOptions options = arguments.options;
+  options.scene.size = display.size();
+  options.scene.band_rows = wish_of(arguments).band_rows;
+  const FixedMesh mesh = to_fixed(load_mesh(options.mesh));
+  const Renderer& renderer = find_renderer(options.shading, display.format(), options.dither);
+  const auto frames = static_cast<std::size_t>(arguments.frames);
+  const Turntable turntable(options.scene, mesh, frames);
+  display.start();
+  const hal::sim::BusCount start = display.count();
+  Totals totals;
+  for (std::size_t i = 0; i < frames; ++i) {
+    const Scene scene = frames == 1 ? options.scene : turntable.scene(i);
+    const RenderJob job = make_job(scene, mesh, options.mesh);
+    const RenderResult drawn = renderer.render(job, [](std::size_t) {});
+    const std::optional<double> instructions =
+        draw_instructions(options.shading, drawn.stats, mesh.positions.size());
+    totals.draw_known = totals.draw_known && instructions.has_value();
+    const auto draw_ns = static_cast<std::uint64_t>(instructions.value_or(0) * 1000 / arguments.cpu_mhz);
+    const std::uint64_t before = display.now_ns();
+    display.show(drawn.image, job.background, draw_ns);
+    totals.draw_ns += draw_ns;
+    totals.frame_ns += display.now_ns() - before;
+    output.add(display.picture());
+  }
+  totals.bus = display.count();
+  totals.bus.bytes -= start.bytes;
+  totals.bus.busy_ns -= start.busy_ns;
+  totals.bus.transfers -= start.transfers;
+  return totals;
+}
+
+void report(const SimulateArguments& arguments, const SimulatedDisplay& display, const Totals& totals) {
+  const double frames = arguments.frames;
+  const double bus_ms = static_cast<double>(totals.bus.busy_ns) / 1e6 / frames;
+  const double draw_ms = static_cast<double>(totals.draw_ns) / 1e6 / frames;
+  const Size size = display.size();
+  const bool i2c = arguments.bus == "i2c";
+  std::FILE* out = report_stream({arguments.output});
+  std::fprintf(out, "%s: %dx%d, %s, rotation %s, %s at %g %s\n", arguments.display.panel.c_str(), size.width,
+               size.height, display.format().c_str(), arguments.rotation.c_str(), i2c ? "I2C" : "SPI",
+               i2c ? arguments.i2c_khz : arguments.spi_mhz, i2c ? "kHz" : "MHz");
+  std::fprintf(out, "sent: %.0f bytes a frame in %.0f transfers\n",
+               static_cast<double>(totals.bus.bytes) / frames,
+               static_cast<double>(totals.bus.transfers) / frames);
+  std::fprintf(out, "bus: %.3f ms a frame; allows %.1f frames a second\n", bus_ms, 1000 / bus_ms);
+  if (totals.draw_known) {
+    const double frame_ms = static_cast<double>(totals.frame_ns) / 1e6 / frames;
+    std::fprintf(out, "drawing: %.3f ms a frame on a Cortex-M3 at %g MHz (an estimate, clearing apart)\n",
+                 draw_ms, arguments.cpu_mhz);
+    std::fprintf(out, "both, overlapped: %.3f ms, %.1f frames a second; bottleneck: %s\n", frame_ms,
+                 1000 / frame_ms, draw_ms > bus_ms ? "shading" : "the bus");
+  } else {
+    std::fprintf(out, "drawing: no figures of %s shading on a Cortex-M3\n",
+                 arguments.options.shading.c_str());
+  }
+  std::fprintf(out, "RAM for buffers: %zu bytes; a whole frame would take %zu\n", display.buffer_bytes(),
+               static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) *
+                   (display.format() == "rgb565"  ? 16u
+                    : display.format() == "gray4" ? 4u
+                                                  : 1u) /
+                   8);
+}
+
+void run_simulate(const SimulateArguments& arguments) {
+  const std::unique_ptr<SimulatedDisplay> display = make_display(wish_of(arguments));
+  GlassOutput output(arguments.output, arguments.frames, display->picture());
+  const Totals totals = show_all(arguments, *display, output);
+  output.finish();
+  report(arguments, *display, totals);
+}
+
+void add_panel_options(CLI::App& app, SimulateArguments& a) {
+  a.display.panel = "ili9341";
+  add_choice(app, "--panel", "controller of the display", panel_names(), a.display.panel);
+  add_choice(app, "--rotation", "degrees clockwise that the picture is turned on the glass",
+             {"0", "90", "180", "270"}, a.rotation);
+  app.add_flag("--inverted", a.display.inverted, "let the controller show complements");
+  app.add_flag("--changes", a.display.changes_only, "send only what changed since the last frame");
+  add_choice(app, "--bus", "what the panel hangs on; i2c for ssd1306", {"spi", "i2c"}, a.bus);
+  add_number(app, "--spi-mhz", "clock of the SPI bus", 0.01, 200, a.spi_mhz);
+  add_number(app, "--i2c-khz", "clock of the I2C bus", 1, 5000, a.i2c_khz);
+  add_number(app, "--cpu-mhz", "million instructions a second of the processor that draws", 0.1, 10000,
+             a.cpu_mhz);
+  add_integer(app, "--turntable", "N", "frames of a turn, 1...3600 (default 1: a still picture)", 1, 3600,
+              a.frames);
+}
+
+}  // namespace
+
+void add_simulate_command(CLI::App& app) {
+  auto arguments = std::make_shared<SimulateArguments>();
+  CLI::App* simulate = app.add_subcommand(
+      "simulate", "Draw a mesh on a simulated panel, through its driver and a model of its controller");
+  add_render_options(*simulate, arguments->options);
+  // The panel says these.
+  simulate->remove_option(simulate->get_option("--size"));
+  simulate->remove_option(simulate->get_option("--format"));
+  add_panel_options(*simulate, *arguments);
+  simulate
+      ->add_option(
+          "-o,--output", arguments->output,
+          "what the glass shows: .png, .ppm or .pgm; with --turntable an animation (.gif, .png) or a folder")
+      ->required();
+  simulate->footer(
+      "Examples:\n"
+      "  arcspan simulate torus:48x24 --panel ili9341 --rotation 90 -o panel.png\n"
+      "  arcspan simulate bunny.obj --panel ssd1306 --dither --bus i2c --turntable 36 --changes -o oled.gif");
+  simulate->callback([arguments] { run_simulate(*arguments); });
+}
+
+}  // namespace arcspan::tools

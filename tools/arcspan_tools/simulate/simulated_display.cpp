@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/hal/panel/ili9341.hpp>
+#include <arcspan/hal/panel/page_mode.hpp>
+#include <arcspan/hal/panel/ssd0323.hpp>
+#include <arcspan/hal/panel/ssd1306.hpp>
+#include <arcspan/hal/panel/ssd1351.hpp>
+#include <arcspan/hal/panel/st7789.hpp>
+#include <arcspan/hal/sim/dcs_model.hpp>
+#include <arcspan/hal/sim/ssd0323_model.hpp>
+#include <arcspan/hal/sim/ssd1306_model.hpp>
+#include <arcspan/hal/sim/ssd1351_model.hpp>
+
+#include <arcspan_tools/simulate/simulated_display.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+#include <algorithm>
+#include <type_traits>
+
+namespace arcspan::tools {
+namespace {
+
+using namespace hal;
+
+/// Panels on SPI whose driver takes the bus itself.
+template <class Driver, class Model>
+struct PlainSpi {
+  using Panel = Driver;
+  PlainSpi(const Glass& glass, const PanelSettings& settings, std::uint64_t hertz)
+      : device(glass), bus(device, clock, hertz), panel(bus, bus.dc, &bus.reset, clock, glass, settings) {}
+  sim::SimulatedClock clock;
+  Model device;
+  sim::SimulatedSpi bus;
+  Driver panel;
+};
+
+template <class Driver, class Model>
+struct PortSpi {
+  using Panel = Driver;
+  PortSpi(const Glass& glass, const PanelSettings& settings, std::uint64_t hertz)
+      : device(glass),
+        bus(device, clock, hertz),
+        port(bus, bus.dc),
+        panel(port, &bus.reset, clock, glass, settings) {}
+  sim::SimulatedClock clock;
+  Model device;
+  sim::SimulatedSpi bus;
+  SolomonSpi port;
+  Driver panel;
+};
+
+struct Ssd1306OnI2c {
+  using Panel = Ssd1306;
+  Ssd1306OnI2c(const Glass& glass, const PanelSettings& settings, std::uint64_t hertz)
+      : device(glass),
+        bus(device, SolomonI2c::kUsualAddress, clock, hertz),
+        port(bus, SolomonI2c::kUsualAddress),
+        panel(port, nullptr, clock, glass, settings) {}
+  sim::SimulatedClock clock;
+  sim::Ssd1306Model device;
+  sim::SimulatedI2c bus;
+  SolomonI2c port;
+  Ssd1306 panel;
+};
+
+void require_ok(const std::string& subject, Status status) {
+  if (!ok(status)) throw Failure(subject, to_string(status));
+}
+
+template <class Wired>
+class Display final : public SimulatedDisplay {
+ public:
+  using Driver = typename Wired::Panel;
+  using Mode = PageMode<Driver>;
+  using Frame = typename Mode::Frame;
+  using Format = typename Frame::Format;
+
+  Display(const DisplayWish& wish, const Glass& glass)
+      : wish_(wish),
+        wired_(glass, {.orientation = wish.orientation, .inverted = wish.inverted}, wish.hertz),
+        rows_(std::min(wish.band_rows, wired_.panel.height())),
+        band_(Frame::units(wired_.panel.width(), rows_)),
+        wire_(wire_bytes<Driver>(wired_.panel.width(), rows_)),
+        extents_(Damage::extents(wired_.panel.height())),
+        damage_(extents_, wired_.panel.width(), wired_.panel.height()),
+        mode_(wired_.panel, band_, wire_, rows_) {
+    const std::int32_t step = Driver::Layout::row_step(wish.orientation);
+    if (rows_ % step != 0) {
+      throw Failure("--band", std::to_string(rows_) + " rows, but " + wish.panel + " needs a multiple of " +
+                                  std::to_string(step));
+    }
+  }
+
+  void start() override {
+    require_ok(wish_.panel, wired_.panel.start());
+    forbid_complaints();
+  }
+
+  void show(const Image& picture, Rgb8 background, std::uint64_t draw_ns) override {
+    const auto height = static_cast<std::uint64_t>(picture.height);
+    const auto draw = [&](auto& sink, Frame& band) {
+      band.clear(background);
+      copy(picture, background, sink);
+      wired_.clock.advance_ns(draw_ns * static_cast<std::uint64_t>(band.bounds().height()) / height);
+      return Status::kOk;
+    };
+    const Status status = wish_.changes_only ? mode_.show_changes(damage_, draw)
+                                             : mode_.show([&draw](Frame& band) { return draw(band, band); });
+    require_ok(wish_.panel, status);
+    forbid_complaints();
+  }
+
+  [[nodiscard]] Size size() const override { return {wired_.panel.width(), wired_.panel.height()}; }
+  [[nodiscard]] std::string format() const override {
+    return std::is_same_v<Format, Rgb565> ? "rgb565" : std::is_same_v<Format, Gray4> ? "gray4" : "mono";
+  }
+  [[nodiscard]] Image picture() const override {
+    const sim::Picture shown = wired_.device.picture();
+    Image image(shown.width, shown.height);
+    image.pixels = shown.pixels;
+    return image;
+  }
+  [[nodiscard]] sim::BusCount count() const override { return wired_.bus.count(); }
+  [[nodiscard]] std::uint64_t now_ns() const override { return wired_.clock.now_ns(); }
+  [[nodiscard]] std::size_t buffer_bytes() const override {
+    return band_.size() * sizeof(band_[0]) + wire_.size() +
+           (wish_.changes_only ? extents_.size() * sizeof(RowExtent) : 0);
+  }
+
+ private:
+  /// The drawn pixels of the sink's rows, as one run each from the first to the last of them.
+  template <class Sink>
+  static void copy(const Image& picture, Rgb8 background, Sink& sink) {
+    const Rgb8 ground = Format::decode(Format::encode(background));
+    const Rect rows = sink.bounds();
+    for (std::int32_t y = rows.top; y < rows.bottom; ++y) {
+      std::int32_t left = 0;
+      std::int32_t right = picture.width;
+      while (left < right && picture.at(left, y) == ground) ++left;
+      while (right > left && picture.at(right - 1, y) == ground) --right;
+      if (left == right) continue;
+      const Span run{y, left, right - left};
+      typename Format::Cursor cursor = sink.open(run);
+      for (std::int32_t x = left; x < right; ++x, cursor.next())
+        cursor.write(Format::encode(picture.at(x, y)));
+      (void)sink.close(run);
+    }
+  }
+
+  void forbid_complaints() const {
+    for (const auto* list : {&wired_.device.complaints(), &wired_.bus.complaints()}) {
+      if (!list->empty()) throw Failure(wish_.panel, "the controller's model complains: " + list->front());
+    }
+  }
+
+  DisplayWish wish_;
+  Wired wired_;
+  std::int32_t rows_;
+  std::vector<typename Frame::Unit> band_;
+  std::vector<std::uint8_t> wire_;
+  std::vector<RowExtent> extents_;
+  Damage damage_;
+  Mode mode_;
+};
+
+template <class Wired>
+std::unique_ptr<SimulatedDisplay> make(const DisplayWish& wish, const Glass& glass) {
+  return std::make_unique<Display<Wired>>(wish, glass);
+}
+
+struct Known {
+  const char* name;
+  Glass glass;
+  std::unique_ptr<SimulatedDisplay> (*spi)(const DisplayWish&, const Glass&);
+  std::unique_ptr<SimulatedDisplay> (*i2c)(const DisplayWish&, const Glass&);
+};
+
+constexpr Known kPanels[] = {
+    {"ili9341", kIli9341Module, &make<PlainSpi<Ili9341, sim::DcsModel>>, nullptr},
+    {"st7789", kSt7789Module, &make<PlainSpi<St7789, sim::DcsModel>>, nullptr},
+    {"ssd1351", kSsd1351Module, &make<PlainSpi<Ssd1351, sim::Ssd1351Model>>, nullptr},
+    {"ssd1306", kSsd1306Module, &make<PortSpi<Ssd1306, sim::Ssd1306Model>>, &make<Ssd1306OnI2c>},
+    {"ssd0323", kSsd0323Module, &make<PortSpi<Ssd0323, sim::Ssd0323Model>>, nullptr}};
+
+}  // namespace
+
+std::vector<std::string> panel_names() {
+  std::vector<std::string> names;
+  for (const Known& panel : kPanels) names.emplace_back(panel.name);
+  return names;
+}
+
+std::unique_ptr<SimulatedDisplay> make_display(const DisplayWish& wish) {
+  for (const Known& panel : kPanels) {
+    if (wish.panel != panel.name) continue;
+    const auto maker = wish.i2c ? panel.i2c : panel.spi;
+    if (maker == nullptr) throw Failure("--bus", wish.panel + " is not simulated on I2C");
+    return maker(wish, panel.glass);
+  }
+  throw Failure("--panel", "no such panel: " + wish.panel);
+}
+
+}  // namespace arcspan::tools

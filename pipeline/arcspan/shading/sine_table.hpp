@@ -14,24 +14,20 @@ inline constexpr Angle32 kQuarterTurn = 1u << 30;
 
 namespace detail {
 
-/// sin(x) for 0 <= x <= pi/2 by its series; compile time only.
-consteval double sine_series(double x) {
-  double term = x;
-  double sum = x;
-  for (int i = 1; i < 14; ++i) {
-    term *= -x * x / ((2 * i) * (2 * i + 1));
-    sum += term;
-  }
-  return sum;
-}
-
-/// Entry i is sin(i/256 of a quarter turn), 30 fraction bits; one more so that entry i + 1 always exists.
+/// Entry i is sin(i/256 of a quarter turn) by its series, 30 fraction bits; one more so that entry i + 1
+/// always exists. In one function: some targets may not pass a double, not even at compile time.
 consteval std::array<std::uint32_t, 258> make_sine_table() {
   std::array<std::uint32_t, 258> table{};
   constexpr double kHalfPi = 1.57079632679489661923;
   for (std::size_t i = 0; i <= 256; ++i) {
     const double x = kHalfPi * static_cast<double>(i) / 256;
-    table[i] = static_cast<std::uint32_t>(sine_series(x) * (1 << 30) + 0.5);
+    double term = x;
+    double sum = x;
+    for (int k = 1; k < 14; ++k) {
+      term *= -x * x / ((2 * k) * (2 * k + 1));
+      sum += term;
+    }
+    table[i] = static_cast<std::uint32_t>(sum * (1 << 30) + 0.5);
   }
   table[257] = table[256];
   return table;

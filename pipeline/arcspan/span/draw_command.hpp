@@ -85,7 +85,9 @@ template <class Command, class Walker>
 /// Changes to the lower edge on the side of the middle vertex.
 template <class Command, class Walker>
 [[gnu::always_inline]] constexpr void enter_lower(Command& command, Walker& shade) {
-  (command.middle_left ? command.left : command.right) = command.lower;
+  EdgeWalk& short_edge = command.middle_left ? command.left : command.right;
+  short_edge.x = command.lower.x;  // member by member: small cores would call memcpy
+  short_edge.step = command.lower.step;
   command.depth.enter_lower(command.middle_left);
   shade.enter_lower();
 }

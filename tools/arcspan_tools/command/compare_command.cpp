@@ -182,6 +182,10 @@ void add_compare_command(CLI::App& app) {
   CLI::App* compare = app.add_subcommand(
       "compare", "Draw a mesh by every shading method: a contact sheet and what each costs");
   add_options(*compare, *arguments);
+  compare->footer(
+      "Examples:\n"
+      "  arcspan compare bunny.obj -o sheet.png\n"
+      "  arcspan compare sphere:32x16 -o sheet.png --shading gouraud,phong,arc --table costs.md");
   compare->callback([arguments] { run_compare(*arguments); });
 }
 

@@ -56,6 +56,10 @@ void add_plot_command(CLI::App& app) {
   plot->add_option("FIGURE", arguments->figure, help)->required();
   plot->add_option("-o,--output", arguments->output, "the diagram, .svg or .png; or its numbers, .csv")
       ->required();
+  plot->footer(
+      "Examples:\n"
+      "  arcspan plot specular-error -o specular.svg\n"
+      "  arcspan plot recurrence-error -o recurrence.csv");
   plot->callback([arguments] { run_plot(*arguments); });
 }
 

@@ -162,7 +162,7 @@ void run_simulate(const SimulateArguments& arguments) {
 
 void add_panel_options(CLI::App& app, SimulateArguments& a) {
   a.display.panel = "ili9341";
-  add_choice(app, "--panel", "controller of the display", panel_names(), a.display.panel);
+  add_choice(app, "--panel", "controller of the display", simulated_panels(), a.display.panel);
   add_choice(app, "--rotation", "degrees clockwise that the picture is turned on the glass",
              {"0", "90", "180", "270"}, a.rotation);
   app.add_flag("--inverted", a.display.inverted, "let the controller show complements");

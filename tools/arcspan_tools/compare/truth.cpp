@@ -70,8 +70,8 @@ TruthIllumination::TruthIllumination(const RenderJob& job)
       phong_highlight(job.highlight == Highlight::kPhong),
       to_eye(normalised(to_vec3(job.to_eye))) {
   for (const DirectionalLight& light : job.lights) {
-    lights.push_back({normalised(to_vec3(light.towards)),
-                      std::ldexp(light.strength.raw(), -Coefficient::kFraction)});
+    lights.push_back(
+        {normalised(to_vec3(light.towards)), std::ldexp(light.strength.raw(), -Coefficient::kFraction)});
   }
 }
 

@@ -27,7 +27,7 @@ struct TruthIllumination {
   bool phong_highlight = false;
   struct Light {
     Vec3 towards;
-    double strength;
+    double strength = 1;
   };
   std::vector<Light> lights;
   Vec3 to_eye;

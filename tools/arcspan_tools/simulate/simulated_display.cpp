@@ -183,7 +183,7 @@ constexpr Known kPanels[] = {
 
 }  // namespace
 
-std::vector<std::string> panel_names() {
+std::vector<std::string> simulated_panels() {
   std::vector<std::string> names;
   for (const Known& panel : kPanels) names.emplace_back(panel.name);
   return names;

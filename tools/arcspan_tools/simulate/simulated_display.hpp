@@ -15,7 +15,7 @@
 namespace arcspan::tools {
 
 struct DisplayWish {
-  std::string panel;  ///< one of panel_names()
+  std::string panel;  ///< one of simulated_panels()
   hal::Orientation orientation = hal::Orientation::k0;
   bool inverted = false;
   bool i2c = false;         ///< an SSD1306 on I2C
@@ -51,7 +51,7 @@ class SimulatedDisplay {
   [[nodiscard]] virtual std::size_t buffer_bytes() const = 0;
 };
 
-[[nodiscard]] std::vector<std::string> panel_names();
+[[nodiscard]] std::vector<std::string> simulated_panels();
 
 /// Throws Failure if the panel has no such bus.
 [[nodiscard]] std::unique_ptr<SimulatedDisplay> make_display(const DisplayWish& wish);

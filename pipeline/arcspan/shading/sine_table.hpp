@@ -48,7 +48,7 @@ inline constexpr std::array<std::uint32_t, 258> kSineTable = make_sine_table();
 
 /// cos of any angle, 30 fraction bits.
 [[nodiscard]] constexpr std::int32_t cosine(Angle32 angle) {
-  const Angle32 turned = angle >> 31 == 0 ? angle : 0u - angle;  // cos is even: 0...half a turn
+  const Angle32 turned = (angle >> 31) == 0 ? angle : 0u - angle;  // cos is even: 0...half a turn
   if (turned <= kQuarterTurn) return static_cast<std::int32_t>(quarter_sine(kQuarterTurn - turned));
   return -static_cast<std::int32_t>(quarter_sine(turned - kQuarterTurn));
 }

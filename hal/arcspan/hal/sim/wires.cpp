@@ -57,7 +57,7 @@ Status SimulatedSpi::deliver() {
     complaints_.push_back("bytes were changed while they were sent");
   }
   if (dc.level() != dc_at_begin_) complaints_.push_back("D/C was changed while bytes were sent");
-  std::uint64_t sent = 0;
+  std::size_t sent = 0;
   for (const std::uint8_t byte : sent_) device_.receive(byte, dc_at_begin_, begin_ns_ + duration_ns(++sent));
   count_.bytes += sent_.size();
   count_.busy_ns += duration_ns(sent_.size());

@@ -21,14 +21,14 @@ inline constexpr int kCordicSteps = 20;
 /// Entry i is atan(2^-i) as an Angle32.
 consteval std::array<std::uint32_t, kCordicSteps> make_cordic_table() {
   std::array<std::uint32_t, kCordicSteps> table{};
-  constexpr double kHalfPi = 1.57079632679489661923;
+  constexpr double kPerRadian = 0x1p31 / 3.14159265358979323846;
   table[0] = kQuarterTurn / 2;
   double x = 0.5;
   for (std::size_t i = 1; i < kCordicSteps; ++i, x /= 2) {
     double power = x;
     double sum = 0;
     for (int k = 0; k < 40; ++k, power *= -x * x) sum += power / (2 * k + 1);
-    table[i] = static_cast<std::uint32_t>(sum / kHalfPi * kQuarterTurn + 0.5);
+    table[i] = static_cast<std::uint32_t>(sum * kPerRadian + 0.5);
   }
   return table;
 }

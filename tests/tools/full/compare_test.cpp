@@ -73,7 +73,7 @@ TEST_CASE("the truth's illumination is S0 eq. 12 and eq. 1") {
   light.diffuse = {100, 100, 100};
   light.specular = {50, 50, 50};
   light.shininess = 3;
-  light.lights = {{0, 0, 1}};
+  light.lights = {{.towards = Vec3{0, 0, 1}}};
   light.to_eye = {0.6, 0, 0.8};
   const Vec3 normal = normalised({0.1, 0.2, 1});
   const double nl = normal.z;

@@ -97,7 +97,8 @@ TEST_CASE("all methods agree on a flat surface") {
     const Vec3 normal = random_unit(random);
     const Direction n = arcspan::test::detail::packed(normal);
     Scene scene{{{{-1500, -1400, 0}, {1500, -900, 0}, {-300, 1700, 0}}}, {n, n, n}, n, {}};
-    scene.lit = white_light(tilted(random, normal, random.real(0.3, 0.8)), tilted(random, normal, 0.4), 8);
+    const Vec3 light = tilted(random, normal, random.real(0.3, 0.8));
+    scene.lit = white_light(light, tilted(random, normal, 0.4), 8);
     Picture flat = draw<Flat>(scene);
     for_all(scene, [&](const char* name, Picture picture) {
       worst[name] = std::max(worst[name], difference(picture, flat));
@@ -105,9 +106,9 @@ TEST_CASE("all methods agree on a flat surface") {
   }
   for (const auto& [name, steps] : worst) {
     INFO(name << " differs by " << steps);
-    // The table's cells are up to 3.9 degrees from centre to corner; all others have the same scalars to
-    // their rounding.
-    CHECK(steps <= (name == "reflection-map" ? 10 : 1));
+    // The table's cells are up to 3.9 degrees from centre to corner, over which 127 cos falls by up to 6.2 at
+    // 0.8 rad and 102 cos^8 by up to 12.3; all others have the same scalars to their rounding.
+    CHECK(steps <= (name == "reflection-map" ? 18 : 1));
   }
 }
 
@@ -118,7 +119,8 @@ TEST_CASE("all methods that interpolate agree with the illumination at the verti
     const Vec3 middle = random_unit(random);
     Scene scene{{{{-1500, -1400, 0}, {1500, -900, 0}, {-300, 1700, 0}}}, {}, {}, {}};
     for (Direction& n : scene.normals) n = arcspan::test::detail::packed(tilted(random, middle, 0.3));
-    scene.lit = white_light(tilted(random, middle, 0.5), tilted(random, middle, 0.4), 8);
+    const Vec3 light = tilted(random, middle, 0.5);
+    scene.lit = white_light(light, tilted(random, middle, 0.4), 8);
     for_all(scene, [&](const std::string& name, Picture picture) {
       if (name == "flat") return;
       for (std::size_t k = 0; k < 3; ++k) {

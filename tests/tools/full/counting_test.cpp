@@ -135,6 +135,7 @@ TEST_CASE("with no highlight in reach arc steps two scalars and looks up a ramp,
   const double multiplies =
       static_cast<double>(sharp.in_spans[Operation::kMultiply]) / static_cast<double>(sharp.pixels);
   CHECK(multiplies > 2);
-  // The highlight's own are few; three at the start of a run are counted as its, if the compiler opens it first.
+  // The highlight's own are few; three at the start of a run are counted as its, if the compiler opens it
+  // first.
   CHECK(multiplies < 2.9);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Measures the accuracy of spherical-angular shading and prints docs/accuracy.md.
 // Usage: accuracy_report [triangles per class]
+#include <tests/accuracy/method_rows.hpp>
 #include <tests/support/accuracy.hpp>
 
 #include <cstdio>
@@ -44,7 +45,7 @@ int main(int argc, char** argv) {
   const int triangles = argc > 1 ? std::atoi(argv[1]) : 100000;
   std::puts(
       "<!-- SPDX-License-Identifier: MIT -->\n"
-      "# Measured accuracy of the arcs\n\n"
+      "# Measured accuracy\n\n"
       "Printed by the program `accuracy_report` (CMake target `update_accuracy` writes it here); the tests\n"
       "check the bounds. Random triangles from a third of a pixel to the whole guard band, slim ones among\n"
       "them, go through triangle preparation and the span stage with normals packed as in a mesh. Every "
@@ -60,4 +61,5 @@ int main(int argc, char** argv) {
       "| normals apart up to | triangles | pixels | N·L | N·H | N·V | diffuse only | Blinn | Phong |\n"
       "|---|---|---|---|---|---|---|---|---|");
   for (int i = 0; i < 7; ++i) print(i, measure_class(i, triangles));
+  print_method_rows(triangles / 25);
 }

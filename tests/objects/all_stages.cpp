@@ -4,6 +4,7 @@
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/shading/arc.hpp>
 #include <arcspan/shading/arc_vector.hpp>
+#include <arcspan/shading/dichotomy.hpp>
 #include <arcspan/shading/duff.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
@@ -30,6 +31,9 @@ ARCSPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(ArcVector<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Duff<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(DichotomyLinear<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(DichotomyQuadratic<Phong4>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(DichotomyCubic<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(KuijkBlake<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Lyon<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Phong<Blinn1>, Rgb565, DepthBuffer);

@@ -49,6 +49,23 @@ TEST_CASE("compare takes a choice of shadings, in that order") {
   CHECK(json["methods"][0]["time_per_gouraud"].get<double>() > 0);  // though gouraud is not shown
 }
 
+TEST_CASE("compare draws dichotomy by one polynomial or by all") {
+  const TemporaryFolder folder;
+  const std::string base = "compare sphere:12x6 --size 48x32 --no-instructions -o " + (folder / "a.ppm") +
+                           " --table " + (folder / "a.json") + " --shading flat,dichotomy";
+  const auto names = [&folder] {
+    const auto json = nlohmann::json::parse(contents(folder / "a.json"));
+    std::vector<std::string> all;
+    for (const auto& method : json["methods"]) all.push_back(method["shading"]);
+    return all;
+  };
+  REQUIRE(run(base).status == 0);
+  CHECK(names() ==
+        std::vector<std::string>{"flat", "dichotomy-linear", "dichotomy-quadratic", "dichotomy-cubic"});
+  REQUIRE(run(base + " --polynomial cubic").status == 0);
+  CHECK(names() == std::vector<std::string>{"flat", "dichotomy-cubic"});
+}
+
 // Sanitized programs do not run under valgrind.
 #ifndef ARCSPAN_SANITIZED
 TEST_CASE("instructions are counted where valgrind is installed") {
@@ -80,6 +97,7 @@ TEST_CASE("compare: wrong arguments are named in one line and nothing is written
       {"-o a.ppm --truth none", "--truth: expected phong or slerp, not 'none'", 2},
       {"-o a.ppm --shading arc,ray", "with commas, not 'ray'", 2},
       {"-o a.ppm --shading ,", "not ''", 2},
+      {"-o a.ppm --shading arc --polynomial cubic", "--polynomial: only dichotomy has one", 2},
       {"", "--output is required", 2},
   }));
   CAPTURE(wrong.arguments);

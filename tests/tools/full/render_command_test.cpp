@@ -87,6 +87,21 @@ TEST_CASE("every option is taken, and has an effect") {
   }
 }
 
+TEST_CASE("dichotomy halves by the polynomial that is asked for, quadratic if none is") {
+  const TemporaryFolder folder;
+  const std::string base = "render sphere:4x3 --size 64x48 --format rgb888 --shading dichotomy -o ";
+  const CommandRun usual = run(base + (folder / "a.ppm"));
+  CHECK(usual.out.find("dichotomy-quadratic shading") != std::string::npos);
+  REQUIRE(run(base + (folder / "b.ppm") + " --polynomial quadratic").status == 0);
+  CHECK(contents(folder / "a.ppm") == contents(folder / "b.ppm"));
+  for (const char* other : {"linear", "cubic"}) {
+    const CommandRun drawn = run(base + (folder / "b.ppm") + " --polynomial " + other);
+    REQUIRE(drawn.status == 0);
+    CHECK(drawn.out.find(std::string("dichotomy-") + other + " shading") != std::string::npos);
+    CHECK(contents(folder / "a.ppm") != contents(folder / "b.ppm"));
+  }
+}
+
 TEST_CASE("wrong arguments: one line that names the value, status 2, nothing written") {
   struct Case {
     const char* arguments;
@@ -98,8 +113,11 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
       {"--size 99999x99999", "--size: expected WxH with each 1...2048, not '99999x99999'"},
       {"--format rgb332", "--format: expected rgb565|rgb888|gray8|gray4|mono, not 'rgb332'"},
       {"--shading ray",
-       "--shading: expected flat|gouraud|arc|phong|slerp|kuijk-blake|lyon|duff|reflection-map|arc-vector, "
-       "not 'ray'"},
+       "--shading: expected flat|gouraud|arc|phong|slerp|kuijk-blake|lyon|duff|reflection-map|arc-vector|"
+       "dichotomy, not 'ray'"},
+      {"--polynomial fourth", "--polynomial: expected linear, quadratic or cubic, not 'fourth'"},
+      {"--polynomial cubic", "--polynomial: only --shading dichotomy has one, not arc"},
+      {"--polynomial cubic --shading phong", "--polynomial: only --shading dichotomy has one, not phong"},
       {"--illumination lambert", "--illumination: expected blinn or phong, not 'lambert'"},
       {"--eye 1,2", "--eye: expected three numbers X,Y,Z, not '1,2'"},
       {"--eye nan,0,0", "--eye: expected three numbers X,Y,Z, not 'nan,0,0'"},

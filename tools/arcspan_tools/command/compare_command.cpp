@@ -32,10 +32,11 @@ struct CompareArguments {
 
 constexpr const char* kYardsticks[] = {"gouraud", "phong"};
 
-bool is_shading(const std::string& name) {
-  const std::vector<std::string> all = shading_names();
-  return std::find(all.begin(), all.end(), name) != all.end();
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
+
+bool is_shading(const std::string& name) { return contains(shading_names(), name); }
 
 std::vector<std::string> split(const std::string& text, char at) {
   std::vector<std::string> parts;
@@ -46,7 +47,7 @@ std::vector<std::string> split(const std::string& text, char at) {
 
 [[noreturn]] void refuse_shading(const std::string& name) {
   std::string complaint = "expected names out of ";
-  for (const std::string& known : shading_names()) complaint.append(known).append("|");
+  for (const std::string& known : shading_choices()) complaint.append(known).append("|");
   complaint.back() = ' ';
   throw CLI::ValidationError("--shading", complaint + "with commas, not '" + name + "'");
 }
@@ -54,11 +55,28 @@ std::vector<std::string> split(const std::string& text, char at) {
 std::vector<std::string> parse_shadings(const std::string& text) {
   std::vector<std::string> wanted;
   for (const std::string& name : split(text, ',')) {
-    if (!is_shading(name)) refuse_shading(name);
-    if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
+    if (!contains(shading_choices(), name) && !is_shading(name)) refuse_shading(name);
+    if (!contains(wanted, name)) wanted.push_back(name);
   }
   if (wanted.empty()) throw CLI::ValidationError("--shading", "names no shading");
   return wanted;
+}
+
+/// The renderers that are wanted: all if none was named; dichotomy is that of its polynomial, or three.
+void choose_renderers(CompareArguments& a) {
+  const std::vector<std::string> wanted = a.shadings.empty() ? shading_choices() : a.shadings;
+  const std::string& polynomial = a.options.polynomial;
+  if (!polynomial.empty() && !contains(wanted, kDichotomy)) {
+    throw CLI::ValidationError("--polynomial", "only dichotomy has one, which --shading leaves out");
+  }
+  a.shadings.clear();
+  for (const std::string& name : wanted) {
+    const std::vector<std::string> meant =
+        name == kDichotomy ? dichotomies(polynomial) : std::vector<std::string>{name};
+    for (const std::string& each : meant) {
+      if (!contains(a.shadings, each)) a.shadings.push_back(each);
+    }
+  }
 }
 
 /// This very program and its arguments, told to draw with one method and no more.
@@ -99,12 +117,10 @@ MethodFigures figures_of(const std::string& shading, const RenderJob& job, const
 
 Comparison compare(const CompareArguments& arguments, const RenderJob& job, const FixedMesh& mesh,
                    const TruthPicture& truth) {
-  std::vector<std::string> measured = arguments.shadings.empty() ? shading_names() : arguments.shadings;
+  std::vector<std::string> measured = arguments.shadings;
   const std::size_t shown = measured.size();
   for (const char* name : kYardsticks) {
-    if (is_shading(name) && std::find(measured.begin(), measured.end(), name) == measured.end()) {
-      measured.push_back(name);
-    }
+    if (is_shading(name) && !contains(measured, name)) measured.push_back(name);
   }
   Comparison comparison;
   Progress progress("comparing", measured.size());
@@ -159,6 +175,7 @@ void add_options(CLI::App& app, CompareArguments& a) {
          "--shading", [&a](const std::string& text) { a.shadings = parse_shadings(text); },
          "only these, with commas between them (default: all)")
       ->type_name("A,B,C");
+  app.parse_complete_callback([&a] { choose_renderers(a); });  // in place of that for one shading
   app.add_option_function<std::string>(
          "--truth",
          [&a](const std::string& text) {

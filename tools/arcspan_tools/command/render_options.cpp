@@ -3,8 +3,10 @@
 #include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/render/render.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 
 namespace arcspan::tools {
@@ -13,6 +15,8 @@ namespace {
 constexpr std::int32_t kMostPixels = 2048;  // the pipeline's guard band
 constexpr std::size_t kMostLights = 4;
 constexpr double kFarthestLight = 1000;
+constexpr const char* kPolynomials[] = {"linear", "quadratic", "cubic"};
+constexpr const char* kUsualPolynomial = "quadratic";
 
 std::optional<Vec3> parse_direction(const std::string& text) {
   const std::optional<Vec3> v = parse_triple(text);
@@ -70,8 +74,26 @@ void add_picture_options(CLI::App& app, RenderOptions& o) {
                    [&o](Vec3 v) { o.scene.background = v; });
 }
 
+// `dichotomy` becomes the renderer of its polynomial.
+void choose_renderer(RenderOptions& o) {
+  if (o.shading == kDichotomy) {
+    o.shading = dichotomies(o.polynomial.empty() ? kUsualPolynomial : o.polynomial).front();
+  } else if (!o.polynomial.empty()) {
+    throw CLI::ValidationError("--polynomial", "only --shading dichotomy has one, not " + o.shading);
+  }
+}
+
 void add_shading_options(CLI::App& app, RenderOptions& o) {
-  add_choice(app, "--shading", "shading method", shading_names(), o.shading);
+  add_choice(app, "--shading", "shading method", shading_choices(), o.shading);
+  add_parsed<std::string>(
+      app, "--polynomial", "linear|quadratic|cubic", "what dichotomy halves arcs by (default quadratic)",
+      "linear, quadratic or cubic",
+      [](const std::string& text) {
+        const bool known = std::count(std::begin(kPolynomials), std::end(kPolynomials), text) != 0;
+        return known ? std::optional(text) : std::nullopt;
+      },
+      [&o](const std::string& polynomial) { o.polynomial = polynomial; });
+  app.parse_complete_callback([&o] { choose_renderer(o); });
   add_parsed<Highlight>(
       app, "--illumination", "blinn|phong", "illumination model (default blinn)", "blinn or phong",
       [](const std::string& text) -> std::optional<Highlight> {
@@ -123,6 +145,26 @@ void add_camera_options(CLI::App& app, RenderOptions& o) {
 }
 
 }  // namespace
+
+std::vector<std::string> dichotomies(const std::string& polynomial) {
+  if (!polynomial.empty()) return {std::string(kDichotomy) + "-" + polynomial};
+  std::vector<std::string> all;
+  for (const char* each : kPolynomials) all.push_back(dichotomies(each).front());
+  return all;
+}
+
+std::vector<std::string> shading_choices() {
+  const std::vector<std::string> several = dichotomies("");
+  std::vector<std::string> choices;
+  for (const std::string& name : shading_names()) {
+    if (std::find(several.begin(), several.end(), name) == several.end()) {
+      choices.push_back(name);
+    } else if (std::find(choices.begin(), choices.end(), kDichotomy) == choices.end()) {
+      choices.push_back(kDichotomy);
+    }
+  }
+  return choices;
+}
 
 void add_render_options(CLI::App& app, RenderOptions& options) {
   app.add_option("MESH", options.mesh,

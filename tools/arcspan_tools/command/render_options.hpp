@@ -14,11 +14,23 @@ struct RenderOptions {
   std::string mesh;
   std::string format = "rgb565";
   bool dither = false;
+  /// A renderer's name (shading_names()) once the arguments are parsed.
   std::string shading = "arc";
+  /// What `dichotomy` halves arcs by; empty if it was not given.
+  std::string polynomial;
   Scene scene;
   /// Those given; the scene's own stays if there are none.
   std::vector<SceneLight> lights;
 };
+
+/// The name under which the polynomials of dichotomy are offered.
+inline constexpr const char* kDichotomy = "dichotomy";
+
+/// The renderers of dichotomy: that of the polynomial which was asked for, or all.
+[[nodiscard]] std::vector<std::string> dichotomies(const std::string& polynomial);
+
+/// What --shading takes: every method, dichotomy once.
+[[nodiscard]] std::vector<std::string> shading_choices();
 
 /// Adds MESH and the options to a subcommand. `options` must live as long as `app`.
 void add_render_options(CLI::App& app, RenderOptions& options);

@@ -10,26 +10,18 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/method_accuracy.hpp>
-
-#include <cstdlib>
+#include <tests/support/test_share.hpp>
 
 using namespace arcspan;
 using namespace arcspan::test;
 
 namespace {
 
-/// Fewer triangles where every one is slow (sanitizers): ARCSPAN_TEST_SHARE percent of them.
-int scaled(int triangles) {
-  const char* const share = std::getenv("ARCSPAN_TEST_SHARE");
-  const int percent = share == nullptr ? 100 : std::atoi(share);
-  return percent < 1 || percent > 100 ? triangles : triangles * percent / 100;
-}
-
 template <class Method, class Model>
 void check(double to_degrees, double bound, double rms_bound, std::uint64_t seed) {
   MethodTask task;
   task.to_degrees = to_degrees;
-  task.triangles = scaled(4000);
+  task.triangles = share_of(4000);
   task.seed = seed;
   const MethodFigures f = measure_method<Method, Model>(task);
   INFO("N·L max " << f.normal_light.max << " rms " << f.normal_light.rms() << ", N·H max "

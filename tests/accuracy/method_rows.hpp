@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Prints how far the integers of every other method are from the method's own model in double precision,
+/// from so many triangles a figure.
+void print_method_rows(int triangles);

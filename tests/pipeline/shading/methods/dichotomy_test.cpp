@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Dichotomy: its polynomials over all arguments, its pixels against its own model in double precision, and
+// that cutting a row changes none of them.
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/dichotomy.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/support/dichotomy_model.hpp>
+#include <tests/support/method_accuracy.hpp>
+#include <tests/support/test_share.hpp>
+
+#include <cmath>
+#include <vector>
+
+using namespace arcspan;
+using namespace arcspan::test;
+
+namespace {
+
+/// Of `above_half` and of `halved_chord`: half a unit of 18 bits for every rounding, and those of the chord.
+constexpr double kRounding = 5e-6;
+
+struct PolynomialFigures {
+  double most = 0;           ///< largest relative error of p
+  double most_rounding = 0;  ///< largest difference from the polynomial in double precision
+  double most_halved = 0;    ///< of the halved chord
+};
+
+template <class Polynomial>
+PolynomialFigures sweep(double (*model)(double)) {
+  PolynomialFigures figures;
+  const auto end = static_cast<std::uint32_t>((2 - 2 * std::cos(k45Degrees)) * 65536);
+  for (std::uint32_t raw = 0; raw <= end; ++raw) {
+    const double s = raw / 65536.0;
+    const std::uint32_t q = Polynomial::above_half(raw);
+    const double p = 0.5 + q / 262144.0;
+    figures.most = std::max(figures.most, std::fabs(p * std::sqrt(4 - s) - 1));
+    figures.most_rounding = std::max(figures.most_rounding, std::fabs(p - model(s)));
+    const double halved = 2 - (4 - s) * model(s);
+    figures.most_halved = std::max(figures.most_halved, std::fabs(halved_chord(raw, q) / 65536.0 - halved));
+  }
+  return figures;
+}
+
+struct Bounds {
+  double most;
+  double rms;
+  double sliver_rms = 0.02;
+};
+
+template <class Polynomial, double (*P)(double), int SegmentBits>
+void check(MethodTask task, Bounds bounds) {
+  task.triangles = share_of(1500);
+  const MethodFigures f =
+      measure_method<Dichotomy<Probe, Polynomial, SegmentBits>, DichotomyModel<P, SegmentBits>>(task);
+  INFO("segment 2^" << SegmentBits << ": N·L max " << f.normal_light.max << " rms " << f.normal_light.rms()
+                    << ", N·H max " << f.normal_half.max << ", pixels " << f.normal_light.count
+                    << ", slivers rms " << f.slivers.rms());
+  CHECK(f.missing == 0);
+  CHECK(f.normal_light.count > static_cast<std::uint64_t>(task.triangles) * 20);
+  CHECK(f.normal_light.max < bounds.most);
+  CHECK(f.normal_half.max < bounds.most);
+  CHECK(f.normal_light.rms() < bounds.rms);
+  CHECK(f.slivers.rms() < bounds.sliver_rms);
+}
+
+MethodTask angles(double from, double to, std::uint64_t seed) {
+  MethodTask task;
+  task.from_degrees = from;
+  task.to_degrees = to;
+  task.seed = seed;
+  return task;
+}
+
+}  // namespace
+
+TEST_CASE("the polynomials of 1/sqrt(2 + z) are as good as they say, over every chord up to 45 degrees") {
+  const PolynomialFigures first = sweep<LinearPolynomial>(&linear_root);
+  CHECK(first.most < 1.59e-3);
+  CHECK(first.most > 1.5e-3);
+  const PolynomialFigures second = sweep<QuadraticPolynomial>(&quadratic_root);
+  CHECK(second.most < 4.8e-5 + kRounding);
+  CHECK(second.most > 4e-5);
+  const PolynomialFigures third = sweep<CubicPolynomial>(&cubic_root);
+  CHECK(third.most < 1.6e-6 + 2 * kRounding);
+  for (const PolynomialFigures& f : {first, second, third}) {
+    CHECK(f.most_rounding < kRounding);
+    CHECK(f.most_halved < 5 * kRounding);
+  }
+}
+
+TEST_CASE("dichotomy leaves what is flat exactly alone") {
+  CHECK(LinearPolynomial::above_half(0) == 0);
+  CHECK(QuadraticPolynomial::above_half(0) == 0);
+  CHECK(CubicPolynomial::above_half(0) == 0);
+  CHECK(halved_chord(0, 0) == 0);
+  for (const std::int32_t raw : {0, 2, -2, 1 << 30, -(1 << 30), 123456788}) {
+    CHECK(arc_middle(Unit::from_raw(raw), Unit::from_raw(raw), 0).raw() == raw);
+  }
+}
+
+TEST_CASE("dichotomy: its integers against its model, each polynomial and each length of a segment") {
+  constexpr Bounds kNear{1.5e-4, 3e-5};
+  check<LinearPolynomial, &linear_root, 3>(angles(0, 25, 71), kNear);
+  check<QuadraticPolynomial, &quadratic_root, 3>(angles(0, 25, 72), kNear);
+  check<CubicPolynomial, &cubic_root, 3>(angles(0, 25, 73), kNear);
+  check<QuadraticPolynomial, &quadratic_root, 1>(angles(0, 25, 74), kNear);
+  check<QuadraticPolynomial, &quadratic_root, 2>(angles(0, 25, 75), kNear);
+  // A row that ends within 2^-16 of a pixel's centre may take 16 pixels for the 8 of the model.
+  check<QuadraticPolynomial, &quadratic_root, 4>(angles(0, 25, 76), {5e-4, 3e-5});
+}
+
+TEST_CASE("dichotomy: wide normals, of which some segments are Phong's at every pixel") {
+  // Whether a segment is wider than 45 degrees is decided in 14 bits; the two ways differ by up to 5e-3
+  // there.
+  check<QuadraticPolynomial, &quadratic_root, 3>(angles(60, 150, 77), {6e-3, 1e-4, 0.1});
+  check<CubicPolynomial, &cubic_root, 4>(angles(60, 150, 78), {3e-2, 1e-4, 0.1});
+}
+
+TEST_CASE("cutting a row changes no pixel of dichotomy") {
+  using Lit = Illumination<1, Highlight::kBlinn>;
+  using Method = DichotomyQuadratic<Lit>;
+  constexpr std::int32_t kSize = 96;
+  constexpr Coefficient kHalf = Coefficient::of(0.5);
+  const Material material{{kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, 20};
+  Random random(5);
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 middle = random_unit(random);
+    const std::array<DirectionalLight, 1> lights{DirectionalLight{to_direction(tilted(random, middle, 0.4))}};
+    Lit lit;
+    REQUIRE(ok(Lit::make(material, lights, to_direction(tilted(random, middle, 0.4)), lit)));
+    std::array<RasterVertex<Method>, 3> v;
+    for (auto& vertex : v) {
+      const auto place = [&random] { return static_cast<std::int16_t>(random.real(-760, 760)); };
+      const Direction normal = arcspan::test::detail::packed(tilted(random, middle, 0.5));
+      vertex = {{place(), place(), 0}, Method::shade_vertex(lit, normal)};
+    }
+    std::vector<Rgb888::Unit> whole(hal::Framebuffer<Rgb888>::units(kSize, kSize));
+    std::vector<Rgb888::Unit> pieced(whole.size());
+    hal::Framebuffer<Rgb888> frame(whole, kSize, kSize);
+    hal::Framebuffer<Rgb888> pieces(pieced, kSize, kSize);
+    RasterStage<Method, hal::Framebuffer<Rgb888>> stage(frame, kSize, kSize, lit);
+    RasterStage<Method, hal::Framebuffer<Rgb888>> cut(pieces, kSize, kSize, lit);
+    stage.draw(v[0], v[1], v[2]);
+    for (std::int32_t x = 0; x < kSize; x += 13) {
+      cut.clip_to({x, 0, std::min(x + 13, kSize), kSize});
+      cut.draw(v[0], v[1], v[2]);
+    }
+    CHECK(whole == pieced);
+  }
+}

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/pixel/colour.hpp>
+#include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/pixel/dither.hpp>
 
 #include <concepts>
@@ -109,6 +110,11 @@ struct Rgb565 {
   [[nodiscard]] static constexpr Code encode(PackedRgb c) {
     return static_cast<Code>(((c.lanes >> 5) & 0xF81Fu) | ((c.lanes >> 21) & 0x07E0u));
   }
+  /// encode(c.packed()), straight from the words.
+  [[nodiscard]] static constexpr Code encode(ColourSegment c) {
+    return static_cast<Code>(((c.red_blue >> 15) & 0xF800u) | ((c.green >> 20) & 0x07E0u) |
+                             ((c.red_blue >> 10) & 0x1Fu));
+  }
   [[nodiscard]] static constexpr Code encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
     return encode(Rgb8{dithered<5>(c.r, x, y), dithered<6>(c.g, x, y), dithered<5>(c.b, x, y)});
   }
@@ -208,6 +214,15 @@ template <PixelFormat F>
     return F::encode(c);
   } else {
     return F::encode(c.rgb8());
+  }
+}
+
+template <PixelFormat F>
+[[nodiscard]] constexpr typename F::Code encode_at(ColourSegment c, std::int32_t x, std::int32_t y) {
+  if constexpr (!F::kDithers && requires { F::encode(c); }) {
+    return F::encode(c);
+  } else {
+    return encode_at<F>(c.packed(), x, y);
   }
 }
 

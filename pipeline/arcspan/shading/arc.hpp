@@ -68,27 +68,11 @@ struct Arc {
     return on_arc(from, to, t);
   }
 
-  static constexpr void prepare(const Object& object, const TriangleFrame<Arc>& frame, const Face&,
-                                Prepared& prepared) {
-    const Vertex& top = frame.top->shade;
-    const Vertex& middle = frame.middle->shade;
-    const Vertex& bottom = frame.bottom->shade;
-    const TriangleChords chords{squared_chord(top.normal, middle.normal),
-                                squared_chord(top.normal, bottom.normal),
-                                squared_chord(middle.normal, bottom.normal)};
-    prepared.middle_left = frame.middle_left;
-    prepared.path = choose_path(object, frame, chords.widest());
-    if (prepared.path == Path::kArcs) {
-      make_arcs(frame, chords, prepared.arcs);
-      return;
-    }
-    const PatchBulges bulges{patch_bulge(chords.top_middle), patch_bulge(chords.top_bottom),
-                             patch_bulge(chords.middle_bottom)};
-    const std::size_t count = prepared.path == Path::kDiffusePatch ? 1 : kScalars;
-    for (std::size_t i = 0; i < count; ++i) {
-      make_patch_scalar(frame, bulges, {top.scalars[i], middle.scalars[i], bottom.scalars[i]},
-                        prepared.patch[i]);
-    }
+  /// `Frame` is a TriangleFrame whose vertices have this method's shade.
+  template <class Frame>
+  static constexpr void prepare(const Object& object, const Frame& frame, const Face&, Prepared& prepared) {
+    const TriangleChords chords = chords_of(frame);
+    prepare_path(frame, chords, choose_path(object, frame, chords.widest()), prepared);
   }
 
   /// Calls `draw` with the walker of the command's path.
@@ -103,10 +87,40 @@ struct Arc {
     return draw(PatchWalker<Object, kScalars>(prepared.patch, prepared.middle_left));
   }
 
- private:
+ protected:
   static constexpr bool kHasDiffusePath = Illumination::kLights == 1;
 
-  [[nodiscard]] static constexpr Path choose_path(const Object& object, const TriangleFrame<Arc>& frame,
+  template <class Frame>
+  [[nodiscard]] static constexpr TriangleChords chords_of(const Frame& frame) {
+    const Normal& top = frame.top->shade.normal;
+    const Normal& middle = frame.middle->shade.normal;
+    const Normal& bottom = frame.bottom->shade.normal;
+    return {squared_chord(top, middle), squared_chord(top, bottom), squared_chord(middle, bottom)};
+  }
+
+  /// Prepares the triangle for a path, which must be one that its angles allow.
+  template <class Frame>
+  static constexpr void prepare_path(const Frame& frame, const TriangleChords& chords, Path path,
+                                     Prepared& prepared) {
+    prepared.middle_left = frame.middle_left;
+    prepared.path = path;
+    if (path == Path::kArcs) {
+      make_arcs(frame, chords, prepared.arcs);
+      return;
+    }
+    const PatchBulges bulges{patch_bulge(chords.top_middle), patch_bulge(chords.top_bottom),
+                             patch_bulge(chords.middle_bottom)};
+    const std::size_t count = path == Path::kDiffusePatch ? 1 : kScalars;
+    for (std::size_t i = 0; i < count; ++i) {
+      make_patch_scalar(
+          frame, bulges,
+          {frame.top->shade.scalars[i], frame.middle->shade.scalars[i], frame.bottom->shade.scalars[i]},
+          prepared.patch[i]);
+    }
+  }
+
+  template <class Frame>
+  [[nodiscard]] static constexpr Path choose_path(const Object& object, const Frame& frame,
                                                   std::uint32_t widest) {
     if (widest > kWidestPatch || !patch_fits(frame)) return Path::kArcs;
     if constexpr (kHasDiffusePath) {
@@ -118,6 +132,7 @@ struct Arc {
     return widest > object.widest_patch() ? Path::kArcs : Path::kPatch;
   }
 
+ private:
   /// Middle of an arc by dichotomy: (a + b) / sqrt(2 + z), z = 2 a·b = 2 - s. Opposite normals have no middle
   /// and give the zero vector, which is dark.
   [[nodiscard]] static constexpr Vertex middle_of(const Vertex& a, const Vertex& b) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/prepare/arc_rows.hpp>
+#include <arcspan/shading/lanes.hpp>
 #include <arcspan/shading/method.hpp>
 
 #include <array>
@@ -89,6 +90,22 @@ class ArcRun {
   [[nodiscard]] constexpr ArcScalar& scalar(std::size_t i) { return scalars_[i]; }
   constexpr void next() {
     unrolled<kScalars>([this](auto i) { scalars_[i].step(mantissa_, shift_); });
+  }
+  /// From here on next() goes 2^b pixels at once, b <= bits. Returns b, which is less if the recurrence
+  /// cannot hold so wide a step (28.9 degrees).
+  constexpr int stride(int bits) {
+    int reached = 0;
+    ArcStep twice{mantissa_, shift_, 0};
+    for (; reached < bits && double_stride(twice); ++reached) {
+      unrolled<kScalars>([this](auto i) {
+        ArcScalar ahead = scalars_[i];
+        ahead.step(mantissa_, shift_);
+        scalars_[i].d += ahead.d;  // two steps: d + the next d
+      });
+      mantissa_ = twice.mantissa;
+      shift_ = twice.shift;
+    }
+    return reached;
   }
 
  private:

@@ -56,6 +56,11 @@ Status Illumination<Lights, Model>::make(const Material& material,
                                   illumination.specular_[1] == illumination.specular_[2];
   illumination.widest_patch_ = arcspan::widest_patch(material.shininess);
   illumination.power_ = PowerTable(material.shininess);
+  const std::uint32_t turns = Model == Highlight::kBlinn ? 1 : 2;
+  illumination.most_curvature_ =
+      static_cast<std::uint32_t>(Lights) *
+      (illumination.most_diffuse() +
+       illumination.most_specular() * static_cast<std::uint32_t>(material.shininess) * turns * turns);
   illumination.make_ramp();
   return Status::kOk;
 }

@@ -103,18 +103,45 @@ class Illumination {
 
   /// False if scalars that exceed those of the three vertices by `headroom` at most have no highlight.
   [[nodiscard]] constexpr bool may_shine(const Scalars& a, const Scalars& b, const Scalars& c,
-                                         Unit headroom) const requires(Lights == 1) {
+                                         Unit headroom) const {
+    return may_shine(a, b, c, headroom, power_.half_reach());
+  }
+  /// The same for a highlight that ends at another half distance (PowerTable).
+  [[nodiscard]] constexpr bool may_shine(const Scalars& a, const Scalars& b, const Scalars& c, Unit headroom,
+                                         std::int32_t half_reach) const {
     const auto highest = [&](std::size_t i) {
       const Unit upper = a[i] > b[i] ? a[i] : b[i];
       const Unit most = (upper > c[i] ? upper : c[i]) + headroom;
       return most.raw() < 0 ? Unit{} : most;
     };
-    const Unit light = highest(0);
-    return light.raw() != 0 && highlight_distance(light, highest(1), 0) < power_.half_reach();
+    for (std::size_t i = 0; i < Lights; ++i) {
+      const Unit light = highest(i);
+      const Unit other = highest(Model == Highlight::kBlinn ? Lights + i : Lights);
+      if (light.raw() != 0 && highlight_distance(light, other, i) < half_reach) return true;
+    }
+    return false;
   }
 
   /// The squared chord up to which a triangle with a highlight may be a patch.
   [[nodiscard]] constexpr std::uint32_t widest_patch() const { return widest_patch_; }
+
+  /// The largest diffuse and specular coefficient, in 8-bit steps with 5 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t most_diffuse() const { return largest(diffuse_); }
+  [[nodiscard]] constexpr std::uint32_t most_specular() const { return largest(specular_); }
+  [[nodiscard]] constexpr const PowerTable& power() const { return power_; }
+  /// A bound of any channel's second derivative by the normal's angle along a great circle, in 8-bit steps
+  /// with 5 fraction bits: |cos''| <= 1, |(cos^n)''| <= n, and R turns by twice the angle.
+  [[nodiscard]] constexpr std::uint32_t most_curvature() const { return most_curvature_; }
+  /// Whether a channel's sum can exceed 255 and be clamped, with highlights or without.
+  [[nodiscard]] constexpr bool may_clamp(bool shines) const {
+    for (std::size_t c = 0; c < 3; ++c) {
+      // 5 fraction bits.
+      const std::uint32_t lit =
+          (diffuse_[c] + (shines ? specular_[c] : 0)) * static_cast<std::uint32_t>(Lights);
+      if ((ambient_[c] >> 15) + lit >= 255u << 5) return true;
+    }
+    return false;
+  }
 
   /// The same in 256ths of a step, always by multiplication.
   [[nodiscard]] constexpr DeepColour deep_colour(const Scalars& scalars) const {
@@ -124,6 +151,11 @@ class Illumination {
 
  private:
   static constexpr int kRampBits = 8;
+
+  [[nodiscard]] static constexpr std::uint32_t largest(const std::array<std::uint32_t, 3>& channels) {
+    const std::uint32_t two = channels[0] > channels[1] ? channels[0] : channels[1];
+    return two > channels[2] ? two : channels[2];
+  }
 
   /// Sums over the lights with 15 fraction bits, 0...4 each.
   struct Light {
@@ -202,6 +234,7 @@ class Illumination {
   std::array<std::int32_t, Lights> half_one_plus_light_eye_{};
   PowerTable power_{};
   std::uint32_t widest_patch_ = 0;
+  std::uint32_t most_curvature_ = 0;
   bool white_highlight_ = false;  ///< the three specular coefficients are the same
 };
 

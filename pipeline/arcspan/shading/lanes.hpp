@@ -16,11 +16,11 @@ namespace arcspan {
 [[nodiscard]] constexpr bool double_stride(ArcStep& k) {
   // k = m 2^-(16 + s), so k (4 - k) = 2 (2 m - m^2 2^-(17 + s)) 2^-(16 + s).
   const auto m = static_cast<std::uint32_t>(k.mantissa);
-  const int down = 17 + k.shift;
+  const std::int32_t down = 17 + k.shift;
   const std::uint32_t bend = down > 31 ? 0u : (m * m + (1u << (down - 1))) >> down;
   const std::uint32_t sum = 2 * m - bend;
   const bool sixteen_bits = sum >= 1u << 15;
-  const int shift = k.shift - (sixteen_bits ? 2 : 1);
+  const std::int32_t shift = k.shift - (sixteen_bits ? 2 : 1);
   if (shift < 1) return m == 0;
   k.mantissa = static_cast<std::int32_t>(sixteen_bits ? (sum + 1) >> 1 : sum);
   k.shift = shift;

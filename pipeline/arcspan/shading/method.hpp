@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/pixel/colour.hpp>
+#include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/span/row_start.hpp>
 #include <arcspan/status.hpp>
@@ -11,16 +12,35 @@
 
 namespace arcspan {
 
+/// The pixels of a row from left to right: `colour` of the one that it stands on, `next` goes on.
+template <class R, class Object>
+concept PixelRun = requires(R run, const Object& object) {
+  { run.colour(object) } -> std::same_as<PackedRgb>;
+  {run.next()};
+};
+
+/// The same in segments between which colours are linear: `begin` is told the number of pixels, `enter` goes
+/// into the next segment and returns how many of the pixels left it has.
+template <class R>
+concept SegmentedRun = requires(const R run) {
+  { run.colour() } -> std::same_as<ColourSegment>;
+};
+template <class R, class Object>
+concept SegmentedRunOf = SegmentedRun<R> && requires(R run, const Object& object, std::int32_t count) {
+  {run.begin(object, count)};
+  { run.enter(object, count) } -> std::same_as<std::int32_t>;
+  {run.next()};
+};
+
 /// Goes down the rows of a command: `row` gives the `Run` that makes the colours of a row's pixels from left
 /// to right, of kLongestRun at most, `next_row` steps down, `enter_lower` changes to the lower edge. It may
 /// use the prepared part up. Everything in it and in `Run` is span stage: no division.
 template <class W, class Object>
-concept RowWalker = requires(W walker, typename W::Run run, const RowStart& row, const Object& object) {
+concept RowWalker = (PixelRun<typename W::Run, Object> ||
+                     SegmentedRunOf<typename W::Run, Object>)&&requires(W walker, const RowStart& row) {
   { walker.row(row) } -> std::same_as<typename W::Run>;
   {walker.next_row()};
   {walker.enter_lower()};
-  { run.colour(object) } -> std::same_as<PackedRgb>;
-  {run.next()};
   { W::kLongestRun } -> std::convertible_to<std::int32_t>;
 };
 

@@ -20,6 +20,7 @@ class PatchRun {
       return object.diffuse_colour(x_[0]);
     }
   }
+  [[nodiscard]] constexpr const std::array<Unit, Used>& scalars() const { return x_; }
   constexpr void next() {
     unrolled<Used>([this](auto i) {
       x_[i] += d_[i];
@@ -47,6 +48,16 @@ class PatchRun {
       x_[i] += Unit::from_raw(wrap_add(wrap_mul(d_[i].raw(), count), wrap_mul(bend_[i].raw(), pairs)));
       d_[i] += Unit::from_raw(wrap_mul(bend_[i].raw(), count));
     });
+  }
+  /// From here on next() goes 2^bits pixels at once, to the same values, to the last bit. Returns bits.
+  constexpr int stride(int bits) {
+    // n steps of d, d + b, ... are n d + b n (n - 1) / 2.
+    const std::int32_t pairs = ((1 << bits) * ((1 << bits) - 1)) >> 1;
+    unrolled<Used>([&](auto i) {
+      d_[i] = Unit::from_raw(wrap_add(wrap_shl(d_[i].raw(), bits), wrap_mul(bend_[i].raw(), pairs)));
+      bend_[i] = Unit::from_raw(wrap_shl(bend_[i].raw(), 2 * bits));
+    });
+    return bits;
   }
 
  private:

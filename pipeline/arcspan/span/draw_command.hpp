@@ -4,6 +4,7 @@
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/depth.hpp>
+#include <arcspan/span/draw_run.hpp>
 #include <arcspan/span/linear_walk.hpp>
 #include <arcspan/status.hpp>
 
@@ -19,30 +20,6 @@ struct RasterOrigin {
 };
 
 namespace detail {
-
-/// Draws one run of pixels: the colours of `run` through `cursor`, with the depth test of `Depth`.
-template <class Format, class Run, class Object, DepthTarget Depth>
-[[gnu::always_inline]] constexpr void draw_run(typename Format::Cursor cursor, const Span& span, Run& run,
-                                               const Object& object, const Depth& depth, Linear z,
-                                               Linear dz) {
-  [[maybe_unused]] std::uint16_t* at = nullptr;
-  if constexpr (Depth::kTests) at = depth.row(span.y) + span.x;
-  for (std::int32_t i = 0; i < span.count; ++i) {
-    if constexpr (Depth::kTests) {
-      const auto nearness = static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
-      if (nearness < *at) [[likely]] {
-        *at = nearness;
-        cursor.write(encode_at<Format>(run.colour(object), span.x + i, span.y));
-      }
-      ++at;
-      z += dz;
-    } else {
-      cursor.write(encode_at<Format>(run.colour(object), span.x + i, span.y));
-    }
-    cursor.next();
-    run.next();
-  }
-}
 
 /// What the rows of a command are drawn with and into.
 template <class Object, PixelSink Sink, DepthTarget Depth>

@@ -69,6 +69,12 @@ void choose_renderers(CompareArguments& a) {
   if (!polynomial.empty() && !contains(wanted, kDichotomy)) {
     throw CLI::ValidationError("--polynomial", "only dichotomy has one, which --shading leaves out");
   }
+  if (a.options.segment_given && !contains(wanted, "segment")) {
+    throw CLI::ValidationError("--segment", "only segment has some, which --shading leaves out");
+  }
+  if (a.options.tolerance_given && !contains(wanted, "adaptive")) {
+    throw CLI::ValidationError("--tolerance", "only adaptive has one, which --shading leaves out");
+  }
   a.shadings.clear();
   for (const std::string& name : wanted) {
     const std::vector<std::string> meant =
@@ -175,7 +181,10 @@ void add_options(CLI::App& app, CompareArguments& a) {
          "--shading", [&a](const std::string& text) { a.shadings = parse_shadings(text); },
          "only these, with commas between them (default: all)")
       ->type_name("A,B,C");
-  app.parse_complete_callback([&a] { choose_renderers(a); });  // in place of that for one shading
+  app.parse_complete_callback([&app, &a] {  // in place of that for one shading
+    note_settings(app, a.options);
+    choose_renderers(a);
+  });
   app.add_option_function<std::string>(
          "--truth",
          [&a](const std::string& text) {

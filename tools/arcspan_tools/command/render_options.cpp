@@ -81,6 +81,12 @@ void choose_renderer(RenderOptions& o) {
   } else if (!o.polynomial.empty()) {
     throw CLI::ValidationError("--polynomial", "only --shading dichotomy has one, not " + o.shading);
   }
+  if (o.segment_given && o.shading != "segment") {
+    throw CLI::ValidationError("--segment", "only --shading segment has some, not " + o.shading);
+  }
+  if (o.tolerance_given && o.shading != "adaptive") {
+    throw CLI::ValidationError("--tolerance", "only --shading adaptive has one, not " + o.shading);
+  }
 }
 
 void add_shading_options(CLI::App& app, RenderOptions& o) {
@@ -93,7 +99,14 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
         return known ? std::optional(text) : std::nullopt;
       },
       [&o](const std::string& polynomial) { o.polynomial = polynomial; });
-  app.parse_complete_callback([&o] { choose_renderer(o); });
+  add_integer(app, "--segment", "1...4", "segment's length is 2 to this power in pixels (default 2)", 1, 4,
+              o.scene.segment_bits);
+  add_integer(app, "--tolerance", "0...64", "what adaptive may be off by, in 8-bit steps (default 1)", 0, 64,
+              o.scene.tolerance);
+  app.parse_complete_callback([&app, &o] {
+    note_settings(app, o);
+    choose_renderer(o);
+  });
   add_parsed<Highlight>(
       app, "--illumination", "blinn|phong", "illumination model (default blinn)", "blinn or phong",
       [](const std::string& text) -> std::optional<Highlight> {
@@ -145,6 +158,11 @@ void add_camera_options(CLI::App& app, RenderOptions& o) {
 }
 
 }  // namespace
+
+void note_settings(const CLI::App& app, RenderOptions& options) {
+  options.segment_given = app.count("--segment") != 0;
+  options.tolerance_given = app.count("--tolerance") != 0;
+}
 
 std::vector<std::string> dichotomies(const std::string& polynomial) {
   if (!polynomial.empty()) return {std::string(kDichotomy) + "-" + polynomial};

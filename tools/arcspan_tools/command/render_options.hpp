@@ -18,6 +18,9 @@ struct RenderOptions {
   std::string shading = "arc";
   /// What `dichotomy` halves arcs by; empty if it was not given.
   std::string polynomial;
+  /// Whether `segment` and `adaptive` were given their settings, which are in the scene.
+  bool segment_given = false;
+  bool tolerance_given = false;
   Scene scene;
   /// Those given; the scene's own stays if there are none.
   std::vector<SceneLight> lights;
@@ -31,6 +34,9 @@ inline constexpr const char* kDichotomy = "dichotomy";
 
 /// What --shading takes: every method, dichotomy once.
 [[nodiscard]] std::vector<std::string> shading_choices();
+
+/// Notes which settings of single methods were given.
+void note_settings(const CLI::App& app, RenderOptions& options);
 
 /// Adds MESH and the options to a subcommand. `options` must live as long as `app`.
 void add_render_options(CLI::App& app, RenderOptions& options);

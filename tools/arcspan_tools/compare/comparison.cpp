@@ -67,6 +67,8 @@ CountedDraw count_operations(const std::string& shading, const RenderJob& job, c
   bytes.to_eye = bytes_of_one(job.to_eye);
   bytes.phong_highlight = job.highlight == Highlight::kPhong;
   bytes.two_sided = job.two_sided;
+  bytes.segment_bits = job.segment_bits;
+  bytes.tolerance = job.tolerance;
   for (const arcspan_counting::Counter& counter : arcspan_counting::counters()) {
     if (counter.shading == shading) return counter.function(bytes);
   }

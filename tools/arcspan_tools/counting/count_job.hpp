@@ -21,6 +21,8 @@ struct CountJob {
   std::span<const std::byte> to_eye;     ///< Direction
   bool phong_highlight = false;          ///< R·V instead of N·H
   bool two_sided = false;
+  int segment_bits = 2;  ///< of `segment`
+  int tolerance = 1;     ///< of `adaptive`
 };
 
 /// What drawing a picture took. Without a depth test, so that every pixel of every span is coloured.

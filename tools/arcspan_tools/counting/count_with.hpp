@@ -109,7 +109,12 @@ CountedDraw count_lit(const CountJob& job) {
   if (Lit::make(material, lights, to_eye, object) != counted::Status::kOk) {
     throw std::logic_error("the counting pipeline refuses the material");
   }
-  return count_draw<Method<Lit>>(job, object);
+  typename Method<Lit>::Object lit(object);
+  counted::Status set = counted::Status::kOk;
+  if constexpr (requires { lit.set_segment_bits(1); }) set = lit.set_segment_bits(job.segment_bits);
+  if constexpr (requires { lit.set_tolerance(1); }) set = lit.set_tolerance(job.tolerance);
+  if (set != counted::Status::kOk) throw std::logic_error("the counting pipeline refuses the settings");
+  return count_draw<Method<Lit>>(job, lit);
 }
 
 template <template <class> class Method, counted::Highlight Model>

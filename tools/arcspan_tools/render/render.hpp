@@ -26,6 +26,8 @@ struct RenderJob {
   Highlight highlight = Highlight::kBlinn;
   bool depth = true;
   bool two_sided = false;
+  std::int32_t segment_bits = 2;  ///< of `segment`
+  std::int32_t tolerance = 1;     ///< of `adaptive`, in 8-bit steps
   Rgb8 background;
   /// Rows of a band, 1 or more; a band of the picture's height or more is a full frame.
   std::int32_t band_rows = 0;

@@ -112,6 +112,18 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
   return result;
 }
 
+/// What the method makes of an illumination, with the job's settings if it has any.
+template <class Method, class Lit>
+typename Method::Object object_of(const RenderJob& job, const Lit& illumination) {
+  typename Method::Object object(illumination);
+  Status status = Status::kOk;
+  if constexpr (requires { object.set_segment_bits(1); }) status = object.set_segment_bits(job.segment_bits);
+  if (!ok(status)) throw Failure("--segment " + std::to_string(job.segment_bits), to_string(status));
+  if constexpr (requires { object.set_tolerance(1); }) status = object.set_tolerance(job.tolerance);
+  if (!ok(status)) throw Failure("--tolerance " + std::to_string(job.tolerance), to_string(status));
+  return object;
+}
+
 template <template <class> class Method, std::size_t Lights, Highlight Model>
 RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   using Lit = Illumination<Lights, Model>;
@@ -119,9 +131,10 @@ RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const R
   std::array<DirectionalLight, Lights> lights;
   lights.fill({job.lights[0].towards, Coefficient{}});
   std::copy(job.lights.begin(), job.lights.end(), lights.begin());
-  Lit object;
-  const Status status = Lit::make(job.material, lights, job.to_eye, object);
+  Lit illumination;
+  const Status status = Lit::make(job.material, lights, job.to_eye, illumination);
   if (!ok(status)) throw Failure("illumination", to_string(status));
+  const auto object = object_of<Method<Lit>>(job, illumination);
   if constexpr (Lights == 1) {
     // What is drawn most often is drawn as a firmware would.
     if (pixels.format == "rgb565" && !pixels.dithers) {

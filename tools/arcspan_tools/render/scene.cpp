@@ -14,6 +14,8 @@ RenderJob make_job(const Scene& scene, const FixedMesh& mesh, const std::string&
   job.highlight = scene.highlight;
   job.depth = scene.depth;
   job.two_sided = scene.two_sided;
+  job.segment_bits = scene.segment_bits;
+  job.tolerance = scene.tolerance;
   job.background = to_rgb8(scene.background);
   job.band_rows = scene.band_rows > 0 ? scene.band_rows : scene.size.height;
   return job;

@@ -22,6 +22,8 @@ struct Scene {
   std::int32_t band_rows = 0;  ///< 0: the whole picture at once
   bool depth = true;
   bool two_sided = false;
+  std::int32_t segment_bits = 2;  ///< of `segment`: segments have 2^bits pixels
+  std::int32_t tolerance = 1;     ///< of `adaptive`, in 8-bit steps
 };
 
 /// `scene` with `mesh`, in fixed point. The mesh must outlive the job; `subject` names it in a Failure.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All methods side by side: where they must give the same, and in which order they are wrong where not.
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/adaptive.hpp>
 #include <arcspan/shading/arc_vector.hpp>
 #include <arcspan/shading/dichotomy.hpp>
 #include <arcspan/shading/duff.hpp>
@@ -10,6 +11,7 @@
 #include <arcspan/shading/lyon.hpp>
 #include <arcspan/shading/phong.hpp>
 #include <arcspan/shading/reflection_map.hpp>
+#include <arcspan/shading/segment.hpp>
 #include <arcspan/shading/slerp.hpp>
 
 #include <catch2/catch.hpp>

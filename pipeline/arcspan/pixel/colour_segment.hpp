@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/colour.hpp>
+
+#include <cstdint>
+
+namespace arcspan {
+
+/// A colour on its way from one to another in at most 2^kFraction equal steps: two words for three channels
+/// of 10 bits, with 5 fraction bits each, rounded down when they are read.
+///
+/// `red_blue` holds red in bits 30...16 and blue in 14...0, `green` green in 30...16. One bit between them is
+/// free, so that a difference of two such words, which may borrow from red for blue, keeps its sign; steps
+/// summed up give every channel back exactly.
+struct ColourSegment {
+  static constexpr int kFraction = 5;
+
+  std::uint32_t red_blue = 0;
+  std::uint32_t green = 0;
+
+  [[nodiscard]] static constexpr ColourSegment of(PackedRgb c) {
+    return {((c.lanes << 10) & 0x7FE00000u) | ((c.lanes << kFraction) & 0x7FE0u),
+            (c.lanes >> 1) & 0x7FE00000u};
+  }
+  /// The step that leads to `end` in 2^bits steps, bits in 0...kFraction: exact.
+  [[nodiscard]] constexpr ColourSegment step_to(ColourSegment end, int bits) const {
+    return {static_cast<std::uint32_t>(static_cast<std::int32_t>(end.red_blue - red_blue) >> bits),
+            static_cast<std::uint32_t>(static_cast<std::int32_t>(end.green - green) >> bits)};
+  }
+  constexpr void advance(ColourSegment step) {
+    red_blue += step.red_blue;
+    green += step.green;
+  }
+  [[nodiscard]] constexpr PackedRgb packed() const {
+    return {((green << 1) & 0xFFC00000u) | ((red_blue >> 10) & 0x001FF800u) |
+            ((red_blue >> kFraction) & 0x3FFu)};
+  }
+};
+
+}  // namespace arcspan

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/shading/arc.hpp>
+#include <arcspan/shading/linear_light.hpp>
+#include <arcspan/shading/segment.hpp>
+#include <arcspan/status.hpp>
+
+namespace arcspan {
+
+/// An object's illumination, and what its tolerance allows.
+template <class Illumination>
+class AdaptiveIllumination : public Illumination {
+ public:
+  static constexpr std::int32_t kMostTolerance = 64;
+
+  constexpr AdaptiveIllumination() = default;
+  AdaptiveIllumination(const Illumination& illumination) : Illumination(illumination) {
+    (void)set_tolerance(1);
+  }
+
+  /// 8-bit steps that a pixel may differ from what `Arc` would compute before rounding, 0...kMostTolerance,
+  /// else kInvalidArgument and nothing changes.
+  [[nodiscard]] Status set_tolerance(std::int32_t steps) {
+    if (steps < 0 || steps > kMostTolerance) return Status::kInvalidArgument;
+    const auto tolerance = static_cast<std::uint32_t>(steps) << kStepBits;
+    // Of the two errors that may meet in a pixel, a highlight left out has a half, and linear light the rest.
+    quiet_reach_ = reach_of(tolerance / 2);
+    linear_limit_ = of_chord(tolerance - tolerance / 2, 2, Illumination::most_diffuse());
+    shiny_limit_ = segment_limit_of(tolerance, true);
+    dull_limit_ = segment_limit_of(tolerance - tolerance / 2, false);
+    return Status::kOk;
+  }
+
+  /// The half distance from which on highlights are left out.
+  [[nodiscard]] constexpr std::int32_t quiet_reach() const { return quiet_reach_; }
+
+  /// Up to which (squared radius of the normals) * N·L light may be linear; 28 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t linear_limit() const { return linear_limit_; }
+
+  /// Up to which squared angle of a segment colours may be linear, with a highlight within reach or without;
+  /// 28 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t segment_limit(bool shines) const {
+    return shines ? shiny_limit_ : dull_limit_;
+  }
+
+ private:
+  static constexpr int kStepBits = 5;  ///< fraction bits of an 8-bit step
+
+  /// factor * tolerance / amount with 28 fraction bits, at most 1.
+  [[nodiscard]] static constexpr std::uint32_t of_chord(std::uint32_t tolerance, std::uint32_t factor,
+                                                        std::uint32_t amount) {
+    const std::uint32_t product = tolerance * factor;
+    if (product >= amount) return 1u << 28;
+    return static_cast<std::uint32_t>((static_cast<std::uint64_t>(product) << 28) / amount);
+  }
+
+  /// The half distance where the highlight has fallen to `steps`.
+  [[nodiscard]] std::int32_t reach_of(std::uint32_t steps) const {
+    std::int32_t inside = 0;
+    std::int32_t outside = Illumination::power().half_reach();
+    while (outside - inside > 1) {
+      const std::int32_t middle = inside + (outside - inside) / 2;
+      const std::uint32_t share = (Illumination::most_specular() * Illumination::power()(middle)) >> 15;
+      (share >= steps ? inside : outside) = middle;
+    }
+    return outside;
+  }
+
+  /// A chord of m pixels is off by at most m^2 max|f''| / 8, and at a kink, where a channel is clamped, by
+  /// m max|f'| / 4; |(cos^n)'| < 0.61 sqrt(n).
+  [[nodiscard]] std::uint32_t segment_limit_of(std::uint32_t tolerance, bool shines) const {
+    constexpr auto kCount = static_cast<std::uint32_t>(Illumination::kLights);
+    const std::uint32_t diffuse = Illumination::most_diffuse() * kCount;
+    const std::uint32_t bend = shines ? Illumination::most_curvature() : diffuse;
+    const std::uint32_t limit = of_chord(tolerance, 8, bend);
+    if (!Illumination::may_clamp(shines)) return limit;
+    // f'^2 <= 2 (diffuse^2 + 0.37 specular * n specular), and n specular <= bend.
+    const std::uint32_t specular = shines ? Illumination::most_specular() * kCount : 0;
+    const std::uint64_t slope2 = 2 * (static_cast<std::uint64_t>(diffuse) * diffuse +
+                                      (static_cast<std::uint64_t>(specular) * bend * 3) / 8);
+    if (slope2 == 0) return limit;
+    const std::uint64_t at_kink = (static_cast<std::uint64_t>(16 * tolerance * tolerance) << 28) / slope2;
+    return at_kink < limit ? static_cast<std::uint32_t>(at_kink) : limit;
+  }
+
+  std::int32_t quiet_reach_ = 0;
+  std::uint32_t linear_limit_ = 0;
+  std::uint32_t shiny_limit_ = 0;
+  std::uint32_t dull_limit_ = 0;
+};
+
+/// Arc with, per triangle, the cheapest way whose predicted error is within a tolerance (S0 section 4 for the
+/// segments, whose length is chosen too):
+///
+///     light that is linear on the screen    no highlight above half the tolerance within reach, and the
+///                                           normals' circle so small that the arcs' rise is below it
+///     no highlight                          none above half the tolerance within reach
+///     segments of 4...16 pixels             wide rows whose colours hardly bend, away from the terminator
+///     arc                                   everything else
+template <class Illumination>
+struct Adaptive : Arc<Illumination> {
+  using Base = Arc<Illumination>;
+  using Object = AdaptiveIllumination<Illumination>;
+  using typename Base::Face;
+  using typename Base::Path;
+  using typename Base::Vertex;
+  struct Prepared : Base::Prepared {
+    LinearPlane light;
+    int segment_bits;
+    bool linear;
+  };
+
+  template <class Frame>
+  static constexpr void prepare(const Object& object, const Frame& frame, const Face&, Prepared& prepared) {
+    const Vertex& top = frame.top->shade;
+    const Vertex& middle = frame.middle->shade;
+    const Vertex& bottom = frame.bottom->shade;
+    const TriangleChords chords = Base::chords_of(frame);
+    prepared.middle_left = frame.middle_left;
+    prepared.linear = false;
+    prepared.segment_bits = 0;
+    const bool shines =
+        object.may_shine(top.scalars, middle.scalars, bottom.scalars, kPatchHeadroom, object.quiet_reach());
+    if constexpr (Base::kHasDiffusePath) {
+      if (!shines && prepare_dull(object, frame, chords, prepared)) return;
+    }
+    const Path path = Base::choose_path(object, frame, chords.widest());
+    Base::prepare_path(frame, chords, path, prepared);
+    if (path != Path::kDiffusePatch) prepared.segment_bits = segment_bits(object, frame, chords, shines);
+  }
+
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    if constexpr (Base::kHasDiffusePath) {
+      if (prepared.linear) return draw(LinearLightWalker<Object>(prepared.light, prepared.middle_left));
+    }
+    if (prepared.segment_bits == 0) return Base::walk(prepared, draw);
+    return Base::walk(prepared, [&](auto walker) {
+      return draw(SegmentWalker<decltype(walker)>(walker, prepared.segment_bits));
+    });
+  }
+
+ private:
+  /// Prepares N·L alone, linear if that is near enough; false if the normals are too wide for either.
+  template <class Frame>
+  [[nodiscard]] static constexpr bool prepare_dull(const Object& object, const Frame& frame,
+                                                   const TriangleChords& chords, Prepared& prepared) {
+    if (chords.widest() > kWidestPatch) return false;
+    const std::int32_t a = LinearLight::level(frame.top->shade.scalars[0]);
+    const std::int32_t b = LinearLight::level(frame.middle->shade.scalars[0]);
+    const std::int32_t c = LinearLight::level(frame.bottom->shade.scalars[0]);
+    const std::int32_t upper = a > b ? a : b;
+    if (linear_rise(chords, upper > c ? upper : c) <= object.linear_limit()) {
+      prepared.linear = true;
+      prepared.light = make_linear_plane(frame, a, b, c);
+      return true;
+    }
+    if (!patch_fits(frame)) return false;
+    Base::prepare_path(frame, chords, Path::kDiffusePatch, prepared);
+    return true;
+  }
+
+  /// Twice what N·L rises above the plane through its vertices: the squared radius of the circle through the
+  /// three normals (if its centre is within the triangle; else of that around the widest edge) times the
+  /// largest N·L, a 16-bit attribute. 28 fraction bits.
+  ///
+  /// With c the longest chord and e = a^2 + b^2 - c^2 >= 0 the circle's R^2 is at most c^2/4 + e/12.
+  [[nodiscard]] static constexpr std::uint32_t linear_rise(const TriangleChords& chords,
+                                                           std::int32_t most_level) {
+    if (most_level <= LinearLight::kZero) return 0;
+    const std::uint32_t widest = chords.widest();
+    const std::uint32_t others = chords.top_middle + chords.top_bottom + chords.middle_bottom - widest;
+    const std::uint32_t excess = others > widest ? others - widest : 0;
+    // 4% for the higher terms of 16 degrees. The widest patch has 25 bits, so that 32 hold this.
+    const std::uint32_t radius2 = (widest >> 2) + (excess >> 3) - (excess >> 5) + (widest >> 6);
+    return (radius2 >> 9) * ((static_cast<std::uint32_t>(most_level - LinearLight::kZero) >> 6) + 1);
+  }
+
+  /// Whether every N·L keeps its sign, with a margin whose square is `margin2` (28 fraction bits): where it
+  /// changes, colours have a kink and highlights end at once. A segment may end a quarter row beyond the
+  /// edge.
+  template <class Frame>
+  [[nodiscard]] static constexpr bool away_from_terminator(const Frame& frame, std::uint32_t margin2) {
+    const auto square = [](std::int32_t v) { return static_cast<std::uint32_t>(wrap_mul(v >> 16, v >> 16)); };
+    for (std::size_t i = 0; i < Illumination::kLights; ++i) {
+      const std::int32_t a = frame.top->shade.scalars[i].raw();
+      const std::int32_t b = frame.middle->shade.scalars[i].raw();
+      const std::int32_t c = frame.bottom->shade.scalars[i].raw();
+      if (((a ^ b) | (b ^ c)) < 0) return false;
+      if (square(a) <= margin2 || square(b) <= margin2 || square(c) <= margin2) return false;
+    }
+    return true;
+  }
+
+  /// The longest segments that the object's limit allows on the triangle's rows, and that its rows are
+  /// worth, or 0.
+  template <class Frame>
+  [[nodiscard]] static constexpr int segment_bits(const Object& object, const Frame& frame,
+                                                  const TriangleChords& chords, bool shines) {
+    // With one light a pixel without highlight is a look-up: segments must be longer to pay.
+    constexpr int kLeastBits = Illumination::kLights == 1 ? 3 : 2;
+    constexpr std::uint32_t kLeastWidth = 4u << kLeastBits;
+    const std::uint32_t whole = frame.width >> 16;
+    if (whole < kLeastWidth) return 0;
+    // The widest row is no wider an angle than the wider of the two edges at the middle vertex; a row's
+    // pixels are not quite even in angle, which the limit's quarter covers.
+    const std::uint32_t limit = object.segment_limit(shines);
+    const std::uint32_t width = whole > 1023 ? 1023 : whole;
+    const std::uint32_t across =
+        chords.top_middle > chords.middle_bottom ? chords.top_middle : chords.middle_bottom;
+    if (!away_from_terminator(frame, across >> 4)) return 0;
+    const std::uint32_t allowed = (limit >> 8) - (limit >> 10);
+    const std::uint64_t room = static_cast<std::uint64_t>(allowed) * (width * width);
+    for (int bits = kMostSegmentBits; bits >= kLeastBits; --bits) {
+      if (width >> bits >= 4 && static_cast<std::uint64_t>(across >> 8) << (2 * bits) <= room) return bits;
+    }
+    return 0;
+  }
+};
+
+}  // namespace arcspan

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// Segments, and what adaptive makes of its tolerance.
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/pixel/colour_segment.hpp>
+#include <arcspan/shading/adaptive.hpp>
+#include <arcspan/shading/segment.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/support/illumination_oracle.hpp>
+#include <tests/support/method_accuracy.hpp>
+#include <tests/support/test_share.hpp>
+
+#include <cmath>
+#include <vector>
+
+using namespace arcspan;
+using namespace arcspan::test;
+
+namespace {
+
+constexpr std::int32_t kSize = 160;
+
+std::uint32_t random_level(Random& random) {
+  return random.chance(0.2) ? (random.chance(0.5) ? 0u : 1023u)
+                            : static_cast<std::uint32_t>(random.integer(0, 1023));
+}
+
+/// A triangle somewhere on the screen, its normals within `degrees` of one that may be lit from anywhere.
+struct Triangle {
+  std::array<RasterPosition, 3> points{};
+  std::array<Direction, 3> normals{};
+};
+Triangle random_triangle(Random& random, double degrees) {
+  Triangle triangle;
+  const Vec3 middle = random_unit(random);
+  constexpr std::int32_t kEdge = (kSize / 2) << Subpixel::kFraction;
+  for (std::size_t i = 0; i < 3; ++i) {
+    triangle.points[i].x = static_cast<std::int16_t>(random.integer(-kEdge, kEdge));
+    triangle.points[i].y = static_cast<std::int16_t>(random.integer(-kEdge, kEdge));
+    triangle.points[i].z = 1000;
+    const double away = random.real(0, degrees) * 3.14159265358979 / 180;
+    triangle.normals[i] = arcspan::test::detail::packed(tilted(random, middle, away / 2));
+  }
+  return triangle;
+}
+
+struct Picture {
+  std::vector<Rgb888::Unit> memory = std::vector<Rgb888::Unit>(hal::Framebuffer<Rgb888>::units(kSize, kSize));
+  hal::Framebuffer<Rgb888> frame{memory, kSize, kSize};
+};
+
+template <class Method>
+Picture draw(const Triangle& triangle, const typename Method::Object& object) {
+  Picture picture;
+  RasterStage<Method, hal::Framebuffer<Rgb888>> stage(picture.frame, kSize, kSize, object);
+  const auto vertex = [&](std::size_t i) {
+    return RasterVertex<Method>{triangle.points[i], Method::shade_vertex(object, triangle.normals[i])};
+  };
+  stage.draw(vertex(0), vertex(1), vertex(2), {});
+  return picture;
+}
+
+int difference(Rgb8 a, Rgb8 b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+int most_different(Picture& a, Picture& b) {
+  int most = 0;
+  for (std::int32_t y = 0; y < kSize; ++y) {
+    for (std::int32_t x = 0; x < kSize; ++x) {
+      most = std::max(most, difference(a.frame.pixel(x, y), b.frame.pixel(x, y)));
+    }
+  }
+  return most;
+}
+
+Material random_material(Random& random) {
+  const auto share = [&random](double most) {
+    return Coefficient::from_raw(static_cast<std::int32_t>(random.real(0, most) * 32768));
+  };
+  const auto channels = [&share](double most) {
+    ChannelCoefficients c;
+    c.r = share(most);
+    c.g = share(most);
+    c.b = share(most);
+    return c;
+  };
+  Material material;
+  material.ambient = channels(0.3);
+  material.diffuse = channels(1);
+  material.specular = channels(1);
+  material.shininess = static_cast<std::int32_t>(random.decades(1, 256));
+  return material;
+}
+
+template <class Lit>
+Lit random_light(Random& random, const Direction& near) {
+  std::array<DirectionalLight, Lit::kLights> lights;
+  const Vec3 normal = to_vec3(near);
+  for (DirectionalLight& light : lights) {
+    light.towards = to_direction(tilted(random, normal, random.real(0, 1.8)));
+    light.strength = Coefficient::of(1.0 / Lit::kLights);
+  }
+  const Vec3 eye = tilted(random, normal, random.real(0, 1.2));
+  Lit lit;
+  const Material material = random_material(random);
+  REQUIRE(ok(Lit::make(material, lights, to_direction(eye), lit)));
+  return lit;
+}
+
+/// The most that adaptive differs from arc, over the tolerance.
+template <class Lit>
+int most_beyond_tolerance(std::uint64_t seed, int triangles, std::int32_t tolerance) {
+  Random random(seed);
+  int most = -256;
+  for (int i = 0; i < share_of(triangles); ++i) {
+    const Triangle triangle = random_triangle(random, random.decades(0.5, 60));
+    const Lit lit = random_light<Lit>(random, triangle.normals[0]);
+    AdaptiveIllumination<Lit> object(lit);
+    REQUIRE(ok(object.set_tolerance(tolerance)));
+    Picture exact = draw<Arc<Lit>>(triangle, lit);
+    Picture near = draw<Adaptive<Lit>>(triangle, object);
+    const int beyond = most_different(exact, near) - tolerance;
+    if (beyond > most) {
+      most = beyond;
+      UNSCOPED_INFO("triangle " << i << " is off by " << beyond + tolerance);
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("a colour segment is exact at both ends and rounds down between") {
+  Random random(1);
+  for (int i = 0; i < 20000; ++i) {
+    const int bits = static_cast<int>(random.integer(0, ColourSegment::kFraction));
+    std::array<std::uint32_t, 3> from{};
+    std::array<std::uint32_t, 3> to{};
+    for (std::uint32_t& c : from) c = random_level(random);
+    for (std::uint32_t& c : to) c = random_level(random);
+    ColourSegment colour = ColourSegment::of(PackedRgb::of(from[0], from[1], from[2]));
+    const ColourSegment end = ColourSegment::of(PackedRgb::of(to[0], to[1], to[2]));
+    const ColourSegment step = colour.step_to(end, bits);
+    for (std::uint32_t k = 0; k <= 1u << bits; ++k) {
+      const auto level = [&](std::size_t c) { return (from[c] * ((1u << bits) - k) + to[c] * k) >> bits; };
+      const PackedRgb expected = PackedRgb::of(level(0), level(1), level(2));
+      REQUIRE(colour.packed().lanes == expected.lanes);
+      REQUIRE(Rgb565::encode(colour) == Rgb565::encode(expected));
+      colour.advance(step);
+    }
+  }
+}
+
+TEST_CASE("a patch's stride is its single steps, to the last bit") {
+  using Lit = Illumination<1, Highlight::kBlinn>;
+  Random random(2);
+  for (int i = 0; i < 5000; ++i) {
+    PatchScalar scalar{};
+    scalar.left.at = Unit::from_raw(static_cast<std::int32_t>(random.bits()) >> 2);
+    scalar.left.slope = Unit::from_raw(static_cast<std::int32_t>(random.bits()) >> random.integer(6, 20));
+    scalar.bend = Unit::from_raw(static_cast<std::int32_t>(random.bits()) >> random.integer(10, 20));
+    PatchRun<Lit, 2> single;
+    const auto fraction = static_cast<std::uint32_t>(random.integer(0, 65535));
+    single.start(0, scalar, fraction);
+    single.start(1, scalar, fraction);
+    PatchRun<Lit, 2> stride = single;
+    const int bits = static_cast<int>(random.integer(0, 4));
+    REQUIRE(stride.stride(bits) == bits);
+    for (int k = 0; k < 5; ++k) {
+      REQUIRE(stride.scalars() == single.scalars());
+      stride.next();
+      for (int n = 0; n < 1 << bits; ++n) single.next();
+    }
+  }
+}
+
+TEST_CASE("an arc's stride stays with its single steps") {
+  using Lit = Illumination<1, Highlight::kBlinn>;
+  Random random(3);
+  std::int32_t worst = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const double phi = random.decades(1e-4, 0.02);
+    const double k = 2 - 2 * std::cos(phi);
+    int exponent = 0;
+    const double mantissa = std::frexp(k, &exponent);  // 0.5...1
+    const ArcStep step{static_cast<std::int32_t>(mantissa * 32768), -1 - exponent, 0};
+    ArcRun<Lit> single(step.mantissa, step.shift);
+    const double size = random.real(0, 1);
+    const double at = random.real(0, 6.28);
+    for (std::size_t s = 0; s < 2; ++s) {
+      const auto unit = [&](double v) {
+        return Unit::from_raw(static_cast<std::int32_t>(std::lround(v * 0x1p30)));
+      };
+      single.scalar(s) = {unit(size * std::cos(at)), unit(size * (std::cos(at + phi) - std::cos(at)))};
+    }
+    ArcRun<Lit> stride = single;
+    const int bits = static_cast<int>(random.integer(0, 4));
+    REQUIRE(stride.stride(bits) == bits);
+    const int strides = 64 >> bits;
+    for (int n = 0; n < strides; ++n) {
+      stride.next();
+      for (int m = 0; m < 1 << bits; ++m) single.next();
+      worst = std::max(worst, std::abs(stride.scalar(0).x.raw() - single.scalar(0).x.raw()));
+    }
+  }
+  // k has 15 bits: both go an angle that is wrong by up to 2^-16 of 64 steps of 0.02.
+  INFO("off by " << worst * 0x1p-30);
+  CHECK(worst * 0x1p-30 < 5e-5);
+  CHECK(worst > 0);
+}
+
+TEST_CASE("a stride too wide for the recurrence is shortened") {
+  using Lit = Illumination<1, Highlight::kBlinn>;
+  ArcRun<Lit> run(20000, 4);  // k = 0.019: 7.9 degrees
+  run.scalar(0) = run.scalar(1) = {Unit::of(0.5), Unit::of(0.01)};
+  CHECK(run.stride(4) == 1);
+}
+
+TEST_CASE("segments begin with arc's colour, and their error falls with the square of their length") {
+  using Lit = Illumination<1, Highlight::kPhong>;
+  Random random(4);
+  std::array<double, kMostSegmentBits + 1> squares{};
+  for (int i = 0; i < share_of(300); ++i) {
+    Triangle triangle = random_triangle(random, 30);
+    const Lit lit = random_light<Lit>(random, triangle.normals[0]);
+    Picture exact = draw<Arc<Lit>>(triangle, lit);
+    for (int bits = 1; bits <= kMostSegmentBits; ++bits) {
+      SegmentedIllumination<Lit> object(lit);
+      REQUIRE(ok(object.set_segment_bits(bits)));
+      Picture near = draw<Segment<Lit>>(triangle, object);
+      for (std::int32_t y = 0; y < kSize; ++y) {
+        bool first = true;
+        for (std::int32_t x = 0; x < kSize; ++x) {
+          const Rgb8 colour = exact.frame.pixel(x, y);
+          if (colour == Rgb8{}) continue;
+          const int off = difference(colour, near.frame.pixel(x, y));
+          if (first) REQUIRE(off == 0);
+          first = false;
+          squares[static_cast<std::size_t>(bits)] += off * off;
+        }
+      }
+    }
+  }
+  for (int bits = 2; bits <= kMostSegmentBits; ++bits) {
+    CAPTURE(bits, squares[static_cast<std::size_t>(bits)], squares[static_cast<std::size_t>(bits - 1)]);
+    // The longest do not fit many rows.
+    CHECK(squares[static_cast<std::size_t>(bits)] >
+          (bits == kMostSegmentBits ? 1.4 : 2) * squares[static_cast<std::size_t>(bits - 1)]);
+  }
+}
+
+TEST_CASE("settings out of range are refused and change nothing") {
+  using Lit = Illumination<1, Highlight::kBlinn>;
+  Random random(5);
+  const Lit lit = random_light<Lit>(random, to_direction(Vec3{0, 0, 1}));
+  SegmentedIllumination<Lit> segments(lit);
+  CHECK(segments.set_segment_bits(0) == Status::kInvalidArgument);
+  CHECK(segments.set_segment_bits(kMostSegmentBits + 1) == Status::kInvalidArgument);
+  CHECK(segments.bits == 2);
+  AdaptiveIllumination<Lit> adaptive(lit);
+  const std::uint32_t limit = adaptive.linear_limit();
+  CHECK(adaptive.set_tolerance(-1) == Status::kInvalidArgument);
+  CHECK(adaptive.set_tolerance(65) == Status::kInvalidArgument);
+  CHECK(adaptive.linear_limit() == limit);
+  CHECK(ok(adaptive.set_tolerance(0)));
+  CHECK(adaptive.linear_limit() == 0);
+}
+
+TEST_CASE("adaptive stays within its tolerance of arc") {
+  // One step more for rounding: colours of arc come in steps too, up to one of its ramp's 256.
+  const std::int32_t tolerance = GENERATE(0, 1, 2, 5, 20, 64);
+  CAPTURE(tolerance);
+  const auto seed = static_cast<std::uint64_t>(10 + tolerance);
+  CHECK(most_beyond_tolerance<Illumination<1, Highlight::kBlinn>>(seed, 300, tolerance) <= 1);
+  CHECK(most_beyond_tolerance<Illumination<1, Highlight::kPhong>>(seed, 300, tolerance) <= 1);
+  CHECK(most_beyond_tolerance<Illumination<2, Highlight::kBlinn>>(seed, 150, tolerance) <= 1);
+  CHECK(most_beyond_tolerance<Illumination<3, Highlight::kPhong>>(seed, 150, tolerance) <= 1);
+}

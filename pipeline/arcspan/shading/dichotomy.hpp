@@ -150,7 +150,7 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
     constexpr void fill_segment() {
       std::int32_t length = kSegment;
       int bits = SegmentBits;
-      while (length >> 1 >= behind_ && length != 0) {
+      while ((length >> 1) >= behind_ && length != 0) {
         length >>= 1;
         --bits;
       }

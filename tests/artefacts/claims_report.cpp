@@ -81,6 +81,7 @@ void print_polynomials() {
   print_polynomial("0.681 - 0.119 z + 0.014 z^2, as printed", "2e-5 (0.004 %)", &s3_quadratic);
   print_polynomial("the same with nine digits, linear", "-", &minimax_linear);
   print_polynomial("the same with nine digits, quadratic", "-", &minimax_quadratic);
+  print_polynomial("in 2 - z, linear", "-", &flat_linear);
   print_polynomial("in 2 - z, quadratic", "-", &flat_quadratic);
   print_polynomial("in 2 - z, cubic", "-", &flat_cubic);
   std::puts(

@@ -53,6 +53,8 @@ TEST_CASE("S3's polynomials are rounded further than their stated errors") {
   CHECK(worst_relative(&flat_quadratic, k45) < 4.8e-5);
   CHECK(worst_relative(&flat_cubic, k45) < 1.7e-6);
   // Those in 2 - z leave flat spans alone.
+  CHECK(worst_relative(&flat_linear, k45) < 1.6e-3);
+  CHECK(flat_linear(2) == 0.5);
   CHECK(flat_quadratic(2) == 0.5);
   CHECK(flat_cubic(2) == 0.5);
   CHECK(std::fabs(s3_quadratic(2) - 0.5) > 5e-4);

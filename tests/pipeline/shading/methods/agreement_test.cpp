@@ -154,10 +154,10 @@ TEMPLATE_TEST_CASE("all methods agree on a flat surface", "", BlinnLit, PhongLit
 
 TEMPLATE_TEST_CASE("every method takes every shininess from 1 to 256", "", BlinnLit, PhongLit) {
   Random random(6);
-  // What the cosine of the highlight is off by, beyond a step for the diffuse part and the rounding: R·V
-  // turns twice as fast as N·H.
-  Differences cosine;
-  constexpr double kSteepness = 255 * 0.4 * (TestType::kModel == Highlight::kPhong ? 2 : 1);
+  // What a scalar is off by, beyond a step for the diffuse part and the rounding. R·V is twice a product of
+  // two.
+  Differences scalar;
+  constexpr double kSteepness = 255 * 0.4 * (TestType::kModel == Highlight::kPhong ? 4 : 1);
   for (std::int32_t shininess = 1; shininess <= 256; ++shininess) {
     const Vec3 normal = random_unit(random);
     const Direction n = arcspan::test::detail::packed(normal);
@@ -173,11 +173,11 @@ TEMPLATE_TEST_CASE("every method takes every shininess from 1 to 256", "", Blinn
     for_all(scene, [&](const std::string& name, Kind kind, Picture picture) {
       if (kind == Kind::kTable) return;  // its cells are wider than sharp highlights
       const double steps = std::fabs(level(picture, kSize / 2, kSize / 2) - truth);
-      note(cosine, name, std::max(0.0, steps - 1) / (kSteepness * shininess));
+      note(scalar, name, std::max(0.0, steps - 1) / (kSteepness * shininess));
     });
   }
-  CHECK(cosine.size() == 12);
-  for (const auto& [name, error] : cosine) {
+  CHECK(scalar.size() == 12);
+  for (const auto& [name, error] : scalar) {
     INFO(name << " is off by " << error);
     CHECK(error < 1.7e-4);  // docs/pipeline.md: the largest is slerp's
   }

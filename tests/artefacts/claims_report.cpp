@@ -1,65 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Measures what the papers claim and prints docs/claims.md (CMake target update_claims).
 #include <arcspan_tools/compare/artefacts.hpp>
-#include <arcspan_tools/compare/comparison.hpp>
-#include <arcspan_tools/compare/instructions.hpp>
-#include <arcspan_tools/mesh/plain/generate.hpp>
 #include <arcspan_tools/plot/formulas.hpp>
 #include <arcspan_tools/plot/worked_example.hpp>
-#include <arcspan_tools/support/failure.hpp>
+#include <tests/artefacts/speed_claims.hpp>
 
 #include <cmath>
 #include <cstdio>
-#include <map>
+#include <cstdlib>
 #include <numbers>
+#include <string>
 
 using namespace arcspan::tools;
 
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr const char* kMeshes[] = {"sphere:8x4", "sphere:16x8", "sphere:32x16"};
-
-std::vector<std::string> shadings() { return shading_names(); }
-
-bool has(const std::string& shading) {
-  for (const std::string& name : shadings()) {
-    if (name == shading) return true;
-  }
-  return false;
-}
-
-/// Every shading's figures on one mesh.
-using MeshFigures = std::map<std::string, MethodFigures>;
-
-MeshFigures measure_mesh(const std::string& name) {
-  const FixedMesh mesh = to_fixed(generate(*parse_generated_mesh(name)));
-  const RenderJob job = make_job(Scene{}, mesh, name);
-  const TruthPicture truth = draw_truth(job, TruthKind::kPhong);
-  MeshFigures all;
-  for (const std::string& shading : shadings()) {
-    MethodFigures figures = measure_method(shading, job, mesh, truth);
-    const auto count =
-        drawing_instructions({ARCSPAN_COMMAND, "compare", name, "-o", "none.png", "--draw-only", shading});
-    if (!count) throw Failure("valgrind", "not found; it counts the instructions");
-    const RenderStats stats = find_renderer(shading, "rgb565", false).render(job, [](std::size_t) {}).stats;
-    figures.instructions = static_cast<double>(*count) / static_cast<double>(stats.pixels);
-    all[shading] = figures;
-  }
-  return all;
-}
-
-/// `a` costs how many times `b`, in instructions and in time; or that there is no such method.
-std::string cost_ratio(const MeshFigures& figures, const std::string& a, const std::string& b) {
-  if (!has(a)) return "not measured: there is no `" + a + "` yet";
-  if (!has(b)) return "not measured: there is no `" + b + "` yet";
-  const MethodFigures& p = figures.at(a);
-  const MethodFigures& q = figures.at(b);
-  char text[96];
-  std::snprintf(text, sizeof text, "%.2f (instructions), %.2f (time)", *p.instructions / *q.instructions,
-                p.nanoseconds / q.nanoseconds);
-  return text;
-}
 
 void print_head() {
   std::puts(
@@ -72,66 +28,6 @@ void print_head() {
       "pictures. Times are of one x86-64 core, instructions are callgrind's; both are of whole pictures "
       "with\n"
       "depth test, a release build.\n");
-}
-
-void print_speed_claims(const MeshFigures& coarse) {
-  std::puts("## Speed\n");
-  std::puts(
-      "On `sphere:8x4`, 320x240 pixels, one light, Blinn's highlight: large triangles, so that the pixels\n"
-      "count and not the set-up.\n\n"
-      "| claim | paper | measured | remarks |\n|---|---|---|---|");
-  std::printf("| classic Phong costs how many times Gouraud | S3: more than 50 | %s | %s |\n",
-              cost_ratio(coarse, "phong", "gouraud").c_str(),
-              "S3 names no machine; here root and division are tables and multiplies");
-  std::printf("| classic Phong costs how many times the arcs | S0: more than 2 | %s | %s |\n",
-              cost_ratio(coarse, "phong", "arc").c_str(),
-              "S0 counts a whole normal; the arcs here carry scalars");
-  std::printf("| the arcs cost how many times Gouraud | - | %s | %s |\n",
-              cost_ratio(coarse, "arc", "gouraud").c_str(), "The price of a highlight in every pixel");
-  const std::string segment = cost_ratio(coarse, "phong", "segment");
-  const std::string dichotomy = cost_ratio(coarse, "phong", "dichotomy");
-  std::printf(
-      "| segments of 4 and of 8 pixels against Phong | S3: 1.3 and 1.48 | %s | S3 counts the diffuse part "
-      "alone |\n",
-      segment.c_str());
-  std::printf(
-      "| dichotomy with the linear polynomial, 4 and 8 pixels | S3: 1.8 and 2.09 | %s | as above |\n\n",
-      dichotomy.c_str());
-}
-
-void print_operations(const MeshFigures& figures, const char* mesh) {
-  std::printf(
-      "`%s`, operations a pixel counted by compiling the pipeline with integers that count:\n\n| shading |",
-      mesh);
-  for (const std::string_view kind : arcspan_counting::kOperationNames) {
-    std::printf(" %s |", std::string(kind).c_str());
-  }
-  std::puts(" set-up | instructions | ns | RMS error | max error |");
-  std::printf("|---|");
-  for (std::size_t i = 0; i < arcspan_counting::kOperationKinds + 5; ++i) std::printf("---:|");
-  std::puts("");
-  for (const std::string& shading : shadings()) {
-    const MethodFigures& m = figures.at(shading);
-    std::printf("| %s |", shading.c_str());
-    for (const double rate : m.per_pixel) std::printf(" %.2f |", rate);
-    std::printf(" %.1f | %.1f | %.2f | %.2f | %.1f |\n", m.around, *m.instructions, m.nanoseconds,
-                m.error.rms, m.error.max);
-  }
-  std::puts("");
-}
-
-void print_operation_claims() {
-  std::puts(
-      "`set-up` is all kinds together for vertices, triangles and row starts, divided by the pixels. Errors "
-      "are\n"
-      "in 8-bit steps from classic Phong in double precision. The counts hold the whole pixel, illumination\n"
-      "and clamping as well. S0 counts the normal alone: 3 multiplies, 3 divisions, 5 additions and a root "
-      "for\n"
-      "the classic normal; one multiply, one shift, one subtraction a component for eq. 7. In the "
-      "difference\n"
-      "form a scalar takes one multiply, two shifts (one to bring the multiplicand to 16 bits) and three "
-      "sums\n"
-      "(two of the recurrence, one to round), and there are two scalars where eq. 7 has three components.\n");
 }
 
 void print_recurrence() {
@@ -185,6 +81,7 @@ void print_polynomials() {
   print_polynomial("0.681 - 0.119 z + 0.014 z^2, as printed", "2e-5 (0.004 %)", &s3_quadratic);
   print_polynomial("the same with nine digits, linear", "-", &minimax_linear);
   print_polynomial("the same with nine digits, quadratic", "-", &minimax_quadratic);
+  print_polynomial("in 2 - z, linear", "-", &flat_linear);
   print_polynomial("in 2 - z, quadratic", "-", &flat_quadratic);
   print_polynomial("in 2 - z, cubic", "-", &flat_cubic);
   std::puts(
@@ -262,7 +159,7 @@ void print_artefacts() {
       "|\n|---|---:|---:|---:|---:|---:|");
   print_artefact_row("truth: Phong, double", TruthKind::kPhong);
   print_artefact_row("truth: slerp, double", TruthKind::kSlerp);
-  for (const std::string& shading : shadings()) print_artefact_row(shading.c_str(), shading);
+  for (const std::string& shading : shading_names()) print_artefact_row(shading.c_str(), shading);
   std::puts(
       "\nS1 says that shading by Gouraud's and Phong's methods depends on rotation. On triangles it does "
       "not:\n"
@@ -275,14 +172,14 @@ void print_artefacts() {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
   try {
-    std::map<std::string, MeshFigures> figures;
-    for (const char* mesh : kMeshes) figures[mesh] = measure_mesh(mesh);
+    if (argc == 5 && std::string(argv[1]) == "--draw") {
+      draw_once(argv[2], argv[3], std::atoi(argv[4]));
+      return 0;
+    }
     print_head();
-    print_speed_claims(figures[kMeshes[0]]);
-    for (const char* mesh : kMeshes) print_operations(figures[mesh], mesh);
-    print_operation_claims();
+    print_speed(argv[0]);
     print_recurrence();
     print_segments();
     print_polynomials();

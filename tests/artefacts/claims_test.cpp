@@ -5,6 +5,7 @@
 #include <arcspan_tools/plot/gnuplot.hpp>
 #include <arcspan_tools/plot/worked_example.hpp>
 #include <catch2/catch.hpp>
+#include <tests/artefacts/normal_operations.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -52,6 +53,8 @@ TEST_CASE("S3's polynomials are rounded further than their stated errors") {
   CHECK(worst_relative(&flat_quadratic, k45) < 4.8e-5);
   CHECK(worst_relative(&flat_cubic, k45) < 1.7e-6);
   // Those in 2 - z leave flat spans alone.
+  CHECK(worst_relative(&flat_linear, k45) < 1.6e-3);
+  CHECK(flat_linear(2) == 0.5);
   CHECK(flat_quadratic(2) == 0.5);
   CHECK(flat_cubic(2) == 0.5);
   CHECK(std::fabs(s3_quadratic(2) - 0.5) > 5e-4);
@@ -68,6 +71,26 @@ TEST_CASE("the recurrence as printed is lost in 16-bit words, the difference for
     CHECK(difference_recurrence_error(pixels) < 6e-5);
   }
   CHECK(difference_recurrence_error(1024) < 5e-4);
+}
+
+TEST_CASE("a pixel's normal takes the long operations that S0 counts") {
+  using arcspan_counting::Operation;
+  using arcspan_counting::OperationCounts;
+  const OperationCounts classic = arcspan_counting::classic_normal_operations();
+  CHECK(classic[Operation::kDivide] == 3);
+  CHECK(classic[Operation::kRoot] == 1);
+  CHECK(classic[Operation::kMultiply] == 3 + 1);  // one rounds the root
+  CHECK(classic[Operation::kAdd] >= 5);
+  const OperationCounts recurrence = arcspan_counting::recurrence_operations();
+  CHECK(recurrence[Operation::kMultiply] == 1);
+  CHECK(recurrence[Operation::kDivide] + recurrence[Operation::kRoot] + recurrence[Operation::kLookUp] == 0);
+  const OperationCounts lyon = arcspan_counting::lyon_operations();
+  CHECK(lyon[Operation::kDivide] + lyon[Operation::kRoot] == 0);
+  const OperationCounts duff = arcspan_counting::duff_operations();
+  CHECK(duff[Operation::kRoot] == 1);
+  CHECK(duff[Operation::kMultiply] + 3 == classic[Operation::kMultiply]);
+  CHECK(arcspan_counting::slerp_normal_operations()[Operation::kDivide] == 0);
+  CHECK(arcspan_counting::slerp_normal_operations()[Operation::kLookUp] == 4);
 }
 
 TEST_CASE("S1's worked example, exactly") {

@@ -4,8 +4,15 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/shading/arc.hpp>
+#include <arcspan/shading/arc_vector.hpp>
+#include <arcspan/shading/dichotomy.hpp>
+#include <arcspan/shading/duff.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/kuijk_blake.hpp>
+#include <arcspan/shading/lyon.hpp>
+#include <arcspan/shading/phong.hpp>
+#include <arcspan/shading/slerp.hpp>
 
 #include <cstdlib>
 #include <cstring>
@@ -210,7 +217,7 @@ using Phong2 = Illumination<2, Highlight::kPhong>;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Input in(data, size);
-  switch (in.take<std::uint8_t>() % 10) {
+  switch (in.take<std::uint8_t>() % 18) {
     case 0:
       fuzz_triangles<Arc<Blinn1>, Rgb565>(in);
       break;
@@ -238,8 +245,32 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     case 8:
       fuzz_mesh<Flat<Blinn1>, Rgb888>(in);
       break;
-    default:
+    case 9:
       fuzz_mesh<Arc<Blinn1>, Dithered<Gray4>>(in);
+      break;
+    case 10:
+      fuzz_mesh<Phong<Blinn1>, Rgb565>(in);
+      break;
+    case 11:
+      fuzz_mesh<Duff<Phong1>, Rgb565>(in);
+      break;
+    case 12:
+      fuzz_mesh<Lyon<Blinn1>, Rgb565>(in);
+      break;
+    case 13:
+      fuzz_mesh<Slerp<Phong1>, Rgb565>(in);
+      break;
+    case 14:
+      fuzz_mesh<KuijkBlake<Blinn1>, Rgb565>(in);
+      break;
+    case 15:
+      fuzz_mesh<ArcVector<Phong1>, Rgb565>(in);
+      break;
+    case 16:
+      fuzz_mesh<DichotomyLinear<Phong2>, Rgb565>(in);
+      break;
+    default:
+      fuzz_mesh<DichotomyCubic<Blinn4>, Rgb565>(in);
       break;
   }
   return 0;

@@ -15,7 +15,8 @@ namespace detail {
 
 /// A coefficient of the polynomials below, 18 fraction bits.
 consteval std::uint32_t polynomial_coefficient(double value) {
-  return static_cast<std::uint32_t>(value * (1 << 18) + 0.5);
+  const double rounded = value * (1 << 18) + 0.5;
+  return static_cast<std::uint32_t>(rounded);
 }
 /// value * s with the fraction bits of value; s has 16.
 [[nodiscard]] constexpr std::uint32_t times_chord(std::uint32_t value, std::uint32_t s) {
@@ -150,7 +151,7 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
     constexpr void fill_segment() {
       std::int32_t length = kSegment;
       int bits = SegmentBits;
-      while (length >> 1 >= behind_ && length != 0) {
+      while ((length >> 1) >= behind_ && length != 0) {
         length >>= 1;
         --bits;
       }

@@ -38,7 +38,7 @@ TEST_CASE("plot draws every figure as SVG and PNG where gnuplot is installed") {
     CHECK(text.find("</svg>") != std::string::npos);
     CHECK(text.find(maker.make().x_label) != std::string::npos);
     REQUIRE(run(start + (folder / "a.png")).status == 0);
-    CHECK(read_image(folder / "a.png").width == 960);
+    CHECK(read_image(folder / "a.png").width == 1120);
   }
 }
 

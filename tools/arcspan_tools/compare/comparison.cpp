@@ -31,8 +31,9 @@ OperationRates rates(const arcspan_counting::OperationCounts& counts, std::uint6
   return result;
 }
 
-void rate_operations(const RenderJob& job, const FixedMesh& mesh, MethodFigures& figures) {
-  const CountedDraw draw = count_operations(figures.shading, job, mesh);
+void rate_operations(const MeasuredMethod& method, const RenderJob& job, const FixedMesh& mesh,
+                     MethodFigures& figures) {
+  const CountedDraw draw = count_operations(method, job, mesh);
   const CountedDraw loop = count_operations("flat", job, mesh);
   figures.per_pixel = rates(draw.in_spans, draw.pixels);
   const OperationRates bare = rates(loop.in_spans, loop.pixels);
@@ -42,12 +43,12 @@ void rate_operations(const RenderJob& job, const FixedMesh& mesh, MethodFigures&
   for (const double rate : rates(draw.around, draw.pixels)) figures.around += rate;
 }
 
-double best_nanoseconds(const RenderJob& job, const Renderer& renderer) {
+double best_nanoseconds(const RenderJob& job, RenderFunction& render) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + kMeasuringTime;
   double best = INFINITY;
   for (int run = 0; run < kFewestRuns || Clock::now() < end; ++run) {
-    const RenderStats stats = renderer.render(job, [](std::size_t) {}).stats;
+    const RenderStats stats = render(job, {"rgb565"}, [](std::size_t) {}).stats;
     if (stats.pixels == 0) return 0;
     best = std::min(best, stats.draw_milliseconds * 1e6 / static_cast<double>(stats.pixels));
   }
@@ -56,7 +57,20 @@ double best_nanoseconds(const RenderJob& job, const Renderer& renderer) {
 
 }  // namespace
 
+MeasuredMethod find_method(const std::string& shading) {
+  for (const arcspan_counting::Counter& counter : arcspan_counting::counters()) {
+    if (counter.shading == shading) {
+      return {shading, find_renderer(shading, "rgb888", false).function, counter.function};
+    }
+  }
+  throw Failure(shading, "no such shading to count");
+}
+
 CountedDraw count_operations(const std::string& shading, const RenderJob& job, const FixedMesh& mesh) {
+  return count_operations(find_method(shading), job, mesh);
+}
+
+CountedDraw count_operations(const MeasuredMethod& method, const RenderJob& job, const FixedMesh& mesh) {
   arcspan_counting::CountJob bytes;
   bytes.positions = bytes_of(mesh.positions);
   bytes.normals = bytes_of(mesh.normals);
@@ -69,21 +83,23 @@ CountedDraw count_operations(const std::string& shading, const RenderJob& job, c
   bytes.two_sided = job.two_sided;
   bytes.segment_bits = job.segment_bits;
   bytes.tolerance = job.tolerance;
-  for (const arcspan_counting::Counter& counter : arcspan_counting::counters()) {
-    if (counter.shading == shading) return counter.function(bytes);
-  }
-  throw Failure(shading, "no such shading to count");
+  return method.count(bytes);
 }
 
 MethodFigures measure_method(const std::string& shading, const RenderJob& job, const FixedMesh& mesh,
                              const TruthPicture& truth) {
+  return measure_method(find_method(shading), job, mesh, truth);
+}
+
+MethodFigures measure_method(const MeasuredMethod& method, const RenderJob& job, const FixedMesh& mesh,
+                             const TruthPicture& truth) {
   MethodFigures figures;
-  figures.shading = shading;
+  figures.shading = method.shading;
   // The error in full 8-bit channels, the time in the format that a firmware would have.
-  figures.picture = find_renderer(shading, "rgb888", false).render(job, [](std::size_t) {}).image;
+  figures.picture = method.render(job, {"rgb888"}, [](std::size_t) {}).image;
   figures.error = picture_error(figures.picture, truth, job.background);
-  rate_operations(job, mesh, figures);
-  figures.nanoseconds = best_nanoseconds(job, find_renderer(shading, "rgb565", false));
+  rate_operations(method, job, mesh, figures);
+  figures.nanoseconds = best_nanoseconds(job, *method.render);
   return figures;
 }
 

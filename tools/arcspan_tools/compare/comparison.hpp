@@ -26,11 +26,24 @@ struct MethodFigures {
   std::optional<double> instructions;  ///< a pixel, whole draw, if they could be counted
 };
 
+/// A method as it is measured: the pipeline with it, and the pipeline that counts with it.
+struct MeasuredMethod {
+  std::string shading;
+  RenderFunction* render;
+  arcspan_counting::CountFunction* count;
+};
+/// One of those that the commands offer; throws Failure if there is none of that name.
+[[nodiscard]] MeasuredMethod find_method(const std::string& shading);
+
 /// Draws with one method in the pipeline that counts, without depth test.
+[[nodiscard]] arcspan_counting::CountedDraw count_operations(const MeasuredMethod& method,
+                                                             const RenderJob& job, const FixedMesh& mesh);
 [[nodiscard]] arcspan_counting::CountedDraw count_operations(const std::string& shading, const RenderJob& job,
                                                              const FixedMesh& mesh);
 
 /// Draws with one method and compares with the truth; counts operations; takes the time. Not instructions.
+[[nodiscard]] MethodFigures measure_method(const MeasuredMethod& method, const RenderJob& job,
+                                           const FixedMesh& mesh, const TruthPicture& truth);
 [[nodiscard]] MethodFigures measure_method(const std::string& shading, const RenderJob& job,
                                            const FixedMesh& mesh, const TruthPicture& truth);
 

@@ -74,6 +74,7 @@ Figure polynomial_figure() {
                    polynomial_curve("S3, quadratic, as printed", &s3_quadratic),
                    polynomial_curve("minimax to 45°, linear", &minimax_linear),
                    polynomial_curve("minimax to 45°, quadratic", &minimax_quadratic),
+                   polynomial_curve("in 2 - z, linear", &flat_linear),
                    polynomial_curve("in 2 - z, quadratic", &flat_quadratic),
                    polynomial_curve("in 2 - z, cubic", &flat_cubic)};
   return figure;

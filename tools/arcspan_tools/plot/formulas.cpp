@@ -87,6 +87,7 @@ double s3_linear(double z) { return 0.64 - 0.07 * z; }
 double s3_quadratic(double z) { return 0.681 - 0.119 * z + 0.014 * z * z; }
 double minimax_linear(double z) { return 0.640040939 - 0.0703261419 * z; }
 double minimax_quadratic(double z) { return 0.680849766 - 0.118921801 * z + 0.0142534991 * z * z; }
+double flat_linear(double z) { return 0.5 + 0.0688625867 * (2 - z); }
 double flat_quadratic(double z) {
   const double s = 2 - z;
   return 0.5 + s * (0.0620584825 + 0.0140394938 * s);

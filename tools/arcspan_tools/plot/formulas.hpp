@@ -19,7 +19,8 @@ using Polynomial = double (*)(double z);
 [[nodiscard]] double s3_quadratic(double z);
 [[nodiscard]] double minimax_linear(double z);
 [[nodiscard]] double minimax_quadratic(double z);
-/// In s = 2 - z, exact at s = 0.
+/// In s = 2 - z, exact at s = 0: what dichotomy.hpp computes with.
+[[nodiscard]] double flat_linear(double z);
 [[nodiscard]] double flat_quadratic(double z);
 [[nodiscard]] double flat_cubic(double z);
 

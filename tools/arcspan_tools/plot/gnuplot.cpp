@@ -32,9 +32,16 @@ std::string data_block(std::size_t index, const Curve& curve) {
   return text + "EOD\n";
 }
 
+/// gnuplot has eight colours; the ninth curve is the first one's colour again, and dashed.
+std::string line_style(std::size_t index) {
+  constexpr std::size_t kColours = 8;
+  return "lines lw 2 lt " + std::to_string(1 + index % kColours) + " dt " +
+         std::to_string(1 + index / kColours);
+}
+
 std::string plot_item(std::size_t index, const Curve& curve) {
   return "$curve" + std::to_string(index) + " using 1:2 with " +
-         (curve.marks ? "points pt 7 ps 1.2" : "lines lw 2") + " title " + quoted(curve.label);
+         (curve.marks ? "points pt 7 ps 1.2" : line_style(index)) + " title " + quoted(curve.label);
 }
 
 std::string first_line(const std::string& text) {
@@ -48,12 +55,12 @@ std::string first_line(const std::string& text) {
 std::string gnuplot_script(const Figure& figure, PlotFormat format, const std::string& output) {
   std::string script = "set encoding utf8\n";
   script += format == PlotFormat::kSvg
-                ? "set terminal svg size 960,600 noenhanced font 'DejaVu Sans,14' background rgb 'white'\n"
-                : "set terminal pngcairo size 960,600 noenhanced font 'DejaVu Sans,12'\n";
+                ? "set terminal svg size 1120,600 noenhanced font 'DejaVu Sans,14' background rgb 'white'\n"
+                : "set terminal pngcairo size 1120,600 noenhanced font 'DejaVu Sans,12'\n";
   script += "set output " + quoted(output) + "\nset grid\n";
   script += "set title " + quoted(figure.title) + "\n";
   script += "set xlabel " + quoted(figure.x_label) + "\nset ylabel " + quoted(figure.y_label) + "\n";
-  script += "set key below\nset autoscale xfix\n";
+  script += "set key outside right top\nset autoscale xfix\n";
   if (figure.logarithmic_x) script += "set logscale x\n";
   if (figure.logarithmic_y) script += "set logscale y\nset format y '%.0e'\n";
   std::string plot;

@@ -119,6 +119,13 @@ int difference(Picture& a, Picture& b) {
   return most;
 }
 
+/// The largest differences of every method, by name.
+using Differences = std::map<std::string, double>;
+
+void note(Differences& worst, const std::string& name, double difference) {
+  worst[name] = std::max(worst[name], std::fabs(difference));
+}
+
 }  // namespace
 
 TEMPLATE_TEST_CASE("all methods agree on a flat surface", "", BlinnLit, PhongLit) {
@@ -131,8 +138,9 @@ TEMPLATE_TEST_CASE("all methods agree on a flat surface", "", BlinnLit, PhongLit
     scene.points = {{{-1500, -1400, 0}, {1500, -900, 0}, {-300, 1700, 0}}};
     scene.normals = {n, n, n};
     scene.face = n;
-    scene.lit =
-        White<TestType>(tilted(random, normal, random.real(0.3, 0.8)), tilted(random, normal, 0.4), 8).lit;
+    const double apart = random.real(0.3, 0.8);
+    // Braces, which are evaluated in their order.
+    scene.lit = White<TestType>{tilted(random, normal, apart), tilted(random, normal, 0.4), 8}.lit;
     Picture flat = draw<Flat>(scene);
     for_all(scene, [&](const char* name, Kind, Picture picture) {
       worst[name] = std::max(worst[name], difference(picture, flat));
@@ -140,9 +148,40 @@ TEMPLATE_TEST_CASE("all methods agree on a flat surface", "", BlinnLit, PhongLit
   }
   for (const auto& [name, steps] : worst) {
     INFO(name << " differs by " << steps);
-    // The table's cells are up to 3.9 degrees from centre to corner, and R turns twice as fast as N; all
-    // others have the same scalars to their rounding.
-    CHECK(steps <= (name == "reflection-map" ? 15 : 1));
+    // The table's cells are up to 3.9 degrees from centre to corner, and R turns twice as fast as N: that
+    // is up to 24 steps where cos^8 is steepest. All others have the same scalars to their rounding.
+    CHECK(steps <= (name == "reflection-map" ? 24 : 1));
+  }
+}
+
+TEMPLATE_TEST_CASE("every method takes every shininess from 1 to 256", "", BlinnLit, PhongLit) {
+  Random random(6);
+  // What a scalar is off by, beyond a step for the diffuse part and the rounding. R·V is twice a product of
+  // two.
+  Differences scalar;
+  constexpr double kSteepness = 255 * 0.4 * (TestType::kModel == Highlight::kPhong ? 4 : 1);
+  for (std::int32_t shininess = 1; shininess <= 256; ++shininess) {
+    const Vec3 normal = random_unit(random);
+    const Direction n = arcspan::test::detail::packed(normal);
+    // Near the highlight: the power is between 1 and exp(-2), whatever its exponent.
+    const double off = random.real(0, 1 / std::sqrt(static_cast<double>(shininess)));
+    const White<TestType> white{tilted(random, normal, off), tilted(random, normal, off), shininess};
+    Scene<TestType> scene;
+    scene.points = {{{-150, -140, 0}, {150, -90, 0}, {-30, 170, 0}}};
+    scene.normals = {n, n, n};
+    scene.face = n;
+    scene.lit = white.lit;
+    const double truth = white.level(normalised(to_vec3(n)));
+    for_all(scene, [&](const std::string& name, Kind kind, Picture picture) {
+      if (kind == Kind::kTable) return;  // its cells are wider than sharp highlights
+      const double steps = std::fabs(level(picture, kSize / 2, kSize / 2) - truth);
+      note(scalar, name, std::max(0.0, steps - 1) / (kSteepness * shininess));
+    });
+  }
+  CHECK(scalar.size() == 12);
+  for (const auto& [name, error] : scalar) {
+    INFO(name << " is off by " << error);
+    CHECK(error < 1.7e-4);  // docs/pipeline.md: the largest is slerp's
   }
 }
 
@@ -162,7 +201,7 @@ struct CurvedScene {
  private:
   CurvedScene(Random& random, Vec3 middle, std::array<RasterPosition, 3> points, double tilt,
               std::int32_t shininess)
-      : white(tilted(random, middle, 0.5), tilted(random, middle, 0.4), shininess) {
+      : white{tilted(random, middle, 0.5), tilted(random, middle, 0.4), shininess} {
     scene.points = points;
     scene.lit = white.lit;
     Vec3 sum{};
@@ -179,13 +218,6 @@ constexpr std::array<RasterPosition, 3> kSlanting{{{-1500, -1400, 0}, {1500, -90
 /// A horizontal upper edge and a left one: the vertex between them and the middles of both are centres of
 /// pixels that belong to the triangle.
 constexpr std::array<RasterPosition, 3> kOnCentres{{{-1528, -1400, 0}, {1544, -1400, 0}, {-888, 1640, 0}}};
-
-/// The largest differences of every method, by name.
-using Differences = std::map<std::string, double>;
-
-void note(Differences& worst, const std::string& name, double difference) {
-  worst[name] = std::max(worst[name], std::fabs(difference));
-}
 
 }  // namespace
 
@@ -213,7 +245,7 @@ TEMPLATE_TEST_CASE("all methods agree at the vertices and in the middles of the 
   for (const Differences& worst : {at_vertex, in_middle}) {
     for (const auto& [name, steps] : worst) {
       INFO(name << " differs by " << steps << " from the unrounded truth");
-      CHECK(steps < (name == "reflection-map" ? 20 : name == "lyon" ? 1.8 : 1.5));
+      CHECK(steps < (name == "reflection-map" ? 24 : name == "lyon" ? 1.8 : 1.5));
     }
   }
   CHECK(at_vertex.size() == in_middle.size() + 1);  // Gouraud
@@ -273,7 +305,7 @@ TEMPLATE_TEST_CASE("on strongly curved triangles the methods are wrong in the or
   // Colours that miss the highlight, then cells and series, then lines instead of arcs; the methods of arcs
   // are the truth but for the rounding to 8 bits, 1 / sqrt(12) = 0.29, and the ramp of 256 colours.
   CHECK(rms("flat") > 5 * rms("reflection-map"));
-  CHECK(rms("gouraud") > 5 * rms("reflection-map"));
+  CHECK(rms("gouraud") > 4 * rms("reflection-map"));
   CHECK(rms("reflection-map") > 2 * rms("phong"));
   CHECK(rms("lyon") > 1.5 * rms("phong"));
   CHECK(rms("phong") > 3 * rms("slerp"));

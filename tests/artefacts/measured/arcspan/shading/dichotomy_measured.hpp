@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Dichotomy in the forms that S3 gives figures for and arcspan does not offer: what claims_report measures.
+#pragma once
+
+#include <arcspan/shading/dichotomy.hpp>
+
+namespace arcspan {
+
+/// 1/sqrt(2 + z) itself, by root and division, as S3 has it before it puts a polynomial there.
+struct RootItself {
+  [[nodiscard]] static constexpr std::uint32_t above_half(std::uint32_t s) {
+    const ReciprocalRoot root = reciprocal_root(((4u << 16) - s) << 12);  // 1/sqrt(28 fraction bits)
+    const std::uint32_t p = root.mantissa << (32 - root.exponent);
+    return p < (1u << 17) ? 0 : p - (1u << 17);
+  }
+};
+
+template <class Illumination>
+using DichotomyRoot4 = Dichotomy<Illumination, RootItself, 2>;
+template <class Illumination>
+using DichotomyRoot8 = Dichotomy<Illumination, RootItself, 3>;
+template <class Illumination>
+using DichotomyLinear4 = Dichotomy<Illumination, LinearPolynomial, 2>;
+template <class Illumination>
+using DichotomyLinear16 = Dichotomy<Illumination, LinearPolynomial, 4>;
+
+}  // namespace arcspan

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/counting/operation_counts.hpp>
+
+/// Operations of one pixel's normal alone, without illumination, counted in the pipeline's own text.
+namespace arcspan_counting {
+
+/// Classic Phong: three components one pixel on, then of unit length.
+[[nodiscard]] OperationCounts classic_normal_operations();
+/// The same by Taylor's series and by forward differences; one scalar (N·L) each, since they make no vector.
+[[nodiscard]] OperationCounts lyon_operations();
+[[nodiscard]] OperationCounts duff_operations();
+/// S0 eq. 2: all three components of one pixel.
+[[nodiscard]] OperationCounts slerp_normal_operations();
+/// S0 eq. 7 and 14: one component or scalar one pixel on.
+[[nodiscard]] OperationCounts recurrence_operations();
+
+}  // namespace arcspan_counting

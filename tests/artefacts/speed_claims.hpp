@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/compare/comparison.hpp>
+
+#include <string>
+#include <vector>
+
+/// The methods that only claims_report measures (generated).
+std::vector<arcspan::tools::MeasuredMethod> measured_methods();
+
+/// Measures what the papers say of speed and prints it; `self` is this program, which is run once more under
+/// valgrind for each figure, as `self --draw SHADING MESH SEGMENT_BITS`.
+void print_speed(const std::string& self);
+
+/// Draws once, for valgrind.
+void draw_once(const std::string& shading, const std::string& mesh, int segment_bits);

@@ -4,6 +4,7 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/status.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -28,9 +29,10 @@ inline constexpr std::size_t kHeaderBytes = 32;
 inline constexpr std::size_t kChecksumBytes = 4;  ///< u32, crc32() of all before it
 
 /// Bytes of a whole binary; at most 65,536 vertices and 2^26 triangles, so that it fits 32 bits.
-[[nodiscard]] constexpr std::size_t bytes(std::size_t vertices, std::size_t triangles, bool indices8) {
-  const std::size_t arrays = 10 * vertices + triangles * (indices8 ? 3 : 6);
-  return kHeaderBytes + ((arrays + 3) & ~std::size_t{3}) + kChecksumBytes;
+template <std::unsigned_integral Count>
+[[nodiscard]] constexpr Count bytes(Count vertices, Count triangles, bool indices8) {
+  const Count arrays = 10 * vertices + triangles * (indices8 ? 3 : 6);
+  return kHeaderBytes + ((arrays + 3) & ~Count{3}) + kChecksumBytes;
 }
 }  // namespace mesh_binary
 

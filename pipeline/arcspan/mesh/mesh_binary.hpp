@@ -4,7 +4,6 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/status.hpp>
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -29,7 +28,7 @@ inline constexpr std::size_t kHeaderBytes = 32;
 inline constexpr std::size_t kChecksumBytes = 4;  ///< u32, crc32() of all before it
 
 /// Bytes of a whole binary; at most 65,536 vertices and 2^26 triangles, so that it fits 32 bits.
-template <std::unsigned_integral Count>
+template <class Count>
 [[nodiscard]] constexpr Count bytes(Count vertices, Count triangles, bool indices8) {
   const Count arrays = 10 * vertices + triangles * (indices8 ? 3 : 6);
   return kHeaderBytes + ((arrays + 3) & ~Count{3}) + kChecksumBytes;

@@ -30,8 +30,9 @@ inline constexpr std::size_t kChecksumBytes = 4;  ///< u32, crc32() of all befor
 /// Bytes of a whole binary; at most 65,536 vertices and 2^26 triangles, so that it fits 32 bits.
 template <class Count>
 [[nodiscard]] constexpr Count bytes(Count vertices, Count triangles, bool indices8) {
+  constexpr auto kAround = static_cast<Count>(kHeaderBytes + kChecksumBytes);
   const Count arrays = 10 * vertices + triangles * (indices8 ? 3 : 6);
-  return kHeaderBytes + ((arrays + 3) & ~Count{3}) + kChecksumBytes;
+  return ((arrays + 3) & ~Count{3}) + kAround;
 }
 }  // namespace mesh_binary
 

@@ -106,14 +106,14 @@ consteval auto make_sphere() {
 }
 
 /// A torus about the y axis, outer radius kRadius, its tube 3/8 of the ring's radius.
-template <std::uint32_t Sectors, std::uint32_t Sides>
+template <std::size_t Sectors, std::size_t Sides>
 consteval auto make_torus() {
   Shape<Sectors * Sides, 2 * Sectors * Sides> shape{};
   constexpr std::int64_t kRing = (std::int64_t{1} << 30) * 8 / 11;
   std::size_t t = 0;
-  for (std::uint32_t sector = 0; sector < Sectors; ++sector) {
+  for (std::size_t sector = 0; sector < Sectors; ++sector) {
     const auto around = static_cast<std::uint32_t>((std::uint64_t{sector} << 32) / Sectors);
-    for (std::uint32_t side = 0; side < Sides; ++side) {
+    for (std::size_t side = 0; side < Sides; ++side) {
       const auto tube = static_cast<std::uint32_t>((std::uint64_t{side} << 32) / Sides);
       const std::int64_t nx = (cosine30(tube) * sine30(around)) >> 30;
       const std::int64_t nz = (cosine30(tube) * cosine30(around)) >> 30;

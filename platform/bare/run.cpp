@@ -28,6 +28,10 @@ void run() {
     print_line("stack overflow: all of its ", stack_size(), " bytes were written");
     leave(kExitStackOverflow);
   }
+  if (deepest_stack() > stack_limit()) {
+    print_line("stack limit: ", deepest_stack(), " bytes were used, ", stack_limit(), " are allowed");
+    leave(kExitStackOverflow);
+  }
   leave(status);
 }
 

@@ -15,6 +15,10 @@ std::uint32_t stack_size() {
   return static_cast<std::uint32_t>(arcspan_stack_top - arcspan_stack_bottom) * sizeof(std::uint32_t);
 }
 
+std::uint32_t stack_limit() {
+  return static_cast<std::uint32_t>(arcspan_stack_top - arcspan_stack_floor) * sizeof(std::uint32_t);
+}
+
 void paint_stack() {
   const volatile std::uint8_t in_frame = 0;
   const auto here = reinterpret_cast<std::uintptr_t>(&in_frame);

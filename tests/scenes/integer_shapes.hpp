@@ -57,7 +57,9 @@ struct Shape {
   std::array<std::uint16_t, 3 * Triangles> indices;
 
   constexpr void vertex(std::size_t i, std::int64_t x, std::int64_t y, std::int64_t z) {
-    const auto rounded = [](std::int64_t v) { return static_cast<std::int16_t>((v + (std::int64_t{1} << 15)) >> 16); };
+    const auto rounded = [](std::int64_t v) {
+      return static_cast<std::int16_t>((v + (std::int64_t{1} << 15)) >> 16);
+    };
     positions[i] = {rounded(x), rounded(y), rounded(z)};
   }
   constexpr void triangle(std::size_t i, std::size_t a, std::size_t b, std::size_t c) {

@@ -13,4 +13,7 @@ extern "C" {
 
 /// Named by the start-up code, for a main() that returns to it.
 [[noreturn]] void exit(int status) { arcspan::bare::leave(status); }
+
+/// What the compiler makes of a trap.
+[[noreturn]] void abort() { arcspan::bare::leave(arcspan::bare::kExitFault); }
 }

@@ -194,12 +194,12 @@ class MeshDrawer {
     const ObjectPosition a = mesh_.position(t.a);
     const ObjectPosition b = mesh_.position(t.b);
     const ObjectPosition c = mesh_.position(t.c);
-    const std::int64_t ux = b.x - a.x;
-    const std::int64_t uy = b.y - a.y;
-    const std::int64_t uz = b.z - a.z;
-    const std::int64_t vx = c.x - a.x;
-    const std::int64_t vy = c.y - a.y;
-    const std::int64_t vz = c.z - a.z;
+    const std::int64_t ux = std::int32_t{b.x} - a.x;
+    const std::int64_t uy = std::int32_t{b.y} - a.y;
+    const std::int64_t uz = std::int32_t{b.z} - a.z;
+    const std::int64_t vx = std::int32_t{c.x} - a.x;
+    const std::int64_t vy = std::int32_t{c.y} - a.y;
+    const std::int64_t vz = std::int32_t{c.z} - a.z;
     // Each difference is below 2^34; normalised() keeps 15 bits of the largest anyway.
     return normalised_wide(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
   }

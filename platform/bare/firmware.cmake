@@ -6,6 +6,7 @@ set(ARCSPAN_BOARD_FOLDER ${PROJECT_SOURCE_DIR}/platform/${ARCSPAN_BOARD})
 if(NOT EXISTS ${ARCSPAN_BOARD_FOLDER}/board.cmake)
   message(FATAL_ERROR "ARCSPAN_BOARD: there is no platform/${ARCSPAN_BOARD}/board.cmake")
 endif()
+set(ARCSPAN_BOARD_LINKER_SCRIPT ${ARCSPAN_BARE}/sections.ld)
 include(${ARCSPAN_BOARD_FOLDER}/board.cmake)
 list(TRANSFORM ARCSPAN_BOARD_SOURCES PREPEND ${ARCSPAN_BOARD_FOLDER}/ REGEX "^[^/]+$")
 
@@ -21,18 +22,28 @@ target_compile_features(arcspan_board PUBLIC cxx_std_20)
 set_target_properties(arcspan_board PROPERTIES CXX_EXTENSIONS OFF)
 target_include_directories(arcspan_board PUBLIC ${ARCSPAN_BARE} ${ARCSPAN_BOARD_FOLDER})
 target_link_libraries(arcspan_board PUBLIC arcspan_embedded arcspan_warnings arcspan::hal arcspan::pipeline)
-set_source_files_properties(${ARCSPAN_BARE}/memory_functions.cpp PROPERTIES COMPILE_OPTIONS
-                                                                            -fno-tree-loop-distribute-patterns)
+set_source_files_properties(
+  ${ARCSPAN_BARE}/memory_functions.cpp
+  PROPERTIES COMPILE_OPTIONS $<IF:$<CXX_COMPILER_ID:GNU>,-fno-tree-loop-distribute-patterns,-fno-builtin>)
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  # noipa is GCC's alone; where it stands, clang has noinline beside it.
+  target_compile_options(arcspan_board PUBLIC -Wno-unknown-attributes)
+endif()
 
 # arcspan_firmware(NAME SOURCES...): a program for the board.
 function(arcspan_firmware name)
   add_executable(${name} ${ARGN})
   set_target_properties(${name} PROPERTIES SUFFIX .elf CXX_EXTENSIONS OFF LINK_DEPENDS
-                                                       "${ARCSPAN_BARE}/sections.ld;${ARCSPAN_BOARD_FOLDER}/memory.ld")
+                                                       "${ARCSPAN_BOARD_LINKER_SCRIPT};${ARCSPAN_BOARD_FOLDER}/memory.ld")
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE arcspan_board)
-  target_link_options(${name} PRIVATE -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings
-                      LINKER:-L,${ARCSPAN_BOARD_FOLDER} -T ${ARCSPAN_BARE}/sections.ld LINKER:-Map,${name}.map)
+  target_link_options(${name} PRIVATE -Wl,--gc-sections -Wl,--fatal-warnings -Wl,-L,${ARCSPAN_BOARD_FOLDER} -Wl,-Map,${name}.map)
+  if(CMAKE_SYSTEM_PROCESSOR STREQUAL avr)
+    # Added to the script that avr-g++ has for every chip, with its start-up code.
+    target_link_options(${name} PRIVATE ${ARCSPAN_BOARD_LINKER_SCRIPT})
+  else()
+    target_link_options(${name} PRIVATE -nostdlib -T ${ARCSPAN_BOARD_LINKER_SCRIPT})
+  endif()
 endfunction()
 
 # arcspan_firmware_test(NAME PROGRAM [ARGUMENTS of run-firmware...]): runs a program in the board's emulator.

@@ -3,4 +3,4 @@
 
 // The asm statement and noipa keep the compiler from noticing that nothing happens and moving work across the
 // call.
-extern "C" [[gnu::noipa]] void arcspan_mark() { __asm volatile("" ::: "memory"); }
+extern "C" [[gnu::noipa, gnu::noinline]] void arcspan_mark() { __asm volatile("" ::: "memory"); }

@@ -5,7 +5,8 @@
 #include <arcspan/bare/run.hpp>
 #include <arcspan/bare/stack.hpp>
 
-extern "C" int main();
+// main() by its symbol: C++ does not let it be called.
+extern "C" int arcspan_program() __asm("main");
 
 namespace arcspan::bare {
 namespace {
@@ -22,9 +23,13 @@ void run() {
   set_up_memory();
   paint_stack();
   initialise_board();
-  const int status = main();
+  const int status = arcspan_program();
   if (deepest_stack() >= stack_size()) {
     print_line("stack overflow: all of its ", stack_size(), " bytes were written");
+    leave(kExitStackOverflow);
+  }
+  if (deepest_stack() > stack_limit()) {
+    print_line("stack limit: ", deepest_stack(), " bytes were used, ", stack_limit(), " are allowed");
     leave(kExitStackOverflow);
   }
   leave(status);

@@ -15,8 +15,13 @@ std::uint32_t stack_size() {
   return static_cast<std::uint32_t>(arcspan_stack_top - arcspan_stack_bottom) * sizeof(std::uint32_t);
 }
 
+std::uint32_t stack_limit() {
+  return static_cast<std::uint32_t>(arcspan_stack_top - arcspan_stack_floor) * sizeof(std::uint32_t);
+}
+
 void paint_stack() {
-  const auto here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
+  const volatile std::uint8_t in_frame = 0;
+  const auto here = reinterpret_cast<std::uintptr_t>(&in_frame);
   // The volatile store keeps the compiler from making a memset of the loop, whose frame would be painted
   // over.
   for (volatile std::uint32_t* word = arcspan_stack_bottom;

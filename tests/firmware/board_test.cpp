@@ -11,6 +11,9 @@ using namespace arcspan::bare;
 
 namespace {
 
+constexpr std::int32_t kStart = std::int32_t{1} << 29;
+constexpr std::int32_t kSlope = std::int32_t{1} << 20;
+
 volatile std::uint32_t initialised = 0x12345678;
 volatile std::uint32_t zeroed;
 int failures = 0;
@@ -32,22 +35,22 @@ constexpr std::int32_t recurrence(std::int32_t x, std::int32_t d, std::int32_t k
   return static_cast<std::int32_t>(sum);
 }
 
-[[gnu::noipa]] std::int32_t recurrence_at_run_time(std::int32_t x, std::int32_t d, std::int32_t k,
-                                                   std::uint32_t count) {
+[[gnu::noipa, gnu::noinline]] std::int32_t recurrence_at_run_time(std::int32_t x, std::int32_t d,
+                                                                  std::int32_t k, std::uint32_t count) {
   return recurrence(x, d, k, count);
 }
 
 void check_arithmetic() {
-  constexpr std::int32_t kByTheCompiler = recurrence(1 << 29, 1 << 20, 81777, 300);
-  check(recurrence_at_run_time(1 << 29, 1 << 20, 81777, 300) == kByTheCompiler,
+  constexpr std::int32_t kByTheCompiler = recurrence(kStart, kSlope, 81777, 300);
+  check(recurrence_at_run_time(kStart, kSlope, 81777, 300) == kByTheCompiler,
         "recurrence as in the compiler");
 }
 
 void check_counter() {
   const std::uint64_t start = ticks();
-  const std::int32_t once = recurrence_at_run_time(1 << 29, 1 << 20, 81777, 1000);
+  const std::int32_t once = recurrence_at_run_time(kStart, kSlope, 81777, 1000);
   const std::uint64_t middle = ticks();
-  const std::int32_t twice = recurrence_at_run_time(1 << 29, 1 << 20, 81777, 2000);
+  const std::int32_t twice = recurrence_at_run_time(kStart, kSlope, 81777, 2000);
   const std::uint64_t end = ticks();
   const std::uint64_t first = middle - start;
   const std::uint64_t second = end - middle;
@@ -58,9 +61,9 @@ void check_counter() {
 
 constexpr std::uint32_t kDepth = 1024;
 
-[[gnu::noipa]] std::uint8_t use_stack() {
+[[gnu::noipa, gnu::noinline]] std::uint8_t use_stack() {
   volatile std::uint8_t frame[kDepth];
-  frame[0] = 1;
+  for (volatile std::uint8_t& byte : frame) byte = 1;  // all of it, or the compiler would leave out the rest
   return frame[0];
 }
 

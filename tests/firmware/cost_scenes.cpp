@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The project's measured scene (tests/scenes/stage_set.hpp), 320x240, rgb565, 16-bit depth: spheres of three
-// finenesses and three radii by every method. Clearing and drawing are sections of their own for
+// finenesses and three radii by one method. Clearing and drawing are sections of their own for
 // instruction_count.py; a line "scene: ..." tells how much was drawn in the section that follows.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/arc.hpp>
-#include <arcspan/shading/flat.hpp>
-#include <arcspan/shading/gouraud.hpp>
 
+#include <cost_method.hpp>
 #include <tests/scenes/stage_set.hpp>
+
+#include <new>
 
 using namespace arcspan;
 
@@ -42,33 +42,42 @@ struct CountingSink {
   [[nodiscard]] Status close(const Span& run) { return frame.close(run); }
 };
 
-template <class Method>
-bool measure(const char* method, const char* shape, const MeshView& mesh, const MeshView& vertices,
-             std::int32_t radius) {
-  static CachedVertex<Method> cache[2048];
+using Method = CostMethod<scenes::Light>;
+
+/// The method's tables for one object; a frame's memory, as a reflection map has 16 KB of them. Not
+/// initialised: the constructor is paid where it runs, outside the measured sections.
+union ObjectMemory {
+  Method::Object object;
+  constexpr ObjectMemory() {}
+};
+[[gnu::section(".bss.frame")]] ObjectMemory object_memory;
+[[gnu::section(".bss.frame")]] CachedVertex<Method> cache[2048];
+
+bool measure(const char* shape, const MeshView& mesh, const MeshView& vertices, std::int32_t radius) {
   scenes::StageSet stage;
   if (!ok(scenes::set_stage({kWidth, kHeight}, radius, {}, stage))) return false;
+  const auto& object = *new (&object_memory.object) Method::Object(stage.light);
   hal::Framebuffer<Rgb565> frame(colours, kWidth, kHeight);
   DepthBuffer depth(depths, kWidth, kHeight);
   CountingSink counting{frame};
   depth.clear();
-  const DrawResult counted = draw_mesh<Method>(mesh, stage.transform, stage.light, counting, depth, cache);
+  const DrawResult counted = draw_mesh<Method>(mesh, stage.transform, object, counting, depth, cache);
 
   arcspan_mark();
   frame.clear({0, 0, 0});
   depth.clear();
   arcspan_mark();
-  const DrawResult drawn = draw_mesh<Method>(mesh, stage.transform, stage.light, frame, depth, cache);
+  const DrawResult drawn = draw_mesh<Method>(mesh, stage.transform, object, frame, depth, cache);
   arcspan_mark();
   // Without triangles only the vertex stage runs.
-  const DrawResult none = draw_mesh<Method>(vertices, stage.transform, stage.light, frame, depth, cache);
+  const DrawResult none = draw_mesh<Method>(vertices, stage.transform, object, frame, depth, cache);
   arcspan_mark();
-  bare::print_line("section: clear ", method, " ", shape, " ", static_cast<std::uint32_t>(radius));
-  bare::print_line("section: draw ", method, " ", shape, " ", static_cast<std::uint32_t>(radius));
-  bare::print_line("section: vertices ", method, " ", shape, " ", static_cast<std::uint32_t>(radius));
+  bare::print_line("section: clear ", shape, " ", static_cast<std::uint32_t>(radius));
+  bare::print_line("section: draw ", shape, " ", static_cast<std::uint32_t>(radius));
+  bare::print_line("section: vertices ", shape, " ", static_cast<std::uint32_t>(radius));
   bare::print_line("section: between");
-  bare::print_line("scene: ", method, " ", shape, " ", static_cast<std::uint32_t>(radius), " ",
-                   mesh.vertex_count(), " ", counted.triangles, " ", counting.spans, " ", counting.pixels);
+  bare::print_line("scene: ", shape, " ", static_cast<std::uint32_t>(radius), " ", mesh.vertex_count(), " ",
+                   counted.triangles, " ", counting.spans, " ", counting.pixels);
   return ok(none.status) && ok(counted.status) && ok(drawn.status) && drawn.triangles == counted.triangles;
 }
 
@@ -78,11 +87,7 @@ bool measure_shape(const char* name, const Shape& shape) {
   MeshView vertices;
   bool good = ok(shape.view(mesh)) &&
               ok(MeshView::make(shape.positions, shape.normals, std::span<const std::uint16_t>{}, vertices));
-  for (const std::int32_t radius : {36, 72, 108}) {
-    good = good && measure<Flat<scenes::Light>>("flat", name, mesh, vertices, radius);
-    good = good && measure<Gouraud<scenes::Light>>("gouraud", name, mesh, vertices, radius);
-    good = good && measure<Arc<scenes::Light>>("arc", name, mesh, vertices, radius);
-  }
+  for (const std::int32_t radius : {36, 72, 108}) good = good && measure(name, mesh, vertices, radius);
   return good;
 }
 

@@ -6,7 +6,7 @@
 namespace {
 
 /// Two instructions a turn, whatever the compiler makes of the rest.
-[[gnu::noipa]] void loop(unsigned turns) {
+[[gnu::noipa, gnu::noinline]] void loop(unsigned turns) {
 #if defined(__riscv)
   __asm volatile("1: addi %0, %0, -1\n bnez %0, 1b" : "+r"(turns));
 #else

@@ -7,7 +7,7 @@
 namespace {
 
 /// Handing down its frame keeps the compiler from making a loop of the recursion.
-[[gnu::noipa]] std::uint32_t dig(std::uint32_t depth, const volatile std::uint32_t* above) {
+[[gnu::noipa, gnu::noinline]] std::uint32_t dig(std::uint32_t depth, const volatile std::uint32_t* above) {
   volatile std::uint32_t frame[16];
   for (std::uint32_t i = 0; i < 16; ++i) frame[i] = above[i] + depth;
   return depth == 0 ? 0 : frame[depth & 15u] + dig(depth - 1, frame);

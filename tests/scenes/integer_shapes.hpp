@@ -57,7 +57,9 @@ struct Shape {
   std::array<std::uint16_t, 3 * Triangles> indices;
 
   constexpr void vertex(std::size_t i, std::int64_t x, std::int64_t y, std::int64_t z) {
-    const auto rounded = [](std::int64_t v) { return static_cast<std::int16_t>((v + (1 << 15)) >> 16); };
+    const auto rounded = [](std::int64_t v) {
+      return static_cast<std::int16_t>((v + (std::int64_t{1} << 15)) >> 16);
+    };
     positions[i] = {rounded(x), rounded(y), rounded(z)};
   }
   constexpr void triangle(std::size_t i, std::size_t a, std::size_t b, std::size_t c) {
@@ -106,14 +108,14 @@ consteval auto make_sphere() {
 }
 
 /// A torus about the y axis, outer radius kRadius, its tube 3/8 of the ring's radius.
-template <std::uint32_t Sectors, std::uint32_t Sides>
+template <std::size_t Sectors, std::size_t Sides>
 consteval auto make_torus() {
   Shape<Sectors * Sides, 2 * Sectors * Sides> shape{};
   constexpr std::int64_t kRing = (std::int64_t{1} << 30) * 8 / 11;
   std::size_t t = 0;
-  for (std::uint32_t sector = 0; sector < Sectors; ++sector) {
+  for (std::size_t sector = 0; sector < Sectors; ++sector) {
     const auto around = static_cast<std::uint32_t>((std::uint64_t{sector} << 32) / Sectors);
-    for (std::uint32_t side = 0; side < Sides; ++side) {
+    for (std::size_t side = 0; side < Sides; ++side) {
       const auto tube = static_cast<std::uint32_t>((std::uint64_t{side} << 32) / Sides);
       const std::int64_t nx = (cosine30(tube) * sine30(around)) >> 30;
       const std::int64_t nz = (cosine30(tube) * cosine30(around)) >> 30;

@@ -60,7 +60,8 @@ template <class Method>
       (std::uint64_t{static_cast<std::uint32_t>(inside_distance)} * inverse.mantissa) >>
       (inverse.exponent - 30));
   const auto mix = [t](std::int32_t from, std::int32_t to) {
-    return static_cast<std::int32_t>(from + (((std::int64_t{to} - from) * t + (1 << 29)) >> 30));
+    return static_cast<std::int32_t>(from +
+                                     (((std::int64_t{to} - from) * t + (std::int32_t{1} << 29)) >> 30));
   };
   ClipVertex<Method> vertex;
   vertex.position = {mix(inside.position.x, outside.position.x), mix(inside.position.y, outside.position.y),

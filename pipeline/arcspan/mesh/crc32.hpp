@@ -13,8 +13,8 @@ namespace detail {
 /// What four more bits do to a remainder: 64 bytes instead of the usual 1024, twice the steps.
 inline constexpr std::array<std::uint32_t, 16> kCrcOfNibble = [] {
   std::array<std::uint32_t, 16> table{};
-  for (std::uint32_t nibble = 0; nibble < 16; ++nibble) {
-    std::uint32_t crc = nibble;
+  for (std::size_t nibble = 0; nibble < 16; ++nibble) {
+    auto crc = static_cast<std::uint32_t>(nibble);
     for (int bit = 0; bit < 4; ++bit) crc = (crc >> 1) ^ ((crc & 1u) != 0 ? 0xEDB88320u : 0u);
     table[nibble] = crc;
   }

@@ -11,10 +11,10 @@ namespace {
 using namespace mesh_binary;
 
 // The arrays are used as they lie in the binary.
-static_assert(sizeof(ObjectPosition) == 6 && alignof(ObjectPosition) == 2);
-static_assert(sizeof(PackedNormal) == 4 && alignof(PackedNormal) == 2);
+static_assert(sizeof(ObjectPosition) == 6 && alignof(ObjectPosition) <= 2);
+static_assert(sizeof(PackedNormal) == 4 && alignof(PackedNormal) <= 2);
 
-constexpr std::uint32_t kMostTriangles = 1u << 26;
+constexpr std::uint32_t kMostTriangles = std::uint32_t{1} << 26;
 
 std::uint16_t u16_at(const std::uint8_t* bytes, std::size_t at) {
   return static_cast<std::uint16_t>(bytes[at] | (bytes[at + 1] << 8));
@@ -51,7 +51,7 @@ Status read_header(std::span<const std::uint8_t> bytes, Header& header) {
     return Status::kCorrupted;
   }
   if (bytes.size() < header.size) return Status::kTruncated;
-  const std::size_t covered = header.size - kChecksumBytes;
+  const std::size_t covered = static_cast<std::size_t>(header.size) - kChecksumBytes;
   return crc32(bytes.first(covered)) == u32_at(at, covered) ? Status::kOk : Status::kCorrupted;
 }
 
@@ -63,11 +63,13 @@ Status view_mesh_binary(std::span<const std::uint8_t> bytes, MeshView& view, Mes
   if (!ok(status)) return status;
   // The cast's detour over void says that alignment was seen to.
   const auto array_at = [&bytes](std::size_t at) -> const void* { return bytes.data() + at; };
-  const std::size_t normals_at = kHeaderBytes + 6 * header.vertices;
-  const std::size_t indices_at = normals_at + 4 * header.vertices;
-  const std::span positions(static_cast<const ObjectPosition*>(array_at(kHeaderBytes)), header.vertices);
-  const std::span normals(static_cast<const PackedNormal*>(array_at(normals_at)), header.vertices);
-  const std::size_t indices = std::size_t{3} * header.triangles;
+  // All of it lies in memory, so its parts can be counted.
+  const auto vertices = static_cast<std::size_t>(header.vertices);
+  const std::size_t normals_at = kHeaderBytes + 6 * vertices;
+  const std::size_t indices_at = normals_at + 4 * vertices;
+  const std::span positions(static_cast<const ObjectPosition*>(array_at(kHeaderBytes)), vertices);
+  const std::span normals(static_cast<const PackedNormal*>(array_at(normals_at)), vertices);
+  const std::size_t indices = 3 * static_cast<std::size_t>(header.triangles);
   const Status made =
       header.indices8
           ? MeshView::make(positions, normals, bytes.subspan(indices_at, indices), view)

@@ -28,9 +28,11 @@ inline constexpr std::size_t kHeaderBytes = 32;
 inline constexpr std::size_t kChecksumBytes = 4;  ///< u32, crc32() of all before it
 
 /// Bytes of a whole binary; at most 65,536 vertices and 2^26 triangles, so that it fits 32 bits.
-[[nodiscard]] constexpr std::size_t bytes(std::size_t vertices, std::size_t triangles, bool indices8) {
-  const std::size_t arrays = 10 * vertices + triangles * (indices8 ? 3 : 6);
-  return kHeaderBytes + ((arrays + 3) & ~std::size_t{3}) + kChecksumBytes;
+template <class Count>
+[[nodiscard]] constexpr Count bytes(Count vertices, Count triangles, bool indices8) {
+  constexpr auto kAround = static_cast<Count>(kHeaderBytes + kChecksumBytes);
+  const Count arrays = 10 * vertices + triangles * (indices8 ? 3 : 6);
+  return ((arrays + 3) & ~Count{3}) + kAround;
 }
 }  // namespace mesh_binary
 

@@ -30,7 +30,7 @@ struct TriangleIndices {
 /// 6 bytes a triangle. Vertex i has positions[i] and normals[i].
 class MeshView {
  public:
-  static constexpr std::size_t kMaxVertices = 65536;
+  static constexpr std::uint32_t kMaxVertices = 65536;
 
   constexpr MeshView() = default;
 

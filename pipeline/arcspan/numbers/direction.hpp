@@ -42,9 +42,9 @@ struct Normal {
 /// |a - b|^2 = 2 - 2 a·b, from the difference vector: 2 - 2 a·b itself would lose a fifth of the value at an
 /// angle of one degree (docs/papers.md). 0...4, with 28 fraction bits, unsigned.
 [[nodiscard]] constexpr std::uint32_t squared_chord(const Normal& a, const Normal& b) {
-  const std::int32_t x = a.x.raw() - b.x.raw();
-  const std::int32_t y = a.y.raw() - b.y.raw();
-  const std::int32_t z = a.z.raw() - b.z.raw();
+  const std::int32_t x = std::int32_t{a.x.raw()} - b.x.raw();
+  const std::int32_t y = std::int32_t{a.y.raw()} - b.y.raw();
+  const std::int32_t z = std::int32_t{a.z.raw()} - b.z.raw();
   return static_cast<std::uint32_t>(wrap_add(wrap_add(wrap_mul(x, x), wrap_mul(y, y)), wrap_mul(z, z)));
 }
 

@@ -24,9 +24,9 @@ namespace detail {
 /// Entry i is 2^16 / (1 + i/256) - 2^15, rounded; without the offset the first would need 17 bits.
 consteval std::array<std::uint16_t, 257> make_reciprocal_table() {
   std::array<std::uint16_t, 257> table{};
-  for (std::uint32_t i = 0; i <= 256; ++i) {
-    const std::uint32_t d = 256 + i;
-    table[i] = static_cast<std::uint16_t>(((1u << 24) + d / 2) / d - (1u << 15));
+  for (std::size_t i = 0; i <= 256; ++i) {
+    const auto d = static_cast<std::uint32_t>(256 + i);
+    table[i] = static_cast<std::uint16_t>(((std::uint32_t{1} << 24) + d / 2) / d - (1u << 15));
   }
   return table;
 }
@@ -35,7 +35,7 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
 
 /// Mantissa of the reciprocal of a number whose highest bit is bit 31.
 [[nodiscard]] constexpr std::uint32_t reciprocal_mantissa(std::uint32_t normalised) {
-  const std::uint32_t index = (normalised >> 23) & 0xFFu;
+  const std::size_t index = (normalised >> 23) & 0xFFu;
   const std::uint32_t fraction = (normalised >> 15) & 0xFFu;
   const std::uint32_t above = kReciprocalTable[index];
   const std::uint32_t below = kReciprocalTable[index + 1];
@@ -60,7 +60,7 @@ namespace detail {
   const std::uint32_t r = reciprocal_mantissa(normalised);  // 16 fraction bits
   // n r - 1 with 31 fraction bits, below 81700 in magnitude: the leading 1 is 2^31 and drops out.
   const std::uint32_t product = (normalised >> 16) * r + (((normalised & 0xFFFFu) * r) >> 16);
-  const auto error = static_cast<std::int32_t>(product - (1u << 31));
+  const auto error = static_cast<std::int32_t>(product - (std::uint32_t{1} << 31));
   const std::int32_t correction = (error * static_cast<std::int32_t>(r >> 2)) >> 14;
   return (r << 15) - static_cast<std::uint32_t>(correction);
 }

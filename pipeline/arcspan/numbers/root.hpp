@@ -11,7 +11,7 @@ namespace arcspan {
 /// floor(sqrt(v)), exact for every v. One bit a step: for object set-up, not for pixels.
 [[nodiscard]] constexpr std::uint32_t integer_root(std::uint32_t v) {
   std::uint32_t root = 0;
-  for (std::uint32_t bit = 1u << 30; bit != 0; bit >>= 2) {
+  for (std::uint32_t bit = std::uint32_t{1} << 30; bit != 0; bit >>= 2) {
     if (v >= root + bit) {
       v -= root + bit;
       root = (root >> 1) + bit;
@@ -42,7 +42,7 @@ namespace detail {
   const std::uint32_t y2 = y > 65535 ? 0xFFFFFFFFu : y * y;
   const std::int32_t square =
       multiply_high(static_cast<std::int32_t>(y2 >> 1), static_cast<std::int32_t>(n32 >> 1));
-  const std::int32_t error = (1 << 28) - square;  // below 2^-8
+  const std::int32_t error = (std::int32_t{1} << 28) - square;  // below 2^-8
   const std::uint32_t refined =
       y + static_cast<std::uint32_t>(round_shift(wrap_mul(static_cast<std::int32_t>(y), error >> 6), 23));
   return refined > 65536 ? 65536 : refined;

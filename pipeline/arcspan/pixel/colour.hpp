@@ -38,8 +38,8 @@ struct PackedRgb {
     if ((sum & kCarries) == 0 && sum >= lanes) return {sum};
     // Green's carry left the word.
     const std::uint32_t carries = sum & kCarries;
-    const std::uint32_t green = sum < lanes ? ~0u << 22 : sum;
-    return {(green & (~0u << 22)) | ((sum | (carries - (carries >> 10))) & 0x001FFBFF)};
+    const std::uint32_t green = sum < lanes ? ~std::uint32_t{0} << 22 : sum;
+    return {(green & (~std::uint32_t{0} << 22)) | ((sum | (carries - (carries >> 10))) & 0x001FFBFF)};
   }
 
  private:

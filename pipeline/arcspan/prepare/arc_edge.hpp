@@ -24,7 +24,7 @@ struct ArcEdge {
 
 /// The step of an arc as a fraction a = mantissa * 2^-exponent <= 1 of it, mantissa in [2^15, 2^16].
 struct ArcFraction {
-  std::uint32_t mantissa = 1u << 16;
+  std::uint32_t mantissa = std::uint32_t{1} << 16;
   int exponent = 16;
 
   [[nodiscard]] constexpr Factor factor() const {
@@ -58,7 +58,7 @@ constexpr decltype(auto) with_angle(ArcClass c, F&& f) {
 /// How many bits of a Q1.30 slope are dropped before it meets the 16-bit mantissa of a fraction: slopes of
 /// near arcs are below 1/2, of arcs up to a squared chord of 1/3 below 1, of wider ones below 2.
 [[nodiscard]] constexpr int slope_drop(std::uint32_t chord) {
-  return chord > (1u << 28) / 3 ? 16 : arc_class(chord) == ArcClass::kNear ? 14 : 15;
+  return chord > (std::uint32_t{1} << 28) / 3 ? 16 : arc_class(chord) == ArcClass::kNear ? 14 : 15;
 }
 
 /// How a slope of 1 over a whole arc becomes one per step: (slope >> drop) * mantissa >> down.

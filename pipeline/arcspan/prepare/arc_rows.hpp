@@ -39,7 +39,7 @@ constexpr void make_arc_rows(Angle at_corner, Angle at_middle, const Reciprocal&
   rows.k_corner = corner.mantissa >> (corner.shift - rows.k_shift);
   rows.k_rise = (middle.mantissa >> (middle.shift - rows.k_shift)) - rows.k_corner;
 
-  constexpr std::uint32_t kOne = 1u << 30;
+  constexpr std::uint32_t kOne = std::uint32_t{1} << 30;
   const int up = 30 - edge.inverse.exponent;
   const auto scaled = [up](std::uint32_t v) { return up >= 0 ? v << up : v >> -up; };
   const std::uint32_t step = edge.dy < 16 ? kOne : scaled(16 * edge.inverse.mantissa);

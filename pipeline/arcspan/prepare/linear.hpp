@@ -30,7 +30,7 @@ struct LinearPlane {
 
 /// The largest gradient: the whole 16-bit range in one pixel. A steeper one only occurs in triangles narrower
 /// than a pixel, whose spans have one pixel and do not step.
-inline constexpr std::int32_t kMaxGradient = 1 << (16 + Linear::kFraction);
+inline constexpr std::int32_t kMaxGradient = std::int32_t{1} << (16 + Linear::kFraction);
 
 /// value * fraction, |value| <= 2^29, fraction with 16 fraction bits in 0...1, rounded down; 32-bit
 /// multiplies.

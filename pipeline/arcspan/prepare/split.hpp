@@ -15,7 +15,7 @@ template <class Method>
   RasterVertex<Method> middle;
   middle.position = {static_cast<std::int16_t>((a.position.x + b.position.x) >> 1),
                      static_cast<std::int16_t>((a.position.y + b.position.y) >> 1),
-                     static_cast<std::uint16_t>((a.position.z + b.position.z) >> 1)};
+                     static_cast<std::uint16_t>((std::uint32_t{a.position.z} + b.position.z) >> 1)};
   middle.shade = Method::between(a.shade, b.shade, Factor::of(0.5));
   return middle;
 }

@@ -39,7 +39,7 @@ struct Arc {
   static constexpr bool kNeedsFaceNormal = false;
 
   /// Normals farther apart than 60 degrees (squared chord 1) are not interpolated; the triangle is split.
-  static constexpr std::uint32_t kWidestChord = 1u << 28;
+  static constexpr std::uint32_t kWidestChord = std::uint32_t{1} << 28;
 
   [[nodiscard]] static Vertex shade_vertex(const Object& object, const Direction& normal) {
     return {to_normal(normal), object.scalars(normal)};
@@ -162,8 +162,9 @@ struct Arc {
     const Factor chord = chord_as<Factor>(squared_chord(a.normal, b.normal));
     const ArcStart<Factor> at = arc_start(angle_of_chord(chord), t, Factor{});
     const auto component = [&at](NormalComponent p, NormalComponent q) {
-      const Factor middle = Factor::from_raw(p.raw() + q.raw());  // 14 bits summed: 15 bits of the mean
-      const Factor rise = Factor::from_raw((q.raw() - p.raw()) * 2);
+      const Factor middle =
+          Factor::from_raw(std::int32_t{p.raw()} + q.raw());  // 14 bits summed: 15 bits of the mean
+      const Factor rise = Factor::from_raw((std::int32_t{q.raw()} - p.raw()) * 2);
       const Factor sum = middle + multiply<Factor>(at.even, middle) + multiply<Factor>(at.odd, rise);
       return NormalComponent::from_raw(static_cast<std::int16_t>(round_shift(sum.raw(), 1)));
     };

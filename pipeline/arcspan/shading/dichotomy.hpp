@@ -15,7 +15,7 @@ namespace detail {
 
 /// A coefficient of the polynomials below, 18 fraction bits.
 consteval std::uint32_t polynomial_coefficient(double value) {
-  const double rounded = value * (1 << 18) + 0.5;
+  const double rounded = value * (std::int32_t{1} << 18) + 0.5;
   return static_cast<std::uint32_t>(rounded);
 }
 /// value * s with the fraction bits of value; s has 16.
@@ -52,7 +52,7 @@ struct CubicPolynomial {
 /// p = 1/2 + q   s' = s/2 - (4 - s) q.  `q` has 18 fraction bits.
 [[nodiscard]] constexpr std::uint32_t halved_chord(std::uint32_t s, std::uint32_t q) {
   const std::uint32_t half = s >> 1;
-  const std::uint32_t less = ((((4u << 16) - s) >> 3) * q + (1u << 14)) >> 15;
+  const std::uint32_t less = ((((std::uint32_t{4} << 16) - s) >> 3) * q + (1u << 14)) >> 15;
   return less < half ? half - less : 0;
 }
 
@@ -119,7 +119,7 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
       };
       const std::uint32_t square = squared(normal_.x) + squared(normal_.y) + squared(normal_.z);
       // 26 fraction bits. Only between opposite normals is one shorter than 1/32; it counts as that long.
-      constexpr std::uint32_t kLeast = 1u << 16;
+      constexpr std::uint32_t kLeast = std::uint32_t{1} << 16;
       const ReciprocalRoot root = reciprocal_root(square < kLeast ? kLeast : square);
       return static_cast<std::int32_t>((root.mantissa << 4) >> (root.exponent - 24));
     }

@@ -65,7 +65,7 @@ struct Gouraud {
     /// 8 and 2 bits, half a step added; gradients have errors, so that a value may leave 0...255 by a little.
     [[nodiscard]] static constexpr std::uint32_t level(Linear value) {
       constexpr int kDrop = Linear::kFraction + 6;
-      const std::int32_t rounded = wrap_add(value.raw(), 1 << (kDrop + 1)) >> kDrop;
+      const std::int32_t rounded = wrap_add(value.raw(), std::int32_t{1} << (kDrop + 1)) >> kDrop;
       return static_cast<std::uint32_t>(rounded < 0 ? 0 : rounded > 1023 ? 1023 : rounded);
     }
   };

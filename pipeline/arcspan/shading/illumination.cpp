@@ -47,7 +47,7 @@ Status Illumination<Lights, Model>::make(const Material& material,
     illumination.axes_[i] = lights[i].towards;
     illumination.strength_[i] = static_cast<std::uint32_t>(lights[i].strength.raw());
     illumination.half_one_plus_light_eye_[i] =
-        (1 << (Unit::kFraction - 1)) + (dot(lights[i].towards, to_eye).raw() >> 1);
+        (std::int32_t{1} << (Unit::kFraction - 1)) + (dot(lights[i].towards, to_eye).raw() >> 1);
     if (Model == Highlight::kBlinn)
       illumination.axes_[(Lights + i) % kScalars] = half_way(lights[i].towards, to_eye);
   }
@@ -71,7 +71,8 @@ void Illumination<Lights, Model>::make_ramp() {
     // 20 fraction bits become 2; entry 0 also serves the unlit side, where the diffuse part is 0.
     const std::uint32_t light = i == 0 ? 0 : static_cast<std::uint32_t>(i) * 128 + 64;
     const auto deep = [&](std::size_t c) {
-      const std::uint32_t sum = (ambient_[c] + diffuse_[c] * light + (1u << 19) + (1u << 17)) >> 18;
+      const std::uint32_t sum =
+          (ambient_[c] + diffuse_[c] * light + (std::uint32_t{1} << 19) + (std::uint32_t{1} << 17)) >> 18;
       return sum > 1023 ? 1023u : sum;
     };
     ramp_[i] = PackedRgb::of(deep(0), deep(1), deep(2));

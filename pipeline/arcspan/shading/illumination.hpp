@@ -181,7 +181,7 @@ class Illumination {
   [[nodiscard]] constexpr std::int32_t highlight_distance(Unit normal_light, Unit other,
                                                           std::size_t light) const {
     if constexpr (Model == Highlight::kBlinn) {
-      return (1 << (Unit::kFraction - 1)) - (other.raw() >> 1);
+      return (std::int32_t{1} << (Unit::kFraction - 1)) - (other.raw() >> 1);
     } else {
       // 15 rounded bits each: truncated ones would shift a highlight of n = 64 by up to two 8-bit steps.
       const std::int32_t product =
@@ -214,7 +214,7 @@ class Illumination {
     return ambient_[c] + diffuse_[c] * light.diffuse + specular_[c] * light.specular;
   }
   [[nodiscard]] constexpr std::uint32_t level(std::size_t c, const Light& light) const {
-    const std::uint32_t rounded = (channel(c, light) + (1u << 19)) >> 18;
+    const std::uint32_t rounded = (channel(c, light) + (std::uint32_t{1} << 19)) >> 18;
     return rounded > 1023 ? 1023 : rounded;
   }
   [[nodiscard]] constexpr std::int32_t deep_level(std::size_t c, const Light& light) const {

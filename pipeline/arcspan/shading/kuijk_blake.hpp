@@ -65,10 +65,10 @@ struct KuijkBlake : SlerpBase<Illumination, Illumination::kScalars> {
     /// (a, (b - a cos psi) / sin psi).
     [[nodiscard]] static constexpr Wave wave(const SlerpRow<Base::kCount>& row, Unit a, Unit b) {
       const std::int64_t beside =
-          b.raw() - ((std::int64_t{a.raw()} * cosine(row.arc.angle) + (1 << 29)) >> 30);
+          b.raw() - ((std::int64_t{a.raw()} * cosine(row.arc.angle) + (std::int32_t{1} << 29)) >> 30);
       // 1 / sin(psi) = inverse_sine * 2^(zeros - 47) per unit of 2^-30; 29 fraction bits remain.
       const std::int64_t quotient = (beside * row.arc.inverse_sine) >> (18 - row.arc.zeros);
-      const std::int64_t kMost = 1 << 29;
+      const std::int64_t kMost = std::int32_t{1} << 29;
       const std::int64_t held = quotient > kMost ? kMost : quotient < -kMost ? -kMost : quotient;
       const Polar polar = to_polar(a.raw() >> 1, static_cast<std::int32_t>(held));
       return {round_shift(polar.size, 14), row.phase - polar.angle};

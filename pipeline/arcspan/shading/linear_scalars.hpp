@@ -30,7 +30,7 @@ struct SquaredLength {
  private:
   /// 54 fraction bits become 38.
   [[nodiscard]] static constexpr std::int64_t product(Linear a, Linear b) {
-    return (std::int64_t{a.raw()} * b.raw() + (1 << 15)) >> 16;
+    return (std::int64_t{a.raw()} * b.raw() + (std::int32_t{1} << 15)) >> 16;
   }
 };
 
@@ -39,7 +39,8 @@ class RootAndDivision {
  public:
   /// `square` = N·N with 30 fraction bits. Below 2^-15 it counts as 2^-15, and no quotient exceeds 1.
   constexpr explicit RootAndDivision(std::int32_t square)
-      : length_(nearest_root(static_cast<std::uint32_t>(square < (1 << 15) ? 1 << 15 : square))) {}
+      : length_(nearest_root(
+            static_cast<std::uint32_t>(square < (std::int32_t{1} << 15) ? std::int32_t{1} << 15 : square))) {}
 
   [[nodiscard]] constexpr Unit operator()(Linear scalar) const {
     const std::int32_t rounded = round_shift(scalar.raw(), Linear::kFraction - 1);  // 16 fraction bits
@@ -84,7 +85,7 @@ struct LinearScalars {
     const std::uint32_t chord = squared_chord(to_normal(a.normal), to_normal(b.normal));
     const auto weight = static_cast<std::uint32_t>(wrap_mul(t.raw(), 32768 - t.raw())) >> 15;
     // |a (1-t) + b t|^2 = 1 - t (1-t) |a-b|^2, 30 fraction bits; the chord has 28.
-    const std::int32_t square = (1 << 30) - static_cast<std::int32_t>((chord >> 13) * weight);
+    const std::int32_t square = (std::int32_t{1} << 30) - static_cast<std::int32_t>((chord >> 13) * weight);
     const RootAndDivision normalise(square);
     for (std::size_t i = 0; i < kScalars; ++i) {
       const Unit from = a.scalars[i];

@@ -11,9 +11,9 @@ class TaylorRoot {
  public:
   /// `square` = N·N with 30 fraction bits, 0...1 but for rounding.
   constexpr explicit TaylorRoot(std::int32_t square) {
-    const std::int32_t e = round_shift(wrap_sub(square, 1 << 30), 15);
+    const std::int32_t e = round_shift(wrap_sub(square, std::int32_t{1} << 30), 15);
     const std::int32_t bend = wrap_mul(3, round_shift(wrap_mul(e, e), 15));
-    factor_ = (1 << 15) - round_shift(e, 1) + round_shift(bend, 3);
+    factor_ = (std::int32_t{1} << 15) - round_shift(e, 1) + round_shift(bend, 3);
   }
 
   [[nodiscard]] constexpr Unit operator()(Linear scalar) const {

@@ -62,7 +62,7 @@ inline constexpr std::array<std::uint32_t, kCordicSteps> kCordicTable = make_cor
     }
   }
   constexpr std::int64_t kGain = 652032874;  // 0.607252935, 30 fraction bits
-  return {static_cast<std::int32_t>((x * kGain + (1 << 29)) >> 30), angle};
+  return {static_cast<std::int32_t>((x * kGain + (std::int32_t{1} << 29)) >> 30), angle};
 }
 
 }  // namespace arcspan

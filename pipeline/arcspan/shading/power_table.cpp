@@ -12,8 +12,8 @@ std::uint32_t power(std::uint32_t base, std::int32_t exponent) {
   std::uint64_t result = std::uint64_t{1} << 31;
   std::uint64_t square = base;
   for (; exponent > 0; exponent >>= 1) {
-    if ((exponent & 1) != 0) result = (result * square + (1u << 30)) >> 31;
-    square = (square * square + (1u << 30)) >> 31;
+    if ((exponent & 1) != 0) result = (result * square + (std::uint32_t{1} << 30)) >> 31;
+    square = (square * square + (std::uint32_t{1} << 30)) >> 31;
   }
   return static_cast<std::uint32_t>(result);
 }
@@ -21,9 +21,9 @@ std::uint32_t power(std::uint32_t base, std::int32_t exponent) {
 /// Half the distance from 1 at which c^n falls to 2^-10, by bisection; 30 fraction bits.
 std::uint32_t half_reach_of(std::int32_t exponent) {
   std::uint32_t reach = 0;
-  for (std::uint32_t bit = 1u << 28; bit != 0; bit >>= 1) {
+  for (std::uint32_t bit = std::uint32_t{1} << 28; bit != 0; bit >>= 1) {
     const std::uint32_t further = reach + bit;
-    if (power((1u << 31) - 4 * further, exponent) >= 1u << 21) reach = further;
+    if (power((std::uint32_t{1} << 31) - 4 * further, exponent) >= std::uint32_t{1} << 21) reach = further;
   }
   return reach + 1;
 }
@@ -37,7 +37,7 @@ PowerTable::PowerTable(std::int32_t exponent) {
   const auto bits = static_cast<std::uint32_t>(std::bit_width(reach));
   drop_ = bits > 16 ? bits - 16 : 0;
   scale_ = ((kIntervals << 8) << 16) / ((reach >> drop_) + 1);
-  for (std::uint32_t i = 0; i < kIntervals + 2; ++i) {
+  for (std::size_t i = 0; i < kIntervals + 2; ++i) {
     // The half distance that position i << 8 stands for, times 4: 1 - c with 31 fraction bits.
     const std::uint64_t distance = ((std::uint64_t{i} << (8 + 16 + 2)) << drop_) / scale_;
     const std::uint64_t base = distance < (std::uint64_t{1} << 31) ? (std::uint64_t{1} << 31) - distance : 0;

@@ -30,7 +30,7 @@ class PowerTable {
   [[nodiscard]] constexpr std::uint32_t operator()(std::int32_t half_distance) const {
     const std::uint32_t inside = half_distance < 0 ? 0u : static_cast<std::uint32_t>(half_distance);
     const std::uint32_t position = ((inside >> drop_) * scale_) >> 16;  // 8 fraction bits
-    const std::uint32_t index = position >> 8;
+    const auto index = static_cast<std::size_t>(position >> 8);
     const std::uint32_t here = values_[index];
     const std::uint32_t next = values_[index + 1];
     return here - (((here - next) * (position & 0xFFu) + 128u) >> 8);

@@ -34,8 +34,8 @@ class ReflectionTable {
     std::int32_t u = scaled(x, inverse);
     std::int32_t v = scaled(y, inverse);
     if (z < 0) {
-      const auto folded_u = static_cast<std::int32_t>(kOne - magnitude(v));
-      const auto folded_v = static_cast<std::int32_t>(kOne - magnitude(u));
+      const std::int32_t folded_u = kOne - static_cast<std::int32_t>(magnitude(v));
+      const std::int32_t folded_v = kOne - static_cast<std::int32_t>(magnitude(u));
       u = x < 0 ? -folded_u : folded_u;
       v = y < 0 ? -folded_v : folded_v;
     }
@@ -43,7 +43,7 @@ class ReflectionTable {
   }
 
  private:
-  static constexpr std::int32_t kOne = 1 << 15;
+  static constexpr std::int32_t kOne = std::int32_t{1} << 15;
 
   [[nodiscard]] static constexpr std::uint32_t magnitude(std::int32_t v) {
     return static_cast<std::uint32_t>(v < 0 ? -v : v);
@@ -67,8 +67,8 @@ class ReflectionTable {
     std::int32_t v = middle(row);
     const std::int32_t z = kOne - static_cast<std::int32_t>(magnitude(u) + magnitude(v));
     if (z < 0) {
-      const auto folded_u = static_cast<std::int32_t>(kOne - magnitude(v));
-      const auto folded_v = static_cast<std::int32_t>(kOne - magnitude(u));
+      const std::int32_t folded_u = kOne - static_cast<std::int32_t>(magnitude(v));
+      const std::int32_t folded_v = kOne - static_cast<std::int32_t>(magnitude(u));
       u = u < 0 ? -folded_u : folded_u;
       v = v < 0 ? -folded_v : folded_v;
     }
@@ -117,7 +117,7 @@ struct ReflectionMap {
    private:
     /// 15 fraction bits, kept below 4: gradients of slivers have errors.
     [[nodiscard]] static constexpr std::int32_t short_component(Linear c) {
-      constexpr std::int32_t kMost = (1 << 17) - 1;
+      constexpr std::int32_t kMost = (std::int32_t{1} << 17) - 1;
       const std::int32_t v = round_shift(c.raw(), Linear::kFraction);
       return v > kMost ? kMost : v < -kMost ? -kMost : v;
     }

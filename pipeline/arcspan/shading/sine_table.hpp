@@ -10,7 +10,7 @@ namespace arcspan {
 
 /// An angle with 2^30 for a quarter turn, so that a whole turn wraps by itself.
 using Angle32 = std::uint32_t;
-inline constexpr Angle32 kQuarterTurn = 1u << 30;
+inline constexpr Angle32 kQuarterTurn = std::uint32_t{1} << 30;
 
 namespace detail {
 
@@ -27,7 +27,7 @@ consteval std::array<std::uint32_t, 258> make_sine_table() {
       term *= -x * x / ((2 * k) * (2 * k + 1));
       sum += term;
     }
-    table[i] = static_cast<std::uint32_t>(sum * (1 << 30) + 0.5);
+    table[i] = static_cast<std::uint32_t>(sum * (std::int32_t{1} << 30) + 0.5);
   }
   table[257] = table[256];
   return table;
@@ -40,7 +40,7 @@ inline constexpr std::array<std::uint32_t, 258> kSineTable = make_sine_table();
 /// sin of an angle up to a quarter turn, 30 fraction bits: a table of 257 entries with linear interpolation.
 /// Error at most 6e-6 of 1, and 5e-5 of the sine itself down to 2^-8 rad (swept in the tests).
 [[nodiscard]] constexpr std::uint32_t quarter_sine(Angle32 angle) {
-  const std::uint32_t index = angle >> 22;
+  const auto index = static_cast<std::size_t>(angle >> 22);
   const std::uint32_t fraction = (angle >> 6) & 0xFFFFu;
   const std::uint32_t here = detail::kSineTable[index];
   return here + ((((detail::kSineTable[index + 1] - here) >> 7) * fraction) >> 9);

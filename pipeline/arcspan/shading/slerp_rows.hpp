@@ -18,7 +18,7 @@ namespace detail {
   const std::uint64_t product = std::uint64_t{numerator} * inverse.mantissa;
   const int down = inverse.exponent - 30;
   const std::uint64_t ratio = down >= 0 ? product >> down : product << -down;
-  return ratio > (1u << 30) ? 1u << 30 : static_cast<std::uint32_t>(ratio);
+  return ratio > (std::uint32_t{1} << 30) ? std::uint32_t{1} << 30 : static_cast<std::uint32_t>(ratio);
 }
 
 /// The fraction (30 bits) of an angle.
@@ -57,7 +57,8 @@ struct SlerpArc {
       const std::int64_t difference = round_shift(wrap_sub(a[i].raw() >> 1, b[i].raw() >> 1), 14);
       sum += static_cast<std::uint64_t>(difference * difference);
     }
-    const std::uint32_t chord = sum > (1u << 30) ? 1u << 30 : static_cast<std::uint32_t>(sum);
+    const std::uint32_t chord =
+        sum > (std::uint32_t{1} << 30) ? std::uint32_t{1} << 30 : static_cast<std::uint32_t>(sum);
     // psi^2 = s (1 + s/12 + s^2/90 + s^3/560 + ...), as angle_of_chord(); the rest of the series is in the
     // last coefficient.
     const std::uint32_t s = chord >> 15;
@@ -165,7 +166,9 @@ struct SlerpEdges {
     const std::uint32_t inside = start.inside < start.width ? start.inside : start.width;
     row.phase = detail::part_of(row.arc.angle, detail::ratio30(inside, inverse));
     // A row shorter than a pixel has one pixel and makes no step.
-    row.step = start.bits != 16 ? 0 : detail::part_of(row.arc.angle, detail::ratio30(1u << 16, inverse));
+    row.step = start.bits != 16
+                   ? 0
+                   : detail::part_of(row.arc.angle, detail::ratio30(std::uint32_t{1} << 16, inverse));
     return row;
   }
 };

@@ -61,7 +61,7 @@ class ClipTransform {
   /// Depth of a vertex at near_w() / w = `near_over_w` (29 fraction bits): 16 bits, nearer is smaller, linear
   /// on the screen. Stays kDepthMargin away from both ends, so that stepping it cannot wrap.
   [[nodiscard]] std::uint16_t depth(std::int32_t near_over_w) const {
-    const std::int32_t beyond = (1 << 29) - near_over_w;
+    const std::int32_t beyond = (std::int32_t{1} << 29) - near_over_w;
     if (beyond <= 0) return static_cast<std::uint16_t>(kDepthMargin);
     const std::int32_t depth = kDepthMargin + (multiply_high(depth_range_, beyond) >> depth_shift_);
     return static_cast<std::uint16_t>(depth > 65535 - kDepthMargin ? 65535 - kDepthMargin : depth);

@@ -15,7 +15,7 @@ constexpr std::int64_t product(std::int64_t x, std::int64_t y) { return (x * y +
 /// `angle` in 0...8192 (an eighth of a turn) as radians: times 2 pi / 2^16.
 constexpr std::int64_t radians(std::int64_t angle) {
   constexpr std::int64_t kTwoPi = 6746518852;  // 30 fraction bits
-  return (angle * kTwoPi + (1 << 15)) >> 16;
+  return (angle * kTwoPi + (std::int32_t{1} << 15)) >> 16;
 }
 
 /// Taylor's series to x^11 and x^10; the next terms are below 2^-35 at an eighth of a turn.

@@ -15,8 +15,8 @@ namespace arcspan::hal {
 class DcsPanel : public Panel {
  public:
   using Layout = BigEndianRgb565;
-  static constexpr std::uint16_t kColumns = 240;
-  static constexpr std::uint16_t kRows = 320;
+  static constexpr std::int32_t kColumns = 240;
+  static constexpr std::int32_t kRows = 320;
 
  protected:
   DcsPanel(SpiBus& bus, OutputPin& data_or_command, OutputPin* reset, Clock& clock, const Glass& glass,

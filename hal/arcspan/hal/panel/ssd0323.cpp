@@ -5,7 +5,7 @@
 namespace arcspan::hal {
 namespace {
 
-constexpr std::uint8_t byte(int value) { return static_cast<std::uint8_t>(value); }
+constexpr std::uint8_t byte(std::int32_t value) { return static_cast<std::uint8_t>(value); }
 
 // Re-map (A0h).
 constexpr int kColumnRemap = 0x01;
@@ -56,7 +56,7 @@ Status Ssd0323::do_open_window(const Rect& area) {
   const Glass& g = glass();
   const Orientation o = settings().orientation;
   const Rect r = on_glass(area, o);
-  const int margin = mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
+  const std::int32_t margin = mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
   const std::uint8_t bytes[] = {
       0x15,        byte((margin + r.left) / 2), byte((margin + r.right) / 2 - 1), 0x75,
       byte(r.top), byte(r.bottom - 1)};

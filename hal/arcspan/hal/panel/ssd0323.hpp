@@ -15,8 +15,8 @@ inline constexpr Glass kSsd0323Module{128, 64, 0, 0, false, false, false, false}
 class Ssd0323 final : public SolomonPanel {
  public:
   using Layout = Gray4Pairs;
-  static constexpr int kColumns = 128;
-  static constexpr int kRows = 80;
+  static constexpr std::int32_t kColumns = 128;
+  static constexpr std::int32_t kRows = 80;
 
   /// `split_coms`: the glass has its odd rows on one side and its even ones on the other. `reset` may be null
   /// if no pin is connected to it. Everything referred to must outlive the panel.

@@ -5,7 +5,7 @@
 namespace arcspan::hal {
 namespace {
 
-constexpr std::uint8_t byte(int value) { return static_cast<std::uint8_t>(value); }
+constexpr std::uint8_t byte(std::int32_t value) { return static_cast<std::uint8_t>(value); }
 
 }  // namespace
 
@@ -50,7 +50,7 @@ Status Ssd1306::do_open_window(const Rect& area) {
   const Glass& g = glass();
   const Orientation o = settings().orientation;
   const Rect r = on_glass(area, o);
-  const int margin = mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
+  const std::int32_t margin = mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
   const std::uint8_t bytes[] = {0x21, byte(margin + r.left), byte(margin + r.right - 1),  // (10.1.4)
                                 0x22, byte(r.top / 8),       byte(r.bottom / 8 - 1)};     // (10.1.5)
   return send(bytes);

@@ -21,8 +21,8 @@ struct Ssd1306Wiring {
 class Ssd1306 final : public SolomonPanel {
  public:
   using Layout = MonoPages;
-  static constexpr int kColumns = 128;
-  static constexpr int kRows = 64;
+  static constexpr std::int32_t kColumns = 128;
+  static constexpr std::int32_t kRows = 64;
 
   /// `reset` may be null if no pin is connected to it. Everything referred to must outlive the panel.
   Ssd1306(SolomonPort& port, OutputPin* reset, Clock& clock, const Glass& glass = kSsd1306Module,

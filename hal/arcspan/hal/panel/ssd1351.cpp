@@ -10,7 +10,7 @@ namespace {
 // 8.9: reset is low for at least 2 us, and nothing is sent for 2 us after it.
 constexpr std::uint32_t kResetUs = 10;
 
-constexpr std::uint8_t byte(int value) { return static_cast<std::uint8_t>(value); }
+constexpr std::uint8_t byte(std::int32_t value) { return static_cast<std::uint8_t>(value); }
 
 // Re-map and colour depth (10.1.3).
 constexpr int kVerticalIncrement = 0x01;
@@ -82,7 +82,7 @@ Status Ssd1351::do_open_window(const Rect& area) {
   const Glass& g = glass();
   const Orientation o = settings().orientation;
   const Rect r = on_glass(area, o);
-  const int margin = mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
+  const std::int32_t margin = mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
   const Command commands[] = {{0x15, 2, {byte(margin + r.left), byte(margin + r.right - 1)}},  // (10.1.1)
                               {0x75, 2, {byte(r.top), byte(r.bottom - 1)}},                    // (10.1.2)
                               {0x5C}};                                                         // write RAM

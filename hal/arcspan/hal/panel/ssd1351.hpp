@@ -16,8 +16,8 @@ inline constexpr Glass kSsd1351Module{128, 128, 0, 0, false, true, true, false};
 class Ssd1351 final : public Panel {
  public:
   using Layout = BigEndianRgb565;
-  static constexpr int kColumns = 128;
-  static constexpr int kRows = 128;
+  static constexpr std::int32_t kColumns = 128;
+  static constexpr std::int32_t kRows = 128;
 
   /// `split_coms`: rows are wired to both sides of the glass in turn. `reset` may be null if no pin is
   /// connected to it. Everything referred to must outlive the panel.

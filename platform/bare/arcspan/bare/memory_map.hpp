@@ -7,6 +7,7 @@
 extern "C" {
 extern std::uint32_t arcspan_stack_bottom[];
 extern std::uint32_t arcspan_stack_top[];
+extern std::uint32_t arcspan_stack_floor[];
 extern std::uint32_t arcspan_data_begin[];
 extern std::uint32_t arcspan_data_end[];
 extern const std::uint32_t arcspan_data_image[];

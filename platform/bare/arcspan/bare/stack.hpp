@@ -8,6 +8,10 @@ namespace arcspan::bare {
 /// Bytes that memory.ld reserves for the stack.
 [[nodiscard]] std::uint32_t stack_size();
 
+/// Bytes of it that a program may use at its deepest, as memory.ld says; the rest is in reserve. A program
+/// that returns from main() after having used more leaves with kExitStackOverflow.
+[[nodiscard]] std::uint32_t stack_limit();
+
 /// Fills the unused part of the stack, up to a little below the caller's frame, with a pattern.
 void paint_stack();
 

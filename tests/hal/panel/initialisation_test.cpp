@@ -135,9 +135,9 @@ TEST_CASE("SSD0323: the wires of a start and a frame; parameters are commands") 
       "reset low\nwait 10 us\nreset high\nwait 10 us\n"
       "command e3 e3 ae\n"
       "command e3 e3\n"
-      "command a0 42\n"  // COM split, nibbles exchanged
+      "command a0 52\n"  // COM split and re-map, nibbles exchanged
       "command a1 00\n"
-      "command a2 00\n"
+      "command a2 40\n"  // COMs count from 79 down, and the glass has the first 64 of them
       "command a8 3f\n"
       "command 86\n"
       "command 81 7f\n"
@@ -154,6 +154,30 @@ TEST_CASE("SSD0323: the wires of a start and a frame; parameters are commands") 
   CHECK(send_dotted(panel, {0, 0, 0}, {255, 255, 255}) == Status::kOk);
   CHECK(panel.sleep() == Status::kOk);
   CHECK(mock.finish() == "");
+}
+
+TEST_CASE("SSD0323: re-map and offset are those of other drivers for known modules") {
+  struct Module {
+    Glass glass;
+    Orientation orientation;
+    const char* remap;
+    const char* offset;
+  };
+  const Module modules[] = {
+      // LM3S6965 evaluation board: OSRAM_INIT_REMAP 52h, OSRAM_INIT_OFFSET 4Ch
+      {{128, 64, 0, 12, false, true, false, false}, Orientation::k0, "command a0 52\n", "command a2 4c\n"},
+      // u8g2 for Osram's module: 52h and 40h; turned by half 41h and 50h, which is 0 of 80 rows
+      {kSsd0323Module, Orientation::k0, "command a0 52\n", "command a2 40\n"},
+      {kSsd0323Module, Orientation::k180, "command a0 41\n", "command a2 00\n"},
+  };
+  for (const Module& m : modules) {
+    MockWires mock(Script("command e3 e3 ae e3 e3\n") + m.remap + "command a1 00\n" + m.offset +
+                   "command a8 3f 86 81 7f a4 af\n");
+    SolomonSpi port(mock.spi(), mock.data_or_command());
+    Ssd0323 panel(port, nullptr, mock.clock(), m.glass, {.orientation = m.orientation});
+    CHECK(panel.start() == Status::kOk);
+    CHECK(mock.finish() == "");
+  }
 }
 
 TEST_CASE("SSD1306: the transactions of a start and a frame on I2C") {

@@ -18,13 +18,19 @@ Status status_of(Fault::Kind kind) {
 }
 
 Status SimulatedSpi::Line::do_set(Level level) {
-  if (fails_) {
-    fails_ = false;
+  if (fails_at_ && (*fails_at_)-- == 0) {
+    fails_at_.reset();
     return Status::kTransferFailed;
   }
   level_ = level;
   if (resets_) bus_.device_.reset_line(level, bus_.clock_.now_ns());
   return Status::kOk;
+}
+
+bool SimulatedSpi::Line::take_back_fault() {
+  const bool waiting = fails_at_.has_value();
+  fails_at_.reset();
+  return waiting;
 }
 
 Status SimulatedSpi::Busy::do_read(Level& level) {

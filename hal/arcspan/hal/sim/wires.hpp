@@ -63,15 +63,17 @@ class SimulatedSpi final : public SpiBus {
   class Line final : public OutputPin {
    public:
     Line(SimulatedSpi& bus, bool resets) : bus_(bus), resets_(resets) {}
-    /// The next `set` fails and changes nothing.
-    void fail_once() { fails_ = true; }
+    /// The n-th `set` from now on, 0 the next, fails once and changes nothing.
+    void fail_at(std::uint64_t set) { fails_at_ = set; }
+    /// Whether it has not failed yet; forgets that it should.
+    bool take_back_fault();
     [[nodiscard]] Level level() const { return level_; }
 
    private:
     Status do_set(Level level) override;
     SimulatedSpi& bus_;
     bool resets_;
-    bool fails_ = false;
+    std::optional<std::uint64_t> fails_at_;
     Level level_ = Level::kHigh;
   };
 

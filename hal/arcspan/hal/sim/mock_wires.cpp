@@ -44,12 +44,12 @@ Status MockWires::on_bytes(const WireEvent& event) {
   for (std::size_t i = 0; i < event.bytes.size(); ++i) {
     const WireEvent* expected = due();
     if (expected == nullptr || expected->kind != Kind::kSpi || expected->level != event.level ||
-        expected->bytes[done_] != event.bytes[i]) {
+        expected->bytes[done_bytes_] != event.bytes[i]) {
       WireEvent rest = event;
       rest.bytes.erase(rest.bytes.begin(), rest.bytes.begin() + static_cast<std::ptrdiff_t>(i));
       return differ("it was '" + to_string(rest) + "'");
     }
-    if (++done_ < expected->bytes.size()) continue;
+    if (++done_bytes_ < expected->bytes.size()) continue;
     const Status status = take();
     if (!ok(status)) return status;
   }
@@ -65,10 +65,10 @@ Status MockWires::on_delay(const WireEvent& event) {
       rest.us = left;
       return differ("it was '" + to_string(rest) + "'");
     }
-    const std::uint64_t now = std::min(left, expected->us - done_);
-    done_ += now;
+    const std::uint64_t now = std::min(left, expected->us - done_us_);
+    done_us_ += now;
     left -= now;
-    if (done_ == expected->us) (void)take();
+    if (done_us_ == expected->us) (void)take();
   }
   return Status::kOk;
 }
@@ -77,7 +77,7 @@ Status MockWires::on_whole(WireEvent& event) {
   const WireEvent* expected = due();
   const bool same = expected != nullptr && expected->kind == event.kind && expected->pin == event.pin &&
                     (event.kind == Kind::kRead || expected->level == event.level) &&
-                    expected->address == event.address && expected->bytes == event.bytes && done_ == 0;
+                    expected->address == event.address && expected->bytes == event.bytes && done_us_ == 0;
   if (!same)
     return differ("it was '" + (event.kind == Kind::kRead ? "read " + event.pin : to_string(event)) + "'");
   event.level = expected->level;
@@ -85,7 +85,8 @@ Status MockWires::on_whole(WireEvent& event) {
 }
 
 Status MockWires::take() {
-  done_ = 0;
+  done_bytes_ = 0;
+  done_us_ = 0;
   return events_[next_++].answer;
 }
 
@@ -99,9 +100,10 @@ std::string MockWires::expectation() const {
   if (event == nullptr) return "the script is over";
   std::string text = "line " + std::to_string(event->line) + ": expected '" + to_string(*event) + "'";
   if (event->kind == Kind::kSpi) {
-    text += ", byte " + std::to_string(done_ + 1) + " (" + hex(event->bytes[done_]).substr(2) + ")";
-  } else if (done_ > 0) {
-    text += ", of which " + std::to_string(event->us - done_) + " us are left";
+    text +=
+        ", byte " + std::to_string(done_bytes_ + 1) + " (" + hex(event->bytes[done_bytes_]).substr(2) + ")";
+  } else if (done_us_ > 0) {
+    text += ", of which " + std::to_string(event->us - done_us_) + " us are left";
   }
   return text;
 }

@@ -38,7 +38,8 @@ class MockWires final : public WireTap {
 
   std::vector<WireEvent> events_;
   std::size_t next_ = 0;
-  std::uint64_t done_ = 0;  ///< bytes or microseconds of the event that is due
+  std::size_t done_bytes_ = 0;  ///< of the event that is due
+  std::uint64_t done_us_ = 0;
   std::string difference_;
 };
 

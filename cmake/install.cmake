@@ -1,11 +1,17 @@
 # SPDX-License-Identifier: MIT
-# Install and export: find_package(arcspan) gives arcspan::pipeline and arcspan::hal.
+# Install and export: find_package(arcspan) gives arcspan::pipeline and arcspan::hal, and arcspan::hal_sim and
+# arcspan::linux_host where they were built.
 include(CMakePackageConfigHelpers)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/arcspan)
 set(libraries arcspan_pipeline arcspan_hal)
 if(TARGET arcspan_hal_sim AND PROJECT_IS_TOP_LEVEL)
   list(APPEND libraries arcspan_hal_sim)
+endif()
+if(TARGET arcspan_linux_host)
+  list(APPEND libraries arcspan_linux_host)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/platform/linux/arcspan DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+          FILES_MATCHING PATTERN "*.hpp")
 endif()
 install(TARGETS ${libraries} EXPORT arcspan_targets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -26,7 +26,8 @@ class Oled {
   OutputPin data_or_command_{Port::kC, 7};
   OutputPin select_{Port::kD, 0};
   hal::SolomonSpi port_{bus_, data_or_command_};
-  hal::Ssd0323 panel_{port_, nullptr, clock_};
+  // The board's glass begins at the controller's row 12 (OSRAM_INIT_OFFSET 4Ch in Luminary Micro's driver).
+  hal::Ssd0323 panel_{port_, nullptr, clock_, hal::Glass{128, 64, 0, 12, false, true, false, false}};
 };
 
 }  // namespace arcspan::lm3s6965

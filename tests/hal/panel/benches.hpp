@@ -70,6 +70,12 @@ struct Ssd0323Bench : SolomonSpiBench<Ssd0323, sim::Ssd0323Model> {
   explicit Ssd0323Bench(const PanelSettings& s = {}, const Glass& g = kSsd0323Module)
       : SolomonSpiBench(g, s) {}
 };
+/// A glass in the middle of the controller's rows and columns.
+struct Ssd0323MiddleBench : SolomonSpiBench<Ssd0323, sim::Ssd0323Model> {
+  explicit Ssd0323MiddleBench(const PanelSettings& s = {},
+                              const Glass& g = {96, 48, 16, 12, true, false, false, false})
+      : SolomonSpiBench(g, s) {}
+};
 struct Ssd1306Bench : SolomonSpiBench<Ssd1306, sim::Ssd1306Model> {
   explicit Ssd1306Bench(const PanelSettings& s = {}, const Glass& g = kSsd1306Module)
       : SolomonSpiBench(g, s) {}

@@ -151,6 +151,36 @@ TEST_CASE("the SSD1306 model takes parameters as commands") {
   CHECK(h.complains("display is off"));
 }
 
+TEST_CASE("the SSD0323 model knows its rows, its display lines and its reset") {
+  Hand<sim::Ssd0323Model> h({128, 80, 0, 0, false, false, false, false});
+  h.c({0xAF, 0xA8, 0x3F, 0x15, 0, 0x40});
+  CHECK(h.complains("bad columns 0x00 to 0x40"));
+  h.c({0x75, 9, 8});
+  CHECK(h.complains("bad rows 0x09 to 0x08"));
+  h.c({0x15, 0, 0, 0x75, 0, 0});
+  h.d({0x0F});
+  CHECK_FALSE(h.complains(""));
+  CHECK(h.device.picture().at(0, 0) == Rgb8{255, 255, 255});  // the low nibble, without re-map
+  CHECK(h.device.picture().at(1, 0) == Rgb8{});
+  CHECK(h.device.picture().at(0, 64) == Rgb8{});  // 64 lines
+  h.d({0});
+  CHECK(h.complains("more pixels"));
+  h.c({0x15, 0, 0, 0x75, 0, 0});
+  h.d({0xF0});
+  h.c({0xA0, 0x52, 0xA2, 0x40});  // COMs from 79 down, of which the first of 64 lines is 63
+  CHECK(h.device.picture().at(0, 63) == Rgb8{255, 255, 255});
+  h.c({0xCC});
+  CHECK(h.complains("unknown command 0xcc"));
+  h.device.reset_line(Level::kLow, h.now);
+  h.device.reset_line(Level::kHigh, h.now += 2'000);
+  CHECK(h.complains("only 2000 ns"));
+  h.device.reset_line(Level::kLow, h.now);
+  h.device.reset_line(Level::kHigh, h.now += 3'000);
+  CHECK(h.device.brightness() == 0x40);
+  h.c({0xE3});
+  CHECK(h.complains("too soon after reset"));
+}
+
 TEST_CASE("the SSD1351 model keeps its locks") {
   Hand<sim::Ssd1351Model> h(kSsd1351Module);
   h.c({0xA2});

@@ -97,6 +97,9 @@ class Panel {
         if (parameters_[0] != 0x55) refuse("another pixel format", parameters_[0]);
         formatted_ = true;
         return;
+      case 0x51:  // brightness
+      case 0x53:
+        return;
       default:
         refuse("a parameter of a command that has none", opcode_);
     }

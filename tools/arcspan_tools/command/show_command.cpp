@@ -5,9 +5,9 @@
 #include <arcspan_tools/command/number_range.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/render/turntable.hpp>
 #include <arcspan_tools/show/display.hpp>
 #include <arcspan_tools/show/framebuffer_display.hpp>
-#include <arcspan_tools/show/orbit.hpp>
 #include <arcspan_tools/show/panel_display.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
@@ -16,7 +16,6 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
-#include <numbers>
 
 namespace arcspan::tools {
 namespace {
@@ -82,7 +81,8 @@ class Show {
         signals_(signals),
         renderer_(
             find_renderer(arguments.options.shading, arguments.options.format, arguments.options.dither)),
-        start_(place_camera(arguments.options.scene.camera, mesh, arguments.options.scene.size)) {}
+        pictures_(static_cast<std::size_t>(std::max(arguments.turntable, 1))),
+        turntable_(arguments.options.scene, mesh, pictures_) {}
 
   [[nodiscard]] int run() {
     const Clock::time_point begin = Clock::now();
@@ -104,10 +104,9 @@ class Show {
 
  private:
   void show_frame() {
-    const Scene& still = arguments_.options.scene;
-    const int step = arguments_.turntable == 0 ? 0 : figures_.frames % arguments_.turntable;
-    const Scene scene =
-        step == 0 ? still : turned(still, start_, 2 * std::numbers::pi * step / arguments_.turntable);
+    const Scene scene = arguments_.turntable == 0
+                            ? arguments_.options.scene
+                            : turntable_.scene(static_cast<std::size_t>(figures_.frames) % pictures_);
     const Clock::time_point begin = Clock::now();
     const RenderResult drawn =
         renderer_.render(make_job(scene, mesh_, arguments_.options.mesh), [](std::size_t) {});
@@ -134,7 +133,8 @@ class Show {
   Display& display_;
   linux_host::SignalWatch& signals_;
   const Renderer& renderer_;
-  Camera start_;
+  std::size_t pictures_;  ///< a turn
+  Turntable turntable_;
   Figures figures_;
 };
 
@@ -193,7 +193,9 @@ void add_show_command(CLI::App& app) {
   show->footer(
       "Examples:\n"
       "  arcspan show bunny.obj --device /dev/fb0 --turntable 120\n"
-      "  arcspan show torus:48x24 --device /dev/fb0 --seconds 10");
+      "  arcspan show torus:48x24 --device /dev/fb0 --seconds 10\n"
+      "  arcspan show bunny.obj --device st7789 --dc GPIO25 --reset GPIO27 --backlight GPIO18\n"
+      "  arcspan show bunny.obj --device ssd1306 --i2c /dev/i2c-1 --dither");
   show->callback([show, arguments] {
     arguments->own_size = show->count("--size") > 0;
     arguments->own_format = show->count("--format") > 0;

@@ -1,167 +1,163 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/hal/panel/command_port.hpp>
-#include <arcspan/hal/panel/mipi_dcs.hpp>
+#include <arcspan/hal/panel/ili9341.hpp>
+#include <arcspan/hal/panel/page_mode.hpp>
+#include <arcspan/hal/panel/ssd0323.hpp>
+#include <arcspan/hal/panel/ssd1306.hpp>
+#include <arcspan/hal/panel/ssd1351.hpp>
+#include <arcspan/hal/panel/st7789.hpp>
 
 #include <arcspan_tools/show/panel_display.hpp>
 #include <arcspan_tools/show/panel_wires.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
-#include <algorithm>
-#include <utility>
+#include <type_traits>
+#include <vector>
 
 namespace arcspan::tools {
 namespace {
 
-namespace dcs = hal::dcs;
+using namespace hal;
 
-/// What is particular to a controller of the MIPI display command set and the modules that are sold with it.
-struct DcsPanel {
-  const char* name;
-  Size size;               ///< upright
-  dcs::AddressMode mode;   ///< upright
-  std::uint32_t reset_us;  ///< the shortest reset
-  std::uint32_t ready_ms;  ///< from the reset's end, or waking, to the next command
-  std::uint32_t sleep_ms;  ///< from falling asleep to anything else
+/// A driver on its bus, in one struct for each way to wire one.
+template <class DriverType>
+struct OnSpi {
+  using Driver = DriverType;
+  OnSpi(PanelWires& wires, const PanelOptions&, const Glass& glass, const PanelSettings& settings)
+      : driver(wires.spi(), wires.data_or_command(), wires.reset(), wires.clock(), glass, settings) {}
+  Driver driver;
 };
 
-// ILI9341 datasheet V1.11: reset pulse and 120 ms after it, section 15.4; sleep in and out, 8.2.11
-// and 8.2.12. The modules' glass is mounted so that columns run backwards and blue comes first.
-constexpr DcsPanel kPanels[] = {
-    {"ili9341", {240, 320}, {.mirror_columns = true, .blue_first = true}, 10, 120, 5}};
+template <class DriverType>
+struct OnSolomonSpi {
+  using Driver = DriverType;
+  OnSolomonSpi(PanelWires& wires, const PanelOptions&, const Glass& glass, const PanelSettings& settings)
+      : port(wires.spi(), wires.data_or_command()),
+        driver(port, wires.reset(), wires.clock(), glass, settings) {}
+  SolomonSpi port;
+  Driver driver;
+};
 
-const DcsPanel& find_panel(const std::string& name) {
-  for (const DcsPanel& panel : kPanels) {
-    if (panel.name == name) return panel;
-  }
-  std::string names;
-  for (const std::string& known : panel_names()) names += ", " + known;
-  throw Failure("--device", "expected /dev/..." + names + ", not '" + name + "'");
+struct Ssd1306OnI2c {
+  using Driver = Ssd1306;
+  Ssd1306OnI2c(PanelWires& wires, const PanelOptions& options, const Glass& glass,
+               const PanelSettings& settings)
+      : port(wires.i2c(), static_cast<std::uint8_t>(options.i2c_address)),
+        driver(port, wires.reset(), wires.clock(), glass, settings) {}
+  SolomonI2c port;
+  Ssd1306 driver;
+};
+
+PanelSettings settings_of(const PanelOptions& options) {
+  return {.orientation = static_cast<Orientation>(options.rotation / 90), .inverted = options.inverted};
 }
 
-// `upright` turned clockwise. A quarter turn exchanges the axes; half a turn mirrors both.
-dcs::AddressMode rotated(dcs::AddressMode upright, int degrees) {
-  dcs::AddressMode mode = upright;
-  if (degrees == 90 || degrees == 180) mode.mirror_columns = !mode.mirror_columns;
-  if (degrees == 180 || degrees == 270) mode.mirror_rows = !mode.mirror_rows;
-  mode.swap_axes = degrees == 90 || degrees == 270;
-  return mode;
-}
-
+template <class Wired>
 class PanelDisplay final : public Display {
  public:
-  PanelDisplay(const DcsPanel& panel, const PanelOptions& options)
-      : panel_(panel),
-        wires_(options),
-        port_(wires_.bus(), wires_.data_or_command()),
-        size_(panel.size),
-        mode_(rotated(panel.mode, options.rotation)) {
-    const bool lies = options.rotation == 90 || options.rotation == 270;
-    if (lies) std::swap(size_.width, size_.height);
-    description_ = std::string("panel ") + panel.name + " at " + options.spi;
-  }
+  using Driver = typename Wired::Driver;
+  using Format = typename Driver::Layout::Format;
+  using Frame = Framebuffer<Format>;
+
+  PanelDisplay(const char* name, const PanelOptions& options, const Glass& glass)
+      : wires_(options),
+        wired_(wires_, options, glass, settings_of(options)),
+        memory_(Frame::units(panel().width(), panel().height())),
+        frame_(memory_, panel().width(), panel().height()),
+        // Twice, so that a frame is one window.
+        wire_(2 * wire_bytes<Driver>(panel().width(), panel().height())),
+        description_(std::string("panel ") + name + " at " + options.bus()) {}
   // Not in the constructor: what fails here must put the panel to sleep, too.
   void start() {
-    on_ = true;
-    reset();
-    command(dcs::kSleepOut);
-    wires_.clock().delay_ms(panel_.ready_ms);
-    command(dcs::kPixelFormatRgb565);
-    command(dcs::address_mode(mode_));
-    clear();
-    command(dcs::kDisplayOn);
+    touched_ = true;
+    wires_.check(panel().start());
+    // The controller's memory holds noise after power-on.
+    frame_.clear({0, 0, 0});
+    wires_.check(send_area(panel(), frame_, frame_.bounds(), wire_));
   }
   ~PanelDisplay() override {
-    if (on_) (void)sleep();
+    if (!touched_) return;
+    // One that could not be started may be on; only a start that is whole makes sure that it understands.
+    if (!panel().awake()) (void)panel().start();
+    (void)panel().sleep();
   }
+  PanelDisplay(const PanelDisplay&) = delete;
+  PanelDisplay& operator=(const PanelDisplay&) = delete;
 
-  [[nodiscard]] Size size() const override { return size_; }
-  [[nodiscard]] std::string format() const override { return "rgb565"; }
+  [[nodiscard]] Size size() const override { return {frame_.bounds().width(), frame_.bounds().height()}; }
+  [[nodiscard]] std::string format() const override {
+    return std::is_same_v<Format, Rgb565> ? "rgb565" : std::is_same_v<Format, Gray4> ? "gray4" : "mono";
+  }
   [[nodiscard]] std::string description() const override { return description_; }
 
   void show(const Image& image) override {
-    const std::int32_t left = (size_.width - image.width) / 2;
-    const std::int32_t top = (size_.height - image.height) / 2;
-    window(left, top, image.width, image.height);
-    send_pixels(image);
+    const std::int32_t left = (size().width - image.width) / 2;
+    const std::int32_t top = (size().height - image.height) / 2;
+    for (std::int32_t y = 0; y < image.height; ++y) {
+      typename Format::Cursor cursor(frame_.row(top + y), left);
+      for (std::int32_t x = 0; x < image.width; ++x, cursor.next()) {
+        cursor.write(Format::encode(image.at(x, y)));
+      }
+    }
+    wires_.check(send_area(panel(), frame_, {left, top, left + image.width, top + image.height}, wire_));
     wires_.light(true);  // not before there is something to see
   }
 
   void finish() override {
-    on_ = false;
-    wires_.check(sleep());
+    touched_ = false;
+    wires_.check(panel().sleep());
     wires_.light(false);
   }
 
  private:
-  void command(const dcs::Command& command) {
-    wires_.check(port_.command(command.opcode, command.parameters()));
-  }
+  [[nodiscard]] Driver& panel() { return wired_.driver; }
 
-  void reset() {
-    if (wires_.reset() != nullptr) {
-      wires_.check(wires_.reset()->set(hal::Level::kLow));
-      wires_.clock().delay_us(panel_.reset_us);
-      wires_.check(wires_.reset()->set(hal::Level::kHigh));
-    } else {
-      command(dcs::kSoftwareReset);
-    }
-    wires_.clock().delay_ms(panel_.ready_ms);
-  }
-
-  // The controller's memory holds noise after power-on.
-  void clear() {
-    window(0, 0, size_.width, size_.height);
-    const std::vector<std::uint8_t> dark(static_cast<std::size_t>(size_.width) * 2);
-    for (std::int32_t y = 0; y < size_.height; ++y) wires_.check(port_.data(dark));
-  }
-
-  void window(std::int32_t left, std::int32_t top, std::int32_t width, std::int32_t height) {
-    const auto word = [](std::int32_t v) { return static_cast<std::uint16_t>(v); };
-    command(dcs::columns(word(left), word(left + width - 1)));
-    command(dcs::rows(word(top), word(top + height - 1)));
-    command(dcs::kMemoryWrite);
-  }
-
-  void send_pixels(const Image& image) {
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(image.pixels.size() * 2);
-    for (const Rgb8 pixel : image.pixels) {
-      const Rgb565::Code code = Rgb565::encode(pixel);
-      bytes.push_back(static_cast<std::uint8_t>(code >> 8));
-      bytes.push_back(static_cast<std::uint8_t>(code & 0xFF));
-    }
-    wires_.check(port_.data(bytes));
-  }
-
-  Status sleep() {
-    Status status = port_.command(dcs::kDisplayOff.opcode);
-    if (ok(status)) status = port_.command(dcs::kSleepIn.opcode);
-    wires_.clock().delay_ms(panel_.sleep_ms);
-    return status;
-  }
-
-  const DcsPanel& panel_;
   PanelWires wires_;
-  hal::CommandPort port_;
-  Size size_;
-  dcs::AddressMode mode_;
+  Wired wired_;
+  std::vector<typename Format::Unit> memory_;
+  Frame frame_;
+  std::vector<std::uint8_t> wire_;
   std::string description_;
-  bool on_ = false;
+  bool touched_ = false;
 };
+
+struct Known {
+  const char* name;
+  Glass glass;
+  std::unique_ptr<Display> (*on_spi)(const Known&, const PanelOptions&);
+  std::unique_ptr<Display> (*on_i2c)(const Known&, const PanelOptions&);
+};
+
+template <class Wired>
+std::unique_ptr<Display> open(const Known& panel, const PanelOptions& options) {
+  auto display = std::make_unique<PanelDisplay<Wired>>(panel.name, options, panel.glass);
+  display->start();
+  return display;
+}
+
+constexpr Known kPanels[] = {{"ili9341", kIli9341Module, &open<OnSpi<Ili9341>>, nullptr},
+                             {"st7789", kSt7789Module, &open<OnSpi<St7789>>, nullptr},
+                             {"ssd1351", kSsd1351Module, &open<OnSpi<Ssd1351>>, nullptr},
+                             {"ssd1306", kSsd1306Module, &open<OnSolomonSpi<Ssd1306>>, &open<Ssd1306OnI2c>},
+                             {"ssd0323", kSsd0323Module, &open<OnSolomonSpi<Ssd0323>>, nullptr}};
 
 }  // namespace
 
 std::vector<std::string> panel_names() {
   std::vector<std::string> names;
-  for (const DcsPanel& panel : kPanels) names.emplace_back(panel.name);
+  for (const Known& panel : kPanels) names.emplace_back(panel.name);
   return names;
 }
 
 std::unique_ptr<Display> open_panel_display(const std::string& name, const PanelOptions& options) {
-  auto display = std::make_unique<PanelDisplay>(find_panel(name), options);
-  display->start();
-  return display;
+  std::string names;
+  for (const Known& panel : kPanels) {
+    names += std::string(", ") + panel.name;
+    if (panel.name != name) continue;
+    const auto open_on = options.i2c.empty() ? panel.on_spi : panel.on_i2c;
+    if (open_on == nullptr) throw Failure("--i2c", name + " is on SPI only");
+    return open_on(panel, options);
+  }
+  throw Failure("--device", "expected /dev/..." + names + ", not '" + name + "'");
 }
 
 }  // namespace arcspan::tools

@@ -13,11 +13,18 @@ namespace arcspan::tools {
 struct PanelOptions {
   std::string spi = "/dev/spidev0.0";
   double spi_mhz = 10;
+  std::string i2c;  ///< empty: the panel is on SPI
+  unsigned i2c_address = 0x3C;
   /// Lines as linux_host::GpioPin takes them; empty for one that is not connected.
   std::string data_or_command;
   std::string reset;
   std::string backlight;
+  std::string busy;
   int rotation = 0;  ///< degrees clockwise: 0, 90, 180, 270
+  bool inverted = false;
+
+  /// The device of the bus that is used.
+  [[nodiscard]] const std::string& bus() const { return i2c.empty() ? spi : i2c; }
 };
 
 /// Names of the panels that `--device` takes.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/hal/busy_line_spi.hpp>
 #include <arcspan/linux_host/gpio_pin.hpp>
+#include <arcspan/linux_host/i2c_device.hpp>
 #include <arcspan/linux_host/monotonic_clock.hpp>
 #include <arcspan/linux_host/spi_device.hpp>
 
@@ -19,7 +21,9 @@ class PanelWires {
   /// Switches the backlight off and gives everything back.
   ~PanelWires();
 
-  [[nodiscard]] hal::SpiBus& bus() { return spi_; }
+  /// The one of the two that the panel is on.
+  [[nodiscard]] hal::SpiBus& spi();
+  [[nodiscard]] hal::I2cBus& i2c() { return i2c_; }
   [[nodiscard]] hal::OutputPin& data_or_command() { return data_or_command_; }
   /// Null if it is not connected.
   [[nodiscard]] hal::OutputPin* reset() { return reset_.is_held() ? &reset_ : nullptr; }
@@ -32,13 +36,19 @@ class PanelWires {
   void check(Status status) const;
 
  private:
-  std::string spi_name_;
+  void open_spi(const PanelOptions& options);
+  void open_i2c(const PanelOptions& options);
+
+  std::string bus_name_;
   std::string backlight_name_;
   linux_host::SpiDevice spi_;
+  linux_host::I2cDevice i2c_;
   linux_host::GpioPin data_or_command_;
   linux_host::GpioPin reset_;
   linux_host::GpioPin backlight_;
+  linux_host::GpioInput busy_;
   linux_host::MonotonicClock clock_;
+  hal::BusyLineSpi paced_spi_{spi_, busy_, clock_};
 };
 
 }  // namespace arcspan::tools

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Times are the longest of the two datasheets: ILI9341 V1.11, 8.2.2 (SWRESET), 8.2.11 (SLPIN), 8.2.12
-// (SLPOUT) and 15.4 (reset); ST7789V V1.6, 9.1.2, 9.1.11, 9.1.12 and 7.4.5. They name the same ones.
+// (SLPOUT) and 15.4 (reset); ST7789V, 9.1.2, 9.1.11, 9.1.12 and 7.4.5. They name the same ones.
 #include <arcspan/hal/panel/dcs_panel.hpp>
 
 namespace arcspan::hal {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Commands are those of the SSD0323 datasheet, rev 1.8, table 9 and chapter 10.
+// Commands by their codes. Their meaning, and that re-mapped COMs count down from 79 whatever the multiplex
+// ratio, as in the drivers that Luminary Micro (osram128x64x4.c) and u8g2 (u8x8_d_ssd1325.c) have for
+// modules with this controller; for both modules the settings here are the same as theirs.
 #include <arcspan/hal/panel/ssd0323.hpp>
 
 namespace arcspan::hal {
@@ -24,19 +26,22 @@ constexpr int remap(bool columns, bool rows, bool split) {
 bool Ssd0323::do_fits() const {
   const Glass& g = glass();
   return g.width > 0 && g.width % 2 == 0 && g.column_offset % 2 == 0 &&
-         g.width + g.column_offset <= kColumns && g.height >= 16 && g.height <= kRows && g.row_offset == 0;
+         g.width + g.column_offset <= kColumns && g.height >= 16 && g.height + g.row_offset <= kRows;
 }
 
 Status Ssd0323::do_configure() {
   const Glass& g = glass();
   const PanelSettings& s = settings();
   const int map = remap(mirrors_columns(g, s.orientation), mirrors_rows(g, s.orientation), split_coms_);
+  // Moves the picture's first row to the glass's first COM, or to its last one if COMs count backwards.
+  const int offset =
+      (mirrors_rows(g, s.orientation) ? g.row_offset + g.height : kRows - g.row_offset) % kRows;
   const std::uint8_t bytes[] = {0xA0,
                                 byte(map),  // re-map
                                 0xA1,
                                 0x00,  // start line 0
                                 0xA2,
-                                0x00,  // display offset 0
+                                byte(offset),  // display offset
                                 0xA8,
                                 byte(g.height - 1),  // multiplex ratio
                                 0x86,                // full current range

@@ -6,10 +6,11 @@
 
 namespace arcspan::hal {
 
-/// 128 x 64 pixels from the controller's first column and row on.
-inline constexpr Glass kSsd0323Module{128, 64, 0, 0, false, false, false, false};
+/// Osram's Pictiva module of 128 x 64 pixels: the controller's first row is at the bottom. Where it begins
+/// differs between modules.
+inline constexpr Glass kSsd0323Module{128, 64, 0, 0, false, true, false, false};
 
-/// SSD0323 (Solomon Systech, rev 1.8): 128 x 80 pixels of 16 grey levels, on SPI. The controller mirrors; for
+/// SSD0323 (Solomon Systech): 128 x 80 pixels of 16 grey levels, on SPI. The controller mirrors; for
 /// a picture that lies on its side the pixels are rearranged while they are packed. Width and column offset
 /// of the glass are even.
 class Ssd0323 final : public SolomonPanel {

@@ -23,7 +23,7 @@ Status Ssd1306::do_configure() {
       0x00,                                                      // horizontal addressing (10.1.3)
       0x40,                                                      // start line 0 (10.1.6)
       byte(0xA0 | (mirrors_columns(g, s.orientation) ? 1 : 0)),  // segment re-map (10.1.8)
-      byte(0xC0 | (mirrors_rows(g, s.orientation) ? 8 : 0)),     // COM scan direction (10.1.13)
+      byte(0xC0 | (mirrors_rows(g, s.orientation) ? 8 : 0)),     // COM scan direction (10.1.14)
       0xA8,
       byte(g.height - 1),  // multiplex ratio (10.1.11)
       0xD3,
@@ -33,7 +33,7 @@ Status Ssd1306::do_configure() {
       0x81,
       s.brightness,  // contrast (10.1.7)
       0x8D,
-      byte(wiring_.charge_pump ? 0x14 : 0x10),       // charge pump (application note, 2.1)
+      byte(wiring_.charge_pump ? 0x14 : 0x10),       // charge pump (8Dh)
       0x2E,                                          // no scrolling (10.2.3)
       0xA4,                                          // show the memory (10.1.9)
       byte(s.inverted != g.inverted ? 0xA7 : 0xA6),  // (10.1.10)

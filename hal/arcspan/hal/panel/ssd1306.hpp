@@ -11,7 +11,7 @@ inline constexpr Glass kSsd1306Module{128, 64, 0, 0, true, true, false, false};
 
 /// How a module feeds and wires an SSD1306.
 struct Ssd1306Wiring {
-  bool charge_pump = true;       ///< VCC comes from the controller's own pump (rev 1.5, application note 2.1)
+  bool charge_pump = true;       ///< VCC comes from the controller's own pump (8Dh, since rev 1.2)
   bool alternating_coms = true;  ///< rows are wired to both sides in turn; most glasses of 32 rows: false
 };
 

@@ -12,7 +12,7 @@ constexpr std::uint32_t kResetUs = 10;
 
 constexpr std::uint8_t byte(std::int32_t value) { return static_cast<std::uint8_t>(value); }
 
-// Re-map and colour depth (10.1.3).
+// Re-map and colour depth (10.1.5).
 constexpr int kVerticalIncrement = 0x01;
 constexpr int kColumnRemap = 0x02;
 constexpr int kColoursSwapped = 0x04;
@@ -50,7 +50,7 @@ Status Ssd1351::do_reset() {
     clock().delay_us(kResetUs);
     if (!ok(status)) return status;
   }
-  constexpr Command kQuiet[] = {{0xFD, 1, {0x12}}, {0xAE}};  // unlock (10.1.22), sleep (10.1.11)
+  constexpr Command kQuiet[] = {{0xFD, 1, {0x12}}, {0xAE}};  // unlock (10.1.23), sleep (10.1.10)
   return send_all(port_, kQuiet);
 }
 
@@ -62,15 +62,15 @@ Status Ssd1351::do_configure() {
                   (g.blue_first ? kColoursSwapped : 0) | (mirrors_rows(g, s.orientation) ? kComRemap : 0) |
                   (split_coms_ ? kComSplit : 0) | k65kColours;
   const Command commands[] = {{0xFD, 1, {0x12}},                // unlock the interface
-                              {0xFD, 1, {0xB1}},                // and A2, B1, B3, BB, BE, C1 (10.1.22)
-                              {0xA0, 1, {byte(map)}},           // (10.1.3)
-                              {0xA1, 1, {0x00}},                // start line 0 (10.1.4)
-                              {0xA2, 1, {0x00}},                // display offset; 0x60 after reset (10.1.5)
-                              {0xCA, 1, {byte(g.height - 1)}},  // multiplex ratio (10.1.21)
-                              {0xC1, 3, {s.brightness, s.brightness, s.brightness}},  // contrast (10.1.19)
-                              {0xC7, 1, {0x0F}},                                      // undimmed (10.1.20)
-                              {byte(s.inverted != g.inverted ? 0xA7 : 0xA6)},         // (10.1.6)
-                              {0xAF}};  // sleep mode off (10.1.11)
+                              {0xFD, 1, {0xB1}},                // and A2, B1, B3, BB, BE, C1 (10.1.23)
+                              {0xA0, 1, {byte(map)}},           // (10.1.5)
+                              {0xA1, 1, {0x00}},                // start line 0 (10.1.6)
+                              {0xA2, 1, {0x00}},                // display offset; 0x60 after reset (10.1.7)
+                              {0xCA, 1, {byte(g.height - 1)}},  // multiplex ratio (10.1.22)
+                              {0xC1, 3, {s.brightness, s.brightness, s.brightness}},  // contrast (10.1.20)
+                              {0xC7, 1, {0x0F}},                                      // undimmed (10.1.21)
+                              {byte(s.inverted != g.inverted ? 0xA7 : 0xA6)},         // (10.1.8)
+                              {0xAF}};  // sleep mode off (10.1.10)
   return send_all(port_, commands);
 }
 
@@ -85,7 +85,7 @@ Status Ssd1351::do_open_window(const Rect& area) {
   const std::int32_t margin = mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
   const Command commands[] = {{0x15, 2, {byte(margin + r.left), byte(margin + r.right - 1)}},  // (10.1.1)
                               {0x75, 2, {byte(r.top), byte(r.bottom - 1)}},                    // (10.1.2)
-                              {0x5C}};                                                         // write RAM
+                              {0x5C}};  // write RAM (10.1.3)
   return send_all(port_, commands);
 }
 

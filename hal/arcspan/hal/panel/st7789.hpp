@@ -7,7 +7,7 @@ namespace arcspan::hal {
 
 inline constexpr Glass kSt7789Module{240, 320, 0, 0, false, false, false, true};
 
-/// ST7789V (Sitronix, V1.6): memory for 240 x 320; glasses of 240 x 240, 135 x 240 or 170 x 320 lie somewhere
+/// ST7789V (Sitronix): memory for 240 x 320; glasses of 240 x 240, 135 x 240 or 170 x 320 lie somewhere
 /// in it, at the offsets that their maker names. kSt7789Module is a full IPS glass, which shows complements.
 class St7789 final : public DcsPanel {
  public:

@@ -157,7 +157,7 @@ void DcsModel::pixel_byte(std::uint8_t byte) {
   if (++x_ <= columns_[1]) return;
   x_ = columns_[0];
   if (++y_ <= rows_[1]) return;
-  y_ = rows_[0];  // it wraps (8.2.22)
+  y_ = rows_[0];  // the next pixel is complained about, whatever a chip makes of it
   window_full_ = true;
 }
 

@@ -6,7 +6,7 @@
 namespace arcspan::hal::sim {
 
 /// An ILI9341 or ST7789: memory of 240 x 320 pixels behind the MIPI display command set. The two differ for
-/// what is modelled here in nothing but the name (ILI9341 V1.11, chapter 8; ST7789V V1.6, chapter 9).
+/// what is modelled here in nothing but the name (ILI9341 V1.11, chapter 8; ST7789V, chapter 9).
 class DcsModel final : public Device {
  public:
   static constexpr int kColumns = 240;

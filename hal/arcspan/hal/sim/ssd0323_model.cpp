@@ -96,11 +96,11 @@ bool Ssd0323Model::do_store(int column, int row, std::uint8_t byte) {
 }
 
 Rgb8 Ssd0323Model::do_pixel(int column, int row) const {
-  if (row >= multiplex_) return {};
+  const int line = (((remap_ & kComRemap) != 0 ? kRows - 1 - row : row) + offset_) % kRows;
+  if (line >= multiplex_) return {};
   const bool columns_mirrored = (remap_ & kColumnRemap) != 0;
-  const int line = ((remap_ & kComRemap) != 0 ? multiplex_ - 1 - row : row) + start_line_ + offset_;
   const int pair = columns_mirrored ? kByteColumns - 1 - column / 2 : column / 2;
-  const unsigned byte = memory_[index(line % kRows * kByteColumns + pair)];
+  const unsigned byte = memory_[index((line + start_line_) % kRows * kByteColumns + pair)];
   // Address map: an even segment shows the low nibble, the high one with the nibbles exchanged.
   const bool high = (column % 2 != 0) != ((remap_ & kNibbleRemap) != 0);
   const unsigned level = high ? byte >> 4 : byte & 15u;

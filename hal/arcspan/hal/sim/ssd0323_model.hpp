@@ -5,7 +5,8 @@
 
 namespace arcspan::hal::sim {
 
-/// An SSD0323 with its 128 x 80 pixels of 4 bits (rev 1.8).
+/// An SSD0323 with its 128 x 80 pixels of 4 bits. COM c shows line c of the display, or 79 - c with
+/// the COMs re-mapped, moved by the display offset; lines from the multiplex ratio on are dark.
 class Ssd0323Model final : public SolomonModel {
  public:
   explicit Ssd0323Model(const Glass& glass);

@@ -25,9 +25,9 @@ void Ssd1351Model::do_reset() {
   reset_common(kColumns, kRows);
   remap_ = 0x40;
   multiplex_ = kRows;
-  offset_ = 0x60;  // (10.1.5)
+  offset_ = 0x60;  // (10.1.7)
   start_line_ = 0;
-  contrast_ = 0;
+  contrast_ = 0x8A;  // of the first colour
   second_byte_ = locked_ = false;
   settings_locked_ = true;
 }

@@ -29,7 +29,7 @@ class Ssd1351Model final : public SolomonModel {
   int multiplex_ = kRows;
   int offset_ = 0x60;
   int start_line_ = 0;
-  std::uint8_t contrast_ = 0;
+  std::uint8_t contrast_ = 0x8A;
   bool second_byte_ = false;
   bool locked_ = false;
   bool settings_locked_ = true;

@@ -18,12 +18,27 @@ Status status_of(Fault::Kind kind) {
 }
 
 Status SimulatedSpi::Line::do_set(Level level) {
-  if (fails_) {
-    fails_ = false;
+  if (fails_at_ && (*fails_at_)-- == 0) {
+    fails_at_.reset();
     return Status::kTransferFailed;
   }
   level_ = level;
   if (resets_) bus_.device_.reset_line(level, bus_.clock_.now_ns());
+  return Status::kOk;
+}
+
+bool SimulatedSpi::Line::take_back_fault() {
+  const bool waiting = fails_at_.has_value();
+  fails_at_.reset();
+  return waiting;
+}
+
+Status SimulatedSpi::Busy::do_read(Level& level) {
+  if (fails_) {
+    fails_ = false;
+    return Status::kTransferFailed;
+  }
+  level = stuck_ || is_busy(clock_.now_ns()) ? Level::kHigh : Level::kLow;
   return Status::kOk;
 }
 
@@ -42,6 +57,7 @@ void SimulatedSpi::begin(std::span<const std::uint8_t> bytes) {
   sent_.assign(bytes.begin(), bytes.end());
   dc_at_begin_ = dc.level();
   begin_ns_ = clock_.now_ns();
+  if (busy.is_busy(begin_ns_)) complaints_.push_back("bytes for a device that is busy");
   strikes_.reset();
   ++count_.transfers;
   if (fault_ && fault_->at_byte < offered_ + bytes.size()) {
@@ -61,6 +77,7 @@ Status SimulatedSpi::deliver() {
   for (const std::uint8_t byte : sent_) device_.receive(byte, dc_at_begin_, begin_ns_ + duration_ns(++sent));
   count_.bytes += sent_.size();
   count_.busy_ns += duration_ns(sent_.size());
+  busy.until_ns_ = begin_ns_ + duration_ns(sent_.size()) + busy.time_ns_;
   source_ = {};
   return strikes_ ? status_of(*strikes_) : Status::kOk;
 }

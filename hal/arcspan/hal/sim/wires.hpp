@@ -3,6 +3,7 @@
 
 #include <arcspan/hal/clock.hpp>
 #include <arcspan/hal/i2c_bus.hpp>
+#include <arcspan/hal/input_pin.hpp>
 #include <arcspan/hal/output_pin.hpp>
 #include <arcspan/hal/sim/device.hpp>
 #include <arcspan/hal/spi_bus.hpp>
@@ -50,31 +51,58 @@ struct BusCount {
 
 /// A 4-wire SPI bus with its D/C and reset lines, and a device at its end. Bytes arrive when their transfer
 /// is over. A transfer that runs by itself takes its time on the clock, so that what is done meanwhile
-/// overlaps with it; changing its bytes or D/C before it is over is a complaint.
+/// overlaps with it; changing its bytes or D/C before it is over is a complaint, and so is a transfer that
+/// begins while the busy line says that the device takes none.
 class SimulatedSpi final : public SpiBus {
  public:
   /// `hertz` of the bit clock, 1 or more.
   SimulatedSpi(Device& device, SimulatedClock& clock, std::uint64_t hertz)
-      : dc(*this, false), reset(*this, true), device_(device), clock_(clock), hertz_(hertz) {}
+      : dc(*this, false), reset(*this, true), busy(clock), device_(device), clock_(clock), hertz_(hertz) {}
 
   /// A line whose levels go to the device.
   class Line final : public OutputPin {
    public:
     Line(SimulatedSpi& bus, bool resets) : bus_(bus), resets_(resets) {}
-    /// The next `set` fails and changes nothing.
-    void fail_once() { fails_ = true; }
+    /// The n-th `set` from now on, 0 the next, fails once and changes nothing.
+    void fail_at(std::uint64_t set) { fails_at_ = set; }
+    /// Whether it has not failed yet; forgets that it should.
+    bool take_back_fault();
     [[nodiscard]] Level level() const { return level_; }
 
    private:
     Status do_set(Level level) override;
     SimulatedSpi& bus_;
     bool resets_;
-    bool fails_ = false;
+    std::optional<std::uint64_t> fails_at_;
     Level level_ = Level::kHigh;
+  };
+
+  /// The line on which the device says that it is busy, high while it is: for some time after every transfer.
+  class Busy final : public InputPin {
+   public:
+    explicit Busy(SimulatedClock& clock) : clock_(clock) {}
+    /// From now on the device is busy for `ns` after each transfer.
+    void set_time_ns(std::uint64_t ns) { time_ns_ = ns; }
+    /// The wire says busy for good, or works again.
+    void stick(bool stuck) { stuck_ = stuck; }
+    /// The next `read` fails.
+    void fail_once() { fails_ = true; }
+
+   private:
+    friend class SimulatedSpi;
+    Status do_read(Level& level) override;
+    [[nodiscard]] bool is_busy(std::uint64_t now_ns) const { return now_ns < until_ns_; }
+
+    SimulatedClock& clock_;
+    std::uint64_t time_ns_ = 0;
+    std::uint64_t until_ns_ = 0;
+    bool stuck_ = false;
+    bool fails_ = false;
   };
 
   Line dc;
   Line reset;
+  Busy busy;
 
   void inject(const Fault& fault) { fault_ = Fault{fault.kind, fault.at_byte + offered_}; }
   /// Whether the fault has not struck yet; forgets it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/hal/input_pin.hpp>
 #include <arcspan/hal/output_pin.hpp>
 #include <arcspan/linux_host/gpio/backend.hpp>
 #include <arcspan/linux_host/result.hpp>
@@ -30,7 +31,28 @@ class GpioPin final : public hal::OutputPin {
   /// As OutputPin::set; kNotReady if no line is held.
   Status do_set(hal::Level level) override;
 
-  gpio::OutputLine line_;
+  gpio::HeldLine line_;
+};
+
+/// An input line of a GPIO chip, held through libgpiod until `release` or the object's end.
+class GpioInput final : public hal::InputPin {
+ public:
+  GpioInput() = default;
+  GpioInput(const GpioInput&) = delete;
+  GpioInput& operator=(const GpioInput&) = delete;
+  ~GpioInput() { release(); }
+
+  /// Takes the line that `name` means, as GpioPin::request.
+  Result request(const std::string& name);
+
+  void release() { gpio::release(line_); }
+  [[nodiscard]] bool is_held() const { return line_.line != nullptr; }
+
+ private:
+  /// As InputPin::read; kNotReady if no line is held.
+  Status do_read(hal::Level& level) override;
+
+  gpio::HeldLine line_;
 };
 
 }  // namespace arcspan::linux_host

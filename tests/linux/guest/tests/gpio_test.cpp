@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/linux_host/gpio/line_name.hpp>
 #include <arcspan/linux_host/gpio_pin.hpp>
+#include <arcspan/linux_host/monotonic_clock.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/linux/guest/tests/guest.hpp>
@@ -33,6 +34,26 @@ TEST_CASE("a pin is found by name and by address, and drives its line") {
       }
     }
   }
+}
+
+TEST_CASE("an input gives the level that its wire is pulled to, and is waited for") {
+  linux_host::MonotonicClock clock;
+  GpioInput busy;
+  Level level = Level::kHigh;
+  CHECK(busy.read(level) == Status::kNotReady);
+  REQUIRE(ok(busy.request("BUSY")));
+  for (const bool high : {true, false, true}) {
+    pull_line(2, high);
+    REQUIRE(busy.read(level) == Status::kOk);
+    CHECK(level == (high ? Level::kHigh : Level::kLow));
+    CHECK(busy.wait_for(level, clock, 0) == Status::kOk);
+  }
+  CHECK(busy.wait_for(Level::kLow, clock, 2000) == Status::kTimeout);
+  GpioPin other;
+  CHECK(other.request("BUSY", Level::kLow).status == Status::kBusy);
+  CHECK(busy.request("NOWHERE").status == Status::kIndexOutOfRange);
+  CHECK_FALSE(busy.is_held());
+  CHECK(ok(other.request("BUSY", Level::kLow)));
 }
 
 TEST_CASE("a line that is held is busy for others, and free again after its release") {
@@ -74,8 +95,12 @@ TEST_CASE("a chip that is unplugged gives an error, and the pin can be released"
   const std::string name = read_text(chip / "bank0/chip_name");
   GpioPin pin;
   REQUIRE(ok(pin.request(name.substr(0, name.find('\n')) + ":1", Level::kHigh)));
+  GpioInput input;
+  REQUIRE(ok(input.request(name.substr(0, name.find('\n')) + ":0")));
   CHECK(ok(pin.set(Level::kLow)));
   write_text(chip / "live", "0");
+  Level level = Level::kHigh;
+  CHECK(input.read(level) == Status::kTransferFailed);
   CHECK(pin.set(Level::kHigh) == Status::kTransferFailed);
   pin.release();
   CHECK_FALSE(pin.is_held());

@@ -65,4 +65,10 @@ inline char line_level(unsigned offset) {
   return read_text(environment("GUEST_LINES") + "/sim_gpio" + std::to_string(offset) + "/value").at(0);
 }
 
+/// Lets line `offset` of the simulated chip, an input, be pulled up or down from outside.
+inline void pull_line(unsigned offset, bool up) {
+  write_text(environment("GUEST_LINES") + "/sim_gpio" + std::to_string(offset) + "/pull",
+             up ? "pull-up" : "pull-down");
+}
+
 }  // namespace arcspan::test

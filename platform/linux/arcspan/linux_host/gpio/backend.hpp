@@ -7,8 +7,8 @@
 
 namespace arcspan::linux_host::gpio {
 
-/// An output line that is held; null pointers for none. The library's own objects behind them.
-struct OutputLine {
+/// A line that is held; null pointers for none. The library's own objects behind them.
+struct HeldLine {
   void* chip = nullptr;
   void* line = nullptr;  ///< version 1: the line; version 2: the request
   unsigned offset = 0;
@@ -23,12 +23,18 @@ Result find_line(const char* chip_path, const char* name, unsigned& offset);
 
 /// Takes the line and drives it, without a glitch to the other level in between. kNotReady if the chip cannot
 /// be opened, kIndexOutOfRange if it has no such line, kBusy if somebody else holds it.
-Result request_output(const char* chip_path, unsigned offset, bool high, OutputLine& line);
+Result request_output(const char* chip_path, unsigned offset, bool high, HeldLine& line);
 
-/// Drives a line that is held.
-Result set_value(const OutputLine& line, bool high);
+/// Takes the line as an input; its bias stays as it is. Statuses as request_output.
+Result request_input(const char* chip_path, unsigned offset, HeldLine& line);
+
+/// Drives an output that is held.
+Result set_value(const HeldLine& line, bool high);
+
+/// Reads the level of a line that is held.
+Result get_value(const HeldLine& line, bool& high);
 
 /// Gives the line back to the kernel and empties `line`, which may be empty already.
-void release(OutputLine& line);
+void release(HeldLine& line);
 
 }  // namespace arcspan::linux_host::gpio

@@ -9,8 +9,10 @@ constexpr Result kNone = Result::refused("pins need libgpiod, which was missing 
 
 const char* version() { return ""; }
 Result find_line(const char*, const char*, unsigned&) { return kNone; }
-Result request_output(const char*, unsigned, bool, OutputLine&) { return kNone; }
-Result set_value(const OutputLine&, bool) { return kNone; }
-void release(OutputLine&) {}
+Result request_output(const char*, unsigned, bool, HeldLine&) { return kNone; }
+Result request_input(const char*, unsigned, HeldLine&) { return kNone; }
+Result set_value(const HeldLine&, bool) { return kNone; }
+Result get_value(const HeldLine&, bool&) { return kNone; }
+void release(HeldLine&) {}
 
 }  // namespace arcspan::linux_host::gpio

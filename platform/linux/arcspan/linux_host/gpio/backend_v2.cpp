@@ -17,14 +17,6 @@ Owned<gpiod_chip> open_chip(const char* path) { return {gpiod_chip_open(path), &
 
 Result no_chip() { return Result::from_errno("the GPIO chip cannot be opened", Status::kNotReady); }
 
-// What is asked of the line: an output that starts at `value`. False if memory or the library refused.
-bool describe(unsigned offset, gpiod_line_value value, gpiod_line_config* config) {
-  const Owned<gpiod_line_settings> settings(gpiod_line_settings_new(), &gpiod_line_settings_free);
-  return settings && gpiod_line_settings_set_direction(settings.get(), GPIOD_LINE_DIRECTION_OUTPUT) == 0 &&
-         gpiod_line_settings_set_output_value(settings.get(), value) == 0 &&
-         gpiod_line_config_add_line_settings(config, &offset, 1, settings.get()) == 0;
-}
-
 gpiod_line_value value_of(bool high) { return high ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE; }
 
 Result refused_line() {
@@ -36,6 +28,26 @@ Result refused_line() {
     default:
       return Result::from_errno("the GPIO line cannot be taken");
   }
+}
+
+/// Opens the chip and requests the line as `describe` sets it up; false if it could not.
+template <class Describe>
+Result request(const char* chip_path, unsigned offset, Describe&& describe, HeldLine& held) {
+  const Owned<gpiod_chip> chip = open_chip(chip_path);
+  if (!chip) return no_chip();
+  const Owned<gpiod_line_settings> settings(gpiod_line_settings_new(), &gpiod_line_settings_free);
+  const Owned<gpiod_line_config> config(gpiod_line_config_new(), &gpiod_line_config_free);
+  const Owned<gpiod_request_config> request(gpiod_request_config_new(), &gpiod_request_config_free);
+  if (!settings || !config || !request || !describe(settings.get()) ||
+      gpiod_line_config_add_line_settings(config.get(), &offset, 1, settings.get()) != 0) {
+    return Result::from_errno("the GPIO line cannot be described");
+  }
+  gpiod_request_config_set_consumer(request.get(), "arcspan");
+  gpiod_line_request* line = gpiod_chip_request_lines(chip.get(), request.get(), config.get());
+  if (line == nullptr) return refused_line();
+  // The request lives on without the chip.
+  held = {nullptr, line, offset};
+  return {};
 }
 
 }  // namespace
@@ -54,23 +66,26 @@ Result find_line(const char* chip_path, const char* name, unsigned& offset) {
   return {};
 }
 
-Result request_output(const char* chip_path, unsigned offset, bool high, OutputLine& held) {
-  const Owned<gpiod_chip> chip = open_chip(chip_path);
-  if (!chip) return no_chip();
-  const Owned<gpiod_line_config> config(gpiod_line_config_new(), &gpiod_line_config_free);
-  const Owned<gpiod_request_config> request(gpiod_request_config_new(), &gpiod_request_config_free);
-  if (!config || !request || !describe(offset, value_of(high), config.get())) {
-    return Result::from_errno("the GPIO line cannot be described");
-  }
-  gpiod_request_config_set_consumer(request.get(), "arcspan");
-  gpiod_line_request* line = gpiod_chip_request_lines(chip.get(), request.get(), config.get());
-  if (line == nullptr) return refused_line();
-  // The request lives on without the chip.
-  held = {nullptr, line, offset};
-  return {};
+Result request_output(const char* chip_path, unsigned offset, bool high, HeldLine& held) {
+  return request(
+      chip_path, offset,
+      [high](gpiod_line_settings* settings) {
+        return gpiod_line_settings_set_direction(settings, GPIOD_LINE_DIRECTION_OUTPUT) == 0 &&
+               gpiod_line_settings_set_output_value(settings, value_of(high)) == 0;
+      },
+      held);
 }
 
-Result set_value(const OutputLine& held, bool high) {
+Result request_input(const char* chip_path, unsigned offset, HeldLine& held) {
+  return request(
+      chip_path, offset,
+      [](gpiod_line_settings* settings) {
+        return gpiod_line_settings_set_direction(settings, GPIOD_LINE_DIRECTION_INPUT) == 0;
+      },
+      held);
+}
+
+Result set_value(const HeldLine& held, bool high) {
   if (held.line == nullptr) return Result::refused("the GPIO line is not held", Status::kNotReady);
   if (gpiod_line_request_set_value(static_cast<gpiod_line_request*>(held.line), held.offset, value_of(high)) <
       0) {
@@ -79,7 +94,16 @@ Result set_value(const OutputLine& held, bool high) {
   return {};
 }
 
-void release(OutputLine& held) {
+Result get_value(const HeldLine& held, bool& high) {
+  if (held.line == nullptr) return Result::refused("the GPIO line is not held", Status::kNotReady);
+  const gpiod_line_value value =
+      gpiod_line_request_get_value(static_cast<gpiod_line_request*>(held.line), held.offset);
+  if (value == GPIOD_LINE_VALUE_ERROR) return Result::from_errno("the GPIO line cannot be read");
+  high = value == GPIOD_LINE_VALUE_ACTIVE;
+  return {};
+}
+
+void release(HeldLine& held) {
   if (held.line != nullptr) gpiod_line_request_release(static_cast<gpiod_line_request*>(held.line));
   held = {};
 }

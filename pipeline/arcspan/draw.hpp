@@ -44,11 +44,18 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 class MeshDrawer {
  public:
   using Raster = RasterVertex<Method>;
+  using Target = RowTarget<typename Method::Object, Sink, Depth>;
 
   MeshDrawer(const MeshView& mesh, const ClipTransform& transform, const typename Method::Object& object,
              Sink& sink, const Depth& depth, std::span<CachedVertex<Method>> cache,
              const DrawOptions& options)
-      : mesh_(mesh), transform_(transform), object_(object), sink_(sink), depth_(depth), options_(options) {
+      : mesh_(mesh),
+        transform_(transform),
+        object_(object),
+        sink_(sink),
+        codes_(object),
+        depth_(depth),
+        options_(options) {
     const Viewport& viewport = transform.viewport();
     origin_ = {viewport.width >> 1, viewport.height >> 1};
     clip_ =
@@ -175,7 +182,8 @@ class MeshDrawer {
     TriangleCommand<Method> command;
     if (!ok(result_.status) || !prepare_triangle(object_, a, b, c, face, rows_, command)) return;
     drawn_ = true;
-    result_.status = draw_command(command, origin_, clip_, object_, sink_, depth_);
+    result_.status =
+        draw_command_with<Method>(command, origin_, Target{clip_, object_, sink_, depth_, codes_});
   }
 
   [[nodiscard]] typename Method::Vertex turned_shade(std::uint16_t index) const {
@@ -208,6 +216,7 @@ class MeshDrawer {
   const ClipTransform& transform_;
   const typename Method::Object& object_;
   Sink& sink_;
+  [[no_unique_address]] typename Target::Codes codes_;
   const Depth& depth_;
   CachedVertex<Method>* cache_ = nullptr;
   DrawOptions options_;

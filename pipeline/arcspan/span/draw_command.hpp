@@ -3,11 +3,15 @@
 
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/shading/method.hpp>
+#include <arcspan/span/code_table.hpp>
 #include <arcspan/span/depth.hpp>
+#include <arcspan/span/lanes_choice.hpp>
 #include <arcspan/span/linear_walk.hpp>
 #include <arcspan/status.hpp>
 
+#include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 /// The span stage: per row and per pixel only multiply, shift, add, compare and look up.
 namespace arcspan {
@@ -20,38 +24,57 @@ struct RasterOrigin {
 
 namespace detail {
 
-/// Draws one run of pixels: the colours of `run` through `cursor`, with the depth test of `Depth`.
-template <class Format, class Run, class Object, DepthTarget Depth>
-[[gnu::always_inline]] constexpr void draw_run(typename Format::Cursor cursor, const Span& span, Run& run,
-                                               const Object& object, const Depth& depth, Linear z,
-                                               Linear dz) {
-  [[maybe_unused]] std::uint16_t* at = nullptr;
-  if constexpr (Depth::kTests) at = depth.row(span.y) + span.x;
-  for (std::int32_t i = 0; i < span.count; ++i) {
-    if constexpr (Depth::kTests) {
-      const auto nearness = static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
-      if (nearness < *at) [[likely]] {
-        *at = nearness;
-        cursor.write(encode_at<Format>(run.colour(object), span.x + i, span.y));
-      }
-      ++at;
-      z += dz;
-    } else {
-      cursor.write(encode_at<Format>(run.colour(object), span.x + i, span.y));
-    }
-    cursor.next();
-    run.next();
+/// The code of a run's present pixel.
+template <class Format, class Run, class Object, class Codes>
+[[nodiscard, gnu::always_inline]] constexpr typename Format::Code run_code(const Run& run,
+                                                                           const Object& object,
+                                                                           const Codes& codes, std::int32_t x,
+                                                                           std::int32_t y) {
+  if constexpr (requires { run.template code<Format>(object, codes); } && !std::same_as<Codes, NoCodes>) {
+    return run.template code<Format>(object, codes);
+  } else {
+    return encode_at<Format>(run.colour(object), x, y);
   }
 }
 
 /// What the rows of a command are drawn with and into.
 template <class Object, PixelSink Sink, DepthTarget Depth>
 struct RowTarget {
+  using Format = typename Sink::Format;
+  static constexpr std::int32_t kLanes = lanes_for<Sink>();
+  using Codes = typename CodesOf<Object, Format, (kLanes > 1)>::Type;
+
   const Rect& clip;
   const Object& object;
   Sink& sink;
   const Depth& depth;
+  const Codes& codes;
 };
+
+/// Draws one run of pixels: the codes of `run` through `cursor`, with the depth test of `Depth`.
+template <class Target, class Run>
+[[gnu::always_inline]] constexpr void draw_run(typename Target::Format::Cursor cursor, const Span& span,
+                                               Run& run, const Target& target, Linear z, Linear dz) {
+  using Format = typename Target::Format;
+  constexpr bool kTests = std::remove_cvref_t<decltype(target.depth)>::kTests;
+  [[maybe_unused]] std::uint16_t* at = nullptr;
+  if constexpr (kTests) at = target.depth.row(span.y) + span.x;
+  for (std::int32_t i = 0; i < span.count; ++i) {
+    if constexpr (kTests) {
+      const auto nearness = static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
+      if (nearness < *at) [[likely]] {
+        *at = nearness;
+        cursor.write(run_code<Format>(run, target.object, target.codes, span.x + i, span.y));
+      }
+      ++at;
+      z += dz;
+    } else {
+      cursor.write(run_code<Format>(run, target.object, target.codes, span.x + i, span.y));
+    }
+    cursor.next();
+    run.next();
+  }
+}
 
 /// Draws the row that the walkers stand on; `begin` is its first column, `span` what is to be seen of it.
 template <class Command, class Walker, class Object, PixelSink Sink, DepthTarget Depth>
@@ -64,8 +87,7 @@ template <class Command, class Walker, class Object, PixelSink Sink, DepthTarget
     if (!kOneRun && span.count > Walker::kLongestRun) span.count = Walker::kLongestRun;
     const RowStart start = row_start(command.left, command.right, span.x - begin);
     typename Walker::Run run = shade.row(start);
-    draw_run<typename Sink::Format>(target.sink.open(span), span, run, target.object, target.depth,
-                                    linear_at(command.depth, start), command.depth.dx);
+    draw_run(target.sink.open(span), span, run, target, linear_at(command.depth, start), command.depth.dx);
     const Status status = target.sink.close(span);
     span.x += span.count;
     span.count = last - span.x;
@@ -132,6 +154,18 @@ template <class Command, class Walker, class Object, PixelSink Sink, DepthTarget
   }
 }
 
+/// draw_command() with the codes of `object`.
+template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] constexpr Status draw_command_with(
+    TriangleCommand<Method>& command, const RasterOrigin& origin,
+    const RowTarget<typename Method::Object, Sink, Depth>& target) {
+  const Rect& clip = target.clip;
+  if (clip.empty() || command.end_row + origin.y <= clip.top || command.first_row + origin.y >= clip.bottom) {
+    return Status::kOk;
+  }
+  return Method::walk(command.shade, [&](auto walker) { return draw_rows(command, origin, walker, target); });
+}
+
 }  // namespace detail
 
 /// Draws a command into the sink's and the depth target's common bounds. Returns the sink's first status that
@@ -141,12 +175,9 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] constexpr Status draw_command(TriangleCommand<Method>& command, const RasterOrigin& origin,
                                             const Rect& clip, const typename Method::Object& object,
                                             Sink& sink, const Depth& depth) {
-  if (clip.empty() || command.end_row + origin.y <= clip.top || command.first_row + origin.y >= clip.bottom) {
-    return Status::kOk;
-  }
-  const detail::RowTarget<typename Method::Object, Sink, Depth> target{clip, object, sink, depth};
-  return Method::walk(command.shade,
-                      [&](auto walker) { return detail::draw_rows(command, origin, walker, target); });
+  using Target = detail::RowTarget<typename Method::Object, Sink, Depth>;
+  const typename Target::Codes codes(object);
+  return detail::draw_command_with<Method>(command, origin, Target{clip, object, sink, depth, codes});
 }
 
 }  // namespace arcspan

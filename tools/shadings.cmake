@@ -2,8 +2,8 @@
 # Every shading method, for the tools and for the firmware that measures costs. A method is its header's name in
 # pipeline/arcspan/shading; its class is the same in CamelCase, its name for --shading the same with hyphens.
 # Where one header holds several classes, an entry is HEADER:CLASS and the name comes from the class.
-set(shadings flat gouraud arc segment adaptive phong slerp kuijk_blake lyon duff reflection_map arc_vector dichotomy:DichotomyLinear
-    dichotomy:DichotomyQuadratic dichotomy:DichotomyCubic)
+set(shadings flat gouraud arc segment adaptive phong slerp kuijk_blake lyon duff reflection_map arc_vector
+    dichotomy:DichotomyLinear dichotomy:DichotomyQuadratic dichotomy:DichotomyCubic)
 
 # From an entry: HEADER, METHOD (the class), SHADING (a name for files and functions), NAME (for people).
 macro(arcspan_shading entry)

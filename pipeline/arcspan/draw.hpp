@@ -44,16 +44,24 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 class MeshDrawer {
  public:
   using Raster = RasterVertex<Method>;
+  using Target = RowTarget<typename Method::Object, Sink, Depth>;
 
   MeshDrawer(const MeshView& mesh, const ClipTransform& transform, const typename Method::Object& object,
              Sink& sink, const Depth& depth, std::span<CachedVertex<Method>> cache,
              const DrawOptions& options)
-      : mesh_(mesh), transform_(transform), object_(object), sink_(sink), depth_(depth), options_(options) {
+      : mesh_(mesh),
+        transform_(transform),
+        object_(object),
+        sink_(sink),
+        codes_(object),
+        depth_(depth),
+        options_(options) {
     const Viewport& viewport = transform.viewport();
     origin_ = {viewport.width >> 1, viewport.height >> 1};
     clip_ =
         intersection({0, 0, viewport.width, viewport.height}, intersection(sink.bounds(), depth.bounds()));
     rows_ = {-origin_.y, viewport.height - origin_.y};
+    banded_ = clip_.height() < viewport.height;
     if (cache.size() >= mesh.vertex_count()) cache_ = cache.data();
   }
 
@@ -172,10 +180,15 @@ class MeshDrawer {
   }
 
   void draw_part(const Raster& a, const Raster& b, const Raster& c, const typename Method::Face& face) {
+    if (banded_ && in_other_band(a.position, b.position, c.position)) {
+      drawn_ = true;
+      return;
+    }
     TriangleCommand<Method> command;
     if (!ok(result_.status) || !prepare_triangle(object_, a, b, c, face, rows_, command)) return;
     drawn_ = true;
-    result_.status = draw_command(command, origin_, clip_, object_, sink_, depth_);
+    result_.status =
+        draw_command_with<Method>(command, origin_, Target{clip_, object_, sink_, depth_, codes_});
   }
 
   [[nodiscard]] typename Method::Vertex turned_shade(std::uint16_t index) const {
@@ -188,6 +201,19 @@ class MeshDrawer {
     const std::int32_t left = (clip_.left - origin_.x) * 16;
     const std::int32_t right = (clip_.right - origin_.x) * 16;
     return (a.x < left && b.x < left && c.x < left) || (a.x > right && b.x > right && c.x > right);
+  }
+
+  /// The triangle has rows in the viewport, but none among those of the clip rectangle: prepare_triangle()
+  /// would make a command of it, of which draw_command() would draw nothing.
+  [[nodiscard]] bool in_other_band(const RasterPosition& a, const RasterPosition& b,
+                                   const RasterPosition& c) const {
+    const std::int32_t upper = a.y < b.y ? a.y : b.y;
+    const std::int32_t lower = a.y > b.y ? a.y : b.y;
+    const std::int32_t first = first_row_at(upper < c.y ? upper : c.y);
+    const std::int32_t end = first_row_at(lower > c.y ? lower : c.y);
+    if (first >= end || end <= rows_.first || first >= rows_.end) return false;
+    if (end + origin_.y > clip_.top && first + origin_.y < clip_.bottom) return false;
+    return doubled_area(a, b, c) != 0;
   }
 
   [[nodiscard]] Direction face_normal(const TriangleIndices& t) const {
@@ -208,6 +234,7 @@ class MeshDrawer {
   const ClipTransform& transform_;
   const typename Method::Object& object_;
   Sink& sink_;
+  [[no_unique_address]] typename Target::Codes codes_;
   const Depth& depth_;
   CachedVertex<Method>* cache_ = nullptr;
   DrawOptions options_;
@@ -215,7 +242,8 @@ class MeshDrawer {
   RowRange rows_{};
   Rect clip_{};
   DrawResult result_{};
-  bool drawn_ = false;  ///< something of the present triangle reached the rows
+  bool banded_ = false;  ///< rows of the viewport lie outside the clip rectangle
+  bool drawn_ = false;   ///< something of the present triangle reached the rows
 };
 
 }  // namespace detail

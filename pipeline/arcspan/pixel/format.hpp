@@ -42,6 +42,8 @@ class WordCursor {
   constexpr void write(Code code) { *at_ = code; }
   [[nodiscard]] constexpr Code read() const { return *at_; }
   constexpr void next() { ++at_; }
+  /// The present pixel and those to its right.
+  [[nodiscard]] constexpr Code* codes() const { return at_; }
 
  private:
   Code* at_;

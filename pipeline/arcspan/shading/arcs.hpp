@@ -87,6 +87,13 @@ class ArcRun {
     unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
     return object.colour(values);
   }
+  /// The same, encoded; `codes` is a CodeTable.
+  template <class Format, class Codes>
+  [[nodiscard]] constexpr typename Format::Code code(const Object& object, const Codes& codes) const {
+    typename Object::Scalars values;
+    unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
+    return object.template code<Format>(values, codes);
+  }
   [[nodiscard]] constexpr ArcScalar& scalar(std::size_t i) { return scalars_[i]; }
   constexpr void next() {
     unrolled<kScalars>([this](auto i) { scalars_[i].step(mantissa_, shift_); });

@@ -101,6 +101,17 @@ class Illumination {
     return ramp_[static_cast<std::size_t>(index < 0 ? 0 : index > 255 ? 255 : index)];
   }
 
+  /// The code that `Codes` (code_table.hpp) has for it or, where there is a highlight,
+  /// Format::encode(colour()).
+  template <class Format, class Codes>
+  [[nodiscard, gnu::always_inline]] constexpr typename Format::Code code(const Scalars& scalars,
+                                                                         const Codes& codes) const
+      requires(Lights == 1) {
+    const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
+    if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return codes[scalars[0]];
+    return Format::encode(with_highlight(diffuse_colour(scalars[0]), power_(half_distance)));
+  }
+
   /// False if scalars that exceed those of the three vertices by `headroom` at most have no highlight.
   [[nodiscard]] constexpr bool may_shine(const Scalars& a, const Scalars& b, const Scalars& c,
                                          Unit headroom) const {

@@ -20,6 +20,16 @@ class PatchRun {
       return object.diffuse_colour(x_[0]);
     }
   }
+  /// The same, encoded; `codes` is a CodeTable.
+  template <class Format, class Codes>
+  [[nodiscard, gnu::always_inline]] constexpr typename Format::Code code(const Object& object,
+                                                                         const Codes& codes) const {
+    if constexpr (Used == Object::kScalars) {
+      return object.template code<Format>(x_, codes);
+    } else {
+      return codes[x_[0]];
+    }
+  }
   [[nodiscard]] constexpr const std::array<Unit, Used>& scalars() const { return x_; }
   constexpr void next() {
     unrolled<Used>([this](auto i) {

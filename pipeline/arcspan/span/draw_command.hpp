@@ -21,15 +21,6 @@ struct RasterOrigin {
 
 namespace detail {
 
-/// What the rows of a command are drawn with and into.
-template <class Object, PixelSink Sink, DepthTarget Depth>
-struct RowTarget {
-  const Rect& clip;
-  const Object& object;
-  Sink& sink;
-  const Depth& depth;
-};
-
 /// Draws the row that the walkers stand on; `begin` is its first column, `span` what is to be seen of it.
 template <class Command, class Walker, class Object, PixelSink Sink, DepthTarget Depth>
 [[gnu::always_inline, nodiscard]] constexpr Status draw_row(const Command& command, const Walker& shade,
@@ -41,8 +32,7 @@ template <class Command, class Walker, class Object, PixelSink Sink, DepthTarget
     if (!kOneRun && span.count > Walker::kLongestRun) span.count = Walker::kLongestRun;
     const RowStart start = row_start(command.left, command.right, span.x - begin);
     typename Walker::Run run = shade.row(start);
-    draw_run<typename Sink::Format>(target.sink.open(span), span, run, target.object, target.depth,
-                                    linear_at(command.depth, start), command.depth.dx);
+    draw_run(target.sink.open(span), span, run, target, linear_at(command.depth, start), command.depth.dx);
     const Status status = target.sink.close(span);
     span.x += span.count;
     span.count = last - span.x;
@@ -109,6 +99,18 @@ template <class Command, class Walker, class Object, PixelSink Sink, DepthTarget
   }
 }
 
+/// draw_command() with the codes of `object`.
+template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] constexpr Status draw_command_with(
+    TriangleCommand<Method>& command, const RasterOrigin& origin,
+    const RowTarget<typename Method::Object, Sink, Depth>& target) {
+  const Rect& clip = target.clip;
+  if (clip.empty() || command.end_row + origin.y <= clip.top || command.first_row + origin.y >= clip.bottom) {
+    return Status::kOk;
+  }
+  return Method::walk(command.shade, [&](auto walker) { return draw_rows(command, origin, walker, target); });
+}
+
 }  // namespace detail
 
 /// Draws a command into the sink's and the depth target's common bounds. Returns the sink's first status that
@@ -118,12 +120,9 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] constexpr Status draw_command(TriangleCommand<Method>& command, const RasterOrigin& origin,
                                             const Rect& clip, const typename Method::Object& object,
                                             Sink& sink, const Depth& depth) {
-  if (clip.empty() || command.end_row + origin.y <= clip.top || command.first_row + origin.y >= clip.bottom) {
-    return Status::kOk;
-  }
-  const detail::RowTarget<typename Method::Object, Sink, Depth> target{clip, object, sink, depth};
-  return Method::walk(command.shade,
-                      [&](auto walker) { return detail::draw_rows(command, origin, walker, target); });
+  using Target = detail::RowTarget<typename Method::Object, Sink, Depth>;
+  const typename Target::Codes codes(object);
+  return detail::draw_command_with<Method>(command, origin, Target{clip, object, sink, depth, codes});
 }
 
 }  // namespace arcspan

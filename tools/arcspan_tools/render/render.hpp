@@ -31,6 +31,8 @@ struct RenderJob {
   Rgb8 background;
   /// Rows of a band, 1 or more; a band of the picture's height or more is a full frame.
   std::int32_t band_rows = 0;
+  /// How often every band is cleared and drawn, 1 or more, for measuring: the picture is the same.
+  std::int32_t repeats = 1;
 };
 
 struct RenderStats {
@@ -39,6 +41,7 @@ struct RenderStats {
   /// Of the spans: those that the depth test hid are counted too.
   std::uint64_t pixels = 0;
   std::uint64_t bands = 0;
+  /// Processor time of drawing, clearing apart; of one frame, if it is repeated.
   double draw_milliseconds = 0;
   std::size_t frame_bytes = 0;
   std::size_t depth_bytes = 0;

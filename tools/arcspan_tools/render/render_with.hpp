@@ -7,9 +7,9 @@
 #include <arcspan_tools/render/counting_sink.hpp>
 #include <arcspan_tools/render/render.hpp>
 #include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/processor_time.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 namespace arcspan::tools {
@@ -70,16 +70,16 @@ template <class Method, class Band, class Depth>
                                  const Depth& depth, std::span<CachedVertex<Method>> cache,
                                  RenderStats& stats) {
   CountingSink sink(band.sink());
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_milliseconds();
   const DrawResult drawn =
       draw_mesh<Method>(job.mesh, job.transform, object, sink, depth, cache, {job.two_sided});
-  const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+  const double elapsed = processor_milliseconds() - start;
   if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
   // Every band walks all triangles of the picture and counts those that reach it.
   stats.triangles = std::max(stats.triangles, drawn.triangles);
   stats.spans += sink.spans();
   stats.pixels += sink.pixels();
-  stats.draw_milliseconds += elapsed.count();
+  stats.draw_milliseconds += elapsed;
 }
 
 template <class Method, class Band>
@@ -97,14 +97,21 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
   result.stats.depth_bytes = depth_memory.size() * sizeof(std::uint16_t);
   result.stats.cache_bytes = cache.size() * sizeof(CachedVertex<Method>);
   for (std::int32_t first = 0; first < size.height; first += rows) {
-    band.start(first, job.background);
-    if (job.depth) {
-      depth.move_to(first);
-      depth.clear();
-      draw_band<Method>(job, object, band, depth, std::span(cache), result.stats);
-    } else {
-      draw_band<Method>(job, object, band, NoDepth{}, std::span(cache), result.stats);
+    const double before = result.stats.draw_milliseconds;
+    for (std::int32_t repeat = job.repeats; repeat > 0; --repeat) {
+      RenderStats stats = result.stats;
+      band.start(first, job.background);
+      if (job.depth) {
+        depth.move_to(first);
+        depth.clear();
+        draw_band<Method>(job, object, band, depth, std::span(cache), stats);
+      } else {
+        draw_band<Method>(job, object, band, NoDepth{}, std::span(cache), stats);
+      }
+      result.stats.draw_milliseconds = stats.draw_milliseconds;
+      if (repeat == 1) result.stats = stats;
     }
+    result.stats.draw_milliseconds = before + (result.stats.draw_milliseconds - before) / job.repeats;
     copy_rows(band, first, rows, result.image);
     ++result.stats.bands;
     rows_done(static_cast<std::size_t>(first + rows));

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// What machines with vectors do otherwise gives the same pixels: a sink chooses by its kLanes.
+#include <arcspan/draw.hpp>
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/arc.hpp>
+#include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/phong.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/support/random.hpp>
+#include <tests/support/scenes.hpp>
+
+#include <type_traits>
+#include <vector>
+
+using namespace arcspan;
+using namespace arcspan::test;
+
+namespace {
+
+template <std::int32_t Lanes>
+struct Frame : hal::Framebuffer<Rgb565> {
+  static constexpr std::int32_t kLanes = Lanes;
+  using hal::Framebuffer<Rgb565>::Framebuffer;
+};
+
+using Light = Illumination<1, Highlight::kPhong>;
+static_assert(std::is_same_v<detail::RowTarget<Light, Frame<8>, DepthBuffer>::Codes, CodeTable<Rgb565>>);
+static_assert(std::is_same_v<detail::RowTarget<Light, Frame<1>, DepthBuffer>::Codes, NoCodes>);
+// Several lights have no ramp, dithered codes depend on the place, and only 16 bits are kept.
+static_assert(!HasCodes<Illumination<2, Highlight::kPhong>, Rgb565>);
+static_assert(!HasCodes<Light, Dithered<Rgb565>>);
+static_assert(!HasCodes<Light, Rgb888>);
+
+struct Pictures {
+  std::vector<std::uint16_t> colours;
+  std::vector<std::uint16_t> depths;
+  friend bool operator==(const Pictures&, const Pictures&) = default;
+};
+
+template <class Method, std::int32_t Lanes, bool Tests>
+Pictures drawn(const MeshView& mesh, const TestCamera& camera, const typename Method::Object& light) {
+  Pictures p;
+  p.colours.resize(hal::Framebuffer<Rgb565>::units(camera.width, camera.height));
+  p.depths.resize(DepthBuffer::units(camera.width, camera.height));
+  Frame<Lanes> frame(p.colours, camera.width, camera.height);
+  DepthBuffer depth(p.depths, camera.width, camera.height);
+  frame.clear({1, 2, 3});
+  depth.clear();
+  const ClipTransform transform = camera.transform();
+  if constexpr (Tests) {
+    REQUIRE(ok(draw_mesh<Method>(mesh, transform, light, frame, depth, {}, {true}).status));
+  } else {
+    REQUIRE(ok(draw_mesh<Method>(mesh, transform, light, frame, NoDepth{}, {}, {true}).status));
+  }
+  return p;
+}
+
+/// Triangles anywhere in front of the camera, also through its edges, with normals anywhere around.
+TestMesh random_triangles(Random& random) {
+  TestMesh mesh;
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 centre{random.real(-6000, 6000), random.real(-5000, 5000), random.real(-9000, 9000)};
+    const double size = std::pow(2.0, random.real(6, 13));
+    const double spread = random.real(0, 1.2);
+    const Vec3 mean{random.real(-1, 1), random.real(-1, 1), random.real(0, 1) + 0.01};
+    std::uint16_t corners[3];
+    for (std::uint16_t& corner : corners) {
+      const auto offset = [&](double by) {
+        return Vec3{random.real(-by, by), random.real(-by, by), random.real(-by, by)};
+      };
+      corner = mesh.add(centre + offset(size), normalised(normalised(mean) + offset(spread)));
+    }
+    mesh.triangle(corners[0], corners[1], corners[2]);
+  }
+  return mesh;
+}
+
+template <class Method>
+int pictures_that_differ(int count) {
+  Random random(77);
+  TestCamera camera;
+  camera.translation = {0, 0, -20000};
+  camera.focal = 220;
+  const auto light = make_light<1, Method::Object::kModel>(camera);
+  int different = 0;
+  for (int i = 0; i < count; ++i) {
+    const TestMesh mesh =
+        i % 4 == 3 ? make_sphere(3 + i % 9, 5 + i % 17, 6000, 0.02, random) : random_triangles(random);
+    const MeshView view = mesh.view();
+    const Pictures plain = drawn<Method, 1, true>(view, camera, light);
+    different += plain == drawn<Method, 8, true>(view, camera, light) ? 0 : 1;
+    different +=
+        drawn<Method, 1, false>(view, camera, light) == drawn<Method, 8, false>(view, camera, light) ? 0 : 1;
+  }
+  return different;
+}
+
+}  // namespace
+
+TEST_CASE("pictures are the same with and without codes made beforehand") {
+  CHECK(pictures_that_differ<Arc<Illumination<1, Highlight::kBlinn>>>(60) == 0);
+  CHECK(pictures_that_differ<Arc<Light>>(60) == 0);
+  CHECK(pictures_that_differ<Gouraud<Light>>(8) == 0);
+  CHECK(pictures_that_differ<Phong<Light>>(8) == 0);
+}
+
+TEST_CASE(
+    "a code table has the diffuse colour of every N·L, and of what rounding or overflow may make of one") {
+  const TestCamera camera;
+  const auto light = make_light<1, Highlight::kBlinn>(camera);
+  const CodeTable<Rgb565> codes(light);
+  int different = 0;
+  const auto compare = [&](std::int64_t raw) {
+    const Unit value = Unit::from_raw(static_cast<std::int32_t>(raw));
+    different += codes[value] == Rgb565::encode(light.diffuse_colour(value)) ? 0 : 1;
+  };
+  for (std::int64_t top = INT32_MIN; top <= INT32_MAX; top += 1 << 16) {
+    for (const std::int64_t low : {0, 1, 0x7FFF, 0xFFFF}) compare(top + low);
+  }
+  CHECK(different == 0);
+}

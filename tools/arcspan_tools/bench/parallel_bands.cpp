@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/arc.hpp>
+
+#include <arcspan_tools/bench/parallel_bands.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/processor_time.hpp>
+
+#include <algorithm>
+#include <barrier>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace arcspan::tools {
+namespace {
+
+using Light = Illumination<1, Highlight::kPhong>;
+using Method = Arc<Light>;
+using Frame = hal::Framebuffer<Rgb565>;
+using Clock = std::chrono::steady_clock;
+
+/// What one thread has for itself.
+class Band {
+ public:
+  Band(const RenderJob& job, const Light& light, std::span<Rgb565::Unit> memory, std::int32_t first,
+       std::int32_t rows)
+      : job_(job),
+        light_(light),
+        frame_(memory, job.transform.viewport().width, rows, first),
+        depth_memory_(DepthBuffer::units(job.transform.viewport().width, rows)),
+        depth_(depth_memory_, job.transform.viewport().width, rows, first),
+        cache_(job.mesh.vertex_count()) {}
+
+  void clear() {
+    frame_.clear(job_.background);
+    depth_.clear();
+  }
+  [[nodiscard]] Status draw() {
+    return draw_mesh<Method>(job_.mesh, job_.transform, light_, frame_, depth_, std::span(cache_),
+                             {job_.two_sided})
+        .status;
+  }
+
+ private:
+  const RenderJob& job_;
+  const Light& light_;
+  Frame frame_;
+  std::vector<std::uint16_t> depth_memory_;
+  DepthBuffer depth_;
+  std::vector<CachedVertex<Method>> cache_;
+};
+
+}  // namespace
+
+struct ParallelBands::Work {
+  RenderJob job;
+  Light light;
+  std::vector<Rgb565::Unit> memory;
+  std::vector<std::unique_ptr<Band>> bands;
+
+  Work(const RenderJob& wanted, std::uint32_t threads) : job(wanted) {
+    if (job.lights.size() != 1 || job.highlight != Highlight::kPhong) {
+      throw Failure("bands in parallel", "are drawn with one light and Phong's highlight");
+    }
+    const Status status = Light::make(job.material, {job.lights[0]}, job.to_eye, light);
+    if (!ok(status)) throw Failure("illumination", to_string(status));
+    const Viewport& size = job.transform.viewport();
+    memory.resize(Frame::units(size.width, size.height));
+    const auto count = static_cast<std::int32_t>(threads);
+    for (std::int32_t i = 0; i < count; ++i) {
+      const std::int32_t first = size.height * i / count;
+      const std::int32_t rows = size.height * (i + 1) / count - first;
+      const std::span rest = std::span(memory).subspan(Frame::units(size.width, first));
+      bands.push_back(
+          std::make_unique<Band>(job, light, rest.first(Frame::units(size.width, rows)), first, rows));
+    }
+  }
+};
+
+ParallelBands::ParallelBands(const RenderJob& job, std::uint32_t threads)
+    : work_(std::make_unique<Work>(job, std::max(threads, 1u))) {}
+
+ParallelBands::~ParallelBands() = default;
+
+ParallelBands::FrameTime ParallelBands::draw(std::int32_t repeats) {
+  const std::size_t count = work_->bands.size();
+  // The last to arrive notes the time: all are ready, then all are done, and so on.
+  bool drawing = false;
+  Clock::time_point begin;
+  Clock::duration quickest = Clock::duration::max();
+  const auto note_time = [&]() noexcept {
+    const Clock::time_point now = Clock::now();
+    if (drawing) quickest = std::min(quickest, now - begin);
+    begin = now;
+    drawing = !drawing;
+  };
+  std::barrier together(static_cast<std::ptrdiff_t>(count), note_time);
+  std::vector<Status> results(count, Status::kOk);
+  std::vector<double> own(count, INFINITY);
+  const auto draw_frames = [&](std::size_t i) {
+    for (std::int32_t frame = 0; frame < repeats; ++frame) {
+      work_->bands[i]->clear();
+      together.arrive_and_wait();
+      const double start = processor_milliseconds();
+      const Status status = work_->bands[i]->draw();
+      own[i] = std::min(own[i], processor_milliseconds() - start);
+      if (!ok(status)) results[i] = status;
+      together.arrive_and_wait();
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 1; i < count; ++i) threads.emplace_back(draw_frames, i);
+    draw_frames(0);
+  }
+  for (const Status status : results) {
+    if (!ok(status)) throw Failure("pipeline", to_string(status));
+  }
+  return {std::chrono::duration<double, std::milli>(quickest).count(),
+          *std::max_element(own.begin(), own.end())};
+}
+
+Image ParallelBands::image() const {
+  const Viewport& size = work_->job.transform.viewport();
+  Image image(size.width, size.height);
+  for (std::size_t i = 0; i < work_->memory.size(); ++i) image.pixels[i] = Rgb565::decode(work_->memory[i]);
+  return image;
+}
+
+}  // namespace arcspan::tools

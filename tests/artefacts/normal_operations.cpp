@@ -33,7 +33,6 @@ using Raw = Counted<std::int32_t>;
 /// An illumination that does nothing: of a method that uses it, the normal is what is left.
 struct Nothing {
   static constexpr std::size_t kScalars = 1;
-  static constexpr std::size_t kLights = 2;
   using Scalars = arcspan_counted_std::array<counted::Unit, 1>;
   [[nodiscard]] Scalars scalars(const counted::Direction&) const { return {}; }
   [[nodiscard]] counted::PackedRgb colour(const Scalars&) const { return {}; }

@@ -5,6 +5,7 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/prepare/split.hpp>
 #include <arcspan/span/draw_command.hpp>
+#include <arcspan/span/lanes_choice.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
 #include <cstddef>
@@ -44,7 +45,8 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 class MeshDrawer {
  public:
   using Raster = RasterVertex<Method>;
-  using Target = RowTarget<typename Method::Object, Sink, Depth>;
+  using Codes = typename CodesOf<Method, typename Sink::Format, (lanes_for<Sink>() > 1)>::Type;
+  using Target = RowTarget<typename Method::Object, Sink, Depth, Codes>;
 
   MeshDrawer(const MeshView& mesh, const ClipTransform& transform, const typename Method::Object& object,
              Sink& sink, const Depth& depth, std::span<CachedVertex<Method>> cache,
@@ -187,8 +189,7 @@ class MeshDrawer {
     TriangleCommand<Method> command;
     if (!ok(result_.status) || !prepare_triangle(object_, a, b, c, face, rows_, command)) return;
     drawn_ = true;
-    result_.status =
-        draw_command_with<Method>(command, origin_, Target{clip_, object_, sink_, depth_, codes_});
+    result_.status = draw_command_with(command, origin_, Target{clip_, object_, sink_, depth_, codes_});
   }
 
   [[nodiscard]] typename Method::Vertex turned_shade(std::uint16_t index) const {
@@ -234,7 +235,7 @@ class MeshDrawer {
   const ClipTransform& transform_;
   const typename Method::Object& object_;
   Sink& sink_;
-  [[no_unique_address]] typename Target::Codes codes_;
+  [[no_unique_address]] Codes codes_;
   const Depth& depth_;
   CachedVertex<Method>* cache_ = nullptr;
   DrawOptions options_;

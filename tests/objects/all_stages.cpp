@@ -2,6 +2,7 @@
 // Every stage of the pipeline for every method: the object that must need nothing from outside.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/adaptive.hpp>
 #include <arcspan/shading/arc.hpp>
 #include <arcspan/shading/arc_vector.hpp>
 #include <arcspan/shading/dichotomy.hpp>
@@ -12,6 +13,7 @@
 #include <arcspan/shading/lyon.hpp>
 #include <arcspan/shading/phong.hpp>
 #include <arcspan/shading/reflection_map.hpp>
+#include <arcspan/shading/segment.hpp>
 #include <arcspan/shading/slerp.hpp>
 
 namespace arcspan {
@@ -29,6 +31,8 @@ using Phong4 = Illumination<4, Highlight::kPhong>;
 ARCSPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Adaptive<Phong1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Adaptive<Blinn4>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(ArcVector<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Duff<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(DichotomyLinear<Blinn1>, Rgb565, DepthBuffer);
@@ -38,6 +42,7 @@ ARCSPAN_INSTANTIATE(KuijkBlake<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Lyon<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Phong<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(ReflectionMap<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Segment<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Slerp<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Blinn4>, Rgb888, DepthBuffer);

@@ -2,6 +2,7 @@
 // The span stage and nothing else, for every format and every method but those that divide by definition
 // (phong, duff): the object that must hold no division.
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/adaptive.hpp>
 #include <arcspan/shading/arc.hpp>
 #include <arcspan/shading/arc_vector.hpp>
 #include <arcspan/shading/dichotomy.hpp>
@@ -10,6 +11,7 @@
 #include <arcspan/shading/kuijk_blake.hpp>
 #include <arcspan/shading/lyon.hpp>
 #include <arcspan/shading/reflection_map.hpp>
+#include <arcspan/shading/segment.hpp>
 #include <arcspan/shading/slerp.hpp>
 #include <arcspan/span/draw_command.hpp>
 
@@ -28,6 +30,8 @@ using Phong4 = Illumination<4, Highlight::kPhong>;
 ARCSPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Adaptive<Phong1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Adaptive<Blinn4>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(ArcVector<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(DichotomyLinear<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(DichotomyQuadratic<Phong4>, Rgb565, DepthBuffer);
@@ -35,6 +39,7 @@ ARCSPAN_INSTANTIATE(DichotomyCubic<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(KuijkBlake<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Lyon<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(ReflectionMap<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Segment<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Slerp<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Blinn4>, Rgb888, DepthBuffer);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The headline frame of docs/performance.md, drawn once by each of three methods, for scripts/frame-instructions,
-// which counts what goes on inside counted_frame().
+// The headline frame of docs/performance.md, drawn once by one of three methods, for
+// scripts/frame-instructions, which counts what goes on inside counted_frame().
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/shading/arc.hpp>

@@ -51,7 +51,7 @@ class AdaptiveIllumination : public Illumination {
   [[nodiscard]] static constexpr std::uint32_t of_chord(std::uint32_t tolerance, std::uint32_t factor,
                                                         std::uint32_t amount) {
     const std::uint32_t product = tolerance * factor;
-    if (product >= amount) return 1u << 28;
+    if (product >= amount) return std::uint32_t{1} << 28;
     return static_cast<std::uint32_t>((static_cast<std::uint64_t>(product) << 28) / amount);
   }
 

@@ -37,6 +37,7 @@ struct Arc {
     bool middle_left;
   };
   static constexpr bool kNeedsFaceNormal = false;
+  static constexpr bool kUsesCodes = true;
 
   /// Normals farther apart than 60 degrees (squared chord 1) are not interpolated; the triangle is split.
   static constexpr std::uint32_t kWidestChord = std::uint32_t{1} << 28;

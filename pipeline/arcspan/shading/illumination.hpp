@@ -101,6 +101,11 @@ class Illumination {
     return ramp_[static_cast<std::size_t>(index < 0 ? 0 : index > 255 ? 255 : index)];
   }
 
+  /// diffuse_colour() of N·L = i / 256 ... (i + 1) / 256.
+  [[nodiscard]] constexpr const std::array<PackedRgb, 256>& ramp() const requires(Lights == 1) {
+    return ramp_;
+  }
+
   /// The code that `Codes` (code_table.hpp) has for it or, where there is a highlight,
   /// Format::encode(colour()).
   template <class Format, class Codes>

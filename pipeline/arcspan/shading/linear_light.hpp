@@ -30,6 +30,11 @@ class LinearLightRun {
   [[nodiscard]] constexpr PackedRgb colour(const Object& object) const {
     return object.diffuse_colour(light_);
   }
+  /// The same, encoded; `codes` is a CodeTable.
+  template <class Format, class Codes>
+  [[nodiscard]] constexpr typename Format::Code code(const Object&, const Codes& codes) const {
+    return codes[light_];
+  }
   constexpr void next() { light_ += step_; }
 
  private:

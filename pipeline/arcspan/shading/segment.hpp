@@ -34,6 +34,7 @@ struct Segment : Arc<Illumination> {
   using Object = SegmentedIllumination<Illumination>;
   using typename Base::Face;
   using typename Base::Vertex;
+  static constexpr bool kUsesCodes = false;
   struct Prepared : Base::Prepared {
     int bits;
   };

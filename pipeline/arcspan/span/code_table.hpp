@@ -25,15 +25,10 @@ class CodeTable {
 
   template <class Object>
   constexpr explicit CodeTable(const Object& object) {
-    constexpr int kDown = Unit::kFraction - 8;
-    const Code unlit = Format::encode(object.diffuse_colour(Unit{}));
-    const Code full = Format::encode(object.diffuse_colour(Unit::of(1.0)));
-    for (std::int32_t i = 0; i < 256; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      codes_[at] = Format::encode(object.diffuse_colour(Unit::from_raw(i << kDown)));
-      codes_[at + 256] = full;
-      codes_[at + 512] = codes_[at + 768] = unlit;
-    }
+    const auto& ramp = object.ramp();
+    for (std::size_t i = 0; i < 256; ++i) codes_[i] = Format::encode(ramp[i]);
+    for (std::size_t i = 256; i < 512; ++i) codes_[i] = codes_[255];
+    for (std::size_t i = 512; i < 1024; ++i) codes_[i] = codes_[0];
   }
 
   [[nodiscard]] constexpr Code operator[](Unit normal_light) const {
@@ -48,17 +43,18 @@ class CodeTable {
 template <class Object, class Format>
 concept HasCodes = !Format::kDithers && sizeof(typename Format::Code) == 2 &&
                    requires(const Object& object, PackedRgb colour) {
-  object.diffuse_colour(Unit{});
+  object.ramp();
   Format::encode(colour);
 };
 
-template <class Object, class Format, bool Wanted>
+template <class Method, class Format, bool Lanes>
 struct CodesOf {
   using Type = NoCodes;
 };
-template <class Object, class Format>
-requires HasCodes<Object, Format>
-struct CodesOf<Object, Format, true> {
+/// Methods whose runs take them say so (kUsesCodes).
+template <class Method, class Format>
+requires(bool{Method::kUsesCodes} &&
+         HasCodes<typename Method::Object, Format>) struct CodesOf<Method, Format, true> {
   using Type = CodeTable<Format>;
 };
 

@@ -22,10 +22,10 @@ struct RasterOrigin {
 namespace detail {
 
 /// Draws the row that the walkers stand on; `begin` is its first column, `span` what is to be seen of it.
-template <class Command, class Walker, class Object, PixelSink Sink, DepthTarget Depth>
+template <class Command, class Walker, class Target>
 [[gnu::always_inline, nodiscard]] constexpr Status draw_row(const Command& command, const Walker& shade,
                                                             Span span, std::int32_t begin,
-                                                            const RowTarget<Object, Sink, Depth>& target) {
+                                                            const Target& target) {
   constexpr bool kOneRun = Walker::kLongestRun >= 2 * kGuardBand;
   const std::int32_t last = span.x + span.count;
   while (true) {
@@ -74,9 +74,9 @@ template <class Command>
   command.lower.x += shift;
 }
 
-template <class Command, class Walker, class Object, PixelSink Sink, DepthTarget Depth>
+template <class Command, class Walker, class Target>
 [[nodiscard]] constexpr Status draw_rows(Command& command, const RasterOrigin& origin, Walker shade,
-                                         const RowTarget<Object, Sink, Depth>& target) {
+                                         const Target& target) {
   const Rect& clip = target.clip;
   place_columns(command, origin.x);
   const std::int32_t end = command.end_row + origin.y;
@@ -99,11 +99,10 @@ template <class Command, class Walker, class Object, PixelSink Sink, DepthTarget
   }
 }
 
-/// draw_command() with the codes of `object`.
-template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
-[[nodiscard]] constexpr Status draw_command_with(
-    TriangleCommand<Method>& command, const RasterOrigin& origin,
-    const RowTarget<typename Method::Object, Sink, Depth>& target) {
+/// draw_command() into a RowTarget, which may have codes made beforehand.
+template <ShadingMethod Method, class Target>
+[[nodiscard]] constexpr Status draw_command_with(TriangleCommand<Method>& command, const RasterOrigin& origin,
+                                                 const Target& target) {
   const Rect& clip = target.clip;
   if (clip.empty() || command.end_row + origin.y <= clip.top || command.first_row + origin.y >= clip.bottom) {
     return Status::kOk;
@@ -120,9 +119,9 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] constexpr Status draw_command(TriangleCommand<Method>& command, const RasterOrigin& origin,
                                             const Rect& clip, const typename Method::Object& object,
                                             Sink& sink, const Depth& depth) {
-  using Target = detail::RowTarget<typename Method::Object, Sink, Depth>;
-  const typename Target::Codes codes(object);
-  return detail::draw_command_with<Method>(command, origin, Target{clip, object, sink, depth, codes});
+  const NoCodes codes(object);
+  const detail::RowTarget<typename Method::Object, Sink, Depth> target{clip, object, sink, depth, codes};
+  return detail::draw_command_with(command, origin, target);
 }
 
 }  // namespace arcspan

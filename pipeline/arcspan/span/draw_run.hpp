@@ -6,7 +6,6 @@
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/code_table.hpp>
 #include <arcspan/span/depth.hpp>
-#include <arcspan/span/lanes_choice.hpp>
 
 #include <concepts>
 #include <cstdint>
@@ -28,11 +27,11 @@ template <class Format, class Run, class Object, class Codes>
 }
 
 /// What the rows of a command are drawn with and into.
-template <class Object, PixelSink Sink, DepthTarget Depth>
+template <class ObjectOf, PixelSink Sink, DepthTarget Depth, class CodesOf = NoCodes>
 struct RowTarget {
+  using Object = ObjectOf;
+  using Codes = CodesOf;
   using Format = typename Sink::Format;
-  static constexpr std::int32_t kLanes = lanes_for<Sink>();
-  using Codes = typename CodesOf<Object, Format, (kLanes > 1)>::Type;
 
   const Rect& clip;
   const Object& object;

@@ -25,8 +25,10 @@ struct Frame : hal::Framebuffer<Rgb565> {
 };
 
 using Light = Illumination<1, Highlight::kPhong>;
-static_assert(std::is_same_v<detail::RowTarget<Light, Frame<8>, DepthBuffer>::Codes, CodeTable<Rgb565>>);
-static_assert(std::is_same_v<detail::RowTarget<Light, Frame<1>, DepthBuffer>::Codes, NoCodes>);
+static_assert(
+    std::is_same_v<detail::MeshDrawer<Arc<Light>, Frame<8>, DepthBuffer>::Codes, CodeTable<Rgb565>>);
+static_assert(std::is_same_v<detail::MeshDrawer<Arc<Light>, Frame<1>, DepthBuffer>::Codes, NoCodes>);
+static_assert(std::is_same_v<detail::MeshDrawer<Phong<Light>, Frame<8>, DepthBuffer>::Codes, NoCodes>);
 // Several lights have no ramp, dithered codes depend on the place, and only 16 bits are kept.
 static_assert(!HasCodes<Illumination<2, Highlight::kPhong>, Rgb565>);
 static_assert(!HasCodes<Light, Dithered<Rgb565>>);

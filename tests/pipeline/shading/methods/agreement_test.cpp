@@ -77,6 +77,8 @@ void for_all(const Scene<Lit>& scene, F&& f) {
   f("reflection-map", Kind::kTable, draw<ReflectionMap>(scene));
   f("arc-vector", Kind::kArc, draw<ArcVector>(scene));
   f("arc", Kind::kArc, draw<Arc>(scene));
+  f("adaptive", Kind::kArc, draw<Adaptive>(scene));
+  f("segment", Kind::kArc, draw<Segment>(scene));
   f("dichotomy-linear", Kind::kChord, draw<DichotomyLinear>(scene));
   f("dichotomy-quadratic", Kind::kChord, draw<DichotomyQuadratic>(scene));
   f("dichotomy-cubic", Kind::kChord, draw<DichotomyCubic>(scene));

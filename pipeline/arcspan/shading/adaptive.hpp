@@ -113,21 +113,18 @@ struct Adaptive : Arc<Illumination> {
 
   template <class Frame>
   static constexpr void prepare(const Object& object, const Frame& frame, const Face&, Prepared& prepared) {
-    const Vertex& top = frame.top->shade;
-    const Vertex& middle = frame.middle->shade;
-    const Vertex& bottom = frame.bottom->shade;
     const TriangleChords chords = Base::chords_of(frame);
     prepared.middle_left = frame.middle_left;
     prepared.linear = false;
     prepared.segment_bits = 0;
-    const bool shines =
-        object.may_shine(top.scalars, middle.scalars, bottom.scalars, kPatchHeadroom, object.quiet_reach());
     if constexpr (Base::kHasDiffusePath) {
-      if (!shines && prepare_dull(object, frame, chords, prepared)) return;
+      if (chords.widest() <= kWidestPatch && !shines(object, frame)) {
+        if (prepare_dull(object, frame, chords, prepared)) return;
+      }
     }
-    const Path path = Base::choose_path(object, frame, chords.widest());
-    Base::prepare_path(frame, chords, path, prepared);
-    if (path != Path::kDiffusePatch) prepared.segment_bits = segment_bits(object, frame, chords, shines);
+    const bool flat = chords.widest() <= object.widest_patch() && patch_fits(frame);
+    Base::prepare_path(frame, chords, flat ? Path::kPatch : Path::kArcs, prepared);
+    prepared.segment_bits = segment_bits(object, frame, chords);
   }
 
   template <class Draw>
@@ -142,11 +139,17 @@ struct Adaptive : Arc<Illumination> {
   }
 
  private:
-  /// Prepares N·L alone, linear if that is near enough; false if the normals are too wide for either.
+  /// Whether a highlight above half the tolerance is within reach.
+  template <class Frame>
+  [[nodiscard]] static constexpr bool shines(const Object& object, const Frame& frame) {
+    return object.may_shine(frame.top->shade.scalars, frame.middle->shade.scalars,
+                            frame.bottom->shade.scalars, kPatchHeadroom, object.quiet_reach());
+  }
+
+  /// Prepares N·L alone, linear if that is near enough; false if the triangle fits neither.
   template <class Frame>
   [[nodiscard]] static constexpr bool prepare_dull(const Object& object, const Frame& frame,
                                                    const TriangleChords& chords, Prepared& prepared) {
-    if (chords.widest() > kWidestPatch) return false;
     const std::int32_t a = LinearLight::level(frame.top->shade.scalars[0]);
     const std::int32_t b = LinearLight::level(frame.middle->shade.scalars[0]);
     const std::int32_t c = LinearLight::level(frame.bottom->shade.scalars[0]);
@@ -197,7 +200,7 @@ struct Adaptive : Arc<Illumination> {
   /// worth, or 0.
   template <class Frame>
   [[nodiscard]] static constexpr int segment_bits(const Object& object, const Frame& frame,
-                                                  const TriangleChords& chords, bool shines) {
+                                                  const TriangleChords& chords) {
     // With one light a pixel without highlight is a look-up: segments must be longer to pay.
     constexpr int kLeastBits = Illumination::kLights == 1 ? 3 : 2;
     constexpr std::uint32_t kLeastWidth = 4u << kLeastBits;
@@ -205,7 +208,7 @@ struct Adaptive : Arc<Illumination> {
     if (whole < kLeastWidth) return 0;
     // The widest row is no wider an angle than the wider of the two edges at the middle vertex; a row's
     // pixels are not quite even in angle, which the limit's quarter covers.
-    const std::uint32_t limit = object.segment_limit(shines);
+    const std::uint32_t limit = object.segment_limit(shines(object, frame));
     const std::uint32_t width = whole > 1023 ? 1023 : whole;
     const std::uint32_t across =
         chords.top_middle > chords.middle_bottom ? chords.top_middle : chords.middle_bottom;

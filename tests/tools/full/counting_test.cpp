@@ -139,3 +139,25 @@ TEST_CASE("with no highlight in reach arc steps two scalars and looks up a ramp,
   // first.
   CHECK(multiplies < 2.9);
 }
+
+TEST_CASE("adaptive takes no more operations than arc, but for its choice") {
+  constexpr double kChoice = 1.003;  // where every triangle is too wide for anything else
+  for (const char* name : {"sphere:8x4", "sphere:16x8", "sphere:48x24", "torus:48x24", "torus:12x6"}) {
+    const FixedMesh mesh = to_fixed(generate(*parse_generated_mesh(name)));
+    for (const std::int32_t width : {80, 320, 1000}) {
+      Scene scene;
+      scene.size = {width, width * 3 / 4};
+      for (const std::size_t lights : {1u, 2u}) {
+        scene.lights.resize(lights, SceneLight{-1, 0.3, 0.5});
+        const RenderJob job = make_job(scene, mesh, name);
+        const CountedDraw arc = count_operations("arc", job, mesh);
+        const CountedDraw adaptive = count_operations("adaptive", job, mesh);
+        CAPTURE(name, width, lights);
+        CHECK(adaptive.pixels == arc.pixels);
+        const auto ratio = static_cast<double>(adaptive.in_spans.sum() + adaptive.around.sum()) /
+                           static_cast<double>(arc.in_spans.sum() + arc.around.sum());
+        CHECK(ratio < (lights == 1 && name == std::string("sphere:48x24") ? 1 : kChoice));
+      }
+    }
+  }
+}

@@ -99,6 +99,13 @@ template <class Command, class Walker, class Target>
   }
 }
 
+/// draw_rows() in a function of its own: next to others it would take their registers.
+template <class Command, class Walker, class Target>
+[[gnu::noinline, nodiscard]] constexpr Status draw_rows_apart(Command& command, const RasterOrigin& origin,
+                                                              const Walker& shade, const Target& target) {
+  return draw_rows(command, origin, shade, target);
+}
+
 /// draw_command() into a RowTarget, which may have codes made beforehand.
 template <ShadingMethod Method, class Target>
 [[nodiscard]] constexpr Status draw_command_with(TriangleCommand<Method>& command, const RasterOrigin& origin,
@@ -107,7 +114,13 @@ template <ShadingMethod Method, class Target>
   if (clip.empty() || command.end_row + origin.y <= clip.top || command.first_row + origin.y >= clip.bottom) {
     return Status::kOk;
   }
-  return Method::walk(command.shade, [&](auto walker) { return draw_rows(command, origin, walker, target); });
+  return Method::walk(command.shade, [&](auto walker) {
+    if constexpr (SegmentedRun<typename decltype(walker)::Run>) {
+      return draw_rows_apart(command, origin, walker, target);  // long rows, which can pay the call
+    } else {
+      return draw_rows(command, origin, walker, target);
+    }
+  });
 }
 
 }  // namespace detail

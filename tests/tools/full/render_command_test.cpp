@@ -113,7 +113,8 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
       {"--size 99999x99999", "--size: expected WxH with each 1...2048, not '99999x99999'"},
       {"--format rgb332", "--format: expected rgb565|rgb888|gray8|gray4|mono, not 'rgb332'"},
       {"--shading ray",
-       "--shading: expected flat|gouraud|arc|segment|adaptive|phong|slerp|kuijk-blake|lyon|duff|reflection-map|arc-vector|"
+       "--shading: expected "
+       "flat|gouraud|arc|segment|adaptive|phong|slerp|kuijk-blake|lyon|duff|reflection-map|arc-vector|"
        "dichotomy, not 'ray'"},
       {"--polynomial fourth", "--polynomial: expected linear, quadratic or cubic, not 'fourth'"},
       {"--polynomial cubic", "--polynomial: only --shading dichotomy has one, not arc"},

@@ -102,9 +102,7 @@ class Illumination {
   }
 
   /// diffuse_colour() of N·L = i / 256 ... (i + 1) / 256.
-  [[nodiscard]] constexpr const std::array<PackedRgb, 256>& ramp() const requires(Lights == 1) {
-    return ramp_;
-  }
+  [[nodiscard]] constexpr const auto& ramp() const requires(Lights == 1) { return ramp_; }
 
   /// The code that `Codes` (code_table.hpp) has for it or, where there is a highlight,
   /// Format::encode(colour()).

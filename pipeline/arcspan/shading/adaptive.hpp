@@ -216,7 +216,8 @@ struct Adaptive : Arc<Illumination> {
     const std::uint32_t allowed = (limit >> 8) - (limit >> 10);
     const std::uint64_t room = static_cast<std::uint64_t>(allowed) * (width * width);
     for (int bits = kMostSegmentBits; bits >= kLeastBits; --bits) {
-      if (width >> bits >= 4 && static_cast<std::uint64_t>(across >> 8) << (2 * bits) <= room) return bits;
+      if ((width >> bits) >= 4 && (static_cast<std::uint64_t>(across >> 8) << (2 * bits)) <= room)
+        return bits;
     }
     return 0;
   }

@@ -15,7 +15,7 @@ namespace detail {
 
 /// A coefficient of the polynomials below, 18 fraction bits.
 consteval std::uint32_t polynomial_coefficient(double value) {
-  const double rounded = value * (std::int32_t{1} << 18) + 0.5;
+  const double rounded = value * 0x1p18 + 0.5;
   return static_cast<std::uint32_t>(rounded);
 }
 /// value * s with the fraction bits of value; s has 16.

@@ -27,7 +27,7 @@ consteval std::array<std::uint32_t, 258> make_sine_table() {
       term *= -x * x / ((2 * k) * (2 * k + 1));
       sum += term;
     }
-    table[i] = static_cast<std::uint32_t>(sum * (std::int32_t{1} << 30) + 0.5);
+    table[i] = static_cast<std::uint32_t>(sum * 0x1p30 + 0.5);
   }
   table[257] = table[256];
   return table;

@@ -98,7 +98,7 @@ Lit random_light(Random& random, const Direction& near) {
   const Vec3 normal = to_vec3(near);
   for (DirectionalLight& light : lights) {
     light.towards = to_direction(tilted(random, normal, random.real(0, 1.8)));
-    light.strength = Coefficient::of(1.0 / Lit::kLights);
+    light.strength = Coefficient::from_raw(static_cast<std::int32_t>(32768 / Lit::kLights));
   }
   const Vec3 eye = tilted(random, normal, random.real(0, 1.2));
   Lit lit;

@@ -34,12 +34,14 @@ struct LinearPolynomial {
     return detail::times_chord(detail::polynomial_coefficient(0.0688625867), s);
   }
 };
+/// The second of the three: two multiplies.
 struct QuadraticPolynomial {
   [[nodiscard]] static constexpr std::uint32_t above_half(std::uint32_t s) {
     const std::uint32_t bend = detail::times_chord(detail::polynomial_coefficient(0.0140394938), s);
     return detail::times_chord(detail::polynomial_coefficient(0.0620584825) + bend, s);
   }
 };
+/// The third: three multiplies.
 struct CubicPolynomial {
   [[nodiscard]] static constexpr std::uint32_t above_half(std::uint32_t s) {
     const std::uint32_t twist = detail::times_chord(detail::polynomial_coefficient(0.0031711712), s);

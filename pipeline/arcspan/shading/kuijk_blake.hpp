@@ -25,6 +25,7 @@ struct KuijkBlake : SlerpBase<Illumination, Illumination::kScalars> {
     return vertex;
   }
 
+  /// A scalar along the span: amplitude * cos(phase), the phase stepped evenly.
   struct Wave {
     std::int32_t amplitude;  ///< 15 fraction bits
     Angle32 phase;           ///< t phi - alpha

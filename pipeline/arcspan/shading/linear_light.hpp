@@ -22,6 +22,7 @@ struct LinearLight {
   }
 };
 
+/// A row whose N·L steps evenly and whose highlight cannot be seen: a pixel is one addition and its colour.
 template <class Object>
 class LinearLightRun {
  public:
@@ -48,6 +49,7 @@ class LinearLightRun {
   Unit step_;
 };
 
+/// The rows of such a triangle (RowWalker).
 template <class Object>
 class LinearLightWalker {
  public:

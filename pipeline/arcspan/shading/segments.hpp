@@ -17,7 +17,10 @@ namespace arcspan {
 template <class Inner>
 class SegmentRun {
  public:
-  constexpr SegmentRun(const Inner& inner, int bits) : inner_(inner), bits_(bits) {}
+  /// The inner run is made in place: small cores would copy it by memcpy.
+  template <class Walker>
+  constexpr SegmentRun(const Walker& walker, const RowStart& start, int bits)
+      : inner_(walker.row(start)), bits_(bits) {}
 
   template <class Object>
   constexpr void begin(const Object& object, std::int32_t count) {
@@ -55,7 +58,7 @@ class SegmentWalker {
 
   constexpr SegmentWalker(const Inner& inner, int bits) : inner_(inner), bits_(bits) {}
 
-  [[nodiscard]] constexpr Run row(const RowStart& start) const { return Run(inner_.row(start), bits_); }
+  [[nodiscard]] constexpr Run row(const RowStart& start) const { return Run(inner_, start, bits_); }
   constexpr void next_row() { inner_.next_row(); }
   constexpr void enter_lower() { inner_.enter_lower(); }
 

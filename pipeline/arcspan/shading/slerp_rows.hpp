@@ -78,6 +78,7 @@ struct SlerpArc {
     return static_cast<std::int32_t>((sine * inverse_sine + (1u << 15)) >> 16);
   }
 
+  /// Of the two ends, 15 fraction bits each.
   struct Weights {
     std::int32_t a;
     std::int32_t b;

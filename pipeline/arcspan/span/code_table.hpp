@@ -47,11 +47,13 @@ concept HasCodes = !Format::kDithers && sizeof(typename Format::Code) == 2 &&
   Format::encode(colour);
 };
 
+/// The table that a method's runs take their codes from: none, unless they use one (kUsesCodes) and `Lanes`
+/// says that the machine fills it many entries at a time.
 template <class Method, class Format, bool Lanes>
 struct CodesOf {
   using Type = NoCodes;
 };
-/// Methods whose runs take them say so (kUsesCodes).
+/// A table, for methods that take one.
 template <class Method, class Format>
 requires(bool{Method::kUsesCodes} &&
          HasCodes<typename Method::Object, Format>) struct CodesOf<Method, Format, true> {

@@ -24,7 +24,7 @@ float power(float base, std::int32_t exponent) {
 /// The first pixel whose centre is at or beyond `edge`.
 std::int32_t first_pixel(float edge) { return static_cast<std::int32_t>(std::ceil(edge - 0.5f)); }
 
-unsigned level(float value) { return static_cast<unsigned>(std::min(value, 255.0f) + 0.5f); }
+unsigned level(float value) { return static_cast<unsigned>(std::min(value + 0.5f, 255.0f)); }
 
 }  // namespace
 

@@ -35,11 +35,10 @@ std::vector<std::string> parse_methods(const std::string& text) {
   std::istringstream in(text);
   for (std::string name; std::getline(in, name, ',');) {
     if (std::find(all.begin(), all.end(), name) == all.end()) {
-      std::string known;
-      for (const std::string& n : all) known.append(n).append("|");
-      known.pop_back();
-      throw CLI::ValidationError("--method",
-                                 "expected names out of " + known + " with commas, not '" + name + "'");
+      std::string expected = "expected names out of ";
+      for (const std::string& n : all) expected.append(n).append("|");
+      expected.back() = ' ';
+      throw CLI::ValidationError("--method", expected.append("with commas, not '").append(name).append("'"));
     }
     if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
   }

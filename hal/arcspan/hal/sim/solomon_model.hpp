@@ -16,6 +16,7 @@ class SolomonModel : public Device {
 
   [[nodiscard]] const std::vector<std::uint8_t>& parameters() const { return parameters_; }
 
+  /// Columns or rows of a window, both ends included.
   struct Range {
     int first = 0;
     int last = 0;

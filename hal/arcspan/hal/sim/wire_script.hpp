@@ -40,6 +40,7 @@ struct WireEvent {
 /// The name of the D/C pin in scripts.
 inline constexpr std::string_view kDataOrCommand = "dc";
 
+/// A script that was read.
 struct WireScript {
   std::vector<WireEvent> events;
   std::string error;  ///< "" or "line 3: not a byte: 'zz'": what could not be read, and `events` ends there

@@ -43,18 +43,21 @@ class WireTap {
   /// a kRead is what it reads, and may be changed.
   virtual Status on(WireEvent& event) = 0;
 
+  /// Each passes what it is told to what is attached, and then, with its answer, to on().
   struct Spi final : SpiBus {
     explicit Spi(WireTap& owner) : tap(owner) {}
     Status do_write(std::span<const std::uint8_t> bytes) override;
     WireTap& tap;
     SpiBus* attached = nullptr;
   };
+  /// See Spi.
   struct I2c final : I2cBus {
     explicit I2c(WireTap& owner) : tap(owner) {}
     Status do_write(std::uint8_t address, std::span<const std::uint8_t> bytes) override;
     WireTap& tap;
     I2cBus* attached = nullptr;
   };
+  /// See Spi; a pin knows the name that scripts call it by.
   struct Output final : OutputPin {
     Output(WireTap& owner, const std::string& called) : tap(owner), name(called) {}
     Status do_set(Level to) override;
@@ -62,6 +65,7 @@ class WireTap {
     std::string name;
     OutputPin* attached = nullptr;
   };
+  /// See Output.
   struct Input final : InputPin {
     Input(WireTap& owner, const std::string& called) : tap(owner), name(called) {}
     Status do_read(Level& level) override;
@@ -69,6 +73,7 @@ class WireTap {
     std::string name;
     InputPin* attached = nullptr;
   };
+  /// Counts by itself unless a clock is attached.
   struct TapClock final : Clock {
     explicit TapClock(WireTap& owner) : tap(owner) {}
     std::uint32_t do_now_us() override { return attached != nullptr ? attached->now_us() : now_us; }

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Segments against their own model in double precision: bilinear SLERP at a segment's two ends, the colour
+// there by the definition, linear between.
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/segment.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/support/illumination_oracle.hpp>
+#include <tests/support/method_accuracy.hpp>
+#include <tests/support/test_share.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace arcspan;
+using namespace arcspan::test;
+
+namespace {
+
+constexpr std::int32_t kSize = 256;
+const double kWidestStep = std::acos(0.875);  // double_stride()
+
+struct Lighting {
+  Vec3 light;
+  Vec3 half;
+  IlluminationOracle material;
+
+  [[nodiscard]] IlluminationOracle::Levels operator()(Vec3 normal) const {
+    return material.levels(dot(normal, light), dot(normal, half), true);
+  }
+};
+
+/// One row of pixels, columns from the picture's middle.
+class SegmentModel {
+ public:
+  SegmentModel(const TriangleOracle::Row& row, const Lighting& lighting, std::int64_t first,
+               std::int64_t count, int bits)
+      : row_(row), lighting_(lighting), first_(first), length_(1) {
+    const double step = angle_between(row.at(first), row.at(first + 1));
+    const auto fits = [&](std::int64_t length) { return static_cast<double>(length) * step < kWidestStep; };
+    while (length_ < std::int64_t{1} << bits && length_ < count - 1 && fits(2 * length_)) length_ *= 2;
+  }
+  [[nodiscard]] IlluminationOracle::Levels at(std::int64_t column) const {
+    const std::int64_t part = (column - first_) % length_;
+    const auto from = lighting_(row_.at(column - part));
+    const auto to = lighting_(row_.at(column - part + length_));
+    const double t = static_cast<double>(part) / static_cast<double>(length_);
+    IlluminationOracle::Levels result;
+    for (std::size_t c = 0; c < 3; ++c) result[c] = (1 - t) * from[c] + t * to[c];
+    return result;
+  }
+
+ private:
+  const TriangleOracle::Row& row_;
+  const Lighting& lighting_;
+  std::int64_t first_;
+  std::int64_t length_;
+};
+
+/// A triangle drawn by segments, and what it was drawn from.
+class Subject {
+ public:
+  using Lit = Illumination<1, Highlight::kBlinn>;
+
+  Subject(Random& random, double degrees, int bits) : bits_(bits) {
+    do {
+      triangle_ = arcspan::test::detail::random_triangle(random, radians(degrees), random.decades(3, 120));
+    } while (arcspan::test::detail::thickness(triangle_) < 1);
+    std::array<Direction, 3> normals;
+    for (std::size_t i = 0; i < 3; ++i) {
+      normals[i] = arcspan::test::detail::packed(triangle_.corner[i].normal);
+      triangle_.corner[i].normal = normalised(to_vec3(normals[i]));
+    }
+    SegmentedIllumination<Lit> object(light(random));
+    REQUIRE(ok(object.set_segment_bits(bits)));
+    RasterStage<Segment<Lit>, hal::Framebuffer<Rgb888>> stage(frame_, kSize, kSize, object);
+    const auto vertex = [&](std::size_t i) {
+      const Point& p = triangle_.corner[i].point;
+      const RasterPosition at{static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y), 0};
+      return RasterVertex<Segment<Lit>>{at, Segment<Lit>::shade_vertex(object, normals[i])};
+    };
+    stage.draw(vertex(0), vertex(1), vertex(2), {});
+  }
+
+  /// Differences of all pixels and channels, in 8-bit steps.
+  void compare(ErrorFigure& figure) {
+    const auto& c = triangle_.corner;
+    const TriangleOracle oracle(c[0], c[1], c[2]);
+    for (std::int32_t y = 0; y < kSize; ++y) {
+      const auto drawn = [&](std::int32_t x) { return !(frame_.pixel(x, y) == Rgb8{}); };
+      std::int32_t first = 0;
+      while (first < kSize && !drawn(first)) ++first;
+      std::int32_t end = first;
+      while (end < kSize && drawn(end)) ++end;
+      if (first == end) continue;
+      const TriangleOracle::Row row = oracle.row(y - kSize / 2);
+      const SegmentModel model(row, lighting_, first - kSize / 2, end - first, bits_);
+      for (std::int32_t x = first; x < end; ++x) {
+        const Rgb8 pixel = frame_.pixel(x, y);
+        const auto levels = model.at(x - kSize / 2);
+        figure.add(pixel.r - levels[0]);
+        figure.add(pixel.g - levels[1]);
+        figure.add(pixel.b - levels[2]);
+      }
+    }
+  }
+
+ private:
+  /// Lights every normal, so that no highlight ends at N·L = 0; the ambient part tells drawn pixels from
+  /// others.
+  Lit light(Random& random) {
+    const Vec3 middle =
+        normalised(triangle_.corner[0].normal + triangle_.corner[1].normal + triangle_.corner[2].normal);
+    Material material = random_material(random, true, 64);
+    material.ambient.r = Coefficient::of(0.1);
+    const std::array<DirectionalLight, 1> lights{
+        DirectionalLight{to_direction(tilted(random, middle, random.real(0, 0.9)))}};
+    const Direction eye = to_direction(tilted(random, middle, random.real(0, 0.9)));
+    Lit lit;
+    REQUIRE(ok(Lit::make(material, lights, eye, lit)));
+    lighting_ = {to_vec3(lights[0].towards), to_vec3(half_way(lights[0].towards, eye)), to_oracle(material)};
+    return lit;
+  }
+
+  int bits_;
+  ShadedTriangle triangle_;
+  Lighting lighting_;
+  std::vector<Rgb888::Unit> memory_ =
+      std::vector<Rgb888::Unit>(hal::Framebuffer<Rgb888>::units(kSize, kSize));
+  hal::Framebuffer<Rgb888> frame_{memory_, kSize, kSize};
+};
+
+}  // namespace
+
+TEST_CASE("segments are what their model in double precision is") {
+  for (const double degrees : {3.0, 10.0, 25.0}) {
+    for (int bits = 1; bits <= kMostSegmentBits; ++bits) {
+      Random random(700 + static_cast<std::uint64_t>(bits));
+      ErrorFigure figure;
+      for (int i = 0; i < share_of(400); ++i) Subject(random, degrees, bits).compare(figure);
+      CAPTURE(degrees, bits, figure.max, figure.rms());
+      CHECK(figure.max < 2.5);
+      CHECK(figure.rms() < 0.6);
+    }
+  }
+}

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/bench/report.hpp>
+#include <arcspan_tools/support/text.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace arcspan::tools {
 namespace {
 
-std::string fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
+std::string fixed(double value, int decimals) { return formatted("%.*f", decimals, value); }
 
 double quotient(std::uint64_t a, std::uint64_t b) {
   return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b);

@@ -5,6 +5,7 @@
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 #include <arcspan_tools/support/progress.hpp>
+#include <arcspan_tools/support/text.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -35,10 +36,8 @@ std::vector<std::string> parse_methods(const std::string& text) {
   std::istringstream in(text);
   for (std::string name; std::getline(in, name, ',');) {
     if (std::find(all.begin(), all.end(), name) == all.end()) {
-      std::string expected = "expected names out of ";
-      for (const std::string& n : all) expected.append(n).append("|");
-      expected.back() = ' ';
-      throw CLI::ValidationError("--method", expected.append("with commas, not '").append(name).append("'"));
+      std::string message = "expected names out of " + joined(all, "|");
+      throw CLI::ValidationError("--method", message.append(" with commas, not '").append(name).append("'"));
     }
     if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
   }

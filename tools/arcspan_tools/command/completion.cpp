@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/command/completion.hpp>
+#include <arcspan_tools/support/text.hpp>
 
 #include <algorithm>
 
@@ -52,11 +53,7 @@ std::vector<CompletedOption> options_of(const CLI::App& command) {
   return options;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
+std::string spaced(const std::vector<std::string>& words) { return joined(words, " "); }
 
 /// `text` in single quotes.
 std::string quoted(const std::string& text) {
@@ -94,12 +91,12 @@ std::string bash_command(const CompletedCommand& command) {
     values += "        " + pattern + ") " +
               (option.choices.empty()
                    ? "COMPREPLY=($(compgen -f -- \"$word\"))"
-                   : "COMPREPLY=($(compgen -W " + quoted(joined(option.choices)) + " -- \"$word\"))") +
+                   : "COMPREPLY=($(compgen -W " + quoted(spaced(option.choices)) + " -- \"$word\"))") +
               "; return ;;\n";
   }
   return "    " + command.name + ")\n      case \"$before\" in\n" + values +
-         "      esac\n      names=" + quoted(joined(names)) +
-         "\n      words=" + quoted(joined(command.words)) + "\n      ;;\n";
+         "      esac\n      names=" + quoted(spaced(names)) +
+         "\n      words=" + quoted(spaced(command.words)) + "\n      ;;\n";
 }
 
 }  // namespace
@@ -124,7 +121,7 @@ std::string bash_completion(const std::string& program, const std::vector<Comple
          "() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} names= words=\n"
          "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n    COMPREPLY=($(compgen -W " +
-         quoted(joined(names) + " --help --version") +
+         quoted(spaced(names) + " --help --version") +
          " -- \"$word\"))\n    return\n  fi\n"
          "  case \"${COMP_WORDS[1]}\" in\n" +
          cases +
@@ -146,12 +143,12 @@ std::string zsh_completion(const std::string& program, const std::vector<Complet
       for (const std::string& name : names_of(option)) {
         std::string spec = name + "[" + bracketed(option.help) + "]";
         if (option.takes_value) {
-          spec += ":value:" + (option.choices.empty() ? "_files" : "(" + joined(option.choices) + ")");
+          spec += ":value:" + (option.choices.empty() ? "_files" : "(" + spaced(option.choices) + ")");
         }
         cases += "        " + quoted("*" + spec) + " \\\n";
       }
     }
-    const std::string rest = command.words.empty() ? "_files" : "(" + joined(command.words) + ")";
+    const std::string rest = command.words.empty() ? "_files" : "(" + spaced(command.words) + ")";
     cases += "        '*:file:" + rest + "'\n      ;;\n";
   }
   return "#compdef " + program + "\n# zsh completion of " + program + "; made by: " + program +
@@ -171,7 +168,7 @@ std::string fish_completion(const std::string& program, const std::vector<Comple
         complete + " -f -n __fish_use_subcommand -a " + command.name + " -d " + quoted(command.help) + "\n";
     if (!command.words.empty()) {
       text += complete + " -f -n '__fish_seen_subcommand_from " + command.name + "' -a " +
-              quoted(joined(command.words)) + "\n";
+              quoted(spaced(command.words)) + "\n";
     }
     for (const CompletedOption& option : command.options) {
       text += complete + " -n '__fish_seen_subcommand_from " + command.name + "'";
@@ -179,7 +176,7 @@ std::string fish_completion(const std::string& program, const std::vector<Comple
       if (!option.short_name.empty()) text += " -s " + option.short_name.substr(1);
       if (!option.choices.empty()) text += " -f";
       if (option.takes_value) text += " -r";
-      if (!option.choices.empty()) text += " -a " + quoted(joined(option.choices));
+      if (!option.choices.empty()) text += " -a " + quoted(spaced(option.choices));
       text += " -d " + quoted(option.help) + "\n";
     }
   }

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/command/mesh_report.hpp>
+#include <arcspan_tools/support/text.hpp>
 #include <nlohmann/json.hpp>
-
-#include <cstdio>
 
 namespace arcspan::tools {
 namespace {
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  char line[256];
-  std::snprintf(line, sizeof line, format, values...);
-  return line;
-}
 
 std::string triple(const ObjectPosition& p) { return formatted("(%d, %d, %d)", p.x, p.y, p.z); }
 

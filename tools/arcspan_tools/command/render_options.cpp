@@ -12,7 +12,6 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr std::int32_t kMostPixels = 2048;  // the pipeline's guard band
 constexpr std::size_t kMostLights = 4;
 constexpr double kFarthestLight = 1000;
 constexpr const char* kPolynomials[] = {"linear", "quadratic", "cubic"};
@@ -62,12 +61,13 @@ void add_picture_options(CLI::App& app, RenderOptions& o) {
       app, "--size", "WxH", "picture size, each 1...2048 (default 320x240)", "WxH with each 1...2048",
       [](const std::string& text) {
         const std::optional<Size> size = parse_size(text);
-        return size && size->width <= kMostPixels && size->height <= kMostPixels ? size : std::nullopt;
+        return size && size->width <= kMostPictureSide && size->height <= kMostPictureSide ? size
+                                                                                           : std::nullopt;
       },
       [&o](Size size) { o.scene.size = size; });
   add_choice(app, "--format", "pixel format", format_names(), o.format);
   app.add_flag("--dither,!--no-dither", o.dither, "ordered dither before truncation (default off)");
-  add_integer(app, "--band", "ROWS", "draw and store the picture ROWS at a time", 1, kMostPixels,
+  add_integer(app, "--band", "ROWS", "draw and store the picture ROWS at a time", 1, kMostPictureSide,
               o.scene.band_rows);
   app.add_flag("--depth,!--no-depth", o.scene.depth, "16-bit depth buffer (default), or painter's order");
   add_parsed<Vec3>(app, "--background", "R,G,B", "each 0...1", "R,G,B with each 0...1", parse_colour,

@@ -9,6 +9,9 @@
 
 namespace arcspan::tools {
 
+/// Pixels of a picture's width or height: the pipeline's guard band.
+inline constexpr std::int32_t kMostPictureSide = 2 * kGuardBand;
+
 /// The options that say what a picture shows and how; shared by the subcommands that render.
 struct RenderOptions {
   std::string mesh;

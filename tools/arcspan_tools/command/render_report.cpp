@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/command/render_report.hpp>
+#include <arcspan_tools/support/text.hpp>
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
-
 namespace arcspan::tools {
-namespace {
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  char line[256];
-  std::snprintf(line, sizeof line, format, values...);
-  return line;
-}
-
-}  // namespace
-
 std::string to_text(const RenderReport& r) {
   const RenderStats& s = r.stats;
   std::string text = r.mesh_name + ": " + std::to_string(r.vertices) + " vertices, " +

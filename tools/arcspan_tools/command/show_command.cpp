@@ -22,8 +22,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;  // CLOCK_MONOTONIC
 
-constexpr std::int32_t kMostPixels = 2048;  // the pipeline's guard band
-constexpr int kSignalStatus = 128;          // what shells add to a signal's number
+constexpr int kSignalStatus = 128;  // what shells add to a signal's number
 
 struct ShowArguments {
   RenderOptions options;
@@ -48,7 +47,8 @@ std::string size_text(Size size) { return std::to_string(size.width) + "x" + std
 void fit(ShowArguments& arguments, const Display& display) {
   const Size whole = display.size();
   Size& size = arguments.options.scene.size;
-  if (!arguments.own_size) size = {std::min(whole.width, kMostPixels), std::min(whole.height, kMostPixels)};
+  if (!arguments.own_size)
+    size = {std::min(whole.width, kMostPictureSide), std::min(whole.height, kMostPictureSide)};
   if (size.width > whole.width || size.height > whole.height) {
     throw Failure("--size", size_text(size) + " does not fit on the display's " + size_text(whole));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/support/parse.hpp>
+#include <arcspan_tools/support/text.hpp>
 
 namespace arcspan::tools {
 
@@ -33,19 +34,9 @@ void add_integer(CLI::App& app, const std::string& name, const std::string& type
       [&value](std::int32_t v) { value = v; });
 }
 
-namespace {
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : "|") + name;
-  return text;
-}
-
-}  // namespace
-
 void add_choice(CLI::App& app, const std::string& name, const std::string& help,
                 const std::vector<std::string>& choices, std::string& value) {
-  const std::string all = joined(choices);
+  const std::string all = joined(choices, "|");
   add_parsed<std::string>(
       app, name, all, help + " (default " + value + ")", all,
       [choices](const std::string& text) -> std::optional<std::string> {

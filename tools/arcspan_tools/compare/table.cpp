@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/compare/table.hpp>
 #include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/text.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <functional>
 
 namespace arcspan::tools {
@@ -61,9 +61,7 @@ std::vector<Column> all_columns(const Comparison& comparison) {
 
 std::string number_text(std::optional<double> value, int decimals, const char* missing) {
   if (!value || !std::isfinite(*value)) return missing;
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, *value);
-  return text;
+  return formatted("%.*f", decimals, *value);
 }
 
 constexpr const char* kNotes =

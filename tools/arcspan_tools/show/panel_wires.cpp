@@ -18,7 +18,7 @@ void take(linux_host::GpioPin& pin, const char* option, const std::string& line,
   if (!line.empty()) require(pin.request(line, level), std::string(option) + " " + line);
 }
 
-linux_host::SpiSettings settings_of(const PanelOptions& options) {
+linux_host::SpiSettings spi_settings_of(const PanelOptions& options) {
   return {static_cast<std::uint32_t>(std::lround(options.spi_mhz * 1e6)), 0};
 }
 
@@ -37,7 +37,7 @@ PanelWires::PanelWires(const PanelOptions& options)
 
 void PanelWires::open_spi(const PanelOptions& options) {
   if (options.data_or_command.empty()) throw Failure("--dc", "the panel's D/C line has to be given");
-  require(spi_.open(options.spi.c_str(), settings_of(options)), options.spi);
+  require(spi_.open(options.spi.c_str(), spi_settings_of(options)), options.spi);
   take(data_or_command_, "--dc", options.data_or_command, Level::kLow);
   if (!options.busy.empty()) require(busy_.request(options.busy), "--busy " + options.busy);
 }

@@ -20,40 +20,40 @@ using Method = Arc<Light>;
 using Frame = hal::Framebuffer<Rgb565>;
 using Clock = std::chrono::steady_clock;
 
-/// What one thread has for itself.
-class Band {
- public:
-  Band(const RenderJob& job, const Light& light, std::span<Rgb565::Unit> memory, std::int32_t first,
-       std::int32_t rows)
-      : job_(job),
-        light_(light),
-        frame_(memory, job.transform.viewport().width, rows, first),
-        depth_memory_(DepthBuffer::units(job.transform.viewport().width, rows)),
-        depth_(depth_memory_, job.transform.viewport().width, rows, first),
-        cache_(job.mesh.vertex_count()) {}
-
-  void clear() {
-    frame_.clear(job_.background);
-    depth_.clear();
-  }
-  [[nodiscard]] Status draw() {
-    return draw_mesh<Method>(job_.mesh, job_.transform, light_, frame_, depth_, std::span(cache_),
-                             {job_.two_sided})
-        .status;
-  }
-
- private:
-  const RenderJob& job_;
-  const Light& light_;
-  Frame frame_;
-  std::vector<std::uint16_t> depth_memory_;
-  DepthBuffer depth_;
-  std::vector<CachedVertex<Method>> cache_;
-};
-
 }  // namespace
 
 struct ParallelBands::Work {
+  /// What one thread has for itself.
+  class Band {
+   public:
+    Band(const RenderJob& job, const Light& light, std::span<Rgb565::Unit> memory, std::int32_t first,
+         std::int32_t rows)
+        : job_(job),
+          light_(light),
+          frame_(memory, job.transform.viewport().width, rows, first),
+          depth_memory_(DepthBuffer::units(job.transform.viewport().width, rows)),
+          depth_(depth_memory_, job.transform.viewport().width, rows, first),
+          cache_(job.mesh.vertex_count()) {}
+
+    void clear() {
+      frame_.clear(job_.background);
+      depth_.clear();
+    }
+    [[nodiscard]] Status draw() {
+      return draw_mesh<Method>(job_.mesh, job_.transform, light_, frame_, depth_, std::span(cache_),
+                               {job_.two_sided})
+          .status;
+    }
+
+   private:
+    const RenderJob& job_;
+    const Light& light_;
+    Frame frame_;
+    std::vector<std::uint16_t> depth_memory_;
+    DepthBuffer depth_;
+    std::vector<CachedVertex<Method>> cache_;
+  };
+
   RenderJob job;
   Light light;
   std::vector<Rgb565::Unit> memory;

@@ -9,13 +9,13 @@ namespace arcspan::tools {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr int kSteps = 360;
+constexpr int kPoints = 360;
 
 Curve segment_curve(double widest_degrees, double n) {
   Curve curve;
   curve.label = "n = " + std::to_string(static_cast<int>(n));
-  for (int i = 1; i <= kSteps; ++i) {
-    const double degrees = widest_degrees * i / kSteps;
+  for (int i = 1; i <= kPoints; ++i) {
+    const double degrees = widest_degrees * i / kPoints;
     curve.points.emplace_back(degrees, 100 * segment_error(degrees * kDegree, n));
   }
   return curve;
@@ -24,8 +24,8 @@ Curve segment_curve(double widest_degrees, double n) {
 Curve polynomial_curve(const char* label, Polynomial p) {
   Curve curve;
   curve.label = label;
-  for (int i = 0; i <= kSteps; ++i) {
-    const double degrees = 90.0 * i / kSteps;
+  for (int i = 0; i <= kPoints; ++i) {
+    const double degrees = 90.0 * i / kPoints;
     // What is exact has no place on a logarithmic axis.
     curve.points.emplace_back(degrees, std::max(std::fabs(polynomial_error(p, degrees * kDegree)), 1e-8));
   }

@@ -3,10 +3,14 @@
 
 #include <arcspan_tools/mesh/file/load.hpp>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace arcspan::tools {
+
+/// Of a face in a PLY or OFF file.
+inline constexpr std::int64_t kMostCorners = 4096;
 
 /// Checks the bytes of a mesh file before the loader library sees them, and returns what the library is to be
 /// given. The library takes words for zeros, skips what it does not understand and has been seen to crash on

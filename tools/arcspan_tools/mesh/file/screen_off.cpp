@@ -4,12 +4,6 @@
 #include <arcspan_tools/support/failure.hpp>
 
 namespace arcspan::tools {
-namespace {
-
-constexpr std::int64_t kMostCorners = 4096;
-
-}  // namespace
-
 std::string screened_off(std::string_view bytes, const std::string& subject) {
   const std::string text = plain_text(bytes);
   require_text(text, subject);

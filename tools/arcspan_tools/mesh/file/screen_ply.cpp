@@ -127,7 +127,6 @@ struct PlyScreen {
   }
 
   void read_face(const PlyElement& element) {
-    constexpr std::int64_t kMostCorners = 4096;
     for (const PlyProperty& property : element.properties) {
       if (!property.count_type || (property.name != "vertex_indices" && property.name != "vertex_index")) {
         skip(body, property);

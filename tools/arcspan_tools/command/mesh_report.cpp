@@ -69,7 +69,7 @@ std::string warning(const MeshReport& r) {
   if (r.figures.wide_triangles == 0) return {};
   return formatted(
       "%zu of %zu triangles have normals more than 60 degrees apart: arc shading splits them each time it "
-      "draws them (keep more triangles, or keep edges sharp with --crease 60 or less)",
+      "draws them (keep more triangles, or more edges sharp by --crease 60 or a smaller angle)",
       r.figures.wide_triangles, triangles(r));
 }
 

@@ -72,9 +72,8 @@ class MeshDrawer {
     if (cache_ != nullptr) {
       for (std::size_t i = 0; i < mesh_.vertex_count(); ++i) transform_vertex(i, cache_[i]);
     }
-    for (std::size_t i = 0; i < mesh_.triangle_count() && ok(result_.status); ++i) {
-      draw_triangle(mesh_.triangle(i));
-    }
+    const std::size_t count = mesh_.triangle_count();
+    for (std::size_t i = 0; i < count && ok(result_.status); ++i) draw_triangle(mesh_.triangle(i));
     return result_;
   }
 
@@ -92,22 +91,34 @@ class MeshDrawer {
     vertex.shaded = true;
   }
 
-  void draw_triangle(const TriangleIndices& t) {
-    const bool counted = drawn_;
-    drawn_ = false;
-    if (cache_ != nullptr) {
-      draw_vertices(t, cache_[t.a], cache_[t.b], cache_[t.c]);
-    } else {
-      CachedVertex<Method> a;
-      CachedVertex<Method> b;
-      CachedVertex<Method> c;
-      transform_vertex(t.a, a);
-      transform_vertex(t.b, b);
-      transform_vertex(t.c, c);
-      draw_vertices(t, a, b, c);
+  [[gnu::always_inline]] void draw_triangle(TriangleIndices t) {
+    if (cache_ == nullptr) {
+      draw_uncached(t);
+      return;
     }
-    if (drawn_) ++result_.triangles;
-    drawn_ = counted;
+    CachedVertex<Method>& a = cache_[t.a];
+    CachedVertex<Method>& b = cache_[t.b];
+    CachedVertex<Method>& c = cache_[t.c];
+    if (!culled(a, b, c)) draw_vertices(t, a, b, c);
+  }
+
+  [[gnu::noinline]] void draw_uncached(TriangleIndices t) {
+    CachedVertex<Method> a;
+    CachedVertex<Method> b;
+    CachedVertex<Method> c;
+    transform_vertex(t.a, a);
+    transform_vertex(t.b, b);
+    transform_vertex(t.c, c);
+    if (!culled(a, b, c)) draw_vertices(t, a, b, c);
+  }
+
+  /// Wholly beyond one side of the view, or seen from the back: half of the triangles and more, which set up
+  /// nothing.
+  [[nodiscard]] bool culled(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
+                            const CachedVertex<Method>& c) const {
+    if ((a.outcode | b.outcode | c.outcode) != 0) return (a.outcode & b.outcode & c.outcode) != 0;
+    const std::int32_t area = doubled_area(a.raster.position, b.raster.position, c.raster.position);
+    return area >= 0 && (area == 0 || !options_.two_sided);
   }
 
   void shade_vertices(const TriangleIndices& t, CachedVertex<Method>& a, CachedVertex<Method>& b,
@@ -117,9 +128,10 @@ class MeshDrawer {
     shade_vertex(t.c, c);
   }
 
-  void draw_vertices(const TriangleIndices& t, CachedVertex<Method>& a, CachedVertex<Method>& b,
-                     CachedVertex<Method>& c) {
-    if ((a.outcode & b.outcode & c.outcode) != 0) return;
+  /// A triangle that is not culled().
+  [[gnu::noinline]] void draw_vertices(TriangleIndices t, CachedVertex<Method>& a, CachedVertex<Method>& b,
+                                       CachedVertex<Method>& c) {
+    drawn_ = false;
     if ((a.outcode | b.outcode | c.outcode) != 0) {
       shade_vertices(t, a, b, c);
       draw_clipped(t, a.raster.shade, b.raster.shade, c.raster.shade, false);
@@ -128,6 +140,7 @@ class MeshDrawer {
     } else {
       draw_projected(t, a, b, c);
     }
+    if (drawn_) ++result_.triangles;
   }
 
   /// Draws what is left of a clipped triangle if it shows its front, or its `back`.
@@ -162,7 +175,7 @@ class MeshDrawer {
     if (area < 0) {
       shade_vertices(t, a, b, c);
       draw_side(t, a.raster, b.raster, c.raster, false);
-    } else if (area > 0 && options_.two_sided) {
+    } else {
       // Rare, so it is shaded afresh instead of being kept for every vertex.
       draw_side(t, {p, turned_shade(t.a)}, {q, turned_shade(t.b)}, {r, turned_shade(t.c)}, true);
     }
@@ -187,12 +200,13 @@ class MeshDrawer {
       return;
     }
     TriangleCommand<Method> command;
-    if (!ok(result_.status) || !prepare_triangle(object_, a, b, c, face, rows_, command)) return;
+    if (!ok(result_.status) || !prepare_inside(object_, a, b, c, face, rows_, command)) return;
     drawn_ = true;
-    result_.status = draw_command_with(command, origin_, Target{clip_, object_, sink_, depth_, codes_});
+    const Rect clip = clip_;
+    result_.status = draw_command_with(command, origin_, Target{clip, object_, sink_, depth_, codes_});
   }
 
-  [[nodiscard]] typename Method::Vertex turned_shade(std::uint16_t index) const {
+  [[nodiscard]] typename Method::Vertex turned_shade(std::size_t index) const {
     return Method::shade_vertex(object_, -unpack_normal(mesh_.normal(index)));
   }
 

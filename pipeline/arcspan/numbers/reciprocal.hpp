@@ -45,11 +45,16 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
 }  // namespace detail
 
 /// The reciprocal of v > 0 from a table of 257 entries with linear interpolation; relative error at most
-/// 3.8e-5, 1.25 * 2^-15 (swept in the tests). v = 0 is taken as 1.
-[[nodiscard]] constexpr Reciprocal reciprocal(std::uint32_t v) {
+/// 3.8e-5, 1.25 * 2^-15 (swept in the tests). For v = 0 something, but nothing undefined.
+[[nodiscard]] constexpr Reciprocal nonzero_reciprocal(std::uint32_t v) {
   const int zeros = std::countl_zero(v | 1u);
   // v = n * 2^(31 - zeros) with n in [1, 2), 1/n = mantissa * 2^-16.
-  return {detail::reciprocal_mantissa((v | static_cast<std::uint32_t>(v == 0)) << zeros), 16 + 31 - zeros};
+  return {detail::reciprocal_mantissa(v << zeros), 16 + 31 - zeros};
+}
+
+/// The same; v = 0 is taken as 1.
+[[nodiscard]] constexpr Reciprocal reciprocal(std::uint32_t v) {
+  return nonzero_reciprocal(v | static_cast<std::uint32_t>(v == 0));
 }
 
 namespace detail {

@@ -35,10 +35,14 @@ struct PackedRgb {
   /// Every channel plus the other's, saturated.
   [[nodiscard]] constexpr PackedRgb plus(PackedRgb other) const {
     const std::uint32_t sum = lanes + other.lanes;
-    if ((sum & kCarries) == 0 && sum >= lanes) return {sum};
-    // Green's carry left the word.
+    const bool green_carry = sum < lanes;  // it left the word
+    if (!green_carry) {                    // apart from the rest, as processors have it in a flag
+      if ((sum & kCarries) == 0) [[likely]] {
+        return {sum};
+      }
+    }
     const std::uint32_t carries = sum & kCarries;
-    const std::uint32_t green = sum < lanes ? ~std::uint32_t{0} << 22 : sum;
+    const std::uint32_t green = green_carry ? ~std::uint32_t{0} << 22 : sum;
     return {(green & (~std::uint32_t{0} << 22)) | ((sum | (carries - (carries >> 10))) & 0x001FFBFF)};
   }
 

@@ -110,7 +110,7 @@ struct Rgb565 {
   }
   /// encode(c.rgb8()), straight from the lanes.
   [[nodiscard]] static constexpr Code encode(PackedRgb c) {
-    return static_cast<Code>(((c.lanes >> 5) & 0xF81Fu) | ((c.lanes >> 21) & 0x07E0u));
+    return static_cast<Code>(((c.lanes >> 5) & ~0x07E0u) | ((c.lanes >> 26) << 5));
   }
   /// encode(c.packed()), straight from the words.
   [[nodiscard]] static constexpr Code encode(ColourSegment c) {

@@ -52,7 +52,7 @@ constexpr void make_edge_span(const RasterPosition& top, const RasterPosition& b
   edge.top = &top;
   edge.dy = bottom.y - top.y;
   edge.offset = row * 16 + 8 - top.y;
-  edge.inverse = reciprocal(static_cast<std::uint32_t>(edge.dy));
+  edge.inverse = nonzero_reciprocal(static_cast<std::uint32_t>(edge.dy));
 }
 
 /// offset / dy in 15 fraction bits, at most 1.
@@ -64,29 +64,24 @@ constexpr void make_edge_span(const RasterPosition& top, const RasterPosition& b
 
 namespace detail {
 
-/// A quotient in base 2^16 and what is left; divisor below 2^15.
-struct Digits {
-  std::uint32_t whole;
-  std::uint32_t high;
-  std::uint32_t low;
+/// A quotient with 32 fraction bits, the last 16 of them apart, and whether nothing was left.
+struct Quotient {
+  std::uint32_t upper;
+  std::uint32_t lower;
   bool exact;
 };
 
-/// dividend / divisor to 32 fraction bits, rounded down, by schoolbook division; dividend below 2^15.
-[[nodiscard]] constexpr Digits divide(std::uint32_t dividend, std::uint32_t divisor) {
-  Digits digits{};
-  digits.whole = dividend / divisor;
-  std::uint32_t rest = (dividend - digits.whole * divisor) << 16;
-  digits.high = rest / divisor;
-  rest = (rest - digits.high * divisor) << 16;
-  digits.low = rest / divisor;
-  digits.exact = rest == digits.low * divisor;
-  return digits;
+/// dividend / divisor, rounded down, by schoolbook division; both below 2^15.
+[[nodiscard]] constexpr Quotient divide(std::uint32_t dividend, std::uint32_t divisor) {
+  const std::uint32_t upper = (dividend << 16) / divisor;
+  const std::uint32_t rest = ((dividend << 16) - upper * divisor) << 16;
+  const std::uint32_t lower = rest / divisor;
+  return {upper, lower, rest == lower * divisor};
 }
 
 /// The same without a divide: each digit is estimated by the reciprocal, off by one at most, and put right
 /// by what it leaves.
-[[nodiscard]] constexpr Digits divide_by_reciprocal(std::uint32_t dividend, std::uint32_t divisor) {
+[[nodiscard]] constexpr Quotient divide_by_reciprocal(std::uint32_t dividend, std::uint32_t divisor) {
   const int zeros = std::countl_zero(divisor);
   const std::uint32_t inverse = wide_reciprocal_mantissa(divisor << zeros);
   std::uint32_t rest = dividend;
@@ -104,12 +99,10 @@ struct Digits {
     }
     return quotient;
   };
-  Digits digits{};
-  digits.whole = dividend < divisor ? 0 : digit(0);
-  digits.high = digit(16);
-  digits.low = digit(16);
-  digits.exact = rest == 0;
-  return digits;
+  const std::uint32_t whole = dividend < divisor ? 0 : digit(0);
+  const std::uint32_t upper = (whole << 16) | digit(16);
+  const std::uint32_t lower = digit(16);
+  return {upper, lower, rest == 0};
 }
 
 }  // namespace detail
@@ -119,11 +112,10 @@ constexpr void make_edge_walk(const EdgeSpan& edge, const RasterPosition& bottom
   const std::int32_t dx = bottom.x - edge.top->x;
   const auto magnitude = static_cast<std::uint32_t>(dx < 0 ? -dx : dx);
   const auto height = static_cast<std::uint32_t>(edge.dy);
-  const detail::Digits digits =
+  const detail::Quotient quotient =
       kLongMultiply ? detail::divide(magnitude, height) : detail::divide_by_reciprocal(magnitude, height);
-  const auto quotient =
-      static_cast<std::int64_t>((std::uint64_t{digits.whole} << 32) | ((digits.high << 16) | digits.low));
-  walk.step = dx < 0 ? -quotient - !digits.exact : quotient;
+  const auto step = static_cast<std::int64_t>((std::uint64_t{quotient.upper} << 16) | quotient.lower);
+  walk.step = dx < 0 ? -step - !quotient.exact : step;
   constexpr std::int64_t kBias = (std::int64_t{1} << 31) - (1 << 12);  // 1/2 - 2^-20
   walk.x = static_cast<std::int64_t>(static_cast<std::uint64_t>(edge.top->x) << 28) +
            (scaled(walk.step, static_cast<std::uint32_t>(edge.offset)) >> 4) + kBias;

@@ -132,7 +132,7 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   const std::int64_t across = (std::int64_t{middle.x - top.x} << 28) - (scaled(long_walk.step, height) >> 4);
   const std::int64_t width = (across < 0 ? -across : across) >> 16;
   frame.width = width < 1 ? 1u : static_cast<std::uint32_t>(width);
-  frame.inverse_width = reciprocal(frame.width);
+  frame.inverse_width = nonzero_reciprocal(frame.width);
 }
 
 }  // namespace detail
@@ -143,16 +143,12 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   return ((static_cast<std::uint32_t>(p.x) + kHalf) | (static_cast<std::uint32_t>(p.y) + kHalf)) < 2 * kHalf;
 }
 
-/// Turns a triangle into the command that draws it. `rows` are the viewport's; false if none of the
-/// triangle's rows is among them, if it has no area, or if a vertex is outside the guard band, where
-/// project() puts none. Either orientation is drawn.
+/// prepare_triangle() of vertices that project() has put, inside the guard band therefore.
 template <class Method>
-[[nodiscard]] constexpr bool prepare_triangle(const typename Method::Object& object,
-                                              const RasterVertex<Method>& a, const RasterVertex<Method>& b,
-                                              const RasterVertex<Method>& c,
-                                              const typename Method::Face& face, const RowRange& rows,
-                                              TriangleCommand<Method>& command) {
-  if (!in_guard_band(a.position) || !in_guard_band(b.position) || !in_guard_band(c.position)) return false;
+[[nodiscard]] constexpr bool prepare_inside(const typename Method::Object& object,
+                                            const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+                                            const RasterVertex<Method>& c, const typename Method::Face& face,
+                                            const RowRange& rows, TriangleCommand<Method>& command) {
   TriangleFrame<Method> frame;
   frame.top = &a;
   frame.middle = &b;
@@ -169,6 +165,19 @@ template <class Method>
       make_linear_plane(frame, frame.top->position.z, frame.middle->position.z, frame.bottom->position.z);
   Method::prepare(object, frame, face, command.shade);
   return true;
+}
+
+/// Turns a triangle into the command that draws it. `rows` are the viewport's; false if none of the
+/// triangle's rows is among them, if it has no area, or if a vertex is outside the guard band. Either
+/// orientation is drawn.
+template <class Method>
+[[nodiscard]] constexpr bool prepare_triangle(const typename Method::Object& object,
+                                              const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+                                              const RasterVertex<Method>& c,
+                                              const typename Method::Face& face, const RowRange& rows,
+                                              TriangleCommand<Method>& command) {
+  if (!in_guard_band(a.position) || !in_guard_band(b.position) || !in_guard_band(c.position)) return false;
+  return prepare_inside(object, a, b, c, face, rows, command);
 }
 
 }  // namespace arcspan

@@ -158,7 +158,7 @@ class ArcWalker {
         t2, Angle::from_raw(rows_->corner) + multiply<Angle>(t2, Angle::from_raw(rows_->rise)));
     const std::int32_t mantissa = wrap_add(rows_->k_corner, wrap_mul(rows_->k_rise, t2.raw()) >> 15);
 
-    const Reciprocal inverse = reciprocal(start.width);
+    const Reciprocal inverse = nonzero_reciprocal(start.width);
     const ArcFraction pixel = arc_fraction(inverse, start.bits);
     const ArcStart<Angle> arc = arc_start(angle2, fraction_of_row(start, inverse), pixel.factor());
     const SlopeScale scale = slope_scale(pixel, static_cast<int>(arcs_->slope_drop), 0);

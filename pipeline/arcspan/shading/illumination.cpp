@@ -52,8 +52,9 @@ Status Illumination<Lights, Model>::make(const Material& material,
       illumination.axes_[(Lights + i) % kScalars] = half_way(lights[i].towards, to_eye);
   }
   if (Model == Highlight::kPhong) illumination.axes_[Lights] = to_eye;
-  illumination.white_highlight_ = illumination.specular_[0] == illumination.specular_[1] &&
-                                  illumination.specular_[1] == illumination.specular_[2];
+  const std::array<std::uint32_t, 3>& specular = illumination.specular_;
+  const bool white = specular[0] == specular[1] && specular[1] == specular[2];
+  illumination.white_specular_ = white ? specular[0] : 0;
   illumination.widest_patch_ = arcspan::widest_patch(material.shininess);
   illumination.power_ = PowerTable(material.shininess);
   const std::uint32_t turns = Model == Highlight::kBlinn ? 1 : 2;

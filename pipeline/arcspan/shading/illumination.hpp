@@ -179,9 +179,9 @@ class Illumination {
 
   /// A ramp colour plus the highlight, each channel clamped.
   [[nodiscard]] constexpr PackedRgb with_highlight(PackedRgb ramp, std::uint32_t power) const {
-    const auto share = [this, power](std::size_t c) { return (specular_[c] * power) >> 18; };
-    if (white_highlight_) return ramp.plus(PackedRgb::grey(share(0)));
-    return ramp.plus(PackedRgb::of(share(0), share(1), share(2)));
+    const auto share = [power](std::uint32_t coefficient) { return (coefficient * power) >> 18; };
+    if (white_specular_ != 0) return ramp.plus(PackedRgb::grey(share(white_specular_)));
+    return ramp.plus(PackedRgb::of(share(specular_[0]), share(specular_[1]), share(specular_[2])));
   }
 
   /// A scalar of at most 1 as 15 bits; negative becomes 0.
@@ -249,7 +249,7 @@ class Illumination {
   PowerTable power_{};
   std::uint32_t widest_patch_ = 0;
   std::uint32_t most_curvature_ = 0;
-  bool white_highlight_ = false;  ///< the three specular coefficients are the same
+  std::uint32_t white_specular_ = 0;  ///< the three specular coefficients if they are the same, else 0
 };
 
 }  // namespace arcspan

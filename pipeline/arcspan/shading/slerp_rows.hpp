@@ -163,7 +163,7 @@ struct SlerpEdges {
     row.left = (middle_left ? broken : long_edge).here();
     row.right = (middle_left ? long_edge : broken).here();
     row.arc = SlerpArc::of(row.left, row.right);
-    const Reciprocal inverse = reciprocal(start.width);
+    const Reciprocal inverse = nonzero_reciprocal(start.width);
     const std::uint32_t inside = start.inside < start.width ? start.inside : start.width;
     row.phase = detail::part_of(row.arc.angle, detail::ratio30(inside, inverse));
     // A row shorter than a pixel has one pixel and makes no step.

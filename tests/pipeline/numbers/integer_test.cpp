@@ -35,9 +35,9 @@ TEST_CASE("multiply_high of signed numbers rounds down") {
 
 TEST_CASE("the quotient of an edge without a divide is the exact one") {
   const auto same = [](std::uint32_t dividend, std::uint32_t divisor) {
-    const detail::Digits a = detail::divide(dividend, divisor);
-    const detail::Digits b = detail::divide_by_reciprocal(dividend, divisor);
-    return a.whole == b.whole && a.high == b.high && a.low == b.low && a.exact == b.exact;
+    const detail::Quotient a = detail::divide(dividend, divisor);
+    const detail::Quotient b = detail::divide_by_reciprocal(dividend, divisor);
+    return a.upper == b.upper && a.lower == b.lower && a.exact == b.exact;
   };
   int wrong = 0;
   for (std::uint32_t divisor = 1; divisor < 1u << 15; divisor += divisor < 300 ? 1 : 61) {

@@ -19,12 +19,11 @@ struct ObjectPosition {
   friend constexpr bool operator==(const ObjectPosition&, const ObjectPosition&) = default;
 };
 
-/// The three vertices of a triangle, counter-clockwise seen from the front; 16 bits each, in words that the
-/// processor is quick with.
+/// The three vertices of a triangle, counter-clockwise seen from the front.
 struct TriangleIndices {
-  std::uint_fast16_t a = 0;
-  std::uint_fast16_t b = 0;
-  std::uint_fast16_t c = 0;
+  std::uint16_t a = 0;
+  std::uint16_t b = 0;
+  std::uint16_t c = 0;
 };
 
 /// A triangle mesh in memory of the caller (flash, as a rule): nothing is copied, 10 bytes a vertex and 3 or

@@ -3,19 +3,11 @@
 // measured figures; here are the bounds.
 #include <catch2/catch.hpp>
 #include <tests/support/accuracy.hpp>
-
-#include <cstdlib>
+#include <tests/support/test_share.hpp>
 
 using namespace arcspan::test;
 
 namespace {
-
-/// Fewer triangles where every one is slow (sanitizers): ARCSPAN_TEST_SHARE percent of them.
-int scaled(int triangles) {
-  const char* const share = std::getenv("ARCSPAN_TEST_SHARE");
-  const int percent = share == nullptr ? 100 : std::atoi(share);
-  return percent < 1 || percent > 100 ? triangles : triangles * percent / 100;
-}
 
 AccuracyFigures measure(double from, double to, double smallest, double largest, int triangles,
                         std::uint64_t seed, int shininess = 64) {
@@ -25,7 +17,7 @@ AccuracyFigures measure(double from, double to, double smallest, double largest,
   task.to_degrees = to;
   task.smallest = smallest;
   task.largest = largest;
-  task.triangles = scaled(triangles);
+  task.triangles = share_of(triangles);
   task.seed = seed;
   const AccuracyFigures figures = measure_accuracy(task);
   CHECK(figures.missing_pixels == 0);

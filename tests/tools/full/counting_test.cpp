@@ -6,8 +6,10 @@
 #include <arcspan_tools/render/scene.hpp>
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
+#include <tests/support/test_share.hpp>
 
 using namespace arcspan::tools;
+using arcspan::test::share_of;
 using namespace arcspan_counting;
 
 namespace {
@@ -145,6 +147,7 @@ TEST_CASE("adaptive takes no more operations than arc, but for its choice") {
   for (const char* name : {"sphere:8x4", "sphere:16x8", "sphere:48x24", "torus:48x24", "torus:12x6"}) {
     const FixedMesh mesh = to_fixed(generate(*parse_generated_mesh(name)));
     for (const std::int32_t width : {80, 320, 1000}) {
+      if (width > 10 * share_of(100)) continue;
       Scene scene;
       scene.size = {width, width * 3 / 4};
       for (const std::size_t lights : {1u, 2u}) {

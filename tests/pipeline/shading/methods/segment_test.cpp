@@ -220,7 +220,7 @@ TEST_CASE("segments begin with arc's colour, and their error falls with the squa
   using Lit = Illumination<1, Highlight::kPhong>;
   Random random(4);
   std::array<double, kMostSegmentBits + 1> squares{};
-  for (int i = 0; i < share_of(300); ++i) {
+  for (int i = 0; i < 300; ++i) {
     Triangle triangle = random_triangle(random, 30);
     const Lit lit = random_light<Lit>(random, triangle.normals[0]);
     Picture exact = draw<Arc<Lit>>(triangle, lit);

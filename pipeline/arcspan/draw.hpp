@@ -188,13 +188,18 @@ class MeshDrawer {
       const Direction normal = face_normal(t);
       face = Method::shade_face(object_, back ? -normal : normal);
     }
+    if (!is_too_wide(a, b, c)) {
+      draw_part(a, b, c, face);
+      return;
+    }
     auto emit = [this, &face](const Raster& p, const Raster& q, const Raster& r) {
       draw_part(p, q, r, face);
     };
     split_triangle(a, b, c, emit);
   }
 
-  void draw_part(const Raster& a, const Raster& b, const Raster& c, const typename Method::Face& face) {
+  /// Never inlined: split_triangle() would hold its command once for every level of splitting.
+  [[gnu::noinline]] void draw_part(const Raster& a, const Raster& b, const Raster& c, const typename Method::Face& face) {
     if (banded_ && in_other_band(a.position, b.position, c.position)) {
       drawn_ = true;
       return;

@@ -199,7 +199,8 @@ class MeshDrawer {
   }
 
   /// Never inlined: split_triangle() would hold its command once for every level of splitting.
-  [[gnu::noinline]] void draw_part(const Raster& a, const Raster& b, const Raster& c, const typename Method::Face& face) {
+  [[gnu::noinline]] void draw_part(const Raster& a, const Raster& b, const Raster& c,
+                                   const typename Method::Face& face) {
     if (banded_ && in_other_band(a.position, b.position, c.position)) {
       drawn_ = true;
       return;

@@ -238,9 +238,9 @@ class MeshDrawer {
   }
 
   [[nodiscard]] Direction face_normal(const TriangleIndices& t) const {
-    const ObjectPosition a = mesh_.position(t.a);
-    const ObjectPosition b = mesh_.position(t.b);
-    const ObjectPosition c = mesh_.position(t.c);
+    const ObjectPosition& a = mesh_.position(t.a);
+    const ObjectPosition& b = mesh_.position(t.b);
+    const ObjectPosition& c = mesh_.position(t.c);
     const std::int64_t ux = std::int32_t{b.x} - a.x;
     const std::int64_t uy = std::int32_t{b.y} - a.y;
     const std::int64_t uz = std::int32_t{b.z} - a.z;

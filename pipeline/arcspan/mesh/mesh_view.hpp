@@ -46,7 +46,7 @@ class MeshView {
   [[nodiscard]] std::size_t triangle_count() const { return triangle_count_; }
 
   /// `i` must be below vertex_count().
-  [[nodiscard]] ObjectPosition position(std::size_t i) const { return positions_[i]; }
+  [[nodiscard]] const ObjectPosition& position(std::size_t i) const { return positions_[i]; }
   [[nodiscard]] PackedNormal normal(std::size_t i) const { return normals_[i]; }
 
   /// `i` must be below triangle_count().

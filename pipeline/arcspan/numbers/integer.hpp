@@ -20,6 +20,18 @@ namespace arcspan {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) << bits);
 }
 
+/// `v` clamped to 0...255. Processors that saturate have an instruction for it; for others it is one test where
+/// nothing is to be clamped.
+[[nodiscard]] constexpr std::uint32_t clamped_byte(std::int32_t v) {
+#if defined(__ARM_FEATURE_SAT)
+  return static_cast<std::uint32_t>(v < 0 ? 0 : v > 255 ? 255 : v);
+#else
+  const auto byte = static_cast<std::uint32_t>(v);
+  if (byte > 255u) return v < 0 ? 0u : 255u;
+  return byte;
+#endif
+}
+
 /// Whether the target has 32x32->64 multiplies and a divide. Where not (Armv6-M, AVR) the functions below do
 /// with 32-bit products; they are exact either way, so that every target draws the same bits.
 #if defined(__ARM_ARCH_6M__) || defined(__AVR__)

@@ -59,15 +59,17 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
 
 namespace detail {
 
-/// 1/n as mantissa * 2^-31 of n = normalised / 2^31 in [1, 2): the table's value and one Newton step in
-/// 32-bit products.
-[[nodiscard]] constexpr std::uint32_t wide_reciprocal_mantissa(std::uint32_t normalised) {
-  const std::uint32_t r = reciprocal_mantissa(normalised);  // 16 fraction bits
+/// 1/n as mantissa * 2^-31 of n = normalised / 2^31 in [1, 2) from `r`, the same with 16 fraction bits as
+/// reciprocal_mantissa() gives it: one Newton step in 32-bit products.
+[[nodiscard]] constexpr std::uint32_t refined_mantissa(std::uint32_t normalised, std::uint32_t r) {
   // n r - 1 with 31 fraction bits, below 81700 in magnitude: the leading 1 is 2^31 and drops out.
   const std::uint32_t product = (normalised >> 16) * r + (((normalised & 0xFFFFu) * r) >> 16);
   const auto error = static_cast<std::int32_t>(product - (std::uint32_t{1} << 31));
   const std::int32_t correction = (error * static_cast<std::int32_t>(r >> 2)) >> 14;
   return (r << 15) - static_cast<std::uint32_t>(correction);
+}
+[[nodiscard]] constexpr std::uint32_t wide_reciprocal_mantissa(std::uint32_t normalised) {
+  return refined_mantissa(normalised, reciprocal_mantissa(normalised));
 }
 
 }  // namespace detail

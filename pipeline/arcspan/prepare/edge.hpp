@@ -79,11 +79,12 @@ struct Quotient {
   return {upper, lower, rest == lower * divisor};
 }
 
-/// The same without a divide: each digit is estimated by the reciprocal, off by one at most, and put right
-/// by what it leaves.
-[[nodiscard]] constexpr Quotient divide_by_reciprocal(std::uint32_t dividend, std::uint32_t divisor) {
-  const int zeros = std::countl_zero(divisor);
-  const std::uint32_t inverse = wide_reciprocal_mantissa(divisor << zeros);
+/// The same without a divide: each digit is estimated by the divisor's nonzero_reciprocal(), refined, off by
+/// one at most, and put right by what it leaves.
+[[nodiscard]] constexpr Quotient divide_by_reciprocal(std::uint32_t dividend, std::uint32_t divisor,
+                                                      const Reciprocal& reciprocal) {
+  const int zeros = 16 + 31 - reciprocal.exponent;
+  const std::uint32_t inverse = refined_mantissa(divisor << zeros, reciprocal.mantissa);
   std::uint32_t rest = dividend;
   const auto digit = [&](int up) {
     // rest * 2^up / divisor = (rest << (up + zeros - 16)) * inverse >> 46, the product in two parts.
@@ -112,8 +113,9 @@ constexpr void make_edge_walk(const EdgeSpan& edge, const RasterPosition& bottom
   const std::int32_t dx = bottom.x - edge.top->x;
   const auto magnitude = static_cast<std::uint32_t>(dx < 0 ? -dx : dx);
   const auto height = static_cast<std::uint32_t>(edge.dy);
-  const detail::Quotient quotient =
-      kLongMultiply ? detail::divide(magnitude, height) : detail::divide_by_reciprocal(magnitude, height);
+  const detail::Quotient quotient = kLongMultiply
+                                        ? detail::divide(magnitude, height)
+                                        : detail::divide_by_reciprocal(magnitude, height, edge.inverse);
   const auto step = static_cast<std::int64_t>((std::uint64_t{quotient.upper} << 16) | quotient.lower);
   walk.step = dx < 0 ? -step - !quotient.exact : step;
   constexpr std::int64_t kBias = (std::int64_t{1} << 31) - (1 << 12);  // 1/2 - 2^-20

@@ -97,8 +97,7 @@ class Illumination {
 
   /// The same where no highlight is within reach; one light only.
   [[nodiscard]] constexpr PackedRgb diffuse_colour(Unit normal_light) const requires(Lights == 1) {
-    const std::int32_t index = normal_light.raw() >> (Unit::kFraction - kRampBits);
-    return ramp_[static_cast<std::size_t>(index < 0 ? 0 : index > 255 ? 255 : index)];
+    return ramp_[clamped_byte(normal_light.raw() >> (Unit::kFraction - kRampBits))];
   }
 
   /// diffuse_colour() of N·L = i / 256 ... (i + 1) / 256.

@@ -63,6 +63,8 @@ class MeshDrawer {
     clip_ =
         intersection({0, 0, viewport.width, viewport.height}, intersection(sink.bounds(), depth.bounds()));
     rows_ = {-origin_.y, viewport.height - origin_.y};
+    left_ = (clip_.left - origin_.x) * 16;
+    right_ = (clip_.right - origin_.x) * 16;
     banded_ = clip_.height() < viewport.height;
     if (cache.size() >= mesh.vertex_count()) cache_ = cache.data();
   }
@@ -171,8 +173,7 @@ class MeshDrawer {
     const RasterPosition& p = a.raster.position;
     const RasterPosition& q = b.raster.position;
     const RasterPosition& r = c.raster.position;
-    const std::int32_t area = doubled_area(p, q, r);
-    if (area < 0) {
+    if (!options_.two_sided || doubled_area(p, q, r) < 0) {
       shade_vertices(t, a, b, c);
       draw_side(t, a.raster, b.raster, c.raster, false);
     } else {
@@ -208,8 +209,7 @@ class MeshDrawer {
     TriangleCommand<Method> command;
     if (!ok(result_.status) || !prepare_inside(object_, a, b, c, face, rows_, command)) return;
     drawn_ = true;
-    const Rect clip = clip_;
-    result_.status = draw_command_with(command, origin_, Target{clip, object_, sink_, depth_, codes_});
+    result_.status = draw_command_with(command, origin_, Target{clip_, object_, sink_, depth_, codes_});
   }
 
   [[nodiscard]] typename Method::Vertex turned_shade(std::size_t index) const {
@@ -219,9 +219,7 @@ class MeshDrawer {
   /// No pixel centre of the clip rectangle's columns lies between the leftmost and the rightmost vertex.
   [[nodiscard]] bool outside_columns(const RasterPosition& a, const RasterPosition& b,
                                      const RasterPosition& c) const {
-    const std::int32_t left = (clip_.left - origin_.x) * 16;
-    const std::int32_t right = (clip_.right - origin_.x) * 16;
-    return (a.x < left && b.x < left && c.x < left) || (a.x > right && b.x > right && c.x > right);
+    return (a.x < left_ && b.x < left_ && c.x < left_) || (a.x > right_ && b.x > right_ && c.x > right_);
   }
 
   /// The triangle has rows in the viewport, but none among those of the clip rectangle: prepare_triangle()
@@ -262,6 +260,8 @@ class MeshDrawer {
   RasterOrigin origin_{};
   RowRange rows_{};
   Rect clip_{};
+  std::int32_t left_ = 0;  ///< columns of the clip rectangle, in 16ths of a pixel from the raster origin
+  std::int32_t right_ = 0;
   DrawResult result_{};
   bool banded_ = false;  ///< rows of the viewport lie outside the clip rectangle
   bool drawn_ = false;   ///< something of the present triangle reached the rows

@@ -20,8 +20,8 @@ namespace arcspan {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) << bits);
 }
 
-/// `v` clamped to 0...255. Processors that saturate have an instruction for it; for others it is one test where
-/// nothing is to be clamped.
+/// `v` clamped to 0...255. Processors that saturate have an instruction for it; for others it is one test
+/// where nothing is to be clamped.
 [[nodiscard]] constexpr std::uint32_t clamped_byte(std::int32_t v) {
 #if defined(__ARM_FEATURE_SAT)
   return static_cast<std::uint32_t>(v < 0 ? 0 : v > 255 ? 255 : v);

@@ -97,7 +97,8 @@ class Illumination {
 
   /// The same where no highlight is within reach; one light only.
   [[nodiscard]] constexpr PackedRgb diffuse_colour(Unit normal_light) const requires(Lights == 1) {
-    return ramp_[clamped_byte(normal_light.raw() >> (Unit::kFraction - kRampBits))];
+    const std::uint32_t index = clamped_byte(normal_light.raw() >> (Unit::kFraction - kRampBits));
+    return ramp_[static_cast<std::size_t>(index)];
   }
 
   /// diffuse_colour() of N·L = i / 256 ... (i + 1) / 256.

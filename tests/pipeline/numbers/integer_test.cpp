@@ -33,6 +33,12 @@ TEST_CASE("multiply_high of signed numbers rounds down") {
   CHECK(multiply_high(INT32_MIN, INT32_MAX) == -(1 << 30));
 }
 
+TEST_CASE("a byte is clamped at both ends") {
+  for (std::int32_t v = 0; v < 256; ++v) CHECK(clamped_byte(v) == static_cast<std::uint32_t>(v));
+  for (const std::int32_t v : {-1, -256, -65536, INT32_MIN}) CHECK(clamped_byte(v) == 0);
+  for (const std::int32_t v : {256, 511, 65536, INT32_MAX}) CHECK(clamped_byte(v) == 255);
+}
+
 TEST_CASE("the quotient of an edge without a divide is the exact one") {
   const auto same = [](std::uint32_t dividend, std::uint32_t divisor) {
     const detail::Quotient a = detail::divide(dividend, divisor);

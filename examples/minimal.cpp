@@ -15,7 +15,6 @@ using Light = Illumination<1, Highlight::kBlinn>;
 constexpr auto kSphere = scenes::make_sphere<32, 16>();
 constexpr Viewport kScreen{128, 64};
 std::uint8_t frame_memory[hal::Framebuffer<Gray4>::units(128, 64)];
-Light light;  // 1.4 KB: not for the stack
 
 int main() {
   MeshView mesh;
@@ -33,6 +32,7 @@ int main() {
   constexpr Coefficient kHalf = Coefficient::of(0.5);
   const Material material{{kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, 32};
   const DirectionalLight sun{placement.rotation.to_object(normalised(3, 4, 5))};
+  Light light;
   if (!ok(Light::make(material, {sun}, placement.rotation.to_object(normalised(0, 0, 1)), light))) return 3;
 
   hal::Framebuffer<Gray4> frame(frame_memory, kScreen.width, kScreen.height);

@@ -222,7 +222,7 @@ class MeshDrawer {
     return (a.x < left_ && b.x < left_ && c.x < left_) || (a.x > right_ && b.x > right_ && c.x > right_);
   }
 
-  /// The triangle has rows in the viewport, but none among those of the clip rectangle: prepare_triangle()
+  /// The triangle has rows in the viewport, but none among those of the clip rectangle: prepare_inside()
   /// would make a command of it, of which draw_command() would draw nothing.
   [[nodiscard]] bool in_other_band(const RasterPosition& a, const RasterPosition& b,
                                    const RasterPosition& c) const {

@@ -143,7 +143,7 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   return ((static_cast<std::uint32_t>(p.x) + kHalf) | (static_cast<std::uint32_t>(p.y) + kHalf)) < 2 * kHalf;
 }
 
-/// prepare_triangle() of vertices that project() has put, inside the guard band therefore.
+/// prepare_triangle() for vertices that are known to be inside the guard band, as those from project() are.
 template <class Method>
 [[nodiscard]] constexpr bool prepare_inside(const typename Method::Object& object,
                                             const RasterVertex<Method>& a, const RasterVertex<Method>& b,

@@ -189,27 +189,28 @@ class MeshDrawer {
       const Direction normal = face_normal(t);
       face = Method::shade_face(object_, back ? -normal : normal);
     }
-    if (!is_too_wide(a, b, c)) {
-      draw_part(a, b, c, face);
-      return;
-    }
+    if (draw_part(a, b, c, face, true)) return;
     auto emit = [this, &face](const Raster& p, const Raster& q, const Raster& r) {
-      draw_part(p, q, r, face);
+      (void)draw_part(p, q, r, face, false);
     };
     split_triangle(a, b, c, emit);
   }
 
-  /// Never inlined: split_triangle() would hold its command once for every level of splitting.
-  [[gnu::noinline]] void draw_part(const Raster& a, const Raster& b, const Raster& c,
-                                   const typename Method::Face& face) {
-    if (banded_ && in_other_band(a.position, b.position, c.position)) {
+  /// False if the triangle `may_split` and is too wide. Never inlined: split_triangle() would hold its
+  /// command once for every level of splitting.
+  [[gnu::noinline]] bool draw_part(const Raster& a, const Raster& b, const Raster& c,
+                                   const typename Method::Face& face, bool may_split) {
+    if (banded_ && in_other_band(a.position, b.position, c.position) &&
+        !(may_split && is_too_wide(a, b, c))) {
       drawn_ = true;
-      return;
+      return true;
     }
     TriangleCommand<Method> command;
-    if (!ok(result_.status) || !prepare_inside(object_, a, b, c, face, rows_, command)) return;
+    const Preparation prepared = prepare_inside(object_, a, b, c, face, rows_, may_split, command);
+    if (prepared != Preparation::kReady) return prepared == Preparation::kNothing;
     drawn_ = true;
     result_.status = draw_command_with(command, origin_, Target{clip_, object_, sink_, depth_, codes_});
+    return true;
   }
 
   [[nodiscard]] typename Method::Vertex turned_shade(std::size_t index) const {

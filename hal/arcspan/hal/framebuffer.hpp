@@ -20,6 +20,7 @@ class Framebuffer {
  public:
   using Format = F;
   using Unit = typename F::Unit;
+  using RowsInMemory = Framebuffer;
 
   /// Units of memory that `rows` rows of `width` pixels need.
   [[nodiscard]] static constexpr std::size_t units(std::int32_t width, std::int32_t rows) {
@@ -71,6 +72,8 @@ class Framebuffer {
 
   /// Row y of the picture, which must lie inside bounds(), as an array of Units.
   [[nodiscard]] constexpr Unit* row(std::int32_t y) const { return memory_ + (y - bounds_.top) * stride_; }
+  /// Units from one row to the next.
+  [[nodiscard]] constexpr std::int32_t stride() const { return stride_; }
 
  private:
   Unit* memory_;
@@ -79,6 +82,6 @@ class Framebuffer {
   Status status_ = Status::kOk;
 };
 
-static_assert(PixelSink<Framebuffer<Rgb565>> && PixelSink<Framebuffer<Mono>>);
+static_assert(SinkInMemory<Framebuffer<Rgb565>> && SinkInMemory<Framebuffer<Mono>>);
 
 }  // namespace arcspan::hal

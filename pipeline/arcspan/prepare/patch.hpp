@@ -140,6 +140,17 @@ struct PatchEnd {
   return multiply<Unit>(mean, bulge);
 }
 
+/// The value half-way along an edge, which rises by b / 4 above its chord.
+[[nodiscard]] constexpr Unit patch_middle(Unit p, Unit q, Unit rise) {
+  return Unit::from_raw(wrap_add(wrap_add(p.raw() >> 1, q.raw() >> 1), rise.raw() >> 2));
+}
+
+/// b of an edge from the value half-way along it.
+[[nodiscard]] constexpr Unit rise_through(Unit p, Unit q, Unit middle) {
+  const std::int32_t above = wrap_sub(wrap_sub(middle.raw(), p.raw() >> 1), q.raw() >> 1);
+  return Unit::from_raw(wrap_shl(above, 2));
+}
+
 /// Sets a scalar off down an edge; `pixel` is one pixel of the widest row.
 constexpr void make_patch_edge(const EdgeSpan& edge, const PatchStep& pixel, const PatchEnd& from,
                                const PatchEnd& to, Unit bulge, PatchEdge& e) {
@@ -162,28 +173,32 @@ constexpr void make_patch_edge(const EdgeSpan& edge, const PatchStep& pixel, con
 
 }  // namespace detail
 
+/// What a scalar rises above its chords: b of the three edges.
+struct PatchRises {
+  Unit top_middle;
+  Unit top_bottom;
+  Unit middle_bottom;
+};
+
 /// Makes one scalar of a patch. With t the fraction of the height and q that of the widest row, which is at
 /// t = m, the barycentric coordinates are l_middle = q, l_bottom = t - m q, and f = F(t) + q G(t) + q^2 H.
 template <class Method>
-constexpr void make_patch_scalar(const TriangleFrame<Method>& frame, const PatchBulges& bulges,
-                                 const PatchValues& at, PatchScalar& scalar) {
+constexpr void make_patch_surface(const TriangleFrame<Method>& frame, const PatchValues& at,
+                                  const PatchRises& rises, PatchScalar& scalar) {
   using detail::part;
   const Factor m = frame.middle_fraction;
-  const Unit top_middle = detail::bulge_between(at.top, at.middle, bulges.top_middle);
-  const Unit middle_bottom = detail::bulge_between(at.middle, at.bottom, bulges.middle_bottom);
-  const Unit top_bottom = detail::bulge_between(at.top, at.bottom, bulges.top_bottom);
-  const Unit above = part(top_bottom, m);
-  const Unit below = top_bottom - above;
+  const Unit above = part(rises.top_bottom, m);
+  const Unit below = rises.top_bottom - above;
   const Unit across = at.middle - at.top - part(at.bottom - at.top, m);
-  const Unit h = part(below - middle_bottom + top_middle, m) - top_middle;
+  const Unit h = part(below - rises.middle_bottom + rises.top_middle, m) - rises.top_middle;
   // G at the three vertices.
-  Unit g_top = across + top_middle - above;
-  Unit g_bottom = across + middle_bottom - below;
+  Unit g_top = across + rises.top_middle - above;
+  Unit g_bottom = across + rises.middle_bottom - below;
   Unit g_middle = g_top + part(g_bottom - g_top, m) + h + h;
   const detail::PatchStep pixel = detail::patch_step(frame.inverse_width, 16);
   scalar.bend = detail::per_steps(h + h, pixel, pixel);
   if (!frame.middle_left) {
-    detail::make_patch_edge(frame.long_edge, pixel, {at.top, g_top}, {at.bottom, g_bottom}, top_bottom,
+    detail::make_patch_edge(frame.long_edge, pixel, {at.top, g_top}, {at.bottom, g_bottom}, rises.top_bottom,
                             scalar.left);
     return;
   }
@@ -192,13 +207,24 @@ constexpr void make_patch_scalar(const TriangleFrame<Method>& frame, const Patch
   g_middle = -g_middle;
   g_bottom = -g_bottom;
   if (frame.has_upper) {
-    detail::make_patch_edge(frame.upper_edge, pixel, {at.top, g_top}, {at.middle, g_middle}, top_middle,
+    detail::make_patch_edge(frame.upper_edge, pixel, {at.top, g_top}, {at.middle, g_middle}, rises.top_middle,
                             scalar.left);
   }
   if (frame.has_lower) {
     detail::make_patch_edge(frame.lower_edge, pixel, {at.middle, g_middle}, {at.bottom, g_bottom},
-                            middle_bottom, scalar.lower);
+                            rises.middle_bottom, scalar.lower);
   }
+}
+
+/// The same for a scalar that is linear in the normal.
+template <class Method>
+constexpr void make_patch_scalar(const TriangleFrame<Method>& frame, const PatchBulges& bulges,
+                                 const PatchValues& at, PatchScalar& scalar) {
+  make_patch_surface(frame, at,
+                     {detail::bulge_between(at.top, at.middle, bulges.top_middle),
+                      detail::bulge_between(at.top, at.bottom, bulges.top_bottom),
+                      detail::bulge_between(at.middle, at.bottom, bulges.middle_bottom)},
+                     scalar);
 }
 
 }  // namespace arcspan

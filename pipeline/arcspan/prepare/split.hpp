@@ -49,14 +49,6 @@ constexpr void split_two_edges(const RasterVertex<Method>& a, const RasterVertex
 
 }  // namespace detail
 
-/// Whether any two normals are too far apart for the method.
-template <class Method>
-[[nodiscard]] constexpr bool is_too_wide(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
-                                         const RasterVertex<Method>& c) {
-  return Method::too_wide(a.shade, b.shade) || Method::too_wide(b.shade, c.shade) ||
-         Method::too_wide(c.shade, a.shade);
-}
-
 /// Calls `emit(a, b, c)` for the parts of a triangle whose normals are close enough for its method. Every
 /// edge that is too wide is halved at once, whatever the other two are: an edge's fate is its own, so that no
 /// gap opens towards the triangle behind it, however deep either may be split. Calls itself, so `emit` should

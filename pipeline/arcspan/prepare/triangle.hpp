@@ -3,6 +3,7 @@
 
 #include <arcspan/prepare/linear.hpp>
 
+#include <concepts>
 #include <cstdint>
 
 namespace arcspan {
@@ -45,6 +46,18 @@ struct TriangleCommand {
   typename Method::Prepared shade;
 };
 
+/// Squared chords of a triangle's edges, 28 fraction bits.
+struct TriangleChords {
+  std::uint32_t top_middle;
+  std::uint32_t top_bottom;
+  std::uint32_t middle_bottom;
+
+  [[nodiscard]] constexpr std::uint32_t widest() const {
+    const std::uint32_t upper = top_middle > top_bottom ? top_middle : top_bottom;
+    return upper > middle_bottom ? upper : middle_bottom;
+  }
+};
+
 /// What preparation knows of a triangle while it sets up attributes: vertices by height, edges as walked.
 template <class Method>
 struct TriangleFrame {
@@ -54,7 +67,8 @@ struct TriangleFrame {
   EdgeSpan long_edge;
   EdgeSpan upper_edge;
   EdgeSpan lower_edge;
-  bool has_upper;  ///< rows of the upper half will be drawn
+  TriangleChords chords;  ///< between the normals, of methods that MeasureChords
+  bool has_upper;         ///< rows of the upper half will be drawn
   bool has_lower;
   bool middle_left;
   Factor middle_fraction;  ///< fraction of the long edge at the middle vertex's height
@@ -137,6 +151,74 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
 
 }  // namespace detail
 
+/// Methods whose triangles depend on the chords between their normals: they are measured once.
+template <class M>
+concept MeasuresChords = requires(const TriangleFrame<M>& frame) {
+  { M::chords_of(frame) } -> std::same_as<TriangleChords>;
+};
+
+namespace detail {
+
+/// Sorts the vertices by height, and measures what lies between their normals.
+template <class Method>
+constexpr void place_vertices(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+                              const RasterVertex<Method>& c, TriangleFrame<Method>& frame) {
+  frame.top = &a;
+  frame.middle = &b;
+  frame.bottom = &c;
+  order_by_height(frame.top, frame.middle);
+  order_by_height(frame.middle, frame.bottom);
+  order_by_height(frame.top, frame.middle);
+  if constexpr (MeasuresChords<Method>) frame.chords = Method::chords_of(frame);
+}
+
+/// The command of a frame whose vertices are placed; false if there is nothing to draw.
+template <class Method>
+[[nodiscard]] constexpr bool prepare_frame(const typename Method::Object& object,
+                                           TriangleFrame<Method>& frame, const typename Method::Face& face,
+                                           const RowRange& rows, TriangleCommand<Method>& command) {
+  const std::int32_t area = doubled_area(frame.top->position, frame.middle->position, frame.bottom->position);
+  if (area == 0 || !place_rows(frame, rows, command)) return false;
+  frame.middle_left = area < 0;
+  command.middle_left = frame.middle_left;
+  place_edges(frame, command);
+  command.depth =
+      make_linear_plane(frame, frame.top->position.z, frame.middle->position.z, frame.bottom->position.z);
+  Method::prepare(object, frame, face, command.shade);
+  return true;
+}
+
+}  // namespace detail
+
+/// Whether any two normals are too far apart for the method.
+template <class Method>
+[[nodiscard]] constexpr bool is_too_wide(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+                                         const RasterVertex<Method>& c) {
+  return Method::too_wide(a.shade, b.shade) || Method::too_wide(b.shade, c.shade) ||
+         Method::too_wide(c.shade, a.shade);
+}
+
+namespace detail {
+
+/// The same of a frame whose vertices are placed.
+template <class Method>
+[[nodiscard]] constexpr bool is_too_wide_in(const TriangleFrame<Method>& frame) {
+  if constexpr (MeasuresChords<Method>) {
+    return frame.chords.widest() > Method::kWidestChord;
+  } else {
+    return is_too_wide(*frame.top, *frame.middle, *frame.bottom);
+  }
+}
+
+}  // namespace detail
+
+/// What became of a triangle.
+enum class Preparation : std::uint8_t {
+  kReady,    ///< there is a command
+  kNothing,  ///< nothing of it is to be drawn
+  kTooWide,  ///< two of its normals are too far apart for the method; it is to be split
+};
+
 /// Inside the guard band, +-1024 pixels, in which edges and areas fit their words.
 [[nodiscard]] constexpr bool in_guard_band(const RasterPosition& p) {
   constexpr std::uint32_t kHalf = kGuardBand << Subpixel::kFraction;
@@ -144,27 +226,19 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
 }
 
 /// prepare_triangle() for vertices that are known to be inside the guard band, as those from project() are.
+/// kTooWide only if the triangle `may_split`; otherwise it is drawn as well as the method can.
 template <class Method>
-[[nodiscard]] constexpr bool prepare_inside(const typename Method::Object& object,
-                                            const RasterVertex<Method>& a, const RasterVertex<Method>& b,
-                                            const RasterVertex<Method>& c, const typename Method::Face& face,
-                                            const RowRange& rows, TriangleCommand<Method>& command) {
+[[nodiscard]] constexpr Preparation prepare_inside(const typename Method::Object& object,
+                                                   const RasterVertex<Method>& a,
+                                                   const RasterVertex<Method>& b,
+                                                   const RasterVertex<Method>& c,
+                                                   const typename Method::Face& face, const RowRange& rows,
+                                                   bool may_split, TriangleCommand<Method>& command) {
   TriangleFrame<Method> frame;
-  frame.top = &a;
-  frame.middle = &b;
-  frame.bottom = &c;
-  detail::order_by_height(frame.top, frame.middle);
-  detail::order_by_height(frame.middle, frame.bottom);
-  detail::order_by_height(frame.top, frame.middle);
-  const std::int32_t area = doubled_area(frame.top->position, frame.middle->position, frame.bottom->position);
-  if (area == 0 || !detail::place_rows(frame, rows, command)) return false;
-  frame.middle_left = area < 0;
-  command.middle_left = frame.middle_left;
-  detail::place_edges(frame, command);
-  command.depth =
-      make_linear_plane(frame, frame.top->position.z, frame.middle->position.z, frame.bottom->position.z);
-  Method::prepare(object, frame, face, command.shade);
-  return true;
+  detail::place_vertices(a, b, c, frame);
+  if (may_split && detail::is_too_wide_in(frame)) return Preparation::kTooWide;
+  return detail::prepare_frame(object, frame, face, rows, command) ? Preparation::kReady
+                                                                   : Preparation::kNothing;
 }
 
 /// Turns a triangle into the command that draws it. `rows` are the viewport's; false if none of the
@@ -177,7 +251,9 @@ template <class Method>
                                               const typename Method::Face& face, const RowRange& rows,
                                               TriangleCommand<Method>& command) {
   if (!in_guard_band(a.position) || !in_guard_band(b.position) || !in_guard_band(c.position)) return false;
-  return prepare_inside(object, a, b, c, face, rows, command);
+  TriangleFrame<Method> frame;
+  detail::place_vertices(a, b, c, frame);
+  return detail::prepare_frame(object, frame, face, rows, command);
 }
 
 }  // namespace arcspan

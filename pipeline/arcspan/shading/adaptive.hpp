@@ -4,6 +4,7 @@
 #include <arcspan/shading/arc.hpp>
 #include <arcspan/shading/linear_light.hpp>
 #include <arcspan/shading/segment.hpp>
+#include <arcspan/shading/specular_ramp.hpp>
 #include <arcspan/status.hpp>
 
 namespace arcspan {
@@ -15,7 +16,8 @@ class AdaptiveIllumination : public Illumination {
   static constexpr std::int32_t kMostTolerance = 64;
 
   constexpr AdaptiveIllumination() = default;
-  AdaptiveIllumination(const Illumination& illumination) : Illumination(illumination) {
+  AdaptiveIllumination(const Illumination& illumination)
+      : Illumination(illumination), specular_ramp_(illumination.power(), illumination.specular()) {
     (void)set_tolerance(1);
   }
 
@@ -29,6 +31,7 @@ class AdaptiveIllumination : public Illumination {
     linear_limit_ = of_chord(tolerance - tolerance / 2, 2, Illumination::most_diffuse());
     shiny_limit_ = segment_limit_of(tolerance, true);
     dull_limit_ = segment_limit_of(tolerance - tolerance / 2, false);
+    gloss_limit_ = gloss_limit_of(tolerance);
     return Status::kOk;
   }
 
@@ -37,6 +40,18 @@ class AdaptiveIllumination : public Illumination {
 
   /// Up to which (squared radius of the normals) * N·L light may be linear; 28 fraction bits.
   [[nodiscard]] constexpr std::uint32_t linear_limit() const { return linear_limit_; }
+
+  /// Up to which squared chord of its widest edge a triangle's highlight may be a quadratic surface of its
+  /// own; 28 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t gloss_limit() const { return gloss_limit_; }
+  [[nodiscard]] constexpr const SpecularRamp& specular_ramp() const { return specular_ramp_; }
+
+  /// The colour at a scaled distance of the highlight's cosine from 1; N·L > 0.
+  [[nodiscard, gnu::always_inline]] constexpr PackedRgb glossy_colour(Unit normal_light,
+                                                                      std::int32_t distance) const {
+    const PackedRgb ramp = Illumination::diffuse_colour(normal_light);
+    return distance >= SpecularRamp::kReach ? ramp : ramp.plus(specular_ramp_(distance));
+  }
 
   /// Up to which squared angle of a segment colours may be linear, with a highlight within reach or without;
   /// 28 fraction bits.
@@ -84,10 +99,45 @@ class AdaptiveIllumination : public Illumination {
     return at_kink < limit ? static_cast<std::uint32_t>(at_kink) : limit;
   }
 
+  /// A quadratic surface through six distances of a cosine c from 1 differs from the product of two through
+  /// six scalars each by steps * 2.35 (n + 6) a^3 / 255 at most in the highlight, a being the widest chord
+  /// (the largest of 27,000 random triangles, docs/decisions/0006).
+  [[nodiscard]] std::uint32_t gloss_limit_of(std::uint32_t tolerance) const {
+    const std::uint64_t height =
+        std::uint64_t{Illumination::most_specular()} * (Illumination::shininess() + 6);
+    const std::uint64_t most = (std::uint64_t{tolerance} * 108) << 40;  // 255 / 2.35, 40 fraction bits
+    std::uint32_t inside = 0;
+    for (std::uint32_t bit = 1u << 14; bit != 0; bit >>= 1) {  // of a chord, 16 fraction bits
+      const std::uint64_t chord = inside + bit;
+      if (((chord * chord * chord) >> 8) * height <= most) inside += bit;
+    }
+    return (inside * inside) >> 4;
+  }
+
+  SpecularRamp specular_ramp_{};
   std::int32_t quiet_reach_ = 0;
   std::uint32_t linear_limit_ = 0;
   std::uint32_t shiny_limit_ = 0;
   std::uint32_t dull_limit_ = 0;
+  std::uint32_t gloss_limit_ = 0;
+};
+
+/// A row with a highlight whose distance goes by second differences, as N·L does: no product a pixel.
+template <class Object>
+class GlossRun : public PatchScalars<2> {
+ public:
+  static constexpr std::size_t kUsed = 2;
+
+  [[nodiscard, gnu::always_inline]] constexpr PackedRgb colour(const Object& object) const {
+    return object.glossy_colour(scalars()[0], scalars()[1].raw());
+  }
+  /// The same, encoded; `codes` is a CodeTable.
+  template <class Format, class Codes>
+  [[nodiscard, gnu::always_inline]] constexpr typename Format::Code code(const Object& object,
+                                                                         const Codes& codes) const {
+    if (scalars()[1].raw() >= SpecularRamp::kReach) return codes[scalars()[0]];
+    return Format::encode(colour(object));
+  }
 };
 
 /// Arc with, per triangle, the cheapest way whose predicted error is within a tolerance (S0 section 4 for the
@@ -96,6 +146,7 @@ class AdaptiveIllumination : public Illumination {
 ///     light that is linear on the screen    no highlight above half the tolerance within reach, and the
 ///                                           normals' circle so small that the arcs' rise is below it
 ///     no highlight                          none above half the tolerance within reach
+///     highlight by its own distance         small triangles, all of them lit: quadratic, as N·L is
 ///     segments of 4...16 pixels             wide rows whose colours hardly bend, away from the terminator
 ///     arc                                   everything else
 template <class Illumination>
@@ -109,13 +160,15 @@ struct Adaptive : Arc<Illumination> {
     LinearPlane light;
     int segment_bits;
     bool linear;
+    bool gloss;
   };
 
   template <class Frame>
   static constexpr void prepare(const Object& object, const Frame& frame, const Face&, Prepared& prepared) {
-    const TriangleChords chords = Base::chords_of(frame);
+    const TriangleChords& chords = frame.chords;
     prepared.middle_left = frame.middle_left;
     prepared.linear = false;
+    prepared.gloss = false;
     prepared.segment_bits = 0;
     if constexpr (Base::kHasDiffusePath) {
       if (chords.widest() <= kWidestPatch && !shines(object, frame)) {
@@ -123,14 +176,25 @@ struct Adaptive : Arc<Illumination> {
       }
     }
     const bool flat = chords.widest() <= object.widest_patch() && patch_fits(frame);
-    Base::prepare_path(frame, chords, flat ? Path::kPatch : Path::kArcs, prepared);
     prepared.segment_bits = segment_bits(object, frame, chords);
+    if constexpr (kHasGloss) {
+      if (flat && prepared.segment_bits == 0 && chords.widest() <= object.gloss_limit()) {
+        prepared.gloss = prepare_gloss(object, frame, chords, prepared);
+        if (prepared.gloss) return;
+      }
+    }
+    Base::prepare_path(frame, flat ? Path::kPatch : Path::kArcs, prepared);
   }
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     if constexpr (Base::kHasDiffusePath) {
       if (prepared.linear) return draw(LinearLightWalker<Object>(prepared.light, prepared.middle_left));
+    }
+    if constexpr (kHasGloss) {
+      if (prepared.gloss) {
+        return draw(PatchWalker<GlossRun<Object>, Base::kScalars>(prepared.patch, prepared.middle_left));
+      }
     }
     if (prepared.segment_bits == 0) return Base::walk(prepared, draw);
     return Base::walk(prepared, [&](auto walker) {
@@ -139,6 +203,8 @@ struct Adaptive : Arc<Illumination> {
   }
 
  private:
+  static constexpr bool kHasGloss = Base::kHasDiffusePath && Illumination::kModel == Highlight::kPhong;
+
   /// Whether a highlight above half the tolerance is within reach.
   template <class Frame>
   [[nodiscard]] static constexpr bool shines(const Object& object, const Frame& frame) {
@@ -160,7 +226,48 @@ struct Adaptive : Arc<Illumination> {
       return true;
     }
     if (!patch_fits(frame)) return false;
-    Base::prepare_path(frame, chords, Path::kDiffusePatch, prepared);
+    Base::prepare_path(frame, Path::kDiffusePatch, prepared);
+    return true;
+  }
+
+  /// Prepares N·L and the highlight's scaled distance as patches; false if a normal turns away from the light
+  /// or the distances do not fit.
+  template <class Frame>
+  [[nodiscard]] static constexpr bool prepare_gloss(const Object& object, const Frame& frame,
+                                                    const TriangleChords& chords, Prepared& prepared) {
+    constexpr std::int32_t kLit = std::int32_t{1} << 20;  // more than rounding can take away
+    const auto& top = frame.top->shade.scalars;
+    const auto& middle = frame.middle->shade.scalars;
+    const auto& bottom = frame.bottom->shade.scalars;
+    if (top[0].raw() < kLit || middle[0].raw() < kLit || bottom[0].raw() < kLit) return false;
+    std::int32_t farthest = 0;
+    const auto distance = [&](Unit light, Unit eye) {
+      const std::int32_t half = object.half_distance(light, eye);
+      if (half > farthest) farthest = half;
+      return half;
+    };
+    PatchRises light;
+    const auto half_way = [&](const auto& a, const auto& b, std::uint32_t chord, Unit& rise) {
+      const PatchBulge bulge = patch_bulge(chord);
+      rise = detail::bulge_between(a[0], b[0], bulge);
+      return distance(detail::patch_middle(a[0], b[0], rise),
+                      detail::patch_middle(a[1], b[1], detail::bulge_between(a[1], b[1], bulge)));
+    };
+    const std::int32_t top_middle = half_way(top, middle, chords.top_middle, light.top_middle);
+    const std::int32_t top_bottom = half_way(top, bottom, chords.top_bottom, light.top_bottom);
+    const std::int32_t middle_bottom = half_way(middle, bottom, chords.middle_bottom, light.middle_bottom);
+    const std::int32_t at_top = distance(top[0], top[1]);
+    const std::int32_t at_middle = distance(middle[0], middle[1]);
+    const std::int32_t at_bottom = distance(bottom[0], bottom[1]);
+    const SpecularRamp& ramp = object.specular_ramp();
+    if (!ramp.fits(farthest)) return false;
+    make_patch_surface(frame, {top[0], middle[0], bottom[0]}, light, prepared.patch[0]);
+    const auto scaled = [&ramp](std::int32_t half) { return Unit::from_raw(ramp.scaled(half)); };
+    const PatchValues at{scaled(at_top), scaled(at_middle), scaled(at_bottom)};
+    const PatchRises rises{detail::rise_through(at.top, at.middle, scaled(top_middle)),
+                           detail::rise_through(at.top, at.bottom, scaled(top_bottom)),
+                           detail::rise_through(at.middle, at.bottom, scaled(middle_bottom))};
+    make_patch_surface(frame, at, rises, prepared.patch[1]);
     return true;
   }
 

@@ -69,28 +69,6 @@ struct Arc {
     return on_arc(from, to, t);
   }
 
-  /// `Frame` is a TriangleFrame whose vertices have this method's shade.
-  template <class Frame>
-  static constexpr void prepare(const Object& object, const Frame& frame, const Face&, Prepared& prepared) {
-    const TriangleChords chords = chords_of(frame);
-    prepare_path(frame, chords, choose_path(object, frame, chords.widest()), prepared);
-  }
-
-  /// Calls `draw` with the walker of the command's path.
-  template <class Draw>
-  [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    if (prepared.path == Path::kArcs) return draw(ArcWalker<Object>(prepared.arcs));
-    if constexpr (kHasDiffusePath) {
-      if (prepared.path == Path::kDiffusePatch) {
-        return draw(PatchWalker<Object, 1>(prepared.patch, prepared.middle_left));
-      }
-    }
-    return draw(PatchWalker<Object, kScalars>(prepared.patch, prepared.middle_left));
-  }
-
- protected:
-  static constexpr bool kHasDiffusePath = Illumination::kLights == 1;
-
   template <class Frame>
   [[nodiscard]] static constexpr TriangleChords chords_of(const Frame& frame) {
     const Normal& top = frame.top->shade.normal;
@@ -99,10 +77,31 @@ struct Arc {
     return {squared_chord(top, middle), squared_chord(top, bottom), squared_chord(middle, bottom)};
   }
 
+  /// `Frame` is a TriangleFrame whose vertices have this method's shade.
+  template <class Frame>
+  static constexpr void prepare(const Object& object, const Frame& frame, const Face&, Prepared& prepared) {
+    prepare_path(frame, choose_path(object, frame, frame.chords.widest()), prepared);
+  }
+
+  /// Calls `draw` with the walker of the command's path.
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    if (prepared.path == Path::kArcs) return draw(ArcWalker<Object>(prepared.arcs));
+    if constexpr (kHasDiffusePath) {
+      if (prepared.path == Path::kDiffusePatch) {
+        return draw(PatchWalker<PatchRun<Object, 1>, kScalars>(prepared.patch, prepared.middle_left));
+      }
+    }
+    return draw(PatchWalker<PatchRun<Object, kScalars>, kScalars>(prepared.patch, prepared.middle_left));
+  }
+
+ protected:
+  static constexpr bool kHasDiffusePath = Illumination::kLights == 1;
+
   /// Prepares the triangle for a path, which must be one that its angles allow.
   template <class Frame>
-  static constexpr void prepare_path(const Frame& frame, const TriangleChords& chords, Path path,
-                                     Prepared& prepared) {
+  static constexpr void prepare_path(const Frame& frame, Path path, Prepared& prepared) {
+    const TriangleChords& chords = frame.chords;
     prepared.middle_left = frame.middle_left;
     prepared.path = path;
     if (path == Path::kArcs) {

@@ -10,18 +10,6 @@
 
 namespace arcspan {
 
-/// Squared chords of a triangle's edges, 28 fraction bits.
-struct TriangleChords {
-  std::uint32_t top_middle;
-  std::uint32_t top_bottom;
-  std::uint32_t middle_bottom;
-
-  [[nodiscard]] constexpr std::uint32_t widest() const {
-    const std::uint32_t upper = top_middle > top_bottom ? top_middle : top_bottom;
-    return upper > middle_bottom ? upper : middle_bottom;
-  }
-};
-
 /// `Count` scalars of a triangle along great circles: the edges' arcs, each at its first row, and the rows of
 /// the upper and the lower half.
 template <std::size_t Count>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/numbers/direction.hpp>
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/numbers/unroll.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/shading/power_table.hpp>
@@ -136,6 +137,18 @@ class Illumination {
     return false;
   }
 
+  /// (1 - c) / 2 of the highlight's cosine c at a normal with these scalars, 30 fraction bits; exact to
+  /// 2^-28, which a pixel does not need.
+  [[nodiscard]] constexpr std::int32_t half_distance(Unit normal_light, Unit other) const
+      requires(Lights == 1) {
+    if constexpr (Model == Highlight::kBlinn) {
+      return highlight_distance(normal_light, other, 0);
+    } else {
+      return wrap_sub(half_one_plus_light_eye_[0],
+                      wrap_shl(multiply_high(normal_light.raw(), other.raw()), 2));
+    }
+  }
+
   /// The squared chord up to which a triangle with a highlight may be a patch.
   [[nodiscard]] constexpr std::uint32_t widest_patch() const { return widest_patch_; }
 
@@ -143,6 +156,9 @@ class Illumination {
   [[nodiscard]] constexpr std::uint32_t most_diffuse() const { return largest(diffuse_); }
   [[nodiscard]] constexpr std::uint32_t most_specular() const { return largest(specular_); }
   [[nodiscard]] constexpr const PowerTable& power() const { return power_; }
+  [[nodiscard]] constexpr std::uint32_t shininess() const { return shininess_; }
+  /// Per channel, in 8-bit steps with 5 fraction bits.
+  [[nodiscard]] constexpr const std::array<std::uint32_t, 3>& specular() const { return specular_; }
   /// A bound of any channel's second derivative by the normal's angle along a great circle, in 8-bit steps
   /// with 5 fraction bits: |cos''| <= 1, |(cos^n)''| <= n, and R turns by twice the angle.
   [[nodiscard]] constexpr std::uint32_t most_curvature() const { return most_curvature_; }
@@ -197,10 +213,8 @@ class Illumination {
     if constexpr (Model == Highlight::kBlinn) {
       return (std::int32_t{1} << (Unit::kFraction - 1)) - (other.raw() >> 1);
     } else {
-      // 15 rounded bits each: truncated ones would shift a highlight of n = 64 by up to two 8-bit steps.
-      const std::int32_t product =
-          wrap_mul(round_shift(normal_light.raw(), 15), round_shift(other.raw(), 15));
-      return wrap_sub(half_one_plus_light_eye_[light], product);
+      const std::int32_t product = wrap_mul(normal_light.raw() >> 15, other.raw() >> 15);
+      return wrap_sub(highlight_start_[light], product);
     }
   }
 
@@ -246,9 +260,13 @@ class Illumination {
   std::array<std::uint32_t, 3> specular_{};
   std::array<std::uint32_t, Lights> strength_{};
   std::array<std::int32_t, Lights> half_one_plus_light_eye_{};
+  /// The same less what cutting both factors of (N·L)(N·V) to 15 bits takes away on average in the middle of
+  /// the highlight: (N·L + N·V) 2^-16, which would shift one of n = 64 by up to two 8-bit steps.
+  std::array<std::int32_t, Lights> highlight_start_{};
   PowerTable power_{};
   std::uint32_t widest_patch_ = 0;
   std::uint32_t most_curvature_ = 0;
+  std::uint32_t shininess_ = 1;
   std::uint32_t white_specular_ = 0;  ///< the three specular coefficients if they are the same, else 0
 };
 

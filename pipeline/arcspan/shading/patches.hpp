@@ -9,27 +9,10 @@
 
 namespace arcspan {
 
-/// The first `Used` scalars of a row's pixels, by second differences.
-template <class Object, std::size_t Used>
-class PatchRun {
+/// `Used` scalars of a row's pixels, by second differences.
+template <std::size_t Used>
+class PatchScalars {
  public:
-  [[nodiscard]] constexpr PackedRgb colour(const Object& object) const {
-    if constexpr (Used == Object::kScalars) {
-      return object.colour(x_);
-    } else {
-      return object.diffuse_colour(x_[0]);
-    }
-  }
-  /// The same, encoded; `codes` is a CodeTable.
-  template <class Format, class Codes>
-  [[nodiscard, gnu::always_inline]] constexpr typename Format::Code code(const Object& object,
-                                                                         const Codes& codes) const {
-    if constexpr (Used == Object::kScalars) {
-      return object.template code<Format>(x_, codes);
-    } else {
-      return codes[x_[0]];
-    }
-  }
   [[nodiscard]] constexpr const std::array<Unit, Used>& scalars() const { return x_; }
   constexpr void next() {
     unrolled<Used>([this](auto i) {
@@ -76,33 +59,57 @@ class PatchRun {
   std::array<Unit, Used> bend_;
 };
 
-/// The left edge's scalars, from row to row; walks the patch in place.
+/// A row's pixels by the first `Used` scalars of the illumination.
 template <class Object, std::size_t Used>
+class PatchRun : public PatchScalars<Used> {
+ public:
+  static constexpr std::size_t kUsed = Used;
+
+  [[nodiscard]] constexpr PackedRgb colour(const Object& object) const {
+    if constexpr (Used == Object::kScalars) {
+      return object.colour(this->scalars());
+    } else {
+      return object.diffuse_colour(this->scalars()[0]);
+    }
+  }
+  /// The same, encoded; `codes` is a CodeTable.
+  template <class Format, class Codes>
+  [[nodiscard, gnu::always_inline]] constexpr typename Format::Code code(const Object& object,
+                                                                         const Codes& codes) const {
+    if constexpr (Used == Object::kScalars) {
+      return object.template code<Format>(this->scalars(), codes);
+    } else {
+      return codes[this->scalars()[0]];
+    }
+  }
+};
+
+/// The left edge's scalars, from row to row; walks the patch in place. `RunOf` is a PatchScalars, and knows
+/// the colours.
+template <class RunOf, std::size_t Count>
 class PatchWalker {
  public:
-  static constexpr std::size_t kScalars = Object::kScalars;
-  using Run = PatchRun<Object, Used>;
+  using Run = RunOf;
   static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
 
-  constexpr PatchWalker(Patch<kScalars>& patch, bool middle_left)
-      : patch_(&patch), middle_left_(middle_left) {}
+  constexpr PatchWalker(Patch<Count>& patch, bool middle_left) : patch_(&patch), middle_left_(middle_left) {}
 
   [[nodiscard]] constexpr Run row(const RowStart& start) const {
     Run run;
-    unrolled<Used>([&](auto i) { run.start(i, (*patch_)[i], start.fraction); });
+    unrolled<Run::kUsed>([&](auto i) { run.start(i, (*patch_)[i], start.fraction); });
     if (start.skipped != 0) run.skip(start.skipped);
     return run;
   }
   constexpr void next_row() {
-    unrolled<Used>([this](auto i) { (*patch_)[i].left.advance(); });
+    unrolled<Run::kUsed>([this](auto i) { (*patch_)[i].left.advance(); });
   }
   constexpr void enter_lower() {
     if (!middle_left_) return;
-    unrolled<Used>([this](auto i) { (*patch_)[i].left.become((*patch_)[i].lower); });
+    unrolled<Run::kUsed>([this](auto i) { (*patch_)[i].left.become((*patch_)[i].lower); });
   }
 
  private:
-  Patch<kScalars>* patch_;
+  Patch<Count>* patch_;
   bool middle_left_;
 };
 

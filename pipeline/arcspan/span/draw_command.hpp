@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/keep.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/span/draw_run.hpp>
 #include <arcspan/span/linear_walk.hpp>
+#include <arcspan/span/rows.hpp>
 #include <arcspan/status.hpp>
 
 #include <cstdint>
@@ -22,18 +24,34 @@ struct RasterOrigin {
 
 namespace detail {
 
+/// Where a command's present row lies in memory.
+template <class Sink>
+struct RowMemory {
+  PixelRows<Sink> pixels;
+  DepthRows depths;
+
+  template <class Target>
+  constexpr RowMemory(const Target& target, std::int32_t y)
+      : pixels(target.sink, y), depths(target.depth, y) {}
+  constexpr void next() {
+    pixels.next();
+    depths.next();
+  }
+};
+
 /// Draws the row that the walkers stand on; `begin` is its first column, `span` what is to be seen of it.
-template <class Command, class Walker, class Target>
+template <class Command, class Walker, class Target, class Memory>
 [[gnu::always_inline, nodiscard]] constexpr Status draw_row(const Command& command, const Walker& shade,
                                                             Span span, std::int32_t begin,
-                                                            const Target& target) {
+                                                            const Target& target, Memory& memory) {
   constexpr bool kOneRun = Walker::kLongestRun >= 2 * kGuardBand;
   const std::int32_t last = span.x + span.count;
   while (true) {
     if (!kOneRun && span.count > Walker::kLongestRun) span.count = Walker::kLongestRun;
     const RowStart start = row_start(command.left, command.right, span.x - begin);
     typename Walker::Run run = shade.row(start);
-    draw_run(target.sink.open(span), span, run, target, linear_at(command.depth, start), command.depth.dx);
+    draw_run(memory.pixels.open(span), memory.depths.at(span.x), span, run, target,
+             linear_at(command.depth, start), command.depth.dx);
     const Status status = target.sink.close(span);
     span.x += span.count;
     span.count = last - span.x;
@@ -41,18 +59,12 @@ template <class Command, class Walker, class Target>
   }
 }
 
-/// Has the compiler take `value` from memory where it is next used. Otherwise gcc carries edges from one row
-/// to the next by way of copies on the stack: 12 instructions a row on a Cortex-M3.
-template <class T>
-[[gnu::always_inline]] constexpr void keep_in_memory(T& value) {
-  if (!std::is_constant_evaluated()) asm("" : "+m"(value));
-}
-
 /// Steps a command's edges and attributes down by one row, in place.
 template <class Command, class Walker>
 [[gnu::always_inline]] constexpr void next_row(Command& command, Walker& shade) {
   keep_in_memory(command.left.x);
   keep_in_memory(command.right.x);
+  if constexpr (kManyRegisters) keep_in_memory(command.depth.left);
   command.left.advance();
   command.right.advance();
   command.depth.next_row();
@@ -84,6 +96,18 @@ template <class Command>
   command.lower.x += shift;
 }
 
+/// Steps over the rows above `top`, and into the lower half if that is where it lies. `half_end` is where the
+/// present half ends, `stop` the other.
+template <class Command, class Walker>
+constexpr void skip_above(Command& command, Walker& shade, std::int32_t& y, std::int32_t top,
+                          std::int32_t& half_end, std::int32_t stop) {
+  skip_rows(command, shade, y, half_end < top ? half_end : top);
+  if (y == top) return;
+  enter_lower(command, shade);
+  half_end = stop;
+  skip_rows(command, shade, y, top);
+}
+
 template <class Command, class Walker, class Target>
 [[nodiscard]] constexpr Status draw_rows(Command& command, const RasterOrigin& origin, Walker shade,
                                          const Target& target) {
@@ -92,16 +116,17 @@ template <class Command, class Walker, class Target>
   const std::int32_t end = command.end_row + origin.y;
   const std::int32_t stop = end < clip.bottom ? end : clip.bottom;
   const std::int32_t middle = command.middle_row + origin.y;
+  std::int32_t half_end = middle < stop ? middle : stop;
   std::int32_t y = command.first_row + origin.y;
-  for (std::int32_t half_end = middle < stop ? middle : stop;; half_end = stop) {
-    if (y < clip.top) skip_rows(command, shade, y, half_end < clip.top ? half_end : clip.top);
-    for (; y < half_end; ++y, next_row(command, shade)) {
+  if (y < clip.top) skip_above(command, shade, y, clip.top, half_end, stop);
+  for (RowMemory<typename Target::Sink> memory(target, y);; half_end = stop) {
+    for (; y < half_end; ++y, memory.next(), next_row(command, shade)) {
       const std::int32_t begin = command.left.column();
       const std::int32_t end_column = command.right.column();
       const std::int32_t first = begin < clip.left ? clip.left : begin;
       const std::int32_t last = end_column > clip.right ? clip.right : end_column;
       if (first >= last) continue;
-      const Status status = draw_row(command, shade, {y, first, last - first}, begin, target);
+      const Status status = draw_row(command, shade, {y, first, last - first}, begin, target, memory);
       if (!ok(status)) return status;
     }
     if (y >= stop) return Status::kOk;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/keep.hpp>
 #include <arcspan/pixel/format.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/shading/method.hpp>
@@ -27,11 +28,13 @@ template <class Format, class Run, class Object, class Codes>
 }
 
 /// What the rows of a command are drawn with and into.
-template <class ObjectOf, PixelSink Sink, DepthTarget Depth, class CodesOf = NoCodes>
+template <class ObjectOf, PixelSink SinkOf, DepthTarget Depth, class CodesOf = NoCodes>
 struct RowTarget {
   using Object = ObjectOf;
   using Codes = CodesOf;
+  using Sink = SinkOf;
   using Format = typename Sink::Format;
+  static constexpr bool kTests = Depth::kTests;
 
   const Rect& clip;
   const Object& object;
@@ -40,25 +43,50 @@ struct RowTarget {
   const Codes& codes;
 };
 
-/// Draws one run of pixels: the codes of `run` through `cursor`, with the depth test of `Depth`.
+/// A run of whole words with the depth test: both rows by one index, which ends at 0.
 template <class Target, class Run>
-[[gnu::always_inline]] constexpr void draw_run(typename Target::Format::Cursor cursor, const Span& span,
-                                               Run& run, const Target& target, Linear z, Linear dz) {
+[[gnu::always_inline]] constexpr void draw_words(typename Target::Format::Code* codes, std::uint16_t* depths,
+                                                 const Span& span, Run& run, const Target& target, Linear z,
+                                                 Linear dz) {
+  const typename Target::Object& object = target.object;
+  const std::int32_t end = span.x + span.count;
+  codes += span.count;
+  depths += span.count;
+  keep_as_is(codes);
+  keep_as_is(depths);
+  for (std::int32_t i = -span.count; i != 0; ++i) {
+    keep_as_is(i);
+    const auto nearness = static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
+    if (nearness < depths[i]) [[likely]] {
+      depths[i] = nearness;
+      codes[i] = run_code<typename Target::Format>(run, object, target.codes, end + i, span.y);
+    }
+    z += dz;
+    run.next();
+  }
+}
+
+/// Draws one run of pixels: the codes of `run` through `cursor`, with the depth test of `Depth` against what
+/// is at `depths`.
+template <class Target, class Run>
+[[gnu::always_inline]] constexpr void draw_run(typename Target::Format::Cursor cursor, std::uint16_t* depths,
+                                               const Span& span, Run& run, const Target& target, Linear z,
+                                               Linear dz) {
   using Format = typename Target::Format;
-  constexpr bool kTests = std::remove_cvref_t<decltype(target.depth)>::kTests;
-  [[maybe_unused]] std::uint16_t* at = nullptr;
-  if constexpr (kTests) at = target.depth.row(span.y) + span.x;
+  constexpr bool kTests = Target::kTests;
+  if constexpr (kTests && requires { cursor.codes(); }) {
+    draw_words(cursor.codes(), depths, span, run, target, z, dz);
+    return;
+  }
   for (std::int32_t i = 0; i < span.count; ++i) {
-    if constexpr (kTests) {
-      const auto nearness = static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
-      if (nearness < *at) [[likely]] {
-        *at = nearness;
-        cursor.write(run_code<Format>(run, target.object, target.codes, span.x + i, span.y));
-      }
-      ++at;
-      z += dz;
-    } else {
+    const auto nearness = static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
+    if (!kTests || nearness < *depths) [[likely]] {
+      if constexpr (kTests) *depths = nearness;
       cursor.write(run_code<Format>(run, target.object, target.codes, span.x + i, span.y));
+    }
+    if constexpr (kTests) {
+      ++depths;
+      z += dz;
     }
     cursor.next();
     run.next();
@@ -67,12 +95,11 @@ template <class Target, class Run>
 
 /// The same for a run in segments.
 template <class Target, SegmentedRun Run>
-[[gnu::always_inline]] constexpr void draw_run(typename Target::Format::Cursor cursor, const Span& span,
-                                               Run& run, const Target& target, Linear z, Linear dz) {
+[[gnu::always_inline]] constexpr void draw_run(typename Target::Format::Cursor cursor, std::uint16_t* depths,
+                                               const Span& span, Run& run, const Target& target, Linear z,
+                                               Linear dz) {
   using Format = typename Target::Format;
-  constexpr bool kTests = std::remove_cvref_t<decltype(target.depth)>::kTests;
-  [[maybe_unused]] std::uint16_t* at = nullptr;
-  if constexpr (kTests) at = target.depth.row(span.y) + span.x;
+  constexpr bool kTests = Target::kTests;
   std::int32_t x = span.x;
   const std::int32_t end = span.x + span.count;
   run.begin(target.object, span.count);
@@ -81,11 +108,11 @@ template <class Target, SegmentedRun Run>
     for (; x < pause; ++x) {
       if constexpr (kTests) {
         const auto nearness = static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
-        if (nearness < *at) [[likely]] {
-          *at = nearness;
+        if (nearness < *depths) [[likely]] {
+          *depths = nearness;
           cursor.write(encode_at<Format>(run.colour(), x, span.y));
         }
-        ++at;
+        ++depths;
         z += dz;
       } else {
         cursor.write(encode_at<Format>(run.colour(), x, span.y));

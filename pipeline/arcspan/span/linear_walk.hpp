@@ -11,8 +11,11 @@ namespace arcspan {
 /// The attribute at a row's first pixel. Beyond the first column it goes in whole steps, so that cutting a
 /// row changes nothing.
 [[nodiscard]] constexpr Linear linear_at(const LinearPlane& plane, const RowStart& start) {
-  const Linear skipped = Linear::from_raw(wrap_mul(plane.dx.raw(), start.skipped));
-  return plane.left.at + times_fraction(plane.dx, start.fraction) + skipped;
+  const Linear first = plane.left.at + times_fraction(plane.dx, start.fraction);
+  if (start.skipped == 0) [[likely]] {
+    return first;
+  }
+  return first + Linear::from_raw(wrap_mul(plane.dx.raw(), start.skipped));
 }
 
 }  // namespace arcspan

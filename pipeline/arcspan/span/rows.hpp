@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/span/depth.hpp>
+
+#include <cstdint>
+
+namespace arcspan::detail {
+
+/// A sink's rows from row y on, one after the other.
+template <class Sink>
+class PixelRows {
+ public:
+  constexpr PixelRows(Sink& sink, std::int32_t) : sink_(sink) {}
+  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& run) { return sink_.open(run); }
+  constexpr void next() {}
+
+ private:
+  Sink& sink_;
+};
+
+template <SinkInMemory Sink>
+class PixelRows<Sink> {
+ public:
+  constexpr PixelRows(Sink& sink, std::int32_t y) : row_(sink.row(y)), stride_(sink.stride()) {}
+  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& run) {
+    return typename Sink::Format::Cursor(row_, run.x);
+  }
+  constexpr void next() { row_ += stride_; }
+
+ private:
+  typename Sink::Format::Unit* row_;
+  std::int32_t stride_;
+};
+
+/// The same of a depth buffer.
+class DepthRows {
+ public:
+  constexpr DepthRows(const NoDepth&, std::int32_t) : row_(nullptr), stride_(0) {}
+  constexpr DepthRows(const DepthBuffer& depth, std::int32_t y)
+      : row_(depth.row(y)), stride_(depth.bounds().right) {}
+  [[nodiscard]] constexpr std::uint16_t* at(std::int32_t x) const { return row_ + x; }
+  constexpr void next() { row_ += stride_; }
+
+ private:
+  std::uint16_t* row_;
+  std::int32_t stride_;
+};
+
+}  // namespace arcspan::detail

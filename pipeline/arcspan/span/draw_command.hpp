@@ -5,11 +5,11 @@
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/span/draw_run.hpp>
+#include <arcspan/span/keep_in_memory.hpp>
 #include <arcspan/span/linear_walk.hpp>
 #include <arcspan/status.hpp>
 
 #include <cstdint>
-#include <type_traits>
 
 /// The span stage: per row and per pixel only multiply, shift, add, compare and look up.
 namespace arcspan {
@@ -41,18 +41,12 @@ template <class Command, class Walker, class Target>
   }
 }
 
-/// Has the compiler take `value` from memory where it is next used. Otherwise gcc carries edges from one row
-/// to the next by way of copies on the stack: 12 instructions a row on a Cortex-M3.
-template <class T>
-[[gnu::always_inline]] constexpr void keep_in_memory(T& value) {
-  if (!std::is_constant_evaluated()) asm("" : "+m"(value));
-}
-
 /// Steps a command's edges and attributes down by one row, in place.
 template <class Command, class Walker>
 [[gnu::always_inline]] constexpr void next_row(Command& command, Walker& shade) {
   keep_in_memory(command.left.x);
   keep_in_memory(command.right.x);
+  keep_in_memory(command.depth.left.at);
   command.left.advance();
   command.right.advance();
   command.depth.next_row();

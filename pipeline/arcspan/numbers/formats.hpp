@@ -35,9 +35,13 @@ using NormalComponent = Fixed<std::int16_t, 14>;
 /// vectors in the same format a dot product is three 32-bit multiplies and fits Q1.30.
 using DirectionComponent = Fixed<std::int32_t, 15>;
 
-/// Attribute that is linear on the screen (depth 0...65535, colour 0...255 in 256ths): 16 bits and 12
-/// fraction bits, so that an error of a gradient stays below 1/8 over 1024 pixels; 3 bits are head-room.
+/// Attribute that is linear on the screen (depth, 0...65535): 16 bits and 12 fraction bits, so that an error
+/// of a gradient stays below 1/8 over 1024 pixels; 3 bits are head-room.
 using Linear = Fixed<std::int32_t, 12>;
+
+/// The same with 15 fraction bits and without head-room, for Gouraud's colours (0...255 in 256ths): [0,
+/// 2^16), gradients +-2^16. Sums that leave the range on the way wrap there and back.
+using FullLinear = Fixed<std::int32_t, 15>;
 
 /// Entry of a rotation, Q1.30, [-1, 1].
 using RotationEntry = Fixed<std::int32_t, 30>;

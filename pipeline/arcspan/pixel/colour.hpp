@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 
 namespace arcspan {
@@ -48,6 +49,12 @@ struct PackedRgb {
 
  private:
   static constexpr std::uint32_t kCarries = 0x00200400;
+};
+
+/// A colour in other words, which runs may hand to pixel formats in place of a PackedRgb.
+template <class C>
+concept PackableColour = requires(const C& colour) {
+  { colour.packed() } -> std::same_as<PackedRgb>;
 };
 
 /// Luma of `c`, 0...255: the BT.601 weights 0.299, 0.587, 0.114 in eighths of a byte (77, 150, 29 of 256),

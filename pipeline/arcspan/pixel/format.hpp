@@ -4,6 +4,7 @@
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/pixel/dither.hpp>
+#include <arcspan/pixel/fine_rgb.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -117,6 +118,12 @@ struct Rgb565 {
     return static_cast<Code>(((c.red_blue >> 15) & 0xF800u) | ((c.green >> 20) & 0x07E0u) |
                              ((c.red_blue >> 10) & 0x1Fu));
   }
+  /// encode(c.packed()), straight from the words: what comes down from their tops needs no masks.
+  [[nodiscard]] static constexpr Code encode(FineRgb c) {
+    constexpr int kSix = FineRgb::kFraction + 2;
+    const std::uint32_t red_green = ((c.r >> (kSix + 1)) << 6) | (c.g >> kSix);
+    return static_cast<Code>((red_green << 5) | (c.b >> (kSix + 1)));
+  }
   [[nodiscard]] static constexpr Code encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
     return encode(Rgb8{dithered<5>(c.r, x, y), dithered<6>(c.g, x, y), dithered<5>(c.b, x, y)});
   }
@@ -219,8 +226,9 @@ template <PixelFormat F>
   }
 }
 
-template <PixelFormat F>
-[[nodiscard]] constexpr typename F::Code encode_at(ColourSegment c, std::int32_t x, std::int32_t y) {
+/// The same for a colour whose lanes are laid out otherwise.
+template <PixelFormat F, PackableColour C>
+[[nodiscard]] constexpr typename F::Code encode_at(const C& c, std::int32_t x, std::int32_t y) {
   if constexpr (!F::kDithers && requires { F::encode(c); }) {
     return F::encode(c);
   } else {

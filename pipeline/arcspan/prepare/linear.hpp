@@ -8,17 +8,19 @@
 namespace arcspan {
 
 /// An attribute linear on the screen, on its way down a left edge.
-struct LinearEdge {
-  Linear at;    ///< on the edge, at the row's centre line
-  Linear step;  ///< per row
+template <class Value>
+struct BasicLinearEdge {
+  Value at;    ///< on the edge, at the row's centre line
+  Value step;  ///< per row
 };
 
 /// An attribute linear on the screen: its values along the left edge, and its gradient along a row. `lower`
 /// takes the left edge's place at the middle row if the middle vertex is on the left.
-struct LinearPlane {
-  LinearEdge left;
-  LinearEdge lower;
-  Linear dx;  ///< per pixel
+template <class Value>
+struct BasicLinearPlane {
+  BasicLinearEdge<Value> left;
+  BasicLinearEdge<Value> lower;
+  Value dx;  ///< per pixel
 
   constexpr void next_row() { left.at += left.step; }
   constexpr void enter_lower(bool middle_left) {
@@ -28,9 +30,19 @@ struct LinearPlane {
   }
 };
 
-/// The largest gradient: the whole 16-bit range in one pixel. A steeper one only occurs in triangles narrower
-/// than a pixel, whose spans have one pixel and do not step.
-inline constexpr std::int32_t kMaxGradient = std::int32_t{1} << (16 + Linear::kFraction);
+/// Of any 16-bit attribute, and of one whose values are at most 65280 apart.
+using LinearPlane = BasicLinearPlane<Linear>;
+using FullLinearPlane = BasicLinearPlane<FullLinear>;
+
+/// The largest gradient: the whole 16-bit range in one pixel, or what fits of it. A steeper one only occurs
+/// in triangles narrower than a pixel, whose spans have one pixel and do not step.
+template <class Value>
+inline constexpr std::int32_t kMaxGradient =
+    static_cast<std::int32_t>((std::int64_t{1} << (16 + Value::kFraction)) - (Value::kFraction < 15 ? 0 : 1));
+
+/// How many bits of a fraction a product with a difference of two values has room for.
+template <class Value>
+inline constexpr int kFractionBits = Value::kFraction < 15 ? 14 : 15;
 
 /// value * fraction, |value| <= 2^29, fraction with 16 fraction bits in 0...1, rounded down; 32-bit
 /// multiplies.
@@ -42,31 +54,44 @@ inline constexpr std::int32_t kMaxGradient = std::int32_t{1} << (16 + Linear::kF
 
 /// difference / (distance) as a gradient per unit, saturated at kMaxGradient; `difference` is a 16-bit
 /// attribute's, |difference| < 2^16; the distance is given by its reciprocal with `bits` fraction bits.
-[[nodiscard]] constexpr Linear gradient(std::int32_t difference, const Reciprocal& inverse, int bits) {
+template <class Value>
+[[nodiscard]] constexpr Value gradient(std::int32_t difference, const Reciprocal& inverse, int bits) {
   // 1/distance = mantissa * 2^(bits - exponent); the product with a 15-bit mantissa fits 32 bits.
+  constexpr std::int32_t kMax = kMaxGradient<Value>;
   const std::int32_t product = wrap_mul(difference, static_cast<std::int32_t>(inverse.mantissa >> 1));
-  const int shift = inverse.exponent - 1 - bits - Linear::kFraction;
-  if (shift >= 31) return Linear{};
+  const int shift = inverse.exponent - 1 - bits - Value::kFraction;
+  if (shift >= 31) return Value{};
   if (shift >= 1) {
     const std::int32_t slope = round_shift(product, shift);
-    return Linear::from_raw(slope > kMaxGradient    ? kMaxGradient
-                            : slope < -kMaxGradient ? -kMaxGradient
-                                                    : slope);
+    return Value::from_raw(slope > kMax ? kMax : slope < -kMax ? -kMax : slope);
   }
-  const std::int32_t limit = shift < -28 ? 0 : kMaxGradient >> -shift;
-  if (product > limit) return Linear::from_raw(kMaxGradient);
-  if (product < -limit) return Linear::from_raw(-kMaxGradient);
-  return Linear::from_raw(wrap_shl(product, -shift < 31 ? -shift : 0));
+  const std::int32_t limit = shift < -28 ? 0 : kMax >> -shift;
+  if (product > limit) return Value::from_raw(kMax);
+  if (product < -limit) return Value::from_raw(-kMax);
+  return Value::from_raw(wrap_shl(product, -shift < 31 ? -shift : 0));
+}
+
+/// difference * fraction, 0...1, in format `Value`.
+template <class Value>
+[[nodiscard]] constexpr std::int32_t part_of(std::int32_t difference, Factor fraction) {
+  constexpr int kBits = kFractionBits<Value>;
+  const std::int32_t product = wrap_mul(difference, fraction.raw() >> (Factor::kFraction - kBits));
+  if constexpr (kBits == Value::kFraction) {
+    return product;
+  } else {
+    return round_shift(product, kBits - Value::kFraction);
+  }
 }
 
 /// Attribute `from` at the top of an edge and `to` at its bottom, 16 bits each.
-[[nodiscard]] constexpr LinearEdge make_linear_edge(const EdgeSpan& edge, std::int32_t from,
-                                                    std::int32_t to) {
+template <class Value>
+[[nodiscard]] constexpr BasicLinearEdge<Value> make_linear_edge(const EdgeSpan& edge, std::int32_t from,
+                                                                std::int32_t to) {
   const std::int32_t difference = to - from;
-  const std::int32_t product = wrap_mul(difference, start_fraction(edge).raw() >> 1);  // 14 fraction bits
-  LinearEdge linear;
-  linear.at = Linear::from_raw(wrap_add(wrap_shl(from, Linear::kFraction), round_shift(product, 2)));
-  linear.step = gradient(difference, edge.inverse, Subpixel::kFraction);
+  const std::int32_t part = part_of<Value>(difference, start_fraction(edge));
+  BasicLinearEdge<Value> linear;
+  linear.at = Value::from_raw(wrap_add(wrap_shl(from, Value::kFraction), part));
+  linear.step = gradient<Value>(difference, edge.inverse, Subpixel::kFraction);
   return linear;
 }
 

@@ -77,19 +77,23 @@ struct TriangleFrame {
 };
 
 /// A 16-bit attribute with the given values at the top, middle and bottom vertex as a plane over the rows.
-template <class Method>
-[[nodiscard]] constexpr LinearPlane make_linear_plane(const TriangleFrame<Method>& frame, std::int32_t top,
-                                                      std::int32_t middle, std::int32_t bottom) {
-  LinearPlane plane;
-  const std::int32_t along = round_shift(wrap_mul(bottom - top, frame.middle_fraction.raw() >> 1), 14);
+template <class Value = Linear, class Method>
+[[nodiscard]] constexpr BasicLinearPlane<Value> make_linear_plane(const TriangleFrame<Method>& frame,
+                                                                  std::int32_t top, std::int32_t middle,
+                                                                  std::int32_t bottom) {
+  using Edge = BasicLinearEdge<Value>;
+  constexpr int kBits = kFractionBits<Value>;
+  BasicLinearPlane<Value> plane;
+  const std::int32_t fraction = frame.middle_fraction.raw() >> (Factor::kFraction - kBits);
+  const std::int32_t along = round_shift(wrap_mul(bottom - top, fraction), kBits);
   const std::int32_t across = middle - (top + along);
-  plane.dx = gradient(frame.middle_left ? -across : across, frame.inverse_width, 16);
+  plane.dx = gradient<Value>(frame.middle_left ? -across : across, frame.inverse_width, 16);
   if (frame.middle_left) {
-    plane.left = frame.has_upper ? make_linear_edge(frame.upper_edge, top, middle) : LinearEdge{};
-    plane.lower = frame.has_lower ? make_linear_edge(frame.lower_edge, middle, bottom) : LinearEdge{};
+    plane.left = frame.has_upper ? make_linear_edge<Value>(frame.upper_edge, top, middle) : Edge{};
+    plane.lower = frame.has_lower ? make_linear_edge<Value>(frame.lower_edge, middle, bottom) : Edge{};
   } else {
-    plane.left = make_linear_edge(frame.long_edge, top, bottom);
-    plane.lower = LinearEdge{};
+    plane.left = make_linear_edge<Value>(frame.long_edge, top, bottom);
+    plane.lower = Edge{};
   }
   return plane;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/keep.hpp>
+#include <arcspan/pixel/fine_rgb.hpp>
 #include <arcspan/shading/illumination.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/linear_walk.hpp>
@@ -14,9 +16,9 @@ struct Gouraud {
   struct Face {};
   using Vertex = DeepColour;
   struct Prepared {
-    LinearPlane r;
-    LinearPlane g;
-    LinearPlane b;
+    FullLinearPlane r;
+    FullLinearPlane g;
+    FullLinearPlane b;
     bool middle_left;
   };
   static constexpr bool kNeedsFaceNormal = false;
@@ -38,22 +40,22 @@ struct Gouraud {
     const Vertex& top = frame.top->shade;
     const Vertex& middle = frame.middle->shade;
     const Vertex& bottom = frame.bottom->shade;
-    prepared.r = make_linear_plane(frame, top.r, middle.r, bottom.r);
-    prepared.g = make_linear_plane(frame, top.g, middle.g, bottom.g);
-    prepared.b = make_linear_plane(frame, top.b, middle.b, bottom.b);
+    prepared.r = make_plane(frame, top.r, middle.r, bottom.r);
+    prepared.g = make_plane(frame, top.g, middle.g, bottom.g);
+    prepared.b = make_plane(frame, top.b, middle.b, bottom.b);
     prepared.middle_left = frame.middle_left;
   }
 
   struct Run {
-    Linear r;
-    Linear g;
-    Linear b;
-    Linear dr;
-    Linear dg;
-    Linear db;
+    FullLinear r;
+    FullLinear g;
+    FullLinear b;
+    FullLinear dr;
+    FullLinear dg;
+    FullLinear db;
 
-    [[nodiscard]] constexpr PackedRgb colour(const Object&) const {
-      return PackedRgb::of(level(r), level(g), level(b));
+    [[nodiscard]] constexpr FineRgb colour(const Object&) const {
+      return FineRgb::of(word(r), word(g), word(b));
     }
     constexpr void next() {
       r += dr;
@@ -62,11 +64,8 @@ struct Gouraud {
     }
 
    private:
-    /// 8 and 2 bits, half a step added; gradients have errors, so that a value may leave 0...255 by a little.
-    [[nodiscard]] static constexpr std::uint32_t level(Linear value) {
-      constexpr int kDrop = Linear::kFraction + 6;
-      const std::int32_t rounded = wrap_add(value.raw(), std::int32_t{1} << (kDrop + 1)) >> kDrop;
-      return static_cast<std::uint32_t>(rounded < 0 ? 0 : rounded > 1023 ? 1023 : rounded);
+    [[nodiscard]] static constexpr std::uint32_t word(FullLinear value) {
+      return static_cast<std::uint32_t>(value.raw());
     }
   };
 
@@ -84,6 +83,9 @@ struct Gouraud {
               p_->b.dx};
     }
     constexpr void next_row() {
+      keep_in_memory(p_->r.left.at);
+      keep_in_memory(p_->g.left.at);
+      keep_in_memory(p_->b.left.at);
       p_->r.next_row();
       p_->g.next_row();
       p_->b.next_row();
@@ -101,6 +103,19 @@ struct Gouraud {
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     return draw(Walker(prepared));
+  }
+
+ private:
+  /// With half an 8-bit step added, so that dropping bits rounds; and as it is far more than the error of a
+  /// plane, no value leaves 0...256 and no pixel needs a clamp.
+  [[nodiscard]] static constexpr FullLinearPlane make_plane(const TriangleFrame<Gouraud>& frame,
+                                                            std::int32_t top, std::int32_t middle,
+                                                            std::int32_t bottom) {
+    constexpr auto kHalf = FullLinear::from_raw(std::int32_t{1} << (FineRgb::kFraction - 1));
+    FullLinearPlane plane = make_linear_plane<FullLinear>(frame, top, middle, bottom);
+    plane.left.at += kHalf;
+    plane.lower.at += kHalf;
+    return plane;
   }
 };
 

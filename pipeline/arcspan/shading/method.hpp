@@ -12,10 +12,14 @@
 
 namespace arcspan {
 
+/// What a run gives of a pixel's colour.
+template <class C>
+concept RunColour = std::same_as<C, PackedRgb> || PackableColour<C>;
+
 /// The pixels of a row from left to right: `colour` of the one that it stands on, `next` goes on.
 template <class R, class Object>
 concept PixelRun = requires(R run, const Object& object) {
-  { run.colour(object) } -> std::same_as<PackedRgb>;
+  { run.colour(object) } -> RunColour;
   {run.next()};
 };
 

@@ -11,7 +11,6 @@
 #include <arcspan/status.hpp>
 
 #include <cstdint>
-#include <type_traits>
 
 /// The span stage: per row and per pixel only multiply, shift, add, compare and look up.
 namespace arcspan {
@@ -64,7 +63,7 @@ template <class Command, class Walker>
 [[gnu::always_inline]] constexpr void next_row(Command& command, Walker& shade) {
   keep_in_memory(command.left.x);
   keep_in_memory(command.right.x);
-  if constexpr (kManyRegisters) keep_in_memory(command.depth.left);
+  if constexpr (kManyRegisters) keep_in_memory(command.depth.left.at);
   command.left.advance();
   command.right.advance();
   command.depth.next_row();

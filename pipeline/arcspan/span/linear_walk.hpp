@@ -18,4 +18,11 @@ namespace arcspan {
   return first + Linear::from_raw(wrap_mul(plane.dx.raw(), start.skipped));
 }
 
+/// The same by one multiply for what lies within a pixel, with an error below 2: an 8-bit step has 256.
+[[nodiscard]] constexpr FullLinear linear_at(const FullLinearPlane& plane, const RowStart& start) {
+  const std::int32_t inside = wrap_mul(plane.dx.raw() >> 16, static_cast<std::int32_t>(start.fraction));
+  const std::int32_t skipped = wrap_mul(plane.dx.raw(), start.skipped);
+  return plane.left.at + FullLinear::from_raw(wrap_add(inside, skipped));
+}
+
 }  // namespace arcspan

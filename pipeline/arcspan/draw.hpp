@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 
 namespace arcspan {
@@ -150,8 +151,8 @@ class MeshDrawer {
     if (drawn_) ++result_.triangles;
   }
 
-  /// Draws what is left of a clipped triangle if it shows its front, or its `back`. Rare, so that its vertices
-  /// are made afresh.
+  /// Draws what is left of a clipped triangle if it shows its front, or its `back`. Rare, so that its
+  /// vertices are made afresh.
   [[gnu::noinline, gnu::cold]] void draw_clipped(const TriangleIndices& t, bool back) {
     ClipPolygon<Method> polygon;
     ClipPolygon<Method> spare;
@@ -235,7 +236,10 @@ class MeshDrawer {
       return;
     }
     TriangleCommand<Method> command;
-    if (!ok(result_.status) || !prepare_inside(object_, a, b, c, face, rows_, command)) return;
+    if (!ok(result_.status) ||
+        !prepare_inside<Method, Depth::kTests>(object_, a, b, c, face, rows_, command)) {
+      return;
+    }
     drawn_ = true;
     result_.status = draw_command_with(command, origin_, Target{clip_, object_, sink_, depth_, codes_});
   }

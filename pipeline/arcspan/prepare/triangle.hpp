@@ -144,7 +144,8 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
 }
 
 /// prepare_triangle() for vertices that are known to be inside the guard band, as those from project() are.
-template <class Method>
+/// Where no depth is tested, no plane of it is made.
+template <class Method, bool WithDepth = true>
 [[nodiscard]] constexpr bool prepare_inside(const typename Method::Object& object,
                                             const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                                             const RasterVertex<Method>& c, const typename Method::Face& face,
@@ -161,8 +162,12 @@ template <class Method>
   frame.middle_left = area < 0;
   command.middle_left = frame.middle_left;
   detail::place_edges(frame, command);
-  command.depth =
-      make_linear_plane(frame, frame.top->position.z, frame.middle->position.z, frame.bottom->position.z);
+  if constexpr (WithDepth) {
+    command.depth =
+        make_linear_plane(frame, frame.top->position.z, frame.middle->position.z, frame.bottom->position.z);
+  } else {
+    command.depth = LinearPlane{};
+  }
   Method::prepare(object, frame, face, command.shade);
   return true;
 }

@@ -48,31 +48,34 @@ template <class T>
   if (!std::is_constant_evaluated()) asm("" : "+m"(value));
 }
 
+template <class Target>
+inline constexpr bool kTestsDepth = std::remove_cvref_t<decltype(Target::depth)>::kTests;
+
 /// Steps a command's edges and attributes down by one row, in place.
-template <class Command, class Walker>
+template <class Target, class Command, class Walker>
 [[gnu::always_inline]] constexpr void next_row(Command& command, Walker& shade) {
   keep_in_memory(command.left.x);
   keep_in_memory(command.right.x);
   command.left.advance();
   command.right.advance();
-  command.depth.next_row();
+  if constexpr (kTestsDepth<Target>) command.depth.next_row();
   shade.next_row();
 }
 
 /// Changes to the lower edge on the side of the middle vertex.
-template <class Command, class Walker>
+template <class Target, class Command, class Walker>
 [[gnu::always_inline]] constexpr void enter_lower(Command& command, Walker& shade) {
   EdgeWalk& short_edge = command.middle_left ? command.left : command.right;
   short_edge.x = command.lower.x;  // member by member: small cores would call memcpy
   short_edge.step = command.lower.step;
-  command.depth.enter_lower(command.middle_left);
+  if constexpr (kTestsDepth<Target>) command.depth.enter_lower(command.middle_left);
   shade.enter_lower();
 }
 
 /// Steps over the rows y ... end - 1, which are not to be seen.
-template <class Command, class Walker>
+template <class Target, class Command, class Walker>
 constexpr void skip_rows(Command& command, Walker& shade, std::int32_t& y, std::int32_t end) {
-  for (; y < end; ++y) next_row(command, shade);
+  for (; y < end; ++y) next_row<Target>(command, shade);
 }
 
 /// From relative to the raster origin to columns of the picture.
@@ -94,8 +97,8 @@ template <class Command, class Walker, class Target>
   const std::int32_t middle = command.middle_row + origin.y;
   std::int32_t y = command.first_row + origin.y;
   for (std::int32_t half_end = middle < stop ? middle : stop;; half_end = stop) {
-    if (y < clip.top) skip_rows(command, shade, y, half_end < clip.top ? half_end : clip.top);
-    for (; y < half_end; ++y, next_row(command, shade)) {
+    if (y < clip.top) skip_rows<Target>(command, shade, y, half_end < clip.top ? half_end : clip.top);
+    for (; y < half_end; ++y, next_row<Target>(command, shade)) {
       const std::int32_t begin = command.left.column();
       const std::int32_t end_column = command.right.column();
       const std::int32_t first = begin < clip.left ? clip.left : begin;
@@ -105,7 +108,7 @@ template <class Command, class Walker, class Target>
       if (!ok(status)) return status;
     }
     if (y >= stop) return Status::kOk;
-    enter_lower(command, shade);
+    enter_lower<Target>(command, shade);
   }
 }
 

@@ -22,22 +22,52 @@ struct RasterOrigin {
 
 namespace detail {
 
+/// A walker for the few triangles that another will not do for, with much to set up for a run: its rows and
+/// its runs are functions of their own, which leaves the registers to the others.
+template <class Walker>
+concept WalksApart = bool{Walker::kApart};
+
+/// Draws one run of pixels, `span`, of the row that the walkers stand on and whose first column is `begin`.
+template <class Command, class Walker, class Target>
+[[gnu::always_inline, nodiscard]] constexpr Status draw_one_run(const Command& command, const Walker& shade,
+                                                                const Span& span, std::int32_t begin,
+                                                                const Target& target) {
+  const RowStart start = row_start(command.left, command.right, span.x - begin);
+  typename Walker::Run run = shade.row(start);
+  draw_run(target.sink.open(span), span, run, target, linear_at(command.depth, start), command.depth.dx);
+  return target.sink.close(span);
+}
+
+/// draw_one_run() in a function of its own: next to the rows it would not find registers enough.
+template <class Command, class Walker, class Target>
+[[gnu::noinline, nodiscard]] constexpr Status draw_run_apart(const Command& command, const Walker& shade,
+                                                             const Span& span, std::int32_t begin,
+                                                             const Target& target) {
+  const Target held = target;  // no reference, so that its members can be in registers too
+  return draw_one_run(command, shade, span, begin, held);
+}
+
 /// Draws the row that the walkers stand on; `begin` is its first column, `span` what is to be seen of it.
 template <class Command, class Walker, class Target>
 [[gnu::always_inline, nodiscard]] constexpr Status draw_row(const Command& command, const Walker& shade,
                                                             Span span, std::int32_t begin,
                                                             const Target& target) {
-  constexpr bool kOneRun = Walker::kLongestRun >= 2 * kGuardBand;
-  const std::int32_t last = span.x + span.count;
-  while (true) {
-    if (!kOneRun && span.count > Walker::kLongestRun) span.count = Walker::kLongestRun;
-    const RowStart start = row_start(command.left, command.right, span.x - begin);
-    typename Walker::Run run = shade.row(start);
-    draw_run(target.sink.open(span), span, run, target, linear_at(command.depth, start), command.depth.dx);
-    const Status status = target.sink.close(span);
-    span.x += span.count;
-    span.count = last - span.x;
-    if (kOneRun || !ok(status) || span.count == 0) return status;
+  if constexpr (Walker::kLongestRun >= 2 * kGuardBand) {
+    return draw_one_run(command, shade, span, begin, target);
+  } else {
+    const std::int32_t last = span.x + span.count;
+    while (true) {
+      if (span.count > Walker::kLongestRun) span.count = Walker::kLongestRun;
+      Status status;
+      if constexpr (WalksApart<Walker>) {
+        status = draw_run_apart(command, shade, span, begin, target);
+      } else {
+        status = draw_one_run(command, shade, span, begin, target);
+      }
+      span.x += span.count;
+      span.count = last - span.x;
+      if (!ok(status) || span.count == 0) return status;
+    }
   }
 }
 
@@ -128,8 +158,9 @@ template <ShadingMethod Method, class Target>
     return Status::kOk;
   }
   return Method::walk(command.shade, [&](auto walker) {
-    if constexpr (SegmentedRun<typename decltype(walker)::Run>) {
-      return draw_rows_apart(command, origin, walker, target);  // long rows, which can pay the call
+    // Long rows can pay the call.
+    if constexpr (SegmentedRun<typename decltype(walker)::Run> || WalksApart<decltype(walker)>) {
+      return draw_rows_apart(command, origin, walker, target);
     } else {
       return draw_rows(command, origin, walker, target);
     }

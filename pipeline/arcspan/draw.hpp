@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 
 namespace arcspan {
@@ -89,8 +90,14 @@ class MeshDrawer {
 
   void shade_vertex(std::size_t i, CachedVertex<Method>& vertex) const {
     if (vertex.shaded) return;
-    vertex.raster.shade = Method::shade_vertex(object_, unpack_normal(mesh_.normal(i)));
+    shade_afresh(i, vertex.raster.shade, false);
     vertex.shaded = true;
+  }
+
+  /// With the normal as it is, or turned for the `back`.
+  [[gnu::noinline]] void shade_afresh(std::size_t i, typename Method::Vertex& shade, bool back) const {
+    const Direction normal = unpack_normal(mesh_.normal(i));
+    shade = Method::shade_vertex(object_, back ? -normal : normal);
   }
 
   [[gnu::always_inline]] void draw_triangle(TriangleIndices t) {
@@ -135,32 +142,33 @@ class MeshDrawer {
                                        CachedVertex<Method>& c) {
     drawn_ = false;
     if ((a.outcode | b.outcode | c.outcode) != 0) {
-      shade_vertices(t, a, b, c);
-      draw_clipped(t, a.raster.shade, b.raster.shade, c.raster.shade, false);
+      draw_clipped(t, false);
       // A cut vertex has no normal in the mesh to turn, so the back is clipped with its own shading.
-      if (options_.two_sided) draw_clipped(t, turned_shade(t.a), turned_shade(t.b), turned_shade(t.c), true);
+      if (options_.two_sided) draw_clipped(t, true);
     } else {
       draw_projected(t, a, b, c);
     }
     if (drawn_) ++result_.triangles;
   }
 
-  /// Draws what is left of a clipped triangle if it shows its front, or its `back`.
-  void draw_clipped(const TriangleIndices& t, const typename Method::Vertex& a,
-                    const typename Method::Vertex& b, const typename Method::Vertex& c, bool back) {
+  /// Draws what is left of a clipped triangle if it shows its front, or its `back`. Rare, so that its
+  /// vertices are made afresh.
+  [[gnu::noinline, gnu::cold]] void draw_clipped(const TriangleIndices& t, bool back) {
     ClipPolygon<Method> polygon;
     ClipPolygon<Method> spare;
-    polygon.vertices[0] = {transform_(mesh_.position(t.a)), a};
-    polygon.vertices[1] = {transform_(mesh_.position(t.b)), b};
-    polygon.vertices[2] = {transform_(mesh_.position(t.c)), c};
-    polygon.count = 3;
+    polygon.count = 0;
+    for (const std::uint16_t i : {t.a, t.b, t.c}) {
+      ClipVertex<Method>& vertex = polygon.vertices[polygon.count++];
+      vertex.position = transform_(mesh_.position(i));
+      shade_afresh(i, vertex.shade, back);
+    }
     const ClipPolygon<Method>& inside = clip_polygon(polygon, spare, transform_.near_w());
     for (std::size_t i = 2; i < inside.count; ++i) {
       const Raster p = projected(inside.vertices[0]);
       const Raster q = projected(inside.vertices[i - 1]);
       const Raster r = projected(inside.vertices[i]);
       const std::int32_t area = doubled_area(p.position, q.position, r.position);
-      if (back ? area > 0 : area < 0) draw_side(t, p, q, r, back);
+      if (back ? area > 0 : area < 0) draw_side_rarely(t, p, q, r, back);
     }
   }
 
@@ -177,9 +185,25 @@ class MeshDrawer {
       shade_vertices(t, a, b, c);
       draw_side(t, a.raster, b.raster, c.raster, false);
     } else {
-      // Rare, so it is shaded afresh instead of being kept for every vertex.
-      draw_side(t, {p, turned_shade(t.a)}, {q, turned_shade(t.b)}, {r, turned_shade(t.c)}, true);
+      draw_back(t, p, q, r);
     }
+  }
+
+  /// Rare, so it is shaded afresh instead of being kept for every vertex.
+  [[gnu::noinline, gnu::cold]] void draw_back(const TriangleIndices& t, const RasterPosition& p,
+                                              const RasterPosition& q, const RasterPosition& r) {
+    Raster a{p, {}};
+    Raster b{q, {}};
+    Raster c{r, {}};
+    shade_afresh(t.a, a.shade, true);
+    shade_afresh(t.b, b.shade, true);
+    shade_afresh(t.c, c.shade, true);
+    draw_side_rarely(t, a, b, c, true);
+  }
+
+  [[gnu::noinline, gnu::cold]] void draw_side_rarely(const TriangleIndices& t, const Raster& a,
+                                                     const Raster& b, const Raster& c, bool back) {
+    draw_side(t, a, b, c, back);
   }
 
   void draw_side(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c, bool back) {
@@ -190,6 +214,11 @@ class MeshDrawer {
       face = Method::shade_face(object_, back ? -normal : normal);
     }
     if (draw_part(a, b, c, face, true)) return;
+    draw_split(a, b, c, face);
+  }
+
+  [[gnu::noinline, gnu::cold]] void draw_split(const Raster& a, const Raster& b, const Raster& c,
+                                               const typename Method::Face& face) {
     auto emit = [this, &face](const Raster& p, const Raster& q, const Raster& r) {
       (void)draw_part(p, q, r, face, false);
     };
@@ -206,15 +235,13 @@ class MeshDrawer {
       return true;
     }
     TriangleCommand<Method> command;
-    const Preparation prepared = prepare_inside(object_, a, b, c, face, rows_, may_split, command);
+    if (!ok(result_.status)) return true;
+    const Preparation prepared =
+        prepare_inside<Method, Depth::kTests>(object_, a, b, c, face, rows_, may_split, command);
     if (prepared != Preparation::kReady) return prepared == Preparation::kNothing;
     drawn_ = true;
     result_.status = draw_command_with(command, origin_, Target{clip_, object_, sink_, depth_, codes_});
     return true;
-  }
-
-  [[nodiscard]] typename Method::Vertex turned_shade(std::size_t index) const {
-    return Method::shade_vertex(object_, -unpack_normal(mesh_.normal(index)));
   }
 
   /// No pixel centre of the clip rectangle's columns lies between the leftmost and the rightmost vertex.

@@ -27,8 +27,8 @@ struct ClipPolygon {
 namespace detail {
 
 /// Signed distance of a vertex from a plane of the clip volume, positive inside.
-[[nodiscard]] constexpr std::int32_t plane_distance(const ClipPosition& p, ClipOutcode plane,
-                                                    std::int32_t near_w) {
+[[nodiscard, gnu::cold]] constexpr std::int32_t plane_distance(const ClipPosition& p, ClipOutcode plane,
+                                                               std::int32_t near_w) {
   switch (plane) {
     case kOutsideNear:
       return p.w - near_w;
@@ -49,9 +49,10 @@ namespace detail {
 /// Where the edge from `inside` to `outside` meets a plane. Always taken in this direction, so that the two
 /// triangles of a cut edge get the same vertex.
 template <class Method>
-[[nodiscard]] constexpr ClipVertex<Method> cut(const ClipVertex<Method>& inside,
-                                               const ClipVertex<Method>& outside,
-                                               std::int32_t inside_distance, std::int32_t outside_distance) {
+[[nodiscard, gnu::noinline, gnu::cold]] constexpr ClipVertex<Method> cut(const ClipVertex<Method>& inside,
+                                                                         const ClipVertex<Method>& outside,
+                                                                         std::int32_t inside_distance,
+                                                                         std::int32_t outside_distance) {
   // t = inside / (inside - outside), 30 fraction bits; the sum of magnitudes is below 2^32.
   const std::uint32_t whole =
       static_cast<std::uint32_t>(inside_distance) - static_cast<std::uint32_t>(outside_distance);
@@ -73,8 +74,8 @@ template <class Method>
 
 /// Sutherland and Hodgman against one plane, from `in` to `out`.
 template <class Method>
-constexpr void clip_to_plane(const ClipPolygon<Method>& in, ClipPolygon<Method>& out, ClipOutcode plane,
-                             std::int32_t near_w) {
+[[gnu::cold]] constexpr void clip_to_plane(const ClipPolygon<Method>& in, ClipPolygon<Method>& out,
+                                           ClipOutcode plane, std::int32_t near_w) {
   out.count = 0;
   for (std::size_t i = 0; i < in.count; ++i) {
     const ClipVertex<Method>& here = in.vertices[i];
@@ -94,9 +95,9 @@ constexpr void clip_to_plane(const ClipPolygon<Method>& in, ClipPolygon<Method>&
 /// Cuts `polygon` by the near plane and the four sides of the guard band; `spare` is scratch. Returns the one
 /// of the two that holds the result, whose count is 0 if nothing is left.
 template <class Method>
-[[nodiscard]] constexpr const ClipPolygon<Method>& clip_polygon(ClipPolygon<Method>& polygon,
-                                                                ClipPolygon<Method>& spare,
-                                                                std::int32_t near_w) {
+[[nodiscard, gnu::cold]] constexpr const ClipPolygon<Method>& clip_polygon(ClipPolygon<Method>& polygon,
+                                                                           ClipPolygon<Method>& spare,
+                                                                           std::int32_t near_w) {
   ClipPolygon<Method>* from = &polygon;
   ClipPolygon<Method>* to = &spare;
   for (const ClipOutcode plane : {kOutsideNear, kOutsideLeft, kOutsideRight, kOutsideTop, kOutsideBottom}) {

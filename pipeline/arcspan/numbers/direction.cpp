@@ -26,11 +26,14 @@ Direction normalised(std::int32_t x, std::int32_t y, std::int32_t z) {
   const std::uint32_t square = static_cast<std::uint32_t>(sx * sx) + static_cast<std::uint32_t>(sy * sy) +
                                static_cast<std::uint32_t>(sz * sz);
   const ReciprocalRoot length = reciprocal_root(square);
-  const auto component = [length](std::int32_t c) {
-    const std::int64_t product = std::int64_t{c} * length.mantissa;
-    const int down = length.exponent - DirectionComponent::kFraction;
-    const std::int64_t rounded = (product + (std::int64_t{1} << (down - 1))) >> down;
-    return DirectionComponent::from_raw(static_cast<std::int32_t>(rounded));
+  const int down = length.exponent - DirectionComponent::kFraction;  // 15 or 16
+  const std::uint32_t half = std::uint32_t{1} << (down - 1);
+  const auto component = [&](std::int32_t c) {
+    // At most 2^31 without the sign. A half is rounded up, whatever the sign.
+    const std::uint32_t product = magnitude(c) * length.mantissa;
+    const auto rounded =
+        static_cast<std::int32_t>((product + half - static_cast<std::uint32_t>(c < 0)) >> down);
+    return DirectionComponent::from_raw(c < 0 ? -rounded : rounded);
   };
   return {component(sx), component(sy), component(sz)};
 }

@@ -48,13 +48,6 @@ struct Normal {
   return static_cast<std::uint32_t>(wrap_add(wrap_add(wrap_mul(x, x), wrap_mul(y, y)), wrap_mul(z, z)));
 }
 
-/// A squared chord in the format `Angle`, rounded; it must fit.
-template <class Angle>
-[[nodiscard]] constexpr Angle chord_as(std::uint32_t chord) {
-  constexpr int kDrop = 28 - Angle::kFraction;
-  return Angle::from_raw(static_cast<std::int32_t>((chord + (1u << (kDrop - 1))) >> kDrop));
-}
-
 /// The unit vector along (x, y, z), whatever its length; the zero vector gives the zero vector.
 [[nodiscard]] Direction normalised(std::int32_t x, std::int32_t y, std::int32_t z);
 

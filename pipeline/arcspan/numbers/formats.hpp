@@ -21,13 +21,6 @@ using Unit = Fixed<std::int32_t, 30>;
 /// Q16.15, kept below 2 in magnitude so that a product of two fits 32 bits: one 16x16 multiply.
 using Factor = Fixed<std::int32_t, 15>;
 
-/// Squared chord or angle of a near arc, below 1/8 (20 degrees), of a middling one, below 1/2 (40 degrees),
-/// and of any up to 1.1 (60 degrees): as many bits as fit, for the error of an angle is an error of the
-/// shading.
-using NearAngle = Fixed<std::int32_t, 18>;
-using MiddleAngle = Fixed<std::int32_t, 16>;
-using WideAngle = Factor;
-
 /// Component of a unit normal, Q1.14 in 16 bits: [-1, 1].
 using NormalComponent = Fixed<std::int16_t, 14>;
 

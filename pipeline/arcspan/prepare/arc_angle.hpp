@@ -5,28 +5,26 @@
 #include <arcspan/prepare/recurrence.hpp>
 
 #include <cstdint>
+#include <initializer_list>
 
 namespace arcspan {
 
 /// psi^2 of a squared chord s = 2 - 2 cos(psi): s + s^2/12 + s^3/90 + s^4/560 (of 4 asin^2(sqrt(s)/2)); s at
 /// most 1.
-template <class Angle>
-[[nodiscard]] constexpr Angle angle_of_chord(Angle s) {
-  const Factor inner = Factor::of(1.0 / 90) + multiply<Factor>(s, Factor::of(1.0 / 560 + 0.0004));
-  const Factor outer = Factor::of(1.0 / 12) + multiply<Factor>(s, inner);
-  return s + multiply<Angle>(multiply<Angle>(s, s), outer);
+[[nodiscard, gnu::noinline]] constexpr Angle angle_of_chord(Angle s, ArcClass format) {
+  const Factor inner = Factor::of(1.0 / 90) + times_angle(Factor::of(1.0 / 560 + 0.0004), s, format);
+  const Factor outer = Factor::of(1.0 / 12) + times_angle(inner, s, format);
+  return s + multiply<Angle>(times_angle(s, s, format), outer);
 }
 
 /// psi / sin(psi) - 1 of a squared chord: s/6 + s^2/30 + s^3/140.
-template <class Angle>
-[[nodiscard]] constexpr Angle angle_over_sine_less_1(Angle s) {
-  const Factor inner = Factor::of(1.0 / 30) + multiply<Factor>(s, Factor::of(1.0 / 140 + 0.002));
-  return multiply<Angle>(s, Factor::of(1.0 / 6) + multiply<Factor>(s, inner));
+[[nodiscard]] constexpr Angle angle_over_sine_less_1(Angle s, ArcClass format) {
+  const Factor inner = Factor::of(1.0 / 30) + times_angle(Factor::of(1.0 / 140 + 0.002), s, format);
+  return multiply<Angle>(s, Factor::of(1.0 / 6) + times_angle(inner, s, format));
 }
 
 /// Squared chords between the three normals of a triangle with corner A: |A-B|^2, |A-C|^2, |B-C|^2; at
 /// most 1.
-template <class Angle>
 struct CornerChords {
   Angle ab;
   Angle ac;
@@ -37,28 +35,30 @@ struct CornerChords {
 /// at the fraction `t`. There the law of cosines is the plane one for the tangents psi/sin(psi) (B - A cos
 /// psi),
 ///     psi_row^2 = psi_ab^2 + t^2 psi_ac^2 - 2 t T_ab·T_ac.
-template <class Angle>
-[[nodiscard]] constexpr Angle row_angle_at_corner(const CornerChords<Angle>& s, Factor t) {
+[[nodiscard, gnu::noinline]] constexpr Angle row_angle_at_corner(const CornerChords& s, ArcClass format,
+                                                                 Factor t) {
   const Angle edges = Angle::from_raw((s.ab.raw() + s.ac.raw() - s.bc.raw()) / 2);
-  Angle tangents = edges - Angle::from_raw(multiply<Angle>(s.ab, s.ac).raw() >> 2);
-  tangents += multiply<Angle>(tangents, angle_over_sine_less_1(s.ab));
-  tangents += multiply<Angle>(tangents, angle_over_sine_less_1(s.ac));
-  const Angle far = multiply<Angle>(multiply<Factor>(t, t), angle_of_chord(s.ac));
+  Angle tangents = edges - Angle::from_raw(times_angle(s.ab, s.ac, format).raw() >> 2);
+  for (const Angle side : {s.ab, s.ac}) {
+    tangents += times_angle(tangents, angle_over_sine_less_1(side, format), format);
+  }
+  const Angle far = multiply<Angle>(multiply<Factor>(t, t), angle_of_chord(s.ac, format));
   const Angle cross = multiply<Angle>(t, tangents);
-  const Angle row = angle_of_chord(s.ab) + far - cross - cross;
+  const Angle row = angle_of_chord(s.ab, format) + far - cross - cross;
   return row.raw() < 0 ? Angle{} : row;
 }
 
 /// Squared angle of the row through B: from B to the point of the arc AC at the fraction t from A.
 /// With N = w(1-t) A + w(t) C:  |N - B|^2 = w(1-t) |A-B|^2 + w(t) |B-C|^2 - 2 (w(1-t) + w(t) - 1).
-template <class Angle>
-[[nodiscard]] constexpr Angle row_angle_at_middle(const CornerChords<Angle>& s, Factor t) {
-  const ArcStart<Angle> at = arc_start(angle_of_chord(s.ac), t, Factor{});
-  const Factor half_sum = Factor::of(0.5) + Factor::from_raw(convert<Factor>(at.even).raw() >> 1);
+[[nodiscard]] constexpr Angle row_angle_at_middle(const CornerChords& s, ArcClass format, Factor t) {
+  const ArcStart at = arc_start(angle_of_chord(s.ac, format), format, t, Factor{});
+  const int drop = fraction_bits(format) - Factor::kFraction;
+  const std::int32_t even = drop == 0 ? at.even.raw() : round_shift(at.even.raw(), drop);
+  const Factor half_sum = Factor::of(0.5) + Factor::from_raw(even >> 1);
   const Factor weight_c = half_sum + at.odd;
   const Factor weight_a = half_sum - at.odd;
   const Angle chord = multiply<Angle>(weight_a, s.ab) + multiply<Angle>(weight_c, s.bc) - at.even - at.even;
-  return chord.raw() < 0 ? Angle{} : angle_of_chord(chord);
+  return chord.raw() < 0 ? Angle{} : angle_of_chord(chord, format);
 }
 
 }  // namespace arcspan

@@ -17,7 +17,8 @@ struct ArcEdge {
   std::array<ArcScalar, Count> scalars;
   ArcStep step;
 
-  constexpr void advance() {
+  /// A call: what it takes does not fit beside the rows anyway.
+  [[gnu::noinline]] constexpr void advance() {
     unrolled<Count>([this](auto i) { scalars[i].fine_step(step); });
   }
 };
@@ -40,21 +41,6 @@ struct ArcFraction {
   return {inverse.mantissa, exponent};
 }
 
-/// Which format of angle an arc, or the rows of a triangle, are worked out in.
-enum class ArcClass : std::uint8_t { kNear, kMiddle, kWide };
-
-/// By the squared chord of the widest arc concerned, 28 fraction bits: 0.119 keeps angles below 1/8, 0.47
-/// below 1/2.
-[[nodiscard]] constexpr ArcClass arc_class(std::uint32_t chord) {
-  return chord <= 31943819u ? ArcClass::kNear : chord <= 126164664u ? ArcClass::kMiddle : ArcClass::kWide;
-}
-
-/// Calls `f` with a value of the class's format of angle.
-template <class F>
-constexpr decltype(auto) with_angle(ArcClass c, F&& f) {
-  return c == ArcClass::kNear ? f(NearAngle{}) : c == ArcClass::kMiddle ? f(MiddleAngle{}) : f(WideAngle{});
-}
-
 /// How many bits of a Q1.30 slope are dropped before it meets the 16-bit mantissa of a fraction: slopes of
 /// near arcs are below 1/2, of arcs up to a squared chord of 1/3 below 1, of wider ones below 2.
 [[nodiscard]] constexpr int slope_drop(std::uint32_t chord) {
@@ -75,45 +61,41 @@ struct SlopeScale {
 }
 
 /// One scalar at its start on an arc from value `from` to value `to` (see ArcStart); five 16-bit multiplies.
-template <class Angle>
-[[nodiscard]] constexpr ArcScalar start_scalar(const ArcStart<Angle>& start, const SlopeScale& scale,
-                                               Unit from, Unit to) {
+/// `format` is that of `start`.
+[[nodiscard]] constexpr ArcScalar start_scalar(const ArcStart& start, ArcClass format,
+                                               const SlopeScale& scale, Unit from, Unit to) {
   const std::int32_t middle30 = wrap_add(from.raw() >> 1, to.raw() >> 1);
   const Factor middle = Factor::from_raw(round_shift(middle30, 15));
   const Factor rise = Factor::from_raw(round_shift(wrap_sub(to.raw(), from.raw()), 15));
+  const int drop = fraction_bits(format) + Factor::kFraction - Unit::kFraction;
+  const auto of_middle = [middle, drop](Angle share) {
+    return Unit::from_raw(wrap_mul(share.raw(), middle.raw()) >> drop);
+  };
   ArcScalar scalar;
-  scalar.x =
-      Unit::from_raw(middle30) + multiply_floor<Unit>(start.even, middle) + multiply<Unit>(start.odd, rise);
-  const Unit slope = multiply<Unit>(start.slope_odd, rise) + multiply_floor<Unit>(start.slope_even, middle);
+  scalar.x = Unit::from_raw(middle30) + of_middle(start.even) + multiply<Unit>(start.odd, rise);
+  const Unit slope = multiply<Unit>(start.slope_odd, rise) + of_middle(start.slope_even);
   // d is rounded down: half a unit of 2^-30 a step is nothing over the longest row.
   scalar.d = Unit::from_raw(wrap_mul(round_shift(slope.raw(), scale.drop), scale.mantissa) >> scale.down);
   return scalar;
 }
 
-namespace detail {
-
-template <class Angle, std::size_t Count>
-constexpr void start_arc_edge(const EdgeSpan& edge, std::uint32_t chord, const std::array<Unit, Count>& from,
-                              const std::array<Unit, Count>& to, ArcEdge<Count>& arc) {
-  const Angle angle2 = angle_of_chord(chord_as<Angle>(chord));
-  const ArcFraction row = arc_fraction(edge.inverse, Subpixel::kFraction);
-  const ArcStart<Angle> start = arc_start(angle2, start_fraction(edge), row.factor());
-  // A difference is a slope below 2 times a, so that many of its leading bits are free; two stay so for k.
-  const int fine = row.exponent > 18 ? row.exponent - 18 : 0;
-  const SlopeScale scale = slope_scale(row, slope_drop(chord), fine);
-  for (std::size_t i = 0; i < Count; ++i) arc.scalars[i] = start_scalar(start, scale, from[i], to[i]);
-  arc.step = arc_step(angle2, row.mantissa, row.exponent, fine);
-}
-
-}  // namespace detail
-
 /// Scalars on their way down an edge, from the values `from` at its top to `to` at its bottom. `chord` is the
 /// squared chord of the normals there.
 template <std::size_t Count>
-constexpr void make_arc_edge(const EdgeSpan& edge, std::uint32_t chord, const std::array<Unit, Count>& from,
-                             const std::array<Unit, Count>& to, ArcEdge<Count>& arc) {
-  with_angle(arc_class(chord),
-             [&](auto angle) { detail::start_arc_edge<decltype(angle)>(edge, chord, from, to, arc); });
+[[gnu::noinline]] constexpr void make_arc_edge(const EdgeSpan& edge, std::uint32_t chord,
+                                               const std::array<Unit, Count>& from,
+                                               const std::array<Unit, Count>& to, ArcEdge<Count>& arc) {
+  const ArcClass format = arc_class(chord);
+  const Angle angle2 = angle_of_chord(chord_angle(chord, format), format);
+  const ArcFraction row = arc_fraction(edge.inverse, Subpixel::kFraction);
+  const ArcStart start = arc_start(angle2, format, start_fraction(edge), row.factor());
+  // A difference is a slope below 2 times a, so that many of its leading bits are free; two stay so for k.
+  const int fine = row.exponent > 18 ? row.exponent - 18 : 0;
+  const SlopeScale scale = slope_scale(row, slope_drop(chord), fine);
+  for (std::size_t i = 0; i < Count; ++i) {
+    arc.scalars[i] = start_scalar(start, format, scale, from[i], to[i]);
+  }
+  arc.step = arc_step(angle2.raw(), fraction_bits(format), row.mantissa, row.exponent, fine);
 }
 
 }  // namespace arcspan

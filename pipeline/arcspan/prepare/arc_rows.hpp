@@ -15,7 +15,7 @@ namespace arcspan {
 /// since psi/t is an even function of t; the first is exact at both ends, the error between them is of the
 /// sixth order in the angle (2.4e-5 of psi^2 at 30 degrees, 2.8e-3 at 60).
 struct ArcRows {
-  std::int32_t corner;  ///< 15 fraction bits, or 18 for near rows
+  std::int32_t corner;  ///< in the rows' ArcClass
   std::int32_t rise;
   std::int32_t k_corner;
   std::int32_t k_rise;
@@ -27,14 +27,14 @@ struct ArcRows {
 /// Rows of a half triangle. `at_corner` and `at_middle` are psi^2 as of arc_angle.hpp, `width` the reciprocal
 /// of the row's length in pixels at the middle vertex. `edge` is the half's short edge; `from_top` tells at
 /// which of its ends the corner is.
-template <class Angle>
-constexpr void make_arc_rows(Angle at_corner, Angle at_middle, const Reciprocal& width, const EdgeSpan& edge,
-                             bool from_top, ArcRows& rows) {
+[[gnu::noinline]] constexpr void make_arc_rows(Angle at_corner, Angle at_middle, ArcClass format,
+                                               const Reciprocal& width, const EdgeSpan& edge, bool from_top,
+                                               ArcRows& rows) {
   rows.corner = at_corner.raw();
   rows.rise = (at_middle - at_corner).raw();
   const ArcFraction pixel = arc_fraction(width, 16);
-  const ArcStep corner = arc_step(at_corner, pixel.mantissa, pixel.exponent, 0);
-  const ArcStep middle = arc_step(at_middle, pixel.mantissa, pixel.exponent, 0);
+  const ArcStep corner = arc_step(at_corner.raw(), fraction_bits(format), pixel.mantissa, pixel.exponent, 0);
+  const ArcStep middle = arc_step(at_middle.raw(), fraction_bits(format), pixel.mantissa, pixel.exponent, 0);
   rows.k_shift = corner.shift < middle.shift ? corner.shift : middle.shift;
   rows.k_corner = corner.mantissa >> (corner.shift - rows.k_shift);
   rows.k_rise = (middle.mantissa >> (middle.shift - rows.k_shift)) - rows.k_corner;

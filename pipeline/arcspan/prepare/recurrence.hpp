@@ -50,15 +50,16 @@ struct ArcScalar {
   }
 };
 
-/// k of an arc whose squared angle is `angle2` and whose step is the fraction a = mantissa * 2^-exponent of
-/// it, mantissa in [2^15, 2^16], exponent >= 16 (a <= 1): phi^2 = a^2 psi^2, k = phi^2 (1 - phi^2/12).
-template <class Angle>
-[[nodiscard]] constexpr ArcStep arc_step(Angle angle2, std::uint32_t mantissa, int exponent, int fine) {
+/// k of an arc whose squared angle is `angle2`, with `bits` fraction bits, and whose step is the fraction a =
+/// mantissa * 2^-exponent of it, mantissa in [2^15, 2^16], exponent >= 16 (a <= 1): phi^2 = a^2 psi^2, k =
+/// phi^2 (1 - phi^2/12).
+[[nodiscard, gnu::noinline]] constexpr ArcStep arc_step(std::int32_t angle2, int bits, std::uint32_t mantissa,
+                                                        int exponent, int fine) {
   // phi^2 = wide * 2^-(30 + scale), wide below 1.1 * 2^30.
   const std::uint32_t half = mantissa >> 1;
-  const std::uint32_t once = (static_cast<std::uint32_t>(angle2.raw()) * half + (1u << 14)) >> 15;
+  const std::uint32_t once = (static_cast<std::uint32_t>(angle2) * half + (1u << 14)) >> 15;
   std::uint32_t wide = once * half;
-  const int scale = 2 * (exponent - 16) + Angle::kFraction - 15;
+  const int scale = 2 * (exponent - 16) + bits - 15;
   if (wide == 0) return {0, 31, fine};
   if (scale < 16) {
     const std::uint32_t phi2 = wide >> (15 + scale);  // 15 fraction bits

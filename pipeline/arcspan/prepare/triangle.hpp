@@ -177,7 +177,7 @@ constexpr void place_vertices(const RasterVertex<Method>& a, const RasterVertex<
 }
 
 /// The command of a frame whose vertices are placed; false if there is nothing to draw.
-template <class Method>
+template <bool WithDepth, class Method>
 [[nodiscard]] constexpr bool prepare_frame(const typename Method::Object& object,
                                            TriangleFrame<Method>& frame, const typename Method::Face& face,
                                            const RowRange& rows, TriangleCommand<Method>& command) {
@@ -186,8 +186,12 @@ template <class Method>
   frame.middle_left = area < 0;
   command.middle_left = frame.middle_left;
   place_edges(frame, command);
-  command.depth =
-      make_linear_plane(frame, frame.top->position.z, frame.middle->position.z, frame.bottom->position.z);
+  if constexpr (WithDepth) {
+    command.depth =
+        make_linear_plane(frame, frame.top->position.z, frame.middle->position.z, frame.bottom->position.z);
+  } else {
+    command.depth = LinearPlane{};
+  }
   Method::prepare(object, frame, face, command.shade);
   return true;
 }
@@ -231,7 +235,8 @@ enum class Preparation : std::uint8_t {
 
 /// prepare_triangle() for vertices that are known to be inside the guard band, as those from project() are.
 /// kTooWide only if the triangle `may_split`; otherwise it is drawn as well as the method can.
-template <class Method>
+/// Where no depth is tested, no plane of it is made.
+template <class Method, bool WithDepth = true>
 [[nodiscard]] constexpr Preparation prepare_inside(const typename Method::Object& object,
                                                    const RasterVertex<Method>& a,
                                                    const RasterVertex<Method>& b,
@@ -241,7 +246,7 @@ template <class Method>
   TriangleFrame<Method> frame;
   detail::place_vertices(a, b, c, frame);
   if (may_split && detail::is_too_wide_in(frame)) return Preparation::kTooWide;
-  return detail::prepare_frame(object, frame, face, rows, command) ? Preparation::kReady
+  return detail::prepare_frame<WithDepth>(object, frame, face, rows, command) ? Preparation::kReady
                                                                    : Preparation::kNothing;
 }
 
@@ -257,7 +262,7 @@ template <class Method>
   if (!in_guard_band(a.position) || !in_guard_band(b.position) || !in_guard_band(c.position)) return false;
   TriangleFrame<Method> frame;
   detail::place_vertices(a, b, c, frame);
-  return detail::prepare_frame(object, frame, face, rows, command);
+  return detail::prepare_frame<true>(object, frame, face, rows, command);
 }
 
 }  // namespace arcspan

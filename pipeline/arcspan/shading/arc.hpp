@@ -51,7 +51,7 @@ struct Arc {
   }
 
   /// The vertex at the fraction t of the arc from a to b. Wide arcs are halved until the series hold.
-  [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
+  [[nodiscard, gnu::cold]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
     Vertex from = a;
     Vertex to = b;
     constexpr Factor kHalf = Factor::of(0.5);
@@ -133,39 +133,44 @@ struct Arc {
   }
 
  private:
+  /// The root is of the raw value, 15 fraction bits up: 1/sqrt(value) = 2^7.5 / sqrt(raw), 46341 = 2^15.5.
+  [[nodiscard, gnu::noinline, gnu::cold]] static constexpr std::int64_t scaled(std::int64_t sum,
+                                                                               const ReciprocalRoot& root) {
+    const std::int64_t product = ((sum * root.mantissa) >> 8) * 46341;
+    return (product + (std::int64_t{1} << (root.exponent - 1))) >> root.exponent;
+  }
+
   /// Middle of an arc by dichotomy: (a + b) / sqrt(2 + z), z = 2 a·b = 2 - s. Opposite normals have no middle
   /// and give the zero vector, which is dark.
-  [[nodiscard]] static constexpr Vertex middle_of(const Vertex& a, const Vertex& b) {
-    const Factor rest = Factor::of(4.0) - chord_as<Factor>(squared_chord(a.normal, b.normal));
-    ReciprocalRoot root = reciprocal_root(static_cast<std::uint32_t>(rest.raw()));
-    if (rest.raw() <= 64) root.mantissa = 0;
-    // The root is of the raw value, 15 fraction bits up: 1/sqrt(value) = 2^7.5 / sqrt(raw), 46341 = 2^15.5.
-    const auto scaled = [&root](std::int64_t sum) {
-      const std::int64_t product = ((sum * root.mantissa) >> 8) * 46341;
-      return (product + (std::int64_t{1} << (root.exponent - 1))) >> root.exponent;
-    };
-    const auto component = [&scaled](NormalComponent p, NormalComponent q) {
-      return NormalComponent::from_raw(static_cast<std::int16_t>(scaled(std::int64_t{p.raw()} + q.raw())));
+  [[nodiscard, gnu::cold]] static constexpr Vertex middle_of(const Vertex& a, const Vertex& b) {
+    const std::int32_t rest =
+        Factor::of(4.0).raw() - chord_angle(squared_chord(a.normal, b.normal), ArcClass::kWide).raw();
+    ReciprocalRoot root = reciprocal_root(static_cast<std::uint32_t>(rest));
+    if (rest <= 64) root.mantissa = 0;
+    const auto component = [&root](NormalComponent p, NormalComponent q) {
+      return NormalComponent::from_raw(
+          static_cast<std::int16_t>(scaled(std::int64_t{p.raw()} + q.raw(), root)));
     };
     Vertex middle;
     middle.normal = {component(a.normal.x, b.normal.x), component(a.normal.y, b.normal.y),
                      component(a.normal.z, b.normal.z)};
     for (std::size_t i = 0; i < kScalars; ++i) {
       middle.scalars[i] = Unit::from_raw(
-          static_cast<std::int32_t>(scaled(std::int64_t{a.scalars[i].raw()} + b.scalars[i].raw())));
+          static_cast<std::int32_t>(scaled(std::int64_t{a.scalars[i].raw()} + b.scalars[i].raw(), root)));
     }
     return middle;
   }
 
   /// S0 eq. 2 at the fraction t of an arc of at most 60 degrees.
-  [[nodiscard]] static constexpr Vertex on_arc(const Vertex& a, const Vertex& b, Factor t) {
-    const Factor chord = chord_as<Factor>(squared_chord(a.normal, b.normal));
-    const ArcStart<Factor> at = arc_start(angle_of_chord(chord), t, Factor{});
+  [[nodiscard, gnu::cold]] static constexpr Vertex on_arc(const Vertex& a, const Vertex& b, Factor t) {
+    constexpr ArcClass kFormat = ArcClass::kWide;
+    const Angle angle = angle_of_chord(chord_angle(squared_chord(a.normal, b.normal), kFormat), kFormat);
+    const ArcStart at = arc_start(angle, kFormat, t, Factor{});
     const auto component = [&at](NormalComponent p, NormalComponent q) {
       const Factor middle =
           Factor::from_raw(std::int32_t{p.raw()} + q.raw());  // 14 bits summed: 15 bits of the mean
       const Factor rise = Factor::from_raw((std::int32_t{q.raw()} - p.raw()) * 2);
-      const Factor sum = middle + multiply<Factor>(at.even, middle) + multiply<Factor>(at.odd, rise);
+      const Factor sum = middle + times_angle(middle, at.even, kFormat) + multiply<Factor>(at.odd, rise);
       return NormalComponent::from_raw(static_cast<std::int16_t>(round_shift(sum.raw(), 1)));
     };
     constexpr SlopeScale kWholeArc = slope_scale(ArcFraction{}, 15, 0);  // only x is wanted of start_scalar()
@@ -173,7 +178,7 @@ struct Arc {
     point.normal = {component(a.normal.x, b.normal.x), component(a.normal.y, b.normal.y),
                     component(a.normal.z, b.normal.z)};
     for (std::size_t i = 0; i < kScalars; ++i) {
-      point.scalars[i] = start_scalar(at, kWholeArc, a.scalars[i], b.scalars[i]).x;
+      point.scalars[i] = start_scalar(at, kFormat, kWholeArc, a.scalars[i], b.scalars[i]).x;
     }
     return point;
   }

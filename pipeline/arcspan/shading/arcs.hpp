@@ -26,21 +26,23 @@ struct Arcs {
 
 namespace detail {
 
-template <class Angle, class Frame, std::size_t Count>
+template <class Frame, std::size_t Count>
 constexpr void prepare_arc_rows(const Frame& frame, const TriangleChords& chords, Arcs<Count>& arcs) {
-  const Angle top_middle = chord_as<Angle>(chords.top_middle);
-  const Angle top_bottom = chord_as<Angle>(chords.top_bottom);
-  const Angle middle_bottom = chord_as<Angle>(chords.middle_bottom);
-  const CornerChords<Angle> from_top{top_middle, top_bottom, middle_bottom};
-  const CornerChords<Angle> from_bottom{middle_bottom, top_bottom, top_middle};
-  const Angle at_middle = row_angle_at_middle(from_top, frame.middle_fraction);
+  const ArcClass format = arcs.rows;
+  const Angle top_middle = chord_angle(chords.top_middle, format);
+  const Angle top_bottom = chord_angle(chords.top_bottom, format);
+  const Angle middle_bottom = chord_angle(chords.middle_bottom, format);
+  const CornerChords from_top{top_middle, top_bottom, middle_bottom};
+  const CornerChords from_bottom{middle_bottom, top_bottom, top_middle};
+  const Angle at_middle = row_angle_at_middle(from_top, format, frame.middle_fraction);
   if (frame.has_upper) {
-    const Angle at_top = row_angle_at_corner(from_top, frame.middle_fraction);
-    make_arc_rows(at_top, at_middle, frame.inverse_width, frame.upper_edge, true, arcs.upper_rows);
+    const Angle at_top = row_angle_at_corner(from_top, format, frame.middle_fraction);
+    make_arc_rows(at_top, at_middle, format, frame.inverse_width, frame.upper_edge, true, arcs.upper_rows);
   }
   if (frame.has_lower) {
-    const Angle at_bottom = row_angle_at_corner(from_bottom, Factor::of(1.0) - frame.middle_fraction);
-    make_arc_rows(at_bottom, at_middle, frame.inverse_width, frame.lower_edge, false, arcs.lower_rows);
+    const Angle at_bottom = row_angle_at_corner(from_bottom, format, Factor::of(1.0) - frame.middle_fraction);
+    make_arc_rows(at_bottom, at_middle, format, frame.inverse_width, frame.lower_edge, false,
+                  arcs.lower_rows);
   }
 }
 
@@ -48,7 +50,8 @@ constexpr void prepare_arc_rows(const Frame& frame, const TriangleChords& chords
 
 /// `Frame` is a TriangleFrame whose vertices carry `scalars`.
 template <class Frame, std::size_t Count>
-constexpr void make_arcs(const Frame& frame, const TriangleChords& chords, Arcs<Count>& arcs) {
+[[gnu::noinline]] constexpr void make_arcs(const Frame& frame, const TriangleChords& chords,
+                                           Arcs<Count>& arcs) {
   const auto& top = frame.top->shade.scalars;
   const auto& middle = frame.middle->shade.scalars;
   const auto& bottom = frame.bottom->shade.scalars;
@@ -58,7 +61,7 @@ constexpr void make_arcs(const Frame& frame, const TriangleChords& chords, Arcs<
   const std::uint32_t widest = chords.widest();
   arcs.slope_drop = slope_drop(widest);
   arcs.rows = arc_class(widest);
-  with_angle(arcs.rows, [&](auto angle) { detail::prepare_arc_rows<decltype(angle)>(frame, chords, arcs); });
+  detail::prepare_arc_rows(frame, chords, arcs);
   arcs.middle_left = frame.middle_left;
 }
 
@@ -119,12 +122,30 @@ class ArcWalker {
   /// The recurrence's rounding adds up to m^2 / 4 units of 2^-30: 1.5e-5 over 256 pixels, then the row starts
   /// anew.
   static constexpr std::int32_t kLongestRun = 256;
+  static constexpr bool kApart = true;
 
   constexpr explicit ArcWalker(Arcs<kScalars>& arcs)
       : arcs_(&arcs), short_(&arcs.upper_edge), rows_(&arcs.upper_rows) {}
 
-  [[nodiscard]] constexpr Run row(const RowStart& start) const {
-    return with_angle(arcs_->rows, [&](auto angle) { return row_as<decltype(angle)>(start); });
+  [[nodiscard, gnu::always_inline]] constexpr Run row(const RowStart& start) const {
+    const Factor t = Factor::from_raw(rows_->t >> 15);
+    const Factor t2 = multiply<Factor>(t, t);
+    const Angle angle2 = multiply<Angle>(
+        t2, Angle::from_raw(rows_->corner) + multiply<Angle>(t2, Angle::from_raw(rows_->rise)));
+    const std::int32_t mantissa = wrap_add(rows_->k_corner, wrap_mul(rows_->k_rise, t2.raw()) >> 15);
+
+    const Reciprocal inverse = nonzero_reciprocal(start.width);
+    const ArcFraction pixel = arc_fraction(inverse, start.bits);
+    const ArcStart arc = arc_start(angle2, arcs_->rows, fraction_of_row(start, inverse), pixel.factor());
+    const SlopeScale scale = slope_scale(pixel, static_cast<int>(arcs_->slope_drop), 0);
+
+    const ArcEdge<kScalars>& left = arcs_->middle_left ? *short_ : arcs_->long_edge;
+    const ArcEdge<kScalars>& right = arcs_->middle_left ? arcs_->long_edge : *short_;
+    Run run(mantissa, rows_->k_shift);
+    unrolled<kScalars>([&](auto i) {
+      run.scalar(i) = start_scalar(arc, arcs_->rows, scale, left.scalars[i].x, right.scalars[i].x);
+    });
+    return run;
   }
 
   constexpr void next_row() {
@@ -138,27 +159,6 @@ class ArcWalker {
   }
 
  private:
-  template <class Angle>
-  [[nodiscard]] constexpr Run row_as(const RowStart& start) const {
-    const Factor t = Factor::from_raw(rows_->t >> 15);
-    const Factor t2 = multiply<Factor>(t, t);
-    const Angle angle2 = multiply<Angle>(
-        t2, Angle::from_raw(rows_->corner) + multiply<Angle>(t2, Angle::from_raw(rows_->rise)));
-    const std::int32_t mantissa = wrap_add(rows_->k_corner, wrap_mul(rows_->k_rise, t2.raw()) >> 15);
-
-    const Reciprocal inverse = nonzero_reciprocal(start.width);
-    const ArcFraction pixel = arc_fraction(inverse, start.bits);
-    const ArcStart<Angle> arc = arc_start(angle2, fraction_of_row(start, inverse), pixel.factor());
-    const SlopeScale scale = slope_scale(pixel, static_cast<int>(arcs_->slope_drop), 0);
-
-    const ArcEdge<kScalars>& left = arcs_->middle_left ? *short_ : arcs_->long_edge;
-    const ArcEdge<kScalars>& right = arcs_->middle_left ? arcs_->long_edge : *short_;
-    Run run(mantissa, rows_->k_shift);
-    unrolled<kScalars>(
-        [&](auto i) { run.scalar(i) = start_scalar(arc, scale, left.scalars[i].x, right.scalars[i].x); });
-    return run;
-  }
-
   /// Where the row's first pixel is between its ends, 0...1; `inverse` is the width's reciprocal.
   [[nodiscard]] static constexpr Factor fraction_of_row(const RowStart& start, const Reciprocal& inverse) {
     const std::uint32_t inside = start.inside < start.width ? start.inside : start.width;

@@ -24,12 +24,11 @@ struct RasterOrigin {
 namespace detail {
 
 /// Where a command's present row lies in memory.
-template <class Sink>
+template <class Target>
 struct RowMemory {
-  PixelRows<Sink> pixels;
-  DepthRows depths;
+  PixelRows<typename Target::Sink> pixels;
+  DepthRows<typename Target::Depth> depths;
 
-  template <class Target>
   constexpr RowMemory(const Target& target, std::int32_t y)
       : pixels(target.sink, y), depths(target.depth, y) {}
   constexpr void next() {
@@ -38,52 +37,85 @@ struct RowMemory {
   }
 };
 
+/// A walker for the few triangles that another will not do for, with much to set up for a run: its rows and
+/// its runs are functions of their own, which leaves the registers to the others.
+template <class Walker>
+concept WalksApart = bool{Walker::kApart};
+
+/// Draws one run of pixels, `span`, of the row that the walkers stand on and whose first column is `begin`.
+template <class Command, class Walker, class Target>
+[[gnu::always_inline, nodiscard]] constexpr Status draw_one_run(const Command& command, const Walker& shade,
+                                                                const Span& span, std::int32_t begin,
+                                                                const Target& target,
+                                                                const RowMemory<Target>& memory) {
+  const RowStart start = row_start(command.left, command.right, span.x - begin);
+  typename Walker::Run run = shade.row(start);
+  draw_run(memory.pixels.open(span), memory.depths.at(span.x), span, run, target,
+           linear_at(command.depth, start), command.depth.dx);
+  return target.sink.close(span);
+}
+
+/// draw_one_run() in a function of its own: next to the rows it would not find registers enough.
+template <class Command, class Walker, class Target>
+[[gnu::noinline, nodiscard]] constexpr Status draw_run_apart(const Command& command, const Walker& shade,
+                                                             const Span& span, std::int32_t begin,
+                                                             const Target& target,
+                                                             const RowMemory<Target>& memory) {
+  const Target held = target;  // no reference, so that its members can be in registers too
+  return draw_one_run(command, shade, span, begin, held, memory);
+}
+
 /// Draws the row that the walkers stand on; `begin` is its first column, `span` what is to be seen of it.
-template <class Command, class Walker, class Target, class Memory>
+template <class Command, class Walker, class Target>
 [[gnu::always_inline, nodiscard]] constexpr Status draw_row(const Command& command, const Walker& shade,
                                                             Span span, std::int32_t begin,
-                                                            const Target& target, Memory& memory) {
-  constexpr bool kOneRun = Walker::kLongestRun >= 2 * kGuardBand;
-  const std::int32_t last = span.x + span.count;
-  while (true) {
-    if (!kOneRun && span.count > Walker::kLongestRun) span.count = Walker::kLongestRun;
-    const RowStart start = row_start(command.left, command.right, span.x - begin);
-    typename Walker::Run run = shade.row(start);
-    draw_run(memory.pixels.open(span), memory.depths.at(span.x), span, run, target,
-             linear_at(command.depth, start), command.depth.dx);
-    const Status status = target.sink.close(span);
-    span.x += span.count;
-    span.count = last - span.x;
-    if (kOneRun || !ok(status) || span.count == 0) return status;
+                                                            const Target& target,
+                                                            const RowMemory<Target>& memory) {
+  if constexpr (Walker::kLongestRun >= 2 * kGuardBand) {
+    return draw_one_run(command, shade, span, begin, target, memory);
+  } else {
+    const std::int32_t last = span.x + span.count;
+    while (true) {
+      if (span.count > Walker::kLongestRun) span.count = Walker::kLongestRun;
+      Status status;
+      if constexpr (WalksApart<Walker>) {
+        status = draw_run_apart(command, shade, span, begin, target, memory);
+      } else {
+        status = draw_one_run(command, shade, span, begin, target, memory);
+      }
+      span.x += span.count;
+      span.count = last - span.x;
+      if (!ok(status) || span.count == 0) return status;
+    }
   }
 }
 
 /// Steps a command's edges and attributes down by one row, in place.
-template <class Command, class Walker>
+template <class Target, class Command, class Walker>
 [[gnu::always_inline]] constexpr void next_row(Command& command, Walker& shade) {
   keep_in_memory(command.left.x);
   keep_in_memory(command.right.x);
   if constexpr (kManyRegisters) keep_in_memory(command.depth.left.at);
   command.left.advance();
   command.right.advance();
-  command.depth.next_row();
+  if constexpr (Target::kTests) command.depth.next_row();
   shade.next_row();
 }
 
 /// Changes to the lower edge on the side of the middle vertex.
-template <class Command, class Walker>
+template <class Target, class Command, class Walker>
 [[gnu::always_inline]] constexpr void enter_lower(Command& command, Walker& shade) {
   EdgeWalk& short_edge = command.middle_left ? command.left : command.right;
   short_edge.x = command.lower.x;  // member by member: small cores would call memcpy
   short_edge.step = command.lower.step;
-  command.depth.enter_lower(command.middle_left);
+  if constexpr (Target::kTests) command.depth.enter_lower(command.middle_left);
   shade.enter_lower();
 }
 
 /// Steps over the rows y ... end - 1, which are not to be seen.
-template <class Command, class Walker>
+template <class Target, class Command, class Walker>
 constexpr void skip_rows(Command& command, Walker& shade, std::int32_t& y, std::int32_t end) {
-  for (; y < end; ++y) next_row(command, shade);
+  for (; y < end; ++y) next_row<Target>(command, shade);
 }
 
 /// From relative to the raster origin to columns of the picture.
@@ -97,14 +129,14 @@ template <class Command>
 
 /// Steps over the rows above `top`, and into the lower half if that is where it lies. `half_end` is where the
 /// present half ends, `stop` the other.
-template <class Command, class Walker>
+template <class Target, class Command, class Walker>
 constexpr void skip_above(Command& command, Walker& shade, std::int32_t& y, std::int32_t top,
                           std::int32_t& half_end, std::int32_t stop) {
-  skip_rows(command, shade, y, half_end < top ? half_end : top);
+  skip_rows<Target>(command, shade, y, half_end < top ? half_end : top);
   if (y == top) return;
-  enter_lower(command, shade);
+  enter_lower<Target>(command, shade);
   half_end = stop;
-  skip_rows(command, shade, y, top);
+  skip_rows<Target>(command, shade, y, top);
 }
 
 template <class Command, class Walker, class Target>
@@ -117,9 +149,9 @@ template <class Command, class Walker, class Target>
   const std::int32_t middle = command.middle_row + origin.y;
   std::int32_t half_end = middle < stop ? middle : stop;
   std::int32_t y = command.first_row + origin.y;
-  if (y < clip.top) skip_above(command, shade, y, clip.top, half_end, stop);
-  for (RowMemory<typename Target::Sink> memory(target, y);; half_end = stop) {
-    for (; y < half_end; ++y, memory.next(), next_row(command, shade)) {
+  if (y < clip.top) skip_above<Target>(command, shade, y, clip.top, half_end, stop);
+  for (RowMemory<Target> memory(target, y);; half_end = stop) {
+    for (; y < half_end; ++y, memory.next(), next_row<Target>(command, shade)) {
       const std::int32_t begin = command.left.column();
       const std::int32_t end_column = command.right.column();
       const std::int32_t first = begin < clip.left ? clip.left : begin;
@@ -129,7 +161,7 @@ template <class Command, class Walker, class Target>
       if (!ok(status)) return status;
     }
     if (y >= stop) return Status::kOk;
-    enter_lower(command, shade);
+    enter_lower<Target>(command, shade);
   }
 }
 
@@ -149,8 +181,9 @@ template <ShadingMethod Method, class Target>
     return Status::kOk;
   }
   return Method::walk(command.shade, [&](auto walker) {
-    if constexpr (SegmentedRun<typename decltype(walker)::Run>) {
-      return draw_rows_apart(command, origin, walker, target);  // long rows, which can pay the call
+    // Long rows can pay the call.
+    if constexpr (SegmentedRun<typename decltype(walker)::Run> || WalksApart<decltype(walker)>) {
+      return draw_rows_apart(command, origin, walker, target);
     } else {
       return draw_rows(command, origin, walker, target);
     }

@@ -28,11 +28,12 @@ template <class Format, class Run, class Object, class Codes>
 }
 
 /// What the rows of a command are drawn with and into.
-template <class ObjectOf, PixelSink SinkOf, DepthTarget Depth, class CodesOf = NoCodes>
+template <class ObjectOf, PixelSink SinkOf, DepthTarget DepthOf, class CodesOf = NoCodes>
 struct RowTarget {
   using Object = ObjectOf;
   using Codes = CodesOf;
   using Sink = SinkOf;
+  using Depth = DepthOf;
   using Format = typename Sink::Format;
   static constexpr bool kTests = Depth::kTests;
 

@@ -13,7 +13,7 @@ template <class Sink>
 class PixelRows {
  public:
   constexpr PixelRows(Sink& sink, std::int32_t) : sink_(sink) {}
-  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& run) { return sink_.open(run); }
+  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& run) const { return sink_.open(run); }
   constexpr void next() {}
 
  private:
@@ -24,7 +24,7 @@ template <SinkInMemory Sink>
 class PixelRows<Sink> {
  public:
   constexpr PixelRows(Sink& sink, std::int32_t y) : row_(sink.row(y)), stride_(sink.stride()) {}
-  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& run) {
+  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& run) const {
     return typename Sink::Format::Cursor(row_, run.x);
   }
   constexpr void next() { row_ += stride_; }
@@ -35,10 +35,10 @@ class PixelRows<Sink> {
 };
 
 /// The same of a depth buffer.
+template <class Depth>
 class DepthRows {
  public:
-  constexpr DepthRows(const NoDepth&, std::int32_t) : row_(nullptr), stride_(0) {}
-  constexpr DepthRows(const DepthBuffer& depth, std::int32_t y)
+  constexpr DepthRows(const Depth& depth, std::int32_t y)
       : row_(depth.row(y)), stride_(depth.bounds().right) {}
   [[nodiscard]] constexpr std::uint16_t* at(std::int32_t x) const { return row_ + x; }
   constexpr void next() { row_ += stride_; }
@@ -46,6 +46,14 @@ class DepthRows {
  private:
   std::uint16_t* row_;
   std::int32_t stride_;
+};
+
+template <>
+class DepthRows<NoDepth> {
+ public:
+  constexpr DepthRows(const NoDepth&, std::int32_t) {}
+  [[nodiscard]] constexpr std::uint16_t* at(std::int32_t) const { return nullptr; }
+  constexpr void next() {}
 };
 
 }  // namespace arcspan::detail

@@ -10,7 +10,7 @@ namespace {
 /// No 16-bit position is farther from the object's origin: 32768 * sqrt(3), rounded up.
 constexpr std::int64_t kObjectRadius = 56756;
 constexpr std::int64_t kMaxTranslation = std::int64_t{1} << 22;
-constexpr std::int64_t kMaxDepthRange = std::int64_t{1} << 27;  // shifted left by at least 3
+constexpr std::uint64_t kMaxDepthRange = std::uint64_t{1} << 27;  // shifted left by at least 3
 constexpr std::int32_t kMaxPicture = 2 * kGuardBand;
 constexpr int kGuardBits = 10 + PixelLength::kFraction;  // focal / kGuardBand in PixelLength
 
@@ -39,7 +39,7 @@ int scale_bits(const Placement& placement, const Projection& projection) {
 }
 
 /// value * factor * 2^shift, rounded towards minus infinity; |value| < 2^32, 0 < factor < 2^31.
-std::int32_t rescaled(std::int64_t value, std::int64_t factor, int shift) {
+[[gnu::noinline]] std::int32_t rescaled(std::int64_t value, std::int64_t factor, int shift) {
   const std::int64_t product = value * factor;
   return static_cast<std::int32_t>(shift >= 0 ? product << shift : product >> -shift);
 }
@@ -71,8 +71,11 @@ Status ClipTransform::make(const Placement& placement, const Projection& project
   transform.near_w_ = static_cast<std::int32_t>(near_w < 1 ? 1 : near_w > kFarthest ? kFarthest : near_w);
   // depth = margin + range * far / (far - near) * (1 - near / w).
   const std::int64_t range = 65535 - 2 * kDepthMargin;
-  const std::int64_t depth_range = range * projection.far_plane.raw() /
-                                   (std::int64_t{projection.far_plane.raw()} - projection.near_plane.raw());
+  // Unsigned: one routine of the run-time library less.
+  const auto beyond_near = static_cast<std::uint32_t>(projection.far_plane.raw()) -
+                           static_cast<std::uint32_t>(projection.near_plane.raw());
+  const std::uint64_t depth_range =
+      static_cast<std::uint64_t>(range * projection.far_plane.raw()) / beyond_near;
   // depth_range * (1 - near / w) is (depth_range << shift) * beyond >> 32 >> (shift - 3).
   const auto range32 =
       static_cast<std::uint32_t>(depth_range < kMaxDepthRange ? depth_range : kMaxDepthRange);

@@ -33,7 +33,7 @@ class PowerTable {
     const auto index = static_cast<std::size_t>(position >> 8);
     const std::uint32_t here = values_[index];
     const std::uint32_t next = values_[index + 1];
-    return ((here << 8) + 128u - (here - next) * (position & 0xFFu)) >> 8;
+    return here - (((here - next) * (position & 0xFFu) + 128u) >> 8);
   }
 
  private:

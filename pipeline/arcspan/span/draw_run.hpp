@@ -75,7 +75,7 @@ template <class Target, class Run>
                                                Linear dz) {
   using Format = typename Target::Format;
   constexpr bool kTests = Target::kTests;
-  if constexpr (kTests && requires { cursor.codes(); }) {
+  if constexpr (kManyRegisters && kTests && requires { cursor.codes(); }) {
     draw_words(cursor.codes(), depths, span, run, target, z, dz);
     return;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/keep.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/span/depth.hpp>
 
@@ -13,15 +14,18 @@ template <class Sink>
 class PixelRows {
  public:
   constexpr PixelRows(Sink& sink, std::int32_t) : sink_(sink) {}
-  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& run) const { return sink_.open(run); }
+  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& run) const {
+    return sink_.open(run);
+  }
   constexpr void next() {}
 
  private:
   Sink& sink_;
 };
 
+/// In memory by an address that is stepped, which with few registers costs more than a product.
 template <SinkInMemory Sink>
-class PixelRows<Sink> {
+requires kManyRegisters class PixelRows<Sink> {
  public:
   constexpr PixelRows(Sink& sink, std::int32_t y) : row_(sink.row(y)), stride_(sink.stride()) {}
   [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& run) const {
@@ -35,12 +39,12 @@ class PixelRows<Sink> {
 };
 
 /// The same of a depth buffer.
-template <class Depth>
+template <class Depth, bool Steps = kManyRegisters>
 class DepthRows {
  public:
   constexpr DepthRows(const Depth& depth, std::int32_t y)
       : row_(depth.row(y)), stride_(depth.bounds().right) {}
-  [[nodiscard]] constexpr std::uint16_t* at(std::int32_t x) const { return row_ + x; }
+  [[nodiscard]] constexpr std::uint16_t* at(const Span& run) const { return row_ + run.x; }
   constexpr void next() { row_ += stride_; }
 
  private:
@@ -48,11 +52,22 @@ class DepthRows {
   std::int32_t stride_;
 };
 
-template <>
-class DepthRows<NoDepth> {
+template <class Depth>
+class DepthRows<Depth, false> {
+ public:
+  constexpr DepthRows(const Depth& depth, std::int32_t) : depth_(depth) {}
+  [[nodiscard]] constexpr std::uint16_t* at(const Span& run) const { return depth_.row(run.y) + run.x; }
+  constexpr void next() {}
+
+ private:
+  const Depth& depth_;
+};
+
+template <bool Steps>
+class DepthRows<NoDepth, Steps> {
  public:
   constexpr DepthRows(const NoDepth&, std::int32_t) {}
-  [[nodiscard]] constexpr std::uint16_t* at(std::int32_t) const { return nullptr; }
+  [[nodiscard]] constexpr std::uint16_t* at(const Span&) const { return nullptr; }
   constexpr void next() {}
 };
 

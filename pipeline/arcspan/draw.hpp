@@ -46,7 +46,7 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 class MeshDrawer {
  public:
   using Raster = RasterVertex<Method>;
-  using Codes = typename CodesOf<Method, typename Sink::Format, (lanes_for<Sink>() > 1)>::Type;
+  using Codes = typename CodesOf<Method, typename Sink::Format, true>::Type;
   using Target = RowTarget<typename Method::Object, Sink, Depth, Codes>;
 
   MeshDrawer(const MeshView& mesh, const ClipTransform& transform, const typename Method::Object& object,

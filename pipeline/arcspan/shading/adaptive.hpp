@@ -135,7 +135,9 @@ class GlossRun : public PatchScalars<2> {
   template <class Format, class Codes>
   [[nodiscard, gnu::always_inline]] constexpr typename Format::Code code(const Object& object,
                                                                          const Codes& codes) const {
-    if (scalars()[1].raw() >= SpecularRamp::kReach) return codes[scalars()[0]];
+    if constexpr (Codes::kForHighlights) {
+      if (scalars()[1].raw() >= SpecularRamp::kReach) return codes[scalars()[0]];
+    }
     return Format::encode(colour(object));
   }
 };

@@ -83,6 +83,7 @@ class ArcRun {
   [[nodiscard]] constexpr typename Format::Code code(const Object& object, const Codes& codes) const {
     typename Object::Scalars values;
     unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
+    if constexpr (!Codes::kForHighlights) return Format::encode(object.colour(values));
     return object.template code<Format>(values, codes);
   }
   [[nodiscard]] constexpr ArcScalar& scalar(std::size_t i) { return scalars_[i]; }

@@ -77,6 +77,7 @@ class PatchRun : public PatchScalars<Used> {
   [[nodiscard, gnu::always_inline]] constexpr typename Format::Code code(const Object& object,
                                                                          const Codes& codes) const {
     if constexpr (Used == Object::kScalars) {
+      if constexpr (!Codes::kForHighlights) return Format::encode(colour(object));
       return object.template code<Format>(this->scalars(), codes);
     } else {
       return codes[this->scalars()[0]];

@@ -16,27 +16,32 @@ struct NoCodes {
   constexpr explicit NoCodes(const Object&) {}
 };
 
-/// The pixel codes of an object's diffuse colours by the top 10 bits of N·L, so that nothing has to be
-/// clamped or encoded: 2 KB on the stack of a draw call, for machines that have them.
-template <class Format>
+/// The pixel codes of an object's diffuse colours by N·L, on the stack of a draw call, so that no pixel
+/// encodes any. `Size` is 256, by the ramp's own index (512 bytes), or 1024, by the top 10 bits of N·L, so that
+/// nothing has to be clamped either (2 KB).
+template <class Format, std::size_t Size>
 class CodeTable {
  public:
   using Code = typename Format::Code;
+  static_assert(Size == 256 || Size == 1024);
+  /// Whether runs with highlights take the codes of their other pixels from here too: one more address to hold.
+  static constexpr bool kForHighlights = Size == 1024;
 
   template <class Object>
   constexpr explicit CodeTable(const Object& object) {
     const auto& ramp = object.ramp();
     for (std::size_t i = 0; i < 256; ++i) codes_[i] = Format::encode(ramp[i]);
-    for (std::size_t i = 256; i < 512; ++i) codes_[i] = codes_[255];
-    for (std::size_t i = 512; i < 1024; ++i) codes_[i] = codes_[0];
+    for (std::size_t i = 256; i < Size / 2; ++i) codes_[i] = codes_[255];
+    for (std::size_t i = Size / 2; Size > 256 && i < Size; ++i) codes_[i] = codes_[0];
   }
 
   [[nodiscard]] constexpr Code operator[](Unit normal_light) const {
+    if constexpr (Size == 256) return codes_[static_cast<std::size_t>(clamped_byte(normal_light.raw() >> 22))];
     return codes_[static_cast<std::uint32_t>(normal_light.raw()) >> 22];
   }
 
  private:
-  std::array<Code, 1024> codes_;
+  std::array<Code, Size> codes_;
 };
 
 /// Illuminations by one light, into formats of 16 bits whose code does not depend on the place.
@@ -57,7 +62,7 @@ struct CodesOf {
 template <class Method, class Format>
 requires(bool{Method::kUsesCodes} &&
          HasCodes<typename Method::Object, Format>) struct CodesOf<Method, Format, true> {
-  using Type = CodeTable<Format>;
+  using Type = CodeTable<Format, 256>;
 };
 
 }  // namespace arcspan

@@ -5,7 +5,6 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/prepare/split.hpp>
 #include <arcspan/span/draw_command.hpp>
-#include <arcspan/span/lanes_choice.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
 #include <cstddef>
@@ -46,7 +45,7 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 class MeshDrawer {
  public:
   using Raster = RasterVertex<Method>;
-  using Codes = typename CodesOf<Method, typename Sink::Format, true>::Type;
+  using Codes = typename CodesOf<Method, typename Sink::Format, code_table_size<Sink>()>::Type;
   using Target = RowTarget<typename Method::Object, Sink, Depth, Codes>;
 
   MeshDrawer(const MeshView& mesh, const ClipTransform& transform, const typename Method::Object& object,
@@ -304,9 +303,10 @@ class MeshDrawer {
 ///
 /// `object` is the illumination in the object's space. `cache` may hold mesh.vertex_count() vertices, each of
 /// which is then transformed once; if it is smaller it is not used, and every triangle transforms its own
-/// three. The result's status is the sink's first that is not kOk.
+/// three. The result's status is the sink's first that is not kOk. Not inlined: what it keeps on the stack (a
+/// CodeTable, perhaps) is there while it runs, and once.
 template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
-[[nodiscard]] DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
+[[gnu::noinline, nodiscard]] DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
                                    const typename Method::Object& object, Sink& sink, const Depth& depth,
                                    std::span<CachedVertex<Method>> cache = {},
                                    const DrawOptions& options = {}) {

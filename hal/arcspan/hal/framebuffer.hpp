@@ -61,7 +61,7 @@ class Framebuffer {
     const typename F::Code code = F::encode(colour);
     for (std::int32_t y = bounds_.top; y < bounds_.bottom; ++y) {
       typename F::Cursor cursor(row(y), 0);
-      for (std::int32_t x = 0; x < bounds_.right; ++x, cursor.next()) cursor.write(code);
+      for (std::int32_t left = bounds_.right; left > 0; --left, cursor.next()) cursor.write(code);
     }
   }
 

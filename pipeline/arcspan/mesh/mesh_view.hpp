@@ -37,12 +37,10 @@ class MeshView {
   /// A view of the given arrays, checked once so that drawing need not: kInvalidArgument if the number of
   /// normals is not that of positions, the number of indices no multiple of 3, or there are more than
   /// kMaxVertices; kIndexOutOfRange if an index names no vertex. `view` is untouched unless kOk.
-  [[gnu::cold]] static Status make(std::span<const ObjectPosition> positions,
-                                   std::span<const PackedNormal> normals,
-                                   std::span<const std::uint16_t> indices, MeshView& view);
-  [[gnu::cold]] static Status make(std::span<const ObjectPosition> positions,
-                                   std::span<const PackedNormal> normals,
-                                   std::span<const std::uint8_t> indices, MeshView& view);
+  static Status make(std::span<const ObjectPosition> positions, std::span<const PackedNormal> normals,
+                     std::span<const std::uint16_t> indices, MeshView& view);
+  static Status make(std::span<const ObjectPosition> positions, std::span<const PackedNormal> normals,
+                     std::span<const std::uint8_t> indices, MeshView& view);
 
   [[nodiscard]] std::size_t vertex_count() const { return vertex_count_; }
   [[nodiscard]] std::size_t triangle_count() const { return triangle_count_; }

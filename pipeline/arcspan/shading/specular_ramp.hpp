@@ -53,10 +53,10 @@ class SpecularRamp {
     constexpr int kFine = 8;
     constexpr int kIndexShift = 20;  // 2^27 / kIntervals
     const std::uint32_t inside = distance < 0 ? 0u : static_cast<std::uint32_t>(distance);
-    const std::uint16_t* const at = values_.data() + (inside >> kIndexShift);
+    const auto index = static_cast<std::size_t>(inside >> kIndexShift);
     const std::uint32_t fraction = (inside >> (kIndexShift - kFine)) & 0xFFu;
-    const std::uint32_t here = at[0];
-    const std::uint32_t level = (here << kFine) - (here - at[1]) * fraction;  // 16 fraction bits
+    const std::uint32_t here = values_[index];
+    const std::uint32_t level = (here << kFine) - (here - values_[index + 1]) * fraction;  // 16 fraction bits
     if (grey_) return PackedRgb::grey(level >> 14);
     const auto share = [this, level](std::size_t c) { return ((level >> 8) * share_[c]) >> 21; };
     return PackedRgb::of(share(0), share(1), share(2));

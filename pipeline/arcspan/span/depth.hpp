@@ -51,8 +51,9 @@ class DepthBuffer {
   }
 
   constexpr void clear() {
+    std::uint16_t* const depths = memory_;
     const std::size_t count = units(bounds_.right, bounds_.height());
-    for (std::size_t i = 0; i < count; ++i) memory_[i] = kFarthest;
+    for (std::size_t i = 0; i < count; ++i) depths[i] = kFarthest;
   }
 
  private:

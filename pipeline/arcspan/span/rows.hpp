@@ -52,15 +52,15 @@ class DepthRows {
   std::int32_t stride_;
 };
 
-template <class Depth>
-class DepthRows<Depth, false> {
+template <>
+class DepthRows<DepthBuffer, false> {
  public:
-  constexpr DepthRows(const Depth& depth, std::int32_t) : depth_(depth) {}
+  constexpr DepthRows(const DepthBuffer& depth, std::int32_t) : depth_(depth) {}
   [[nodiscard]] constexpr std::uint16_t* at(const Span& run) const { return depth_.row(run.y) + run.x; }
   constexpr void next() {}
 
  private:
-  const Depth& depth_;
+  const DepthBuffer& depth_;
 };
 
 template <bool Steps>

@@ -50,8 +50,8 @@ class ClipTransform {
 
   /// kInvalidArgument if the viewport, the focal length (0 excluded) or the planes are out of range, or if
   /// the object is so far off (more than 2^22 units) that the numbers would not hold it.
-  [[gnu::cold]] static Status make(const Placement& placement, const Projection& projection,
-                                   const Viewport& viewport, ClipTransform& transform);
+  static Status make(const Placement& placement, const Projection& projection, const Viewport& viewport,
+                     ClipTransform& transform);
 
   [[nodiscard]] ClipPosition operator()(ObjectPosition p) const { return {row(0, p), row(1, p), row(2, p)}; }
 

@@ -99,10 +99,12 @@ class AdaptiveIllumination : public Illumination {
     return at_kink < limit ? static_cast<std::uint32_t>(at_kink) : limit;
   }
 
-  /// A quadratic surface through six distances of a cosine c from 1 differs from the product of two through
-  /// six scalars each by steps * 2.35 (n + 6) a^3 / 255 at most in the highlight, a being the widest chord
-  /// (the largest of 27,000 random triangles, docs/decisions/0006).
+  /// A quadratic surface through six distances of a cosine from 1 differs from the product of two surfaces
+  /// through six scalars each by at most steps * 2.35 (n + 6) a^3 / 255 in the highlight, a being the widest
+  /// chord (decision 7). Of the sharpest highlights `Arc` itself is a step off by rounding.
   [[nodiscard]] std::uint32_t gloss_limit_of(std::uint32_t tolerance) const {
+    constexpr std::uint32_t kSharpest = 64;
+    if (Illumination::shininess() > kSharpest) return 0;
     const std::uint64_t height =
         std::uint64_t{Illumination::most_specular()} * (Illumination::shininess() + 6);
     const std::uint64_t most = (std::uint64_t{tolerance} * 108) << 40;  // 255 / 2.35, 40 fraction bits

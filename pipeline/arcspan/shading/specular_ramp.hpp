@@ -17,19 +17,20 @@ namespace arcspan {
 /// takes an index and a fraction of them by two shifts.
 class SpecularRamp {
  public:
-  static constexpr std::int32_t kReach = std::int32_t{1} << 27;
+  static constexpr std::int32_t kReach = std::int32_t{1} << 26;
 
   constexpr SpecularRamp() = default;
 
   /// `specular` has a coefficient per channel in 8-bit steps, 5 fraction bits, 0...255.
   constexpr SpecularRamp(const PowerTable& power, const std::array<std::uint32_t, 3>& specular) {
     const auto reach = static_cast<std::uint32_t>(power.half_reach());
-    up_ = std::countl_zero(reach) - 3;
-    scale_ = static_cast<std::int32_t>(((std::uint64_t{1} << 59) - 1) / (std::uint64_t{reach} << up_));
+    const int zeros = std::countl_zero(reach);
+    up_ = zeros > 3 ? zeros - 3 : 0;
+    scale_ = static_cast<std::int32_t>(((std::uint64_t{1} << 58) - 1) / (std::uint64_t{reach} << up_));
     const std::uint32_t two = specular[0] > specular[1] ? specular[0] : specular[1];
     const std::uint32_t most = two > specular[2] ? two : specular[2];
     for (std::size_t i = 0; i < values_.size(); ++i) {
-      const std::uint32_t distance = (static_cast<std::uint32_t>(i) * reach) / kIntervals;
+      const auto distance = static_cast<std::uint32_t>((std::uint64_t{i} * reach) / kIntervals);
       const std::uint32_t inside = distance < reach ? distance : reach - 1;
       values_[i] =
           static_cast<std::uint16_t>((most * power(static_cast<std::int32_t>(inside)) + (1u << 11)) >> 12);
@@ -51,7 +52,7 @@ class SpecularRamp {
   /// above 1.
   [[nodiscard, gnu::always_inline]] constexpr PackedRgb operator()(std::int32_t distance) const {
     constexpr int kFine = 8;
-    constexpr int kIndexShift = 20;  // 2^27 / kIntervals
+    constexpr int kIndexShift = 19;  // 2^26 / kIntervals
     const std::uint32_t inside = distance < 0 ? 0u : static_cast<std::uint32_t>(distance);
     const auto index = static_cast<std::size_t>(inside >> kIndexShift);
     const std::uint32_t fraction = (inside >> (kIndexShift - kFine)) & 0xFFu;

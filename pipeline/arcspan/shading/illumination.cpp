@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/numbers/root.hpp>
 #include <arcspan/shading/illumination.hpp>
 
 namespace arcspan {
@@ -49,11 +48,6 @@ Status Illumination<Lights, Model>::make(const Material& material,
     illumination.strength_[i] = static_cast<std::uint32_t>(lights[i].strength.raw());
     illumination.half_one_plus_light_eye_[i] =
         (std::int32_t{1} << (Unit::kFraction - 1)) + (dot(lights[i].towards, to_eye).raw() >> 1);
-    // In the middle of the highlight N·L = N·V = sqrt((1 + L·V) / 2).
-    const std::int32_t square = illumination.half_one_plus_light_eye_[i];
-    illumination.highlight_start_[i] =
-        square -
-        static_cast<std::int32_t>(integer_root(square < 0 ? 0u : static_cast<std::uint32_t>(square)));
     if (Model == Highlight::kBlinn)
       illumination.axes_[(Lights + i) % kScalars] = half_way(lights[i].towards, to_eye);
   }

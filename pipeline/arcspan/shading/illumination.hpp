@@ -213,8 +213,10 @@ class Illumination {
     if constexpr (Model == Highlight::kBlinn) {
       return (std::int32_t{1} << (Unit::kFraction - 1)) - (other.raw() >> 1);
     } else {
-      const std::int32_t product = wrap_mul(normal_light.raw() >> 15, other.raw() >> 15);
-      return wrap_sub(highlight_start_[light], product);
+      // 15 rounded bits each: truncated ones would shift a highlight of n = 64 by up to two 8-bit steps.
+      const std::int32_t product =
+          wrap_mul(round_shift(normal_light.raw(), 15), round_shift(other.raw(), 15));
+      return wrap_sub(half_one_plus_light_eye_[light], product);
     }
   }
 
@@ -260,9 +262,6 @@ class Illumination {
   std::array<std::uint32_t, 3> specular_{};
   std::array<std::uint32_t, Lights> strength_{};
   std::array<std::int32_t, Lights> half_one_plus_light_eye_{};
-  /// The same less what cutting both factors of (N·L)(N·V) to 15 bits takes away on average in the middle of
-  /// the highlight: (N·L + N·V) 2^-16, which would shift one of n = 64 by up to two 8-bit steps.
-  std::array<std::int32_t, Lights> highlight_start_{};
   PowerTable power_{};
   std::uint32_t widest_patch_ = 0;
   std::uint32_t most_curvature_ = 0;

@@ -28,7 +28,7 @@ class PatchScalars {
     const Unit slope = scalar.left.slope;
     const Unit turn = Unit::from_raw(wrap_mul(bend.raw() >> 8, static_cast<std::int32_t>(p >> 8)));
     const Unit mean = slope + Unit::from_raw(turn.raw() >> 1);
-    x_[i] = scalar.left.at + Unit::from_raw(wrap_mul(mean.raw() >> 12, static_cast<std::int32_t>(p >> 4)));
+    x_[i] = scalar.left.at + Unit::from_raw(wrap_mul(mean.raw() >> 13, static_cast<std::int32_t>(p >> 3)));
     d_[i] = slope + turn + Unit::from_raw(bend.raw() >> 1);
     bend_[i] = bend;
   }

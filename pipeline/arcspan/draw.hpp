@@ -307,9 +307,10 @@ class MeshDrawer {
 /// CodeTable, perhaps) is there while it runs, and once.
 template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 [[gnu::noinline, nodiscard]] DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
-                                   const typename Method::Object& object, Sink& sink, const Depth& depth,
-                                   std::span<CachedVertex<Method>> cache = {},
-                                   const DrawOptions& options = {}) {
+                                                  const typename Method::Object& object, Sink& sink,
+                                                  const Depth& depth,
+                                                  std::span<CachedVertex<Method>> cache = {},
+                                                  const DrawOptions& options = {}) {
   return detail::MeshDrawer<Method, Sink, Depth>(mesh, transform, object, sink, depth, cache, options).draw();
 }
 

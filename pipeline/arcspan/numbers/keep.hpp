@@ -18,7 +18,12 @@ inline constexpr bool kManyRegisters = true;
 /// from row to row by way of copies on the stack: 12 instructions a row on a Cortex-M3.
 template <class T>
 [[gnu::always_inline]] constexpr void keep_in_memory(T& value) {
+#if defined(__AVR__)
+  (void)
+      value;  // 8-bit words live in memory anyway, and clang 19 then misjudges how far a branch has to reach
+#else
   if (!std::is_constant_evaluated()) asm("" : "+m"(value));
+#endif
 }
 
 /// Hides a value's origin. Otherwise two rows of memory get a pointer each in place of one index: an addition

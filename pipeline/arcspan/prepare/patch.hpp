@@ -183,8 +183,9 @@ struct PatchRises {
 /// Makes one scalar of a patch. With t the fraction of the height and q that of the widest row, which is at
 /// t = m, the barycentric coordinates are l_middle = q, l_bottom = t - m q, and f = F(t) + q G(t) + q^2 H.
 template <class Method>
-[[gnu::always_inline]] constexpr void make_patch_surface(const TriangleFrame<Method>& frame, const PatchValues& at,
-                                  const PatchRises& rises, PatchScalar& scalar) {
+[[gnu::always_inline]] constexpr void make_patch_surface(const TriangleFrame<Method>& frame,
+                                                         const PatchValues& at, const PatchRises& rises,
+                                                         PatchScalar& scalar) {
   using detail::part;
   const Factor m = frame.middle_fraction;
   const Unit above = part(rises.top_bottom, m);

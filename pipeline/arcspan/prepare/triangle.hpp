@@ -247,7 +247,7 @@ template <class Method, bool WithDepth = true>
   detail::place_vertices(a, b, c, frame);
   if (may_split && detail::is_too_wide_in(frame)) return Preparation::kTooWide;
   return detail::prepare_frame<WithDepth>(object, frame, face, rows, command) ? Preparation::kReady
-                                                                   : Preparation::kNothing;
+                                                                              : Preparation::kNothing;
 }
 
 /// Turns a triangle into the command that draws it. `rows` are the viewport's; false if none of the

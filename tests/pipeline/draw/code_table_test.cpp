@@ -3,7 +3,6 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/shading/adaptive.hpp>
-#include <arcspan/shading/gouraud.hpp>
 #include <arcspan/shading/phong.hpp>
 
 #include <catch2/catch.hpp>
@@ -109,8 +108,6 @@ TEST_CASE("pictures are the same with and without codes made beforehand") {
   CHECK(pictures_that_differ<Arc<Illumination<1, Highlight::kBlinn>>>(60) == 0);
   CHECK(pictures_that_differ<Arc<Light>>(60) == 0);
   CHECK(pictures_that_differ<Adaptive<Light>>(60) == 0);
-  CHECK(pictures_that_differ<Gouraud<Light>>(8) == 0);
-  CHECK(pictures_that_differ<Phong<Light>>(8) == 0);
 }
 
 TEST_CASE(

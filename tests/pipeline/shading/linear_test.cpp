@@ -7,6 +7,7 @@
 #include <tests/support/coverage.hpp>
 #include <tests/support/random.hpp>
 #include <tests/support/raster_stage.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -134,19 +135,19 @@ Figures measure(Shape shape, int triangles, std::uint64_t seed, std::int32_t mar
 }  // namespace
 
 TEST_CASE("Gouraud's colours and the depth are the plane through the corners") {
-  const Figures f = measure(Shape::kAny, 4000, 71, 256);
+  const Figures f = measure(Shape::kAny, share_of(4000), 71, 256);
   INFO("colour " << f.colour << ", depth " << f.depth << "; narrow: " << f.colour_outside << ", "
                  << f.depth_outside);
-  CHECK(f.pixels > 1000000);
+  CHECK(f.pixels > static_cast<std::uint64_t>(share_of(1000000)));
   CHECK(f.colour < 0.6);
   CHECK(f.depth < 12);
 }
 
 TEST_CASE("slivers and steep gradients do not wrap around") {
-  const Figures f = measure(Shape::kSliver, 12000, 72, 256);
+  const Figures f = measure(Shape::kSliver, share_of(12000), 72, 256);
   INFO("colour " << f.colour << ", depth " << f.depth << "; narrow: " << f.colour_outside << ", "
                  << f.depth_outside);
-  CHECK(f.pixels > 40000);
+  CHECK(f.pixels > static_cast<std::uint64_t>(share_of(40000)));
   CHECK(f.colour < 0.6);
   CHECK(f.depth < 12);
   CHECK(f.colour_outside < 1);

@@ -19,8 +19,8 @@ inline constexpr bool kManyRegisters = true;
 template <class T>
 [[gnu::always_inline]] constexpr void keep_in_memory(T& value) {
 #if defined(__AVR__)
-  (void)
-      value;  // 8-bit words live in memory anyway, and clang 19 then misjudges how far a branch has to reach
+  // 8-bit words live in memory anyway, and clang 19 would misjudge how far a branch has to reach.
+  (void)value;
 #else
   if (!std::is_constant_evaluated()) asm("" : "+m"(value));
 #endif

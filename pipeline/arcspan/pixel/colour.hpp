@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 
@@ -56,6 +57,12 @@ template <class C>
 concept PackableColour = requires(const C& colour) {
   { colour.packed() } -> std::same_as<PackedRgb>;
 };
+
+/// The largest of three channels' values, in whatever unit they have.
+[[nodiscard]] constexpr std::uint32_t largest_channel(const std::array<std::uint32_t, 3>& channels) {
+  const std::uint32_t two = channels[0] > channels[1] ? channels[0] : channels[1];
+  return two > channels[2] ? two : channels[2];
+}
 
 /// Luma of `c`, 0...255: the BT.601 weights 0.299, 0.587, 0.114 in eighths of a byte (77, 150, 29 of 256),
 /// rounded. A neutral grey keeps its value exactly, since the weights sum to 256.

@@ -176,14 +176,14 @@ struct Adaptive : Arc<Illumination> {
     prepared.segment_bits = 0;
     if constexpr (Base::kHasDiffusePath) {
       if (chords.widest() <= kWidestPatch && !shines(object, frame)) {
-        if (prepare_dull(object, frame, chords, prepared)) return;
+        if (prepare_dull(object, frame, prepared)) return;
       }
     }
     const bool flat = chords.widest() <= object.widest_patch() && patch_fits(frame);
-    prepared.segment_bits = segment_bits(object, frame, chords);
+    prepared.segment_bits = segment_bits(object, frame);
     if constexpr (kHasGloss) {
       if (flat && prepared.segment_bits == 0 && chords.widest() <= object.gloss_limit()) {
-        prepared.gloss = prepare_gloss(object, frame, chords, prepared);
+        prepared.gloss = prepare_gloss(object, frame, prepared);
         if (prepared.gloss) return;
       }
     }
@@ -219,12 +219,12 @@ struct Adaptive : Arc<Illumination> {
   /// Prepares N·L alone, linear if that is near enough; false if the triangle fits neither.
   template <class Frame>
   [[nodiscard]] static constexpr bool prepare_dull(const Object& object, const Frame& frame,
-                                                   const TriangleChords& chords, Prepared& prepared) {
+                                                   Prepared& prepared) {
     const std::int32_t a = LinearLight::level(frame.top->shade.scalars[0]);
     const std::int32_t b = LinearLight::level(frame.middle->shade.scalars[0]);
     const std::int32_t c = LinearLight::level(frame.bottom->shade.scalars[0]);
     const std::int32_t upper = a > b ? a : b;
-    if (linear_rise(chords, upper > c ? upper : c) <= object.linear_limit()) {
+    if (linear_rise(frame.chords, upper > c ? upper : c) <= object.linear_limit()) {
       prepared.linear = true;
       prepared.light = make_linear_plane(frame, a, b, c);
       return true;
@@ -238,7 +238,8 @@ struct Adaptive : Arc<Illumination> {
   /// or the distances do not fit.
   template <class Frame>
   [[nodiscard]] static constexpr bool prepare_gloss(const Object& object, const Frame& frame,
-                                                    const TriangleChords& chords, Prepared& prepared) {
+                                                    Prepared& prepared) {
+    const TriangleChords& chords = frame.chords;
     constexpr std::int32_t kLit = std::int32_t{1} << 20;  // more than rounding can take away
     const auto& top = frame.top->shade.scalars;
     const auto& middle = frame.middle->shade.scalars;
@@ -310,8 +311,8 @@ struct Adaptive : Arc<Illumination> {
   /// The longest segments that the object's limit allows on the triangle's rows, and that its rows are
   /// worth, or 0.
   template <class Frame>
-  [[nodiscard]] static constexpr int segment_bits(const Object& object, const Frame& frame,
-                                                  const TriangleChords& chords) {
+  [[nodiscard]] static constexpr int segment_bits(const Object& object, const Frame& frame) {
+    const TriangleChords& chords = frame.chords;
     // With one light a pixel without highlight is a look-up: segments must be longer to pay.
     constexpr int kLeastBits = Illumination::kLights == 1 ? 3 : 2;
     constexpr std::uint32_t kLeastWidth = 4u << kLeastBits;

@@ -101,13 +101,13 @@ struct Arc {
   /// Prepares the triangle for a path, which must be one that its angles allow.
   template <class Frame>
   static constexpr void prepare_path(const Frame& frame, Path path, Prepared& prepared) {
-    const TriangleChords& chords = frame.chords;
     prepared.middle_left = frame.middle_left;
     prepared.path = path;
     if (path == Path::kArcs) {
-      make_arcs(frame, chords, prepared.arcs);
+      make_arcs(frame, prepared.arcs);
       return;
     }
+    const TriangleChords& chords = frame.chords;
     const PatchBulges bulges{patch_bulge(chords.top_middle), patch_bulge(chords.top_bottom),
                              patch_bulge(chords.middle_bottom)};
     const std::size_t count = path == Path::kDiffusePatch ? 1 : kScalars;

@@ -43,6 +43,7 @@ struct ArcVector {
     Arcs<3> arcs;
   };
   static constexpr bool kNeedsFaceNormal = false;
+  static constexpr std::uint32_t kWidestChord = Base::kWidestChord;
 
   [[nodiscard]] static Vertex shade_vertex(const Object&, const Direction& normal) {
     return {to_normal(normal), Components::scalars(normal)};
@@ -54,14 +55,14 @@ struct ArcVector {
   [[nodiscard]] static constexpr bool too_wide(const Vertex& a, const Vertex& b) {
     return Base::too_wide(a, b);
   }
+  template <class Frame>
+  [[nodiscard]] static constexpr TriangleChords chords_of(const Frame& frame) {
+    return Base::chords_of(frame);
+  }
 
   static constexpr void prepare(const Object&, const TriangleFrame<ArcVector>& frame, const Face&,
                                 Prepared& prepared) {
-    const Normal& top = frame.top->shade.normal;
-    const Normal& middle = frame.middle->shade.normal;
-    const Normal& bottom = frame.bottom->shade.normal;
-    make_arcs(frame, {squared_chord(top, middle), squared_chord(top, bottom), squared_chord(middle, bottom)},
-              prepared.arcs);
+    make_arcs(frame, prepared.arcs);
   }
 
   struct Run {

@@ -27,7 +27,8 @@ struct Arcs {
 namespace detail {
 
 template <class Frame, std::size_t Count>
-constexpr void prepare_arc_rows(const Frame& frame, const TriangleChords& chords, Arcs<Count>& arcs) {
+constexpr void prepare_arc_rows(const Frame& frame, Arcs<Count>& arcs) {
+  const TriangleChords& chords = frame.chords;
   const ArcClass format = arcs.rows;
   const Angle top_middle = chord_angle(chords.top_middle, format);
   const Angle top_bottom = chord_angle(chords.top_bottom, format);
@@ -48,10 +49,10 @@ constexpr void prepare_arc_rows(const Frame& frame, const TriangleChords& chords
 
 }  // namespace detail
 
-/// `Frame` is a TriangleFrame whose vertices carry `scalars`.
+/// `Frame` is a TriangleFrame whose chords are measured and whose vertices carry `scalars`.
 template <class Frame, std::size_t Count>
-[[gnu::noinline]] constexpr void make_arcs(const Frame& frame, const TriangleChords& chords,
-                                           Arcs<Count>& arcs) {
+[[gnu::noinline]] constexpr void make_arcs(const Frame& frame, Arcs<Count>& arcs) {
+  const TriangleChords& chords = frame.chords;
   const auto& top = frame.top->shade.scalars;
   const auto& middle = frame.middle->shade.scalars;
   const auto& bottom = frame.bottom->shade.scalars;
@@ -61,7 +62,7 @@ template <class Frame, std::size_t Count>
   const std::uint32_t widest = chords.widest();
   arcs.slope_drop = slope_drop(widest);
   arcs.rows = arc_class(widest);
-  detail::prepare_arc_rows(frame, chords, arcs);
+  detail::prepare_arc_rows(frame, arcs);
   arcs.middle_left = frame.middle_left;
 }
 

@@ -137,24 +137,20 @@ class Illumination {
     return false;
   }
 
-  /// (1 - c) / 2 of the highlight's cosine c at a normal with these scalars, 30 fraction bits; exact to
-  /// 2^-28, which a pixel does not need.
-  [[nodiscard]] constexpr std::int32_t half_distance(Unit normal_light, Unit other) const
-      requires(Lights == 1) {
-    if constexpr (Model == Highlight::kBlinn) {
-      return highlight_distance(normal_light, other, 0);
-    } else {
-      return wrap_sub(half_one_plus_light_eye_[0],
-                      wrap_shl(multiply_high(normal_light.raw(), other.raw()), 2));
-    }
+  /// (1 - R·V) / 2 at a normal with these scalars, 30 fraction bits; within 2^-28, where a pixel rounds both
+  /// factors to 15 bits.
+  [[nodiscard]] constexpr std::int32_t half_distance(Unit normal_light, Unit normal_eye) const
+      requires(Lights == 1 && Model == Highlight::kPhong) {
+    const std::int32_t product = multiply_high(normal_light.raw(), normal_eye.raw());
+    return wrap_sub(half_one_plus_light_eye_[0], wrap_shl(product, 2));
   }
 
   /// The squared chord up to which a triangle with a highlight may be a patch.
   [[nodiscard]] constexpr std::uint32_t widest_patch() const { return widest_patch_; }
 
   /// The largest diffuse and specular coefficient, in 8-bit steps with 5 fraction bits.
-  [[nodiscard]] constexpr std::uint32_t most_diffuse() const { return largest(diffuse_); }
-  [[nodiscard]] constexpr std::uint32_t most_specular() const { return largest(specular_); }
+  [[nodiscard]] constexpr std::uint32_t most_diffuse() const { return largest_channel(diffuse_); }
+  [[nodiscard]] constexpr std::uint32_t most_specular() const { return largest_channel(specular_); }
   [[nodiscard]] constexpr const PowerTable& power() const { return power_; }
   [[nodiscard]] constexpr std::uint32_t shininess() const { return shininess_; }
   /// Per channel, in 8-bit steps with 5 fraction bits.
@@ -181,11 +177,6 @@ class Illumination {
 
  private:
   static constexpr int kRampBits = 8;
-
-  [[nodiscard]] static constexpr std::uint32_t largest(const std::array<std::uint32_t, 3>& channels) {
-    const std::uint32_t two = channels[0] > channels[1] ? channels[0] : channels[1];
-    return two > channels[2] ? two : channels[2];
-  }
 
   /// Sums over the lights with 15 fraction bits, 0...4 each.
   struct Light {

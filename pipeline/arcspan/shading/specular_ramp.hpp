@@ -27,8 +27,7 @@ class SpecularRamp {
     const int zeros = std::countl_zero(reach);
     up_ = zeros > 3 ? zeros - 3 : 0;
     scale_ = static_cast<std::int32_t>(((std::uint64_t{1} << 58) - 1) / (std::uint64_t{reach} << up_));
-    const std::uint32_t two = specular[0] > specular[1] ? specular[0] : specular[1];
-    const std::uint32_t most = two > specular[2] ? two : specular[2];
+    const std::uint32_t most = largest_channel(specular);
     for (std::size_t i = 0; i < values_.size(); ++i) {
       const auto distance = static_cast<std::uint32_t>((std::uint64_t{i} * reach) / kIntervals);
       const std::uint32_t inside = distance < reach ? distance : reach - 1;
@@ -39,11 +38,11 @@ class SpecularRamp {
     grey_ = specular[0] == specular[1] && specular[1] == specular[2];
   }
 
-  /// Whether (1 - c) / 2 with 30 fraction bits can be scaled: up to 4 times the reach.
+  /// Whether (1 - c) / 2 with 30 fraction bits can be scaled: up to 4 times the reach, or 8, by the exponent.
   [[nodiscard]] constexpr bool fits(std::int32_t half_distance) const {
     return half_distance < (INT32_MAX >> up_);
   }
-  /// Such a distance as colour_of() takes it.
+  /// Such a distance as operator() takes it.
   [[nodiscard]] constexpr std::int32_t scaled(std::int32_t half_distance) const {
     return multiply_high(wrap_shl(half_distance, up_), scale_);
   }

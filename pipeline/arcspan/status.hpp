@@ -27,4 +27,11 @@ enum class [[nodiscard]] Status : std::uint8_t{
 
 [[nodiscard]] constexpr bool ok(Status status) { return status == Status::kOk; }
 
+namespace detail {
+
+/// Never defined: names the reason when a constant is not accepted.
+void constant_refused();
+
+}  // namespace detail
+
 }  // namespace arcspan

@@ -67,7 +67,7 @@ struct Shape {
     indices[3 * i + 1] = static_cast<std::uint16_t>(b);
     indices[3 * i + 2] = static_cast<std::uint16_t>(c);
   }
-  [[nodiscard]] Status view(MeshView& mesh) const {
+  [[nodiscard]] constexpr Status view(MeshView& mesh) const {
     return MeshView::make(positions, normals, std::span<const std::uint16_t>(indices), mesh);
   }
 };

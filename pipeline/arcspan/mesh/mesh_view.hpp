@@ -37,20 +37,34 @@ class MeshView {
   /// A view of the given arrays, checked once so that drawing need not: kInvalidArgument if the number of
   /// normals is not that of positions, the number of indices no multiple of 3, or there are more than
   /// kMaxVertices; kIndexOutOfRange if an index names no vertex. `view` is untouched unless kOk.
-  static Status make(std::span<const ObjectPosition> positions, std::span<const PackedNormal> normals,
-                     std::span<const std::uint16_t> indices, MeshView& view);
-  static Status make(std::span<const ObjectPosition> positions, std::span<const PackedNormal> normals,
-                     std::span<const std::uint8_t> indices, MeshView& view);
+  static constexpr Status make(std::span<const ObjectPosition> positions,
+                               std::span<const PackedNormal> normals, std::span<const std::uint16_t> indices,
+                               MeshView& view);
+  static constexpr Status make(std::span<const ObjectPosition> positions,
+                               std::span<const PackedNormal> normals, std::span<const std::uint8_t> indices,
+                               MeshView& view);
 
-  [[nodiscard]] std::size_t vertex_count() const { return vertex_count_; }
-  [[nodiscard]] std::size_t triangle_count() const { return triangle_count_; }
+  /// The same as a constant: arrays that make() would refuse do not compile.
+  [[nodiscard]] static consteval MeshView of(std::span<const ObjectPosition> positions,
+                                             std::span<const PackedNormal> normals,
+                                             std::span<const std::uint16_t> indices) {
+    return checked(positions, normals, indices);
+  }
+  [[nodiscard]] static consteval MeshView of(std::span<const ObjectPosition> positions,
+                                             std::span<const PackedNormal> normals,
+                                             std::span<const std::uint8_t> indices) {
+    return checked(positions, normals, indices);
+  }
+
+  [[nodiscard]] constexpr std::size_t vertex_count() const { return vertex_count_; }
+  [[nodiscard]] constexpr std::size_t triangle_count() const { return triangle_count_; }
 
   /// `i` must be below vertex_count().
-  [[nodiscard]] const ObjectPosition& position(std::size_t i) const { return positions_[i]; }
-  [[nodiscard]] PackedNormal normal(std::size_t i) const { return normals_[i]; }
+  [[nodiscard]] constexpr const ObjectPosition& position(std::size_t i) const { return positions_[i]; }
+  [[nodiscard]] constexpr PackedNormal normal(std::size_t i) const { return normals_[i]; }
 
   /// `i` must be below triangle_count().
-  [[nodiscard]] TriangleIndices triangle(std::size_t i) const {
+  [[nodiscard]] constexpr TriangleIndices triangle(std::size_t i) const {
     if (indices8_ != nullptr) {
       const std::uint8_t* at = indices8_ + 3 * i;
       return {at[0], at[1], at[2]};
@@ -60,6 +74,15 @@ class MeshView {
   }
 
  private:
+  template <class Index>
+  [[nodiscard]] static consteval MeshView checked(std::span<const ObjectPosition> positions,
+                                                  std::span<const PackedNormal> normals,
+                                                  std::span<const Index> indices) {
+    MeshView view;
+    if (!ok(make(positions, normals, indices, view))) detail::constant_refused();
+    return view;
+  }
+
   const ObjectPosition* positions_ = nullptr;
   const PackedNormal* normals_ = nullptr;
   const std::uint8_t* indices8_ = nullptr;
@@ -67,5 +90,49 @@ class MeshView {
   std::size_t vertex_count_ = 0;
   std::size_t triangle_count_ = 0;
 };
+
+namespace detail {
+
+template <class Index>
+[[nodiscard]] constexpr Status check_mesh(std::size_t positions, std::size_t normals,
+                                          std::span<const Index> indices) {
+  if (positions != normals || positions > MeshView::kMaxVertices || indices.size() % 3 != 0) {
+    return Status::kInvalidArgument;
+  }
+  for (const Index index : indices) {
+    if (index >= positions) return Status::kIndexOutOfRange;
+  }
+  return Status::kOk;
+}
+
+}  // namespace detail
+
+constexpr Status MeshView::make(std::span<const ObjectPosition> positions,
+                                std::span<const PackedNormal> normals, std::span<const std::uint16_t> indices,
+                                MeshView& view) {
+  const Status status = detail::check_mesh(positions.size(), normals.size(), indices);
+  if (!ok(status)) return status;
+  view.positions_ = positions.data();
+  view.normals_ = normals.data();
+  view.indices8_ = nullptr;
+  view.indices16_ = indices.data();
+  view.vertex_count_ = positions.size();
+  view.triangle_count_ = indices.size() / 3;
+  return Status::kOk;
+}
+
+constexpr Status MeshView::make(std::span<const ObjectPosition> positions,
+                                std::span<const PackedNormal> normals, std::span<const std::uint8_t> indices,
+                                MeshView& view) {
+  const Status status = detail::check_mesh(positions.size(), normals.size(), indices);
+  if (!ok(status)) return status;
+  view.positions_ = positions.data();
+  view.normals_ = normals.data();
+  view.indices8_ = indices.data();
+  view.indices16_ = nullptr;
+  view.vertex_count_ = positions.size();
+  view.triangle_count_ = indices.size() / 3;
+  return Status::kOk;
+}
 
 }  // namespace arcspan

@@ -16,14 +16,14 @@ class AdaptiveIllumination : public Illumination {
   static constexpr std::int32_t kMostTolerance = 64;
 
   constexpr AdaptiveIllumination() = default;
-  AdaptiveIllumination(const Illumination& illumination)
+  constexpr AdaptiveIllumination(const Illumination& illumination)
       : Illumination(illumination), specular_ramp_(illumination.power(), illumination.specular()) {
     (void)set_tolerance(1);
   }
 
   /// 8-bit steps that a pixel may differ from what `Arc` would compute before rounding, 0...kMostTolerance,
   /// else kInvalidArgument and nothing changes.
-  [[nodiscard]] Status set_tolerance(std::int32_t steps) {
+  [[nodiscard]] constexpr Status set_tolerance(std::int32_t steps) {
     if (steps < 0 || steps > kMostTolerance) return Status::kInvalidArgument;
     const auto tolerance = static_cast<std::uint32_t>(steps) << kStepBits;
     // Of the two errors that may meet in a pixel, a highlight left out has a half, and linear light the rest.
@@ -71,7 +71,7 @@ class AdaptiveIllumination : public Illumination {
   }
 
   /// The half distance where the highlight has fallen to `steps`.
-  [[nodiscard]] std::int32_t reach_of(std::uint32_t steps) const {
+  [[nodiscard]] constexpr std::int32_t reach_of(std::uint32_t steps) const {
     std::int32_t inside = 0;
     std::int32_t outside = Illumination::power().half_reach();
     while (outside - inside > 1) {
@@ -84,7 +84,7 @@ class AdaptiveIllumination : public Illumination {
 
   /// A chord of m pixels is off by at most m^2 max|f''| / 8, and at a kink, where a channel is clamped, by
   /// m max|f'| / 4; |(cos^n)'| < 0.61 sqrt(n).
-  [[nodiscard]] std::uint32_t segment_limit_of(std::uint32_t tolerance, bool shines) const {
+  [[nodiscard]] constexpr std::uint32_t segment_limit_of(std::uint32_t tolerance, bool shines) const {
     constexpr auto kCount = static_cast<std::uint32_t>(Illumination::kLights);
     const std::uint32_t diffuse = Illumination::most_diffuse() * kCount;
     const std::uint32_t bend = shines ? Illumination::most_curvature() : diffuse;
@@ -102,7 +102,7 @@ class AdaptiveIllumination : public Illumination {
   /// A quadratic surface through six distances of a cosine from 1 differs from the product of two surfaces
   /// through six scalars each by at most steps * 2.35 (n + 6) a^3 / 255 in the highlight, a being the widest
   /// chord (decision 7). Of the sharpest highlights `Arc` itself is a step off by rounding.
-  [[nodiscard]] std::uint32_t gloss_limit_of(std::uint32_t tolerance) const {
+  [[nodiscard]] constexpr std::uint32_t gloss_limit_of(std::uint32_t tolerance) const {
     constexpr std::uint32_t kSharpest = 64;
     if (Illumination::shininess() > kSharpest) return 0;
     const std::uint64_t height =
@@ -226,7 +226,7 @@ struct Adaptive : Arc<Illumination> {
     const std::int32_t upper = a > b ? a : b;
     if (linear_rise(frame.chords, upper > c ? upper : c) <= object.linear_limit()) {
       prepared.linear = true;
-      prepared.light = make_linear_plane(frame, a, b, c);
+      make_linear_plane(frame, a, b, c, prepared.light);
       return true;
     }
     if (!patch_fits(frame)) return false;

@@ -72,11 +72,20 @@ class Illumination {
 
   /// `lights` and `to_eye` (the unit vector to the eye) in object space. kInvalidArgument if a coefficient or
   /// a strength is outside 0...1 or the shininess outside 1...256.
-  static Status make(const Material& material, const std::array<DirectionalLight, Lights>& lights,
-                     const Direction& to_eye, Illumination& illumination);
+  static constexpr Status make(const Material& material, const std::array<DirectionalLight, Lights>& lights,
+                               const Direction& to_eye, Illumination& illumination);
+
+  /// The same as a constant, which can lie in flash; what make() would refuse does not compile.
+  [[nodiscard]] static consteval Illumination of(const Material& material,
+                                                 const std::array<DirectionalLight, Lights>& lights,
+                                                 const Direction& to_eye) {
+    Illumination illumination;
+    if (!ok(make(material, lights, to_eye, illumination))) detail::constant_refused();
+    return illumination;
+  }
 
   /// The scalars of a unit normal.
-  [[nodiscard]] Scalars scalars(const Direction& normal) const {
+  [[nodiscard]] constexpr Scalars scalars(const Direction& normal) const {
     Scalars result;
     for (std::size_t i = 0; i < kScalars; ++i) result[i] = dot(normal, axes_[i]);
     return result;
@@ -243,7 +252,7 @@ class Illumination {
     return static_cast<std::int32_t>(rounded > 65280 ? 65280 : rounded);
   }
 
-  void make_ramp();
+  constexpr void make_ramp();
 
   /// ambient + diffuse * (i + 1/2) / 256; one light only. First, so that an index reaches it.
   std::array<PackedRgb, Lights == 1 ? 256 : 0> ramp_{};
@@ -261,3 +270,5 @@ class Illumination {
 };
 
 }  // namespace arcspan
+
+#include <arcspan/shading/illumination_make.hpp>

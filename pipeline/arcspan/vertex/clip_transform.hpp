@@ -6,6 +6,8 @@
 #include <arcspan/status.hpp>
 #include <arcspan/vertex/rotation.hpp>
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace arcspan {
@@ -50,17 +52,27 @@ class ClipTransform {
 
   /// kInvalidArgument if the viewport, the focal length (0 excluded) or the planes are out of range, or if
   /// the object is so far off (more than 2^22 units) that the numbers would not hold it.
-  static Status make(const Placement& placement, const Projection& projection, const Viewport& viewport,
-                     ClipTransform& transform);
+  static constexpr Status make(const Placement& placement, const Projection& projection,
+                               const Viewport& viewport, ClipTransform& transform);
 
-  [[nodiscard]] ClipPosition operator()(ObjectPosition p) const { return {row(0, p), row(1, p), row(2, p)}; }
+  /// The same as a constant, which can lie in flash; what make() would refuse does not compile.
+  [[nodiscard]] static consteval ClipTransform of(const Placement& placement, const Projection& projection,
+                                                  const Viewport& viewport) {
+    ClipTransform transform;
+    if (!ok(make(placement, projection, viewport, transform))) detail::constant_refused();
+    return transform;
+  }
 
-  [[nodiscard]] std::int32_t near_w() const { return near_w_; }
-  [[nodiscard]] const Viewport& viewport() const { return viewport_; }
+  [[nodiscard]] constexpr ClipPosition operator()(ObjectPosition p) const {
+    return {row(0, p), row(1, p), row(2, p)};
+  }
+
+  [[nodiscard]] constexpr std::int32_t near_w() const { return near_w_; }
+  [[nodiscard]] constexpr const Viewport& viewport() const { return viewport_; }
 
   /// Depth of a vertex at near_w() / w = `near_over_w` (29 fraction bits): 16 bits, nearer is smaller, linear
   /// on the screen. Stays kDepthMargin away from both ends, so that stepping it cannot wrap.
-  [[nodiscard]] std::uint16_t depth(std::int32_t near_over_w) const {
+  [[nodiscard]] constexpr std::uint16_t depth(std::int32_t near_over_w) const {
     const std::int32_t beyond = (std::int32_t{1} << 29) - near_over_w;
     if (beyond <= 0) return static_cast<std::uint16_t>(kDepthMargin);
     const std::int32_t depth = kDepthMargin + (multiply_high(depth_range_, beyond) >> depth_shift_);
@@ -77,7 +89,7 @@ class ClipTransform {
     std::int32_t low;
   };
 
-  [[nodiscard]] std::int32_t row(int i, ObjectPosition p) const {
+  [[nodiscard]] constexpr std::int32_t row(int i, ObjectPosition p) const {
     const Entry* const m = matrix_[i];
     const std::int32_t high =
         wrap_add(wrap_add(wrap_mul(m[0].high, p.x), wrap_mul(m[1].high, p.y)), wrap_mul(m[2].high, p.z));
@@ -92,5 +104,88 @@ class ClipTransform {
   std::int32_t depth_shift_ = 0;
   Viewport viewport_{};
 };
+
+namespace detail {
+
+/// No 16-bit position is farther from the object's origin: 32768 * sqrt(3), rounded up.
+inline constexpr std::int64_t kObjectRadius = 56756;
+inline constexpr int kGuardBits = 10 + PixelLength::kFraction;  // focal / kGuardBand in PixelLength
+
+[[nodiscard]] constexpr std::int64_t magnitude64(std::int64_t v) { return v < 0 ? -v : v; }
+
+[[nodiscard]] constexpr bool acceptable(const Placement& placement, const Projection& projection,
+                                        const Viewport& viewport) {
+  constexpr std::int64_t kMaxTranslation = std::int64_t{1} << 22;
+  constexpr std::int32_t kMaxPicture = 2 * kGuardBand;
+  for (const ObjectLength t : placement.translation) {
+    if (magnitude64(t.raw()) > kMaxTranslation << ObjectLength::kFraction) return false;
+  }
+  return viewport.width >= 1 && viewport.height >= 1 && viewport.width <= kMaxPicture &&
+         viewport.height <= kMaxPicture && projection.focal.raw() > 0 && projection.near_plane.raw() > 0 &&
+         projection.far_plane > projection.near_plane;
+}
+
+/// How far coordinates of clip space may be scaled up, as a power of two: the largest stays below 2^29.
+[[nodiscard]] constexpr int scale_bits(const Placement& placement, const Projection& projection) {
+  const auto reach = [](ObjectLength t) {
+    return kObjectRadius + (magnitude64(t.raw()) >> ObjectLength::kFraction) + 1;
+  };
+  const std::int64_t x = reach(placement.translation[0]);
+  const std::int64_t y = reach(placement.translation[1]);
+  const std::int64_t widest = (((x > y ? x : y) * projection.focal.raw()) >> kGuardBits) + 1;
+  const std::int64_t w = reach(placement.translation[2]);
+  const std::int64_t largest = widest > w ? widest : w;
+  return 29 - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(largest)));
+}
+
+/// value * factor * 2^shift, rounded towards minus infinity; |value| < 2^32, 0 < factor < 2^31.
+[[nodiscard, gnu::noinline]] constexpr std::int32_t rescaled(std::int64_t value, std::int64_t factor,
+                                                             int shift) {
+  const std::int64_t product = value * factor;
+  return static_cast<std::int32_t>(shift >= 0 ? product << shift : product >> -shift);
+}
+
+}  // namespace detail
+
+constexpr Status ClipTransform::make(const Placement& placement, const Projection& projection,
+                                     const Viewport& viewport, ClipTransform& transform) {
+  if (!detail::acceptable(placement, projection, viewport)) return Status::kInvalidArgument;
+  const int bits = detail::scale_bits(placement, projection);
+  // Rows x and y carry focal / kGuardBand, y and w a minus sign: screen y goes down, the camera looks along
+  // -z.
+  const std::int64_t factors[3] = {projection.focal.raw(), projection.focal.raw(),
+                                   std::int64_t{1} << detail::kGuardBits};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int64_t sign = i == 0 ? 1 : -1;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::int32_t entry = detail::rescaled(sign * placement.rotation.m[i][j].raw(), factors[i],
+                                                  bits + 14 - RotationEntry::kFraction - detail::kGuardBits);
+      transform.matrix_[i][j] = {entry >> 14, entry & 0x3FFF};
+    }
+    transform.offset_[i] = detail::rescaled(sign * placement.translation[i].raw(), factors[i],
+                                            bits - ObjectLength::kFraction - detail::kGuardBits);
+  }
+  // A near plane behind all that the numbers reach hides everything; it must not wrap around to the front.
+  constexpr std::int64_t kFarthest = (std::int64_t{1} << 30) - 1;
+  const std::int64_t near_w = (std::int64_t{projection.near_plane.raw()} << detail::kGuardBits) >>
+                              (ObjectLength::kFraction + detail::kGuardBits - bits);
+  transform.near_w_ = static_cast<std::int32_t>(near_w < 1 ? 1 : near_w > kFarthest ? kFarthest : near_w);
+  constexpr std::uint64_t kMaxDepthRange = std::uint64_t{1} << 27;  // shifted left by at least 3
+  // depth = margin + range * far / (far - near) * (1 - near / w).
+  const std::int64_t range = 65535 - 2 * kDepthMargin;
+  // Unsigned: one routine of the run-time library less.
+  const auto beyond_near = static_cast<std::uint32_t>(projection.far_plane.raw()) -
+                           static_cast<std::uint32_t>(projection.near_plane.raw());
+  const std::uint64_t depth_range =
+      static_cast<std::uint64_t>(range * projection.far_plane.raw()) / beyond_near;
+  // depth_range * (1 - near / w) is (depth_range << shift) * beyond >> 32 >> (shift - 3).
+  const auto range32 =
+      static_cast<std::uint32_t>(depth_range < kMaxDepthRange ? depth_range : kMaxDepthRange);
+  const int shift = std::countl_zero(range32) - 1;
+  transform.depth_range_ = static_cast<std::int32_t>(range32 << shift);
+  transform.depth_shift_ = shift - 3;
+  transform.viewport_ = viewport;
+  return Status::kOk;
+}
 
 }  // namespace arcspan

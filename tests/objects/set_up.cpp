@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What sets a scene up at run time, as all_stages.cpp has the stages.
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/shading/adaptive.hpp>
+#include <arcspan/shading/illumination.hpp>
+#include <arcspan/vertex/clip_transform.hpp>
+
+namespace arcspan {
+
+Status make_transform(Turn x, Turn y, Turn z, ObjectLength distance, const Projection& projection,
+                      const Viewport& viewport, ClipTransform& transform) {
+  const Rotation rotation = Rotation::about_x(x) * Rotation::about_y(y) * Rotation::about_z(z);
+  return ClipTransform::make({rotation, {{}, {}, distance}}, projection, viewport, transform);
+}
+
+Status make_light(const Material& material, const Rotation& rotation, const Direction& towards,
+                  Illumination<1, Highlight::kPhong>& light) {
+  const Direction sun = rotation.to_object(towards);
+  return Illumination<1, Highlight::kPhong>::make(material, {{{sun}}},
+                                                  rotation.to_object(normalised(0, 0, 1)), light);
+}
+
+Status make_adaptive(const Illumination<1, Highlight::kPhong>& light, std::int32_t tolerance,
+                     AdaptiveIllumination<Illumination<1, Highlight::kPhong>>& adaptive) {
+  adaptive = light;
+  return adaptive.set_tolerance(tolerance);
+}
+
+Status make_mesh(std::span<const ObjectPosition> positions, std::span<const PackedNormal> normals,
+                 std::span<const std::uint16_t> indices, MeshView& mesh) {
+  return MeshView::make(positions, normals, indices, mesh);
+}
+Status make_small_mesh(std::span<const ObjectPosition> positions, std::span<const PackedNormal> normals,
+                       std::span<const std::uint8_t> indices, MeshView& mesh) {
+  return MeshView::make(positions, normals, indices, mesh);
+}
+
+}  // namespace arcspan

@@ -31,6 +31,16 @@ struct DrawOptions {
 struct DrawResult {
   Status status = Status::kOk;
   std::uint32_t triangles = 0;  ///< of the mesh, at least partly inside the clip rectangle's rows and columns
+  std::uint32_t left_out = 0;   ///< cut by the view, and not drawn because DrawFeatures::clips is off
+};
+
+/// What draw_mesh can do beside drawing the fronts of triangles that are wholly in view. All of it, unless a
+/// firmware leaves code out (bytes on a Cortex-M3: docs/memory.md).
+struct DrawFeatures {
+  bool clips = true;      ///< triangles across the near plane or the guard band; else they are left_out
+  bool splits = true;     ///< normals too far apart for the method; else such triangles are drawn as they are
+  bool two_sided = true;  ///< DrawOptions::two_sided; else asking for it is kUnsupported
+  bool caches = true;     ///< a vertex cache; else one that is given is not used
 };
 
 namespace detail {
@@ -41,7 +51,7 @@ namespace detail {
 }
 
 /// One call of draw_mesh: the way of every triangle through the stages.
-template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
+template <ShadingMethod Method, DrawFeatures Features, PixelSink Sink, DepthTarget Depth>
 class MeshDrawer {
  public:
   using Raster = RasterVertex<Method>;
@@ -66,12 +76,13 @@ class MeshDrawer {
     left_ = (clip_.left - origin_.x) * 16;
     right_ = (clip_.right - origin_.x) * 16;
     banded_ = clip_.height() < viewport.height;
-    if (cache.size() >= mesh.vertex_count()) cache_ = cache.data();
+    if (Features.caches && cache.size() >= mesh.vertex_count()) cache_ = cache.data();
+    if (!Features.two_sided && options.two_sided) result_.status = Status::kUnsupported;
   }
 
-  [[nodiscard]] DrawResult draw() {
-    if (clip_.empty()) return {};
-    if (cache_ != nullptr) {
+  [[nodiscard, gnu::always_inline]] DrawResult draw() {
+    if (clip_.empty()) return result_;
+    if (has_cache()) {
       for (std::size_t i = 0; i < mesh_.vertex_count(); ++i) transform_vertex(i, cache_[i]);
     }
     const std::size_t count = mesh_.triangle_count();
@@ -80,6 +91,9 @@ class MeshDrawer {
   }
 
  private:
+  [[nodiscard]] bool has_cache() const { return Features.caches && cache_ != nullptr; }
+  [[nodiscard]] bool two_sided() const { return Features.two_sided && options_.two_sided; }
+
   void transform_vertex(std::size_t i, CachedVertex<Method>& vertex) const {
     const ClipPosition position = transform_(mesh_.position(i));
     vertex.outcode = outcode(position, transform_.near_w());
@@ -100,7 +114,11 @@ class MeshDrawer {
   }
 
   [[gnu::always_inline]] void draw_triangle(TriangleIndices t) {
-    if (cache_ == nullptr) {
+    if constexpr (!Features.caches) {
+      draw_uncached_here(t);
+      return;
+    }
+    if (!has_cache()) {
       draw_uncached(t);
       return;
     }
@@ -110,14 +128,21 @@ class MeshDrawer {
     if (!culled(a, b, c)) draw_vertices(t, a, b, c);
   }
 
-  [[gnu::noinline]] void draw_uncached(TriangleIndices t) {
+  [[gnu::noinline]] void draw_uncached(TriangleIndices t) { draw_uncached_here(t); }
+
+  [[gnu::always_inline]] void draw_uncached_here(TriangleIndices t) {
     CachedVertex<Method> a;
     CachedVertex<Method> b;
     CachedVertex<Method> c;
     transform_vertex(t.a, a);
     transform_vertex(t.b, b);
     transform_vertex(t.c, c);
-    if (!culled(a, b, c)) draw_vertices(t, a, b, c);
+    if (culled(a, b, c)) return;
+    if constexpr (Features.caches) {
+      draw_vertices(t, a, b, c);
+    } else {
+      draw_vertices_here(t, a, b, c);
+    }
   }
 
   /// Wholly beyond one side of the view, or seen from the back: half of the triangles and more, which set up
@@ -126,7 +151,7 @@ class MeshDrawer {
                             const CachedVertex<Method>& c) const {
     if ((a.outcode | b.outcode | c.outcode) != 0) return (a.outcode & b.outcode & c.outcode) != 0;
     const std::int32_t area = doubled_area(a.raster.position, b.raster.position, c.raster.position);
-    return area >= 0 && (area == 0 || !options_.two_sided);
+    return area >= 0 && (area == 0 || !two_sided());
   }
 
   void shade_vertices(const TriangleIndices& t, CachedVertex<Method>& a, CachedVertex<Method>& b,
@@ -139,15 +164,29 @@ class MeshDrawer {
   /// A triangle that is not culled().
   [[gnu::noinline]] void draw_vertices(TriangleIndices t, CachedVertex<Method>& a, CachedVertex<Method>& b,
                                        CachedVertex<Method>& c) {
+    draw_vertices_here(t, a, b, c);
+  }
+
+  [[gnu::always_inline]] void draw_vertices_here(const TriangleIndices& t, CachedVertex<Method>& a,
+                                                 CachedVertex<Method>& b, CachedVertex<Method>& c) {
     drawn_ = false;
     if ((a.outcode | b.outcode | c.outcode) != 0) {
-      draw_clipped(t, false);
-      // A cut vertex has no normal in the mesh to turn, so the back is clipped with its own shading.
-      if (options_.two_sided) draw_clipped(t, true);
+      draw_cut(t);
     } else {
       draw_projected(t, a, b, c);
     }
     if (drawn_) ++result_.triangles;
+  }
+
+  /// A triangle across the sides of the view.
+  void draw_cut(const TriangleIndices& t) {
+    if constexpr (Features.clips) {
+      draw_clipped(t, false);
+      // A cut vertex has no normal in the mesh to turn, so the back is clipped with its own shading.
+      if (two_sided()) draw_clipped(t, true);
+    } else {
+      ++result_.left_out;
+    }
   }
 
   /// Draws what is left of a clipped triangle if it shows its front, or its `back`. Rare, so that its
@@ -180,7 +219,7 @@ class MeshDrawer {
     const RasterPosition& p = a.raster.position;
     const RasterPosition& q = b.raster.position;
     const RasterPosition& r = c.raster.position;
-    if (!options_.two_sided || doubled_area(p, q, r) < 0) {
+    if (!two_sided() || doubled_area(p, q, r) < 0) {
       shade_vertices(t, a, b, c);
       draw_side(t, a.raster, b.raster, c.raster, false);
     } else {
@@ -212,8 +251,8 @@ class MeshDrawer {
       const Direction normal = face_normal(t);
       face = Method::shade_face(object_, back ? -normal : normal);
     }
-    if (draw_part(a, b, c, face, true)) return;
-    draw_split(a, b, c, face);
+    if (draw_part(a, b, c, face, Features.splits)) return;
+    if constexpr (Features.splits) draw_split(a, b, c, face);
   }
 
   [[gnu::noinline, gnu::cold]] void draw_split(const Raster& a, const Raster& b, const Raster& c,
@@ -305,13 +344,15 @@ class MeshDrawer {
 /// which is then transformed once; if it is smaller it is not used, and every triangle transforms its own
 /// three. The result's status is the sink's first that is not kOk. Not inlined: what it keeps on the stack (a
 /// CodeTable, perhaps) is there while it runs, and once.
-template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
+template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth>
 [[gnu::noinline, nodiscard]] DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
                                                   const typename Method::Object& object, Sink& sink,
                                                   const Depth& depth,
                                                   std::span<CachedVertex<Method>> cache = {},
                                                   const DrawOptions& options = {}) {
-  return detail::MeshDrawer<Method, Sink, Depth>(mesh, transform, object, sink, depth, cache, options).draw();
+  return detail::MeshDrawer<Method, Features, Sink, Depth>(mesh, transform, object, sink, depth, cache,
+                                                           options)
+      .draw();
 }
 
 }  // namespace arcspan

@@ -2,13 +2,19 @@
 #include <arcspan/bare/board.hpp>
 #include <arcspan/bare/console.hpp>
 
+#include <cstddef>
+
 namespace arcspan::bare {
 
 void print(const char* text) { write(text); }
 
-void print(std::uint64_t value) {
-  char digits[21];
-  char* first = digits + 20;
+namespace {
+
+/// Digits + 1 characters hold every value.
+template <std::size_t Digits, class Value>
+void print_decimal(Value value) {
+  char digits[Digits + 1];
+  char* first = digits + Digits;
   *first = '\0';
   do {
     *--first = static_cast<char>('0' + static_cast<int>(value % 10u));
@@ -16,6 +22,11 @@ void print(std::uint64_t value) {
   } while (value != 0);
   write(first);
 }
+
+}  // namespace
+
+void print(std::uint32_t value) { print_decimal<10>(value); }
+void print(std::uint64_t value) { print_decimal<20>(value); }
 
 void print(Hex hex) {
   char digits[9];

@@ -3,6 +3,14 @@
 
 #include <type_traits>
 
+/// A function that is inlined for speed, and apart where code is to be small: its stack is then not below
+/// what comes after it.
+#ifdef __OPTIMIZE_SIZE__
+#define ARCSPAN_APART_IF_SMALL [[gnu::noinline]]
+#else
+#define ARCSPAN_APART_IF_SMALL
+#endif
+
 // Empty statements that compilers cannot see through, where their choice of registers was measured to be the
 // dearer one. They change no value.
 namespace arcspan {

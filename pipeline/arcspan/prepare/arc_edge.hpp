@@ -35,7 +35,7 @@ struct ArcFraction {
 
 /// 1 / length as a fraction, where `inverse` is the reciprocal of the length with `bits` fraction bits; a
 /// length below one step counts as one, for then there is no second pixel or row to step to.
-[[nodiscard]] constexpr ArcFraction arc_fraction(const Reciprocal& inverse, int bits) {
+[[nodiscard, gnu::always_inline]] constexpr ArcFraction arc_fraction(const Reciprocal& inverse, int bits) {
   const int exponent = inverse.exponent - bits;
   if (exponent < 16) return {};
   return {inverse.mantissa, exponent};

@@ -85,14 +85,12 @@ template <class Value>
 
 /// Attribute `from` at the top of an edge and `to` at its bottom, 16 bits each.
 template <class Value>
-[[nodiscard]] constexpr BasicLinearEdge<Value> make_linear_edge(const EdgeSpan& edge, std::int32_t from,
-                                                                std::int32_t to) {
+constexpr void make_linear_edge(const EdgeSpan& edge, std::int32_t from, std::int32_t to,
+                                BasicLinearEdge<Value>& linear) {
   const std::int32_t difference = to - from;
   const std::int32_t part = part_of<Value>(difference, start_fraction(edge));
-  BasicLinearEdge<Value> linear;
   linear.at = Value::from_raw(wrap_add(wrap_shl(from, Value::kFraction), part));
   linear.step = gradient<Value>(difference, edge.inverse, Subpixel::kFraction);
-  return linear;
 }
 
 }  // namespace arcspan

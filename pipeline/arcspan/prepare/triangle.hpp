@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/keep.hpp>
 #include <arcspan/prepare/linear.hpp>
 
 #include <concepts>
@@ -77,25 +78,30 @@ struct TriangleFrame {
 };
 
 /// A 16-bit attribute with the given values at the top, middle and bottom vertex as a plane over the rows.
-template <class Value = Linear, class Method>
-[[nodiscard]] constexpr BasicLinearPlane<Value> make_linear_plane(const TriangleFrame<Method>& frame,
-                                                                  std::int32_t top, std::int32_t middle,
-                                                                  std::int32_t bottom) {
-  using Edge = BasicLinearEdge<Value>;
+template <class Value, class Method>
+constexpr void make_linear_plane(const TriangleFrame<Method>& frame, std::int32_t top, std::int32_t middle,
+                                 std::int32_t bottom, BasicLinearPlane<Value>& plane) {
   constexpr int kBits = kFractionBits<Value>;
-  BasicLinearPlane<Value> plane;
   const std::int32_t fraction = frame.middle_fraction.raw() >> (Factor::kFraction - kBits);
   const std::int32_t along = round_shift(wrap_mul(bottom - top, fraction), kBits);
   const std::int32_t across = middle - (top + along);
   plane.dx = gradient<Value>(frame.middle_left ? -across : across, frame.inverse_width, 16);
-  if (frame.middle_left) {
-    plane.left = frame.has_upper ? make_linear_edge<Value>(frame.upper_edge, top, middle) : Edge{};
-    plane.lower = frame.has_lower ? make_linear_edge<Value>(frame.lower_edge, middle, bottom) : Edge{};
-  } else {
-    plane.left = make_linear_edge<Value>(frame.long_edge, top, bottom);
-    plane.lower = Edge{};
+  // What no row uses is 0.
+  if (!frame.middle_left) {
+    make_linear_edge(frame.long_edge, top, bottom, plane.left);
+    plane.lower = {};
+    return;
   }
-  return plane;
+  if (frame.has_upper) {
+    make_linear_edge(frame.upper_edge, top, middle, plane.left);
+  } else {
+    plane.left = {};
+  }
+  if (frame.has_lower) {
+    make_linear_edge(frame.lower_edge, middle, bottom, plane.lower);
+  } else {
+    plane.lower = {};
+  }
 }
 
 namespace detail {
@@ -187,8 +193,8 @@ template <bool WithDepth, class Method>
   command.middle_left = frame.middle_left;
   place_edges(frame, command);
   if constexpr (WithDepth) {
-    command.depth =
-        make_linear_plane(frame, frame.top->position.z, frame.middle->position.z, frame.bottom->position.z);
+    make_linear_plane(frame, frame.top->position.z, frame.middle->position.z, frame.bottom->position.z,
+                      command.depth);
   } else {
     command.depth = LinearPlane{};
   }
@@ -237,12 +243,10 @@ enum class Preparation : std::uint8_t {
 /// kTooWide only if the triangle `may_split`; otherwise it is drawn as well as the method can.
 /// Where no depth is tested, no plane of it is made.
 template <class Method, bool WithDepth = true>
-[[nodiscard]] constexpr Preparation prepare_inside(const typename Method::Object& object,
-                                                   const RasterVertex<Method>& a,
-                                                   const RasterVertex<Method>& b,
-                                                   const RasterVertex<Method>& c,
-                                                   const typename Method::Face& face, const RowRange& rows,
-                                                   bool may_split, TriangleCommand<Method>& command) {
+ARCSPAN_APART_IF_SMALL [[nodiscard]] constexpr Preparation prepare_inside(
+    const typename Method::Object& object, const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+    const RasterVertex<Method>& c, const typename Method::Face& face, const RowRange& rows, bool may_split,
+    TriangleCommand<Method>& command) {
   TriangleFrame<Method> frame;
   detail::place_vertices(a, b, c, frame);
   if (may_split && detail::is_too_wide_in(frame)) return Preparation::kTooWide;

@@ -19,7 +19,7 @@ struct Arcs {
   ArcEdge<Count> lower_edge;
   ArcRows upper_rows;
   ArcRows lower_rows;
-  std::int32_t slope_drop;
+  std::uint8_t slope_drop;
   ArcClass rows;  ///< the format of the rows' angles
   bool middle_left;
 };
@@ -33,15 +33,15 @@ constexpr void prepare_arc_rows(const Frame& frame, Arcs<Count>& arcs) {
   const Angle top_middle = chord_angle(chords.top_middle, format);
   const Angle top_bottom = chord_angle(chords.top_bottom, format);
   const Angle middle_bottom = chord_angle(chords.middle_bottom, format);
-  const CornerChords from_top{top_middle, top_bottom, middle_bottom};
-  const CornerChords from_bottom{middle_bottom, top_bottom, top_middle};
-  const Angle at_middle = row_angle_at_middle(from_top, format, frame.middle_fraction);
+  CornerChords corner{top_middle, top_bottom, middle_bottom};
+  const Angle at_middle = row_angle_at_middle(corner, format, frame.middle_fraction);
   if (frame.has_upper) {
-    const Angle at_top = row_angle_at_corner(from_top, format, frame.middle_fraction);
+    const Angle at_top = row_angle_at_corner(corner, format, frame.middle_fraction);
     make_arc_rows(at_top, at_middle, format, frame.inverse_width, frame.upper_edge, true, arcs.upper_rows);
   }
   if (frame.has_lower) {
-    const Angle at_bottom = row_angle_at_corner(from_bottom, format, Factor::of(1.0) - frame.middle_fraction);
+    corner = {middle_bottom, top_bottom, top_middle};
+    const Angle at_bottom = row_angle_at_corner(corner, format, Factor::of(1.0) - frame.middle_fraction);
     make_arc_rows(at_bottom, at_middle, format, frame.inverse_width, frame.lower_edge, false,
                   arcs.lower_rows);
   }
@@ -60,7 +60,7 @@ template <class Frame, std::size_t Count>
   if (frame.has_upper) make_arc_edge(frame.upper_edge, chords.top_middle, top, middle, arcs.upper_edge);
   if (frame.has_lower) make_arc_edge(frame.lower_edge, chords.middle_bottom, middle, bottom, arcs.lower_edge);
   const std::uint32_t widest = chords.widest();
-  arcs.slope_drop = slope_drop(widest);
+  arcs.slope_drop = static_cast<std::uint8_t>(slope_drop(widest));
   arcs.rows = arc_class(widest);
   detail::prepare_arc_rows(frame, arcs);
   arcs.middle_left = frame.middle_left;
@@ -139,7 +139,7 @@ class ArcWalker {
     const Reciprocal inverse = nonzero_reciprocal(start.width);
     const ArcFraction pixel = arc_fraction(inverse, start.bits);
     const ArcStart arc = arc_start(angle2, arcs_->rows, fraction_of_row(start, inverse), pixel.factor());
-    const SlopeScale scale = slope_scale(pixel, static_cast<int>(arcs_->slope_drop), 0);
+    const SlopeScale scale = slope_scale(pixel, arcs_->slope_drop, 0);
 
     const ArcEdge<kScalars>& left = arcs_->middle_left ? *short_ : arcs_->long_edge;
     const ArcEdge<kScalars>& right = arcs_->middle_left ? arcs_->long_edge : *short_;

@@ -40,9 +40,9 @@ struct Gouraud {
     const Vertex& top = frame.top->shade;
     const Vertex& middle = frame.middle->shade;
     const Vertex& bottom = frame.bottom->shade;
-    prepared.r = make_plane(frame, top.r, middle.r, bottom.r);
-    prepared.g = make_plane(frame, top.g, middle.g, bottom.g);
-    prepared.b = make_plane(frame, top.b, middle.b, bottom.b);
+    make_plane(frame, top.r, middle.r, bottom.r, prepared.r);
+    make_plane(frame, top.g, middle.g, bottom.g, prepared.g);
+    make_plane(frame, top.b, middle.b, bottom.b, prepared.b);
     prepared.middle_left = frame.middle_left;
   }
 
@@ -108,14 +108,12 @@ struct Gouraud {
  private:
   /// With half an 8-bit step added, so that dropping bits rounds; and as it is far more than the error of a
   /// plane, no value leaves 0...256 and no pixel needs a clamp.
-  [[nodiscard]] static constexpr FullLinearPlane make_plane(const TriangleFrame<Gouraud>& frame,
-                                                            std::int32_t top, std::int32_t middle,
-                                                            std::int32_t bottom) {
+  static constexpr void make_plane(const TriangleFrame<Gouraud>& frame, std::int32_t top, std::int32_t middle,
+                                   std::int32_t bottom, FullLinearPlane& plane) {
     constexpr auto kHalf = FullLinear::from_raw(std::int32_t{1} << (FineRgb::kFraction - 1));
-    FullLinearPlane plane = make_linear_plane<FullLinear>(frame, top, middle, bottom);
+    make_linear_plane(frame, top, middle, bottom, plane);
     plane.left.at += kHalf;
     plane.lower.at += kHalf;
-    return plane;
   }
 };
 

@@ -66,14 +66,15 @@ struct NormalPlane {
 };
 
 template <class Method>
-[[nodiscard]] constexpr NormalPlane make_normal_plane(const TriangleFrame<Method>& frame,
-                                                      const Direction& top, const Direction& middle,
-                                                      const Direction& bottom) {
-  const auto plane = [&frame](DirectionComponent a, DirectionComponent b, DirectionComponent c) {
-    return make_linear_plane(frame, as_attribute(a.raw()), as_attribute(b.raw()), as_attribute(c.raw()));
+constexpr void make_normal_plane(const TriangleFrame<Method>& frame, const Direction& top,
+                                 const Direction& middle, const Direction& bottom, NormalPlane& normal) {
+  const auto make = [&frame](DirectionComponent a, DirectionComponent b, DirectionComponent c,
+                             LinearPlane& plane) {
+    make_linear_plane(frame, as_attribute(a.raw()), as_attribute(b.raw()), as_attribute(c.raw()), plane);
   };
-  return {plane(top.x, middle.x, bottom.x), plane(top.y, middle.y, bottom.y),
-          plane(top.z, middle.z, bottom.z)};
+  make(top.x, middle.x, bottom.x, normal.x);
+  make(top.y, middle.y, bottom.y, normal.y);
+  make(top.z, middle.z, bottom.z, normal.z);
 }
 
 }  // namespace arcspan

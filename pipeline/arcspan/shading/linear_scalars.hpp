@@ -104,10 +104,10 @@ struct LinearScalars {
     const Vertex& middle = frame.middle->shade;
     const Vertex& bottom = frame.bottom->shade;
     const auto attribute = [](Unit scalar) { return as_attribute(round_shift(scalar.raw(), 15)); };
-    prepared.normal = make_normal_plane(frame, top.normal, middle.normal, bottom.normal);
+    make_normal_plane(frame, top.normal, middle.normal, bottom.normal, prepared.normal);
     for (std::size_t i = 0; i < kScalars; ++i) {
-      prepared.scalars[i] = make_linear_plane(frame, attribute(top.scalars[i]), attribute(middle.scalars[i]),
-                                              attribute(bottom.scalars[i]));
+      make_linear_plane(frame, attribute(top.scalars[i]), attribute(middle.scalars[i]),
+                        attribute(bottom.scalars[i]), prepared.scalars[i]);
     }
     prepared.middle_left = frame.middle_left;
   }

@@ -29,7 +29,7 @@ struct Phong {
 
   static constexpr void prepare(const Object&, const TriangleFrame<Phong>& frame, const Face&,
                                 Prepared& prepared) {
-    prepared.normal = make_normal_plane(frame, frame.top->shade, frame.middle->shade, frame.bottom->shade);
+    make_normal_plane(frame, frame.top->shade, frame.middle->shade, frame.bottom->shade, prepared.normal);
     prepared.middle_left = frame.middle_left;
   }
 

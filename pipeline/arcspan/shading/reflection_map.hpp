@@ -101,7 +101,7 @@ struct ReflectionMap {
 
   static constexpr void prepare(const Object&, const TriangleFrame<ReflectionMap>& frame, const Face&,
                                 Prepared& prepared) {
-    prepared.normal = make_normal_plane(frame, frame.top->shade, frame.middle->shade, frame.bottom->shade);
+    make_normal_plane(frame, frame.top->shade, frame.middle->shade, frame.bottom->shade, prepared.normal);
     prepared.middle_left = frame.middle_left;
   }
 

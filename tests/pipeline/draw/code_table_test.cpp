@@ -25,7 +25,7 @@ struct Frame : hal::Framebuffer<Rgb565> {
 
 using Light = Illumination<1, Highlight::kPhong>;
 template <class Method, std::size_t Size>
-using CodesIn = typename detail::MeshDrawer<Method, Frame<Size>, DepthBuffer>::Codes;
+using CodesIn = typename detail::MeshDrawer<Method, DrawFeatures{}, Frame<Size>, DepthBuffer>::Codes;
 static_assert(std::is_same_v<CodesIn<Arc<Light>, 1024>, CodeTable<Rgb565, 1024>>);
 static_assert(std::is_same_v<CodesIn<Arc<Light>, 256>, CodeTable<Rgb565, 256>>);
 static_assert(sizeof(CodeTable<Rgb565, 256>) == 512);

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// As little flash and RAM as a picture takes: mesh, camera and light are constants, made by the compiler, and
+// what this scene does not need of draw_mesh is left out. 64x40 pixels of 5-6-5 with depth, on any board
+// of platform/.
+#include <arcspan/bare/console.hpp>
+#include <arcspan/bare/stack.hpp>
+#include <arcspan/draw.hpp>
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/arc.hpp>
+
+#include <tests/scenes/integer_shapes.hpp>
+
+using namespace arcspan;
+using Light = Illumination<1, Highlight::kBlinn>;
+
+constexpr Coefficient kHalf = Coefficient::of(0.5);
+constexpr Rotation kTilt = Rotation::about_x({4551}) * Rotation::about_y({3000});
+
+constexpr auto kShape = scenes::make_sphere<32, 16>();
+constexpr MeshView kSphere = MeshView::of(kShape.positions, kShape.normals, kShape.indices);
+constexpr ClipTransform kCamera =
+    ClipTransform::of({kTilt, {{}, {}, ObjectLength::of(-4 * scenes::kRadius)}},
+                      {PixelLength::of(72), ObjectLength::of(32768), ObjectLength::of(98304)}, {64, 40});
+constexpr Light kLight =
+    Light::of({{kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, 32},
+              {{{kTilt.to_object(normalised(3, 4, 5))}}}, kTilt.to_object(normalised(0, 0, 1)));
+
+/// 5-6-5 with each pixel encoded when it is drawn: no table of codes on the stack.
+struct Screen : hal::Framebuffer<Rgb565> {
+  using Framebuffer::Framebuffer;
+  static constexpr std::size_t kCodeTable = 0;
+};
+
+constexpr std::int32_t kWidth = 64;
+constexpr std::int32_t kHeight = 40;
+Screen::Unit pixels[Screen::units(kWidth, kHeight)];
+std::uint16_t depths[DepthBuffer::units(kWidth, kHeight)];
+constinit Screen screen(pixels, kWidth, kHeight);
+constinit DepthBuffer nearest(depths, kWidth, kHeight);
+
+int main() {
+  screen.clear({0, 0, 0});
+  nearest.clear();
+  // The sphere is in view as a whole, its triangles are small, and nobody sees it from inside.
+  constexpr DrawFeatures kFeatures{.clips = false, .splits = false, .two_sided = false, .caches = false};
+  const DrawResult drawn = draw_mesh<Arc<Light>, kFeatures>(kSphere, kCamera, kLight, screen, nearest);
+
+  bare::print_line("triangles: ", drawn.triangles, ", left out: ", drawn.left_out);
+  bare::print_line("middle pixel: ", std::uint32_t{screen.pixel(kWidth / 2, kHeight / 2).r});
+  bare::print_line("stack: ", bare::deepest_stack(), " of ", bare::stack_size(), " bytes");
+  return ok(drawn.status) ? 0 : 1;
+}

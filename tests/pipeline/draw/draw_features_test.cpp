@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// What a firmware leaves out of draw_mesh changes no pixel of a scene that does not need it, and is told
+// where one does.
+#include <arcspan/draw.hpp>
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/adaptive.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/support/random.hpp>
+#include <tests/support/scenes.hpp>
+
+#include <algorithm>
+#include <vector>
+
+using namespace arcspan;
+using namespace arcspan::test;
+
+namespace {
+
+using Light = Illumination<1, Highlight::kPhong>;
+constexpr DrawFeatures kNone{.clips = false, .splits = false, .two_sided = false, .caches = false};
+
+struct Picture {
+  std::vector<std::uint16_t> colours;
+  DrawResult result;
+
+  [[nodiscard]] std::ptrdiff_t drawn() const {
+    return std::count_if(colours.begin(), colours.end(), [](std::uint16_t code) { return code != 0; });
+  }
+};
+
+/// With a vertex cache, which is used if the features have one.
+template <class Method, DrawFeatures Features>
+Picture drawn(const TestMesh& mesh, const TestCamera& camera, const DrawOptions& options = {}) {
+  const typename Method::Object object(make_light<1, Highlight::kPhong>(camera));
+  Picture picture;
+  picture.colours.resize(hal::Framebuffer<Rgb565>::units(camera.width, camera.height));
+  std::vector<std::uint16_t> depths(DepthBuffer::units(camera.width, camera.height), DepthBuffer::kFarthest);
+  hal::Framebuffer<Rgb565> frame(picture.colours, camera.width, camera.height);
+  const DepthBuffer depth(depths, camera.width, camera.height);
+  std::vector<CachedVertex<Method>> cache(mesh.positions.size());
+  picture.result =
+      draw_mesh<Method, Features>(mesh.view(), camera.transform(), object, frame, depth, cache, options);
+  return picture;
+}
+
+TestCamera camera_at(double distance) {
+  TestCamera camera;
+  camera.translation = {0, 0, -distance};
+  return camera;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("a sphere in view needs no feature", "", Arc<Light>, Adaptive<Light>) {
+  Random random(171);
+  const TestMesh sphere = make_sphere(12, 16, 4000, 0.02, random);
+  const Picture all = drawn<TestType, DrawFeatures{}>(sphere, camera_at(14000));
+  const Picture none = drawn<TestType, kNone>(sphere, camera_at(14000));
+  CHECK(none.result.status == Status::kOk);
+  CHECK(none.result.left_out == 0);
+  CHECK(none.result.triangles == all.result.triangles);
+  CHECK(none.colours == all.colours);
+  CHECK(none.drawn() > 5000);
+}
+
+TEST_CASE("triangles that the view cuts are left out and counted if nothing clips") {
+  Random random(172);
+  const TestMesh sphere = make_sphere(12, 16, 4000, 0.02, random);
+  const TestCamera inside_near_plane = [] {
+    TestCamera camera = camera_at(4600);
+    camera.near_plane = 1000;
+    camera.focal = 40;
+    return camera;
+  }();
+  const Picture all = drawn<Arc<Light>, DrawFeatures{}>(sphere, inside_near_plane);
+  const Picture none = drawn<Arc<Light>, kNone>(sphere, inside_near_plane);
+  CHECK(all.result.left_out == 0);
+  CHECK(all.drawn() > 0);
+  CHECK(none.result.status == Status::kOk);
+  CHECK(none.result.left_out > 0);
+  CHECK(none.result.triangles < all.result.triangles);
+}
+
+TEST_CASE("too wide triangles are drawn whole if nothing splits") {
+  constexpr DrawFeatures kWhole{.splits = false};
+  const TestMesh cube = make_smooth_cube(3000);
+  TestCamera camera = camera_at(14000);
+  camera.right = {0.8, 0, 0.6};
+  camera.back = {-0.6, 0, 0.8};
+  const Picture split = drawn<Arc<Light>, DrawFeatures{}>(cube, camera);
+  const Picture whole = drawn<Arc<Light>, kWhole>(cube, camera);
+  CHECK(whole.result.triangles == split.result.triangles);
+  CHECK(whole.drawn() == split.drawn());  // the same outline, without cracks
+  CHECK(whole.colours != split.colours);
+}
+
+TEST_CASE("back faces that are left out are refused, and nothing is drawn") {
+  Random random(173);
+  const TestMesh sphere = make_sphere(6, 8, 4000, 0, random);
+  const Picture picture = drawn<Arc<Light>, kNone>(sphere, camera_at(14000), {.two_sided = true});
+  CHECK(picture.result.status == Status::kUnsupported);
+  CHECK(picture.result.triangles == 0);
+  CHECK(picture.drawn() == 0);
+}

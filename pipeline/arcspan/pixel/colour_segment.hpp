@@ -38,4 +38,16 @@ struct ColourSegment {
   }
 };
 
+/// Pixels whose colours are linear: a run of them.
+struct SegmentPixels {
+  ColourSegment at;
+  ColourSegment step;
+
+  template <class Object>
+  [[nodiscard]] constexpr ColourSegment colour(const Object&) const {
+    return at;
+  }
+  constexpr void next() { at.advance(step); }
+};
+
 }  // namespace arcspan

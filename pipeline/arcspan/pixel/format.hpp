@@ -43,6 +43,7 @@ class WordCursor {
   constexpr void write(Code code) { *at_ = code; }
   [[nodiscard]] constexpr Code read() const { return *at_; }
   constexpr void next() { ++at_; }
+  constexpr void skip(std::int32_t count) { at_ += count; }
   /// The present pixel and those to its right.
   [[nodiscard]] constexpr Code* codes() const { return at_; }
 

@@ -24,16 +24,15 @@ concept PixelRun = requires(R run, const Object& object) {
 };
 
 /// The same in segments between which colours are linear: `begin` is told the number of pixels, `enter` goes
-/// into the next segment and returns how many of the pixels left it has.
+/// into the next segment and returns how many of the pixels left it has, `segment` gives its pixels.
 template <class R>
 concept SegmentedRun = requires(const R run) {
-  { run.colour() } -> std::same_as<ColourSegment>;
+  { run.segment() } -> std::same_as<SegmentPixels>;
 };
 template <class R, class Object>
 concept SegmentedRunOf = SegmentedRun<R> && requires(R run, const Object& object, std::int32_t count) {
   {run.begin(object, count)};
   { run.enter(object, count) } -> std::same_as<std::int32_t>;
-  {run.next()};
 };
 
 /// Goes down the rows of a command: `row` gives the `Run` that makes the colours of a row's pixels from left

@@ -38,8 +38,8 @@ class SegmentRun {
     const std::int32_t length = 1 << bits_;
     return left < length ? left : length;
   }
-  [[nodiscard]] constexpr ColourSegment colour() const { return colour_; }
-  constexpr void next() { colour_.advance(step_); }
+  /// The pixels of the segment that was entered.
+  [[nodiscard]] constexpr SegmentPixels segment() const { return {colour_, step_}; }
 
  private:
   Inner inner_;

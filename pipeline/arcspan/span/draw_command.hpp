@@ -50,8 +50,9 @@ template <class Command, class Walker, class Target>
                                                                 const RowMemory<Target>& memory) {
   const RowStart start = row_start(command.left, command.right, span.x - begin);
   typename Walker::Run run = shade.row(start);
-  draw_run(memory.pixels.open(span), memory.depths.at(span), span, run, target,
-           linear_at(command.depth, start), command.depth.dx);
+  draw_run(
+      RowPlace<Target>{memory.pixels.open(span), memory.depths.at(span), linear_at(command.depth, start)},
+      span, run, target, command.depth.dx);
   return target.sink.close(span);
 }
 

@@ -44,10 +44,18 @@ struct RowTarget {
   const Codes& codes;
 };
 
-/// A run of whole words with the depth test: both rows by one index, which ends at 0.
+/// Where a row's next pixel is drawn.
+template <class Target>
+struct RowPlace {
+  typename Target::Format::Cursor cursor;
+  std::uint16_t* depths;
+  Linear z;
+};
+
+/// Pixels of whole words with the depth test: both rows by one index, which ends at 0.
 template <class Target, class Run>
 [[gnu::always_inline]] constexpr void draw_words(typename Target::Format::Code* codes, std::uint16_t* depths,
-                                                 const Span& span, Run& run, const Target& target, Linear z,
+                                                 Linear& z, const Span& span, Run& run, const Target& target,
                                                  Linear dz) {
   const typename Target::Object& object = target.object;
   const std::int32_t end = span.x + span.count;
@@ -67,60 +75,47 @@ template <class Target, class Run>
   }
 }
 
-/// Draws one run of pixels: the codes of `run` through `cursor`, with the depth test of `Depth` against what
-/// is at `depths`.
+/// Draws the pixels of `run` and goes on to the place behind them.
 template <class Target, class Run>
-[[gnu::always_inline]] constexpr void draw_run(typename Target::Format::Cursor cursor, std::uint16_t* depths,
-                                               const Span& span, Run& run, const Target& target, Linear z,
-                                               Linear dz) {
+[[gnu::always_inline]] constexpr void draw_pixels(RowPlace<Target>& place, const Span& span, Run& run,
+                                                  const Target& target, Linear dz) {
   using Format = typename Target::Format;
   constexpr bool kTests = Target::kTests;
-  if constexpr (kManyRegisters && kTests && requires { cursor.codes(); }) {
-    draw_words(cursor.codes(), depths, span, run, target, z, dz);
+  if constexpr (kManyRegisters && kTests && requires { place.cursor.codes(); }) {
+    draw_words(place.cursor.codes(), place.depths, place.z, span, run, target, dz);
+    place.cursor.skip(span.count);
+    place.depths += span.count;
     return;
   }
   for (std::int32_t i = 0; i < span.count; ++i) {
-    const auto nearness = static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
-    if (!kTests || nearness < *depths) [[likely]] {
-      if constexpr (kTests) *depths = nearness;
-      cursor.write(run_code<Format>(run, target.object, target.codes, span.x + i, span.y));
+    const auto nearness = static_cast<std::uint16_t>(place.z.raw() >> Linear::kFraction);
+    if (!kTests || nearness < *place.depths) [[likely]] {
+      if constexpr (kTests) *place.depths = nearness;
+      place.cursor.write(run_code<Format>(run, target.object, target.codes, span.x + i, span.y));
     }
     if constexpr (kTests) {
-      ++depths;
-      z += dz;
+      ++place.depths;
+      place.z += dz;
     }
-    cursor.next();
+    place.cursor.next();
     run.next();
   }
 }
 
-/// The same for a run in segments.
-template <class Target, SegmentedRun Run>
-[[gnu::always_inline]] constexpr void draw_run(typename Target::Format::Cursor cursor, std::uint16_t* depths,
-                                               const Span& span, Run& run, const Target& target, Linear z,
-                                               Linear dz) {
-  using Format = typename Target::Format;
-  constexpr bool kTests = Target::kTests;
-  std::int32_t x = span.x;
-  const std::int32_t end = span.x + span.count;
-  run.begin(target.object, span.count);
-  while (x < end) {
-    const std::int32_t pause = x + run.enter(target.object, end - x);
-    for (; x < pause; ++x) {
-      if constexpr (kTests) {
-        const auto nearness = static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
-        if (nearness < *depths) [[likely]] {
-          *depths = nearness;
-          cursor.write(encode_at<Format>(run.colour(), x, span.y));
-        }
-        ++depths;
-        z += dz;
-      } else {
-        cursor.write(encode_at<Format>(run.colour(), x, span.y));
-      }
-      cursor.next();
-      run.next();
+/// Draws one run of pixels from `place` on, with the depth test of `Depth`.
+template <class Target, class Run>
+[[gnu::always_inline]] constexpr void draw_run(RowPlace<Target> place, const Span& span, Run& run,
+                                               const Target& target, Linear dz) {
+  if constexpr (SegmentedRun<Run>) {
+    run.begin(target.object, span.count);
+    for (std::int32_t left = span.count; left > 0;) {
+      const std::int32_t count = run.enter(target.object, left);
+      auto colours = run.segment();
+      draw_pixels(place, {span.y, span.x + span.count - left, count}, colours, target, dz);
+      left -= count;
     }
+  } else {
+    draw_pixels(place, span, run, target, dz);
   }
 }
 

@@ -66,6 +66,19 @@ template <class Command, class Walker, class Target>
   return draw_one_run(command, shade, span, begin, held, memory);
 }
 
+/// Draws one run where it costs less.
+template <class Command, class Walker, class Target>
+[[gnu::always_inline, nodiscard]] constexpr Status draw_next_run(const Command& command, const Walker& shade,
+                                                                 const Span& span, std::int32_t begin,
+                                                                 const Target& target,
+                                                                 const RowMemory<Target>& memory) {
+  if constexpr (WalksApart<Walker> || (kManyRegisters && SegmentedRun<typename Walker::Run>)) {
+    return draw_run_apart(command, shade, span, begin, target, memory);
+  } else {
+    return draw_one_run(command, shade, span, begin, target, memory);
+  }
+}
+
 /// Draws the row that the walkers stand on; `begin` is its first column, `span` what is to be seen of it.
 template <class Command, class Walker, class Target>
 [[gnu::always_inline, nodiscard]] constexpr Status draw_row(const Command& command, const Walker& shade,
@@ -73,17 +86,12 @@ template <class Command, class Walker, class Target>
                                                             const Target& target,
                                                             const RowMemory<Target>& memory) {
   if constexpr (Walker::kLongestRun >= 2 * kGuardBand) {
-    return draw_one_run(command, shade, span, begin, target, memory);
+    return draw_next_run(command, shade, span, begin, target, memory);
   } else {
     const std::int32_t last = span.x + span.count;
     while (true) {
       if (span.count > Walker::kLongestRun) span.count = Walker::kLongestRun;
-      Status status;
-      if constexpr (WalksApart<Walker>) {
-        status = draw_run_apart(command, shade, span, begin, target, memory);
-      } else {
-        status = draw_one_run(command, shade, span, begin, target, memory);
-      }
+      const Status status = draw_next_run(command, shade, span, begin, target, memory);
       span.x += span.count;
       span.count = last - span.x;
       if (!ok(status) || span.count == 0) return status;
@@ -94,9 +102,9 @@ template <class Command, class Walker, class Target>
 /// Steps a command's edges and attributes down by one row, in place.
 template <class Target, class Command, class Walker>
 [[gnu::always_inline]] constexpr void next_row(Command& command, Walker& shade) {
-  keep_in_memory(command.left.x);
-  keep_in_memory(command.right.x);
-  if constexpr (kManyRegisters) keep_in_memory(command.depth.left.at);
+  keep_in_memory(command.left);
+  keep_in_memory(command.right);
+  if constexpr (kManyRegisters) keep_in_memory(command.depth.left);
   command.left.advance();
   command.right.advance();
   if constexpr (Target::kTests) command.depth.next_row();
@@ -151,17 +159,20 @@ template <class Command, class Walker, class Target>
   std::int32_t half_end = middle < stop ? middle : stop;
   std::int32_t y = command.first_row + origin.y;
   if (y < clip.top) skip_above<Target>(command, shade, y, clip.top, half_end, stop);
-  for (RowMemory<Target> memory(target, y);; half_end = stop) {
-    for (; y < half_end; ++y, memory.next(), next_row<Target>(command, shade)) {
+  for (RowMemory<Target> memory(target, y);; y = half_end, half_end = stop) {
+    // Counted down, since few sinks ask for y.
+    for (std::int32_t left = half_end - y; left > 0;
+         --left, memory.next(), next_row<Target>(command, shade)) {
       const std::int32_t begin = command.left.column();
       const std::int32_t end_column = command.right.column();
       const std::int32_t first = begin < clip.left ? clip.left : begin;
       const std::int32_t last = end_column > clip.right ? clip.right : end_column;
       if (first >= last) continue;
-      const Status status = draw_row(command, shade, {y, first, last - first}, begin, target, memory);
+      const Status status =
+          draw_row(command, shade, {half_end - left, first, last - first}, begin, target, memory);
       if (!ok(status)) return status;
     }
-    if (y >= stop) return Status::kOk;
+    if (half_end >= stop) return Status::kOk;
     enter_lower<Target>(command, shade);
   }
 }

@@ -81,17 +81,18 @@ class MeshDrawer {
   }
 
   [[nodiscard, gnu::always_inline]] DrawResult draw() {
-    if (clip_.empty()) return result_;
-    if (has_cache()) {
-      for (std::size_t i = 0; i < mesh_.vertex_count(); ++i) transform_vertex(i, cache_[i]);
+    if (clip_.empty() || !ok(result_.status)) return result_;
+    if constexpr (!Features.caches) {
+      draw_uncached_here();
+    } else if (cache_ != nullptr) {
+      draw_cached();
+    } else {
+      draw_uncached();
     }
-    const std::size_t count = mesh_.triangle_count();
-    for (std::size_t i = 0; i < count && ok(result_.status); ++i) draw_triangle(mesh_.triangle(i));
     return result_;
   }
 
  private:
-  [[nodiscard]] bool has_cache() const { return Features.caches && cache_ != nullptr; }
   [[nodiscard]] bool two_sided() const { return Features.two_sided && options_.two_sided; }
 
   void transform_vertex(std::size_t i, CachedVertex<Method>& vertex) const {
@@ -113,35 +114,40 @@ class MeshDrawer {
     shade = Method::shade_vertex(object_, back ? -normal : normal);
   }
 
-  [[gnu::always_inline]] void draw_triangle(TriangleIndices t) {
-    if constexpr (!Features.caches) {
-      draw_uncached_here(t);
-      return;
+  void draw_cached() {
+    const MeshView mesh = mesh_;  // and the cache: nothing that is drawn can change them here
+    CachedVertex<Method>* const cache = cache_;
+    for (std::size_t i = 0; i < mesh.vertex_count(); ++i) transform_vertex(i, cache[i]);
+    const std::size_t count = mesh.triangle_count();
+    for (std::size_t i = 0; i < count; ++i) {
+      const TriangleIndices t = mesh.triangle(i);
+      CachedVertex<Method>& a = cache[t.a];
+      CachedVertex<Method>& b = cache[t.b];
+      CachedVertex<Method>& c = cache[t.c];
+      if (culled(a, b, c)) continue;
+      draw_vertices(t, a, b, c);
+      if (!ok(result_.status)) return;
     }
-    if (!has_cache()) {
-      draw_uncached(t);
-      return;
-    }
-    CachedVertex<Method>& a = cache_[t.a];
-    CachedVertex<Method>& b = cache_[t.b];
-    CachedVertex<Method>& c = cache_[t.c];
-    if (!culled(a, b, c)) draw_vertices(t, a, b, c);
   }
 
-  [[gnu::noinline]] void draw_uncached(TriangleIndices t) { draw_uncached_here(t); }
+  [[gnu::noinline]] void draw_uncached() { draw_uncached_here(); }
 
-  [[gnu::always_inline]] void draw_uncached_here(TriangleIndices t) {
-    CachedVertex<Method> a;
-    CachedVertex<Method> b;
-    CachedVertex<Method> c;
-    transform_vertex(t.a, a);
-    transform_vertex(t.b, b);
-    transform_vertex(t.c, c);
-    if (culled(a, b, c)) return;
-    if constexpr (Features.caches) {
-      draw_vertices(t, a, b, c);
-    } else {
-      draw_vertices_here(t, a, b, c);
+  [[gnu::always_inline]] void draw_uncached_here() {
+    const std::size_t count = mesh_.triangle_count();
+    for (std::size_t i = 0; i < count && ok(result_.status); ++i) {
+      const TriangleIndices t = mesh_.triangle(i);
+      CachedVertex<Method> a;
+      CachedVertex<Method> b;
+      CachedVertex<Method> c;
+      transform_vertex(t.a, a);
+      transform_vertex(t.b, b);
+      transform_vertex(t.c, c);
+      if (culled(a, b, c)) continue;
+      if constexpr (Features.caches) {
+        draw_vertices(t, a, b, c);
+      } else {
+        draw_vertices_here(t, a, b, c);
+      }
     }
   }
 
@@ -206,6 +212,7 @@ class MeshDrawer {
       const Raster q = projected(inside.vertices[i - 1]);
       const Raster r = projected(inside.vertices[i]);
       const std::int32_t area = doubled_area(p.position, q.position, r.position);
+      if (!ok(result_.status)) return;
       if (back ? area > 0 : area < 0) draw_side_rarely(t, p, q, r, back);
     }
   }
@@ -258,7 +265,7 @@ class MeshDrawer {
   [[gnu::noinline, gnu::cold]] void draw_split(const Raster& a, const Raster& b, const Raster& c,
                                                const typename Method::Face& face) {
     auto emit = [this, &face](const Raster& p, const Raster& q, const Raster& r) {
-      (void)draw_part(p, q, r, face, false);
+      if (ok(result_.status)) (void)draw_part(p, q, r, face, false);
     };
     split_triangle(a, b, c, emit);
   }
@@ -273,7 +280,6 @@ class MeshDrawer {
       return true;
     }
     TriangleCommand<Method> command;
-    if (!ok(result_.status)) return true;
     const Preparation prepared =
         prepare_inside<Method, Depth::kTests>(object_, a, b, c, face, rows_, may_split, command);
     if (prepared != Preparation::kReady) return prepared == Preparation::kNothing;

@@ -31,7 +31,10 @@ requires kManyRegisters class PixelRows<Sink> {
   [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& run) const {
     return typename Sink::Format::Cursor(row_, run.x);
   }
-  constexpr void next() { row_ += stride_; }
+  constexpr void next() {
+    row_ += stride_;
+    keep_as_is(row_);
+  }
 
  private:
   typename Sink::Format::Unit* row_;
@@ -45,7 +48,10 @@ class DepthRows {
   constexpr DepthRows(const Depth& depth, std::int32_t y)
       : row_(depth.row(y)), stride_(depth.bounds().right) {}
   [[nodiscard]] constexpr std::uint16_t* at(const Span& run) const { return row_ + run.x; }
-  constexpr void next() { row_ += stride_; }
+  constexpr void next() {
+    row_ += stride_;
+    keep_as_is(row_);
+  }
 
  private:
   std::uint16_t* row_;

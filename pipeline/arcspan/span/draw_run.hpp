@@ -9,6 +9,7 @@
 #include <arcspan/span/depth.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -63,12 +64,13 @@ template <class Target, class Run>
   depths += span.count;
   keep_as_is(codes);
   keep_as_is(depths);
-  for (std::int32_t i = -span.count; i != 0; ++i) {
-    keep_as_is(i);
+  for (std::ptrdiff_t i = -span.count; i != 0; ++i) {
+    if constexpr (sizeof(void*) <= 4) keep_as_is(i);  // longer ones need no help
     const auto nearness = static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
     if (nearness < depths[i]) [[likely]] {
       depths[i] = nearness;
-      codes[i] = run_code<typename Target::Format>(run, object, target.codes, end + i, span.y);
+      codes[i] = run_code<typename Target::Format>(run, object, target.codes,
+                                                   end + static_cast<std::int32_t>(i), span.y);
     }
     z += dz;
     run.next();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/pixel/fill.hpp>
 #include <arcspan/pixel/format.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
@@ -59,9 +60,13 @@ class Framebuffer {
   /// Sets every pixel to `colour`.
   constexpr void clear(Rgb8 colour) {
     const typename F::Code code = F::encode(colour);
-    for (std::int32_t y = bounds_.top; y < bounds_.bottom; ++y) {
-      typename F::Cursor cursor(row(y), 0);
-      for (std::int32_t left = bounds_.right; left > 0; --left, cursor.next()) cursor.write(code);
+    if constexpr (requires(typename F::Cursor cursor) { cursor.codes(); }) {
+      fill(memory_, units(bounds_.right, bounds_.height()), code);
+    } else {
+      for (std::int32_t y = bounds_.top; y < bounds_.bottom; ++y) {
+        typename F::Cursor cursor(row(y), 0);
+        for (std::int32_t left = bounds_.right; left > 0; --left, cursor.next()) cursor.write(code);
+      }
     }
   }
 

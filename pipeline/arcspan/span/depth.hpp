@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/pixel/fill.hpp>
 #include <arcspan/pixel/sink.hpp>
 
 #include <concepts>
@@ -51,9 +52,7 @@ class DepthBuffer {
   }
 
   constexpr void clear() {
-    std::uint16_t* const depths = memory_;
-    const std::size_t count = units(bounds_.right, bounds_.height());
-    for (std::size_t i = 0; i < count; ++i) depths[i] = kFarthest;
+    fill(memory_, units(bounds_.right, bounds_.height()), kFarthest);
   }
 
  private:

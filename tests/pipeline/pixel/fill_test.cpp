@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/pixel/fill.hpp>
+#include <arcspan/span/depth.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+using namespace arcspan;
+
+namespace {
+
+constexpr bool fills_in_a_constant() {
+  std::array<std::uint16_t, 37> codes{};
+  fill(codes.data() + 1, 35, std::uint16_t{0x1234});
+  bool right = codes[0] == 0 && codes[36] == 0;
+  for (std::size_t i = 1; i < 36; ++i) right = right && codes[i] == 0x1234;
+  return right;
+}
+static_assert(fills_in_a_constant());
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("fill sets as many codes as it is told, wherever they begin", "", std::uint8_t,
+                   std::uint16_t, std::uint32_t) {
+  constexpr auto kValue = static_cast<TestType>(0x9A3C71E5u);
+  constexpr auto kOutside = static_cast<TestType>(0x55);
+  for (std::size_t first = 0; first < 9; ++first) {
+    for (std::size_t count = 0; count < 150; ++count) {
+      std::vector<TestType> codes(first + count + 9, kOutside);
+      std::vector<TestType> wanted = codes;
+      std::fill_n(wanted.begin() + static_cast<std::ptrdiff_t>(first), count, kValue);
+      fill(codes.data() + first, count, kValue);
+      REQUIRE(codes == wanted);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("clearing a band sets every pixel, and nothing behind it", "", Rgb565, Rgb888, Gray8,
+                   Gray4, Mono) {
+  using Frame = hal::Framebuffer<TestType>;
+  constexpr std::int32_t kWidth = 35;
+  constexpr std::int32_t kRows = 7;
+  constexpr Rgb8 kColour{200, 100, 60};
+  std::vector<typename Frame::Unit> memory(Frame::units(kWidth, kRows) + 4, typename Frame::Unit{0x5A});
+  Frame frame({memory.data(), memory.size() - 4}, kWidth, kRows, 20);
+  frame.clear(kColour);
+  const Rgb8 stored = TestType::decode(TestType::encode(kColour));
+  for (std::int32_t y = 20; y < 20 + kRows; ++y) {
+    for (std::int32_t x = 0; x < kWidth; ++x) REQUIRE(frame.pixel(x, y) == stored);
+  }
+  CHECK(std::count(memory.end() - 4, memory.end(), typename Frame::Unit{0x5A}) == 4);
+}
+
+TEST_CASE("clearing depths makes all of them the farthest") {
+  std::vector<std::uint16_t> memory(DepthBuffer::units(33, 5) + 1, 7);
+  DepthBuffer depth({memory.data(), memory.size() - 1}, 33, 5, 10);
+  depth.clear();
+  CHECK(std::count(memory.begin(), memory.end() - 1, DepthBuffer::kFarthest) == 33 * 5);
+  CHECK(memory.back() == 7);
+}

@@ -24,7 +24,7 @@ using Phong1 = Illumination<1, Highlight::kPhong>;
 using Phong4 = Illumination<4, Highlight::kPhong>;
 
 #define ARCSPAN_INSTANTIATE(METHOD, FORMAT, DEPTH)                                                           \
-  template DrawResult draw_mesh<METHOD, DrawFeatures{}, hal::Framebuffer<FORMAT>, DEPTH>(                                    \
+  template DrawResult draw_mesh<METHOD, DrawFeatures{}, hal::Framebuffer<FORMAT>, DEPTH>(                    \
       const MeshView&, const ClipTransform&, const METHOD::Object&, hal::Framebuffer<FORMAT>&, const DEPTH&, \
       std::span<CachedVertex<METHOD>>, const DrawOptions&)
 

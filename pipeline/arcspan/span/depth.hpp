@@ -51,9 +51,7 @@ class DepthBuffer {
     bounds_.bottom = first_row + rows;
   }
 
-  constexpr void clear() {
-    fill(memory_, units(bounds_.right, bounds_.height()), kFarthest);
-  }
+  constexpr void clear() { fill(memory_, units(bounds_.right, bounds_.height()), kFarthest); }
 
  private:
   std::uint16_t* memory_;

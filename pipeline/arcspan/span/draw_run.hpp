@@ -64,7 +64,7 @@ template <class Target, class Run>
   depths += span.count;
   keep_as_is(codes);
   keep_as_is(depths);
-  for (std::ptrdiff_t i = -span.count; i != 0; ++i) {
+  for (auto i = static_cast<std::ptrdiff_t>(-span.count); i != 0; ++i) {
     if constexpr (sizeof(void*) <= 4) keep_as_is(i);  // longer ones need no help
     const auto nearness = static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
     if (nearness < depths[i]) [[likely]] {

@@ -348,8 +348,9 @@ class MeshDrawer {
 ///
 /// `object` is the illumination in the object's space. `cache` may hold mesh.vertex_count() vertices, each of
 /// which is then transformed once; if it is smaller it is not used, and every triangle transforms its own
-/// three. The result's status is the sink's first that is not kOk. Not inlined: what it keeps on the stack (a
-/// CodeTable, perhaps) is there while it runs, and once.
+/// three. `Features` may leave out what a scene does not need. The result's status is the sink's first that
+/// is not kOk. Not inlined: what it keeps on the stack (a CodeTable, perhaps) is there while it runs, and
+/// once.
 template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth>
 [[gnu::noinline, nodiscard]] DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
                                                   const typename Method::Object& object, Sink& sink,

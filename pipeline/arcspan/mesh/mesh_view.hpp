@@ -48,12 +48,16 @@ class MeshView {
   [[nodiscard]] static consteval MeshView of(std::span<const ObjectPosition> positions,
                                              std::span<const PackedNormal> normals,
                                              std::span<const std::uint16_t> indices) {
-    return checked(positions, normals, indices);
+    MeshView view;
+    if (!ok(make(positions, normals, indices, view))) detail::constant_refused();
+    return view;
   }
   [[nodiscard]] static consteval MeshView of(std::span<const ObjectPosition> positions,
                                              std::span<const PackedNormal> normals,
                                              std::span<const std::uint8_t> indices) {
-    return checked(positions, normals, indices);
+    MeshView view;
+    if (!ok(make(positions, normals, indices, view))) detail::constant_refused();
+    return view;
   }
 
   [[nodiscard]] constexpr std::size_t vertex_count() const { return vertex_count_; }
@@ -74,14 +78,12 @@ class MeshView {
   }
 
  private:
-  template <class Index>
-  [[nodiscard]] static consteval MeshView checked(std::span<const ObjectPosition> positions,
-                                                  std::span<const PackedNormal> normals,
-                                                  std::span<const Index> indices) {
-    MeshView view;
-    if (!ok(make(positions, normals, indices, view))) detail::constant_refused();
-    return view;
-  }
+  constexpr MeshView(std::span<const ObjectPosition> positions, std::span<const PackedNormal> normals,
+                     std::size_t triangle_count)
+      : positions_(positions.data()),
+        normals_(normals.data()),
+        vertex_count_(positions.size()),
+        triangle_count_(triangle_count) {}
 
   const ObjectPosition* positions_ = nullptr;
   const PackedNormal* normals_ = nullptr;
@@ -112,12 +114,8 @@ constexpr Status MeshView::make(std::span<const ObjectPosition> positions,
                                 MeshView& view) {
   const Status status = detail::check_mesh(positions.size(), normals.size(), indices);
   if (!ok(status)) return status;
-  view.positions_ = positions.data();
-  view.normals_ = normals.data();
-  view.indices8_ = nullptr;
+  view = MeshView(positions, normals, indices.size() / 3);
   view.indices16_ = indices.data();
-  view.vertex_count_ = positions.size();
-  view.triangle_count_ = indices.size() / 3;
   return Status::kOk;
 }
 
@@ -126,12 +124,8 @@ constexpr Status MeshView::make(std::span<const ObjectPosition> positions,
                                 MeshView& view) {
   const Status status = detail::check_mesh(positions.size(), normals.size(), indices);
   if (!ok(status)) return status;
-  view.positions_ = positions.data();
-  view.normals_ = normals.data();
+  view = MeshView(positions, normals, indices.size() / 3);
   view.indices8_ = indices.data();
-  view.indices16_ = nullptr;
-  view.vertex_count_ = positions.size();
-  view.triangle_count_ = indices.size() / 3;
   return Status::kOk;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // As little flash and RAM as a picture takes: mesh, camera and light are constants, made by the compiler, and
-// what this scene does not need of draw_mesh is left out. 64x40 pixels of 5-6-5 with depth, on any board
+// what this scene does not need of draw_mesh is left out. 32x32 pixels of 5-6-5 with depth, on any board
 // of platform/.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/stack.hpp>
@@ -13,14 +13,16 @@
 using namespace arcspan;
 using Light = Illumination<1, Highlight::kBlinn>;
 
+constexpr std::int32_t kWidth = 32;
+constexpr std::int32_t kHeight = 32;
 constexpr Coefficient kHalf = Coefficient::of(0.5);
 constexpr Rotation kTilt = Rotation::about_x({4551}) * Rotation::about_y({3000});
 
 constexpr auto kShape = scenes::make_sphere<32, 16>();
 constexpr MeshView kSphere = MeshView::of(kShape.positions, kShape.normals, kShape.indices);
-constexpr ClipTransform kCamera =
-    ClipTransform::of({kTilt, {{}, {}, ObjectLength::of(-4 * scenes::kRadius)}},
-                      {PixelLength::of(72), ObjectLength::of(32768), ObjectLength::of(98304)}, {64, 40});
+constexpr ClipTransform kCamera = ClipTransform::of(
+    {kTilt, {{}, {}, ObjectLength::of(-4 * scenes::kRadius)}},
+    {PixelLength::of(56), ObjectLength::of(32768), ObjectLength::of(98304)}, {kWidth, kHeight});
 constexpr Light kLight =
     Light::of({{kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, 32},
               {{{kTilt.to_object(normalised(3, 4, 5))}}}, kTilt.to_object(normalised(0, 0, 1)));
@@ -31,8 +33,6 @@ struct Screen : hal::Framebuffer<Rgb565> {
   static constexpr std::size_t kCodeTable = 0;
 };
 
-constexpr std::int32_t kWidth = 64;
-constexpr std::int32_t kHeight = 40;
 Screen::Unit pixels[Screen::units(kWidth, kHeight)];
 std::uint16_t depths[DepthBuffer::units(kWidth, kHeight)];
 constinit Screen screen(pixels, kWidth, kHeight);

@@ -23,13 +23,14 @@ constexpr DrawFeatures kNone{.clips = false, .splits = false, .two_sided = false
 struct Picture {
   std::vector<std::uint16_t> colours;
   DrawResult result;
+  bool cached = false;  ///< a vertex was shaded in the cache
 
   [[nodiscard]] std::ptrdiff_t drawn() const {
     return std::count_if(colours.begin(), colours.end(), [](std::uint16_t code) { return code != 0; });
   }
 };
 
-/// With a vertex cache, which is used if the features have one.
+/// With memory for a vertex cache.
 template <class Method, DrawFeatures Features>
 Picture drawn(const TestMesh& mesh, const TestCamera& camera, const DrawOptions& options = {}) {
   const typename Method::Object object(make_light<1, Highlight::kPhong>(camera));
@@ -41,6 +42,7 @@ Picture drawn(const TestMesh& mesh, const TestCamera& camera, const DrawOptions&
   std::vector<CachedVertex<Method>> cache(mesh.positions.size());
   picture.result =
       draw_mesh<Method, Features>(mesh.view(), camera.transform(), object, frame, depth, cache, options);
+  picture.cached = std::any_of(cache.begin(), cache.end(), [](const auto& vertex) { return vertex.shaded; });
   return picture;
 }
 
@@ -62,6 +64,8 @@ TEMPLATE_TEST_CASE("a sphere in view needs no feature", "", Arc<Light>, Adaptive
   CHECK(none.result.triangles == all.result.triangles);
   CHECK(none.colours == all.colours);
   CHECK(none.drawn() > 5000);
+  CHECK(all.cached);
+  CHECK_FALSE(none.cached);
 }
 
 TEST_CASE("triangles that the view cuts are left out and counted if nothing clips") {

@@ -4,6 +4,7 @@
 #include <arcspan/pixel/sink.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace arcspan::tools {
 
@@ -12,11 +13,16 @@ template <PixelSink Target>
 class CountingSink {
  public:
   using Format = typename Target::Format;
+  using RowsInMemory = std::conditional_t<SinkInMemory<Target>, CountingSink, void>;
 
   explicit CountingSink(Target& target) : target_(&target) {}
 
   [[nodiscard]] Rect bounds() const { return target_->bounds(); }
   [[nodiscard]] typename Format::Cursor open(const Span& run) { return target_->open(run); }
+  [[nodiscard]] typename Format::Unit* row(std::int32_t y) const requires SinkInMemory<Target> {
+    return target_->row(y);
+  }
+  [[nodiscard]] std::int32_t stride() const requires SinkInMemory<Target> { return target_->stride(); }
   [[nodiscard]] Status close(const Span& run) {
     ++spans_;
     pixels_ += static_cast<std::uint64_t>(run.count);

@@ -65,21 +65,49 @@ void copy_rows(const Band& band, std::int32_t first, std::int32_t rows, Image& i
   }
 }
 
-template <class Method, class Band, class Depth>
-[[gnu::noinline]] void draw_band(const RenderJob& job, const typename Method::Object& object, Band& band,
-                                 const Depth& depth, std::span<CachedVertex<Method>> cache,
-                                 RenderStats& stats) {
-  CountingSink sink(band.sink());
+/// What drawing a band took, and gave.
+struct BandDrawn {
+  DrawResult result;
+  double milliseconds = 0;
+};
+
+template <class Method, class Sink, class Depth>
+[[gnu::noinline]] BandDrawn draw_into(Sink& sink, const RenderJob& job, const typename Method::Object& object,
+                                      const Depth& depth, std::span<CachedVertex<Method>> cache) {
+  BandDrawn drawn;
   const double start = processor_milliseconds();
-  const DrawResult drawn =
-      draw_mesh<Method>(job.mesh, job.transform, object, sink, depth, cache, {job.two_sided});
-  const double elapsed = processor_milliseconds() - start;
-  if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
+  drawn.result = draw_mesh<Method>(job.mesh, job.transform, object, sink, depth, cache, {job.two_sided});
+  drawn.milliseconds = processor_milliseconds() - start;
+  if (!ok(drawn.result.status)) throw Failure("pipeline", to_string(drawn.result.status));
+  return drawn;
+}
+
+/// Draws a band that has been started, and counts what it gets.
+template <class Method, class Band, class Depth>
+double draw_counted(const RenderJob& job, const typename Method::Object& object, Band& band,
+                    const Depth& depth, std::span<CachedVertex<Method>> cache, RenderStats& stats) {
+  CountingSink sink(band.sink());
+  const BandDrawn drawn = draw_into<Method>(sink, job, object, depth, cache);
   // Every band walks all triangles of the picture and counts those that reach it.
-  stats.triangles = std::max(stats.triangles, drawn.triangles);
+  stats.triangles = std::max(stats.triangles, drawn.result.triangles);
   stats.spans += sink.spans();
   stats.pixels += sink.pixels();
-  stats.draw_milliseconds += elapsed;
+  return drawn.milliseconds;
+}
+
+/// Draws a band `repeats` times; milliseconds of one. The last drawing is counted, which takes time of its
+/// own: where there are others, it is they that are timed.
+template <class Method, class Band, class Depth, class Start>
+double draw_band(const RenderJob& job, const typename Method::Object& object, Band& band, const Depth& depth,
+                 std::span<CachedVertex<Method>> cache, const Start& start, RenderStats& stats) {
+  double timed = 0;
+  for (std::int32_t repeat = 1; repeat < job.repeats; ++repeat) {
+    start();
+    timed += draw_into<Method>(band.sink(), job, object, depth, cache).milliseconds;
+  }
+  start();
+  const double counted = draw_counted<Method>(job, object, band, depth, cache, stats);
+  return job.repeats > 1 ? timed / (job.repeats - 1) : counted;
 }
 
 template <class Method, class Band>
@@ -97,21 +125,15 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
   result.stats.depth_bytes = depth_memory.size() * sizeof(std::uint16_t);
   result.stats.cache_bytes = cache.size() * sizeof(CachedVertex<Method>);
   for (std::int32_t first = 0; first < size.height; first += rows) {
-    const double before = result.stats.draw_milliseconds;
-    for (std::int32_t repeat = job.repeats; repeat > 0; --repeat) {
-      RenderStats stats = result.stats;
+    const auto start = [&] {
       band.start(first, job.background);
-      if (job.depth) {
-        depth.move_to(first);
-        depth.clear();
-        draw_band<Method>(job, object, band, depth, std::span(cache), stats);
-      } else {
-        draw_band<Method>(job, object, band, NoDepth{}, std::span(cache), stats);
-      }
-      result.stats.draw_milliseconds = stats.draw_milliseconds;
-      if (repeat == 1) result.stats = stats;
-    }
-    result.stats.draw_milliseconds = before + (result.stats.draw_milliseconds - before) / job.repeats;
+      if (!job.depth) return;
+      depth.move_to(first);
+      depth.clear();
+    };
+    result.stats.draw_milliseconds +=
+        job.depth ? draw_band<Method>(job, object, band, depth, std::span(cache), start, result.stats)
+                  : draw_band<Method>(job, object, band, NoDepth{}, std::span(cache), start, result.stats);
     copy_rows(band, first, rows, result.image);
     ++result.stats.bands;
     rows_done(static_cast<std::size_t>(first + rows));

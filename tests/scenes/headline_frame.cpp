@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The headline frame of docs/performance.md, drawn once by one of three methods, for
+// The headline frame of docs/performance.md, drawn once by one of four methods, for
 // scripts/frame-instructions, which counts what goes on inside counted_frame().
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/adaptive.hpp>
 #include <arcspan/shading/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
@@ -26,10 +27,11 @@ std::uint16_t colours[kWidth * kHeight];
 std::uint16_t depths[kWidth * kHeight];
 
 template <class Method>
-[[gnu::noinline]] DrawResult counted_frame(const MeshView& mesh, const scenes::StageSet& stage,
+[[gnu::noinline]] DrawResult counted_frame(const MeshView& mesh, const ClipTransform& transform,
+                                           const typename Method::Object& object,
                                            hal::Framebuffer<Rgb565>& frame, const DepthBuffer& depth,
                                            std::span<CachedVertex<Method>> cache) {
-  return draw_mesh<Method>(mesh, stage.transform, stage.light, frame, depth, cache);
+  return draw_mesh<Method>(mesh, transform, object, frame, depth, cache);
 }
 
 template <class Method>
@@ -38,10 +40,12 @@ int draw() {
   MeshView mesh;
   scenes::StageSet stage;
   if (!ok(kSphere.view(mesh)) || !ok(scenes::set_stage({kWidth, kHeight}, kRadius, {}, stage))) return 1;
+  const typename Method::Object object(stage.light);
   hal::Framebuffer<Rgb565> frame(colours, kWidth, kHeight);
   DepthBuffer depth(depths, kWidth, kHeight);
   depth.clear();
-  const DrawResult drawn = counted_frame<Method>(mesh, stage, frame, depth, std::span(cache));
+  const DrawResult drawn =
+      counted_frame<Method>(mesh, stage.transform, object, frame, depth, std::span(cache));
   std::printf("%u triangles\n", static_cast<unsigned>(drawn.triangles));
   return ok(drawn.status) ? 0 : 1;
 }
@@ -53,6 +57,7 @@ int main(int argc, char** argv) {
   if (method == "flat") return draw<Flat<scenes::Light>>();
   if (method == "gouraud") return draw<Gouraud<scenes::Light>>();
   if (method == "arc") return draw<Arc<scenes::Light>>();
-  std::fputs("usage: headline_frame flat|gouraud|arc\n", stderr);
+  if (method == "adaptive") return draw<Adaptive<scenes::Light>>();
+  std::fputs("usage: headline_frame flat|gouraud|arc|adaptive\n", stderr);
   return EXIT_FAILURE;
 }

@@ -40,6 +40,13 @@ inline constexpr bool kLongMultiply = false;
 inline constexpr bool kLongMultiply = true;
 #endif
 
+/// Whether 64 bits fit a register. Where they take two, products of two halves find registers more easily.
+#if defined(__SIZEOF_POINTER__) && __SIZEOF_POINTER__ >= 8
+inline constexpr bool kWideRegisters = true;
+#else
+inline constexpr bool kWideRegisters = false;
+#endif
+
 namespace detail {
 
 [[nodiscard]] constexpr std::uint32_t short_multiply_high(std::uint32_t a, std::uint32_t b) {
@@ -83,6 +90,17 @@ namespace detail {
     return static_cast<std::int32_t>((std::int64_t{a} * b) >> 32);
   } else {
     return detail::short_multiply_high(a, b);
+  }
+}
+
+/// floor(value * factor / 2^bits) in the lower 32 bits, factor in 0...2^16, bits in 15...16.
+[[nodiscard]] constexpr std::int32_t scaled_down(std::int32_t value, std::uint32_t factor, int bits) {
+  if constexpr (kWideRegisters) {
+    return static_cast<std::int32_t>((std::int64_t{value} * static_cast<std::int32_t>(factor)) >> bits);
+  } else {
+    const std::uint32_t low = (static_cast<std::uint32_t>(value) & ((std::uint32_t{1} << bits) - 1)) * factor;
+    return wrap_add(wrap_mul(value >> bits, static_cast<std::int32_t>(factor)),
+                    static_cast<std::int32_t>(low >> bits));
   }
 }
 

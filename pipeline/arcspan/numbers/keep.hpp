@@ -11,6 +11,17 @@
 #define ARCSPAN_APART_IF_SMALL
 #endif
 
+namespace arcspan {
+
+/// Whether code is to be small rather than fast.
+#ifdef __OPTIMIZE_SIZE__
+inline constexpr bool kSmall = true;
+#else
+inline constexpr bool kSmall = false;
+#endif
+
+}  // namespace arcspan
+
 // Empty statements that compilers cannot see through, where their choice of registers was measured to be the
 // dearer one. They change no value.
 namespace arcspan {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/integer.hpp>
+
 #include <array>
 #include <concepts>
 #include <cstdint>
@@ -36,6 +38,12 @@ struct PackedRgb {
 
   /// Every channel plus the other's, saturated.
   [[nodiscard]] constexpr PackedRgb plus(PackedRgb other) const {
+    if constexpr (kWideRegisters) {
+      const std::uint64_t whole = std::uint64_t{lanes} + other.lanes;
+      if ((whole & (kCarries | std::uint64_t{1} << 32)) == 0) [[likely]] {
+        return {static_cast<std::uint32_t>(whole)};
+      }
+    }
     const std::uint32_t sum = lanes + other.lanes;
     const bool green_carry = sum < lanes;  // it left the word
     if (!green_carry) {                    // apart from the rest, as processors have it in a flag

@@ -116,8 +116,8 @@ struct Rgb565 {
   }
   /// encode(c.packed()), straight from the words.
   [[nodiscard]] static constexpr Code encode(ColourSegment c) {
-    return static_cast<Code>(((c.red_blue >> 15) & 0xF800u) | ((c.green >> 20) & 0x07E0u) |
-                             ((c.red_blue >> 10) & 0x1Fu));
+    const std::uint32_t levels = c.red_blue & 0x7C007C00u;  // what the other takes along leaves the code
+    return static_cast<Code>((levels >> 15) | (levels >> 10) | ((c.green >> 25) << 5));
   }
   /// encode(c.packed()), straight from the words: what comes down from their tops needs no masks.
   [[nodiscard]] static constexpr Code encode(FineRgb c) {

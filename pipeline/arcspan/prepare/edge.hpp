@@ -73,6 +73,12 @@ struct Quotient {
 
 /// dividend / divisor, rounded down, by schoolbook division; both below 2^15.
 [[nodiscard]] constexpr Quotient divide(std::uint32_t dividend, std::uint32_t divisor) {
+  if constexpr (kWideRegisters) {
+    const std::uint64_t whole = std::uint64_t{dividend} << 32;
+    const std::uint64_t quotient = whole / divisor;
+    return {static_cast<std::uint32_t>(quotient >> 16), static_cast<std::uint32_t>(quotient & 0xFFFFu),
+            whole == quotient * divisor};
+  }
   const std::uint32_t upper = (dividend << 16) / divisor;
   const std::uint32_t rest = ((dividend << 16) - upper * divisor) << 16;
   const std::uint32_t lower = rest / divisor;

@@ -47,9 +47,7 @@ inline constexpr int kFractionBits = Value::kFraction < 15 ? 14 : 15;
 /// value * fraction, |value| <= 2^29, fraction with 16 fraction bits in 0...1, rounded down; 32-bit
 /// multiplies.
 [[nodiscard]] constexpr Linear times_fraction(Linear value, std::uint32_t fraction) {
-  const std::int32_t high = wrap_mul(value.raw() >> 16, static_cast<std::int32_t>(fraction));
-  const std::uint32_t low = (static_cast<std::uint32_t>(value.raw()) & 0xFFFFu) * fraction;
-  return Linear::from_raw(wrap_add(high, static_cast<std::int32_t>(low >> 16)));
+  return Linear::from_raw(scaled_down(value.raw(), fraction, 16));
 }
 
 /// difference / (distance) as a gradient per unit, saturated at kMaxGradient; `difference` is a 16-bit

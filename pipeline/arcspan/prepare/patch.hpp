@@ -34,8 +34,12 @@ struct PatchEdge {
   }
 
   constexpr void advance() {
-    at += step;
-    step += bend;
+    // Else gcc adds two members at once, and loads them across what it has stored apart: a stall in every
+    // row.
+    std::int32_t rise = step.raw();
+    if constexpr (kWideRegisters) keep_as_is(rise);
+    at += Unit::from_raw(rise);
+    step = Unit::from_raw(rise) + bend;
     slope += slope_step;
   }
 };
@@ -69,9 +73,7 @@ namespace detail {
 /// v * f rounded down, 0 <= f <= 2, to all 30 bits in two products: errors of a patch's parts are errors of
 /// the normal's length, to which highlights are most sensitive.
 [[nodiscard]] constexpr Unit part(Unit v, Factor f) {
-  const std::uint32_t low =
-      (static_cast<std::uint32_t>(v.raw()) & 0x7FFFu) * static_cast<std::uint32_t>(f.raw());
-  return Unit::from_raw(wrap_add(wrap_mul(v.raw() >> 15, f.raw()), static_cast<std::int32_t>(low >> 15)));
+  return Unit::from_raw(scaled_down(v.raw(), static_cast<std::uint32_t>(f.raw()), Factor::kFraction));
 }
 
 /// 1 / length = fraction * 2^-down.

@@ -26,9 +26,12 @@ class AdaptiveIllumination : public Illumination {
   [[nodiscard]] constexpr Status set_tolerance(std::int32_t steps) {
     if (steps < 0 || steps > kMostTolerance) return Status::kInvalidArgument;
     const auto tolerance = static_cast<std::uint32_t>(steps) << kStepBits;
-    // Of the two errors that may meet in a pixel, a highlight left out has a half, and linear light the rest.
+    // Of the two errors that may meet in a pixel, a highlight left out has a half, and linear light the rest;
+    // farther from highlights they have an eighth and the rest.
     quiet_reach_ = reach_of(tolerance / 2);
-    linear_limit_ = of_chord(tolerance - tolerance / 2, 2, Illumination::most_diffuse());
+    silent_reach_ = reach_of(tolerance / 8);
+    linear_limit_ = linear_limit_of(tolerance - tolerance / 2);
+    silent_linear_limit_ = linear_limit_of(tolerance - tolerance / 8);
     shiny_limit_ = segment_limit_of(tolerance, true);
     dull_limit_ = segment_limit_of(tolerance - tolerance / 2, false);
     gloss_limit_ = gloss_limit_of(tolerance);
@@ -38,8 +41,11 @@ class AdaptiveIllumination : public Illumination {
   /// The half distance from which on highlights are left out.
   [[nodiscard]] constexpr std::int32_t quiet_reach() const { return quiet_reach_; }
 
-  /// Up to which (squared radius of the normals) * N·L light may be linear; 28 fraction bits.
-  [[nodiscard]] constexpr std::uint32_t linear_limit() const { return linear_limit_; }
+  /// Up to which (squared radius of the normals) * N·L light may be linear at this half distance from
+  /// highlights; 28 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t linear_limit(std::int32_t half_distance) const {
+    return half_distance >= silent_reach_ ? silent_linear_limit_ : linear_limit_;
+  }
 
   /// Up to which squared chord of its widest edge a triangle's highlight may be a quadratic surface of its
   /// own; 28 fraction bits.
@@ -68,6 +74,12 @@ class AdaptiveIllumination : public Illumination {
     const std::uint32_t product = tolerance * factor;
     if (product >= amount) return std::uint32_t{1} << 28;
     return static_cast<std::uint32_t>((static_cast<std::uint64_t>(product) << 28) / amount);
+  }
+
+  /// With s the squared radius, N·L rises by at most s/2 of itself above its plane. The plane is lifted by
+  /// half of that, so that it is off by s/4 either way.
+  [[nodiscard]] constexpr std::uint32_t linear_limit_of(std::uint32_t tolerance) const {
+    return of_chord(tolerance, 4, Illumination::most_diffuse());
   }
 
   /// The half distance where the highlight has fallen to `steps`.
@@ -118,7 +130,9 @@ class AdaptiveIllumination : public Illumination {
 
   SpecularRamp specular_ramp_{};
   std::int32_t quiet_reach_ = 0;
+  std::int32_t silent_reach_ = 0;
   std::uint32_t linear_limit_ = 0;
+  std::uint32_t silent_linear_limit_ = 0;
   std::uint32_t shiny_limit_ = 0;
   std::uint32_t dull_limit_ = 0;
   std::uint32_t gloss_limit_ = 0;
@@ -161,7 +175,7 @@ struct Adaptive : Arc<Illumination> {
   using typename Base::Path;
   using typename Base::Vertex;
   struct Prepared : Base::Prepared {
-    LinearPlane light;
+    FullLinearPlane light;
     int segment_bits;
     bool linear;
     bool gloss;
@@ -175,8 +189,11 @@ struct Adaptive : Arc<Illumination> {
     prepared.gloss = false;
     prepared.segment_bits = 0;
     if constexpr (Base::kHasDiffusePath) {
-      if (chords.widest() <= kWidestPatch && !shines(object, frame)) {
-        if (prepare_dull(object, frame, prepared)) return;
+      if (chords.widest() <= kWidestPatch) {
+        const std::int32_t nearest = nearest_highlight(object, frame);
+        if (nearest >= object.quiet_reach() && prepare_dull(frame, object.linear_limit(nearest), prepared)) {
+          return;
+        }
       }
     }
     const bool flat = chords.widest() <= object.widest_patch() && patch_fits(frame);
@@ -191,7 +208,7 @@ struct Adaptive : Arc<Illumination> {
   }
 
   template <class Draw>
-  [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+  [[nodiscard, gnu::always_inline]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     if constexpr (Base::kHasDiffusePath) {
       if (prepared.linear) return draw(LinearLightWalker<Object>(prepared.light, prepared.middle_left));
     }
@@ -209,24 +226,33 @@ struct Adaptive : Arc<Illumination> {
  private:
   static constexpr bool kHasGloss = Base::kHasDiffusePath && Illumination::kModel == Highlight::kPhong;
 
+  template <class Frame>
+  [[nodiscard]] static constexpr std::int32_t nearest_highlight(const Object& object, const Frame& frame) {
+    return object.nearest_highlight(frame.top->shade.scalars, frame.middle->shade.scalars,
+                                    frame.bottom->shade.scalars, kPatchHeadroom);
+  }
   /// Whether a highlight above half the tolerance is within reach.
   template <class Frame>
   [[nodiscard]] static constexpr bool shines(const Object& object, const Frame& frame) {
-    return object.may_shine(frame.top->shade.scalars, frame.middle->shade.scalars,
-                            frame.bottom->shade.scalars, kPatchHeadroom, object.quiet_reach());
+    return nearest_highlight(object, frame) < object.quiet_reach();
   }
 
-  /// Prepares N·L alone, linear if that is near enough; false if the triangle fits neither.
+  /// Prepares N·L alone, linear if that is within `linear_limit`; false if the triangle fits neither.
   template <class Frame>
-  [[nodiscard]] static constexpr bool prepare_dull(const Object& object, const Frame& frame,
+  [[nodiscard]] static constexpr bool prepare_dull(const Frame& frame, std::uint32_t linear_limit,
                                                    Prepared& prepared) {
     const std::int32_t a = LinearLight::level(frame.top->shade.scalars[0]);
     const std::int32_t b = LinearLight::level(frame.middle->shade.scalars[0]);
     const std::int32_t c = LinearLight::level(frame.bottom->shade.scalars[0]);
     const std::int32_t upper = a > b ? a : b;
-    if (linear_rise(frame.chords, upper > c ? upper : c) <= object.linear_limit()) {
+    const std::uint32_t radius2 = squared_radius(frame.chords);
+    if (linear_rise(radius2, upper > c ? upper : c) <= linear_limit) {
       prepared.linear = true;
-      make_linear_plane(frame, a, b, c, prepared.light);
+      const auto lift = static_cast<std::int32_t>(radius2 >> (28 - LinearLight::kFraction + 2));
+      const auto lifted = [lift](std::int32_t level) {
+        return level + (wrap_mul(level, lift) >> LinearLight::kFraction);
+      };
+      make_linear_plane(frame, lifted(a), lifted(b), lifted(c), prepared.light);
       return true;
     }
     if (!patch_fits(frame)) return false;
@@ -276,20 +302,23 @@ struct Adaptive : Arc<Illumination> {
     return true;
   }
 
-  /// Twice what N·L rises above the plane through its vertices: the squared radius of the circle through the
-  /// three normals (if its centre is within the triangle; else of that around the widest edge) times the
-  /// largest N·L, a 16-bit attribute. 28 fraction bits.
+  /// The squared radius of the circle through the three normals (if its centre is within the triangle; else
+  /// of that around the widest edge), at most 16 degrees apart; 28 fraction bits, of which 25 are used.
   ///
-  /// With c the longest chord and e = a^2 + b^2 - c^2 >= 0 the circle's R^2 is at most c^2/4 + e/12.
-  [[nodiscard]] static constexpr std::uint32_t linear_rise(const TriangleChords& chords,
-                                                           std::int32_t most_level) {
-    if (most_level <= LinearLight::kZero) return 0;
+  /// With c the longest chord and e = a^2 + b^2 - c^2 >= 0 it is at most c^2/4 + e/12.
+  [[nodiscard]] static constexpr std::uint32_t squared_radius(const TriangleChords& chords) {
     const std::uint32_t widest = chords.widest();
     const std::uint32_t others = chords.top_middle + chords.top_bottom + chords.middle_bottom - widest;
     const std::uint32_t excess = others > widest ? others - widest : 0;
-    // 4% for the higher terms of 16 degrees. The widest patch has 25 bits, so that 32 hold this.
-    const std::uint32_t radius2 = (widest >> 2) + (excess >> 3) - (excess >> 5) + (widest >> 6);
-    return (radius2 >> 9) * ((static_cast<std::uint32_t>(most_level - LinearLight::kZero) >> 6) + 1);
+    // 4% for the higher terms of 16 degrees.
+    return (widest >> 2) + (excess >> 3) - (excess >> 5) + (widest >> 6);
+  }
+
+  /// Twice what N·L, at most `most_level`, rises above the plane through its vertices: where it is positive,
+  /// it never falls below. 28 fraction bits.
+  [[nodiscard]] static constexpr std::uint32_t linear_rise(std::uint32_t radius2, std::int32_t most_level) {
+    if (most_level <= 0) return 0;
+    return (radius2 >> 9) * ((static_cast<std::uint32_t>(most_level) >> 6) + 1);
   }
 
   /// Whether every N·L keeps its sign, with a margin whose square is `margin2` (28 fraction bits): where it

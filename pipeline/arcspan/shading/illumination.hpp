@@ -128,22 +128,25 @@ class Illumination {
   /// False if scalars that exceed those of the three vertices by `headroom` at most have no highlight.
   [[nodiscard]] constexpr bool may_shine(const Scalars& a, const Scalars& b, const Scalars& c,
                                          Unit headroom) const {
-    return may_shine(a, b, c, headroom, power_.half_reach());
+    return nearest_highlight(a, b, c, headroom) < power_.half_reach();
   }
-  /// The same for a highlight that ends at another half distance (PowerTable).
-  [[nodiscard]] constexpr bool may_shine(const Scalars& a, const Scalars& b, const Scalars& c, Unit headroom,
-                                         std::int32_t half_reach) const {
+  /// The least half distance (PowerTable) of a highlight from such scalars; INT32_MAX where all are dark.
+  [[nodiscard]] constexpr std::int32_t nearest_highlight(const Scalars& a, const Scalars& b, const Scalars& c,
+                                                         Unit headroom) const {
     const auto highest = [&](std::size_t i) {
       const Unit upper = a[i] > b[i] ? a[i] : b[i];
       const Unit most = (upper > c[i] ? upper : c[i]) + headroom;
       return most.raw() < 0 ? Unit{} : most;
     };
+    std::int32_t nearest = INT32_MAX;
     for (std::size_t i = 0; i < Lights; ++i) {
       const Unit light = highest(i);
+      if (light.raw() == 0) continue;
       const Unit other = highest(Model == Highlight::kBlinn ? Lights + i : Lights);
-      if (light.raw() != 0 && highlight_distance(light, other, i) < half_reach) return true;
+      const std::int32_t distance = highlight_distance(light, other, i);
+      if (distance < nearest) nearest = distance;
     }
-    return false;
+    return nearest;
   }
 
   /// (1 - R·V) / 2 at a normal with these scalars, 30 fraction bits; within 2^-28, where a pixel rounds both
@@ -194,7 +197,8 @@ class Illumination {
   };
 
   /// A ramp colour plus the highlight, each channel clamped.
-  [[nodiscard]] constexpr PackedRgb with_highlight(PackedRgb ramp, std::uint32_t power) const {
+  [[nodiscard, gnu::always_inline]] constexpr PackedRgb with_highlight(PackedRgb ramp,
+                                                                       std::uint32_t power) const {
     const auto share = [power](std::uint32_t coefficient) { return (coefficient * power) >> 18; };
     if (white_specular_ != 0) return ramp.plus(PackedRgb::grey(share(white_specular_)));
     return ramp.plus(PackedRgb::of(share(specular_[0]), share(specular_[1]), share(specular_[2])));

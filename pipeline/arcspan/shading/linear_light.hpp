@@ -12,13 +12,11 @@ namespace arcspan {
 /// N·L that is linear on the screen, for triangles where that is near enough and no highlight is to be seen:
 /// one addition and one look-up a pixel.
 struct LinearLight {
-  static constexpr int kDrop = 15;              ///< from a Unit to 15 fraction bits
-  static constexpr std::int32_t kZero = 32768;  ///< N·L = 0 as a 16-bit attribute, of which 1 is the most
+  static constexpr int kFraction = Unit::kFraction - FullLinear::kFraction;
 
-  /// N·L of a vertex as a 16-bit attribute, rounded.
+  /// N·L of a vertex as a signed attribute, rounded.
   [[nodiscard]] static constexpr std::int32_t level(Unit normal_light) {
-    const std::int32_t level = kZero + round_shift(normal_light.raw(), kDrop);
-    return level < 0 ? 0 : level > 65535 ? 65535 : level;
+    return round_shift(normal_light.raw(), FullLinear::kFraction);
   }
 };
 
@@ -26,7 +24,8 @@ struct LinearLight {
 template <class Object>
 class LinearLightRun {
  public:
-  constexpr LinearLightRun(Linear at, Linear step) : light_(unit(at - kZero)), step_(unit(step)) {}
+  constexpr LinearLightRun(FullLinear at, FullLinear step)
+      : light_(Unit::from_raw(at.raw())), step_(Unit::from_raw(step.raw())) {}
 
   [[nodiscard]] constexpr PackedRgb colour(const Object& object) const {
     return object.diffuse_colour(light_);
@@ -39,12 +38,6 @@ class LinearLightRun {
   constexpr void next() { light_ += step_; }
 
  private:
-  static constexpr Linear kZero = Linear::from_raw(LinearLight::kZero << Linear::kFraction);
-  static constexpr int kUp = LinearLight::kDrop - Linear::kFraction;
-  [[nodiscard]] static constexpr Unit unit(Linear value) {
-    return Unit::from_raw(wrap_shl(value.raw(), kUp));
-  }
-
   Unit light_;
   Unit step_;
 };
@@ -56,17 +49,17 @@ class LinearLightWalker {
   using Run = LinearLightRun<Object>;
   static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
 
-  constexpr LinearLightWalker(LinearPlane& light, bool middle_left)
+  constexpr LinearLightWalker(FullLinearPlane& light, bool middle_left)
       : light_(&light), middle_left_(middle_left) {}
 
-  [[nodiscard]] constexpr Run row(const RowStart& start) const {
+  [[nodiscard, gnu::always_inline]] constexpr Run row(const RowStart& start) const {
     return Run(linear_at(*light_, start), light_->dx);
   }
   constexpr void next_row() { light_->next_row(); }
   constexpr void enter_lower() { light_->enter_lower(middle_left_); }
 
  private:
-  LinearPlane* light_;
+  FullLinearPlane* light_;
   bool middle_left_;
 };
 

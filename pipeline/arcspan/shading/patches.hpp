@@ -22,7 +22,7 @@ class PatchScalars {
   }
 
   /// `p` is the distance of the first pixel from the left edge, 16 fraction bits below 1.
-  constexpr void start(std::size_t i, const PatchScalar& scalar, std::uint32_t p) {
+  [[gnu::always_inline]] constexpr void start(std::size_t i, const PatchScalar& scalar, std::uint32_t p) {
     // f(p) = at + p slope + p^2 bend / 2; f(p + 1) - f(p) = slope + p bend + bend / 2.
     const Unit bend = scalar.bend;
     const Unit slope = scalar.left.slope;
@@ -94,7 +94,7 @@ class PatchWalker {
 
   constexpr PatchWalker(Patch<Count>& patch, bool middle_left) : patch_(&patch), middle_left_(middle_left) {}
 
-  [[nodiscard]] constexpr Run row(const RowStart& start) const {
+  [[nodiscard, gnu::always_inline]] constexpr Run row(const RowStart& start) const {
     Run run;
     unrolled<Run::kUsed>([&](auto i) { run.start(i, (*patch_)[i], start.fraction); });
     if (start.skipped != 0) run.skip(start.skipped);

@@ -56,7 +56,7 @@ class PowerTable {
 
   /// c^n in 15 fraction bits, 0...1, for half_distance = (1 - c) / 2 (30 fraction bits) below half_reach(). A
   /// cosine that rounding has lifted above 1 has a negative distance and counts as 1.
-  [[nodiscard]] constexpr std::uint32_t operator()(std::int32_t half_distance) const {
+  [[nodiscard, gnu::always_inline]] constexpr std::uint32_t operator()(std::int32_t half_distance) const {
     const std::uint32_t inside = half_distance < 0 ? 0u : static_cast<std::uint32_t>(half_distance);
     const std::uint32_t position = ((inside >> drop_) * scale_) >> 16;  // 8 fraction bits
     const auto index = static_cast<std::size_t>(position >> 8);

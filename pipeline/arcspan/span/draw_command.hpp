@@ -79,12 +79,12 @@ template <class Command, class Walker, class Target>
   }
 }
 
-/// Draws the row that the walkers stand on; `begin` is its first column, `span` what is to be seen of it.
+/// Draws `span` of the row that the walkers stand on, whose first column is `begin`.
 template <class Command, class Walker, class Target>
-[[gnu::always_inline, nodiscard]] constexpr Status draw_row(const Command& command, const Walker& shade,
-                                                            Span span, std::int32_t begin,
-                                                            const Target& target,
-                                                            const RowMemory<Target>& memory) {
+[[gnu::always_inline, nodiscard]] constexpr Status draw_span(const Command& command, const Walker& shade,
+                                                             Span span, std::int32_t begin,
+                                                             const Target& target,
+                                                             const RowMemory<Target>& memory) {
   if constexpr (Walker::kLongestRun >= 2 * kGuardBand) {
     return draw_next_run(command, shade, span, begin, target, memory);
   } else {
@@ -97,6 +97,24 @@ template <class Command, class Walker, class Target>
       if (!ok(status) || span.count == 0) return status;
     }
   }
+}
+
+/// Draws what is to be seen of the row that the walkers stand on. Unless the command is `Cut` by a side of
+/// the clip rectangle, that is all of it.
+template <bool Cut, class Command, class Walker, class Target>
+[[gnu::always_inline, nodiscard]] constexpr Status draw_row(const Command& command, const Walker& shade,
+                                                            std::int32_t y, const Target& target,
+                                                            const RowMemory<Target>& memory) {
+  const std::int32_t begin = command.left.column();
+  const std::int32_t end = command.right.column();
+  std::int32_t first = begin;
+  std::int32_t last = end;
+  if constexpr (Cut) {
+    if (begin < target.clip.left) first = target.clip.left;
+    if (end > target.clip.right) last = target.clip.right;
+  }
+  if (first >= last) return Status::kOk;
+  return draw_span(command, shade, {y, first, last - first}, begin, target, memory);
 }
 
 /// Steps a command's edges and attributes down by one row, in place.
@@ -148,7 +166,7 @@ constexpr void skip_above(Command& command, Walker& shade, std::int32_t& y, std:
   skip_rows<Target>(command, shade, y, top);
 }
 
-template <class Command, class Walker, class Target>
+template <bool Cut, class Command, class Walker, class Target>
 [[nodiscard]] constexpr Status draw_rows(Command& command, const RasterOrigin& origin, Walker shade,
                                          const Target& target) {
   const Rect& clip = target.clip;
@@ -163,13 +181,7 @@ template <class Command, class Walker, class Target>
     // Counted down, since few sinks ask for y.
     for (std::int32_t left = half_end - y; left > 0;
          --left, memory.next(), next_row<Target>(command, shade)) {
-      const std::int32_t begin = command.left.column();
-      const std::int32_t end_column = command.right.column();
-      const std::int32_t first = begin < clip.left ? clip.left : begin;
-      const std::int32_t last = end_column > clip.right ? clip.right : end_column;
-      if (first >= last) continue;
-      const Status status =
-          draw_row(command, shade, {half_end - left, first, last - first}, begin, target, memory);
+      const Status status = draw_row<Cut>(command, shade, half_end - left, target, memory);
       if (!ok(status)) return status;
     }
     if (half_end >= stop) return Status::kOk;
@@ -178,28 +190,58 @@ template <class Command, class Walker, class Target>
 }
 
 /// draw_rows() in a function of its own: next to others it would take their registers.
-template <class Command, class Walker, class Target>
+template <bool Cut, class Command, class Walker, class Target>
 [[gnu::noinline, nodiscard]] constexpr Status draw_rows_apart(Command& command, const RasterOrigin& origin,
                                                               const Walker& shade, const Target& target) {
-  return draw_rows(command, origin, shade, target);
+  return draw_rows<Cut>(command, origin, shade, target);
 }
 
-/// draw_command() into a RowTarget, which may have codes made beforehand.
+/// Whether a command's rows are cut at the sides of the clip rectangle.
+enum class Sides : std::uint8_t {
+  kWhole,  ///< they lie within it
+  kCut,
+};
+
+template <bool Cut, ShadingMethod Method, class Target>
+[[gnu::always_inline, nodiscard]] constexpr Status walk_command(TriangleCommand<Method>& command,
+                                                                const RasterOrigin& origin,
+                                                                const Target& target) {
+  return Method::walk(command.shade, [&](auto walker) {
+    // Long rows can pay the call.
+    if constexpr (SegmentedRun<typename decltype(walker)::Run> || WalksApart<decltype(walker)>) {
+      return draw_rows_apart<Cut>(command, origin, walker, target);
+    } else {
+      return draw_rows<Cut>(command, origin, walker, target);
+    }
+  });
+}
+
+/// walk_command() in a function of its own, for few commands are cut.
 template <ShadingMethod Method, class Target>
+[[gnu::noinline, nodiscard]] constexpr Status walk_cut_command(TriangleCommand<Method>& command,
+                                                               const RasterOrigin& origin,
+                                                               const Target& target) {
+  const Target held = target;
+  return walk_command<true>(command, origin, held);
+}
+
+/// draw_command() into a RowTarget, which may have codes made beforehand. `WholeRows`: commands that no side
+/// cuts have a loop of their own, if there is room and there are registers for one.
+template <bool WholeRows, ShadingMethod Method, class Target>
 [[nodiscard]] constexpr Status draw_command_with(TriangleCommand<Method>& command, const RasterOrigin& origin,
-                                                 const Target& target) {
+                                                 const Target& target, Sides sides) {
   const Rect& clip = target.clip;
   if (command.end_row + origin.y <= clip.top || command.first_row + origin.y >= clip.bottom) {
     return Status::kOk;
   }
-  return Method::walk(command.shade, [&](auto walker) {
-    // Long rows can pay the call.
-    if constexpr (SegmentedRun<typename decltype(walker)::Run> || WalksApart<decltype(walker)>) {
-      return draw_rows_apart(command, origin, walker, target);
-    } else {
-      return draw_rows(command, origin, walker, target);
+  if constexpr (!WholeRows || kSmall || !kManyRegisters) {
+    return walk_command<true>(command, origin, target);
+  } else {
+    if (sides == Sides::kCut) [[unlikely]] {
+      return walk_cut_command(command, origin, target);
     }
-  });
+    return walk_command<false>(command, origin, target);
+  }
 }
 
 }  // namespace detail
@@ -214,7 +256,7 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
   if (clip.empty()) return Status::kOk;
   const NoCodes codes(object);
   const detail::RowTarget<typename Method::Object, Sink, Depth> target{clip, object, sink, depth, codes};
-  return detail::draw_command_with(command, origin, target);
+  return detail::draw_command_with<false>(command, origin, target, detail::Sides::kCut);
 }
 
 }  // namespace arcspan

@@ -20,8 +20,8 @@ struct RowStart {
   int bits;
 };
 
-[[nodiscard]] constexpr RowStart row_start(const EdgeWalk& left, const EdgeWalk& right,
-                                           std::int32_t skipped) {
+[[nodiscard, gnu::always_inline]] constexpr RowStart row_start(const EdgeWalk& left, const EdgeWalk& right,
+                                                               std::int32_t skipped) {
   const std::uint32_t fraction = left.fraction();
   const std::int64_t width = right.x - left.x;
   if ((width >> 32) != 0) {

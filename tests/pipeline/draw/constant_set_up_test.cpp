@@ -101,7 +101,8 @@ TEST_CASE("so is an adaptive one, whose limits are constants too") {
   REQUIRE(ok(Light::make(shiny(n), suns<1>(kTilt), kEye, light)));
   const AdaptiveIllumination<Light> made = light;
   CHECK(kConstant.gloss_limit() == made.gloss_limit());
-  CHECK(kConstant.linear_limit() == made.linear_limit());
+  CHECK(kConstant.linear_limit(0) == made.linear_limit(0));
+  CHECK(kConstant.linear_limit(INT32_MAX) == made.linear_limit(INT32_MAX));
   CHECK(kConstant.quiet_reach() == made.quiet_reach());
   CHECK(kConstant.segment_limit(true) == made.segment_limit(true));
   for (std::int32_t distance = 0; distance < SpecularRamp::kReach; distance += 99991) {

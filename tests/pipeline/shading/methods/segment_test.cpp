@@ -258,12 +258,12 @@ TEST_CASE("settings out of range are refused and change nothing") {
   CHECK(segments.set_segment_bits(kMostSegmentBits + 1) == Status::kInvalidArgument);
   CHECK(segments.bits == 2);
   AdaptiveIllumination<Lit> adaptive(lit);
-  const std::uint32_t limit = adaptive.linear_limit();
+  const std::uint32_t limit = adaptive.linear_limit(0);
   CHECK(adaptive.set_tolerance(-1) == Status::kInvalidArgument);
   CHECK(adaptive.set_tolerance(65) == Status::kInvalidArgument);
-  CHECK(adaptive.linear_limit() == limit);
+  CHECK(adaptive.linear_limit(0) == limit);
   CHECK(ok(adaptive.set_tolerance(0)));
-  CHECK(adaptive.linear_limit() == 0);
+  CHECK(adaptive.linear_limit(0) == 0);
 }
 
 TEST_CASE("adaptive stays within its tolerance of arc") {

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// A sink that takes some columns of the picture only gets exactly those, whether triangles are cut by its
+// sides or lie within them.
+#include <arcspan/draw.hpp>
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/shading/adaptive.hpp>
+#include <arcspan/shading/flat.hpp>
+#include <arcspan/shading/gouraud.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/support/random.hpp>
+#include <tests/support/scenes.hpp>
+
+#include <vector>
+
+using namespace arcspan;
+using namespace arcspan::test;
+
+namespace {
+
+using Light = Illumination<1, Highlight::kPhong>;
+using Frame = hal::Framebuffer<Rgb565>;
+constexpr Rgb8 kBackground{9, 8, 7};
+
+/// Memory of a whole picture that takes the columns left ... right - 1, and says so or not that it is memory.
+template <bool InMemory>
+struct Window : Frame {
+  using RowsInMemory = std::conditional_t<InMemory, Window, void>;
+  std::int32_t left;
+  std::int32_t right;
+  Window(std::span<Frame::Unit> memory, const TestCamera& camera, std::int32_t from, std::int32_t to)
+      : Frame(memory, camera.width, camera.height), left(from), right(to) {}
+  [[nodiscard]] Rect bounds() const { return {left, 0, right, Frame::bounds().bottom}; }
+};
+static_assert(SinkInMemory<Window<true>> && !SinkInMemory<Window<false>>);
+
+struct Picture {
+  std::vector<Frame::Unit> colours;
+  std::vector<std::uint16_t> depths;
+};
+
+template <class Method, bool InMemory, DrawFeatures Features>
+Picture drawn(const MeshView& mesh, const TestCamera& camera, std::int32_t left, std::int32_t right) {
+  const typename Method::Object object(make_light<1, Highlight::kPhong>(camera));
+  Picture picture{std::vector<Frame::Unit>(Frame::units(camera.width, camera.height)),
+                  std::vector<std::uint16_t>(DepthBuffer::units(camera.width, camera.height))};
+  Window<InMemory> window(picture.colours, camera, left, right);
+  DepthBuffer depth(picture.depths, camera.width, camera.height);
+  window.clear(kBackground);
+  depth.clear();
+  std::vector<CachedVertex<Method>> cache(mesh.vertex_count());
+  REQUIRE(ok(
+      draw_mesh<Method, Features>(mesh, camera.transform(), object, window, depth, std::span(cache)).status));
+  return picture;
+}
+
+/// The columns of `whole` that a window takes, and nothing elsewhere.
+bool is_part_of(const Picture& part, const Picture& whole, std::int32_t width, std::int32_t left,
+                std::int32_t right) {
+  for (std::size_t i = 0; i < part.colours.size(); ++i) {
+    const auto x = static_cast<std::int32_t>(i) % width;
+    const bool inside = left <= x && x < right;
+    if (part.colours[i] != (inside ? whole.colours[i] : Rgb565::encode(kBackground))) return false;
+    if (part.depths[i] != (inside ? whole.depths[i] : DepthBuffer::kFarthest)) return false;
+  }
+  return true;
+}
+
+template <class Method, bool InMemory, DrawFeatures Features = DrawFeatures{}>
+void check_windows(const MeshView& mesh, const TestCamera& camera) {
+  const Picture whole = drawn<Method, InMemory, DrawFeatures{}>(mesh, camera, 0, camera.width);
+  const std::int32_t middle = camera.width / 2;
+  for (std::int32_t from = 0; from <= middle; from += 3) {
+    for (const std::int32_t to :
+         {from, from + 1, from + 5, middle + from, camera.width - from / 2, camera.width}) {
+      CAPTURE(InMemory, from, to);
+      CHECK(is_part_of(drawn<Method, InMemory, Features>(mesh, camera, from, to), whole, camera.width, from,
+                       to));
+    }
+  }
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("a window of columns gets what the whole picture has there", "", Flat<Light>,
+                   Gouraud<Light>, Arc<Light>, Adaptive<Light>) {
+  Random random(91);
+  TestCamera camera;
+  camera.width = 97;
+  camera.height = 61;
+  camera.focal = 80;
+  camera.look_in_random_direction(random);
+  camera.translation = {0, 0, -7500};
+  const TestMesh near_normals = make_sphere(16, 32, 3000, 0, random);
+  check_windows<TestType, true>(near_normals.view(), camera);
+  check_windows<TestType, false>(near_normals.view(), camera);
+  check_windows<TestType, true, DrawFeatures{.whole_rows = false}>(near_normals.view(), camera);
+}

@@ -96,6 +96,8 @@ class MeshDrawer {
   }
 
  private:
+  static constexpr bool kWholeRows = Features.whole_rows && kWholeRowsPay;
+
   [[nodiscard]] bool two_sided() const { return Features.two_sided && options_.two_sided; }
 
   void transform_vertex(std::size_t i, CachedVertex<Method>& vertex) const {
@@ -255,7 +257,7 @@ class MeshDrawer {
   }
 
   void draw_side(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c, bool back) {
-    const bool cut = leaves_columns(a.position, b.position, c.position);
+    const bool cut = !kWholeRows || leaves_columns(a.position, b.position, c.position);
     if (cut && outside_columns(a.position, b.position, c.position)) return;
     sides_ = cut ? Sides::kCut : Sides::kWhole;
     typename Method::Face face{};
@@ -289,8 +291,8 @@ class MeshDrawer {
         prepare_inside<Method, Depth::kTests>(object_, a, b, c, face, rows_, may_split, command);
     if (prepared != Preparation::kReady) return prepared == Preparation::kNothing;
     drawn_ = true;
-    result_.status = draw_command_with<Features.whole_rows>(
-        command, origin_, Target{clip_, object_, sink_, depth_, codes_}, sides_);
+    result_.status = draw_command_with<kWholeRows>(command, origin_,
+                                                   Target{clip_, object_, sink_, depth_, codes_}, sides_);
     return true;
   }
 

@@ -74,14 +74,15 @@ class ArcRun {
 
   constexpr ArcRun(std::int32_t mantissa, std::int32_t shift) : mantissa_(mantissa), shift_(shift) {}
 
-  [[nodiscard]] constexpr PackedRgb colour(const Object& object) const {
+  [[nodiscard, gnu::always_inline]] constexpr PackedRgb colour(const Object& object) const {
     typename Object::Scalars values;
     unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
     return object.colour(values);
   }
   /// The same, encoded; `codes` is a CodeTable.
   template <class Format, class Codes>
-  [[nodiscard]] constexpr typename Format::Code code(const Object& object, const Codes& codes) const {
+  [[nodiscard, gnu::always_inline]] constexpr typename Format::Code code(const Object& object,
+                                                                         const Codes& codes) const {
     typename Object::Scalars values;
     unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
     if constexpr (!Codes::kForHighlights) return Format::encode(object.colour(values));

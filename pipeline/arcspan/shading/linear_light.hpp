@@ -27,12 +27,13 @@ class LinearLightRun {
   constexpr LinearLightRun(FullLinear at, FullLinear step)
       : light_(Unit::from_raw(at.raw())), step_(Unit::from_raw(step.raw())) {}
 
-  [[nodiscard]] constexpr PackedRgb colour(const Object& object) const {
+  [[nodiscard, gnu::always_inline]] constexpr PackedRgb colour(const Object& object) const {
     return object.diffuse_colour(light_);
   }
   /// The same, encoded; `codes` is a CodeTable.
   template <class Format, class Codes>
-  [[nodiscard]] constexpr typename Format::Code code(const Object&, const Codes& codes) const {
+  [[nodiscard, gnu::always_inline]] constexpr typename Format::Code code(const Object&,
+                                                                         const Codes& codes) const {
     return codes[light_];
   }
   constexpr void next() { light_ += step_; }

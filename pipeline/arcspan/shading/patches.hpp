@@ -64,7 +64,7 @@ class PatchRun : public PatchScalars<Used> {
  public:
   static constexpr std::size_t kUsed = Used;
 
-  [[nodiscard]] constexpr PackedRgb colour(const Object& object) const {
+  [[nodiscard, gnu::always_inline]] constexpr PackedRgb colour(const Object& object) const {
     if constexpr (Used == Object::kScalars) {
       return object.colour(this->scalars());
     } else {

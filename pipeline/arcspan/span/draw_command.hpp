@@ -225,8 +225,11 @@ template <ShadingMethod Method, class Target>
   return walk_command<true>(command, origin, held);
 }
 
-/// draw_command() into a RowTarget, which may have codes made beforehand. `WholeRows`: commands that no side
-/// cuts have a loop of their own, if there is room and there are registers for one.
+/// Whether a loop of their own for rows that no side cuts is worth its code.
+inline constexpr bool kWholeRowsPay = !kSmall && kManyRegisters;
+
+/// draw_command() into a RowTarget, which may have codes made beforehand. With `WholeRows` commands that no
+/// side cuts have a loop of their own; without, `sides` does not matter.
 template <bool WholeRows, ShadingMethod Method, class Target>
 [[nodiscard]] constexpr Status draw_command_with(TriangleCommand<Method>& command, const RasterOrigin& origin,
                                                  const Target& target, Sides sides) {
@@ -234,7 +237,7 @@ template <bool WholeRows, ShadingMethod Method, class Target>
   if (command.end_row + origin.y <= clip.top || command.first_row + origin.y >= clip.bottom) {
     return Status::kOk;
   }
-  if constexpr (!WholeRows || kSmall || !kManyRegisters) {
+  if constexpr (!WholeRows) {
     return walk_command<true>(command, origin, target);
   } else {
     if (sides == Sides::kCut) [[unlikely]] {

@@ -32,8 +32,9 @@ using DirectionComponent = Fixed<std::int32_t, 15>;
 /// of a gradient stays below 1/8 over 1024 pixels; 3 bits are head-room.
 using Linear = Fixed<std::int32_t, 12>;
 
-/// The same with 15 fraction bits and without head-room, for Gouraud's colours (0...255 in 256ths): [0,
-/// 2^16), gradients +-2^16. Sums that leave the range on the way wrap there and back.
+/// The same with 15 fraction bits and without head-room, for Gouraud's colours (0...255 in 256ths, [0, 2^16))
+/// and for N·L in 2^-15 (LinearLight); gradients +-2^16. Sums that leave the range on the way wrap there and
+/// back.
 using FullLinear = Fixed<std::int32_t, 15>;
 
 /// Entry of a rotation, Q1.30, [-1, 1].

@@ -39,25 +39,33 @@ struct PackedRgb {
   /// Every channel plus the other's, saturated.
   [[nodiscard]] constexpr PackedRgb plus(PackedRgb other) const {
     if constexpr (kWideRegisters) {
-      const std::uint64_t whole = std::uint64_t{lanes} + other.lanes;
-      if ((whole & (kCarries | std::uint64_t{1} << 32)) == 0) [[likely]] {
-        return {static_cast<std::uint32_t>(whole)};
+      const std::uint64_t sum = std::uint64_t{lanes} + other.lanes;
+      const auto low = static_cast<std::uint32_t>(sum);
+      if ((sum & (kCarries | std::uint64_t{1} << 32)) == 0) [[likely]] {
+        return {low};
       }
-    }
-    const std::uint32_t sum = lanes + other.lanes;
-    const bool green_carry = sum < lanes;  // it left the word
-    if (!green_carry) {                    // apart from the rest, as processors have it in a flag
-      if ((sum & kCarries) == 0) [[likely]] {
-        return {sum};
+      return saturated(low, (sum >> 32) != 0);
+    } else {
+      const std::uint32_t sum = lanes + other.lanes;
+      const bool green_carry = sum < lanes;  // it left the word
+      if (!green_carry) {                    // apart from the rest, as processors have it in a flag
+        if ((sum & kCarries) == 0) [[likely]] {
+          return {sum};
+        }
       }
+      return saturated(sum, green_carry);
     }
-    const std::uint32_t carries = sum & kCarries;
-    const std::uint32_t green = green_carry ? ~std::uint32_t{0} << 22 : sum;
-    return {(green & (~std::uint32_t{0} << 22)) | ((sum | (carries - (carries >> 10))) & 0x001FFBFF)};
   }
 
  private:
   static constexpr std::uint32_t kCarries = 0x00200400;
+
+  /// A sum whose red and blue carry as it shows, and green or not.
+  [[nodiscard]] static constexpr PackedRgb saturated(std::uint32_t sum, bool green_carry) {
+    const std::uint32_t carries = sum & kCarries;
+    const std::uint32_t green = green_carry ? ~std::uint32_t{0} << 22 : sum;
+    return {(green & (~std::uint32_t{0} << 22)) | ((sum | (carries - (carries >> 10))) & 0x001FFBFF)};
+  }
 };
 
 /// A colour in other words, which runs may hand to pixel formats in place of a PackedRgb.

@@ -55,3 +55,15 @@ TEST_CASE("the quotient of an edge without a divide is the exact one") {
   CHECK(same(32767, 32767));
   CHECK(same(32766, 32767));
 }
+
+TEST_CASE("a value scaled down is rounded down to the last bit, in one product or in two halves") {
+  Random random(9);
+  for (int i = 0; i < 100000; ++i) {
+    const auto value = static_cast<std::int32_t>(random.bits());
+    const auto factor = static_cast<std::uint32_t>(random.integer(0, 65536));
+    for (const int bits : {15, 16}) {
+      const std::int64_t product = std::int64_t{value} * static_cast<std::int64_t>(factor);
+      REQUIRE(scaled_down(value, factor, bits) == static_cast<std::int32_t>(product >> bits));
+    }
+  }
+}

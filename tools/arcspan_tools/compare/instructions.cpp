@@ -26,7 +26,7 @@ std::optional<std::uint64_t> summary(const std::string& profile) {
 std::optional<std::uint64_t> drawing_instructions(const std::vector<std::string>& command) {
   const ScratchFolder folder;
   const std::string profile = (folder / "profile").string();
-  std::vector<std::string> arguments = {"--tool=callgrind", "--toggle-collect=*draw_band*",
+  std::vector<std::string> arguments = {"--tool=callgrind", "--toggle-collect=*draw_into*",
                                         "--callgrind-out-file=" + profile};
   arguments.insert(arguments.end(), command.begin(), command.end());
   const std::optional<ChildEnd> end = run_child("valgrind", arguments);

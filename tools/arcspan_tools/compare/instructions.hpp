@@ -9,7 +9,7 @@
 namespace arcspan::tools {
 
 /// Instructions that `command` (a program and its arguments, which draws one picture) spends drawing, that is
-/// in functions named draw_band: counted by valgrind's callgrind. Nothing if there is no valgrind. Throws
+/// in functions named draw_into: counted by valgrind's callgrind. Nothing if there is no valgrind. Throws
 /// Failure if valgrind or the program fails.
 [[nodiscard]] std::optional<std::uint64_t> drawing_instructions(const std::vector<std::string>& command);
 

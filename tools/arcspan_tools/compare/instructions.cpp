@@ -34,6 +34,7 @@ std::optional<std::uint64_t> drawing_instructions(const std::vector<std::string>
   if (end->status != 0) throw Failure("valgrind", "failed with status " + std::to_string(end->status));
   const std::optional<std::uint64_t> count = summary(read_whole_file(profile, kMostProfile));
   if (!count) throw Failure("valgrind", "its profile holds no sum");
+  if (*count == 0) throw Failure("valgrind", "counted nothing in the function that draws");
   return count;
 }
 

@@ -3,21 +3,16 @@
 
 #include <type_traits>
 
-/// A function that is inlined for speed, and apart where code is to be small: its stack is then not below
-/// what comes after it.
-#ifdef __OPTIMIZE_SIZE__
-#define ARCSPAN_APART_IF_SMALL [[gnu::noinline]]
-#else
-#define ARCSPAN_APART_IF_SMALL
-#endif
-
 namespace arcspan {
 
-/// Whether code is to be small rather than fast.
+/// Whether code is to be small rather than fast; ARCSPAN_APART_IF_SMALL is for a function that is inlined for
+/// speed, and apart where code is to be small: its stack is then not below what comes after it.
 #ifdef __OPTIMIZE_SIZE__
 inline constexpr bool kSmall = true;
+#define ARCSPAN_APART_IF_SMALL [[gnu::noinline]]
 #else
 inline constexpr bool kSmall = false;
+#define ARCSPAN_APART_IF_SMALL
 #endif
 
 }  // namespace arcspan

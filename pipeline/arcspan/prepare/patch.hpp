@@ -34,12 +34,8 @@ struct PatchEdge {
   }
 
   constexpr void advance() {
-    // Else gcc adds two members at once, and loads them across what it has stored apart: a stall in every
-    // row.
-    std::int32_t rise = step.raw();
-    if constexpr (kWideRegisters) keep_as_is(rise);
-    at += Unit::from_raw(rise);
-    step = Unit::from_raw(rise) + bend;
+    at += step;
+    step += bend;
     slope += slope_step;
   }
 };

@@ -99,9 +99,14 @@ template <class Command, class Walker, class Target>
   }
 }
 
-/// Draws what is to be seen of the row that the walkers stand on. Unless the command is `Cut` by a side of
-/// the clip rectangle, that is all of it.
-template <bool Cut, class Command, class Walker, class Target>
+/// Whether a command's rows are cut at the sides of the clip rectangle.
+enum class Sides : std::uint8_t {
+  kWhole,  ///< they lie within it
+  kCut,
+};
+
+/// Draws what is to be seen of the row that the walkers stand on: if no side cuts its command, all of it.
+template <Sides AtSides, class Command, class Walker, class Target>
 [[gnu::always_inline, nodiscard]] constexpr Status draw_row(const Command& command, const Walker& shade,
                                                             std::int32_t y, const Target& target,
                                                             const RowMemory<Target>& memory) {
@@ -109,7 +114,7 @@ template <bool Cut, class Command, class Walker, class Target>
   const std::int32_t end = command.right.column();
   std::int32_t first = begin;
   std::int32_t last = end;
-  if constexpr (Cut) {
+  if constexpr (AtSides == Sides::kCut) {
     if (begin < target.clip.left) first = target.clip.left;
     if (end > target.clip.right) last = target.clip.right;
   }
@@ -166,7 +171,7 @@ constexpr void skip_above(Command& command, Walker& shade, std::int32_t& y, std:
   skip_rows<Target>(command, shade, y, top);
 }
 
-template <bool Cut, class Command, class Walker, class Target>
+template <Sides AtSides, class Command, class Walker, class Target>
 [[nodiscard]] constexpr Status draw_rows(Command& command, const RasterOrigin& origin, Walker shade,
                                          const Target& target) {
   const Rect& clip = target.clip;
@@ -181,7 +186,7 @@ template <bool Cut, class Command, class Walker, class Target>
     // Counted down, since few sinks ask for y.
     for (std::int32_t left = half_end - y; left > 0;
          --left, memory.next(), next_row<Target>(command, shade)) {
-      const Status status = draw_row<Cut>(command, shade, half_end - left, target, memory);
+      const Status status = draw_row<AtSides>(command, shade, half_end - left, target, memory);
       if (!ok(status)) return status;
     }
     if (half_end >= stop) return Status::kOk;
@@ -190,28 +195,23 @@ template <bool Cut, class Command, class Walker, class Target>
 }
 
 /// draw_rows() in a function of its own: next to others it would take their registers.
-template <bool Cut, class Command, class Walker, class Target>
+template <Sides AtSides, class Command, class Walker, class Target>
 [[gnu::noinline, nodiscard]] constexpr Status draw_rows_apart(Command& command, const RasterOrigin& origin,
                                                               const Walker& shade, const Target& target) {
-  return draw_rows<Cut>(command, origin, shade, target);
+  return draw_rows<AtSides>(command, origin, shade, target);
 }
 
-/// Whether a command's rows are cut at the sides of the clip rectangle.
-enum class Sides : std::uint8_t {
-  kWhole,  ///< they lie within it
-  kCut,
-};
-
-template <bool Cut, ShadingMethod Method, class Target>
+/// Draws a command's rows by the walker that its method has for it.
+template <Sides AtSides, ShadingMethod Method, class Target>
 [[gnu::always_inline, nodiscard]] constexpr Status walk_command(TriangleCommand<Method>& command,
                                                                 const RasterOrigin& origin,
                                                                 const Target& target) {
   return Method::walk(command.shade, [&](auto walker) {
     // Long rows can pay the call.
     if constexpr (SegmentedRun<typename decltype(walker)::Run> || WalksApart<decltype(walker)>) {
-      return draw_rows_apart<Cut>(command, origin, walker, target);
+      return draw_rows_apart<AtSides>(command, origin, walker, target);
     } else {
-      return draw_rows<Cut>(command, origin, walker, target);
+      return draw_rows<AtSides>(command, origin, walker, target);
     }
   });
 }
@@ -222,7 +222,7 @@ template <ShadingMethod Method, class Target>
                                                                const RasterOrigin& origin,
                                                                const Target& target) {
   const Target held = target;
-  return walk_command<true>(command, origin, held);
+  return walk_command<Sides::kCut>(command, origin, held);
 }
 
 /// Whether a loop of their own for rows that no side cuts is worth its code.
@@ -238,12 +238,12 @@ template <bool WholeRows, ShadingMethod Method, class Target>
     return Status::kOk;
   }
   if constexpr (!WholeRows) {
-    return walk_command<true>(command, origin, target);
+    return walk_command<Sides::kCut>(command, origin, target);
   } else {
     if (sides == Sides::kCut) [[unlikely]] {
       return walk_cut_command(command, origin, target);
     }
-    return walk_command<false>(command, origin, target);
+    return walk_command<Sides::kWhole>(command, origin, target);
   }
 }
 

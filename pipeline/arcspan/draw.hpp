@@ -2,15 +2,18 @@
 #pragma once
 
 #include <arcspan/clip/clip_polygon.hpp>
+#include <arcspan/mesh/face_normal.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/prepare/split.hpp>
 #include <arcspan/span/draw_command.hpp>
+#include <arcspan/vertex/back_faces.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
+#include <type_traits>
 
 namespace arcspan {
 
@@ -41,6 +44,7 @@ struct DrawFeatures {
   bool splits = true;     ///< normals too far apart for the method; else such triangles are drawn as they are
   bool two_sided = true;  ///< DrawOptions::two_sided; else asking for it is kUnsupported
   bool caches = true;     ///< a vertex cache; else one that is given is not used
+  bool planes = true;     ///< culling by the planes of a mesh that has them; else they are not used
   /// A loop of their own for rows that no side of the picture cuts, which is faster. `-Os` and cores with few
   /// registers do without.
   bool whole_rows = true;
@@ -119,7 +123,47 @@ class MeshDrawer {
     shade = Method::shade_vertex(object_, back ? -normal : normal);
   }
 
+  [[nodiscard]] BackFaces find_backs() const {
+    return two_sided() ? BackFaces{} : BackFaces(mesh_, transform_);
+  }
+
+  /// A cached vertex that no front has asked for yet.
+  static constexpr std::uint8_t kUntouched = 0xFF;
+
+  [[nodiscard]] CachedVertex<Method>& touched(std::size_t i, CachedVertex<Method>* cache) const {
+    CachedVertex<Method>& vertex = cache[i];
+    if (vertex.outcode == kUntouched) touch(i, vertex);
+    return vertex;
+  }
+  [[gnu::noinline]] void touch(std::size_t i, CachedVertex<Method>& vertex) const {
+    vertex.raster.position = project(transform_(mesh_.position(i)), transform_);
+    vertex.outcode = kInside;
+    vertex.shaded = false;
+  }
+
+  /// draw_cached() of a mesh whose `backs` are known, all of it in view: vertices that only backs have are
+  /// not transformed.
+  [[gnu::noinline]] void draw_fronts(const BackFaces& backs) {
+    const MeshView mesh = mesh_;
+    CachedVertex<Method>* const cache = cache_;
+    for (std::size_t i = 0; i < mesh.vertex_count(); ++i) cache[i].outcode = kUntouched;
+    const std::size_t count = mesh.triangle_count();
+    for (std::size_t i = backs.next_front(0, count); i < count; i = backs.next_front(i + 1, count)) {
+      const TriangleIndices t = mesh.triangle(i);
+      CachedVertex<Method>& a = touched(t.a, cache);
+      CachedVertex<Method>& b = touched(t.b, cache);
+      CachedVertex<Method>& c = touched(t.c, cache);
+      if (doubled_area(a.raster.position, b.raster.position, c.raster.position) >= 0) continue;
+      draw_vertices(t, a, b, c);
+      if (!ok(result_.status)) return;
+    }
+  }
+
   void draw_cached() {
+    if constexpr (Features.planes) {
+      const BackFaces backs = find_backs();
+      if (backs.known()) return draw_fronts(backs);
+    }
     const MeshView mesh = mesh_;  // and the cache: nothing that is drawn can change them here
     CachedVertex<Method>* const cache = cache_;
     for (std::size_t i = 0; i < mesh.vertex_count(); ++i) transform_vertex(i, cache[i]);
@@ -139,7 +183,13 @@ class MeshDrawer {
 
   [[gnu::always_inline]] void draw_uncached_here() {
     const std::size_t count = mesh_.triangle_count();
+    BackFaces backs;
+    if constexpr (Features.planes) backs = find_backs();
     for (std::size_t i = 0; i < count && ok(result_.status); ++i) {
+      if (Features.planes && backs.known()) {
+        i = backs.next_front(i, count);
+        if (i == count) return;
+      }
       const TriangleIndices t = mesh_.triangle(i);
       CachedVertex<Method> a;
       CachedVertex<Method> b;
@@ -167,6 +217,7 @@ class MeshDrawer {
 
   void shade_vertices(const TriangleIndices& t, CachedVertex<Method>& a, CachedVertex<Method>& b,
                       CachedVertex<Method>& c) const {
+    if constexpr (std::is_empty_v<typename Method::Vertex>) return;  // no normal need be unpacked
     shade_vertex(t.a, a);
     shade_vertex(t.b, b);
     shade_vertex(t.c, c);
@@ -218,7 +269,8 @@ class MeshDrawer {
       const Raster r = projected(inside.vertices[i]);
       const std::int32_t area = doubled_area(p.position, q.position, r.position);
       if (!ok(result_.status)) return;
-      if (back ? area > 0 : area < 0) draw_side_rarely(t, p, q, r, back);
+      if ((back ? area <= 0 : area >= 0) || out_of_clip(p.position, q.position, r.position)) continue;
+      draw_side_rarely(t, p, q, r, back);
     }
   }
 
@@ -231,6 +283,7 @@ class MeshDrawer {
     const RasterPosition& p = a.raster.position;
     const RasterPosition& q = b.raster.position;
     const RasterPosition& r = c.raster.position;
+    if (out_of_clip(p, q, r)) return;
     if (!two_sided() || doubled_area(p, q, r) < 0) {
       shade_vertices(t, a, b, c);
       draw_side(t, a.raster, b.raster, c.raster, false);
@@ -256,13 +309,27 @@ class MeshDrawer {
     draw_side(t, a, b, c, back);
   }
 
-  void draw_side(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c, bool back) {
-    const bool cut = !kWholeRows || leaves_columns(a.position, b.position, c.position);
-    if (cut && outside_columns(a.position, b.position, c.position)) return;
+  /// Whether a triangle has nothing within the clip rectangle, before it is shaded; else its `sides_` are
+  /// noted.
+  [[nodiscard]] bool out_of_clip(const RasterPosition& a, const RasterPosition& b, const RasterPosition& c) {
+    const bool cut = !kWholeRows || leaves_columns(a, b, c);
+    if (cut && outside_columns(a, b, c)) return true;
     sides_ = cut ? Sides::kCut : Sides::kWhole;
+    return is_for_other_band(a, b, c);
+  }
+
+  /// As in_other_band(), of a picture in bands; counts it for this one.
+  [[nodiscard]] bool is_for_other_band(const RasterPosition& a, const RasterPosition& b,
+                                       const RasterPosition& c) {
+    if (!banded_ || !in_other_band(a, b, c)) return false;
+    drawn_ = true;
+    return true;
+  }
+
+  void draw_side(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c, bool back) {
     typename Method::Face face{};
     if constexpr (Method::kNeedsFaceNormal) {
-      const Direction normal = face_normal(t);
+      const Direction normal = face_normal(mesh_.position(t.a), mesh_.position(t.b), mesh_.position(t.c));
       face = Method::shade_face(object_, back ? -normal : normal);
     }
     if (draw_part(a, b, c, face, Features.splits)) return;
@@ -272,7 +339,8 @@ class MeshDrawer {
   [[gnu::noinline, gnu::cold]] void draw_split(const Raster& a, const Raster& b, const Raster& c,
                                                const typename Method::Face& face) {
     auto emit = [this, &face](const Raster& p, const Raster& q, const Raster& r) {
-      if (ok(result_.status)) (void)draw_part(p, q, r, face, false);
+      if (!ok(result_.status) || is_for_other_band(p.position, q.position, r.position)) return;
+      (void)draw_part(p, q, r, face, false);
     };
     split_triangle(a, b, c, emit);
   }
@@ -281,11 +349,6 @@ class MeshDrawer {
   /// command once for every level of splitting.
   [[gnu::noinline]] bool draw_part(const Raster& a, const Raster& b, const Raster& c,
                                    const typename Method::Face& face, bool may_split) {
-    if (banded_ && in_other_band(a.position, b.position, c.position) &&
-        !(may_split && is_too_wide(a, b, c))) {
-      drawn_ = true;
-      return true;
-    }
     TriangleCommand<Method> command;
     const Preparation prepared =
         prepare_inside<Method, Depth::kTests>(object_, a, b, c, face, rows_, may_split, command);
@@ -320,20 +383,6 @@ class MeshDrawer {
     if (first >= end || end <= rows_.first || first >= rows_.end) return false;
     if (end + origin_.y > clip_.top && first + origin_.y < clip_.bottom) return false;
     return doubled_area(a, b, c) != 0;
-  }
-
-  [[nodiscard]] Direction face_normal(const TriangleIndices& t) const {
-    const ObjectPosition& a = mesh_.position(t.a);
-    const ObjectPosition& b = mesh_.position(t.b);
-    const ObjectPosition& c = mesh_.position(t.c);
-    const std::int64_t ux = std::int32_t{b.x} - a.x;
-    const std::int64_t uy = std::int32_t{b.y} - a.y;
-    const std::int64_t uz = std::int32_t{b.z} - a.z;
-    const std::int64_t vx = std::int32_t{c.x} - a.x;
-    const std::int64_t vy = std::int32_t{c.y} - a.y;
-    const std::int64_t vz = std::int32_t{c.z} - a.z;
-    // Each difference is below 2^34; normalised() keeps 15 bits of the largest anyway.
-    return normalised_wide(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
   }
 
   const MeshView& mesh_;

@@ -24,7 +24,9 @@ void put_u32(std::uint8_t* at, std::uint32_t value) {
 
 void make_right(std::uint8_t* bytes, std::size_t size) {
   if (size < mesh_binary::kHeaderBytes + mesh_binary::kChecksumBytes) return;
-  std::memcpy(bytes, "ARCM\1\0", 6);
+  std::memcpy(bytes, "ARCM", 4);
+  bytes[mesh_binary::kVersionAt] = static_cast<std::uint8_t>(1 + (bytes[mesh_binary::kVersionAt] & 1u));
+  bytes[mesh_binary::kVersionAt + 1] = 0;
   put_u32(bytes + mesh_binary::kSizeAt, static_cast<std::uint32_t>(size));
   const std::size_t covered = size - mesh_binary::kChecksumBytes;
   put_u32(bytes + covered, crc32({bytes, covered}));
@@ -36,6 +38,7 @@ void read_all(const MeshView& mesh) {
     sum += mesh.position(i).x + mesh.position(i).z + mesh.normal(i).u + mesh.normal(i).v;
   }
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    if (mesh.planes() != nullptr) sum += mesh.planes()[i].x + mesh.planes()[i].offset;
     const TriangleIndices t = mesh.triangle(i);
     require(t.a < mesh.vertex_count() && t.b < mesh.vertex_count() && t.c < mesh.vertex_count());
   }
@@ -57,7 +60,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (ok(status)) {
     read_all(mesh);
   } else {
-    require(mesh.vertex_count() == 0 && mesh.triangle_count() == 0);
+    require(mesh.vertex_count() == 0 && mesh.triangle_count() == 0 && mesh.planes() == nullptr);
   }
   return 0;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What sets a scene up at run time, as all_stages.cpp has the stages.
+#include <arcspan/mesh/face_normal.hpp>
+#include <arcspan/mesh/face_planes.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/shading/adaptive.hpp>
 #include <arcspan/shading/illumination.hpp>
@@ -33,6 +35,15 @@ Status make_mesh(std::span<const ObjectPosition> positions, std::span<const Pack
 Status make_small_mesh(std::span<const ObjectPosition> positions, std::span<const PackedNormal> normals,
                        std::span<const std::uint8_t> indices, MeshView& mesh) {
   return MeshView::make(positions, normals, indices, mesh);
+}
+
+// A constant must not overflow, so that this would not compile for AVR if differences were taken in its int.
+static_assert(face_normal({-32768, -32768, 0}, {32767, -32768, 0}, {-32768, 32767, 0}).z.raw() == 32768);
+
+Status make_planes(std::span<FacePlane> memory, MeshView& mesh) {
+  PlaneScale scale;
+  const Status made = make_face_planes(mesh, memory, scale);
+  return ok(made) ? mesh.attach(memory, scale) : made;
 }
 
 }  // namespace arcspan

@@ -22,6 +22,7 @@ constexpr std::int32_t kWidth = 320;
 constexpr std::int32_t kHeight = 240;
 constexpr std::int32_t kRadius = 72;
 constexpr auto kSphere = scenes::make_sphere<32, 16>();
+constexpr auto kPlanes = scenes::planes_of(kSphere);
 
 std::uint16_t colours[kWidth * kHeight];
 std::uint16_t depths[kWidth * kHeight];
@@ -39,7 +40,9 @@ int draw() {
   static CachedVertex<Method> cache[kSphere.positions.size()];
   MeshView mesh;
   scenes::StageSet stage;
-  if (!ok(kSphere.view(mesh)) || !ok(scenes::set_stage({kWidth, kHeight}, kRadius, {}, stage))) return 1;
+  if (!ok(kSphere.view(mesh)) || !ok(kPlanes.attach_to(mesh)) ||
+      !ok(scenes::set_stage({kWidth, kHeight}, kRadius, {}, stage)))
+    return 1;
   const typename Method::Object object(stage.light);
   hal::Framebuffer<Rgb565> frame(colours, kWidth, kHeight);
   DepthBuffer depth(depths, kWidth, kHeight);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/mesh/face_planes.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 
 #include <array>
@@ -71,6 +72,25 @@ struct Shape {
     return MeshView::make(positions, normals, std::span<const std::uint16_t>(indices), mesh);
   }
 };
+
+/// The planes of a shape's triangles.
+template <std::size_t Triangles>
+struct Planes {
+  std::array<FacePlane, Triangles> planes;
+  PlaneScale scale;
+
+  [[nodiscard]] constexpr Status attach_to(MeshView& mesh) const { return mesh.attach(planes, scale); }
+};
+
+template <std::size_t Vertices, std::size_t Triangles>
+[[nodiscard]] consteval Planes<Triangles> planes_of(const Shape<Vertices, Triangles>& shape) {
+  Planes<Triangles> made{};
+  MeshView mesh;
+  if (!ok(shape.view(mesh)) || !ok(make_face_planes(mesh, made.planes, made.scale))) {
+    detail::constant_refused();
+  }
+  return made;
+}
 
 /// A UV sphere of radius kRadius with its poles on the y axis; poles and seam shared, smooth normals.
 template <std::uint32_t Sectors, std::uint32_t Stacks>

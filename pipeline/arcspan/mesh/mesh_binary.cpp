@@ -13,6 +13,7 @@ using namespace mesh_binary;
 // The arrays are used as they lie in the binary.
 static_assert(sizeof(ObjectPosition) == 6 && alignof(ObjectPosition) <= 2);
 static_assert(sizeof(PackedNormal) == 4 && alignof(PackedNormal) <= 2);
+static_assert(sizeof(FacePlane) == 4 && alignof(FacePlane) == 1);
 
 constexpr std::uint32_t kMostTriangles = std::uint32_t{1} << 26;
 
@@ -34,6 +35,7 @@ struct Header {
   std::uint32_t vertices;
   std::uint32_t triangles;
   bool indices8;
+  bool planes;
 };
 
 /// Everything that can be wrong but the arrays themselves.
@@ -43,16 +45,31 @@ Status read_header(std::span<const std::uint8_t> bytes, Header& header) {
   if ((reinterpret_cast<std::uintptr_t>(at) & 1u) != 0) return Status::kInvalidArgument;
   if (bytes.size() >= kVersionAt && u32_at(at, kMagicAt) != kMagic) return Status::kUnsupported;
   if (bytes.size() < kHeaderBytes + kChecksumBytes) return Status::kTruncated;
-  if (u16_at(at, kVersionAt) != kVersion) return Status::kUnsupported;
+  const std::uint16_t version = u16_at(at, kVersionAt);
+  if (version != kVersion && version != kVersionOfPlanes) return Status::kUnsupported;
   const std::uint16_t flags = u16_at(at, kFlagsAt);
-  header = {u32_at(at, kSizeAt), u32_at(at, kVerticesAt), u32_at(at, kTrianglesAt), flags == kIndices8};
-  if (flags > kIndices8 || header.vertices > MeshView::kMaxVertices || header.triangles > kMostTriangles ||
-      header.size != mesh_binary::bytes(header.vertices, header.triangles, header.indices8)) {
+  header = {u32_at(at, kSizeAt), u32_at(at, kVerticesAt), u32_at(at, kTrianglesAt), (flags & kIndices8) != 0,
+            (flags & kPlanes) != 0};
+  if (flags >= (version == kVersion ? kPlanes : 2 * kPlanes) || header.vertices > MeshView::kMaxVertices ||
+      header.triangles > kMostTriangles ||
+      header.size != mesh_binary::bytes(header.vertices, header.triangles, header.indices8, header.planes)) {
     return Status::kCorrupted;
   }
   if (bytes.size() < header.size) return Status::kTruncated;
   const std::size_t covered = static_cast<std::size_t>(header.size) - kChecksumBytes;
   return crc32(bytes.first(covered)) == u32_at(at, covered) ? Status::kOk : Status::kCorrupted;
+}
+
+/// The planes at the end of a checked binary, if it has any.
+Status attach_planes(std::span<const std::uint8_t> bytes, const Header& header, MeshView& view) {
+  if (!header.planes) return Status::kOk;
+  const auto triangles = static_cast<std::size_t>(header.triangles);
+  const std::size_t planes_at = static_cast<std::size_t>(header.size) - kChecksumBytes - 4 * triangles;
+  const std::uint8_t* const scale = bytes.data() + planes_at - kScaleBytes;
+  const void* const planes = bytes.data() + planes_at;
+  const Status status = view.attach(std::span(static_cast<const FacePlane*>(planes), triangles),
+                                    {static_cast<std::int8_t>(scale[0]), scale[1], u16_at(scale, 2)});
+  return ok(status) ? status : Status::kCorrupted;
 }
 
 }  // namespace
@@ -70,15 +87,19 @@ Status view_mesh_binary(std::span<const std::uint8_t> bytes, MeshView& view, Mes
   const std::span positions(static_cast<const ObjectPosition*>(array_at(kHeaderBytes)), vertices);
   const std::span normals(static_cast<const PackedNormal*>(array_at(normals_at)), vertices);
   const std::size_t indices = 3 * static_cast<std::size_t>(header.triangles);
-  const Status made =
-      header.indices8
-          ? MeshView::make(positions, normals, bytes.subspan(indices_at, indices), view)
-          : MeshView::make(positions, normals,
-                           std::span(static_cast<const std::uint16_t*>(array_at(indices_at)), indices), view);
-  if (ok(made) && bounds != nullptr) {
+  MeshView found;
+  Status made = header.indices8
+                    ? MeshView::make(positions, normals, bytes.subspan(indices_at, indices), found)
+                    : MeshView::make(
+                          positions, normals,
+                          std::span(static_cast<const std::uint16_t*>(array_at(indices_at)), indices), found);
+  if (ok(made)) made = attach_planes(bytes, header, found);
+  if (!ok(made)) return made;
+  view = found;
+  if (bounds != nullptr) {
     *bounds = {position_at(bytes.data(), kLowAt), position_at(bytes.data(), kHighAt)};
   }
-  return made;
+  return Status::kOk;
 }
 
 }  // namespace arcspan

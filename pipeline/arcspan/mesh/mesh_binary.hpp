@@ -10,11 +10,14 @@
 
 namespace arcspan {
 
-/// The layout of a mesh binary, version 1 (docs/mesh-binary.md): little-endian, offsets in bytes.
+/// The layout of a mesh binary (docs/mesh-binary.md): little-endian, offsets in bytes. Version 2 has what
+/// version 1 has, and may have planes.
 namespace mesh_binary {
 inline constexpr std::uint32_t kMagic = 0x4D435241;  ///< "ARCM"
 inline constexpr std::uint16_t kVersion = 1;
+inline constexpr std::uint16_t kVersionOfPlanes = 2;
 inline constexpr std::uint16_t kIndices8 = 1;  ///< flag: indices have 8 bits instead of 16
+inline constexpr std::uint16_t kPlanes = 2;    ///< flag: there are planes; version 2 only
 
 inline constexpr std::size_t kMagicAt = 0;       ///< u32
 inline constexpr std::size_t kVersionAt = 4;     ///< u16
@@ -25,14 +28,16 @@ inline constexpr std::size_t kTrianglesAt = 16;  ///< u32
 inline constexpr std::size_t kLowAt = 20;        ///< 3 x i16, the least x, y, z
 inline constexpr std::size_t kHighAt = 26;       ///< 3 x i16, the greatest
 inline constexpr std::size_t kHeaderBytes = 32;
+inline constexpr std::size_t kScaleBytes = 4;     ///< PlaneScale: i8, u8, u16
 inline constexpr std::size_t kChecksumBytes = 4;  ///< u32, crc32() of all before it
 
 /// Bytes of a whole binary; at most 65,536 vertices and 2^26 triangles, so that it fits 32 bits.
 template <class Count>
-[[nodiscard]] constexpr Count bytes(Count vertices, Count triangles, bool indices8) {
+[[nodiscard]] constexpr Count bytes(Count vertices, Count triangles, bool indices8, bool planes = false) {
   constexpr auto kAround = static_cast<Count>(kHeaderBytes + kChecksumBytes);
   const Count arrays = 10 * vertices + triangles * (indices8 ? 3 : 6);
-  return ((arrays + 3) & ~Count{3}) + kAround;
+  const Count of_planes = planes ? static_cast<Count>(kScaleBytes) + 4 * triangles : 0;
+  return ((arrays + 3) & ~Count{3}) + of_planes + kAround;
 }
 }  // namespace mesh_binary
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/mesh/face_plane.hpp>
 #include <arcspan/mesh/packed_normal.hpp>
 #include <arcspan/status.hpp>
 
@@ -60,6 +61,23 @@ class MeshView {
     return view;
   }
 
+  /// Gives the mesh the planes of its triangles, 4 bytes each, from make_face_planes(): of objects that are
+  /// wholly in view backs are then culled before their vertices are transformed (BackFaces).
+  /// kInvalidArgument, and nothing is changed, if there is not one for every triangle, `scale` is out of
+  /// range, or a vertex is beyond its reach, on which drawing relies. Whether the planes are right is not
+  /// checked: wrong ones cull fronts.
+  constexpr Status attach(std::span<const FacePlane> planes, const PlaneScale& scale);
+  /// The same as a constant.
+  [[nodiscard]] consteval MeshView with(std::span<const FacePlane> planes, const PlaneScale& scale) const {
+    MeshView view = *this;
+    if (!ok(view.attach(planes, scale))) detail::constant_refused();
+    return view;
+  }
+
+  /// triangle_count() of them, or null.
+  [[nodiscard]] constexpr const FacePlane* planes() const { return planes_; }
+  [[nodiscard]] constexpr const PlaneScale& plane_scale() const { return plane_scale_; }
+
   [[nodiscard]] constexpr std::size_t vertex_count() const { return vertex_count_; }
   [[nodiscard]] constexpr std::size_t triangle_count() const { return triangle_count_; }
 
@@ -91,9 +109,17 @@ class MeshView {
   const std::uint16_t* indices16_ = nullptr;
   std::size_t vertex_count_ = 0;
   std::size_t triangle_count_ = 0;
+  const FacePlane* planes_ = nullptr;
+  PlaneScale plane_scale_{};
 };
 
 namespace detail {
+
+/// The squared distance of a vertex from the object's origin: at most 3 * 2^30.
+[[nodiscard]] constexpr std::uint32_t square_of(const ObjectPosition& p) {
+  const auto square = [](std::int32_t c) { return static_cast<std::uint32_t>(c * c); };
+  return square(p.x) + square(p.y) + square(p.z);
+}
 
 template <class Index>
 [[nodiscard]] constexpr Status check_mesh(std::size_t positions, std::size_t normals,
@@ -126,6 +152,20 @@ constexpr Status MeshView::make(std::span<const ObjectPosition> positions,
   if (!ok(status)) return status;
   view = MeshView(positions, normals, indices.size() / 3);
   view.indices8_ = indices.data();
+  return Status::kOk;
+}
+
+constexpr Status MeshView::attach(std::span<const FacePlane> planes, const PlaneScale& scale) {
+  if (planes.size() != triangle_count_ || scale.normal_bits < PlaneScale::kLeastNormalBits ||
+      scale.normal_bits > PlaneScale::kMostNormalBits || scale.offset_bits > PlaneScale::kMostOffsetBits) {
+    return Status::kInvalidArgument;
+  }
+  const std::uint32_t reach = scale.reach;
+  for (std::size_t i = 0; i < vertex_count_; ++i) {
+    if (detail::square_of(positions_[i]) > reach * reach) return Status::kInvalidArgument;
+  }
+  planes_ = planes.data();
+  plane_scale_ = scale;
   return Status::kOk;
 }
 

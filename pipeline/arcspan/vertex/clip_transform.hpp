@@ -45,6 +45,13 @@ struct ClipPosition {
   std::int32_t w;
 };
 
+/// A point in object units that no vertex need reach: |coordinate| < 2^24.
+struct ObjectPoint {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  std::int32_t z = 0;
+};
+
 /// Object space to clip space, and the depth of a clip-space vertex. Made once per object and frame.
 class ClipTransform {
  public:
@@ -68,6 +75,21 @@ class ClipTransform {
   }
 
   [[nodiscard]] constexpr std::int32_t near_w() const { return near_w_; }
+  /// The camera.
+  [[nodiscard]] constexpr const ObjectPoint& eye() const { return eye_; }
+  [[nodiscard]] constexpr PixelLength focal() const { return focal_; }
+  /// w of a point is its distance before the camera, in object units times 2^w_bits() (-4...13).
+  [[nodiscard]] constexpr int w_bits() const { return w_bits_; }
+  /// The squared length of the matrix' row for x, y or w (0...2), whose entries have 14 bits more than clip
+  /// space. Below 3 * 2^56.
+  [[nodiscard]] constexpr std::int64_t row_square(int i) const {
+    std::int64_t sum = 0;
+    for (const Entry& e : matrix_[i]) {
+      const std::int64_t entry = std::int64_t{e.high} * (1 << 14) + e.low;
+      sum += entry * entry;
+    }
+    return sum;
+  }
   [[nodiscard]] constexpr const Viewport& viewport() const { return viewport_; }
 
   /// Depth of a vertex at near_w() / w = `near_over_w` (29 fraction bits): 16 bits, nearer is smaller, linear
@@ -103,6 +125,9 @@ class ClipTransform {
   std::int32_t depth_range_ = 0;  ///< times 2^-(depth_shift_ - 3)
   std::int32_t depth_shift_ = 0;
   Viewport viewport_{};
+  ObjectPoint eye_{};
+  PixelLength focal_{};
+  int w_bits_ = 0;
 };
 
 namespace detail {
@@ -145,6 +170,18 @@ inline constexpr int kGuardBits = 10 + PixelLength::kFraction;  // focal / kGuar
   return static_cast<std::int32_t>(shift >= 0 ? product << shift : product >> -shift);
 }
 
+/// Where the camera stands, from the object: -R^T t.
+[[nodiscard]] constexpr ObjectPoint eye_of(const Placement& placement) {
+  const auto coordinate = [&](std::size_t j) {
+    std::int64_t sum = 0;  // below 3 * 2^60
+    for (std::size_t i = 0; i < 3; ++i) {
+      sum -= std::int64_t{placement.rotation.m[i][j].raw()} * placement.translation[i].raw();
+    }
+    return static_cast<std::int32_t>(sum >> (RotationEntry::kFraction + ObjectLength::kFraction));
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
 }  // namespace detail
 
 constexpr Status ClipTransform::make(const Placement& placement, const Projection& projection,
@@ -185,6 +222,9 @@ constexpr Status ClipTransform::make(const Placement& placement, const Projectio
   transform.depth_range_ = static_cast<std::int32_t>(range32 << shift);
   transform.depth_shift_ = shift - 3;
   transform.viewport_ = viewport;
+  transform.eye_ = detail::eye_of(placement);
+  transform.focal_ = projection.focal;
+  transform.w_bits_ = bits;
   return Status::kOk;
 }
 

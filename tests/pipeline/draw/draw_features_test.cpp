@@ -18,8 +18,12 @@ using namespace arcspan::test;
 namespace {
 
 using Light = Illumination<1, Highlight::kPhong>;
-constexpr DrawFeatures kNone{
-    .clips = false, .splits = false, .two_sided = false, .caches = false, .whole_rows = false};
+constexpr DrawFeatures kNone{.clips = false,
+                             .splits = false,
+                             .two_sided = false,
+                             .caches = false,
+                             .planes = false,
+                             .whole_rows = false};
 
 struct Picture {
   std::vector<std::uint16_t> colours;

@@ -25,6 +25,18 @@ const std::vector<std::uint8_t> kTriangle{
     2,    0,    1,    0,    0,    0,                             // indices, padding
 };
 
+// The same with a plane, version 2.
+const std::vector<std::uint8_t> kTriangleWithPlane = [] {
+  std::vector<std::uint8_t> bytes = kTriangle;
+  bytes[4] = 2;
+  bytes[6] = 3;
+  bytes[8] = 80;
+  const std::uint8_t planes[] = {0xFB, 14, 0x12, 0x80,
+                                 0x81, 2,  0x7F, 0xFF};  // -5, 14, 32786; -127, 2, 127, -1
+  bytes.insert(bytes.end(), std::begin(planes), std::end(planes));
+  return bytes;
+}();
+
 // Bytes at an even address, with a right checksum.
 class Binary {
  public:
@@ -45,8 +57,7 @@ class Binary {
   std::vector<std::uint8_t> bytes_;
 };
 
-Binary changed(std::size_t at, std::uint8_t value) {
-  std::vector<std::uint8_t> bytes = kTriangle;
+Binary changed(std::size_t at, std::uint8_t value, std::vector<std::uint8_t> bytes = kTriangle) {
   bytes.at(at) = value;
   return Binary(bytes);
 }
@@ -79,6 +90,31 @@ TEST_CASE("a mesh binary is used where it lies") {
   CHECK(bounds.high == ObjectPosition{4, 32767, 6});
 }
 
+TEST_CASE("a mesh binary may have planes") {
+  const Binary binary(kTriangleWithPlane);
+  MeshView mesh;
+  REQUIRE(ok(binary.view(mesh)));
+  CHECK(mesh.triangle_count() == 1);
+  REQUIRE(mesh.planes() != nullptr);
+  CHECK(mesh.planes()[0] == FacePlane{-127, 2, 127, -1});
+  CHECK(mesh.plane_scale() == PlaneScale{-5, 14, 32786});
+
+  MeshView plain;
+  REQUIRE(ok(Binary(kTriangle).view(plain)));
+  CHECK(plain.planes() == nullptr);
+  REQUIRE(ok(changed(4, 2).view(plain)));  // version 2 need not have any
+  CHECK(plain.planes() == nullptr);
+
+  const std::size_t scale_at = kTriangle.size();
+  CHECK(changed(scale_at, 9, kTriangleWithPlane).status() == Status::kCorrupted);
+  CHECK(changed(scale_at + 1, 18, kTriangleWithPlane).status() == Status::kCorrupted);
+  CHECK(changed(scale_at + 3, 0x7F, kTriangleWithPlane).status() == Status::kCorrupted);  // beyond reach
+  CHECK(changed(6, 7, kTriangleWithPlane).status() == Status::kCorrupted);                // an unknown flag
+  CHECK(changed(6, 1, kTriangleWithPlane).status() == Status::kCorrupted);  // too long without planes
+  CHECK(changed(scale_at, 9, kTriangleWithPlane).view(mesh) == Status::kCorrupted);
+  CHECK(mesh.plane_scale() == PlaneScale{-5, 14, 32786});  // left alone
+}
+
 TEST_CASE("a mesh binary may be followed by anything") {
   Binary binary(kTriangle);
   binary.bytes().resize(4096, 0xFF);
@@ -86,17 +122,19 @@ TEST_CASE("a mesh binary may be followed by anything") {
 }
 
 TEST_CASE("every changed bit of a mesh binary is found") {
-  for (std::size_t bit = 0; bit < 8 * (kTriangle.size() + 4); ++bit) {
+  const std::vector<std::uint8_t> bytes = GENERATE(false, true) ? kTriangleWithPlane : kTriangle;
+  for (std::size_t bit = 0; bit < 8 * (bytes.size() + 4); ++bit) {
     CAPTURE(bit);
-    Binary binary(kTriangle);
+    Binary binary(bytes);
     binary.bytes()[bit / 8] ^= static_cast<std::uint8_t>(1u << (bit % 8));
     CHECK_FALSE(ok(binary.status()));
   }
 }
 
 TEST_CASE("every truncation of a mesh binary is found") {
-  const Binary whole(kTriangle);
-  for (std::size_t size = 0; size < kTriangle.size() + 4; ++size) {
+  const std::vector<std::uint8_t> bytes = GENERATE(false, true) ? kTriangleWithPlane : kTriangle;
+  const Binary whole(bytes);
+  for (std::size_t size = 0; size < bytes.size() + 4; ++size) {
     CAPTURE(size);
     Binary binary = whole;
     binary.bytes().resize(size);
@@ -106,8 +144,9 @@ TEST_CASE("every truncation of a mesh binary is found") {
 
 TEST_CASE("what is wrong with a mesh binary is told, and the view is left alone") {
   CHECK(changed(0, 'B').status() == Status::kUnsupported);
-  CHECK(changed(4, 2).status() == Status::kUnsupported);
-  CHECK(changed(6, 2).status() == Status::kCorrupted);      // an unknown flag
+  CHECK(changed(4, 0).status() == Status::kUnsupported);
+  CHECK(changed(4, 3).status() == Status::kUnsupported);
+  CHECK(changed(6, 2).status() == Status::kCorrupted);      // planes in version 1
   CHECK(changed(8, 76).status() == Status::kCorrupted);     // size
   CHECK(changed(12, 4).status() == Status::kCorrupted);     // vertices
   CHECK(changed(15, 0xFF).status() == Status::kCorrupted);  // more than there can be

@@ -150,9 +150,12 @@ TEST_CASE("the widest angle and the triangles that will be split are counted") {
 
 TEST_CASE("the library reads the binary that was written") {
   const std::string name = GENERATE(as<std::string>{}, "sphere:3x2", "sphere:16x16", "sphere:64x32");
-  const FixedMesh mesh = ordered(to_fixed(made(name)));
+  const bool planes = GENERATE(false, true);
+  FixedMesh mesh = ordered(to_fixed(made(name)));
+  if (planes) mesh = with_planes(std::move(mesh), name);
   const std::string bytes = mesh_binary_file(mesh, figures_of(mesh));
-  REQUIRE(bytes.size() == mesh_bytes(MeshOutput::kBinary, mesh.positions.size(), mesh.indices.size() / 3));
+  REQUIRE(bytes.size() ==
+          mesh_bytes(MeshOutput::kBinary, mesh.positions.size(), mesh.indices.size() / 3, planes));
   const std::vector<std::uint8_t> file(bytes.begin(), bytes.end());
   MeshView view;
   MeshBounds bounds;
@@ -168,6 +171,10 @@ TEST_CASE("the library reads the binary that was written") {
     CHECK(view.triangle(i).c == mesh.indices[3 * i + 2]);
   }
   CHECK(bounds.high.y == 32767);
+  REQUIRE((view.planes() != nullptr) == planes);
+  if (!planes) return;
+  CHECK(view.plane_scale() == mesh.plane_scale);
+  CHECK(std::equal(mesh.planes.begin(), mesh.planes.end(), view.planes()));
 }
 
 TEST_CASE("names become identifiers") {

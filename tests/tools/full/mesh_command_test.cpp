@@ -43,6 +43,30 @@ TEST_CASE("a mesh binary can be rendered, and compiled into a header") {
   CHECK(contents(folder / "a.hpp").find("namespace a {") != std::string::npos);
 }
 
+TEST_CASE("mesh writes planes if they are asked for, and counts them") {
+  const TemporaryFolder folder;
+  const std::string plain = folder / "plain.bin";
+  const std::string planed = folder / "planed.bin";
+  REQUIRE(run("mesh torus:24x12 -o " + plain).status == 0);
+  const CommandRun made = run("mesh torus:24x12 --planes -o " + planed + " --stats " + (folder / "s.json"));
+  REQUIRE(made.status == 0);
+  CHECK(made.out.find(" bytes, 16-bit indices, planes\n") != std::string::npos);
+  const auto json = nlohmann::json::parse(contents(folder / "s.json"));
+  CHECK(json["mesh"]["planes"] == true);
+  CHECK(json["mesh"]["bytes"] == contents(planed).size());
+  CHECK(contents(planed).size() == contents(plain).size() + 4 + 4 * 576);
+  // They are a firmware's: read back, the mesh is the same.
+  for (const std::string& bin : {plain, planed}) {
+    REQUIRE(run("mesh " + bin + " -o " + (folder / "again.bin")).status == 0);
+    REQUIRE(run("mesh " + bin + " --planes -o " + (folder / "again-planed.bin")).status == 0);
+    CHECK(contents(folder / "again.bin") == contents(plain));
+    CHECK(contents(folder / "again-planed.bin") == contents(planed));
+  }
+  const std::string limited = folder / "limited.bin";
+  REQUIRE(run("mesh torus:24x12 --planes --max-bytes 4000 -o " + limited).status == 0);
+  CHECK(contents(limited).size() <= 4000);
+}
+
 TEST_CASE("a damaged mesh binary is refused in one line") {
   const TemporaryFolder folder;
   const std::string bin = folder / "a.bin";
@@ -57,7 +81,7 @@ TEST_CASE("a damaged mesh binary is refused in one line") {
         "arcspan: " + cut + ": the mesh binary is damaged (truncated)\n");
   const std::string foreign = folder.file("e.bin", "GIF89a and so on, for some forty bytes or more");
   CHECK(run("mesh " + foreign + " -o " + (folder / "c.hpp")).err ==
-        "arcspan: " + foreign + ": not a mesh binary of version 1\n");
+        "arcspan: " + foreign + ": not a mesh binary of version 1 or 2\n");
   CHECK(folder.size() == 4);
 }
 

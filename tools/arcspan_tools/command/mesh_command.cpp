@@ -23,6 +23,7 @@ struct MeshArguments {
   std::string name;
   std::string picture;
   std::string stats;
+  bool planes = false;
   MeshWish wish;
 };
 
@@ -33,8 +34,8 @@ struct Made {
 
 Made make(const MeshArguments& arguments, MeshOutput output) {
   const MeshData data = load_mesh(arguments.model);
-  const BytesOf bytes_of = [output](std::size_t vertices, std::size_t triangles) {
-    return mesh_bytes(output, vertices, triangles);
+  const BytesOf bytes_of = [output, &arguments](std::size_t vertices, std::size_t triangles) {
+    return mesh_bytes(output, vertices, triangles, arguments.planes);
   };
   Made made{{}, to_fixed(data)};
   MeshReport& report = made.report;
@@ -48,7 +49,8 @@ Made make(const MeshArguments& arguments, MeshOutput output) {
   Progress progress("simplifying", 0);
   report.compiled = compile_mesh(data, arguments.wish, bytes_of, arguments.model,
                                  [&progress](std::size_t tried) { progress.show(tried); });
-  const FixedMesh& mesh = report.compiled.mesh;
+  FixedMesh& mesh = report.compiled.mesh;
+  if (arguments.planes) mesh = with_planes(std::move(mesh), arguments.model);
   report.bytes = bytes_of(mesh.positions.size(), mesh.indices.size() / 3);
   report.figures = figures_of(mesh);
   return made;
@@ -134,6 +136,9 @@ void add_mesh_command(CLI::App& app) {
       ->check([](const std::string& text) {
         return is_identifier(text) ? "" : "'" + text + "' cannot name a namespace";
       });
+  mesh->add_flag(
+      "--planes", arguments->planes,
+      "the triangles' planes too, 4 bytes each: backs are then culled before they are transformed");
   mesh->add_option("--picture", arguments->picture, "draw the model before and after, side by side");
   mesh->add_option("--stats", arguments->stats, "write the printed figures as JSON");
   mesh->footer(

@@ -20,8 +20,9 @@ std::string to_text(const MeshReport& r) {
                                          r.model_triangles, r.model_bytes);
   if (r.dropped_faces > 0) text += formatted(", %zu faces without area left out", r.dropped_faces);
   text += "\n" + r.output +
-          formatted(": %zu vertices, %zu triangles, %zu bytes, %d-bit indices\n", mesh.positions.size(),
-                    triangles(r), r.bytes, fits_indices8(mesh.positions.size()) ? 8 : 16);
+          formatted(": %zu vertices, %zu triangles, %zu bytes, %d-bit indices%s\n", mesh.positions.size(),
+                    triangles(r), r.bytes, fits_indices8(mesh.positions.size()) ? 8 : 16,
+                    mesh.planes.empty() ? "" : ", planes");
   text += std::string("simplification: ") + to_string(r.compiled.how);
   if (r.compiled.how != Simplification::kNone) {
     text += formatted(", surface moved by about %.3g (%.2f %% of the extent)", r.compiled.error,
@@ -51,6 +52,7 @@ std::string to_json(const MeshReport& r) {
         {"triangles", triangles(r)},
         {"bytes", r.bytes},
         {"index_bits", fits_indices8(mesh.positions.size()) ? 8 : 16},
+        {"planes", !mesh.planes.empty()},
         {"low", corner(r.figures.bounds.low)},
         {"high", corner(r.figures.bounds.high)},
         {"unit", mesh.unit},

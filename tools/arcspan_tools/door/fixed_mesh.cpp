@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/mesh/face_planes.hpp>
 #include <arcspan/mesh/packed_normal.hpp>
 
 #include <arcspan_tools/door/fixed_mesh.hpp>
@@ -56,10 +57,19 @@ FixedMesh to_fixed(const MeshData& mesh) {
 
 MeshView FixedMesh::view(const std::string& subject) const {
   MeshView view;
-  const Status status = MeshView::make(positions, normals, std::span(indices), view);
+  Status status = MeshView::make(positions, normals, std::span(indices), view);
+  if (ok(status) && !planes.empty()) status = view.attach(planes, plane_scale);
   if (!ok(status))
     throw Failure(subject, std::string("not a mesh for the pipeline (") + to_string(status) + ")");
   return view;
+}
+
+FixedMesh with_planes(FixedMesh mesh, const std::string& subject) {
+  mesh.planes.clear();
+  const MeshView plain = mesh.view(subject);
+  mesh.planes.resize(plain.triangle_count());
+  static_cast<void>(make_face_planes(plain, mesh.planes, mesh.plane_scale));  // there is memory for all
+  return mesh;
 }
 
 }  // namespace arcspan::tools

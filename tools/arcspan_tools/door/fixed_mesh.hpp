@@ -17,12 +17,14 @@ struct FixedMesh {
   std::vector<ObjectPosition> positions;
   std::vector<PackedNormal> normals;
   std::vector<std::uint16_t> indices;
+  std::vector<FacePlane> planes;  ///< none, or one for each triangle
+  PlaneScale plane_scale;
   double unit = 1;
   Vec3 centre;
 
   [[nodiscard]] std::size_t bytes() const {
     return positions.size() * sizeof(ObjectPosition) + normals.size() * sizeof(PackedNormal) +
-           indices.size() * sizeof(std::uint16_t);
+           indices.size() * sizeof(std::uint16_t) + planes.size() * sizeof(FacePlane);
   }
   /// Valid as long as this object is; throws Failure if the pipeline does not take it.
   [[nodiscard]] MeshView view(const std::string& subject) const;
@@ -30,5 +32,8 @@ struct FixedMesh {
 
 /// Centres and scales `mesh` so that its largest extent fills 16 bits, and rounds.
 [[nodiscard]] FixedMesh to_fixed(const MeshData& mesh);
+
+/// The same mesh with the planes of its triangles; throws as FixedMesh::view() does.
+[[nodiscard]] FixedMesh with_planes(FixedMesh mesh, const std::string& subject);
 
 }  // namespace arcspan::tools

@@ -16,10 +16,12 @@ enum class MeshOutput { kHeader, kBinary };
 /// By the extension: .hpp or .h, .bin. On standard output a header; `bin:-` is the other. Throws Failure.
 [[nodiscard]] MeshOutput mesh_output(const std::filesystem::path& path);
 
-/// Bytes that the mesh takes in a firmware: the arrays, and in a binary what is around them.
-[[nodiscard]] std::size_t mesh_bytes(MeshOutput output, std::size_t vertices, std::size_t triangles);
+/// Bytes that the mesh takes in a firmware, with its `planes` or without: the arrays, and in a binary what is
+/// around them.
+[[nodiscard]] std::size_t mesh_bytes(MeshOutput output, std::size_t vertices, std::size_t triangles,
+                                     bool planes);
 
-/// The header: the three arrays and `make_view` in namespace `name`, which must be an identifier (see
+/// The header: the mesh's arrays and `make_view` in namespace `name`, which must be an identifier (see
 /// identifier()). `origin` says in a comment what it was made from.
 [[nodiscard]] std::string mesh_header(const FixedMesh& mesh, const MeshFigures& figures,
                                       const std::string& name, const std::string& origin);

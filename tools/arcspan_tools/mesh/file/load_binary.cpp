@@ -28,7 +28,7 @@ MeshData mesh_from_binary(std::string_view bytes, const std::string& subject) {
   MeshView view;
   const Status status =
       view_mesh_binary({reinterpret_cast<const std::uint8_t*>(words.data()), bytes.size()}, view);
-  if (status == Status::kUnsupported) throw Failure(subject, "not a mesh binary of version 1");
+  if (status == Status::kUnsupported) throw Failure(subject, "not a mesh binary of version 1 or 2");
   if (!ok(status))
     throw Failure(subject, std::string("the mesh binary is damaged (") + to_string(status) + ")");
   if (view.triangle_count() > kMaxTriangles) {

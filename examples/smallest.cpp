@@ -42,8 +42,12 @@ int main() {
   screen.clear({0, 0, 0});
   nearest.clear();
   // The sphere is in view as a whole, its triangles are small, and nobody sees it from inside.
-  constexpr DrawFeatures kFeatures{
-      .clips = false, .splits = false, .two_sided = false, .caches = false, .whole_rows = false};
+  constexpr DrawFeatures kFeatures{.clips = false,
+                                   .splits = false,
+                                   .two_sided = false,
+                                   .caches = false,
+                                   .planes = false,
+                                   .whole_rows = false};
   const DrawResult drawn = draw_mesh<Arc<Light>, kFeatures>(kSphere, kCamera, kLight, screen, nearest);
 
   bare::print_line("triangles: ", drawn.triangles, ", left out: ", drawn.left_out);

@@ -22,6 +22,9 @@ constexpr std::int32_t kHeight = 240;
 constexpr auto kCoarse = scenes::make_sphere<16, 8>();
 constexpr auto kMiddle = scenes::make_sphere<32, 16>();
 constexpr auto kFine = scenes::make_sphere<64, 32>();
+constexpr auto kCoarsePlanes = scenes::planes_of(kCoarse);
+constexpr auto kMiddlePlanes = scenes::planes_of(kMiddle);
+constexpr auto kFinePlanes = scenes::planes_of(kFine);
 
 [[gnu::section(".bss.frame")]] std::uint16_t colours[kWidth * kHeight];
 [[gnu::section(".bss.frame")]] std::uint16_t depths[kWidth * kHeight];
@@ -53,7 +56,14 @@ union ObjectMemory {
 [[gnu::section(".bss.frame")]] ObjectMemory object_memory;
 [[gnu::section(".bss.frame")]] CachedVertex<Method> cache[2048];
 
-bool measure(const char* shape, const MeshView& mesh, const MeshView& vertices, std::int32_t radius) {
+/// A sphere with the planes of its triangles, without, and without any triangles.
+struct Meshes {
+  MeshView planed;
+  MeshView plain;
+  MeshView vertices;
+};
+
+bool measure(const char* shape, const Meshes& meshes, std::int32_t radius) {
   scenes::StageSet stage;
   if (!ok(scenes::set_stage({kWidth, kHeight}, radius, {}, stage))) return false;
   const auto& object = *new (&object_memory.object) Method::Object(stage.light);
@@ -61,40 +71,49 @@ bool measure(const char* shape, const MeshView& mesh, const MeshView& vertices, 
   DepthBuffer depth(depths, kWidth, kHeight);
   CountingSink counting{frame};
   depth.clear();
-  const DrawResult counted = draw_mesh<Method>(mesh, stage.transform, object, counting, depth, cache);
+  const DrawResult counted = draw_mesh<Method>(meshes.plain, stage.transform, object, counting, depth, cache);
 
+  depth.clear();
+  arcspan_mark();
+  const DrawResult plain = draw_mesh<Method>(meshes.plain, stage.transform, object, frame, depth, cache);
   arcspan_mark();
   frame.clear({0, 0, 0});
   depth.clear();
   arcspan_mark();
-  const DrawResult drawn = draw_mesh<Method>(mesh, stage.transform, object, frame, depth, cache);
+  const DrawResult drawn = draw_mesh<Method>(meshes.planed, stage.transform, object, frame, depth, cache);
   arcspan_mark();
   // Without triangles only the vertex stage runs.
-  const DrawResult none = draw_mesh<Method>(vertices, stage.transform, object, frame, depth, cache);
+  const DrawResult none = draw_mesh<Method>(meshes.vertices, stage.transform, object, frame, depth, cache);
   arcspan_mark();
+  bare::print_line("section: plain ", shape, " ", static_cast<std::uint32_t>(radius));
   bare::print_line("section: clear ", shape, " ", static_cast<std::uint32_t>(radius));
   bare::print_line("section: draw ", shape, " ", static_cast<std::uint32_t>(radius));
   bare::print_line("section: vertices ", shape, " ", static_cast<std::uint32_t>(radius));
   bare::print_line("section: between");
-  bare::print_line("scene: ", shape, " ", static_cast<std::uint32_t>(radius), " ", mesh.vertex_count(), " ",
-                   counted.triangles, " ", counting.spans, " ", counting.pixels);
-  return ok(none.status) && ok(counted.status) && ok(drawn.status) && drawn.triangles == counted.triangles;
+  bare::print_line("scene: ", shape, " ", static_cast<std::uint32_t>(radius), " ",
+                   meshes.plain.vertex_count(), " ", counted.triangles, " ", counting.spans, " ",
+                   counting.pixels);
+  return ok(none.status) && ok(counted.status) && ok(plain.status) && ok(drawn.status) &&
+         drawn.triangles == counted.triangles && plain.triangles == counted.triangles;
 }
 
-template <class Shape>
-bool measure_shape(const char* name, const Shape& shape) {
-  MeshView mesh;
-  MeshView vertices;
-  bool good = ok(shape.view(mesh)) &&
-              ok(MeshView::make(shape.positions, shape.normals, std::span<const std::uint16_t>{}, vertices));
-  for (const std::int32_t radius : {36, 72, 108}) good = good && measure(name, mesh, vertices, radius);
+template <class Shape, class Planes>
+bool measure_shape(const char* name, const Shape& shape, const Planes& planes) {
+  Meshes meshes;
+  bool good =
+      ok(shape.view(meshes.plain)) &&
+      ok(MeshView::make(shape.positions, shape.normals, std::span<const std::uint16_t>{}, meshes.vertices));
+  meshes.planed = meshes.plain;
+  good = good && ok(planes.attach_to(meshes.planed));
+  for (const std::int32_t radius : {36, 72, 108}) good = good && measure(name, meshes, radius);
   return good;
 }
 
 }  // namespace
 
 int main() {
-  return measure_shape("16x8", kCoarse) && measure_shape("32x16", kMiddle) && measure_shape("64x32", kFine)
+  return measure_shape("16x8", kCoarse, kCoarsePlanes) && measure_shape("32x16", kMiddle, kMiddlePlanes) &&
+                 measure_shape("64x32", kFine, kFinePlanes)
              ? 0
              : 1;
 }

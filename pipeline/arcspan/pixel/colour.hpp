@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/numbers/integer.hpp>
+#include <arcspan/numbers/keep.hpp>
 
 #include <array>
 #include <concepts>
@@ -39,12 +40,12 @@ struct PackedRgb {
   /// Every channel plus the other's, saturated.
   [[nodiscard]] constexpr PackedRgb plus(PackedRgb other) const {
     if constexpr (kWideRegisters) {
-      const std::uint64_t sum = std::uint64_t{lanes} + other.lanes;
-      const auto low = static_cast<std::uint32_t>(sum);
+      std::uint64_t sum = std::uint64_t{lanes} + other.lanes;
+      keep_as_is(sum);  // or it is made twice, once of each width
       if ((sum & (kCarries | std::uint64_t{1} << 32)) == 0) [[likely]] {
-        return {low};
+        return {static_cast<std::uint32_t>(sum)};
       }
-      return saturated(low, (sum >> 32) != 0);
+      return saturated(static_cast<std::uint32_t>(sum), (sum >> 32) != 0);
     } else {
       const std::uint32_t sum = lanes + other.lanes;
       const bool green_carry = sum < lanes;  // it left the word

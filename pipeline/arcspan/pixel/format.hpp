@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/keep.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/pixel/dither.hpp>
@@ -112,6 +113,11 @@ struct Rgb565 {
   }
   /// encode(c.rgb8()), straight from the lanes.
   [[nodiscard]] static constexpr Code encode(PackedRgb c) {
+    if constexpr (kWideRegisters || !kManyRegisters) {
+      const std::uint32_t levels = c.lanes & 0xFC1F03E0u;  // green in the first leaves the code
+      return static_cast<Code>((levels >> 5) | (levels >> 21));
+    }
+    // Where shifts are free within other instructions, and such masks are not.
     return static_cast<Code>(((c.lanes >> 5) & ~0x07E0u) | ((c.lanes >> 26) << 5));
   }
   /// encode(c.packed()), straight from the words.

@@ -41,18 +41,23 @@ struct EdgeSpan {
   const RasterPosition* top;
   std::int32_t dy;      ///< height, 1...2^15 - 1 16ths of a row
   std::int32_t offset;  ///< centre of the first row below the top, 16ths of a row
-  Reciprocal inverse;   ///< of dy
+  /// Of dy. Few attributes go along a short edge on the right: it has one from make_inverse() on.
+  mutable Reciprocal inverse;
 };
+
+constexpr void make_inverse(const EdgeSpan& edge) {
+  edge.inverse = nonzero_reciprocal(static_cast<std::uint32_t>(edge.dy));
+}
 
 /// First row whose centre is at or below y: ceil(y - 1/2).
 [[nodiscard]] constexpr std::int32_t first_row_at(std::int32_t y) { return (y + 7) >> 4; }
 
 constexpr void make_edge_span(const RasterPosition& top, const RasterPosition& bottom, std::int32_t row,
-                              EdgeSpan& edge) {
+                              bool on_left, EdgeSpan& edge) {
   edge.top = &top;
   edge.dy = bottom.y - top.y;
   edge.offset = row * 16 + 8 - top.y;
-  edge.inverse = nonzero_reciprocal(static_cast<std::uint32_t>(edge.dy));
+  if (on_left || !kLongMultiply) make_inverse(edge);
 }
 
 /// offset / dy in 15 fraction bits, at most 1.

@@ -60,8 +60,11 @@ template <class Value>
   const int shift = inverse.exponent - 1 - bits - Value::kFraction;
   if (shift >= 31) return Value{};
   if (shift >= 1) {
-    const std::int32_t slope = round_shift(product, shift);
-    return Value::from_raw(slope > kMax ? kMax : slope < -kMax ? -kMax : slope);
+    const std::int32_t slope = ((product >> (shift - 1)) + 1) >> 1;  // rounded, without a shifted half
+    if (slope > kMax || slope < -kMax) [[unlikely]] {
+      return Value::from_raw(slope < 0 ? -kMax : kMax);
+    }
+    return Value::from_raw(slope);
   }
   const std::int32_t limit = shift < -28 ? 0 : kMax >> -shift;
   if (product > limit) return Value::from_raw(kMax);

@@ -77,6 +77,14 @@ struct TriangleFrame {
   Reciprocal inverse_width;
 };
 
+/// For attributes that go along both of a row's edges.
+template <class Method>
+constexpr void make_short_inverses(const TriangleFrame<Method>& frame) {
+  if (frame.middle_left || !kLongMultiply) return;
+  if (frame.has_upper) make_inverse(frame.upper_edge);
+  if (frame.has_lower) make_inverse(frame.lower_edge);
+}
+
 /// A 16-bit attribute with the given values at the top, middle and bottom vertex as a plane over the rows.
 template <class Value, class Method>
 constexpr void make_linear_plane(const TriangleFrame<Method>& frame, std::int32_t top, std::int32_t middle,
@@ -140,14 +148,14 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   frame.has_upper = command.first_row < command.middle_row;
   frame.has_lower = command.middle_row < command.end_row;
   EdgeWalk& long_walk = frame.middle_left ? command.right : command.left;
-  make_edge_span(top, bottom, command.first_row, frame.long_edge);
+  make_edge_span(top, bottom, command.first_row, true, frame.long_edge);
   make_edge_walk(frame.long_edge, bottom, long_walk);
   if (frame.has_upper) {
-    make_edge_span(top, middle, command.first_row, frame.upper_edge);
+    make_edge_span(top, middle, command.first_row, frame.middle_left, frame.upper_edge);
     make_edge_walk(frame.upper_edge, middle, frame.middle_left ? command.left : command.right);
   }
   if (frame.has_lower) {
-    make_edge_span(middle, bottom, command.middle_row, frame.lower_edge);
+    make_edge_span(middle, bottom, command.middle_row, frame.middle_left, frame.lower_edge);
     make_edge_walk(frame.lower_edge, bottom, command.lower);
   }
   const auto height = static_cast<std::uint32_t>(middle.y - top.y);

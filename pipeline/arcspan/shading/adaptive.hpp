@@ -18,6 +18,12 @@ class AdaptiveIllumination : public Illumination {
   constexpr AdaptiveIllumination() = default;
   constexpr AdaptiveIllumination(const Illumination& illumination)
       : Illumination(illumination), specular_ramp_(illumination.power(), illumination.specular()) {
+    if constexpr (kLitEntries != 0) {
+      for (std::size_t i = 0; i < kLitEntries; ++i) {
+        const auto light = static_cast<std::int32_t>(static_cast<std::uint32_t>(i) << kLitShift);
+        lit_ramp_[i] = Illumination::diffuse_colour(Unit::from_raw(light));
+      }
+    }
     (void)set_tolerance(1);
   }
 
@@ -52,11 +58,28 @@ class AdaptiveIllumination : public Illumination {
   [[nodiscard]] constexpr std::uint32_t gloss_limit() const { return gloss_limit_; }
   [[nodiscard]] constexpr const SpecularRamp& specular_ramp() const { return specular_ramp_; }
 
+  /// Whether a scaled distance is beyond the highlight. What the ramp asks comes first, so that it is asked
+  /// once.
+  [[nodiscard, gnu::always_inline]] constexpr bool misses(std::int32_t distance) const {
+    return !specular_ramp_.is_white(distance) && distance >= SpecularRamp::kReach;
+  }
+
   /// The colour at a scaled distance of the highlight's cosine from 1; N·L > 0.
   [[nodiscard, gnu::always_inline]] constexpr PackedRgb glossy_colour(Unit normal_light,
                                                                       std::int32_t distance) const {
-    const PackedRgb ramp = Illumination::diffuse_colour(normal_light);
-    return distance >= SpecularRamp::kReach ? ramp : ramp.plus(specular_ramp_(distance));
+    const PackedRgb ramp = lit_colour(normal_light);
+    return misses(distance) ? ramp : ramp.plus(specular_ramp_(distance));
+  }
+  /// The same, encoded; `codes` is a CodeTable that highlights use. White ones have a way of their own.
+  template <class Format, class Codes>
+  [[nodiscard, gnu::always_inline]] constexpr typename Format::Code glossy_code(Unit normal_light,
+                                                                                std::int32_t distance,
+                                                                                const Codes& codes) const {
+    if (specular_ramp_.is_white(distance)) [[likely]] {
+      return Format::encode(lit_colour(normal_light).plus(specular_ramp_(distance)));
+    }
+    if (distance >= SpecularRamp::kReach) return codes[normal_light];
+    return Format::encode(lit_colour(normal_light).plus(specular_ramp_(distance)));
   }
 
   /// Up to which squared angle of a segment colours may be linear, with a highlight within reach or without;
@@ -67,6 +90,18 @@ class AdaptiveIllumination : public Illumination {
 
  private:
   static constexpr int kStepBits = 5;  ///< fraction bits of an 8-bit step
+  static constexpr int kLitShift = 22;
+  static constexpr std::size_t kLitEntries =
+      kWideRegisters && Illumination::kLights == 1 && Illumination::kModel == Highlight::kPhong ? 1024 : 0;
+
+  /// diffuse_colour(); where memory is plentiful by the top 10 bits, so that nothing has to be clamped.
+  [[nodiscard, gnu::always_inline]] constexpr PackedRgb lit_colour(Unit normal_light) const {
+    if constexpr (kLitEntries != 0) {
+      return lit_ramp_[static_cast<std::uint32_t>(normal_light.raw()) >> kLitShift];
+    } else {
+      return Illumination::diffuse_colour(normal_light);
+    }
+  }
 
   /// factor * tolerance / amount with 28 fraction bits, at most 1.
   [[nodiscard]] static constexpr std::uint32_t of_chord(std::uint32_t tolerance, std::uint32_t factor,
@@ -136,6 +171,7 @@ class AdaptiveIllumination : public Illumination {
   std::uint32_t shiny_limit_ = 0;
   std::uint32_t dull_limit_ = 0;
   std::uint32_t gloss_limit_ = 0;
+  std::array<PackedRgb, kLitEntries> lit_ramp_{};
 };
 
 /// A row with a highlight whose distance goes by second differences, as N·L does: no product a pixel.
@@ -152,9 +188,10 @@ class GlossRun : public PatchScalars<2> {
   [[nodiscard, gnu::always_inline]] constexpr typename Format::Code code(const Object& object,
                                                                          const Codes& codes) const {
     if constexpr (Codes::kForHighlights) {
-      if (scalars()[1].raw() >= SpecularRamp::kReach) return codes[scalars()[0]];
+      return object.template glossy_code<Format>(scalars()[0], scalars()[1].raw(), codes);
+    } else {
+      return Format::encode(colour(object));
     }
-    return Format::encode(colour(object));
   }
 };
 

@@ -57,6 +57,7 @@ template <class Frame, std::size_t Count>
   const auto& middle = frame.middle->shade.scalars;
   const auto& bottom = frame.bottom->shade.scalars;
   make_arc_edge(frame.long_edge, chords.top_bottom, top, bottom, arcs.long_edge);
+  make_short_inverses(frame);
   if (frame.has_upper) make_arc_edge(frame.upper_edge, chords.top_middle, top, middle, arcs.upper_edge);
   if (frame.has_lower) make_arc_edge(frame.lower_edge, chords.middle_bottom, middle, bottom, arcs.lower_edge);
   const std::uint32_t widest = chords.widest();

@@ -146,6 +146,7 @@ struct SlerpEdges {
     const auto& middle = frame.middle->shade.scalars;
     const auto& bottom = frame.bottom->shade.scalars;
     long_edge.make(frame.long_edge, top, bottom);
+    make_short_inverses(frame);
     if (frame.has_upper) upper_edge.make(frame.upper_edge, top, middle);
     if (frame.has_lower) lower_edge.make(frame.lower_edge, middle, bottom);
     middle_left = frame.middle_left;

@@ -50,9 +50,17 @@ template <class Command, class Walker, class Target>
                                                                 const RowMemory<Target>& memory) {
   const RowStart start = row_start(command.left, command.right, span.x - begin);
   typename Walker::Run run = shade.row(start);
-  draw_run(
-      RowPlace<Target>{memory.pixels.open(span), memory.depths.at(span), linear_at(command.depth, start)},
-      span, run, target, command.depth.dx);
+  // Elsewhere the run's two ends in memory cost as much as one of them and its length.
+  if constexpr (kWideRegisters && DrawsWords<Target, typename Walker::Run> &&
+                requires { memory.pixels.end(span); }) {
+    Linear z = linear_at(command.depth, start);
+    draw_words(memory.pixels.end(span).codes(), memory.depths.end(span), z, span, run, target,
+               command.depth.dx);
+  } else {
+    draw_run(
+        RowPlace<Target>{memory.pixels.open(span), memory.depths.at(span), linear_at(command.depth, start)},
+        span, run, target, command.depth.dx);
+  }
   return target.sink.close(span);
 }
 

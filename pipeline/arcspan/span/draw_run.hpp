@@ -53,15 +53,21 @@ struct RowPlace {
   Linear z;
 };
 
-/// Pixels of whole words with the depth test: both rows by one index, which ends at 0.
+/// Whether runs of pixels are for draw_words(). Segments are runs of their own within a run.
+template <class Target, class Run>
+concept DrawsWords = kManyRegisters && bool{Target::kTests} && !SegmentedRun<Run> &&
+                     requires(typename Target::Format::Cursor cursor) {
+  cursor.codes();
+};
+
+/// Pixels of whole words with the depth test: both rows by one index, which ends at 0. The addresses are
+/// those behind the last pixel.
 template <class Target, class Run>
 [[gnu::always_inline]] constexpr void draw_words(typename Target::Format::Code* codes, std::uint16_t* depths,
                                                  Linear& z, const Span& span, Run& run, const Target& target,
                                                  Linear dz) {
   const typename Target::Object& object = target.object;
   const std::int32_t end = span.x + span.count;
-  codes += span.count;
-  depths += span.count;
   keep_as_is(codes);
   keep_as_is(depths);
   for (auto i = static_cast<std::ptrdiff_t>(-span.count); i != 0; ++i) {
@@ -83,10 +89,10 @@ template <class Target, class Run>
                                                   const Target& target, Linear dz) {
   using Format = typename Target::Format;
   constexpr bool kTests = Target::kTests;
-  if constexpr (kManyRegisters && kTests && requires { place.cursor.codes(); }) {
-    draw_words(place.cursor.codes(), place.depths, place.z, span, run, target, dz);
+  if constexpr (DrawsWords<Target, Run>) {
     place.cursor.skip(span.count);
     place.depths += span.count;
+    draw_words(place.cursor.codes(), place.depths, place.z, span, run, target, dz);
     return;
   }
   for (std::int32_t i = 0; i < span.count; ++i) {

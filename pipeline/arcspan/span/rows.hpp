@@ -31,6 +31,10 @@ requires kManyRegisters class PixelRows<Sink> {
   [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& run) const {
     return typename Sink::Format::Cursor(row_, run.x);
   }
+  /// Behind the run's last pixel.
+  [[nodiscard]] constexpr typename Sink::Format::Cursor end(const Span& run) const {
+    return typename Sink::Format::Cursor(row_, run.x + run.count);
+  }
   constexpr void next() {
     row_ += stride_;
     keep_as_is(row_);
@@ -48,6 +52,7 @@ class DepthRows {
   constexpr DepthRows(const Depth& depth, std::int32_t y)
       : row_(depth.row(y)), stride_(depth.bounds().right) {}
   [[nodiscard]] constexpr std::uint16_t* at(const Span& run) const { return row_ + run.x; }
+  [[nodiscard]] constexpr std::uint16_t* end(const Span& run) const { return row_ + (run.x + run.count); }
   constexpr void next() {
     row_ += stride_;
     keep_as_is(row_);

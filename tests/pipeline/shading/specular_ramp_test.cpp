@@ -96,3 +96,21 @@ TEST_CASE("a specular ramp is full at no distance and at less, and black without
     }
   }
 }
+
+TEST_CASE("both forms of a ramp's line have the same values") {
+  Random random(141);
+  int different = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const auto interval = static_cast<std::uint32_t>(random.integer(0, 127));
+    const auto here = static_cast<std::uint32_t>(random.integer(0, 65280));
+    const auto fall = static_cast<std::uint32_t>(random.integer(0, static_cast<std::int32_t>(here)));
+    const detail::RampLine shorter(interval, here, fall);
+    const detail::LongRampLine longer(interval, here, fall);
+    for (std::uint32_t fraction = 0; fraction < 256; ++fraction) {
+      const std::uint32_t position = interval << detail::kRampFine | fraction;
+      different +=
+          shorter(position) == longer(position) && shorter(position) == (here << 8) - fall * fraction ? 0 : 1;
+    }
+  }
+  CHECK(different == 0);
+}

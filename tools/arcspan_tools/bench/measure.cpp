@@ -70,7 +70,7 @@ class SceneBench {
       : plan_(plan),
         sphere_(sphere),
         bench_(make_bench_scene(sphere)),
-        mesh_(to_fixed(bench_.mesh)),
+        mesh_(with_planes(to_fixed(bench_.mesh), to_string(sphere))),
         job_(make_job(bench_.scene, mesh_, to_string(sphere))) {}
 
   [[nodiscard]] SceneTimes times(const std::function<void()>& round_done) {
@@ -89,11 +89,14 @@ class SceneBench {
   [[nodiscard]] std::vector<ThreadTimes> thread_times(const std::function<void()>& round_done) {
     const ThreadTimes none{sphere_, bench_.scene.size, 0, INFINITY, 0, INFINITY, 0};
     std::vector<ThreadTimes> result(plan_.threads, none);
+    constexpr std::int32_t kBalancingRounds = 6;
     const double once = ParallelBands(job_, 1).draw(1).busiest;
     const std::int32_t repeats = repeats_for(2 * plan_.milliseconds, once);
     for (std::int32_t round = 0; round < plan_.rounds; ++round, round_done()) {
       for (std::uint32_t t = 0; t < plan_.threads; ++t) {
-        const ParallelBands::FrameTime time = ParallelBands(job_, t + 1).draw(repeats);
+        ParallelBands bands(job_, t + 1);
+        if (t > 0) bands.balance(kBalancingRounds);
+        const ParallelBands::FrameTime time = bands.draw(repeats);
         result[t].threads = t + 1;
         result[t].milliseconds = std::min(result[t].milliseconds, time.wall);
         result[t].busiest = std::min(result[t].busiest, time.busiest);

@@ -10,6 +10,7 @@
 #include <barrier>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <thread>
 
 namespace arcspan::tools {
@@ -59,6 +60,9 @@ struct ParallelBands::Work {
   std::vector<Rgb565::Unit> memory;
   std::vector<std::unique_ptr<Band>> bands;
 
+  std::vector<std::int32_t> borders;  ///< rows where bands begin, and the last ends
+  std::vector<double> own;            ///< milliseconds of processor time of each band's quickest frame
+
   Work(const RenderJob& wanted, std::uint32_t threads) : job(wanted) {
     if (job.lights.size() != 1 || job.highlight != Highlight::kPhong) {
       throw Failure("bands in parallel", "are drawn with one light and Phong's highlight");
@@ -67,14 +71,36 @@ struct ParallelBands::Work {
     if (!ok(status)) throw Failure("illumination", to_string(status));
     const Viewport& size = job.transform.viewport();
     memory.resize(Frame::units(size.width, size.height));
-    const auto count = static_cast<std::int32_t>(threads);
-    for (std::int32_t i = 0; i < count; ++i) {
-      const std::int32_t first = size.height * i / count;
-      const std::int32_t rows = size.height * (i + 1) / count - first;
-      const std::span rest = std::span(memory).subspan(Frame::units(size.width, first));
+    const auto count = std::min(static_cast<std::int32_t>(threads), size.height);
+    for (std::int32_t i = 0; i <= count; ++i) borders.push_back(size.height * i / count);
+    make_bands();
+  }
+
+  void make_bands() {
+    bands.clear();
+    const std::int32_t width = job.transform.viewport().width;
+    for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+      const std::int32_t rows = borders[i + 1] - borders[i];
+      const std::span rest = std::span(memory).subspan(Frame::units(width, borders[i]));
       bands.push_back(
-          std::make_unique<Band>(job, light, rest.first(Frame::units(size.width, rows)), first, rows));
+          std::make_unique<Band>(job, light, rest.first(Frame::units(width, rows)), borders[i], rows));
     }
+  }
+
+  /// Gives every band rows in proportion to what it drew of them in its time; one at least.
+  void move_borders() {
+    std::vector<double> rows;
+    for (std::size_t i = 0; i < own.size(); ++i) rows.push_back((borders[i + 1] - borders[i]) / own[i]);
+    const double all = std::accumulate(rows.begin(), rows.end(), 0.0);
+    const std::int32_t height = borders.back();
+    double until = 0;
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+      until += rows[i] / all * height;
+      const auto left = static_cast<std::int32_t>(rows.size() - i - 1);
+      borders[i + 1] =
+          std::clamp(static_cast<std::int32_t>(std::lround(until)), borders[i] + 1, height - left);
+    }
+    make_bands();
   }
 };
 
@@ -97,7 +123,8 @@ ParallelBands::FrameTime ParallelBands::draw(std::int32_t repeats) {
   };
   std::barrier together(static_cast<std::ptrdiff_t>(count), note_time);
   std::vector<Status> results(count, Status::kOk);
-  std::vector<double> own(count, INFINITY);
+  std::vector<double>& own = work_->own;
+  own.assign(count, INFINITY);
   const auto draw_frames = [&](std::size_t i) {
     for (std::int32_t frame = 0; frame < repeats; ++frame) {
       work_->bands[i]->clear();
@@ -119,6 +146,14 @@ ParallelBands::FrameTime ParallelBands::draw(std::int32_t repeats) {
   }
   return {std::chrono::duration<double, std::milli>(quickest).count(),
           *std::max_element(own.begin(), own.end())};
+}
+
+void ParallelBands::balance(std::int32_t rounds) {
+  constexpr std::int32_t kFrames = 8;
+  for (std::int32_t i = 0; i < rounds; ++i) {
+    static_cast<void>(draw(kFrames));
+    work_->move_borders();
+  }
 }
 
 Image ParallelBands::image() const {

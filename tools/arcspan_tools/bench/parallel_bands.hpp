@@ -9,8 +9,9 @@
 namespace arcspan::tools {
 
 /// One picture drawn by several threads: each has a band of the rows for itself, with depth buffer and vertex
-/// cache; mesh, transform and illumination are shared, and nobody writes to them. Nothing is locked. Shading
-/// is arc, the format rgb565 with depth, the highlight Phong's of one light.
+/// cache; mesh, transform and illumination are shared, and nobody writes to them. Nothing is locked. Bands
+/// have the same height until balance() is called. Shading is arc, the format rgb565 with depth, the
+/// highlight Phong's of one light.
 class ParallelBands {
  public:
   /// Throws Failure if the job has no light or more than one, or another highlight.
@@ -29,6 +30,9 @@ class ParallelBands {
   /// Clears and draws `repeats` frames one after the other, all threads beginning each together; the times
   /// are of drawing alone.
   [[nodiscard]] FrameTime draw(std::int32_t repeats);
+  /// Moves the borders between bands by what the threads took for the last frames, as a program would that
+  /// draws many.
+  void balance(std::int32_t rounds);
   [[nodiscard]] Image image() const;
 
  private:

@@ -75,6 +75,7 @@ class LinearTriangle {
     figures.linear = command.shade.linear;
     if (!figures.linear) return {};
     RunList runs({0, 0, kPicture, kPicture});
+    lights.clear();  // of tables that the set-up made
     RasterStage<Method, RunList>(runs, kPicture, kPicture, object).draw(v[0], v[1], v[2]);
     compare(runs, lights, figures);
     return figures;

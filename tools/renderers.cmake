@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # One translation unit for every shading method, so that they build side by side.
 include(${CMAKE_CURRENT_LIST_DIR}/shadings.cmake)
-set(ARCSPAN_TOOLS_SHADINGS "" CACHE STRING "Entries of tools/shadings.cmake that the command knows; empty: all, two minutes of a processor")
+set(ARCSPAN_TOOLS_SHADINGS "" CACHE STRING "Entries of tools/shadings.cmake that the command knows; empty: all, some minutes of a processor")
 if(ARCSPAN_TOOLS_SHADINGS)
   set(shadings ${ARCSPAN_TOOLS_SHADINGS})
 endif()

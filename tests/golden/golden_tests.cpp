@@ -129,6 +129,7 @@ void check_scene(Goldens& goldens, const std::string& mesh_name, const tools::Fi
   if (golden.sample && mesh_name != "sphere:8x4" && mesh_name != "torus:48x24") return;
   const auto quiet = [](std::size_t) {};
   tools::RenderJob job = tools::make_job(golden.scene, mesh, mesh_name);
+  job.counts = false;
   const Image full = tools::find_renderer(golden.shading, "rgb888", false).render(job, quiet).image;
   const std::string prefix = mesh_name + "/" + golden.name + "/";
   if (goldens.update) tools::write_image(full, goldens.reference_of(prefix));

@@ -47,6 +47,7 @@ Contestant contestant(const std::string& method, const BenchScene& bench, const 
   const auto draw = [&renderer, &job](std::int32_t repeats) {
     RenderJob repeated = job;
     repeated.repeats = repeats;
+    repeated.counts = false;
     return renderer.render(repeated, [](std::size_t) {}).stats.draw_milliseconds;
   };
   return {method, draw, 1, {}};

@@ -89,8 +89,11 @@ struct ParallelBands::Work {
 
   /// Gives every band rows in proportion to what it drew of them in its time; one at least.
   void move_borders() {
+    constexpr double kLeast = 1e-6;  // a clock too coarse for a band says 0
     std::vector<double> rows;
-    for (std::size_t i = 0; i < own.size(); ++i) rows.push_back((borders[i + 1] - borders[i]) / own[i]);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      rows.push_back((borders[i + 1] - borders[i]) / std::max(own[i], kLeast));
+    }
     const double all = std::accumulate(rows.begin(), rows.end(), 0.0);
     const std::int32_t height = borders.back();
     double until = 0;

@@ -108,8 +108,9 @@ class Show {
                             ? arguments_.options.scene
                             : turntable_.scene(static_cast<std::size_t>(figures_.frames) % pictures_);
     const Clock::time_point begin = Clock::now();
-    const RenderResult drawn =
-        renderer_.render(make_job(scene, mesh_, arguments_.options.mesh), [](std::size_t) {});
+    RenderJob job = make_job(scene, mesh_, arguments_.options.mesh);
+    job.counts = false;
+    const RenderResult drawn = renderer_.render(job, [](std::size_t) {});
     const Clock::time_point ready = Clock::now();
     display_.show(drawn.image);
     figures_.draw_milliseconds += milliseconds(ready - begin);

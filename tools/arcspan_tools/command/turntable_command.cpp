@@ -42,7 +42,8 @@ void run_turntable(const TurntableArguments& arguments) {
   Progress progress("drawing", format.frames);
   double milliseconds = 0;
   for (std::size_t frame = 0; frame < format.frames; ++frame) {
-    const RenderJob job = make_job(turntable.scene(frame), mesh, options.mesh);
+    RenderJob job = make_job(turntable.scene(frame), mesh, options.mesh);
+    job.counts = false;
     RenderResult result = renderer.render(job, [](std::size_t) {});
     milliseconds += result.stats.draw_milliseconds;
     output->add(std::move(result.image));

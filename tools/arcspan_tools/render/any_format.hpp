@@ -26,6 +26,24 @@ class PixelStore {
 [[nodiscard]] std::unique_ptr<PixelStore> make_pixel_store(std::string_view format, bool dithers,
                                                            std::int32_t width, std::int32_t rows);
 
+/// Keeps nothing: for counting what would be drawn.
+class NoPixels final : public PixelStore {
+ public:
+  explicit NoPixels(const Rect& bounds) : bounds_(bounds) {}
+
+  void write(std::int32_t, std::int32_t, PackedRgb) override {}
+  [[nodiscard]] Rgb8 pixel(std::int32_t, std::int32_t) const override { return {}; }
+  void move_to(std::int32_t first_row) override {
+    bounds_ = {bounds_.left, first_row, bounds_.right, first_row + bounds_.height()};
+  }
+  void clear(Rgb8) override {}
+  [[nodiscard]] Rect bounds() const override { return bounds_; }
+  [[nodiscard]] std::size_t bytes() const override { return 0; }
+
+ private:
+  Rect bounds_;
+};
+
 /// The pipeline's view of such a store. One instantiation of a shading method with it serves every format: a
 /// desk would rather wait for a virtual call a pixel than for the build of every combination. A firmware
 /// names its format instead.
@@ -55,7 +73,7 @@ struct AnyFormat {
   [[nodiscard]] static Rgb8 decode(Code code) { return code.rgb8(); }
 };
 
-/// The sink over such a store.
+/// The sink over such a store; counts the spans and their pixels.
 class AnySink {
  public:
   using Format = AnyFormat;
@@ -63,10 +81,19 @@ class AnySink {
   explicit AnySink(PixelStore& store) : store_(&store) {}
   [[nodiscard]] Rect bounds() const { return store_->bounds(); }
   [[nodiscard]] AnyFormat::Cursor open(const Span& run) { return {store_, run.x, run.y}; }
-  [[nodiscard]] Status close(const Span&) { return Status::kOk; }
+  [[nodiscard]] Status close(const Span& run) {
+    ++spans_;
+    pixels_ += static_cast<std::uint64_t>(run.count);
+    return Status::kOk;
+  }
+
+  [[nodiscard]] std::uint64_t spans() const { return spans_; }
+  [[nodiscard]] std::uint64_t pixels() const { return pixels_; }
 
  private:
   PixelStore* store_;
+  std::uint64_t spans_ = 0;
+  std::uint64_t pixels_ = 0;
 };
 
 static_assert(PixelSink<AnySink>);

@@ -33,11 +33,12 @@ struct RenderJob {
   std::int32_t band_rows = 0;
   /// How often every band is cleared and drawn, 1 or more, for measuring: the picture is the same.
   std::int32_t repeats = 1;
+  bool counts = true;  ///< spans and pixels, by drawing once more
 };
 
 struct RenderStats {
   std::uint32_t triangles = 0;
-  std::uint64_t spans = 0;
+  std::uint64_t spans = 0;  ///< 0 unless they are counted, as are pixels
   /// Of the spans: those that the depth test hid are counted too.
   std::uint64_t pixels = 0;
   std::uint64_t bands = 0;

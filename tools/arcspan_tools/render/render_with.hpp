@@ -4,13 +4,13 @@
 #include <arcspan/hal/framebuffer.hpp>
 
 #include <arcspan_tools/render/any_format.hpp>
-#include <arcspan_tools/render/counting_sink.hpp>
 #include <arcspan_tools/render/render.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/processor_time.hpp>
 
 #include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace arcspan::tools {
 namespace detail {
@@ -57,6 +57,38 @@ class AnyBand {
   AnySink sink_;
 };
 
+/// The depth of a band, or that there is none.
+template <class Depth>
+class BandDepth {
+ public:
+  BandDepth(std::int32_t, std::int32_t) {}
+
+  [[nodiscard]] const NoDepth& buffer() const { return none_; }
+  void start(std::int32_t) {}
+  [[nodiscard]] std::size_t bytes() const { return 0; }
+
+ private:
+  NoDepth none_;
+};
+
+template <>
+class BandDepth<DepthBuffer> {
+ public:
+  BandDepth(std::int32_t width, std::int32_t rows)
+      : memory_(DepthBuffer::units(width, rows)), buffer_(memory_, width, rows) {}
+
+  [[nodiscard]] const DepthBuffer& buffer() const { return buffer_; }
+  void start(std::int32_t first_row) {
+    buffer_.move_to(first_row);
+    buffer_.clear();
+  }
+  [[nodiscard]] std::size_t bytes() const { return memory_.size() * sizeof(std::uint16_t); }
+
+ private:
+  std::vector<std::uint16_t> memory_;
+  DepthBuffer buffer_;
+};
+
 template <class Band>
 void copy_rows(const Band& band, std::int32_t first, std::int32_t rows, Image& image) {
   const std::int32_t end = std::min(first + rows, image.height);
@@ -65,52 +97,46 @@ void copy_rows(const Band& band, std::int32_t first, std::int32_t rows, Image& i
   }
 }
 
-/// What drawing a band took, and gave.
-struct BandDrawn {
-  DrawResult result;
-  double milliseconds = 0;
-};
-
+/// Draws a band; processor milliseconds.
 template <class Method, class Sink, class Depth>
-[[gnu::noinline]] BandDrawn draw_into(Sink& sink, const RenderJob& job, const typename Method::Object& object,
-                                      const Depth& depth, std::span<CachedVertex<Method>> cache) {
-  BandDrawn drawn;
+[[gnu::noinline]] double draw_into(Sink& sink, const RenderJob& job, const typename Method::Object& object,
+                                   const Depth& depth, std::span<CachedVertex<Method>> cache,
+                                   RenderStats& stats) {
   const double start = processor_milliseconds();
-  drawn.result = draw_mesh<Method>(job.mesh, job.transform, object, sink, depth, cache, {job.two_sided});
-  drawn.milliseconds = processor_milliseconds() - start;
-  if (!ok(drawn.result.status)) throw Failure("pipeline", to_string(drawn.result.status));
-  return drawn;
+  const DrawResult drawn =
+      draw_mesh<Method>(job.mesh, job.transform, object, sink, depth, cache, {job.two_sided});
+  const double end = processor_milliseconds();
+  if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
+  // Every band walks all triangles of the picture and counts those that reach it.
+  stats.triangles = std::max(stats.triangles, drawn.triangles);
+  return end - start;
 }
 
-/// Draws a band that has been started, and counts what it gets.
-template <class Method, class Band, class Depth>
-double draw_counted(const RenderJob& job, const typename Method::Object& object, Band& band,
-                    const Depth& depth, std::span<CachedVertex<Method>> cache, RenderStats& stats) {
-  CountingSink sink(band.sink());
-  const BandDrawn drawn = draw_into<Method>(sink, job, object, depth, cache);
-  // Every band walks all triangles of the picture and counts those that reach it.
-  stats.triangles = std::max(stats.triangles, drawn.result.triangles);
+/// Counts spans and their pixels, which depth does not change, by drawing into nothing: what is timed does
+/// not count.
+template <class Method>
+void count_band(const RenderJob& job, const typename Method::Object& object, const Rect& bounds,
+                std::span<CachedVertex<Method>> cache, RenderStats& stats) {
+  NoPixels nothing(bounds);
+  AnySink sink(nothing);
+  (void)draw_mesh<Method>(job.mesh, job.transform, object, sink, NoDepth{}, cache, {job.two_sided});
   stats.spans += sink.spans();
   stats.pixels += sink.pixels();
-  return drawn.milliseconds;
 }
 
-/// Draws a band `repeats` times; milliseconds of one. The last drawing is counted, which takes time of its
-/// own: where there are others, it is they that are timed.
+/// Draws a band `repeats` times; milliseconds of one.
 template <class Method, class Band, class Depth, class Start>
 double draw_band(const RenderJob& job, const typename Method::Object& object, Band& band, const Depth& depth,
                  std::span<CachedVertex<Method>> cache, const Start& start, RenderStats& stats) {
   double timed = 0;
-  for (std::int32_t repeat = 1; repeat < job.repeats; ++repeat) {
+  for (std::int32_t repeat = 0; repeat < job.repeats; ++repeat) {
     start();
-    timed += draw_into<Method>(band.sink(), job, object, depth, cache).milliseconds;
+    timed += draw_into<Method>(band.sink(), job, object, depth, cache, stats);
   }
-  start();
-  const double counted = draw_counted<Method>(job, object, band, depth, cache, stats);
-  return job.repeats > 1 ? timed / (job.repeats - 1) : counted;
+  return timed / job.repeats;
 }
 
-template <class Method, class Band>
+template <class Method, class Band, class Depth>
 RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
                           const typename Method::Object& object, const RowsDone& rows_done) {
   const Viewport& size = job.transform.viewport();
@@ -118,22 +144,19 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
   RenderResult result;
   result.image = Image(size.width, size.height);
   Band band(pixels, size.width, rows);
-  std::vector<std::uint16_t> depth_memory(job.depth ? DepthBuffer::units(size.width, rows) : 0);
-  DepthBuffer depth(depth_memory, size.width, job.depth ? rows : 0);
+  BandDepth<Depth> depth(size.width, rows);
   std::vector<CachedVertex<Method>> cache(job.mesh.vertex_count());
   result.stats.frame_bytes = band.bytes();
-  result.stats.depth_bytes = depth_memory.size() * sizeof(std::uint16_t);
+  result.stats.depth_bytes = depth.bytes();
   result.stats.cache_bytes = cache.size() * sizeof(CachedVertex<Method>);
   for (std::int32_t first = 0; first < size.height; first += rows) {
     const auto start = [&] {
       band.start(first, job.background);
-      if (!job.depth) return;
-      depth.move_to(first);
-      depth.clear();
+      depth.start(first);
     };
     result.stats.draw_milliseconds +=
-        job.depth ? draw_band<Method>(job, object, band, depth, std::span(cache), start, result.stats)
-                  : draw_band<Method>(job, object, band, NoDepth{}, std::span(cache), start, result.stats);
+        draw_band<Method>(job, object, band, depth.buffer(), std::span(cache), start, result.stats);
+    if (job.counts) count_band<Method>(job, object, band.sink().bounds(), std::span(cache), result.stats);
     copy_rows(band, first, rows, result.image);
     ++result.stats.bands;
     rows_done(static_cast<std::size_t>(first + rows));
@@ -166,11 +189,12 @@ RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const R
   const auto object = object_of<Method<Lit>>(job, illumination);
   if constexpr (Lights == 1) {
     // What is drawn most often is drawn as a firmware would.
-    if (pixels.format == "rgb565" && !pixels.dithers) {
-      return render_bands<Method<Lit>, DirectBand>(job, pixels, object, rows_done);
+    if (pixels.format == "rgb565" && !pixels.dithers && job.depth) {
+      return render_bands<Method<Lit>, DirectBand, DepthBuffer>(job, pixels, object, rows_done);
     }
   }
-  return render_bands<Method<Lit>, AnyBand>(job, pixels, object, rows_done);
+  return job.depth ? render_bands<Method<Lit>, AnyBand, DepthBuffer>(job, pixels, object, rows_done)
+                   : render_bands<Method<Lit>, AnyBand, NoDepth>(job, pixels, object, rows_done);
 }
 
 template <template <class> class Method, Highlight Model>

@@ -14,6 +14,8 @@ using namespace arcspan;
 namespace {
 
 constexpr std::int32_t kSize = 160;
+constexpr DrawFeatures kFeatures{
+    .clips = false, .splits = false, .two_sided = false, .caches = false, .planes = false};
 
 /// Never leaves a scalar out.
 template <Highlight Model>
@@ -40,7 +42,9 @@ std::vector<std::uint16_t> picture(const MeshView& mesh, std::int32_t shininess,
   std::vector<std::uint16_t> memory(hal::Framebuffer<Rgb565>::units(kSize, kSize));
   hal::Framebuffer<Rgb565> frame(memory, kSize, kSize);
   frame.clear({0, 0, 0});
-  REQUIRE(ok(draw_mesh<Arc<Light>>(mesh, transform, light, frame, NoDepth{}).status));
+  const DrawResult result = draw_mesh<Arc<Light>, kFeatures>(mesh, transform, light, frame, NoDepth{});
+  REQUIRE(ok(result.status));
+  REQUIRE(result.left_out == 0);
   return memory;
 }
 

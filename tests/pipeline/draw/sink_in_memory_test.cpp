@@ -34,6 +34,8 @@ struct Asked : hal::Framebuffer<Format> {
 static_assert(SinkInMemory<hal::Framebuffer<Rgb565>> && SinkInMemory<hal::Framebuffer<Gray4>>);
 static_assert(PixelSink<Asked<Rgb565>> && !SinkInMemory<Asked<Rgb565>>);
 
+constexpr DrawFeatures kFeatures{.two_sided = false, .caches = false, .planes = false};
+
 template <class Frame>
 struct Picture {
   std::vector<typename Frame::Unit> colours;
@@ -57,7 +59,7 @@ Picture<Frame> drawn(const MeshView& mesh, const TestCamera& camera, std::int32_
     depth.move_to(top);
     frame.clear({9, 8, 7});
     depth.clear();
-    REQUIRE(ok(draw_mesh<Method>(mesh, transform, object, frame, depth).status));
+    REQUIRE(ok(draw_mesh<Method, kFeatures>(mesh, transform, object, frame, depth).status));
     picture.colours.insert(picture.colours.end(), band.begin(), band.end());
     picture.depths.insert(picture.depths.end(), depths.begin(), depths.end());
   }

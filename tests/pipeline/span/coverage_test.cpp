@@ -122,7 +122,7 @@ void compare(Comparison& comparison, Random& random, int count, double smallest,
     const Triangle t = random_triangle(random, smallest, largest, spread);
     const std::uint64_t wrong = comparison.faults(t);
     if (wrong != 0 && faults == 0) {
-      for (const Point& p : t.corner) first += "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ") ";
+      for (const Point& p : t.corner) first += std::to_string(p.x) + ", " + std::to_string(p.y) + "; ";
     }
     faults += wrong;
   }

@@ -20,6 +20,15 @@ target_compile_options(
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
             $<$<BOOL:${ARCSPAN_WERROR}>:-Werror>)
 
+# For what nothing runs for long: it compiles in two thirds of the time, in a quarter where sanitizers are on.
+add_library(arcspan_cold INTERFACE)
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+  set(ARCSPAN_IS_SANITIZED ON)
+  target_compile_options(arcspan_cold INTERFACE -O0)
+else()
+  target_compile_options(arcspan_cold INTERFACE $<$<CONFIG:Release>:-O1>)
+endif()
+
 # What the bar for pipeline/ and hal/ demands of the compiler: no exceptions, no RTTI, no guard variables.
 add_library(arcspan_embedded INTERFACE)
 target_compile_options(arcspan_embedded INTERFACE -fno-exceptions -fno-rtti -fno-threadsafe-statics

@@ -125,11 +125,10 @@ struct Rgb565 {
     const std::uint32_t levels = c.red_blue & 0x7C007C00u;  // what the other takes along leaves the code
     return static_cast<Code>((levels >> 15) | (levels >> 10) | ((c.green >> 25) << 5));
   }
-  /// encode(c.packed()), straight from the words: what comes down from their tops needs no masks.
-  [[nodiscard]] static constexpr Code encode(FineRgb c) {
-    constexpr int kSix = FineRgb::kFraction + 2;
-    const std::uint32_t red_green = ((c.r >> (kSix + 1)) << 6) | (c.g >> kSix);
-    return static_cast<Code>((red_green << 5) | (c.b >> (kSix + 1)));
+  /// encode(c.packed()), straight from the words.
+  template <bool Joined>
+  [[nodiscard]] static constexpr Code encode(const BasicFineRgb<Joined>& c) {
+    return c.rgb565();
   }
   [[nodiscard]] static constexpr Code encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
     return encode(Rgb8{dithered<5>(c.r, x, y), dithered<6>(c.g, x, y), dithered<5>(c.b, x, y)});

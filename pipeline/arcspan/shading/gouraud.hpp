@@ -19,6 +19,7 @@ struct Gouraud {
     FullLinearPlane r;
     FullLinearPlane g;
     FullLinearPlane b;
+    FineRgb::KeptStep step;
     bool middle_left;
   };
   static constexpr bool kNeedsFaceNormal = false;
@@ -43,30 +44,17 @@ struct Gouraud {
     make_plane(frame, top.r, middle.r, bottom.r, prepared.r);
     make_plane(frame, top.g, middle.g, bottom.g, prepared.g);
     make_plane(frame, top.b, middle.b, bottom.b, prepared.b);
+    prepared.b.dx = FullLinear::from_raw(FineRgb::blue_step(prepared.b.dx.raw()));
+    prepared.step = FineRgb::keep_step(prepared.g.dx.raw(), prepared.b.dx.raw());
     prepared.middle_left = frame.middle_left;
   }
 
   struct Run {
-    FullLinear r;
-    FullLinear g;
-    FullLinear b;
-    FullLinear dr;
-    FullLinear dg;
-    FullLinear db;
+    FineRgb at;
+    FineRgb step;
 
-    [[nodiscard]] constexpr FineRgb colour(const Object&) const {
-      return FineRgb::of(word(r), word(g), word(b));
-    }
-    constexpr void next() {
-      r += dr;
-      g += dg;
-      b += db;
-    }
-
-   private:
-    [[nodiscard]] static constexpr std::uint32_t word(FullLinear value) {
-      return static_cast<std::uint32_t>(value.raw());
-    }
+    [[nodiscard]] constexpr FineRgb colour(const Object&) const { return at; }
+    constexpr void next() { at.advance(step); }
   };
 
   class Walker {
@@ -75,12 +63,9 @@ struct Gouraud {
     static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
     constexpr explicit Walker(Prepared& prepared) : p_(&prepared) {}
     [[nodiscard]] constexpr Run row(const RowStart& start) const {
-      return {linear_at(p_->r, start),
-              linear_at(p_->g, start),
-              linear_at(p_->b, start),
-              p_->r.dx,
-              p_->g.dx,
-              p_->b.dx};
+      return {FineRgb::of(word(linear_at(p_->r, start)), word(linear_at(p_->g, start)),
+                          word(linear_at(p_->b, start))),
+              FineRgb::step(p_->r.dx.raw(), p_->g.dx.raw(), p_->b.dx.raw(), p_->step)};
     }
     constexpr void next_row() {
       keep_in_memory(p_->r.left.at);
@@ -97,6 +82,10 @@ struct Gouraud {
     }
 
    private:
+    [[nodiscard]] static constexpr std::uint32_t word(FullLinear value) {
+      return static_cast<std::uint32_t>(value.raw());
+    }
+
     Prepared* p_;
   };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/colour.hpp>
 
 #include <bit>
@@ -23,11 +24,10 @@ struct FineChannels {
   /// Bits that blue lacks.
   static constexpr int kDropped = 5;
 
-  /// A gradient of blue's, rounded to what it has bits for.
+  /// A gradient of blue's, at most 2^31 - 32, rounded to what it has bits for.
   [[nodiscard]] static constexpr std::int32_t blue_step(std::int32_t step) {
-    constexpr std::int32_t kLargest = (1 << (31 - kDropped)) - 1;
-    const std::int32_t rounded = ((step >> (kDropped - 1)) + 1) >> 1;
-    return (rounded < kLargest ? rounded : kLargest) * (1 << kDropped);
+    constexpr std::int32_t kUnit = 1 << kDropped;
+    return wrap_add(step, kUnit / 2) & -kUnit;
   }
 
  protected:
@@ -163,11 +163,12 @@ struct BasicFineRgb<true> : detail::FineChannels {
   std::uint64_t blue_green_;
 };
 
-/// Joined where there are registers enough, and an instruction that inserts bits.
+/// Joined where 64 bits are one register, or where there are registers enough and an instruction that inserts
+/// bits.
 #if defined(__thumb2__)
 using FineRgb = BasicFineRgb<true>;
 #else
-using FineRgb = BasicFineRgb<false>;
+using FineRgb = BasicFineRgb<kWideRegisters>;
 #endif
 
 }  // namespace arcspan

@@ -35,10 +35,12 @@ using LinearPlane = BasicLinearPlane<Linear>;
 using FullLinearPlane = BasicLinearPlane<FullLinear>;
 
 /// The largest gradient: the whole 16-bit range in one pixel, or what fits of it. A steeper one only occurs
-/// in triangles narrower than a pixel, whose spans have one pixel and do not step.
+/// in triangles narrower than a pixel, whose spans have one pixel and do not step. What does not fit leaves
+/// room for rounding the gradient to a multiple of 32 (`FineRgb`).
 template <class Value>
-inline constexpr std::int32_t kMaxGradient =
-    static_cast<std::int32_t>((std::int64_t{1} << (16 + Value::kFraction)) - (Value::kFraction < 15 ? 0 : 1));
+inline constexpr std::int32_t kMaxGradient = static_cast<std::int32_t>((std::int64_t{1}
+                                                                        << (16 + Value::kFraction)) -
+                                                                       (Value::kFraction < 15 ? 0 : 32));
 
 /// How many bits of a fraction a product with a difference of two values has room for.
 template <class Value>

@@ -6,6 +6,7 @@ if(ARCSPAN_TOOLS_SHADINGS)
   set(shadings ${ARCSPAN_TOOLS_SHADINGS})
 endif()
 
+set(RENDER render_with)
 set(RENDERER_DECLARATIONS "")
 set(RENDERER_ENTRIES "")
 set(COUNTER_DECLARATIONS "")

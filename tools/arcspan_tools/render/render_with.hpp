@@ -217,4 +217,13 @@ RenderResult render_with(const RenderJob& job, const PixelChoice& pixels, const 
              : detail::render_model<Method, Highlight::kPhong>(job, pixels, rows_done);
 }
 
+/// As render_with(), of one light and Blinn's highlight only: for what is measured and not offered.
+template <template <class> class Method>
+RenderResult render_usual(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
+  if (job.lights.size() != 1 || job.highlight != Highlight::kBlinn) {
+    throw Failure("a measured method", "has one light and Blinn's highlight");
+  }
+  return detail::render_lit<Method, 1, Highlight::kBlinn>(job, pixels, rows_done);
+}
+
 }  // namespace arcspan::tools

@@ -74,7 +74,7 @@ struct BasicFineRgb<false> : detail::FineChannels {
     return c;
   }
   [[nodiscard]] static constexpr KeptStep keep_step(std::int32_t, std::int32_t) { return {}; }
-  /// A step by signed gradients, for advance().
+  /// A step for advance(), by signed gradients with 23 fraction bits, blue's made by blue_step().
   [[nodiscard]] static constexpr BasicFineRgb step(std::int32_t r, std::int32_t g, std::int32_t b, KeptStep) {
     BasicFineRgb c{};
     c.r_ = static_cast<std::uint32_t>(r);
@@ -110,10 +110,12 @@ struct BasicFineRgb<false> : detail::FineChannels {
 /// 5-6-5 code has them: two instructions a pixel less than with a word each.
 template <>
 struct BasicFineRgb<true> : detail::FineChannels {
+  /// Green's and blue's step, joined as the channels are.
   using KeptStep = std::uint64_t;
 
   BasicFineRgb() = default;
 
+  /// As of a word each, and so are the others.
   [[nodiscard]] static constexpr BasicFineRgb of(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
     BasicFineRgb c{};
     c.r_ = r;

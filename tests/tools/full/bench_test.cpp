@@ -97,6 +97,12 @@ TEST_CASE("a repeated frame is the same frame, and so are its figures") {
   CHECK(often.image == once.image);
   CHECK(often.stats.pixels == once.stats.pixels);
   CHECK(often.stats.triangles == once.stats.triangles);
+  built.job.counts = false;
+  const RenderResult uncounted = arc.render(built.job, [](std::size_t) {});
+  CHECK(uncounted.image == once.image);
+  CHECK(uncounted.stats.triangles == once.stats.triangles);
+  CHECK(uncounted.stats.spans == 0);
+  CHECK(uncounted.stats.pixels == 0);
 }
 
 TEST_CASE("bands drawn in parallel are the picture drawn at once") {

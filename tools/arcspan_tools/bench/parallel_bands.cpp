@@ -78,6 +78,7 @@ struct ParallelBands::Work {
 
   void make_bands() {
     bands.clear();
+    std::fill(memory.begin(), memory.end(), Rgb565::Unit{});  // nothing stays of what had other borders
     const std::int32_t width = job.transform.viewport().width;
     for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
       const std::int32_t rows = borders[i + 1] - borders[i];

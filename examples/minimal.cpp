@@ -5,7 +5,8 @@
 #include <arcspan/bare/stack.hpp>
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 
 #include <tests/scenes/integer_shapes.hpp>
 
@@ -14,7 +15,7 @@ using Light = Illumination<1, Highlight::kBlinn>;
 
 constexpr auto kSphere = scenes::make_sphere<32, 16>();
 constexpr Viewport kScreen{128, 64};
-std::uint8_t frame_memory[hal::Framebuffer<Gray4>::units(128, 64)];
+std::uint8_t frame_memory[hal::Framebuffer<Gray4>::words(128, 64)];
 
 int main() {
   MeshView mesh;

@@ -5,7 +5,8 @@
 #include <arcspan/bare/console.hpp>
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/panel/page_mode.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 
 #include <oled.hpp>
 #include <tests/scenes/integer_shapes.hpp>
@@ -16,9 +17,9 @@ using Pages = hal::PageMode<hal::Ssd0323>;
 
 constexpr auto kTorus = scenes::make_torus<24, 12>();
 constexpr std::int32_t kWidth = 128, kHeight = 64, kRows = 16;
-std::uint8_t band_memory[Pages::Frame::units(kWidth, kRows)];
+std::uint8_t band_memory[Pages::Frame::words(kWidth, kRows)];
 std::uint8_t wire_memory[hal::wire_bytes<hal::Ssd0323>(kWidth, kRows)];
-std::uint16_t depth_memory[DepthBuffer::units(kWidth, kRows)];
+std::uint16_t depth_memory[DepthBuffer::words(kWidth, kRows)];
 
 Status draw(hal::Framebuffer<Gray4>& band, std::uint16_t turn) {
   MeshView mesh;

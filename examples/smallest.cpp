@@ -6,7 +6,8 @@
 #include <arcspan/bare/stack.hpp>
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 
 #include <tests/scenes/integer_shapes.hpp>
 
@@ -30,11 +31,11 @@ constexpr Light kLight =
 /// 5-6-5 with each pixel encoded when it is drawn: no table of codes on the stack.
 struct Screen : hal::Framebuffer<Rgb565> {
   using Framebuffer::Framebuffer;
-  static constexpr std::size_t kCodeTable = 0;
+  static constexpr std::size_t kEncodedColours = 0;
 };
 
-Screen::Unit pixels[Screen::units(kWidth, kHeight)];
-std::uint16_t depths[DepthBuffer::units(kWidth, kHeight)];
+Screen::Word pixels[Screen::words(kWidth, kHeight)];
+std::uint16_t depths[DepthBuffer::words(kWidth, kHeight)];
 constinit Screen screen(pixels, kWidth, kHeight);
 constinit DepthBuffer nearest(depths, kWidth, kHeight);
 

@@ -9,6 +9,7 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/mesh/mesh_binary.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/pixel/pixel_format_list.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>

@@ -6,6 +6,7 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/prepare/split.hpp>
 #include <arcspan/span/draw_command.hpp>
+#include <arcspan/target.hpp>
 #include <arcspan/vertex/back_faces.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
@@ -62,17 +63,18 @@ template <ShadingMethod Method, DrawFeatures Features, PixelSink Sink, DepthTarg
 class MeshDrawer {
  public:
   using Raster = RasterVertex<Method>;
-  using Codes = typename CodesOf<Method, typename Sink::Format, code_table_size<Sink>()>::Type;
-  using Target = RowTarget<typename Method::Object, Sink, Depth, Codes>;
+  using Colours =
+      typename EncodedColoursOf<Method, typename Sink::Format, encoded_colours_size<Sink>()>::Type;
+  using Target = RowTarget<typename Method::Lighting, Sink, Depth, Colours>;
 
-  MeshDrawer(const MeshView& mesh, const ClipTransform& transform, const typename Method::Object& object,
+  MeshDrawer(const MeshView& mesh, const ClipTransform& transform, const typename Method::Lighting& lighting,
              Sink& sink, const Depth& depth, std::span<CachedVertex<Method>> cache,
              const DrawOptions& options)
       : mesh_(mesh),
         transform_(transform),
-        object_(object),
+        lighting_(lighting),
         sink_(sink),
-        codes_(object),
+        encoded_colours_(lighting),
         depth_(depth),
         options_(options) {
     const Viewport& viewport = transform.viewport();
@@ -87,7 +89,7 @@ class MeshDrawer {
     if (!Features.two_sided && options.two_sided) result_.status = Status::kUnsupported;
   }
 
-  [[nodiscard, gnu::always_inline]] DrawResult draw() {
+  [[nodiscard]] ARCSPAN_INLINE DrawResult draw() {
     if (clip_.empty() || !ok(result_.status)) return result_;
     if constexpr (!Features.caches) {
       draw_uncached_here();
@@ -118,9 +120,9 @@ class MeshDrawer {
   }
 
   /// With the normal as it is, or turned for the `back`.
-  [[gnu::noinline]] void shade_afresh(std::size_t i, typename Method::Vertex& shade, bool back) const {
+  ARCSPAN_OUTLINE void shade_afresh(std::size_t i, typename Method::Vertex& shade, bool back) const {
     const Direction normal = unpack_normal(mesh_.normal(i));
-    shade = Method::shade_vertex(object_, back ? -normal : normal);
+    shade = Method::shade_vertex(lighting_, back ? -normal : normal);
   }
 
   [[nodiscard]] BackFaces find_backs() const {
@@ -135,7 +137,7 @@ class MeshDrawer {
     if (vertex.outcode == kUntouched) touch(i, vertex);
     return vertex;
   }
-  [[gnu::noinline]] void touch(std::size_t i, CachedVertex<Method>& vertex) const {
+  ARCSPAN_OUTLINE void touch(std::size_t i, CachedVertex<Method>& vertex) const {
     vertex.raster.position = project(transform_(mesh_.position(i)), transform_);
     vertex.outcode = kInside;
     vertex.shaded = false;
@@ -143,7 +145,7 @@ class MeshDrawer {
 
   /// draw_cached() of a mesh whose `backs` are known, all of it in view: vertices that only backs have are
   /// not transformed.
-  [[gnu::noinline]] void draw_fronts(const BackFaces& backs) {
+  ARCSPAN_OUTLINE void draw_fronts(const BackFaces& backs) {
     const MeshView mesh = mesh_;
     CachedVertex<Method>* const cache = cache_;
     for (std::size_t i = 0; i < mesh.vertex_count(); ++i) cache[i].outcode = kUntouched;
@@ -179,9 +181,9 @@ class MeshDrawer {
     }
   }
 
-  [[gnu::noinline]] void draw_uncached() { draw_uncached_here(); }
+  ARCSPAN_OUTLINE void draw_uncached() { draw_uncached_here(); }
 
-  [[gnu::always_inline]] void draw_uncached_here() {
+  ARCSPAN_INLINE void draw_uncached_here() {
     const std::size_t count = mesh_.triangle_count();
     BackFaces backs;
     if constexpr (Features.planes) backs = find_backs();
@@ -224,13 +226,13 @@ class MeshDrawer {
   }
 
   /// A triangle that is not culled().
-  [[gnu::noinline]] void draw_vertices(TriangleIndices t, CachedVertex<Method>& a, CachedVertex<Method>& b,
-                                       CachedVertex<Method>& c) {
+  ARCSPAN_OUTLINE void draw_vertices(TriangleIndices t, CachedVertex<Method>& a, CachedVertex<Method>& b,
+                                     CachedVertex<Method>& c) {
     draw_vertices_here(t, a, b, c);
   }
 
-  [[gnu::always_inline]] void draw_vertices_here(const TriangleIndices& t, CachedVertex<Method>& a,
-                                                 CachedVertex<Method>& b, CachedVertex<Method>& c) {
+  ARCSPAN_INLINE void draw_vertices_here(const TriangleIndices& t, CachedVertex<Method>& a,
+                                         CachedVertex<Method>& b, CachedVertex<Method>& c) {
     drawn_ = false;
     if ((a.outcode | b.outcode | c.outcode) != 0) {
       draw_cut(t);
@@ -253,7 +255,7 @@ class MeshDrawer {
 
   /// Draws what is left of a clipped triangle if it shows its front, or its `back`. Rare, so that its
   /// vertices are made afresh.
-  [[gnu::noinline, gnu::cold]] void draw_clipped(const TriangleIndices& t, bool back) {
+  ARCSPAN_COLD_OUTLINE void draw_clipped(const TriangleIndices& t, bool back) {
     ClipPolygon<Method> polygon;
     ClipPolygon<Method> spare;
     polygon.count = 0;
@@ -293,8 +295,8 @@ class MeshDrawer {
   }
 
   /// Rare, so it is shaded afresh instead of being kept for every vertex.
-  [[gnu::noinline, gnu::cold]] void draw_back(const TriangleIndices& t, const RasterPosition& p,
-                                              const RasterPosition& q, const RasterPosition& r) {
+  ARCSPAN_COLD_OUTLINE void draw_back(const TriangleIndices& t, const RasterPosition& p,
+                                      const RasterPosition& q, const RasterPosition& r) {
     Raster a{p, {}};
     Raster b{q, {}};
     Raster c{r, {}};
@@ -304,8 +306,8 @@ class MeshDrawer {
     draw_side_rarely(t, a, b, c, true);
   }
 
-  [[gnu::noinline, gnu::cold]] void draw_side_rarely(const TriangleIndices& t, const Raster& a,
-                                                     const Raster& b, const Raster& c, bool back) {
+  ARCSPAN_COLD_OUTLINE void draw_side_rarely(const TriangleIndices& t, const Raster& a, const Raster& b,
+                                             const Raster& c, bool back) {
     draw_side(t, a, b, c, back);
   }
 
@@ -330,14 +332,14 @@ class MeshDrawer {
     typename Method::Face face{};
     if constexpr (Method::kNeedsFaceNormal) {
       const Direction normal = face_normal(mesh_.position(t.a), mesh_.position(t.b), mesh_.position(t.c));
-      face = Method::shade_face(object_, back ? -normal : normal);
+      face = Method::shade_face(lighting_, back ? -normal : normal);
     }
     if (draw_part(a, b, c, face, Features.splits)) return;
     if constexpr (Features.splits) draw_split(a, b, c, face);
   }
 
-  [[gnu::noinline, gnu::cold]] void draw_split(const Raster& a, const Raster& b, const Raster& c,
-                                               const typename Method::Face& face) {
+  ARCSPAN_COLD_OUTLINE void draw_split(const Raster& a, const Raster& b, const Raster& c,
+                                       const typename Method::Face& face) {
     auto emit = [this, &face](const Raster& p, const Raster& q, const Raster& r) {
       if (!ok(result_.status) || is_for_other_band(p.position, q.position, r.position)) return;
       (void)draw_part(p, q, r, face, false);
@@ -347,15 +349,15 @@ class MeshDrawer {
 
   /// False if the triangle `may_split` and is too wide. Never inlined: split_triangle() would hold its
   /// command once for every level of splitting.
-  [[gnu::noinline]] bool draw_part(const Raster& a, const Raster& b, const Raster& c,
-                                   const typename Method::Face& face, bool may_split) {
+  ARCSPAN_OUTLINE bool draw_part(const Raster& a, const Raster& b, const Raster& c,
+                                 const typename Method::Face& face, bool may_split) {
     TriangleCommand<Method> command;
     const Preparation prepared =
-        prepare_inside<Method, Depth::kTests>(object_, a, b, c, face, rows_, may_split, command);
+        prepare_inside<Method, Depth::kTests>(lighting_, a, b, c, face, rows_, may_split, command);
     if (prepared != Preparation::kReady) return prepared == Preparation::kNothing;
     drawn_ = true;
-    result_.status = draw_command_with<kWholeRows>(command, origin_,
-                                                   Target{clip_, object_, sink_, depth_, codes_}, sides_);
+    result_.status = draw_command_with<kWholeRows>(
+        command, origin_, Target{clip_, lighting_, sink_, depth_, encoded_colours_}, sides_);
     return true;
   }
 
@@ -387,9 +389,9 @@ class MeshDrawer {
 
   const MeshView& mesh_;
   const ClipTransform& transform_;
-  const typename Method::Object& object_;
+  const typename Method::Lighting& lighting_;
   Sink& sink_;
-  [[no_unique_address]] Codes codes_;
+  [[no_unique_address]] Colours encoded_colours_;
   const Depth& depth_;
   CachedVertex<Method>* cache_ = nullptr;
   DrawOptions options_;
@@ -411,18 +413,18 @@ class MeshDrawer {
 /// band: the rows come out bit for bit the same. Columns cut off on the left may change the last bits of
 /// what is drawn, since a row begins at its first drawn column.
 ///
-/// `object` is the illumination in the object's space. `cache` may hold mesh.vertex_count() vertices, each of
-/// which is then transformed once; if it is smaller it is not used, and every triangle transforms its own
+/// `lighting` is the illumination in the object's space. `cache` may hold mesh.vertex_count() vertices, each
+/// of which is then transformed once; if it is smaller it is not used, and every triangle transforms its own
 /// three. `Features` may leave out what a scene does not need. The result's status is the sink's first that
-/// is not kOk. Not inlined: what it keeps on the stack (a CodeTable, perhaps) is there while it runs, and
-/// once.
+/// is not kOk. Not inlined: what it keeps on the stack (a EncodedColourTable, perhaps) is there while it
+/// runs, and once.
 template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth>
-[[gnu::noinline, nodiscard]] DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
-                                                  const typename Method::Object& object, Sink& sink,
-                                                  const Depth& depth,
-                                                  std::span<CachedVertex<Method>> cache = {},
-                                                  const DrawOptions& options = {}) {
-  return detail::MeshDrawer<Method, Features, Sink, Depth>(mesh, transform, object, sink, depth, cache,
+[[nodiscard]] ARCSPAN_OUTLINE DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
+                                                   const typename Method::Lighting& lighting, Sink& sink,
+                                                   const Depth& depth,
+                                                   std::span<CachedVertex<Method>> cache = {},
+                                                   const DrawOptions& options = {}) {
+  return detail::MeshDrawer<Method, Features, Sink, Depth>(mesh, transform, lighting, sink, depth, cache,
                                                            options)
       .draw();
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/shading/arc_vector.hpp>
-#include <arcspan/shading/dichotomy.hpp>
-#include <arcspan/shading/duff.hpp>
-#include <arcspan/shading/kuijk_blake.hpp>
-#include <arcspan/shading/lyon.hpp>
-#include <arcspan/shading/phong.hpp>
-#include <arcspan/shading/slerp.hpp>
+#include <arcspan/shading/literature/arc_vector.hpp>
+#include <arcspan/shading/literature/dichotomy.hpp>
+#include <arcspan/shading/literature/duff.hpp>
+#include <arcspan/shading/literature/kuijk_blake.hpp>
+#include <arcspan/shading/literature/lyon.hpp>
+#include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/slerp.hpp>
 
 #include <tests/accuracy/method_rows.hpp>
 #include <tests/support/dichotomy_model.hpp>

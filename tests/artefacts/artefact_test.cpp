@@ -24,9 +24,9 @@ TEST_CASE("Mach bands: Gouraud's brightness has a kink at an edge, the arcs' has
   const double arc = kink(scene.middle_row("arc"), kEdge, kReach);
   // Linear from 255 to 255 cos 30 degrees over half the strip, 75 pixels or so, on either side.
   CHECK(gouraud < -0.8);
-  CHECK(std::fabs(truth) < 0.25);  // what is left is the cosine's own bend
+  CHECK(std::fabs(truth) < 0.25);  // what is left is the cosine's own second_difference
   CHECK(std::fabs(arc - truth) < 0.1);
-  // A smooth curve's bend shrinks with the distance, a kink does not.
+  // A smooth curve's second_difference shrinks with the distance, a kink does not.
   CHECK(std::fabs(kink(scene.middle_row(TruthKind::kPhong), kEdge, 3)) < std::fabs(truth) / 2);
   CHECK(kink(scene.middle_row("gouraud"), kEdge, 4) < 0.8 * gouraud);
 }

@@ -133,8 +133,8 @@ std::string spread_text(const RotationSpread& s) {
 template <class Shading>
 void print_artefact_row(const char* name, const Shading& shading) {
   const double highest = peak(ArtefactScene::highlight().middle_row(shading));
-  const double bend = kink(ArtefactScene::fold().middle_row(shading), 100, 12);
-  std::printf("| %s | %.0f | %.2f |", name, highest, bend);
+  const double second_difference = kink(ArtefactScene::fold().middle_row(shading), 100, 12);
+  std::printf("| %s | %.0f | %.2f |", name, highest, second_difference);
   for (const double apart : {10.0, 30.0, 60.0}) {
     std::printf(" %s |", spread_text(rotation_spread(shading, apart)).c_str());
   }
@@ -148,7 +148,8 @@ void print_artefacts() {
       "  method): the brightest pixel of the middle row, of 255.\n"
       "* Mach bands (S1; S3, defect d): the kink of the brightness across the edge between two triangles, "
       "in\n"
-      "  steps a pixel, over 12 pixels on either side. A smooth surface has its own bend, the truth's.\n"
+      "  steps a pixel, over 12 pixels on either side. A smooth surface has its own second_difference, the "
+      "truth's.\n"
       "* Change of shading under rotation (S1): the same triangle turned in the image plane in steps of 5\n"
       "  degrees; the spread of one point's brightness in 8-bit steps / of its normal in degrees, for "
       "normals\n"

@@ -14,10 +14,10 @@
 #define integer_root(...) ARCSPAN_AS_ONE(kRoot, integer_root(__VA_ARGS__))
 #define reciprocal_root(...) ARCSPAN_AS_ONE(kRoot, reciprocal_root(__VA_ARGS__))
 
-#include <arcspan/shading/duff.hpp>
-#include <arcspan/shading/lyon.hpp>
-#include <arcspan/shading/phong.hpp>
-#include <arcspan/shading/slerp.hpp>
+#include <arcspan/shading/literature/duff.hpp>
+#include <arcspan/shading/literature/lyon.hpp>
+#include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/slerp.hpp>
 
 #undef arcspan
 #undef std
@@ -33,7 +33,7 @@ using Raw = Counted<std::int32_t>;
 /// An illumination that does nothing: of a method that uses it, the normal is what is left.
 struct Nothing {
   static constexpr std::size_t kScalars = 1;
-  using Scalars = arcspan_counted_std::array<counted::Unit, 1>;
+  using Scalars = arcspan_counted_std::array<counted::Cosine, 1>;
   [[nodiscard]] Scalars scalars(const counted::Direction&) const { return {}; }
   [[nodiscard]] counted::PackedRgb colour(const Scalars&) const { return {}; }
 };
@@ -73,15 +73,16 @@ OperationCounts slerp_normal_operations() {
   const counted::Direction left = counted::normalised(1, 2, 3);
   const counted::Direction right = counted::normalised(2, 1, 3);
   const auto values = [](const counted::Direction& d) {
-    return counted::SlerpValues<3>{counted::convert<counted::Unit>(d.x), counted::convert<counted::Unit>(d.y),
-                                   counted::convert<counted::Unit>(d.z)};
+    return counted::SlerpValues<3>{counted::convert<counted::Cosine>(d.x),
+                                   counted::convert<counted::Cosine>(d.y),
+                                   counted::convert<counted::Cosine>(d.z)};
   };
   const counted::SlerpArc arc = counted::SlerpArc::of(values(left), values(right));
   return count_pixel(counted::Slerp<Nothing>::Run{left, right, arc, arc.angle >> 2, arc.angle >> 6});
 }
 
 OperationCounts recurrence_operations() {
-  counted::ArcScalar scalar{counted::Unit::from_raw(Raw(1 << 29)), counted::Unit::from_raw(Raw(1 << 20))};
+  counted::ArcScalar scalar{counted::Cosine::from_raw(Raw(1 << 29)), counted::Cosine::from_raw(Raw(1 << 20))};
   OperationCounts counts;
   operation_target = &counts;
   scalar.step(Raw(20000), Raw(8));

@@ -9,14 +9,15 @@
 //
 // S1 rounds every step to two digits; that is the whole of the printed differences.
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/arc_vector.hpp>
-#include <arcspan/shading/duff.hpp>
+#include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/kuijk_blake.hpp>
-#include <arcspan/shading/lyon.hpp>
-#include <arcspan/shading/phong.hpp>
-#include <arcspan/shading/slerp.hpp>
+#include <arcspan/shading/literature/arc_vector.hpp>
+#include <arcspan/shading/literature/duff.hpp>
+#include <arcspan/shading/literature/kuijk_blake.hpp>
+#include <arcspan/shading/literature/lyon.hpp>
+#include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/slerp.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/raster_stage.hpp>
@@ -77,7 +78,7 @@ Lit printed_illumination(std::int32_t lift) {
 template <class Method>
 int level_at_p(const Lit& lit) {
   constexpr std::int32_t kSize = 128;
-  std::vector<Rgb888::Unit> memory(hal::Framebuffer<Rgb888>::units(kSize, kSize));
+  std::vector<Rgb888::Word> memory(hal::Framebuffer<Rgb888>::words(kSize, kSize));
   hal::Framebuffer<Rgb888> frame(memory, kSize, kSize);
   RasterStage<Method, hal::Framebuffer<Rgb888>> stage(frame, kSize, kSize, lit);
   const auto vertex = [&lit](double x, double y, Vec3 normal) {

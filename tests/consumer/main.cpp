@@ -2,7 +2,8 @@
 // Draws one triangle and counts its pixels: fails if the installed headers or libraries are not whole.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 
 #include <cstdio>
 

@@ -6,6 +6,7 @@
 #include <arcspan/bare/mark.hpp>
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 
 #include <cost_method.hpp>
 #include <tests/scenes/stage_set.hpp>
@@ -50,7 +51,7 @@ using Method = CostMethod<scenes::Light>;
 /// The method's tables for one object; a frame's memory, as a reflection map has 16 KB of them. Not
 /// initialised: the constructor is paid where it runs, outside the measured sections.
 union ObjectMemory {
-  Method::Object object;
+  Method::Lighting lighting;
   constexpr ObjectMemory() {}
 };
 [[gnu::section(".bss.frame")]] ObjectMemory object_memory;
@@ -66,24 +67,25 @@ struct Meshes {
 bool measure(const char* shape, const Meshes& meshes, std::int32_t radius) {
   scenes::StageSet stage;
   if (!ok(scenes::set_stage({kWidth, kHeight}, radius, {}, stage))) return false;
-  const auto& object = *new (&object_memory.object) Method::Object(stage.light);
+  const auto& lighting = *new (&object_memory.lighting) Method::Lighting(stage.light);
   hal::Framebuffer<Rgb565> frame(colours, kWidth, kHeight);
   DepthBuffer depth(depths, kWidth, kHeight);
   CountingSink counting{frame};
   depth.clear();
-  const DrawResult counted = draw_mesh<Method>(meshes.plain, stage.transform, object, counting, depth, cache);
+  const DrawResult counted =
+      draw_mesh<Method>(meshes.plain, stage.transform, lighting, counting, depth, cache);
 
   depth.clear();
   arcspan_mark();
-  const DrawResult plain = draw_mesh<Method>(meshes.plain, stage.transform, object, frame, depth, cache);
+  const DrawResult plain = draw_mesh<Method>(meshes.plain, stage.transform, lighting, frame, depth, cache);
   arcspan_mark();
   frame.clear({0, 0, 0});
   depth.clear();
   arcspan_mark();
-  const DrawResult drawn = draw_mesh<Method>(meshes.planed, stage.transform, object, frame, depth, cache);
+  const DrawResult drawn = draw_mesh<Method>(meshes.planed, stage.transform, lighting, frame, depth, cache);
   arcspan_mark();
   // Without triangles only the vertex stage runs.
-  const DrawResult none = draw_mesh<Method>(meshes.vertices, stage.transform, object, frame, depth, cache);
+  const DrawResult none = draw_mesh<Method>(meshes.vertices, stage.transform, lighting, frame, depth, cache);
   arcspan_mark();
   bare::print_line("section: plain ", shape, " ", static_cast<std::uint32_t>(radius));
   bare::print_line("section: clear ", shape, " ", static_cast<std::uint32_t>(radius));

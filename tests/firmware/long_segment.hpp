@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/segment.hpp>
+#include <arcspan/shading/segment/segment.hpp>
 
 namespace arcspan {
 
@@ -9,8 +9,10 @@ namespace arcspan {
 /// alone.
 template <class Light, int Bits>
 struct LongSegment : Segment<Light> {
-  struct Object : SegmentedIllumination<Light> {
-    constexpr explicit Object(const Light& light) : SegmentedIllumination<Light>(light) { this->bits = Bits; }
+  struct Lighting : SegmentedIllumination<Light> {
+    constexpr explicit Lighting(const Light& light) : SegmentedIllumination<Light>(light) {
+      this->bits = Bits;
+    }
   };
 };
 

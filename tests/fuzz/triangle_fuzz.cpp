@@ -3,16 +3,21 @@
 // exactly as large as it says, so that the address sanitizer sees a write outside.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/arc.hpp>
-#include <arcspan/shading/arc_vector.hpp>
-#include <arcspan/shading/dichotomy.hpp>
-#include <arcspan/shading/duff.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/gray8.hpp>
+#include <arcspan/pixel/mono.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/kuijk_blake.hpp>
-#include <arcspan/shading/lyon.hpp>
-#include <arcspan/shading/phong.hpp>
-#include <arcspan/shading/slerp.hpp>
+#include <arcspan/shading/literature/arc_vector.hpp>
+#include <arcspan/shading/literature/dichotomy.hpp>
+#include <arcspan/shading/literature/duff.hpp>
+#include <arcspan/shading/literature/kuijk_blake.hpp>
+#include <arcspan/shading/literature/lyon.hpp>
+#include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/slerp.hpp>
 
 #include <cstdlib>
 #include <cstring>
@@ -81,7 +86,7 @@ void take_shade(Input& in, typename Arc<I>::Vertex& shade) {
   shade.normal = {NormalComponent::from_raw(in.take<std::int16_t>()),
                   NormalComponent::from_raw(in.take<std::int16_t>()),
                   NormalComponent::from_raw(in.take<std::int16_t>())};
-  for (Unit& scalar : shade.scalars) scalar = Unit::from_raw(in.take<std::int32_t>());
+  for (Cosine& scalar : shade.scalars) scalar = Cosine::from_raw(in.take<std::int32_t>());
 }
 template <class I>
 void take_shade(Input& in, typename Gouraud<I>::Vertex& shade) {
@@ -110,8 +115,8 @@ struct Target {
       : width(in.between(1, max_width)),
         rows(in.between(1, max_rows)),
         first(in.between(0, max_rows)),
-        memory(hal::Framebuffer<Format>::units(width, rows)),
-        depths(DepthBuffer::units(width, rows)),
+        memory(hal::Framebuffer<Format>::words(width, rows)),
+        depths(DepthBuffer::words(width, rows)),
         sink(memory, width, rows, first),
         depth(depths, width, rows, first) {
     depth.clear();
@@ -119,7 +124,7 @@ struct Target {
   std::int32_t width;
   std::int32_t rows;
   std::int32_t first;
-  std::vector<typename Format::Unit> memory;
+  std::vector<typename Format::Word> memory;
   std::vector<std::uint16_t> depths;
   hal::Framebuffer<Format> sink;
   DepthBuffer depth;
@@ -127,8 +132,8 @@ struct Target {
 
 template <class Method, class Format>
 void fuzz_triangles(Input& in) {
-  using I = typename Method::Object;
-  const I object = take_illumination<I>(in);
+  using I = typename Method::Lighting;
+  const I lighting = take_illumination<I>(in);
   Target<Format> target(in, 96, 96);
   const RasterOrigin origin{in.between(-1024, 1024), in.between(-1024, 1024)};
   const RowRange rows{in.between(-1024, 0), in.between(0, 1024)};
@@ -141,12 +146,12 @@ void fuzz_triangles(Input& in) {
     const Direction normal = take_direction(in);
     auto emit = [&](const auto& a, const auto& b, const auto& c) {
       TriangleCommand<Method> command;
-      if (!prepare_triangle(object, a, b, c, Method::shade_face(object, normal), rows, command)) return;
+      if (!prepare_triangle(lighting, a, b, c, Method::shade_face(lighting, normal), rows, command)) return;
       const Rect clip = target.sink.bounds();
       if ((in.take<std::uint8_t>() & 1) != 0) {
-        static_cast<void>(draw_command(command, origin, clip, object, target.sink, target.depth));
+        static_cast<void>(draw_command(command, origin, clip, lighting, target.sink, target.depth));
       } else {
-        static_cast<void>(draw_command(command, origin, clip, object, target.sink, NoDepth{}));
+        static_cast<void>(draw_command(command, origin, clip, lighting, target.sink, NoDepth{}));
       }
     };
     split_triangle(v[0], v[1], v[2], emit);
@@ -171,8 +176,8 @@ Placement take_placement(Input& in) {
 
 template <class Method, class Format>
 void fuzz_mesh(Input& in) {
-  using I = typename Method::Object;
-  const I object = take_illumination<I>(in);
+  using I = typename Method::Lighting;
+  const I lighting = take_illumination<I>(in);
   Target<Format> target(in, 96, 96);
   const Placement placement = take_placement(in);
   const Projection projection{
@@ -203,9 +208,9 @@ void fuzz_mesh(Input& in) {
   }
   const DrawOptions options{two_sided};
   static_cast<void>(
-      draw_mesh<Method>(mesh, transform, object, target.sink, target.depth, std::span(cache), options));
+      draw_mesh<Method>(mesh, transform, lighting, target.sink, target.depth, std::span(cache), options));
   static_cast<void>(
-      draw_mesh<Method>(mesh, transform, object, target.sink, NoDepth{}, std::span(cache), options));
+      draw_mesh<Method>(mesh, transform, lighting, target.sink, NoDepth{}, std::span(cache), options));
 }
 
 using Blinn1 = Illumination<1, Highlight::kBlinn>;

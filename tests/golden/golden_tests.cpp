@@ -6,6 +6,11 @@
 // 8 bits a channel. Where a picture differs, it and its difference from the one in the folder REFERENCES are
 // written to the folder FOUND. With --update the hashes (on standard output) and the reference pictures are
 // made instead.
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/gray8.hpp>
+#include <arcspan/pixel/mono.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+
 #include <arcspan_tools/image/difference.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
 #include <tests/golden/fixed_file.hpp>

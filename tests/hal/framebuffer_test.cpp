@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 
 #include <catch2/catch.hpp>
 

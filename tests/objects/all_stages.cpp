@@ -2,19 +2,22 @@
 // Every stage of the pipeline for every method: the object that must need nothing from outside.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/adaptive.hpp>
-#include <arcspan/shading/arc.hpp>
-#include <arcspan/shading/arc_vector.hpp>
-#include <arcspan/shading/dichotomy.hpp>
-#include <arcspan/shading/duff.hpp>
+#include <arcspan/pixel/gray8.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/kuijk_blake.hpp>
-#include <arcspan/shading/lyon.hpp>
-#include <arcspan/shading/phong.hpp>
-#include <arcspan/shading/reflection_map.hpp>
-#include <arcspan/shading/segment.hpp>
-#include <arcspan/shading/slerp.hpp>
+#include <arcspan/shading/literature/arc_vector.hpp>
+#include <arcspan/shading/literature/dichotomy.hpp>
+#include <arcspan/shading/literature/duff.hpp>
+#include <arcspan/shading/literature/kuijk_blake.hpp>
+#include <arcspan/shading/literature/lyon.hpp>
+#include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/reflection_map.hpp>
+#include <arcspan/shading/literature/slerp.hpp>
+#include <arcspan/shading/segment/segment.hpp>
 
 namespace arcspan {
 
@@ -23,10 +26,10 @@ using Blinn4 = Illumination<4, Highlight::kBlinn>;
 using Phong1 = Illumination<1, Highlight::kPhong>;
 using Phong4 = Illumination<4, Highlight::kPhong>;
 
-#define ARCSPAN_INSTANTIATE(METHOD, FORMAT, DEPTH)                                                           \
-  template DrawResult draw_mesh<METHOD, DrawFeatures{}, hal::Framebuffer<FORMAT>, DEPTH>(                    \
-      const MeshView&, const ClipTransform&, const METHOD::Object&, hal::Framebuffer<FORMAT>&, const DEPTH&, \
-      std::span<CachedVertex<METHOD>>, const DrawOptions&)
+#define ARCSPAN_INSTANTIATE(METHOD, FORMAT, DEPTH)                                               \
+  template DrawResult draw_mesh<METHOD, DrawFeatures{}, hal::Framebuffer<FORMAT>, DEPTH>(        \
+      const MeshView&, const ClipTransform&, const METHOD::Lighting&, hal::Framebuffer<FORMAT>&, \
+      const DEPTH&, std::span<CachedVertex<METHOD>>, const DrawOptions&)
 
 ARCSPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What sets a scene up at run time, as all_stages.cpp has the stages.
+#include <arcspan/lighting/illumination.hpp>
 #include <arcspan/mesh/face_normal.hpp>
-#include <arcspan/mesh/face_planes.hpp>
+#include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
-#include <arcspan/shading/adaptive.hpp>
-#include <arcspan/shading/illumination.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
 namespace arcspan {

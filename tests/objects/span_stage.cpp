@@ -2,17 +2,22 @@
 // The span stage and nothing else, for every format and every method but those that divide by definition
 // (phong, duff): the object that must hold no division.
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/adaptive.hpp>
-#include <arcspan/shading/arc.hpp>
-#include <arcspan/shading/arc_vector.hpp>
-#include <arcspan/shading/dichotomy.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/gray8.hpp>
+#include <arcspan/pixel/mono.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/kuijk_blake.hpp>
-#include <arcspan/shading/lyon.hpp>
-#include <arcspan/shading/reflection_map.hpp>
-#include <arcspan/shading/segment.hpp>
-#include <arcspan/shading/slerp.hpp>
+#include <arcspan/shading/literature/arc_vector.hpp>
+#include <arcspan/shading/literature/dichotomy.hpp>
+#include <arcspan/shading/literature/kuijk_blake.hpp>
+#include <arcspan/shading/literature/lyon.hpp>
+#include <arcspan/shading/literature/reflection_map.hpp>
+#include <arcspan/shading/literature/slerp.hpp>
+#include <arcspan/shading/segment/segment.hpp>
 #include <arcspan/span/draw_command.hpp>
 
 namespace arcspan {
@@ -22,9 +27,9 @@ using Blinn4 = Illumination<4, Highlight::kBlinn>;
 using Phong1 = Illumination<1, Highlight::kPhong>;
 using Phong4 = Illumination<4, Highlight::kPhong>;
 
-#define ARCSPAN_INSTANTIATE(METHOD, FORMAT, DEPTH)                                       \
-  template Status draw_command<METHOD, hal::Framebuffer<FORMAT>, DEPTH>(                 \
-      TriangleCommand<METHOD>&, const RasterOrigin&, const Rect&, const METHOD::Object&, \
+#define ARCSPAN_INSTANTIATE(METHOD, FORMAT, DEPTH)                                         \
+  template Status draw_command<METHOD, hal::Framebuffer<FORMAT>, DEPTH>(                   \
+      TriangleCommand<METHOD>&, const RasterOrigin&, const Rect&, const METHOD::Lighting&, \
       hal::Framebuffer<FORMAT>&, const DEPTH&)
 
 ARCSPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);

@@ -3,8 +3,9 @@
 // scripts/frame-instructions, which counts what goes on inside counted_frame().
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/adaptive.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
 
@@ -29,7 +30,7 @@ std::uint16_t depths[kWidth * kHeight];
 
 template <class Method>
 [[gnu::noinline]] DrawResult counted_frame(const MeshView& mesh, const ClipTransform& transform,
-                                           const typename Method::Object& object,
+                                           const typename Method::Lighting& object,
                                            hal::Framebuffer<Rgb565>& frame, const DepthBuffer& depth,
                                            std::span<CachedVertex<Method>> cache) {
   return draw_mesh<Method>(mesh, transform, object, frame, depth, cache);
@@ -43,7 +44,7 @@ int draw() {
   if (!ok(kSphere.view(mesh)) || !ok(kPlanes.attach_to(mesh)) ||
       !ok(scenes::set_stage({kWidth, kHeight}, kRadius, {}, stage)))
     return 1;
-  const typename Method::Object object(stage.light);
+  const typename Method::Lighting object(stage.light);
   hal::Framebuffer<Rgb565> frame(colours, kWidth, kHeight);
   DepthBuffer depth(depths, kWidth, kHeight);
   depth.clear();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/mesh/face_planes.hpp>
+#include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 
 #include <array>

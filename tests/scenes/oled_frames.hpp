@@ -3,7 +3,8 @@
 
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 
 #include <tests/scenes/stage_set.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/illumination.hpp>
+#include <arcspan/lighting/illumination.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
 #include <tests/scenes/integer_shapes.hpp>

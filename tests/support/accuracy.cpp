@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 
 #include <tests/support/accuracy.hpp>
 #include <tests/support/illumination_oracle.hpp>

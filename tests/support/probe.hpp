@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/illumination.hpp>
+#include <arcspan/lighting/illumination.hpp>
 
 #include <array>
 #include <vector>
@@ -10,7 +10,7 @@ namespace arcspan::test {
 
 /// What the span stage had at one pixel.
 struct ProbeSample {
-  std::array<Unit, 3> scalars;  ///< N·L, N·H, N·V
+  std::array<Cosine, 3> scalars;  ///< N·L, N·H, N·V
   Rgb8 matt;
   Rgb8 blinn;
   Rgb8 phong;
@@ -23,7 +23,7 @@ struct Probe {
   using Phong = Illumination<1, Highlight::kPhong>;
   static constexpr std::size_t kScalars = 3;
   static constexpr std::size_t kLights = 3;  ///< not one, so that every triangle carries all scalars
-  using Scalars = std::array<Unit, kScalars>;
+  using Scalars = std::array<Cosine, kScalars>;
 
   [[nodiscard]] Scalars scalars(const Direction& normal) const {
     return {dot(normal, axes[0]), dot(normal, axes[1]), dot(normal, axes[2])};

@@ -16,10 +16,10 @@ using Silhouette = Flat<Illumination<1, Highlight::kBlinn>>;
 template <class Method, class Sink, class Depth = NoDepth>
 class RasterStage {
  public:
-  RasterStage(Sink& sink, std::int32_t width, std::int32_t height, typename Method::Object object = {},
+  RasterStage(Sink& sink, std::int32_t width, std::int32_t height, typename Method::Lighting lighting = {},
               Depth depth = {})
       : sink_(sink),
-        object_(object),
+        lighting_(lighting),
         depth_(depth),
         origin_{width / 2, height / 2},
         rows_{-(height / 2), height - height / 2},
@@ -29,8 +29,8 @@ class RasterStage {
   bool draw(const RasterVertex<Method>& a, const RasterVertex<Method>& b, const RasterVertex<Method>& c,
             const typename Method::Face& face = {}) {
     TriangleCommand<Method> command;
-    if (!prepare_triangle(object_, a, b, c, face, rows_, command)) return false;
-    return ok(draw_command(command, origin_, clip_, object_, sink_, depth_));
+    if (!prepare_triangle(lighting_, a, b, c, face, rows_, command)) return false;
+    return ok(draw_command(command, origin_, clip_, lighting_, sink_, depth_));
   }
 
   void clip_to(const Rect& clip) { clip_ = clip; }
@@ -39,7 +39,7 @@ class RasterStage {
 
  private:
   Sink& sink_;
-  typename Method::Object object_;
+  typename Method::Lighting lighting_;
   Depth depth_;
   RasterOrigin origin_;
   RowRange rows_;

@@ -89,8 +89,8 @@ TestMesh make_smooth_tetrahedron(double half_edge) {
   return mesh;
 }
 
-Vec3 TestCamera::to_view(Vec3 object) const {
-  return Vec3{dot(right, object), dot(up, object), dot(back, object)} + translation;
+Vec3 TestCamera::to_view(Vec3 lighting) const {
+  return Vec3{dot(right, lighting), dot(up, lighting), dot(back, lighting)} + translation;
 }
 
 ClipTransform TestCamera::transform() const {

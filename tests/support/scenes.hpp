@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/lighting/illumination.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
-#include <arcspan/shading/illumination.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
 #include <tests/support/vec3.hpp>
@@ -45,7 +45,7 @@ struct TestCamera {
   std::int32_t width = 160;
   std::int32_t height = 120;
 
-  [[nodiscard]] Vec3 to_view(Vec3 object) const;
+  [[nodiscard]] Vec3 to_view(Vec3 lighting) const;
   [[nodiscard]] ClipTransform transform() const;
   void look_in_random_direction(Random& random);
 };

@@ -26,8 +26,8 @@ struct StrictFormat {
     Rgb8 colour;
     std::uint32_t count = 0;
   };
-  using Code = Rgb8;
-  using Unit = Cell;
+  using Encoded = Rgb8;
+  using Word = Cell;
   static constexpr unsigned kBitsPerPixel = 24;
   static constexpr bool kDithers = false;
 
@@ -35,7 +35,7 @@ struct StrictFormat {
    public:
     Cursor(Cell* row, std::int32_t x) : at_(row + x), end_(at_), faults_(nullptr) {}
     Cursor(Cell* at, Cell* end, SinkFaults* faults) : at_(at), end_(end), faults_(faults) {}
-    void write(Code code) {
+    void write(Encoded code) {
       if (at_ >= end_) {
         if (faults_ != nullptr) ++faults_->outside;
         return;
@@ -43,7 +43,7 @@ struct StrictFormat {
       at_->colour = code;
       if (at_->count++ != 0) ++faults_->twice;
     }
-    [[nodiscard]] Code read() const { return at_->colour; }
+    [[nodiscard]] Encoded read() const { return at_->colour; }
     void next() { ++at_; }
 
    private:
@@ -52,12 +52,12 @@ struct StrictFormat {
     SinkFaults* faults_;
   };
 
-  [[nodiscard]] static std::size_t units_per_row(std::int32_t width) {
+  [[nodiscard]] static std::size_t words_per_row(std::int32_t width) {
     return static_cast<std::size_t>(width);
   }
-  [[nodiscard]] static Code encode(Rgb8 c) { return c; }
-  [[nodiscard]] static Code encode_dithered(Rgb8 c, std::int32_t, std::int32_t) { return c; }
-  [[nodiscard]] static Rgb8 decode(Code code) { return code; }
+  [[nodiscard]] static Encoded encode(Rgb8 c) { return c; }
+  [[nodiscard]] static Encoded encode_dithered(Rgb8 c, std::int32_t, std::int32_t) { return c; }
+  [[nodiscard]] static Rgb8 decode(Encoded code) { return code; }
 };
 
 /// A picture that is stricter than any device: it counts what must not happen.

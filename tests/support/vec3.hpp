@@ -61,6 +61,6 @@ struct Vec3 {
 [[nodiscard]] inline Vec3 to_vec3(const Direction& v) {
   return (1.0 / 32768) * Vec3{double(v.x.raw()), double(v.y.raw()), double(v.z.raw())};
 }
-[[nodiscard]] inline double to_double(Unit v) { return std::ldexp(v.raw(), -Unit::kFraction); }
+[[nodiscard]] inline double to_double(Cosine v) { return std::ldexp(v.raw(), -Cosine::kFraction); }
 
 }  // namespace arcspan::test

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <arcspan/pixel/fill.hpp>
-#include <arcspan/pixel/format.hpp>
+#include <arcspan/pixel/mono.hpp>
+#include <arcspan/pixel/pixel_format.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
 
@@ -20,22 +22,22 @@ template <PixelFormat F>
 class Framebuffer {
  public:
   using Format = F;
-  using Unit = typename F::Unit;
+  using Word = typename F::Word;
   using RowsInMemory = Framebuffer;
 
-  /// Units of memory that `rows` rows of `width` pixels need.
-  [[nodiscard]] static constexpr std::size_t units(std::int32_t width, std::int32_t rows) {
-    return F::units_per_row(width) * static_cast<std::size_t>(rows);
+  /// Words of memory that `rows` rows of `width` pixels need.
+  [[nodiscard]] static constexpr std::size_t words(std::int32_t width, std::int32_t rows) {
+    return F::words_per_row(width) * static_cast<std::size_t>(rows);
   }
 
-  /// `memory` must hold units(width, rows); one that does not gives an empty framebuffer, which `status()`
+  /// `memory` must hold words(width, rows); one that does not gives an empty framebuffer, which `status()`
   /// tells.
-  constexpr Framebuffer(std::span<Unit> memory, std::int32_t width, std::int32_t rows,
+  constexpr Framebuffer(std::span<Word> memory, std::int32_t width, std::int32_t rows,
                         std::int32_t first_row = 0)
-      : memory_(memory.data()), stride_(static_cast<std::int32_t>(F::units_per_row(width < 0 ? 0 : width))) {
+      : memory_(memory.data()), stride_(static_cast<std::int32_t>(F::words_per_row(width < 0 ? 0 : width))) {
     if (width < 0 || rows < 0 || first_row < 0) {
       status_ = Status::kInvalidArgument;
-    } else if (memory.size() < units(width, rows)) {
+    } else if (memory.size() < words(width, rows)) {
       status_ = Status::kBufferTooSmall;
     } else {
       bounds_ = {0, first_row, width, first_row + rows};
@@ -59,9 +61,9 @@ class Framebuffer {
 
   /// Sets every pixel to `colour`.
   constexpr void clear(Rgb8 colour) {
-    const typename F::Code code = F::encode(colour);
-    if constexpr (requires(typename F::Cursor cursor) { cursor.codes(); }) {
-      fill(memory_, units(bounds_.right, bounds_.height()), code);
+    const typename F::Encoded code = F::encode(colour);
+    if constexpr (requires(typename F::Cursor cursor) { cursor.pixels(); }) {
+      fill(memory_, words(bounds_.right, bounds_.height()), code);
     } else {
       for (std::int32_t y = bounds_.top; y < bounds_.bottom; ++y) {
         typename F::Cursor cursor(row(y), 0);
@@ -75,13 +77,13 @@ class Framebuffer {
     return F::decode(typename F::Cursor(row(y), x).read());
   }
 
-  /// Row y of the picture, which must lie inside bounds(), as an array of Units.
-  [[nodiscard]] constexpr Unit* row(std::int32_t y) const { return memory_ + (y - bounds_.top) * stride_; }
-  /// Units from one row to the next.
+  /// Row y of the picture, which must lie inside bounds(), as an array of Words.
+  [[nodiscard]] constexpr Word* row(std::int32_t y) const { return memory_ + (y - bounds_.top) * stride_; }
+  /// Words from one row to the next.
   [[nodiscard]] constexpr std::int32_t stride() const { return stride_; }
 
  private:
-  Unit* memory_;
+  Word* memory_;
   std::int32_t stride_;
   Rect bounds_{};
   Status status_ = Status::kOk;

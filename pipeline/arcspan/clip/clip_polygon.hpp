@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/numbers/reciprocal.hpp>
+#include <arcspan/target.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 
 #include <cstddef>
@@ -27,8 +28,8 @@ struct ClipPolygon {
 namespace detail {
 
 /// Signed distance of a vertex from a plane of the clip volume, positive inside.
-[[nodiscard, gnu::cold]] constexpr std::int32_t plane_distance(const ClipPosition& p, ClipOutcode plane,
-                                                               std::int32_t near_w) {
+[[nodiscard]] ARCSPAN_COLD constexpr std::int32_t plane_distance(const ClipPosition& p, ClipOutcode plane,
+                                                                 std::int32_t near_w) {
   switch (plane) {
     case kOutsideNear:
       return p.w - near_w;
@@ -49,10 +50,10 @@ namespace detail {
 /// Where the edge from `inside` to `outside` meets a plane. Always taken in this direction, so that the two
 /// triangles of a cut edge get the same vertex.
 template <class Method>
-[[nodiscard, gnu::noinline, gnu::cold]] constexpr ClipVertex<Method> cut(const ClipVertex<Method>& inside,
-                                                                         const ClipVertex<Method>& outside,
-                                                                         std::int32_t inside_distance,
-                                                                         std::int32_t outside_distance) {
+[[nodiscard]] ARCSPAN_COLD_OUTLINE constexpr ClipVertex<Method> cut(const ClipVertex<Method>& inside,
+                                                                    const ClipVertex<Method>& outside,
+                                                                    std::int32_t inside_distance,
+                                                                    std::int32_t outside_distance) {
   // t = inside / (inside - outside), 30 fraction bits; the sum of magnitudes is below 2^32.
   const std::uint32_t whole =
       static_cast<std::uint32_t>(inside_distance) - static_cast<std::uint32_t>(outside_distance);
@@ -74,8 +75,8 @@ template <class Method>
 
 /// Sutherland and Hodgman against one plane, from `in` to `out`.
 template <class Method>
-[[gnu::cold]] constexpr void clip_to_plane(const ClipPolygon<Method>& in, ClipPolygon<Method>& out,
-                                           ClipOutcode plane, std::int32_t near_w) {
+ARCSPAN_COLD constexpr void clip_to_plane(const ClipPolygon<Method>& in, ClipPolygon<Method>& out,
+                                          ClipOutcode plane, std::int32_t near_w) {
   out.count = 0;
   for (std::size_t i = 0; i < in.count; ++i) {
     const ClipVertex<Method>& here = in.vertices[i];
@@ -95,9 +96,9 @@ template <class Method>
 /// Cuts `polygon` by the near plane and the four sides of the guard band; `spare` is scratch. Returns the one
 /// of the two that holds the result, whose count is 0 if nothing is left.
 template <class Method>
-[[nodiscard, gnu::cold]] constexpr const ClipPolygon<Method>& clip_polygon(ClipPolygon<Method>& polygon,
-                                                                           ClipPolygon<Method>& spare,
-                                                                           std::int32_t near_w) {
+[[nodiscard]] ARCSPAN_COLD constexpr const ClipPolygon<Method>& clip_polygon(ClipPolygon<Method>& polygon,
+                                                                             ClipPolygon<Method>& spare,
+                                                                             std::int32_t near_w) {
   ClipPolygon<Method>* from = &polygon;
   ClipPolygon<Method>* to = &spare;
   for (const ClipOutcode plane : {kOutsideNear, kOutsideLeft, kOutsideRight, kOutsideTop, kOutsideBottom}) {

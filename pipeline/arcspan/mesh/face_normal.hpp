@@ -3,6 +3,7 @@
 
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/numbers/direction.hpp>
+#include <arcspan/target.hpp>
 
 #include <cstdint>
 
@@ -36,8 +37,8 @@ struct WideVector {
 }
 
 /// The unit vector along u x v.
-[[nodiscard, gnu::noinline]] constexpr Direction normal_along_wide(const ObjectVector& u,
-                                                                   const ObjectVector& v) {
+[[nodiscard]] ARCSPAN_OUTLINE constexpr Direction normal_along_wide(const ObjectVector& u,
+                                                                    const ObjectVector& v) {
   const WideVector normal = cross(u, v);
   return normalised_wide(normal.x, normal.y, normal.z);
 }

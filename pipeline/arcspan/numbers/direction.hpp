@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/numbers/formats.hpp>
+#include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/numbers/root.hpp>
+#include <arcspan/target.hpp>
 
 #include <bit>
 #include <cstdint>
@@ -31,8 +32,8 @@ struct Normal {
 [[nodiscard]] constexpr Direction operator-(const Direction& v) { return {-v.x, -v.y, -v.z}; }
 
 /// a · b for unit vectors, in Q1.30 without rounding. By Cauchy's inequality no partial sum exceeds 1.
-[[nodiscard]] constexpr Unit dot(const Direction& a, const Direction& b) {
-  return multiply<Unit>(a.x, b.x) + multiply<Unit>(a.y, b.y) + multiply<Unit>(a.z, b.z);
+[[nodiscard]] constexpr Cosine dot(const Direction& a, const Direction& b) {
+  return multiply<Cosine>(a.x, b.x) + multiply<Cosine>(a.y, b.y) + multiply<Cosine>(a.z, b.z);
 }
 
 [[nodiscard]] constexpr Normal to_normal(const Direction& v) {
@@ -52,7 +53,7 @@ struct Normal {
 }
 
 /// The unit vector along (x, y, z), whatever its length; the zero vector gives the zero vector.
-[[nodiscard, gnu::noinline]] constexpr Direction normalised(std::int32_t x, std::int32_t y, std::int32_t z) {
+[[nodiscard]] ARCSPAN_OUTLINE constexpr Direction normalised(std::int32_t x, std::int32_t y, std::int32_t z) {
   const auto magnitude = [](std::int32_t v) {
     return v < 0 ? 0u - static_cast<std::uint32_t>(v) : static_cast<std::uint32_t>(v);
   };
@@ -80,8 +81,8 @@ struct Normal {
 }
 
 /// The same for wider components, |component| < 2^62.
-[[nodiscard, gnu::noinline]] constexpr Direction normalised_wide(std::int64_t x, std::int64_t y,
-                                                                 std::int64_t z) {
+[[nodiscard]] ARCSPAN_OUTLINE constexpr Direction normalised_wide(std::int64_t x, std::int64_t y,
+                                                                  std::int64_t z) {
   const auto size = [](std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); };
   const int bits = static_cast<int>(std::bit_width(size(x) | size(y) | size(z)));
   const int down = bits > 31 ? bits - 31 : 0;

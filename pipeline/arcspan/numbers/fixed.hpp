@@ -88,15 +88,6 @@ template <class To, class A, class B>
   return To::from_raw(static_cast<typename To::Rep>(wrap_mul(a.raw(), b.raw()) >> kShift));
 }
 
-/// a * b in format `To`, rounded, by a 64-bit product: exact for all arguments whose result fits.
-template <class To, class A, class B>
-[[nodiscard]] constexpr To multiply_wide(A a, B b) {
-  constexpr int kShift = A::kFraction + B::kFraction - To::kFraction;
-  static_assert(kShift > 0 && kShift < 63);
-  const std::int64_t product = std::int64_t{a.raw()} * b.raw();
-  return To::from_raw(static_cast<typename To::Rep>((product + (std::int64_t{1} << (kShift - 1))) >> kShift));
-}
-
 /// `a` in a format with fewer fraction bits, rounded; or with more, exactly (it must fit).
 template <class To, class A>
 [[nodiscard]] constexpr To convert(A a) {

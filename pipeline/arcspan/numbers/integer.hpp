@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/target.hpp>
+
 #include <cstdint>
 
 namespace arcspan {
@@ -23,29 +25,11 @@ namespace arcspan {
 /// `v` clamped to 0...255. Processors that saturate have an instruction for it; for others it is one test
 /// where nothing is to be clamped.
 [[nodiscard]] constexpr std::uint32_t clamped_byte(std::int32_t v) {
-#if defined(__ARM_FEATURE_SAT)
-  return static_cast<std::uint32_t>(v < 0 ? 0 : v > 255 ? 255 : v);
-#else
+  if constexpr (kHasSaturate) return static_cast<std::uint32_t>(v < 0 ? 0 : v > 255 ? 255 : v);
   const auto byte = static_cast<std::uint32_t>(v);
   if (byte > 255u) return v < 0 ? 0u : 255u;
   return byte;
-#endif
 }
-
-/// Whether the target has 32x32->64 multiplies and a divide. Where not (Armv6-M, AVR) the functions below do
-/// with 32-bit products; they are exact either way, so that every target draws the same bits.
-#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
-inline constexpr bool kLongMultiply = false;
-#else
-inline constexpr bool kLongMultiply = true;
-#endif
-
-/// Whether 64 bits fit a register. Where they take two, products of two halves find registers more easily.
-#if defined(__SIZEOF_POINTER__) && __SIZEOF_POINTER__ >= 8
-inline constexpr bool kWideRegisters = true;
-#else
-inline constexpr bool kWideRegisters = false;
-#endif
 
 namespace detail {
 
@@ -79,14 +63,14 @@ namespace detail {
 
 /// floor(a b / 2^32).
 [[nodiscard]] constexpr std::uint32_t multiply_high(std::uint32_t a, std::uint32_t b) {
-  if constexpr (kLongMultiply) {
+  if constexpr (kHasLongMultiply) {
     return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> 32);
   } else {
     return detail::short_multiply_high(a, b);
   }
 }
 [[nodiscard]] constexpr std::int32_t multiply_high(std::int32_t a, std::int32_t b) {
-  if constexpr (kLongMultiply) {
+  if constexpr (kHasLongMultiply) {
     return static_cast<std::int32_t>((std::int64_t{a} * b) >> 32);
   } else {
     return detail::short_multiply_high(a, b);
@@ -95,7 +79,7 @@ namespace detail {
 
 /// floor(value * factor / 2^bits) in the lower 32 bits, factor in 0...2^16, bits in 15...16.
 [[nodiscard]] constexpr std::int32_t scaled_down(std::int32_t value, std::uint32_t factor, int bits) {
-  if constexpr (kWideRegisters) {
+  if constexpr (kHasWideRegisters) {
     return static_cast<std::int32_t>((std::int64_t{value} * static_cast<std::int32_t>(factor)) >> bits);
   } else {
     const std::uint32_t low = (static_cast<std::uint32_t>(value) & ((std::uint32_t{1} << bits) - 1)) * factor;
@@ -106,7 +90,7 @@ namespace detail {
 
 /// value * factor, factor below 2^16; the result must fit.
 [[nodiscard]] constexpr std::int64_t scaled(std::int64_t value, std::uint32_t factor) {
-  if constexpr (kLongMultiply) {
+  if constexpr (kHasLongMultiply) {
     return value * static_cast<std::int64_t>(factor);
   } else {
     return detail::short_scaled(value, factor);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <arcspan/numbers/integer.hpp>
-#include <arcspan/numbers/keep.hpp>
+#include <arcspan/target.hpp>
 
 #include <array>
 #include <concepts>
@@ -39,9 +39,9 @@ struct PackedRgb {
 
   /// Every channel plus the other's, saturated.
   [[nodiscard]] constexpr PackedRgb plus(PackedRgb other) const {
-    if constexpr (kWideRegisters) {
+    if constexpr (kHasWideRegisters) {
       std::uint64_t sum = std::uint64_t{lanes} + other.lanes;
-      keep_as_is(sum);  // or it is made twice, once of each width
+      hide_value(sum);  // or it is made twice, once of each width
       if ((sum & (kCarries | std::uint64_t{1} << 32)) == 0) [[likely]] {
         return {static_cast<std::uint32_t>(sum)};
       }

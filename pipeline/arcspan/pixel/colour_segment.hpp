@@ -43,8 +43,8 @@ struct SegmentPixels {
   ColourSegment at;
   ColourSegment step;
 
-  template <class Object>
-  [[nodiscard]] constexpr ColourSegment colour(const Object&) const {
+  template <class Lighting>
+  [[nodiscard]] constexpr ColourSegment colour(const Lighting&) const {
     return at;
   }
   constexpr void next() { at.advance(step); }

@@ -3,6 +3,7 @@
 
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/colour.hpp>
+#include <arcspan/target.hpp>
 
 #include <bit>
 #include <cstdint>
@@ -37,9 +38,8 @@ struct FineChannels {
 };
 
 /// The lower 11 bits of `low`, and `five` above them.
-[[nodiscard, gnu::always_inline]] constexpr std::uint16_t with_upper_five(std::uint32_t low,
-                                                                          std::uint32_t five) {
-#if defined(__thumb2__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t with_upper_five(std::uint32_t low, std::uint32_t five) {
+#if ARCSPAN_HAS_BIT_INSERT
   if (!std::is_constant_evaluated()) {
     // gcc takes the instruction that inserts bits for an assignment to some, and for no expression.
     struct Bits {
@@ -82,7 +82,7 @@ struct BasicFineRgb<false> : detail::FineChannels {
     c.b_ = static_cast<std::uint32_t>(b);
     return c;
   }
-  [[gnu::always_inline]] constexpr void advance(const BasicFineRgb& step) {
+  ARCSPAN_INLINE constexpr void advance(const BasicFineRgb& step) {
     r_ += step.r_;
     g_ += step.g_;
     b_ += step.b_;
@@ -134,7 +134,7 @@ struct BasicFineRgb<true> : detail::FineChannels {
     c.blue_green_ = kept;
     return c;
   }
-  [[gnu::always_inline]] constexpr void advance(const BasicFineRgb& step) {
+  ARCSPAN_INLINE constexpr void advance(const BasicFineRgb& step) {
     r_ += step.r_;
     blue_green_ += step.blue_green_;
   }
@@ -167,10 +167,6 @@ struct BasicFineRgb<true> : detail::FineChannels {
 
 /// Joined where 64 bits are one register, or where there are registers enough and an instruction that inserts
 /// bits.
-#if defined(__thumb2__)
-using FineRgb = BasicFineRgb<true>;
-#else
-using FineRgb = BasicFineRgb<kWideRegisters>;
-#endif
+using FineRgb = BasicFineRgb<kHasWideRegisters || ARCSPAN_HAS_BIT_INSERT != 0>;
 
 }  // namespace arcspan

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/pixel/format.hpp>
+#include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/status.hpp>
 
 #include <concepts>
@@ -45,13 +45,13 @@ concept PixelSink = PixelFormat<typename S::Format> && requires(S& sink, const S
   { sink.close(run) } -> std::same_as<Status>;
 };
 
-/// A sink whose rows lie in memory, each `stride()` Units behind the last, and that only needs to be told of
+/// A sink whose rows lie in memory, each `stride()` Words behind the last, and that only needs to be told of
 /// runs by close(): it says so by naming itself `RowsInMemory`. The span stage then steps from row to row in
 /// place of calling `open`. (A class derived from such a sink is not one until it says so itself.)
 template <class S>
 concept SinkInMemory = PixelSink<S> && std::same_as<typename S::RowsInMemory, S> &&
     requires(const S& sink, std::int32_t y) {
-  { sink.row(y) } -> std::same_as<typename S::Format::Unit*>;
+  { sink.row(y) } -> std::same_as<typename S::Format::Word*>;
   { sink.stride() } -> std::same_as<std::int32_t>;
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/numbers/formats.hpp>
+#include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
+#include <arcspan/target.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 
 #include <bit>
@@ -37,7 +38,7 @@ struct EdgeWalk {
 /// The part of an edge's way that depends on its two ends only: from `top` to `bottom`, top.y < bottom.y, so
 /// that the two triangles of an edge walk it alike. `row` is the first row to be drawn, `offset` its centre's
 /// distance below the top in 16ths of a row (0 <= offset < 2^15).
-struct EdgeSpan {
+struct EdgeSetup {
   const RasterPosition* top;
   std::int32_t dy;      ///< height, 1...2^15 - 1 16ths of a row
   std::int32_t offset;  ///< centre of the first row below the top, 16ths of a row
@@ -45,23 +46,23 @@ struct EdgeSpan {
   mutable Reciprocal inverse;
 };
 
-constexpr void make_inverse(const EdgeSpan& edge) {
+constexpr void make_inverse(const EdgeSetup& edge) {
   edge.inverse = nonzero_reciprocal(static_cast<std::uint32_t>(edge.dy));
 }
 
 /// First row whose centre is at or below y: ceil(y - 1/2).
 [[nodiscard]] constexpr std::int32_t first_row_at(std::int32_t y) { return (y + 7) >> 4; }
 
-constexpr void make_edge_span(const RasterPosition& top, const RasterPosition& bottom, std::int32_t row,
-                              bool on_left, EdgeSpan& edge) {
+constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& bottom, std::int32_t row,
+                               bool on_left, EdgeSetup& edge) {
   edge.top = &top;
   edge.dy = bottom.y - top.y;
   edge.offset = row * 16 + 8 - top.y;
-  if (on_left || !kLongMultiply) make_inverse(edge);
+  if (on_left || !kHasLongMultiply) make_inverse(edge);
 }
 
 /// offset / dy in 15 fraction bits, at most 1.
-[[nodiscard]] constexpr Factor start_fraction(const EdgeSpan& edge) {
+[[nodiscard]] constexpr Factor start_fraction(const EdgeSetup& edge) {
   const std::uint32_t product = static_cast<std::uint32_t>(edge.offset) * edge.inverse.mantissa;
   const std::uint32_t fraction = product >> (edge.inverse.exponent - Factor::kFraction);
   return Factor::from_raw(static_cast<std::int32_t>(fraction > 32768 ? 32768 : fraction));
@@ -78,7 +79,7 @@ struct Quotient {
 
 /// dividend / divisor, rounded down, by schoolbook division; both below 2^15.
 [[nodiscard]] constexpr Quotient divide(std::uint32_t dividend, std::uint32_t divisor) {
-  if constexpr (kWideRegisters) {
+  if constexpr (kHasWideRegisters) {
     const std::uint64_t whole = std::uint64_t{dividend} << 32;
     const std::uint64_t quotient = whole / divisor;
     return {static_cast<std::uint32_t>(quotient >> 16), static_cast<std::uint32_t>(quotient & 0xFFFFu),
@@ -120,11 +121,11 @@ struct Quotient {
 }  // namespace detail
 
 /// The exact walk of an edge (see EdgeWalk).
-constexpr void make_edge_walk(const EdgeSpan& edge, const RasterPosition& bottom, EdgeWalk& walk) {
+constexpr void make_edge_walk(const EdgeSetup& edge, const RasterPosition& bottom, EdgeWalk& walk) {
   const std::int32_t dx = bottom.x - edge.top->x;
   const auto magnitude = static_cast<std::uint32_t>(dx < 0 ? -dx : dx);
   const auto height = static_cast<std::uint32_t>(edge.dy);
-  const detail::Quotient quotient = kLongMultiply
+  const detail::Quotient quotient = kHasLongMultiply
                                         ? detail::divide(magnitude, height)
                                         : detail::divide_by_reciprocal(magnitude, height, edge.inverse);
   const auto step = static_cast<std::int64_t>((std::uint64_t{quotient.upper} << 16) | quotient.lower);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/prepare/edge.hpp>
+#include <arcspan/prepare/row_start.hpp>
+#include <arcspan/target.hpp>
 
 #include <cstdint>
 
@@ -88,12 +89,30 @@ template <class Value>
 
 /// Attribute `from` at the top of an edge and `to` at its bottom, 16 bits each.
 template <class Value>
-constexpr void make_linear_edge(const EdgeSpan& edge, std::int32_t from, std::int32_t to,
+constexpr void make_linear_edge(const EdgeSetup& edge, std::int32_t from, std::int32_t to,
                                 BasicLinearEdge<Value>& linear) {
   const std::int32_t difference = to - from;
   const std::int32_t part = part_of<Value>(difference, start_fraction(edge));
   linear.at = Value::from_raw(wrap_add(wrap_shl(from, Value::kFraction), part));
   linear.step = gradient<Value>(difference, edge.inverse, Subpixel::kFraction);
+}
+
+/// The attribute at a row's first pixel. Beyond the first column it goes in whole steps, so that cutting a
+/// row changes nothing.
+[[nodiscard]] ARCSPAN_INLINE constexpr Linear linear_at(const LinearPlane& plane, const RowStart& start) {
+  const Linear first = plane.left.at + times_fraction(plane.dx, start.fraction);
+  if (start.skipped == 0) [[likely]] {
+    return first;
+  }
+  return first + Linear::from_raw(wrap_mul(plane.dx.raw(), start.skipped));
+}
+
+/// The same by one multiply for what lies within a pixel, with an error below 2: an 8-bit step has 256.
+[[nodiscard]] ARCSPAN_INLINE constexpr FullLinear linear_at(const FullLinearPlane& plane,
+                                                            const RowStart& start) {
+  const std::int32_t inside = wrap_mul(plane.dx.raw() >> 16, static_cast<std::int32_t>(start.fraction));
+  const std::int32_t skipped = wrap_mul(plane.dx.raw(), start.skipped);
+  return plane.left.at + FullLinear::from_raw(wrap_add(inside, skipped));
 }
 
 }  // namespace arcspan

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/prepare/triangle.hpp>
+#include <arcspan/target.hpp>
 
 #include <cstdint>
 
@@ -10,7 +11,7 @@ namespace arcspan {
 /// The vertex half-way along an edge on the screen, with the shading half-way along its arc. Does not depend
 /// on the edge's direction, so that both triangles of an edge split it alike and no gap opens.
 template <class Method>
-[[nodiscard, gnu::noinline, gnu::cold]] constexpr RasterVertex<Method> middle_vertex(
+[[nodiscard]] ARCSPAN_COLD_OUTLINE constexpr RasterVertex<Method> middle_vertex(
     const RasterVertex<Method>& a, const RasterVertex<Method>& b) {
   RasterVertex<Method> middle;
   middle.position = {static_cast<std::int16_t>((a.position.x + b.position.x) >> 1),
@@ -29,8 +30,8 @@ namespace detail {
 
 /// Halves ab.
 template <class Method, class Emit>
-[[gnu::cold]] constexpr void split_one_edge(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
-                                            const RasterVertex<Method>& c, const Emit& emit) {
+ARCSPAN_COLD constexpr void split_one_edge(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+                                           const RasterVertex<Method>& c, const Emit& emit) {
   const RasterVertex<Method> m = middle_vertex(a, b);
   emit(a, m, c);
   emit(m, b, c);
@@ -38,8 +39,8 @@ template <class Method, class Emit>
 
 /// Halves ab and bc.
 template <class Method, class Emit>
-[[gnu::cold]] constexpr void split_two_edges(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
-                                             const RasterVertex<Method>& c, const Emit& emit) {
+ARCSPAN_COLD constexpr void split_two_edges(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+                                            const RasterVertex<Method>& c, const Emit& emit) {
   const RasterVertex<Method> m = middle_vertex(a, b);
   const RasterVertex<Method> n = middle_vertex(b, c);
   emit(m, b, n);
@@ -54,9 +55,9 @@ template <class Method, class Emit>
 /// gap opens towards the triangle behind it, however deep either may be split. Calls itself, so `emit` should
 /// be a call and no more.
 template <class Method, class Emit>
-[[gnu::cold]] constexpr void split_triangle(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
-                                            const RasterVertex<Method>& c, Emit& emit,
-                                            int splits = kMaxSplits) {
+ARCSPAN_COLD constexpr void split_triangle(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+                                           const RasterVertex<Method>& c, Emit& emit,
+                                           int splits = kMaxSplits) {
   const bool ab = splits > 0 && Method::too_wide(a.shade, b.shade);
   const bool bc = splits > 0 && Method::too_wide(b.shade, c.shade);
   const bool ca = splits > 0 && Method::too_wide(c.shade, a.shade);

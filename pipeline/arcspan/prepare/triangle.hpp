@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/numbers/keep.hpp>
 #include <arcspan/prepare/linear.hpp>
+#include <arcspan/target.hpp>
 
 #include <concepts>
 #include <cstdint>
@@ -65,9 +65,9 @@ struct TriangleFrame {
   const RasterVertex<Method>* top;
   const RasterVertex<Method>* middle;
   const RasterVertex<Method>* bottom;
-  EdgeSpan long_edge;
-  EdgeSpan upper_edge;
-  EdgeSpan lower_edge;
+  EdgeSetup long_edge;
+  EdgeSetup upper_edge;
+  EdgeSetup lower_edge;
   TriangleChords chords;  ///< between the normals, of methods that MeasureChords
   bool has_upper;         ///< rows of the upper half will be drawn
   bool has_lower;
@@ -80,7 +80,7 @@ struct TriangleFrame {
 /// For attributes that go along both of a row's edges.
 template <class Method>
 constexpr void make_short_inverses(const TriangleFrame<Method>& frame) {
-  if (frame.middle_left || !kLongMultiply) return;
+  if (frame.middle_left || !kHasLongMultiply) return;
   if (frame.has_upper) make_inverse(frame.upper_edge);
   if (frame.has_lower) make_inverse(frame.lower_edge);
 }
@@ -148,14 +148,14 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   frame.has_upper = command.first_row < command.middle_row;
   frame.has_lower = command.middle_row < command.end_row;
   EdgeWalk& long_walk = frame.middle_left ? command.right : command.left;
-  make_edge_span(top, bottom, command.first_row, true, frame.long_edge);
+  make_edge_setup(top, bottom, command.first_row, true, frame.long_edge);
   make_edge_walk(frame.long_edge, bottom, long_walk);
   if (frame.has_upper) {
-    make_edge_span(top, middle, command.first_row, frame.middle_left, frame.upper_edge);
+    make_edge_setup(top, middle, command.first_row, frame.middle_left, frame.upper_edge);
     make_edge_walk(frame.upper_edge, middle, frame.middle_left ? command.left : command.right);
   }
   if (frame.has_lower) {
-    make_edge_span(middle, bottom, command.middle_row, frame.middle_left, frame.lower_edge);
+    make_edge_setup(middle, bottom, command.middle_row, frame.middle_left, frame.lower_edge);
     make_edge_walk(frame.lower_edge, bottom, command.lower);
   }
   const auto height = static_cast<std::uint32_t>(middle.y - top.y);
@@ -192,7 +192,7 @@ constexpr void place_vertices(const RasterVertex<Method>& a, const RasterVertex<
 
 /// The command of a frame whose vertices are placed; false if there is nothing to draw.
 template <bool WithDepth, class Method>
-[[nodiscard]] constexpr bool prepare_frame(const typename Method::Object& object,
+[[nodiscard]] constexpr bool prepare_frame(const typename Method::Lighting& lighting,
                                            TriangleFrame<Method>& frame, const typename Method::Face& face,
                                            const RowRange& rows, TriangleCommand<Method>& command) {
   const std::int32_t area = doubled_area(frame.top->position, frame.middle->position, frame.bottom->position);
@@ -206,7 +206,7 @@ template <bool WithDepth, class Method>
   } else {
     command.depth = LinearPlane{};
   }
-  Method::prepare(object, frame, face, command.shade);
+  Method::prepare(lighting, frame, face, command.shade);
   return true;
 }
 
@@ -251,22 +251,22 @@ enum class Preparation : std::uint8_t {
 /// kTooWide only if the triangle `may_split`; otherwise it is drawn as well as the method can.
 /// Where no depth is tested, no plane of it is made.
 template <class Method, bool WithDepth = true>
-ARCSPAN_APART_IF_SMALL [[nodiscard]] constexpr Preparation prepare_inside(
-    const typename Method::Object& object, const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+ARCSPAN_OUTLINE_IF_SMALL [[nodiscard]] constexpr Preparation prepare_inside(
+    const typename Method::Lighting& lighting, const RasterVertex<Method>& a, const RasterVertex<Method>& b,
     const RasterVertex<Method>& c, const typename Method::Face& face, const RowRange& rows, bool may_split,
     TriangleCommand<Method>& command) {
   TriangleFrame<Method> frame;
   detail::place_vertices(a, b, c, frame);
   if (may_split && detail::is_too_wide_in(frame)) return Preparation::kTooWide;
-  return detail::prepare_frame<WithDepth>(object, frame, face, rows, command) ? Preparation::kReady
-                                                                              : Preparation::kNothing;
+  return detail::prepare_frame<WithDepth>(lighting, frame, face, rows, command) ? Preparation::kReady
+                                                                                : Preparation::kNothing;
 }
 
 /// Turns a triangle into the command that draws it. `rows` are the viewport's; false if none of the
 /// triangle's rows is among them, if it has no area, or if a vertex is outside the guard band. Either
 /// orientation is drawn.
 template <class Method>
-[[nodiscard]] constexpr bool prepare_triangle(const typename Method::Object& object,
+[[nodiscard]] constexpr bool prepare_triangle(const typename Method::Lighting& lighting,
                                               const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                                               const RasterVertex<Method>& c,
                                               const typename Method::Face& face, const RowRange& rows,
@@ -274,7 +274,7 @@ template <class Method>
   if (!in_guard_band(a.position) || !in_guard_band(b.position) || !in_guard_band(c.position)) return false;
   TriangleFrame<Method> frame;
   detail::place_vertices(a, b, c, frame);
-  return detail::prepare_frame<true>(object, frame, face, rows, command);
+  return detail::prepare_frame<true>(lighting, frame, face, rows, command);
 }
 
 }  // namespace arcspan

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/illumination.hpp>
+#include <arcspan/lighting/illumination.hpp>
 #include <arcspan/shading/method.hpp>
 
 namespace arcspan {
@@ -9,26 +9,26 @@ namespace arcspan {
 /// Flat shading: one colour a triangle, from its plane's normal.
 template <class Illumination>
 struct Flat {
-  using Object = Illumination;
+  using Lighting = Illumination;
   using Face = PackedRgb;
   struct Vertex {};
   using Prepared = PackedRgb;
   static constexpr bool kNeedsFaceNormal = true;
 
-  [[nodiscard]] static Vertex shade_vertex(const Object&, const Direction&) { return {}; }
-  [[nodiscard]] static Face shade_face(const Object& object, const Direction& normal) {
-    return object.colour(object.scalars(normal));
+  [[nodiscard]] static Vertex shade_vertex(const Lighting&, const Direction&) { return {}; }
+  [[nodiscard]] static Face shade_face(const Lighting& lighting, const Direction& normal) {
+    return lighting.colour(lighting.scalars(normal));
   }
   [[nodiscard]] static constexpr Vertex between(const Vertex&, const Vertex&, Factor) { return {}; }
   [[nodiscard]] static constexpr bool too_wide(const Vertex&, const Vertex&) { return false; }
-  static constexpr void prepare(const Object&, const TriangleFrame<Flat>&, const Face& face,
+  static constexpr void prepare(const Lighting&, const TriangleFrame<Flat>&, const Face& face,
                                 Prepared& prepared) {
     prepared = face;
   }
 
   struct Run {
     PackedRgb value;
-    [[nodiscard]] constexpr PackedRgb colour(const Object&) const { return value; }
+    [[nodiscard]] constexpr PackedRgb colour(const Lighting&) const { return value; }
     constexpr void next() {}
   };
 

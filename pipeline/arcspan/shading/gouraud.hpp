@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/numbers/keep.hpp>
+#include <arcspan/lighting/illumination.hpp>
 #include <arcspan/pixel/fine_rgb.hpp>
-#include <arcspan/shading/illumination.hpp>
+#include <arcspan/prepare/linear.hpp>
 #include <arcspan/shading/method.hpp>
-#include <arcspan/span/linear_walk.hpp>
+#include <arcspan/target.hpp>
 
 namespace arcspan {
 
 /// Gouraud shading: the full illumination at the vertices, colour linear on the screen.
 template <class Illumination>
 struct Gouraud {
-  using Object = Illumination;
+  using Lighting = Illumination;
   struct Face {};
   using Vertex = DeepColour;
   struct Prepared {
@@ -24,10 +24,10 @@ struct Gouraud {
   };
   static constexpr bool kNeedsFaceNormal = false;
 
-  [[nodiscard]] static Vertex shade_vertex(const Object& object, const Direction& normal) {
-    return object.deep_colour(object.scalars(normal));
+  [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
+    return lighting.deep_colour(lighting.scalars(normal));
   }
-  [[nodiscard]] static constexpr Face shade_face(const Object&, const Direction&) { return {}; }
+  [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }
   [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
     const auto mix = [t](std::int32_t from, std::int32_t to) {
       return from + round_shift(wrap_mul(to - from, t.raw() >> 1), 14);
@@ -36,7 +36,7 @@ struct Gouraud {
   }
   [[nodiscard]] static constexpr bool too_wide(const Vertex&, const Vertex&) { return false; }
 
-  static constexpr void prepare(const Object&, const TriangleFrame<Gouraud>& frame, const Face&,
+  static constexpr void prepare(const Lighting&, const TriangleFrame<Gouraud>& frame, const Face&,
                                 Prepared& prepared) {
     const Vertex& top = frame.top->shade;
     const Vertex& middle = frame.middle->shade;
@@ -53,7 +53,7 @@ struct Gouraud {
     FineRgb at;
     FineRgb step;
 
-    [[nodiscard]] constexpr FineRgb colour(const Object&) const { return at; }
+    [[nodiscard]] constexpr FineRgb colour(const Lighting&) const { return at; }
     constexpr void next() { at.advance(step); }
   };
 
@@ -68,9 +68,9 @@ struct Gouraud {
               FineRgb::step(p_->r.dx.raw(), p_->g.dx.raw(), p_->b.dx.raw(), p_->step)};
     }
     constexpr void next_row() {
-      keep_in_memory(p_->r.left.at);
-      keep_in_memory(p_->g.left.at);
-      keep_in_memory(p_->b.left.at);
+      reload_from_memory(p_->r.left.at);
+      reload_from_memory(p_->g.left.at);
+      reload_from_memory(p_->b.left.at);
       p_->r.next_row();
       p_->g.next_row();
       p_->b.next_row();

@@ -26,15 +26,15 @@ class DepthBuffer {
   static constexpr bool kTests = true;
   static constexpr std::uint16_t kFarthest = 0xFFFF;
 
-  [[nodiscard]] static constexpr std::size_t units(std::int32_t width, std::int32_t rows) {
+  [[nodiscard]] static constexpr std::size_t words(std::int32_t width, std::int32_t rows) {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
   }
 
-  /// `memory` must hold units(width, rows); otherwise bounds() is empty and nothing is drawn.
+  /// `memory` must hold words(width, rows); otherwise bounds() is empty and nothing is drawn.
   constexpr DepthBuffer(std::span<std::uint16_t> memory, std::int32_t width, std::int32_t rows,
                         std::int32_t first_row = 0)
       : memory_(memory.data()) {
-    if (width >= 0 && rows >= 0 && memory.size() >= units(width, rows)) {
+    if (width >= 0 && rows >= 0 && memory.size() >= words(width, rows)) {
       bounds_ = {0, first_row, width, first_row + rows};
     }
   }
@@ -51,7 +51,7 @@ class DepthBuffer {
     bounds_.bottom = first_row + rows;
   }
 
-  constexpr void clear() { fill(memory_, units(bounds_.right, bounds_.height()), kFarthest); }
+  constexpr void clear() { fill(memory_, words(bounds_.right, bounds_.height()), kFarthest); }
 
  private:
   std::uint16_t* memory_;

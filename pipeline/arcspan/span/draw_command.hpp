@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/numbers/keep.hpp>
 #include <arcspan/pixel/sink.hpp>
+#include <arcspan/prepare/linear.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/span/draw_run.hpp>
-#include <arcspan/span/linear_walk.hpp>
-#include <arcspan/span/rows.hpp>
+#include <arcspan/span/row_memory.hpp>
 #include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
 
 #include <cstdint>
 
@@ -44,17 +44,17 @@ concept WalksApart = bool{Walker::kApart};
 
 /// Draws one run of pixels, `span`, of the row that the walkers stand on and whose first column is `begin`.
 template <class Command, class Walker, class Target>
-[[gnu::always_inline, nodiscard]] constexpr Status draw_one_run(const Command& command, const Walker& shade,
-                                                                const Span& span, std::int32_t begin,
-                                                                const Target& target,
-                                                                const RowMemory<Target>& memory) {
+[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_one_run(const Command& command, const Walker& shade,
+                                                           const Span& span, std::int32_t begin,
+                                                           const Target& target,
+                                                           const RowMemory<Target>& memory) {
   const RowStart start = row_start(command.left, command.right, span.x - begin);
   typename Walker::Run run = shade.row(start);
   // Elsewhere the run's two ends in memory cost as much as one of them and its length.
-  if constexpr (kWideRegisters && DrawsWords<Target, typename Walker::Run> &&
+  if constexpr (kHasWideRegisters && DrawsWords<Target, typename Walker::Run> &&
                 requires { memory.pixels.end(span); }) {
     Linear z = linear_at(command.depth, start);
-    draw_words(memory.pixels.end(span).codes(), memory.depths.end(span), z, span, run, target,
+    draw_words(memory.pixels.end(span).pixels(), memory.depths.end(span), z, span, run, target,
                command.depth.dx);
   } else {
     draw_run(
@@ -66,21 +66,21 @@ template <class Command, class Walker, class Target>
 
 /// draw_one_run() in a function of its own: next to the rows it would not find registers enough.
 template <class Command, class Walker, class Target>
-[[gnu::noinline, nodiscard]] constexpr Status draw_run_apart(const Command& command, const Walker& shade,
-                                                             const Span& span, std::int32_t begin,
-                                                             const Target& target,
-                                                             const RowMemory<Target>& memory) {
+[[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_run_apart(const Command& command, const Walker& shade,
+                                                              const Span& span, std::int32_t begin,
+                                                              const Target& target,
+                                                              const RowMemory<Target>& memory) {
   const Target held = target;  // no reference, so that its members can be in registers too
   return draw_one_run(command, shade, span, begin, held, memory);
 }
 
 /// Draws one run where it costs less.
 template <class Command, class Walker, class Target>
-[[gnu::always_inline, nodiscard]] constexpr Status draw_next_run(const Command& command, const Walker& shade,
-                                                                 const Span& span, std::int32_t begin,
-                                                                 const Target& target,
-                                                                 const RowMemory<Target>& memory) {
-  if constexpr (WalksApart<Walker> || (kManyRegisters && SegmentedRun<typename Walker::Run>)) {
+[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_next_run(const Command& command, const Walker& shade,
+                                                            const Span& span, std::int32_t begin,
+                                                            const Target& target,
+                                                            const RowMemory<Target>& memory) {
+  if constexpr (WalksApart<Walker> || (kHasManyRegisters && SegmentedRun<typename Walker::Run>)) {
     return draw_run_apart(command, shade, span, begin, target, memory);
   } else {
     return draw_one_run(command, shade, span, begin, target, memory);
@@ -89,10 +89,9 @@ template <class Command, class Walker, class Target>
 
 /// Draws `span` of the row that the walkers stand on, whose first column is `begin`.
 template <class Command, class Walker, class Target>
-[[gnu::always_inline, nodiscard]] constexpr Status draw_span(const Command& command, const Walker& shade,
-                                                             Span span, std::int32_t begin,
-                                                             const Target& target,
-                                                             const RowMemory<Target>& memory) {
+[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_span(const Command& command, const Walker& shade,
+                                                        Span span, std::int32_t begin, const Target& target,
+                                                        const RowMemory<Target>& memory) {
   if constexpr (Walker::kLongestRun >= 2 * kGuardBand) {
     return draw_next_run(command, shade, span, begin, target, memory);
   } else {
@@ -115,9 +114,9 @@ enum class Sides : std::uint8_t {
 
 /// Draws what is to be seen of the row that the walkers stand on: if no side cuts its command, all of it.
 template <Sides AtSides, class Command, class Walker, class Target>
-[[gnu::always_inline, nodiscard]] constexpr Status draw_row(const Command& command, const Walker& shade,
-                                                            std::int32_t y, const Target& target,
-                                                            const RowMemory<Target>& memory) {
+[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_row(const Command& command, const Walker& shade,
+                                                       std::int32_t y, const Target& target,
+                                                       const RowMemory<Target>& memory) {
   const std::int32_t begin = command.left.column();
   const std::int32_t end = command.right.column();
   std::int32_t first = begin;
@@ -132,10 +131,10 @@ template <Sides AtSides, class Command, class Walker, class Target>
 
 /// Steps a command's edges and attributes down by one row, in place.
 template <class Target, class Command, class Walker>
-[[gnu::always_inline]] constexpr void next_row(Command& command, Walker& shade) {
-  keep_in_memory(command.left);
-  keep_in_memory(command.right);
-  if constexpr (kManyRegisters) keep_in_memory(command.depth.left);
+ARCSPAN_INLINE constexpr void next_row(Command& command, Walker& shade) {
+  reload_from_memory(command.left);
+  reload_from_memory(command.right);
+  if constexpr (kHasManyRegisters) reload_from_memory(command.depth.left);
   command.left.advance();
   command.right.advance();
   if constexpr (Target::kTests) command.depth.next_row();
@@ -144,7 +143,7 @@ template <class Target, class Command, class Walker>
 
 /// Changes to the lower edge on the side of the middle vertex.
 template <class Target, class Command, class Walker>
-[[gnu::always_inline]] constexpr void enter_lower(Command& command, Walker& shade) {
+ARCSPAN_INLINE constexpr void enter_lower(Command& command, Walker& shade) {
   EdgeWalk& short_edge = command.middle_left ? command.left : command.right;
   short_edge.x = command.lower.x;  // member by member: small cores would call memcpy
   short_edge.step = command.lower.step;
@@ -160,7 +159,7 @@ constexpr void skip_rows(Command& command, Walker& shade, std::int32_t& y, std::
 
 /// From relative to the raster origin to columns of the picture.
 template <class Command>
-[[gnu::always_inline]] constexpr void place_columns(Command& command, std::int32_t origin_x) {
+ARCSPAN_INLINE constexpr void place_columns(Command& command, std::int32_t origin_x) {
   const std::int64_t shift = static_cast<std::int64_t>(static_cast<std::uint64_t>(origin_x) << 32);
   command.left.x += shift;
   command.right.x += shift;
@@ -204,16 +203,15 @@ template <Sides AtSides, class Command, class Walker, class Target>
 
 /// draw_rows() in a function of its own: next to others it would take their registers.
 template <Sides AtSides, class Command, class Walker, class Target>
-[[gnu::noinline, nodiscard]] constexpr Status draw_rows_apart(Command& command, const RasterOrigin& origin,
-                                                              const Walker& shade, const Target& target) {
+[[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_rows_apart(Command& command, const RasterOrigin& origin,
+                                                               const Walker& shade, const Target& target) {
   return draw_rows<AtSides>(command, origin, shade, target);
 }
 
 /// Draws a command's rows by the walker that its method has for it.
 template <Sides AtSides, ShadingMethod Method, class Target>
-[[gnu::always_inline, nodiscard]] constexpr Status walk_command(TriangleCommand<Method>& command,
-                                                                const RasterOrigin& origin,
-                                                                const Target& target) {
+[[nodiscard]] ARCSPAN_INLINE constexpr Status walk_command(TriangleCommand<Method>& command,
+                                                           const RasterOrigin& origin, const Target& target) {
   return Method::walk(command.shade, [&](auto walker) {
     // Long rows can pay the call.
     if constexpr (SegmentedRun<typename decltype(walker)::Run> || WalksApart<decltype(walker)>) {
@@ -226,15 +224,15 @@ template <Sides AtSides, ShadingMethod Method, class Target>
 
 /// walk_command() in a function of its own, for few commands are cut.
 template <ShadingMethod Method, class Target>
-[[gnu::noinline, nodiscard]] constexpr Status walk_cut_command(TriangleCommand<Method>& command,
-                                                               const RasterOrigin& origin,
-                                                               const Target& target) {
+[[nodiscard]] ARCSPAN_OUTLINE constexpr Status walk_cut_command(TriangleCommand<Method>& command,
+                                                                const RasterOrigin& origin,
+                                                                const Target& target) {
   const Target held = target;
   return walk_command<Sides::kCut>(command, origin, held);
 }
 
 /// Whether a loop of their own for rows that no side cuts is worth its code.
-inline constexpr bool kWholeRowsPay = !kSmall && kManyRegisters;
+inline constexpr bool kWholeRowsPay = !kOptimisedForSize && kHasManyRegisters;
 
 /// draw_command() into a RowTarget, which may have codes made beforehand. With `WholeRows` commands that no
 /// side cuts have a loop of their own; without, `sides` does not matter.
@@ -262,11 +260,12 @@ template <bool WholeRows, ShadingMethod Method, class Target>
 /// in bands is bit for bit the picture drawn at once.
 template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] constexpr Status draw_command(TriangleCommand<Method>& command, const RasterOrigin& origin,
-                                            const Rect& clip, const typename Method::Object& object,
+                                            const Rect& clip, const typename Method::Lighting& lighting,
                                             Sink& sink, const Depth& depth) {
   if (clip.empty()) return Status::kOk;
-  const NoCodes codes(object);
-  const detail::RowTarget<typename Method::Object, Sink, Depth> target{clip, object, sink, depth, codes};
+  const NoEncodedColours encoded(lighting);
+  const detail::RowTarget<typename Method::Lighting, Sink, Depth> target{clip, lighting, sink, depth,
+                                                                         encoded};
   return detail::draw_command_with<false>(command, origin, target, detail::Sides::kCut);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/target.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
 #include <cstddef>
@@ -26,14 +27,14 @@ class BackFaces {
   [[nodiscard]] constexpr bool known() const { return planes_ != nullptr; }
 
   /// The first triangle from `i` on, below `count`, that may show its front; else `count`. Only if known().
-  [[nodiscard, gnu::always_inline]] constexpr std::size_t next_front(std::size_t i, std::size_t count) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::size_t next_front(std::size_t i, std::size_t count) const {
     const BackFaces held = *this;  // in registers
     while (i < count && held.is_back(i)) ++i;
     return i;
   }
 
  private:
-  [[nodiscard, gnu::always_inline]] constexpr bool is_back(std::size_t i) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr bool is_back(std::size_t i) const {
     // Below 127 * 2^22 + 2^24 in magnitude.
     const FacePlane& plane = planes_[i];
     return plane.x * eye_.x + plane.y * eye_.y + plane.z * eye_.z + plane.offset * offset_ < limit_;

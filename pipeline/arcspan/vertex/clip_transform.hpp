@@ -2,8 +2,9 @@
 #pragma once
 
 #include <arcspan/mesh/mesh_view.hpp>
-#include <arcspan/numbers/formats.hpp>
+#include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
 #include <arcspan/vertex/rotation.hpp>
 
 #include <bit>
@@ -164,8 +165,8 @@ inline constexpr int kGuardBits = 10 + PixelLength::kFraction;  // focal / kGuar
 }
 
 /// value * factor * 2^shift, rounded towards minus infinity; |value| < 2^32, 0 < factor < 2^31.
-[[nodiscard, gnu::noinline]] constexpr std::int32_t rescaled(std::int64_t value, std::int64_t factor,
-                                                             int shift) {
+[[nodiscard]] ARCSPAN_OUTLINE constexpr std::int32_t rescaled(std::int64_t value, std::int64_t factor,
+                                                              int shift) {
   const std::int64_t product = value * factor;
   return static_cast<std::int32_t>(shift >= 0 ? product << shift : product >> -shift);
 }

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <arcspan/numbers/direction.hpp>
-#include <arcspan/numbers/formats.hpp>
+#include <arcspan/numbers/fixed_formats.hpp>
+#include <arcspan/target.hpp>
 
 #include <array>
 #include <cstddef>
@@ -64,7 +65,7 @@ inline constexpr std::int64_t kOne30 = std::int64_t{1} << 30;
 }  // namespace detail
 
 /// Sine and cosine, absolute error at most 2^-28 (swept in the tests). For object set-up: 64-bit products.
-[[nodiscard, gnu::noinline]] constexpr RotationEntry sine(Turn angle) {
+[[nodiscard]] ARCSPAN_OUTLINE constexpr RotationEntry sine(Turn angle) {
   constexpr std::int64_t kEighth = 8192;
   const std::int64_t in_quarter = angle.raw & 0x3FFF;
   const bool mirrored = (angle.raw & 0x4000) != 0;
@@ -115,7 +116,7 @@ constexpr Rotation Rotation::about_y(Turn angle) { return detail::rotation_in_pl
 constexpr Rotation Rotation::about_z(Turn angle) { return detail::rotation_in_plane(0, 1, angle); }
 
 /// First `b`, then `a`.
-[[nodiscard, gnu::noinline]] constexpr Rotation operator*(const Rotation& a, const Rotation& b) {
+[[nodiscard]] ARCSPAN_OUTLINE constexpr Rotation operator*(const Rotation& a, const Rotation& b) {
   Rotation rotation{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {

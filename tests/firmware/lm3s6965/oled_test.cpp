@@ -5,6 +5,7 @@
 #include <arcspan/bare/board.hpp>
 #include <arcspan/bare/console.hpp>
 #include <arcspan/hal/panel/page_mode.hpp>
+#include <arcspan/pixel/gray4.hpp>
 
 #include <oled.hpp>
 #include <tests/scenes/oled_frames.hpp>
@@ -13,7 +14,7 @@ using namespace arcspan;
 
 namespace {
 
-std::uint8_t pixels[hal::Framebuffer<Gray4>::units(scenes::kOledWidth, scenes::kOledHeight)];
+std::uint8_t pixels[hal::Framebuffer<Gray4>::words(scenes::kOledWidth, scenes::kOledHeight)];
 std::uint8_t wire[512];  // 8 rows, of which one half is sent while the other is packed
 std::uint16_t depths[scenes::kOledWidth * scenes::kOledHeight];
 

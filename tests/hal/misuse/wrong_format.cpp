@@ -2,6 +2,7 @@
 #include <arcspan/hal/panel/ili9341.hpp>
 #include <arcspan/hal/panel/page_mode.hpp>
 #include <arcspan/hal/panel/ssd1306.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 
 using namespace arcspan;
 using namespace arcspan::hal;

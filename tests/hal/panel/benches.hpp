@@ -113,7 +113,7 @@ template <class Bench>
 struct Scene {
   using Format = typename Bench::Driver::Layout::Format;
   explicit Scene(const Panel& panel, unsigned seed = 1)
-      : memory(FrameOf<Bench>::units(panel.width(), panel.height())),
+      : memory(FrameOf<Bench>::words(panel.width(), panel.height())),
         frame(memory, panel.width(), panel.height()) {
     paint(frame, seed);
   }
@@ -129,7 +129,7 @@ struct Scene {
       }
     }
   }
-  std::vector<typename Format::Unit> memory;
+  std::vector<typename Format::Word> memory;
   FrameOf<Bench> frame;
 };
 

@@ -73,7 +73,7 @@ TEMPLATE_TEST_CASE("page mode gives the same picture, whatever the band", "", AR
     for (const std::int32_t rows : {8, 24, 40}) {
       TestType bench(PanelSettings{.orientation = o});
       REQUIRE(bench.panel.start() == Status::kOk);
-      std::vector<typename Mode::Frame::Unit> band(Mode::Frame::units(bench.panel.width(), rows));
+      std::vector<typename Mode::Frame::Word> band(Mode::Frame::words(bench.panel.width(), rows));
       std::vector<std::uint8_t> wire(wire_bytes<Driver>(bench.panel.width(), rows));
       Mode mode(bench.panel, band, wire, rows);
       const Scene<TestType> scene(bench.panel, 5);
@@ -106,13 +106,13 @@ TEMPLATE_TEST_CASE("only what changed is sent, and the picture is whole", "", AR
     REQUIRE(bench.panel.start() == Status::kOk);
     const std::int32_t width = bench.panel.width();
     const std::int32_t height = bench.panel.height();
-    std::vector<typename Mode::Frame::Unit> band(Mode::Frame::units(width, 8));
+    std::vector<typename Mode::Frame::Word> band(Mode::Frame::words(width, 8));
     std::vector<std::uint8_t> wire(wire_bytes<Driver>(width, 8));
     std::vector<RowExtent> extents(Damage::extents(height));
     Damage damage(extents, width, height);
     REQUIRE(damage.status() == Status::kOk);
     Mode mode(bench.panel, band, wire, 8);
-    std::vector<typename Mode::Frame::Unit> memory(Mode::Frame::units(width, height));
+    std::vector<typename Mode::Frame::Word> memory(Mode::Frame::words(width, height));
     std::uint64_t first_bytes = 0;
     // A square that moves; the last two frames are the same, then one is drawn after a disturbance.
     for (const std::int32_t at : {3, 11, 20, 20}) {

@@ -36,7 +36,7 @@ constexpr Kind kKinds[] = {Kind::kFailed, Kind::kShort, Kind::kStuck};
 template <class Bench>
 Status show(Bench& bench, unsigned seed) {
   using Mode = PageMode<typename Bench::Driver>;
-  std::vector<typename Mode::Frame::Unit> band(Mode::Frame::units(bench.panel.width(), 8));
+  std::vector<typename Mode::Frame::Word> band(Mode::Frame::words(bench.panel.width(), 8));
   std::vector<std::uint8_t> wire(wire_bytes<typename Bench::Driver>(bench.panel.width(), 8));
   return Mode(bench.panel, band, wire, 8).show([seed](auto& frame) {
     Scene<Bench>::paint(frame, seed);

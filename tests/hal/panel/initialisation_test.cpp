@@ -26,7 +26,7 @@ using Script = std::string;
 template <class Driver>
 Status send_dotted(Driver& panel, Rgb8 ground, Rgb8 dot) {
   using Frame = Framebuffer<typename Driver::Layout::Format>;
-  std::vector<typename Frame::Unit> memory(Frame::units(panel.width(), panel.height()));
+  std::vector<typename Frame::Word> memory(Frame::words(panel.width(), panel.height()));
   Frame frame(memory, panel.width(), panel.height());
   frame.clear(ground);
   typename Frame::Format::Cursor(frame.row(0), 0).write(Frame::Format::encode(dot));

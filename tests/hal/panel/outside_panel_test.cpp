@@ -2,6 +2,7 @@
 // A panel and its wire layout that the library does not know: nothing but public headers is needed.
 #include <arcspan/hal/panel/page_mode.hpp>
 #include <arcspan/hal/sim/wires.hpp>
+#include <arcspan/pixel/gray8.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -5,7 +5,8 @@
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/hal/panel/command_port.hpp>
 #include <arcspan/hal/panel/mipi_dcs.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 
 namespace arcspan::test {
 namespace {
@@ -20,7 +21,7 @@ constexpr ObjectPosition kPositions[] = {{kR, 0, 0},  {-kR, 0, 0}, {0, kR, 0},
                                          {0, -kR, 0}, {0, 0, kR},  {0, 0, -kR}};
 constexpr std::uint8_t kIndices[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
 
-std::uint16_t frame_memory[hal::Framebuffer<Rgb565>::units(kWidth, kHeight)];
+std::uint16_t frame_memory[hal::Framebuffer<Rgb565>::words(kWidth, kHeight)];
 std::uint8_t wire_memory[kWidth * kHeight * 2];
 
 Status draw(hal::Framebuffer<Rgb565>& frame) {

@@ -3,7 +3,7 @@
 //   panel_picture LOG WIDTHxHEIGHT OUT.ppm
 // LOG holds 16-bit words, D/C level << 8 | byte. Prints the final state and the address mode, "on awake 48"
 // or "off asleep 48"; ends with 1 and a line for a byte that such a panel would not have taken.
-#include <arcspan/pixel/format.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 
 #include <cstdio>
 #include <cstdlib>
@@ -40,7 +40,7 @@ class Panel {
   void write(const char* path) const {
     std::ofstream out(path, std::ios::binary);
     out << "P6\n" << width_ << " " << height_ << "\n255\n";
-    for (const Rgb565::Code code : memory_) {
+    for (const Rgb565::Encoded code : memory_) {
       const arcspan::Rgb8 c = Rgb565::decode(code);
       out.put(static_cast<char>(c.r)).put(static_cast<char>(c.g)).put(static_cast<char>(c.b));
     }
@@ -48,7 +48,7 @@ class Panel {
   }
 
  private:
-  static constexpr Rgb565::Code kNoise = 0xF81F;
+  static constexpr Rgb565::Encoded kNoise = 0xF81F;
 
   [[noreturn]] static void refuse(const char* why, unsigned byte) {
     char text[96];
@@ -89,7 +89,7 @@ class Panel {
         if (top_ > bottom_ || bottom_ >= height_) refuse("rows outside the panel, last", parameters_[3]);
         return;
       case 0x2C:
-        return pixel(static_cast<Rgb565::Code>(word(0)));
+        return pixel(static_cast<Rgb565::Encoded>(word(0)));
       case 0x36:
         mode_ = parameters_[0];
         return;
@@ -105,7 +105,7 @@ class Panel {
     }
   }
 
-  void pixel(Rgb565::Code code) {
+  void pixel(Rgb565::Encoded code) {
     if (!formatted_) refuse("a pixel before the format", code);
     if (y_ > bottom_) refuse("more pixels than the window holds", code);
     memory_[static_cast<std::size_t>(y_ * width_ + x_)] = code;
@@ -114,7 +114,7 @@ class Panel {
 
   int width_;
   int height_;
-  std::vector<Rgb565::Code> memory_;
+  std::vector<Rgb565::Encoded> memory_;
   std::vector<std::uint8_t> parameters_;
   unsigned opcode_ = 0;
   int left_ = 0, right_ = 0, top_ = 0, bottom_ = -1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/linux_host/framebuffer/pixel_layout.hpp>
-#include <arcspan/pixel/format.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -62,7 +62,7 @@ TEST_CASE("a 5-6-5 layout encodes and decodes as the pipeline's rgb565") {
   CHECK(layout.pipeline_format() == std::string("rgb565"));
   CHECK(layout.bytes_per_row(7) == 14);
   for (unsigned code = 0; code < 65536; ++code) {
-    const Rgb8 colour = Rgb565::decode(static_cast<Rgb565::Code>(code));
+    const Rgb8 colour = Rgb565::decode(static_cast<Rgb565::Encoded>(code));
     if (layout.encode(colour) != code || layout.decode(code) != colour) FAIL("code " << code);
   }
 }

@@ -2,7 +2,8 @@
 // Page mode: a picture drawn in bands of any height is bit for bit the picture drawn at once.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
 
@@ -65,8 +66,8 @@ constexpr std::size_t kPixels = static_cast<std::size_t>(kWidth * kHeight);
 
 template <class Method>
 Picture drawn(const Scene& scene, std::int32_t rows, bool with_depth, bool with_cache, bool two_sided) {
-  const typename Method::Object object =
-      make_light<Method::Object::kLights, Method::Object::kModel>(scene.camera);
+  const typename Method::Lighting lighting =
+      make_light<Method::Lighting::kLights, Method::Lighting::kModel>(scene.camera);
   const MeshView mesh = scene.mesh.view();
   const ClipTransform transform = scene.camera.transform();
   std::vector<CachedVertex<Method>> cache(with_cache ? mesh.vertex_count() : 0);
@@ -83,8 +84,8 @@ Picture drawn(const Scene& scene, std::int32_t rows, bool with_depth, bool with_
     depth.clear();
     const DrawOptions options{two_sided};
     const DrawResult result =
-        with_depth ? draw_mesh<Method>(mesh, transform, object, band, depth, std::span(cache), options)
-                   : draw_mesh<Method>(mesh, transform, object, band, NoDepth{}, std::span(cache), options);
+        with_depth ? draw_mesh<Method>(mesh, transform, lighting, band, depth, std::span(cache), options)
+                   : draw_mesh<Method>(mesh, transform, lighting, band, NoDepth{}, std::span(cache), options);
     REQUIRE(ok(result.status));
     picture.triangles += result.triangles;
     picture.pixels.insert(picture.pixels.end(), memory.begin(), memory.end());

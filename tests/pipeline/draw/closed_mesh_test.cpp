@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Seen from inside, a closed mesh covers every pixel exactly once, wherever its triangles are cut.
 #include <arcspan/draw.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/raster_stage.hpp>
@@ -26,9 +26,9 @@ struct Tally {
 
 template <class Method>
 void add_picture(Tally& tally, const TestMesh& mesh, const TestCamera& camera, StrictSink& sink) {
-  const typename Method::Object object = make_light<1, Highlight::kBlinn>(camera);
+  const typename Method::Lighting lighting = make_light<1, Highlight::kBlinn>(camera);
   sink.clear();
-  const DrawResult result = draw_mesh<Method>(mesh.view(), camera.transform(), object, sink, NoDepth{});
+  const DrawResult result = draw_mesh<Method>(mesh.view(), camera.transform(), lighting, sink, NoDepth{});
   const SinkFaults f = sink.faults();
   ++tally.pictures;
   tally.pixels += sink.drawn();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the compiler sets up is bit for bit what the program would.
 #include <arcspan/mesh/mesh_view.hpp>
-#include <arcspan/shading/adaptive.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
 #include <catch2/catch.hpp>
@@ -100,13 +100,13 @@ TEST_CASE("so is an adaptive one, whose limits are constants too") {
   const volatile std::int32_t n = 16;
   REQUIRE(ok(Light::make(shiny(n), suns<1>(kTilt), kEye, light)));
   const AdaptiveIllumination<Light> made = light;
-  CHECK(kConstant.gloss_limit() == made.gloss_limit());
+  CHECK(kConstant.highlight_patch_limit() == made.highlight_patch_limit());
   CHECK(kConstant.linear_limit(0) == made.linear_limit(0));
   CHECK(kConstant.linear_limit(INT32_MAX) == made.linear_limit(INT32_MAX));
-  CHECK(kConstant.quiet_reach() == made.quiet_reach());
+  CHECK(kConstant.half_tolerance_reach() == made.half_tolerance_reach());
   CHECK(kConstant.segment_limit(true) == made.segment_limit(true));
-  for (std::int32_t distance = 0; distance < SpecularRamp::kReach; distance += 99991) {
-    REQUIRE(same_bits(kConstant.specular_ramp()(distance), made.specular_ramp()(distance)));
+  for (std::int32_t distance = 0; distance < HighlightTable::kReach; distance += 99991) {
+    REQUIRE(same_bits(kConstant.highlight_table()(distance), made.highlight_table()(distance)));
   }
 }
 

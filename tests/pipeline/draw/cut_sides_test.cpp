@@ -3,7 +3,8 @@
 // sides or lie within them.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/adaptive.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
 
@@ -30,27 +31,27 @@ struct Window : Frame {
   using RowsInMemory = std::conditional_t<InMemory, Window, void>;
   std::int32_t left;
   std::int32_t right;
-  Window(std::span<Frame::Unit> memory, const TestCamera& camera, std::int32_t from, std::int32_t to)
+  Window(std::span<Frame::Word> memory, const TestCamera& camera, std::int32_t from, std::int32_t to)
       : Frame(memory, camera.width, camera.height), left(from), right(to) {}
   [[nodiscard]] Rect bounds() const { return {left, 0, right, Frame::bounds().bottom}; }
 };
 static_assert(SinkInMemory<Window<true>> && !SinkInMemory<Window<false>>);
 
 struct Picture {
-  std::vector<Frame::Unit> colours;
+  std::vector<Frame::Word> colours;
   std::vector<std::uint16_t> depths;
 };
 
 template <class Method, bool InMemory, DrawFeatures Features>
 Picture drawn(const MeshView& mesh, const TestCamera& camera, std::int32_t left, std::int32_t right) {
-  const typename Method::Object object(make_light<1, Highlight::kPhong>(camera));
-  Picture picture{std::vector<Frame::Unit>(Frame::units(camera.width, camera.height)),
-                  std::vector<std::uint16_t>(DepthBuffer::units(camera.width, camera.height))};
+  const typename Method::Lighting lighting(make_light<1, Highlight::kPhong>(camera));
+  Picture picture{std::vector<Frame::Word>(Frame::words(camera.width, camera.height)),
+                  std::vector<std::uint16_t>(DepthBuffer::words(camera.width, camera.height))};
   Window<InMemory> window(picture.colours, camera, left, right);
   DepthBuffer depth(picture.depths, camera.width, camera.height);
   window.clear(kBackground);
   depth.clear();
-  REQUIRE(ok(draw_mesh<Method, Features>(mesh, camera.transform(), object, window, depth).status));
+  REQUIRE(ok(draw_mesh<Method, Features>(mesh, camera.transform(), lighting, window, depth).status));
   return picture;
 }
 

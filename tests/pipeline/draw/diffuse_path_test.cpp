@@ -2,7 +2,8 @@
 // Leaving the highlight's scalar out where no highlight is within reach must not change a pixel.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/scenes/integer_shapes.hpp>
@@ -21,7 +22,7 @@ constexpr DrawFeatures kFeatures{
 template <Highlight Model>
 struct Cautious : Illumination<1, Model> {
   using Scalars = typename Illumination<1, Model>::Scalars;
-  [[nodiscard]] constexpr bool may_shine(const Scalars&, const Scalars&, const Scalars&, Unit) const {
+  [[nodiscard]] constexpr bool may_shine(const Scalars&, const Scalars&, const Scalars&, Cosine) const {
     return true;
   }
 };
@@ -39,7 +40,7 @@ std::vector<std::uint16_t> picture(const MeshView& mesh, std::int32_t shininess,
   Light light;
   REQUIRE(ok(Light::make(material, {DirectionalLight{placement.rotation.to_object(towards)}},
                          placement.rotation.to_object(normalised(0, 0, 1)), light)));
-  std::vector<std::uint16_t> memory(hal::Framebuffer<Rgb565>::units(kSize, kSize));
+  std::vector<std::uint16_t> memory(hal::Framebuffer<Rgb565>::words(kSize, kSize));
   hal::Framebuffer<Rgb565> frame(memory, kSize, kSize);
   frame.clear({0, 0, 0});
   const DrawResult result = draw_mesh<Arc<Light>, kFeatures>(mesh, transform, light, frame, NoDepth{});

@@ -3,7 +3,8 @@
 // where one does.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/adaptive.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
@@ -38,15 +39,15 @@ struct Picture {
 /// With memory for a vertex cache.
 template <class Method, DrawFeatures Features>
 Picture drawn(const TestMesh& mesh, const TestCamera& camera, const DrawOptions& options = {}) {
-  const typename Method::Object object(make_light<1, Highlight::kPhong>(camera));
+  const typename Method::Lighting lighting(make_light<1, Highlight::kPhong>(camera));
   Picture picture;
-  picture.colours.resize(hal::Framebuffer<Rgb565>::units(camera.width, camera.height));
-  std::vector<std::uint16_t> depths(DepthBuffer::units(camera.width, camera.height), DepthBuffer::kFarthest);
+  picture.colours.resize(hal::Framebuffer<Rgb565>::words(camera.width, camera.height));
+  std::vector<std::uint16_t> depths(DepthBuffer::words(camera.width, camera.height), DepthBuffer::kFarthest);
   hal::Framebuffer<Rgb565> frame(picture.colours, camera.width, camera.height);
   const DepthBuffer depth(depths, camera.width, camera.height);
   std::vector<CachedVertex<Method>> cache(mesh.positions.size());
   picture.result =
-      draw_mesh<Method, Features>(mesh.view(), camera.transform(), object, frame, depth, cache, options);
+      draw_mesh<Method, Features>(mesh.view(), camera.transform(), lighting, frame, depth, cache, options);
   picture.cached = std::any_of(cache.begin(), cache.end(), [](const auto& vertex) { return vertex.shaded; });
   return picture;
 }

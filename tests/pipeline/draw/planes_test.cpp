@@ -2,8 +2,9 @@
 // A picture of a mesh with planes is bit for bit the picture without.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/mesh/face_planes.hpp>
-#include <arcspan/shading/adaptive.hpp>
+#include <arcspan/mesh/make_face_planes.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
 
@@ -21,7 +22,7 @@ using Light = Illumination<1, Highlight::kPhong>;
 using Frame = hal::Framebuffer<Rgb565>;
 
 struct Picture {
-  std::vector<Frame::Unit> colours;
+  std::vector<Frame::Word> colours;
   std::vector<std::uint16_t> depths;
   std::uint32_t triangles = 0;
 
@@ -31,16 +32,16 @@ struct Picture {
 template <class Method, DrawFeatures Features = DrawFeatures{}>
 Picture drawn(const MeshView& mesh, const TestCamera& camera, const DrawOptions& options = {},
               bool cached = true) {
-  const typename Method::Object object(make_light<1, Highlight::kPhong>(camera));
-  Picture picture{std::vector<Frame::Unit>(Frame::units(camera.width, camera.height)),
-                  std::vector<std::uint16_t>(DepthBuffer::units(camera.width, camera.height))};
+  const typename Method::Lighting lighting(make_light<1, Highlight::kPhong>(camera));
+  Picture picture{std::vector<Frame::Word>(Frame::words(camera.width, camera.height)),
+                  std::vector<std::uint16_t>(DepthBuffer::words(camera.width, camera.height))};
   Frame frame(picture.colours, camera.width, camera.height);
   DepthBuffer depth(picture.depths, camera.width, camera.height);
   frame.clear({1, 2, 3});
   depth.clear();
   std::vector<CachedVertex<Method>> cache(cached ? mesh.vertex_count() : 0);
-  const DrawResult result =
-      draw_mesh<Method, Features>(mesh, camera.transform(), object, frame, depth, std::span(cache), options);
+  const DrawResult result = draw_mesh<Method, Features>(mesh, camera.transform(), lighting, frame, depth,
+                                                        std::span(cache), options);
   REQUIRE(ok(result.status));
   picture.triangles = result.triangles;
   return picture;

@@ -3,9 +3,12 @@
 // same.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/adaptive.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/flat.hpp>
-#include <arcspan/shading/segment.hpp>
+#include <arcspan/shading/segment/segment.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
@@ -38,7 +41,7 @@ constexpr DrawFeatures kFeatures{.two_sided = false, .caches = false, .planes = 
 
 template <class Frame>
 struct Picture {
-  std::vector<typename Frame::Unit> colours;
+  std::vector<typename Frame::Word> colours;
   std::vector<std::uint16_t> depths;
   int opened = 0;
 };
@@ -47,11 +50,11 @@ struct Picture {
 template <class Method, class Frame>
 Picture<Frame> drawn(const MeshView& mesh, const TestCamera& camera, std::int32_t rows) {
   const auto light = make_light<1, Highlight::kPhong>(camera);
-  const typename Method::Object object(light);
+  const typename Method::Lighting lighting(light);
   const ClipTransform transform = camera.transform();
   Picture<Frame> picture;
-  std::vector<typename Frame::Unit> band(Frame::units(camera.width, rows));
-  std::vector<std::uint16_t> depths(DepthBuffer::units(camera.width, rows));
+  std::vector<typename Frame::Word> band(Frame::words(camera.width, rows));
+  std::vector<std::uint16_t> depths(DepthBuffer::words(camera.width, rows));
   Frame frame(band, camera.width, rows);
   DepthBuffer depth(depths, camera.width, rows);
   for (std::int32_t top = 0; top < camera.height; top += rows) {
@@ -59,7 +62,7 @@ Picture<Frame> drawn(const MeshView& mesh, const TestCamera& camera, std::int32_
     depth.move_to(top);
     frame.clear({9, 8, 7});
     depth.clear();
-    REQUIRE(ok(draw_mesh<Method, kFeatures>(mesh, transform, object, frame, depth).status));
+    REQUIRE(ok(draw_mesh<Method, kFeatures>(mesh, transform, lighting, frame, depth).status));
     picture.colours.insert(picture.colours.end(), band.begin(), band.end());
     picture.depths.insert(picture.depths.end(), depths.begin(), depths.end());
   }

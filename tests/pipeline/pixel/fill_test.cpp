@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/fill.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/gray8.hpp>
+#include <arcspan/pixel/mono.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/span/depth.hpp>
 
 #include <catch2/catch.hpp>
@@ -45,18 +50,18 @@ TEMPLATE_TEST_CASE("clearing a band sets every pixel, and nothing behind it", ""
   constexpr std::int32_t kWidth = 35;
   constexpr std::int32_t kRows = 7;
   constexpr Rgb8 kColour{200, 100, 60};
-  std::vector<typename Frame::Unit> memory(Frame::units(kWidth, kRows) + 4, typename Frame::Unit{0x5A});
+  std::vector<typename Frame::Word> memory(Frame::words(kWidth, kRows) + 4, typename Frame::Word{0x5A});
   Frame frame({memory.data(), memory.size() - 4}, kWidth, kRows, 20);
   frame.clear(kColour);
   const Rgb8 stored = TestType::decode(TestType::encode(kColour));
   for (std::int32_t y = 20; y < 20 + kRows; ++y) {
     for (std::int32_t x = 0; x < kWidth; ++x) REQUIRE(frame.pixel(x, y) == stored);
   }
-  CHECK(std::count(memory.end() - 4, memory.end(), typename Frame::Unit{0x5A}) == 4);
+  CHECK(std::count(memory.end() - 4, memory.end(), typename Frame::Word{0x5A}) == 4);
 }
 
 TEST_CASE("clearing depths makes all of them the farthest") {
-  std::vector<std::uint16_t> memory(DepthBuffer::units(33, 5) + 1, 7);
+  std::vector<std::uint16_t> memory(DepthBuffer::words(33, 5) + 1, 7);
   DepthBuffer depth({memory.data(), memory.size() - 1}, 33, 5, 10);
   depth.clear();
   CHECK(std::count(memory.begin(), memory.end() - 1, DepthBuffer::kFarthest) == 33 * 5);

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Colours of a word a channel: every format gives them the code of their 8-bit levels.
-#include <arcspan/pixel/format.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/gray8.hpp>
+#include <arcspan/pixel/mono.hpp>
+#include <arcspan/pixel/pixel_format.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/prepare/linear.hpp>
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/pixel/format.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/gray8.hpp>
+#include <arcspan/pixel/mono.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/prepare/split.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/slerp_oracle.hpp>
@@ -15,12 +15,12 @@ using Vertex = RasterVertex<Method>;
 namespace {
 
 Vertex random_vertex(Random& random, Vec3 around, double cone) {
-  Method::Object object;
-  REQUIRE(ok(Method::Object::make({}, {DirectionalLight{to_direction(random_unit(random))}},
-                                  to_direction(random_unit(random)), object)));
+  Method::Lighting lighting;
+  REQUIRE(ok(Method::Lighting::make({}, {DirectionalLight{to_direction(random_unit(random))}},
+                                    to_direction(random_unit(random)), lighting)));
   const auto coordinate = [&random] { return static_cast<std::int16_t>(random.integer(-16384, 16383)); };
   return {{coordinate(), coordinate(), static_cast<std::uint16_t>(random.integer(256, 65279))},
-          Method::shade_vertex(object, to_direction(tilted(random, around, random.real(0, cone))))};
+          Method::shade_vertex(lighting, to_direction(tilted(random, around, random.real(0, cone))))};
 }
 
 bool same(const Vertex& p, const Vertex& q) {
@@ -78,9 +78,9 @@ TEST_CASE("a vertex between two others lies on their arc") {
       const Vec3 m = tilted(random, n, radians(limits[k] * std::sqrt(random.unit())));
       const Vec3 axis = random_unit(random);
       Method::Vertex v[2] = {{to_normal(to_direction(n)), {}}, {to_normal(to_direction(m)), {}}};
-      v[0].scalars = {Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(dot(n, axis), 30)))),
+      v[0].scalars = {Cosine::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(dot(n, axis), 30)))),
                       {}};
-      v[1].scalars = {Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(dot(m, axis), 30)))),
+      v[1].scalars = {Cosine::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(dot(m, axis), 30)))),
                       {}};
       const std::int32_t raw = random.integer(0, 32768);
       const Method::Vertex got = Method::between(v[0], v[1], Factor::from_raw(raw));

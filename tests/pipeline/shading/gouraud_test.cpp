@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Gouraud's colours before they are rounded, against the plane through the three corners: pixels are not
 // clamped, so that they must not leave 0...255 by half a step, whatever the triangle.
+#include <arcspan/pixel/cursor.hpp>
 #include <arcspan/shading/gouraud.hpp>
 
 #include <catch2/catch.hpp>
@@ -23,18 +24,18 @@ using Triangle = std::array<Vertex, 3>;
 
 /// Keeps the words as they are.
 struct WordFormat {
-  using Code = FineRgb;
-  using Unit = FineRgb;
+  using Encoded = FineRgb;
+  using Word = FineRgb;
   using Cursor = arcspan::detail::WordCursor<FineRgb>;
   static constexpr unsigned kBitsPerPixel = 96;
   static constexpr bool kDithers = false;
-  [[nodiscard]] static std::size_t units_per_row(std::int32_t width) {
+  [[nodiscard]] static std::size_t words_per_row(std::int32_t width) {
     return static_cast<std::size_t>(width);
   }
-  [[nodiscard]] static Code encode(FineRgb c) { return c; }
-  [[nodiscard]] static Code encode(Rgb8) { return FineRgb{}; }
-  [[nodiscard]] static Code encode_dithered(Rgb8, std::int32_t, std::int32_t) { return FineRgb{}; }
-  [[nodiscard]] static Rgb8 decode(Code code) { return code.packed().rgb8(); }
+  [[nodiscard]] static Encoded encode(FineRgb c) { return c; }
+  [[nodiscard]] static Encoded encode(Rgb8) { return FineRgb{}; }
+  [[nodiscard]] static Encoded encode_dithered(Rgb8, std::int32_t, std::int32_t) { return FineRgb{}; }
+  [[nodiscard]] static Rgb8 decode(Encoded code) { return code.packed().rgb8(); }
 };
 
 /// A picture of the whole guard band's width. No word of a colour is kNone.

@@ -87,7 +87,7 @@ Figures measure(Shape shape, int triangles, std::uint64_t seed, std::int32_t mar
   Random random(seed);
   Figures figures;
   StrictSink sink({0, 0, kSize, kSize});
-  std::vector<std::uint16_t> memory(DepthBuffer::units(kSize, kSize));
+  std::vector<std::uint16_t> memory(DepthBuffer::words(kSize, kSize));
   DepthBuffer depth(memory, kSize, kSize);
   RasterStage<Method, StrictSink, DepthBuffer> stage(sink, kSize, kSize, {}, depth);
   for (int i = 0; i < triangles; ++i) {
@@ -118,13 +118,13 @@ Figures measure(Shape shape, int triangles, std::uint64_t seed, std::int32_t mar
         const double r = plane_at(v, red, x - kSize / 2, y - kSize / 2);
         const double d = plane_at(v, z, x - kSize / 2, y - kSize / 2);
         const double colour = sink.cell(x, y).colour.r;
-        const double nearness = depth.row(y)[x];
+        const double pixel_depth = depth.row(y)[x];
         if (narrow) {
           figures.colour_outside = std::max(figures.colour_outside, outside(colour, red));
-          figures.depth_outside = std::max(figures.depth_outside, outside(nearness, z));
+          figures.depth_outside = std::max(figures.depth_outside, outside(pixel_depth, z));
         } else {
           figures.colour = std::max(figures.colour, std::abs(colour - r));
-          figures.depth = std::max(figures.depth, std::abs(nearness - d));
+          figures.depth = std::max(figures.depth, std::abs(pixel_depth - d));
         }
       }
     }
@@ -166,7 +166,7 @@ TEST_CASE("over the whole guard band the plane holds too") {
 TEST_CASE("a flat colour and a level depth are exact") {
   Random random(74);
   StrictSink sink({0, 0, kSize, kSize});
-  std::vector<std::uint16_t> memory(DepthBuffer::units(kSize, kSize));
+  std::vector<std::uint16_t> memory(DepthBuffer::words(kSize, kSize));
   DepthBuffer depth(memory, kSize, kSize);
   RasterStage<Method, StrictSink, DepthBuffer> stage(sink, kSize, kSize, {}, depth);
   std::uint64_t wrong = 0;

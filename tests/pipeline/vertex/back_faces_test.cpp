@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What planes tell to be a back is one on the raster too.
-#include <arcspan/mesh/face_planes.hpp>
+#include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/vertex/back_faces.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>

@@ -50,9 +50,9 @@ TEST_CASE("projection is the pinhole camera's, rounded to 1/16 pixel") {
   for (int i = 0; i < 300000; ++i) {
     const TestCamera camera = random_camera(random);
     const ClipTransform transform = camera.transform();
-    const Vec3 object = random_position(random);
-    const Vec3 view = camera.to_view(object);
-    const ClipPosition clip = transform(to_position(object));
+    const Vec3 lighting = random_position(random);
+    const Vec3 view = camera.to_view(lighting);
+    const ClipPosition clip = transform(to_position(lighting));
     if (outcode(clip, transform.near_w()) != kInside) continue;
     ++seen;
     const RasterPosition got = project(clip, transform);
@@ -82,9 +82,9 @@ TEST_CASE("clip outcodes agree with the view volume but for the last units") {
   for (int i = 0; i < 200000; ++i) {
     const TestCamera camera = random_camera(random);
     const ClipTransform transform = camera.transform();
-    const Vec3 object = random_position(random);
-    const Vec3 view = camera.to_view(object);
-    const ClipPosition clip = transform(to_position(object));
+    const Vec3 lighting = random_position(random);
+    const Vec3 view = camera.to_view(lighting);
+    const ClipPosition clip = transform(to_position(lighting));
     const double w = -view.z;
     // Clear cases only: a thousandth of the farthest corner away from every plane.
     const double slack = 1e-3 * (length(camera.translation) + 56756);

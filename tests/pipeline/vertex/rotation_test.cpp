@@ -53,17 +53,17 @@ TEST_CASE("a product applies its right factor first and stays orthonormal") {
 
 TEST_CASE("to_object undoes the rotation of a direction") {
   const Rotation rotation = Rotation::about_y({1000}) * Rotation::about_x({60000});
-  const Direction object = normalised(3, -5, 7);
+  const Direction lighting = normalised(3, -5, 7);
   double view[3];
   for (int i = 0; i < 3; ++i) {
-    view[i] = value(rotation.m[i][0]) * object.x.raw() + value(rotation.m[i][1]) * object.y.raw() +
-              value(rotation.m[i][2]) * object.z.raw();
+    view[i] = value(rotation.m[i][0]) * lighting.x.raw() + value(rotation.m[i][1]) * lighting.y.raw() +
+              value(rotation.m[i][2]) * lighting.z.raw();
   }
   const Direction back =
       rotation.to_object(normalised(static_cast<std::int32_t>(std::lround(view[0] * 1000)),
                                     static_cast<std::int32_t>(std::lround(view[1] * 1000)),
                                     static_cast<std::int32_t>(std::lround(view[2] * 1000))));
-  CHECK(std::abs(back.x.raw() - object.x.raw()) <= 2);
-  CHECK(std::abs(back.y.raw() - object.y.raw()) <= 2);
-  CHECK(std::abs(back.z.raw() - object.z.raw()) <= 2);
+  CHECK(std::abs(back.x.raw() - lighting.x.raw()) <= 2);
+  CHECK(std::abs(back.y.raw() - lighting.y.raw()) <= 2);
+  CHECK(std::abs(back.z.raw() - lighting.z.raw()) <= 2);
 }

@@ -68,7 +68,7 @@ TEST_CASE("on a finely divided sphere the two truths are one, with unit normals"
 }
 
 TEST_CASE("the truth's illumination is S0 eq. 12 and eq. 1") {
-  TruthIllumination light;
+  ReferenceIllumination light;
   light.ambient = {10, 20, 30};
   light.diffuse = {100, 100, 100};
   light.specular = {50, 50, 50};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The header that `arcspan mesh --planes` writes, in a program.
-#include <arcspan/mesh/face_planes.hpp>
+#include <arcspan/mesh/make_face_planes.hpp>
 
 #include <catch2/catch.hpp>
 #include <planed_torus.hpp>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/pixel/rgb565.hpp>
+
 #include <arcspan_tools/bench/float_phong.hpp>
 
 #include <algorithm>
@@ -138,9 +140,9 @@ void FloatPhong::draw_row(std::int32_t y, std::int32_t first, std::int32_t last,
   std::uint16_t* depth = depths_.data() + row;
   std::uint16_t* frame = frame_.data() + row;
   for (std::int32_t x = first; x < last; ++x) {
-    const auto nearness = static_cast<std::uint16_t>(static_cast<std::int32_t>(n.depth));
-    if (nearness < depth[x]) {
-      depth[x] = nearness;
+    const auto pixel_depth = static_cast<std::uint16_t>(static_cast<std::int32_t>(n.depth));
+    if (pixel_depth < depth[x]) {
+      depth[x] = pixel_depth;
       frame[x] = colour(n);
     }
     n.x += plane.dx.x;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 
 #include <arcspan_tools/bench/parallel_bands.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -27,12 +28,12 @@ struct ParallelBands::Work {
   /// What one thread has for itself.
   class Band {
    public:
-    Band(const RenderJob& job, const Light& light, std::span<Rgb565::Unit> memory, std::int32_t first,
+    Band(const RenderJob& job, const Light& light, std::span<Rgb565::Word> memory, std::int32_t first,
          std::int32_t rows)
         : job_(job),
           light_(light),
           frame_(memory, job.transform.viewport().width, rows, first),
-          depth_memory_(DepthBuffer::units(job.transform.viewport().width, rows)),
+          depth_memory_(DepthBuffer::words(job.transform.viewport().width, rows)),
           depth_(depth_memory_, job.transform.viewport().width, rows, first),
           cache_(job.mesh.vertex_count()) {}
 
@@ -57,7 +58,7 @@ struct ParallelBands::Work {
 
   RenderJob job;
   Light light;
-  std::vector<Rgb565::Unit> memory;
+  std::vector<Rgb565::Word> memory;
   std::vector<std::unique_ptr<Band>> bands;
 
   std::vector<std::int32_t> borders;  ///< rows where bands begin, and the last ends
@@ -70,7 +71,7 @@ struct ParallelBands::Work {
     const Status status = Light::make(job.material, {job.lights[0]}, job.to_eye, light);
     if (!ok(status)) throw Failure("illumination", to_string(status));
     const Viewport& size = job.transform.viewport();
-    memory.resize(Frame::units(size.width, size.height));
+    memory.resize(Frame::words(size.width, size.height));
     const auto count = std::min(static_cast<std::int32_t>(threads), size.height);
     for (std::int32_t i = 0; i <= count; ++i) borders.push_back(size.height * i / count);
     make_bands();
@@ -78,13 +79,13 @@ struct ParallelBands::Work {
 
   void make_bands() {
     bands.clear();
-    std::fill(memory.begin(), memory.end(), Rgb565::Unit{});  // nothing stays of what had other borders
+    std::fill(memory.begin(), memory.end(), Rgb565::Word{});  // nothing stays of what had other borders
     const std::int32_t width = job.transform.viewport().width;
     for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
       const std::int32_t rows = borders[i + 1] - borders[i];
-      const std::span rest = std::span(memory).subspan(Frame::units(width, borders[i]));
+      const std::span rest = std::span(memory).subspan(Frame::words(width, borders[i]));
       bands.push_back(
-          std::make_unique<Band>(job, light, rest.first(Frame::units(width, rows)), borders[i], rows));
+          std::make_unique<Band>(job, light, rest.first(Frame::words(width, rows)), borders[i], rows));
     }
   }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/compare/truth.hpp>
-#include <arcspan_tools/door/fixed_mesh.hpp>
+#include <arcspan_tools/compare/reference.hpp>
+#include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/render/scene.hpp>
 
 #include <string>

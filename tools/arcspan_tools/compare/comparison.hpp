@@ -3,7 +3,7 @@
 
 #include <arcspan_tools/compare/metrics.hpp>
 #include <arcspan_tools/counting/count_job.hpp>
-#include <arcspan_tools/door/fixed_mesh.hpp>
+#include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/compare/truth.hpp>
+#include <arcspan_tools/compare/reference.hpp>
 
 namespace arcspan::tools {
 

@@ -17,26 +17,27 @@ namespace counted = arcspan_counted;
 class NoteSink {
  public:
   struct Format {
-    using Code = counted::PackedRgb;
-    using Unit = Code;
+    using Encoded = counted::PackedRgb;
+    using Word = Encoded;
     static constexpr unsigned kBitsPerPixel = 32;
     static constexpr bool kDithers = false;
 
     class Cursor {
      public:
-      Cursor(Code*, Counted<std::int32_t>) {}
-      void write(Code) {}
-      [[nodiscard]] Code read() const { return {}; }
+      Cursor(Encoded*, Counted<std::int32_t>) {}
+      void write(Encoded) {}
+      [[nodiscard]] Encoded read() const { return {}; }
       void next() {}
     };
 
-    [[nodiscard]] static std::size_t units_per_row(Counted<std::int32_t>) { return 1; }
-    [[nodiscard]] static Code encode(counted::PackedRgb c) { return c; }
-    [[nodiscard]] static Code encode(counted::Rgb8) { return {}; }
-    [[nodiscard]] static Code encode_dithered(counted::Rgb8, Counted<std::int32_t>, Counted<std::int32_t>) {
+    [[nodiscard]] static std::size_t words_per_row(Counted<std::int32_t>) { return 1; }
+    [[nodiscard]] static Encoded encode(counted::PackedRgb c) { return c; }
+    [[nodiscard]] static Encoded encode(counted::Rgb8) { return {}; }
+    [[nodiscard]] static Encoded encode_dithered(counted::Rgb8, Counted<std::int32_t>,
+                                                 Counted<std::int32_t>) {
       return {};
     }
-    [[nodiscard]] static counted::Rgb8 decode(Code) { return {}; }
+    [[nodiscard]] static counted::Rgb8 decode(Encoded) { return {}; }
   };
 
   NoteSink(CountedDraw& draw, const counted::Viewport& size) : draw_(&draw) {
@@ -78,7 +79,7 @@ T one(std::span<const std::byte> bytes) {
 }
 
 template <class Method>
-CountedDraw count_draw(const CountJob& job, const typename Method::Object& object) {
+CountedDraw count_draw(const CountJob& job, const typename Method::Lighting& lighting) {
   const auto positions = copied<counted::ObjectPosition>(job.positions);
   const auto normals = copied<counted::PackedNormal>(job.normals);
   const auto indices = copied<Counted<std::uint16_t>>(job.indices);
@@ -91,7 +92,7 @@ CountedDraw count_draw(const CountJob& job, const typename Method::Object& objec
   NoteSink sink(draw, transform.viewport());
   std::vector<counted::CachedVertex<Method>> cache(mesh.vertex_count());
   operation_target = &draw.around;
-  (void)counted::draw_mesh<Method>(mesh, transform, object, sink, counted::NoDepth{}, std::span(cache),
+  (void)counted::draw_mesh<Method>(mesh, transform, lighting, sink, counted::NoDepth{}, std::span(cache),
                                    {job.two_sided});
   operation_target = nullptr;
   return draw;
@@ -103,13 +104,13 @@ CountedDraw count_lit(const CountJob& job) {
   const auto given = copied<counted::DirectionalLight>(job.lights);
   arcspan_counted_std::array<counted::DirectionalLight, Lights> lights;
   for (std::size_t i = 0; i < Lights; ++i) lights[i] = given[i];
-  Lit object;
+  Lit lighting;
   const auto material = one<counted::Material>(job.material);
   const auto to_eye = one<counted::Direction>(job.to_eye);
-  if (Lit::make(material, lights, to_eye, object) != counted::Status::kOk) {
+  if (Lit::make(material, lights, to_eye, lighting) != counted::Status::kOk) {
     throw std::logic_error("the counting pipeline refuses the material");
   }
-  typename Method<Lit>::Object lit(object);
+  typename Method<Lit>::Lighting lit(lighting);
   counted::Status set = counted::Status::kOk;
   if constexpr (requires { lit.set_segment_bits(1); }) set = lit.set_segment_bits(job.segment_bits);
   if constexpr (requires { lit.set_tolerance(1); }) set = lit.set_tolerance(job.tolerance);

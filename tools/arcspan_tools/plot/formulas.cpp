@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/prepare/recurrence.hpp>
+#include <arcspan/shading/arc/recurrence.hpp>
 
 #include <arcspan_tools/plot/formulas.hpp>
 
@@ -47,7 +47,7 @@ double printed_error(double start, double angle, int pixels, int fraction) {
 double difference_error(double start, double angle, int pixels) {
   const double phi = angle / pixels;
   const auto unit = [](double v) {
-    return Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(v, Unit::kFraction))));
+    return Cosine::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(v, Cosine::kFraction))));
   };
   // k = mantissa 2^-(16 + shift), with 15 bits of mantissa.
   const double k = 2 - 2 * std::cos(phi);
@@ -57,7 +57,7 @@ double difference_error(double start, double angle, int pixels) {
   ArcScalar scalar{unit(std::cos(start)), unit(std::cos(start + phi) - std::cos(start))};
   double worst = 0;
   for (int t = 0; t <= pixels; ++t) {
-    const double x = std::ldexp(scalar.x.raw(), -Unit::kFraction);
+    const double x = std::ldexp(scalar.x.raw(), -Cosine::kFraction);
     worst = std::max(worst, std::fabs(x - std::cos(start + t * phi)));
     scalar.step(std::min(mantissa, 32767), std::max(shift, 1));
   }

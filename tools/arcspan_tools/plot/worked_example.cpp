@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/compare/truth_method.hpp>
+#include <arcspan_tools/compare/reference_method.hpp>
 #include <arcspan_tools/plot/worked_example.hpp>
 
 namespace arcspan::tools {

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/gray8.hpp>
+#include <arcspan/pixel/mono.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+
 #include <arcspan_tools/render/any_format.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
@@ -11,7 +17,7 @@ template <class Format>
 class FormatStore final : public PixelStore {
  public:
   FormatStore(std::int32_t width, std::int32_t rows)
-      : memory_(hal::Framebuffer<Format>::units(width, rows)), frame_(memory_, width, rows) {}
+      : memory_(hal::Framebuffer<Format>::words(width, rows)), frame_(memory_, width, rows) {}
 
   void write(std::int32_t x, std::int32_t y, PackedRgb colour) override {
     frame_.open({y, x, 1}).write(encode_at<Format>(colour, x, y));
@@ -20,10 +26,10 @@ class FormatStore final : public PixelStore {
   void move_to(std::int32_t first_row) override { frame_.move_to(first_row); }
   void clear(Rgb8 colour) override { frame_.clear(colour); }
   [[nodiscard]] Rect bounds() const override { return frame_.bounds(); }
-  [[nodiscard]] std::size_t bytes() const override { return memory_.size() * sizeof(typename Format::Unit); }
+  [[nodiscard]] std::size_t bytes() const override { return memory_.size() * sizeof(typename Format::Word); }
 
  private:
-  std::vector<typename Format::Unit> memory_;
+  std::vector<typename Format::Word> memory_;
   hal::Framebuffer<Format> frame_;
 };
 

@@ -48,16 +48,16 @@ class NoPixels final : public PixelStore {
 /// desk would rather wait for a virtual call a pixel than for the build of every combination. A firmware
 /// names its format instead.
 struct AnyFormat {
-  using Code = PackedRgb;
-  using Unit = PixelStore;
+  using Encoded = PackedRgb;
+  using Word = PixelStore;
   static constexpr unsigned kBitsPerPixel = 32;
   static constexpr bool kDithers = false;
 
   class Cursor {
    public:
     Cursor(PixelStore* store, std::int32_t x, std::int32_t y = 0) : store_(store), x_(x), y_(y) {}
-    void write(Code code) { store_->write(x_, y_, code); }
-    [[nodiscard]] Code read() const { return encode(store_->pixel(x_, y_)); }
+    void write(Encoded code) { store_->write(x_, y_, code); }
+    [[nodiscard]] Encoded read() const { return encode(store_->pixel(x_, y_)); }
     void next() { ++x_; }
 
    private:
@@ -66,11 +66,11 @@ struct AnyFormat {
     std::int32_t y_;
   };
 
-  [[nodiscard]] static std::size_t units_per_row(std::int32_t) { return 1; }
-  [[nodiscard]] static Code encode(PackedRgb c) { return c; }
-  [[nodiscard]] static Code encode(Rgb8 c) { return PackedRgb::of(c.r * 4u, c.g * 4u, c.b * 4u); }
-  [[nodiscard]] static Code encode_dithered(Rgb8 c, std::int32_t, std::int32_t) { return encode(c); }
-  [[nodiscard]] static Rgb8 decode(Code code) { return code.rgb8(); }
+  [[nodiscard]] static std::size_t words_per_row(std::int32_t) { return 1; }
+  [[nodiscard]] static Encoded encode(PackedRgb c) { return c; }
+  [[nodiscard]] static Encoded encode(Rgb8 c) { return PackedRgb::of(c.r * 4u, c.g * 4u, c.b * 4u); }
+  [[nodiscard]] static Encoded encode_dithered(Rgb8 c, std::int32_t, std::int32_t) { return encode(c); }
+  [[nodiscard]] static Rgb8 decode(Encoded code) { return code.rgb8(); }
 };
 
 /// The sink over such a store; counts the spans and their pixels.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <arcspan/draw.hpp>
-#include <arcspan/shading/illumination.hpp>
+#include <arcspan/lighting/illumination.hpp>
 
 #include <arcspan_tools/image/image.hpp>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 
 #include <arcspan_tools/render/any_format.hpp>
 #include <arcspan_tools/render/render.hpp>
@@ -21,7 +22,7 @@ class DirectBand {
   using Sink = hal::Framebuffer<Rgb565>;
 
   DirectBand(const PixelChoice&, std::int32_t width, std::int32_t rows)
-      : memory_(Sink::units(width, rows)), frame_(memory_, width, rows) {}
+      : memory_(Sink::words(width, rows)), frame_(memory_, width, rows) {}
 
   [[nodiscard]] Sink& sink() { return frame_; }
   void start(std::int32_t first_row, Rgb8 background) {
@@ -29,10 +30,10 @@ class DirectBand {
     frame_.clear(background);
   }
   [[nodiscard]] Rgb8 pixel(std::int32_t x, std::int32_t y) const { return frame_.pixel(x, y); }
-  [[nodiscard]] std::size_t bytes() const { return memory_.size() * sizeof(Rgb565::Unit); }
+  [[nodiscard]] std::size_t bytes() const { return memory_.size() * sizeof(Rgb565::Word); }
 
  private:
-  std::vector<Rgb565::Unit> memory_;
+  std::vector<Rgb565::Word> memory_;
   Sink frame_;
 };
 
@@ -75,7 +76,7 @@ template <>
 class BandDepth<DepthBuffer> {
  public:
   BandDepth(std::int32_t width, std::int32_t rows)
-      : memory_(DepthBuffer::units(width, rows)), buffer_(memory_, width, rows) {}
+      : memory_(DepthBuffer::words(width, rows)), buffer_(memory_, width, rows) {}
 
   [[nodiscard]] const DepthBuffer& buffer() const { return buffer_; }
   void start(std::int32_t first_row) {
@@ -99,12 +100,12 @@ void copy_rows(const Band& band, std::int32_t first, std::int32_t rows, Image& i
 
 /// Draws a band; processor milliseconds.
 template <class Method, class Sink, class Depth>
-[[gnu::noinline]] double draw_into(Sink& sink, const RenderJob& job, const typename Method::Object& object,
-                                   const Depth& depth, std::span<CachedVertex<Method>> cache,
-                                   RenderStats& stats) {
+[[gnu::noinline]] double draw_into(Sink& sink, const RenderJob& job,
+                                   const typename Method::Lighting& lighting, const Depth& depth,
+                                   std::span<CachedVertex<Method>> cache, RenderStats& stats) {
   const double start = processor_milliseconds();
   const DrawResult drawn =
-      draw_mesh<Method>(job.mesh, job.transform, object, sink, depth, cache, {job.two_sided});
+      draw_mesh<Method>(job.mesh, job.transform, lighting, sink, depth, cache, {job.two_sided});
   const double end = processor_milliseconds();
   if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
   // Every band walks all triangles of the picture and counts those that reach it.
@@ -115,30 +116,31 @@ template <class Method, class Sink, class Depth>
 /// Counts spans and their pixels, which depth does not change, by drawing into nothing: what is timed does
 /// not count.
 template <class Method>
-void count_band(const RenderJob& job, const typename Method::Object& object, const Rect& bounds,
+void count_band(const RenderJob& job, const typename Method::Lighting& lighting, const Rect& bounds,
                 std::span<CachedVertex<Method>> cache, RenderStats& stats) {
   NoPixels nothing(bounds);
   AnySink sink(nothing);
-  (void)draw_mesh<Method>(job.mesh, job.transform, object, sink, NoDepth{}, cache, {job.two_sided});
+  (void)draw_mesh<Method>(job.mesh, job.transform, lighting, sink, NoDepth{}, cache, {job.two_sided});
   stats.spans += sink.spans();
   stats.pixels += sink.pixels();
 }
 
 /// Draws a band `repeats` times; milliseconds of one.
 template <class Method, class Band, class Depth, class Start>
-double draw_band(const RenderJob& job, const typename Method::Object& object, Band& band, const Depth& depth,
-                 std::span<CachedVertex<Method>> cache, const Start& start, RenderStats& stats) {
+double draw_band(const RenderJob& job, const typename Method::Lighting& lighting, Band& band,
+                 const Depth& depth, std::span<CachedVertex<Method>> cache, const Start& start,
+                 RenderStats& stats) {
   double timed = 0;
   for (std::int32_t repeat = 0; repeat < job.repeats; ++repeat) {
     start();
-    timed += draw_into<Method>(band.sink(), job, object, depth, cache, stats);
+    timed += draw_into<Method>(band.sink(), job, lighting, depth, cache, stats);
   }
   return timed / job.repeats;
 }
 
 template <class Method, class Band, class Depth>
 RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
-                          const typename Method::Object& object, const RowsDone& rows_done) {
+                          const typename Method::Lighting& lighting, const RowsDone& rows_done) {
   const Viewport& size = job.transform.viewport();
   const std::int32_t rows = std::clamp(job.band_rows, 1, size.height);
   RenderResult result;
@@ -155,8 +157,8 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
       depth.start(first);
     };
     result.stats.draw_milliseconds +=
-        draw_band<Method>(job, object, band, depth.buffer(), std::span(cache), start, result.stats);
-    if (job.counts) count_band<Method>(job, object, band.sink().bounds(), std::span(cache), result.stats);
+        draw_band<Method>(job, lighting, band, depth.buffer(), std::span(cache), start, result.stats);
+    if (job.counts) count_band<Method>(job, lighting, band.sink().bounds(), std::span(cache), result.stats);
     copy_rows(band, first, rows, result.image);
     ++result.stats.bands;
     rows_done(static_cast<std::size_t>(first + rows));
@@ -166,14 +168,15 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
 
 /// What the method makes of an illumination, with the job's settings if it has any.
 template <class Method, class Lit>
-typename Method::Object object_of(const RenderJob& job, const Lit& illumination) {
-  typename Method::Object object(illumination);
+typename Method::Lighting object_of(const RenderJob& job, const Lit& illumination) {
+  typename Method::Lighting lighting(illumination);
   Status status = Status::kOk;
-  if constexpr (requires { object.set_segment_bits(1); }) status = object.set_segment_bits(job.segment_bits);
+  if constexpr (requires { lighting.set_segment_bits(1); })
+    status = lighting.set_segment_bits(job.segment_bits);
   if (!ok(status)) throw Failure("--segment " + std::to_string(job.segment_bits), to_string(status));
-  if constexpr (requires { object.set_tolerance(1); }) status = object.set_tolerance(job.tolerance);
+  if constexpr (requires { lighting.set_tolerance(1); }) status = lighting.set_tolerance(job.tolerance);
   if (!ok(status)) throw Failure("--tolerance " + std::to_string(job.tolerance), to_string(status));
-  return object;
+  return lighting;
 }
 
 template <template <class> class Method, std::size_t Lights, Highlight Model>
@@ -186,15 +189,15 @@ RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const R
   Lit illumination;
   const Status status = Lit::make(job.material, lights, job.to_eye, illumination);
   if (!ok(status)) throw Failure("illumination", to_string(status));
-  const auto object = object_of<Method<Lit>>(job, illumination);
+  const auto lighting = object_of<Method<Lit>>(job, illumination);
   if constexpr (Lights == 1) {
     // What is drawn most often is drawn as a firmware would.
     if (pixels.format == "rgb565" && !pixels.dithers && job.depth) {
-      return render_bands<Method<Lit>, DirectBand, DepthBuffer>(job, pixels, object, rows_done);
+      return render_bands<Method<Lit>, DirectBand, DepthBuffer>(job, pixels, lighting, rows_done);
     }
   }
-  return job.depth ? render_bands<Method<Lit>, AnyBand, DepthBuffer>(job, pixels, object, rows_done)
-                   : render_bands<Method<Lit>, AnyBand, NoDepth>(job, pixels, object, rows_done);
+  return job.depth ? render_bands<Method<Lit>, AnyBand, DepthBuffer>(job, pixels, lighting, rows_done)
+                   : render_bands<Method<Lit>, AnyBand, NoDepth>(job, pixels, lighting, rows_done);
 }
 
 template <template <class> class Method, Highlight Model>

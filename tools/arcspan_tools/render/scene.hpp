@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/door/camera.hpp>
-#include <arcspan_tools/door/material.hpp>
+#include <arcspan_tools/fixed_point/camera.hpp>
+#include <arcspan_tools/fixed_point/material.hpp>
 #include <arcspan_tools/render/render.hpp>
 
 #include <string>
@@ -12,7 +12,7 @@ namespace arcspan::tools {
 
 /// What a picture shows, in doubles: the last of them before the door to fixed point.
 struct Scene {
-  CameraWish camera;
+  CameraOptions camera;
   std::vector<SceneLight> lights = std::vector<SceneLight>(1, SceneLight{0.4, 0.7, 0.6});
   double attenuation = 1;  ///< K of 1 / (d + K), 1 or more
   Surface surface;

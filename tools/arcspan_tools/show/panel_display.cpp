@@ -5,6 +5,8 @@
 #include <arcspan/hal/panel/ssd1306.hpp>
 #include <arcspan/hal/panel/ssd1351.hpp>
 #include <arcspan/hal/panel/st7789.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 
 #include <arcspan_tools/show/panel_display.hpp>
 #include <arcspan_tools/show/panel_wires.hpp>
@@ -61,7 +63,7 @@ class PanelDisplay final : public Display {
   PanelDisplay(const char* name, const PanelOptions& options, const Glass& glass)
       : wires_(options),
         wired_(wires_, options, glass, settings_of(options)),
-        memory_(Frame::units(panel().width(), panel().height())),
+        memory_(Frame::words(panel().width(), panel().height())),
         frame_(memory_, panel().width(), panel().height()),
         // Twice, so that a frame is one window.
         wire_(2 * wire_bytes<Driver>(panel().width(), panel().height())),
@@ -113,7 +115,7 @@ class PanelDisplay final : public Display {
 
   PanelWires wires_;
   Wired wired_;
-  std::vector<typename Format::Unit> memory_;
+  std::vector<typename Format::Word> memory_;
   Frame frame_;
   std::vector<std::uint8_t> wire_;
   std::string description_;

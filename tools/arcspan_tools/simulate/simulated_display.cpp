@@ -9,6 +9,8 @@
 #include <arcspan/hal/sim/ssd0323_model.hpp>
 #include <arcspan/hal/sim/ssd1306_model.hpp>
 #include <arcspan/hal/sim/ssd1351_model.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 
 #include <arcspan_tools/simulate/simulated_display.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -78,7 +80,7 @@ class Display final : public SimulatedDisplay {
       : wish_(wish),
         wired_(glass, {.orientation = wish.orientation, .inverted = wish.inverted}, wish.hertz),
         rows_(std::min(wish.band_rows, wired_.panel.height())),
-        band_(Frame::units(wired_.panel.width(), rows_)),
+        band_(Frame::words(wired_.panel.width(), rows_)),
         wire_(wire_bytes<Driver>(wired_.panel.width(), rows_)),
         extents_(Damage::extents(wired_.panel.height())),
         damage_(extents_, wired_.panel.width(), wired_.panel.height()),
@@ -155,7 +157,7 @@ class Display final : public SimulatedDisplay {
   DisplayWish wish_;
   Wired wired_;
   std::int32_t rows_;
-  std::vector<typename Frame::Unit> band_;
+  std::vector<typename Frame::Word> band_;
   std::vector<std::uint8_t> wire_;
   std::vector<RowExtent> extents_;
   Damage damage_;

@@ -26,7 +26,7 @@ template <PanelDriver P>
 /// Page mode: frames are drawn band by band into one buffer and sent from another, so that one band is on the
 /// wire while the next is drawn, and neither buffer holds a frame.
 ///
-/// Memory is the caller's: `band` holds Frame::units(width, rows), `wire` holds wire_bytes<P>(width, rows).
+/// Memory is the caller's: `band` holds Frame::words(width, rows), `wire` holds wire_bytes<P>(width, rows).
 /// `rows` counts 1 ... the panel's height, in multiples of the layout's row step; 8 suits every panel here.
 template <PanelDriver P>
 class PageMode {
@@ -34,7 +34,7 @@ class PageMode {
   using Layout = typename P::Layout;
   using Frame = Framebuffer<typename Layout::Format>;
 
-  constexpr PageMode(P& panel, std::span<typename Frame::Unit> band, std::span<std::uint8_t> wire,
+  constexpr PageMode(P& panel, std::span<typename Frame::Word> band, std::span<std::uint8_t> wire,
                      std::int32_t rows)
       : panel_(panel), band_memory_(band), wire_(wire), rows_(rows) {}
 
@@ -104,7 +104,7 @@ class PageMode {
   }
 
   P& panel_;
-  std::span<typename Frame::Unit> band_memory_;
+  std::span<typename Frame::Word> band_memory_;
   std::span<std::uint8_t> wire_;
   std::int32_t rows_;
 };

@@ -3,6 +3,9 @@
 
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/hal/panel/glass.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/mono.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 
 #include <concepts>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/hal/sim/ssd1351_model.hpp>
-#include <arcspan/pixel/format.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 
 #include <utility>
 

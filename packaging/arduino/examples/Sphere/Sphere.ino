@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Prints a shaded ball to the serial monitor, in characters: no display is needed to see that it works.
+
 #include <arcspan.h>
 
 using namespace arcspan;
@@ -12,7 +13,7 @@ constexpr uint8_t kIndices[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 
 constexpr int kWidth = 56;
 constexpr int kHeight = 24;
 
-uint8_t frame_memory[hal::Framebuffer<Gray4>::units(kWidth, kHeight)];
+uint8_t frame_memory[hal::Framebuffer<Gray4>::words(kWidth, kHeight)];
 
 Status draw(hal::Framebuffer<Gray4>& frame) {
   PackedNormal normals[6];

@@ -3,7 +3,10 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/linux_host/framebuffer/framebuffer_sink.hpp>
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/pixel/mono.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <fcntl.h>
@@ -108,7 +111,7 @@ void draw(Sink& sink) {
 // The number of pixels that the kernel's memory holds otherwise than `expected` in format F, encoded.
 template <class F>
 int differences(const Raw& raw, unsigned yoffset) {
-  std::vector<typename F::Unit> memory(hal::Framebuffer<F>::units(kWidth, kHeight));
+  std::vector<typename F::Word> memory(hal::Framebuffer<F>::words(kWidth, kHeight));
   hal::Framebuffer<F> expected(memory, kWidth, kHeight);
   expected.clear({10, 20, 30});
   draw(expected);

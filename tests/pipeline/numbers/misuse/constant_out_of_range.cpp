@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A constant out of its format's range does not compile.
-#include <arcspan/numbers/formats.hpp>
+#include <arcspan/numbers/fixed_formats.hpp>
 
 using namespace arcspan;
 
-constexpr Unit kTooLarge = Unit::of(2.0);
+constexpr Cosine kTooLarge = Cosine::of(2.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Division of fixed-point numbers does not compile: the span stage has none.
-#include <arcspan/numbers/formats.hpp>
+#include <arcspan/numbers/fixed_formats.hpp>
 
 using namespace arcspan;
 

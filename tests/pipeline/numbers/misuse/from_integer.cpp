@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An integer is not a number until from_raw says what it means.
-#include <arcspan/numbers/formats.hpp>
+#include <arcspan/numbers/fixed_formats.hpp>
 
 using namespace arcspan;
 

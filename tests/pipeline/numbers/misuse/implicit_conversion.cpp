@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Nothing converts by itself from one format to another.
-#include <arcspan/numbers/formats.hpp>
+#include <arcspan/numbers/fixed_formats.hpp>
 
 using namespace arcspan;
 
-Factor f(Unit a) { return a; }
+Factor f(Cosine a) { return a; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formats do not mix.
-#include <arcspan/numbers/formats.hpp>
+#include <arcspan/numbers/fixed_formats.hpp>
 
 using namespace arcspan;
 
-Factor f(Factor a, Unit b) { return a + b; }
+Factor f(Factor a, Cosine b) { return a + b; }

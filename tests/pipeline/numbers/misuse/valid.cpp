@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The control: what is right compiles, so that the others fail for their own reason.
-#include <arcspan/numbers/formats.hpp>
+#include <arcspan/numbers/fixed_formats.hpp>
 
 using namespace arcspan;
 
-constexpr Unit kFits = Unit::of(1.5);
+constexpr Cosine kFits = Cosine::of(1.5);
 Factor f(Factor a, Factor b) { return multiply<Factor>(a, b) + convert<Factor>(kFits); }

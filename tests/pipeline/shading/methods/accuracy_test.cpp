@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Every method of the literature against its own model in double precision: the integers add no more than the
 // bound to what the method's mathematics is wrong by.
-#include <arcspan/shading/arc_vector.hpp>
-#include <arcspan/shading/duff.hpp>
-#include <arcspan/shading/kuijk_blake.hpp>
-#include <arcspan/shading/lyon.hpp>
-#include <arcspan/shading/phong.hpp>
-#include <arcspan/shading/slerp.hpp>
+#include <arcspan/shading/literature/arc_vector.hpp>
+#include <arcspan/shading/literature/duff.hpp>
+#include <arcspan/shading/literature/kuijk_blake.hpp>
+#include <arcspan/shading/literature/lyon.hpp>
+#include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/slerp.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/method_accuracy.hpp>

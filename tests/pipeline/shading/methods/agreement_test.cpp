@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 // All methods side by side: where they must give the same, and in which order they are wrong where not.
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/adaptive.hpp>
-#include <arcspan/shading/arc_vector.hpp>
-#include <arcspan/shading/dichotomy.hpp>
-#include <arcspan/shading/duff.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/kuijk_blake.hpp>
-#include <arcspan/shading/lyon.hpp>
-#include <arcspan/shading/phong.hpp>
-#include <arcspan/shading/reflection_map.hpp>
-#include <arcspan/shading/segment.hpp>
-#include <arcspan/shading/slerp.hpp>
+#include <arcspan/shading/literature/arc_vector.hpp>
+#include <arcspan/shading/literature/dichotomy.hpp>
+#include <arcspan/shading/literature/duff.hpp>
+#include <arcspan/shading/literature/kuijk_blake.hpp>
+#include <arcspan/shading/literature/lyon.hpp>
+#include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/reflection_map.hpp>
+#include <arcspan/shading/literature/slerp.hpp>
+#include <arcspan/shading/segment/segment.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/illumination_oracle.hpp>
@@ -31,7 +32,7 @@ using PhongLit = Illumination<1, Highlight::kPhong>;
 constexpr std::int32_t kSize = 256;
 
 struct Picture {
-  std::vector<Rgb888::Unit> memory = std::vector<Rgb888::Unit>(hal::Framebuffer<Rgb888>::units(kSize, kSize));
+  std::vector<Rgb888::Word> memory = std::vector<Rgb888::Word>(hal::Framebuffer<Rgb888>::words(kSize, kSize));
   hal::Framebuffer<Rgb888> frame{memory, kSize, kSize};
 };
 
@@ -47,12 +48,12 @@ template <template <class> class Method, class Lit>
 Picture draw(const Scene<Lit>& scene) {
   using M = Method<Lit>;
   Picture picture;
-  const typename M::Object object(scene.lit);
-  RasterStage<M, hal::Framebuffer<Rgb888>> stage(picture.frame, kSize, kSize, object);
+  const typename M::Lighting lighting(scene.lit);
+  RasterStage<M, hal::Framebuffer<Rgb888>> stage(picture.frame, kSize, kSize, lighting);
   const auto vertex = [&](std::size_t i) {
-    return RasterVertex<M>{scene.points[i], M::shade_vertex(object, scene.normals[i])};
+    return RasterVertex<M>{scene.points[i], M::shade_vertex(lighting, scene.normals[i])};
   };
-  stage.draw(vertex(0), vertex(1), vertex(2), M::shade_face(object, scene.face));
+  stage.draw(vertex(0), vertex(1), vertex(2), M::shade_face(lighting, scene.face));
   return picture;
 }
 

@@ -2,7 +2,8 @@
 // Dichotomy: its polynomials over all arguments, its pixels against its own model in double precision, and
 // that cutting a row changes none of them.
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/dichotomy.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/literature/dichotomy.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/dichotomy_model.hpp>
@@ -95,7 +96,7 @@ TEST_CASE("dichotomy leaves what is flat exactly alone") {
   CHECK(CubicPolynomial::above_half(0) == 0);
   CHECK(halved_chord(0, 0) == 0);
   for (const std::int32_t raw : {0, 2, -2, 1 << 30, -(1 << 30), 123456788}) {
-    CHECK(arc_middle(Unit::from_raw(raw), Unit::from_raw(raw), 0).raw() == raw);
+    CHECK(arc_middle(Cosine::from_raw(raw), Cosine::from_raw(raw), 0).raw() == raw);
   }
 }
 
@@ -135,8 +136,8 @@ TEST_CASE("cutting a row changes no pixel of dichotomy") {
       const Direction normal = arcspan::test::detail::packed(tilted(random, middle, 0.5));
       vertex = {{place(), place(), 0}, Method::shade_vertex(lit, normal)};
     }
-    std::vector<Rgb888::Unit> whole(hal::Framebuffer<Rgb888>::units(kSize, kSize));
-    std::vector<Rgb888::Unit> pieced(whole.size());
+    std::vector<Rgb888::Word> whole(hal::Framebuffer<Rgb888>::words(kSize, kSize));
+    std::vector<Rgb888::Word> pieced(whole.size());
     hal::Framebuffer<Rgb888> frame(whole, kSize, kSize);
     hal::Framebuffer<Rgb888> pieces(pieced, kSize, kSize);
     RasterStage<Method, hal::Framebuffer<Rgb888>> stage(frame, kSize, kSize, lit);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Adaptive's light that is linear on the screen (decision 6): how far it is from N·L, at the widest triangles
 // that may have it.
-#include <arcspan/shading/adaptive.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/method_accuracy.hpp>
@@ -20,11 +20,11 @@ using Lit = Illumination<1, Highlight::kPhong>;
 
 /// Writes down the N·L of every pixel that has no highlight.
 struct Recorder : Lit {
-  std::vector<Unit>* lights = nullptr;
+  std::vector<Cosine>* lights = nullptr;
 
   Recorder() = default;
-  Recorder(const Lit& lit, std::vector<Unit>& to) : Lit(lit), lights(&to) {}
-  [[nodiscard]] PackedRgb diffuse_colour(Unit light) const {
+  Recorder(const Lit& lit, std::vector<Cosine>& to) : Lit(lit), lights(&to) {}
+  [[nodiscard]] PackedRgb diffuse_colour(Cosine light) const {
     lights->push_back(light);
     return Lit::diffuse_colour(light);
   }
@@ -64,34 +64,35 @@ class LinearTriangle {
   }
 
   [[nodiscard]] Figures drawn(std::int32_t tolerance) {
-    std::vector<Unit> lights;
-    AdaptiveIllumination<Recorder> object(Recorder(light_on_white(towards_, to_eye_, n_), lights));
-    REQUIRE(ok(object.set_tolerance(tolerance)));
-    const std::array<RasterVertex<Method>, 3> v{vertex(object, 0), vertex(object, 1), vertex(object, 2)};
+    std::vector<Cosine> lights;
+    AdaptiveIllumination<Recorder> lighting(Recorder(light_on_white(towards_, to_eye_, n_), lights));
+    REQUIRE(ok(lighting.set_tolerance(tolerance)));
+    const std::array<RasterVertex<Method>, 3> v{vertex(lighting, 0), vertex(lighting, 1),
+                                                vertex(lighting, 2)};
     Figures figures;
     TriangleCommand<Method> command;
-    if (!prepare_triangle<Method>(object, v[0], v[1], v[2], {}, {-kPicture / 2, kPicture / 2}, command))
+    if (!prepare_triangle<Method>(lighting, v[0], v[1], v[2], {}, {-kPicture / 2, kPicture / 2}, command))
       return {};
     figures.linear = command.shade.linear;
     if (!figures.linear) return {};
     RunList runs({0, 0, kPicture, kPicture});
     lights.clear();  // of tables that the set-up made
-    RasterStage<Method, RunList>(runs, kPicture, kPicture, object).draw(v[0], v[1], v[2]);
+    RasterStage<Method, RunList>(runs, kPicture, kPicture, lighting).draw(v[0], v[1], v[2]);
     compare(runs, lights, figures);
     return figures;
   }
 
  private:
-  template <class Object>
-  [[nodiscard]] RasterVertex<Method> vertex(const Object& object, std::size_t i) {
+  template <class Lighting>
+  [[nodiscard]] RasterVertex<Method> vertex(const Lighting& lighting, std::size_t i) {
     auto& corner = triangle_.corner[i];
     const Direction normal = arcspan::test::detail::packed(corner.normal);
     corner.normal = normalised(to_vec3(normal));
     return {{static_cast<std::int16_t>(corner.point.x), static_cast<std::int16_t>(corner.point.y), 0},
-            Method::shade_vertex(object, normal)};
+            Method::shade_vertex(lighting, normal)};
   }
 
-  void compare(const RunList& runs, const std::vector<Unit>& lights, Figures& figures) const {
+  void compare(const RunList& runs, const std::vector<Cosine>& lights, Figures& figures) const {
     const UnitLinearModel model(triangle_);
     std::size_t next = 0;
     for (const Span& run : runs.runs) {
@@ -152,8 +153,8 @@ TEST_CASE("without a tolerance only what is unlit is linear") {
 
 TEST_CASE("light has half of the tolerance near a highlight, and seven eighths far from any") {
   const Lit lit = light_on_white({0, 0, 1}, {0, 0, 1}, 16);
-  const AdaptiveIllumination<Lit> object(lit);
-  const double near_highlight = object.linear_limit(object.quiet_reach());
+  const AdaptiveIllumination<Lit> lighting(lit);
+  const double near_highlight = lighting.linear_limit(lighting.half_tolerance_reach());
   CHECK(near_highlight * 0x1p-28 == Approx(4 * 0.5 / (255 * kDiffuse)).epsilon(0.001));
-  CHECK(object.linear_limit(INT32_MAX) / near_highlight == Approx(7.0 / 4).epsilon(0.001));
+  CHECK(lighting.linear_limit(INT32_MAX) / near_highlight == Approx(7.0 / 4).epsilon(0.001));
 }

@@ -2,7 +2,8 @@
 // Segments against their own model in double precision: bilinear SLERP at a segment's two ends, the colour
 // there by the definition, linear between.
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/shading/segment.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/segment/segment.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/illumination_oracle.hpp>
@@ -72,13 +73,13 @@ class Subject {
       normals[i] = arcspan::test::detail::packed(triangle_.corner[i].normal);
       triangle_.corner[i].normal = normalised(to_vec3(normals[i]));
     }
-    SegmentedIllumination<Lit> object(light(random));
-    REQUIRE(ok(object.set_segment_bits(bits)));
-    RasterStage<Segment<Lit>, hal::Framebuffer<Rgb888>> stage(frame_, kSize, kSize, object);
+    SegmentedIllumination<Lit> lighting(light(random));
+    REQUIRE(ok(lighting.set_segment_bits(bits)));
+    RasterStage<Segment<Lit>, hal::Framebuffer<Rgb888>> stage(frame_, kSize, kSize, lighting);
     const auto vertex = [&](std::size_t i) {
       const Point& p = triangle_.corner[i].point;
       const RasterPosition at{static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y), 0};
-      return RasterVertex<Segment<Lit>>{at, Segment<Lit>::shade_vertex(object, normals[i])};
+      return RasterVertex<Segment<Lit>>{at, Segment<Lit>::shade_vertex(lighting, normals[i])};
     };
     stage.draw(vertex(0), vertex(1), vertex(2), {});
   }
@@ -126,8 +127,8 @@ class Subject {
   int bits_;
   ShadedTriangle triangle_;
   Lighting lighting_;
-  std::vector<Rgb888::Unit> memory_ =
-      std::vector<Rgb888::Unit>(hal::Framebuffer<Rgb888>::units(kSize, kSize));
+  std::vector<Rgb888::Word> memory_ =
+      std::vector<Rgb888::Word>(hal::Framebuffer<Rgb888>::words(kSize, kSize));
   hal::Framebuffer<Rgb888> frame_{memory_, kSize, kSize};
 };
 

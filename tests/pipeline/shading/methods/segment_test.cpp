@@ -2,8 +2,10 @@
 // Segments, and what adaptive makes of its tolerance.
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/colour_segment.hpp>
-#include <arcspan/shading/adaptive.hpp>
-#include <arcspan/shading/segment.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
+#include <arcspan/shading/segment/segment.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/illumination_oracle.hpp>
@@ -45,16 +47,16 @@ Triangle random_triangle(Random& random, double degrees) {
 }
 
 struct Picture {
-  std::vector<Rgb888::Unit> memory = std::vector<Rgb888::Unit>(hal::Framebuffer<Rgb888>::units(kSize, kSize));
+  std::vector<Rgb888::Word> memory = std::vector<Rgb888::Word>(hal::Framebuffer<Rgb888>::words(kSize, kSize));
   hal::Framebuffer<Rgb888> frame{memory, kSize, kSize};
 };
 
 template <class Method>
-Picture draw(const Triangle& triangle, const typename Method::Object& object) {
+Picture draw(const Triangle& triangle, const typename Method::Lighting& lighting) {
   Picture picture;
-  RasterStage<Method, hal::Framebuffer<Rgb888>> stage(picture.frame, kSize, kSize, object);
+  RasterStage<Method, hal::Framebuffer<Rgb888>> stage(picture.frame, kSize, kSize, lighting);
   const auto vertex = [&](std::size_t i) {
-    return RasterVertex<Method>{triangle.points[i], Method::shade_vertex(object, triangle.normals[i])};
+    return RasterVertex<Method>{triangle.points[i], Method::shade_vertex(lighting, triangle.normals[i])};
   };
   stage.draw(vertex(0), vertex(1), vertex(2), {});
   return picture;
@@ -115,10 +117,10 @@ int most_beyond_tolerance(std::uint64_t seed, int triangles, std::int32_t tolera
   for (int i = 0; i < share_of(triangles); ++i) {
     const Triangle triangle = random_triangle(random, random.decades(0.5, 60));
     const Lit lit = random_light<Lit>(random, triangle.normals[0]);
-    AdaptiveIllumination<Lit> object(lit);
-    REQUIRE(ok(object.set_tolerance(tolerance)));
+    AdaptiveIllumination<Lit> lighting(lit);
+    REQUIRE(ok(lighting.set_tolerance(tolerance)));
     Picture exact = draw<Arc<Lit>>(triangle, lit);
-    Picture near = draw<Adaptive<Lit>>(triangle, object);
+    Picture near = draw<Adaptive<Lit>>(triangle, lighting);
     const int beyond = most_different(exact, near) - tolerance;
     if (beyond > most) {
       most = beyond;
@@ -156,9 +158,10 @@ TEST_CASE("a patch's stride is its single steps, to the last bit") {
   Random random(2);
   for (int i = 0; i < 5000; ++i) {
     PatchScalar scalar{};
-    scalar.left.at = Unit::from_raw(static_cast<std::int32_t>(random.bits()) >> 2);
-    scalar.left.slope = Unit::from_raw(static_cast<std::int32_t>(random.bits()) >> random.integer(6, 20));
-    scalar.bend = Unit::from_raw(static_cast<std::int32_t>(random.bits()) >> random.integer(10, 20));
+    scalar.left.at = Cosine::from_raw(static_cast<std::int32_t>(random.bits()) >> 2);
+    scalar.left.slope = Cosine::from_raw(static_cast<std::int32_t>(random.bits()) >> random.integer(6, 20));
+    scalar.second_difference =
+        Cosine::from_raw(static_cast<std::int32_t>(random.bits()) >> random.integer(10, 20));
     PatchRun<Lit, 2> single;
     const auto fraction = static_cast<std::uint32_t>(random.integer(0, 65535));
     single.start(0, scalar, fraction);
@@ -189,7 +192,7 @@ TEST_CASE("an arc's stride stays with its single steps") {
     const double at = random.real(0, 6.28);
     for (std::size_t s = 0; s < 2; ++s) {
       const auto unit = [&](double v) {
-        return Unit::from_raw(static_cast<std::int32_t>(std::lround(v * 0x1p30)));
+        return Cosine::from_raw(static_cast<std::int32_t>(std::lround(v * 0x1p30)));
       };
       single.scalar(s) = {unit(size * std::cos(at)), unit(size * (std::cos(at + phi) - std::cos(at)))};
     }
@@ -212,7 +215,7 @@ TEST_CASE("an arc's stride stays with its single steps") {
 TEST_CASE("a stride too wide for the recurrence is shortened") {
   using Lit = Illumination<1, Highlight::kBlinn>;
   ArcRun<Lit> run(20000, 4);  // k = 0.019: 7.9 degrees
-  run.scalar(0) = run.scalar(1) = {Unit::of(0.5), Unit::of(0.01)};
+  run.scalar(0) = run.scalar(1) = {Cosine::of(0.5), Cosine::of(0.01)};
   CHECK(run.stride(4) == 1);
 }
 
@@ -225,9 +228,9 @@ TEST_CASE("segments begin with arc's colour, and their error falls with the squa
     const Lit lit = random_light<Lit>(random, triangle.normals[0]);
     Picture exact = draw<Arc<Lit>>(triangle, lit);
     for (int bits = 1; bits <= kMostSegmentBits; ++bits) {
-      SegmentedIllumination<Lit> object(lit);
-      REQUIRE(ok(object.set_segment_bits(bits)));
-      Picture near = draw<Segment<Lit>>(triangle, object);
+      SegmentedIllumination<Lit> lighting(lit);
+      REQUIRE(ok(lighting.set_segment_bits(bits)));
+      Picture near = draw<Segment<Lit>>(triangle, lighting);
       for (std::int32_t y = 0; y < kSize; ++y) {
         bool first = true;
         for (std::int32_t x = 0; x < kSize; ++x) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/shading/arc.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 
 #include <arcspan_tools/mesh/compile/mesh_figures.hpp>
 

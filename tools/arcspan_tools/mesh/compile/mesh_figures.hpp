@@ -3,7 +3,7 @@
 
 #include <arcspan/mesh/mesh_binary.hpp>
 
-#include <arcspan_tools/door/fixed_mesh.hpp>
+#include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 
 #include <cstddef>
 

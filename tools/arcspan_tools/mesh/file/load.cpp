@@ -2,7 +2,7 @@
 #include <arcspan_tools/mesh/file/import.hpp>
 #include <arcspan_tools/mesh/file/isolate.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
-#include <arcspan_tools/mesh/file/screen.hpp>
+#include <arcspan_tools/mesh/file/validate.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>

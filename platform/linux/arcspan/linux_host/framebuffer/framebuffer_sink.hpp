@@ -15,16 +15,16 @@ struct FramebufferFormat {
     std::uint8_t* bytes = nullptr;
     const PixelLayout* layout = nullptr;
   };
-  using Code = Rgb8;
-  using Unit = Row;
+  using Encoded = Rgb8;
+  using Word = Row;
   static constexpr unsigned kBitsPerPixel = 32;  // at most
   static constexpr bool kDithers = false;
 
   class Cursor {
    public:
     Cursor(const Row* row, std::int32_t x) : row_(*row), x_(static_cast<std::size_t>(x)) {}
-    void write(Code code) { row_.layout->store(row_.bytes, x_, code); }
-    [[nodiscard]] Code read() const { return row_.layout->load(row_.bytes, x_); }
+    void write(Encoded code) { row_.layout->store(row_.bytes, x_, code); }
+    [[nodiscard]] Encoded read() const { return row_.layout->load(row_.bytes, x_); }
     void next() { ++x_; }
 
    private:
@@ -32,10 +32,10 @@ struct FramebufferFormat {
     std::size_t x_;
   };
 
-  [[nodiscard]] static std::size_t units_per_row(std::int32_t) { return 1; }
-  [[nodiscard]] static constexpr Code encode(Rgb8 c) { return c; }
-  [[nodiscard]] static constexpr Code encode_dithered(Rgb8 c, std::int32_t, std::int32_t) { return c; }
-  [[nodiscard]] static constexpr Rgb8 decode(Code code) { return code; }
+  [[nodiscard]] static std::size_t words_per_row(std::int32_t) { return 1; }
+  [[nodiscard]] static constexpr Encoded encode(Rgb8 c) { return c; }
+  [[nodiscard]] static constexpr Encoded encode_dithered(Rgb8 c, std::int32_t, std::int32_t) { return c; }
+  [[nodiscard]] static constexpr Rgb8 decode(Encoded code) { return code; }
 };
 
 /// A picture of a framebuffer's size in its own pixel layout: a pixel sink. Drawn in memory and shown whole,

@@ -2,7 +2,7 @@
 // Dichotomy in the forms that S3 gives figures for and arcspan does not offer: what claims_report measures.
 #pragma once
 
-#include <arcspan/shading/dichotomy.hpp>
+#include <arcspan/shading/literature/dichotomy.hpp>
 
 namespace arcspan {
 

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/lighting/illumination.hpp>
+
+namespace arcspan {
+
+namespace detail {
+
+[[nodiscard]] constexpr bool in_unit_range(Coefficient c) {
+  return c.raw() >= 0 && c <= Coefficient::of(1.0);
+}
+
+[[nodiscard]] constexpr bool in_unit_range(const ChannelCoefficients& c) {
+  return in_unit_range(c.r) && in_unit_range(c.g) && in_unit_range(c.b);
+}
+
+/// A coefficient times 255 with `bits` fraction bits, rounded; bits <= 8.
+[[nodiscard]] constexpr std::uint32_t steps(Coefficient c, Coefficient strength, int bits) {
+  const std::uint64_t product =
+      std::uint64_t{static_cast<std::uint32_t>(c.raw())} * static_cast<std::uint32_t>(strength.raw()) * 255u;
+  const int down = 2 * Coefficient::kFraction - bits;
+  return static_cast<std::uint32_t>((product + (std::uint64_t{1} << (down - 1))) >> down);
+}
+
+[[nodiscard]] constexpr std::array<std::uint32_t, 3> steps(const ChannelCoefficients& c, Coefficient strength,
+                                                           int bits) {
+  return {steps(c.r, strength, bits), steps(c.g, strength, bits), steps(c.b, strength, bits)};
+}
+
+}  // namespace detail
+
+template <std::size_t Lights, Highlight Model>
+constexpr Status Illumination<Lights, Model>::make(const Material& material,
+                                                   const std::array<DirectionalLight, Lights>& lights,
+                                                   const Direction& to_eye, Illumination& illumination) {
+  if (!detail::in_unit_range(material.ambient) || !detail::in_unit_range(material.diffuse) ||
+      !detail::in_unit_range(material.specular) || material.shininess < 1 ||
+      material.shininess > PowerTable::kMaxExponent) {
+    return Status::kInvalidArgument;
+  }
+  for (const DirectionalLight& light : lights) {
+    if (!detail::in_unit_range(light.strength)) return Status::kInvalidArgument;
+  }
+  // A single light's strength goes into the coefficients; several are weighted pixel by pixel.
+  const Coefficient strength = Lights == 1 ? lights[0].strength : Coefficient::of(1.0);
+  constexpr int kCoefficientBits = 5;
+  illumination.ambient_ = detail::steps(material.ambient, Coefficient::of(1.0), 20);
+  illumination.diffuse_ = detail::steps(material.diffuse, strength, kCoefficientBits);
+  illumination.specular_ = detail::steps(material.specular, strength, kCoefficientBits);
+  for (std::size_t i = 0; i < Lights; ++i) {
+    illumination.axes_[i] = lights[i].towards;
+    illumination.strength_[i] = static_cast<std::uint32_t>(lights[i].strength.raw());
+    illumination.half_one_plus_light_eye_[i] =
+        (std::int32_t{1} << (Cosine::kFraction - 1)) + (dot(lights[i].towards, to_eye).raw() >> 1);
+    if (Model == Highlight::kBlinn)
+      illumination.axes_[(Lights + i) % kScalars] = half_way(lights[i].towards, to_eye);
+  }
+  if (Model == Highlight::kPhong) illumination.axes_[Lights] = to_eye;
+  const std::array<std::uint32_t, 3>& specular = illumination.specular_;
+  const bool white = specular[0] == specular[1] && specular[1] == specular[2];
+  illumination.white_specular_ = white ? specular[0] : 0;
+  illumination.widest_patch_ = arcspan::widest_patch(material.shininess);
+  illumination.shininess_ = static_cast<std::uint32_t>(material.shininess);
+  illumination.power_ = PowerTable(material.shininess);
+  const std::uint32_t turns = Model == Highlight::kBlinn ? 1 : 2;
+  illumination.most_curvature_ =
+      static_cast<std::uint32_t>(Lights) *
+      (illumination.most_diffuse() +
+       illumination.most_specular() * static_cast<std::uint32_t>(material.shininess) * turns * turns);
+  illumination.make_ramp();
+  return Status::kOk;
+}
+
+template <std::size_t Lights, Highlight Model>
+constexpr void Illumination<Lights, Model>::make_ramp() {
+  for (std::size_t i = 0; i < ramp_.size(); ++i) {
+    // 20 fraction bits become 2; entry 0 also serves the unlit side, where the diffuse part is 0.
+    const std::uint32_t light = i == 0 ? 0 : static_cast<std::uint32_t>(i) * 128 + 64;
+    const auto deep = [&](std::size_t c) {
+      const std::uint32_t sum =
+          (ambient_[c] + diffuse_[c] * light + (std::uint32_t{1} << 19) + (std::uint32_t{1} << 17)) >> 18;
+      return sum > 1023 ? 1023u : sum;
+    };
+    ramp_[i] = PackedRgb::of(deep(0), deep(1), deep(2));
+  }
+}
+
+}  // namespace arcspan

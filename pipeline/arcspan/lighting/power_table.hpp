@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/fixed_formats.hpp>
+#include <arcspan/target.hpp>
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan {
+
+namespace detail {
+
+/// base^exponent, 31 fraction bits, by square-and-multiply.
+[[nodiscard]] constexpr std::uint32_t power_of(std::uint32_t base, std::int32_t exponent) {
+  std::uint64_t result = std::uint64_t{1} << 31;
+  std::uint64_t square = base;
+  for (; exponent > 0; exponent >>= 1) {
+    if ((exponent & 1) != 0) result = (result * square + (std::uint32_t{1} << 30)) >> 31;
+    square = (square * square + (std::uint32_t{1} << 30)) >> 31;
+  }
+  return static_cast<std::uint32_t>(result);
+}
+
+/// Half the distance from 1 at which c^n falls to 2^-10, by bisection; 30 fraction bits.
+[[nodiscard]] constexpr std::uint32_t half_reach_of(std::int32_t exponent) {
+  std::uint32_t reach = 0;
+  for (std::uint32_t bit = std::uint32_t{1} << 28; bit != 0; bit >>= 1) {
+    const std::uint32_t further = reach + bit;
+    if (power_of((std::uint32_t{1} << 31) - 4 * further, exponent) >= std::uint32_t{1} << 21) {
+      reach = further;
+    }
+  }
+  return reach + 1;
+}
+
+}  // namespace detail
+
+/// c^n for the specular factor: a table over 1 - c with linear interpolation. It covers the part where the
+/// power is above 2^-10, a quarter of an 8-bit step; further out it is 0. Working on 1 - c keeps the
+/// highlight sharp, for it is there that c has the fewest significant bits.
+class PowerTable {
+ public:
+  static constexpr std::uint32_t kIntervals = 128;
+  static constexpr std::int32_t kMaxExponent = 256;
+
+  constexpr PowerTable() = default;
+
+  /// The table of c^n; `exponent` is clamped to 1...256. Error at most 6.9e-4 inside the
+  /// reach (2^-11 up to n = 16), and the 2^-10 that are cut off beyond it (swept in the tests).
+  constexpr explicit PowerTable(std::int32_t exponent);
+
+  /// Cosines c with (1 - c) / 2 below this have a power worth looking up; 30 fraction bits, at most 2^29 + 1.
+  [[nodiscard]] constexpr std::int32_t half_reach() const { return half_reach_; }
+
+  /// c^n in 15 fraction bits, 0...1, for half_distance = (1 - c) / 2 (30 fraction bits) below half_reach(). A
+  /// cosine that rounding has lifted above 1 has a negative distance and counts as 1.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::int32_t half_distance) const {
+    const std::uint32_t inside = half_distance < 0 ? 0u : static_cast<std::uint32_t>(half_distance);
+    const std::uint32_t position = ((inside >> drop_) * scale_) >> 16;  // 8 fraction bits
+    const auto index = static_cast<std::size_t>(position >> 8);
+    const std::uint32_t here = values_[index];
+    const std::uint32_t next = values_[index + 1];
+    return here - (((here - next) * (position & 0xFFu) + 128u) >> 8);
+  }
+
+ private:
+  std::int32_t half_reach_ = 0;
+  std::uint32_t drop_ = 0;   ///< leaves 16 bits of a half distance within reach
+  std::uint32_t scale_ = 0;  ///< from there to the table's position
+  std::array<std::uint16_t, kIntervals + 2> values_{};
+};
+
+constexpr PowerTable::PowerTable(std::int32_t exponent) {
+  const std::int32_t n = exponent < 1 ? 1 : exponent > kMaxExponent ? kMaxExponent : exponent;
+  const std::uint32_t reach = detail::half_reach_of(n);
+  half_reach_ = static_cast<std::int32_t>(reach);
+  const auto bits = static_cast<std::uint32_t>(std::bit_width(reach));
+  drop_ = bits > 16 ? bits - 16 : 0;
+  scale_ = ((kIntervals << 8) << 16) / ((reach >> drop_) + 1);
+  for (std::size_t i = 0; i < kIntervals + 2; ++i) {
+    // The half distance that position i << 8 stands for, times 4: 1 - c with 31 fraction bits.
+    const std::uint64_t distance = ((std::uint64_t{i} << (8 + 16 + 2)) << drop_) / scale_;
+    const std::uint64_t base = distance < (std::uint64_t{1} << 31) ? (std::uint64_t{1} << 31) - distance : 0;
+    values_[i] = static_cast<std::uint16_t>(
+        (detail::power_of(static_cast<std::uint32_t>(base), n) + (1u << 15)) >> 16);
+  }
+}
+
+}  // namespace arcspan

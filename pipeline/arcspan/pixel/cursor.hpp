@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace arcspan::detail {
+
+/// Cursor of a format in which every pixel is one word.
+template <class Pixel>
+class WordCursor {
+ public:
+  constexpr WordCursor(Pixel* row, std::int32_t x) : at_(row + x) {}
+  constexpr void write(Pixel code) { *at_ = code; }
+  [[nodiscard]] constexpr Pixel read() const { return *at_; }
+  constexpr void next() { ++at_; }
+  constexpr void skip(std::int32_t count) { at_ += count; }
+  /// The current pixel; the ones to its right follow in memory.
+  [[nodiscard]] constexpr Pixel* pixels() const { return at_; }
+
+ private:
+  Pixel* at_;
+};
+
+/// Cursor of a format with `Bits` = 1, 2 or 4 bits per pixel; the leftmost pixel is in the highest bits.
+template <unsigned Bits>
+class BitCursor {
+ public:
+  constexpr BitCursor(std::uint8_t* row, std::int32_t x)
+      : at_(row + (x >> kLog2PerByte)), shift_(kTop - Bits * (static_cast<unsigned>(x) & kMaskPerByte)) {}
+  constexpr void write(std::uint8_t encoded) {
+    const unsigned kept = *at_ & ~(kPixelMask << shift_);
+    *at_ = static_cast<std::uint8_t>(kept | (static_cast<unsigned>(encoded) << shift_));
+  }
+  [[nodiscard]] constexpr std::uint8_t read() const {
+    return static_cast<std::uint8_t>((*at_ >> shift_) & kPixelMask);
+  }
+  constexpr void next() {
+    if (shift_ == 0) {
+      ++at_;
+      shift_ = kTop;
+    } else {
+      shift_ -= Bits;
+    }
+  }
+
+ private:
+  static constexpr unsigned kLog2PerByte = Bits == 1 ? 3 : Bits == 2 ? 2 : 1;
+  static constexpr unsigned kMaskPerByte = (1u << kLog2PerByte) - 1;
+  static constexpr unsigned kTop = 8 - Bits;
+  static constexpr unsigned kPixelMask = (1u << Bits) - 1;
+
+  std::uint8_t* at_;
+  unsigned shift_;
+};
+
+}  // namespace arcspan::detail

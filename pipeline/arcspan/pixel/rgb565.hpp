@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/colour_segment.hpp>
+#include <arcspan/pixel/cursor.hpp>
+#include <arcspan/pixel/fine_rgb.hpp>
+#include <arcspan/pixel/pixel_format.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan {
+
+/// 16 bits, rrrrrggggggbbbbb in a native word; what most colour panels take (big-endian on the wire).
+struct Rgb565 {
+  using Encoded = std::uint16_t;
+  using Word = std::uint16_t;
+  using Cursor = detail::WordCursor<std::uint16_t>;
+  static constexpr unsigned kBitsPerPixel = 16;
+  static constexpr bool kDithers = false;
+
+  [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) {
+    return static_cast<std::size_t>(width);
+  }
+  [[nodiscard]] static constexpr Encoded encode(Rgb8 c) {
+    return static_cast<Encoded>(((c.r & 0xF8u) << 8) | ((c.g & 0xFCu) << 3) | (c.b >> 3));
+  }
+  /// encode(c.rgb8()), straight from the lanes.
+  [[nodiscard]] static constexpr Encoded encode(PackedRgb c) {
+    if constexpr (kHasWideRegisters || !kHasManyRegisters) {
+      const std::uint32_t levels = c.lanes & 0xFC1F03E0u;  // green in the first leaves the code
+      return static_cast<Encoded>((levels >> 5) | (levels >> 21));
+    }
+    // Where shifts are free within other instructions, and such masks are not.
+    return static_cast<Encoded>(((c.lanes >> 5) & ~0x07E0u) | ((c.lanes >> 26) << 5));
+  }
+  /// encode(c.packed()), straight from the words.
+  [[nodiscard]] static constexpr Encoded encode(ColourSegment c) {
+    const std::uint32_t levels = c.red_blue & 0x7C007C00u;  // what the other takes along leaves the code
+    return static_cast<Encoded>((levels >> 15) | (levels >> 10) | ((c.green >> 25) << 5));
+  }
+  /// encode(c.packed()), straight from the words.
+  template <bool Joined>
+  [[nodiscard]] static constexpr Encoded encode(const BasicFineRgb<Joined>& c) {
+    return c.rgb565();
+  }
+  [[nodiscard]] static constexpr Encoded encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
+    return encode(Rgb8{dithered<5>(c.r, x, y), dithered<6>(c.g, x, y), dithered<5>(c.b, x, y)});
+  }
+  [[nodiscard]] static constexpr Rgb8 decode(Encoded encoded) {
+    return {detail::expand_to_8<5>(static_cast<unsigned>(encoded >> 11)),
+            detail::expand_to_8<6>(static_cast<unsigned>(encoded >> 5) & 63u),
+            detail::expand_to_8<5>(static_cast<unsigned>(encoded) & 31u)};
+  }
+};
+
+static_assert(PixelFormat<Rgb565>);
+
+}  // namespace arcspan

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/shading/arc/arc_start.hpp>
+#include <arcspan/shading/arc/recurrence.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstdint>
+#include <initializer_list>
+
+namespace arcspan {
+
+/// psi^2 of a squared chord s = 2 - 2 cos(psi): s + s^2/12 + s^3/90 + s^4/560 (of 4 asin^2(sqrt(s)/2)); s at
+/// most 1.
+[[nodiscard]] ARCSPAN_OUTLINE constexpr SquaredAngle angle_of_chord(SquaredAngle s, AngleFormat format) {
+  const Factor inner = Factor::of(1.0 / 90) + times_angle(Factor::of(1.0 / 560 + 0.0004), s, format);
+  const Factor outer = Factor::of(1.0 / 12) + times_angle(inner, s, format);
+  return s + multiply<SquaredAngle>(times_angle(s, s, format), outer);
+}
+
+/// psi / sin(psi) - 1 of a squared chord: s/6 + s^2/30 + s^3/140.
+[[nodiscard]] constexpr SquaredAngle angle_over_sine_less_1(SquaredAngle s, AngleFormat format) {
+  const Factor inner = Factor::of(1.0 / 30) + times_angle(Factor::of(1.0 / 140 + 0.002), s, format);
+  return multiply<SquaredAngle>(s, Factor::of(1.0 / 6) + times_angle(inner, s, format));
+}
+
+/// Squared chords between the three normals of a triangle with corner A: |A-B|^2, |A-C|^2, |B-C|^2; at
+/// most 1.
+struct CornerChords {
+  SquaredAngle ab;
+  SquaredAngle ac;
+  SquaredAngle bc;
+};
+
+/// Squared angle of a row, extrapolated from the corner A where the row is a point: rows cut AB whole and AC
+/// at the fraction `t`. There the law of cosines is the plane one for the tangents psi/sin(psi) (B - A cos
+/// psi),
+///     psi_row^2 = psi_ab^2 + t^2 psi_ac^2 - 2 t T_ab·T_ac.
+[[nodiscard]] ARCSPAN_OUTLINE constexpr SquaredAngle row_angle_at_corner(const CornerChords& s,
+                                                                         AngleFormat format, Factor t) {
+  const SquaredAngle edges = SquaredAngle::from_raw((s.ab.raw() + s.ac.raw() - s.bc.raw()) / 2);
+  SquaredAngle tangents = edges - SquaredAngle::from_raw(times_angle(s.ab, s.ac, format).raw() >> 2);
+  for (const SquaredAngle side : {s.ab, s.ac}) {
+    tangents += times_angle(tangents, angle_over_sine_less_1(side, format), format);
+  }
+  const SquaredAngle far = multiply<SquaredAngle>(multiply<Factor>(t, t), angle_of_chord(s.ac, format));
+  const SquaredAngle cross = multiply<SquaredAngle>(t, tangents);
+  const SquaredAngle row = angle_of_chord(s.ab, format) + far - cross - cross;
+  return row.raw() < 0 ? SquaredAngle{} : row;
+}
+
+/// Squared angle of the row through B: from B to the point of the arc AC at the fraction t from A.
+/// With N = w(1-t) A + w(t) C:  |N - B|^2 = w(1-t) |A-B|^2 + w(t) |B-C|^2 - 2 (w(1-t) + w(t) - 1).
+[[nodiscard]] constexpr SquaredAngle row_angle_at_middle(const CornerChords& s, AngleFormat format,
+                                                         Factor t) {
+  const ArcStart at = arc_start(angle_of_chord(s.ac, format), format, t, Factor{});
+  const int drop = fraction_bits(format) - Factor::kFraction;
+  const std::int32_t even = drop == 0 ? at.even.raw() : round_shift(at.even.raw(), drop);
+  const Factor half_sum = Factor::of(0.5) + Factor::from_raw(even >> 1);
+  const Factor weight_c = half_sum + at.odd;
+  const Factor weight_a = half_sum - at.odd;
+  const SquaredAngle chord =
+      multiply<SquaredAngle>(weight_a, s.ab) + multiply<SquaredAngle>(weight_c, s.bc) - at.even - at.even;
+  return chord.raw() < 0 ? SquaredAngle{} : angle_of_chord(chord, format);
+}
+
+}  // namespace arcspan

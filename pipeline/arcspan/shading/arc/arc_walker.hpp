@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/shading/arc/arc_rows.hpp>
+#include <arcspan/shading/method.hpp>
+#include <arcspan/target.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace arcspan {
+
+/// `Count` scalars of a triangle along great circles: the edges' arcs, each at its first row, and the rows of
+/// the upper and the lower half.
+template <std::size_t Count>
+struct ArcTriangle {
+  ArcEdge<Count> long_edge;
+  ArcEdge<Count> upper_edge;
+  ArcEdge<Count> lower_edge;
+  ArcRows upper_rows;
+  ArcRows lower_rows;
+  std::uint8_t slope_drop;
+  AngleFormat rows;  ///< the format of the rows' angles
+  bool middle_left;
+};
+
+namespace detail {
+
+template <class Frame, std::size_t Count>
+constexpr void prepare_arc_rows(const Frame& frame, ArcTriangle<Count>& arcs) {
+  const TriangleChords& chords = frame.chords;
+  const AngleFormat format = arcs.rows;
+  const SquaredAngle top_middle = scaled_chord(chords.top_middle, format);
+  const SquaredAngle top_bottom = scaled_chord(chords.top_bottom, format);
+  const SquaredAngle middle_bottom = scaled_chord(chords.middle_bottom, format);
+  CornerChords corner{top_middle, top_bottom, middle_bottom};
+  const SquaredAngle at_middle = row_angle_at_middle(corner, format, frame.middle_fraction);
+  if (frame.has_upper) {
+    const SquaredAngle at_top = row_angle_at_corner(corner, format, frame.middle_fraction);
+    make_arc_rows(at_top, at_middle, format, frame.inverse_width, frame.upper_edge, true, arcs.upper_rows);
+  }
+  if (frame.has_lower) {
+    corner = {middle_bottom, top_bottom, top_middle};
+    const SquaredAngle at_bottom =
+        row_angle_at_corner(corner, format, Factor::of(1.0) - frame.middle_fraction);
+    make_arc_rows(at_bottom, at_middle, format, frame.inverse_width, frame.lower_edge, false,
+                  arcs.lower_rows);
+  }
+}
+
+}  // namespace detail
+
+/// `Frame` is a TriangleFrame whose chords are measured and whose vertices carry `scalars`.
+template <class Frame, std::size_t Count>
+ARCSPAN_OUTLINE constexpr void prepare_arcs(const Frame& frame, ArcTriangle<Count>& arcs) {
+  const TriangleChords& chords = frame.chords;
+  const auto& top = frame.top->shade.scalars;
+  const auto& middle = frame.middle->shade.scalars;
+  const auto& bottom = frame.bottom->shade.scalars;
+  make_arc_edge(frame.long_edge, chords.top_bottom, top, bottom, arcs.long_edge);
+  make_short_inverses(frame);
+  if (frame.has_upper) make_arc_edge(frame.upper_edge, chords.top_middle, top, middle, arcs.upper_edge);
+  if (frame.has_lower) make_arc_edge(frame.lower_edge, chords.middle_bottom, middle, bottom, arcs.lower_edge);
+  const std::uint32_t widest = chords.widest();
+  arcs.slope_drop = static_cast<std::uint8_t>(slope_drop(widest));
+  arcs.rows = angle_format(widest);
+  detail::prepare_arc_rows(frame, arcs);
+  arcs.middle_left = frame.middle_left;
+}
+
+/// The scalars of a row's pixels, by the recurrence.
+template <class Lighting>
+class ArcRun {
+ public:
+  static constexpr std::size_t kScalars = Lighting::kScalars;
+
+  constexpr ArcRun(std::int32_t mantissa, std::int32_t shift) : mantissa_(mantissa), shift_(shift) {}
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
+    typename Lighting::Scalars values;
+    unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
+    return lighting.colour(values);
+  }
+  /// The same, encoded; `encoded` is an EncodedColourTable.
+  template <class Format, class Colours>
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded code(const Lighting& lighting,
+                                                                       const Colours& encoded) const {
+    typename Lighting::Scalars values;
+    unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
+    if constexpr (!Colours::kForHighlights) return Format::encode(lighting.colour(values));
+    return lighting.template encoded<Format>(values, encoded);
+  }
+  [[nodiscard]] constexpr ArcScalar& scalar(std::size_t i) { return scalars_[i]; }
+  constexpr void next() {
+    unrolled<kScalars>([this](auto i) { scalars_[i].step(mantissa_, shift_); });
+  }
+  /// From here on next() goes 2^b pixels at once, b <= bits. Returns b, which is less if the recurrence
+  /// cannot hold so wide a step (28.9 degrees).
+  constexpr int stride(int bits) {
+    int reached = 0;
+    ArcStep twice{mantissa_, shift_, 0};
+    for (; reached < bits && double_stride(twice); ++reached) {
+      unrolled<kScalars>([this](auto i) {
+        ArcScalar ahead = scalars_[i];
+        ahead.step(mantissa_, shift_);
+        scalars_[i].d += ahead.d;  // two steps: d + the next d
+      });
+      mantissa_ = twice.mantissa;
+      shift_ = twice.shift;
+    }
+    return reached;
+  }
+
+ private:
+  std::array<ArcScalar, kScalars> scalars_;
+  std::int32_t mantissa_;
+  std::int32_t shift_;
+};
+
+/// Both edges' scalars, from row to row; walks the prepared edges in place.
+template <class Lighting>
+class ArcWalker {
+ public:
+  static constexpr std::size_t kScalars = Lighting::kScalars;
+  using Run = ArcRun<Lighting>;
+
+  /// The recurrence's rounding adds up to m^2 / 4 units of 2^-30: 1.5e-5 over 256 pixels, then the row starts
+  /// anew.
+  static constexpr std::int32_t kLongestRun = 256;
+  static constexpr bool kApart = true;
+
+  constexpr explicit ArcWalker(ArcTriangle<kScalars>& arcs)
+      : arcs_(&arcs), short_(&arcs.upper_edge), rows_(&arcs.upper_rows) {}
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
+    const Factor t = Factor::from_raw(rows_->t >> 15);
+    const Factor t2 = multiply<Factor>(t, t);
+    const SquaredAngle angle2 =
+        multiply<SquaredAngle>(t2, SquaredAngle::from_raw(rows_->corner) +
+                                       multiply<SquaredAngle>(t2, SquaredAngle::from_raw(rows_->rise)));
+    const std::int32_t mantissa = wrap_add(rows_->k_corner, wrap_mul(rows_->k_rise, t2.raw()) >> 15);
+
+    const Reciprocal inverse = nonzero_reciprocal(start.width);
+    const ArcFraction pixel = arc_fraction(inverse, start.bits);
+    const ArcStart arc = arc_start(angle2, arcs_->rows, fraction_of_row(start, inverse), pixel.factor());
+    const SlopeScale scale = slope_scale(pixel, arcs_->slope_drop, 0);
+
+    const ArcEdge<kScalars>& left = arcs_->middle_left ? *short_ : arcs_->long_edge;
+    const ArcEdge<kScalars>& right = arcs_->middle_left ? arcs_->long_edge : *short_;
+    Run run(mantissa, rows_->k_shift);
+    unrolled<kScalars>([&](auto i) {
+      run.scalar(i) = start_scalar(arc, arcs_->rows, scale, left.scalars[i].x, right.scalars[i].x);
+    });
+    return run;
+  }
+
+  constexpr void next_row() {
+    arcs_->long_edge.advance();
+    short_->advance();
+    rows_->t = wrap_add(rows_->t, rows_->dt);
+  }
+  constexpr void enter_lower() {
+    short_ = &arcs_->lower_edge;
+    rows_ = &arcs_->lower_rows;
+  }
+
+ private:
+  /// Where the row's first pixel is between its ends, 0...1; `inverse` is the width's reciprocal.
+  [[nodiscard]] static constexpr Factor fraction_of_row(const RowStart& start, const Reciprocal& inverse) {
+    const std::uint32_t inside = start.inside < start.width ? start.inside : start.width;
+    const std::uint32_t normalised = inside << (47 - inverse.exponent);  // as the width has its bit 31 set
+    return Factor::from_raw(static_cast<std::int32_t>(((normalised >> 16) * inverse.mantissa) >> 16));
+  }
+
+  ArcTriangle<kScalars>* arcs_;
+  ArcEdge<kScalars>* short_;
+  ArcRows* rows_;
+};
+
+}  // namespace arcspan

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/lighting/illumination.hpp>
+#include <arcspan/shading/literature/polar.hpp>
+#include <arcspan/shading/literature/slerp_rows.hpp>
+
+namespace arcspan {
+
+/// Kuijk's and Blake's angular interpolation (S0 [3]), for comparison: along the arc of a row every product
+/// of the normal is a cosine, N·L = A cos(t phi - alpha). A and alpha come from the row's two ends by
+/// trigonometry, a row; a pixel takes an addition, a cosine from a table and one product a scalar.
+template <class Illumination>
+struct KuijkBlake : SlerpBase<Illumination, Illumination::kScalars> {
+  static constexpr std::size_t kScalars = Illumination::kScalars;
+  using Base = SlerpBase<Illumination, kScalars>;
+  using typename Base::Lighting;
+  using typename Base::Prepared;
+  using typename Base::Vertex;
+
+  [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
+    Vertex vertex = Base::vertex_of(normal);
+    const typename Lighting::Scalars scalars = lighting.scalars(normal);
+    for (std::size_t i = 0; i < kScalars; ++i) vertex.scalars[3 + i] = scalars[i];
+    return vertex;
+  }
+
+  /// A scalar along the span: amplitude * cos(phase), the phase stepped evenly.
+  struct Wave {
+    std::int32_t amplitude;  ///< 15 fraction bits
+    Angle32 phase;           ///< t phi - alpha
+  };
+  struct Run {
+    std::array<Wave, kScalars> waves;
+    Angle32 step;
+
+    [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
+      typename Lighting::Scalars values;
+      unrolled<kScalars>([&](auto i) {
+        values[i] = Cosine::from_raw(wrap_mul(waves[i].amplitude, round_shift(cosine(waves[i].phase), 15)));
+      });
+      return lighting.colour(values);
+    }
+    constexpr void next() {
+      unrolled<kScalars>([this](auto i) { waves[i].phase += step; });
+    }
+  };
+
+  class Walker {
+   public:
+    using Run = KuijkBlake::Run;
+    static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
+    constexpr explicit Walker(Prepared& prepared) : edges_(&prepared) {}
+    [[nodiscard]] constexpr Run row(const RowStart& start) const {
+      const SlerpRow<Base::kCount> row = edges_->row(start);
+      Run run;
+      run.step = row.step;
+      unrolled<kScalars>([&](auto i) { run.waves[i] = wave(row, row.left[3 + i], row.right[3 + i]); });
+      return run;
+    }
+    constexpr void next_row() { edges_->next_row(); }
+    constexpr void enter_lower() { edges_->enter_lower(); }
+
+   private:
+    /// I(t) = A cos(t phi - alpha) with I(0) = a, I(psi) = b: (A cos alpha, A sin alpha) =
+    /// (a, (b - a cos psi) / sin psi).
+    [[nodiscard]] static constexpr Wave wave(const SlerpRow<Base::kCount>& row, Cosine a, Cosine b) {
+      const std::int64_t beside =
+          b.raw() - ((std::int64_t{a.raw()} * cosine(row.arc.angle) + (std::int32_t{1} << 29)) >> 30);
+      // 1 / sin(psi) = inverse_sine * 2^(zeros - 47) per unit of 2^-30; 29 fraction bits remain.
+      const std::int64_t quotient = (beside * row.arc.inverse_sine) >> (18 - row.arc.zeros);
+      const std::int64_t kMost = std::int32_t{1} << 29;
+      const std::int64_t held = quotient > kMost ? kMost : quotient < -kMost ? -kMost : quotient;
+      const Polar polar = to_polar(a.raw() >> 1, static_cast<std::int32_t>(held));
+      return {round_shift(polar.size, 14), row.phase - polar.angle};
+    }
+    Prepared* edges_;
+  };
+
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    return draw(Walker(prepared));
+  }
+};
+
+}  // namespace arcspan

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/lighting/illumination.hpp>
+#include <arcspan/shading/literature/slerp_rows.hpp>
+
+namespace arcspan {
+
+/// Direct spherical interpolation (S0 eq. 2, Shoemake), for comparison: two sines from a table, six products
+/// for the vector and then the products with L, H or V at every pixel; a root a row for its angle.
+template <class Illumination>
+struct Slerp : SlerpBase<Illumination, 0> {
+  using Base = SlerpBase<Illumination, 0>;
+  using typename Base::Lighting;
+  using typename Base::Prepared;
+  using typename Base::Vertex;
+
+  [[nodiscard]] static Vertex shade_vertex(const Lighting&, const Direction& normal) {
+    return Base::vertex_of(normal);
+  }
+
+  struct Run {
+    Direction left;
+    Direction right;
+    SlerpArc arc;
+    Angle32 phase;
+    Angle32 step;
+
+    [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
+      const SlerpArc::Weights w = arc.at(phase);
+      const auto mix = [w](DirectionComponent a, DirectionComponent b) {
+        return DirectionComponent::from_raw(
+            round_shift(wrap_add(wrap_mul(a.raw(), w.a), wrap_mul(b.raw(), w.b)), 15));
+      };
+      return lighting.colour(
+          lighting.scalars(Direction{mix(left.x, right.x), mix(left.y, right.y), mix(left.z, right.z)}));
+    }
+    constexpr void next() { phase += step; }
+  };
+
+  class Walker {
+   public:
+    using Run = Slerp::Run;
+    static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
+    constexpr explicit Walker(Prepared& prepared) : edges_(&prepared) {}
+    [[nodiscard]] constexpr Run row(const RowStart& start) const {
+      const SlerpRow<Base::kCount> row = edges_->row(start);
+      return {direction(row.left), direction(row.right), row.arc, row.phase, row.step};
+    }
+    constexpr void next_row() { edges_->next_row(); }
+    constexpr void enter_lower() { edges_->enter_lower(); }
+
+   private:
+    [[nodiscard]] static constexpr Direction direction(const SlerpValues<Base::kCount>& v) {
+      return {convert<DirectionComponent>(v[0]), convert<DirectionComponent>(v[1]),
+              convert<DirectionComponent>(v[2])};
+    }
+    Prepared* edges_;
+  };
+
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    return draw(Walker(prepared));
+  }
+};
+
+}  // namespace arcspan

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/literature/linear_normal.hpp>
+#include <arcspan/shading/literature/sine_table.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan {
+
+namespace detail {
+
+/// numerator / v with 30 fraction bits, at most 1, from the reciprocal of v.
+[[nodiscard]] constexpr std::uint32_t ratio30(std::uint32_t numerator, const Reciprocal& inverse) {
+  const std::uint64_t product = std::uint64_t{numerator} * inverse.mantissa;
+  const int down = inverse.exponent - 30;
+  const std::uint64_t ratio = down >= 0 ? product >> down : product << -down;
+  return ratio > (std::uint32_t{1} << 30) ? std::uint32_t{1} << 30 : static_cast<std::uint32_t>(ratio);
+}
+
+/// The fraction (30 bits) of an angle.
+[[nodiscard]] constexpr Angle32 part_of(Angle32 angle, std::uint32_t fraction) {
+  return static_cast<Angle32>((std::uint64_t{angle} * fraction) >> 30);
+}
+
+/// What Arc needs to know to cut and split vertices that carry `Count` scalars.
+template <std::size_t Count>
+struct CarriedScalars {
+  static constexpr std::size_t kScalars = Count;
+  static constexpr std::size_t kLights = 2;
+  using Scalars = std::array<Cosine, Count>;
+  [[nodiscard]] Scalars scalars(const Direction&) const { return {}; }
+};
+
+}  // namespace detail
+
+/// Scalars of which the first three are the components of a unit normal; the others are linear in it.
+template <std::size_t Count>
+using SlerpValues = std::array<Cosine, Count>;
+
+/// The two sines of S0 eq. 2, N(t) = [sin((1-t) psi) A + sin(t psi) B] / sin(psi), on an arc of at most 60
+/// degrees; a wider one is taken as one of 60. Its angle is at least 2^-8 rad: below that the weights are
+/// those of a line to 2e-6, and the sines would have too few bits.
+struct SlerpArc {
+  Angle32 angle;
+  std::uint32_t inverse_sine;  ///< mantissa in [2^15, 2^16]
+  int zeros;                   ///< places that sin(angle) is shifted up for it
+
+  /// Of two unit normals, the first three of `a` and `b`. One root.
+  template <std::size_t Count>
+  [[nodiscard]] static constexpr SlerpArc of(const SlerpValues<Count>& a, const SlerpValues<Count>& b) {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int64_t difference = round_shift(wrap_sub(a[i].raw() >> 1, b[i].raw() >> 1), 14);
+      sum += static_cast<std::uint64_t>(difference * difference);
+    }
+    const std::uint32_t chord =
+        sum > (std::uint32_t{1} << 30) ? std::uint32_t{1} << 30 : static_cast<std::uint32_t>(sum);
+    // psi^2 = s (1 + s/12 + s^2/90 + s^3/560 + ...), as angle_of_chord(); the rest of the series is in the
+    // last coefficient.
+    const std::uint32_t s = chord >> 15;
+    const std::uint32_t inner = 364u + ((s * 73u) >> 15);
+    const std::uint32_t outer = 2731u + ((s * inner) >> 15);
+    const std::uint32_t root = nearest_root(chord + s * ((s * outer) >> 15));
+    constexpr std::uint32_t kTwoOverPi = 20861;  // 15 fraction bits
+    const Angle32 angle = root < 128 ? 128 * kTwoOverPi : root * kTwoOverPi;
+    const std::uint32_t sine = quarter_sine(angle);
+    const Reciprocal inverse = reciprocal(sine);
+    return {angle, inverse.mantissa, 47 - inverse.exponent};
+  }
+
+  /// sin(part) / sin(angle), 15 fraction bits, part <= angle.
+  [[nodiscard]] constexpr std::int32_t weight(Angle32 part) const {
+    const std::uint32_t sine = (quarter_sine(part) << zeros) >> 16;
+    return static_cast<std::int32_t>((sine * inverse_sine + (1u << 15)) >> 16);
+  }
+
+  /// Of the two ends, 15 fraction bits each.
+  struct Weights {
+    std::int32_t a;
+    std::int32_t b;
+  };
+  /// At `phase` from A; steps that add up to more than the angle stay at its end.
+  [[nodiscard]] constexpr Weights at(Angle32 phase) const {
+    const Angle32 held = phase < angle ? phase : angle;
+    return {weight(angle - held), weight(held)};
+  }
+};
+
+/// Scalars on their way down an edge by S0 eq. 2. A function of the edge's own ends, top to bottom, so that
+/// the two triangles of an edge agree.
+template <std::size_t Count>
+struct SlerpEdge {
+  SlerpValues<Count> top;
+  SlerpValues<Count> bottom;
+  SlerpArc arc;
+  Angle32 phase;
+  Angle32 step;
+
+  constexpr void make(const EdgeSetup& edge, const SlerpValues<Count>& from, const SlerpValues<Count>& to) {
+    top = from;
+    bottom = to;
+    arc = SlerpArc::of(from, to);
+    phase =
+        detail::part_of(arc.angle, detail::ratio30(static_cast<std::uint32_t>(edge.offset), edge.inverse));
+    step = detail::part_of(arc.angle, detail::ratio30(1u << Subpixel::kFraction, edge.inverse));
+  }
+  constexpr void advance() { phase += step; }
+
+  [[nodiscard]] constexpr SlerpValues<Count> here() const {
+    const SlerpArc::Weights w = arc.at(phase);
+    SlerpValues<Count> values;
+    unrolled<Count>([&](auto i) {
+      const std::int64_t sum = std::int64_t{top[i].raw()} * w.a + std::int64_t{bottom[i].raw()} * w.b;
+      values[i] = Cosine::from_raw(static_cast<std::int32_t>((sum + (1 << 14)) >> 15));
+    });
+    return values;
+  }
+};
+
+/// A row between its ends: the arc and where on it the first pixel lies.
+template <std::size_t Count>
+struct SlerpRow {
+  SlerpValues<Count> left;
+  SlerpValues<Count> right;
+  SlerpArc arc;
+  Angle32 phase;
+  Angle32 step;  ///< per pixel
+};
+
+/// The triangle command's part of a method that makes both ends of every row by S0 eq. 2.
+template <std::size_t Count>
+struct SlerpEdges {
+  SlerpEdge<Count> long_edge;
+  SlerpEdge<Count> upper_edge;
+  SlerpEdge<Count> lower_edge;
+  bool middle_left;
+  bool in_lower;
+
+  template <class Frame>
+  constexpr void make(const Frame& frame) {
+    const auto& top = frame.top->shade.scalars;
+    const auto& middle = frame.middle->shade.scalars;
+    const auto& bottom = frame.bottom->shade.scalars;
+    long_edge.make(frame.long_edge, top, bottom);
+    make_short_inverses(frame);
+    if (frame.has_upper) upper_edge.make(frame.upper_edge, top, middle);
+    if (frame.has_lower) lower_edge.make(frame.lower_edge, middle, bottom);
+    middle_left = frame.middle_left;
+    in_lower = false;
+  }
+  constexpr void next_row() {
+    long_edge.advance();
+    (in_lower ? lower_edge : upper_edge).advance();
+  }
+  constexpr void enter_lower() { in_lower = true; }
+
+  [[nodiscard]] constexpr SlerpRow<Count> row(const RowStart& start) const {
+    const SlerpEdge<Count>& broken = in_lower ? lower_edge : upper_edge;
+    SlerpRow<Count> row;
+    row.left = (middle_left ? broken : long_edge).here();
+    row.right = (middle_left ? long_edge : broken).here();
+    row.arc = SlerpArc::of(row.left, row.right);
+    const Reciprocal inverse = nonzero_reciprocal(start.width);
+    const std::uint32_t inside = start.inside < start.width ? start.inside : start.width;
+    row.phase = detail::part_of(row.arc.angle, detail::ratio30(inside, inverse));
+    // A row shorter than a pixel has one pixel and makes no step.
+    row.step = start.bits != 16
+                   ? 0
+                   : detail::part_of(row.arc.angle, detail::ratio30(std::uint32_t{1} << 16, inverse));
+    return row;
+  }
+};
+
+/// What Slerp and KuijkBlake share: vertices with the normal's components and `More` scalars, wide arcs split
+/// and cut as Arc does.
+template <class Illumination, std::size_t More>
+struct SlerpBase {
+  static constexpr std::size_t kCount = 3 + More;
+  using Carrier = Arc<detail::CarriedScalars<kCount>>;
+  using Lighting = Illumination;
+  struct Face {};
+  using Vertex = typename Carrier::Vertex;
+  using Prepared = SlerpEdges<kCount>;
+  static constexpr bool kNeedsFaceNormal = false;
+
+  [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }
+  [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
+    return Carrier::between(a, b, t);
+  }
+  [[nodiscard]] static constexpr bool too_wide(const Vertex& a, const Vertex& b) {
+    return Carrier::too_wide(a, b);
+  }
+  template <class Frame>
+  static constexpr void prepare(const Lighting&, const Frame& frame, const Face&, Prepared& prepared) {
+    prepared.make(frame);
+  }
+
+ protected:
+  [[nodiscard]] static constexpr Vertex vertex_of(const Direction& n) {
+    Vertex vertex{to_normal(n), {}};
+    vertex.scalars[0] = convert<Cosine>(n.x);
+    vertex.scalars[1] = convert<Cosine>(n.y);
+    vertex.scalars[2] = convert<Cosine>(n.z);
+    return vertex;
+  }
+};
+
+}  // namespace arcspan

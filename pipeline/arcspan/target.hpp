@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <type_traits>
+
+/// Everything in pipeline/ that depends on the compiler, on the processor core or on the optimisation level:
+/// feature tests, inlining policies and hints for register allocation. None of it changes a pixel. The
+/// measured gain of each policy is in docs/decisions/0016-target-policies.md.
+
+// ---- Inlining policies
+// -------------------------------------------------------------------------------------------
+
+/// For the code of one pixel or one row: always part of its caller, even at -O0, because the call would cost
+/// as much as the work.
+#define ARCSPAN_INLINE [[gnu::always_inline]]
+
+/// For a stage of a triangle: a function of its own, so that its registers are allocated independently of its
+/// caller's, and its code exists once.
+#define ARCSPAN_OUTLINE [[gnu::noinline]]
+
+/// For paths that few triangles take: optimised for size and placed apart from the hot code.
+#define ARCSPAN_COLD [[gnu::cold]]
+#define ARCSPAN_COLD_OUTLINE [[gnu::noinline, gnu::cold]]
+
+/// ARCSPAN_OUTLINE at -Os only: its stack frame is then released before the next stage begins. At -O2
+/// inlining is faster.
+#ifdef __OPTIMIZE_SIZE__
+#define ARCSPAN_OUTLINE_IF_SMALL [[gnu::noinline]]
+#else
+#define ARCSPAN_OUTLINE_IF_SMALL
+#endif
+
+// ---- Configuration
+// -----------------------------------------------------------------------------------------------
+
+/// Number of entries in the table of encoded colours that a draw call keeps on its stack
+/// (EncodedColourTable): 0, 256 (512 bytes) or 1024 (2 KB). Pixels are the same with each. Define it, equally
+/// for the whole program, to override: the default is 1024 on hosts with 128-bit vectors, which fill it
+/// quickly, 0 on AVR, and 256 elsewhere.
+#ifndef ARCSPAN_ENCODED_COLOURS
+#if defined(__SSE2__) || (defined(__aarch64__) && defined(__ARM_NEON))
+#define ARCSPAN_ENCODED_COLOURS 1024
+#elif defined(__AVR__)
+#define ARCSPAN_ENCODED_COLOURS 0
+#else
+#define ARCSPAN_ENCODED_COLOURS 256
+#endif
+#endif
+
+/// 1 if one instruction inserts a bit field into a register (Thumb-2: BFI) and bit fields start at bit 0.
+#if defined(__thumb2__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#define ARCSPAN_HAS_BIT_INSERT 1
+#else
+#define ARCSPAN_HAS_BIT_INSERT 0
+#endif
+
+namespace arcspan {
+
+// ---- Features of the core
+// ----------------------------------------------------------------------------------------
+
+/// True if the program is optimised for size (-Os).
+#ifdef __OPTIMIZE_SIZE__
+inline constexpr bool kOptimisedForSize = true;
+#else
+inline constexpr bool kOptimisedForSize = false;
+#endif
+
+/// True if the core has a 32x32->64 multiply and a divide instruction. Armv6-M and AVR have neither;
+/// integer.hpp and edge.hpp compute the same bits from 32-bit products there.
+#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
+inline constexpr bool kHasLongMultiply = false;
+#else
+inline constexpr bool kHasLongMultiply = true;
+#endif
+
+/// True if 64 bits fit one register. Where they need two, two 32-bit products are cheaper than one 64-bit
+/// product.
+#if defined(__SIZEOF_POINTER__) && __SIZEOF_POINTER__ >= 8
+inline constexpr bool kHasWideRegisters = true;
+#else
+inline constexpr bool kHasWideRegisters = false;
+#endif
+
+/// True if most instructions reach more than 8 registers. On Armv6-M (8) a value kept in a register displaces
+/// another.
+#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
+inline constexpr bool kHasManyRegisters = false;
+#else
+inline constexpr bool kHasManyRegisters = true;
+#endif
+
+/// True if one instruction saturates to a range (Arm: USAT).
+#if defined(__ARM_FEATURE_SAT)
+inline constexpr bool kHasSaturate = true;
+#else
+inline constexpr bool kHasSaturate = false;
+#endif
+
+/// A 32-bit word that may be stored over objects of other types.
+using AliasingWord [[gnu::may_alias]] = __UINT32_TYPE__;
+
+// ---- Hints for register allocation
+// -------------------------------------------------------------------------------
+
+/// Makes the compiler store `value` and load it again at its next use. Without this, gcc copies values that
+/// are stepped once per row through extra stack slots: 12 instructions per row on a Cortex-M3.
+template <class T>
+ARCSPAN_INLINE constexpr void reload_from_memory(T& value) {
+#if defined(__AVR__)
+  (void)value;  // An 8-bit core keeps words in memory anyway, and clang 19 miscalculates branch distances
+                // around asm.
+#else
+  if (!std::is_constant_evaluated()) asm("" : "+m"(value));
+#endif
+}
+
+/// Hides from the compiler how `value` was computed. Without this, gcc replaces one shared index into two
+/// arrays by two pointers, which costs an addition per pixel.
+template <class T>
+ARCSPAN_INLINE constexpr void hide_value(T& value) {
+  if constexpr (kHasManyRegisters && std::is_scalar_v<T>) {
+    if (!std::is_constant_evaluated()) asm("" : "+r"(value));
+  }
+}
+
+}  // namespace arcspan

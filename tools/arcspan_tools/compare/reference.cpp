@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/compare/reference_method.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+namespace arcspan::tools {
+namespace {
+
+/// Keeps the number of the sample that was drawn last (nearest) at every pixel.
+struct NumberFormat {
+  using Encoded = PackedRgb;
+  using Word = std::uint32_t;
+  static constexpr unsigned kBitsPerPixel = 32;
+  static constexpr bool kDithers = false;
+
+  class Cursor {
+   public:
+    Cursor(Word* row, std::int32_t x) : at_(row + x) {}
+    void write(Encoded code) { *at_ = code.lanes; }
+    [[nodiscard]] Encoded read() const { return {*at_}; }
+    void next() { ++at_; }
+
+   private:
+    Word* at_;
+  };
+
+  [[nodiscard]] static std::size_t words_per_row(std::int32_t width) {
+    return static_cast<std::size_t>(width);
+  }
+  [[nodiscard]] static Encoded encode(PackedRgb c) { return c; }
+  [[nodiscard]] static Encoded encode(Rgb8) { return {}; }
+  [[nodiscard]] static Encoded encode_dithered(Rgb8, std::int32_t, std::int32_t) { return {}; }
+  [[nodiscard]] static Rgb8 decode(Encoded) { return {}; }
+};
+
+class NumberSink {
+ public:
+  using Format = NumberFormat;
+
+  explicit NumberSink(TruthPicture& picture) : picture_(&picture) {}
+  [[nodiscard]] Rect bounds() const { return {0, 0, picture_->width, picture_->height}; }
+  [[nodiscard]] Format::Cursor open(const Span& run) {
+    const auto row = static_cast<std::size_t>(run.y) * static_cast<std::size_t>(picture_->width);
+    return {picture_->numbers.data() + row, run.x};
+  }
+  [[nodiscard]] Status close(const Span&) { return Status::kOk; }
+
+ private:
+  TruthPicture* picture_;
+};
+
+Levels to_levels(const ChannelCoefficients& c) {
+  const auto level = [](Coefficient v) { return 255 * std::ldexp(v.raw(), -Coefficient::kFraction); };
+  return {level(c.r), level(c.g), level(c.b)};
+}
+
+}  // namespace
+
+Vec3 to_vec3(const Direction& d) {
+  const auto component = [](DirectionComponent c) {
+    return std::ldexp(c.raw(), -DirectionComponent::kFraction);
+  };
+  return {component(d.x), component(d.y), component(d.z)};
+}
+
+ReferenceIllumination::ReferenceIllumination(const RenderJob& job)
+    : ambient(to_levels(job.material.ambient)),
+      diffuse(to_levels(job.material.diffuse)),
+      specular(to_levels(job.material.specular)),
+      shininess(job.material.shininess),
+      phong_highlight(job.highlight == Highlight::kPhong),
+      to_eye(normalised(to_vec3(job.to_eye))) {
+  for (const DirectionalLight& light : job.lights) {
+    lights.push_back(
+        {normalised(to_vec3(light.towards)), std::ldexp(light.strength.raw(), -Coefficient::kFraction)});
+  }
+}
+
+Levels ReferenceIllumination::levels(Vec3 normal) const {
+  double lit = 0;
+  double shine = 0;
+  for (const auto& [light, strength] : lights) {
+    const double normal_light = dot(normal, light);
+    if (normal_light <= 0) continue;
+    const double cosine = phong_highlight ? 2 * normal_light * dot(normal, to_eye) - dot(light, to_eye)
+                                          : dot(normal, normalised(light + to_eye));
+    lit += strength * normal_light;
+    shine += strength * std::pow(std::max(cosine, 0.0), shininess);
+  }
+  Levels result;
+  for (std::size_t c = 0; c < 3; ++c) {
+    result[c] = std::clamp(ambient[c] + diffuse[c] * lit + specular[c] * shine, 0.0, 255.0);
+  }
+  return result;
+}
+
+Image TruthPicture::image(Rgb8 background) const {
+  Image picture(width, height);
+  const auto step = [](double level) { return static_cast<std::uint8_t>(std::lround(level)); };
+  for (std::int32_t y = 0; y < height; ++y) {
+    for (std::int32_t x = 0; x < width; ++x) {
+      const TruthSample* sample = at(x, y);
+      picture.at(x, y) =
+          sample == nullptr ? background
+                            : Rgb8{step(sample->levels[0]), step(sample->levels[1]), step(sample->levels[2])};
+    }
+  }
+  return picture;
+}
+
+TruthPicture draw_truth(const RenderJob& job, TruthKind kind) {
+  const Viewport& size = job.transform.viewport();
+  TruthPicture picture;
+  picture.width = size.width;
+  picture.height = size.height;
+  const std::size_t area = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+  picture.numbers.resize(area);
+  const ReferenceMethod::Lighting lighting{kind, ReferenceIllumination(job), &picture.samples};
+  NumberSink sink(picture);
+  std::vector<CachedVertex<ReferenceMethod>> cache(job.mesh.vertex_count());
+  std::vector<std::uint16_t> depth_memory(job.depth ? area : 0, DepthBuffer::kFarthest);
+  const DepthBuffer depth(depth_memory, size.width, size.height);
+  const DrawOptions options{job.two_sided};
+  const DrawResult drawn = job.depth ? draw_mesh<ReferenceMethod>(job.mesh, job.transform, lighting, sink,
+                                                                  depth, std::span(cache), options)
+                                     : draw_mesh<ReferenceMethod>(job.mesh, job.transform, lighting, sink,
+                                                                  NoDepth{}, std::span(cache), options);
+  if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
+  return picture;
+}
+
+}  // namespace arcspan::tools

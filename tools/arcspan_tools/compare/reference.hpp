@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/render/render.hpp>
+#include <arcspan_tools/support/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace arcspan::tools {
+
+/// What a picture ought to be: Phong's own interpolation (normals along chords, then normalised), or the
+/// spherical one (S0 eq. 2, along the edges and then along the rows).
+enum class TruthKind : std::uint8_t { kPhong, kSlerp };
+
+/// Red, green, blue in 8-bit steps, 0...255, not rounded.
+using Levels = std::array<double, 3>;
+
+/// S0 eq. 1 or 12 in doubles.
+struct ReferenceIllumination {
+  Levels ambient{};
+  Levels diffuse{};
+  Levels specular{};
+  double shininess = 1;
+  bool phong_highlight = false;
+  struct Light {
+    Vec3 towards;
+    double strength = 1;
+  };
+  std::vector<Light> lights;
+  Vec3 to_eye;
+
+  ReferenceIllumination() = default;
+  explicit ReferenceIllumination(const RenderJob& job);
+  [[nodiscard]] Levels levels(Vec3 normal) const;
+};
+
+struct TruthSample {
+  Vec3 normal;  ///< unit length
+  Levels levels{};
+};
+
+/// A picture in doubles.
+struct TruthPicture {
+  std::int32_t width = 0;
+  std::int32_t height = 0;
+  std::vector<TruthSample> samples;
+  /// For every pixel the number of its sample plus 1, or 0 where nothing was drawn.
+  std::vector<std::uint32_t> numbers;
+
+  /// Null where nothing was drawn.
+  [[nodiscard]] const TruthSample* at(std::int32_t x, std::int32_t y) const {
+    const std::uint32_t number =
+        numbers[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    return number == 0 ? nullptr : &samples[number - 1];
+  }
+  /// Rounded to 8 bits.
+  [[nodiscard]] Image image(Rgb8 background) const;
+};
+
+/// Draws the job in doubles: the pipeline's own geometry, coverage and depth, from the same 16-bit positions
+/// and packed normals, and the same directions and coefficients.
+[[nodiscard]] TruthPicture draw_truth(const RenderJob& job, TruthKind kind);
+
+[[nodiscard]] Vec3 to_vec3(const Direction& direction);
+
+}  // namespace arcspan::tools

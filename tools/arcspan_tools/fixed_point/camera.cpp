@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/fixed_point/camera.hpp>
+#include <arcspan_tools/fixed_point/rounding.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace arcspan::tools {
+namespace {
+
+/// Room around a mesh that is fitted into the picture.
+constexpr double kMargin = 1.06;
+/// The near plane of an eye inside or near a mesh, in object units: a 250th of the largest extent.
+constexpr double kLeastNear = 256;
+
+/// The camera's axes: x to the right, y up, z backwards.
+struct Axes {
+  Vec3 x;
+  Vec3 y;
+  Vec3 z;
+};
+
+Axes axes_of(Vec3 backwards, Vec3 up) {
+  const Vec3 z = normalised(backwards);
+  Vec3 x = cross(up, z);
+  // Looking along `up`: any other direction will do for it.
+  if (length(x) < 1e-6 * length(up)) x = cross(std::fabs(z.z) < 0.9 ? Vec3{0, 0, -1} : Vec3{0, 1, 0}, z);
+  x = normalised(x);
+  return {x, cross(z, x), z};
+}
+
+double tangent_of_half(double degrees) { return std::tan(degrees * std::numbers::pi / 360); }
+
+Vec3 from_centre(const FixedMesh& mesh, std::size_t i) {
+  const ObjectPosition& p = mesh.positions[i];
+  return Vec3{double(p.x), double(p.y), double(p.z)} * mesh.unit;
+}
+
+// The least distance from the target at which every vertex lies inside the picture's four planes.
+double fitting_distance(const FixedMesh& mesh, Vec3 target, const Axes& axes, double fov_degrees, Size size) {
+  const double vertical = tangent_of_half(fov_degrees);
+  const double horizontal = vertical * size.width / size.height;
+  double distance = 0;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3 p = mesh.centre + from_centre(mesh, i) - target;
+    const double aside =
+        std::max(std::fabs(dot(p, axes.x)) / horizontal, std::fabs(dot(p, axes.y)) / vertical);
+    distance = std::max(distance, dot(p, axes.z) + kMargin * aside);
+  }
+  return distance;
+}
+
+struct DepthRange {
+  double nearest;
+  double farthest;
+};
+
+DepthRange depths(const FixedMesh& mesh, Vec3 eye, const Axes& axes) {
+  DepthRange range{INFINITY, -INFINITY};
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const double depth = dot(eye - mesh.centre - from_centre(mesh, i), axes.z) / mesh.unit;
+    range = {std::min(range.nearest, depth), std::max(range.farthest, depth)};
+  }
+  return range;
+}
+
+ObjectLength object_length(double units) {
+  constexpr double kMost = 4'194'304;  // the pipeline takes 2^22 units
+  return to_fixed_point<ObjectLength>(std::clamp(units, -kMost, kMost)).value();
+}
+
+Placement placement_of(Vec3 eye, const Axes& axes, const FixedMesh& mesh) {
+  const Vec3 rows[3] = {axes.x, axes.y, axes.z};
+  Placement placement{};
+  for (int i = 0; i < 3; ++i) {
+    const double entries[3] = {rows[i].x, rows[i].y, rows[i].z};
+    for (int j = 0; j < 3; ++j) {
+      placement.rotation.m[i][j] = to_fixed_point<RotationEntry>(std::clamp(entries[j], -1.0, 1.0)).value();
+    }
+    const double moved = dot(mesh.centre - eye, rows[i]) / mesh.unit;
+    const std::optional<ObjectLength> translation = to_fixed_point<ObjectLength>(moved);
+    if (!translation || std::fabs(moved) > 4'194'303) {
+      throw Failure("camera", "too far away (" + std::to_string(length(mesh.centre - eye)) +
+                                  "; the limit is 64 times the size of the mesh)");
+    }
+    placement.translation[i] = *translation;
+  }
+  return placement;
+}
+
+}  // namespace
+
+Camera place_camera(const CameraOptions& wish, const FixedMesh& mesh, Size size) {
+  Camera camera{{}, wish.target.value_or(mesh.centre), wish.up, wish.fov_degrees};
+  if (wish.eye) {
+    camera.eye = *wish.eye;
+    return camera;
+  }
+  const Axes axes = axes_of(wish.view, wish.up);
+  camera.eye = camera.target + axes.z * fitting_distance(mesh, camera.target, axes, wish.fov_degrees, size);
+  return camera;
+}
+
+FixedCamera to_fixed(const Camera& camera, const FixedMesh& mesh, Size size) {
+  if (camera.eye == camera.target) throw Failure("--eye", "is where the target is");
+  if (length(camera.up) == 0) throw Failure("--up", "has no direction");
+  const Vec3 backwards = camera.eye - camera.target;
+  const Axes axes = axes_of(backwards, camera.up);
+  const DepthRange depth = depths(mesh, camera.eye, axes);
+  const double near_plane = std::max(depth.nearest * 0.98, kLeastNear);
+  const double far_plane = std::max(depth.farthest, near_plane) * 1.02;
+  const double focal = size.height / (2 * tangent_of_half(camera.fov_degrees));
+  const Projection projection{to_fixed_point<PixelLength>(focal).value_or(PixelLength{}),
+                              object_length(near_plane), object_length(far_plane)};
+  FixedCamera fixed;
+  fixed.to_eye = to_direction(backwards);
+  const Status status = ClipTransform::make(placement_of(camera.eye, axes, mesh), projection,
+                                            {size.width, size.height}, fixed.transform);
+  if (!ok(status))
+    throw Failure("camera", std::string("cannot look at this mesh (") + to_string(status) + ")");
+  return fixed;
+}
+
+Direction to_direction(Vec3 v) {
+  const Vec3 unit = normalised(v);
+  const auto component = [](double c) { return static_cast<std::int32_t>(rounded(std::ldexp(c, 29))); };
+  return arcspan::normalised(component(unit.x), component(unit.y), component(unit.z));
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/direction.hpp>
+#include <arcspan/vertex/clip_transform.hpp>
+
+#include <arcspan_tools/fixed_point/fixed_mesh.hpp>
+#include <arcspan_tools/support/parse.hpp>
+
+#include <optional>
+
+namespace arcspan::tools {
+
+/// Where a camera may be asked to stand; what is not given is chosen so that the whole mesh is in view.
+struct CameraOptions {
+  std::optional<Vec3> eye;
+  std::optional<Vec3> target;
+  Vec3 up{0, 1, 0};
+  double fov_degrees = 40;  ///< vertical
+  Vec3 view{0.5, 0.4, 1};   ///< from the target towards an eye that is not given
+};
+
+struct Camera {
+  Vec3 eye;
+  Vec3 target;
+  Vec3 up{0, 1, 0};
+  double fov_degrees = 40;
+};
+
+/// The camera that `wish` means for `mesh` and a picture of `size`. Without an eye it stands in direction
+/// `view`, where the mesh just fits; without a target it looks at the mesh's centre.
+[[nodiscard]] Camera place_camera(const CameraOptions& wish, const FixedMesh& mesh, Size size);
+
+/// A camera as the pipeline takes it, for one mesh and picture size.
+struct FixedCamera {
+  ClipTransform transform;
+  Direction to_eye;
+};
+
+/// Throws Failure for a camera that the pipeline's numbers do not hold, or that looks nowhere.
+[[nodiscard]] FixedCamera to_fixed(const Camera& camera, const FixedMesh& mesh, Size size);
+
+/// The unit vector along `v`, which must not be zero.
+[[nodiscard]] Direction to_direction(Vec3 v);
+
+}  // namespace arcspan::tools

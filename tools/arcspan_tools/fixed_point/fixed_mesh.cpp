@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/mesh/make_face_planes.hpp>
+#include <arcspan/mesh/packed_normal.hpp>
+
+#include <arcspan_tools/fixed_point/fixed_mesh.hpp>
+#include <arcspan_tools/fixed_point/rounding.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+#include <algorithm>
+
+namespace arcspan::tools {
+namespace {
+
+struct Box {
+  Vec3 low;
+  Vec3 high;
+};
+
+Box bounds(const MeshData& mesh) {
+  Box box{mesh.positions[0], mesh.positions[0]};
+  for (const Vec3& p : mesh.positions) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+  }
+  return box;
+}
+
+std::int16_t to_unit(double length, double unit) { return static_cast<std::int16_t>(rounded(length / unit)); }
+
+PackedNormal packed(Vec3 normal) {
+  const auto component = [](double c) {
+    return static_cast<std::int32_t>(rounded(std::ldexp(c, 30) * 0.9999));
+  };
+  return pack_normal(component(normal.x), component(normal.y), component(normal.z));
+}
+
+}  // namespace
+
+FixedMesh to_fixed(const MeshData& mesh) {
+  constexpr double kSteps = 65534;  // -32767...32767
+  const Box box = bounds(mesh);
+  const Vec3 extent = box.high - box.low;
+  FixedMesh fixed;
+  fixed.centre = (box.low + box.high) * 0.5;
+  fixed.unit = std::max({extent.x, extent.y, extent.z}) / kSteps;
+  for (const Vec3& p : mesh.positions) {
+    const Vec3 from_centre = p - fixed.centre;
+    fixed.positions.push_back({to_unit(from_centre.x, fixed.unit), to_unit(from_centre.y, fixed.unit),
+                               to_unit(from_centre.z, fixed.unit)});
+  }
+  for (const Vec3& n : mesh.normals) fixed.normals.push_back(packed(n));
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t index : triangle) fixed.indices.push_back(static_cast<std::uint16_t>(index));
+  }
+  return fixed;
+}
+
+MeshView FixedMesh::view(const std::string& subject) const {
+  MeshView view;
+  Status status = MeshView::make(positions, normals, std::span(indices), view);
+  if (ok(status) && !planes.empty()) status = view.attach(planes, plane_scale);
+  if (!ok(status))
+    throw Failure(subject, std::string("not a mesh for the pipeline (") + to_string(status) + ")");
+  return view;
+}
+
+FixedMesh with_planes(FixedMesh mesh, const std::string& subject) {
+  mesh.planes.clear();
+  const MeshView plain = mesh.view(subject);
+  mesh.planes.resize(plain.triangle_count());
+  static_cast<void>(make_face_planes(plain, mesh.planes, mesh.plane_scale));  // there is memory for all
+  return mesh;
+}
+
+}  // namespace arcspan::tools

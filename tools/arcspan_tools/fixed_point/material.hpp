@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/lighting/illumination.hpp>
+#include <arcspan/pixel/colour.hpp>
+
+#include <arcspan_tools/support/vec3.hpp>
+
+namespace arcspan::tools {
+
+/// A share of light, 0...1: one for each channel, or one number for all three.
+struct Share {
+  Vec3 rgb;
+
+  Share(double all) : rgb{all, all, all} {}  // NOLINT(google-explicit-constructor)
+  Share(Vec3 channels) : rgb(channels) {}    // NOLINT(google-explicit-constructor)
+};
+
+/// A surface in doubles: pixel = colour * (ambient + diffuse * max(0, N·L)) + specular * highlight, channel
+/// by channel. All 0...1.
+struct Surface {
+  Vec3 colour{0.86, 0.52, 0.30};
+  Share ambient = 0.14;
+  Share diffuse = 0.78;
+  Share specular = 0.45;
+  std::int32_t shininess = 40;
+};
+
+/// A light: where it is seen from the object, a direction of any length, and how far away it is.
+struct SceneLight {
+  Vec3 towards;
+  double distance = 0;
+
+  SceneLight(Vec3 v, double d = 0) : towards(v), distance(d) {}  // NOLINT(google-explicit-constructor)
+  SceneLight(double x, double y, double z) : towards{x, y, z} {}
+};
+
+/// The pipeline's form of `light`: its strength is 1 / (d + K) with K = `attenuation` (S1), 1 at most.
+[[nodiscard]] DirectionalLight to_fixed(const SceneLight& light, double attenuation);
+
+/// The pipeline's form of `surface`. Values outside 0...1 are clamped.
+[[nodiscard]] Material to_fixed(const Surface& surface);
+
+/// A colour of three channels 0...1 in 8 bits.
+[[nodiscard]] Rgb8 to_rgb8(Vec3 colour);
+
+}  // namespace arcspan::tools

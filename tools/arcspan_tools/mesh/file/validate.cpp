@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/text_lines.hpp>
+#include <arcspan_tools/mesh/file/validate.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+namespace arcspan::tools {
+
+std::string screened(std::string_view bytes, MeshFormat format, const std::string& subject) {
+  if (bytes.find_first_not_of(" \t\r\n\0") == std::string_view::npos) throw Failure(subject, "empty file");
+  switch (format) {
+    case MeshFormat::kObj:
+      return screened_obj(bytes, subject);
+    case MeshFormat::kPly:
+      return screened_ply(bytes, subject);
+    case MeshFormat::kStl:
+      return screened_stl(bytes, subject);
+    case MeshFormat::kOff:
+      return screened_off(bytes, subject);
+  }
+  throw Failure(subject, "unknown format");
+}
+
+}  // namespace arcspan::tools

@@ -117,8 +117,8 @@ class Illumination {
   /// The code that `Codes` (code_table.hpp) has for it or, where there is a highlight,
   /// Format::encode(colour()).
   template <class Format, class Colours>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded code(const Scalars& scalars,
-                                                                       const Colours& encoded) const
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Scalars& scalars,
+                                                                          const Colours& encoded) const
       requires(Lights == 1) {
     const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
     if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return encoded[scalars[0]];

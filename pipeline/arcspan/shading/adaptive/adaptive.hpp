@@ -21,8 +21,8 @@ class HighlightPatchRun : public PatchScalars<2> {
   }
   /// The same, encoded; `encoded` is an EncodedColourTable.
   template <class Format, class Colours>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded code(const Lighting& lighting,
-                                                                       const Colours& encoded) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
+                                                                          const Colours& encoded) const {
     if constexpr (Colours::kForHighlights) {
       return lighting.template encoded_with_highlight_at<Format>(scalars()[0], scalars()[1].raw(), encoded);
     } else {

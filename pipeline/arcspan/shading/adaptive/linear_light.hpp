@@ -33,8 +33,8 @@ class LinearLightRun {
   }
   /// The same, encoded; `encoded` is an EncodedColourTable.
   template <class Format, class Colours>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded code(const Lighting&,
-                                                                       const Colours& encoded) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting&,
+                                                                          const Colours& encoded) const {
     return encoded[light_];
   }
   constexpr void next() { light_ += step_; }

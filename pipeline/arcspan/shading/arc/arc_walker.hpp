@@ -83,8 +83,8 @@ class ArcRun {
   }
   /// The same, encoded; `encoded` is an EncodedColourTable.
   template <class Format, class Colours>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded code(const Lighting& lighting,
-                                                                       const Colours& encoded) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
+                                                                          const Colours& encoded) const {
     typename Lighting::Scalars values;
     unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
     if constexpr (!Colours::kForHighlights) return Format::encode(lighting.colour(values));

@@ -78,8 +78,8 @@ class PatchRun : public PatchScalars<Used> {
   }
   /// The same, encoded; `encoded` is an EncodedColourTable.
   template <class Format, class Colours>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded code(const Lighting& lighting,
-                                                                       const Colours& encoded) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
+                                                                          const Colours& encoded) const {
     if constexpr (Used == Lighting::kScalars) {
       if constexpr (!Colours::kForHighlights) return Format::encode(colour(lighting));
       return lighting.template encoded<Format>(this->scalars(), encoded);

@@ -45,6 +45,14 @@ struct TriangleCommand {
   EdgeWalk lower;
   LinearPlane depth;
   typename Method::Prepared shade;
+
+  /// Moves every edge by `pixels` columns.
+  ARCSPAN_INLINE constexpr void move_columns(std::int32_t pixels) {
+    const auto shift = static_cast<std::int64_t>(static_cast<std::uint64_t>(pixels) << 32);
+    left.x += shift;
+    right.x += shift;
+    lower.x += shift;
+  }
 };
 
 /// Squared chords of a triangle's edges, 28 fraction bits.

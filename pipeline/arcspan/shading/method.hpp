@@ -8,23 +8,33 @@
 #include <arcspan/status.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 
+/// The protocol of a shading method: what draw_mesh() demands of a type that it is given as `Method`.
+///
+/// A method is chosen at compile time and has one file; a firmware contains only the methods that it names.
+/// The required part is ShadingMethod with RowWalker and PixelRun (or SegmentedRun). The optional parts are
+/// named concepts too: MeasuresChords (prepare/triangle.hpp), UsesEncodedColours with EncodingRun,
+/// OutlinedWalker, StridedRun, and ChoosesEncodedColours for sinks. docs/add-a-shading-method.md has an
+/// example.
 namespace arcspan {
 
-/// What a run gives of a pixel's colour.
+/// The type of a colour that a run hands to the pixel format.
 template <class C>
 concept RunColour = std::same_as<C, PackedRgb> || PackableColour<C>;
 
-/// The pixels of a row from left to right: `colour` of the one that it stands on, `next` goes on.
+/// The pixels of a row from left to right: `colour()` is that of the current pixel, `next()` steps to the
+/// next one.
 template <class R, class Lighting>
 concept PixelRun = requires(R run, const Lighting& lighting) {
   { run.colour(lighting) } -> RunColour;
   {run.next()};
 };
 
-/// The same in segments between which colours are linear: `begin` is told the number of pixels, `enter` goes
-/// into the next segment and returns how many of the pixels left it has, `segment` gives its pixels.
+/// A run that consists of segments with linear colours. `begin()` gets the number of pixels; `enter()` steps
+/// to the next segment and returns its length, at most the number of pixels left; `segment()` returns its
+/// pixels.
 template <class R>
 concept SegmentedRun = requires(const R run) {
   { run.segment() } -> std::same_as<SegmentPixels>;
@@ -35,9 +45,9 @@ concept SegmentedRunOf = SegmentedRun<R> && requires(R run, const Lighting& ligh
   { run.enter(lighting, count) } -> std::same_as<std::int32_t>;
 };
 
-/// Goes down the rows of a command: `row` gives the `Run` that makes the colours of a row's pixels from left
-/// to right, of kLongestRun at most, `next_row` steps down, `enter_lower` changes to the lower edge. It may
-/// use the prepared part up. Everything in it and in `Run` is span stage: no division.
+/// Walks down the rows of a command. `row()` returns the run of the current row, of at most kLongestRun
+/// pixels; `next_row()` steps down; `enter_lower()` changes to the lower short edge. A walker may change the
+/// command's prepared part. Walkers and runs belong to the span stage: they do not divide.
 template <class W, class Lighting>
 concept RowWalker = (PixelRun<typename W::Run, Lighting> ||
                      SegmentedRunOf<typename W::Run, Lighting>)&&requires(W walker, const RowStart& row) {
@@ -47,23 +57,61 @@ concept RowWalker = (PixelRun<typename W::Run, Lighting> ||
   { W::kLongestRun } -> std::convertible_to<std::int32_t>;
 };
 
-/// A way of shading triangles, chosen at compile time: one file each, and a firmware holds only the ones it
-/// names.
+/// A way of shading triangles.
 ///
-/// `Lighting` is what it needs of the object's illumination, `Face` of a face, `Vertex` of a vertex;
-/// `Prepared` is its part of the triangle command. `walk` calls a function object with a RowWalker on it, of
-/// one type or of the one that suits the triangle, and returns its status.
+/// `Lighting`   what the method needs of an object's illumination and material
+/// `Face`       what it keeps of a face's normal; shade_face() is called only if kNeedsFaceNormal
+/// `Vertex`     what it keeps of a vertex's normal; an empty type saves the normal's look-up
+/// `Prepared`   its part of the triangle command, made by prepare(), the last place where it may divide.
+/// prepare() gets
+///              a TriangleFrame and may complete it (make_short_inverses())
+/// `between`    returns the vertex at a fraction of an edge, for clipping and splitting; at 1/2 the result
+/// must not
+///              depend on the order of the two ends
+/// `too_wide`   true if an edge must be halved before the triangle can be shaded
+/// `walk`       static Status walk(Prepared&, draw): calls `draw` with a RowWalker and returns its status;
+/// the type of
+///              the walker may depend on the triangle
 template <class M>
 concept ShadingMethod = requires(const typename M::Lighting& lighting, const Direction& normal,
                                  const typename M::Vertex& vertex, const typename M::Face& face,
-                                 const TriangleFrame<M>& frame, typename M::Prepared& prepared,
-                                 Factor fraction) {
+                                 TriangleFrame<M>& frame, typename M::Prepared& prepared, Factor fraction) {
   { M::shade_vertex(lighting, normal) } -> std::same_as<typename M::Vertex>;
   { M::shade_face(lighting, normal) } -> std::same_as<typename M::Face>;
   { M::between(vertex, vertex, fraction) } -> std::same_as<typename M::Vertex>;
   { M::too_wide(vertex, vertex) } -> std::same_as<bool>;
   {M::prepare(lighting, frame, face, prepared)};
   { M::kNeedsFaceNormal } -> std::convertible_to<bool>;
+};
+
+/// Optional part of a method: its runs look up encoded colours in the table of span/encoded_colours.hpp where
+/// there is one. All its runs except segments must then be EncodingRun.
+template <class M>
+concept UsesEncodedColours = bool{M::kUsesEncodedColours};
+
+/// Optional part of a run, for methods that use encoded colours: `encoded<Format>(lighting, colours)` returns
+/// the current pixel's colour encoded in `Format`, equal to Format::encode(colour(lighting)).
+template <class R, class Format, class Lighting, class Colours>
+concept EncodingRun = requires(const R& run, const Lighting& lighting, const Colours& colours) {
+  { run.template encoded<Format>(lighting, colours) } -> std::same_as<typename Format::Encoded>;
+};
+
+/// Optional part of a walker (`kOutlined`): few triangles need it and its set-up takes many registers, so its
+/// rows and its runs become functions of their own.
+template <class W>
+concept OutlinedWalker = bool{W::kOutlined};
+
+/// Optional part of a run, needed inside segments: stride(bits) makes every following next() step 2^b pixels
+/// and returns b, at most `bits`.
+template <class R>
+concept StridedRun = requires(R run, int bits) {
+  { run.stride(bits) } -> std::same_as<int>;
+};
+
+/// Optional part of a sink: `kEncodedColours`, its own choice of ARCSPAN_ENCODED_COLOURS (0, 256 or 1024).
+template <class S>
+concept ChoosesEncodedColours = requires {
+  { S::kEncodedColours } -> std::convertible_to<std::size_t>;
 };
 
 }  // namespace arcspan

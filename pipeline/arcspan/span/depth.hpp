@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/pixel/fill.hpp>
 #include <arcspan/pixel/sink.hpp>
+#include <arcspan/target.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -10,6 +12,17 @@
 #include <span>
 
 namespace arcspan {
+
+/// The 16-bit depth of a surface whose interpolated depth is `z`.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t depth_of(Linear z) {
+  return static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
+}
+
+/// The depth test: true if a pixel at `depth` is drawn over one at `stored`. Nearer depths are smaller; of
+/// two equal ones the first stays.
+[[nodiscard]] ARCSPAN_INLINE constexpr bool is_nearer(std::uint16_t depth, std::uint16_t stored) {
+  return depth < stored;
+}
 
 /// No depth test: triangles cover what was drawn before them (painter's order, convex objects).
 struct NoDepth {
@@ -19,8 +32,7 @@ struct NoDepth {
   }
 };
 
-/// A 16-bit depth buffer over caller memory, of the size of the picture or of a band of it. A pixel is drawn
-/// if it is nearer (smaller) than what is there; equal depths keep the first.
+/// A 16-bit depth buffer over memory of the caller, of the size of the picture or of a band of it.
 class DepthBuffer {
  public:
   static constexpr bool kTests = true;
@@ -44,7 +56,7 @@ class DepthBuffer {
     return memory_ + (y - bounds_.top) * bounds_.right;
   }
 
-  /// Makes this memory stand for the rows from first_row on; depths are kept.
+  /// Makes the memory represent the rows from `first_row` on. The depths in it stay until clear().
   constexpr void move_to(std::int32_t first_row) {
     const std::int32_t rows = bounds_.height();
     bounds_.top = first_row;

@@ -3,19 +3,22 @@
 
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/linear.hpp>
+#include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/depth.hpp>
-#include <arcspan/span/draw_run.hpp>
+#include <arcspan/span/draw_pixels.hpp>
 #include <arcspan/span/row_memory.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>
 
-/// The span stage: per row and per pixel only multiply, shift, add, compare and look up.
+/// The span stage: walks down the rows of a triangle command and along each row. Per row and per pixel it
+/// only multiplies, shifts, adds, compares and looks up; scripts/check-objects proves that nothing here
+/// divides.
 namespace arcspan {
 
-/// Where the middle pixel of the viewport lies in the picture: commands are relative to it.
+/// Position of the viewport's middle pixel in the picture, in pixels. Commands are relative to it.
 struct RasterOrigin {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -23,82 +26,69 @@ struct RasterOrigin {
 
 namespace detail {
 
-/// Where a command's present row lies in memory.
-template <class Target>
-struct RowMemory {
-  PixelRows<typename Target::Sink> pixels;
-  DepthRows<typename Target::Depth> depths;
-
-  constexpr RowMemory(const Target& target, std::int32_t y)
-      : pixels(target.sink, y), depths(target.depth, y) {}
-  constexpr void next() {
-    pixels.next();
-    depths.next();
-  }
+/// How a command's rows meet the left and right side of the scissor.
+enum class Columns : std::uint8_t {
+  kInside,   ///< every row lies within the scissor
+  kCrossing  ///< rows have to be cut
 };
 
-/// A walker for the few triangles that another will not do for, with much to set up for a run: its rows and
-/// its runs are functions of their own, which leaves the registers to the others.
-template <class Walker>
-concept WalksApart = bool{Walker::kApart};
-
-/// Draws one run of pixels, `span`, of the row that the walkers stand on and whose first column is `begin`.
+/// Draws the pixels of `span` in the current row. `begin` is the row's first column; the span may start right
+/// of it.
 template <class Command, class Walker, class Target>
-[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_one_run(const Command& command, const Walker& shade,
-                                                           const Span& span, std::int32_t begin,
-                                                           const Target& target,
-                                                           const RowMemory<Target>& memory) {
+[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_run(const Command& command, const Walker& walker,
+                                                       const Span& span, std::int32_t begin,
+                                                       const Target& target,
+                                                       const RowMemory<Target>& memory) {
   const RowStart start = row_start(command.left, command.right, span.x - begin);
-  typename Walker::Run run = shade.row(start);
-  // Elsewhere the run's two ends in memory cost as much as one of them and its length.
-  if constexpr (kHasWideRegisters && DrawsWords<Target, typename Walker::Run> &&
-                requires { memory.pixels.end(span); }) {
-    Linear z = linear_at(command.depth, start);
-    draw_words(memory.pixels.end(span).pixels(), memory.depths.end(span), z, span, run, target,
-               command.depth.dx);
+  typename Walker::Run run = walker.row(start);
+  PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span), linear_at(command.depth, start)};
+  if constexpr (SegmentedRun<typename Walker::Run>) {
+    draw_segments(place, span, run, target, command.depth.dx);
   } else {
-    draw_run(
-        RowPlace<Target>{memory.pixels.open(span), memory.depths.at(span), linear_at(command.depth, start)},
-        span, run, target, command.depth.dx);
+    draw_pixels(place, span, run, target, command.depth.dx);
   }
   return target.sink.close(span);
 }
 
-/// draw_one_run() in a function of its own: next to the rows it would not find registers enough.
+/// draw_run() in a function of its own, for runs that need many registers.
 template <class Command, class Walker, class Target>
-[[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_run_apart(const Command& command, const Walker& shade,
-                                                              const Span& span, std::int32_t begin,
-                                                              const Target& target,
-                                                              const RowMemory<Target>& memory) {
-  const Target held = target;  // no reference, so that its members can be in registers too
-  return draw_one_run(command, shade, span, begin, held, memory);
+[[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_run_outlined(const Command& command, const Walker& walker,
+                                                                 const Span& span, std::int32_t begin,
+                                                                 const Target& target,
+                                                                 const RowMemory<Target>& memory) {
+  const Target local =
+      target;  // A copy, because the members of a reference would be loaded again for every pixel.
+  return draw_run(command, walker, span, begin, local, memory);
 }
 
-/// Draws one run where it costs less.
-template <class Command, class Walker, class Target>
-[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_next_run(const Command& command, const Walker& shade,
-                                                            const Span& span, std::int32_t begin,
-                                                            const Target& target,
-                                                            const RowMemory<Target>& memory) {
-  if constexpr (WalksApart<Walker> || (kHasManyRegisters && SegmentedRun<typename Walker::Run>)) {
-    return draw_run_apart(command, shade, span, begin, target, memory);
-  } else {
-    return draw_one_run(command, shade, span, begin, target, memory);
+/// Draws the visible part of the current row, at row y of the picture, in runs of at most Walker::kLongestRun
+/// pixels.
+template <Columns ColumnsType, class Command, class Walker, class Target>
+[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_row(const Command& command, const Walker& walker,
+                                                       std::int32_t y, const Target& target,
+                                                       const RowMemory<Target>& memory) {
+  const std::int32_t begin = command.left.column();
+  std::int32_t first = begin;
+  std::int32_t last = command.right.column();
+  if constexpr (ColumnsType == Columns::kCrossing) {
+    if (first < target.scissor.left) first = target.scissor.left;
+    if (last > target.scissor.right) last = target.scissor.right;
   }
-}
-
-/// Draws `span` of the row that the walkers stand on, whose first column is `begin`.
-template <class Command, class Walker, class Target>
-[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_span(const Command& command, const Walker& shade,
-                                                        Span span, std::int32_t begin, const Target& target,
-                                                        const RowMemory<Target>& memory) {
-  if constexpr (Walker::kLongestRun >= 2 * kGuardBand) {
-    return draw_next_run(command, shade, span, begin, target, memory);
-  } else {
-    const std::int32_t last = span.x + span.count;
-    while (true) {
+  if (first >= last) return Status::kOk;
+  Span span{y, first, last - first};
+  while (true) {
+    if constexpr (Walker::kLongestRun < 2 * kGuardBand) {
       if (span.count > Walker::kLongestRun) span.count = Walker::kLongestRun;
-      const Status status = draw_next_run(command, shade, span, begin, target, memory);
+    }
+    Status status;
+    if constexpr (OutlinedWalker<Walker> || (kHasManyRegisters && SegmentedRun<typename Walker::Run>)) {
+      status = draw_run_outlined(command, walker, span, begin, target, memory);
+    } else {
+      status = draw_run(command, walker, span, begin, target, memory);
+    }
+    if constexpr (Walker::kLongestRun >= 2 * kGuardBand) {
+      return status;
+    } else {
       span.x += span.count;
       span.count = last - span.x;
       if (!ok(status) || span.count == 0) return status;
@@ -106,167 +96,149 @@ template <class Command, class Walker, class Target>
   }
 }
 
-/// Whether a command's rows are cut at the sides of the clip rectangle.
-enum class Sides : std::uint8_t {
-  kWhole,  ///< they lie within it
-  kCut,
-};
-
-/// Draws what is to be seen of the row that the walkers stand on: if no side cuts its command, all of it.
-template <Sides AtSides, class Command, class Walker, class Target>
-[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_row(const Command& command, const Walker& shade,
-                                                       std::int32_t y, const Target& target,
-                                                       const RowMemory<Target>& memory) {
-  const std::int32_t begin = command.left.column();
-  const std::int32_t end = command.right.column();
-  std::int32_t first = begin;
-  std::int32_t last = end;
-  if constexpr (AtSides == Sides::kCut) {
-    if (begin < target.clip.left) first = target.clip.left;
-    if (end > target.clip.right) last = target.clip.right;
-  }
-  if (first >= last) return Status::kOk;
-  return draw_span(command, shade, {y, first, last - first}, begin, target, memory);
-}
-
-/// Steps a command's edges and attributes down by one row, in place.
+/// Steps the edges, the depth and the shading of a command down by one row, in place.
 template <class Target, class Command, class Walker>
-ARCSPAN_INLINE constexpr void next_row(Command& command, Walker& shade) {
+ARCSPAN_INLINE constexpr void next_row(Command& command, Walker& walker) {
   reload_from_memory(command.left);
   reload_from_memory(command.right);
   if constexpr (kHasManyRegisters) reload_from_memory(command.depth.left);
   command.left.advance();
   command.right.advance();
-  if constexpr (Target::kTests) command.depth.next_row();
-  shade.next_row();
+  if constexpr (Target::Depth::kTests) command.depth.next_row();
+  walker.next_row();
 }
 
-/// Changes to the lower edge on the side of the middle vertex.
+/// Replaces the upper short edge by the lower one, on the side of the middle vertex.
 template <class Target, class Command, class Walker>
-ARCSPAN_INLINE constexpr void enter_lower(Command& command, Walker& shade) {
+ARCSPAN_INLINE constexpr void enter_lower(Command& command, Walker& walker) {
   EdgeWalk& short_edge = command.middle_left ? command.left : command.right;
-  short_edge.x = command.lower.x;  // member by member: small cores would call memcpy
+  short_edge.x =
+      command.lower.x;  // Member by member: compilers call memcpy for the whole struct on small cores.
   short_edge.step = command.lower.step;
-  if constexpr (Target::kTests) command.depth.enter_lower(command.middle_left);
-  shade.enter_lower();
+  if constexpr (Target::Depth::kTests) command.depth.enter_lower(command.middle_left);
+  walker.enter_lower();
 }
 
-/// Steps over the rows y ... end - 1, which are not to be seen.
+/// Steps from row y to row `end` without drawing.
 template <class Target, class Command, class Walker>
-constexpr void skip_rows(Command& command, Walker& shade, std::int32_t& y, std::int32_t end) {
-  for (; y < end; ++y) next_row<Target>(command, shade);
+constexpr void skip_rows(Command& command, Walker& walker, std::int32_t& y, std::int32_t end) {
+  for (; y < end; ++y) next_row<Target>(command, walker);
 }
 
-/// From relative to the raster origin to columns of the picture.
-template <class Command>
-ARCSPAN_INLINE constexpr void place_columns(Command& command, std::int32_t origin_x) {
-  const std::int64_t shift = static_cast<std::int64_t>(static_cast<std::uint64_t>(origin_x) << 32);
-  command.left.x += shift;
-  command.right.x += shift;
-  command.lower.x += shift;
-}
-
-/// Steps over the rows above `top`, and into the lower half if that is where it lies. `half_end` is where the
-/// present half ends, `stop` the other.
+/// Steps a command down from row y to row `top` without drawing, so that a band's rows are exactly those of
+/// the whole picture. `half_end` is where the current half of the triangle ends; it becomes `end` if the
+/// lower half is entered.
 template <class Target, class Command, class Walker>
-constexpr void skip_above(Command& command, Walker& shade, std::int32_t& y, std::int32_t top,
-                          std::int32_t& half_end, std::int32_t stop) {
-  skip_rows<Target>(command, shade, y, half_end < top ? half_end : top);
+constexpr void step_to_row(Command& command, Walker& walker, std::int32_t& y, std::int32_t top,
+                           std::int32_t& half_end, std::int32_t end) {
+  skip_rows<Target>(command, walker, y, half_end < top ? half_end : top);
   if (y == top) return;
-  enter_lower<Target>(command, shade);
-  half_end = stop;
-  skip_rows<Target>(command, shade, y, top);
+  enter_lower<Target>(command, walker);
+  half_end = end;
+  skip_rows<Target>(command, walker, y, top);
 }
 
-template <Sides AtSides, class Command, class Walker, class Target>
-[[nodiscard]] constexpr Status draw_rows(Command& command, const RasterOrigin& origin, Walker shade,
-                                         const Target& target) {
-  const Rect& clip = target.clip;
-  place_columns(command, origin.x);
-  const std::int32_t end = command.end_row + origin.y;
-  const std::int32_t stop = end < clip.bottom ? end : clip.bottom;
-  const std::int32_t middle = command.middle_row + origin.y;
-  std::int32_t half_end = middle < stop ? middle : stop;
-  std::int32_t y = command.first_row + origin.y;
-  if (y < clip.top) skip_above<Target>(command, shade, y, clip.top, half_end, stop);
-  for (RowMemory<Target> memory(target, y);; y = half_end, half_end = stop) {
-    // Counted down, since few sinks ask for y.
-    for (std::int32_t left = half_end - y; left > 0;
-         --left, memory.next(), next_row<Target>(command, shade)) {
-      const Status status = draw_row<AtSides>(command, shade, half_end - left, target, memory);
-      if (!ok(status)) return status;
-    }
-    if (half_end >= stop) return Status::kOk;
-    enter_lower<Target>(command, shade);
-  }
-}
+/// Draws all rows of a command that lie within the scissor; a method's walk() calls it with the walker of its
+/// choice.
+template <Columns ColumnsType, class Command, class Target>
+struct RowDrawer {
+  Command& command;
+  const RasterOrigin& origin;
+  const Target& target;
 
-/// draw_rows() in a function of its own: next to others it would take their registers.
-template <Sides AtSides, class Command, class Walker, class Target>
-[[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_rows_apart(Command& command, const RasterOrigin& origin,
-                                                               const Walker& shade, const Target& target) {
-  return draw_rows<AtSides>(command, origin, shade, target);
-}
-
-/// Draws a command's rows by the walker that its method has for it.
-template <Sides AtSides, ShadingMethod Method, class Target>
-[[nodiscard]] ARCSPAN_INLINE constexpr Status walk_command(TriangleCommand<Method>& command,
-                                                           const RasterOrigin& origin, const Target& target) {
-  return Method::walk(command.shade, [&](auto walker) {
-    // Long rows can pay the call.
-    if constexpr (SegmentedRun<typename decltype(walker)::Run> || WalksApart<decltype(walker)>) {
-      return draw_rows_apart<AtSides>(command, origin, walker, target);
+  template <class Walker>
+  [[nodiscard]] constexpr Status operator()(Walker walker) const {
+    if constexpr (OutlinedWalker<Walker> || SegmentedRun<typename Walker::Run>) {
+      return draw_outlined(command, origin, walker, target);
     } else {
-      return draw_rows<AtSides>(command, origin, walker, target);
+      return draw(command, origin, walker, target);
     }
-  });
-}
+  }
 
-/// walk_command() in a function of its own, for few commands are cut.
+ private:
+  template <class Walker>
+  [[nodiscard]] ARCSPAN_OUTLINE static constexpr Status draw_outlined(Command& command,
+                                                                      const RasterOrigin& origin,
+                                                                      const Walker& walker,
+                                                                      const Target& target) {
+    const Target local = target;
+    return draw(command, origin, walker, local);
+  }
+
+  template <class Walker>
+  [[nodiscard]] static constexpr Status draw(Command& command, const RasterOrigin& origin, Walker walker,
+                                             const Target& target) {
+    const Rect& scissor = target.scissor;
+    command.move_columns(origin.x);
+    const std::int32_t end = command.end_row + origin.y;
+    const std::int32_t stop = end < scissor.bottom ? end : scissor.bottom;
+    const std::int32_t middle = command.middle_row + origin.y;
+    std::int32_t half_end = middle < stop ? middle : stop;
+    std::int32_t y = command.first_row + origin.y;
+    if (y < scissor.top) step_to_row<Target>(command, walker, y, scissor.top, half_end, stop);
+    for (RowMemory<Target> memory(target, y);; y = half_end, half_end = stop) {
+      // Counts down, because few sinks need y and the counter then is its own test.
+      for (std::int32_t left = half_end - y; left > 0;
+           --left, memory.next(), next_row<Target>(command, walker)) {
+        const Status status = draw_row<ColumnsType>(command, walker, half_end - left, target, memory);
+        if (!ok(status)) return status;
+      }
+      if (half_end >= stop) return Status::kOk;
+      enter_lower<Target>(command, walker);
+    }
+  }
+};
+
+/// Draws a command's rows, cut at the sides of the scissor, in a function of its own: few triangles need it.
 template <ShadingMethod Method, class Target>
-[[nodiscard]] ARCSPAN_OUTLINE constexpr Status walk_cut_command(TriangleCommand<Method>& command,
-                                                                const RasterOrigin& origin,
-                                                                const Target& target) {
-  const Target held = target;
-  return walk_command<Sides::kCut>(command, origin, held);
+[[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_crossing_rows(TriangleCommand<Method>& command,
+                                                                  const RasterOrigin& origin,
+                                                                  const Target& target) {
+  const Target local = target;
+  return Method::walk(command.shade,
+                      RowDrawer<Columns::kCrossing, TriangleCommand<Method>, Target>{command, origin, local});
 }
 
-/// Whether a loop of their own for rows that no side cuts is worth its code.
+/// True if DrawFeatures::whole_rows is worth its code: a second loop for rows within the scissor.
 inline constexpr bool kWholeRowsPay = !kOptimisedForSize && kHasManyRegisters;
 
-/// draw_command() into a RowTarget, which may have codes made beforehand. With `WholeRows` commands that no
-/// side cuts have a loop of their own; without, `sides` does not matter.
+/// Draws the rows of a command within target.scissor. With `WholeRows`, commands whose columns are known to
+/// be inside have a row loop without comparisons; without it, `columns` is ignored.
 template <bool WholeRows, ShadingMethod Method, class Target>
-[[nodiscard]] constexpr Status draw_command_with(TriangleCommand<Method>& command, const RasterOrigin& origin,
-                                                 const Target& target, Sides sides) {
-  const Rect& clip = target.clip;
-  if (command.end_row + origin.y <= clip.top || command.first_row + origin.y >= clip.bottom) {
+[[nodiscard]] constexpr Status draw_rows(TriangleCommand<Method>& command, const RasterOrigin& origin,
+                                         const Target& target, Columns columns) {
+  const Rect& scissor = target.scissor;
+  if (command.end_row + origin.y <= scissor.top || command.first_row + origin.y >= scissor.bottom)
     return Status::kOk;
-  }
   if constexpr (!WholeRows) {
-    return walk_command<Sides::kCut>(command, origin, target);
+    return Method::walk(command.shade, RowDrawer<Columns::kCrossing, TriangleCommand<Method>, Target>{
+                                           command, origin, target});
   } else {
-    if (sides == Sides::kCut) [[unlikely]] {
-      return walk_cut_command(command, origin, target);
+    if (columns == Columns::kCrossing) [[unlikely]] {
+      return draw_crossing_rows(command, origin, target);
     }
-    return walk_command<Sides::kWhole>(command, origin, target);
+    return Method::walk(
+        command.shade, RowDrawer<Columns::kInside, TriangleCommand<Method>, Target>{command, origin, target});
   }
 }
 
 }  // namespace detail
 
-/// Draws a command into the sink's and the depth target's common bounds. Returns the sink's first status that
-/// is not kOk, having stopped there. Rows above the bounds are walked, not skipped, so that a picture drawn
-/// in bands is bit for bit the picture drawn at once.
+/// Draws a triangle command into the part of `sink` and `depth` that lies within `scissor`, which must be
+/// within the bounds of both. `origin` is where the command's coordinates begin. Changes the command; it can
+/// be drawn once.
+///
+/// Returns kOk, or the first other status of the sink, at which drawing stops. Rows above the scissor are
+/// stepped over one by one, so that a picture drawn in bands is bit for bit the picture drawn at once.
 template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] constexpr Status draw_command(TriangleCommand<Method>& command, const RasterOrigin& origin,
-                                            const Rect& clip, const typename Method::Lighting& lighting,
+                                            const Rect& scissor, const typename Method::Lighting& lighting,
                                             Sink& sink, const Depth& depth) {
-  if (clip.empty()) return Status::kOk;
+  if (scissor.empty()) return Status::kOk;
   const NoEncodedColours encoded(lighting);
-  const detail::RowTarget<typename Method::Lighting, Sink, Depth> target{clip, lighting, sink, depth,
+  const detail::RowTarget<typename Method::Lighting, Sink, Depth> target{scissor, lighting, sink, depth,
                                                                          encoded};
-  return detail::draw_command_with<false>(command, origin, target, detail::Sides::kCut);
+  return detail::draw_rows<false>(command, origin, target, detail::Columns::kCrossing);
 }
 
 }  // namespace arcspan

@@ -9,13 +9,13 @@
 
 namespace arcspan::detail {
 
-/// A sink's rows from row y on, one after the other.
+/// The rows of a sink, from row y of the picture downwards: asks the sink for the memory of every run.
 template <class Sink>
 class PixelRows {
  public:
   constexpr PixelRows(Sink& sink, std::int32_t) : sink_(sink) {}
-  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& run) const {
-    return sink_.open(run);
+  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& span) const {
+    return sink_.open(span);
   }
   constexpr void next() {}
 
@@ -23,17 +23,13 @@ class PixelRows {
   Sink& sink_;
 };
 
-/// In memory by an address that is stepped, which with few registers costs more than a product.
+/// For sinks in memory an address that is stepped from row to row. With few registers a product is cheaper.
 template <SinkInMemory Sink>
 requires kHasManyRegisters class PixelRows<Sink> {
  public:
   constexpr PixelRows(Sink& sink, std::int32_t y) : row_(sink.row(y)), stride_(sink.stride()) {}
-  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& run) const {
-    return typename Sink::Format::Cursor(row_, run.x);
-  }
-  /// Behind the run's last pixel.
-  [[nodiscard]] constexpr typename Sink::Format::Cursor end(const Span& run) const {
-    return typename Sink::Format::Cursor(row_, run.x + run.count);
+  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& span) const {
+    return typename Sink::Format::Cursor(row_, span.x);
   }
   constexpr void next() {
     row_ += stride_;
@@ -45,14 +41,14 @@ requires kHasManyRegisters class PixelRows<Sink> {
   std::int32_t stride_;
 };
 
-/// The same of a depth buffer.
+/// The rows of a depth buffer, from row y of the picture downwards, as an address that is stepped.
 template <class Depth, bool Steps = kHasManyRegisters>
 class DepthRows {
  public:
   constexpr DepthRows(const Depth& depth, std::int32_t y)
       : row_(depth.row(y)), stride_(depth.bounds().right) {}
-  [[nodiscard]] constexpr std::uint16_t* at(const Span& run) const { return row_ + run.x; }
-  [[nodiscard]] constexpr std::uint16_t* end(const Span& run) const { return row_ + (run.x + run.count); }
+  /// The depth of the span's first pixel.
+  [[nodiscard]] constexpr std::uint16_t* at(const Span& span) const { return row_ + span.x; }
   constexpr void next() {
     row_ += stride_;
     hide_value(row_);
@@ -67,7 +63,7 @@ template <>
 class DepthRows<DepthBuffer, false> {
  public:
   constexpr DepthRows(const DepthBuffer& depth, std::int32_t) : depth_(depth) {}
-  [[nodiscard]] constexpr std::uint16_t* at(const Span& run) const { return depth_.row(run.y) + run.x; }
+  [[nodiscard]] constexpr std::uint16_t* at(const Span& span) const { return depth_.row(span.y) + span.x; }
   constexpr void next() {}
 
  private:
@@ -80,6 +76,20 @@ class DepthRows<NoDepth, Steps> {
   constexpr DepthRows(const NoDepth&, std::int32_t) {}
   [[nodiscard]] constexpr std::uint16_t* at(const Span&) const { return nullptr; }
   constexpr void next() {}
+};
+
+/// The memory of the current row of a command: its pixels and its depths.
+template <class Target>
+struct RowMemory {
+  PixelRows<typename Target::Sink> pixels;
+  DepthRows<typename Target::Depth> depths;
+
+  constexpr RowMemory(const Target& target, std::int32_t y)
+      : pixels(target.sink, y), depths(target.depth, y) {}
+  constexpr void next() {
+    pixels.next();
+    depths.next();
+  }
 };
 
 }  // namespace arcspan::detail

@@ -127,7 +127,7 @@ class ArcWalker {
   /// The recurrence's rounding adds up to m^2 / 4 units of 2^-30: 1.5e-5 over 256 pixels, then the row starts
   /// anew.
   static constexpr std::int32_t kLongestRun = 256;
-  static constexpr bool kApart = true;
+  static constexpr bool kOutlined = true;
 
   constexpr explicit ArcWalker(ArcTriangle<kScalars>& arcs)
       : arcs_(&arcs), short_(&arcs.upper_edge), rows_(&arcs.upper_rows) {}

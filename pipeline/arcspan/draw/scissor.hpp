@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/prepare/edge.hpp>
+#include <arcspan/prepare/triangle.hpp>
+#include <arcspan/span/draw_command.hpp>
+#include <arcspan/vertex/clip_transform.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
+
+#include <cstdint>
+
+namespace arcspan::detail {
+
+[[nodiscard]] constexpr Rect intersection(const Rect& a, const Rect& b) {
+  return {a.left > b.left ? a.left : b.left, a.top > b.top ? a.top : b.top,
+          a.right < b.right ? a.right : b.right, a.bottom < b.bottom ? a.bottom : b.bottom};
+}
+
+/// How a triangle lies to the scissor.
+enum class ScissorTest : std::uint8_t {
+  kInside,     ///< within its columns
+  kCrossing,   ///< a vertex lies left or right of it
+  kOutside,    ///< no pixel centre within its columns
+  kOtherBand,  ///< rows in the viewport, but none in the scissor
+};
+
+/// The rectangle of the picture that one call draws into: the common part of the viewport, the sink and the
+/// depth target. In a picture drawn in bands it is one band.
+class Scissor {
+ public:
+  constexpr Scissor(const Viewport& viewport, const Rect& bounds)
+      : rect_(intersection({0, 0, viewport.width, viewport.height}, bounds)),
+        origin_{viewport.width >> 1, viewport.height >> 1},
+        rows_{-origin_.y, viewport.height - origin_.y},
+        left_((rect_.left - origin_.x) * 16),
+        right_((rect_.right - origin_.x) * 16),
+        is_band_(rect_.height() < viewport.height) {}
+
+  [[nodiscard]] constexpr const Rect& rect() const { return rect_; }
+  [[nodiscard]] constexpr const RasterOrigin& origin() const { return origin_; }
+  /// The rows of the whole viewport, relative to origin().
+  [[nodiscard]] constexpr const RowRange& viewport_rows() const { return rows_; }
+
+  /// Tests the triangle a, b, c. `kInside` is only returned if `MayBeInside`; kCrossing is always right.
+  template <bool MayBeInside>
+  [[nodiscard]] constexpr ScissorTest test(const RasterPosition& a, const RasterPosition& b,
+                                           const RasterPosition& c) const {
+    const bool crossing = !MayBeInside || leaves_columns(a, b, c);
+    if (crossing && is_outside_columns(a, b, c)) return ScissorTest::kOutside;
+    if (is_in_other_band(a, b, c)) return ScissorTest::kOtherBand;
+    return crossing ? ScissorTest::kCrossing : ScissorTest::kInside;
+  }
+
+  /// True if the triangle has rows in the viewport, but none in the scissor: it belongs to other bands only.
+  [[nodiscard]] constexpr bool is_in_other_band(const RasterPosition& a, const RasterPosition& b,
+                                                const RasterPosition& c) const {
+    return is_band_ && has_no_row_in_band(a, b, c);
+  }
+
+ private:
+  /// True if a vertex lies left or right of the scissor.
+  [[nodiscard]] constexpr bool leaves_columns(const RasterPosition& a, const RasterPosition& b,
+                                              const RasterPosition& c) const {
+    return ((a.x - left_) | (b.x - left_) | (c.x - left_) | (right_ - a.x) | (right_ - b.x) |
+            (right_ - c.x)) < 0;
+  }
+
+  /// True if all vertices lie on the same side of the scissor's columns.
+  [[nodiscard]] constexpr bool is_outside_columns(const RasterPosition& a, const RasterPosition& b,
+                                                  const RasterPosition& c) const {
+    return (a.x < left_ && b.x < left_ && c.x < left_) || (a.x > right_ && b.x > right_ && c.x > right_);
+  }
+
+  [[nodiscard]] constexpr bool has_no_row_in_band(const RasterPosition& a, const RasterPosition& b,
+                                                  const RasterPosition& c) const {
+    const std::int32_t upper = a.y < b.y ? a.y : b.y;
+    const std::int32_t lower = a.y > b.y ? a.y : b.y;
+    const std::int32_t first = first_row_at(upper < c.y ? upper : c.y);
+    const std::int32_t end = first_row_at(lower > c.y ? lower : c.y);
+    if (first >= end || end <= rows_.first || first >= rows_.end) return false;
+    if (end + origin_.y > rect_.top && first + origin_.y < rect_.bottom) return false;
+    return doubled_area(a, b, c) != 0;
+  }
+
+  Rect rect_;
+  RasterOrigin origin_;
+  RowRange rows_;
+  std::int32_t left_;  ///< columns of the scissor in sixteenths of a pixel, relative to origin()
+  std::int32_t right_;
+  bool is_band_;  ///< rows of the viewport lie outside the scissor
+};
+
+}  // namespace arcspan::detail

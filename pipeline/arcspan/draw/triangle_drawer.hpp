@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/clip/clip_polygon.hpp>
+#include <arcspan/draw/draw_options.hpp>
+#include <arcspan/draw/scissor.hpp>
+#include <arcspan/draw/vertex_stage.hpp>
+#include <arcspan/mesh/face_normal.hpp>
+#include <arcspan/prepare/split.hpp>
+#include <arcspan/span/draw_command.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace arcspan::detail {
+
+/// Draws the triangles of one draw_mesh() call: culls, clips, shades, splits, prepares and hands the commands
+/// to the span stage.
+template <ShadingMethod Method, DrawFeatures Features, PixelSink Sink, DepthTarget Depth>
+class TriangleDrawer {
+ public:
+  using Vertex = CachedVertex<Method>;
+
+  TriangleDrawer(const VertexStage<Method>& stage, Sink& sink, const Depth& depth, const DrawOptions& options)
+      : stage_(stage),
+        scissor_(stage.transform().viewport(), intersection(sink.bounds(), depth.bounds())),
+        sink_(sink),
+        encoded_(stage.lighting()),
+        depth_(depth),
+        options_(options) {
+    if (!Features.two_sided && options.two_sided) result_.status = Status::kUnsupported;
+  }
+
+  /// True if there is something to draw into and nothing has failed.
+  [[nodiscard]] bool ready() const { return !scissor_.rect().empty() && ok(result_.status); }
+  [[nodiscard]] const DrawResult& result() const { return result_; }
+  [[nodiscard]] bool two_sided() const { return Features.two_sided && options_.two_sided; }
+
+  /// Draws the mesh with the vertices of a source (vertex_source.hpp) until the sink fails.
+  template <class Source>
+  void draw_triangles(const Source& vertices) {
+    const MeshView mesh = stage_.mesh();  // A copy: nothing that is drawn can change it.
+    const std::size_t count = mesh.triangle_count();
+    for (std::size_t i = vertices.next(0, count); i < count; i = vertices.next(i + 1, count)) {
+      const TriangleIndices t = mesh.triangle(i);
+      auto&& a = vertices[t.a];
+      auto&& b = vertices[t.b];
+      auto&& c = vertices[t.c];
+      if (is_culled<Source::kAllInside>(a, b, c)) continue;
+      draw_triangle(t, a, b, c);
+      if (!ok(result_.status)) return;
+    }
+  }
+
+ private:
+  using Raster = RasterVertex<Method>;
+  using Face = typename Method::Face;
+  using Colours = EncodedColoursFor<Method, Sink>;
+  using Target = RowTarget<typename Method::Lighting, Sink, Depth, Colours>;
+  static constexpr bool kWholeRows = Features.whole_rows && kWholeRowsPay;
+
+  /// True if the triangle lies outside one plane of the clip volume, has no area, or shows its back and backs
+  /// are not drawn: the case of half of all triangles, before anything is set up.
+  template <bool AllInside>
+  [[nodiscard]] bool is_culled(const Vertex& a, const Vertex& b, const Vertex& c) const {
+    const std::int32_t area = 0;
+    (void)area;
+    if constexpr (AllInside) {
+      return doubled_area(a.raster.position, b.raster.position, c.raster.position) >= 0;
+    } else {
+      if ((a.outcode | b.outcode | c.outcode) != 0) return (a.outcode & b.outcode & c.outcode) != 0;
+      const std::int32_t doubled = doubled_area(a.raster.position, b.raster.position, c.raster.position);
+      return doubled >= 0 && (doubled == 0 || !two_sided());
+    }
+  }
+
+  void draw_triangle(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
+    if constexpr (Features.caches) {
+      draw_visible_outlined(t, a, b, c);
+    } else {
+      draw_visible(t, a, b, c);
+    }
+  }
+  ARCSPAN_OUTLINE void draw_visible_outlined(TriangleIndices t, Vertex& a, Vertex& b, Vertex& c) {
+    draw_visible(t, a, b, c);
+  }
+
+  /// Draws a triangle that is not culled, and counts it if a part of it is in view.
+  ARCSPAN_INLINE void draw_visible(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
+    counted_ = false;
+    if ((a.outcode | b.outcode | c.outcode) != 0) {
+      draw_clipped(t);
+    } else {
+      draw_inside(t, a, b, c);
+    }
+    if (counted_) ++result_.triangles;
+  }
+
+  /// Draws a triangle whose vertices are inside the clip volume.
+  void draw_inside(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
+    const RasterPosition& p = a.raster.position;
+    const RasterPosition& q = b.raster.position;
+    const RasterPosition& r = c.raster.position;
+    if (!is_within_scissor(p, q, r)) return;
+    if (two_sided() && doubled_area(p, q, r) > 0) return draw_back(t, p, q, r);
+    if constexpr (!std::is_empty_v<typename Method::Vertex>) {
+      stage_.shade(t.a, a);
+      stage_.shade(t.b, b);
+      stage_.shade(t.c, c);
+    }
+    draw_facing(t, a.raster, b.raster, c.raster, Facing::kFront);
+  }
+
+  /// Draws the back of a triangle. Few meshes show backs, so their shading is not cached.
+  ARCSPAN_COLD_OUTLINE void draw_back(const TriangleIndices& t, const RasterPosition& p,
+                                      const RasterPosition& q, const RasterPosition& r) {
+    Raster a{p, {}};
+    Raster b{q, {}};
+    Raster c{r, {}};
+    stage_.shade(t.a, Facing::kBack, a.shade);
+    stage_.shade(t.b, Facing::kBack, b.shade);
+    stage_.shade(t.c, Facing::kBack, c.shade);
+    draw_facing_outlined(t, a, b, c, Facing::kBack);
+  }
+
+  /// Draws a triangle across the near plane or the guard band.
+  void draw_clipped(const TriangleIndices& t) {
+    if constexpr (Features.clips) {
+      draw_clipped(t, Facing::kFront);
+      if (two_sided()) draw_clipped(t, Facing::kBack);
+    } else {
+      ++result_.left_out;
+    }
+  }
+
+  /// Clips the triangle and draws the rest if it shows the side `facing`. Clipped vertices have normals that
+  /// are not in the mesh, so each side is clipped with its own shading.
+  ARCSPAN_COLD_OUTLINE void draw_clipped(const TriangleIndices& t, Facing facing) {
+    ClipPolygon<Method> polygon;
+    ClipPolygon<Method> spare;
+    polygon.count = 0;
+    for (const std::uint16_t i : {t.a, t.b, t.c}) {
+      ClipVertex<Method>& vertex = polygon.vertices[polygon.count++];
+      vertex.position = stage_.clip_position(i);
+      stage_.shade(i, facing, vertex.shade);
+    }
+    const ClipPolygon<Method>& inside = clip_polygon(polygon, spare, stage_.transform().near_w());
+    for (std::size_t i = 2; i < inside.count && ok(result_.status); ++i) {
+      const Raster p = projected(inside.vertices[0]);
+      const Raster q = projected(inside.vertices[i - 1]);
+      const Raster r = projected(inside.vertices[i]);
+      const std::int32_t area = doubled_area(p.position, q.position, r.position);
+      const bool faces = facing == Facing::kFront ? area < 0 : area > 0;
+      if (faces && is_within_scissor(p.position, q.position, r.position))
+        draw_facing_outlined(t, p, q, r, facing);
+    }
+  }
+
+  [[nodiscard]] Raster projected(const ClipVertex<Method>& vertex) const {
+    return {project(vertex.position, stage_.transform()), vertex.shade};
+  }
+
+  /// Tests the triangle against the scissor, before it is shaded. Triangles of other bands are counted here.
+  [[nodiscard]] bool is_within_scissor(const RasterPosition& a, const RasterPosition& b,
+                                       const RasterPosition& c) {
+    const ScissorTest test = scissor_.template test<kWholeRows>(a, b, c);
+    columns_ = test == ScissorTest::kInside ? Columns::kInside : Columns::kCrossing;
+    if (test == ScissorTest::kOtherBand) counted_ = true;
+    return test == ScissorTest::kInside || test == ScissorTest::kCrossing;
+  }
+
+  ARCSPAN_COLD_OUTLINE void draw_facing_outlined(const TriangleIndices& t, const Raster& a, const Raster& b,
+                                                 const Raster& c, Facing facing) {
+    draw_facing(t, a, b, c, facing);
+  }
+
+  /// Draws one side of a triangle whose vertices are shaded, in parts if its normals are too far apart.
+  void draw_facing(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c,
+                   Facing facing) {
+    Face face{};
+    if constexpr (Method::kNeedsFaceNormal) {
+      const MeshView& mesh = stage_.mesh();
+      const Direction normal = face_normal(mesh.position(t.a), mesh.position(t.b), mesh.position(t.c));
+      face = Method::shade_face(stage_.lighting(), facing == Facing::kBack ? -normal : normal);
+    }
+    if (draw_part(a, b, c, face, Features.splits)) return;
+    if constexpr (Features.splits) draw_split(a, b, c, face);
+  }
+
+  ARCSPAN_COLD_OUTLINE void draw_split(const Raster& a, const Raster& b, const Raster& c, const Face& face) {
+    auto emit = [this, &face](const Raster& p, const Raster& q, const Raster& r) {
+      if (!ok(result_.status)) return;
+      if (scissor_.is_in_other_band(p.position, q.position, r.position)) {
+        counted_ = true;
+        return;
+      }
+      (void)draw_part(p, q, r, face, false);
+    };
+    split_triangle(a, b, c, emit);
+  }
+
+  /// Prepares a triangle and draws its rows. Returns false if it `may_split` and is too wide; nothing is
+  /// drawn then. A function of its own, because split_triangle() would hold a command for each level of
+  /// splitting otherwise.
+  ARCSPAN_OUTLINE bool draw_part(const Raster& a, const Raster& b, const Raster& c, const Face& face,
+                                 bool may_split) {
+    TriangleCommand<Method> command;
+    const Preparation prepared = prepare_inside<Method, Depth::kTests>(
+        stage_.lighting(), a, b, c, face, scissor_.viewport_rows(), may_split, command);
+    if (prepared != Preparation::kReady) return prepared == Preparation::kNothing;
+    counted_ = true;
+    result_.status =
+        draw_rows<kWholeRows>(command, scissor_.origin(),
+                              Target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_}, columns_);
+    return true;
+  }
+
+  const VertexStage<Method> stage_;
+  const Scissor scissor_;
+  Sink& sink_;
+  [[no_unique_address]] Colours encoded_;
+  const Depth& depth_;
+  const DrawOptions options_;
+  DrawResult result_{};
+  Columns columns_ = Columns::kCrossing;  ///< of the current triangle
+  bool counted_ = false;                  ///< the current triangle is to be counted in the result
+};
+
+}  // namespace arcspan::detail

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/mesh/packed_normal.hpp>
+#include <arcspan/prepare/triangle.hpp>
+#include <arcspan/target.hpp>
+#include <arcspan/vertex/clip_transform.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan {
+
+/// A transformed vertex, the element of the vertex cache that draw_mesh() may be given. Shaded when the first
+/// visible triangle needs it.
+template <class Method>
+struct CachedVertex {
+  RasterVertex<Method> raster;
+  std::uint8_t outcode;  ///< planes that the vertex is outside of (ClipOutcode); if any, `raster` is unset
+  bool shaded;
+};
+
+namespace detail {
+
+/// The side of a triangle that is seen.
+enum class Facing : std::uint8_t { kFront, kBack };
+
+/// Transforms and shades the vertices of one mesh.
+template <class Method>
+class VertexStage {
+ public:
+  constexpr VertexStage(const MeshView& mesh, const ClipTransform& transform,
+                        const typename Method::Lighting& lighting)
+      : mesh_(mesh), transform_(transform), lighting_(lighting) {}
+
+  [[nodiscard]] constexpr const MeshView& mesh() const { return mesh_; }
+  [[nodiscard]] constexpr const ClipTransform& transform() const { return transform_; }
+  [[nodiscard]] constexpr const typename Method::Lighting& lighting() const { return lighting_; }
+
+  [[nodiscard]] constexpr ClipPosition clip_position(std::size_t i) const {
+    return transform_(mesh_.position(i));
+  }
+
+  /// Transforms vertex i of the mesh; it is not shaded yet.
+  void transform(std::size_t i, CachedVertex<Method>& vertex) const {
+    const ClipPosition position = clip_position(i);
+    vertex.outcode = outcode(position, transform_.near_w());
+    if (vertex.outcode == kInside) vertex.raster.position = project(position, transform_);
+    vertex.shaded = false;
+  }
+
+  /// Transforms vertex i of a mesh that is known to be in view.
+  ARCSPAN_OUTLINE void transform_inside(std::size_t i, CachedVertex<Method>& vertex) const {
+    vertex.raster.position = project(clip_position(i), transform_);
+    vertex.outcode = kInside;
+    vertex.shaded = false;
+  }
+
+  /// Shades vertex i with its normal, unless that has been done.
+  void shade(std::size_t i, CachedVertex<Method>& vertex) const {
+    if (vertex.shaded) return;
+    shade(i, Facing::kFront, vertex.raster.shade);
+    vertex.shaded = true;
+  }
+
+  /// Shades vertex i with its normal for the front, with the opposite normal for the back.
+  ARCSPAN_OUTLINE void shade(std::size_t i, Facing facing, typename Method::Vertex& shade) const {
+    const Direction normal = unpack_normal(mesh_.normal(i));
+    shade = Method::shade_vertex(lighting_, facing == Facing::kBack ? -normal : normal);
+  }
+
+ private:
+  const MeshView& mesh_;
+  const ClipTransform& transform_;
+  const typename Method::Lighting& lighting_;
+};
+
+}  // namespace detail
+}  // namespace arcspan

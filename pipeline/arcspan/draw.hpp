@@ -38,19 +38,23 @@ template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSin
                                                    const Depth& depth,
                                                    std::span<CachedVertex<Method>> cache = {},
                                                    const DrawOptions& options = {}) {
-  const detail::VertexStage<Method> stage(mesh, transform, lighting);
-  detail::TriangleDrawer<Method, Features, Sink, Depth> drawer(stage, sink, depth, options);
+  detail::TriangleDrawer<Method, Features, Sink, Depth> drawer(mesh, transform, lighting, sink, depth,
+                                                               options);
   if (!drawer.ready()) return drawer.result();
   BackFaces back_faces;
   if constexpr (Features.planes) {
     if (!drawer.two_sided()) back_faces = BackFaces(mesh, transform);
   }
-  if (!Features.caches || cache.size() < mesh.vertex_count()) {
-    drawer.draw_triangles(detail::UncachedVertices<Method>(stage, back_faces));
+  const auto draw = [](auto& to, const auto& vertices) { to.draw_triangles(vertices); };
+  const detail::UncachedVertices<Method> uncached(drawer.stage(), back_faces);
+  if constexpr (!Features.caches) {
+    draw(drawer, uncached);
+  } else if (cache.size() < mesh.vertex_count()) {
+    outlined(draw, drawer, uncached);
   } else if (back_faces.known()) {
-    drawer.draw_triangles(detail::FrontVertices<Method>(stage, cache.data(), back_faces));
+    outlined(draw, drawer, detail::FrontVertices<Method>(drawer.stage(), cache.data(), back_faces));
   } else {
-    drawer.draw_triangles(detail::CachedVertices<Method>(stage, cache.data()));
+    outlined(draw, drawer, detail::CachedVertices<Method>(drawer.stage(), cache.data()));
   }
   return drawer.result();
 }

@@ -23,11 +23,13 @@ class TriangleDrawer {
  public:
   using Vertex = CachedVertex<Method>;
 
-  TriangleDrawer(const VertexStage<Method>& stage, Sink& sink, const Depth& depth, const DrawOptions& options)
-      : stage_(stage),
-        scissor_(stage.transform().viewport(), intersection(sink.bounds(), depth.bounds())),
+  TriangleDrawer(const MeshView& mesh, const ClipTransform& transform,
+                 const typename Method::Lighting& lighting, Sink& sink, const Depth& depth,
+                 const DrawOptions& options)
+      : stage_(mesh, transform, lighting),
+        scissor_(transform.viewport(), intersection(sink.bounds(), depth.bounds())),
         sink_(sink),
-        encoded_(stage.lighting()),
+        encoded_(lighting),
         depth_(depth),
         options_(options) {
     if (!Features.two_sided && options.two_sided) result_.status = Status::kUnsupported;
@@ -35,13 +37,14 @@ class TriangleDrawer {
 
   /// True if there is something to draw into and nothing has failed.
   [[nodiscard]] bool ready() const { return !scissor_.rect().empty() && ok(result_.status); }
+  [[nodiscard]] const VertexStage<Method>& stage() const { return stage_; }
   [[nodiscard]] const DrawResult& result() const { return result_; }
   [[nodiscard]] bool two_sided() const { return Features.two_sided && options_.two_sided; }
 
   /// Draws the mesh with the vertices of a source (vertex_source.hpp) until the sink fails.
   template <class Source>
-  void draw_triangles(const Source& vertices) {
-    const MeshView mesh = stage_.mesh();  // A copy: nothing that is drawn can change it.
+  ARCSPAN_INLINE void draw_triangles(const Source vertices) {
+    const MeshView& mesh = stage_.mesh();
     const std::size_t count = mesh.triangle_count();
     for (std::size_t i = vertices.next(0, count); i < count; i = vertices.next(i + 1, count)) {
       const TriangleIndices t = mesh.triangle(i);
@@ -65,8 +68,6 @@ class TriangleDrawer {
   /// are not drawn: the case of half of all triangles, before anything is set up.
   template <bool AllInside>
   [[nodiscard]] bool is_culled(const Vertex& a, const Vertex& b, const Vertex& c) const {
-    const std::int32_t area = 0;
-    (void)area;
     if constexpr (AllInside) {
       return doubled_area(a.raster.position, b.raster.position, c.raster.position) >= 0;
     } else {

@@ -69,7 +69,7 @@ class UncachedVertices {
   [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
     return back_faces_.known() ? back_faces_.next_front(i, count) : i;
   }
-  [[nodiscard]] ARCSPAN_INLINE CachedVertex<Method> operator[](std::size_t i) const {
+  [[nodiscard]] ARCSPAN_OUTLINE CachedVertex<Method> operator[](std::size_t i) const {
     CachedVertex<Method> vertex;
     stage_.transform(i, vertex);
     return vertex;

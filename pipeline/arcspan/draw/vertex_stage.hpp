@@ -44,7 +44,7 @@ class VertexStage {
   }
 
   /// Transforms vertex i of the mesh; it is not shaded yet.
-  void transform(std::size_t i, CachedVertex<Method>& vertex) const {
+  ARCSPAN_INLINE void transform(std::size_t i, CachedVertex<Method>& vertex) const {
     const ClipPosition position = clip_position(i);
     vertex.outcode = outcode(position, transform_.near_w());
     if (vertex.outcode == kInside) vertex.raster.position = project(position, transform_);

@@ -42,13 +42,12 @@ struct EdgeSetup {
   const RasterPosition* top;
   std::int32_t dy;      ///< height, 1...2^15 - 1 16ths of a row
   std::int32_t offset;  ///< centre of the first row below the top, 16ths of a row
-  /// Of dy. Few attributes go along a short edge on the right: it has one from make_inverse() on.
-  mutable Reciprocal inverse;
-};
+  /// Reciprocal of dy. Unset on short right edges until make_inverse() is called, because only arcs need it
+  /// there.
+  Reciprocal inverse;
 
-constexpr void make_inverse(const EdgeSetup& edge) {
-  edge.inverse = nonzero_reciprocal(static_cast<std::uint32_t>(edge.dy));
-}
+  constexpr void make_inverse() { inverse = nonzero_reciprocal(static_cast<std::uint32_t>(dy)); }
+};
 
 /// First row whose centre is at or below y: ceil(y - 1/2).
 [[nodiscard]] constexpr std::int32_t first_row_at(std::int32_t y) { return (y + 7) >> 4; }
@@ -58,7 +57,7 @@ constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& 
   edge.top = &top;
   edge.dy = bottom.y - top.y;
   edge.offset = row * 16 + 8 - top.y;
-  if (on_left || !kHasLongMultiply) make_inverse(edge);
+  if (on_left || !kHasLongMultiply) edge.make_inverse();
 }
 
 /// offset / dy in 15 fraction bits, at most 1.

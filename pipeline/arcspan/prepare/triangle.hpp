@@ -85,12 +85,12 @@ struct TriangleFrame {
   Reciprocal inverse_width;
 };
 
-/// For attributes that go along both of a row's edges.
+/// Completes the reciprocals of the short edges, for methods that interpolate along both edges of a row.
 template <class Method>
-constexpr void make_short_inverses(const TriangleFrame<Method>& frame) {
+constexpr void make_short_inverses(TriangleFrame<Method>& frame) {
   if (frame.middle_left || !kHasLongMultiply) return;
-  if (frame.has_upper) make_inverse(frame.upper_edge);
-  if (frame.has_lower) make_inverse(frame.lower_edge);
+  if (frame.has_upper) frame.upper_edge.make_inverse();
+  if (frame.has_lower) frame.lower_edge.make_inverse();
 }
 
 /// A 16-bit attribute with the given values at the top, middle and bottom vertex as a plane over the rows.

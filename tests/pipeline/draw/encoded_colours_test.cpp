@@ -27,7 +27,7 @@ struct Frame : hal::Framebuffer<Rgb565> {
 
 using Light = Illumination<1, Highlight::kPhong>;
 template <class Method, std::size_t Size>
-using CodesIn = typename detail::MeshDrawer<Method, DrawFeatures{}, Frame<Size>, DepthBuffer>::Colours;
+using CodesIn = EncodedColoursFor<Method, Frame<Size>>;
 static_assert(std::is_same_v<CodesIn<Arc<Light>, 1024>, EncodedColourTable<Rgb565, 1024>>);
 static_assert(std::is_same_v<CodesIn<Arc<Light>, 256>, EncodedColourTable<Rgb565, 256>>);
 static_assert(sizeof(EncodedColourTable<Rgb565, 256>) == 512);

@@ -50,17 +50,16 @@ struct Adaptive : Arc<Illumination> {
   struct Prepared : Base::Prepared {
     FullLinearPlane light;
     int segment_bits;
-    bool linear;
-    bool gloss;
+    bool linear_light;     ///< N·L alone, linear on the screen
+    bool highlight_patch;  ///< N·L and the highlight's distance as patches
   };
 
   template <class Frame>
-  static constexpr void prepare(const Lighting& lighting, const Frame& frame, const Face&,
-                                Prepared& prepared) {
+  static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
     const TriangleChords& chords = frame.chords;
     prepared.middle_left = frame.middle_left;
-    prepared.linear = false;
-    prepared.gloss = false;
+    prepared.linear_light = false;
+    prepared.highlight_patch = false;
     prepared.segment_bits = 0;
     if constexpr (Base::kHasDiffusePath) {
       if (chords.widest() <= kWidestPatch) {
@@ -71,24 +70,25 @@ struct Adaptive : Arc<Illumination> {
         }
       }
     }
-    const bool flat = chords.widest() <= lighting.widest_patch() && patch_fits(frame);
+    const bool fits_patch = chords.widest() <= lighting.widest_patch() && patch_fits(frame);
     prepared.segment_bits = segment_bits(lighting, frame);
     if constexpr (kHasHighlightPatch) {
-      if (flat && prepared.segment_bits == 0 && chords.widest() <= lighting.highlight_patch_limit()) {
-        prepared.gloss = prepare_highlight_patch(lighting, frame, prepared);
-        if (prepared.gloss) return;
+      if (fits_patch && prepared.segment_bits == 0 && chords.widest() <= lighting.highlight_patch_limit()) {
+        prepared.highlight_patch = prepare_highlight_patch(lighting, frame, prepared);
+        if (prepared.highlight_patch) return;
       }
     }
-    Base::prepare_path(frame, flat ? Path::kPatch : Path::kArcs, prepared);
+    Base::prepare_path(frame, fits_patch ? Path::kPatch : Path::kArcs, prepared);
   }
 
   template <class Draw>
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     if constexpr (Base::kHasDiffusePath) {
-      if (prepared.linear) return draw(LinearLightWalker<Lighting>(prepared.light, prepared.middle_left));
+      if (prepared.linear_light)
+        return draw(LinearLightWalker<Lighting>(prepared.light, prepared.middle_left));
     }
     if constexpr (kHasHighlightPatch) {
-      if (prepared.gloss) {
+      if (prepared.highlight_patch) {
         return draw(
             PatchWalker<HighlightPatchRun<Lighting>, Base::kScalars>(prepared.patch, prepared.middle_left));
       }
@@ -117,8 +117,7 @@ struct Adaptive : Arc<Illumination> {
 
   /// Prepares N·L alone, linear if that is within `linear_limit`; false if the triangle fits neither.
   template <class Frame>
-  [[nodiscard]] static constexpr bool prepare_without_highlight(const Frame& frame,
-                                                                std::uint32_t linear_limit,
+  [[nodiscard]] static constexpr bool prepare_without_highlight(Frame& frame, std::uint32_t linear_limit,
                                                                 Prepared& prepared) {
     const std::int32_t a = LinearLight::level(frame.top->shade.scalars[0]);
     const std::int32_t b = LinearLight::level(frame.middle->shade.scalars[0]);
@@ -126,7 +125,7 @@ struct Adaptive : Arc<Illumination> {
     const std::int32_t upper = a > b ? a : b;
     const std::uint32_t radius2 = squared_radius(frame.chords);
     if (linear_rise(radius2, upper > c ? upper : c) <= linear_limit) {
-      prepared.linear = true;
+      prepared.linear_light = true;
       const auto lift = static_cast<std::int32_t>(radius2 >> (28 - LinearLight::kFraction + 2));
       const auto lifted = [lift](std::int32_t level) {
         return level + (wrap_mul(level, lift) >> LinearLight::kFraction);

@@ -80,8 +80,7 @@ struct Arc {
 
   /// `Frame` is a TriangleFrame whose vertices have this method's shade.
   template <class Frame>
-  static constexpr void prepare(const Lighting& lighting, const Frame& frame, const Face&,
-                                Prepared& prepared) {
+  static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
     prepare_path(frame, choose_path(lighting, frame, frame.chords.widest()), prepared);
   }
 
@@ -102,7 +101,7 @@ struct Arc {
 
   /// Prepares the triangle for a path, which must be one that its angles allow.
   template <class Frame>
-  static constexpr void prepare_path(const Frame& frame, Path path, Prepared& prepared) {
+  static constexpr void prepare_path(Frame& frame, Path path, Prepared& prepared) {
     prepared.middle_left = frame.middle_left;
     prepared.path = path;
     if (path == Path::kArcs) {

@@ -52,7 +52,7 @@ constexpr void prepare_arc_rows(const Frame& frame, ArcTriangle<Count>& arcs) {
 
 /// `Frame` is a TriangleFrame whose chords are measured and whose vertices carry `scalars`.
 template <class Frame, std::size_t Count>
-ARCSPAN_OUTLINE constexpr void prepare_arcs(const Frame& frame, ArcTriangle<Count>& arcs) {
+ARCSPAN_OUTLINE constexpr void prepare_arcs(Frame& frame, ArcTriangle<Count>& arcs) {
   const TriangleChords& chords = frame.chords;
   const auto& top = frame.top->shade.scalars;
   const auto& middle = frame.middle->shade.scalars;

@@ -60,7 +60,7 @@ struct ArcVector {
     return Base::chords_of(frame);
   }
 
-  static constexpr void prepare(const Lighting&, const TriangleFrame<ArcVector>& frame, const Face&,
+  static constexpr void prepare(const Lighting&, TriangleFrame<ArcVector>& frame, const Face&,
                                 Prepared& prepared) {
     prepare_arcs(frame, prepared.arcs);
   }

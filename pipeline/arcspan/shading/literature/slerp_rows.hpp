@@ -141,7 +141,7 @@ struct SlerpEdges {
   bool in_lower;
 
   template <class Frame>
-  constexpr void make(const Frame& frame) {
+  constexpr void make(Frame& frame) {
     const auto& top = frame.top->shade.scalars;
     const auto& middle = frame.middle->shade.scalars;
     const auto& bottom = frame.bottom->shade.scalars;
@@ -195,7 +195,7 @@ struct SlerpBase {
     return Carrier::too_wide(a, b);
   }
   template <class Frame>
-  static constexpr void prepare(const Lighting&, const Frame& frame, const Face&, Prepared& prepared) {
+  static constexpr void prepare(const Lighting&, Frame& frame, const Face&, Prepared& prepared) {
     prepared.make(frame);
   }
 

@@ -40,7 +40,7 @@ struct Segment : Arc<Illumination> {
   };
 
   template <class Frame>
-  static constexpr void prepare(const Lighting& lighting, const Frame& frame, const Face& face,
+  static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face& face,
                                 Prepared& prepared) {
     prepared.bits = lighting.bits;
     Base::prepare(lighting, frame, face, prepared);

@@ -58,7 +58,7 @@ bool takes_highlight_patch(const Lighting& lighting, const Triangle& t) {
   TriangleCommand<Method> command;
   REQUIRE(
       prepare_triangle<Method>(lighting, t.corners[0], t.corners[1], t.corners[2], {}, {-80, 80}, command));
-  return command.shade.gloss;
+  return command.shade.highlight_patch;
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ class LinearTriangle {
     TriangleCommand<Method> command;
     if (!prepare_triangle<Method>(lighting, v[0], v[1], v[2], {}, {-kPicture / 2, kPicture / 2}, command))
       return {};
-    figures.linear = command.shade.linear;
+    figures.linear = command.shade.linear_light;
     if (!figures.linear) return {};
     RunList runs({0, 0, kPicture, kPicture});
     lights.clear();  // of tables that the set-up made

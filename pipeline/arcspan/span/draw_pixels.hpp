@@ -39,69 +39,62 @@ struct PixelPlace {
   Linear z;
 };
 
-/// The encoded colour of the run's current pixel, which is at column x of row y.
-template <class Target, class Run>
-[[nodiscard]] ARCSPAN_INLINE constexpr typename Target::Format::Encoded encoded_colour(const Run& run,
-                                                                                       const Target& target,
-                                                                                       std::int32_t x,
-                                                                                       std::int32_t y) {
-  using Format = typename Target::Format;
-  if constexpr (std::same_as<typename Target::Colours, NoEncodedColours> ||
-                std::same_as<Run, SegmentPixels>) {
-    return encode_at<Format>(run.colour(target.lighting), x, y);
-  } else {
-    static_assert(EncodingRun<Run, Format, typename Target::Lighting, typename Target::Colours>,
-                  "a method that uses encoded colours (kUsesEncodedColours) has runs with encoded()");
-    return run.template encoded<Format>(target.lighting, target.encoded);
-  }
-}
-
-/// True if pixels and depths of a row are arrays that one index can serve.
+/// True if the pixels and the depths of a row are arrays that one index can serve.
 template <class Target>
 concept IndexedRows = kHasManyRegisters && bool{Target::Depth::kTests} &&
                       requires(typename Target::Format::Cursor cursor) {
   cursor.pixels();
 };
 
+/// True if the pixels of `Run` are looked up in a table of encoded colours. Segments have no N·L to look up.
+template <class Target, class Run>
+inline constexpr bool kLooksUpColours =
+    !std::same_as<typename Target::Colours, NoEncodedColours> && !std::same_as<Run, SegmentPixels>;
+
 /// Draws span.count pixels from `place` on, each only if it is_nearer() than the depth buffer where there is
-/// one, and moves `place` behind them. `dz` is the depth's gradient per pixel.
+/// one, and moves `place` behind them. `dz` is the gradient of the depth per pixel.
+///
+/// In indexed rows both addresses are those behind the last pixel, and the index runs up to 0: it is the loop
+/// counter too. Elsewhere both rows are stepped.
 template <class Target, class Run>
 ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span& span, Run& run,
                                           const Target& target, Linear dz) {
-  if constexpr (IndexedRows<Target>) {
-    // One index into both rows that runs up to 0 takes the fewest instructions: it is the loop counter as
-    // well.
+  using Format = typename Target::Format;
+  constexpr bool kTests = Target::Depth::kTests;
+  constexpr bool kIndexed = IndexedRows<Target>;
+  const std::int32_t origin = kIndexed ? span.x + span.count : span.x;
+  [[maybe_unused]] typename Format::Encoded* pixels = nullptr;
+  std::uint16_t* depths = place.depths;
+  if constexpr (kIndexed) {
     place.cursor.skip(span.count);
     place.depths += span.count;
-    auto* pixels = place.cursor.pixels();
-    std::uint16_t* depths = place.depths;
-    const std::int32_t end = span.x + span.count;
+    pixels = place.cursor.pixels();
+    depths = place.depths;
     hide_value(pixels);
     hide_value(depths);
-    for (auto i = static_cast<std::ptrdiff_t>(-span.count); i != 0; ++i) {
-      if constexpr (!kHasWideRegisters) hide_value(i);
-      const std::uint16_t depth = depth_of(place.z);
-      if (is_nearer(depth, depths[i])) [[likely]] {
-        depths[i] = depth;
-        pixels[i] = encoded_colour(run, target, end + static_cast<std::int32_t>(i), span.y);
-      }
-      place.z += dz;
-      run.next();
-    }
-    return;
   }
-  constexpr bool kTests = Target::Depth::kTests;
-  for (std::int32_t i = 0; i < span.count; ++i) {
+  const std::ptrdiff_t last = kIndexed ? 0 : span.count;
+  for (std::ptrdiff_t i = kIndexed ? -span.count : 0; i != last; ++i) {
+    if constexpr (kIndexed && !kHasWideRegisters) hide_value(i);
     const std::uint16_t depth = depth_of(place.z);
-    if (!kTests || is_nearer(depth, *place.depths)) [[likely]] {
-      if constexpr (kTests) *place.depths = depth;
-      place.cursor.write(encoded_colour(run, target, span.x + i, span.y));
+    std::uint16_t* const stored = kIndexed ? depths + i : place.depths;
+    if (!kTests || is_nearer(depth, *stored)) [[likely]] {
+      if constexpr (kTests) *stored = depth;
+      typename Format::Encoded encoded;
+      if constexpr (kLooksUpColours<Target, Run>) {
+        encoded = run.template encoded<Format>(target.lighting, target.encoded);
+      } else {
+        encoded = encode_at<Format>(run.colour(target.lighting), origin + static_cast<std::int32_t>(i), span.y);
+      }
+      if constexpr (kIndexed) {
+        pixels[i] = encoded;
+      } else {
+        place.cursor.write(encoded);
+      }
     }
-    if constexpr (kTests) {
-      ++place.depths;
-      place.z += dz;
-    }
-    place.cursor.next();
+    if constexpr (!kIndexed && kTests) ++place.depths;
+    if constexpr (kTests) place.z += dz;
+    if constexpr (!kIndexed) place.cursor.next();
     run.next();
   }
 }

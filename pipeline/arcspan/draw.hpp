@@ -45,16 +45,15 @@ template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSin
   if constexpr (Features.planes) {
     if (!drawer.two_sided()) back_faces = BackFaces(mesh, transform);
   }
-  const auto draw = [](auto& to, const auto& vertices) { to.draw_triangles(vertices); };
   const detail::UncachedVertices<Method> uncached(drawer.stage(), back_faces);
   if constexpr (!Features.caches) {
-    draw(drawer, uncached);
+    drawer.draw_triangles(uncached);
   } else if (cache.size() < mesh.vertex_count()) {
-    outlined(draw, drawer, uncached);
+    drawer.draw_triangles_outlined(uncached);
   } else if (back_faces.known()) {
-    outlined(draw, drawer, detail::FrontVertices<Method>(drawer.stage(), cache.data(), back_faces));
+    drawer.draw_triangles_outlined(detail::FrontVertices<Method>(drawer.stage(), cache.data(), back_faces));
   } else {
-    outlined(draw, drawer, detail::CachedVertices<Method>(drawer.stage(), cache.data()));
+    drawer.draw_triangles_outlined(detail::CachedVertices<Method>(drawer.stage(), cache.data()));
   }
   return drawer.result();
 }

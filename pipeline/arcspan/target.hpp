@@ -100,12 +100,6 @@ inline constexpr bool kHasSaturate = false;
 /// A 32-bit word that may be stored over objects of other types.
 using AliasingWord [[gnu::may_alias]] = __UINT32_TYPE__;
 
-/// Calls function(arguments...) from a function of its own (see ARCSPAN_OUTLINE).
-template <class Function, class... Arguments>
-ARCSPAN_OUTLINE constexpr auto outlined(Function function, Arguments&&... arguments) {
-  return function(arguments...);
-}
-
 // ---- Hints for register allocation
 // -------------------------------------------------------------------------------
 

@@ -52,9 +52,18 @@ class TriangleDrawer {
       auto&& b = vertices[t.b];
       auto&& c = vertices[t.c];
       if (is_culled<Source::kAllInside>(a, b, c)) continue;
-      draw_triangle(t, a, b, c);
+      // With a cache there are several loops, which share one function.
+      if constexpr (Features.caches) {
+        draw_triangle_outlined(t, a, b, c);
+      } else {
+        draw_triangle(t, a, b, c);
+      }
       if (!ok(result_.status)) return;
     }
+  }
+  template <class Source>
+  ARCSPAN_OUTLINE void draw_triangles_outlined(const Source& vertices) {
+    draw_triangles(vertices);
   }
 
  private:
@@ -77,41 +86,30 @@ class TriangleDrawer {
     }
   }
 
-  void draw_triangle(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
-    if constexpr (Features.caches) {
-      draw_visible_outlined(t, a, b, c);
-    } else {
-      draw_visible(t, a, b, c);
-    }
-  }
-  ARCSPAN_OUTLINE void draw_visible_outlined(TriangleIndices t, Vertex& a, Vertex& b, Vertex& c) {
-    draw_visible(t, a, b, c);
-  }
-
   /// Draws a triangle that is not culled, and counts it if a part of it is in view.
-  ARCSPAN_INLINE void draw_visible(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
-    counted_ = false;
-    if ((a.outcode | b.outcode | c.outcode) != 0) {
-      draw_clipped(t);
-    } else {
-      draw_inside(t, a, b, c);
-    }
-    if (counted_) ++result_.triangles;
-  }
-
-  /// Draws a triangle whose vertices are inside the clip volume.
-  void draw_inside(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
+  ARCSPAN_INLINE void draw_triangle(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
     const RasterPosition& p = a.raster.position;
     const RasterPosition& q = b.raster.position;
     const RasterPosition& r = c.raster.position;
-    if (!is_within_scissor(p, q, r)) return;
-    if (two_sided() && doubled_area(p, q, r) > 0) return draw_back(t, p, q, r);
-    if constexpr (!std::is_empty_v<typename Method::Vertex>) {
-      stage_.shade(t.a, a);
-      stage_.shade(t.b, b);
-      stage_.shade(t.c, c);
+    counted_ = false;
+    if ((a.outcode | b.outcode | c.outcode) != 0) {
+      draw_clipped(t);
+    } else if (is_within_scissor(p, q, r)) {
+      if (two_sided() && doubled_area(p, q, r) > 0) {
+        draw_back(t, p, q, r);
+      } else {
+        if constexpr (!std::is_empty_v<typename Method::Vertex>) {
+          stage_.shade(t.a, a);
+          stage_.shade(t.b, b);
+          stage_.shade(t.c, c);
+        }
+        draw_side(t, a.raster, b.raster, c.raster, Facing::kFront);
+      }
     }
-    draw_facing(t, a.raster, b.raster, c.raster, Facing::kFront);
+    if (counted_) ++result_.triangles;
+  }
+  ARCSPAN_OUTLINE void draw_triangle_outlined(TriangleIndices t, Vertex& a, Vertex& b, Vertex& c) {
+    draw_triangle(t, a, b, c);
   }
 
   /// Draws the back of a triangle. Few meshes show backs, so their shading is not cached.
@@ -123,7 +121,7 @@ class TriangleDrawer {
     stage_.shade(t.a, Facing::kBack, a.shade);
     stage_.shade(t.b, Facing::kBack, b.shade);
     stage_.shade(t.c, Facing::kBack, c.shade);
-    draw_facing_outlined(t, a, b, c, Facing::kBack);
+    draw_side(t, a, b, c, Facing::kBack);
   }
 
   /// Draws a triangle across the near plane or the guard band.
@@ -154,8 +152,9 @@ class TriangleDrawer {
       const Raster r = projected(inside.vertices[i]);
       const std::int32_t area = doubled_area(p.position, q.position, r.position);
       const bool faces = facing == Facing::kFront ? area < 0 : area > 0;
-      if (faces && is_within_scissor(p.position, q.position, r.position))
-        draw_facing_outlined(t, p, q, r, facing);
+      if (faces && is_within_scissor(p.position, q.position, r.position)) {
+        draw_side(t, p, q, r, facing);
+      }
     }
   }
 
@@ -172,24 +171,53 @@ class TriangleDrawer {
     return test == ScissorTest::kInside || test == ScissorTest::kCrossing;
   }
 
-  ARCSPAN_COLD_OUTLINE void draw_facing_outlined(const TriangleIndices& t, const Raster& a, const Raster& b,
-                                                 const Raster& c, Facing facing) {
-    draw_facing(t, a, b, c, facing);
-  }
-
-  /// Draws one side of a triangle whose vertices are shaded, in parts if its normals are too far apart.
-  void draw_facing(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c,
-                   Facing facing) {
-    Face face{};
+  /// What the method keeps of the triangle's face; empty if it needs no face normal.
+  [[nodiscard]] Face shaded_face([[maybe_unused]] const TriangleIndices& t,
+                                 [[maybe_unused]] Facing facing) const {
     if constexpr (Method::kNeedsFaceNormal) {
       const MeshView& mesh = stage_.mesh();
       const Direction normal = face_normal(mesh.position(t.a), mesh.position(t.b), mesh.position(t.c));
-      face = Method::shade_face(stage_.lighting(), facing == Facing::kBack ? -normal : normal);
+      return Method::shade_face(stage_.lighting(), facing == Facing::kBack ? -normal : normal);
+    } else {
+      return {};
     }
+  }
+
+  /// Draws one side of a triangle whose vertices are shaded, in parts if its normals are too far apart.
+  ARCSPAN_INLINE void draw_side(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c,
+                                Facing facing) {
+    const Face face = shaded_face(t, facing);
     if (draw_part(a, b, c, face, Features.splits)) return;
     if constexpr (Features.splits) draw_split(a, b, c, face);
   }
 
+  /// Prepares a triangle and draws its rows. Returns false if it `may_split` and its normals are too far
+  /// apart for the method; nothing is drawn then. A function of its own, so that the stack holds only one
+  /// command.
+  ARCSPAN_OUTLINE bool draw_part(const Raster& a, const Raster& b, const Raster& c, const Face& face,
+                                 bool may_split) {
+    TriangleCommand<Method> command;
+    const Preparation prepared = prepare_inside<Method, Depth::kTests>(
+        stage_.lighting(), a, b, c, face, scissor_.viewport_rows(), may_split, command);
+    if (prepared != Preparation::kReady) return prepared == Preparation::kNothing;
+    counted_ = true;
+    const RasterOrigin& origin = scissor_.origin();
+    const Rect& rect = scissor_.rect();
+    if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return true;
+    const Target target{rect, stage_.lighting(), sink_, depth_, encoded_};
+    if constexpr (!kWholeRows) {
+      result_.status = draw_crossing_rows(command, origin, target);
+    } else if (columns_ == Columns::kCrossing) [[unlikely]] {
+      result_.status = draw_crossing_rows_outlined(command, origin, target);
+    } else {
+      result_.status =
+          Method::walk(command.shade,
+                       RowDrawer<Columns::kInside, TriangleCommand<Method>, Target>{command, origin, target});
+    }
+    return true;
+  }
+
+  /// Splits a triangle and draws the parts that have rows in this band.
   ARCSPAN_COLD_OUTLINE void draw_split(const Raster& a, const Raster& b, const Raster& c, const Face& face) {
     auto emit = [this, &face](const Raster& p, const Raster& q, const Raster& r) {
       if (!ok(result_.status)) return;
@@ -200,22 +228,6 @@ class TriangleDrawer {
       (void)draw_part(p, q, r, face, false);
     };
     split_triangle(a, b, c, emit);
-  }
-
-  /// Prepares a triangle and draws its rows. Returns false if it `may_split` and is too wide; nothing is
-  /// drawn then. A function of its own, because split_triangle() would hold a command for each level of
-  /// splitting otherwise.
-  ARCSPAN_OUTLINE bool draw_part(const Raster& a, const Raster& b, const Raster& c, const Face& face,
-                                 bool may_split) {
-    TriangleCommand<Method> command;
-    const Preparation prepared = prepare_inside<Method, Depth::kTests>(
-        stage_.lighting(), a, b, c, face, scissor_.viewport_rows(), may_split, command);
-    if (prepared != Preparation::kReady) return prepared == Preparation::kNothing;
-    counted_ = true;
-    result_.status =
-        draw_rows<kWholeRows>(command, scissor_.origin(),
-                              Target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_}, columns_);
-    return true;
   }
 
   const VertexStage<Method> stage_;

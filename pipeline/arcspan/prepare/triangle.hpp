@@ -46,6 +46,11 @@ struct TriangleCommand {
   LinearPlane depth;
   typename Method::Prepared shade;
 
+  /// True if one of the command's rows is among top ... bottom - 1, when the raster origin is in row
+  /// `origin`.
+  [[nodiscard]] constexpr bool has_rows_in(std::int32_t top, std::int32_t bottom, std::int32_t origin) const {
+    return end_row + origin > top && first_row + origin < bottom;
+  }
   /// Moves every edge by `pixels` columns.
   ARCSPAN_INLINE constexpr void move_columns(std::int32_t pixels) {
     const auto shift = static_cast<std::int64_t>(static_cast<std::uint64_t>(pixels) << 32);

@@ -138,9 +138,14 @@ constexpr void step_to_row(Command& command, Walker& walker, std::int32_t& y, st
   skip_rows<Target>(command, walker, y, top);
 }
 
-/// Draws all rows of a command that lie within the scissor; a method's walk() calls it with the walker of its
+/// True if the rows of a walker are functions of their own: their set-up takes more registers than are left
+/// beside other walkers.
+template <class Walker>
+inline constexpr bool kOutlineRows = OutlinedWalker<Walker> || SegmentedRun<typename Walker::Run>;
+
+/// Draws the rows of a command that lie within the scissor. A method's walk() calls it with the walker of its
 /// choice.
-template <Columns ColumnsType, class Command, class Target>
+template <Columns ColumnsType, class Command, class Target, bool IsOutlined = false>
 struct RowDrawer {
   Command& command;
   const RasterOrigin& origin;
@@ -148,23 +153,14 @@ struct RowDrawer {
 
   template <class Walker>
   [[nodiscard]] constexpr Status operator()(Walker walker) const {
-    if constexpr (OutlinedWalker<Walker> || SegmentedRun<typename Walker::Run>) {
-      return draw_outlined(command, origin, walker, target);
+    if constexpr (kOutlineRows<Walker> && !IsOutlined) {
+      return draw_outlined(*this, walker);
     } else {
       return draw(command, origin, walker, target);
     }
   }
 
  private:
-  template <class Walker>
-  [[nodiscard]] ARCSPAN_OUTLINE static constexpr Status draw_outlined(Command& command,
-                                                                      const RasterOrigin& origin,
-                                                                      const Walker& walker,
-                                                                      const Target& target) {
-    const Target local = target;
-    return draw(command, origin, walker, local);
-  }
-
   template <class Walker>
   [[nodiscard]] static constexpr Status draw(Command& command, const RasterOrigin& origin, Walker walker,
                                              const Target& target) {
@@ -187,39 +183,30 @@ struct RowDrawer {
       enter_lower<Target>(command, walker);
     }
   }
-};
 
-/// Draws a command's rows, cut at the sides of the scissor, in a function of its own: few triangles need it.
-template <ShadingMethod Method, class Target>
-[[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_crossing_rows(TriangleCommand<Method>& command,
-                                                                  const RasterOrigin& origin,
-                                                                  const Target& target) {
-  const Target local = target;
-  return Method::walk(command.shade,
-                      RowDrawer<Columns::kCrossing, TriangleCommand<Method>, Target>{command, origin, local});
-}
+  template <class Walker>
+  [[nodiscard]] ARCSPAN_OUTLINE static constexpr Status draw_outlined(const RowDrawer& drawer,
+                                                                      const Walker& walker) {
+    const Target local = drawer.target;
+    return RowDrawer<ColumnsType, Command, Target, true>{drawer.command, drawer.origin, local}(walker);
+  }
+};
 
 /// True if DrawFeatures::whole_rows is worth its code: a second loop for rows within the scissor.
 inline constexpr bool kWholeRowsPay = !kOptimisedForSize && kHasManyRegisters;
 
-/// Draws the rows of a command within target.scissor. With `WholeRows`, commands whose columns are known to
-/// be inside have a row loop without comparisons; without it, `columns` is ignored.
-template <bool WholeRows, ShadingMethod Method, class Target>
-[[nodiscard]] constexpr Status draw_rows(TriangleCommand<Method>& command, const RasterOrigin& origin,
-                                         const Target& target, Columns columns) {
-  const Rect& scissor = target.scissor;
-  if (command.end_row + origin.y <= scissor.top || command.first_row + origin.y >= scissor.bottom)
-    return Status::kOk;
-  if constexpr (!WholeRows) {
-    return Method::walk(command.shade, RowDrawer<Columns::kCrossing, TriangleCommand<Method>, Target>{
-                                           command, origin, target});
-  } else {
-    if (columns == Columns::kCrossing) [[unlikely]] {
-      return draw_crossing_rows(command, origin, target);
-    }
-    return Method::walk(
-        command.shade, RowDrawer<Columns::kInside, TriangleCommand<Method>, Target>{command, origin, target});
-  }
+/// Draws a command's rows, cut at the sides of the scissor where they cross them.
+template <ShadingMethod Method, class Target>
+[[nodiscard]] constexpr Status draw_crossing_rows(TriangleCommand<Method>& command,
+                                                  const RasterOrigin& origin, const Target& target) {
+  return Method::walk(
+      command.shade, RowDrawer<Columns::kCrossing, TriangleCommand<Method>, Target>{command, origin, target});
+}
+template <ShadingMethod Method, class Target>
+[[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_crossing_rows_outlined(TriangleCommand<Method>& command,
+                                                                           const RasterOrigin& origin,
+                                                                           const Target& target) {
+  return draw_crossing_rows(command, origin, target);
 }
 
 }  // namespace detail
@@ -238,7 +225,8 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
   const NoEncodedColours encoded(lighting);
   const detail::RowTarget<typename Method::Lighting, Sink, Depth> target{scissor, lighting, sink, depth,
                                                                          encoded};
-  return detail::draw_rows<false>(command, origin, target, detail::Columns::kCrossing);
+  if (!command.has_rows_in(scissor.top, scissor.bottom, origin.y)) return Status::kOk;
+  return detail::draw_crossing_rows(command, origin, target);
 }
 
 }  // namespace arcspan

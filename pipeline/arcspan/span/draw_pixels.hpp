@@ -84,7 +84,8 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
       if constexpr (kLooksUpColours<Target, Run>) {
         encoded = run.template encoded<Format>(target.lighting, target.encoded);
       } else {
-        encoded = encode_at<Format>(run.colour(target.lighting), origin + static_cast<std::int32_t>(i), span.y);
+        encoded =
+            encode_at<Format>(run.colour(target.lighting), origin + static_cast<std::int32_t>(i), span.y);
       }
       if constexpr (kIndexed) {
         pixels[i] = encoded;

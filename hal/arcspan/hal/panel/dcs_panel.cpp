@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Each time is the longer of the two datasheets' values: ILI9341 V1.11, 8.2.2 (SWRESET), 8.2.11 (SLPIN),
-// 8.2.12 (SLPOUT) and 15.4 (reset); ST7789V, 9.1.2, 9.1.11, 9.1.12 and 7.4.5. The two agree on all of them.
+// Both datasheets state these times: ILI9341 V1.11, 8.2.2 (SWRESET), 8.2.11 (SLPIN), 8.2.12 (SLPOUT) and 15.4
+// (reset); ST7789V, 9.1.2, 9.1.11, 9.1.12 and 7.4.5.
 #include <arcspan/hal/panel/dcs_panel.hpp>
 
 namespace arcspan::hal {
 namespace {
 
 constexpr std::uint32_t kResetPulseUs = 20;     // at least 10
-constexpr std::uint32_t kAfterResetMs = 120;    // 5 would do if the controller was asleep
+constexpr std::uint32_t kAfterResetMs = 120;    // 5 is enough only if it was asleep, which is unknown
 constexpr std::uint32_t kBeforeSleepOutMs = 5;  // after a software reset, even in sleep mode
 constexpr std::uint32_t kAfterSleepMs = 120;    // between sleep in and sleep out, in either order
 

@@ -3,8 +3,8 @@
 
 #include <arcspan/hal/panel/ssd0323.hpp>
 
-#include <clock.hpp>
-#include <pins.hpp>
+#include <board_clock.hpp>
+#include <port_pin.hpp>
 #include <ssi.hpp>
 
 namespace arcspan::lm3s6965 {
@@ -23,8 +23,8 @@ class Oled {
  private:
   BoardClock clock_;
   Ssi bus_;
-  OutputPin data_or_command_{Port::kC, 7};
-  OutputPin select_{Port::kD, 0};
+  PortPin data_or_command_{Port::kC, 7};
+  PortPin select_{Port::kD, 0};
   hal::SolomonSpi port_{bus_, data_or_command_};
   // The glass begins at the controller's row 12 (OSRAM_INIT_OFFSET 4Ch in Luminary Micro's driver).
   hal::Ssd0323 panel_{port_, nullptr, clock_, hal::Glass{128, 64, 0, 12, false, true, false, false}};

@@ -12,10 +12,10 @@ namespace arcspan::lm3s6965 {
 enum class Port : std::uint32_t { kA = 0x40004000, kC = 0x40006000, kD = 0x40007000 };
 
 /// A push-pull output, initially low. Call start_clocks() first. Setting it cannot fail.
-class OutputPin final : public hal::OutputPin {
+class PortPin final : public hal::OutputPin {
  public:
   /// `bit`: 0 ... 7.
-  OutputPin(Port port, unsigned bit) : base_(static_cast<std::uint32_t>(port)), mask_(1u << bit) {
+  PortPin(Port port, unsigned bit) : base_(static_cast<std::uint32_t>(port)), mask_(1u << bit) {
     bare::set_bits(base_ + kDirection, mask_);
     bare::set_bits(base_ + kDigitalEnable, mask_);
     drive(false);

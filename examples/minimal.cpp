@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The smallest whole firmware: a mesh in flash, one draw, one 128x64 frame of 16 grey levels, on any board of
-// platform/.
+// The shortest complete firmware: draws a mesh in flash into one 128x64 frame of 16 grey levels, on any board
+// of platform/.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/stack.hpp>
 #include <arcspan/draw.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A whole firmware with a display, for the LM3S6965 board: a mesh in flash turns on the OLED, drawn in bands
-// of 16 rows, so that neither frame nor depth need be in RAM as a whole. Another board or panel changes the
-// first lines of main() only.
+// A complete firmware with a display, for the LM3S6965 board: a mesh in flash rotates on the OLED. It is
+// drawn in bands of 16 rows, so that neither the frame nor its depth has to fit in RAM. For another board or
+// panel, change kWidth, kHeight, `Pages` and the first lines of main().
 #include <arcspan/bare/console.hpp>
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/panel/page_mode.hpp>

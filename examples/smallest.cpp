@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// As little flash and RAM as a picture takes: mesh, camera and light are constants, made by the compiler, and
-// what this scene does not need of draw_mesh is left out. 32x32 pixels of 5-6-5 with depth, on any board
-// of platform/.
+// The firmware with the least flash and RAM: the compiler computes mesh, camera and light, and the features
+// of draw_mesh that this scene does not need are left out. Draws 32x32 pixels of 5-6-5 with depth, on any
+// board of platform/.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/stack.hpp>
 #include <arcspan/draw.hpp>
@@ -28,7 +28,7 @@ constexpr Light kLight =
     Light::of({{kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, 32},
               {{{kTilt.to_object(normalised(3, 4, 5))}}}, kTilt.to_object(normalised(0, 0, 1)));
 
-/// 5-6-5 with each pixel encoded when it is drawn: no table of codes on the stack.
+/// 5-6-5 framebuffer whose pixels are encoded one by one, without a table of encoded colours on the stack.
 struct Screen : hal::Framebuffer<Rgb565> {
   using Framebuffer::Framebuffer;
   static constexpr std::size_t kEncodedColours = 0;
@@ -42,7 +42,7 @@ constinit DepthBuffer nearest(depths, kWidth, kHeight);
 int main() {
   screen.clear({0, 0, 0});
   nearest.clear();
-  // The sphere is in view as a whole, its triangles are small, and nobody sees it from inside.
+  // The whole sphere is in view, its triangles are small, and its inside is never visible.
   constexpr DrawFeatures kFeatures{.clips = false,
                                    .splits = false,
                                    .two_sided = false,

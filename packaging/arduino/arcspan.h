@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a sketch includes. Arduino finds a library by a header in its src folder.
+// Header for sketches. Arduino finds a library by a header in its src folder.
 #pragma once
 
 #if __cplusplus < 202002L

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Console, exit and counter of an ATmega1284P (data sheet, 19: USART0, 16: Timer/Counter1). The console has 8
-// data bits and one stop bit at an eighth of the clock. There is nobody to take an exit status: it is the
-// last line.
+// data bits and one stop bit at an eighth of the clock. The exit status is the last line of the output,
+// because simavr does not return one.
 #include <arcspan/bare/board.hpp>
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/registers.hpp>
@@ -54,16 +54,16 @@ void leave(int status) {
   while ((reg8(kUsartStatus) & kTransmitted) == 0) {
   }
   reg8(kSleepControl) = kPowerDown | kSleepEnabled;
-  for (;;) __asm volatile("cli\n sleep");  // with interrupts off it does not wake; the simulator ends here
+  for (;;) __asm volatile("cli\n sleep");  // it never wakes without interrupts, and the simulator ends
 }
 
-/// Processor cycles.
+/// Unit: processor cycles.
 std::uint64_t ticks() {
   __asm volatile("cli" ::: "memory");
   std::uint32_t high = overflows;
   const std::uint32_t low_byte = reg8(kTimerCountLow);
   const std::uint32_t count = low_byte | (std::uint32_t{reg8(kTimerCountHigh)} << 8);
-  // An overflow whose interrupt is still to come.
+  // An overflow may have happened whose interrupt is still pending.
   if ((reg8(kTimerFlags) & kOverflow) != 0 && count < 0x8000u) ++high;
   __asm volatile("sei" ::: "memory");
   return (std::uint64_t{high} << 16) | count;
@@ -71,7 +71,7 @@ std::uint64_t ticks() {
 
 }  // namespace arcspan::bare
 
-/// Timer/Counter1 overflow (data sheet, table 11-1: vector 16, counted from 0 in names).
+/// Timer/Counter1 overflow: vector 16 in the data sheet's table 11-1, 15 in names, which count from 0.
 extern "C" __attribute__((signal, used)) void __vector_15() {
   arcspan::bare::overflows = arcspan::bare::overflows + 1;
 }

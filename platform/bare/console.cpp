@@ -10,7 +10,7 @@ void print(const char* text) { write(text); }
 
 namespace {
 
-/// Digits + 1 characters hold every value.
+/// `Digits` is the number of digits of the largest value.
 template <std::size_t Digits, class Value>
 void print_decimal(Value value) {
   char digits[Digits + 1];

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Functions that make programs for the board that ARCSPAN_BOARD names (a folder of platform/), linked with nothing but
-# libgcc, and run them in its emulator.
+# Functions that build programs for the board ARCSPAN_BOARD (a folder of platform/), linked with libgcc only, and run
+# them in its emulator.
 set(ARCSPAN_BARE ${CMAKE_CURRENT_LIST_DIR})
 set(ARCSPAN_BOARD_FOLDER ${PROJECT_SOURCE_DIR}/platform/${ARCSPAN_BOARD})
 if(NOT EXISTS ${ARCSPAN_BOARD_FOLDER}/board.cmake)
@@ -10,10 +10,10 @@ set(ARCSPAN_BOARD_LINKER_SCRIPT ${ARCSPAN_BARE}/sections.ld)
 include(${ARCSPAN_BOARD_FOLDER}/board.cmake)
 list(TRANSFORM ARCSPAN_BOARD_SOURCES PREPEND ${ARCSPAN_BOARD_FOLDER}/ REGEX "^[^/]+$")
 
-# Last on every link line, after the libraries that need it.
+# Last on every link line, because the libraries before it need it.
 set(CMAKE_CXX_STANDARD_LIBRARIES "-lgcc")
 
-# The board layer. An object library, so that the linker takes the vector table without being asked.
+# The board layer is an object library, so that the linker always includes the vector table.
 add_library(
   arcspan_board OBJECT
   ${ARCSPAN_BOARD_SOURCES} ${ARCSPAN_BARE}/console.cpp ${ARCSPAN_BARE}/mark.cpp ${ARCSPAN_BARE}/memory_functions.cpp ${ARCSPAN_BARE}/run.cpp
@@ -26,11 +26,11 @@ set_source_files_properties(
   ${ARCSPAN_BARE}/memory_functions.cpp
   PROPERTIES COMPILE_OPTIONS $<IF:$<CXX_COMPILER_ID:GNU>,-fno-tree-loop-distribute-patterns,-fno-builtin>)
 if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
-  # noipa is GCC's alone; where it stands, clang has noinline beside it.
+  # Only GCC knows noipa. The sources add noinline for clang.
   target_compile_options(arcspan_board PUBLIC -Wno-unknown-attributes)
 endif()
 
-# arcspan_firmware(NAME SOURCES...): a program for the board.
+# arcspan_firmware(NAME SOURCES...): builds a program for the board.
 function(arcspan_firmware name)
   add_executable(${name} ${ARGN})
   set_target_properties(${name} PROPERTIES SUFFIX .elf CXX_EXTENSIONS OFF LINK_DEPENDS
@@ -39,7 +39,7 @@ function(arcspan_firmware name)
   target_link_libraries(${name} PRIVATE arcspan_board)
   target_link_options(${name} PRIVATE -Wl,--gc-sections -Wl,--fatal-warnings -Wl,-L,${ARCSPAN_BOARD_FOLDER} -Wl,-Map,${name}.map)
   if(CMAKE_SYSTEM_PROCESSOR STREQUAL avr)
-    # Added to the script that avr-g++ has for every chip, with its start-up code.
+    # Added to avr-g++'s default linker script for the chip and its start-up code.
     target_link_options(${name} PRIVATE ${ARCSPAN_BOARD_LINKER_SCRIPT})
   else()
     target_link_options(${name} PRIVATE -nostdlib -T ${ARCSPAN_BOARD_LINKER_SCRIPT})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The functions that compilers call for assignments of structures and demand of every environment, in their
-// simplest form: the pipeline has none of them in a loop. Compiled with -fno-tree-loop-distribute-patterns,
-// or memset would be recognised as a memset and call itself.
+// Functions that compilers call for copies of structures and require in every environment. They are simple
+// because the pipeline has none of them in a loop. Without -fno-tree-loop-distribute-patterns the compiler
+// would recognise the loop in memset as a memset, which would then call itself.
 #include <cstddef>
 
 extern "C" {
@@ -20,7 +20,7 @@ void* memcpy(void* to, const void* from, std::size_t count) {
 }
 
 void* memmove(void* to, const void* from, std::size_t count) {
-  if (to <= from) return memcpy(to, from, count);  // memcpy goes upwards, so it may overlap downwards
+  if (to <= from) return memcpy(to, from, count);  // memcpy copies upwards, which is safe for this overlap
   auto* at = static_cast<unsigned char*>(to);
   const auto* source = static_cast<const unsigned char*>(from);
   while (count-- != 0) at[count] = source[count];
@@ -36,7 +36,7 @@ int memcmp(const void* left, const void* right, std::size_t count) {
   return 0;
 }
 
-/// The slot of pure virtual functions; nothing calls it, and if something did it would be a fault.
+/// Fills the vtable slots of pure virtual functions. A call would be a fault.
 [[noreturn]] void __cxa_pure_virtual() { __builtin_trap(); }
 
 }  // extern "C"

@@ -5,7 +5,7 @@
 #include <arcspan/bare/run.hpp>
 #include <arcspan/bare/stack.hpp>
 
-// main() by its symbol: C++ does not let it be called.
+// Refers to main() by its symbol, because C++ forbids calling it.
 extern "C" int arcspan_program() __asm("main");
 
 namespace arcspan::bare {

@@ -6,7 +6,7 @@ namespace arcspan::bare {
 namespace {
 
 constexpr std::uint32_t kPattern = 0x5AFE57ACu;
-// Room for the frame of paint_stack() itself and of a caller that the compiler did not inline it into.
+// Space for the frame of paint_stack() and for that of a caller that it was not inlined into.
 constexpr std::uintptr_t kMargin = 64;
 
 }  // namespace
@@ -22,8 +22,7 @@ std::uint32_t stack_limit() {
 void paint_stack() {
   const volatile std::uint8_t in_frame = 0;
   const auto here = reinterpret_cast<std::uintptr_t>(&in_frame);
-  // The volatile store keeps the compiler from making a memset of the loop, whose frame would be painted
-  // over.
+  // The volatile store prevents a call of memset, whose own frame would be painted over.
   for (volatile std::uint32_t* word = arcspan_stack_bottom;
        reinterpret_cast<std::uintptr_t>(word) < here - kMargin; ++word) {
     *word = kPattern;

@@ -3,17 +3,17 @@
 
 #include <arcspan/hal/panel/ssd0323.hpp>
 
-#include <clock.hpp>
-#include <pins.hpp>
+#include <board_clock.hpp>
+#include <port_pin.hpp>
 #include <ssi.hpp>
 
 namespace arcspan::lm3s6965 {
 
-/// The board's display with all its wires: an SSD0323 on SSI0, D/C at PC7, selected by PD0 high, which takes
-/// it off the bus it shares with the SD card. Its reset is the board's. 128 x 64 pixels.
+/// The board's display of 128 x 64 pixels with its wiring: an SSD0323 on SSI0 with D/C at PC7. PD0 high
+/// selects it in place of the SD card on the same bus. It is reset together with the board.
 class Oled {
  public:
-  /// Selects the display and starts it; statuses of Panel::start. start_clocks() comes first.
+  /// Selects the display and starts it. Call start_clocks() first. Returns the statuses of Panel::start.
   Status start() {
     const Status status = select_.set(hal::Level::kHigh);
     return ok(status) ? panel_.start() : status;
@@ -23,10 +23,10 @@ class Oled {
  private:
   BoardClock clock_;
   Ssi bus_;
-  OutputPin data_or_command_{Port::kC, 7};
-  OutputPin select_{Port::kD, 0};
+  PortPin data_or_command_{Port::kC, 7};
+  PortPin select_{Port::kD, 0};
   hal::SolomonSpi port_{bus_, data_or_command_};
-  // The board's glass begins at the controller's row 12 (OSRAM_INIT_OFFSET 4Ch in Luminary Micro's driver).
+  // The glass begins at the controller's row 12 (OSRAM_INIT_OFFSET 4Ch in Luminary Micro's driver).
   hal::Ssd0323 panel_{port_, nullptr, clock_, hal::Glass{128, 64, 0, 12, false, true, false, false}};
 };
 

@@ -35,7 +35,7 @@ void drop_received() {
   }
 }
 
-// A FIFO of 8 bytes is empty after 128 processor clocks with the prescaler set below.
+// The FIFO of 8 bytes drains within 128 processor clocks at the prescaler set below.
 constexpr int kMostLooks = 10'000;
 
 [[nodiscard]] bool wait_for(std::uint32_t mask, std::uint32_t wanted) {
@@ -55,7 +55,7 @@ void start_clocks() {
 Ssi::Ssi() {
   set_bits(kAlternateFunction, kSsiPins);
   set_bits(kDigitalEnable, kSsiPins);
-  reg32(kControl1) = 0;  // it may only be set up while it is off (13.3)
+  reg32(kControl1) = 0;  // the port must be disabled while it is set up (13.3)
   reg32(kPrescale) = 2;
   reg32(kControl0) = kEightBits;
   reg32(kControl1) = kEnable;

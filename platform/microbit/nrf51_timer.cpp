@@ -27,7 +27,7 @@ void initialise_board() {
   reg32(kTaskStart) = 1;
 }
 
-/// The upper half stays 0: the timer wraps after 268 s.
+/// Wraps after 268 s; the upper 32 bits are always 0.
 std::uint64_t ticks() {
   reg32(kTaskCapture0) = 1;
   return reg32(kCapture0);

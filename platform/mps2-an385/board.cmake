@@ -4,6 +4,6 @@ set(ARCSPAN_BOARD_TOOLCHAIN cortex-m3)
 set(ARCSPAN_BOARD_EMULATOR qemu-system-arm -machine mps2-an385)
 set(ARCSPAN_BOARD_SOURCES
     ${ARCSPAN_BARE}/cortex_m/start.cpp ${ARCSPAN_BARE}/cortex_m/semihosting.cpp ${ARCSPAN_BARE}/cortex_m/systick.cpp)
-# Rows of a frame that are drawn at once, and transformed vertices that are kept, in the scenes of tests/firmware.
+# The scenes of tests/firmware draw this many rows at once and cache this many transformed vertices.
 set(ARCSPAN_BOARD_BAND_ROWS 120)
 set(ARCSPAN_BOARD_CACHED_VERTICES 500)

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT
- * A TCG plugin that counts executed instructions, in all and per address range, from one mark to the next.
+ * A TCG plugin that counts executed instructions, in total and per address range, between marks.
  *
- * Arguments: ranges=FILE  lines "first-address size name", addresses and sizes in hexadecimal, sorted, not
- * overlapping mark=ADDRESS address of the function that the guest calls as a mark out=FILE     report: for
- * every mark and at the end a line "section TOTAL" with the instructions since the last one, followed by
- * "range COUNT name" for every range that ran
+ * Arguments:
+ *   ranges=FILE   lines "first-address size name", hexadecimal, sorted and without overlap
+ *   mark=ADDRESS  address of the function that the guest calls as a mark
+ *   out=FILE      report to write
  *
- * The instruction at ADDRESS is the first of the section that its call begins.
+ * The report has, for every mark and for the end, a line "section TOTAL" with the instructions since the
+ * last mark, and a line "range COUNT name" for every range that was executed. The instruction at ADDRESS
+ * belongs to the section that begins there.
  */
 #include "plugin_api.h"
 

@@ -4,9 +4,8 @@
 
     instruction_count.py [--prefix arm-none-eabi-] IMAGE -- EMULATOR [ARGUMENTS...]
 
-The image calls arcspan::bare::mark() and names each section in its output with a line "section: NAME"; the text
-between two marks is one section. Prints JSON: a list of {"name", "instructions", "functions"}; what ran before the
-first mark is left out.
+The image calls arcspan_mark() at the start of each section and outputs a line "section: NAME" for it. This program
+prints JSON: a list of {"name", "instructions", "functions"}. Instructions before the first mark are not counted.
 """
 
 import argparse
@@ -29,7 +28,7 @@ def build_plugin(folder):
 
 
 def functions(image, prefix):
-    """(first address, size, demangled name) of every function, sorted and without overlap, and the mark's address."""
+    """Returns (first address, size, demangled name) of all functions, sorted, and the mark's address."""
     text = subprocess.run([prefix + "nm", "-C", "-n", "--defined-only", image], check=True, capture_output=True,
                           text=True).stdout
     starts = {}
@@ -38,8 +37,8 @@ def functions(image, prefix):
             starts.setdefault(int(symbol[1], 16), symbol[2])
     mark = next((first for first, name in starts.items() if name == MARK), None)
     if mark is None:
-        sys.exit(f"{image}: there is no {MARK}")
-    # Functions written in assembly carry no size, so each one reaches to the next.
+        sys.exit(f"{image}: it has no function {MARK}")
+    # Functions written in assembly have no size, so every function extends to the next one.
     ends = [*list(starts)[1:], list(starts)[-1] + 0x1000]
     return [(first, end - first, name) for (first, name), end in zip(starts.items(), ends)], mark
 
@@ -53,14 +52,14 @@ def read_report(path, names):
         else:
             entry = sections[-1]["functions"]
             entry[name[0]] = entry.get(name[0], 0) + int(count)
-    sections = sections[1:]  # up to the first mark
+    sections = sections[1:]  # the first section ends at the first mark
     if len(sections) != len(names):
-        sys.exit(f"{len(sections)} marks were passed and {len(names)} sections named")
+        sys.exit(f"the image called {len(sections)} marks but named {len(names)} sections")
     return [{"name": name, **section} for name, section in zip(names, sections)]
 
 
 def count(image, emulator, prefix="arm-none-eabi-", timeout=120):
-    """Runs the image and gives its sections and its output."""
+    """Runs the image and returns its sections and its output."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
         ranges, mark = functions(image, prefix)
@@ -76,7 +75,7 @@ def count(image, emulator, prefix="arm-none-eabi-", timeout=120):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--prefix", default="arm-none-eabi-", help="of the image's binutils")
+    parser.add_argument("--prefix", default="arm-none-eabi-", help="prefix of the binutils for the image")
     parser.add_argument("image")
     parser.add_argument("emulator", nargs="+")
     arguments = parser.parse_args()

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * The part of the emulator's plugin interface (version 1, "QEMU TCG Plugins" in its developer manual) that
- * instruction_count.c uses, declared from that documentation: distributions ship the emulator without the
- * header.
+ * The part of QEMU's plugin interface (version 1, "QEMU TCG Plugins" in its developer manual) that
+ * instruction_count.c uses. It is declared here because distributions ship QEMU without the header.
  */
 #ifndef ARCSPAN_PLUGIN_API_H
 #define ARCSPAN_PLUGIN_API_H
@@ -22,8 +21,8 @@ __attribute__((visibility("default"))) extern int qemu_plugin_version;
 __attribute__((visibility("default"))) int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t* info,
                                                                int argc, char** argv);
 
-/* Called by the plugin. A translation block is a run of guest instructions that the emulator translates at
- * once. */
+/* Called by the plugin. A translation block (tb) is a sequence of guest instructions that QEMU translates
+ * together. */
 void qemu_plugin_register_vcpu_tb_trans_cb(qemu_plugin_id_t id,
                                            void (*translated)(qemu_plugin_id_t, struct qemu_plugin_tb*));
 void qemu_plugin_register_atexit_cb(qemu_plugin_id_t id, void (*ended)(qemu_plugin_id_t, void*), void* user);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Console and exit of the emulator's "virt" machine: an NS16550A at 0x10000000 that is always ready, and the
-// SiFive test device at 0x100000, which ends the emulation with the status in its upper half.
+// SiFive test device at 0x100000, which ends the emulation with the status in its upper 16 bits.
 #include <arcspan/bare/board.hpp>
 #include <arcspan/bare/registers.hpp>
 

@@ -18,7 +18,7 @@ Status BusyLineSpi::do_start(std::span<const std::uint8_t> bytes) {
   return ok(status) ? bus_.start(bytes) : status;
 }
 
-// A limit of nothing gives up at once what is still under way; its status is told by the outer wait().
+// A limit of 0 us abandons the inner transfer at once. The outer wait() returns its own kTimeout.
 void BusyLineSpi::do_abort() { (void)bus_.wait(clock_, 0); }
 
 }  // namespace arcspan::hal

@@ -7,21 +7,21 @@
 
 namespace arcspan::hal {
 
-/// How a display says that it takes no bytes.
+/// Busy line of a display: its active level, and how long to wait for it.
 struct BusyLine {
-  Level busy = Level::kHigh;           ///< what the wire carries while it does not
-  std::uint32_t limit_us = 1'000'000;  ///< a device that is busy for longer is given up, 0 ... 2^31 - 1
+  Level busy = Level::kHigh;           ///< level while the display accepts no bytes
+  std::uint32_t limit_us = 1'000'000;  ///< longest wait for the line, 0 ... 2^31 - 1
 };
 
-/// An SPI bus to a display with a busy line: no transfer begins before the line says that it is over.
+/// An SPI bus to a display with a busy line, which every transfer first waits for. Drivers use it as any
+/// other bus.
 ///
-/// None of the panels here has such a line; bridge controllers and modules with a controller of their own do,
-/// and every driver of this library works on this bus as on any other. Statuses are those of SpiBus, and of
-/// the line: kTimeout if the display stays busy for longer than the limit, kTransferFailed if the line cannot
-/// be read. Nothing is sent then. `start` may block for as long as the limit.
+/// If the display stays busy for longer than `limit_us`, calls return kTimeout, and if the line cannot be
+/// read, kTransferFailed. Nothing is sent then. `start` may block for `limit_us`. No controller supported
+/// here has a busy line; bridge controllers have one.
 class BusyLineSpi final : public SpiBus {
  public:
-  /// Everything referred to must outlive this.
+  /// All referenced objects must outlive this one.
   constexpr BusyLineSpi(SpiBus& bus, InputPin& pin, Clock& clock, const BusyLine& line = {})
       : bus_(bus), pin_(pin), clock_(clock), line_(line) {}
 

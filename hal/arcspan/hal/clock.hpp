@@ -5,21 +5,21 @@
 
 namespace arcspan::hal {
 
-/// Time as the panels need it: a free-running count of microseconds, and waiting.
+/// A free-running microsecond counter and delays. Board code derives from it.
 ///
-/// Neither call can fail. Not for interrupt handlers: `delay_us` blocks.
+/// No call can fail. `delay_us` blocks, so it must not be called from an interrupt handler.
 class Clock {
  public:
-  /// Microseconds since any fixed moment, modulo 2^32 (it wraps after about 71 minutes). Only the difference
-  /// of two readings, taken as an unsigned number, has a meaning.
+  /// Microseconds since an arbitrary moment, modulo 2^32 (wraps after about 71 minutes). Compare two readings
+  /// only by their unsigned difference.
   [[nodiscard]] std::uint32_t now_us() { return do_now_us(); }
 
-  /// Returns after at least `us` microseconds; may take longer, never shorter.
+  /// Blocks for at least `us` microseconds.
   void delay_us(std::uint32_t us) {
     if (us != 0) do_delay_us(us);
   }
 
-  /// Returns after at least `ms` milliseconds, 0 ... 4,294,967; a longer time is cut to the longest.
+  /// Blocks for at least `ms` milliseconds, 0 ... 4,294,967. Longer delays are shortened to the maximum.
   void delay_ms(std::uint32_t ms) { delay_us(ms > kMaxMilliseconds ? UINT32_MAX : ms * 1000U); }
 
  protected:

@@ -14,10 +14,11 @@
 
 namespace arcspan::hal {
 
-/// A picture, or a horizontal band of one, in caller memory: the plainest pixel sink.
+/// A pixel sink over caller memory that holds a picture or a horizontal band of one. The memory must outlive
+/// it.
 ///
-/// A band of `rows` rows starting at row `first_row` of the picture takes the same drawing calls as the whole
-/// picture and keeps only its own rows ("page mode"): draw, send, `move_to` the next band, draw again.
+/// A band covers rows first_row ... first_row + rows - 1 of the picture. It accepts the same drawing calls as
+/// a whole picture and keeps only its own rows: draw, send, `move_to` the next band, draw again.
 template <PixelFormat F>
 class Framebuffer {
  public:
@@ -25,13 +26,13 @@ class Framebuffer {
   using Word = typename F::Word;
   using RowsInMemory = Framebuffer;
 
-  /// Words of memory that `rows` rows of `width` pixels need.
+  /// Number of Words that `rows` rows of `width` pixels need.
   [[nodiscard]] static constexpr std::size_t words(std::int32_t width, std::int32_t rows) {
     return F::words_per_row(width) * static_cast<std::size_t>(rows);
   }
 
-  /// `memory` must hold words(width, rows); one that does not gives an empty framebuffer, which `status()`
-  /// tells.
+  /// `memory` must hold at least words(width, rows). If it does not, or if an argument is negative, bounds()
+  /// is empty and status() is kBufferTooSmall or kInvalidArgument.
   constexpr Framebuffer(std::span<Word> memory, std::int32_t width, std::int32_t rows,
                         std::int32_t first_row = 0)
       : memory_(memory.data()), stride_(static_cast<std::int32_t>(F::words_per_row(width < 0 ? 0 : width))) {
@@ -47,12 +48,13 @@ class Framebuffer {
   [[nodiscard]] constexpr Status status() const { return status_; }
   [[nodiscard]] constexpr Rect bounds() const { return bounds_; }
 
+  /// The calls of PixelSink. `run` must lie inside bounds().
   [[nodiscard]] constexpr typename F::Cursor open(const Span& run) {
     return typename F::Cursor(row(run.y), run.x);
   }
   [[nodiscard]] constexpr Status close(const Span&) { return Status::kOk; }
 
-  /// Makes this memory stand for the rows first_row ... first_row + rows - 1 of the picture; pixels are kept.
+  /// Makes this memory represent the band that starts at `first_row`. Its pixels are kept.
   constexpr void move_to(std::int32_t first_row) {
     const std::int32_t rows = bounds_.height();
     bounds_.top = first_row;
@@ -61,23 +63,23 @@ class Framebuffer {
 
   /// Sets every pixel to `colour`.
   constexpr void clear(Rgb8 colour) {
-    const typename F::Encoded code = F::encode(colour);
+    const typename F::Encoded encoded = F::encode(colour);
     if constexpr (requires(typename F::Cursor cursor) { cursor.pixels(); }) {
-      fill(memory_, words(bounds_.right, bounds_.height()), code);
+      fill(memory_, words(bounds_.right, bounds_.height()), encoded);
     } else {
       for (std::int32_t y = bounds_.top; y < bounds_.bottom; ++y) {
         typename F::Cursor cursor(row(y), 0);
-        for (std::int32_t left = bounds_.right; left > 0; --left, cursor.next()) cursor.write(code);
+        for (std::int32_t left = bounds_.right; left > 0; --left, cursor.next()) cursor.write(encoded);
       }
     }
   }
 
-  /// The colour of pixel (x, y), which must lie inside bounds().
+  /// Colour of pixel (x, y), which must lie inside bounds().
   [[nodiscard]] constexpr Rgb8 pixel(std::int32_t x, std::int32_t y) const {
     return F::decode(typename F::Cursor(row(y), x).read());
   }
 
-  /// Row y of the picture, which must lie inside bounds(), as an array of Words.
+  /// First Word of row y of the picture. The row must lie inside bounds().
   [[nodiscard]] constexpr Word* row(std::int32_t y) const { return memory_ + (y - bounds_.top) * stride_; }
   /// Words from one row to the next.
   [[nodiscard]] constexpr std::int32_t stride() const { return stride_; }

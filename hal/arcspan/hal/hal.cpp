@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiles the header-only parts of hal/ once for every format, so that the built object can be checked.
+// Instantiates the templates of hal/ for every format, so that scripts/check-objects can inspect their code.
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/hal/panel/ili9341.hpp>
 #include <arcspan/hal/panel/page_mode.hpp>

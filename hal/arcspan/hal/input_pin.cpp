@@ -11,7 +11,7 @@ Status InputPin::wait_for(Level level, Clock& clock, std::uint32_t limit_us) {
     Level now = Level::kLow;
     const Status status = read(now);
     if (!ok(status) || now == level) return status;
-    // Unsigned, so that a count that wraps meanwhile still gives the time that has passed.
+    // The unsigned difference is right even if the counter wraps while waiting.
     if (clock.now_us() - begin >= limit_us) return Status::kTimeout;
     clock.delay_us(kPollIntervalUs);
   }

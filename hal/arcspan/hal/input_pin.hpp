@@ -9,19 +9,21 @@
 
 namespace arcspan::hal {
 
-/// One input wire: the busy line of a display.
+/// A digital input, such as the busy line of a display. Board code derives from it.
 class InputPin {
  public:
-  /// Microseconds between two looks at the wire in `wait_for`.
+  /// Microseconds between two readings in `wait_for`.
   static constexpr std::uint32_t kPollIntervalUs = 10;
 
-  /// Puts what the wire carries now into `level`. kTransferFailed if it could not be read (a port expander, a
-  /// line that the kernel took away); `level` is unchanged then. Does not wait for the wire.
+  /// Stores the present level in `level` without waiting. kTransferFailed if the pin cannot be read (port
+  /// expander, line withdrawn by the kernel); `level` is then unchanged.
   Status read(Level& level) { return do_read(level); }
 
-  /// Blocks until the wire carries `level`: kTimeout if it does not within `limit_us` (0 ... 2^31 - 1; with 0
-  /// it is looked at once), kInvalidArgument for a limit outside the range or a value that is no Level,
-  /// without looking; otherwise the first status of the pin that is not kOk. `clock` must run.
+  /// Blocks until the pin has `level`. `clock` must be running.
+  ///
+  /// - kTimeout: the pin did not reach it within `limit_us`, 0 ... 2^31 - 1; with 0 it is read once
+  /// - kInvalidArgument: `limit_us` is out of range or `level` is not a Level; the pin is not read
+  /// - others: the first failure of `read`
   Status wait_for(Level level, Clock& clock, std::uint32_t limit_us);
 
  protected:

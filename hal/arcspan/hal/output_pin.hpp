@@ -7,15 +7,15 @@
 
 namespace arcspan::hal {
 
-/// What a wire carries, not what it means: a reset line that is active when low is driven `kLow` to reset.
+/// Electrical level of a pin. An active-low reset pin is set to kLow in order to reset.
 enum class Level : std::uint8_t { kLow, kHigh };
 
-/// One output wire: D/C, reset, backlight.
+/// A digital output: D/C, reset, backlight. Board code derives from it.
 class OutputPin {
  public:
-  /// Drives the wire to `level` before it returns. kInvalidArgument for a value that is no Level, without
-  /// touching the wire; otherwise what the pin reports: kTransferFailed if the level could not be set (a
-  /// port expander, a line that the kernel took away), after which the wire's level is unknown.
+  /// Drives the pin to `level` before it returns. kInvalidArgument if `level` is not a Level; the pin is
+  /// unchanged. kTransferFailed if it could not be set (port expander, line withdrawn by the kernel); its
+  /// level is then unknown.
   Status set(Level level) {
     if (level != Level::kLow && level != Level::kHigh) return Status::kInvalidArgument;
     return do_set(level);

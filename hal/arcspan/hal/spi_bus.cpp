@@ -29,7 +29,7 @@ Status SpiBus::wait(Clock& clock, std::uint32_t limit_us) {
   const std::uint32_t begin = clock.now_us();
   Status status = poll();
   while (status == Status::kBusy) {
-    // Unsigned, so that a count that wraps meanwhile still gives the time that has passed.
+    // The unsigned difference is right even if the counter wraps while waiting.
     if (clock.now_us() - begin >= limit_us) {
       do_abort();
       under_way_ = false;

@@ -9,51 +9,56 @@
 
 namespace arcspan::hal {
 
-/// One device on an SPI bus, write-only: clock rate, mode and chip select are the bus's own affair.
+/// A write-only SPI bus with one device. Board code derives from it and owns clock rate, mode and chip
+/// select.
 ///
-/// A transfer is either blocking (`write`) or runs by itself (`start`, then `poll` or `wait`), so that the
-/// next band can be drawn while one is sent. At most one transfer is under way; while it is, `write` and
-/// `start` refuse with kBusy and leave it alone. A bus that only implements `do_write` is complete: its
-/// transfers are over when `start` returns.
+/// A transfer either blocks (`write`) or runs in the background (`start`, then `poll` or `wait`), so that the
+/// next band can be drawn meanwhile. At most one is under way; during it `write` and `start` return kBusy and
+/// change nothing. A class that implements only `do_write` is complete: its transfers end before `start`
+/// returns.
 ///
-/// A transfer's result is told once: by `write`, by a `start` that fails, or by the first `poll` or `wait`
-/// that does not say kBusy. Not for interrupt handlers, not for two threads at once.
+/// The result of a transfer is reported once: by `write`, by a `start` that fails, or by the first `poll` or
+/// `wait` that does not return kBusy. Not for interrupt handlers or concurrent threads.
 class SpiBus {
  public:
-  /// Microseconds between two looks at a transfer in `wait`.
+  /// Microseconds between two polls in `wait`.
   static constexpr std::uint32_t kPollIntervalUs = 10;
 
-  /// Sends `bytes` and returns when the last bit is on the wire. kInvalidArgument if `bytes` is empty, kBusy
-  /// if a transfer is under way, kTransferFailed if the bus reported an error, kTransferShort if it took
-  /// fewer bytes. After an error, it is unknown how many bytes the device has seen.
+  /// Sends `bytes` and returns after the last bit. After a failure it is unknown how many bytes the device
+  /// received.
+  ///
+  /// - kInvalidArgument: `bytes` is empty
+  /// - kBusy: a transfer is under way
+  /// - kTransferFailed: the bus reported an error
+  /// - kTransferShort: the bus accepted fewer bytes
   Status write(std::span<const std::uint8_t> bytes);
 
-  /// Begins to send `bytes`, which must stay unchanged until the transfer is over. Does not wait for it.
-  /// Statuses as `write`; after one that is not kOk no transfer is under way that was not before.
+  /// Begins to send `bytes`, which the caller keeps unchanged until the result is reported. Does not block.
+  /// Returns the statuses of `write`; unless it is kOk, no transfer was started.
   Status start(std::span<const std::uint8_t> bytes);
 
-  /// kBusy while the transfer is under way; otherwise its result, and kOk if none was started. Never blocks.
+  /// kBusy while the transfer is under way, then its result once, and kOk if there is none. Never blocks.
   Status poll();
 
-  /// Blocks until the transfer is over and returns its result, as `poll`. If it lasts longer than `limit_us`
-  /// (0 ... 2^31 - 1, else kInvalidArgument and nothing is waited for) it is given up: kTimeout, and the bus
-  /// is free again. `clock` must run, or a transfer that hangs is waited for without end.
+  /// Blocks until the transfer ends and returns its result. After `limit_us` (0 ... 2^31 - 1) it aborts the
+  /// transfer, frees the bus and returns kTimeout. kInvalidArgument, without waiting, for a larger limit.
+  /// `clock` must be running, or a stuck transfer blocks forever.
   Status wait(Clock& clock, std::uint32_t limit_us);
 
-  /// Whether a transfer was started whose result has not been told.
+  /// Whether a transfer was started whose result has not been reported.
   [[nodiscard]] bool under_way() const { return under_way_; }
 
  protected:
   ~SpiBus() = default;
 
  private:
-  /// Sends `bytes`, at least one, and blocks until they are sent. No transfer is under way.
+  /// Sends `bytes`, which is not empty, and blocks until they are sent. No transfer is under way.
   virtual Status do_write(std::span<const std::uint8_t> bytes) = 0;
-  /// Begins to send `bytes`, at least one; kOk promises that `do_poll` will tell the result.
+  /// Begins to send `bytes`, which is not empty. After kOk, `do_poll` reports the result.
   virtual Status do_start(std::span<const std::uint8_t> bytes) { return do_write(bytes); }
   /// kBusy, or the result of the transfer that `do_start` began.
   virtual Status do_poll() { return Status::kOk; }
-  /// Ends the transfer at once; `bytes` is not read after this returns.
+  /// Aborts the transfer. `bytes` is not read after this returns.
   virtual void do_abort() {}
 
   bool under_way_ = false;

@@ -28,7 +28,7 @@ const char* exception_name(std::uint32_t number) {
   }
 }
 
-/// The stacked registers r0-r3, r12, lr, pc, xpsr lie at `frame`, unless the stack ran out.
+/// `frame` points to the stacked registers r0-r3, r12, lr, pc, xpsr, unless the stack overflowed.
 [[noreturn, gnu::used]] void report_fault(const std::uint32_t* frame) {
   std::uint32_t number;
   __asm volatile("mrs %0, ipsr" : "=r"(number));
@@ -49,7 +49,7 @@ extern "C" {
 
 [[noreturn]] void arcspan_reset() { arcspan::bare::run(); }
 
-/// Reports from a fresh stack, since the old one may be what went wrong.
+/// Resets the stack pointer before reporting, because a stack overflow may be the cause.
 [[gnu::naked]] void arcspan_fault() {
   __asm volatile(
       ".syntax unified\n"
@@ -61,10 +61,10 @@ extern "C" {
       ".ltorg" ::"i"(&arcspan::bare::report_fault));
 }
 
-/// A board whose counter needs the SysTick interrupt replaces this.
+/// A board whose counter uses the SysTick interrupt replaces this.
 [[gnu::weak]] void arcspan_systick() { arcspan_fault(); }
 
-/// Initial stack pointer, reset, exceptions 2...15. No interrupt is ever enabled.
+/// Initial stack pointer, reset, exceptions 2 ... 15. Interrupts are never enabled.
 [[gnu::section(".vectors"), gnu::used]] const arcspan::bare::Vector arcspan_vectors[16] = {
     {.stack = arcspan_stack_top},
     {arcspan_reset},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ticks() from SysTick (Armv7-M Architecture Reference Manual, B3.3): processor cycles on a real board. In
-// the emulator's deterministic mode (-icount shift=0) an instruction takes 1 ns, so a tick is as many
-// instructions as the processor clock's period has nanoseconds.
+// ticks() from SysTick (Armv7-M Architecture Reference Manual, B3.3). On a board a tick is a processor cycle.
+// In the emulator's deterministic mode (-icount shift=0) an instruction takes 1 ns, so a tick is as many
+// instructions as the period of the processor clock has nanoseconds.
 #include <arcspan/bare/board.hpp>
 #include <arcspan/bare/registers.hpp>
 
@@ -30,7 +30,7 @@ std::uint64_t ticks() {
   do {
     before = wraps;
     value = reg32(kValue);
-  } while (before != wraps);  // an interrupt came between the two reads
+  } while (before != wraps);  // repeat if an interrupt came between the two reads
   return (static_cast<std::uint64_t>(before) << 24) | (kMaximum - value);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ticks() from minstret (RISC-V Instruction Set Manual, volume II, 3.1.10): retired instructions, exact in
-// the emulator.
+// ticks() from minstret (RISC-V Instruction Set Manual, volume II, 3.1.10). A tick is a retired instruction,
+// exact in the emulator.
 #include <arcspan/bare/board.hpp>
 
 __asm(".option arch, +zicsr");

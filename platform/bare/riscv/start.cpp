@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Reset and traps of RV32 in machine mode (The RISC-V Instruction Set Manual, volume II, 3.1: machine-level
+// Reset and traps of RV32 in machine mode (RISC-V Instruction Set Manual, volume II, 3.1: machine-level
 // CSRs).
 #include <arcspan/bare/board.hpp>
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/memory_map.hpp>
 #include <arcspan/bare/run.hpp>
 
-// The toolchain's -march leaves the CSR instructions out, so that libgcc's variant is found; here they are
-// needed.
+// The toolchain's -march omits the CSR instructions, so that a variant of libgcc matches. They are needed
+// here.
 __asm(".option arch, +zicsr");
 
 extern "C" {
@@ -18,7 +18,7 @@ extern "C" {
   leave(kExitFault);
 }
 
-/// Reports from a fresh stack, since the old one may be what went wrong.
+/// Resets the stack pointer before reporting, because a stack overflow may be the cause.
 [[gnu::naked, gnu::aligned(4)]] void arcspan_trap() {
   __asm volatile(
       "la sp, arcspan_stack_top\n"

@@ -8,10 +8,10 @@
 #include <arcspan/hal/panel/ssd1351.hpp>
 #include <arcspan/hal/panel/st7789.hpp>
 #include <arcspan/hal/sim/dcs_model.hpp>
+#include <arcspan/hal/sim/simulated_bus.hpp>
 #include <arcspan/hal/sim/ssd0323_model.hpp>
 #include <arcspan/hal/sim/ssd1306_model.hpp>
 #include <arcspan/hal/sim/ssd1351_model.hpp>
-#include <arcspan/hal/sim/wires.hpp>
 
 #include <string>
 #include <vector>

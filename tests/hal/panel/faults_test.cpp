@@ -66,7 +66,7 @@ TEMPLATE_TEST_CASE("a fault at any byte of a frame is named, and the next frame 
       REQUIRE(show(bench, 1) == Status::kOk);
       bench.bus.inject({kind, at});
       const Status status = show(bench, 2);
-      if (bench.bus.take_back_fault()) {
+      if (bench.bus.cancel_fault()) {
         CHECK(status == Status::kOk);
         CHECK(at > 100);  // it ran past the frame's last byte
         break;
@@ -89,7 +89,7 @@ TEMPLATE_TEST_CASE("a fault at any byte of an initialisation is named, and the n
         if (lost_reset) bench.lose_reset();
         bench.bus.inject({kind, at});
         const Status status = bench.panel.start();
-        if (bench.bus.take_back_fault()) {
+        if (bench.bus.cancel_fault()) {
           CHECK(status == Status::kOk);
           CHECK(at > 10);
           break;
@@ -117,7 +117,7 @@ TEMPLATE_TEST_CASE("a fault while sleeping, waking or setting is mended by the n
         const Status status = step == 0   ? bench.panel.sleep()
                               : step == 1 ? bench.panel.wake()
                                           : bench.panel.set({.brightness = 7});
-        if (bench.bus.take_back_fault()) {
+        if (bench.bus.cancel_fault()) {
           REQUIRE(status == Status::kOk);
         } else {
           REQUIRE(status == sim::status_of(kind));
@@ -139,7 +139,7 @@ TEMPLATE_TEST_CASE("a pin that fails at any time is named, and the next try is r
         if (!starting) REQUIRE(bench.panel.start() == Status::kOk);
         (bench.bus.*pin).fail_at(at);
         const Status status = starting ? bench.panel.start() : show(bench, 1);
-        if ((bench.bus.*pin).take_back_fault()) {
+        if ((bench.bus.*pin).cancel_fault()) {
           CHECK(status == Status::kOk);
           // Reset is set twice by a start and never by a frame; D/C before every transfer.
           if (pin == &sim::SimulatedSpi::reset) {

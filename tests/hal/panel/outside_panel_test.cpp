@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A panel and its wire layout that the library does not know: nothing but public headers is needed.
 #include <arcspan/hal/panel/page_mode.hpp>
-#include <arcspan/hal/sim/wires.hpp>
+#include <arcspan/hal/sim/simulated_bus.hpp>
 #include <arcspan/pixel/gray8.hpp>
 
 #include <catch2/catch.hpp>
@@ -66,9 +66,9 @@ class LetterPanel final : public Panel {
 };
 
 /// The device at the other end, in the test as well.
-class LetterDevice final : public sim::Device {
+class LetterDevice final : public sim::DisplayModel {
  public:
-  LetterDevice() : Device({20, 10, 0, 0, false, false, false, false}), memory_(200) {}
+  LetterDevice() : DisplayModel({20, 10, 0, 0, false, false, false, false}), memory_(200) {}
 
  private:
   void do_command(std::uint8_t byte) override {
@@ -91,7 +91,7 @@ class LetterDevice final : public sim::Device {
   Rgb8 do_pixel(int column, int row) const override {
     return Gray8::decode(memory_[static_cast<std::size_t>(row * 20 + column)]);
   }
-  std::uint64_t do_least_reset_ns() const override { return 0; }
+  std::uint64_t do_min_reset_ns() const override { return 0; }
   std::uint64_t do_after_reset_ns() const override { return 0; }
 
   std::vector<std::uint8_t> memory_;

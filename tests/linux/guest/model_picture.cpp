@@ -24,7 +24,7 @@ namespace {
 
 using namespace arcspan::hal;
 
-std::unique_ptr<sim::Device> make_device(const std::string& name) {
+std::unique_ptr<sim::DisplayModel> make_device(const std::string& name) {
   if (name == "ili9341") return std::make_unique<sim::DcsModel>(kIli9341Module);
   if (name == "st7789") return std::make_unique<sim::DcsModel>(kSt7789Module);
   if (name == "ssd1351") return std::make_unique<sim::Ssd1351Model>(kSsd1351Module);
@@ -48,14 +48,14 @@ std::vector<unsigned> words_of(const char* path) {
 /// The log has no times: every command has all the time that it may want.
 class Wire {
  public:
-  explicit Wire(sim::Device& device) : device_(device) {}
+  explicit Wire(sim::DisplayModel& device) : device_(device) {}
   void take(unsigned byte, bool data) {
     now_ns_ += data ? 1000 : 1'000'000'000;
     device_.receive(static_cast<std::uint8_t>(byte), data ? Level::kHigh : Level::kLow, now_ns_);
   }
 
  private:
-  sim::Device& device_;
+  sim::DisplayModel& device_;
   std::uint64_t now_ns_ = 0;
 };
 
@@ -92,7 +92,7 @@ void write(const sim::Picture& picture, const char* path) {
 }
 
 int run(const char* name, const std::string& log, const char* out) {
-  const std::unique_ptr<sim::Device> device = make_device(name);
+  const std::unique_ptr<sim::DisplayModel> device = make_device(name);
   Wire wire(*device);
   const std::vector<unsigned> words = words_of(log.c_str());
   if (log.ends_with("i2c_log")) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <arcspan/hal/panel/glass.hpp>
-#include <arcspan/hal/sim/wires.hpp>
+#include <arcspan/hal/sim/simulated_bus.hpp>
 
 #include <arcspan_tools/image/image.hpp>
 #include <arcspan_tools/support/parse.hpp>

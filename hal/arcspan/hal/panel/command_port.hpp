@@ -10,24 +10,23 @@
 
 namespace arcspan::hal {
 
-/// A panel on a 4-wire serial interface: bytes sent with D/C low are commands, with D/C high parameters or
-/// pixels.
+/// 4-wire SPI port of a panel: D/C is low for command bytes, high for parameters and pixels.
 ///
-/// D/C is driven before every transfer and its level is never remembered, so a transfer or a pin that failed
-/// leaves nothing behind that the next call could trip over. Every call returns the first status that is not
-/// kOk, of the pin or of the bus (see OutputPin::set, SpiBus), and sends nothing after it; kBusy, with D/C
-/// untouched, while a transfer is under way: it would change the meaning of the bytes on the wire.
+/// Every transfer sets D/C first, so a failure has no effect on the next call. Every call returns the first
+/// failure of the pin or the bus (OutputPin::set, SpiBus) and then sends nothing more. While a transfer is
+/// under way it returns kBusy and leaves D/C alone, because a change would reinterpret the bytes being sent.
 class CommandPort {
  public:
   constexpr CommandPort(SpiBus& bus, OutputPin& data_or_command) : bus_(bus), dc_(data_or_command) {}
 
-  /// Sends `opcode` and then its `parameters`, of which there may be none. Blocks.
+  /// Sends `opcode` and its `parameters`, which may be empty. Blocks.
   Status command(std::uint8_t opcode, std::span<const std::uint8_t> parameters = {});
 
-  /// Sends at least one byte of pixels. Blocks.
+  /// Sends pixels, at least one byte. Blocks.
   Status data(std::span<const std::uint8_t> bytes);
 
-  /// Begins to send at least one byte of pixels, which must stay unchanged until `bus()` tells the result.
+  /// Begins to send pixels, at least one byte. The caller keeps `bytes` unchanged until bus() reports the
+  /// result.
   Status start_data(std::span<const std::uint8_t> bytes);
 
   [[nodiscard]] SpiBus& bus() { return bus_; }

@@ -10,7 +10,7 @@
 
 namespace arcspan::hal {
 
-/// Columns left ... right - 1 of a row; none if right <= left.
+/// Columns left ... right - 1 of a row. Empty if right <= left.
 struct RowExtent {
   std::uint16_t left = UINT16_MAX;
   std::uint16_t right = 0;
@@ -21,17 +21,17 @@ struct RowExtent {
   }
 };
 
-/// Which pixels differ from those of the frame before: in every row, those that this frame or the last one
-/// has drawn on the background. Exact as long as both have the same background.
+/// Tracks, per row, the columns drawn in this frame or in the last one: those that can differ between the two
+/// pictures. The result is exact as long as both frames have the same background.
 class Damage {
  public:
-  /// Extents of memory that a picture of `height` rows needs; 4 bytes each.
+  /// Number of RowExtents, 4 bytes each, that a picture of `height` rows needs.
   [[nodiscard]] static constexpr std::size_t extents(std::int32_t height) {
     return 2 * static_cast<std::size_t>(height);
   }
 
-  /// `memory` holds extents(height); with less, or a picture of more than 65,535 columns or rows, status()
-  /// tells and everything always counts as changed.
+  /// `memory` must hold extents(height) and outlive this object. If it is smaller, or if the picture has more
+  /// than 65,535 columns or rows, status() reports it and changed_area() always returns all columns and rows.
   constexpr Damage(std::span<RowExtent> memory, std::int32_t width, std::int32_t height)
       : memory_(memory.data()), width_(width), height_(height) {
     if (width < 0 || height < 0 || width > UINT16_MAX || height > UINT16_MAX) {
@@ -45,7 +45,7 @@ class Damage {
 
   [[nodiscard]] constexpr Status status() const { return status_; }
 
-  /// What was drawn becomes the last frame.
+  /// Begins a frame: the current frame becomes the last one.
   constexpr void begin_frame() {
     if (!ok(status_)) return;
     current_ ^= 1u;
@@ -54,9 +54,10 @@ class Damage {
     next_everything_ = false;
   }
 
-  /// Nothing of the last frame can be relied on: the frame begun now or next counts as changed as a whole.
+  /// Declares the last picture unknown: the current and the next frame count as changed everywhere.
   constexpr void mark_everything() { everything_ = next_everything_ = true; }
 
+  /// Records `run` as drawn. Ignores runs that do not lie inside the picture.
   constexpr void mark(const Span& run) {
     if (!ok(status_) || run.count <= 0 || run.y < 0 || run.y >= height_ || run.x < 0 ||
         run.x > width_ - run.count) {
@@ -66,9 +67,9 @@ class Damage {
         .include({static_cast<std::uint16_t>(run.x), static_cast<std::uint16_t>(run.x + run.count)});
   }
 
-  /// The smallest rectangle around what has changed in the rows first ... end - 1, which must be the
-  /// picture's; empty if nothing has.
-  [[nodiscard]] constexpr Rect changed(std::int32_t first, std::int32_t end) const {
+  /// Smallest rectangle around the changes in rows first ... end - 1, which must lie in the picture. Empty if
+  /// there are none.
+  [[nodiscard]] constexpr Rect changed_area(std::int32_t first, std::int32_t end) const {
     if (!ok(status_) || everything_) return {0, first, width_, end};
     Rect box{width_, end, 0, first};
     for (std::int32_t y = first; y < end; ++y) {
@@ -97,7 +98,7 @@ class Damage {
   Status status_ = Status::kOk;
 };
 
-/// Hands everything on to another sink and marks the runs as changed.
+/// A pixel sink that forwards to `target` and marks each run in `damage`. Both must outlive it.
 template <PixelSink Target>
 class DamageSink {
  public:

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Times are the longest of the two datasheets: ILI9341 V1.11, 8.2.2 (SWRESET), 8.2.11 (SLPIN), 8.2.12
-// (SLPOUT) and 15.4 (reset); ST7789V, 9.1.2, 9.1.11, 9.1.12 and 7.4.5. They name the same ones.
+// Both datasheets state these times: ILI9341 V1.11, 8.2.2 (SWRESET), 8.2.11 (SLPIN), 8.2.12 (SLPOUT) and 15.4
+// (reset); ST7789V, 9.1.2, 9.1.11, 9.1.12 and 7.4.5.
 #include <arcspan/hal/panel/dcs_panel.hpp>
 
 namespace arcspan::hal {
 namespace {
 
 constexpr std::uint32_t kResetPulseUs = 20;     // at least 10
-constexpr std::uint32_t kAfterResetMs = 120;    // 5 if it slept, which nobody knows
-constexpr std::uint32_t kBeforeSleepOutMs = 5;  // after a software reset, also of one that sleeps
-constexpr std::uint32_t kAfterSleepMs = 120;    // between sleep in and sleep out, either way round
+constexpr std::uint32_t kAfterResetMs = 120;    // 5 is enough only if it was asleep, which is unknown
+constexpr std::uint32_t kBeforeSleepOutMs = 5;  // after a software reset, even in sleep mode
+constexpr std::uint32_t kAfterSleepMs = 120;    // between sleep in and sleep out, in either order
 
 }  // namespace
 
@@ -29,7 +29,7 @@ Status DcsPanel::pulse_reset() {
 
 Status DcsPanel::reset() {
   Status status = reset_ != nullptr ? pulse_reset() : Status::kOk;
-  // By software too: the line may not be connected, and the controller awake.
+  // Reset by software as well: the reset line may be unconnected.
   if (ok(status)) status = send(dcs::kSoftwareReset);
   if (!ok(status)) return status;
   clock().delay_ms(kAfterResetMs);
@@ -59,7 +59,7 @@ Status DcsPanel::configure() {
 Status DcsPanel::send_sleep() {
   Status status = send(dcs::kDisplayOff);
   if (ok(status)) status = send(dcs::kSleepIn);
-  // Also after a failure: the command may have arrived.
+  // Wait even after a failure, because the command may have arrived.
   clock().delay_ms(kAfterSleepMs);
   return status;
 }
@@ -76,7 +76,7 @@ bool DcsPanel::takes(const Rect& area, std::size_t bytes) const { return bytes =
 Status DcsPanel::open_window(const Rect& area) {
   const Glass& g = glass();
   const Orientation o = settings().orientation;
-  // A mirrored axis counts from the other end of the memory, so the margin there is what comes first.
+  // A mirrored axis counts from the other end of the memory, so the margin at that end comes first.
   const std::int32_t column_margin =
       mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
   const std::int32_t row_margin = mirrors_rows(g, o) ? kRows - g.height - g.row_offset : g.row_offset;

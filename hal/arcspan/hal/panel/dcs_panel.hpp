@@ -9,9 +9,11 @@
 
 namespace arcspan::hal {
 
-/// What ILI9341 and ST7789 have in common: 240 x 320 pixels of memory behind the MIPI display command set,
-/// 4-wire SPI, 16 bits a pixel. All four orientations are the controller's own. Voltages and gamma stay as
-/// reset leaves them. Brightness works where the backlight hangs on the controller's own output.
+/// Common base of Ili9341 and St7789: 240 x 320 pixels of 16 bits behind the MIPI display command set, 4-wire
+/// SPI.
+///
+/// The controller performs all four orientations. Voltages and gamma keep their reset values. Brightness has
+/// an effect only if the controller drives the backlight.
 class DcsPanel : public Panel {
  public:
   using Layout = BigEndianRgb565;
@@ -40,8 +42,8 @@ class DcsPanel : public Panel {
   Status send(const dcs::Command& command) { return port_.command(command.opcode, command.parameters()); }
   Status pulse_reset();
 
-  // The hooks are inline, so that a panel outside the library can derive with RTTI from what is built
-  // without.
+  // The hooks are inline and call these, so that no key function ties the type information to the library: a
+  // panel outside it may be compiled with RTTI although the library is not.
   Status configure();
   [[nodiscard]] bool fits() const;
   Status open_window(const Rect& area);

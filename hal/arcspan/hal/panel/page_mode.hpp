@@ -13,21 +13,27 @@
 
 namespace arcspan::hal {
 
-/// A panel driver: the cold path from Panel, the hot one from its wire layout.
+/// A panel driver: a Panel that names its wire layout.
 template <class P>
 concept PanelDriver = std::derived_from<P, Panel> && WireLayout<typename P::Layout>;
 
-/// Bytes that `area` takes on the wire of P.
+/// Bytes that `rows` rows of `width` pixels take on the wire of P.
 template <PanelDriver P>
 [[nodiscard]] constexpr std::size_t wire_bytes(std::int32_t width, std::int32_t rows) {
   return P::Layout::bytes({0, 0, width, rows});
 }
 
-/// Page mode: frames are drawn band by band into one buffer and sent from another, so that one band is on the
-/// wire while the next is drawn, and neither buffer holds a frame.
+/// Page mode: draws a frame band by band into one buffer and sends it from another. One band is sent while
+/// the next is drawn, and neither buffer holds a whole frame.
 ///
-/// Memory is the caller's: `band` holds Frame::words(width, rows), `wire` holds wire_bytes<P>(width, rows).
-/// `rows` counts 1 ... the panel's height, in multiples of the layout's row step; 8 suits every panel here.
+/// The caller owns panel and memory, which must outlive this object: `band` holds Frame::words(width, rows)
+/// and `wire` holds wire_bytes<P>(width, rows). `rows` is 1 ... panel height, a multiple of the layout's row
+/// step; 8 suits every panel here. No transfer uses the memory after show() has returned.
+///
+/// If a transfer fails in mid-frame, the frame ends and show() returns the cause. The failure of a band's
+/// transfer is noticed when the next band is ready, or at the end of the frame. The glass keeps the bands
+/// sent so far. The caller just calls show() again: the panel then sends all its settings before the first
+/// band (see Panel).
 template <PanelDriver P>
 class PageMode {
  public:
@@ -38,32 +44,36 @@ class PageMode {
                      std::int32_t rows)
       : panel_(panel), band_memory_(band), wire_(wire), rows_(rows) {}
 
-  /// Draws and sends a whole frame. `draw(Frame& band)` is called for every band, from top to bottom, with
-  /// the pixels that an earlier band has left in it; it returns a Status, and one that is not kOk ends the
-  /// frame.
+  /// Draws and sends a whole frame. Calls `draw(Frame& band)` for each band from top to bottom. The band
+  /// still holds the pixels of an earlier one. A status of `draw` other than kOk ends the frame.
   ///
-  /// kInvalidArgument for `rows` outside its range, kBufferTooSmall, kNotReady; otherwise the first status of
-  /// `draw` or the panel that is not kOk. No transfer is under way when it returns.
+  /// - kInvalidArgument: `rows` is out of range
+  /// - kBufferTooSmall: `band` or `wire` is too small
+  /// - kNotReady: the panel is not awake
+  /// - others: the first failure of `draw` or the panel
+  ///
+  /// No transfer is under way when it returns.
   template <class Draw>
   Status show(Draw&& draw) {
-    return each_band([&](Frame& band) { return Status{draw(band)}; },
-                     [](std::int32_t top, std::int32_t width, std::int32_t bottom) {
-                       return Rect{0, top, width, bottom};
-                     });
+    return for_each_band([&](Frame& band) { return Status{draw(band)}; },
+                         [](std::int32_t top, std::int32_t width, std::int32_t bottom) {
+                           return Rect{0, top, width, bottom};
+                         });
   }
 
-  /// As show(), but sends only what has changed since the last frame: `draw(sink, band)` clears `band` and
-  /// draws into `sink`. `damage` has the panel's size. After a failure, the next frame is sent whole.
+  /// As show(), but sends only the area that differs from the last frame. `draw(sink, band)` clears `band`
+  /// and draws into `sink`. `damage` must have the panel's size. After a failure the next frame is sent
+  /// whole.
   template <class Draw>
   Status show_changes(Damage& damage, Draw&& draw) {
     damage.begin_frame();
-    const Status status = each_band(
+    const Status status = for_each_band(
         [&](Frame& band) {
           DamageSink<Frame> sink(band, damage);
           return Status{draw(sink, band)};
         },
         [&damage](std::int32_t top, std::int32_t, std::int32_t bottom) {
-          return damage.changed(top, bottom);
+          return damage.changed_area(top, bottom);
         });
     if (!ok(status)) damage.mark_everything();
     return status;
@@ -78,7 +88,7 @@ class PageMode {
   }
 
   template <class DrawBand, class AreaOf>
-  Status each_band(DrawBand&& draw, AreaOf&& area_of) {
+  Status for_each_band(DrawBand&& draw, AreaOf&& area_of) {
     Status status = check();
     if (!ok(status)) return status;
     const std::int32_t height = panel_.height();
@@ -87,13 +97,13 @@ class PageMode {
       Frame band(band_memory_, panel_.width(), bottom - top, top);
       status = band.status();
       if (ok(status)) status = draw(band);
-      if (ok(status)) status = send(band, area_of(top, panel_.width(), bottom));
+      if (ok(status)) status = start_sending(band, area_of(top, panel_.width(), bottom));
     }
     const Status last = panel_.finish();
     return ok(status) ? last : status;
   }
 
-  Status send(const Frame& band, const Rect& changed) {
+  Status start_sending(const Frame& band, const Rect& changed) {
     if (changed.empty()) return Status::kOk;
     const Status status = panel_.finish();
     if (!ok(status)) return status;
@@ -109,11 +119,12 @@ class PageMode {
   std::int32_t rows_;
 };
 
-/// Sends `area` of a picture that is in memory as a whole, widened to the layout's steps, through `wire`: one
-/// half of it is filled while the other is on the wire. Returns when all is sent.
+/// Sends `area` of a picture that is in memory as a whole, widened to the layout's steps. One half of `wire`
+/// is filled while the other is sent. Returns when all is sent, so `wire` is free again.
 ///
-/// kInvalidArgument if `area` is not inside the frame and the panel; kBufferTooSmall if half of `wire` does
-/// not hold one step of rows; otherwise the first status of the panel that is not kOk.
+/// - kInvalidArgument: `frame` has not the panel's size, or `area` is empty or not inside it
+/// - kBufferTooSmall: half of `wire` does not hold one step of rows
+/// - others: the first failure of the panel
 template <PanelDriver P>
 Status send_area(P& panel, const Framebuffer<typename P::Layout::Format>& frame, const Rect& area,
                  std::span<std::uint8_t> wire) {

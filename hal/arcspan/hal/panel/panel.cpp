@@ -15,39 +15,39 @@ bool inside(const Rect& area, const Rect& bounds) {
 
 }  // namespace
 
-Status Panel::note(Status status) {
-  // A refusal before anything was sent leaves the controller as it was.
-  if (!ok(status) && status != Status::kBusy) in_doubt_ = true;
+Status Panel::remember_failure(Status status) {
+  // kBusy is returned before anything is sent, so the controller is unchanged.
+  if (!ok(status) && status != Status::kBusy) needs_configuration_ = true;
   return status;
 }
 
-Status Panel::restore() {
-  if (!in_doubt_) return Status::kOk;
+Status Panel::reconfigure_after_failure() {
+  if (!needs_configuration_) return Status::kOk;
   const Status status = do_configure();
-  if (ok(status)) in_doubt_ = false;
+  if (ok(status)) needs_configuration_ = false;
   return status;
 }
 
 Status Panel::start() {
   if (!valid(settings_) || !do_fits()) return Status::kInvalidArgument;
-  (void)finish();  // what an interrupted frame left
+  (void)finish();  // ends the transfer of an interrupted frame
   state_ = State::kUnknown;
   Status status = do_reset();
   if (ok(status)) status = do_configure();
   if (!ok(status)) return status;
   state_ = State::kAwake;
-  in_doubt_ = false;
+  needs_configuration_ = false;
   return status;
 }
 
 Status Panel::sleep() {
   if (state_ == State::kUnknown) return Status::kNotReady;
   Status status = finish();
-  if (ok(status)) status = restore();
+  if (ok(status)) status = reconfigure_after_failure();
   if (ok(status)) status = do_sleep();
-  // After a failure it may be either; asleep is what wake() recovers from.
+  // After a failure the controller may be awake or asleep. wake() recovers from both.
   state_ = State::kAsleep;
-  return note(status);
+  return remember_failure(status);
 }
 
 Status Panel::wake() {
@@ -57,9 +57,9 @@ Status Panel::wake() {
   if (ok(status)) status = do_configure();
   if (ok(status)) {
     state_ = State::kAwake;
-    in_doubt_ = false;
+    needs_configuration_ = false;
   }
-  return note(status);
+  return remember_failure(status);
 }
 
 Status Panel::set(const PanelSettings& settings) {
@@ -68,18 +68,18 @@ Status Panel::set(const PanelSettings& settings) {
   settings_ = settings;
   if (state_ != State::kAwake) return status;
   if (ok(status)) status = do_configure();
-  return note(status);
+  return remember_failure(status);
 }
 
 Status Panel::start_write(const Rect& area, std::span<const std::uint8_t> wire) {
   if (state_ != State::kAwake) return Status::kNotReady;
   if (!inside(area, bounds()) || !do_takes(area, wire.size())) return Status::kInvalidArgument;
-  Status status = restore();
+  Status status = reconfigure_after_failure();
   if (ok(status)) status = do_open_window(area);
   if (ok(status)) status = do_start_pixels(wire);
-  return note(status);
+  return remember_failure(status);
 }
 
-Status Panel::finish() { return note(do_wait(settings_.transfer_limit_us)); }
+Status Panel::finish() { return remember_failure(do_wait(settings_.transfer_limit_us)); }
 
 }  // namespace arcspan::hal

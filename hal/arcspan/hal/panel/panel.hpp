@@ -10,55 +10,64 @@
 
 namespace arcspan::hal {
 
-/// What can be changed while a panel runs.
+/// Settings that can change while a panel runs.
 struct PanelSettings {
   Orientation orientation = Orientation::k0;
-  bool inverted = false;          ///< show complements
-  std::uint8_t brightness = 255;  ///< 0 ... 255, where the controller has a control for it
-  /// A transfer that takes longer is given up, in microseconds, 1 ... 2^31 - 1.
+  bool inverted = false;          ///< complement all colours
+  std::uint8_t brightness = 255;  ///< 0 ... 255; ignored if the controller cannot dim
+  /// Microseconds after which a transfer is aborted, 1 ... 2^31 - 1.
   std::uint32_t transfer_limit_us = 1'000'000;
 };
 
-/// A display behind a bus: the cold path of every panel driver. A driver derives from it and supplies the
-/// `do_...` hooks and a wire layout (wire_layout.hpp); nothing else of the library has to know it.
+/// A display behind a bus. A driver derives from it and supplies the `do_...` hooks and `Layout`, a wire
+/// layout that decides the byte order of its pixels (wire_layout.hpp). Nothing else in the library has to
+/// know the driver.
 ///
-/// Whatever fails, the status names the cause, and the panel remembers that the controller may have seen half
-/// a command: the next call that reaches it sends all settings again first. So a frame after a failed one
-/// starts clean, and only a controller that lost its supply or was never started needs `start`.
-/// Not for interrupt handlers, not for two threads at once.
+/// After any failure the panel assumes that the controller received half a command: the next start_write() or
+/// sleep() first sends all settings again, so a frame after a failed one starts clean. Call start() only if
+/// the controller lost its supply or start() has not succeeded. Not for interrupt handlers or concurrent
+/// threads.
 class Panel {
  public:
-  /// Resets the controller, sends every setting and switches the display on. Takes up to 0.4 s. Works
-  /// whatever state the controller is in, also if the reset line does nothing. Until it has succeeded,
-  /// everything else but the setters says kNotReady. kInvalidArgument if the glass does not fit the
-  /// controller; otherwise what the bus or a pin reports.
+  /// Resets the controller, sends all settings and switches the display on. Blocks for up to 0.4 s. Works in
+  /// any state of the controller, and even if the reset line has no effect. Until it has succeeded, sleep(),
+  /// wake() and start_write() return kNotReady.
+  ///
+  /// - kInvalidArgument: a setting is out of range, or the glass does not fit the controller; nothing is sent
+  /// - others: the first failure of the bus or a pin
   Status start();
 
-  /// Switches the display off and lets the controller save power; its picture is kept.
-  /// kNotReady before start().
+  /// Switches the display off and lets the controller save power. The controller keeps its picture. kNotReady
+  /// before start(); otherwise the first failure of the bus.
   Status sleep();
-  /// Back from sleep; no harm if awake. kNotReady before start().
+  /// Wakes the controller; harmless if it is awake. kNotReady before start(); otherwise the first failure of
+  /// the bus.
   Status wake();
 
-  /// New settings; sent at once if the panel is awake, with the next wake() or start() otherwise. A new
-  /// orientation leaves the old picture on the glass in disorder until it is drawn anew.
-  /// kInvalidArgument for a value that is none, and nothing is changed.
+  /// Changes the settings. They are sent at once if the panel is awake, otherwise by the next wake() or
+  /// start(). After a change of orientation the picture is scrambled until it is drawn again.
+  /// kInvalidArgument if a value is out of range; nothing is changed then.
   Status set(const PanelSettings& settings);
   [[nodiscard]] const PanelSettings& settings() const { return settings_; }
 
-  /// The picture's size in pixels, as the orientation has it.
+  /// Size of the picture in pixels, in the present orientation.
   [[nodiscard]] std::int32_t width() const { return turned() ? glass_.height : glass_.width; }
   [[nodiscard]] std::int32_t height() const { return turned() ? glass_.width : glass_.height; }
   [[nodiscard]] Rect bounds() const { return {0, 0, width(), height()}; }
   [[nodiscard]] const Glass& glass() const { return glass_; }
 
-  /// Opens the window `area` of the picture, which must lie in bounds() and fit the driver's alignment (else
-  /// kInvalidArgument), and begins to send `wire`, the window's pixels as the controller takes them, which
-  /// must stay unchanged until finish(). kNotReady unless awake, kBusy while a transfer is under way.
+  /// Opens the window `area` of the picture and begins to send its pixels. `wire` holds them as `Layout`
+  /// packs them; the caller keeps it unchanged until finish().
+  ///
+  /// - kInvalidArgument: `area` is empty, outside bounds() or not aligned to the layout, or `wire` has a
+  /// wrong size
+  /// - kNotReady: the panel is not awake
+  /// - kBusy: a transfer is under way
+  /// - others: the first failure of the bus or a pin
   Status start_write(const Rect& area, std::span<const std::uint8_t> wire);
 
-  /// Waits until what start_write() began is over and gives its result: kOk if nothing was under way,
-  /// kTimeout after settings().transfer_limit_us.
+  /// Waits for the transfer that start_write() began and returns its result. kOk if there is none, kTimeout
+  /// after settings().transfer_limit_us.
   Status finish();
 
   [[nodiscard]] bool awake() const { return state_ == State::kAwake; }
@@ -76,28 +85,34 @@ class Panel {
 
   /// Whether the controller can drive glass().
   [[nodiscard]] virtual bool do_fits() const = 0;
-  /// From any state to awake, reset and not yet configured.
+  /// Brings the controller from any state to awake, reset and not yet configured.
   virtual Status do_reset() = 0;
-  /// Ends whatever half a command the controller may have seen, sends all settings and display on.
+  /// Ends a command that was cut short, then sends all settings and switches the display on.
   virtual Status do_configure() = 0;
+  /// Switches the display off and enters sleep mode.
   virtual Status do_sleep() = 0;
-  /// From asleep or awake to awake.
+  /// Brings the controller from asleep or awake to awake.
   virtual Status do_wake() = 0;
-  /// Whether start_write takes `area`, which lies inside bounds() and is not empty, with `bytes` bytes.
+  /// Whether start_write() accepts `area`, which is not empty and inside bounds(), with `bytes` bytes.
   [[nodiscard]] virtual bool do_takes(const Rect& area, std::size_t bytes) const = 0;
-  /// Makes the pixels that follow go to `area`.
+  /// Directs the pixels that follow to `area`.
   virtual Status do_open_window(const Rect& area) = 0;
+  /// Begins to send pixels, which stay unchanged until do_wait() returns.
   virtual Status do_start_pixels(std::span<const std::uint8_t> wire) = 0;
+  /// Waits for the pixels, at most `limit_us` microseconds, and returns the result. kOk if none are under
+  /// way.
   virtual Status do_wait(std::uint32_t limit_us) = 0;
 
-  Status note(Status status);
-  Status restore();
+  /// Returns `status`; after a failure that may have reached the controller, also sets needs_configuration_.
+  Status remember_failure(Status status);
+  /// Sends all settings if needs_configuration_ is set, and clears it on success.
+  Status reconfigure_after_failure();
 
   Glass glass_;
   PanelSettings settings_;
   Clock& clock_;
   State state_ = State::kUnknown;
-  bool in_doubt_ = false;
+  bool needs_configuration_ = false;
 };
 
 }  // namespace arcspan::hal

@@ -4,8 +4,8 @@
 namespace arcspan::hal {
 namespace {
 
-// SSD1306 rev 1.1, 8.9: reset is low for at least 3 us, and nothing is sent for 3 us after it. The SSD0323
-// has the same circuit; its own times could not be looked up.
+// SSD1306 rev 1.1, 8.9: reset is low for at least 3 us, and nothing is sent for 3 us after it. The same times
+// are assumed for the SSD0323, whose datasheet was not available.
 constexpr std::uint32_t kResetUs = 10;
 constexpr std::uint8_t kNop = 0xE3;
 constexpr std::uint8_t kDisplayOff = 0xAE;

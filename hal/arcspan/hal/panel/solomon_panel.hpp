@@ -7,9 +7,9 @@
 
 namespace arcspan::hal {
 
-/// What SSD1306 and SSD0323 have in common: parameters are command bytes, so a command that was cut short
-/// would take the next one's opcode for a parameter. What restores order is a NOP for every parameter that
-/// may be missing, and all settings after it.
+/// Common base of Ssd1306 and Ssd0323, which take parameters as command bytes. If a failure cut a command
+/// short, the controller would take the next opcode for a parameter. do_configure() therefore sends a NOP for
+/// every parameter that may be missing, then all settings.
 class SolomonPanel : public Panel {
  protected:
   SolomonPanel(SolomonPort& port, OutputPin* reset, Clock& clock, const Glass& glass,
@@ -18,18 +18,17 @@ class SolomonPanel : public Panel {
   ~SolomonPanel() = default;
 
   Status send(std::span<const std::uint8_t> bytes) { return port_.command(bytes); }
-  /// Two NOPs: no command that is used here has more parameters.
+  /// Sends two NOPs, since no command used here has more than two parameters.
   Status end_command();
 
  private:
   Status do_reset() override { return reset(); }
   Status do_sleep() override { return send_sleep(); }
-  Status do_wake() override { return Status::kOk; }  // do_configure ends with display on
+  Status do_wake() override { return Status::kOk; }  // do_configure() switches the display on
   Status do_start_pixels(std::span<const std::uint8_t> wire) override { return port_.start_pixels(wire); }
   Status do_wait(std::uint32_t limit_us) override { return port_.wait(clock(), limit_us); }
 
-  // The hooks are inline, so that a panel outside the library can derive with RTTI from what is built
-  // without.
+  // The hooks are inline and call these, for the reason given in dcs_panel.hpp.
   Status reset();
   Status send_sleep();
 

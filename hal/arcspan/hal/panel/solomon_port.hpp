@@ -11,15 +11,15 @@
 
 namespace arcspan::hal {
 
-/// The way to a controller of Solomon Systech that takes a command's parameters as command bytes: SPI with a
-/// D/C line, or I2C. Every call returns the first status of pin or bus that is not kOk.
+/// Port of a Solomon Systech controller that takes parameters as command bytes: SPI with a D/C line, or I2C.
+/// Every call returns the first failure of the pin or the bus and then sends nothing more.
 class SolomonPort {
  public:
-  /// Sends whole commands, at least one byte. Blocks; kBusy while pixels are under way.
+  /// Sends whole commands, at least one byte. Blocks. kBusy while pixels are under way.
   Status command(std::span<const std::uint8_t> bytes) { return do_command(bytes); }
-  /// Begins to send at least one byte of pixels, which stay unchanged until wait(); may also block.
+  /// Begins to send pixels, at least one byte. The caller keeps `bytes` unchanged until wait(). May block.
   Status start_pixels(std::span<const std::uint8_t> bytes) { return do_start_pixels(bytes); }
-  /// Waits at most `limit_us` until pixels are sent and gives the result (SpiBus::wait).
+  /// Waits at most `limit_us` microseconds until the pixels are sent and returns the result (SpiBus::wait).
   Status wait(Clock& clock, std::uint32_t limit_us) { return do_wait(clock, limit_us); }
 
  protected:
@@ -31,7 +31,7 @@ class SolomonPort {
   virtual Status do_wait(Clock& clock, std::uint32_t limit_us) = 0;
 };
 
-/// 4-wire SPI: commands with D/C low, pixels with D/C high.
+/// 4-wire SPI: D/C is low for commands and high for pixels. Bus and pin must outlive the port.
 class SolomonSpi final : public SolomonPort {
  public:
   constexpr SolomonSpi(SpiBus& bus, OutputPin& data_or_command) : bus_(bus), dc_(data_or_command) {}
@@ -45,8 +45,8 @@ class SolomonSpi final : public SolomonPort {
   OutputPin& dc_;
 };
 
-/// I2C: a control byte in front of every transaction tells commands from pixels (SSD1306 rev 1.1, 8.1.5.2).
-/// Transactions hold up to 32 bytes, which every controller's buffer takes; sending blocks.
+/// I2C: a control byte at the start of each transaction selects commands or pixels (SSD1306 rev 1.1,
+/// 8.1.5.2). A transaction holds at most 32 bytes of payload. All calls block. The bus must outlive the port.
 class SolomonI2c final : public SolomonPort {
  public:
   static constexpr std::uint8_t kUsualAddress = 0x3C;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Commands by their codes. Their meaning, and that re-mapped COMs count down from 79 whatever the multiplex
-// ratio, as in the drivers that Luminary Micro (osram128x64x4.c) and u8g2 (u8x8_d_ssd1325.c) have for
-// modules with this controller; for both modules the settings here are the same as theirs.
+// No datasheet was available. The meaning of the commands, and that re-mapped COMs count down from 79
+// whatever the multiplex ratio, come from the drivers of Luminary Micro (osram128x64x4.c) and u8g2
+// (u8x8_d_ssd1325.c). For their modules this driver sends the same settings.
 #include <arcspan/hal/panel/ssd0323.hpp>
 
 namespace arcspan::hal {
@@ -15,8 +15,8 @@ constexpr int kNibbleRemap = 0x02;
 constexpr int kComRemap = 0x10;
 constexpr int kComSplit = 0x40;
 
-/// Without re-map the low nibble is the left pixel, with the nibbles exchanged the high one is; mirrored
-/// columns exchange left and right once more.
+/// Without re-map the low nibble is the left pixel; with nibble re-map the high one is. Mirrored columns
+/// exchange left and right again.
 constexpr int remap(bool columns, bool rows, bool split) {
   return (columns ? kColumnRemap : kNibbleRemap) | (rows ? kComRemap : 0) | (split ? kComSplit : 0);
 }
@@ -33,7 +33,7 @@ Status Ssd0323::do_configure() {
   const Glass& g = glass();
   const PanelSettings& s = settings();
   const int map = remap(mirrors_columns(g, s.orientation), mirrors_rows(g, s.orientation), split_coms_);
-  // Moves the picture's first row to the glass's first COM, or to its last one if COMs count backwards.
+  // Moves the picture's first row to the glass's first COM, or to its last one if COMs count down.
   const int offset =
       (mirrors_rows(g, s.orientation) ? g.row_offset + g.height : kRows - g.row_offset) % kRows;
   const std::uint8_t bytes[] = {0xA0,
@@ -60,7 +60,7 @@ bool Ssd0323::do_takes(const Rect& area, std::size_t bytes) const {
 Status Ssd0323::do_open_window(const Rect& area) {
   const Glass& g = glass();
   const Orientation o = settings().orientation;
-  const Rect r = on_glass(area, o);
+  const Rect r = to_controller_axes(area, o);
   const std::int32_t margin = mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
   const std::uint8_t bytes[] = {
       0x15,        byte((margin + r.left) / 2), byte((margin + r.right) / 2 - 1), 0x75,

@@ -6,21 +6,20 @@
 
 namespace arcspan::hal {
 
-/// Osram's Pictiva module of 128 x 64 pixels: the controller's first row is at the bottom. Where it begins
+/// Osram's Pictiva module of 128 x 64 pixels, with the controller's first row at the bottom. The row offset
 /// differs between modules.
 inline constexpr Glass kSsd0323Module{128, 64, 0, 0, false, true, false, false};
 
-/// SSD0323 (Solomon Systech): 128 x 80 pixels of 16 grey levels, on SPI. The controller mirrors; for
-/// a picture that lies on its side the pixels are rearranged while they are packed. Width and column offset
-/// of the glass are even.
+/// SSD0323 (Solomon Systech): 128 x 80 pixels of 16 grey levels, on SPI. The controller mirrors; `Layout`
+/// exchanges the axes while it packs. Width and column offset of the glass must be even.
 class Ssd0323 final : public SolomonPanel {
  public:
   using Layout = Gray4Pairs;
   static constexpr std::int32_t kColumns = 128;
   static constexpr std::int32_t kRows = 80;
 
-  /// `split_coms`: the glass has its odd rows on one side and its even ones on the other. `reset` may be null
-  /// if no pin is connected to it. Everything referred to must outlive the panel.
+  /// `split_coms`: odd rows are wired to one side of the glass, even rows to the other. `reset` is active low
+  /// and null if not connected. All referenced objects must outlive the panel.
   Ssd0323(SolomonPort& port, OutputPin* reset, Clock& clock, const Glass& glass = kSsd0323Module,
           const PanelSettings& settings = {}, bool split_coms = true)
       : SolomonPanel(port, reset, clock, glass, settings), split_coms_(split_coms) {}

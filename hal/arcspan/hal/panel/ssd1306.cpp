@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sections are those of the SSD1306 datasheet, rev 1.1.
+// Section numbers refer to the SSD1306 datasheet, rev 1.1.
 #include <arcspan/hal/panel/ssd1306.hpp>
 
 namespace arcspan::hal {
@@ -49,7 +49,7 @@ bool Ssd1306::do_takes(const Rect& area, std::size_t bytes) const {
 Status Ssd1306::do_open_window(const Rect& area) {
   const Glass& g = glass();
   const Orientation o = settings().orientation;
-  const Rect r = on_glass(area, o);
+  const Rect r = to_controller_axes(area, o);
   const std::int32_t margin = mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
   const std::uint8_t bytes[] = {0x21, byte(margin + r.left), byte(margin + r.right - 1),  // (10.1.4)
                                 0x22, byte(r.top / 8),       byte(r.bottom / 8 - 1)};     // (10.1.5)

@@ -6,25 +6,25 @@
 
 namespace arcspan::hal {
 
-/// The usual module of 128 x 64 pixels: first column and row of the controller are at the lower right.
+/// The usual module of 128 x 64 pixels, with the controller's first column and row at the lower right.
 inline constexpr Glass kSsd1306Module{128, 64, 0, 0, true, true, false, false};
 
-/// How a module feeds and wires an SSD1306.
+/// Power supply and row wiring of an SSD1306 module.
 struct Ssd1306Wiring {
-  bool charge_pump = true;       ///< VCC comes from the controller's own pump (8Dh, since rev 1.2)
-  bool alternating_coms = true;  ///< rows are wired to both sides in turn; most glasses of 32 rows: false
+  bool charge_pump = true;       ///< VCC comes from the controller's charge pump (8Dh, since rev 1.2)
+  bool alternating_coms = true;  ///< rows are wired to alternating sides; false for most glasses of 32 rows
 };
 
-/// SSD1306 (Solomon Systech, rev 1.1): 128 x 64 pixels of one bit, on SPI or I2C. The controller mirrors; for
-/// a picture that lies on its side the pixels are rearranged while they are packed. The glass is a multiple
-/// of 8 rows high, and as wide if it is turned.
+/// SSD1306 (Solomon Systech, rev 1.1): 128 x 64 pixels of one bit, on SPI or I2C. The controller mirrors;
+/// `Layout` exchanges the axes while it packs. The height of the glass is a multiple of 8, and so is its
+/// width if the picture is turned by 90 or 270 degrees.
 class Ssd1306 final : public SolomonPanel {
  public:
   using Layout = MonoPages;
   static constexpr std::int32_t kColumns = 128;
   static constexpr std::int32_t kRows = 64;
 
-  /// `reset` may be null if no pin is connected to it. Everything referred to must outlive the panel.
+  /// `reset` is active low and null if not connected. All referenced objects must outlive the panel.
   Ssd1306(SolomonPort& port, OutputPin* reset, Clock& clock, const Glass& glass = kSsd1306Module,
           const PanelSettings& settings = {}, const Ssd1306Wiring& wiring = {})
       : SolomonPanel(port, reset, clock, glass, settings), wiring_(wiring) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sections are those of the SSD1351 datasheet, rev 1.5.
+// Section numbers refer to the SSD1351 datasheet, rev 1.5.
 #include <arcspan/hal/panel/ssd1351.hpp>
 
 #include <array>
@@ -50,8 +50,8 @@ Status Ssd1351::do_reset() {
     clock().delay_us(kResetUs);
     if (!ok(status)) return status;
   }
-  constexpr Command kQuiet[] = {{0xFD, 1, {0x12}}, {0xAE}};  // unlock (10.1.23), sleep (10.1.10)
-  return send_all(port_, kQuiet);
+  constexpr Command kUnlockAndSleep[] = {{0xFD, 1, {0x12}}, {0xAE}};  // unlock (10.1.23), sleep (10.1.10)
+  return send_all(port_, kUnlockAndSleep);
 }
 
 Status Ssd1351::do_configure() {
@@ -61,11 +61,11 @@ Status Ssd1351::do_configure() {
                   (mirrors_columns(g, s.orientation) ? kColumnRemap : 0) |
                   (g.blue_first ? kColoursSwapped : 0) | (mirrors_rows(g, s.orientation) ? kComRemap : 0) |
                   (split_coms_ ? kComSplit : 0) | k65kColours;
-  const Command commands[] = {{0xFD, 1, {0x12}},                // unlock the interface
-                              {0xFD, 1, {0xB1}},                // and A2, B1, B3, BB, BE, C1 (10.1.23)
-                              {0xA0, 1, {byte(map)}},           // (10.1.5)
-                              {0xA1, 1, {0x00}},                // start line 0 (10.1.6)
-                              {0xA2, 1, {0x00}},                // display offset; 0x60 after reset (10.1.7)
+  const Command commands[] = {{0xFD, 1, {0x12}},       // unlock the interface
+                              {0xFD, 1, {0xB1}},       // unlock A2, B1, B3, BB, BE, C1 (10.1.23)
+                              {0xA0, 1, {byte(map)}},  // (10.1.5)
+                              {0xA1, 1, {0x00}},       // start line 0 (10.1.6)
+                              {0xA2, 1, {0x00}},       // display offset 0; it is 0x60 after reset (10.1.7)
                               {0xCA, 1, {byte(g.height - 1)}},  // multiplex ratio (10.1.22)
                               {0xC1, 3, {s.brightness, s.brightness, s.brightness}},  // contrast (10.1.20)
                               {0xC7, 1, {0x0F}},                                      // undimmed (10.1.21)
@@ -81,7 +81,7 @@ bool Ssd1351::do_takes(const Rect& area, std::size_t bytes) const { return bytes
 Status Ssd1351::do_open_window(const Rect& area) {
   const Glass& g = glass();
   const Orientation o = settings().orientation;
-  const Rect r = on_glass(area, o);
+  const Rect r = to_controller_axes(area, o);
   const std::int32_t margin = mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
   const Command commands[] = {{0x15, 2, {byte(margin + r.left), byte(margin + r.right - 1)}},  // (10.1.1)
                               {0x75, 2, {byte(r.top), byte(r.bottom - 1)}},                    // (10.1.2)

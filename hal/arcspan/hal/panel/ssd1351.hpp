@@ -7,20 +7,20 @@
 
 namespace arcspan::hal {
 
-/// The usual module of 128 x 128 pixels: the controller's first row is at the bottom, its stripes are blue
-/// first.
+/// The usual module of 128 x 128 pixels, with the controller's first row at the bottom and subpixels in the
+/// order blue, green, red.
 inline constexpr Glass kSsd1351Module{128, 128, 0, 0, false, true, true, false};
 
-/// SSD1351 (Solomon Systech, rev 1.5): 128 x 128 pixels of 16 bits, on 4-wire SPI. All four orientations are
-/// the controller's own.
+/// SSD1351 (Solomon Systech, rev 1.5): 128 x 128 pixels of 16 bits, on 4-wire SPI. The controller performs
+/// all four orientations.
 class Ssd1351 final : public Panel {
  public:
   using Layout = BigEndianRgb565;
   static constexpr std::int32_t kColumns = 128;
   static constexpr std::int32_t kRows = 128;
 
-  /// `split_coms`: rows are wired to both sides of the glass in turn. `reset` may be null if no pin is
-  /// connected to it. Everything referred to must outlive the panel.
+  /// `split_coms`: rows are wired to alternating sides of the glass. `reset` is active low and null if not
+  /// connected. All referenced objects must outlive the panel.
   Ssd1351(SpiBus& bus, OutputPin& data_or_command, OutputPin* reset, Clock& clock,
           const Glass& glass = kSsd1351Module, const PanelSettings& settings = {}, bool split_coms = true)
       : Panel(glass, settings, clock), port_(bus, data_or_command), reset_(reset), split_coms_(split_coms) {}
@@ -30,7 +30,7 @@ class Ssd1351 final : public Panel {
   Status do_reset() override;
   Status do_configure() override;
   Status do_sleep() override;
-  Status do_wake() override { return Status::kOk; }  // do_configure ends with sleep mode off
+  Status do_wake() override { return Status::kOk; }  // do_configure() leaves sleep mode
   [[nodiscard]] bool do_takes(const Rect& area, std::size_t bytes) const override;
   Status do_open_window(const Rect& area) override;
   Status do_start_pixels(std::span<const std::uint8_t> wire) override { return port_.start_data(wire); }

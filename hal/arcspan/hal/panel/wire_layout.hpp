@@ -14,11 +14,11 @@
 
 namespace arcspan::hal {
 
-/// How a controller takes pixels: the last hand on the hot path, resolved at compile time.
+/// Order of pixels and bytes on the way to a controller. Each driver names its layout as `Layout`.
 ///
-/// `Format` is what is drawn in. Windows begin and end at multiples of column_step(o) columns and row_step(o)
-/// rows of the picture. `pack` writes bytes(area) bytes, the pixels of `area` in the order in which they go
-/// over the wire; `area` must fit the steps and lie inside the frame's bounds.
+/// `Format` is the format of the framebuffer. Windows start and end at multiples of column_step(o) columns
+/// and row_step(o) rows of the picture. `pack` writes the pixels of `area`, bytes(area) bytes, to `out` in
+/// the order in which they are sent; `area` must fit the steps and lie inside the frame's bounds.
 template <class L>
 concept WireLayout = PixelFormat<typename L::Format> &&
     requires(const Framebuffer<typename L::Format>& frame, const Rect& area, Orientation o,
@@ -30,17 +30,17 @@ concept WireLayout = PixelFormat<typename L::Format> &&
 };
 
 namespace detail {
-[[nodiscard]] constexpr std::size_t area_of(const Rect& r) {
+[[nodiscard]] constexpr std::size_t pixel_count(const Rect& r) {
   return static_cast<std::size_t>(r.width()) * static_cast<std::size_t>(r.height());
 }
 }  // namespace detail
 
-/// 16 bits a pixel, high byte first, rows of the picture one after the other; the controller turns them.
+/// 16 bits per pixel, high byte first, row by row. The controller rotates.
 struct BigEndianRgb565 {
   using Format = Rgb565;
   [[nodiscard]] static constexpr std::int32_t column_step(Orientation) { return 1; }
   [[nodiscard]] static constexpr std::int32_t row_step(Orientation) { return 1; }
-  [[nodiscard]] static constexpr std::size_t bytes(const Rect& area) { return 2 * detail::area_of(area); }
+  [[nodiscard]] static constexpr std::size_t bytes(const Rect& area) { return 2 * detail::pixel_count(area); }
   static constexpr void pack(const Framebuffer<Rgb565>& frame, const Rect& area, Orientation,
                              std::uint8_t* out) {
     for (std::int32_t y = area.top; y < area.bottom; ++y) {
@@ -53,13 +53,13 @@ struct BigEndianRgb565 {
   }
 };
 
-/// Two pixels of 4 bits a byte, the left one in the high nibble, in rows of the glass: a controller that
-/// cannot exchange axes gets a turned picture column by column.
+/// Two 4-bit pixels per byte, the left one in the high nibble, in rows of the glass. The controller cannot
+/// exchange axes, so a picture turned by 90 or 270 degrees is packed column by column.
 struct Gray4Pairs {
   using Format = Gray4;
   [[nodiscard]] static constexpr std::int32_t column_step(Orientation o) { return swaps_axes(o) ? 1 : 2; }
   [[nodiscard]] static constexpr std::int32_t row_step(Orientation o) { return swaps_axes(o) ? 2 : 1; }
-  [[nodiscard]] static constexpr std::size_t bytes(const Rect& area) { return detail::area_of(area) / 2; }
+  [[nodiscard]] static constexpr std::size_t bytes(const Rect& area) { return detail::pixel_count(area) / 2; }
   static constexpr void pack(const Framebuffer<Gray4>& frame, const Rect& area, Orientation o,
                              std::uint8_t* out) {
     if (swaps_axes(o)) {
@@ -78,12 +78,12 @@ struct Gray4Pairs {
   }
 };
 
-/// Pages of 8 rows of the glass, a byte per column of them, the top pixel in the lowest bit.
+/// Pages of 8 rows of the glass: one byte per column, the top pixel in the lowest bit.
 struct MonoPages {
   using Format = Mono;
   [[nodiscard]] static constexpr std::int32_t column_step(Orientation o) { return swaps_axes(o) ? 8 : 1; }
   [[nodiscard]] static constexpr std::int32_t row_step(Orientation o) { return swaps_axes(o) ? 1 : 8; }
-  [[nodiscard]] static constexpr std::size_t bytes(const Rect& area) { return detail::area_of(area) / 8; }
+  [[nodiscard]] static constexpr std::size_t bytes(const Rect& area) { return detail::pixel_count(area) / 8; }
   static constexpr void pack(const Framebuffer<Mono>& frame, const Rect& area, Orientation o,
                              std::uint8_t* out) {
     if (swaps_axes(o)) {
@@ -117,7 +117,7 @@ struct MonoPages {
 
 static_assert(WireLayout<BigEndianRgb565> && WireLayout<Gray4Pairs> && WireLayout<MonoPages>);
 
-/// Whether `area` begins and ends at steps of the layout.
+/// Whether all sides of `area` are multiples of the layout's steps.
 template <WireLayout L>
 [[nodiscard]] constexpr bool fits_steps(const Rect& area, Orientation o) {
   const std::int32_t c = L::column_step(o);
@@ -125,7 +125,7 @@ template <WireLayout L>
   return area.left % c == 0 && area.right % c == 0 && area.top % r == 0 && area.bottom % r == 0;
 }
 
-/// `area`, whose sides are not negative, widened to the steps of the layout.
+/// Smallest area that contains `area` and fits the layout's steps. No side of `area` may be negative.
 template <WireLayout L>
 [[nodiscard]] constexpr Rect widened(const Rect& area, Orientation o) {
   const std::int32_t c = L::column_step(o);

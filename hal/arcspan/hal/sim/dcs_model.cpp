@@ -15,7 +15,7 @@ constexpr unsigned kMirrorColumns = 0x40;
 constexpr unsigned kSwapAxes = 0x20;
 constexpr unsigned kBlueFirst = 0x08;
 
-/// The number of parameters of a command that is modelled, or -1.
+/// Number of parameters of a modelled command, or -1 for any other.
 int parameter_count(std::uint8_t opcode) {
   switch (opcode) {
     case 0x01:
@@ -44,21 +44,21 @@ int parameter_count(std::uint8_t opcode) {
 
 }  // namespace
 
-DcsModel::DcsModel(const Glass& glass) : Device(glass), memory_(kColumns * kRows) {
+DcsModel::DcsModel(const Glass& glass) : DisplayModel(glass), memory_(kColumns * kRows) {
   do_scramble();
   do_reset();
 }
 
 void DcsModel::do_scramble() {
-  std::uint32_t state = 12345;  // memory holds anything after power on
-  for (std::uint16_t& code : memory_) {
+  std::uint32_t state = 12345;  // memory content is undefined after power-on
+  for (std::uint16_t& encoded : memory_) {
     state = state * 1664525u + 1013904223u;
-    code = static_cast<std::uint16_t>(state >> 16);
+    encoded = static_cast<std::uint16_t>(state >> 16);
   }
 }
 
 void DcsModel::do_reset() {
-  // A reset out of sleep takes 120 ms until sleep may be left again.
+  // After a reset out of sleep mode, sleep mode may be left only after 120 ms.
   sleep_locked_until_ns_ = now_ns() + (asleep_ ? kAfterCommandNs : kBetweenSleepsNs);
   asleep_ = true;
   display_on_ = inverted_ = writing_ = half_pixel_ = false;
@@ -101,7 +101,7 @@ void DcsModel::do_command(std::uint8_t byte) {
 }
 
 void DcsModel::begin_memory_write() {
-  if (asleep_) complain("pixels in sleep mode: nobody will see them");
+  if (asleep_) complain("pixels in sleep mode are invisible");
   if (pixel_format_ != 0x55 && pixel_format_ != 0x05) complain("pixels in a format that is not 16 bits");
   const bool swapped = (address_mode_ & kSwapAxes) != 0;
   if (columns_[0] > columns_[1] || columns_[1] >= (swapped ? kRows : kColumns)) complain("bad column window");
@@ -157,24 +157,24 @@ void DcsModel::pixel_byte(std::uint8_t byte) {
   if (++x_ <= columns_[1]) return;
   x_ = columns_[0];
   if (++y_ <= rows_[1]) return;
-  y_ = rows_[0];  // the next pixel is complained about, whatever a chip makes of it
+  y_ = rows_[0];  // a further pixel is a complaint
   window_full_ = true;
 }
 
-void DcsModel::store(std::uint16_t code) {
+void DcsModel::store(std::uint16_t encoded) {
   const bool swapped = (address_mode_ & kSwapAxes) != 0;
   int column = swapped ? y_ : x_;
   int row = swapped ? x_ : y_;
   if ((address_mode_ & kMirrorColumns) != 0) column = kColumns - 1 - column;
   if ((address_mode_ & kMirrorRows) != 0) row = kRows - 1 - row;
   if (column < 0 || row < 0 || column >= kColumns || row >= kRows) return;
-  memory_[index(row * kColumns + column)] = code;
+  memory_[index(row * kColumns + column)] = encoded;
 }
 
 Rgb8 DcsModel::do_pixel(int column, int row) const {
   const std::uint16_t stored = memory_[index(row * kColumns + column)];
-  const std::uint16_t code = inverted_ != glass().inverted ? static_cast<std::uint16_t>(~stored) : stored;
-  Rgb8 colour = Rgb565::decode(code);
+  const std::uint16_t encoded = inverted_ != glass().inverted ? static_cast<std::uint16_t>(~stored) : stored;
+  Rgb8 colour = Rgb565::decode(encoded);
   if (((address_mode_ & kBlueFirst) != 0) != glass().blue_first) std::swap(colour.r, colour.b);
   return colour;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/hal/sim/device.hpp>
+#include <arcspan/hal/sim/display_model.hpp>
 
 namespace arcspan::hal::sim {
 
-/// An ILI9341 or ST7789: memory of 240 x 320 pixels behind the MIPI display command set. The two differ for
-/// what is modelled here in nothing but the name (ILI9341 V1.11, chapter 8; ST7789V, chapter 9).
-class DcsModel final : public Device {
+/// Model of an ILI9341 or ST7789: 240 x 320 pixels behind the MIPI display command set. The two controllers
+/// do not differ in what is modelled here (ILI9341 V1.11, chapter 8; ST7789V, chapter 9).
+class DcsModel final : public DisplayModel {
  public:
   static constexpr int kColumns = 240;
   static constexpr int kRows = 320;
@@ -24,13 +24,13 @@ class DcsModel final : public Device {
   void do_scramble() override;
   [[nodiscard]] bool do_lit() const override { return !asleep_ && display_on_; }
   [[nodiscard]] Rgb8 do_pixel(int column, int row) const override;
-  [[nodiscard]] std::uint64_t do_least_reset_ns() const override { return 10'000; }
+  [[nodiscard]] std::uint64_t do_min_reset_ns() const override { return 10'000; }
   [[nodiscard]] std::uint64_t do_after_reset_ns() const override { return 5'000'000; }
 
   void finish_parameters();
   void begin_memory_write();
   void pixel_byte(std::uint8_t byte);
-  void store(std::uint16_t code);
+  void store(std::uint16_t encoded);
   void sleep(bool asleep);
 
   std::vector<std::uint16_t> memory_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/hal/sim/device.hpp>
+#include <arcspan/hal/sim/display_model.hpp>
 #include <arcspan/hal/sim/mock_wires.hpp>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Status MockWires::on(WireEvent& event) {
     case Kind::kDelay:
       return on_delay(event);
     case Kind::kSet:
-      // D/C is seen in the bytes; a line of its own is there to let it fail.
+      // Byte events carry the level of D/C. Scripts mention the line only to make it fail.
       if (event.pin == kDataOrCommand &&
           (due() == nullptr || due()->kind != Kind::kSet || due()->pin != kDataOrCommand)) {
         return Status::kOk;

@@ -7,21 +7,22 @@
 
 namespace arcspan::hal::sim {
 
-/// Wires that expect a script (WireEvent) and answer as it says, for unit tests of drivers.
+/// Mock wires for unit tests of drivers: they expect the events of a script (WireEvent) and answer as it
+/// says.
 ///
-/// The first thing that is done otherwise is the difference; from then on every call fails with
-/// kTransferFailed, so that a driver comes to an end. A test asks once, at its end:
+/// The first deviation is recorded as the difference. From then on every call fails with kTransferFailed, so
+/// that the driver stops. A test checks once at its end:
 ///   CHECK(mock.finish() == "");
 class MockWires final : public WireTap {
  public:
-  /// A script that cannot be read is the difference.
+  /// If the script cannot be parsed, the parse error is the difference.
   explicit MockWires(std::string_view script);
 
-  /// "" as long as all was as expected; otherwise e.g.
+  /// "" if everything was as expected; otherwise for example
   /// "line 3: expected 'data 00 00 00 ef', byte 4 (ef), but it was 'data f0'".
   [[nodiscard]] const std::string& difference() const { return difference_; }
 
-  /// The difference, also if part of the script has not happened.
+  /// As difference(), but events that are still expected count as a difference, too.
   [[nodiscard]] const std::string& finish();
 
  private:
@@ -30,7 +31,7 @@ class MockWires final : public WireTap {
   Status on_delay(const WireEvent& event);
   Status on_whole(WireEvent& event);
 
-  /// The event that is due; null at the end of the script.
+  /// The next expected event, or null at the end of the script.
   [[nodiscard]] const WireEvent* due() const { return next_ < events_.size() ? &events_[next_] : nullptr; }
   Status take();
   Status differ(const std::string& what);
@@ -38,7 +39,7 @@ class MockWires final : public WireTap {
 
   std::vector<WireEvent> events_;
   std::size_t next_ = 0;
-  std::size_t done_bytes_ = 0;  ///< of the event that is due
+  std::size_t done_bytes_ = 0;  ///< of the next expected event
   std::uint64_t done_us_ = 0;
   std::string difference_;
 };

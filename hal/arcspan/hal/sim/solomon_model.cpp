@@ -73,7 +73,7 @@ void SolomonModel::do_data(std::uint8_t byte) {
   }
   if (!writing_) return complain("data " + hex(byte) + " before a memory write");
   if (!columns_set_ || !rows_set_) complain("data " + hex(byte) + " before a window");
-  if (!on_) complain("pixels while the display is off: nobody will see them");
+  if (!on_) complain("pixels while the display is off are invisible");
   if (window_full_) complain("more pixels than the window holds");
   if (do_store(column_, row_, byte)) step();
 }

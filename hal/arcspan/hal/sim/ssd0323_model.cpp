@@ -101,7 +101,7 @@ Rgb8 Ssd0323Model::do_pixel(int column, int row) const {
   const bool columns_mirrored = (remap_ & kColumnRemap) != 0;
   const int pair = columns_mirrored ? kByteColumns - 1 - column / 2 : column / 2;
   const unsigned byte = memory_[index((line + start_line_) % kRows * kByteColumns + pair)];
-  // Address map: an even segment shows the low nibble, the high one with the nibbles exchanged.
+  // Address map: an even segment shows the low nibble, or the high one with nibble re-map.
   const bool high = (column % 2 != 0) != ((remap_ & kNibbleRemap) != 0);
   const unsigned level = high ? byte >> 4 : byte & 15u;
   const auto grey = static_cast<std::uint8_t>((inverted() != glass().inverted ? 15u - level : level) * 17u);

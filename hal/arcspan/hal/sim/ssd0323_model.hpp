@@ -5,12 +5,12 @@
 
 namespace arcspan::hal::sim {
 
-/// An SSD0323 with its 128 x 80 pixels of 4 bits. COM c shows line c of the display, or 79 - c with
-/// the COMs re-mapped, moved by the display offset; lines from the multiplex ratio on are dark.
+/// Model of an SSD0323: 128 x 80 pixels of 4 bits. COM c shows line c of the display, or 79 - c with COM
+/// re-map, plus the display offset. Lines from the multiplex ratio on are dark.
 class Ssd0323Model final : public SolomonModel {
  public:
   explicit Ssd0323Model(const Glass& glass);
-  /// 0 ... 127.
+  /// Contrast, 0 ... 127.
   [[nodiscard]] std::uint8_t brightness() const { return contrast_; }
 
  private:

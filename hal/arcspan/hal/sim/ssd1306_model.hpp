@@ -5,8 +5,8 @@
 
 namespace arcspan::hal::sim {
 
-/// An SSD1306 with its 128 x 64 bits (rev 1.1). The segment re-map acts when bytes are written, the scan
-/// direction when they are shown (10.1.8, 10.1.14).
+/// Model of an SSD1306 (rev 1.1): 128 x 64 bits. The segment re-map takes effect when bytes are written, the
+/// COM scan direction when they are shown (10.1.8, 10.1.14).
 class Ssd1306Model final : public SolomonModel {
  public:
   explicit Ssd1306Model(const Glass& glass);

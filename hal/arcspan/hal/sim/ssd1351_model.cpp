@@ -27,7 +27,7 @@ void Ssd1351Model::do_reset() {
   multiplex_ = kRows;
   offset_ = 0x60;  // (10.1.7)
   start_line_ = 0;
-  contrast_ = 0x8A;  // of the first colour
+  contrast_ = 0x8A;  // of the first colour only
   second_byte_ = locked_ = false;
   settings_locked_ = true;
 }
@@ -132,9 +132,9 @@ Rgb8 Ssd1351Model::do_pixel(int column, int row) const {
   const int x = (remap_ & kColumnRemap) != 0 ? kColumns - 1 - column : column;
   const int y = (((remap_ & kComRemap) != 0 ? multiplex_ - 1 - row : row) + start_line_ + offset_) % kRows;
   const auto at = index(2 * (y * kColumns + x));
-  auto code = static_cast<std::uint16_t>(memory_[at] << 8 | memory_[at + 1]);
-  if (inverted() != glass().inverted) code = static_cast<std::uint16_t>(~code);
-  Rgb8 colour = Rgb565::decode(code);
+  auto encoded = static_cast<std::uint16_t>(memory_[at] << 8 | memory_[at + 1]);
+  if (inverted() != glass().inverted) encoded = static_cast<std::uint16_t>(~encoded);
+  Rgb8 colour = Rgb565::decode(encoded);
   if (((remap_ & kColoursSwapped) != 0) != glass().blue_first) std::swap(colour.r, colour.b);
   return colour;
 }

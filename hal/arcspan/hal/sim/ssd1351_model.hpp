@@ -5,7 +5,7 @@
 
 namespace arcspan::hal::sim {
 
-/// An SSD1351 with its 128 x 128 pixels in the format of 65k colours (rev 1.5).
+/// Model of an SSD1351 (rev 1.5): 128 x 128 pixels in its format of 65k colours.
 class Ssd1351Model final : public SolomonModel {
  public:
   explicit Ssd1351Model(const Glass& glass);

@@ -6,7 +6,7 @@ namespace {
 
 using Kind = WireEvent::Kind;
 
-/// Whether `next` goes on with what `last` began.
+/// Whether `next` can be appended to `last`.
 bool joins(const WireEvent& last, const WireEvent& next) {
   if (!ok(last.answer) || last.kind != next.kind) return false;
   return next.kind == Kind::kDelay || (next.kind == Kind::kSpi && last.level == next.level);
@@ -25,7 +25,7 @@ void WireRecorder::attach(const std::string& name, InputPin& pin) {
 }
 
 Status WireRecorder::on(WireEvent& event) {
-  // The level of D/C is in the bytes.
+  // Byte events carry the level of D/C.
   if (event.kind == Kind::kSet && event.pin == kDataOrCommand && ok(event.answer)) return Status::kOk;
   if (!events_.empty() && joins(events_.back(), event)) {
     WireEvent& last = events_.back();

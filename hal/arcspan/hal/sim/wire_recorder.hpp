@@ -5,10 +5,11 @@
 
 namespace arcspan::hal::sim {
 
-/// Wires that write down what is done to them, as a script that MockWires can replay.
+/// Wires that record what a driver does to them, as a script that MockWires can replay.
 ///
-/// Alone, they take everything and input pins are low. What is attached to one of them, a real device or a
-/// simulated one, gets all that is done to it, and its answers are passed on and written down.
+/// By default every call succeeds and input pins are low. A bus, pin or clock that is attached, real or
+/// simulated, receives every call as well, and its answers are returned and recorded. Attached objects must
+/// outlive the recorder.
 class WireRecorder final : public WireTap {
  public:
   WireRecorder() = default;
@@ -19,7 +20,7 @@ class WireRecorder final : public WireTap {
   void attach(const std::string& name, OutputPin& pin);
   void attach(const std::string& name, InputPin& pin);
 
-  /// What has happened so far; bytes with the same D/C level, and delays, that follow each other are joined.
+  /// Events so far. Successive bytes with the same D/C level are joined, and so are successive delays.
   [[nodiscard]] const std::vector<WireEvent>& events() const { return events_; }
   [[nodiscard]] std::string script() const { return to_script(events_); }
   void forget() { events_.clear(); }

@@ -48,7 +48,8 @@ std::optional<Status> status_of(std::string_view text) {
 
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
-/// Bytes of `words`, of which a last one "xN" repeats the others. Returns what is wrong, or "".
+/// Appends the bytes of `words` to `bytes`; a last word "xN" repeats the others N times. Returns the error,
+/// or "".
 std::string read_bytes(std::span<const std::string_view> words, std::vector<std::uint8_t>& bytes) {
   std::uint64_t times = 1;
   if (!words.empty() && words.back().starts_with('x')) {
@@ -131,15 +132,15 @@ std::string hex_byte(unsigned byte) {
   return {' ', digits[byte >> 4 & 15], digits[byte & 15]};
 }
 
-/// How often the `period` bytes at `at` follow each other.
+/// Number of times the `period` bytes at `at` occur in a row.
 std::size_t repeats(const std::vector<std::uint8_t>& bytes, std::size_t at, std::size_t period) {
   std::size_t end = at + period;
   while (end < bytes.size() && bytes[end] == bytes[end - period]) ++end;
   return end <= bytes.size() ? (end - at) / period : 0;
 }
 
-/// The first part of `bytes` from `at` on that fits on a line; `at` is moved behind it. Runs of a byte or of
-/// a pair, as pixels of one colour are, are counted.
+/// Part of `bytes` from `at` on that fits on a line; moves `at` behind it. Repeated bytes and repeated pairs
+/// of bytes (pixels of one colour) are written as "xN".
 std::string line_of_bytes(const std::vector<std::uint8_t>& bytes, std::size_t& at) {
   constexpr std::size_t kBytesOfLine = 32;
   constexpr std::size_t kWorthCounting = 8;
@@ -216,7 +217,7 @@ std::string to_script(const std::vector<WireEvent>& events) {
     do {
       text += head_of(event);
       if (event.kind == Kind::kI2c) {
-        // A transaction is one line, however long.
+        // A transaction is always one line.
         for (const std::uint8_t byte : event.bytes) text += hex_byte(byte);
         at = event.bytes.size();
       } else if (!event.bytes.empty()) {

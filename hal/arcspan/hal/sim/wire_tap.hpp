@@ -13,10 +13,10 @@
 
 namespace arcspan::hal::sim {
 
-/// All the wires of a driver, each fulfilling its seam, that report what is done to them to one place.
+/// Base of MockWires and WireRecorder: all buses, pins and the clock of a driver, which report every call to
+/// on().
 ///
-/// Transfers block. The clock is the driver's alone: it begins where it is told to and moves by what is
-/// waited for, or is somebody else's if one is attached.
+/// Transfers block. The clock advances only by the driver's own delays, unless another clock is attached.
 class WireTap {
  public:
   WireTap(const WireTap&) = delete;
@@ -26,24 +26,24 @@ class WireTap {
   [[nodiscard]] I2cBus& i2c() { return i2c_; }
   [[nodiscard]] Clock& clock() { return clock_; }
   [[nodiscard]] OutputPin& data_or_command() { return output(std::string(kDataOrCommand)); }
-  /// The pin of this name, which is what scripts call it: the same one every time. Lives as long as this.
+  /// The pin that scripts call `name`. Every call returns the same object, which lives as long as this one.
   [[nodiscard]] OutputPin& output(const std::string& name);
   [[nodiscard]] InputPin& input(const std::string& name);
 
-  /// Microseconds that the driver has waited in all.
+  /// Sum of the driver's delays in microseconds.
   [[nodiscard]] std::uint64_t waited_us() const { return clock_.waited_us; }
-  /// What now_us() counts from, e.g. shortly before it wraps.
+  /// Sets the clock to `now` microseconds, for example to shortly before it wraps.
   void set_now_us(std::uint32_t now) { clock_.now_us = now; }
 
  protected:
   WireTap() : spi_(*this), i2c_(*this), clock_(*this) {}
   ~WireTap() = default;
 
-  /// What was done, with the answer of what is attached, or kOk. Returns what the driver is told. `level` of
-  /// a kRead is what it reads, and may be changed.
+  /// Handles an event, whose `answer` is that of the attached object or kOk, and returns the answer for the
+  /// driver. It may change `level` of a kRead, which is the level that the driver reads.
   virtual Status on(WireEvent& event) = 0;
 
-  /// Each passes what it is told to what is attached, and then, with its answer, to on().
+  /// Each of these forwards a call to the attached object, if any, and then passes the event to on().
   struct Spi final : SpiBus {
     explicit Spi(WireTap& owner) : tap(owner) {}
     Status do_write(std::span<const std::uint8_t> bytes) override;
@@ -57,7 +57,7 @@ class WireTap {
     WireTap& tap;
     I2cBus* attached = nullptr;
   };
-  /// See Spi; a pin knows the name that scripts call it by.
+  /// See Spi. `name` is the pin's name in scripts.
   struct Output final : OutputPin {
     Output(WireTap& owner, const std::string& called) : tap(owner), name(called) {}
     Status do_set(Level to) override;
@@ -73,7 +73,7 @@ class WireTap {
     std::string name;
     InputPin* attached = nullptr;
   };
-  /// Counts by itself unless a clock is attached.
+  /// See Spi. Counts the delays if no clock is attached.
   struct TapClock final : Clock {
     explicit TapClock(WireTap& owner) : tap(owner) {}
     std::uint32_t do_now_us() override { return attached != nullptr ? attached->now_us() : now_us; }
@@ -84,7 +84,7 @@ class WireTap {
     std::uint64_t waited_us = 0;
   };
 
-  // A map's elements stay where they are.
+  // A map, because its elements do not move.
   std::map<std::string, Output> outputs_;
   std::map<std::string, Input> inputs_;
   Spi spi_;

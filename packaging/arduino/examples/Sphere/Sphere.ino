@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Prints a shaded ball to the serial monitor, in characters: no display is needed to see that it works.
+// Prints a shaded ball to the serial monitor as characters, so that no display is needed.
 
 #include <arcspan.h>
 
 using namespace arcspan;
 using Light = Illumination<1, Highlight::kBlinn>;
 
-// An octahedron: every vertex's normal points the way the vertex does, so it is shaded like a ball.
+// An octahedron whose normals point from the centre to the vertices, so it is shaded like a ball.
 constexpr int16_t kR = 32000;
 constexpr ObjectPosition kPositions[] = {{kR, 0, 0}, {-kR, 0, 0}, {0, kR, 0}, {0, -kR, 0}, {0, 0, kR}, {0, 0, -kR}};
 constexpr uint8_t kIndices[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};

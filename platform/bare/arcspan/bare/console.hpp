@@ -6,14 +6,14 @@
 
 namespace arcspan::bare {
 
-/// Writes `text`, which must end in zero.
+/// Writes zero-terminated `text`.
 void print(const char* text);
 
-/// Write `value` in decimal. The longer one needs a 64-bit division, 0.7 KB on small cores.
+/// Write `value` in decimal. The 64-bit overload needs a 64-bit division, 0.7 KB on small cores.
 void print(std::uint32_t value);
 void print(std::uint64_t value);
 
-/// The same for other unsigned types; signed ones must be converted on purpose.
+/// Forwards other unsigned types. Signed ones do not compile; convert them explicitly.
 template <std::unsigned_integral T>
 void print(T value) {
   if constexpr (sizeof(T) <= sizeof(std::uint32_t)) {
@@ -23,13 +23,13 @@ void print(T value) {
   }
 }
 
-/// A 32-bit value to be written as eight hexadecimal digits.
+/// Makes print() write a 32-bit value as eight hexadecimal digits.
 struct Hex {
   std::uint32_t value;
 };
 void print(Hex hex);
 
-/// Writes all arguments, then ends the line.
+/// Writes all arguments and a line break.
 template <class... Parts>
 void print_line(Parts... parts) {
   (print(parts), ...);

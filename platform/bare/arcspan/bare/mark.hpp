@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Tells platform/qemu/instruction_count.c that a section of the run ends here and the next begins. Does
-// nothing by itself. The program names the section that begins in a line "section: NAME" of its output,
-// before or after.
+// Marks the end of one section of the run and the beginning of the next for
+// platform/qemu/instruction_count.c. It does nothing itself. The program names the new section in a line
+// "section: NAME" of its output, before or after.
 extern "C" void arcspan_mark();

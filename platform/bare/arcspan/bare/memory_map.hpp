@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-// Addresses that sections.ld defines; only the addresses of these objects mean something.
+// Symbols that sections.ld defines. Only their addresses have a meaning.
 extern "C" {
 extern std::uint32_t arcspan_stack_bottom[];
 extern std::uint32_t arcspan_stack_top[];

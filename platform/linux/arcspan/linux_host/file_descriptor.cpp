@@ -7,7 +7,7 @@
 namespace arcspan::linux_host {
 
 FileDescriptor FileDescriptor::open_device(const char* path) {
-  // O_NOCTTY: a terminal given by mistake does not become ours.
+  // O_NOCTTY: a terminal that is opened by mistake does not become the controlling terminal.
   return FileDescriptor(::open(path, O_RDWR | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
 }
 

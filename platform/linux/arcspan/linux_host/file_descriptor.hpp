@@ -5,7 +5,7 @@
 
 namespace arcspan::linux_host {
 
-/// Owns an open file of the kernel; closed with the object.
+/// Owns a file descriptor and closes it in the destructor.
 class FileDescriptor {
  public:
   FileDescriptor() = default;
@@ -19,7 +19,8 @@ class FileDescriptor {
   FileDescriptor& operator=(const FileDescriptor&) = delete;
   ~FileDescriptor() { close(); }
 
-  /// Opens a device for reading and writing, not inherited by children; test with `is_open`, errno is kept.
+  /// Opens a device for reading and writing, not inherited by child processes. On failure is_open() is false
+  /// and errno has the cause.
   [[nodiscard]] static FileDescriptor open_device(const char* path);
 
   [[nodiscard]] int get() const { return fd_; }

@@ -10,8 +10,8 @@
 
 namespace arcspan::linux_host {
 
-/// An output line of a GPIO chip, held through libgpiod until `release` or the object's end. What a line does
-/// after that is its chip's affair: most keep the level.
+/// An output line of a GPIO chip, held through libgpiod until release() or destruction. Most chips keep the
+/// level after that.
 class GpioPin final : public hal::OutputPin {
  public:
   GpioPin() = default;
@@ -19,22 +19,22 @@ class GpioPin final : public hal::OutputPin {
   GpioPin& operator=(const GpioPin&) = delete;
   ~GpioPin() { release(); }
 
-  /// Takes the line that `name` means, `gpiochip0:25` or the line's name, and drives it to `level`. Statuses
-  /// as gpio::find_line_address and gpio::request_output; kUnsupported where arcspan was built without
-  /// libgpiod. A line that this object held is released first.
+  /// Releases the present line, requests the one with this `name`, such as `gpiochip0:25` or its own name,
+  /// and drives it to `level`. Returns the statuses of gpio::find_line_address and gpio::request_output;
+  /// kUnsupported if arcspan was built without libgpiod.
   Result request(const std::string& name, hal::Level level);
 
   void release() { gpio::release(line_); }
   [[nodiscard]] bool is_held() const { return line_.line != nullptr; }
 
  private:
-  /// As OutputPin::set; kNotReady if no line is held.
+  /// Implements OutputPin::set; kNotReady if no line is held.
   Status do_set(hal::Level level) override;
 
   gpio::HeldLine line_;
 };
 
-/// An input line of a GPIO chip, held through libgpiod until `release` or the object's end.
+/// An input line of a GPIO chip, held through libgpiod until release() or destruction.
 class GpioInput final : public hal::InputPin {
  public:
   GpioInput() = default;
@@ -42,14 +42,14 @@ class GpioInput final : public hal::InputPin {
   GpioInput& operator=(const GpioInput&) = delete;
   ~GpioInput() { release(); }
 
-  /// Takes the line that `name` means, as GpioPin::request.
+  /// Requests the line with this `name`, as GpioPin::request does.
   Result request(const std::string& name);
 
   void release() { gpio::release(line_); }
   [[nodiscard]] bool is_held() const { return line_.line != nullptr; }
 
  private:
-  /// As InputPin::read; kNotReady if no line is held.
+  /// Implements InputPin::read; kNotReady if no line is held.
   Status do_read(hal::Level& level) override;
 
   gpio::HeldLine line_;

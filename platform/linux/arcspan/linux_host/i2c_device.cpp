@@ -34,7 +34,7 @@ Result I2cDevice::check_free(std::uint8_t address) {
 Status I2cDevice::do_write(std::uint8_t address, std::span<const std::uint8_t> bytes) {
   if (!file_.is_open()) return Status::kNotReady;
   if (bytes.size() > kMostBytes) return Status::kUnsupported;
-  // The kernel's structure has no const; a message without I2C_M_RD is only read.
+  // The kernel's structure has no const, but a message without I2C_M_RD is only read.
   i2c_msg message{address, 0, static_cast<std::uint16_t>(bytes.size()),
                   const_cast<std::uint8_t*>(bytes.data())};
   i2c_rdwr_ioctl_data transaction{&message, 1};

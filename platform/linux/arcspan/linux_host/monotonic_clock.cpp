@@ -32,7 +32,7 @@ void MonotonicClock::do_delay_us(std::uint32_t us) {
     until.tv_nsec -= kNanosecondsPerSecond;
     ++until.tv_sec;
   }
-  // An absolute end, so that waits cut by a signal do not add up.
+  // The end is absolute, so that waits interrupted by signals do not add up.
   while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
   }
 }

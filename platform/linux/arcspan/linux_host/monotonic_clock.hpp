@@ -5,7 +5,7 @@
 
 namespace arcspan::linux_host {
 
-/// The kernel's CLOCK_MONOTONIC: not set back by anybody, and a signal does not shorten a wait.
+/// The kernel's CLOCK_MONOTONIC. It is never set back, and signals do not shorten a delay.
 class MonotonicClock final : public hal::Clock {
  private:
   [[nodiscard]] std::uint32_t do_now_us() override;

@@ -7,22 +7,22 @@
 
 namespace arcspan::linux_host {
 
-/// What became of a request to the kernel: besides the status, enough to say it in one line.
+/// Outcome of a request to the kernel: a status with a one-line explanation.
 struct [[nodiscard]] Result {
   Status status = Status::kOk;
-  /// What was tried or what is wrong, in words without a full stop; a string literal.
+  /// The failed action or the reason, without a full stop; a string literal.
   const char* action = "";
-  /// The errno that the kernel gave; 0 if the kernel was not asked or did not refuse.
+  /// errno from the kernel; 0 if no call failed.
   int error = 0;
 
-  /// A failure with the present errno.
+  /// A failure with the current errno.
   [[nodiscard]] static Result from_errno(const char* action, Status status = Status::kTransferFailed);
-  /// A failure that no call of the kernel is to blame for.
+  /// A failure without an errno.
   [[nodiscard]] static constexpr Result refused(const char* action, Status status = Status::kUnsupported) {
     return {status, action, 0};
   }
 
-  /// `action`, or `action: what errno means`.
+  /// Returns `action`, followed by ": " and the text of errno if there is one.
   [[nodiscard]] std::string text() const;
 };
 

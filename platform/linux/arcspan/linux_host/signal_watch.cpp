@@ -9,7 +9,7 @@ namespace {
 
 constexpr long kNanosecondsPerSecond = 1'000'000'000;
 
-// `until` as a time from now on; zero if it has passed.
+// Time from now to `until`; zero if it has passed.
 timespec remaining(const timespec& until) {
   timespec now{};
   ::clock_gettime(CLOCK_MONOTONIC, &now);
@@ -26,7 +26,7 @@ timespec remaining(const timespec& until) {
 SignalWatch::SignalWatch() {
   sigemptyset(&watched_);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
-    // One that is ignored (nohup) would be reported nevertheless once it is held back.
+    // An ignored signal (nohup) is left out, because a blocked one would be reported.
     struct sigaction present {};
     if (::sigaction(signal, nullptr, &present) == 0 && present.sa_handler != SIG_IGN) {
       sigaddset(&watched_, signal);

@@ -6,9 +6,9 @@
 
 namespace arcspan::linux_host {
 
-/// Holds back the signals that ask a program to end (SIGINT, SIGTERM, SIGHUP, SIGQUIT), so that it can look
-/// for them where it is able to stop, and leave devices as it found them. Those that were ignored stay
-/// ignored. For the one thread of a program; at its end the signals act as before.
+/// Blocks the signals that ask a program to end (SIGINT, SIGTERM, SIGHUP, SIGQUIT). The program polls for
+/// them where it can stop and restore its devices. Ignored signals stay ignored. The destructor restores the
+/// signal mask. For programs with one thread.
 class SignalWatch {
  public:
   SignalWatch();
@@ -16,13 +16,13 @@ class SignalWatch {
   SignalWatch& operator=(const SignalWatch&) = delete;
   ~SignalWatch();
 
-  /// The signal that has come, or 0; told once. Does not block.
+  /// Returns and clears a pending signal, or 0. Does not block.
   [[nodiscard]] int poll();
 
-  /// Waits until a signal comes, which it returns, or until CLOCK_MONOTONIC reaches `until`: 0.
+  /// Blocks until a signal arrives and returns it, or 0 when CLOCK_MONOTONIC reaches `until`.
   [[nodiscard]] int wait_until(const timespec& until);
 
-  /// Waits for a signal and returns it.
+  /// Blocks until a signal arrives and returns it.
   [[nodiscard]] int wait();
 
  private:

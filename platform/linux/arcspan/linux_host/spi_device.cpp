@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint8_t kBitsPerWord = 8;
 
-// The largest message: a parameter of the spidev module, 4096 unless it was loaded with another.
+// Largest message in bytes: a parameter of the spidev module, 4096 by default.
 std::size_t message_limit() {
   constexpr std::size_t kDefault = 4096;
   std::FILE* file = std::fopen("/sys/module/spidev/parameters/bufsiz", "re");
@@ -72,7 +72,7 @@ Status SpiDevice::do_write(std::span<const std::uint8_t> bytes) {
 }
 
 Status SpiDevice::write_chunk(std::span<const std::uint8_t> bytes) {
-  // Not SPI_IOC_MESSAGE: that tells the length it was given, whatever the controller sent.
+  // Not SPI_IOC_MESSAGE, which returns the requested length whatever the controller sent.
   const ssize_t sent = ::write(file_.get(), bytes.data(), bytes.size());
   last_error_ = sent < 0 ? errno : 0;
   if (sent < 0) return last_error_ == ETIMEDOUT ? Status::kTimeout : Status::kTransferFailed;

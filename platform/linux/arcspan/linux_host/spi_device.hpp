@@ -11,28 +11,31 @@
 namespace arcspan::linux_host {
 
 struct SpiSettings {
-  std::uint32_t clock_hz = 10'000'000;  ///< an upper limit: the controller takes the next rate below
-  std::uint8_t mode = 0;                ///< 0 ... 3: clock polarity in bit 1, phase in bit 0
+  std::uint32_t clock_hz = 10'000'000;  ///< upper limit; the controller uses the next lower rate
+  std::uint8_t mode = 0;                ///< 0 ... 3: clock polarity (CPOL) in bit 1, phase (CPHA) in bit 0
 };
 
-/// A chip select of an SPI controller, through the kernel's spidev (Documentation/spi/spidev.rst).
+/// A chip select of an SPI controller of the kernel's spidev (Documentation/spi/spidev.rst).
 ///
-/// The kernel takes at most `chunk_bytes()` at a time; longer transfers are cut, and chip select is released
-/// for a moment between the pieces, which serial panels allow. Transfers block; what the kernel answered to
-/// one that failed is in `last_error()`.
+/// Transfers block. Those longer than chunk_bytes() are split, and chip select is released between the
+/// pieces, which serial panels allow. last_error() has the errno of a failed one.
 class SpiDevice final : public hal::SpiBus {
  public:
-  /// Opens `path`, e.g. /dev/spidev0.0, and sets mode, clock and 8 bits a word. kInvalidArgument for a mode
-  /// above 3 or a clock of 0; kNotReady if there is no such device or it may not be used; kUnsupported if it
-  /// is no spidev or its controller does not have the mode. After a failure the object is closed.
+  /// Opens `path`, e.g. /dev/spidev0.0, and sets mode, clock and 8 bits per word. After a failure the object
+  /// is closed.
+  ///
+  /// - kInvalidArgument: the mode is above 3 or the clock is 0
+  /// - kNotReady: the device does not exist or may not be used
+  /// - kUnsupported: the device is not a spidev, or its controller does not support the settings
   Result open(const char* path, const SpiSettings& settings);
 
-  /// The errno of the last transfer that failed; 0 if none has, or if it was too short.
+  /// errno of the last transfer that failed; 0 if none has, or if it was only short.
   [[nodiscard]] int last_error() const { return last_error_; }
+  /// Largest number of bytes that the kernel sends at once.
   [[nodiscard]] std::size_t chunk_bytes() const { return chunk_bytes_; }
 
  private:
-  /// kNotReady on a closed object, otherwise as SpiBus::write.
+  /// Implements SpiBus::write; kNotReady if closed.
   Status do_write(std::span<const std::uint8_t> bytes) override;
   Status write_chunk(std::span<const std::uint8_t> bytes);
 

@@ -13,7 +13,7 @@
 namespace arcspan::linux_host {
 namespace {
 
-// The framebuffer, by number, on which the console in front draws; -1 if it draws on none.
+// Minor number of the framebuffer that the foreground console draws on, or -1 if there is none.
 int front_framebuffer(int console, int framebuffer) {
   vt_stat state{};
   if (::ioctl(console, VT_GETSTATE, &state) < 0) return -1;
@@ -22,7 +22,7 @@ int front_framebuffer(int console, int framebuffer) {
   return static_cast<int>(map.framebuffer);
 }
 
-bool is_number(int framebuffer, int number) {
+bool has_minor_number(int framebuffer, int number) {
   struct stat status {};
   return ::fstat(framebuffer, &status) == 0 && static_cast<int>(minor(status.st_rdev)) == number;
 }
@@ -32,7 +32,7 @@ bool is_number(int framebuffer, int number) {
 void ConsoleGuard::take(int fd) {
   release();
   FileDescriptor console = FileDescriptor::open_device("/dev/tty0");
-  if (!console.is_open() || !is_number(fd, front_framebuffer(console.get(), fd))) return;
+  if (!console.is_open() || !has_minor_number(fd, front_framebuffer(console.get(), fd))) return;
   if (::ioctl(console.get(), KDGETMODE, &mode_before_) < 0) return;
   if (::ioctl(console.get(), KDSETMODE, KD_GRAPHICS) < 0) return;
   console_ = std::move(console);

@@ -5,7 +5,7 @@
 
 namespace arcspan::linux_host {
 
-/// Keeps the kernel's text console from drawing on a framebuffer (KD_GRAPHICS of console_ioctl(2)).
+/// Prevents the kernel's text console from drawing on a framebuffer (KD_GRAPHICS, console_ioctl(2)).
 class ConsoleGuard {
  public:
   ConsoleGuard() = default;
@@ -13,11 +13,11 @@ class ConsoleGuard {
   ConsoleGuard& operator=(const ConsoleGuard&) = delete;
   ~ConsoleGuard() { release(); }
 
-  /// Does so if the console that is in front draws on the framebuffer `fd`. Does nothing without a console,
-  /// or where it may not be asked: the text is then in the picture, as it is with any program.
+  /// Stops the foreground console if it draws on the framebuffer `fd`. Has no effect without a console or
+  /// without the permission to change it; its text then appears in the picture.
   void take(int fd);
 
-  /// Puts the console back into the mode it had; the kernel then draws its text anew.
+  /// Restores the console's mode; the kernel then redraws its text.
   void release();
 
   [[nodiscard]] bool is_held() const { return console_.is_open(); }

@@ -11,7 +11,7 @@
 namespace arcspan::linux_host {
 namespace {
 
-constexpr std::uint32_t kMostPixels = 16384;  // keeps every product below in range
+constexpr std::uint32_t kMostPixels = 16384;  // no product below overflows
 
 Result check_size(const fb_fix_screeninfo& fixed, const fb_var_screeninfo& variable, std::size_t row_bytes) {
   if (variable.xres == 0 || variable.yres == 0 || variable.xres > kMostPixels ||
@@ -22,7 +22,7 @@ Result check_size(const fb_fix_screeninfo& fixed, const fb_var_screeninfo& varia
   return {};
 }
 
-// pread or pwrite of a whole row; kTransferShort at the memory's end.
+// Repeats pread or pwrite until a whole row is transferred. kTransferShort at the end of the memory.
 template <class Call>
 Result transfer(Call call, std::size_t count, const char* action) {
   std::size_t done = 0;
@@ -44,20 +44,20 @@ Result FramebufferDevice::open(const char* path) {
   (void)restore();
   FileDescriptor file = FileDescriptor::open_device(path);
   if (!file.is_open()) return Result::from_errno("cannot be opened", Status::kNotReady);
-  if (const Result result = take_format(file.get()); !linux_host::ok(result)) return result;
+  if (const Result result = read_format(file.get()); !linux_host::ok(result)) return result;
   file_ = std::move(file);
   if (const Result result = read_rows(picture_before_); !linux_host::ok(result)) {
     file_.close();
     return result;
   }
   console_.take(file_.get());
-  (void)::ioctl(file_.get(), FBIOBLANK, FB_BLANK_UNBLANK);  // many drivers have nothing to switch on
-  const Result result = take_palette(file_.get());
+  (void)::ioctl(file_.get(), FBIOBLANK, FB_BLANK_UNBLANK);  // not an error: many drivers do not support it
+  const Result result = replace_palette(file_.get());
   if (!linux_host::ok(result)) (void)restore();
   return result;
 }
 
-Result FramebufferDevice::take_format(int fd) {
+Result FramebufferDevice::read_format(int fd) {
   fb_fix_screeninfo fixed{};
   fb_var_screeninfo variable{};
   if (::ioctl(fd, FBIOGET_FSCREENINFO, &fixed) < 0 || ::ioctl(fd, FBIOGET_VSCREENINFO, &variable) < 0) {
@@ -80,7 +80,7 @@ Result FramebufferDevice::take_format(int fd) {
   return {};
 }
 
-Result FramebufferDevice::take_palette(int fd) {
+Result FramebufferDevice::replace_palette(int fd) {
   if (layout_.kind != PixelLayout::Kind::kPalette) return {};
   const Result result = palette_before_.read(fd);
   return linux_host::ok(result) ? Palette::rgb332().write(fd) : result;

@@ -13,12 +13,11 @@
 
 namespace arcspan::linux_host {
 
-/// A framebuffer of the kernel (/dev/fb0), as it is set up: nothing of its mode is changed.
+/// A framebuffer device of the kernel (/dev/fb0) in its present mode.
 ///
-/// It is written with pwrite, not mapped: that works with every driver, those that refresh a panel over SPI
-/// too, and a device that goes away gives an error instead of a signal. While it is open, the text console
-/// does not draw on it if it would; what was to be seen before comes back with `restore`, which the
-/// destructor calls.
+/// It is written with pwrite instead of being mapped: this works with every driver, including those that
+/// refresh a panel over SPI, and a removed device causes an error instead of a signal. While it is open, the
+/// text console does not draw on it. restore(), which the destructor calls, brings back the previous picture.
 class FramebufferDevice {
  public:
   FramebufferDevice() = default;
@@ -26,35 +25,35 @@ class FramebufferDevice {
   FramebufferDevice& operator=(const FramebufferDevice&) = delete;
   ~FramebufferDevice();
 
-  /// Opens `path` and keeps a copy of the visible picture. kNotReady if there is no such device or it may not
-  /// be used; kUnsupported, with the reason, if it is no framebuffer or its pixels cannot be drawn.
+  /// Opens `path` and saves the visible picture. kNotReady if the device does not exist or may not be used.
+  /// kUnsupported, with the reason, if it is not a framebuffer or its pixel format is not supported.
   Result open(const char* path);
 
-  /// Visible pixels; 0 if not open.
+  /// Size of the visible picture in pixels; 0 if not open.
   [[nodiscard]] std::int32_t width() const { return width_; }
   [[nodiscard]] std::int32_t height() const { return height_; }
   [[nodiscard]] const PixelLayout& layout() const { return layout_; }
-  /// Bytes of one visible row, as `write_rows` takes them.
+  /// Bytes of one visible row in write_rows().
   [[nodiscard]] std::size_t bytes_per_row() const {
     return layout_.bytes_per_row(static_cast<std::size_t>(width_));
   }
-  /// What the driver calls itself.
+  /// Name that the driver reports.
   [[nodiscard]] const char* name() const { return name_; }
 
-  /// Shows `rows`, which are a whole number of rows of bytes_per_row() without gaps, from row `first` on.
+  /// Writes `rows`, whole rows of bytes_per_row() bytes without gaps, to the picture from row `first` on.
   /// kInvalidArgument if they do not lie in the picture; kTransferFailed or kTransferShort from the kernel.
   Result write_rows(std::int32_t first, std::span<const std::uint8_t> rows);
 
-  /// The visible picture, in the form of `write_rows`.
+  /// Reads the visible picture in the form of write_rows().
   Result read_rows(std::vector<std::uint8_t>& rows);
 
-  /// Shows again what was to be seen before `open`, gives the console back, and closes. The first thing that
-  /// goes wrong is returned, the others are done nevertheless. kOk if not open.
+  /// Restores the picture, palette and console from before open() and closes the device. Tries all of them
+  /// and returns the first failure. kOk if not open.
   Result restore();
 
  private:
-  Result take_format(int fd);
-  Result take_palette(int fd);
+  Result read_format(int fd);
+  Result replace_palette(int fd);
   [[nodiscard]] std::size_t position(std::int32_t row) const;
 
   FileDescriptor file_;
@@ -62,7 +61,7 @@ class FramebufferDevice {
   PixelLayout layout_;
   std::int32_t width_ = 0;
   std::int32_t height_ = 0;
-  std::size_t pitch_ = 0;   // bytes from row to row
+  std::size_t pitch_ = 0;   // bytes from one row to the next
   std::size_t origin_ = 0;  // bytes before the first visible pixel
   char name_[17] = {};
   Palette palette_before_;

@@ -9,7 +9,7 @@
 
 namespace arcspan::linux_host {
 
-/// The pixel format of a Linux framebuffer: its layout is known at run time only, so a row carries it along.
+/// Pixel format of a Linux framebuffer. Its layout is known at run time only, so every row refers to it.
 struct FramebufferFormat {
   struct Row {
     std::uint8_t* bytes = nullptr;
@@ -17,13 +17,13 @@ struct FramebufferFormat {
   };
   using Encoded = Rgb8;
   using Word = Row;
-  static constexpr unsigned kBitsPerPixel = 32;  // at most
+  static constexpr unsigned kBitsPerPixel = 32;  // upper bound
   static constexpr bool kDithers = false;
 
   class Cursor {
    public:
     Cursor(const Row* row, std::int32_t x) : row_(*row), x_(static_cast<std::size_t>(x)) {}
-    void write(Encoded code) { row_.layout->store(row_.bytes, x_, code); }
+    void write(Encoded encoded) { row_.layout->store(row_.bytes, x_, encoded); }
     [[nodiscard]] Encoded read() const { return row_.layout->load(row_.bytes, x_); }
     void next() { ++x_; }
 
@@ -35,16 +35,16 @@ struct FramebufferFormat {
   [[nodiscard]] static std::size_t words_per_row(std::int32_t) { return 1; }
   [[nodiscard]] static constexpr Encoded encode(Rgb8 c) { return c; }
   [[nodiscard]] static constexpr Encoded encode_dithered(Rgb8 c, std::int32_t, std::int32_t) { return c; }
-  [[nodiscard]] static constexpr Rgb8 decode(Encoded code) { return code; }
+  [[nodiscard]] static constexpr Rgb8 decode(Encoded encoded) { return encoded; }
 };
 
-/// A picture of a framebuffer's size in its own pixel layout: a pixel sink. Drawn in memory and shown whole,
-/// so that nobody sees it half drawn.
+/// A pixel sink that holds a picture in the layout and size of a framebuffer. show() displays it as a whole,
+/// so that no partial picture is visible.
 class FramebufferSink {
  public:
   using Format = FramebufferFormat;
 
-  /// `device` must be open, and live as long as this. The picture starts dark.
+  /// `device` must be open and outlive this object. The picture is black at first.
   explicit FramebufferSink(FramebufferDevice& device);
 
   [[nodiscard]] Rect bounds() const { return {0, 0, device_->width(), device_->height()}; }
@@ -56,9 +56,9 @@ class FramebufferSink {
 
   /// Sets every pixel to `colour`.
   void clear(Rgb8 colour);
-  /// The colour of pixel (x, y), which must lie inside bounds().
+  /// Colour of pixel (x, y), which must lie inside bounds().
   [[nodiscard]] Rgb8 pixel(std::int32_t x, std::int32_t y) const;
-  /// Shows the picture on the device.
+  /// Writes the picture to the device.
   Result show() { return device_->write_rows(0, picture_); }
 
  private:

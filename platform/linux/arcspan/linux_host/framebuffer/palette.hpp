@@ -8,18 +8,18 @@
 
 namespace arcspan::linux_host {
 
-/// The 256 colours of a framebuffer whose pixels are indices.
+/// The 256 colours of a framebuffer with indexed pixels.
 class Palette {
  public:
-  /// Reads the present colours of the framebuffer `fd`.
+  /// Reads the colours of the framebuffer `fd`.
   Result read(int fd);
-  /// Sets the framebuffer's colours.
+  /// Sets the colours of the framebuffer `fd`.
   Result write(int fd) const;
-  /// The colours that PixelLayout::Kind::kPalette means by rrrgggbb.
+  /// Colours for pixels of the form rrrgggbb (PixelLayout::Kind::kPalette).
   [[nodiscard]] static Palette rgb332();
 
  private:
-  using Levels = std::array<std::uint16_t, 256>;  // 0 ... 65535, as the kernel has them
+  using Levels = std::array<std::uint16_t, 256>;  // 0 ... 65535, as in the kernel
   Levels red_{};
   Levels green_{};
   Levels blue_{};

@@ -14,7 +14,7 @@ constexpr Channel kPaletteRed{5, 3};
 constexpr Channel kPaletteGreen{2, 3};
 constexpr Channel kPaletteBlue{0, 2};
 
-bool take_channel(const fb_bitfield& field, std::uint32_t bits, Channel& channel) {
+bool read_channel(const fb_bitfield& field, std::uint32_t bits, Channel& channel) {
   if (field.msb_right != 0 || field.length == 0 || field.length > 8 || field.offset > bits - field.length) {
     return false;
   }
@@ -24,13 +24,13 @@ bool take_channel(const fb_bitfield& field, std::uint32_t bits, Channel& channel
 
 constexpr std::uint32_t mask(unsigned length) { return length >= 32 ? ~0U : (1U << length) - 1; }
 
-Result take_colour(const fb_var_screeninfo& variable, PixelLayout& layout) {
+Result read_colour(const fb_var_screeninfo& variable, PixelLayout& layout) {
   const std::uint32_t bits = variable.bits_per_pixel;
   if (bits != 16 && bits != 24 && bits != 32) {
     return Result::refused("colour pixels are neither 16, 24 nor 32 bits");
   }
-  if (!take_channel(variable.red, bits, layout.red) || !take_channel(variable.green, bits, layout.green) ||
-      !take_channel(variable.blue, bits, layout.blue)) {
+  if (!read_channel(variable.red, bits, layout.red) || !read_channel(variable.green, bits, layout.green) ||
+      !read_channel(variable.blue, bits, layout.blue)) {
     return Result::refused("colour channels are not 1 to 8 bits inside the pixel");
   }
   layout.kind = Kind::kColour;
@@ -44,7 +44,7 @@ std::uint32_t put(std::uint8_t level, Channel channel) {
   return static_cast<std::uint32_t>(level >> (8 - channel.length)) << channel.offset;
 }
 
-// Repeats a short channel's bits until the byte is full.
+// Repeats the bits of a short channel until the byte is full.
 std::uint8_t get(std::uint32_t word, Channel channel) {
   const std::uint32_t level = word >> channel.offset & mask(channel.length);
   std::uint32_t wide = 0;
@@ -53,7 +53,8 @@ std::uint8_t get(std::uint32_t word, Channel channel) {
   return static_cast<std::uint8_t>(wide >> (filled - 8));
 }
 
-// 24 bits are the low three bytes of a word, which lie first or last in memory.
+// 24 bits are the low three bytes of a word: its first ones in memory on little-endian hosts, else its last
+// ones.
 constexpr std::size_t kLow24 = std::endian::native == std::endian::little ? 0 : 1;
 
 }  // namespace
@@ -82,7 +83,7 @@ Result PixelLayout::from_kernel(const fb_fix_screeninfo& fixed, const fb_var_scr
     layout.blue = kPaletteBlue;
     return {};
   }
-  if (fixed.visual == FB_VISUAL_TRUECOLOR && variable.grayscale == 0) return take_colour(variable, layout);
+  if (fixed.visual == FB_VISUAL_TRUECOLOR && variable.grayscale == 0) return read_colour(variable, layout);
   return Result::refused("the visual is none of true colour, 8-bit palette, 8-bit gray and mono");
 }
 

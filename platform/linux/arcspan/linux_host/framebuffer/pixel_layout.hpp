@@ -11,18 +11,17 @@
 
 namespace arcspan::linux_host {
 
-/// How the kernel says that a framebuffer stores a pixel (fb_var_screeninfo, fb_fix_screeninfo of
-/// linux/fb.h).
+/// Pixel layout of a framebuffer, from fb_var_screeninfo and fb_fix_screeninfo of linux/fb.h.
 ///
-/// Words are in the machine's byte order, as the kernel's own drawing has them.
+/// Words are in the host's byte order, as in the kernel's own drawing.
 struct PixelLayout {
   enum class Kind : std::uint8_t {
     kColour,   ///< 16, 24 or 32 bits with three bit fields
-    kPalette,  ///< 8 bits, an index into a palette that the owner sets to rrrgggbb
+    kPalette,  ///< 8 bits, an index into a palette set to Palette::rgb332()
     kGray,     ///< 8 bits, luma
-    kMono,     ///< 1 bit, the leftmost pixel lowest in its byte
+    kMono,     ///< 1 bit, the leftmost pixel in the lowest bit of its byte
   };
-  /// A bit field: `length` 1 ... 8 bits, the lowest of which is bit `offset` of the word.
+  /// A bit field of `length` bits, 1 ... 8, whose lowest bit is bit `offset` of the word.
   struct Channel {
     std::uint8_t offset = 0;
     std::uint8_t length = 0;
@@ -33,27 +32,26 @@ struct PixelLayout {
   Channel red;
   Channel green;
   Channel blue;
-  /// Bits that are set in every colour word: full alpha, where there is one.
+  /// Bits that are set in every colour word: full opacity, if there is an alpha channel.
   std::uint32_t always = 0;
-  /// kMono: a set bit is dark.
+  /// kMono: a set bit is black.
   bool inverted = false;
 
-  /// Takes the layout from what the kernel reports. kUnsupported, with the reason, for what cannot be drawn.
+  /// Derives the layout from the kernel's report. kUnsupported, with the reason, if it is not supported.
   static Result from_kernel(const fb_fix_screeninfo& fixed, const fb_var_screeninfo& variable,
                             PixelLayout& layout);
 
-  /// The format of the pipeline whose pixels this layout holds without loss and without waste: "rgb565",
-  /// "rgb888", "gray8" or "mono".
+  /// The smallest pipeline format that this layout shows without loss: "rgb565", "rgb888", "gray8" or "mono".
   [[nodiscard]] const char* pipeline_format() const;
 
   [[nodiscard]] std::size_t bytes_per_row(std::size_t width) const { return (width * bits + 7) / 8; }
 
-  /// The word for `colour`; channels are cut to their lengths.
+  /// Word for `colour`; channels are truncated to their lengths.
   [[nodiscard]] std::uint32_t encode(Rgb8 colour) const;
-  /// The colour of a word, short channels widened so that full stays full.
+  /// Colour of a word; short channels are expanded so that the maximum becomes 255.
   [[nodiscard]] Rgb8 decode(std::uint32_t word) const;
 
-  /// Stores and reads pixel `x` of a row that begins at `row`.
+  /// Store and load pixel `x` of the row at `row`.
   void store(std::uint8_t* row, std::size_t x, Rgb8 colour) const;
   [[nodiscard]] Rgb8 load(const std::uint8_t* row, std::size_t x) const;
 };

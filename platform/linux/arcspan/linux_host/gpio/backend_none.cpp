@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built where there is no libgpiod: framebuffers and buses work, pins say why they do not.
+// Built without libgpiod: framebuffers and buses work, requests for pins report the reason.
 #include <arcspan/linux_host/gpio/backend.hpp>
 
 namespace arcspan::linux_host::gpio {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// libgpiod 1.x
+// Backend for libgpiod 1.x.
 #include <arcspan/linux_host/gpio/backend.hpp>
 
 #include <gpiod.h>
@@ -18,7 +18,7 @@ Chip open_chip(const char* path) { return {gpiod_chip_open(path), &gpiod_chip_cl
 
 Result no_chip() { return Result::from_errno("the GPIO chip cannot be opened", Status::kNotReady); }
 
-/// Opens the chip and lets `take` request the line; negative if that failed.
+/// Opens the chip and requests the line through `take`, which returns a negative value on failure.
 template <class Take>
 Result request(const char* chip_path, unsigned offset, Take&& take, HeldLine& held) {
   Chip chip = open_chip(chip_path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// libgpiod 2.x
+// Backend for libgpiod 2.x.
 #include <arcspan/linux_host/gpio/backend.hpp>
 
 #include <gpiod.h>
@@ -30,7 +30,7 @@ Result refused_line() {
   }
 }
 
-/// Opens the chip and requests the line as `describe` sets it up; false if it could not.
+/// Opens the chip and requests the line with the settings of `describe`, which returns false on failure.
 template <class Describe>
 Result request(const char* chip_path, unsigned offset, Describe&& describe, HeldLine& held) {
   const Owned<gpiod_chip> chip = open_chip(chip_path);
@@ -45,7 +45,7 @@ Result request(const char* chip_path, unsigned offset, Describe&& describe, Held
   gpiod_request_config_set_consumer(request.get(), "arcspan");
   gpiod_line_request* line = gpiod_chip_request_lines(chip.get(), request.get(), config.get());
   if (line == nullptr) return refused_line();
-  // The request lives on without the chip.
+  // The request remains valid after the chip is closed.
   held = {nullptr, line, offset};
   return {};
 }

@@ -18,7 +18,7 @@ std::vector<std::string> chip_paths() {
   std::vector<std::string> paths;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(kDeviceFolder, error)) {
-    // Links to a chip under another name would make its lines look ambiguous.
+    // A symbolic link to a chip would make its lines ambiguous.
     if (entry.path().filename().string().starts_with(kChip) && !entry.is_symlink(error)) {
       paths.push_back(entry.path().string());
     }
@@ -62,7 +62,7 @@ Result find_line_address(const std::string& text, LineAddress& address) {
       address = {path, offset};
       found = true;
     } else if (result.status != Status::kIndexOutOfRange) {
-      failure = result;  // says more than "not found", if it is not found
+      failure = result;  // more informative than "not found"
     }
   }
   return found ? Result{} : failure;

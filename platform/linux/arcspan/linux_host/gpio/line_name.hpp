@@ -9,20 +9,19 @@
 
 namespace arcspan::linux_host::gpio {
 
-/// A line by its chip and its number there.
+/// Address of a line: its chip and its number on the chip.
 struct LineAddress {
   std::string chip_path;  ///< e.g. /dev/gpiochip0
   unsigned offset = 0;
   friend bool operator==(const LineAddress&, const LineAddress&) = default;
 };
 
-/// Reads `CHIP:OFFSET`, CHIP being gpiochip0 or /dev/gpiochip0 and OFFSET decimal, at most 65535. Nothing if
-/// `text` has another form; it is then the name of a line.
+/// Parses `CHIP:OFFSET`, where CHIP is gpiochip0 or /dev/gpiochip0 and OFFSET is decimal, at most 65535.
+/// Returns nothing for any other text, which is then the name of a line.
 [[nodiscard]] std::optional<LineAddress> parse_line_address(std::string_view text);
 
-/// The line that `text` means: an address as above, or a line's name, looked for on all chips of the system.
-/// kIndexOutOfRange if no chip has a line of that name; kInvalidArgument if several have, or for an empty
-/// name.
+/// Finds the line for `text`: a line address as above, or the name of a line on any chip of the system.
+/// kIndexOutOfRange if no chip has such a line; kInvalidArgument if several have, or if `text` is empty.
 Result find_line_address(const std::string& text, LineAddress& address);
 
 }  // namespace arcspan::linux_host::gpio

@@ -8,15 +8,14 @@
 
 namespace arcspan::lm3s6965 {
 
-/// A GPIO port's registers start here (LM3S6965 data sheet, table 8-8).
+/// Base addresses of GPIO ports (LM3S6965 data sheet, table 8-8).
 enum class Port : std::uint32_t { kA = 0x40004000, kC = 0x40006000, kD = 0x40007000 };
 
-/// One pin as a push-pull output, low at first. Its port's clock must be on (start_clocks()). Setting it
-/// cannot fail.
-class OutputPin final : public hal::OutputPin {
+/// A push-pull output, initially low. Call start_clocks() first. Setting it cannot fail.
+class PortPin final : public hal::OutputPin {
  public:
-  /// `bit` 0...7.
-  OutputPin(Port port, unsigned bit) : base_(static_cast<std::uint32_t>(port)), mask_(1u << bit) {
+  /// `bit`: 0 ... 7.
+  PortPin(Port port, unsigned bit) : base_(static_cast<std::uint32_t>(port)), mask_(1u << bit) {
     bare::set_bits(base_ + kDirection, mask_);
     bare::set_bits(base_ + kDigitalEnable, mask_);
     drive(false);
@@ -27,8 +26,8 @@ class OutputPin final : public hal::OutputPin {
     drive(level == hal::Level::kHigh);
     return Status::kOk;
   }
-  /// The data register is addressed with the mask of the pins to change in bits 9...2 (8.2.1.2), so no other
-  /// pin is touched.
+  /// Bits 9 ... 2 of the data register's address select the pins to change (8.2.1.2), so other pins keep
+  /// their level.
   void drive(bool high) { bare::reg32(base_ + (mask_ << 2)) = high ? mask_ : 0u; }
 
   static constexpr std::uint32_t kDirection = 0x400;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/hal/sim/wires.hpp>
+#include <arcspan/hal/sim/simulated_bus.hpp>
 
 #include <algorithm>
 
@@ -27,7 +27,7 @@ Status SimulatedSpi::Line::do_set(Level level) {
   return Status::kOk;
 }
 
-bool SimulatedSpi::Line::take_back_fault() {
+bool SimulatedSpi::Line::cancel_fault() {
   const bool waiting = fails_at_.has_value();
   fails_at_.reset();
   return waiting;
@@ -42,7 +42,7 @@ Status SimulatedSpi::Busy::do_read(Level& level) {
   return Status::kOk;
 }
 
-bool SimulatedSpi::take_back_fault() {
+bool SimulatedSpi::cancel_fault() {
   const bool waiting = fault_.has_value();
   fault_.reset();
   return waiting;
@@ -100,14 +100,14 @@ Status SimulatedSpi::do_poll() {
 }
 
 void SimulatedSpi::do_abort() {
-  // What had been sent by then has arrived.
+  // Bytes sent before the abort have arrived.
   const std::uint64_t elapsed = clock_.now_ns() - begin_ns_;
   const std::uint64_t bytes = elapsed * hertz_ / 8'000'000'000;
   if (bytes < sent_.size()) sent_.resize(static_cast<std::size_t>(bytes));
   (void)deliver();
 }
 
-bool SimulatedI2c::take_back_fault() {
+bool SimulatedI2c::cancel_fault() {
   const bool waiting = fault_.has_value();
   fault_.reset();
   return waiting;

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-/// Simulated devices, for the desk and for tests: they use the standard library, and are a target of their
-/// own (arcspan::hal_sim). Nothing that runs on a board includes them.
+/// Simulated displays and buses for tests and tools on a host. They use the standard library and form a
+/// target of their own, arcspan::hal_sim. Code for a board does not include them.
 namespace arcspan::hal::sim {
 
-/// A picture with 8 bits a channel, rows from top to bottom.
+/// A picture with 8 bits per channel, row by row from the top.
 struct Picture {
   std::int32_t width = 0;
   std::int32_t height = 0;
@@ -27,25 +27,26 @@ struct Picture {
   friend bool operator==(const Picture&, const Picture&) = default;
 };
 
-/// A display controller with a glass, as its wires see it. Stricter than a real one: what a datasheet forbids
-/// or leaves open is kept as a complaint, with the time at which it happened.
-class Device {
+/// Model of a display controller with its glass, driven through its wires. It is stricter than a real
+/// controller: everything that the datasheet forbids or leaves open is recorded as a complaint with its time.
+class DisplayModel {
  public:
-  explicit Device(const Glass& glass) : glass_(glass) {}
-  virtual ~Device() = default;
-  Device(const Device&) = delete;
-  Device& operator=(const Device&) = delete;
+  explicit DisplayModel(const Glass& glass) : glass_(glass) {}
+  virtual ~DisplayModel() = default;
+  DisplayModel(const DisplayModel&) = delete;
+  DisplayModel& operator=(const DisplayModel&) = delete;
 
-  /// One byte with the level of D/C, whole at `now_ns`.
+  /// Receives one byte, sent with this level of D/C and complete at `now_ns`.
   void receive(std::uint8_t byte, Level data_or_command, std::uint64_t now_ns);
-  /// The reset line, active when low; it is high at first.
+  /// Sets the reset line, which is active low and initially high.
   void reset_line(Level level, std::uint64_t now_ns);
-  /// From now on the reset line does nothing: a broken wire.
+  /// Disconnects the reset line: later levels have no effect.
   void lose_reset_line() { reset_lost_ = true; }
-  /// The supply fails for a moment: registers as after reset, memory garbage.
+  /// Interrupts the supply: registers are reset and the memory holds garbage.
   void brown_out(std::uint64_t now_ns);
 
-  /// What the glass shows, in its own columns and rows: black when the display is off or asleep.
+  /// Picture on the glass, in the glass's columns and rows. Black while the display is off, asleep or in
+  /// reset.
   [[nodiscard]] Picture picture() const;
 
   [[nodiscard]] const Glass& glass() const { return glass_; }
@@ -60,12 +61,15 @@ class Device {
   virtual void do_command(std::uint8_t byte) = 0;
   virtual void do_data(std::uint8_t byte) = 0;
   virtual void do_reset() = 0;
+  /// Fills the memory with garbage.
   virtual void do_scramble() = 0;
+  /// Whether the display is on and awake.
   [[nodiscard]] virtual bool do_lit() const = 0;
-  /// The colour at a column and row of the controller, inside the glass.
+  /// Colour at a column and row of the controller that lie on the glass.
   [[nodiscard]] virtual Rgb8 do_pixel(int column, int row) const = 0;
-  [[nodiscard]] virtual std::uint64_t do_least_reset_ns() const = 0;
-  /// Time after reset during which nothing may be sent.
+  /// Shortest time for which reset must be low, in nanoseconds.
+  [[nodiscard]] virtual std::uint64_t do_min_reset_ns() const = 0;
+  /// Nanoseconds after reset during which nothing may be sent.
   [[nodiscard]] virtual std::uint64_t do_after_reset_ns() const = 0;
 
   Glass glass_;
@@ -77,10 +81,10 @@ class Device {
   bool reset_lost_ = false;
 };
 
-/// An address of memory, which is not negative.
+/// Converts a memory address, which must not be negative, to an index.
 [[nodiscard]] constexpr std::size_t index(int at) { return static_cast<std::size_t>(at); }
 
-/// "0x2c" of a byte.
+/// `byte` in the form "0x2c".
 [[nodiscard]] std::string hex(unsigned byte);
 
 }  // namespace arcspan::hal::sim

@@ -8,9 +8,8 @@
 
 namespace arcspan::lm3s6965 {
 
-/// Time from the processor's clock, which comes from the internal oscillator after reset: 12 MHz, give or
-/// take 30 % (LM3S6965 data sheet, 5.2.4). Counted as if it were the fastest, so that a delay is never
-/// shorter.
+/// Time from the processor clock. After reset this is the internal oscillator, 12 MHz +-30 % (LM3S6965 data
+/// sheet, 5.2.4). It is counted as 16 MHz, more than the fastest, so that a delay is never too short.
 class BoardClock final : public hal::Clock {
  private:
   static constexpr std::uint64_t kTicksPerMicrosecond = 16;

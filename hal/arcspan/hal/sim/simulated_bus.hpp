@@ -5,7 +5,7 @@
 #include <arcspan/hal/i2c_bus.hpp>
 #include <arcspan/hal/input_pin.hpp>
 #include <arcspan/hal/output_pin.hpp>
-#include <arcspan/hal/sim/device.hpp>
+#include <arcspan/hal/sim/display_model.hpp>
 #include <arcspan/hal/spi_bus.hpp>
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace arcspan::hal::sim {
 
-/// A clock that moves only when it is waited for, told to, or when a bus sends.
+/// A clock that advances only by delays, by advance_ns() and by the transfers of a bus.
 class SimulatedClock final : public Clock {
  public:
   [[nodiscard]] std::uint64_t now_ns() const { return now_ns_; }
@@ -28,45 +28,45 @@ class SimulatedClock final : public Clock {
   std::uint64_t now_ns_ = 0;
 };
 
-/// What goes wrong on a bus, once, at byte `at_byte` of all that it is given from then on.
+/// A single fault of a bus, at byte `at_byte` counted from its injection.
 struct Fault {
   enum class Kind : std::uint8_t {
-    kFailed,  ///< the bus reports an error; the byte and those after it are lost
-    kShort,   ///< the bus takes no more bytes
-    kStuck,   ///< the transfer never ends: busy until it is given up
+    kFailed,  ///< the bus reports an error; this byte and the following ones are lost
+    kShort,   ///< the bus accepts no more bytes
+    kStuck,   ///< the transfer stays busy until it is aborted
   };
   Kind kind = Kind::kFailed;
   std::uint64_t at_byte = 0;
 };
 
-/// What a driver is told when `fault` strikes.
+/// Status that a driver receives when a fault of this kind occurs.
 [[nodiscard]] Status status_of(Fault::Kind kind);
 
-/// What both buses count.
+/// Counters of a bus.
 struct BusCount {
-  std::uint64_t bytes = 0;    ///< that were on the wire
-  std::uint64_t busy_ns = 0;  ///< the time that they took
+  std::uint64_t bytes = 0;    ///< bytes on the wire
+  std::uint64_t busy_ns = 0;  ///< time on the wire in nanoseconds
   std::uint64_t transfers = 0;
 };
 
-/// A 4-wire SPI bus with its D/C and reset lines, and a device at its end. Bytes arrive when their transfer
-/// is over. A transfer that runs by itself takes its time on the clock, so that what is done meanwhile
-/// overlaps with it; changing its bytes or D/C before it is over is a complaint, and so is a transfer that
-/// begins while the busy line says that the device takes none.
+/// A simulated 4-wire SPI bus with its D/C, reset and busy lines and a display. Bytes arrive when their
+/// transfer ends. A transfer in the background takes its time on the clock, so other work overlaps with it.
+/// It is a complaint to change its bytes or D/C before it ends, and to begin a transfer while the busy line
+/// reports busy.
 class SimulatedSpi final : public SpiBus {
  public:
-  /// `hertz` of the bit clock, 1 or more.
-  SimulatedSpi(Device& device, SimulatedClock& clock, std::uint64_t hertz)
+  /// `hertz`: rate of the bit clock, at least 1. `device` and `clock` must outlive the bus.
+  SimulatedSpi(DisplayModel& device, SimulatedClock& clock, std::uint64_t hertz)
       : dc(*this, false), reset(*this, true), busy(clock), device_(device), clock_(clock), hertz_(hertz) {}
 
-  /// A line whose levels go to the device.
+  /// An output pin that is connected to the display.
   class Line final : public OutputPin {
    public:
     Line(SimulatedSpi& bus, bool resets) : bus_(bus), resets_(resets) {}
-    /// The n-th `set` from now on, 0 the next, fails once and changes nothing.
+    /// Makes the n-th `set` from now on fail once, without effect; 0 is the next.
     void fail_at(std::uint64_t set) { fails_at_ = set; }
-    /// Whether it has not failed yet; forgets that it should.
-    bool take_back_fault();
+    /// Removes a fault that has not occurred yet. Returns whether there was one.
+    bool cancel_fault();
     [[nodiscard]] Level level() const { return level_; }
 
    private:
@@ -77,15 +77,15 @@ class SimulatedSpi final : public SpiBus {
     Level level_ = Level::kHigh;
   };
 
-  /// The line on which the device says that it is busy, high while it is: for some time after every transfer.
+  /// The busy line of the display: high for some time after every transfer.
   class Busy final : public InputPin {
    public:
     explicit Busy(SimulatedClock& clock) : clock_(clock) {}
-    /// From now on the device is busy for `ns` after each transfer.
+    /// Sets how long the display is busy after each transfer, in nanoseconds.
     void set_time_ns(std::uint64_t ns) { time_ns_ = ns; }
-    /// The wire says busy for good, or works again.
+    /// Keeps the line at busy, or lets it work again.
     void stick(bool stuck) { stuck_ = stuck; }
-    /// The next `read` fails.
+    /// Makes the next `read` fail.
     void fail_once() { fails_ = true; }
 
    private:
@@ -105,11 +105,11 @@ class SimulatedSpi final : public SpiBus {
   Busy busy;
 
   void inject(const Fault& fault) { fault_ = Fault{fault.kind, fault.at_byte + offered_}; }
-  /// Whether the fault has not struck yet; forgets it.
-  bool take_back_fault();
+  /// Removes a fault that has not occurred yet. Returns whether there was one.
+  bool cancel_fault();
 
   [[nodiscard]] const BusCount& count() const { return count_; }
-  /// What was done to the bus that no hardware forgives.
+  /// Misuse of the bus that no hardware tolerates.
   [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
 
  private:
@@ -122,7 +122,7 @@ class SimulatedSpi final : public SpiBus {
   Status deliver();
   [[nodiscard]] std::uint64_t duration_ns(std::size_t bytes) const;
 
-  Device& device_;
+  DisplayModel& device_;
   SimulatedClock& clock_;
   std::uint64_t hertz_;
   std::optional<Fault> fault_;
@@ -130,23 +130,23 @@ class SimulatedSpi final : public SpiBus {
   std::vector<std::string> complaints_;
 
   std::span<const std::uint8_t> source_;
-  std::vector<std::uint8_t> sent_;  ///< as it was when the transfer began, cut where the fault strikes
+  std::vector<std::uint8_t> sent_;  ///< copy made at the start, cut off at the fault
   std::optional<Fault::Kind> strikes_;
   Level dc_at_begin_ = Level::kHigh;
   std::uint64_t begin_ns_ = 0;
   std::uint64_t offered_ = 0;
 };
 
-/// An I2C bus with one device whose control byte says what follows: 0x00 commands, 0x40 data (SSD1306
-/// rev 1.1, 8.1.5.2). Counts 9 clocks a byte, address included, and 2 for start and stop.
+/// A simulated I2C bus with one display. The control byte selects commands (0x00) or data (0x40), as in
+/// SSD1306 rev 1.1, 8.1.5.2. Timing: 9 clocks per byte, address included, and 2 for start and stop.
 class SimulatedI2c final : public I2cBus {
  public:
-  SimulatedI2c(Device& device, std::uint8_t address, SimulatedClock& clock, std::uint64_t hertz)
+  SimulatedI2c(DisplayModel& device, std::uint8_t address, SimulatedClock& clock, std::uint64_t hertz)
       : device_(device), clock_(clock), hertz_(hertz), address_(address) {}
 
-  /// Address bytes do not count; kStuck gives kTimeout after 25 ms of a held clock.
+  /// Injects a fault. Address bytes are not counted. kStuck returns kTimeout after 25 ms.
   void inject(const Fault& fault) { fault_ = Fault{fault.kind, fault.at_byte + offered_}; }
-  bool take_back_fault();
+  bool cancel_fault();
 
   [[nodiscard]] const BusCount& count() const { return count_; }
   [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
@@ -154,7 +154,7 @@ class SimulatedI2c final : public I2cBus {
  private:
   Status do_write(std::uint8_t address, std::span<const std::uint8_t> bytes) override;
 
-  Device& device_;
+  DisplayModel& device_;
   SimulatedClock& clock_;
   std::uint64_t hertz_;
   std::uint8_t address_;

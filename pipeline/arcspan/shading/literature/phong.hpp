@@ -3,6 +3,7 @@
 
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/shading/literature/linear_normal_method.hpp>
+#include <arcspan/target.hpp>
 
 namespace arcspan {
 
@@ -11,7 +12,8 @@ namespace detail {
 /// The colour of a linear normal: the illumination of that normal divided by its length.
 struct NormalisedColour {
   template <class Illumination>
-  [[nodiscard]] static constexpr PackedRgb colour(const Illumination& illumination, const LinearNormal& n) {
+  [[nodiscard]] ARCSPAN_INLINE static constexpr PackedRgb colour(const Illumination& illumination,
+                                                                 const LinearNormal& n) {
     return illumination.colour(illumination.scalars(normalised_by_division(n)));
   }
 

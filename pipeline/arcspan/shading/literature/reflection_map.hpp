@@ -4,6 +4,7 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/shading/literature/linear_normal_method.hpp>
+#include <arcspan/target.hpp>
 
 #include <array>
 #include <cstddef>
@@ -33,29 +34,25 @@ class ReflectionTable {
   /// |component| < 2^17.
   [[nodiscard]] constexpr PackedRgb operator()(std::int32_t x, std::int32_t y, std::int32_t z) const {
     const Reciprocal inverse = reciprocal(magnitude(x) + magnitude(y) + magnitude(z));
-    MapPoint point{scaled(x, inverse), scaled(y, inverse)};
-    if (z < 0) point = mirrored(point, x < 0, y < 0);
-    return cells_[static_cast<std::size_t>(cell(point.v) * kSide + cell(point.u))];
+    std::int32_t u = scaled(x, inverse);
+    std::int32_t v = scaled(y, inverse);
+    if (z < 0) mirror(u, v, x, y);
+    return cells_[static_cast<std::size_t>(cell(v) * kSide + cell(u))];
   }
 
  private:
   static constexpr std::int32_t kOne = std::int32_t{1} << 15;
 
-  /// A point of the unfolded octahedron, -1...1 with 15 fraction bits. Directions with z >= 0 lie in
-  /// |u| + |v| <= 1.
-  struct MapPoint {
-    std::int32_t u;
-    std::int32_t v;
-  };
-
   [[nodiscard]] static constexpr std::uint32_t magnitude(std::int32_t v) {
     return static_cast<std::uint32_t>(v < 0 ? -v : v);
   }
-  /// `p` mirrored at the line |u| + |v| = 1 of its quadrant, which exchanges z and -z.
-  [[nodiscard]] static constexpr MapPoint mirrored(const MapPoint& p, bool negative_u, bool negative_v) {
-    const std::int32_t u = kOne - static_cast<std::int32_t>(magnitude(p.v));
-    const std::int32_t v = kOne - static_cast<std::int32_t>(magnitude(p.u));
-    return {negative_u ? -u : u, negative_v ? -v : v};
+  /// Mirrors the map coordinates u and v (15 fraction bits) at the line |u| + |v| = 1 of the quadrant of (x,
+  /// y), where directions with z < 0 lie.
+  static constexpr void mirror(std::int32_t& u, std::int32_t& v, std::int32_t x, std::int32_t y) {
+    const std::int32_t mirrored_u = kOne - static_cast<std::int32_t>(magnitude(v));
+    const std::int32_t mirrored_v = kOne - static_cast<std::int32_t>(magnitude(u));
+    u = x < 0 ? -mirrored_u : mirrored_u;
+    v = y < 0 ? -mirrored_v : mirrored_v;
   }
   /// component / (|x| + |y| + |z|), 15 fraction bits.
   [[nodiscard]] static constexpr std::int32_t scaled(std::int32_t component, const Reciprocal& inverse) {
@@ -74,10 +71,11 @@ class ReflectionTable {
   /// The unit direction at a cell's centre.
   [[nodiscard]] static Direction centre(std::int32_t column, std::int32_t row) {
     const auto middle = [](std::int32_t i) { return (2 * i + 1) * (kOne / kSide) - kOne; };
-    MapPoint point{middle(column), middle(row)};
-    const std::int32_t z = kOne - static_cast<std::int32_t>(magnitude(point.u) + magnitude(point.v));
-    if (z < 0) point = mirrored(point, point.u < 0, point.v < 0);
-    return normalised(point.u, point.v, z);
+    std::int32_t u = middle(column);
+    std::int32_t v = middle(row);
+    const std::int32_t z = kOne - static_cast<std::int32_t>(magnitude(u) + magnitude(v));
+    if (z < 0) mirror(u, v, u, v);
+    return normalised(u, v, z);
   }
 
   std::array<PackedRgb, static_cast<std::size_t>(kSide) * kSide> cells_{};
@@ -88,8 +86,8 @@ namespace detail {
 /// The colour of a linear normal: the table's cell in its direction.
 struct TabulatedColour {
   template <class Illumination>
-  [[nodiscard]] static constexpr PackedRgb colour(const ReflectionTable<Illumination>& table,
-                                                  const LinearNormal& n) {
+  [[nodiscard]] ARCSPAN_INLINE static constexpr PackedRgb colour(const ReflectionTable<Illumination>& table,
+                                                                 const LinearNormal& n) {
     return table(component(n.x), component(n.y), component(n.z));
   }
 

@@ -24,8 +24,8 @@ namespace detail {
 }
 
 /// scaled_coefficient() per channel.
-[[nodiscard]] constexpr std::array<std::uint32_t, 3> scaled_coefficients(const ChannelCoefficients& c,
-                                                                         Coefficient strength, int bits) {
+[[nodiscard]] constexpr std::array<std::uint32_t, 3> scaled_channels(const ChannelCoefficients& c,
+                                                                     Coefficient strength, int bits) {
   return {scaled_coefficient(c.r, strength, bits), scaled_coefficient(c.g, strength, bits),
           scaled_coefficient(c.b, strength, bits)};
 }
@@ -47,9 +47,9 @@ constexpr Status Illumination<Lights, Model>::make(const Material& material,
   // A single light's strength is multiplied into the coefficients. Several lights are weighted per pixel.
   const Coefficient strength = Lights == 1 ? lights[0].strength : Coefficient::of(1.0);
   constexpr int kCoefficientBits = 5;
-  illumination.ambient_ = detail::scaled_coefficients(material.ambient, Coefficient::of(1.0), 20);
-  illumination.diffuse_ = detail::scaled_coefficients(material.diffuse, strength, kCoefficientBits);
-  illumination.specular_ = detail::scaled_coefficients(material.specular, strength, kCoefficientBits);
+  illumination.ambient_ = detail::scaled_channels(material.ambient, Coefficient::of(1.0), 20);
+  illumination.diffuse_ = detail::scaled_channels(material.diffuse, strength, kCoefficientBits);
+  illumination.specular_ = detail::scaled_channels(material.specular, strength, kCoefficientBits);
   for (std::size_t i = 0; i < Lights; ++i) {
     illumination.axes_[i] = lights[i].towards;
     illumination.strength_[i] = static_cast<std::uint32_t>(lights[i].strength.raw());

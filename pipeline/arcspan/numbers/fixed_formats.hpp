@@ -9,8 +9,8 @@
 namespace arcspan {
 
 /// Screen coordinate, 28.4: pixels from the raster origin (the viewport's middle pixel), y down. Range
-/// [-1024, 1024), the guard band. Differences fit 15 bits and a sign, so that twice a triangle's area
-/// fits 32.
+/// [-1024, 1024), the guard band. Differences fit 15 bits and a sign, and twice a triangle's area
+/// fits 32 bits.
 using Subpixel = Fixed<std::int32_t, 4>;
 
 /// A scalar that the arcs carry, N·L, N·H or N·V, and its difference per pixel: Q1.30, [-2, 2). The amplitude

@@ -4,7 +4,7 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/shading/literature/polar.hpp>
 #include <arcspan/shading/literature/prepared_walker.hpp>
-#include <arcspan/shading/literature/slerp_rows.hpp>
+#include <arcspan/shading/literature/slerp_triangle.hpp>
 
 namespace arcspan {
 
@@ -46,8 +46,8 @@ struct KuijkBlake : SlerpBase<Illumination, Illumination::kScalars> {
       unrolled<kScalars>([this](auto i) { waves[i].phase += step; });
     }
 
-    [[nodiscard]] static constexpr Run of_row(const Prepared& edges, const RowStart& start) {
-      const SlerpRow<Base::kCount> row = edges.row(start);
+    [[nodiscard]] static constexpr Run of_row(const Prepared& triangle, const RowStart& start) {
+      const SlerpRow<Base::kCount> row = triangle.row(start);
       Run run;
       run.step = row.step;
       unrolled<kScalars>([&](auto i) { run.waves[i] = wave(row, row.left[3 + i], row.right[3 + i]); });

@@ -3,7 +3,7 @@
 
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/shading/literature/prepared_walker.hpp>
-#include <arcspan/shading/literature/slerp_rows.hpp>
+#include <arcspan/shading/literature/slerp_triangle.hpp>
 
 namespace arcspan {
 
@@ -38,8 +38,8 @@ struct Slerp : SlerpBase<Illumination, 0> {
     }
     constexpr void next() { phase += step; }
 
-    [[nodiscard]] static constexpr Run of_row(const Prepared& edges, const RowStart& start) {
-      const SlerpRow<Base::kCount> row = edges.row(start);
+    [[nodiscard]] static constexpr Run of_row(const Prepared& triangle, const RowStart& start) {
+      const SlerpRow<Base::kCount> row = triangle.row(start);
       return {direction(row.left), direction(row.right), row.arc, row.phase, row.step};
     }
 

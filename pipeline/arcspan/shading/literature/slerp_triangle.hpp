@@ -137,7 +137,7 @@ struct SlerpRow {
 
 /// The prepared part of a method that finds both ends of every row by S0 eq. 2.
 template <std::size_t Count>
-struct SlerpEdges {
+struct SlerpTriangle {
   SlerpEdge<Count> long_edge;
   SlerpEdge<Count> upper_edge;
   SlerpEdge<Count> lower_edge;
@@ -188,7 +188,7 @@ struct SlerpBase {
   using Lighting = Illumination;
   struct Face {};
   using Vertex = typename Carrier::Vertex;
-  using Prepared = SlerpEdges<kCount>;
+  using Prepared = SlerpTriangle<kCount>;
   static constexpr bool kNeedsFaceNormal = false;
 
   [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }

@@ -49,8 +49,8 @@ struct DeepColour {
 };
 
 /// Squared chords of 16 and of 12 degrees, 28 fraction bits. A patch of up to 16 degrees is within 3.3e-4 of
-/// bilinear SLERP. That error is a third of an 8-bit step in the diffuse light, but in a highlight it grows
-/// with the exponent, so patches with sharp highlights are limited to 12 degrees.
+/// bilinear SLERP. In the diffuse light that is below a tenth of an 8-bit step, but in a highlight it grows
+/// with the exponent, so patches with sharp highlights are limited to 12 degrees (decision 5).
 inline constexpr std::uint32_t kWidestPatch = 20797469u;
 inline constexpr std::uint32_t kWidestSharpPatch = 11731918u;
 /// The squared chord up to which a triangle with a highlight of this exponent may be a patch.
@@ -182,8 +182,7 @@ class Illumination {
   /// True if a channel's sum can reach 255 and be clamped; `shines` tells whether to include highlights.
   [[nodiscard]] constexpr bool may_clamp(bool shines) const {
     for (std::size_t c = 0; c < 3; ++c) {
-      // 5 fraction bits.
-      const std::uint32_t lit =
+      const std::uint32_t lit =  // 5 fraction bits
           (diffuse_[c] + (shines ? specular_[c] : 0)) * static_cast<std::uint32_t>(Lights);
       if ((ambient_[c] >> 15) + lit >= 255u << 5) return true;
     }

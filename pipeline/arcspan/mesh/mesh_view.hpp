@@ -39,9 +39,8 @@ class MeshView {
   /// that drawing need not. Returns:
   ///
   ///   kOk                `view` is set; otherwise it is not changed
-  ///   kInvalidArgument   the numbers of positions and normals differ or exceed kMaxVertices, or the number
-  ///   of
-  ///                      indices is no multiple of 3
+  ///   kInvalidArgument   the numbers of positions and normals differ or exceed kMaxVertices, or the
+  ///                      number of indices is no multiple of 3
   ///   kIndexOutOfRange   an index names no vertex
   static constexpr Status make(std::span<const ObjectPosition> positions,
                                std::span<const PackedNormal> normals, std::span<const std::uint16_t> indices,

@@ -108,10 +108,10 @@ struct BasicFineRgb<false> : detail::FineChannels {
   std::uint32_t b_;
 };
 
-/// Red in one word; green and blue in one number of 64 bits: from the top 26 bits of blue, 31 of green and 7
-/// that are 0. The upper five bits of blue and the upper six of green are then at the two ends of the upper
-/// word, and a rotation joins them as in a 5-6-5 pixel. This takes two instructions per pixel less than one
-/// word per channel.
+/// Red in one word; green and blue in one number of 64 bits. From the top, it has 26 bits of blue, 31 of
+/// green and 7 that are 0. The upper five bits of blue and the upper six of green are then at the two ends of
+/// the upper word, and a rotation joins them as in a 5-6-5 pixel. This takes two instructions per pixel less
+/// than one word per channel.
 template <>
 struct BasicFineRgb<true> : detail::FineChannels {
   /// The steps of green and blue, joined like the channels.

@@ -38,9 +38,9 @@ struct Viewport {
   std::int32_t height = 0;
 };
 
-/// A vertex in clip space, before the division by w; y points down. It is inside the guard band if -w <= x <=
-/// w and -w <= y <= w, and in front of the near plane if w >= ClipTransform::near_w(). The three have the
-/// same scale (ClipTransform::w_bits()) and are below 2^30 in magnitude.
+/// A vertex in clip space, before the division by w; y points down. It is inside the guard band if |x| <= w
+/// and |y| <= w, and in front of the near plane if w >= ClipTransform::near_w(). The three have the same
+/// scale (ClipTransform::w_bits()) and are below 2^30 in magnitude.
 struct ClipPosition {
   std::int32_t x;
   std::int32_t y;

@@ -49,8 +49,7 @@ enum ClipOutcode : std::uint8_t {
   const auto w = static_cast<std::uint32_t>(p.w);
   const int zeros = std::countl_zero(w | 1u);
   const std::uint32_t mantissa = detail::wide_reciprocal_mantissa(w << zeros);
-  const auto inverse = static_cast<std::int32_t>(
-      mantissa - (mantissa >> 31));  // saturated below 2^31, which would be negative
+  const auto inverse = static_cast<std::int32_t>(mantissa - (mantissa >> 31));  // at most 2^31 - 1
   const auto over_w = [=](std::int32_t c) { return multiply_high(wrap_shl(c, zeros - 1), inverse); };
   const auto screen = [&](std::int32_t c, std::int32_t half_pixel) {
     constexpr int kBits = 10 + Subpixel::kFraction;  // x / w = 1 stands for kGuardBand pixels

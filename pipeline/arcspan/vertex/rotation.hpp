@@ -67,8 +67,8 @@ inline constexpr std::int64_t kOne30 = std::int64_t{1} << 30;
 
 }  // namespace detail
 
-/// Sine and cosine (below), in -(1 - 2^-30) ... 1 - 2^-30, absolute error at most 2^-28 (swept in the tests).
-/// They take 64-bit products and divisions: fit for the set-up of objects, too slow for vertices.
+/// The sine of an angle, at most 1 - 2^-30 in magnitude, absolute error at most 2^-28 (swept in the tests).
+/// It takes 64-bit products: fit for the set-up of objects, too slow for vertices.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr RotationEntry sine(Turn angle) {
   constexpr std::int64_t kEighth = 8192;
   const std::int64_t in_quarter = angle.raw & 0x3FFF;
@@ -78,6 +78,7 @@ inline constexpr std::int64_t kOne30 = std::int64_t{1} << 30;
       folded <= kEighth ? detail::octant_sine(folded) : detail::octant_cosine(2 * kEighth - folded);
   return detail::rotation_entry((angle.raw & 0x8000) != 0 ? -value : value);
 }
+/// The cosine of an angle, in all else like sine().
 [[nodiscard]] constexpr RotationEntry cosine(Turn angle) { return sine(angle + Turn{0x4000}); }
 
 /// A rotation from object space to view space. Its rows are the axes of view space in object space.

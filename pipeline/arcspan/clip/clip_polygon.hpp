@@ -10,14 +10,14 @@
 
 namespace arcspan {
 
-/// A vertex on its way through clipping.
+/// A vertex in clip space with what `Method` interpolates.
 template <class Method>
 struct ClipVertex {
   ClipPosition position;
   typename Method::Vertex shade;
 };
 
-/// A convex polygon of at most 8 vertices: a triangle cut by five planes.
+/// A convex polygon. A triangle cut by five planes has at most 8 vertices.
 template <class Method>
 struct ClipPolygon {
   static constexpr std::size_t kCapacity = 8;
@@ -27,7 +27,8 @@ struct ClipPolygon {
 
 namespace detail {
 
-/// Signed distance of a vertex from a plane of the clip volume, positive inside.
+/// The signed distance of a vertex from a plane of the clip volume, in clip-space units, positive inside.
+/// `plane` is one bit of an outcode; kInside gives 0.
 [[nodiscard]] ARCSPAN_COLD constexpr std::int32_t plane_distance(const ClipPosition& p, ClipOutcode plane,
                                                                  std::int32_t near_w) {
   switch (plane) {
@@ -47,14 +48,14 @@ namespace detail {
   return 0;
 }
 
-/// Where the edge from `inside` to `outside` meets a plane. Always taken in this direction, so that the two
-/// triangles of a cut edge get the same vertex.
+/// The vertex where the edge from `inside` to `outside` meets a plane, from their distances to it. Edges are
+/// always cut in this direction, so that the two triangles of an edge get the same vertex.
 template <class Method>
 [[nodiscard]] ARCSPAN_COLD_OUTLINE constexpr ClipVertex<Method> cut(const ClipVertex<Method>& inside,
                                                                     const ClipVertex<Method>& outside,
                                                                     std::int32_t inside_distance,
                                                                     std::int32_t outside_distance) {
-  // t = inside / (inside - outside), 30 fraction bits; the sum of magnitudes is below 2^32.
+  // t = inside / (inside - outside), 30 fraction bits. The difference is below 2^32.
   const std::uint32_t whole =
       static_cast<std::uint32_t>(inside_distance) - static_cast<std::uint32_t>(outside_distance);
   const WideReciprocal inverse = wide_reciprocal(whole);
@@ -73,7 +74,7 @@ template <class Method>
   return vertex;
 }
 
-/// Sutherland and Hodgman against one plane, from `in` to `out`.
+/// Clips `in` to one plane, by Sutherland and Hodgman's algorithm; the result is written to `out`.
 template <class Method>
 ARCSPAN_COLD constexpr void clip_to_plane(const ClipPolygon<Method>& in, ClipPolygon<Method>& out,
                                           ClipOutcode plane, std::int32_t near_w) {
@@ -83,7 +84,7 @@ ARCSPAN_COLD constexpr void clip_to_plane(const ClipPolygon<Method>& in, ClipPol
     const ClipVertex<Method>& next = in.vertices[i + 1 == in.count ? 0 : i + 1];
     const std::int32_t d0 = plane_distance(here.position, plane, near_w);
     const std::int32_t d1 = plane_distance(next.position, plane, near_w);
-    // A convex polygon gains at most one vertex a plane; the test only guards against inconsistent input.
+    // A convex polygon gains at most one vertex per plane, so `out` is full only for inconsistent input.
     if (d0 >= 0 && out.count < ClipPolygon<Method>::kCapacity) out.vertices[out.count++] = here;
     if ((d0 >= 0) != (d1 >= 0) && out.count < ClipPolygon<Method>::kCapacity) {
       out.vertices[out.count++] = d0 >= 0 ? cut(here, next, d0, d1) : cut(next, here, d1, d0);
@@ -93,8 +94,8 @@ ARCSPAN_COLD constexpr void clip_to_plane(const ClipPolygon<Method>& in, ClipPol
 
 }  // namespace detail
 
-/// Cuts `polygon` by the near plane and the four sides of the guard band; `spare` is scratch. Returns the one
-/// of the two that holds the result, whose count is 0 if nothing is left.
+/// Clips `polygon` to the near plane and the four sides of the guard band. Returns the result, which is in
+/// `polygon` or in `spare`; both are overwritten. Its count is 0 if nothing is left.
 template <class Method>
 [[nodiscard]] ARCSPAN_COLD constexpr const ClipPolygon<Method>& clip_polygon(ClipPolygon<Method>& polygon,
                                                                              ClipPolygon<Method>& spare,

@@ -16,18 +16,20 @@ namespace arcspan {
 
 namespace detail {
 
-inline constexpr int kRampFine = 8;  ///< bits of a ramp's position within an interval
+inline constexpr int kPositionBits = 8;  ///< fraction bits of a position in the table, in intervals
 
-/// A ramp's values over an interval, by the position in the ramp: from `here`, less `fall`, 8 fraction bits
-/// of an 8-bit step each; the values have 16.
-class RampLine {
+/// The line through an interval's two values, in 4 bytes.
+class ShortHighlightLine {
  public:
-  constexpr RampLine() = default;
-  constexpr RampLine(std::uint32_t, std::uint32_t here, std::uint32_t fall)
+  constexpr ShortHighlightLine() = default;
+  /// `here` is the value at the interval's begin and `fall` the decrease to its end, in 8-bit steps with 8
+  /// fraction bits.
+  constexpr ShortHighlightLine(std::uint32_t, std::uint32_t here, std::uint32_t fall)
       : here_(static_cast<std::uint16_t>(here)), fall_(static_cast<std::uint16_t>(fall)) {}
+  /// The value at a position of the table within the interval, in 8-bit steps with 16 fraction bits.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::uint32_t position) const {
-    const std::uint32_t fraction = position & ((1u << kRampFine) - 1);
-    return (std::uint32_t{here_} << kRampFine) - fall_ * fraction;
+    const std::uint32_t fraction = position & ((1u << kPositionBits) - 1);
+    return (std::uint32_t{here_} << kPositionBits) - fall_ * fraction;
   }
 
  private:
@@ -35,40 +37,41 @@ class RampLine {
   std::uint16_t fall_ = 0;
 };
 
-/// The same in twice the memory, drawn back to position 0: nothing is left to mask or to shift.
-class LongRampLine {
+/// Like ShortHighlightLine, in 8 bytes: the line is extended to position 0 of the table, which saves a mask
+/// and a shift per value.
+class LongHighlightLine {
  public:
-  constexpr LongRampLine() = default;
-  constexpr LongRampLine(std::uint32_t interval, std::uint32_t here, std::uint32_t fall)
-      : origin_((here + fall * interval) << kRampFine), rise_(0 - fall) {}
+  constexpr LongHighlightLine() = default;
+  constexpr LongHighlightLine(std::uint32_t interval, std::uint32_t here, std::uint32_t fall)
+      : origin_((here + fall * interval) << kPositionBits), rise_(0 - fall) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::uint32_t position) const {
     return origin_ + rise_ * position;
   }
 
  private:
   std::uint32_t origin_ = 0;
-  std::uint32_t rise_ = 0;  ///< wraps
+  std::uint32_t rise_ = 0;  ///< minus the fall, modulo 2^32
 };
 
 }  // namespace detail
 
-/// What a highlight adds to a pixel, by how far its cosine c is from 1: specular * c^n in a table with linear
-/// interpolation. Distances are scaled so that PowerTable's reach is kReach, whatever the exponent: a pixel
-/// takes an index and a fraction of them by two shifts.
+/// The colour that a highlight adds to a pixel, specular * c^n, from a table over the cosine c's distance
+/// from 1 with linear interpolation. Distances are scaled so that PowerTable::half_reach() becomes kReach for
+/// every exponent: two shifts of a distance give the index and the fraction.
 class HighlightTable {
  public:
-  static constexpr std::int32_t kReach = std::int32_t{1} << 26;
+  static constexpr std::int32_t kReach = std::int32_t{1} << 26;  ///< least scaled distance without highlight
 
   constexpr HighlightTable() = default;
 
-  /// `specular` has a coefficient per channel in 8-bit steps, 5 fraction bits, 0...255.
+  /// `specular` has a coefficient per channel, 0...255 in 8-bit steps with 5 fraction bits.
   constexpr HighlightTable(const PowerTable& power, const std::array<std::uint32_t, 3>& specular) {
     const auto reach = static_cast<std::uint32_t>(power.half_reach());
     const int zeros = std::countl_zero(reach);
     up_ = zeros > 3 ? zeros - 3 : 0;
     scale_ = static_cast<std::int32_t>(((std::uint64_t{1} << 58) - 1) / (std::uint64_t{reach} << up_));
     const std::uint32_t most = largest_channel(specular);
-    const auto value = [&](std::uint32_t i) {  // 8 fraction bits of an 8-bit step
+    const auto value = [&](std::uint32_t i) {  // in 8-bit steps, 8 fraction bits
       const auto distance = static_cast<std::uint32_t>((std::uint64_t{i} * reach) / kIntervals);
       const std::uint32_t inside = distance < reach ? distance : reach - 1;
       return (most * power(static_cast<std::int32_t>(inside)) + (1u << 11)) >> 12;
@@ -83,23 +86,24 @@ class HighlightTable {
     white_reach_ = specular[0] == specular[1] && specular[1] == specular[2] ? kReach : 0;
   }
 
-  /// Whether (1 - c) / 2 with 30 fraction bits can be scaled: up to 4 times the reach, or 8, by the exponent.
+  /// True if scaled() can take `half_distance`. The limit is 4 to 8 times PowerTable::half_reach(), depending
+  /// on the exponent.
   [[nodiscard]] constexpr bool fits(std::int32_t half_distance) const {
     return half_distance < (INT32_MAX >> up_);
   }
-  /// Such a distance as operator() takes it.
+  /// The distance that operator() takes, for half_distance = (1 - c) / 2 with 30 fraction bits.
   [[nodiscard]] constexpr std::int32_t scaled(std::int32_t half_distance) const {
     return multiply_high(wrap_shl(half_distance, up_), scale_);
   }
 
-  /// Whether a scaled distance has a highlight that is the same in all channels and asks for no clamp: of
-  /// white highlights nearly all, by one comparison.
+  /// True if the highlight at a scaled distance is equal in all channels and the distance needs no clamping.
+  /// One comparison; nearly always true for white highlights.
   [[nodiscard]] ARCSPAN_INLINE constexpr bool is_white(std::int32_t distance) const {
     return static_cast<std::uint32_t>(distance) < white_reach_;
   }
 
-  /// What is added at a scaled distance below kReach; negative ones are cosines that rounding has lifted
-  /// above 1.
+  /// The highlight at a scaled distance below kReach. A negative distance, of a cosine that rounding has
+  /// raised above 1, counts as 0.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb operator()(std::int32_t distance) const {
     if (is_white(distance)) [[likely]] {
       return PackedRgb::grey(level(static_cast<std::uint32_t>(distance)) >> 14);
@@ -111,18 +115,17 @@ class HighlightTable {
 
  private:
   static constexpr std::uint32_t kIntervals = 128;
-  static constexpr int kFine = detail::kRampFine;
-  static constexpr int kPositionShift = 11;  // 2^26 / (kIntervals << kFine)
-  using Line = std::conditional_t<kHasWideRegisters, detail::LongRampLine, detail::RampLine>;
+  static constexpr int kPositionShift = 11;  // 2^11 = kReach / (kIntervals << kPositionBits)
+  using Line = std::conditional_t<kHasWideRegisters, detail::LongHighlightLine, detail::ShortHighlightLine>;
 
-  /// 16 fraction bits of an 8-bit step; distance < kReach.
+  /// The largest channel of the highlight in 8-bit steps, 16 fraction bits; distance < kReach.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t level(std::uint32_t distance) const {
-    return lines_[distance >> (kPositionShift + kFine)](distance >> kPositionShift);
+    return lines_[distance >> (kPositionShift + detail::kPositionBits)](distance >> kPositionShift);
   }
 
   std::array<Line, kIntervals> lines_{};
-  std::uint32_t white_reach_ = 0;         ///< kReach if all channels are the same, else 0
-  std::array<std::uint32_t, 3> share_{};  ///< of the largest channel, 15 fraction bits
+  std::uint32_t white_reach_ = 0;         ///< kReach if all channels are equal, else 0
+  std::array<std::uint32_t, 3> share_{};  ///< a channel's part of the largest one, 15 fraction bits
   std::int32_t scale_ = 0;
   int up_ = 0;
 };

@@ -14,8 +14,11 @@
 
 namespace arcspan {
 
-/// Which cosine the highlight is a power of: Blinn's N·H (S0 eq. 12) or Phong's R·V (S0 eq. 1).
-enum class Highlight : std::uint8_t { kBlinn, kPhong };
+/// The cosine that the highlight is a power of.
+enum class Highlight : std::uint8_t {
+  kBlinn,  ///< N·H (S0 eq. 12)
+  kPhong,  ///< R·V (S0 eq. 1)
+};
 
 /// One value per colour channel, each 0...1.
 struct ChannelCoefficients {
@@ -24,41 +27,40 @@ struct ChannelCoefficients {
   Coefficient b{};
 };
 
-/// What the surface does with light: ambient, diffuse and specular share per channel, and the highlight's
-/// exponent (1...256).
+/// How a surface reflects light: the shares of ambient, diffuse and specular light, 0...1 per channel.
 struct Material {
   ChannelCoefficients ambient;
   ChannelCoefficients diffuse;
   ChannelCoefficients specular;
-  std::int32_t shininess = 32;
+  std::int32_t shininess = 32;  ///< exponent of the highlight, 1...256
 };
 
-/// A light so far away that its direction is the same all over the object. `towards` is the unit vector to
-/// the light in object space, `strength` its factor 1 / (d + K) (S1), 0...1.
+/// A light so far away that its direction is the same for the whole object.
 struct DirectionalLight {
-  Direction towards;
-  Coefficient strength = Coefficient::of(1.0);
+  Direction towards;                            ///< unit vector to the light, in object space
+  Coefficient strength = Coefficient::of(1.0);  ///< factor 1 / (d + K) (S1), 0...1
 };
 
-/// A colour in 256ths of an 8-bit step per channel, 0...65280: what Gouraud shading interpolates.
+/// A colour as Gouraud shading interpolates it: per channel 0...65280, in 256ths of an 8-bit step.
 struct DeepColour {
   std::int32_t r;
   std::int32_t g;
   std::int32_t b;
 };
 
-/// Squared chords (28 fraction bits) of 16 and of 12 degrees. A patch up to 16 degrees is within 3.3e-4 of
-/// bilinear SLERP; what is a third of an 8-bit step in the diffuse light grows with the exponent in a
-/// highlight, which therefore may ask for more.
+/// Squared chords of 16 and of 12 degrees, 28 fraction bits. A patch of up to 16 degrees is within 3.3e-4 of
+/// bilinear SLERP. In the diffuse light that is below a tenth of an 8-bit step, but in a highlight it grows
+/// with the exponent, so patches with sharp highlights are limited to 12 degrees (decision 5).
 inline constexpr std::uint32_t kWidestPatch = 20797469u;
 inline constexpr std::uint32_t kWidestSharpPatch = 11731918u;
+/// The squared chord up to which a triangle with a highlight of this exponent may be a patch.
 [[nodiscard]] constexpr std::uint32_t widest_patch(std::int32_t shininess) {
   return shininess > 16 ? kWidestSharpPatch : kWidestPatch;
 }
 
-/// The illumination of one object by `Lights` (1...4) lights: constants and the way from a normal's scalars
-/// to a colour. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V
-/// once (Phong). They are linear in N, which is why arcs carry them.
+/// The illumination of one object by `Lights` (1...4) lights: its constants, and the colour of a normal's
+/// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
+/// (Phong). Arcs can carry them because they are linear in N.
 template <std::size_t Lights, Highlight Model>
 class Illumination {
  public:
@@ -70,12 +72,13 @@ class Illumination {
 
   constexpr Illumination() = default;
 
-  /// `lights` and `to_eye` (the unit vector to the eye) in object space. kInvalidArgument if a coefficient or
-  /// a strength is outside 0...1 or the shininess outside 1...256.
+  /// Makes the illumination of lights and an eye, with `to_eye` the unit vector to the eye in object space.
+  /// Returns kInvalidArgument, and does not change `illumination`, if a coefficient or a strength is outside
+  /// 0...1 or the shininess outside 1...256.
   static constexpr Status make(const Material& material, const std::array<DirectionalLight, Lights>& lights,
                                const Direction& to_eye, Illumination& illumination);
 
-  /// The same as a constant, which can lie in flash; what make() would refuse does not compile.
+  /// make() as a constant, which can lie in flash. Arguments that make() rejects do not compile.
   [[nodiscard]] static consteval Illumination of(const Material& material,
                                                  const std::array<DirectionalLight, Lights>& lights,
                                                  const Direction& to_eye) {
@@ -91,8 +94,12 @@ class Illumination {
     return result;
   }
 
-  /// pixel = ambient + diffuse * sum(strength * max(0, N·L)) + specular * sum(strength * factor^n), where N·L
-  /// > 0, each channel rounded and clamped. With one light the diffuse part comes from a ramp of 256 colours.
+  /// The colour of a normal with these scalars, each channel rounded and clamped:
+  ///
+  ///   ambient + diffuse * sum(strength * max(0, N·L)) + specular * sum(strength * c^n)
+  ///
+  /// with c the cosine of `Highlight` and n the exponent. The second sum is over lights with N·L > 0. With
+  /// one light the diffuse part comes from ramp().
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Scalars& scalars) const {
     if constexpr (Lights == 1) {
       const PackedRgb ramp = diffuse_colour(scalars[0]);
@@ -100,37 +107,39 @@ class Illumination {
       if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return ramp;
       return with_highlight(ramp, power_(half_distance));
     } else {
-      const Light light = gather(scalars);
-      return PackedRgb::of(level(0, light), level(1, light), level(2, light));
+      const LightSums sums = light_sums(scalars);
+      return PackedRgb::of(level(0, sums), level(1, sums), level(2, sums));
     }
   }
 
-  /// The same where no highlight is within reach; one light only.
+  /// colour() without a highlight; one light only.
   [[nodiscard]] constexpr PackedRgb diffuse_colour(Cosine normal_light) const requires(Lights == 1) {
     const std::uint32_t index = clamped_byte(normal_light.raw() >> (Cosine::kFraction - kRampBits));
     return ramp_[static_cast<std::size_t>(index)];
   }
 
-  /// diffuse_colour() of N·L = i / 256 ... (i + 1) / 256.
+  /// The colours of diffuse_colour(): entry i is for N·L = i / 256 ... (i + 1) / 256.
   [[nodiscard]] constexpr const auto& ramp() const requires(Lights == 1) { return ramp_; }
 
-  /// The code that `Codes` (code_table.hpp) has for it or, where there is a highlight,
-  /// Format::encode(colour()).
-  template <class Format, class Colours>
+  /// Format::encode(colour(scalars)), which without a highlight is read from `table` (EncodedColourTable);
+  /// one light only.
+  template <class Format, class Table>
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Scalars& scalars,
-                                                                          const Colours& encoded) const
+                                                                          const Table& table) const
       requires(Lights == 1) {
     const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
-    if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return encoded[scalars[0]];
+    if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return table[scalars[0]];
     return Format::encode(with_highlight(diffuse_colour(scalars[0]), power_(half_distance)));
   }
 
-  /// False if scalars that exceed those of the three vertices by `headroom` at most have no highlight.
+  /// False if no normal of a triangle has a highlight. `a`, `b` and `c` are the scalars of its vertices;
+  /// `headroom` is the most by which a scalar inside may exceed them.
   [[nodiscard]] constexpr bool may_shine(const Scalars& a, const Scalars& b, const Scalars& c,
                                          Cosine headroom) const {
     return nearest_highlight(a, b, c, headroom) < power_.half_reach();
   }
-  /// The least half distance (PowerTable) of a highlight from such scalars; INT32_MAX where all are dark.
+  /// A lower bound of the half distance (PowerTable) of all normals of a triangle, arguments as for
+  /// may_shine(). INT32_MAX if no light reaches it.
   [[nodiscard]] constexpr std::int32_t nearest_highlight(const Scalars& a, const Scalars& b, const Scalars& c,
                                                          Cosine headroom) const {
     const auto highest = [&](std::size_t i) {
@@ -149,8 +158,8 @@ class Illumination {
     return nearest;
   }
 
-  /// (1 - R·V) / 2 at a normal with these scalars, 30 fraction bits; within 2^-28, where a pixel rounds both
-  /// factors to 15 bits.
+  /// (1 - R·V) / 2 at a normal with these scalars, 30 fraction bits, error at most 2^-28. More precise than
+  /// in colour(), which rounds both factors to 15 bits.
   [[nodiscard]] constexpr std::int32_t half_distance(Cosine normal_light, Cosine normal_eye) const
       requires(Lights == 1 && Model == Highlight::kPhong) {
     const std::int32_t product = multiply_high(normal_light.raw(), normal_eye.raw());
@@ -160,71 +169,71 @@ class Illumination {
   /// The squared chord up to which a triangle with a highlight may be a patch.
   [[nodiscard]] constexpr std::uint32_t widest_patch() const { return widest_patch_; }
 
-  /// The largest diffuse and specular coefficient, in 8-bit steps with 5 fraction bits.
+  /// The largest diffuse and specular coefficients of a channel, in 8-bit steps with 5 fraction bits.
   [[nodiscard]] constexpr std::uint32_t most_diffuse() const { return largest_channel(diffuse_); }
   [[nodiscard]] constexpr std::uint32_t most_specular() const { return largest_channel(specular_); }
   [[nodiscard]] constexpr const PowerTable& power() const { return power_; }
   [[nodiscard]] constexpr std::uint32_t shininess() const { return shininess_; }
-  /// Per channel, in 8-bit steps with 5 fraction bits.
+  /// The specular coefficients per channel, in 8-bit steps with 5 fraction bits.
   [[nodiscard]] constexpr const std::array<std::uint32_t, 3>& specular() const { return specular_; }
-  /// A bound of any channel's second derivative by the normal's angle along a great circle, in 8-bit steps
-  /// with 5 fraction bits: |cos''| <= 1, |(cos^n)''| <= n, and R turns by twice the angle.
+  /// An upper bound of a channel's second derivative by the normal's angle along a great circle, in 8-bit
+  /// steps with 5 fraction bits. From |cos''| <= 1 and |(cos^n)''| <= n; R turns by twice the angle.
   [[nodiscard]] constexpr std::uint32_t most_curvature() const { return most_curvature_; }
-  /// Whether a channel's sum can exceed 255 and be clamped, with highlights or without.
+  /// True if a channel's sum can reach 255 and be clamped; `shines` tells whether to include highlights.
   [[nodiscard]] constexpr bool may_clamp(bool shines) const {
     for (std::size_t c = 0; c < 3; ++c) {
-      // 5 fraction bits.
-      const std::uint32_t lit =
+      const std::uint32_t lit =  // 5 fraction bits
           (diffuse_[c] + (shines ? specular_[c] : 0)) * static_cast<std::uint32_t>(Lights);
       if ((ambient_[c] >> 15) + lit >= 255u << 5) return true;
     }
     return false;
   }
 
-  /// The same in 256ths of a step, always by multiplication.
+  /// The colour of a normal with these scalars in 256ths of an 8-bit step. Without the ramp, for any number
+  /// of lights.
   [[nodiscard]] constexpr DeepColour deep_colour(const Scalars& scalars) const {
-    const Light light = gather(scalars);
-    return {deep_level(0, light), deep_level(1, light), deep_level(2, light)};
+    const LightSums sums = light_sums(scalars);
+    return {deep_level(0, sums), deep_level(1, sums), deep_level(2, sums)};
   }
 
  private:
   static constexpr int kRampBits = 8;
 
-  /// Sums over the lights with 15 fraction bits, 0...4 each.
-  struct Light {
+  /// The two sums of colour() over the lights, 0...4 each, 15 fraction bits.
+  struct LightSums {
     std::uint32_t diffuse = 0;
     std::uint32_t specular = 0;
   };
 
-  /// A ramp colour plus the highlight, each channel clamped.
+  /// A colour of the ramp plus the highlight, each channel clamped; `power` is c^n with 15 fraction bits.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb with_highlight(PackedRgb ramp, std::uint32_t power) const {
     const auto share = [power](std::uint32_t coefficient) { return (coefficient * power) >> 18; };
     if (white_specular_ != 0) return ramp.plus(PackedRgb::grey(share(white_specular_)));
     return ramp.plus(PackedRgb::of(share(specular_[0]), share(specular_[1]), share(specular_[2])));
   }
 
-  /// A scalar of at most 1 as 15 bits; negative becomes 0.
+  /// `scalar` clamped to 0...1, 15 fraction bits.
   [[nodiscard]] static constexpr std::uint32_t clamped(Cosine scalar) {
     const std::int32_t raw = scalar.raw() >> 15;
     return raw <= 0 ? 0u : raw > 32768 ? 32768u : static_cast<std::uint32_t>(raw);
   }
 
-  /// (1 - c) / 2 of the cosine c that the highlight is a power of, 30 fraction bits. `other` is the light's
-  /// N·H or N·V. Phong's c is R·V = 2 (N·L)(N·V) - L·V, so this is (1 + L·V) / 2 - (N·L)(N·V).
+  /// (1 - c) / 2 of the highlight's cosine c, 30 fraction bits. `other` is N·H of this light (Blinn) or N·V
+  /// (Phong). Phong's c is R·V = 2 (N·L)(N·V) - L·V, so that the result is (1 + L·V) / 2 - (N·L)(N·V).
   [[nodiscard]] constexpr std::int32_t highlight_distance(Cosine normal_light, Cosine other,
                                                           std::size_t light) const {
     if constexpr (Model == Highlight::kBlinn) {
       return (std::int32_t{1} << (Cosine::kFraction - 1)) - (other.raw() >> 1);
     } else {
-      // 15 rounded bits each: truncated ones would shift a highlight of n = 64 by up to two 8-bit steps.
+      // Rounded to 15 bits; truncation would change a highlight of n = 64 by up to two 8-bit steps.
       const std::int32_t product =
           wrap_mul(round_shift(normal_light.raw(), 15), round_shift(other.raw(), 15));
       return wrap_sub(half_one_plus_light_eye_[light], product);
     }
   }
 
-  [[nodiscard]] constexpr Light gather(const Scalars& scalars) const {
-    Light light;
+  [[nodiscard]] constexpr LightSums light_sums(const Scalars& scalars) const {
+    LightSums sums;
     unrolled<Lights>([&](auto i) {
       const std::uint32_t diffuse = clamped(scalars[i]);
       if (diffuse == 0) return;
@@ -232,44 +241,47 @@ class Illumination {
       const std::int32_t half_distance = highlight_distance(scalars[i], other, i);
       const std::uint32_t specular = half_distance < power_.half_reach() ? power_(half_distance) : 0;
       if constexpr (Lights == 1) {
-        light = {diffuse, specular};
+        sums = {diffuse, specular};
       } else {
-        light.diffuse += (diffuse * strength_[i] + (1u << 14)) >> 15;
-        light.specular += (specular * strength_[i] + (1u << 14)) >> 15;
+        sums.diffuse += (diffuse * strength_[i] + (1u << 14)) >> 15;
+        sums.specular += (specular * strength_[i] + (1u << 14)) >> 15;
       }
     });
-    return light;
+    return sums;
   }
 
-  /// A channel with 20 fraction bits: coefficients have 5 beside the 8-bit step, light has 15. At most
+  /// Channel `c` in 8-bit steps with 20 fraction bits: 5 of the coefficients and 15 of the sums. At most
   /// 255 * (1 + 4 + 4) * 2^20 < 2^32.
-  [[nodiscard]] constexpr std::uint32_t channel(std::size_t c, const Light& light) const {
-    return ambient_[c] + diffuse_[c] * light.diffuse + specular_[c] * light.specular;
+  [[nodiscard]] constexpr std::uint32_t channel(std::size_t c, const LightSums& sums) const {
+    return ambient_[c] + diffuse_[c] * sums.diffuse + specular_[c] * sums.specular;
   }
-  [[nodiscard]] constexpr std::uint32_t level(std::size_t c, const Light& light) const {
-    const std::uint32_t rounded = (channel(c, light) + (std::uint32_t{1} << 19)) >> 18;
+  /// Channel `c` as PackedRgb has it: 2 fraction bits, half an 8-bit step added.
+  [[nodiscard]] constexpr std::uint32_t level(std::size_t c, const LightSums& sums) const {
+    const std::uint32_t rounded = (channel(c, sums) + (std::uint32_t{1} << 19)) >> 18;
     return rounded > 1023 ? 1023 : rounded;
   }
-  [[nodiscard]] constexpr std::int32_t deep_level(std::size_t c, const Light& light) const {
-    const std::uint32_t rounded = (channel(c, light) + (1u << 11)) >> 12;
+  /// Channel `c` in 256ths of an 8-bit step.
+  [[nodiscard]] constexpr std::int32_t deep_level(std::size_t c, const LightSums& sums) const {
+    const std::uint32_t rounded = (channel(c, sums) + (1u << 11)) >> 12;
     return static_cast<std::int32_t>(rounded > 65280 ? 65280 : rounded);
   }
 
   constexpr void make_ramp();
 
-  /// ambient + diffuse * (i + 1/2) / 256; one light only. First, so that an index reaches it.
+  /// Entry i is ambient + diffuse * (i + 1/2) / 256; empty for several lights. The first member, so that its
+  /// address needs no offset.
   std::array<PackedRgb, Lights == 1 ? 256 : 0> ramp_{};
-  std::array<Direction, kScalars> axes_{};
-  std::array<std::uint32_t, 3> ambient_{};
-  std::array<std::uint32_t, 3> diffuse_{};
-  std::array<std::uint32_t, 3> specular_{};
-  std::array<std::uint32_t, Lights> strength_{};
-  std::array<std::int32_t, Lights> half_one_plus_light_eye_{};
+  std::array<Direction, kScalars> axes_{};        ///< scalar i is the product of the normal and this
+  std::array<std::uint32_t, 3> ambient_{};        ///< in 8-bit steps, 20 fraction bits
+  std::array<std::uint32_t, 3> diffuse_{};        ///< in 8-bit steps, 5 fraction bits
+  std::array<std::uint32_t, 3> specular_{};       ///< in 8-bit steps, 5 fraction bits
+  std::array<std::uint32_t, Lights> strength_{};  ///< 15 fraction bits
+  std::array<std::int32_t, Lights> half_one_plus_light_eye_{};  ///< (1 + L·V) / 2, 30 fraction bits
   PowerTable power_{};
   std::uint32_t widest_patch_ = 0;
   std::uint32_t most_curvature_ = 0;
   std::uint32_t shininess_ = 1;
-  std::uint32_t white_specular_ = 0;  ///< the three specular coefficients if they are the same, else 0
+  std::uint32_t white_specular_ = 0;  ///< specular_[0] if all channels are equal, else 0
 };
 
 }  // namespace arcspan

@@ -15,17 +15,19 @@ namespace detail {
   return in_unit_range(c.r) && in_unit_range(c.g) && in_unit_range(c.b);
 }
 
-/// A coefficient times 255 with `bits` fraction bits, rounded; bits <= 8.
-[[nodiscard]] constexpr std::uint32_t steps(Coefficient c, Coefficient strength, int bits) {
+/// c * strength * 255, rounded: 8-bit steps with `bits` (0...24) fraction bits.
+[[nodiscard]] constexpr std::uint32_t scaled_coefficient(Coefficient c, Coefficient strength, int bits) {
   const std::uint64_t product =
       std::uint64_t{static_cast<std::uint32_t>(c.raw())} * static_cast<std::uint32_t>(strength.raw()) * 255u;
   const int down = 2 * Coefficient::kFraction - bits;
   return static_cast<std::uint32_t>((product + (std::uint64_t{1} << (down - 1))) >> down);
 }
 
-[[nodiscard]] constexpr std::array<std::uint32_t, 3> steps(const ChannelCoefficients& c, Coefficient strength,
-                                                           int bits) {
-  return {steps(c.r, strength, bits), steps(c.g, strength, bits), steps(c.b, strength, bits)};
+/// scaled_coefficient() per channel.
+[[nodiscard]] constexpr std::array<std::uint32_t, 3> scaled_channels(const ChannelCoefficients& c,
+                                                                     Coefficient strength, int bits) {
+  return {scaled_coefficient(c.r, strength, bits), scaled_coefficient(c.g, strength, bits),
+          scaled_coefficient(c.b, strength, bits)};
 }
 
 }  // namespace detail
@@ -42,12 +44,12 @@ constexpr Status Illumination<Lights, Model>::make(const Material& material,
   for (const DirectionalLight& light : lights) {
     if (!detail::in_unit_range(light.strength)) return Status::kInvalidArgument;
   }
-  // A single light's strength goes into the coefficients; several are weighted pixel by pixel.
+  // A single light's strength is multiplied into the coefficients. Several lights are weighted per pixel.
   const Coefficient strength = Lights == 1 ? lights[0].strength : Coefficient::of(1.0);
   constexpr int kCoefficientBits = 5;
-  illumination.ambient_ = detail::steps(material.ambient, Coefficient::of(1.0), 20);
-  illumination.diffuse_ = detail::steps(material.diffuse, strength, kCoefficientBits);
-  illumination.specular_ = detail::steps(material.specular, strength, kCoefficientBits);
+  illumination.ambient_ = detail::scaled_channels(material.ambient, Coefficient::of(1.0), 20);
+  illumination.diffuse_ = detail::scaled_channels(material.diffuse, strength, kCoefficientBits);
+  illumination.specular_ = detail::scaled_channels(material.specular, strength, kCoefficientBits);
   for (std::size_t i = 0; i < Lights; ++i) {
     illumination.axes_[i] = lights[i].towards;
     illumination.strength_[i] = static_cast<std::uint32_t>(lights[i].strength.raw());
@@ -75,14 +77,15 @@ constexpr Status Illumination<Lights, Model>::make(const Material& material,
 template <std::size_t Lights, Highlight Model>
 constexpr void Illumination<Lights, Model>::make_ramp() {
   for (std::size_t i = 0; i < ramp_.size(); ++i) {
-    // 20 fraction bits become 2; entry 0 also serves the unlit side, where the diffuse part is 0.
+    // Entry 0 is also the colour of the unlit side, where the diffuse part is 0.
     const std::uint32_t light = i == 0 ? 0 : static_cast<std::uint32_t>(i) * 128 + 64;
-    const auto deep = [&](std::size_t c) {
+    // From 20 to 2 fraction bits, rounded, with half an 8-bit step added, as PackedRgb has it.
+    const auto channel_level = [&](std::size_t c) {
       const std::uint32_t sum =
           (ambient_[c] + diffuse_[c] * light + (std::uint32_t{1} << 19) + (std::uint32_t{1} << 17)) >> 18;
       return sum > 1023 ? 1023u : sum;
     };
-    ramp_[i] = PackedRgb::of(deep(0), deep(1), deep(2));
+    ramp_[i] = PackedRgb::of(channel_level(0), channel_level(1), channel_level(2));
   }
 }
 

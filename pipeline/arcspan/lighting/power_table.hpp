@@ -13,7 +13,7 @@ namespace arcspan {
 
 namespace detail {
 
-/// base^exponent, 31 fraction bits, by square-and-multiply.
+/// base^exponent for base in 0...1, both with 31 fraction bits, by square-and-multiply.
 [[nodiscard]] constexpr std::uint32_t power_of(std::uint32_t base, std::int32_t exponent) {
   std::uint64_t result = std::uint64_t{1} << 31;
   std::uint64_t square = base;
@@ -24,7 +24,7 @@ namespace detail {
   return static_cast<std::uint32_t>(result);
 }
 
-/// Half the distance from 1 at which c^n falls to 2^-10, by bisection; 30 fraction bits.
+/// (1 - c) / 2 of the cosine c with c^n = 2^-10, 30 fraction bits, found by bisection.
 [[nodiscard]] constexpr std::uint32_t half_reach_of(std::int32_t exponent) {
   std::uint32_t reach = 0;
   for (std::uint32_t bit = std::uint32_t{1} << 28; bit != 0; bit >>= 1) {
@@ -38,9 +38,9 @@ namespace detail {
 
 }  // namespace detail
 
-/// c^n for the specular factor: a table over 1 - c with linear interpolation. It covers the part where the
-/// power is above 2^-10, a quarter of an 8-bit step; further out it is 0. Working on 1 - c keeps the
-/// highlight sharp, for it is there that c has the fewest significant bits.
+/// The power c^n of the specular factor, from a table over 1 - c with linear interpolation. The table covers
+/// the cosines whose power exceeds 2^-10, a quarter of an 8-bit step; for smaller cosines the power counts as
+/// 0. The table is over 1 - c because highlights need many significant bits near c = 1.
 class PowerTable {
  public:
   static constexpr std::uint32_t kIntervals = 128;
@@ -48,15 +48,15 @@ class PowerTable {
 
   constexpr PowerTable() = default;
 
-  /// The table of c^n; `exponent` is clamped to 1...256. Error at most 6.9e-4 inside the
-  /// reach (2^-11 up to n = 16), and the 2^-10 that are cut off beyond it (swept in the tests).
+  /// The table of c^n; `exponent` is clamped to 1...256. The error is at most 6.9e-4 below half_reach()
+  /// (2^-11 up to n = 16), and 2^-10 from there on, where the power counts as 0 (swept in the tests).
   constexpr explicit PowerTable(std::int32_t exponent);
 
-  /// Cosines c with (1 - c) / 2 below this have a power worth looking up; 30 fraction bits, at most 2^29 + 1.
+  /// The least (1 - c) / 2 for which the power counts as 0: 30 fraction bits, at most 2^29 + 1.
   [[nodiscard]] constexpr std::int32_t half_reach() const { return half_reach_; }
 
-  /// c^n in 15 fraction bits, 0...1, for half_distance = (1 - c) / 2 (30 fraction bits) below half_reach(). A
-  /// cosine that rounding has lifted above 1 has a negative distance and counts as 1.
+  /// c^n in 0...1, 15 fraction bits, for half_distance = (1 - c) / 2 with 30 fraction bits. It must be below
+  /// half_reach(); a negative one, of a cosine that rounding has raised above 1, counts as 0.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::int32_t half_distance) const {
     const std::uint32_t inside = half_distance < 0 ? 0u : static_cast<std::uint32_t>(half_distance);
     const std::uint32_t position = ((inside >> drop_) * scale_) >> 16;  // 8 fraction bits
@@ -68,8 +68,8 @@ class PowerTable {
 
  private:
   std::int32_t half_reach_ = 0;
-  std::uint32_t drop_ = 0;   ///< leaves 16 bits of a half distance within reach
-  std::uint32_t scale_ = 0;  ///< from there to the table's position
+  std::uint32_t drop_ = 0;   ///< shift that leaves 16 bits of a half distance below half_reach()
+  std::uint32_t scale_ = 0;  ///< factor from those to a position in the table, 16 fraction bits
   std::array<std::uint16_t, kIntervals + 2> values_{};
 };
 
@@ -81,7 +81,7 @@ constexpr PowerTable::PowerTable(std::int32_t exponent) {
   drop_ = bits > 16 ? bits - 16 : 0;
   scale_ = ((kIntervals << 8) << 16) / ((reach >> drop_) + 1);
   for (std::size_t i = 0; i < kIntervals + 2; ++i) {
-    // The half distance that position i << 8 stands for, times 4: 1 - c with 31 fraction bits.
+    // 1 - c with 31 fraction bits: four times the half distance at position i << 8.
     const std::uint64_t distance = ((std::uint64_t{i} << (8 + 16 + 2)) << drop_) / scale_;
     const std::uint64_t base = distance < (std::uint64_t{1} << 31) ? (std::uint64_t{1} << 31) - distance : 0;
     values_[i] = static_cast<std::uint16_t>(

@@ -10,7 +10,8 @@ namespace arcspan {
 
 namespace detail {
 
-/// What four more bits do to a remainder: 64 bytes instead of the usual 1024, twice the steps.
+/// The CRC remainder of every four bits. This table has 64 bytes instead of the usual 1024, for twice the
+/// steps.
 inline constexpr std::array<std::uint32_t, 16> kCrcOfNibble = [] {
   std::array<std::uint32_t, 16> table{};
   for (std::size_t nibble = 0; nibble < 16; ++nibble) {
@@ -23,8 +24,8 @@ inline constexpr std::array<std::uint32_t, 16> kCrcOfNibble = [] {
 
 }  // namespace detail
 
-/// The CRC-32 of Ethernet, zlib and PNG (polynomial 0x04C11DB7, bits reflected, first and last complement):
-/// of "123456789" it is 0xCBF43926. Finds every change of up to 32 bits in a row.
+/// The CRC-32 of Ethernet, zlib and PNG (polynomial 0x04C11DB7, bits reflected, complement before and after).
+/// The CRC of "123456789" is 0xCBF43926. It detects every change within 32 consecutive bits.
 [[nodiscard]] constexpr std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
   std::uint32_t crc = 0xFFFFFFFFu;
   for (const std::uint8_t byte : bytes) {

@@ -14,7 +14,8 @@ namespace arcspan {
 
 namespace detail {
 
-[[nodiscard]] constexpr std::int64_t square(const ObjectVector& v) {
+/// |v|^2.
+[[nodiscard]] constexpr std::int64_t squared_length(const ObjectVector& v) {
   return std::int64_t{v.x} * v.x + std::int64_t{v.y} * v.y + std::int64_t{v.z} * v.z;
 }
 
@@ -23,29 +24,29 @@ namespace detail {
   return bits == 0 ? value : (value + (std::int64_t{1} << (bits - 1))) >> bits;
 }
 
-/// A triangle's plane before it is rounded to bytes, 16 fraction bits.
+/// A triangle's plane before it is rounded to bytes, 16 more fraction bits.
 struct FinePlane {
   WideVector normal;
   std::int64_t offset;
 };
 
-/// The plane of FacePlane's docstring with `normal_bits`. The root's error scales normal and offset alike,
-/// which leaves the plane where it is.
+/// The plane of a triangle as FacePlane defines it, for `normal_bits` and offset_bits = 0. The error of the
+/// root scales normal and offset alike, which does not move the plane.
 [[nodiscard]] constexpr FinePlane fine_plane(const MeshView& mesh, std::size_t triangle, int normal_bits) {
   const TriangleIndices t = mesh.triangle(triangle);
   const ObjectPosition& a = mesh.position(t.a);
   const ObjectVector u = vector_to(mesh.position(t.b), a);
   const ObjectVector v = vector_to(mesh.position(t.c), a);
-  const std::int64_t sides[3] = {square(u), square(v),
-                                 square(vector_to(mesh.position(t.c), mesh.position(t.b)))};
+  const std::int64_t sides[3] = {squared_length(u), squared_length(v),
+                                 squared_length(vector_to(mesh.position(t.c), mesh.position(t.b)))};
   std::int64_t longest = sides[0] > sides[1] ? sides[0] : sides[1];
   if (sides[2] > longest) longest = sides[2];
   if (longest == 0) return {};
-  // Below 2^36; an even shift is one of the root.
+  // Below 2^36. The shift is even, so that the root is shifted by half of it.
   const int shift = longest >> 32 != 0 ? 4 : 0;
   const ReciprocalRoot root = reciprocal_root(static_cast<std::uint32_t>(longest >> shift));
   const int down = root.exponent + shift / 2 - 16 - normal_bits;
-  // u x v is twice the area, which by the longest side is the least altitude.
+  // |u x v| is twice the area; divided by the longest side it is the least altitude.
   const auto scaled = [&](std::int64_t component) {
     const std::int64_t product = component * root.mantissa;  // below 2^52
     return down >= 0 ? rounded_down(product, down) : product * (std::int64_t{1} << -down);
@@ -55,14 +56,15 @@ struct FinePlane {
   return {normal, normal.x * a.x + normal.y * a.y + normal.z * a.z};
 }
 
+/// max(most, |v|).
 [[nodiscard]] constexpr std::int64_t larger_magnitude(std::int64_t most, std::int64_t v) {
   const std::int64_t magnitude = v < 0 ? -v : v;
   return magnitude > most ? magnitude : most;
 }
 
-/// The most bits with which every normal fits a byte.
+/// The largest normal_bits with which every normal fits a byte.
 [[nodiscard]] constexpr int plane_normal_bits(const MeshView& mesh) {
-  std::int64_t most = 0;  // of the normals' components, 16 fraction bits; below 2^34
+  std::int64_t most = 0;  // largest component of a normal, 16 fraction bits, below 2^34
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const WideVector normal = fine_plane(mesh, i, 0).normal;
     most = larger_magnitude(larger_magnitude(larger_magnitude(most, normal.x), normal.y), normal.z);
@@ -73,7 +75,7 @@ struct FinePlane {
   return bits;
 }
 
-/// The fewest bits dropped with which every offset fits a byte.
+/// The least offset_bits with which every offset fits a byte.
 [[nodiscard]] constexpr int plane_offset_bits(const MeshView& mesh, int normal_bits) {
   std::int64_t most = 0;
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
@@ -84,10 +86,11 @@ struct FinePlane {
   return bits;
 }
 
-[[nodiscard]] constexpr std::uint16_t reach_of(const MeshView& mesh) {
+/// The distance of the farthest vertex from the object's origin, rounded up to a whole unit or one more.
+[[nodiscard]] constexpr std::uint16_t radius_of(const MeshView& mesh) {
   std::uint32_t most = 0;
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
-    const std::uint32_t squared = square_of(mesh.position(i));
+    const std::uint32_t squared = squared_distance(mesh.position(i));
     if (squared > most) most = squared;
   }
   return static_cast<std::uint16_t>(integer_root(most) + 1);
@@ -95,9 +98,12 @@ struct FinePlane {
 
 }  // namespace detail
 
-/// The planes of a mesh's triangles into `memory`, for MeshView::attach. By a tool or as a constant, as a
-/// rule; a few hundred instructions a triangle. kBufferTooSmall if `memory` has fewer elements than the mesh
-/// triangles; nothing is changed then.
+/// Writes the planes of a mesh's triangles to `memory` and their scale to `scale`, for MeshView::attach().
+/// Takes a few hundred instructions per triangle, and is usually called by a tool or in a constant
+/// expression.
+///
+/// Returns kBufferTooSmall if `memory` has fewer elements than the mesh has triangles; nothing is changed
+/// then.
 constexpr Status make_face_planes(const MeshView& mesh, std::span<FacePlane> memory, PlaneScale& scale) {
   if (memory.size() < mesh.triangle_count()) return Status::kBufferTooSmall;
   const int normal_bits = detail::plane_normal_bits(mesh);
@@ -111,7 +117,7 @@ constexpr Status make_face_planes(const MeshView& mesh, std::span<FacePlane> mem
                  byte(plane.offset, 16 + offset_bits)};
   }
   scale = {static_cast<std::int8_t>(normal_bits), static_cast<std::uint8_t>(offset_bits),
-           detail::reach_of(mesh)};
+           detail::radius_of(mesh)};
   return Status::kOk;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using namespace mesh_binary;
 
-// The arrays are used as they lie in the binary.
+// The arrays of the binary are read in place.
 static_assert(sizeof(ObjectPosition) == 6 && alignof(ObjectPosition) <= 2);
 static_assert(sizeof(PackedNormal) == 4 && alignof(PackedNormal) <= 2);
 static_assert(sizeof(FacePlane) == 4 && alignof(FacePlane) == 1);
@@ -38,7 +38,7 @@ struct Header {
   bool planes;
 };
 
-/// Everything that can be wrong but the arrays themselves.
+/// Reads and checks all of a binary except the contents of its arrays.
 Status read_header(std::span<const std::uint8_t> bytes, Header& header) {
   if (std::endian::native != std::endian::little) return Status::kUnsupported;
   const std::uint8_t* at = bytes.data();
@@ -60,7 +60,7 @@ Status read_header(std::span<const std::uint8_t> bytes, Header& header) {
   return crc32(bytes.first(covered)) == u32_at(at, covered) ? Status::kOk : Status::kCorrupted;
 }
 
-/// The planes at the end of a checked binary, if it has any.
+/// Attaches the planes at the end of a checked binary, if it has any.
 Status attach_planes(std::span<const std::uint8_t> bytes, const Header& header, MeshView& view) {
   if (!header.planes) return Status::kOk;
   const auto triangles = static_cast<std::size_t>(header.triangles);
@@ -78,9 +78,9 @@ Status view_mesh_binary(std::span<const std::uint8_t> bytes, MeshView& view, Mes
   Header header{};
   const Status status = read_header(bytes, header);
   if (!ok(status)) return status;
-  // The cast's detour over void says that alignment was seen to.
+  // Cast by way of void, because alignment has been checked.
   const auto array_at = [&bytes](std::size_t at) -> const void* { return bytes.data() + at; };
-  // All of it lies in memory, so its parts can be counted.
+  // Sizes fit std::size_t, because the whole binary is in memory.
   const auto vertices = static_cast<std::size_t>(header.vertices);
   const std::size_t normals_at = kHeaderBytes + 6 * vertices;
   const std::size_t indices_at = normals_at + 4 * vertices;

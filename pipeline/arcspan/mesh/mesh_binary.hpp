@@ -10,28 +10,28 @@
 
 namespace arcspan {
 
-/// The layout of a mesh binary (docs/mesh-binary.md): little-endian, offsets in bytes. Version 2 has what
-/// version 1 has, and may have planes.
+/// The layout of a mesh binary (docs/mesh-binary.md): little-endian, offsets in bytes. Version 2 is version 1
+/// with optional planes.
 namespace mesh_binary {
 inline constexpr std::uint32_t kMagic = 0x4D435241;  ///< "ARCM"
-inline constexpr std::uint16_t kVersion = 1;
+inline constexpr std::uint16_t kVersion = 1;         ///< without planes
 inline constexpr std::uint16_t kVersionOfPlanes = 2;
 inline constexpr std::uint16_t kIndices8 = 1;  ///< flag: indices have 8 bits instead of 16
-inline constexpr std::uint16_t kPlanes = 2;    ///< flag: there are planes; version 2 only
+inline constexpr std::uint16_t kPlanes = 2;    ///< flag: has planes; version 2 only
 
 inline constexpr std::size_t kMagicAt = 0;       ///< u32
 inline constexpr std::size_t kVersionAt = 4;     ///< u16
 inline constexpr std::size_t kFlagsAt = 6;       ///< u16
-inline constexpr std::size_t kSizeAt = 8;        ///< u32, all bytes from magic to checksum
+inline constexpr std::size_t kSizeAt = 8;        ///< u32, bytes of the whole binary
 inline constexpr std::size_t kVerticesAt = 12;   ///< u32
 inline constexpr std::size_t kTrianglesAt = 16;  ///< u32
-inline constexpr std::size_t kLowAt = 20;        ///< 3 x i16, the least x, y, z
-inline constexpr std::size_t kHighAt = 26;       ///< 3 x i16, the greatest
+inline constexpr std::size_t kLowAt = 20;        ///< 3 x i16, MeshBounds::low
+inline constexpr std::size_t kHighAt = 26;       ///< 3 x i16, MeshBounds::high
 inline constexpr std::size_t kHeaderBytes = 32;
 inline constexpr std::size_t kScaleBytes = 4;     ///< PlaneScale: i8, u8, u16
-inline constexpr std::size_t kChecksumBytes = 4;  ///< u32, crc32() of all before it
+inline constexpr std::size_t kChecksumBytes = 4;  ///< u32, crc32() of all bytes before it
 
-/// Bytes of a whole binary; at most 65,536 vertices and 2^26 triangles, so that it fits 32 bits.
+/// Size of a whole binary in bytes. It fits 32 bits for at most 65,536 vertices and 2^26 triangles.
 template <class Count>
 [[nodiscard]] constexpr Count bytes(Count vertices, Count triangles, bool indices8, bool planes = false) {
   constexpr auto kAround = static_cast<Count>(kHeaderBytes + kChecksumBytes);
@@ -41,23 +41,22 @@ template <class Count>
 }
 }  // namespace mesh_binary
 
-/// The corners of the box around a mesh, in object units.
+/// The axis-aligned box around a mesh, in object units.
 struct MeshBounds {
-  ObjectPosition low;
-  ObjectPosition high;
+  ObjectPosition low;   ///< least x, y and z
+  ObjectPosition high;  ///< greatest x, y and z
 };
 
-/// A mesh from the binary that `arcspan mesh -o NAME.bin` writes, used where it lies: nothing is copied, so
-/// `bytes` must stay. It may be longer than the binary (a flash partition). Everything is checked, once and
-/// in time linear in its size, before a single vertex is used:
+/// Makes a view of the mesh in a binary that `arcspan mesh -o NAME.bin` has written. Nothing is copied, so
+/// `bytes` must outlive the view. `bytes` may be longer than the binary, as a flash partition is. The whole
+/// binary is checked once, in time linear in its size. Returns:
 ///
+///   kOk                `view` and, unless it is null, `bounds` are set; otherwise they are not changed
 ///   kInvalidArgument   `bytes` does not begin at an even address
-///   kUnsupported       foreign: another magic number or version; or this machine is big-endian
-///   kTruncated         fewer bytes than a header, or than the header says
-///   kCorrupted         the checksum is wrong, or counts, size and flags do not agree
-///   kIndexOutOfRange   the checksum is right, yet an index names no vertex
-///
-/// `view` and `bounds` (which may be null) are untouched unless kOk.
+///   kUnsupported       the magic number or the version is another, or this machine is big-endian
+///   kTruncated         there are fewer bytes than a header has, or than the header states
+///   kCorrupted         the checksum is wrong, or counts, size, flags and planes contradict each other
+///   kIndexOutOfRange   the checksum is right, but an index names no vertex
 Status view_mesh_binary(std::span<const std::uint8_t> bytes, MeshView& view, MeshBounds* bounds = nullptr);
 
 }  // namespace arcspan

@@ -27,17 +27,21 @@ struct TriangleIndices {
   std::uint16_t c = 0;
 };
 
-/// A triangle mesh in memory of the caller (flash, as a rule): nothing is copied, 10 bytes a vertex and 3 or
-/// 6 bytes a triangle. Vertex i has positions[i] and normals[i].
+/// A view of a triangle mesh in the caller's memory, usually flash, which must outlive it. Nothing is copied.
+/// A mesh takes 10 bytes per vertex and 3 or 6 bytes per triangle. Vertex i has positions[i] and normals[i].
 class MeshView {
  public:
   static constexpr std::uint32_t kMaxVertices = 65536;
 
   constexpr MeshView() = default;
 
-  /// A view of the given arrays, checked once so that drawing need not: kInvalidArgument if the number of
-  /// normals is not that of positions, the number of indices no multiple of 3, or there are more than
-  /// kMaxVertices; kIndexOutOfRange if an index names no vertex. `view` is untouched unless kOk.
+  /// Makes a view of arrays of vertices and of triangles, each three indices. They are checked here once, so
+  /// that drawing need not. Returns:
+  ///
+  ///   kOk                `view` is set; otherwise it is not changed
+  ///   kInvalidArgument   the numbers of positions and normals differ or exceed kMaxVertices, or the
+  ///                      number of indices is no multiple of 3
+  ///   kIndexOutOfRange   an index names no vertex
   static constexpr Status make(std::span<const ObjectPosition> positions,
                                std::span<const PackedNormal> normals, std::span<const std::uint16_t> indices,
                                MeshView& view);
@@ -45,7 +49,7 @@ class MeshView {
                                std::span<const PackedNormal> normals, std::span<const std::uint8_t> indices,
                                MeshView& view);
 
-  /// The same as a constant: arrays that make() would refuse do not compile.
+  /// make() as a constant. Arrays that make() rejects do not compile.
   [[nodiscard]] static consteval MeshView of(std::span<const ObjectPosition> positions,
                                              std::span<const PackedNormal> normals,
                                              std::span<const std::uint16_t> indices) {
@@ -61,31 +65,32 @@ class MeshView {
     return view;
   }
 
-  /// Gives the mesh the planes of its triangles, 4 bytes each, from make_face_planes(): of objects that are
-  /// wholly in view backs are then culled before their vertices are transformed (BackFaces).
-  /// kInvalidArgument, and nothing is changed, if there is not one for every triangle, `scale` is out of
-  /// range, or a vertex is beyond its reach, on which drawing relies. Whether the planes are right is not
-  /// checked: wrong ones cull fronts.
+  /// Attaches the planes of the mesh's triangles, 4 bytes each, made by make_face_planes(). When an object is
+  /// wholly in view, its back faces are then culled before their vertices are transformed (BackFaces).
+  ///
+  /// Returns kInvalidArgument, and changes nothing, if the number of planes is not that of triangles, a
+  /// member of `scale` is out of range, or a vertex is farther from the origin than scale.radius. The planes
+  /// themselves are not checked; with wrong ones front faces are culled.
   constexpr Status attach(std::span<const FacePlane> planes, const PlaneScale& scale);
-  /// The same as a constant.
+  /// A copy with attach() done, as a constant. Planes that attach() rejects do not compile.
   [[nodiscard]] consteval MeshView with(std::span<const FacePlane> planes, const PlaneScale& scale) const {
     MeshView view = *this;
     if (!ok(view.attach(planes, scale))) detail::constant_refused();
     return view;
   }
 
-  /// triangle_count() of them, or null.
+  /// The planes of the triangles, triangle_count() of them, or null.
   [[nodiscard]] constexpr const FacePlane* planes() const { return planes_; }
   [[nodiscard]] constexpr const PlaneScale& plane_scale() const { return plane_scale_; }
 
   [[nodiscard]] constexpr std::size_t vertex_count() const { return vertex_count_; }
   [[nodiscard]] constexpr std::size_t triangle_count() const { return triangle_count_; }
 
-  /// `i` must be below vertex_count().
+  /// Position and normal of vertex `i`, which must be below vertex_count().
   [[nodiscard]] constexpr const ObjectPosition& position(std::size_t i) const { return positions_[i]; }
   [[nodiscard]] constexpr PackedNormal normal(std::size_t i) const { return normals_[i]; }
 
-  /// `i` must be below triangle_count().
+  /// The vertices of triangle `i`, which must be below triangle_count().
   [[nodiscard]] constexpr TriangleIndices triangle(std::size_t i) const {
     if (indices8_ != nullptr) {
       const std::uint8_t* at = indices8_ + 3 * i;
@@ -115,12 +120,13 @@ class MeshView {
 
 namespace detail {
 
-/// The squared distance of a vertex from the object's origin: at most 3 * 2^30.
-[[nodiscard]] constexpr std::uint32_t square_of(const ObjectPosition& p) {
+/// The squared distance of a vertex from the object's origin, at most 3 * 2^30.
+[[nodiscard]] constexpr std::uint32_t squared_distance(const ObjectPosition& p) {
   const auto square = [](std::int32_t c) { return static_cast<std::uint32_t>(c * c); };
   return square(p.x) + square(p.y) + square(p.z);
 }
 
+/// The checks of MeshView::make().
 template <class Index>
 [[nodiscard]] constexpr Status check_mesh(std::size_t positions, std::size_t normals,
                                           std::span<const Index> indices) {
@@ -160,9 +166,9 @@ constexpr Status MeshView::attach(std::span<const FacePlane> planes, const Plane
       scale.normal_bits > PlaneScale::kMostNormalBits || scale.offset_bits > PlaneScale::kMostOffsetBits) {
     return Status::kInvalidArgument;
   }
-  const std::uint32_t reach = scale.reach;
+  const std::uint32_t radius = scale.radius;
   for (std::size_t i = 0; i < vertex_count_; ++i) {
-    if (detail::square_of(positions_[i]) > reach * reach) return Status::kInvalidArgument;
+    if (detail::squared_distance(positions_[i]) > radius * radius) return Status::kInvalidArgument;
   }
   planes_ = planes.data();
   plane_scale_ = scale;

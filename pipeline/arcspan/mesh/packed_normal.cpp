@@ -10,7 +10,8 @@ constexpr std::int32_t kOne = 32767;
 
 std::int32_t magnitude(std::int32_t v) { return v < 0 ? wrap_sub(0, v) : v; }
 
-/// Folds the lower half of the octahedron over the upper one's corners; its own inverse on the outline.
+/// Mirrors (u, v) at the line |u| + |v| = 1 of its quadrant, where the octahedral map keeps directions with
+/// z < 0. Twice is the identity.
 void fold(std::int32_t& u, std::int32_t& v) {
   const std::int32_t folded_u = kOne - magnitude(v);
   const std::int32_t folded_v = kOne - magnitude(u);
@@ -39,7 +40,7 @@ Direction unpack_normal(PackedNormal packed) {
   std::int32_t y = packed.v < -kOne ? -kOne : packed.v;
   const std::int32_t z = kOne - magnitude(x) - magnitude(y);
   if (z < 0) fold(x, y);
-  // |x| + |y| + |z| = 1 makes 1/3 <= x^2 + y^2 + z^2 <= 1: nothing to normalise before the root.
+  // |x| + |y| + |z| = 1 implies 1/3 <= x^2 + y^2 + z^2 <= 1, so the root needs no scaling before.
   const auto square = static_cast<std::uint32_t>(x * x + y * y + z * z);
   const auto length = static_cast<std::int32_t>(detail::reciprocal_root_mantissa(square << 2));
   const auto unit = [length](std::int32_t c) {

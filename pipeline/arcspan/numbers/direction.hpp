@@ -11,7 +11,7 @@
 
 namespace arcspan {
 
-/// A unit vector that takes part in dot products: 15 fraction bits a component.
+/// A unit vector for dot products, 15 fraction bits per component.
 struct Direction {
   DirectionComponent x;
   DirectionComponent y;
@@ -20,7 +20,8 @@ struct Direction {
   friend constexpr bool operator==(const Direction&, const Direction&) = default;
 };
 
-/// A unit vector as vertices carry it: 14 fraction bits in 16-bit words, for the angles between normals.
+/// A unit vector as vertices carry it, for the angles between normals: 14 fraction bits per component, in
+/// 16-bit words.
 struct Normal {
   NormalComponent x;
   NormalComponent y;
@@ -31,11 +32,12 @@ struct Normal {
 
 [[nodiscard]] constexpr Direction operator-(const Direction& v) { return {-v.x, -v.y, -v.z}; }
 
-/// a · b for unit vectors, in Q1.30 without rounding. By Cauchy's inequality no partial sum exceeds 1.
+/// a · b of unit vectors, Q1.30, exact. By Cauchy's inequality no partial sum exceeds 1.
 [[nodiscard]] constexpr Cosine dot(const Direction& a, const Direction& b) {
   return multiply<Cosine>(a.x, b.x) + multiply<Cosine>(a.y, b.y) + multiply<Cosine>(a.z, b.z);
 }
 
+/// `v` with components rounded to 14 fraction bits.
 [[nodiscard]] constexpr Normal to_normal(const Direction& v) {
   const auto narrow = [](DirectionComponent c) {
     return NormalComponent::from_raw(static_cast<std::int16_t>(round_shift(c.raw(), 1)));
@@ -43,8 +45,8 @@ struct Normal {
   return {narrow(v.x), narrow(v.y), narrow(v.z)};
 }
 
-/// |a - b|^2 = 2 - 2 a·b, from the difference vector: 2 - 2 a·b itself would lose a fifth of the value at an
-/// angle of one degree (docs/papers.md). 0...4, with 28 fraction bits, unsigned.
+/// |a - b|^2 = 2 - 2 a·b, in 0...4, unsigned with 28 fraction bits. It is computed from the difference
+/// vector, because 2 - 2 a·b loses a fifth of the value at an angle of one degree (docs/papers.md).
 [[nodiscard]] constexpr std::uint32_t squared_chord(const Normal& a, const Normal& b) {
   const std::int32_t x = std::int32_t{a.x.raw()} - b.x.raw();
   const std::int32_t y = std::int32_t{a.y.raw()} - b.y.raw();
@@ -52,14 +54,14 @@ struct Normal {
   return static_cast<std::uint32_t>(wrap_add(wrap_add(wrap_mul(x, x), wrap_mul(y, y)), wrap_mul(z, z)));
 }
 
-/// The unit vector along (x, y, z), whatever its length; the zero vector gives the zero vector.
+/// The unit vector along (x, y, z), a vector of any length. The zero vector gives the zero vector.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Direction normalised(std::int32_t x, std::int32_t y, std::int32_t z) {
   const auto magnitude = [](std::int32_t v) {
     return v < 0 ? 0u - static_cast<std::uint32_t>(v) : static_cast<std::uint32_t>(v);
   };
   const std::uint32_t bits = magnitude(x) | magnitude(y) | magnitude(z);
   if (bits == 0) return {};
-  // Scale so that the largest component has 15 bits: the sum of squares fits 32.
+  // Scaled so that the largest component has 15 bits, the sum of squares fits 32 bits.
   const int shift = 17 - std::countl_zero(bits);
   const auto scaled = [shift](std::int32_t c) { return shift >= 0 ? c >> shift : wrap_shl(c, -shift); };
   const std::int32_t sx = scaled(x);
@@ -71,7 +73,7 @@ struct Normal {
   const int down = length.exponent - DirectionComponent::kFraction;  // 15 or 16
   const std::uint32_t half = std::uint32_t{1} << (down - 1);
   const auto component = [&](std::int32_t c) {
-    // At most 2^31 without the sign. A half is rounded up, whatever the sign.
+    // The product is at most 2^31. Halves are rounded up for both signs.
     const std::uint32_t product = magnitude(c) * length.mantissa;
     const auto rounded =
         static_cast<std::int32_t>((product + half - static_cast<std::uint32_t>(c < 0)) >> down);
@@ -80,7 +82,7 @@ struct Normal {
   return {component(sx), component(sy), component(sz)};
 }
 
-/// The same for wider components, |component| < 2^62.
+/// normalised() for wider components, |component| < 2^62.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Direction normalised_wide(std::int64_t x, std::int64_t y,
                                                                   std::int64_t z) {
   const auto size = [](std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); };
@@ -90,7 +92,7 @@ struct Normal {
                     static_cast<std::int32_t>(z >> down));
 }
 
-/// The unit vector half-way between two unit vectors (Blinn's H from L and V); zero if they are opposite.
+/// The unit vector half-way between two unit vectors, as Blinn's H from L and V. Zero if they are opposite.
 [[nodiscard]] constexpr Direction half_way(const Direction& a, const Direction& b) {
   return normalised(wrap_add(a.x.raw(), b.x.raw()), wrap_add(a.y.raw(), b.y.raw()),
                     wrap_add(a.z.raw(), b.z.raw()));

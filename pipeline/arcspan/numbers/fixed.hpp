@@ -9,25 +9,27 @@
 
 namespace arcspan {
 
-/// floor(a / 2^bits + 1/2), bits in 1...31: the rounding that every product of the pipeline gets.
+/// floor(a / 2^bits + 1/2), bits in 1...31. All products of the pipeline are rounded like this, except where
+/// a name or comment says otherwise.
 [[nodiscard]] constexpr std::int32_t round_shift(std::int32_t a, int bits) {
   return wrap_add(a, std::int32_t{1} << (bits - 1)) >> bits;
 }
 
 namespace detail {
-/// Never defined: a constant expression that would call it does not compile.
+/// Never defined: a consteval function calls it to reject a constant, which then does not compile.
 void constant_out_of_range();
 }  // namespace detail
 
-/// A fixed-point number: the integer `raw()` stands for raw() / 2^F. Formats do not mix, nothing converts by
-/// itself, and there is no division: code in the span stage that divides does not compile.
+/// A fixed-point number with F fraction bits: the integer `raw()` stands for the number raw() / 2^F. Formats
+/// do not mix and there are no implicit conversions. There is no operator/, so that a division of these
+/// numbers in the span stage does not compile.
 template <std::signed_integral R, int F>
 requires(F >= 0 && F < static_cast<int>(8 * sizeof(R))) class Fixed {
  public:
   using Rep = R;
   static constexpr int kFraction = F;
 
-  /// Like the integer it is: `Fixed x;` is left unset, so that tables and commands cost nothing to declare;
+  /// Like an integer: `Fixed x;` has no value, so that declaring tables and commands costs no instructions;
   /// `Fixed{}` is 0.
   Fixed() = default;
 
@@ -38,7 +40,7 @@ requires(F >= 0 && F < static_cast<int>(8 * sizeof(R))) class Fixed {
     return result;
   }
 
-  /// A constant from a decimal literal, rounded to nearest; one out of range does not compile.
+  /// A constant from a decimal literal, rounded to nearest. A literal out of range does not compile.
   [[nodiscard]] static consteval Fixed of(double value) {
     const double scaled = value * static_cast<double>(std::int64_t{1} << F);
     const double rounded = scaled < 0 ? scaled - 0.5 : scaled + 0.5;
@@ -66,8 +68,8 @@ requires(F >= 0 && F < static_cast<int>(8 * sizeof(R))) class Fixed {
   R raw_;
 };
 
-/// a * b in format `To`, rounded, by one 32-bit multiply: |a.raw() * b.raw()| must be below 2^31 less half a
-/// unit of the result, otherwise the result wraps.
+/// a * b in format `To`, rounded, by one 32-bit multiply. |a.raw() * b.raw()| must be below 2^31 less half a
+/// unit of the result; otherwise the result wraps.
 template <class To, class A, class B>
 [[nodiscard]] constexpr To multiply(A a, B b) {
   constexpr int kShift = A::kFraction + B::kFraction - To::kFraction;
@@ -80,7 +82,8 @@ template <class To, class A, class B>
   }
 }
 
-/// The same rounded down, an addition cheaper: where half a unit of bias does no harm.
+/// a * b in format `To`, rounded down, which saves the addition of multiply() where half a unit of bias does
+/// no harm. |a.raw() * b.raw()| must be below 2^31; otherwise the result wraps.
 template <class To, class A, class B>
 [[nodiscard]] constexpr To multiply_floor(A a, B b) {
   constexpr int kShift = A::kFraction + B::kFraction - To::kFraction;
@@ -88,7 +91,7 @@ template <class To, class A, class B>
   return To::from_raw(static_cast<typename To::Rep>(wrap_mul(a.raw(), b.raw()) >> kShift));
 }
 
-/// `a` in a format with fewer fraction bits, rounded; or with more, exactly (it must fit).
+/// `a` in format `To`: rounded if it has fewer fraction bits, otherwise exact. The result must fit `To`.
 template <class To, class A>
 [[nodiscard]] constexpr To convert(A a) {
   constexpr int kShift = A::kFraction - To::kFraction;

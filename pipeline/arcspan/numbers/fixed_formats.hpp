@@ -5,42 +5,42 @@
 
 #include <cstdint>
 
-/// Every number format of the pipeline, once, with its range and the reason for it.
+/// All number formats of the pipeline, each with its range and the reason for it.
 namespace arcspan {
 
-/// Screen coordinate, 28.4 pixels relative to the raster origin (the viewport's middle pixel), y down.
-/// Range [-1024, 1024): the guard band. Differences fit 15 bits, so that twice a triangle's area fits 32.
+/// Screen coordinate, 28.4: pixels from the raster origin (the viewport's middle pixel), y down. Range
+/// [-1024, 1024), the guard band. Differences fit 15 bits and a sign, and twice a triangle's area
+/// fits 32 bits.
 using Subpixel = Fixed<std::int32_t, 4>;
 
-/// A scalar that the arcs carry: N·L, N·H, N·V, and its difference from pixel to pixel. Q1.30, [-2, 2): the
-/// amplitude is 1, one bit is head-room; differences need all 30 fraction bits, since their error grows with
-/// the length of the span (decision 4).
+/// A scalar that the arcs carry, N·L, N·H or N·V, and its difference per pixel: Q1.30, [-2, 2). The amplitude
+/// is 1 and one bit is head-room. Differences need all 30 fraction bits, because their error grows with the
+/// length of the span (decision 4).
 using Cosine = Fixed<std::int32_t, 30>;
 
-/// Factor of the arc start, fraction of an edge, squared chord or squared angle up to 1.1 (60 degrees).
-/// Q16.15, kept below 2 in magnitude so that a product of two fits 32 bits: one 16x16 multiply.
+/// Factor of an arc's start, fraction of an edge, squared chord or squared angle up to 1.1 (60 degrees):
+/// Q16.15. Kept below 2 in magnitude, so that a product of two fits 32 bits (one 16x16 multiply).
 using Factor = Fixed<std::int32_t, 15>;
 
 /// Component of a unit normal, Q1.14 in 16 bits: [-1, 1].
 using NormalComponent = Fixed<std::int16_t, 14>;
 
-/// Component of a unit direction that normals are dotted with, Q16.15: [-1, 1]; with NormalComponent-like
-/// vectors in the same format a dot product is three 32-bit multiplies and fits Q1.30.
+/// Component of a Direction, Q16.15: [-1, 1]. A dot product of two is three 32-bit multiplies and fits Q1.30.
 using DirectionComponent = Fixed<std::int32_t, 15>;
 
-/// Attribute that is linear on the screen (depth, 0...65535): 16 bits and 12 fraction bits, so that an error
-/// of a gradient stays below 1/8 over 1024 pixels; 3 bits are head-room.
+/// Attribute that is linear on the screen, such as depth (0...65535): 16 integer bits and 12 fraction bits,
+/// so that the error of a gradient stays below 1/8 over 1024 pixels; 3 bits are head-room.
 using Linear = Fixed<std::int32_t, 12>;
 
-/// The same with 15 fraction bits and without head-room, for Gouraud's colours (0...255 in 256ths, [0, 2^16))
-/// and for N·L in 2^-15 (LinearLight); gradients +-2^16. Sums that leave the range on the way wrap there and
-/// back.
+/// Linear attribute with 15 fraction bits and no head-room: Gouraud's colours (0...255 in 256ths, [0, 2^16)),
+/// N·L in units of 2^-15 (LinearLight), and their gradients, up to 2^16 in magnitude. Intermediate sums may
+/// wrap, because the final sum wraps back.
 using FullLinear = Fixed<std::int32_t, 15>;
 
 /// Entry of a rotation, Q1.30, [-1, 1].
 using RotationEntry = Fixed<std::int32_t, 30>;
 
-/// Length in object units (1 = one step of a 16-bit position), 23.8: +-8.3 million.
+/// Length in object units (1 = one step of a 16-bit position), 23.8: up to 8.3 million in magnitude.
 using ObjectLength = Fixed<std::int32_t, 8>;
 
 /// Length in pixels, 20.11: focal lengths up to half a million pixels.

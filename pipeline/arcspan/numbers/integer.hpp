@@ -7,8 +7,9 @@
 
 namespace arcspan {
 
-/// Two's-complement arithmetic that wraps instead of being undefined. In range it is the plain operation; out
-/// of range the result is wrong but defined, which is all that callers with stated ranges need.
+/// a + b modulo 2^32, as wrap_sub(), wrap_mul() and wrap_shl() are modulo 2^32. Where the plain operation
+/// does not overflow, the result is the same. Where it does, the result is wrong but defined; callers state
+/// ranges in which it does not.
 [[nodiscard]] constexpr std::int32_t wrap_add(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
 }
@@ -22,8 +23,8 @@ namespace arcspan {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) << bits);
 }
 
-/// `v` clamped to 0...255. Processors that saturate have an instruction for it; for others it is one test
-/// where nothing is to be clamped.
+/// `v` clamped to 0...255. One instruction on processors that saturate; one comparison on others, where
+/// nothing is clamped.
 [[nodiscard]] constexpr std::uint32_t clamped_byte(std::int32_t v) {
   if constexpr (kHasSaturate) return static_cast<std::uint32_t>(v < 0 ? 0 : v > 255 ? 255 : v);
   const auto byte = static_cast<std::uint32_t>(v);
@@ -33,6 +34,7 @@ namespace arcspan {
 
 namespace detail {
 
+/// multiply_high() by four products of 16-bit halves.
 [[nodiscard]] constexpr std::uint32_t short_multiply_high(std::uint32_t a, std::uint32_t b) {
   const std::uint32_t a1 = a >> 16;
   const std::uint32_t a0 = a & 0xFFFFu;
@@ -43,13 +45,14 @@ namespace detail {
   return a1 * b1 + (first >> 16) + (second >> 16);
 }
 
-/// Taking a negative factor as unsigned adds 2^32 to it.
+/// Signed, from the unsigned product: reading a negative factor as unsigned adds 2^32 to it.
 [[nodiscard]] constexpr std::int32_t short_multiply_high(std::int32_t a, std::int32_t b) {
   const std::uint32_t product =
       short_multiply_high(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
   return wrap_sub(wrap_sub(static_cast<std::int32_t>(product), a < 0 ? b : 0), b < 0 ? a : 0);
 }
 
+/// scaled() by three products with `factor`.
 [[nodiscard]] constexpr std::int64_t short_scaled(std::int64_t value, std::uint32_t factor) {
   const auto low = static_cast<std::uint32_t>(value);
   const auto high = static_cast<std::uint32_t>(static_cast<std::uint64_t>(value) >> 32);
@@ -61,7 +64,7 @@ namespace detail {
 
 }  // namespace detail
 
-/// floor(a b / 2^32).
+/// floor(a * b / 2^32), exact.
 [[nodiscard]] constexpr std::uint32_t multiply_high(std::uint32_t a, std::uint32_t b) {
   if constexpr (kHasLongMultiply) {
     return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> 32);
@@ -77,7 +80,8 @@ namespace detail {
   }
 }
 
-/// floor(value * factor / 2^bits) in the lower 32 bits, factor in 0...2^16, bits in 15...16.
+/// floor(value * factor / 2^bits), of which the lower 32 bits are returned; factor in 0...2^16, bits
+/// in 15...16.
 [[nodiscard]] constexpr std::int32_t scaled_down(std::int32_t value, std::uint32_t factor, int bits) {
   if constexpr (kHasWideRegisters) {
     return static_cast<std::int32_t>((std::int64_t{value} * static_cast<std::int32_t>(factor)) >> bits);
@@ -88,7 +92,7 @@ namespace detail {
   }
 }
 
-/// value * factor, factor below 2^16; the result must fit.
+/// value * factor, for factor < 2^16. The result must fit 64 bits.
 [[nodiscard]] constexpr std::int64_t scaled(std::int64_t value, std::uint32_t factor) {
   if constexpr (kHasLongMultiply) {
     return value * static_cast<std::int64_t>(factor);

@@ -7,13 +7,13 @@
 
 namespace arcspan {
 
-/// 1/v as mantissa * 2^-exponent, mantissa in [2^15, 2^16].
+/// A reciprocal 1/v = mantissa * 2^-exponent, mantissa in [2^15, 2^16].
 struct Reciprocal {
   std::uint32_t mantissa = 0;
   int exponent = 0;
 };
 
-/// 1/v as mantissa * 2^-exponent, mantissa in [2^30, 2^31].
+/// A reciprocal 1/v = mantissa * 2^-exponent, mantissa in [2^30, 2^31].
 struct WideReciprocal {
   std::uint32_t mantissa = 0;
   int exponent = 0;
@@ -21,7 +21,7 @@ struct WideReciprocal {
 
 namespace detail {
 
-/// Entry i is 2^16 / (1 + i/256) - 2^15, rounded; without the offset the first would need 17 bits.
+/// Entry i is 2^16 / (1 + i/256) - 2^15, rounded. Without the offset the first entry would need 17 bits.
 consteval std::array<std::uint16_t, 257> make_reciprocal_table() {
   std::array<std::uint16_t, 257> table{};
   for (std::size_t i = 0; i <= 256; ++i) {
@@ -33,7 +33,7 @@ consteval std::array<std::uint16_t, 257> make_reciprocal_table() {
 
 inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciprocal_table();
 
-/// Mantissa of the reciprocal of a number whose highest bit is bit 31.
+/// 1/n with 16 fraction bits, in [2^15, 2^16], for n = normalised / 2^31 in [1, 2): bit 31 must be set.
 [[nodiscard]] constexpr std::uint32_t reciprocal_mantissa(std::uint32_t normalised) {
   const std::size_t index = (normalised >> 23) & 0xFFu;
   const std::uint32_t fraction = (normalised >> 15) & 0xFFu;
@@ -44,23 +44,23 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
 
 }  // namespace detail
 
-/// The reciprocal of v > 0 from a table of 257 entries with linear interpolation; relative error at most
-/// 3.8e-5, 1.25 * 2^-15 (swept in the tests). For v = 0 something, but nothing undefined.
+/// The reciprocal of v > 0 from a table of 257 entries with linear interpolation. Relative error at most
+/// 3.8e-5 = 1.25 * 2^-15 (swept in the tests). For v = 0 the result is defined but meaningless.
 [[nodiscard]] constexpr Reciprocal nonzero_reciprocal(std::uint32_t v) {
   const int zeros = std::countl_zero(v | 1u);
   // v = n * 2^(31 - zeros) with n in [1, 2), 1/n = mantissa * 2^-16.
   return {detail::reciprocal_mantissa(v << zeros), 16 + 31 - zeros};
 }
 
-/// The same; v = 0 is taken as 1.
+/// The reciprocal of v as nonzero_reciprocal(); v = 0 counts as 1.
 [[nodiscard]] constexpr Reciprocal reciprocal(std::uint32_t v) {
   return nonzero_reciprocal(v | static_cast<std::uint32_t>(v == 0));
 }
 
 namespace detail {
 
-/// 1/n as mantissa * 2^-31 of n = normalised / 2^31 in [1, 2) from `r`, the same with 16 fraction bits as
-/// reciprocal_mantissa() gives it: one Newton step in 32-bit products.
+/// 1/n with 31 fraction bits, for n = normalised / 2^31 in [1, 2), by one Newton step in 32-bit products. `r`
+/// is reciprocal_mantissa(normalised).
 [[nodiscard]] constexpr std::uint32_t refined_mantissa(std::uint32_t normalised, std::uint32_t r) {
   // n r - 1 with 31 fraction bits, below 81700 in magnitude: the leading 1 is 2^31 and drops out.
   const std::uint32_t product = (normalised >> 16) * r + (((normalised & 0xFFFFu) * r) >> 16);
@@ -68,14 +68,15 @@ namespace detail {
   const std::int32_t correction = (error * static_cast<std::int32_t>(r >> 2)) >> 14;
   return (r << 15) - static_cast<std::uint32_t>(correction);
 }
+/// 1/n with 31 fraction bits, in [2^30, 2^31], for n = normalised / 2^31 in [1, 2).
 [[nodiscard]] constexpr std::uint32_t wide_reciprocal_mantissa(std::uint32_t normalised) {
   return refined_mantissa(normalised, reciprocal_mantissa(normalised));
 }
 
 }  // namespace detail
 
-/// The reciprocal of v > 0, refined by one Newton step; relative error at most 2^-28 (swept in the tests).
-/// v = 0 is taken as 1.
+/// The reciprocal of v, refined by one Newton step. Relative error at most 2^-28 (swept in the tests). v = 0
+/// counts as 1.
 [[nodiscard]] constexpr WideReciprocal wide_reciprocal(std::uint32_t v) {
   const int zeros = std::countl_zero(v | 1u);
   const std::uint32_t normalised = (v | static_cast<std::uint32_t>(v == 0)) << zeros;

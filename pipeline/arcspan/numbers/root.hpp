@@ -8,7 +8,8 @@
 
 namespace arcspan {
 
-/// floor(sqrt(v)), exact for every v. One bit a step: for object set-up, not for pixels.
+/// floor(sqrt(v)), exact for every v. It takes 16 steps, one per bit of the root: fit for the set-up of
+/// objects, too slow for pixels.
 [[nodiscard]] constexpr std::uint32_t integer_root(std::uint32_t v) {
   std::uint32_t root = 0;
   for (std::uint32_t bit = std::uint32_t{1} << 30; bit != 0; bit >>= 2) {
@@ -22,7 +23,7 @@ namespace arcspan {
   return root;
 }
 
-/// 1/sqrt(v) as mantissa * 2^-exponent, mantissa in [2^15, 2^16].
+/// A reciprocal root 1/sqrt(v) = mantissa * 2^-exponent, mantissa in [2^15, 2^16].
 struct ReciprocalRoot {
   std::uint32_t mantissa = 0;
   int exponent = 0;
@@ -30,15 +31,15 @@ struct ReciprocalRoot {
 
 namespace detail {
 
-/// 1/sqrt(n) with 15 fraction bits, at most 2^16, of n = n32 / 2^32 in [1/4, 1). A quadratic start (error
-/// 2^-5) and two Newton steps y <- y + y (1 - n y^2) / 2.
+/// 1/sqrt(n) with 15 fraction bits, at most 2^16, for n = n32 / 2^32 in [1/4, 1). A quadratic polynomial
+/// (error 2^-5), refined by two Newton steps y <- y + y (1 - n y^2) / 2.
 [[nodiscard]] constexpr std::uint32_t reciprocal_root_mantissa(std::uint32_t n32) {
   const std::uint32_t n = n32 >> 16;
   // Minimax fit of 1/sqrt(n) on [1/4, 1]: 2.67083 - 3.28537 n + 1.63861 n^2, 14 fraction bits.
   std::uint32_t y = 43759u - ((53828u * n) >> 16) + ((26847u * ((n * n) >> 16)) >> 16);
   const std::uint32_t product = (n * ((y * y) >> 15)) >> 15;  // n y^2, 14 fraction bits
   y = (y * (49152u - product) + (1u << 13)) >> 14;            // 15 fraction bits
-  // n y^2 with 29 fraction bits; y^2 is below 4 but for rounding at n = 1/4, where it is cut off.
+  // n y^2 with 28 fraction bits. y^2 reaches 4 only by rounding at n = 1/4, where it saturates.
   const std::uint32_t y2 = y > 65535 ? 0xFFFFFFFFu : y * y;
   const std::int32_t square =
       multiply_high(static_cast<std::int32_t>(y2 >> 1), static_cast<std::int32_t>(n32 >> 1));
@@ -50,7 +51,7 @@ namespace detail {
 
 }  // namespace detail
 
-/// The reciprocal root of v > 0, relative error at most 2^-15 (swept in the tests); v = 0 is taken as 1.
+/// The reciprocal root of v, relative error at most 2^-15 (swept in the tests). v = 0 counts as 1.
 [[nodiscard]] constexpr ReciprocalRoot reciprocal_root(std::uint32_t v) {
   const int zeros = std::countl_zero(v | 1u) & ~1;
   // v = n * 2^(32 - zeros) with n in [1/4, 1).

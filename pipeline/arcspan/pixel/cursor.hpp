@@ -5,23 +5,24 @@
 
 namespace arcspan::detail {
 
-/// Cursor of a format in which every pixel is one word.
+/// The cursor of a format whose pixels are one word each.
 template <class Pixel>
 class WordCursor {
  public:
   constexpr WordCursor(Pixel* row, std::int32_t x) : at_(row + x) {}
-  constexpr void write(Pixel code) { *at_ = code; }
+  constexpr void write(Pixel encoded) { *at_ = encoded; }
   [[nodiscard]] constexpr Pixel read() const { return *at_; }
   constexpr void next() { ++at_; }
   constexpr void skip(std::int32_t count) { at_ += count; }
-  /// The current pixel; the ones to its right follow in memory.
+  /// The address of the present pixel. Those to its right follow in memory.
   [[nodiscard]] constexpr Pixel* pixels() const { return at_; }
 
  private:
   Pixel* at_;
 };
 
-/// Cursor of a format with `Bits` = 1, 2 or 4 bits per pixel; the leftmost pixel is in the highest bits.
+/// The cursor of a format with `Bits` = 1, 2 or 4 bits per pixel. The leftmost pixel of a byte is in its
+/// highest bits.
 template <unsigned Bits>
 class BitCursor {
  public:

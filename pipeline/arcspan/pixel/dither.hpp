@@ -6,14 +6,14 @@
 
 namespace arcspan {
 
-/// 4x4 ordered-dither offsets in 8-bit units for a 5-bit output channel (step 8), as fixed-function consoles
-/// use them. Row = y mod 4, column = x mod 4.
+/// Offsets of 4x4 ordered dither in eighths of the quantisation step, as fixed-function consoles use them:
+/// row y mod 4, column x mod 4. For a channel of 5 bits they are in 8-bit steps.
 inline constexpr std::int8_t kDitherMatrix[4][4] = {
     {-4, 0, -3, 1}, {2, -2, 3, -1}, {-3, 1, -4, 0}, {3, -1, 2, -2}};
 
-/// Adds the dither offset of pixel (x, y) to `level` (0...255) and saturates, ready to be truncated to its
-/// `Bits` most significant bits. The offsets scale with the quantisation step 2^(8-Bits); `Bits` = 8 leaves
-/// the level alone.
+/// `level` (0...255) plus the dither offset of pixel (x, y), saturated to 0...255. The caller truncates the
+/// result to its `Bits` most significant bits. The quantisation step is 2^(8 - Bits); for `Bits` = 8 the
+/// level is returned unchanged.
 template <unsigned Bits>
 [[nodiscard]] constexpr std::uint8_t dithered(std::uint8_t level, std::int32_t x, std::int32_t y) {
   static_assert(Bits >= 1 && Bits <= 8);

@@ -12,17 +12,17 @@ namespace arcspan {
 
 namespace detail {
 
-/// Fills what whole blocks of words there are from `at` on, which must be aligned for them; goes on to the
-/// rest.
-template <class Code>
-ARCSPAN_INLINE inline void fill_words(Code*& at, std::size_t& count, Code value) {
-  constexpr std::size_t kBlock = 8;  // words of a turn: a store each, and three instructions for all
-  constexpr std::size_t kCodes = kBlock * sizeof(AliasingWord) / sizeof(Code);
+/// Fills all whole blocks of words from `at` on, which must be aligned for a word. Advances `at` and reduces
+/// `count` by the elements written.
+template <class Element>
+ARCSPAN_INLINE inline void fill_words(Element*& at, std::size_t& count, Element value) {
+  constexpr std::size_t kBlock = 8;  // words per turn: one store each, and three instructions for the loop
+  constexpr std::size_t kElements = kBlock * sizeof(AliasingWord) / sizeof(Element);
   AliasingWord pattern = value;
-  for (std::size_t bits = 8 * sizeof(Code); bits < 8 * sizeof(AliasingWord); bits *= 2)
+  for (std::size_t bits = 8 * sizeof(Element); bits < 8 * sizeof(AliasingWord); bits *= 2)
     pattern |= pattern << bits;
-  hide_value(pattern);  // no call of memset
-  for (; count >= kCodes; count -= kCodes, at += kCodes) {
+  hide_value(pattern);  // otherwise compilers call memset
+  for (; count >= kElements; count -= kElements, at += kElements) {
     auto* words = static_cast<AliasingWord*>(static_cast<void*>(at));
     unrolled<kBlock>([=](auto i) { words[i] = pattern; });
   }
@@ -30,10 +30,11 @@ ARCSPAN_INLINE inline void fill_words(Code*& at, std::size_t& count, Code value)
 
 }  // namespace detail
 
-/// Sets `count` pixel codes or depths to `value`, by words of 32 bits where a machine has them.
-template <class Code>
-constexpr void fill(Code* at, std::size_t count, Code value) {
-  if constexpr (std::is_integral_v<Code> && sizeof(void*) >= sizeof(AliasingWord)) {
+/// Sets the `count` elements (encoded pixels or depths) from `at` on to `value`, by 32-bit words on machines
+/// that have them.
+template <class Element>
+constexpr void fill(Element* at, std::size_t count, Element value) {
+  if constexpr (std::is_integral_v<Element> && sizeof(void*) >= sizeof(AliasingWord)) {
     if (!std::is_constant_evaluated()) {
       for (; count != 0 && (reinterpret_cast<std::uintptr_t>(at) & 3u) != 0; --count) *at++ = value;
       detail::fill_words(at, count, value);

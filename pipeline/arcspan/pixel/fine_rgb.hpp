@@ -11,21 +11,22 @@
 
 namespace arcspan {
 
-/// Three channels of an 8-bit step with 23 fraction bits, to which half a step has been added, so that
-/// dropping them rounds; of blue's the last 5 are 0. Below 2^31: the upper bits of a channel are a level
-/// without a mask. `Joined` is how they are kept, not what they are.
+/// A colour that Gouraud shading steps along a row: three channels in 8-bit steps with 23 fraction bits,
+/// below 2^31, so that a shift without a mask gives the upper bits. A channel includes half an 8-bit step, so
+/// that dropping the fraction rounds. The last 5 fraction bits of blue are 0.
+///
+/// `Joined` chooses the layout in registers. Both layouts have the same members and give the same pixels.
 template <bool Joined>
 struct BasicFineRgb;
 
 namespace detail {
 
-/// What both forms share.
+/// The common part of both layouts.
 struct FineChannels {
   static constexpr int kFraction = 23;
-  /// Bits that blue lacks.
-  static constexpr int kDropped = 5;
+  static constexpr int kDropped = 5;  ///< fraction bits of blue that are always 0
 
-  /// A gradient of blue's, at most 2^31 - 32, rounded to what it has bits for.
+  /// A gradient of blue, at most 2^31 - 32, rounded to a multiple of 2^kDropped.
   [[nodiscard]] static constexpr std::int32_t blue_step(std::int32_t step) {
     constexpr std::int32_t kUnit = 1 << kDropped;
     return wrap_add(step, kUnit / 2) & -kUnit;
@@ -37,11 +38,11 @@ struct FineChannels {
   }
 };
 
-/// The lower 11 bits of `low`, and `five` above them.
+/// The lower 11 bits of `low` with the lower 5 bits of `five` above them.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t with_upper_five(std::uint32_t low, std::uint32_t five) {
 #if ARCSPAN_HAS_BIT_INSERT
   if (!std::is_constant_evaluated()) {
-    // gcc takes the instruction that inserts bits for an assignment to some, and for no expression.
+    // gcc uses the bit-field insert instruction for assignments to bit-fields, but for no expression.
     struct Bits {
       std::uint32_t low : 11;
       std::uint32_t five : 5;
@@ -57,15 +58,15 @@ struct FineChannels {
 
 }  // namespace detail
 
-/// A word each.
+/// One word per channel.
 template <>
 struct BasicFineRgb<false> : detail::FineChannels {
-  /// What a triangle keeps of its steps beside the channels' gradients.
+  /// What a triangle keeps of its step in addition to the channels' gradients: nothing.
   struct KeptStep {};
 
-  BasicFineRgb() = default;  // no aggregate: encode({r, g, b}) means an Rgb8
+  BasicFineRgb() = default;  // not an aggregate, so that encode({r, g, b}) takes an Rgb8
 
-  /// Channels in 0...2^31 - 1. Blue's last bits stay as they are, since no step changes them.
+  /// The colour of three channels in 0...2^31 - 1. The last kDropped bits of blue are ignored.
   [[nodiscard]] static constexpr BasicFineRgb of(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
     BasicFineRgb c{};
     c.r_ = r;
@@ -73,8 +74,10 @@ struct BasicFineRgb<false> : detail::FineChannels {
     c.b_ = b;
     return c;
   }
+  /// The kept part of a step, from the gradients of green and blue.
   [[nodiscard]] static constexpr KeptStep keep_step(std::int32_t, std::int32_t) { return {}; }
-  /// A step for advance(), by signed gradients with 23 fraction bits, blue's made by blue_step().
+  /// A step for advance(), from signed gradients with 23 fraction bits (that of blue from blue_step()) and
+  /// the kept part.
   [[nodiscard]] static constexpr BasicFineRgb step(std::int32_t r, std::int32_t g, std::int32_t b, KeptStep) {
     BasicFineRgb c{};
     c.r_ = static_cast<std::uint32_t>(r);
@@ -92,11 +95,11 @@ struct BasicFineRgb<false> : detail::FineChannels {
   [[nodiscard]] constexpr std::uint32_t g() const { return g_; }
   [[nodiscard]] constexpr std::uint32_t b() const { return b_ >> kDropped << kDropped; }
   [[nodiscard]] constexpr PackedRgb packed() const { return pack(r_, g_, b_); }
-  /// The code rrrrrggggggbbbbb: what comes down from a word's top needs no mask.
+  /// The colour as an Rgb565 pixel.
   [[nodiscard]] constexpr std::uint16_t rgb565() const {
-    constexpr int kSix = kFraction + 2;
-    const std::uint32_t red_green = ((r_ >> (kSix + 1)) << 6) | (g_ >> kSix);
-    return static_cast<std::uint16_t>((red_green << 5) | (b_ >> (kSix + 1)));
+    constexpr int kToSixBits = kFraction + 2;  // a shift from the top of a word needs no mask
+    const std::uint32_t red_green = ((r_ >> (kToSixBits + 1)) << 6) | (g_ >> kToSixBits);
+    return static_cast<std::uint16_t>((red_green << 5) | (b_ >> (kToSixBits + 1)));
   }
 
  private:
@@ -105,26 +108,27 @@ struct BasicFineRgb<false> : detail::FineChannels {
   std::uint32_t b_;
 };
 
-/// Red in a word. Green and blue share two, one number of 64 bits: 26 of blue, 31 of green and 7 that are 0.
-/// Blue's upper five and green's upper six are then at the ends of one word, which a rotation joins as a
-/// 5-6-5 code has them: two instructions a pixel less than with a word each.
+/// Red in one word; green and blue in one number of 64 bits. From the top, it has 26 bits of blue, 31 of
+/// green and 7 that are 0. The upper five bits of blue and the upper six of green are then at the two ends of
+/// the upper word, and a rotation joins them as in a 5-6-5 pixel. This takes two instructions per pixel less
+/// than one word per channel.
 template <>
 struct BasicFineRgb<true> : detail::FineChannels {
-  /// Green's and blue's step, joined as the channels are.
+  /// The steps of green and blue, joined like the channels.
   using KeptStep = std::uint64_t;
 
   BasicFineRgb() = default;
 
-  /// As of a word each, and so are the others.
+  // The members are those of BasicFineRgb<false>.
+
   [[nodiscard]] static constexpr BasicFineRgb of(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
     BasicFineRgb c{};
     c.r_ = r;
-    c.blue_green_ = joined(((b >> kDropped) << kSix) | (g >> kGreenBelow), g << kUnused);
+    c.blue_green_ = joined(((b >> kDropped) << kUpperGreen) | (g >> kLowerGreen), g << kUnused);
     return c;
   }
-  /// Of green's and blue's gradients, the latter made by blue_step().
   [[nodiscard]] static constexpr KeptStep keep_step(std::int32_t g, std::int32_t b) {
-    return joined((static_cast<std::uint32_t>(b) << 1) + static_cast<std::uint32_t>(g >> kGreenBelow),
+    return joined((static_cast<std::uint32_t>(b) << 1) + static_cast<std::uint32_t>(g >> kLowerGreen),
                   static_cast<std::uint32_t>(g) << kUnused);
   }
   [[nodiscard]] static constexpr BasicFineRgb step(std::int32_t r, std::int32_t, std::int32_t,
@@ -144,7 +148,7 @@ struct BasicFineRgb<true> : detail::FineChannels {
     return static_cast<std::uint32_t>(blue_green_ >> kUnused) & 0x7FFFFFFFu;
   }
   [[nodiscard]] constexpr std::uint32_t b() const {
-    return static_cast<std::uint32_t>(blue_green_ >> (32 + kSix)) << kDropped;
+    return static_cast<std::uint32_t>(blue_green_ >> (32 + kUpperGreen)) << kDropped;
   }
   [[nodiscard]] constexpr PackedRgb packed() const { return pack(r(), g(), b()); }
   [[nodiscard]] constexpr std::uint16_t rgb565() const {
@@ -153,9 +157,9 @@ struct BasicFineRgb<true> : detail::FineChannels {
   }
 
  private:
-  static constexpr int kSix = 6;                    ///< bits of green in the upper word
-  static constexpr int kGreenBelow = 31 - kSix;     ///< and in the lower one
-  static constexpr int kUnused = 32 - kGreenBelow;  ///< of that
+  static constexpr int kUpperGreen = 6;                 ///< bits of green in the upper word
+  static constexpr int kLowerGreen = 31 - kUpperGreen;  ///< bits of green in the lower word
+  static constexpr int kUnused = 32 - kLowerGreen;      ///< bits of the lower word that are 0
 
   [[nodiscard]] static constexpr std::uint64_t joined(std::uint32_t high, std::uint32_t low) {
     return (std::uint64_t{high} << 32) | low;
@@ -165,8 +169,8 @@ struct BasicFineRgb<true> : detail::FineChannels {
   std::uint64_t blue_green_;
 };
 
-/// Joined where 64 bits are one register, or where there are registers enough and an instruction that inserts
-/// bits.
+/// The layout for this processor: joined if a register has 64 bits, or if there is an instruction that
+/// inserts bits.
 using FineRgb = BasicFineRgb<kHasWideRegisters || ARCSPAN_HAS_BIT_INSERT != 0>;
 
 }  // namespace arcspan

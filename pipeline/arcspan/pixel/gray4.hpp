@@ -9,7 +9,7 @@
 
 namespace arcspan {
 
-/// 4-bit luma, two pixels a byte, the left one in the high nibble.
+/// 4-bit luma, two pixels per byte, the left one in the upper four bits.
 struct Gray4 {
   using Encoded = std::uint8_t;
   using Word = std::uint8_t;

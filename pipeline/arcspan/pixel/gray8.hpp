@@ -9,7 +9,7 @@
 
 namespace arcspan {
 
-/// 8-bit luma, a byte per pixel.
+/// 8-bit luma, one byte per pixel. The smallest complete pixel format, to start others from.
 struct Gray8 {
   using Encoded = std::uint8_t;
   using Word = std::uint8_t;

@@ -9,7 +9,8 @@
 
 namespace arcspan {
 
-/// One bit, lit where the luma is at least 128; eight pixels a byte, the leftmost in the highest bit.
+/// One bit per pixel, set if the luma is at least 128; eight pixels per byte, the leftmost in the highest
+/// bit.
 struct Mono {
   using Encoded = std::uint8_t;
   using Word = std::uint8_t;

@@ -10,12 +10,28 @@
 
 namespace arcspan {
 
-/// A pixel format: how one pixel is encoded and how a row of them lies in memory.
+/// A pixel format: how a colour becomes a pixel, and how the pixels of a row lie in memory. `Gray8`
+/// (gray8.hpp) is the smallest complete format; `Gray4` shows one with several pixels per word.
 ///
-/// `Code` is one pixel's value by itself; `Word` is the memory word that rows are arrays of. A `Cursor`
-/// stands on a pixel of a row and moves to the right: `write` stores a code there, `read` gives it back,
-/// `next` steps. Formats of less than 8 bits share a Word between neighbours, so a cursor reads, modifies and
-/// writes it.
+///   Word                     the memory word: a row is an array of words_per_row(width) of them
+///   Encoded                  the value of one pixel
+///   kBitsPerPixel            bits of a pixel in memory
+///   kDithers                 false; `Dithered<F>` makes it true
+///   encode(c)                the pixel of an Rgb8, with the lower bits of its channels dropped
+///   encode_dithered(c, x, y) the pixel of an Rgb8 at (x, y) of the picture, with ordered dither
+///   decode(encoded)          the Rgb8 of a pixel, with encode(decode(p)) == p
+///   Cursor(row, x)           points to pixel x of a row, 0 <= x < width
+///
+/// A Cursor writes and reads its pixel and steps one pixel to the right with next(). Where neighbours share a
+/// Word, write() must keep their bits.
+///
+/// Optional, and used where present: encode() also of a PackedRgb, a ColourSegment or a BasicFineRgb, which
+/// must return encode(c.rgb8()) or encode(c.packed()) but can be faster; and, in a cursor of pixels that are
+/// whole words, pixels(), the address of the present pixel, together with skip(count), which steps over
+/// `count` pixels.
+///
+/// A new format is a header in this folder with a static_assert of this concept, and one entry in
+/// pixel_format_list.hpp.
 template <class F>
 concept PixelFormat = requires(Rgb8 c, std::int32_t x, typename F::Encoded encoded, typename F::Word* row,
                                typename F::Cursor cursor) {
@@ -33,7 +49,8 @@ concept PixelFormat = requires(Rgb8 c, std::int32_t x, typename F::Encoded encod
 
 namespace detail {
 
-/// Repeats the top bits of a `Bits`-bit level into the low bits of a byte: 0 stays 0 and full becomes 255.
+/// A level of `Bits` bits as 8 bits: its upper bits are repeated below it, so that 0 becomes 0 and the
+/// highest level 255.
 template <unsigned Bits>
 [[nodiscard]] constexpr std::uint8_t expand_to_8(unsigned level) {
   static_assert(Bits == 1 || (Bits >= 4 && Bits <= 8));
@@ -46,13 +63,13 @@ template <unsigned Bits>
 
 }  // namespace detail
 
-/// The format `F` with ordered dither before truncation.
+/// The format `F` with ordered dither before the lower bits of a colour are dropped.
 template <PixelFormat F>
 struct Dithered : F {
   static constexpr bool kDithers = true;
 };
 
-/// The code that format `F` stores for colour `c` at pixel (x, y) of the picture.
+/// The pixel of format `F` for colour `c` at (x, y) of the picture, dithered if F::kDithers.
 template <PixelFormat F>
 [[nodiscard]] constexpr typename F::Encoded encode_at(PackedRgb c, std::int32_t x, std::int32_t y) {
   if constexpr (F::kDithers) {
@@ -64,7 +81,7 @@ template <PixelFormat F>
   }
 }
 
-/// The same for a colour whose lanes are laid out otherwise.
+/// encode_at() of a colour in another layout than PackedRgb.
 template <PixelFormat F, PackableColour C>
 [[nodiscard]] constexpr typename F::Encoded encode_at(const C& c, std::int32_t x, std::int32_t y) {
   if constexpr (!F::kDithers && requires { F::encode(c); }) {

@@ -12,7 +12,8 @@
 
 namespace arcspan {
 
-/// 16 bits, rrrrrggggggbbbbb in a native word; what most colour panels take (big-endian on the wire).
+/// 16 bits per pixel, rrrrrggggggbbbbb in a native word. Most colour panels take this format, big-endian on
+/// the wire.
 struct Rgb565 {
   using Encoded = std::uint16_t;
   using Word = std::uint16_t;
@@ -26,21 +27,21 @@ struct Rgb565 {
   [[nodiscard]] static constexpr Encoded encode(Rgb8 c) {
     return static_cast<Encoded>(((c.r & 0xF8u) << 8) | ((c.g & 0xFCu) << 3) | (c.b >> 3));
   }
-  /// encode(c.rgb8()), straight from the lanes.
+  /// encode(c.rgb8()), directly from the packed channels.
   [[nodiscard]] static constexpr Encoded encode(PackedRgb c) {
     if constexpr (kHasWideRegisters || !kHasManyRegisters) {
-      const std::uint32_t levels = c.lanes & 0xFC1F03E0u;  // green in the first leaves the code
+      const std::uint32_t levels = c.lanes & 0xFC1F03E0u;  // the first shift leaves green above bit 15
       return static_cast<Encoded>((levels >> 5) | (levels >> 21));
     }
-    // Where shifts are free within other instructions, and such masks are not.
+    // For processors where a shift is part of another instruction, but such a mask is not.
     return static_cast<Encoded>(((c.lanes >> 5) & ~0x07E0u) | ((c.lanes >> 26) << 5));
   }
-  /// encode(c.packed()), straight from the words.
+  /// encode(c.packed()), directly from the words.
   [[nodiscard]] static constexpr Encoded encode(ColourSegment c) {
-    const std::uint32_t levels = c.red_blue & 0x7C007C00u;  // what the other takes along leaves the code
+    const std::uint32_t levels = c.red_blue & 0x7C007C00u;  // one shift per channel; the other one falls out
     return static_cast<Encoded>((levels >> 15) | (levels >> 10) | ((c.green >> 25) << 5));
   }
-  /// encode(c.packed()), straight from the words.
+  /// encode(c.packed()), directly from the words.
   template <bool Joined>
   [[nodiscard]] static constexpr Encoded encode(const BasicFineRgb<Joined>& c) {
     return c.rgb565();

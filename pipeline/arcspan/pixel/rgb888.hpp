@@ -9,7 +9,7 @@
 
 namespace arcspan {
 
-/// 24 bits, three bytes r, g, b.
+/// 24 bits per pixel: three bytes r, g, b.
 struct Rgb888 {
   using Encoded = Rgb8;
   using Word = Rgb8;

@@ -31,13 +31,35 @@ struct Rect {
   friend constexpr bool operator==(const Rect&, const Rect&) = default;
 };
 
-/// The seam between pipeline/ and whatever pixels flow into: a framebuffer, a band of one, a line buffer.
+/// The receiver of drawn pixels: a framebuffer, a band of one, a line buffer. The smallest complete sink:
 ///
-/// `bounds()` is the part of the picture that the sink takes; the pipeline clips to it, so a sink need not.
-/// For every run the span stage calls `open`, writes each pixel that passes the depth test through the cursor
-/// (from left to right, stepping over those that fail), and calls `close`. `open` gives memory that holds the
-/// run's present pixels; a sink that streams may hand out a line buffer. `close` reports what became of the
-/// run; anything but kOk stops the drawing and is returned by the draw call.
+///     struct GreyPicture {
+///       using Format = Gray8;
+///       static constexpr std::int32_t kWidth = 64;
+///       static constexpr std::int32_t kHeight = 48;
+///
+///       [[nodiscard]] Rect bounds() const { return {0, 0, kWidth, kHeight}; }
+///       [[nodiscard]] Format::Cursor open(const Span& run) { return {pixels[run.y], run.x}; }
+///       [[nodiscard]] Status close(const Span&) { return Status::kOk; }
+///
+///       std::uint8_t pixels[kHeight][kWidth] = {};
+///     };
+///
+/// bounds() is the part of the picture that the sink takes, and does not change during a draw call. The
+/// pipeline clips to it, so a sink need not check coordinates.
+///
+/// The pipeline draws one run after another: it calls open(run), writes pixels through the cursor from left
+/// to right, and calls close(run) with the same run. A run lies within bounds() and has at least one pixel.
+/// Runs come triangle by triangle and row by row downwards, and may cover pixels of earlier runs. Pixels that
+/// fail the depth test are stepped over, and cursors of formats below 8 bits read the word that they change:
+/// the memory that open() returns must hold the present pixels of the run. A sink that streams returns a line
+/// buffer and sends it in close().
+///
+/// close() returns the status of the run. On any other status than kOk the draw call ends at once, without
+/// another call of the sink, and returns that status.
+///
+/// A sink may choose the size of the table of encoded colours by `kEncodedColours`
+/// (span/encoded_colours.hpp).
 template <class S>
 concept PixelSink = PixelFormat<typename S::Format> && requires(S& sink, const Span& run) {
   { sink.bounds() } -> std::same_as<Rect>;
@@ -45,9 +67,12 @@ concept PixelSink = PixelFormat<typename S::Format> && requires(S& sink, const S
   { sink.close(run) } -> std::same_as<Status>;
 };
 
-/// A sink whose rows lie in memory, each `stride()` Words behind the last, and that only needs to be told of
-/// runs by close(): it says so by naming itself `RowsInMemory`. The span stage then steps from row to row in
-/// place of calling `open`. (A class derived from such a sink is not one until it says so itself.)
+/// A sink whose rows lie in memory, so that the span stage may step from row to row instead of calling
+/// open(). close() is called for every run all the same.
+///
+/// row(y) is the first pixel of row y within bounds(); row y + 1 begins stride() Words behind it. A sink
+/// declares itself by `using RowsInMemory =` its own name. A class derived from it is an ordinary sink,
+/// unless it declares itself as well, so that its own open() is called.
 template <class S>
 concept SinkInMemory = PixelSink<S> && std::same_as<typename S::RowsInMemory, S> &&
     requires(const S& sink, std::int32_t y) {

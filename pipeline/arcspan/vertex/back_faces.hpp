@@ -10,32 +10,34 @@
 
 namespace arcspan {
 
-/// Tells from a mesh's planes which triangles are seen from the back, before any vertex is transformed
-/// (decision 14). Errs to one side only: what it finds would be a back on the raster too, for the least
-/// altitude of its picture is more than vertices move when they snap, so that a picture is bit for bit the
-/// same with planes and without.
+/// Finds the back faces of a mesh from its planes, before any vertex is transformed (decision 14).
+///
+/// It only finds triangles that are back faces on the raster too: the least altitude of their picture is
+/// larger than the distance that snapping moves a vertex. Other back faces are left to the raster. So a
+/// picture is bit for bit the same with planes and without.
 class BackFaces {
  public:
-  /// Nothing can be told, and everything may be a front.
+  /// Not known(): every triangle may be a front face.
   constexpr BackFaces() = default;
-  /// The same if the mesh has no planes, or the sphere about the object's origin that holds it is not wholly
-  /// in front of the near plane and within the guard band, or the object is so small on the screen that every
-  /// triangle may turn over by snapping.
+  /// Not known() if the mesh has no planes, or its sphere (PlaneScale::radius around the object's origin) is
+  /// not wholly in front of the near plane and within the guard band, or the object is so small on the screen
+  /// that snapping may turn over every triangle.
   BackFaces(const MeshView& mesh, const ClipTransform& transform);
 
-  /// Something can be told. All vertices are inside (ClipOutcode) then.
+  /// True if back faces can be found. Then all vertices are inside the clip volume (ClipOutcode kInside).
   [[nodiscard]] constexpr bool known() const { return planes_ != nullptr; }
 
-  /// The first triangle from `i` on, below `count`, that may show its front; else `count`. Only if known().
+  /// The first of the triangles i ... count - 1 that may be a front face, or `count` if there is none.
+  /// Requires known().
   [[nodiscard]] ARCSPAN_INLINE constexpr std::size_t next_front(std::size_t i, std::size_t count) const {
-    const BackFaces held = *this;  // in registers
+    const BackFaces held = *this;  // a copy, so that its members stay in registers
     while (i < count && held.is_back(i)) ++i;
     return i;
   }
 
  private:
   [[nodiscard]] ARCSPAN_INLINE constexpr bool is_back(std::size_t i) const {
-    // Below 127 * 2^22 + 2^24 in magnitude.
+    // The sum is below 127 * 2^22 + 2^24 in magnitude.
     const FacePlane& plane = planes_[i];
     return plane.x * eye_.x + plane.y * eye_.y + plane.z * eye_.z + plane.offset * offset_ < limit_;
   }

@@ -13,23 +13,23 @@
 
 namespace arcspan {
 
-/// Half the width of the guard band in pixels: projected vertices lie within +-1024 of the viewport's middle.
+/// Half the width of the guard band in pixels: projected vertices are at most this far from the viewport's
+/// middle in x and in y.
 inline constexpr std::int32_t kGuardBand = 1024;
 
-/// Where the object stands before the camera: view = rotation * object + translation. Right-handed, the
-/// camera looks along -z, y is up. `rotation` must be orthonormal (rows within 2^-20 of unit length are); a
-/// uniform scale belongs into the units of the object.
+/// The object's place before the camera: view = rotation * object + translation. View space is right-handed,
+/// the camera looks along -z, and y is up. `rotation` must be orthonormal (its rows within 2^-20 of unit
+/// length). A uniform scale belongs into the object's unit.
 struct Placement {
   Rotation rotation;
   ObjectLength translation[3];
 };
 
-/// A pinhole camera. `focal` is the distance of the picture plane in pixels: (height / 2) / tan(fov / 2).
-/// 0 < near < far, in object units; nearer parts are clipped, farther ones share the last depth.
+/// A pinhole camera, 0 < near_plane < far_plane.
 struct Projection {
-  PixelLength focal;
-  ObjectLength near_plane;
-  ObjectLength far_plane;
+  PixelLength focal;        ///< distance of the picture plane: (height / 2) / tan(vertical field of view / 2)
+  ObjectLength near_plane;  ///< nearer parts are clipped
+  ObjectLength far_plane;   ///< farther parts share the last depth
 };
 
 /// The picture's size in pixels, each 1...2048 (the guard band).
@@ -38,32 +38,34 @@ struct Viewport {
   std::int32_t height = 0;
 };
 
-/// A vertex before the division: inside the guard band -w <= x <= w and -w <= y <= w, y downwards; in front
-/// of the near plane w >= ClipTransform::near_w(). All of one scale, |value| < 2^30.
+/// A vertex in clip space, before the division by w; y points down. It is inside the guard band if |x| <= w
+/// and |y| <= w, and in front of the near plane if w >= ClipTransform::near_w(). The three have the same
+/// scale (ClipTransform::w_bits()) and are below 2^30 in magnitude.
 struct ClipPosition {
   std::int32_t x;
   std::int32_t y;
   std::int32_t w;
 };
 
-/// A point in object units that no vertex need reach: |coordinate| < 2^24.
+/// A point in object units that may lie outside the range of vertices: |coordinate| < 2^24.
 struct ObjectPoint {
   std::int32_t x = 0;
   std::int32_t y = 0;
   std::int32_t z = 0;
 };
 
-/// Object space to clip space, and the depth of a clip-space vertex. Made once per object and frame.
+/// The transform from object space to clip space, and the depth of a clip-space vertex. Made once per object
+/// and frame.
 class ClipTransform {
  public:
   constexpr ClipTransform() = default;
 
-  /// kInvalidArgument if the viewport, the focal length (0 excluded) or the planes are out of range, or if
-  /// the object is so far off (more than 2^22 units) that the numbers would not hold it.
+  /// Returns kInvalidArgument, and does not change `transform`, if the viewport's size is not 1...2048, the
+  /// focal length not above 0, the planes not 0 < near < far, or a translation above 2^22 units in magnitude.
   static constexpr Status make(const Placement& placement, const Projection& projection,
                                const Viewport& viewport, ClipTransform& transform);
 
-  /// The same as a constant, which can lie in flash; what make() would refuse does not compile.
+  /// make() as a constant, which can lie in flash. Arguments that make() rejects do not compile.
   [[nodiscard]] static consteval ClipTransform of(const Placement& placement, const Projection& projection,
                                                   const Viewport& viewport) {
     ClipTransform transform;
@@ -71,18 +73,21 @@ class ClipTransform {
     return transform;
   }
 
+  /// The clip-space position of a vertex.
   [[nodiscard]] constexpr ClipPosition operator()(ObjectPosition p) const {
     return {row(0, p), row(1, p), row(2, p)};
   }
 
+  /// w of the near plane, at least 1.
   [[nodiscard]] constexpr std::int32_t near_w() const { return near_w_; }
-  /// The camera.
+  /// The camera's position in object space.
   [[nodiscard]] constexpr const ObjectPoint& eye() const { return eye_; }
   [[nodiscard]] constexpr PixelLength focal() const { return focal_; }
-  /// w of a point is its distance before the camera, in object units times 2^w_bits() (-4...13).
+  /// The scale of clip space, -4...13: w of a point is its distance before the camera in object units times
+  /// 2^w_bits().
   [[nodiscard]] constexpr int w_bits() const { return w_bits_; }
-  /// The squared length of the matrix' row for x, y or w (0...2), whose entries have 14 bits more than clip
-  /// space. Below 3 * 2^56.
+  /// The squared length of the matrix' row for x, y or w (i = 0, 1, 2), below 3 * 2^56. Entries have 14
+  /// fraction bits more than clip space.
   [[nodiscard]] constexpr std::int64_t row_square(int i) const {
     std::int64_t sum = 0;
     for (const Entry& e : matrix_[i]) {
@@ -93,8 +98,9 @@ class ClipTransform {
   }
   [[nodiscard]] constexpr const Viewport& viewport() const { return viewport_; }
 
-  /// Depth of a vertex at near_w() / w = `near_over_w` (29 fraction bits): 16 bits, nearer is smaller, linear
-  /// on the screen. Stays kDepthMargin away from both ends, so that stepping it cannot wrap.
+  /// The depth of a vertex: 16 bits, nearer is smaller, linear on the screen. `near_over_w` is near_w() / w
+  /// with 29 fraction bits. The result is clamped to kDepthMargin ... 65535 - kDepthMargin, so that steps
+  /// along rows and edges cannot wrap.
   [[nodiscard]] constexpr std::uint16_t depth(std::int32_t near_over_w) const {
     const std::int32_t beyond = (std::int32_t{1} << 29) - near_over_w;
     if (beyond <= 0) return static_cast<std::uint16_t>(kDepthMargin);
@@ -105,8 +111,8 @@ class ClipTransform {
   static constexpr std::int32_t kDepthMargin = 256;
 
  private:
-  /// An entry of the matrix in two parts, 15 bits with the sign and 14: products with 16-bit positions, and
-  /// sums of three, fit 32 bits. |entry| < 2^28.
+  /// An entry of the matrix, high * 2^14 + low, |entry| < 2^28: `high` has 15 bits with the sign and `low`
+  /// 14, so that sums of three products with 16-bit positions fit 32 bits.
   struct Entry {
     std::int32_t high;
     std::int32_t low;
@@ -133,12 +139,13 @@ class ClipTransform {
 
 namespace detail {
 
-/// No 16-bit position is farther from the object's origin: 32768 * sqrt(3), rounded up.
+/// The largest distance of a 16-bit position from the object's origin: 32768 * sqrt(3), rounded up.
 inline constexpr std::int64_t kObjectRadius = 56756;
-inline constexpr int kGuardBits = 10 + PixelLength::kFraction;  // focal / kGuardBand in PixelLength
+inline constexpr int kGuardBits = 10 + PixelLength::kFraction;  // division of a PixelLength by kGuardBand
 
 [[nodiscard]] constexpr std::int64_t magnitude64(std::int64_t v) { return v < 0 ? -v : v; }
 
+/// The ranges that ClipTransform::make() states.
 [[nodiscard]] constexpr bool acceptable(const Placement& placement, const Projection& projection,
                                         const Viewport& viewport) {
   constexpr std::int64_t kMaxTranslation = std::int64_t{1} << 22;
@@ -151,27 +158,27 @@ inline constexpr int kGuardBits = 10 + PixelLength::kFraction;  // focal / kGuar
          projection.far_plane > projection.near_plane;
 }
 
-/// How far coordinates of clip space may be scaled up, as a power of two: the largest stays below 2^29.
+/// The scale of clip space as a power of two: the largest with which all coordinates stay below 2^29.
 [[nodiscard]] constexpr int scale_bits(const Placement& placement, const Projection& projection) {
-  const auto reach = [](ObjectLength t) {
+  const auto farthest = [](ObjectLength t) {
     return kObjectRadius + (magnitude64(t.raw()) >> ObjectLength::kFraction) + 1;
   };
-  const std::int64_t x = reach(placement.translation[0]);
-  const std::int64_t y = reach(placement.translation[1]);
+  const std::int64_t x = farthest(placement.translation[0]);
+  const std::int64_t y = farthest(placement.translation[1]);
   const std::int64_t widest = (((x > y ? x : y) * projection.focal.raw()) >> kGuardBits) + 1;
-  const std::int64_t w = reach(placement.translation[2]);
+  const std::int64_t w = farthest(placement.translation[2]);
   const std::int64_t largest = widest > w ? widest : w;
   return 29 - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(largest)));
 }
 
-/// value * factor * 2^shift, rounded towards minus infinity; |value| < 2^32, 0 < factor < 2^31.
+/// value * factor * 2^shift, rounded down; |value| < 2^32, 0 < factor < 2^31.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr std::int32_t rescaled(std::int64_t value, std::int64_t factor,
                                                               int shift) {
   const std::int64_t product = value * factor;
   return static_cast<std::int32_t>(shift >= 0 ? product << shift : product >> -shift);
 }
 
-/// Where the camera stands, from the object: -R^T t.
+/// The camera's position in object space: -R^T t.
 [[nodiscard]] constexpr ObjectPoint eye_of(const Placement& placement) {
   const auto coordinate = [&](std::size_t j) {
     std::int64_t sum = 0;  // below 3 * 2^60
@@ -189,8 +196,8 @@ constexpr Status ClipTransform::make(const Placement& placement, const Projectio
                                      const Viewport& viewport, ClipTransform& transform) {
   if (!detail::acceptable(placement, projection, viewport)) return Status::kInvalidArgument;
   const int bits = detail::scale_bits(placement, projection);
-  // Rows x and y carry focal / kGuardBand, y and w a minus sign: screen y goes down, the camera looks along
-  // -z.
+  // Rows x and y contain the factor focal / kGuardBand. Rows y and w are negative, because y points down on
+  // the screen and the camera looks along -z.
   const std::int64_t factors[3] = {projection.focal.raw(), projection.focal.raw(),
                                    std::int64_t{1} << detail::kGuardBits};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -203,7 +210,7 @@ constexpr Status ClipTransform::make(const Placement& placement, const Projectio
     transform.offset_[i] = detail::rescaled(sign * placement.translation[i].raw(), factors[i],
                                             bits - ObjectLength::kFraction - detail::kGuardBits);
   }
-  // A near plane behind all that the numbers reach hides everything; it must not wrap around to the front.
+  // A near plane beyond the range of w hides everything. It saturates, so as not to wrap to the front.
   constexpr std::int64_t kFarthest = (std::int64_t{1} << 30) - 1;
   const std::int64_t near_w = (std::int64_t{projection.near_plane.raw()} << detail::kGuardBits) >>
                               (ObjectLength::kFraction + detail::kGuardBits - bits);
@@ -211,12 +218,13 @@ constexpr Status ClipTransform::make(const Placement& placement, const Projectio
   constexpr std::uint64_t kMaxDepthRange = std::uint64_t{1} << 27;  // shifted left by at least 3
   // depth = margin + range * far / (far - near) * (1 - near / w).
   const std::int64_t range = 65535 - 2 * kDepthMargin;
-  // Unsigned: one routine of the run-time library less.
+  // Unsigned like the library's other divisions, which saves a routine of the compiler's run-time library.
   const auto beyond_near = static_cast<std::uint32_t>(projection.far_plane.raw()) -
                            static_cast<std::uint32_t>(projection.near_plane.raw());
   const std::uint64_t depth_range =
       static_cast<std::uint64_t>(range * projection.far_plane.raw()) / beyond_near;
-  // depth_range * (1 - near / w) is (depth_range << shift) * beyond >> 32 >> (shift - 3).
+  // With beyond = 1 - near / w in 29 fraction bits, as in depth():
+  // depth_range * beyond = ((depth_range << shift) * beyond >> 32) >> (shift - 3).
   const auto range32 =
       static_cast<std::uint32_t>(depth_range < kMaxDepthRange ? depth_range : kMaxDepthRange);
   const int shift = std::countl_zero(range32) - 1;

@@ -9,9 +9,9 @@
 
 namespace arcspan {
 
-/// A vertex on the screen. `x` and `y` are Subpixel values (28.4, relative to the middle pixel
-/// (width / 2, height / 2), rounded down, of the viewport, y down) in 16 bits; `z` is the depth, nearer is
-/// smaller.
+/// A vertex on the screen. `x` and `y` are Subpixel values in 16 bits (4 fraction bits, y down, from the
+/// raster origin: the viewport's middle pixel in column width / 2 and row height / 2, rounded down). `z` is
+/// the depth, smaller is nearer.
 struct RasterPosition {
   std::int16_t x;
   std::int16_t y;
@@ -20,7 +20,7 @@ struct RasterPosition {
   friend constexpr bool operator==(const RasterPosition&, const RasterPosition&) = default;
 };
 
-/// The planes that a clip-space vertex is outside of, one bit each.
+/// One bit for each plane of the clip volume that a vertex is outside of.
 enum ClipOutcode : std::uint8_t {
   kInside = 0,
   kOutsideNear = 1,
@@ -30,8 +30,9 @@ enum ClipOutcode : std::uint8_t {
   kOutsideBottom = 16,
 };
 
+/// The outcode of a clip-space vertex: ClipOutcode bits.
 [[nodiscard]] constexpr std::uint8_t outcode(const ClipPosition& p, std::int32_t near_w) {
-  // Behind the near plane the sides mean nothing: w may be negative.
+  // Behind the near plane the other planes are not tested, because w may be negative there.
   if (p.w < near_w) return kOutsideNear;
   const auto inside = [&p](std::int32_t c) {
     return static_cast<std::uint32_t>(c + p.w) <= 2 * static_cast<std::uint32_t>(p.w);
@@ -41,22 +42,23 @@ enum ClipOutcode : std::uint8_t {
                                    (p.y < -p.w ? kOutsideTop : 0) | (p.y > p.w ? kOutsideBottom : 0));
 }
 
-/// Divides by w and snaps to 28.4, rounding to nearest. Needs w >= near_w; x and y saturate at the guard
-/// band.
+/// The vertex on the screen: x and y are divided by w, rounded to the nearest Subpixel, and saturated at the
+/// guard band. Requires p.w >= transform.near_w().
 [[nodiscard]] inline RasterPosition project(const ClipPosition& p, const ClipTransform& transform) {
-  // c / w = (c << zeros) / (w << zeros); `c` shifted one less keeps its sign.
+  // c / w = (c << zeros) / (w << zeros). `c` is shifted by one bit less, which keeps its sign.
   const auto w = static_cast<std::uint32_t>(p.w);
   const int zeros = std::countl_zero(w | 1u);
   const std::uint32_t mantissa = detail::wide_reciprocal_mantissa(w << zeros);
-  const auto inverse = static_cast<std::int32_t>(mantissa - (mantissa >> 31));  // 2^31 would be negative
+  const auto inverse = static_cast<std::int32_t>(mantissa - (mantissa >> 31));  // at most 2^31 - 1
   const auto over_w = [=](std::int32_t c) { return multiply_high(wrap_shl(c, zeros - 1), inverse); };
   const auto screen = [&](std::int32_t c, std::int32_t half_pixel) {
-    constexpr int kBits = 10 + Subpixel::kFraction;  // x / w = 1 is kGuardBand pixels
+    constexpr int kBits = 10 + Subpixel::kFraction;  // x / w = 1 stands for kGuardBand pixels
     const std::int32_t snapped = round_shift(over_w(c), 29 - kBits) + half_pixel;
     constexpr std::int32_t kMax = (1 << kBits) - 1;
     return static_cast<std::int16_t>(snapped < -kMax - 1 ? -kMax - 1 : snapped > kMax ? kMax : snapped);
   };
-  // The middle of an odd picture is the centre of its middle pixel.
+  // The middle of a picture of odd size is the centre of its middle pixel, half a pixel from the raster
+  // origin.
   const std::int32_t odd_x = (transform.viewport().width & 1) * 8;
   const std::int32_t odd_y = (transform.viewport().height & 1) * 8;
   return {screen(p.x, odd_x), screen(p.y, odd_y), transform.depth(over_w(transform.near_w()))};

@@ -11,7 +11,7 @@
 
 namespace arcspan {
 
-/// An angle in 65536ths of a full turn; wraps around by itself.
+/// An angle in 65536ths of a full turn. Sums wrap at a full turn.
 struct Turn {
   std::uint16_t raw = 0;
 
@@ -23,29 +23,31 @@ namespace detail {
 
 inline constexpr std::int64_t kOne30 = std::int64_t{1} << 30;
 
-/// x * y with 30 fraction bits, rounded.
+/// x * y of numbers with 30 fraction bits, rounded.
 [[nodiscard]] constexpr std::int64_t product30(std::int64_t x, std::int64_t y) {
   return (x * y + (kOne30 >> 1)) >> 30;
 }
 
-/// Taylor's series of an angle in 0...8192 (an eighth of a turn) by its divisors, without the leading x of
-/// the sine: to x^11 and x^10, the next terms are below 2^-35.
+/// A Taylor series 1 - x^2/d4 (1 - x^2/d3 (...)) with divisors d0 ... d4, 30 fraction bits: cos(x), or sin(x)
+/// / x. `x` is an angle of at most an eighth of a turn in radians. The series ends with x^10 (sine: x^11);
+/// the next terms are below 2^-35.
 [[nodiscard]] constexpr std::int64_t taylor30(std::int64_t x, const std::array<std::uint8_t, 5>& divisors) {
   const std::int64_t x2 = product30(x, x);
   std::int64_t sum = kOne30;
   for (std::size_t i = 0; i < divisors.size(); ++i) {
-    // Below 2^32: a short division, which targets have or have code for anyway.
+    // The product is below 2^32, so that the division is a 32-bit one.
     sum = kOne30 - static_cast<std::uint32_t>(product30(x2, sum)) / divisors[i];
   }
   return sum;
 }
 
-/// `angle` in 0...8192 as radians: times 2 pi / 2^16.
+/// `angle` (0...8192 of a Turn) in radians, 30 fraction bits.
 [[nodiscard]] constexpr std::int64_t radians30(std::int64_t angle) {
   constexpr std::int64_t kTwoPi = 6746518852;  // 30 fraction bits
   return (angle * kTwoPi + (std::int32_t{1} << 15)) >> 16;
 }
 
+/// Sine and cosine of an angle in 0...8192 (an eighth of a turn), 30 fraction bits.
 [[nodiscard]] constexpr std::int64_t octant_sine(std::int64_t angle) {
   const std::int64_t x = radians30(angle);
   return product30(x, taylor30(x, {10 * 11, 8 * 9, 6 * 7, 4 * 5, 2 * 3}));
@@ -55,6 +57,7 @@ inline constexpr std::int64_t kOne30 = std::int64_t{1} << 30;
   return taylor30(radians30(angle), {9 * 10, 7 * 8, 5 * 6, 3 * 4, 1 * 2});
 }
 
+/// `value` with 30 fraction bits, saturated to 1 - 2^-30 in magnitude.
 [[nodiscard]] constexpr RotationEntry rotation_entry(std::int64_t value) {
   const std::int64_t limit = kOne30 - 1;
   return RotationEntry::from_raw(static_cast<std::int32_t>(value > limit    ? limit
@@ -64,7 +67,8 @@ inline constexpr std::int64_t kOne30 = std::int64_t{1} << 30;
 
 }  // namespace detail
 
-/// Sine and cosine, absolute error at most 2^-28 (swept in the tests). For object set-up: 64-bit products.
+/// The sine of an angle, at most 1 - 2^-30 in magnitude, absolute error at most 2^-28 (swept in the tests).
+/// It takes 64-bit products: fit for the set-up of objects, too slow for vertices.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr RotationEntry sine(Turn angle) {
   constexpr std::int64_t kEighth = 8192;
   const std::int64_t in_quarter = angle.raw & 0x3FFF;
@@ -74,26 +78,28 @@ inline constexpr std::int64_t kOne30 = std::int64_t{1} << 30;
       folded <= kEighth ? detail::octant_sine(folded) : detail::octant_cosine(2 * kEighth - folded);
   return detail::rotation_entry((angle.raw & 0x8000) != 0 ? -value : value);
 }
+/// The cosine of an angle, in all else like sine().
 [[nodiscard]] constexpr RotationEntry cosine(Turn angle) { return sine(angle + Turn{0x4000}); }
 
-/// A rotation of object space into view space: rows are the view's axes in object space.
+/// A rotation from object space to view space. Its rows are the axes of view space in object space.
 struct Rotation {
   RotationEntry m[3][3];
 
-  /// No rotation. (1 itself does not leave room for a sum, so unit entries are 1 - 2^-30.)
+  /// No rotation. Entries of 1 are 1 - 2^-30, which leaves room for sums.
   [[nodiscard]] static constexpr Rotation identity();
-  /// Right-handed rotations about the axes of the space they are applied in.
+  /// Right-handed rotations about the axes of the space that they are applied in.
   [[nodiscard]] static constexpr Rotation about_x(Turn angle);
   [[nodiscard]] static constexpr Rotation about_y(Turn angle);
   [[nodiscard]] static constexpr Rotation about_z(Turn angle);
 
-  /// A view-space direction (a light, the eye) in object space: the transpose applied, normalised.
+  /// A direction of view space (towards a light or the eye) in object space, normalised. Applies the
+  /// transpose.
   [[nodiscard]] constexpr Direction to_object(const Direction& view) const;
 };
 
 namespace detail {
 
-/// Rotation in the plane of axes i and j, from i towards j.
+/// The rotation in the plane of axes i and j, from i towards j.
 [[nodiscard]] constexpr Rotation rotation_in_plane(std::size_t i, std::size_t j, Turn angle) {
   Rotation rotation = Rotation::identity();
   rotation.m[i][i] = cosine(angle);
@@ -115,7 +121,7 @@ constexpr Rotation Rotation::about_x(Turn angle) { return detail::rotation_in_pl
 constexpr Rotation Rotation::about_y(Turn angle) { return detail::rotation_in_plane(2, 0, angle); }
 constexpr Rotation Rotation::about_z(Turn angle) { return detail::rotation_in_plane(0, 1, angle); }
 
-/// First `b`, then `a`.
+/// The rotation by `b`, then by `a`.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Rotation operator*(const Rotation& a, const Rotation& b) {
   Rotation rotation{};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -104,10 +104,10 @@ TEST_CASE("both forms of a ramp's line have the same values") {
     const auto interval = static_cast<std::uint32_t>(random.integer(0, 127));
     const auto here = static_cast<std::uint32_t>(random.integer(0, 65280));
     const auto fall = static_cast<std::uint32_t>(random.integer(0, static_cast<std::int32_t>(here)));
-    const detail::RampLine shorter(interval, here, fall);
-    const detail::LongRampLine longer(interval, here, fall);
+    const detail::ShortHighlightLine shorter(interval, here, fall);
+    const detail::LongHighlightLine longer(interval, here, fall);
     for (std::uint32_t fraction = 0; fraction < 256; ++fraction) {
-      const std::uint32_t position = interval << detail::kRampFine | fraction;
+      const std::uint32_t position = interval << detail::kPositionBits | fraction;
       different +=
           shorter(position) == longer(position) && shorter(position) == (here << 8) - fall * fraction ? 0 : 1;
     }

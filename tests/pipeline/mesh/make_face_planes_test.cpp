@@ -64,8 +64,8 @@ void check_planes(const MeshView& mesh) {
   double reach = 0;
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i)
     reach = std::max(reach, length(to_vec3(mesh.position(i))));
-  CHECK(scale.reach >= reach);
-  CHECK(scale.reach <= reach + 1);
+  CHECK(scale.radius >= reach);
+  CHECK(scale.radius <= reach + 1);
 }
 
 TestMesh random_triangles(Random& random, int count, std::int32_t size) {

@@ -103,12 +103,12 @@ TEST_CASE("no triangle told to be a back shows its front on the raster") {
     const double size = random.decades(3, 10000);
     const PlanedMesh mesh(scattered(random, size));
     const double pixels = random.decades(0.003, 100);
-    tally_view(mesh.view(), camera_before(random, mesh.scale.reach, pixels / size).transform(), tally);
+    tally_view(mesh.view(), camera_before(random, mesh.scale.radius, pixels / size).transform(), tally);
   }
   // Nearly around the eye: the far side of the ball is seen much smaller than the near one.
   for (int round = 0; round < 3000; ++round) {
     const PlanedMesh mesh(scattered(random, random.decades(1000, 6000)));
-    const double reach = mesh.scale.reach;
+    const double reach = mesh.scale.radius;
     TestCamera camera = camera_before(random, reach, 1);
     camera.translation = {0, 0, std::round(-reach * random.real(1.03, 1.3))};
     camera.focal = std::round(1000 * (-camera.translation.z - reach) / reach);
@@ -119,8 +119,8 @@ TEST_CASE("no triangle told to be a back shows its front on the raster") {
   for (int round = 0; round < 6000; ++round) {
     const double size = random.real(1000, 5000);
     const PlanedMesh mesh(scattered(random, size));
-    TestCamera camera = camera_before(random, mesh.scale.reach, 1);
-    camera.translation = {0, 0, std::round(-20.0 * mesh.scale.reach)};
+    TestCamera camera = camera_before(random, mesh.scale.radius, 1);
+    camera.translation = {0, 0, std::round(-20.0 * mesh.scale.radius)};
     camera.near_plane = 16;
     camera.far_plane = 4e6;
     camera.focal = std::round(random.decades(0.1, 1) / size * -camera.translation.z);
@@ -198,7 +198,7 @@ TEST_CASE("any planes and any camera are defined") {
   const TestMesh mesh = scattered(random, 3000);
   MeshView view = mesh.view();
   planes.resize(view.triangle_count());
-  const std::int32_t farthest = PlanedMesh(mesh).scale.reach;
+  const std::int32_t farthest = PlanedMesh(mesh).scale.radius;
   int known = 0;
   for (int round = 0; round < 20000; ++round) {
     const auto byte = [&] {
@@ -209,7 +209,7 @@ TEST_CASE("any planes and any camera are defined") {
                            static_cast<std::uint8_t>(random.integer(0, 17)),
                            static_cast<std::uint16_t>(random.integer(farthest, 65535))};
     REQUIRE(ok(view.attach(planes, scale)));
-    const TestCamera camera = camera_before(random, 1 + scale.reach, random.decades(1e-6, 1e3));
+    const TestCamera camera = camera_before(random, 1 + scale.radius, random.decades(1e-6, 1e3));
     const BackFaces backs(view, camera.transform());
     if (!backs.known()) continue;
     ++known;

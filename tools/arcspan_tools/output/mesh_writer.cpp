@@ -48,7 +48,7 @@ std::string plane_arrays(const FixedMesh& mesh) {
   for (const FacePlane& p : mesh.planes) planes.add(braced({p.x, p.y, p.z, p.offset}));
   const PlaneScale& scale = mesh.plane_scale;
   return array("arcspan::FacePlane", "kPlanes", planes) + "inline constexpr arcspan::PlaneScale kPlaneScale" +
-         braced({scale.normal_bits, scale.offset_bits, scale.reach}) + ";\n\n";
+         braced({scale.normal_bits, scale.offset_bits, scale.radius}) + ";\n\n";
 }
 
 // Enough digits that the same number is read back; the shortest such text.
@@ -90,7 +90,7 @@ void put_planes(std::string& out, const FixedMesh& mesh) {
   const auto byte = [&out](std::int8_t value) { put(out, static_cast<std::uint8_t>(value), 1); };
   byte(mesh.plane_scale.normal_bits);
   put(out, mesh.plane_scale.offset_bits, 1);
-  put(out, mesh.plane_scale.reach, 2);
+  put(out, mesh.plane_scale.radius, 2);
   for (const FacePlane& p : mesh.planes) {
     for (const std::int8_t value : {p.x, p.y, p.z, p.offset}) byte(value);
   }

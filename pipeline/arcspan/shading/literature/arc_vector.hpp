@@ -7,31 +7,32 @@ namespace arcspan {
 
 namespace detail {
 
-/// An illumination whose scalars are the three components of the normal itself: what the arcs carry when the
-/// vector is wanted. `lit` makes colours of the direction.
+/// An illumination whose scalars are the three components of the normal, so that the arcs carry the vector.
+/// Colours are those of `illumination` for that vector.
 template <class Illumination>
 struct NormalAsScalars {
   static constexpr std::size_t kScalars = 3;
-  static constexpr std::size_t kLights = 2;  ///< not one: there is no scalar that could do without the others
+  /// Not 1: with one light Arc carries scalars[0] alone where a triangle has no highlight.
+  static constexpr std::size_t kLights = 2;
   using Scalars = std::array<Cosine, kScalars>;
 
-  const Illumination* lit;
+  const Illumination* illumination;
 
   [[nodiscard]] static constexpr Scalars scalars(const Direction& n) {
     return {convert<Cosine>(n.x), convert<Cosine>(n.y), convert<Cosine>(n.z)};
   }
   [[nodiscard]] constexpr PackedRgb colour(const Scalars& s) const {
-    return lit->colour(
-        lit->scalars(Direction{convert<DirectionComponent>(s[0]), convert<DirectionComponent>(s[1]),
-                               convert<DirectionComponent>(s[2])}));
+    return illumination->colour(
+        illumination->scalars(Direction{convert<DirectionComponent>(s[0]), convert<DirectionComponent>(s[1]),
+                                        convert<DirectionComponent>(s[2])}));
   }
 };
 
 }  // namespace detail
 
-/// Spherical-angular shading with the vector (S0 eq. 7), for comparison: the three components of the normal
-/// run along the arcs, each by the recurrence, and a pixel takes the products with L, H or V. The arcs are
-/// those of Arc; the vector is what Arc's scalars (eq. 14) save.
+/// Spherical-angular shading with the vector (S0 eq. 7), for comparison. The arcs are those of Arc, but they
+/// carry the three components of the normal, each by the recurrence, and each pixel takes the products with
+/// L, H or V. Arc carries the products themselves (eq. 14) and saves these multiplies.
 template <class Illumination>
 struct ArcVector {
   using Components = detail::NormalAsScalars<Illumination>;

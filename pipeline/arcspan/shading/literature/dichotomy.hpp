@@ -13,70 +13,73 @@ namespace arcspan {
 
 namespace detail {
 
-/// A coefficient of the polynomials below, 18 fraction bits.
+/// `value` > 0 with 18 fraction bits.
 consteval std::uint32_t polynomial_coefficient(double value) {
   const double rounded = value * 0x1p18 + 0.5;
   return static_cast<std::uint32_t>(rounded);
 }
-/// value * s with the fraction bits of value; s has 16.
+/// value * s, rounded, with the fraction bits of `value`; s has 16.
 [[nodiscard]] constexpr std::uint32_t times_chord(std::uint32_t value, std::uint32_t s) {
   return (value * s + (1u << 15)) >> 16;
 }
 
 }  // namespace detail
 
-/// What an arc's middle needs, 1/sqrt(2 + z) with z = 2 cos(psi) (S3), as a polynomial in s = 2 - z less 1/2:
-/// s with 16 fraction bits, 0...1, result with 18. Zero at s = 0, so that flat spans are left exactly alone;
-/// S3's own polynomials in z do not (docs/claims.md). Minimax fits of the relative error of 1/2 + result over
-/// psi <= 45 degrees, which is 1.6e-3, 4.7e-5 and 1.6e-6.
+/// The factor of an arc's middle, 1/sqrt(2 + z) with z = 2 cos(psi) (S3), as a polynomial of first degree.
+///
+/// above_half(s) returns 1/sqrt(2 + z) - 1/2 with 18 fraction bits, for s = 2 - z in 0...1 with 16 fraction
+/// bits. It is 0 at s = 0, so that flat spans stay exactly flat; S3's own polynomials in z do not keep them
+/// flat (docs/claims.md). A minimax fit: for psi <= 45 degrees the relative error of 1/2 + above_half(s) is
+/// at most 1.6e-3.
 struct LinearPolynomial {
   [[nodiscard]] static constexpr std::uint32_t above_half(std::uint32_t s) {
     return detail::times_chord(detail::polynomial_coefficient(0.0688625867), s);
   }
 };
-/// The second of the three: two multiplies.
+/// Like LinearPolynomial, of second degree: two multiplies, relative error at most 4.7e-5.
 struct QuadraticPolynomial {
   [[nodiscard]] static constexpr std::uint32_t above_half(std::uint32_t s) {
-    const std::uint32_t second_difference =
-        detail::times_chord(detail::polynomial_coefficient(0.0140394938), s);
-    return detail::times_chord(detail::polynomial_coefficient(0.0620584825) + second_difference, s);
+    const std::uint32_t inner = detail::times_chord(detail::polynomial_coefficient(0.0140394938), s);
+    return detail::times_chord(detail::polynomial_coefficient(0.0620584825) + inner, s);
   }
 };
-/// The third: three multiplies.
+/// Like LinearPolynomial, of third degree: three multiplies, relative error at most 1.6e-6.
 struct CubicPolynomial {
   [[nodiscard]] static constexpr std::uint32_t above_half(std::uint32_t s) {
-    const std::uint32_t twist = detail::times_chord(detail::polynomial_coefficient(0.0031711712), s);
-    const std::uint32_t second_difference =
-        detail::times_chord(detail::polynomial_coefficient(0.0114552316) + twist, s);
-    return detail::times_chord(detail::polynomial_coefficient(0.0625262157) + second_difference, s);
+    const std::uint32_t innermost = detail::times_chord(detail::polynomial_coefficient(0.0031711712), s);
+    const std::uint32_t inner =
+        detail::times_chord(detail::polynomial_coefficient(0.0114552316) + innermost, s);
+    return detail::times_chord(detail::polynomial_coefficient(0.0625262157) + inner, s);
   }
 };
 
-/// The squared chord of half an arc from that of the whole, 16 fraction bits: z' = (2 + z) p, so with
-/// p = 1/2 + q   s' = s/2 - (4 - s) q.  `q` has 18 fraction bits.
+/// The squared chord of half an arc, 16 fraction bits, never negative. `s` is that of the whole arc, `q` the
+/// polynomial's above_half(s). From z' = (2 + z) p with p = 1/2 + q follows s' = s/2 - (4 - s) q.
 [[nodiscard]] constexpr std::uint32_t halved_chord(std::uint32_t s, std::uint32_t q) {
   const std::uint32_t half = s >> 1;
   const std::uint32_t less = ((((std::uint32_t{4} << 16) - s) >> 3) * q + (1u << 14)) >> 15;
   return less < half ? half - less : 0;
 }
 
-/// The middle of an arc whose ends have the scalars a and b: (a + b) (1/2 + q).
+/// The scalar in the middle of an arc whose ends have the scalars a and b: (a + b) (1/2 + q), q with 18
+/// fraction bits.
 [[nodiscard]] constexpr Cosine arc_middle(Cosine a, Cosine b, std::uint32_t q) {
   const std::int32_t mean = wrap_add(a.raw() >> 1, b.raw() >> 1);
   return Cosine::from_raw(
       wrap_add(mean, round_shift(wrap_mul(round_shift(mean, 15), static_cast<std::int32_t>(q)), 2)));
 }
 
-/// Shading by dichotomy (S3): a row is cut into segments of 2^SegmentBits pixels. At a segment's two ends the
-/// normal is Phong's, linear on the screen and divided by its length; every pixel between them is the middle
-/// of an arc, I = (I_left + I_right) / sqrt(2 + z), found by halving. All arcs of a halving are as long as
-/// one another, so one polynomial serves them all, and a pixel takes an addition and a multiply a scalar.
+/// Shading by dichotomy (S3). A row is cut into segments of 2^SegmentBits pixels. At a segment's two ends the
+/// normal is Phong's, linear on the screen and divided by its length. Every pixel between them is the middle
+/// of an arc, I = (I_left + I_right) / sqrt(2 + z), found by repeated halving. The arcs of one halving have
+/// equal lengths and share one value of the polynomial, so a pixel takes one addition and one multiply per
+/// scalar, and a segment one root. There is no division.
 ///
-/// Two things S3 leaves open. The last segment is the shortest power of two that reaches the row's last
-/// pixel: S3's full length would, on short rows, ask for normals far outside of the triangle. A segment of
-/// more than 45 degrees is Phong's at every pixel, for the polynomials go no further.
+/// S3 leaves two cases open. The last segment has the least power of two pixels that reaches the row's last
+/// pixel: with S3's full length, short rows would need normals far outside the triangle. In a segment wider
+/// than 45 degrees, where the polynomials end, every pixel's normal is Phong's.
 ///
-/// `Polynomial` is one of those above or any type with such a function. No division, one root a segment.
+/// `Polynomial` has above_half(), as LinearPolynomial.
 template <class Illumination, class Polynomial, int SegmentBits = 3>
 struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
   static_assert(SegmentBits >= 1 && SegmentBits <= 4);
@@ -87,19 +90,33 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
   using Scalars = std::array<Cosine, Base::kScalars>;
   static constexpr std::int32_t kSegment = 1 << SegmentBits;
 
-  /// Squared chord of 45 degrees, 28 fraction bits.
+  /// The squared chord of 45 degrees, 28 fraction bits.
   static constexpr std::uint32_t kWidestChord = 157245849u;
 
   class Run {
    public:
-    /// `behind` pixels follow the one that `normal` and `scalars` stand on in this row; `inside` of them have
-    /// been cut off.
-    constexpr Run(const Prepared& prepared, const RowStart& start, std::int32_t behind, std::int32_t inside)
-        : prepared_(&prepared), normal_(prepared.normal.at(start)), unit_{}, behind_(behind), at_(inside) {
+    /// Segments begin at the row's first column wherever the row is cut, so that cutting changes no pixel.
+    [[nodiscard]] static constexpr Run of_row(const Prepared& prepared, const RowStart& start) {
+      const std::int32_t skipped = start.skipped & ~(kSegment - 1);
+      const RowStart first{start.fraction, skipped, start.inside, start.width, start.bits};
+      // Columns after the first whose centres are left of the row's end; one too many does no harm.
+      const std::int32_t following =
+          start.bits == 16 ? static_cast<std::int32_t>((start.width + 1 - start.fraction) >> 16) : 0;
+      return Run(prepared, first, following - skipped, start.skipped - skipped);
+    }
+
+    /// `start` is at the first pixel of a segment. `following` pixels of the row come after it; the run
+    /// begins at the segment's pixel `first`.
+    constexpr Run(const Prepared& prepared, const RowStart& start, std::int32_t following, std::int32_t first)
+        : prepared_(&prepared),
+          normal_(prepared.normal.at(start)),
+          unit_{},
+          following_(following),
+          at_(first) {
       unrolled<Base::kScalars>([&](auto i) { scalars_[i] = linear_at(prepared.scalars[i], start); });
       const std::int32_t inverse = inverse_length();
       make_node(nodes_[0], inverse);
-      (void)turn(inverse);
+      (void)replace_unit(inverse);
       fill_segment();
     }
 
@@ -107,23 +124,23 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
       return lighting.colour(nodes_[static_cast<std::size_t>(at_)]);
     }
     constexpr void next() {
-      if (++at_ < kSegment || behind_ <= kSegment - 1) return;
-      behind_ -= kSegment;
+      if (++at_ < kSegment || following_ <= kSegment - 1) return;
+      following_ -= kSegment;
       at_ = 0;
       unrolled<Base::kScalars>([this](auto i) { nodes_[0][i] = nodes_[kSegment][i]; });
       fill_segment();
     }
 
    private:
-    /// 1 / |N| of the linear normal, 15 fraction bits.
+    /// 1 / |normal_|, 15 fraction bits. A normal shorter than 1/32, which only occurs between opposite
+    /// normals, counts as that long.
     [[nodiscard]] constexpr std::int32_t inverse_length() const {
       const auto squared = [](Linear c) {
         const std::int32_t fine = wrap_shl(c.raw(), 2);  // 29 fraction bits, below 4
         return static_cast<std::uint32_t>(multiply_high(fine, fine));
       };
       const std::uint32_t square = squared(normal_.x) + squared(normal_.y) + squared(normal_.z);
-      // 26 fraction bits. Only between opposite normals is one shorter than 1/32; it counts as that long.
-      constexpr std::uint32_t kLeast = std::uint32_t{1} << 16;
+      constexpr std::uint32_t kLeast = std::uint32_t{1} << 16;  // 1/32 squared, 26 fraction bits
       const ReciprocalRoot root = reciprocal_root(square < kLeast ? kLeast : square);
       return static_cast<std::int32_t>((root.mantissa << 4) >> (root.exponent - 24));
     }
@@ -131,14 +148,14 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
       return Cosine::from_raw(wrap_mul(round_shift(value.raw(), Linear::kFraction), inverse_length));
     }
 
-    /// The scalars of Phong's normal where the linear one stands.
+    /// Sets `node` to the scalars of Phong's normal at the present position.
     constexpr void make_node(Scalars& node, std::int32_t inverse_length) const {
       unrolled<Base::kScalars>([&](auto i) { node[i] = scaled_to_unit(scalars_[i], inverse_length); });
     }
 
-    /// Takes Phong's normal where the linear one stands for `unit_`; returns the squared chord between the
-    /// two.
-    constexpr std::uint32_t turn(std::int32_t inverse_length) {
+    /// Replaces `unit_` by Phong's normal at the present position. Returns the squared chord between the old
+    /// and the new one, 28 fraction bits.
+    constexpr std::uint32_t replace_unit(std::int32_t inverse_length) {
       const auto component = [inverse_length](Linear c) {
         return NormalComponent::from_raw(
             static_cast<std::int16_t>(round_shift(scaled_to_unit(c, inverse_length).raw(), 16)));
@@ -151,11 +168,11 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
       return chord;
     }
 
-    /// From the end that it stands on to the next one, and what is between them.
+    /// Goes from the segment's first pixel to its end and fills in the nodes up to there.
     constexpr void fill_segment() {
       std::int32_t length = kSegment;
       int bits = SegmentBits;
-      while ((length >> 1) >= behind_ && length != 0) {
+      while ((length >> 1) >= following_ && length != 0) {
         length >>= 1;
         --bits;
       }
@@ -163,23 +180,24 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
       advance(bits);
       const std::int32_t inverse = inverse_length();
       make_node(nodes_[static_cast<std::size_t>(length)], inverse);
-      const std::uint32_t chord = turn(inverse);
+      const std::uint32_t chord = replace_unit(inverse);
       if (chord > kWidestChord) {
         make_every_node(length);
-      } else if (behind_ >= kSegment) {
+      } else if (following_ >= kSegment) {
         halve_whole(chord >> 12);
       } else {
         halve(length, chord >> 12);
       }
     }
 
-    /// By 2^bits pixels.
+    /// Goes 2^bits pixels to the right.
     constexpr void advance(int bits) {
       normal_.advance(scaled(prepared_->normal.step(), bits));
       unrolled<Base::kScalars>([&](auto i) { scalars_[i] += scaled(prepared_->scalars[i].dx, bits); });
     }
 
-    /// Phong's normals at the pixels of a segment that has been gone over already, but for its ends.
+    /// Fills in the nodes between the ends of a segment with Phong's normals. Begins and ends at the
+    /// segment's right end.
     constexpr void make_every_node(std::int32_t length) {
       const LinearNormal step = prepared_->normal.step();
       for (std::int32_t i = length - 1; i > 0; --i) {
@@ -190,7 +208,7 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
       for (std::int32_t i = 1; i < length; ++i) advance(0);
     }
 
-    /// The nodes of a whole segment whose squared chord is `s`, 16 fraction bits.
+    /// Fills in the nodes of a whole segment by halving; `s` is its squared chord, 16 fraction bits.
     constexpr void halve_whole(std::uint32_t s) {
       unrolled<SegmentBits>([&](auto level) {
         constexpr std::size_t kHalf = std::size_t{1} << (SegmentBits - 1 - decltype(level)::value);
@@ -201,11 +219,11 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
       });
     }
 
-    /// The same of `length` pixels, without the nodes that no pixel of the row depends on.
+    /// Like halve_whole(), for a segment of `length` pixels and only those nodes that the row's pixels need.
     constexpr void halve(std::int32_t length, std::uint32_t s) {
       for (std::int32_t half = length >> 1; half != 0; half >>= 1) {
         const std::uint32_t q = Polynomial::above_half(s);
-        for (std::int32_t i = half; i < length && i - half < behind_; i += half << 1) {
+        for (std::int32_t i = half; i < length && i - half < following_; i += half << 1) {
           make_middle(static_cast<std::size_t>(i), static_cast<std::size_t>(half), q);
         }
         s = halved_chord(s, q);
@@ -225,42 +243,16 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
     }
 
     const Prepared* prepared_;
-    LinearNormal normal_;  ///< linear, where the segment ends
-    std::array<Linear, Base::kScalars> scalars_;
-    Normal unit_;  ///< of unit length, there
-    std::array<Scalars, (std::size_t{1} << SegmentBits) + 1>
-        nodes_;            ///< of the segment's pixels and of the next one's first
-    std::int32_t behind_;  ///< pixels of the row after the segment's first
-    std::int32_t at_;
+    LinearNormal normal_;                         ///< linear, at the segment's right end
+    std::array<Linear, Base::kScalars> scalars_;  ///< linear, at the segment's right end
+    Normal unit_;                                 ///< normal_ divided by its length
+    /// Scalars at the segment's pixels and at the first pixel of the next segment.
+    std::array<Scalars, (std::size_t{1} << SegmentBits) + 1> nodes_;
+    std::int32_t following_;  ///< pixels of the row after the segment's first
+    std::int32_t at_;         ///< present pixel of the segment
   };
 
-  class Walker {
-   public:
-    using Run = Dichotomy::Run;
-    static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
-    constexpr explicit Walker(Prepared& prepared) : p_(&prepared) {}
-
-    /// Segments begin at the row's first column wherever it is cut, so that cutting changes no pixel.
-    [[nodiscard]] constexpr Run row(const RowStart& start) const {
-      const std::int32_t skipped = start.skipped & ~(kSegment - 1);
-      const RowStart first{start.fraction, skipped, start.inside, start.width, start.bits};
-      // Columns after the first whose centres are left of the row's end; one too many does no harm.
-      const std::int32_t behind =
-          start.bits == 16 ? static_cast<std::int32_t>((start.width + 1 - start.fraction) >> 16) : 0;
-      return Run(*p_, first, behind - skipped, start.skipped - skipped);
-    }
-    constexpr void next_row() {
-      p_->normal.next_row();
-      unrolled<Base::kScalars>([this](auto i) { p_->scalars[i].next_row(); });
-    }
-    constexpr void enter_lower() {
-      p_->normal.enter_lower(p_->middle_left);
-      unrolled<Base::kScalars>([this](auto i) { p_->scalars[i].enter_lower(p_->middle_left); });
-    }
-
-   private:
-    Prepared* p_;
-  };
+  using Walker = PreparedWalker<Prepared, Run>;
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {

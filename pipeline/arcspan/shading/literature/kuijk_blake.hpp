@@ -3,13 +3,14 @@
 
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/shading/literature/polar.hpp>
-#include <arcspan/shading/literature/slerp_rows.hpp>
+#include <arcspan/shading/literature/prepared_walker.hpp>
+#include <arcspan/shading/literature/slerp_triangle.hpp>
 
 namespace arcspan {
 
-/// Kuijk's and Blake's angular interpolation (S0 [3]), for comparison: along the arc of a row every product
-/// of the normal is a cosine, N·L = A cos(t phi - alpha). A and alpha come from the row's two ends by
-/// trigonometry, a row; a pixel takes an addition, a cosine from a table and one product a scalar.
+/// Kuijk's and Blake's angular interpolation (S0 [3]), for comparison. Along the arc of a row every product
+/// of the normal is a cosine, N·L = A cos(t phi - alpha). Each row finds A and alpha from its two ends by
+/// trigonometry. Each pixel takes one addition, and per scalar a cosine from a table and one product.
 template <class Illumination>
 struct KuijkBlake : SlerpBase<Illumination, Illumination::kScalars> {
   static constexpr std::size_t kScalars = Illumination::kScalars;
@@ -25,7 +26,7 @@ struct KuijkBlake : SlerpBase<Illumination, Illumination::kScalars> {
     return vertex;
   }
 
-  /// A scalar along the span: amplitude * cos(phase), the phase stepped evenly.
+  /// A scalar along the row: amplitude * cos(phase), where the phase grows by the same step per pixel.
   struct Wave {
     std::int32_t amplitude;  ///< 15 fraction bits
     Angle32 phase;           ///< t phi - alpha
@@ -44,26 +45,18 @@ struct KuijkBlake : SlerpBase<Illumination, Illumination::kScalars> {
     constexpr void next() {
       unrolled<kScalars>([this](auto i) { waves[i].phase += step; });
     }
-  };
 
-  class Walker {
-   public:
-    using Run = KuijkBlake::Run;
-    static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
-    constexpr explicit Walker(Prepared& prepared) : edges_(&prepared) {}
-    [[nodiscard]] constexpr Run row(const RowStart& start) const {
-      const SlerpRow<Base::kCount> row = edges_->row(start);
+    [[nodiscard]] static constexpr Run of_row(const Prepared& triangle, const RowStart& start) {
+      const SlerpRow<Base::kCount> row = triangle.row(start);
       Run run;
       run.step = row.step;
       unrolled<kScalars>([&](auto i) { run.waves[i] = wave(row, row.left[3 + i], row.right[3 + i]); });
       return run;
     }
-    constexpr void next_row() { edges_->next_row(); }
-    constexpr void enter_lower() { edges_->enter_lower(); }
 
    private:
-    /// I(t) = A cos(t phi - alpha) with I(0) = a, I(psi) = b: (A cos alpha, A sin alpha) =
-    /// (a, (b - a cos psi) / sin psi).
+    /// The wave I(t) = A cos(t phi - alpha) with I(0) = a and I(psi) = b, which means
+    /// (A cos alpha, A sin alpha) = (a, (b - a cos psi) / sin psi).
     [[nodiscard]] static constexpr Wave wave(const SlerpRow<Base::kCount>& row, Cosine a, Cosine b) {
       const std::int64_t beside =
           b.raw() - ((std::int64_t{a.raw()} * cosine(row.arc.angle) + (std::int32_t{1} << 29)) >> 30);
@@ -74,8 +67,8 @@ struct KuijkBlake : SlerpBase<Illumination, Illumination::kScalars> {
       const Polar polar = to_polar(a.raw() >> 1, static_cast<std::int32_t>(held));
       return {round_shift(polar.size, 14), row.phase - polar.angle};
     }
-    Prepared* edges_;
   };
+  using Walker = PreparedWalker<Prepared, Run>;
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {

@@ -10,19 +10,19 @@
 
 namespace arcspan {
 
-/// A cosine or component as a linear attribute: 15 fraction bits, kept below 1 so that any difference of two
-/// fits the 16 bits and sign of a LinearPlane.
+/// A cosine or component with 15 fraction bits as a linear attribute: saturated below 1 in magnitude, so that
+/// any difference of two fits the 16 bits and sign of a LinearPlane.
 [[nodiscard]] constexpr std::int32_t as_attribute(std::int32_t raw15) {
   return raw15 > 32767 ? 32767 : raw15 < -32767 ? -32767 : raw15;
 }
 
-/// floor(sqrt(v) + 1/2).
+/// sqrt(v) rounded to nearest, exact for every v.
 [[nodiscard]] constexpr std::uint32_t nearest_root(std::uint32_t v) {
   const std::uint32_t root = integer_root(v);
   return root + static_cast<std::uint32_t>(v - root * root > root);
 }
 
-/// The unit vector between two, at the fraction t of the chord: what the linear methods cut edges with.
+/// The unit vector along a (1 - t) + b t, t in 0...1. The linear methods cut edges with it.
 [[nodiscard]] inline Direction between_normalised(const Direction& a, const Direction& b, Factor t) {
   const auto mix = [t](DirectionComponent from, DirectionComponent to) {
     return from.raw() + round_shift(wrap_mul(to.raw() - from.raw(), t.raw() >> 1), 14);
@@ -30,7 +30,8 @@ namespace arcspan {
   return normalised(mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z));
 }
 
-/// A normal linear along a row, not of unit length: Linear over 15 fraction bits, 27 in all.
+/// A normal that is linear along a row, not of unit length. A Linear of a component with 15 fraction bits has
+/// 27 fraction bits in all.
 struct LinearNormal {
   Linear x;
   Linear y;
@@ -43,7 +44,7 @@ struct LinearNormal {
   }
 };
 
-/// A normal linear on the screen.
+/// A normal that is linear on the screen.
 struct NormalPlane {
   LinearPlane x;
   LinearPlane y;
@@ -65,6 +66,7 @@ struct NormalPlane {
   }
 };
 
+/// The normal that is linear on the screen and has these values at the vertices of a triangle.
 template <class Method>
 constexpr void make_normal_plane(const TriangleFrame<Method>& frame, const Direction& top,
                                  const Direction& middle, const Direction& bottom, NormalPlane& normal) {

@@ -2,17 +2,19 @@
 #pragma once
 
 #include <arcspan/shading/literature/linear_normal.hpp>
+#include <arcspan/shading/literature/prepared_walker.hpp>
 
 #include <array>
 #include <cstddef>
 
 namespace arcspan {
 
-/// N·N along a row by second differences: N is linear in the pixel, so N·N is a quadratic. `square` has 30
-/// fraction bits; differences have 38, for their rounding adds up to m^2 / 4 units over m pixels.
+/// N·N along a row by second differences: N is linear along the row, so N·N is a quadratic.
 struct SquaredLength {
-  static constexpr int kFine = 8;
-  std::int32_t square;
+  static constexpr int kFine = 8;  ///< more fraction bits of the differences than of the square
+  std::int32_t square;             ///< 30 fraction bits
+  /// First and second difference per pixel, 38 fraction bits: over m pixels their rounding adds up to
+  /// m^2 / 4 units.
   std::int64_t first;
   std::int64_t second;
 
@@ -29,20 +31,22 @@ struct SquaredLength {
   }
 
  private:
-  /// 54 fraction bits become 38.
+  /// a * b, 38 fraction bits of the exact product's 54.
   [[nodiscard]] static constexpr std::int64_t product(Linear a, Linear b) {
     return (std::int64_t{a.raw()} * b.raw() + (std::int32_t{1} << 15)) >> 16;
   }
 };
 
-/// x / |N| by a root and one division a scalar. The span stage divides here.
+/// Divides scalars by |N|, with one root per normal and one division per scalar. In the methods that use it
+/// the span stage divides.
 class RootAndDivision {
  public:
-  /// `square` = N·N with 30 fraction bits. Below 2^-15 it counts as 2^-15, and no quotient exceeds 1.
+  /// `square` is N·N with 30 fraction bits; below 2^-15 it counts as 2^-15.
   constexpr explicit RootAndDivision(std::int32_t square)
       : length_(nearest_root(
             static_cast<std::uint32_t>(square < (std::int32_t{1} << 15) ? std::int32_t{1} << 15 : square))) {}
 
+  /// scalar / |N|, saturated to -1...1.
   [[nodiscard]] constexpr Cosine operator()(Linear scalar) const {
     const std::int32_t rounded = round_shift(scalar.raw(), Linear::kFraction - 1);  // 16 fraction bits
     const std::uint32_t size = static_cast<std::uint32_t>(rounded < 0 ? -rounded : rounded);
@@ -56,9 +60,10 @@ class RootAndDivision {
   std::uint32_t length_;  ///< 15 fraction bits
 };
 
-/// What Duff's and Lyon's methods share: the scalars of the normal are linear on the screen, and so is the
-/// normal, of which only the squared length is used. `Normaliser` makes a unit normal's scalar of a linear
-/// one: `Normaliser n(square); n(scalar)`, 27 fraction bits to Cosine.
+/// A shading method that interpolates the scalars of the normal linearly on the screen: the common part of
+/// Duff, Lyon and Dichotomy. The normal is linear as well, but only its squared length is used.
+/// `Normaliser(square)(scalar)` divides a scalar (Linear, 27 fraction bits in all) by the root of the squared
+/// length (30 fraction bits) and returns a Cosine.
 template <class Illumination, class Normaliser>
 struct LinearScalars {
   static constexpr std::size_t kScalars = Illumination::kScalars;
@@ -72,6 +77,15 @@ struct LinearScalars {
     NormalPlane normal;
     std::array<LinearPlane, kScalars> scalars;
     bool middle_left;
+
+    constexpr void next_row() {
+      normal.next_row();
+      unrolled<kScalars>([this](auto i) { scalars[i].next_row(); });
+    }
+    constexpr void enter_lower() {
+      normal.enter_lower(middle_left);
+      unrolled<kScalars>([this](auto i) { scalars[i].enter_lower(middle_left); });
+    }
   };
   static constexpr bool kNeedsFaceNormal = false;
 
@@ -80,7 +94,8 @@ struct LinearScalars {
   }
   [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }
 
-  /// A vertex's scalars and its normal are cut alike: by the chord's fraction, then divided by its length.
+  /// The scalars are cut like the normal: linearly between a and b, then divided by the length of the linear
+  /// normal.
   [[nodiscard]] static Vertex between(const Vertex& a, const Vertex& b, Factor t) {
     Vertex cut{between_normalised(a.normal, b.normal, t), {}};
     const std::uint32_t chord = squared_chord(to_normal(a.normal), to_normal(b.normal));
@@ -118,6 +133,15 @@ struct LinearScalars {
     std::array<Linear, kScalars> steps;
     SquaredLength length;
 
+    [[nodiscard]] static constexpr Run of_row(const Prepared& prepared, const RowStart& start) {
+      Run run;
+      unrolled<kScalars>([&](auto i) {
+        run.scalars[i] = linear_at(prepared.scalars[i], start);
+        run.steps[i] = prepared.scalars[i].dx;
+      });
+      run.length = SquaredLength::of(prepared.normal.at(start), prepared.normal.step());
+      return run;
+    }
     [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
       const Normaliser normalise(length.square);
       typename Lighting::Scalars values;
@@ -130,32 +154,10 @@ struct LinearScalars {
     }
   };
 
-  class Walker {
-   public:
-    using Run = LinearScalars::Run;
-    /// Then N·N starts anew, before the rounding of its differences shows.
+  struct Walker : PreparedWalker<Prepared, Run> {
+    using PreparedWalker<Prepared, Run>::PreparedWalker;
+    /// A new run starts N·N again before the rounding of its differences is visible.
     static constexpr std::int32_t kLongestRun = 256;
-    constexpr explicit Walker(Prepared& prepared) : p_(&prepared) {}
-    [[nodiscard]] constexpr Run row(const RowStart& start) const {
-      Run run;
-      unrolled<kScalars>([&](auto i) {
-        run.scalars[i] = linear_at(p_->scalars[i], start);
-        run.steps[i] = p_->scalars[i].dx;
-      });
-      run.length = SquaredLength::of(p_->normal.at(start), p_->normal.step());
-      return run;
-    }
-    constexpr void next_row() {
-      p_->normal.next_row();
-      unrolled<kScalars>([this](auto i) { p_->scalars[i].next_row(); });
-    }
-    constexpr void enter_lower() {
-      p_->normal.enter_lower(p_->middle_left);
-      unrolled<kScalars>([this](auto i) { p_->scalars[i].enter_lower(p_->middle_left); });
-    }
-
-   private:
-    Prepared* p_;
   };
 
   template <class Draw>

@@ -8,7 +8,7 @@
 
 namespace arcspan {
 
-/// (x, y) = size (cos angle, sin angle).
+/// Polar coordinates: (x, y) = size * (cos angle, sin angle).
 struct Polar {
   std::int32_t size;  ///< in the units of x and y, not negative
   Angle32 angle;
@@ -37,9 +37,9 @@ inline constexpr std::array<std::uint32_t, kCordicSteps> kCordicTable = make_cor
 
 }  // namespace detail
 
-/// Size and angle of a vector by Volder's CORDIC (1959) in vectoring mode: shifts and sums, no root and no
-/// division. |x|, |y| <= 2^29; error of the angle at most 2^-18 rad where the size is above 2^24, of the size
-/// 2^-20 of itself and 20 units (swept in the tests).
+/// The polar coordinates of (x, y), |x|, |y| <= 2^29. The angle's error is at most 2^-18 rad where the size
+/// exceeds 2^24; the size's error is at most 2^-20 of the size plus 20 units (swept in the tests). By
+/// Volder's CORDIC (1959) in vectoring mode: shifts and additions, no root and no division.
 [[nodiscard]] constexpr Polar to_polar(std::int32_t x, std::int32_t y) {
   Angle32 angle = 0;
   if (x < 0) {

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
-#include <arcspan/shading/literature/slerp_rows.hpp>
+#include <arcspan/shading/literature/prepared_walker.hpp>
+#include <arcspan/shading/literature/slerp_triangle.hpp>
 
 namespace arcspan {
 
-/// Direct spherical interpolation (S0 eq. 2, Shoemake), for comparison: two sines from a table, six products
-/// for the vector and then the products with L, H or V at every pixel; a root a row for its angle.
+/// Direct spherical interpolation (S0 eq. 2, Shoemake), for comparison. Each pixel takes two sines from a
+/// table, six products for the vector, then the products with L, H or V. Each row takes a root for its angle.
 template <class Illumination>
 struct Slerp : SlerpBase<Illumination, 0> {
   using Base = SlerpBase<Illumination, 0>;
@@ -36,27 +37,19 @@ struct Slerp : SlerpBase<Illumination, 0> {
           lighting.scalars(Direction{mix(left.x, right.x), mix(left.y, right.y), mix(left.z, right.z)}));
     }
     constexpr void next() { phase += step; }
-  };
 
-  class Walker {
-   public:
-    using Run = Slerp::Run;
-    static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
-    constexpr explicit Walker(Prepared& prepared) : edges_(&prepared) {}
-    [[nodiscard]] constexpr Run row(const RowStart& start) const {
-      const SlerpRow<Base::kCount> row = edges_->row(start);
+    [[nodiscard]] static constexpr Run of_row(const Prepared& triangle, const RowStart& start) {
+      const SlerpRow<Base::kCount> row = triangle.row(start);
       return {direction(row.left), direction(row.right), row.arc, row.phase, row.step};
     }
-    constexpr void next_row() { edges_->next_row(); }
-    constexpr void enter_lower() { edges_->enter_lower(); }
 
    private:
     [[nodiscard]] static constexpr Direction direction(const SlerpValues<Base::kCount>& v) {
       return {convert<DirectionComponent>(v[0]), convert<DirectionComponent>(v[1]),
               convert<DirectionComponent>(v[2])};
     }
-    Prepared* edges_;
   };
+  using Walker = PreparedWalker<Prepared, Run>;
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {

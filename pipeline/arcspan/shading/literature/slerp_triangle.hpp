@@ -13,7 +13,7 @@ namespace arcspan {
 
 namespace detail {
 
-/// numerator / v with 30 fraction bits, at most 1, from the reciprocal of v.
+/// numerator / v, 30 fraction bits, saturated at 1; `inverse` is the reciprocal of v.
 [[nodiscard]] constexpr std::uint32_t ratio30(std::uint32_t numerator, const Reciprocal& inverse) {
   const std::uint64_t product = std::uint64_t{numerator} * inverse.mantissa;
   const int down = inverse.exponent - 30;
@@ -21,12 +21,12 @@ namespace detail {
   return ratio > (std::uint32_t{1} << 30) ? std::uint32_t{1} << 30 : static_cast<std::uint32_t>(ratio);
 }
 
-/// The fraction (30 bits) of an angle.
+/// angle * fraction, rounded down; `fraction` in 0...1 with 30 fraction bits.
 [[nodiscard]] constexpr Angle32 part_of(Angle32 angle, std::uint32_t fraction) {
   return static_cast<Angle32>((std::uint64_t{angle} * fraction) >> 30);
 }
 
-/// What Arc needs to know to cut and split vertices that carry `Count` scalars.
+/// The part of an illumination with which Arc cuts and splits vertices of `Count` scalars.
 template <std::size_t Count>
 struct CarriedScalars {
   static constexpr std::size_t kScalars = Count;
@@ -37,19 +37,22 @@ struct CarriedScalars {
 
 }  // namespace detail
 
-/// Scalars of which the first three are the components of a unit normal; the others are linear in it.
+/// Scalars of a unit normal: first its three components, then `Count` - 3 others that are linear in it.
 template <std::size_t Count>
 using SlerpValues = std::array<Cosine, Count>;
 
-/// The two sines of S0 eq. 2, N(t) = [sin((1-t) psi) A + sin(t psi) B] / sin(psi), on an arc of at most 60
-/// degrees; a wider one is taken as one of 60. Its angle is at least 2^-8 rad: below that the weights are
-/// those of a line to 2e-6, and the sines would have too few bits.
+/// The weights of S0 eq. 2, N(t) = [sin((1-t) psi) A + sin(t psi) B] / sin(psi), on an arc between two unit
+/// normals A and B.
+///
+/// psi is limited to 2^-8 rad ... 60 degrees: a wider arc counts as 60 degrees, a shorter one as 2^-8 rad.
+/// For shorter ones the weights differ from linear ones by less than 2e-6, and the sines would have too few
+/// bits.
 struct SlerpArc {
-  Angle32 angle;
-  std::uint32_t inverse_sine;  ///< mantissa in [2^15, 2^16]
-  int zeros;                   ///< places that sin(angle) is shifted up for it
+  Angle32 angle;               ///< psi
+  std::uint32_t inverse_sine;  ///< mantissa of 1 / sin(psi), in [2^15, 2^16]
+  int zeros;                   ///< leading zeros of sin(psi) with 30 fraction bits
 
-  /// Of two unit normals, the first three of `a` and `b`. One root.
+  /// The arc between the unit normals in the first three values of `a` and `b`. Takes one root.
   template <std::size_t Count>
   [[nodiscard]] static constexpr SlerpArc of(const SlerpValues<Count>& a, const SlerpValues<Count>& b) {
     std::uint64_t sum = 0;
@@ -59,7 +62,7 @@ struct SlerpArc {
     }
     const std::uint32_t chord =
         sum > (std::uint32_t{1} << 30) ? std::uint32_t{1} << 30 : static_cast<std::uint32_t>(sum);
-    // psi^2 = s (1 + s/12 + s^2/90 + s^3/560 + ...), as angle_of_chord(); the rest of the series is in the
+    // psi^2 = s (1 + s/12 + s^2/90 + s^3/560 + ...), as in arc_angle.hpp, with the rest of the series in the
     // last coefficient.
     const std::uint32_t s = chord >> 15;
     const std::uint32_t inner = 364u + ((s * 73u) >> 15);
@@ -72,26 +75,27 @@ struct SlerpArc {
     return {angle, inverse.mantissa, 47 - inverse.exponent};
   }
 
-  /// sin(part) / sin(angle), 15 fraction bits, part <= angle.
+  /// sin(part) / sin(psi), 15 fraction bits, for part <= psi.
   [[nodiscard]] constexpr std::int32_t weight(Angle32 part) const {
     const std::uint32_t sine = (quarter_sine(part) << zeros) >> 16;
     return static_cast<std::int32_t>((sine * inverse_sine + (1u << 15)) >> 16);
   }
 
-  /// Of the two ends, 15 fraction bits each.
+  /// Factors of A and B, 15 fraction bits each.
   struct Weights {
     std::int32_t a;
     std::int32_t b;
   };
-  /// At `phase` from A; steps that add up to more than the angle stay at its end.
+  /// The weights at angle `phase` from A; beyond psi those of B, because the steps may add up to more than
+  /// psi.
   [[nodiscard]] constexpr Weights at(Angle32 phase) const {
     const Angle32 held = phase < angle ? phase : angle;
     return {weight(angle - held), weight(held)};
   }
 };
 
-/// Scalars on their way down an edge by S0 eq. 2. A function of the edge's own ends, top to bottom, so that
-/// the two triangles of an edge agree.
+/// The scalars along an edge by S0 eq. 2, stepped from row to row. They depend only on the edge's two ends,
+/// so that the two triangles of an edge agree.
 template <std::size_t Count>
 struct SlerpEdge {
   SlerpValues<Count> top;
@@ -121,19 +125,19 @@ struct SlerpEdge {
   }
 };
 
-/// A row between its ends: the arc and where on it the first pixel lies.
+/// A row: the scalars at its two ends and the arc between them.
 template <std::size_t Count>
 struct SlerpRow {
   SlerpValues<Count> left;
   SlerpValues<Count> right;
   SlerpArc arc;
-  Angle32 phase;
-  Angle32 step;  ///< per pixel
+  Angle32 phase;  ///< of the first pixel, from the left end
+  Angle32 step;   ///< per pixel
 };
 
-/// The triangle command's part of a method that makes both ends of every row by S0 eq. 2.
+/// The prepared part of a method that finds both ends of every row by S0 eq. 2.
 template <std::size_t Count>
-struct SlerpEdges {
+struct SlerpTriangle {
   SlerpEdge<Count> long_edge;
   SlerpEdge<Count> upper_edge;
   SlerpEdge<Count> lower_edge;
@@ -159,15 +163,15 @@ struct SlerpEdges {
   constexpr void enter_lower() { in_lower = true; }
 
   [[nodiscard]] constexpr SlerpRow<Count> row(const RowStart& start) const {
-    const SlerpEdge<Count>& broken = in_lower ? lower_edge : upper_edge;
+    const SlerpEdge<Count>& short_edge = in_lower ? lower_edge : upper_edge;
     SlerpRow<Count> row;
-    row.left = (middle_left ? broken : long_edge).here();
-    row.right = (middle_left ? long_edge : broken).here();
+    row.left = (middle_left ? short_edge : long_edge).here();
+    row.right = (middle_left ? long_edge : short_edge).here();
     row.arc = SlerpArc::of(row.left, row.right);
     const Reciprocal inverse = nonzero_reciprocal(start.width);
     const std::uint32_t inside = start.inside < start.width ? start.inside : start.width;
     row.phase = detail::part_of(row.arc.angle, detail::ratio30(inside, inverse));
-    // A row shorter than a pixel has one pixel and makes no step.
+    // A row shorter than a pixel has one pixel and no step.
     row.step = start.bits != 16
                    ? 0
                    : detail::part_of(row.arc.angle, detail::ratio30(std::uint32_t{1} << 16, inverse));
@@ -175,8 +179,8 @@ struct SlerpEdges {
   }
 };
 
-/// What Slerp and KuijkBlake share: vertices with the normal's components and `More` scalars, wide arcs split
-/// and cut as Arc does.
+/// The common part of Slerp and KuijkBlake: vertices carry the normal's three components and `More` other
+/// scalars, and are cut and split as Arc's.
 template <class Illumination, std::size_t More>
 struct SlerpBase {
   static constexpr std::size_t kCount = 3 + More;
@@ -184,7 +188,7 @@ struct SlerpBase {
   using Lighting = Illumination;
   struct Face {};
   using Vertex = typename Carrier::Vertex;
-  using Prepared = SlerpEdges<kCount>;
+  using Prepared = SlerpTriangle<kCount>;
   static constexpr bool kNeedsFaceNormal = false;
 
   [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }
@@ -200,6 +204,7 @@ struct SlerpBase {
   }
 
  protected:
+  /// A vertex with the components of `n`; the other scalars are 0.
   [[nodiscard]] static constexpr Vertex vertex_of(const Direction& n) {
     Vertex vertex{to_normal(n), {}};
     vertex.scalars[0] = convert<Cosine>(n.x);

@@ -15,6 +15,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "docs"))
 import extract  # noqa: E402
@@ -85,7 +86,9 @@ def main():
                     command = SLOW[command]
                 if own and (top / "ball.hpp").exists():
                     extract.write(project / "ball.hpp", (top / "ball.hpp").read_text())
+                begin = time.monotonic()
                 failed, environment = run(command, project if own else top, environment)
+                print(f"{time.monotonic() - begin:5.1f} s  {command}", flush=True)
                 if failed is not None:
                     print(f"{page}:{line}: {command}\n{failed}")
                     failures += 1

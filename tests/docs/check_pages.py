@@ -5,6 +5,7 @@
 * Each relative link names a file or folder that exists, and each #anchor a heading of its page.
 * Each page is reachable by links from README.md.
 * No line is longer than 120 columns, except in tables and in code.
+* Decisions are numbered from 1 without gaps, in the names of their files and in their titles.
 """
 
 import pathlib
@@ -46,6 +47,13 @@ def long_lines(page):
             yield f"line {number} has {len(line)} columns, at most {COLUMNS} are allowed"
 
 
+def decisions(folder):
+    for wanted, page in enumerate(sorted(folder.glob("[0-9]*.md")), 1):
+        if not page.name.startswith(f"{wanted:04}-") or not page.read_text(encoding="utf-8").startswith(f"# {wanted}. "):
+            yield f"{page.name}: should be decision {wanted}"
+            return
+
+
 def main():
     tree = pathlib.Path(sys.argv[1]).resolve()
     pages = [p for p in sorted(tree.rglob("*.md"))
@@ -63,6 +71,7 @@ def main():
             else:
                 leads_to[page].add(path)
         wrong += [f"{name}: {line}" for line in long_lines(page)]
+    wrong += decisions(tree / "docs/decisions")
     reached = set()
     ahead = [tree / "README.md"]
     while ahead:

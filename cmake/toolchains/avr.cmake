@@ -3,7 +3,7 @@
 #
 # Debian's avr-g++ is 5.4 and ends at C++17; its linker, start-up code and libgcc serve. Clang before 19 miscompiles the
 # pipeline, and every clang takes return addresses for 2 bytes: chips with more than 128 KB of flash, whose are 3, do not
-# work (docs/decisions/0030-avr.md).
+# work (docs/decisions/0020-avr.md).
 set(CMAKE_SYSTEM_PROCESSOR avr)
 include(${CMAKE_CURRENT_LIST_DIR}/bare-metal.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/libstdcxx-headers.cmake)

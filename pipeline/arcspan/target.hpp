@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#if __cplusplus < 202002L
+#error "arcspan needs C++20: compile with -std=c++20 or newer"
+#endif
+
 #include <type_traits>
 
 /// Everything in pipeline/ that depends on the compiler, on the processor core or on the optimisation level:

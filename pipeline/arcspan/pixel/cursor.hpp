@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/target.hpp>
+
 #include <cstdint>
 
-namespace arcspan::detail {
+namespace arcspan {
 
 /// The cursor of a format whose pixels are one word each.
 template <class Pixel>
@@ -54,4 +56,4 @@ class BitCursor {
   unsigned shift_;
 };
 
-}  // namespace arcspan::detail
+}  // namespace arcspan

@@ -19,8 +19,6 @@ namespace arcspan {
 template <bool Joined>
 struct BasicFineRgb;
 
-namespace detail {
-
 /// The common part of both layouts.
 struct FineChannels {
   static constexpr int kFraction = 23;
@@ -37,6 +35,8 @@ struct FineChannels {
     return PackedRgb::of(r >> (kFraction - 2), g >> (kFraction - 2), b >> (kFraction - 2));
   }
 };
+
+namespace detail {
 
 /// The lower 11 bits of `low` with the lower 5 bits of `five` above them.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t with_upper_five(std::uint32_t low, std::uint32_t five) {
@@ -60,7 +60,7 @@ struct FineChannels {
 
 /// One word per channel.
 template <>
-struct BasicFineRgb<false> : detail::FineChannels {
+struct BasicFineRgb<false> : FineChannels {
   /// What a triangle keeps of its step in addition to the channels' gradients: nothing.
   struct KeptStep {};
 
@@ -113,7 +113,7 @@ struct BasicFineRgb<false> : detail::FineChannels {
 /// the upper word, and a rotation joins them as in a 5-6-5 pixel. This takes two instructions per pixel less
 /// than one word per channel.
 template <>
-struct BasicFineRgb<true> : detail::FineChannels {
+struct BasicFineRgb<true> : FineChannels {
   /// The steps of green and blue, joined like the channels.
   using KeptStep = std::uint64_t;
 

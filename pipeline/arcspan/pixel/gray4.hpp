@@ -13,7 +13,7 @@ namespace arcspan {
 struct Gray4 {
   using Encoded = std::uint8_t;
   using Word = std::uint8_t;
-  using Cursor = detail::BitCursor<4>;
+  using Cursor = BitCursor<4>;
   static constexpr unsigned kBitsPerPixel = 4;
   static constexpr bool kDithers = false;
 

@@ -13,7 +13,7 @@ namespace arcspan {
 struct Gray8 {
   using Encoded = std::uint8_t;
   using Word = std::uint8_t;
-  using Cursor = detail::WordCursor<std::uint8_t>;
+  using Cursor = WordCursor<std::uint8_t>;
   static constexpr unsigned kBitsPerPixel = 8;
   static constexpr bool kDithers = false;
 

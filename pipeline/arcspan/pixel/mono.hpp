@@ -14,7 +14,7 @@ namespace arcspan {
 struct Mono {
   using Encoded = std::uint8_t;
   using Word = std::uint8_t;
-  using Cursor = detail::BitCursor<1>;
+  using Cursor = BitCursor<1>;
   static constexpr unsigned kBitsPerPixel = 1;
   static constexpr bool kDithers = false;
 

@@ -17,7 +17,7 @@ namespace arcspan {
 struct Rgb565 {
   using Encoded = std::uint16_t;
   using Word = std::uint16_t;
-  using Cursor = detail::WordCursor<std::uint16_t>;
+  using Cursor = WordCursor<std::uint16_t>;
   static constexpr unsigned kBitsPerPixel = 16;
   static constexpr bool kDithers = false;
 

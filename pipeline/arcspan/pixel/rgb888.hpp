@@ -13,7 +13,7 @@ namespace arcspan {
 struct Rgb888 {
   using Encoded = Rgb8;
   using Word = Rgb8;
-  using Cursor = detail::WordCursor<Rgb8>;
+  using Cursor = WordCursor<Rgb8>;
   static constexpr unsigned kBitsPerPixel = 24;
   static constexpr bool kDithers = false;
 

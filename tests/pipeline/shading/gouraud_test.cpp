@@ -26,7 +26,7 @@ using Triangle = std::array<Vertex, 3>;
 struct WordFormat {
   using Encoded = FineRgb;
   using Word = FineRgb;
-  using Cursor = arcspan::detail::WordCursor<FineRgb>;
+  using Cursor = arcspan::WordCursor<FineRgb>;
   static constexpr unsigned kBitsPerPixel = 96;
   static constexpr bool kDithers = false;
   [[nodiscard]] static std::size_t words_per_row(std::int32_t width) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/shading/arc/arc.hpp>

@@ -16,7 +16,7 @@ inline constexpr std::int32_t kMostPictureSide = 2 * kGuardBand;
 struct RenderOptions {
   std::string mesh;
   std::string format = "rgb565";
-  bool dither = false;
+  bool dither = true;  ///< has no effect on formats of 8 bits per channel
   /// A renderer's name (shading_names()) once the arguments are parsed.
   std::string shading = "arc";
   /// What `dichotomy` halves arcs by; empty if it was not given.

@@ -196,7 +196,7 @@ void add_show_command(CLI::App& app) {
       "  arcspan show bunny.obj --device /dev/fb0 --turntable 120\n"
       "  arcspan show torus:48x24 --device /dev/fb0 --seconds 10\n"
       "  arcspan show bunny.obj --device st7789 --dc GPIO25 --reset GPIO27 --backlight GPIO18\n"
-      "  arcspan show bunny.obj --device ssd1306 --i2c /dev/i2c-1 --dither");
+      "  arcspan show bunny.obj --device ssd1306 --i2c /dev/i2c-1");
   show->callback([show, arguments] {
     arguments->own_size = show->count("--size") > 0;
     arguments->own_format = show->count("--format") > 0;

@@ -145,11 +145,7 @@ void report(const SimulateArguments& arguments, const SimulatedDisplay& display,
                  arguments.options.shading.c_str());
   }
   std::fprintf(out, "RAM for buffers: %zu bytes; a whole frame would take %zu\n", display.buffer_bytes(),
-               static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) *
-                   (display.format() == "rgb565"  ? 16u
-                    : display.format() == "gray4" ? 4u
-                                                  : 1u) /
-                   8);
+               display.frame_bytes());
 }
 
 void run_simulate(const SimulateArguments& arguments) {
@@ -195,7 +191,7 @@ void add_simulate_command(CLI::App& app) {
   simulate->footer(
       "Examples:\n"
       "  arcspan simulate torus:48x24 --panel ili9341 --rotation 90 -o panel.png\n"
-      "  arcspan simulate bunny.obj --panel ssd1306 --dither --bus i2c --turntable 36 --changes -o oled.gif");
+      "  arcspan simulate bunny.obj --panel ssd1306 --bus i2c --turntable 36 --changes -o oled.gif");
   simulate->callback([arguments] { run_simulate(*arguments); });
 }
 

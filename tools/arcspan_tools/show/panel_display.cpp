@@ -5,14 +5,12 @@
 #include <arcspan/hal/panel/ssd1306.hpp>
 #include <arcspan/hal/panel/ssd1351.hpp>
 #include <arcspan/hal/panel/st7789.hpp>
-#include <arcspan/pixel/gray4.hpp>
-#include <arcspan/pixel/rgb565.hpp>
 
+#include <arcspan_tools/render/pixel_format_name.hpp>
 #include <arcspan_tools/show/panel_display.hpp>
 #include <arcspan_tools/show/panel_wires.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
-#include <type_traits>
 #include <vector>
 
 namespace arcspan::tools {
@@ -86,9 +84,7 @@ class PanelDisplay final : public Display {
   PanelDisplay& operator=(const PanelDisplay&) = delete;
 
   [[nodiscard]] Size size() const override { return {frame_.bounds().width(), frame_.bounds().height()}; }
-  [[nodiscard]] std::string format() const override {
-    return std::is_same_v<Format, Rgb565> ? "rgb565" : std::is_same_v<Format, Gray4> ? "gray4" : "mono";
-  }
+  [[nodiscard]] std::string format() const override { return std::string(pixel_format_name<Format>()); }
   [[nodiscard]] std::string description() const override { return description_; }
 
   void show(const Image& image) override {

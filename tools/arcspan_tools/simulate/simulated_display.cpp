@@ -9,14 +9,12 @@
 #include <arcspan/hal/sim/ssd0323_model.hpp>
 #include <arcspan/hal/sim/ssd1306_model.hpp>
 #include <arcspan/hal/sim/ssd1351_model.hpp>
-#include <arcspan/pixel/gray4.hpp>
-#include <arcspan/pixel/rgb565.hpp>
 
+#include <arcspan_tools/render/pixel_format_name.hpp>
 #include <arcspan_tools/simulate/simulated_display.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <algorithm>
-#include <type_traits>
 
 namespace arcspan::tools {
 namespace {
@@ -112,9 +110,7 @@ class Display final : public SimulatedDisplay {
   }
 
   [[nodiscard]] Size size() const override { return {wired_.panel.width(), wired_.panel.height()}; }
-  [[nodiscard]] std::string format() const override {
-    return std::is_same_v<Format, Rgb565> ? "rgb565" : std::is_same_v<Format, Gray4> ? "gray4" : "mono";
-  }
+  [[nodiscard]] std::string format() const override { return std::string(pixel_format_name<Format>()); }
   [[nodiscard]] Image picture() const override {
     const sim::Picture shown = wired_.device.picture();
     Image image(shown.width, shown.height);
@@ -126,6 +122,9 @@ class Display final : public SimulatedDisplay {
   [[nodiscard]] std::size_t buffer_bytes() const override {
     return band_.size() * sizeof(band_[0]) + wire_.size() +
            (wish_.changes_only ? extents_.size() * sizeof(RowExtent) : 0);
+  }
+  [[nodiscard]] std::size_t frame_bytes() const override {
+    return Frame::words(wired_.panel.width(), wired_.panel.height()) * sizeof(typename Frame::Word);
   }
 
  private:

@@ -147,7 +147,7 @@ std::unique_ptr<Display> open_display(const ShowArguments& arguments) {
 
 // Returns the signal that ended it, when everything is given back.
 int show_until_stopped(ShowArguments& arguments, const FixedMesh& mesh) {
-  // Before the display is touched: from here on a signal waits until it can be left clean.
+  // Before the display is opened: from here on a signal waits until the display can be left clean.
   linux_host::SignalWatch signals;
   const std::unique_ptr<Display> display = open_display(arguments);
   fit(arguments, *display);
@@ -162,7 +162,7 @@ int show_until_stopped(ShowArguments& arguments, const FixedMesh& mesh) {
 }
 
 void run_show(ShowArguments arguments) {
-  // A mesh that cannot be shown leaves the display untouched.
+  // If the mesh cannot be loaded, the display is not opened.
   const FixedMesh mesh = to_fixed(load_mesh(arguments.options.mesh));
   const int signal = show_until_stopped(arguments, mesh);
   if (signal == 0) return;

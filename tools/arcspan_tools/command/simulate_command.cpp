@@ -21,7 +21,7 @@ namespace {
 struct SimulateArguments {
   RenderOptions options;
   std::string output;
-  DisplayWish display;
+  DisplayOptions display;
   std::string rotation = "0";
   std::string bus = "spi";
   double spi_mhz = 20;
@@ -40,17 +40,17 @@ struct Totals {
 
 constexpr std::int32_t kTurnMilliseconds = 2000;
 
-DisplayWish wish_of(const SimulateArguments& arguments) {
-  DisplayWish wish = arguments.display;
-  wish.i2c = arguments.bus == "i2c";
-  wish.hertz =
-      static_cast<std::uint64_t>(std::llround(wish.i2c ? arguments.i2c_khz * 1e3 : arguments.spi_mhz * 1e6));
-  wish.orientation = arguments.rotation == "90"    ? hal::Orientation::k90
-                     : arguments.rotation == "180" ? hal::Orientation::k180
-                     : arguments.rotation == "270" ? hal::Orientation::k270
-                                                   : hal::Orientation::k0;
-  if (arguments.options.scene.band_rows > 0) wish.band_rows = arguments.options.scene.band_rows;
-  return wish;
+DisplayOptions options_of(const SimulateArguments& arguments) {
+  DisplayOptions options = arguments.display;
+  options.i2c = arguments.bus == "i2c";
+  options.hertz = static_cast<std::uint64_t>(
+      std::llround(options.i2c ? arguments.i2c_khz * 1e3 : arguments.spi_mhz * 1e6));
+  options.orientation = arguments.rotation == "90"    ? hal::Orientation::k90
+                        : arguments.rotation == "180" ? hal::Orientation::k180
+                        : arguments.rotation == "270" ? hal::Orientation::k270
+                                                      : hal::Orientation::k0;
+  if (arguments.options.scene.band_rows > 0) options.band_rows = arguments.options.scene.band_rows;
+  return options;
 }
 
 /// Where the glass is shown after each frame: one picture, or a moving one.
@@ -91,7 +91,7 @@ class GlassOutput {
 Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, GlassOutput& output) {
   RenderOptions options = arguments.options;
   options.scene.size = display.size();
-  options.scene.band_rows = wish_of(arguments).band_rows;
+  options.scene.band_rows = options_of(arguments).band_rows;
   const FixedMesh mesh = to_fixed(load_mesh(options.mesh));
   const Renderer& renderer = find_renderer(options.shading, display.format(), options.dither);
   const auto frames = static_cast<std::size_t>(arguments.frames);
@@ -149,7 +149,7 @@ void report(const SimulateArguments& arguments, const SimulatedDisplay& display,
 }
 
 void run_simulate(const SimulateArguments& arguments) {
-  const std::unique_ptr<SimulatedDisplay> display = make_display(wish_of(arguments));
+  const std::unique_ptr<SimulatedDisplay> display = make_display(options_of(arguments));
   GlassOutput output(arguments.output, arguments.frames, display->picture());
   const Totals totals = show_all(arguments, *display, output);
   output.finish();

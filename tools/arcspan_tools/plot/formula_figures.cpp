@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/plot/figures.hpp>
+#include <arcspan_tools/plot/figure_list.hpp>
 #include <arcspan_tools/plot/formulas.hpp>
 
 #include <cmath>

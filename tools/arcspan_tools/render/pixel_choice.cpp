@@ -8,7 +8,7 @@
 namespace arcspan::tools {
 namespace {
 
-/// Whether all 256 greys can be told apart, so that there is nothing to dither.
+/// Whether the format keeps all 256 greys, so that there is nothing to dither.
 template <class Format>
 constexpr bool keeps_8_bits() {
   for (unsigned grey = 0; grey < 256; ++grey) {

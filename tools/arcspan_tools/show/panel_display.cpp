@@ -68,14 +68,14 @@ class PanelDisplay final : public Display {
         description_(std::string("panel ") + name + " at " + options.bus()) {}
   // Not in the constructor: what fails here must put the panel to sleep, too.
   void start() {
-    touched_ = true;
+    started_ = true;
     wires_.check(panel().start());
     // The controller's memory holds noise after power-on.
     frame_.clear({0, 0, 0});
     wires_.check(send_area(panel(), frame_, frame_.bounds(), wire_));
   }
   ~PanelDisplay() override {
-    if (!touched_) return;
+    if (!started_) return;
     // One that could not be started may be on; only a start that is whole makes sure that it understands.
     if (!panel().awake()) (void)panel().start();
     (void)panel().sleep();
@@ -101,7 +101,7 @@ class PanelDisplay final : public Display {
   }
 
   void finish() override {
-    touched_ = false;
+    started_ = false;
     wires_.check(panel().sleep());
     wires_.light(false);
   }
@@ -115,7 +115,7 @@ class PanelDisplay final : public Display {
   Frame frame_;
   std::vector<std::uint8_t> wire_;
   std::string description_;
-  bool touched_ = false;
+  bool started_ = false;
 };
 
 struct Known {

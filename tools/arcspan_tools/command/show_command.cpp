@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/linux_host/signal_watch.hpp>
 
+#include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/number_range.hpp>
 #include <arcspan_tools/command/render_options.hpp>

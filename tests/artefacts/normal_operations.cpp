@@ -25,7 +25,7 @@ struct Nothing {
   [[nodiscard]] counted::PackedRgb colour(const Scalars&) const { return {}; }
 };
 
-/// What one pixel takes: its colour, and the step to the next one.
+/// The operations of one pixel: of its colour and of the step to the next pixel.
 template <class Run>
 OperationCounts count_pixel(Run run) {
   OperationCounts counts;

@@ -93,12 +93,12 @@ TEST_CASE("rgb565 drawn directly is the encoding of the picture drawn through vi
 }
 
 TEST_CASE("without a depth test, what is drawn last covers what was drawn before") {
-  // Two squares, the nearer one first.
+  // Two squares: first the nearer one, which faces the light, then a tilted one.
   MeshData squares;
-  for (const double z : {0.5, -0.5}) {
+  for (const double tilt : {0.0, 0.4}) {
     for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
-      squares.positions.push_back({x, y, z});
-      squares.normals.push_back(z > 0 ? Vec3{0, 0, 1} : Vec3{0.6, 0, 0.8});
+      squares.positions.push_back({x, y, tilt > 0 ? -0.5 - tilt * x : 0.5});
+      squares.normals.push_back(normalised(Vec3{tilt, 0, 1}));
     }
   }
   squares.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};

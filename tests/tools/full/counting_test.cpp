@@ -18,7 +18,7 @@ using Int = Counted<std::int32_t>;
 using Word = Counted<std::uint32_t>;
 using Short = Counted<std::int16_t>;
 
-/// What `work` counts.
+/// The operations that `work` performs.
 template <class Work>
 OperationCounts counted(const Work& work) {
   OperationCounts counts;

@@ -10,7 +10,7 @@
 
 namespace arcspan::tools {
 
-/// What the bench calls the float loop of float_phong.hpp, beside the names of shadings.
+/// The name of the float loop of float_phong.hpp, beside the names of shading methods.
 inline constexpr const char* kFloatPhong = "float-phong";
 
 /// One way of drawing a scene.

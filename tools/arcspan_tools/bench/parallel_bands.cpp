@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 }  // namespace
 
 struct ParallelBands::Work {
-  /// What one thread has for itself.
+  /// The memory that one thread does not share.
   class Band {
    public:
     Band(const RenderJob& job, const Light& light, std::span<Rgb565::Word> memory, std::int32_t first,

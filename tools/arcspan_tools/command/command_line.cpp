@@ -21,7 +21,7 @@ int complain(const std::string& what, int status) {
   return status;
 }
 
-// What was printed may have gone nowhere: into a full disk, say.
+// Printing may fail, for example because a disk is full.
 int flushed() {
   std::cout.flush();
   const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;

@@ -210,6 +210,9 @@ void add_compare_command(CLI::App& app) {
       "compare", "Draw a mesh by every shading method: a contact sheet and what each costs");
   add_options(*compare, *arguments);
   compare->footer(
+      "Two or three lights are drawn, timed and counted as four, of which the others are dark. Several "
+      "lights\n"
+      "are drawn through virtual calls, and the methods of the papers reach them by further ones.\n"
       "Examples:\n"
       "  arcspan compare bunny.obj -o sheet.png\n"
       "  arcspan compare sphere:32x16 -o sheet.png --shading gouraud,phong,arc --table costs.md");

@@ -44,7 +44,7 @@ struct Figures {
 
 std::string size_text(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
-// What was not asked for is taken from the display.
+// Size and format are those of the display unless options say otherwise.
 void fit(ShowArguments& arguments, const Display& display) {
   const Size whole = display.size();
   Size& size = arguments.options.scene.size;

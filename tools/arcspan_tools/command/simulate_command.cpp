@@ -137,7 +137,7 @@ void report(const SimulateArguments& arguments, const SimulatedDisplay& display,
   std::fprintf(out, "bus: %.3f ms a frame; allows %.1f frames a second\n", bus_ms, 1000 / bus_ms);
   if (totals.draw_known) {
     const double frame_ms = static_cast<double>(totals.frame_ns) / 1e6 / frames;
-    std::fprintf(out, "drawing: %.3f ms a frame on a Cortex-M3 at %g MHz (an estimate, clearing apart)\n",
+    std::fprintf(out, "drawing: %.3f ms a frame on a Cortex-M3 at %g MHz (an estimate, without clearing)\n",
                  draw_ms, arguments.cpu_mhz);
     std::fprintf(out, "both, overlapped: %.3f ms, %.1f frames a second; bottleneck: %s\n", frame_ms,
                  1000 / frame_ms, draw_ms > bus_ms ? "shading" : "the bus");

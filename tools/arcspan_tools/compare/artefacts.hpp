@@ -55,7 +55,7 @@ class ArtefactScene {
 /// a pixel. Zero where the brightness has no kink.
 [[nodiscard]] double kink(const Profile& profile, double x, int reach);
 
-/// What turning the picture by all of 360 degrees in steps of 5 changes at one point.
+/// How much one point changes while the picture is turned by 360 degrees in steps of 5.
 struct RotationSpread {
   double steps = 0;    ///< brightest less darkest, 8-bit steps
   double degrees = 0;  ///< largest angle between two of the normals it is shaded by

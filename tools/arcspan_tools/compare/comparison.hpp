@@ -13,7 +13,7 @@ namespace arcspan::tools {
 /// Operations per pixel, by arcspan_counting::Operation.
 using OperationRates = std::array<double, arcspan_counting::kOperationKinds>;
 
-/// What one shading method does on one job.
+/// Error, cost and picture of one shading method on one job.
 struct MethodFigures {
   std::string shading;
   Image picture;

@@ -11,8 +11,8 @@
 
 namespace arcspan::tools {
 
-/// What a picture ought to be: Phong's own interpolation (normals along chords, then normalised), or the
-/// spherical one (S0 eq. 2, along the edges and then along the rows).
+/// The correct picture by one of two definitions: Phong's own interpolation (normals along chords, then
+/// normalised), or the spherical one (S0 eq. 2, along the edges and then along the rows).
 enum class ReferenceKind : std::uint8_t { kPhong, kSlerp };
 
 /// Red, green, blue in 8-bit steps, 0...255, not rounded.

@@ -8,7 +8,7 @@
 
 namespace arcspan_counting {
 
-/// What an integer machine does, by kind.
+/// The operations of an integer machine by kind.
 enum class Operation : std::uint8_t {
   kMultiply,
   kShift,   ///< not of the literal 1: 1 << k is the constant half of a rounding

@@ -3,7 +3,8 @@
 
 #include <cstdint>
 
-/// What the papers' figures show, computed from definitions, not from the papers' results. Angles in radians.
+/// The curves of the papers' figures, computed from definitions, not from the papers' results. Angles in
+/// radians.
 namespace arcspan::tools {
 
 /// S3: a segment whose end normals are `angle` apart, with the light (or H) in the middle between them; the

@@ -43,7 +43,7 @@ class SimulatedDisplay {
   [[nodiscard]] virtual Size size() const = 0;
   /// The pixel format that it is drawn in.
   [[nodiscard]] virtual std::string format() const = 0;
-  /// What is on the glass.
+  /// The picture on the glass.
   [[nodiscard]] virtual Image picture() const = 0;
   [[nodiscard]] virtual hal::sim::BusCount count() const = 0;
   [[nodiscard]] virtual std::uint64_t now_ns() const = 0;

@@ -11,7 +11,7 @@
 
 namespace arcspan::tools {
 
-/// What a mesh is to become.
+/// Limits that a compiled mesh must keep.
 struct MeshLimits {
   std::optional<std::size_t> max_triangles;
   std::optional<std::size_t> max_bytes;

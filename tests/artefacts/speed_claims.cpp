@@ -197,7 +197,8 @@ void print_claims(Bench& coarse) {
 
 void print_operations(Bench& bench, const char* mesh) {
   std::printf(
-      "`%s`, operations per pixel, counted by compiling the pipeline with integers that count:\n\n| shading |",
+      "`%s`, operations per pixel, counted by compiling the pipeline with integers that count:\n\n| shading "
+      "|",
       mesh);
   for (const std::string_view kind : arcspan_counting::kOperationNames) {
     std::printf(" %s |", std::string(kind).c_str());

@@ -97,7 +97,7 @@ void print_misprints() {
       "## Misprints\n\n"
       "S0 eq. 9 to 11 make x(t+2), x(t+3), x(t+4) from x(t) and x(t-1). Tried on x(t) = cos(0.3 + t phi),\n"
       "phi = 5 degrees, t = 0; C = cos(2 phi), c = cos(phi):\n\n"
-      "| equation | truth | as printed | corrected | the correct form |\n|---|---:|---:|---:|---|");
+      "| equation | reference | as printed | corrected | the correct form |\n|---|---:|---:|---:|---|");
   const char* forms[] = {"as printed: (2C + 1) x(t) - 2c x(t-1)", "C (4c x(t) - 2 x(t-1)) - x(t-1)",
                          "2C (2C + 1) x(t) - 4cC x(t-1) - x(t)"};
   for (int ahead = 2; ahead <= 4; ++ahead) {
@@ -148,18 +148,19 @@ void print_artefacts() {
       "  method): the brightest pixel of the middle row, of 255.\n"
       "* Mach bands (S1; S3, defect d): the kink of the brightness across the edge between two triangles, "
       "in\n"
-      "  steps a pixel, over 12 pixels on either side. A smooth surface has its own second_difference, the "
-      "truth's.\n"
+      "  steps a pixel, over 12 pixels on either side. A smooth surface has its own second difference, the "
+      "reference's.\n"
       "* Change of shading under rotation (S1): the same triangle turned in the image plane in steps of 5\n"
       "  degrees; the spread of one point's brightness in 8-bit steps / of its normal in degrees, for "
       "normals\n"
-      "  10, 30 and 60 degrees apart. Normals are told from 8-bit brightness, to 0.2 degrees or so; truths\n"
-      "  exactly. What is left of the first truth is the snapping of vertices to 1/16 pixel.\n\n"
+      "  10, 30 and 60 degrees apart. Normals are calculated from 8-bit brightness, to 0.2 degrees or so; "
+      "references\n"
+      "  exactly. What is left of the first reference is the snapping of vertices to 1/16 pixel.\n\n"
       "`arcspan plot highlight`, `mach-bands` and `rotation` show them.\n\n"
       "| shading | highlight | kink | turned, 10° | turned, 30° | turned, 60° "
       "|\n|---|---:|---:|---:|---:|---:|");
-  print_artefact_row("truth: Phong, double", TruthKind::kPhong);
-  print_artefact_row("truth: slerp, double", TruthKind::kSlerp);
+  print_artefact_row("reference: Phong, double", ReferenceKind::kPhong);
+  print_artefact_row("reference: slerp, double", ReferenceKind::kSlerp);
   for (const std::string& shading : shading_names()) print_artefact_row(shading.c_str(), shading);
   std::puts(
       "\nS1 says that shading by Gouraud's and Phong's methods depends on rotation. On triangles it does "

@@ -23,10 +23,10 @@ TEST_CASE("S0 eq. 9 is right, eq. 10 and 11 are misprinted") {
     for (const double degrees : {0.5, 5.0, 20.0}) {
       const double phi = degrees * kDegree;
       for (const int ahead : {2, 3, 4}) {
-        const double truth = std::cos(start + ahead * phi);
+        const double reference = std::cos(start + ahead * phi);
         CAPTURE(start, degrees, ahead);
-        CHECK(std::fabs(corrected_ahead(ahead, start, phi) - truth) < 1e-12);
-        CHECK((std::fabs(printed_ahead(ahead, start, phi) - truth) < 1e-12) == (ahead == 2));
+        CHECK(std::fabs(corrected_ahead(ahead, start, phi) - reference) < 1e-12);
+        CHECK((std::fabs(printed_ahead(ahead, start, phi) - reference) < 1e-12) == (ahead == 2));
       }
     }
   }

@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: MIT
-// As tools/counted_method.cpp.in: the pipeline with integers that count.
-#include <arcspan_tools/counting/counted_std.hpp>
-
-#define arcspan arcspan_counted
-#define std arcspan_counted_std
-
-#include <arcspan/numbers/reciprocal.hpp>
-#include <arcspan/numbers/root.hpp>
-#define ARCSPAN_AS_ONE(kind, call) \
-  ::arcspan_counting::count_as_one(::arcspan_counting::Operation::kind, [&] { return call; })
-#define reciprocal(...) ARCSPAN_AS_ONE(kDivide, reciprocal(__VA_ARGS__))
-#define wide_reciprocal(...) ARCSPAN_AS_ONE(kDivide, wide_reciprocal(__VA_ARGS__))
-#define integer_root(...) ARCSPAN_AS_ONE(kRoot, integer_root(__VA_ARGS__))
-#define reciprocal_root(...) ARCSPAN_AS_ONE(kRoot, reciprocal_root(__VA_ARGS__))
-
+#include <arcspan_tools/counting/begin_counted.hpp>
+//
 #include <arcspan/shading/literature/duff.hpp>
 #include <arcspan/shading/literature/lyon.hpp>
 #include <arcspan/shading/literature/phong.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 
-#undef arcspan
-#undef std
-
+//
+#include <arcspan_tools/counting/end_counted.hpp>
+//
 #include <tests/artefacts/normal_operations.hpp>
 
 namespace arcspan_counting {
@@ -38,7 +25,7 @@ struct Nothing {
   [[nodiscard]] counted::PackedRgb colour(const Scalars&) const { return {}; }
 };
 
-/// What one pixel takes: its colour, and the step to the next one.
+/// The operations of one pixel: of its colour and of the step to the next pixel.
 template <class Run>
 OperationCounts count_pixel(Run run) {
   OperationCounts counts;

@@ -8,7 +8,7 @@ namespace arcspan_counting {
 
 /// Classic Phong: three components one pixel on, then of unit length.
 [[nodiscard]] OperationCounts classic_normal_operations();
-/// The same by Taylor's series and by forward differences; one scalar (N·L) each, since they make no vector.
+/// By Taylor's series and by forward differences; one scalar (N·L) each, since these methods make no vector.
 [[nodiscard]] OperationCounts lyon_operations();
 [[nodiscard]] OperationCounts duff_operations();
 /// S0 eq. 2: all three components of one pixel.

@@ -56,7 +56,7 @@ class Bench {
     const auto known = known_.find(key);
     if (known != known_.end()) return known->second;
     const RenderJob job = make_claim_job(mesh_, name_, segment_bits);
-    MethodFigures figures = measure_method(*method, job, mesh_, draw_truth(job, TruthKind::kPhong));
+    MethodFigures figures = measure_method(*method, job, mesh_, draw_reference(job, ReferenceKind::kPhong));
     const auto count = drawing_instructions({self_, "--draw", shading, name_, std::to_string(segment_bits)});
     if (!count) throw Failure("valgrind", "not found; it counts the instructions");
     const RenderStats stats = method->render(job, {"rgb565"}, [](std::size_t) {}).stats;
@@ -95,8 +95,8 @@ std::string cost_ratio(Bench& bench, const Contender& a, const Contender& b) {
 struct Claim {
   const char* what;
   const char* paper;
-  Contender dear;
-  Contender cheap;
+  Contender slower;
+  Contender faster;
   const char* remark;
 };
 
@@ -190,14 +190,15 @@ void print_claims(Bench& coarse) {
       "|---|---|---:|---:|---:|---|");
   for (const Claim& claim : kClaims) {
     std::printf("| %s | %s | %s | %s |\n", claim.what, claim.paper,
-                cost_ratio(coarse, claim.dear, claim.cheap).c_str(), claim.remark);
+                cost_ratio(coarse, claim.slower, claim.faster).c_str(), claim.remark);
   }
   std::puts("");
 }
 
 void print_operations(Bench& bench, const char* mesh) {
   std::printf(
-      "`%s`, operations a pixel counted by compiling the pipeline with integers that count:\n\n| shading |",
+      "`%s`, operations per pixel, counted by compiling the pipeline with integers that count:\n\n| shading "
+      "|",
       mesh);
   for (const std::string_view kind : arcspan_counting::kOperationNames) {
     std::printf(" %s |", std::string(kind).c_str());

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// The methods that only claims_report measures (generated).
+/// The methods that only claims_report measures.
 std::vector<arcspan::tools::MeasuredMethod> measured_methods();
 
 /// Measures what the papers say of speed and prints it; `self` is this program, which is run once more under

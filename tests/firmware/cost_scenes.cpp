@@ -8,10 +8,12 @@
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 
-#include <cost_method.hpp>
 #include <tests/scenes/stage_set.hpp>
 
 #include <new>
+
+// The shading method, which CMakeLists.txt defines.
+#include ARCSPAN_METHOD_HEADER
 
 using namespace arcspan;
 
@@ -46,7 +48,7 @@ struct CountingSink {
   [[nodiscard]] Status close(const Span& run) { return frame.close(run); }
 };
 
-using Method = CostMethod<scenes::Light>;
+using Method = ARCSPAN_METHOD<scenes::Light>;
 
 /// The method's tables for one object; a frame's memory, as a reflection map has 16 KB of them. Not
 /// initialised: the constructor is paid where it runs, outside the measured sections.

@@ -16,7 +16,7 @@ struct GoldenScene {
   bool sample = false;  ///< in rgb888 and of two generated meshes only
 };
 
-/// The scenes that every mesh is drawn in. A new shading method is in the list by itself, as a sample.
+/// The scenes that every mesh is drawn in. A new shading method is added automatically, as a sample.
 [[nodiscard]] std::vector<GoldenScene> golden_scenes();
 
 }  // namespace arcspan::test

@@ -6,10 +6,7 @@
 // 8 bits a channel. Where a picture differs, it and its difference from the one in the folder REFERENCES are
 // written to the folder FOUND. With --update the hashes (on standard output) and the reference pictures are
 // made instead.
-#include <arcspan/pixel/gray4.hpp>
-#include <arcspan/pixel/gray8.hpp>
-#include <arcspan/pixel/mono.hpp>
-#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/pixel_format_list.hpp>
 
 #include <arcspan_tools/image/difference.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
@@ -26,6 +23,7 @@ namespace arcspan::test {
 namespace {
 
 using tools::Image;
+using tools::PixelChoice;
 using tools::Renderer;
 
 /// FNV-1a over size and pixels.
@@ -109,16 +107,14 @@ Image encoded(const Image& image) {
   return out;
 }
 
-Image encoded(const Image& image, const Renderer& renderer) {
-  if (renderer.format == "rgb565") {
-    return renderer.dithers ? encoded<Dithered<Rgb565>>(image) : encoded<Rgb565>(image);
+Image encoded(const Image& image, const PixelChoice& pixels) {
+#define ARCSPAN_ENCODE_IF_CHOSEN(name, Format)                                         \
+  if (pixels.format == #name) {                                                        \
+    return pixels.dithers ? encoded<Dithered<Format>>(image) : encoded<Format>(image); \
   }
-  if (renderer.format == "gray4") {
-    return renderer.dithers ? encoded<Dithered<Gray4>>(image) : encoded<Gray4>(image);
-  }
-  if (renderer.format == "mono")
-    return renderer.dithers ? encoded<Dithered<Mono>>(image) : encoded<Mono>(image);
-  return renderer.format == "gray8" ? encoded<Gray8>(image) : image;
+  ARCSPAN_FOR_EACH_PIXEL_FORMAT(ARCSPAN_ENCODE_IF_CHOSEN)
+#undef ARCSPAN_ENCODE_IF_CHOSEN
+  return {};
 }
 
 bool same_where_drawn(const Image& a, const Image& b, const Image& full, Rgb8 background) {
@@ -140,15 +136,16 @@ void check_scene(Goldens& goldens, const std::string& mesh_name, const tools::Fi
   if (goldens.update) tools::write_image(full, goldens.reference_of(prefix));
   for (const Renderer& renderer : tools::renderers()) {
     if (renderer.shading != golden.shading) continue;
-    if (golden.sample && renderer.format != "rgb888") continue;
-    const std::string name = prefix + std::string(renderer.format) + (renderer.dithers ? "-dithered" : "");
+    const PixelChoice& pixels = renderer.pixels;
+    if (golden.sample && pixels.format != "rgb888") continue;
+    const std::string name = prefix + std::string(pixels.format) + (pixels.dithers ? "-dithered" : "");
     job.band_rows = golden.scene.size.height;
     const Image image = renderer.render(job, quiet).image;
     goldens.compare(name, image);
-    if (!same_where_drawn(image, encoded(full, renderer), full, job.background)) {
+    if (!same_where_drawn(image, encoded(full, pixels), full, job.background)) {
       goldens.complain(name, image, "is not the encoding of the one in 8 bits a channel");
     }
-    job.band_rows = renderer.dithers ? 1 : 17;
+    job.band_rows = pixels.dithers ? 1 : 17;
     if (renderer.render(job, quiet).image != image)
       goldens.complain(name, image, "changes when drawn in bands");
   }

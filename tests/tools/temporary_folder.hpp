@@ -48,7 +48,8 @@ class TemporaryFolder {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// What `action` throws, as text; fails the test if it does not throw an exception of type E.
+/// The text of the exception that `action` throws; fails the test if it does not throw an exception of type
+/// E.
 template <class E, class F>
 [[nodiscard]] std::string message_of(F&& action) {
   try {

@@ -85,9 +85,9 @@ TEST_CASE("the default camera has the whole mesh in view, near the edge of the p
   const double fov = GENERATE(10.0, 40.0, 120.0);
   CAPTURE(size.width, size.height, fov);
   const FixedMesh mesh = sphere();
-  CameraOptions wish;
-  wish.fov_degrees = fov;
-  const ScreenBox box = screen_box(mesh, to_fixed(place_camera(wish, mesh, size), mesh, size).transform);
+  CameraOptions options;
+  options.fov_degrees = fov;
+  const ScreenBox box = screen_box(mesh, to_fixed(place_camera(options, mesh, size), mesh, size).transform);
   CHECK(box.left >= 0);
   CHECK(box.right < size.width);
   CHECK(box.top >= 0);
@@ -99,8 +99,8 @@ TEST_CASE("the default camera has the whole mesh in view, near the edge of the p
 
 TEST_CASE("a camera sees right-handed: x to the right, y up, nearer is larger") {
   const FixedMesh mesh = to_fixed(triangle({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}));
-  const CameraOptions wish{Vec3{0, 0, 10}, Vec3{0, 0, 0}, {0, 1, 0}, 40};
-  const FixedCamera camera = to_fixed(place_camera(wish, mesh, {200, 200}), mesh, {200, 200});
+  const CameraOptions options{Vec3{0, 0, 10}, Vec3{0, 0, 0}, {0, 1, 0}, 40};
+  const FixedCamera camera = to_fixed(place_camera(options, mesh, {200, 200}), mesh, {200, 200});
   const auto at = [&](std::size_t i) {
     return project(camera.transform(mesh.positions[i]), camera.transform);
   };
@@ -115,8 +115,8 @@ TEST_CASE("a camera sees right-handed: x to the right, y up, nearer is larger") 
 TEST_CASE("cameras that see nothing sensible are refused or put right") {
   const FixedMesh mesh = sphere();
   const Size size{64, 64};
-  const auto message = [&](const CameraOptions& wish) {
-    return message_of<Failure>([&] { (void)to_fixed(place_camera(wish, mesh, size), mesh, size); });
+  const auto message = [&](const CameraOptions& options) {
+    return message_of<Failure>([&] { (void)to_fixed(place_camera(options, mesh, size), mesh, size); });
   };
   CHECK(message({Vec3{1, 2, 3}, Vec3{1, 2, 3}, {0, 1, 0}, 40}) == "--eye: is where the target is");
   CHECK(message({Vec3{0, 0, 5000}, {}, {0, 1, 0}, 40}) ==

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/pixel/rgb565.hpp>
+
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
 #include <arcspan_tools/render/scene.hpp>
@@ -75,6 +77,42 @@ TEST_CASE("every shading and format draws the sphere where it is, over the backg
   CHECK(lit < 4100);
   CHECK(result.stats.pixels > 3000);
   CHECK(result.stats.triangles > 100);
+}
+
+TEST_CASE("rgb565 drawn directly is the encoding of the picture drawn through virtual calls") {
+  const FixedMesh torus = mesh("torus:24x12");
+  const std::string shading = GENERATE(from_range(shading_names()));
+  const Highlight highlight = GENERATE(Highlight::kBlinn, Highlight::kPhong);
+  CAPTURE(shading);
+  Scene scene = small_scene();
+  scene.highlight = highlight;
+  const Image direct = render(scene, torus, shading.c_str(), "rgb565").image;
+  Image full = render(scene, torus, shading.c_str(), "rgb888").image;
+  for (Rgb8& p : full.pixels) p = Rgb565::decode(Rgb565::encode(p));
+  CHECK(direct == full);
+}
+
+TEST_CASE("without a depth test, what is drawn last covers what was drawn before") {
+  // Two squares: first the nearer one, which faces the light, then a tilted one.
+  MeshData squares;
+  for (const double tilt : {0.0, 0.4}) {
+    for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+      squares.positions.push_back({x, y, tilt > 0 ? -0.5 - tilt * x : 0.5});
+      squares.normals.push_back(normalised(Vec3{tilt, 0, 1}));
+    }
+  }
+  squares.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+  const FixedMesh mesh = to_fixed(squares);
+  const std::string shading = GENERATE(from_range(shading_names()));
+  CAPTURE(shading);
+  Scene scene = small_scene();
+  scene.camera.eye = Vec3{0, 0, 4};
+  scene.lights = {{0, 0, 1}};
+  const Image nearest = render(scene, mesh, shading.c_str()).image;
+  scene.depth = false;
+  const RenderResult last = render(scene, mesh, shading.c_str());
+  CHECK(luma(last.image.at(48, 36)) < luma(nearest.at(48, 36)));
+  CHECK(last.stats.depth_bytes == 0);
 }
 
 TEST_CASE("the shadings differ as they should") {
@@ -178,6 +216,6 @@ TEST_CASE("a wrong number of lights or an unknown renderer is refused") {
   scene.lights.assign(5, {0, 0, 1});
   CHECK_THROWS_AS(render(scene, sphere), Failure);
   CHECK_THROWS_AS(find_renderer("arc", "rgb332", false), Failure);
-  CHECK(find_renderer("arc", "rgb888", true).dithers == false);
-  CHECK(find_renderer("arc", "mono", true).dithers == true);
+  CHECK(!find_renderer("arc", "rgb888", true).pixels.dithers);
+  CHECK(find_renderer("arc", "mono", true).pixels.dithers);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What was written is read back: GIF by its library, APNG frame by frame as the PNGs that it is made of.
+// Every animation is read back after it is written: GIF by its library, APNG frame by frame as the PNGs that
+// it is made of.
 #include <arcspan/mesh/crc32.hpp>
 
 #include <arcspan_tools/image/image.hpp>

@@ -94,7 +94,7 @@ TEST_CASE("compare: wrong arguments are named in one line and nothing is written
   const Case wrong = GENERATE(values<Case>({
       {"-o a.txt", "a.txt: a picture's name must end in .png, .ppm or .pgm", 1},
       {"-o a.ppm --table b.txt", "b.txt: a table's name must end in .md, .csv or .json", 1},
-      {"-o a.ppm --truth none", "--truth: expected phong or slerp, not 'none'", 2},
+      {"-o a.ppm --reference none", "--reference: expected phong or slerp, not 'none'", 2},
       {"-o a.ppm --shading arc,ray", "with commas, not 'ray'", 2},
       {"-o a.ppm --shading ,", "not ''", 2},
       {"-o a.ppm --shading arc --polynomial cubic", "--polynomial: only dichotomy has one", 2},

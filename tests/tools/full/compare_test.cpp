@@ -26,24 +26,25 @@ struct Drawn {
   }
 };
 
-PictureError error_of(const Drawn& drawn, std::string_view shading, TruthKind kind = TruthKind::kPhong) {
-  return picture_error(drawn.by(shading), draw_truth(drawn.job, kind), drawn.job.background);
+PictureError error_of(const Drawn& drawn, std::string_view shading,
+                      ReferenceKind kind = ReferenceKind::kPhong) {
+  return picture_error(drawn.by(shading), draw_reference(drawn.job, kind), drawn.job.background);
 }
 
 }  // namespace
 
-TEST_CASE("the truth covers what the pipeline covers") {
+TEST_CASE("the reference covers what the pipeline covers") {
   Scene green;
   green.background = {0, 1, 0};
   for (const char* name : {"sphere:16x8", "torus:24x12"}) {
     const Drawn drawn(name, green);
-    const TruthPicture truth = draw_truth(drawn.job, TruthKind::kSlerp);
+    const ReferencePicture reference = draw_reference(drawn.job, ReferenceKind::kSlerp);
     const Image picture = drawn.by("gouraud");
     std::size_t covered = 0;
-    for (std::int32_t y = 0; y < truth.height; ++y) {
-      for (std::int32_t x = 0; x < truth.width; ++x) {
+    for (std::int32_t y = 0; y < reference.height; ++y) {
+      for (std::int32_t x = 0; x < reference.width; ++x) {
         const bool background = picture.at(x, y) == drawn.job.background;
-        REQUIRE(background == (truth.at(x, y) == nullptr));
+        REQUIRE(background == (reference.at(x, y) == nullptr));
         covered += background ? 0u : 1u;
       }
     }
@@ -51,14 +52,14 @@ TEST_CASE("the truth covers what the pipeline covers") {
   }
 }
 
-TEST_CASE("on a finely divided sphere the two truths are one, with unit normals") {
+TEST_CASE("on a finely divided sphere the two references are one, with unit normals") {
   const Drawn drawn("sphere:128x64");
-  const TruthPicture phong = draw_truth(drawn.job, TruthKind::kPhong);
-  const TruthPicture slerp = draw_truth(drawn.job, TruthKind::kSlerp);
+  const ReferencePicture phong = draw_reference(drawn.job, ReferenceKind::kPhong);
+  const ReferencePicture slerp = draw_reference(drawn.job, ReferenceKind::kSlerp);
   for (std::int32_t y = 0; y < phong.height; ++y) {
     for (std::int32_t x = 0; x < phong.width; ++x) {
-      const TruthSample* a = phong.at(x, y);
-      const TruthSample* b = slerp.at(x, y);
+      const ReferenceSample* a = phong.at(x, y);
+      const ReferenceSample* b = slerp.at(x, y);
       REQUIRE((a == nullptr) == (b == nullptr));
       if (a == nullptr) continue;
       REQUIRE(std::fabs(length(a->normal) - 1) < 1e-12);
@@ -67,7 +68,7 @@ TEST_CASE("on a finely divided sphere the two truths are one, with unit normals"
   }
 }
 
-TEST_CASE("the truth's illumination is S0 eq. 12 and eq. 1") {
+TEST_CASE("the reference's illumination is S0 eq. 12 and eq. 1") {
   ReferenceIllumination light;
   light.ambient = {10, 20, 30};
   light.diffuse = {100, 100, 100};
@@ -90,7 +91,7 @@ TEST_CASE("errors come in the order that the mathematics says") {
   const Drawn coarse("sphere:12x6");
   const PictureError flat = error_of(coarse, "flat");
   const PictureError gouraud = error_of(coarse, "gouraud");
-  const PictureError arc = error_of(coarse, "arc", TruthKind::kSlerp);
+  const PictureError arc = error_of(coarse, "arc", ReferenceKind::kSlerp);
   CHECK(flat.rms > gouraud.rms);
   CHECK(gouraud.rms > 10 * arc.rms);
   CHECK(arc.rms < 0.6);
@@ -101,14 +102,14 @@ TEST_CASE("errors come in the order that the mathematics says") {
 
 TEST_CASE("metrics: rounding alone, and a known offset") {
   const Drawn drawn("sphere:16x8");
-  const TruthPicture truth = draw_truth(drawn.job, TruthKind::kPhong);
-  Image picture = truth.image(drawn.job.background);
-  const PictureError rounded = picture_error(picture, truth, drawn.job.background);
+  const ReferencePicture reference = draw_reference(drawn.job, ReferenceKind::kPhong);
+  Image picture = reference.image(drawn.job.background);
+  const PictureError rounded = picture_error(picture, reference, drawn.job.background);
   CHECK(rounded.max <= 0.5);
   CHECK(rounded.rms == Approx(1 / std::sqrt(12)).epsilon(0.05));
   CHECK(rounded.ssim > 0.999);
-  TruthPicture exact = truth;
-  for (TruthSample& sample : exact.samples) sample.levels = {100, 100, 100};
+  ReferencePicture exact = reference;
+  for (ReferenceSample& sample : exact.samples) sample.levels = {100, 100, 100};
   for (arcspan::Rgb8& p : picture.pixels) p = {103, 103, 103};
   const PictureError off = picture_error(picture, exact, {103, 103, 103});
   CHECK(off.max == 3);
@@ -118,8 +119,8 @@ TEST_CASE("metrics: rounding alone, and a known offset") {
 
 TEST_CASE("SSIM of two flat pictures is its luminance term") {
   const Drawn drawn("sphere:16x8");
-  TruthPicture exact = draw_truth(drawn.job, TruthKind::kPhong);
-  for (TruthSample& sample : exact.samples) sample.levels = {100, 100, 100};
+  ReferencePicture exact = draw_reference(drawn.job, ReferenceKind::kPhong);
+  for (ReferenceSample& sample : exact.samples) sample.levels = {100, 100, 100};
   Image picture(exact.width, exact.height);
   for (arcspan::Rgb8& p : picture.pixels) p = {120, 120, 120};
   const double c1 = 2.55 * 2.55;
@@ -139,17 +140,17 @@ TEST_CASE("the colours of errors rise in brightness") {
 
 TEST_CASE("the sheet holds the pictures, the tables hold the figures") {
   const Drawn drawn("sphere:16x8");
-  const TruthPicture truth = draw_truth(drawn.job, TruthKind::kPhong);
+  const ReferencePicture reference = draw_reference(drawn.job, ReferenceKind::kPhong);
   Comparison comparison;
   comparison.mesh_name = "sphere:16x8";
-  comparison.width = truth.width;
-  comparison.height = truth.height;
-  comparison.truth = truth.image(drawn.job.background);
+  comparison.width = reference.width;
+  comparison.height = reference.height;
+  comparison.reference = reference.image(drawn.job.background);
   for (const char* name : {"flat", "arc"}) {
-    comparison.methods.push_back(measure_method(name, drawn.job, drawn.mesh, truth));
+    comparison.methods.push_back(measure_method(name, drawn.job, drawn.mesh, reference));
   }
   comparison.yardsticks.push_back({"gouraud", 4, std::nullopt});
-  const Image sheet = contact_sheet(comparison, truth);
+  const Image sheet = contact_sheet(comparison, reference);
   const Image& arc = comparison.methods[1].picture;
   bool found = false;
   for (std::int32_t y = 0; y + arc.height <= sheet.height && !found; ++y) {
@@ -177,5 +178,5 @@ TEST_CASE("the sheet holds the pictures, the tables hold the figures") {
   CHECK_THROWS_WITH(table_format("x.txt"), "x.txt: a table's name must end in .md, .csv or .json");
   comparison.width = 9000;
   comparison.height = 9000;
-  CHECK_THROWS_WITH(contact_sheet(comparison, truth), Catch::StartsWith("--size: the sheet would have"));
+  CHECK_THROWS_WITH(contact_sheet(comparison, reference), Catch::StartsWith("--size: the sheet would have"));
 }

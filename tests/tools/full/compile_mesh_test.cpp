@@ -25,8 +25,8 @@ namespace {
 
 MeshData made(const std::string& name) { return generate(parse_generated_mesh(name).value()); }
 
-CompiledMesh compiled(const MeshData& mesh, const MeshWish& wish) {
-  return compile_mesh(mesh, wish, array_bytes, "test", [](std::size_t) {});
+CompiledMesh compiled(const MeshData& mesh, const MeshLimits& limits) {
+  return compile_mesh(mesh, limits, array_bytes, "test", [](std::size_t) {});
 }
 
 double volume(const FixedMesh& mesh) {

@@ -18,7 +18,7 @@ using Int = Counted<std::int32_t>;
 using Word = Counted<std::uint32_t>;
 using Short = Counted<std::int16_t>;
 
-/// What `work` counts.
+/// The operations that `work` performs.
 template <class Work>
 OperationCounts counted(const Work& work) {
   OperationCounts counts;
@@ -37,7 +37,7 @@ RenderJob sphere_job(const FixedMesh& mesh) {
 MethodFigures figures(const std::string& shading) {
   const FixedMesh mesh = to_fixed(generate(*parse_generated_mesh("sphere:16x8")));
   const RenderJob job = sphere_job(mesh);
-  return measure_method(shading, job, mesh, draw_truth(job, TruthKind::kPhong));
+  return measure_method(shading, job, mesh, draw_reference(job, ReferenceKind::kPhong));
 }
 
 double rate(const MethodFigures& f, Operation kind) { return f.per_pixel[static_cast<std::size_t>(kind)]; }
@@ -142,7 +142,7 @@ TEST_CASE("with no highlight in reach arc steps two scalars and looks up a ramp,
   CHECK(multiplies < 2.9);
 }
 
-TEST_CASE("adaptive takes no more operations than arc, but for its choice") {
+TEST_CASE("adaptive takes no more operations than arc, apart from its choice of a method") {
   constexpr double kChoice = 1.003;  // where every triangle is too wide for anything else
   for (const char* name : {"sphere:8x4", "sphere:16x8", "sphere:48x24", "torus:48x24", "torus:12x6"}) {
     const FixedMesh mesh = to_fixed(generate(*parse_generated_mesh(name)));
@@ -151,6 +151,7 @@ TEST_CASE("adaptive takes no more operations than arc, but for its choice") {
       Scene scene;
       scene.size = {width, width * 3 / 4};
       for (const std::size_t lights : {1u, 2u}) {
+        if (lights > 1 && width > 320) continue;  // several lights are drawn alike at every size, but slowly
         scene.lights.resize(lights, SceneLight{-1, 0.3, 0.5});
         const RenderJob job = make_job(scene, mesh, name);
         const CountedDraw arc = count_operations("arc", job, mesh);

@@ -31,7 +31,7 @@ TEST_CASE("a mesh comes back whole from the loader's process") {
   CHECK(last == 1 + 5000 * sizeof(sent.triangles[0]));
 }
 
-TEST_CASE("whatever ends the loader's process is told in one line") {
+TEST_CASE("every way in which the loader's process can end is reported in one line") {
   CHECK(message_for([]() -> RawMesh { throw Failure("m.obj", "line 3: wrong"); }) == "m.obj: line 3: wrong");
   CHECK(message_for([]() -> RawMesh { throw std::bad_alloc(); }) ==
         "m.obj: the mesh loader needs more memory than it may have");

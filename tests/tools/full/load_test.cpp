@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-// What loading the file says, without the file's name.
+// The message of loading the file, without the file's name.
 std::string complaint(const std::string& name, const std::string& bytes) {
   const TemporaryFolder folder;
   const std::string path = folder.file(name, bytes);

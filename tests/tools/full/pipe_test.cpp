@@ -11,7 +11,7 @@ using namespace arcspan::test;
 
 namespace {
 
-/// What bash offers after `words`, of which the last is being typed.
+/// Bash's completions of `words`, of which the last is being typed.
 std::string completed(const TemporaryFolder& folder, const std::string& words) {
   const std::string script = "source <(" ARCSPAN_COMMAND " completion bash)\nCOMP_WORDS=(" + words +
                              ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_arcspan\necho \"${COMPREPLY[@]}\"\n";

@@ -3,7 +3,6 @@
 #include <arcspan_tools/image/image.hpp>
 #include <arcspan_tools/plot/figure.hpp>
 #include <catch2/catch.hpp>
-#include <tests/support/test_share.hpp>
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/temporary_folder.hpp>
 
@@ -22,7 +21,7 @@ TEST_CASE("plot writes a figure's numbers without gnuplot") {
   CHECK(csv.find("\n\"n = 100\",4,5.91") != std::string::npos);
 }
 
-TEST_CASE("plot draws every figure as SVG and PNG where gnuplot is installed") {
+TEST_CASE("plot draws every figure as SVG, and the first as PNG, where gnuplot is installed") {
   if (std::system("gnuplot --version >/dev/null 2>&1") != 0) {
     WARN("gnuplot is not installed");
     return;
@@ -37,7 +36,8 @@ TEST_CASE("plot draws every figure as SVG and PNG where gnuplot is installed") {
     const std::string text = contents(folder / "a.svg");
     CHECK(text.find("<svg") != std::string::npos);
     CHECK(text.find("</svg>") != std::string::npos);
-    if (share_of(100) < 100) continue;  // every picture is worked out anew
+    // Some figures take seconds to calculate: the labels of all of them are checked by artefact_tests.
+    if (&maker != figure_makers().data()) continue;
     CHECK(text.find(maker.make().x_label) != std::string::npos);
     REQUIRE(run(start + (folder / "a.png")).status == 0);
     CHECK(read_image(folder / "a.png").width == 1120);

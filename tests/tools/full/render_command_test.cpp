@@ -47,7 +47,7 @@ TEST_CASE("every option is taken, and has an effect") {
   const std::string plain = contents(folder / "a.ppm");
   for (const char* option : {"--size 48x64",
                              "--format mono",
-                             "--dither",
+                             "--no-dither",
                              "--shading flat",
                              "--shading gouraud",
                              "--illumination phong",
@@ -78,7 +78,7 @@ TEST_CASE("every option is taken, and has an effect") {
     CHECK(drawn.status == 0);
     CHECK(contents(folder / "b.ppm") != plain);
   }
-  for (const char* option : {"--band 1", "--band 7", "--band 48", "--no-dither", "--depth", "--two-sided",
+  for (const char* option : {"--band 1", "--band 7", "--band 48", "--dither", "--depth", "--two-sided",
                              "--light 0.4,0.7,0.6", "--light 0.4,0.7,0.6@0", "--attenuation 1",
                              "--specular 0.45,0.45,0.45", "--format rgb565", "--fov 40", "--shininess 40"}) {
     CAPTURE(option);

@@ -33,7 +33,7 @@ TEST_CASE("what a simulated panel shows is what render draws in its format") {
                 {"ssd0323", "128x64", "gray4"},
                 {"ssd1306", "128x64", "mono"}};
   for (const auto& p : panels) {
-    const std::string mesh = " torus:24x12 --dither --no-depth -o ";
+    const std::string mesh = " torus:24x12 --no-depth -o ";
     REQUIRE(
         run("render --size " + std::string(p.size) + " --format " + p.format + mesh + (folder / "want.png"))
             .status == 0);

@@ -10,13 +10,13 @@
 
 namespace arcspan::tools {
 
-/// What the bench calls the float loop of float_phong.hpp, beside the names of shadings.
+/// The name of the float loop of float_phong.hpp, beside the names of shading methods.
 inline constexpr const char* kFloatPhong = "float-phong";
 
 /// One way of drawing a scene.
 struct MethodTime {
   std::string method;
-  double nanoseconds = 0;  ///< a pixel, median of the rounds
+  double nanoseconds = 0;  ///< per pixel, median of the rounds
   double against_arc = 0;  ///< its time / that of arc in the same round, median of the rounds
 };
 
@@ -54,7 +54,7 @@ struct BenchReport {
   std::vector<ThreadTimes> threads;
 };
 
-/// Told how many rounds of how many are done.
+/// Called with the number of rounds that are done, of rounds_of(plan).
 using RoundsDone = std::function<void(std::size_t done)>;
 
 [[nodiscard]] std::size_t rounds_of(const BenchPlan& plan);

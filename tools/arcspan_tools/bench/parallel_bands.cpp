@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/shading/arc/arc.hpp>
@@ -25,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 }  // namespace
 
 struct ParallelBands::Work {
-  /// What one thread has for itself.
+  /// The memory that one thread does not share.
   class Band {
    public:
     Band(const RenderJob& job, const Light& light, std::span<Rgb565::Word> memory, std::int32_t first,

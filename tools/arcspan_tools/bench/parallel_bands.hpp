@@ -20,7 +20,7 @@ class ParallelBands {
   ParallelBands(const ParallelBands&) = delete;
   ParallelBands& operator=(const ParallelBands&) = delete;
 
-  /// What a frame took; the quickest of those that were drawn, since waiting for a core is no property of
+  /// The times of a frame: the fastest of those that were drawn, since waiting for a core is no property of
   /// ours.
   struct FrameTime {
     double wall = 0;     ///< milliseconds from the common beginning to the end of the last band

@@ -77,7 +77,7 @@ std::string bench_markdown(const BenchReport& report) {
   if (report.scenes.empty()) return "";
   std::string text = "Medians of " + std::to_string(report.rounds) +
                      " rounds, in each of which every method has its turn.\n\n";
-  text += "Nanoseconds of one core a pixel:\n\n";
+  text += "Nanoseconds of one core per pixel:\n\n";
   text += method_table(report, [](const MethodTime& m) { return fixed(m.nanoseconds, 2); });
   text += "\nMillion pixels a second:\n\n";
   text += method_table(report, [](const MethodTime& m) { return fixed(megapixels(m), 1); });

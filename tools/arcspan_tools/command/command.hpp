@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 // Every file of this folder named NAME_command.cpp is the subcommand NAME and defines
 //
 //   void arcspan::tools::add_NAME_command(CLI::App& app);
 //
-// which adds it to `app` with a callback that runs it; the list of them is made by the build. A callback
-// throws Failure for what is wrong; ExitStatus to end with another status than 0.
+// which adds it to `app` with a callback that runs it; the build makes the list of subcommands. A callback
+// throws Failure if something is wrong, or ExitStatus to end with a status other than 0.
 
 namespace arcspan::tools {
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
@@ -20,7 +21,7 @@ int complain(const std::string& what, int status) {
   return status;
 }
 
-// What was printed may have gone nowhere: into a full disk, say.
+// Printing may fail, for example because a disk is full.
 int flushed() {
   std::cout.flush();
   const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;

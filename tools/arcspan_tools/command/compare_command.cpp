@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/compare/instructions.hpp>
@@ -25,7 +26,7 @@ struct CompareArguments {
   std::string output;
   std::vector<std::string> tables;
   std::vector<std::string> shadings;
-  TruthKind truth = TruthKind::kPhong;
+  ReferenceKind reference = ReferenceKind::kPhong;
   bool instructions = true;
   std::string draw_only;
 };
@@ -85,7 +86,7 @@ void choose_renderers(CompareArguments& a) {
   }
 }
 
-/// This very program and its arguments, told to draw with one method and no more.
+/// The command line of this process, with arguments that make it draw with one method and do nothing else.
 std::vector<std::string> drawing_command(const std::string& shading) {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
   const std::string line{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -99,7 +100,7 @@ std::vector<std::string> drawing_command(const std::string& shading) {
   return command;
 }
 
-/// Instructions a pixel; nothing where they cannot be counted.
+/// Instructions per pixel; nothing where they cannot be counted.
 std::optional<double> instructions_per_pixel(const std::string& shading, std::size_t pixels, bool wanted) {
   if (!wanted || pixels == 0) return std::nullopt;
   const std::vector<std::string> command = drawing_command(shading);
@@ -113,16 +114,16 @@ std::uint64_t drawn_pixels(const std::string& shading, const RenderJob& job) {
   return find_renderer(shading, "rgb565", false).render(job, [](std::size_t) {}).stats.pixels;
 }
 
-/// Measures `shading`, or hands out what has been measured of it already.
+/// Measures one shading method.
 MethodFigures figures_of(const std::string& shading, const RenderJob& job, const FixedMesh& mesh,
-                         const TruthPicture& truth, bool instructions) {
-  MethodFigures figures = measure_method(shading, job, mesh, truth);
+                         const ReferencePicture& reference, bool instructions) {
+  MethodFigures figures = measure_method(shading, job, mesh, reference);
   figures.instructions = instructions_per_pixel(shading, drawn_pixels(shading, job), instructions);
   return figures;
 }
 
 Comparison compare(const CompareArguments& arguments, const RenderJob& job, const FixedMesh& mesh,
-                   const TruthPicture& truth) {
+                   const ReferencePicture& reference) {
   std::vector<std::string> measured = arguments.shadings;
   const std::size_t shown = measured.size();
   for (const char* name : kYardsticks) {
@@ -132,7 +133,7 @@ Comparison compare(const CompareArguments& arguments, const RenderJob& job, cons
   Progress progress("comparing", measured.size());
   for (std::size_t i = 0; i < measured.size(); ++i) {
     progress.show(i);
-    const MethodFigures figures = figures_of(measured[i], job, mesh, truth, arguments.instructions);
+    const MethodFigures figures = figures_of(measured[i], job, mesh, reference, arguments.instructions);
     if (std::find(std::begin(kYardsticks), std::end(kYardsticks), measured[i]) != std::end(kYardsticks)) {
       comparison.yardsticks.push_back({measured[i], figures.nanoseconds, figures.instructions});
     }
@@ -152,15 +153,15 @@ void run_compare(const CompareArguments& arguments) {
     (void)drawn_pixels(arguments.draw_only, job);
     return;
   }
-  const TruthPicture truth = draw_truth(job, arguments.truth);
-  Comparison comparison = compare(arguments, job, mesh, truth);
+  const ReferencePicture reference = draw_reference(job, arguments.reference);
+  Comparison comparison = compare(arguments, job, mesh, reference);
   comparison.mesh_name = options.mesh;
   comparison.mesh_triangles = data.triangles.size();
-  comparison.width = truth.width;
-  comparison.height = truth.height;
-  comparison.truth_kind = arguments.truth;
-  comparison.truth = truth.image(job.background);
-  const Image sheet = contact_sheet(comparison, truth);
+  comparison.width = reference.width;
+  comparison.height = reference.height;
+  comparison.reference_kind = arguments.reference;
+  comparison.reference = reference.image(job.background);
+  const Image sheet = contact_sheet(comparison, reference);
   write_image(sheet, arguments.output);
   for (const std::string& table : arguments.tables) {
     write_whole_file(table, comparison_table(comparison, table_format(table)));
@@ -186,12 +187,12 @@ void add_options(CLI::App& app, CompareArguments& a) {
     choose_renderers(a);
   });
   app.add_option_function<std::string>(
-         "--truth",
+         "--reference",
          [&a](const std::string& text) {
            if (text != "phong" && text != "slerp") {
-             throw CLI::ValidationError("--truth", "expected phong or slerp, not '" + text + "'");
+             throw CLI::ValidationError("--reference", "expected phong or slerp, not '" + text + "'");
            }
-           a.truth = text == "phong" ? TruthKind::kPhong : TruthKind::kSlerp;
+           a.reference = text == "phong" ? ReferenceKind::kPhong : ReferenceKind::kSlerp;
          },
          "what errors are measured from: normals along chords (default) or along great circles")
       ->type_name("phong|slerp");
@@ -209,6 +210,9 @@ void add_compare_command(CLI::App& app) {
       "compare", "Draw a mesh by every shading method: a contact sheet and what each costs");
   add_options(*compare, *arguments);
   compare->footer(
+      "Two or three lights are drawn, timed and counted as four, of which the others are dark. Several "
+      "lights\n"
+      "are drawn through virtual calls, and the methods of the papers reach them by further ones.\n"
       "Examples:\n"
       "  arcspan compare bunny.obj -o sheet.png\n"
       "  arcspan compare sphere:32x16 -o sheet.png --shading gouraud,phong,arc --table costs.md");

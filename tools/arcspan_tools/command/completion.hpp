@@ -8,7 +8,7 @@
 
 namespace arcspan::tools {
 
-/// What a shell can complete of one option.
+/// One option as a shell completes it.
 struct CompletedOption {
   std::string long_name;   ///< with dashes; empty if there is none
   std::string short_name;  ///< with a dash; empty if there is none

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/image/difference.hpp>
 #include <arcspan_tools/support/failure.hpp>

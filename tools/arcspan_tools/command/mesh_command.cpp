@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/mesh_report.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
@@ -24,7 +25,7 @@ struct MeshArguments {
   std::string picture;
   std::string stats;
   bool planes = false;
-  MeshWish wish;
+  MeshLimits limits;
 };
 
 struct Made {
@@ -47,7 +48,7 @@ Made make(const MeshArguments& arguments, MeshOutput output) {
   report.model_extent = made.model.unit * 65534;
   report.dropped_faces = data.dropped_faces;
   Progress progress("simplifying", 0);
-  report.compiled = compile_mesh(data, arguments.wish, bytes_of, arguments.model,
+  report.compiled = compile_mesh(data, arguments.limits, bytes_of, arguments.model,
                                  [&progress](std::size_t tried) { progress.show(tried); });
   FixedMesh& mesh = report.compiled.mesh;
   if (arguments.planes) mesh = with_planes(std::move(mesh), arguments.model);
@@ -96,7 +97,7 @@ void run_mesh(const MeshArguments& arguments) {
     std::fprintf(stderr, "arcspan: warning: %s: %s\n", arguments.model.c_str(), caution.c_str());
 }
 
-void add_limits(CLI::App& mesh, MeshWish& wish) {
+void add_limits(CLI::App& mesh, MeshLimits& limits) {
   const auto parse_count = [](const std::string& text) -> std::optional<std::size_t> {
     const std::optional<std::int64_t> value = parse_integer(text);
     if (!value || *value < 1 || *value > 1'000'000'000) return std::nullopt;
@@ -104,10 +105,10 @@ void add_limits(CLI::App& mesh, MeshWish& wish) {
   };
   add_parsed<std::size_t>(mesh, "--max-triangles", "N", "simplify until there are no more",
                           "an integer 1...1000000000", parse_count,
-                          [&wish](std::size_t n) { wish.max_triangles = n; });
+                          [&limits](std::size_t n) { limits.max_triangles = n; });
   add_parsed<std::size_t>(mesh, "--max-bytes", "N", "simplify until it takes no more",
                           "an integer 1...1000000000", parse_count,
-                          [&wish](std::size_t n) { wish.max_bytes = n; });
+                          [&limits](std::size_t n) { limits.max_bytes = n; });
   add_parsed<double>(
       mesh, "--crease", "DEGREES",
       "make normals anew; edges sharper than this (0...180) stay sharp (default: the model's normals)",
@@ -116,7 +117,7 @@ void add_limits(CLI::App& mesh, MeshWish& wish) {
         const std::optional<double> v = parse_number(text);
         return v && *v >= 0 && *v <= 180 ? v : std::nullopt;
       },
-      [&wish](double v) { wish.crease_degrees = v; });
+      [&limits](double v) { limits.crease_degrees = v; });
 }
 
 }  // namespace
@@ -131,7 +132,7 @@ void add_mesh_command(CLI::App& app) {
                    "a header of constexpr arrays (.hpp, .h) or a mesh binary (.bin); hpp:- and bin:- are "
                    "standard output")
       ->required();
-  add_limits(*mesh, arguments->wish);
+  add_limits(*mesh, arguments->limits);
   mesh->add_option("--name", arguments->name, "the header's namespace (default: from the file's name)")
       ->check([](const std::string& text) {
         return is_identifier(text) ? "" : "'" + text + "' cannot name a namespace";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/render_report.hpp>
@@ -33,7 +34,6 @@ Loaded load(const RenderArguments& arguments) {
   report.mesh_name = arguments.options.mesh;
   report.output = arguments.output;
   report.shading = arguments.options.shading;
-  report.format = arguments.options.format + (arguments.options.dither ? ", dithered" : "");
   report.vertices = data.positions.size();
   report.mesh_triangles = data.triangles.size();
   report.dropped_faces = data.dropped_faces;
@@ -52,6 +52,7 @@ void run_render(const RenderArguments& arguments) {
   Progress progress("drawing", static_cast<std::size_t>(size.height));
   const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);
   const RenderResult result = renderer.render(job, [&progress](std::size_t rows) { progress.show(rows); });
+  loaded.report.format = options.format + (renderer.pixels.dithers ? ", dithered" : "");
   loaded.report.width = size.width;
   loaded.report.height = size.height;
   loaded.report.stats = result.stats;
@@ -75,7 +76,7 @@ void add_render_command(CLI::App& app) {
       "Examples:\n"
       "  arcspan render bunny.obj -o bunny.png --size 640x480\n"
       "  arcspan render torus:48x24 -o torus.png --shading gouraud --light 1,1,1 --light -1,0,0.5\n"
-      "  arcspan render part.stl -o - --format mono --dither --size 128x64 | display");
+      "  arcspan render part.stl -o - --format mono --size 128x64 | display");
   render->callback([arguments] { run_render(*arguments); });
 }
 

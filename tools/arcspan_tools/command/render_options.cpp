@@ -66,7 +66,8 @@ void add_picture_options(CLI::App& app, RenderOptions& o) {
       },
       [&o](Size size) { o.scene.size = size; });
   add_choice(app, "--format", "pixel format", format_names(), o.format);
-  app.add_flag("--dither,!--no-dither", o.dither, "ordered dither before truncation (default off)");
+  app.add_flag("--dither,!--no-dither", o.dither,
+               "ordered dither where the format has fewer than 8 bits per channel (default)");
   add_integer(app, "--band", "ROWS", "draw and store the picture ROWS at a time", 1, kMostPictureSide,
               o.scene.band_rows);
   app.add_flag("--depth,!--no-depth", o.scene.depth, "16-bit depth buffer (default), or painter's order");

@@ -16,10 +16,10 @@ inline constexpr std::int32_t kMostPictureSide = 2 * kGuardBand;
 struct RenderOptions {
   std::string mesh;
   std::string format = "rgb565";
-  bool dither = false;
+  bool dither = true;  ///< has no effect on formats of 8 bits per channel
   /// A renderer's name (shading_names()) once the arguments are parsed.
   std::string shading = "arc";
-  /// What `dichotomy` halves arcs by; empty if it was not given.
+  /// The polynomial of `dichotomy`; empty if it was not given.
   std::string polynomial;
   /// Whether `segment` and `adaptive` were given their settings, which are in the scene.
   bool segment_given = false;
@@ -35,7 +35,7 @@ inline constexpr const char* kDichotomy = "dichotomy";
 /// The renderers of dichotomy: that of the polynomial which was asked for, or all.
 [[nodiscard]] std::vector<std::string> dichotomies(const std::string& polynomial);
 
-/// What --shading takes: every method, dichotomy once.
+/// The choices of --shading: every method, with dichotomy once.
 [[nodiscard]] std::vector<std::string> shading_choices();
 
 /// Notes which settings of single methods were given.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/linux_host/signal_watch.hpp>
 
+#include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/number_range.hpp>
 #include <arcspan_tools/command/render_options.hpp>
@@ -43,7 +44,7 @@ struct Figures {
 
 std::string size_text(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
-// What was not asked for is taken from the display.
+// Size and format are those of the display unless options say otherwise.
 void fit(ShowArguments& arguments, const Display& display) {
   const Size whole = display.size();
   Size& size = arguments.options.scene.size;
@@ -147,7 +148,7 @@ std::unique_ptr<Display> open_display(const ShowArguments& arguments) {
 
 // Returns the signal that ended it, when everything is given back.
 int show_until_stopped(ShowArguments& arguments, const FixedMesh& mesh) {
-  // Before the display is touched: from here on a signal waits until it can be left clean.
+  // Before the display is opened: from here on a signal waits until the display can be left clean.
   linux_host::SignalWatch signals;
   const std::unique_ptr<Display> display = open_display(arguments);
   fit(arguments, *display);
@@ -162,7 +163,7 @@ int show_until_stopped(ShowArguments& arguments, const FixedMesh& mesh) {
 }
 
 void run_show(ShowArguments arguments) {
-  // A mesh that cannot be shown leaves the display untouched.
+  // If the mesh cannot be loaded, the display is not opened.
   const FixedMesh mesh = to_fixed(load_mesh(arguments.options.mesh));
   const int signal = show_until_stopped(arguments, mesh);
   if (signal == 0) return;
@@ -196,7 +197,7 @@ void add_show_command(CLI::App& app) {
       "  arcspan show bunny.obj --device /dev/fb0 --turntable 120\n"
       "  arcspan show torus:48x24 --device /dev/fb0 --seconds 10\n"
       "  arcspan show bunny.obj --device st7789 --dc GPIO25 --reset GPIO27 --backlight GPIO18\n"
-      "  arcspan show bunny.obj --device ssd1306 --i2c /dev/i2c-1 --dither");
+      "  arcspan show bunny.obj --device ssd1306 --i2c /dev/i2c-1");
   show->callback([show, arguments] {
     arguments->own_size = show->count("--size") > 0;
     arguments->own_format = show->count("--format") > 0;

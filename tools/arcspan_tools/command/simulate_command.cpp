@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
@@ -21,7 +22,7 @@ namespace {
 struct SimulateArguments {
   RenderOptions options;
   std::string output;
-  DisplayWish display;
+  DisplayOptions display;
   std::string rotation = "0";
   std::string bus = "spi";
   double spi_mhz = 20;
@@ -40,17 +41,17 @@ struct Totals {
 
 constexpr std::int32_t kTurnMilliseconds = 2000;
 
-DisplayWish wish_of(const SimulateArguments& arguments) {
-  DisplayWish wish = arguments.display;
-  wish.i2c = arguments.bus == "i2c";
-  wish.hertz =
-      static_cast<std::uint64_t>(std::llround(wish.i2c ? arguments.i2c_khz * 1e3 : arguments.spi_mhz * 1e6));
-  wish.orientation = arguments.rotation == "90"    ? hal::Orientation::k90
-                     : arguments.rotation == "180" ? hal::Orientation::k180
-                     : arguments.rotation == "270" ? hal::Orientation::k270
-                                                   : hal::Orientation::k0;
-  if (arguments.options.scene.band_rows > 0) wish.band_rows = arguments.options.scene.band_rows;
-  return wish;
+DisplayOptions options_of(const SimulateArguments& arguments) {
+  DisplayOptions options = arguments.display;
+  options.i2c = arguments.bus == "i2c";
+  options.hertz = static_cast<std::uint64_t>(
+      std::llround(options.i2c ? arguments.i2c_khz * 1e3 : arguments.spi_mhz * 1e6));
+  options.orientation = arguments.rotation == "90"    ? hal::Orientation::k90
+                        : arguments.rotation == "180" ? hal::Orientation::k180
+                        : arguments.rotation == "270" ? hal::Orientation::k270
+                                                      : hal::Orientation::k0;
+  if (arguments.options.scene.band_rows > 0) options.band_rows = arguments.options.scene.band_rows;
+  return options;
 }
 
 /// Where the glass is shown after each frame: one picture, or a moving one.
@@ -91,7 +92,7 @@ class GlassOutput {
 Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, GlassOutput& output) {
   RenderOptions options = arguments.options;
   options.scene.size = display.size();
-  options.scene.band_rows = wish_of(arguments).band_rows;
+  options.scene.band_rows = options_of(arguments).band_rows;
   const FixedMesh mesh = to_fixed(load_mesh(options.mesh));
   const Renderer& renderer = find_renderer(options.shading, display.format(), options.dither);
   const auto frames = static_cast<std::size_t>(arguments.frames);
@@ -136,7 +137,7 @@ void report(const SimulateArguments& arguments, const SimulatedDisplay& display,
   std::fprintf(out, "bus: %.3f ms a frame; allows %.1f frames a second\n", bus_ms, 1000 / bus_ms);
   if (totals.draw_known) {
     const double frame_ms = static_cast<double>(totals.frame_ns) / 1e6 / frames;
-    std::fprintf(out, "drawing: %.3f ms a frame on a Cortex-M3 at %g MHz (an estimate, clearing apart)\n",
+    std::fprintf(out, "drawing: %.3f ms a frame on a Cortex-M3 at %g MHz (an estimate, without clearing)\n",
                  draw_ms, arguments.cpu_mhz);
     std::fprintf(out, "both, overlapped: %.3f ms, %.1f frames a second; bottleneck: %s\n", frame_ms,
                  1000 / frame_ms, draw_ms > bus_ms ? "shading" : "the bus");
@@ -145,15 +146,11 @@ void report(const SimulateArguments& arguments, const SimulatedDisplay& display,
                  arguments.options.shading.c_str());
   }
   std::fprintf(out, "RAM for buffers: %zu bytes; a whole frame would take %zu\n", display.buffer_bytes(),
-               static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) *
-                   (display.format() == "rgb565"  ? 16u
-                    : display.format() == "gray4" ? 4u
-                                                  : 1u) /
-                   8);
+               display.frame_bytes());
 }
 
 void run_simulate(const SimulateArguments& arguments) {
-  const std::unique_ptr<SimulatedDisplay> display = make_display(wish_of(arguments));
+  const std::unique_ptr<SimulatedDisplay> display = make_display(options_of(arguments));
   GlassOutput output(arguments.output, arguments.frames, display->picture());
   const Totals totals = show_all(arguments, *display, output);
   output.finish();
@@ -195,7 +192,7 @@ void add_simulate_command(CLI::App& app) {
   simulate->footer(
       "Examples:\n"
       "  arcspan simulate torus:48x24 --panel ili9341 --rotation 90 -o panel.png\n"
-      "  arcspan simulate bunny.obj --panel ssd1306 --dither --bus i2c --turntable 36 --changes -o oled.gif");
+      "  arcspan simulate bunny.obj --panel ssd1306 --bus i2c --turntable 36 --changes -o oled.gif");
   simulate->callback([arguments] { run_simulate(*arguments); });
 }
 

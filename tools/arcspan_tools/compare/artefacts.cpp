@@ -123,13 +123,13 @@ Image ArtefactScene::drawn(const std::string& shading, const Scene& scene) const
   return find_renderer(shading, "rgb888", false).render(job, [](std::size_t) {}).image;
 }
 
-TruthPicture ArtefactScene::truth(TruthKind kind) const {
-  return draw_truth(make_job(scene_, mesh_, "artefact"), kind);
+ReferencePicture ArtefactScene::reference(ReferenceKind kind) const {
+  return draw_reference(make_job(scene_, mesh_, "artefact"), kind);
 }
 
 Profile ArtefactScene::middle_row(const std::string& shading) const {
   const Image image = drawn(shading, scene_);
-  const TruthPicture cover = truth(TruthKind::kPhong);
+  const ReferencePicture cover = reference(ReferenceKind::kPhong);
   Profile profile;
   for (std::int32_t x = 0; x < kSize.width; ++x) {
     if (cover.at(x, kMiddleY) != nullptr) profile.emplace_back(x, image.at(x, kMiddleY).g);
@@ -137,11 +137,11 @@ Profile ArtefactScene::middle_row(const std::string& shading) const {
   return profile;
 }
 
-Profile ArtefactScene::middle_row(TruthKind kind) const {
-  const TruthPicture picture = truth(kind);
+Profile ArtefactScene::middle_row(ReferenceKind kind) const {
+  const ReferencePicture picture = reference(kind);
   Profile profile;
   for (std::int32_t x = 0; x < kSize.width; ++x) {
-    const TruthSample* sample = picture.at(x, kMiddleY);
+    const ReferenceSample* sample = picture.at(x, kMiddleY);
     if (sample != nullptr) profile.emplace_back(x, sample->levels[1]);
   }
   return profile;
@@ -151,7 +151,9 @@ double ArtefactScene::middle(const std::string& shading) const {
   return drawn(shading, scene_).at(kMiddleX, kMiddleY).g;
 }
 
-double ArtefactScene::middle(TruthKind kind) const { return truth(kind).at(kMiddleX, kMiddleY)->levels[1]; }
+double ArtefactScene::middle(ReferenceKind kind) const {
+  return reference(kind).at(kMiddleX, kMiddleY)->levels[1];
+}
 
 Vec3 ArtefactScene::middle_normal(const std::string& shading) const {
   Vec3 normal;
@@ -164,7 +166,9 @@ Vec3 ArtefactScene::middle_normal(const std::string& shading) const {
   return normalised(normal);
 }
 
-Vec3 ArtefactScene::middle_normal(TruthKind kind) const { return truth(kind).at(kMiddleX, kMiddleY)->normal; }
+Vec3 ArtefactScene::middle_normal(ReferenceKind kind) const {
+  return reference(kind).at(kMiddleX, kMiddleY)->normal;
+}
 
 double peak(const Profile& profile) {
   double highest = 0;
@@ -182,6 +186,6 @@ double kink(const Profile& profile, double x, int reach) {
 }
 
 RotationSpread rotation_spread(const std::string& shading, double apart) { return spread_of(shading, apart); }
-RotationSpread rotation_spread(TruthKind kind, double apart) { return spread_of(kind, apart); }
+RotationSpread rotation_spread(ReferenceKind kind, double apart) { return spread_of(kind, apart); }
 
 }  // namespace arcspan::tools

@@ -30,19 +30,19 @@ class ArtefactScene {
 
   /// The middle row of the picture.
   [[nodiscard]] Profile middle_row(const std::string& shading) const;
-  [[nodiscard]] Profile middle_row(TruthKind kind) const;
+  [[nodiscard]] Profile middle_row(ReferenceKind kind) const;
   /// The brightness of the middle pixel.
   [[nodiscard]] double middle(const std::string& shading) const;
-  [[nodiscard]] double middle(TruthKind kind) const;
-  /// The normal that the middle pixel is shaded by, told from its brightness under three lights at right
-  /// angles: within 0.2 degrees, for that is as far as 8 bits go.
+  [[nodiscard]] double middle(ReferenceKind kind) const;
+  /// The normal that the middle pixel is shaded by, calculated from its brightness under three lights at
+  /// right angles: within 0.2 degrees, for that is as far as 8 bits go.
   [[nodiscard]] Vec3 middle_normal(const std::string& shading) const;
-  [[nodiscard]] Vec3 middle_normal(TruthKind kind) const;
+  [[nodiscard]] Vec3 middle_normal(ReferenceKind kind) const;
 
  private:
   ArtefactScene(const MeshData& mesh, Scene scene);
   [[nodiscard]] Image drawn(const std::string& shading, const Scene& scene) const;
-  [[nodiscard]] TruthPicture truth(TruthKind kind) const;
+  [[nodiscard]] ReferencePicture reference(ReferenceKind kind) const;
 
   FixedMesh mesh_;
   Scene scene_;
@@ -55,12 +55,12 @@ class ArtefactScene {
 /// a pixel. Zero where the brightness has no kink.
 [[nodiscard]] double kink(const Profile& profile, double x, int reach);
 
-/// What turning the picture by all of 360 degrees in steps of 5 changes at one point.
+/// How much one point changes while the picture is turned by 360 degrees in steps of 5.
 struct RotationSpread {
   double steps = 0;    ///< brightest less darkest, 8-bit steps
   double degrees = 0;  ///< largest angle between two of the normals it is shaded by
 };
 [[nodiscard]] RotationSpread rotation_spread(const std::string& shading, double apart);
-[[nodiscard]] RotationSpread rotation_spread(TruthKind kind, double apart);
+[[nodiscard]] RotationSpread rotation_spread(ReferenceKind kind, double apart);
 
 }  // namespace arcspan::tools

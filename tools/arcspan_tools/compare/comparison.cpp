@@ -90,17 +90,17 @@ CountedDraw count_operations(const MeasuredMethod& method, const RenderJob& job,
 }
 
 MethodFigures measure_method(const std::string& shading, const RenderJob& job, const FixedMesh& mesh,
-                             const TruthPicture& truth) {
-  return measure_method(find_method(shading), job, mesh, truth);
+                             const ReferencePicture& reference) {
+  return measure_method(find_method(shading), job, mesh, reference);
 }
 
 MethodFigures measure_method(const MeasuredMethod& method, const RenderJob& job, const FixedMesh& mesh,
-                             const TruthPicture& truth) {
+                             const ReferencePicture& reference) {
   MethodFigures figures;
   figures.shading = method.shading;
   // The error in full 8-bit channels, the time in the format that a firmware would have.
   figures.picture = method.render(job, {"rgb888"}, [](std::size_t) {}).image;
-  figures.error = picture_error(figures.picture, truth, job.background);
+  figures.error = picture_error(figures.picture, reference, job.background);
   rate_operations(method, job, mesh, figures);
   figures.nanoseconds = best_nanoseconds(job, *method.render);
   return figures;

@@ -10,20 +10,20 @@
 
 namespace arcspan::tools {
 
-/// Operations a pixel, by arcspan_counting::Operation.
+/// Operations per pixel, by arcspan_counting::Operation.
 using OperationRates = std::array<double, arcspan_counting::kOperationKinds>;
 
-/// What one shading method does on one job.
+/// Error, cost and picture of one shading method on one job.
 struct MethodFigures {
   std::string shading;
   Image picture;
   PictureError error;
   /// Of the pixels alone; what the span loop itself counts (that is, flat shading) is taken off.
   OperationRates per_pixel{};
-  /// All kinds together, spent on vertices, preparation and row starts, a pixel.
+  /// All kinds together, spent on vertices, preparation and row starts, per pixel.
   double around = 0;
-  double nanoseconds = 0;              ///< a pixel, whole draw, best of several
-  std::optional<double> instructions;  ///< a pixel, whole draw, if they could be counted
+  double nanoseconds = 0;              ///< per pixel, whole draw, best of several
+  std::optional<double> instructions;  ///< per pixel, whole draw, if they could be counted
 };
 
 /// A method as it is measured: the pipeline with it, and the pipeline that counts with it.
@@ -41,13 +41,14 @@ struct MeasuredMethod {
 [[nodiscard]] arcspan_counting::CountedDraw count_operations(const std::string& shading, const RenderJob& job,
                                                              const FixedMesh& mesh);
 
-/// Draws with one method and compares with the truth; counts operations; takes the time. Not instructions.
+/// Draws with one method and compares with the reference; counts operations; takes the time. Not
+/// instructions.
 [[nodiscard]] MethodFigures measure_method(const MeasuredMethod& method, const RenderJob& job,
-                                           const FixedMesh& mesh, const TruthPicture& truth);
+                                           const FixedMesh& mesh, const ReferencePicture& reference);
 [[nodiscard]] MethodFigures measure_method(const std::string& shading, const RenderJob& job,
-                                           const FixedMesh& mesh, const TruthPicture& truth);
+                                           const FixedMesh& mesh, const ReferencePicture& reference);
 
-/// Nanoseconds and instructions a pixel that others are compared with.
+/// Nanoseconds and instructions per pixel that others are compared with.
 struct Yardstick {
   std::string shading;
   double nanoseconds = 0;
@@ -59,8 +60,8 @@ struct Comparison {
   std::size_t mesh_triangles = 0;
   std::int32_t width = 0;
   std::int32_t height = 0;
-  TruthKind truth_kind = TruthKind::kPhong;
-  Image truth;
+  ReferenceKind reference_kind = ReferenceKind::kPhong;
+  Image reference;
   std::vector<MethodFigures> methods;
   std::vector<Yardstick> yardsticks;  ///< gouraud and phong, those that there are
 };

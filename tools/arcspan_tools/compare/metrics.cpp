@@ -12,7 +12,7 @@ constexpr double kSigma = 1.5;
 constexpr double kC1 = (0.01 * 255) * (0.01 * 255);
 constexpr double kC2 = (0.03 * 255) * (0.03 * 255);
 
-/// One double a pixel.
+/// One double per pixel.
 struct Plane {
   std::int32_t width = 0;
   std::int32_t height = 0;
@@ -69,7 +69,7 @@ Plane product(const Plane& a, const Plane& b) {
   return out;
 }
 
-double mean_ssim(const Plane& a, const Plane& b, const TruthPicture& truth) {
+double mean_ssim(const Plane& a, const Plane& b, const ReferencePicture& reference) {
   const Plane mean_a = blurred(a);
   const Plane mean_b = blurred(b);
   const Plane square_a = blurred(product(a, a));
@@ -78,7 +78,7 @@ double mean_ssim(const Plane& a, const Plane& b, const TruthPicture& truth) {
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.values.size(); ++i) {
-    if (truth.numbers[i] == 0) continue;
+    if (reference.numbers[i] == 0) continue;
     const double ma = mean_a.values[i];
     const double mb = mean_b.values[i];
     const double variances = square_a.values[i] - ma * ma + square_b.values[i] - mb * mb;
@@ -91,15 +91,15 @@ double mean_ssim(const Plane& a, const Plane& b, const TruthPicture& truth) {
 
 }  // namespace
 
-PictureError picture_error(const Image& picture, const TruthPicture& truth, Rgb8 background) {
+PictureError picture_error(const Image& picture, const ReferencePicture& reference, Rgb8 background) {
   PictureError error;
-  Plane ours(truth.width, truth.height);
-  Plane theirs(truth.width, truth.height);
+  Plane ours(reference.width, reference.height);
+  Plane theirs(reference.width, reference.height);
   double squares = 0;
-  for (std::int32_t y = 0; y < truth.height; ++y) {
-    for (std::int32_t x = 0; x < truth.width; ++x) {
+  for (std::int32_t y = 0; y < reference.height; ++y) {
+    for (std::int32_t x = 0; x < reference.width; ++x) {
       const Levels drawn = levels_of(picture.at(x, y));
-      const TruthSample* sample = truth.at(x, y);
+      const ReferenceSample* sample = reference.at(x, y);
       const Levels wanted = sample == nullptr ? levels_of(background) : sample->levels;
       ours.at(x, y) = luma_of(drawn);
       theirs.at(x, y) = luma_of(wanted);
@@ -114,16 +114,16 @@ PictureError picture_error(const Image& picture, const TruthPicture& truth, Rgb8
   }
   if (error.pixels > 0) error.rms = std::sqrt(squares / (3.0 * static_cast<double>(error.pixels)));
   error.psnr = error.rms > 0 ? 20 * std::log10(255 / error.rms) : INFINITY;
-  error.ssim = mean_ssim(ours, theirs, truth);
+  error.ssim = mean_ssim(ours, theirs, reference);
   return error;
 }
 
-std::vector<double> error_map(const Image& picture, const TruthPicture& truth) {
-  std::vector<double> map(truth.numbers.size());
+std::vector<double> error_map(const Image& picture, const ReferencePicture& reference) {
+  std::vector<double> map(reference.numbers.size());
   std::size_t i = 0;
-  for (std::int32_t y = 0; y < truth.height; ++y) {
-    for (std::int32_t x = 0; x < truth.width; ++x, ++i) {
-      const TruthSample* sample = truth.at(x, y);
+  for (std::int32_t y = 0; y < reference.height; ++y) {
+    for (std::int32_t x = 0; x < reference.width; ++x, ++i) {
+      const ReferenceSample* sample = reference.at(x, y);
       if (sample == nullptr) continue;
       const Levels drawn = levels_of(picture.at(x, y));
       for (std::size_t c = 0; c < 3; ++c) map[i] = std::max(map[i], std::fabs(drawn[c] - sample->levels[c]));

@@ -5,9 +5,10 @@
 
 namespace arcspan::tools {
 
-/// How far a picture is from the truth, over the pixels that the truth covers.
+/// How far a picture is from the reference, over the pixels that the reference covers.
 struct PictureError {
-  /// Of one channel, in 8-bit steps, from the truth before rounding: half a step is what 8 bits must lose.
+  /// Of one channel, in 8-bit steps, from the reference before rounding: half a step is what 8 bits must
+  /// lose.
   double max = 0;
   double rms = 0;
   /// 20 log10(255 / rms) in dB.
@@ -18,10 +19,11 @@ struct PictureError {
   std::size_t pixels = 0;
 };
 
-/// `picture` has the truth's size and was drawn over `background`.
-[[nodiscard]] PictureError picture_error(const Image& picture, const TruthPicture& truth, Rgb8 background);
+/// `picture` has the reference's size and was drawn over `background`.
+[[nodiscard]] PictureError picture_error(const Image& picture, const ReferencePicture& reference,
+                                         Rgb8 background);
 
 /// The largest error of the three channels at every pixel, in 8-bit steps; 0 where nothing was drawn.
-[[nodiscard]] std::vector<double> error_map(const Image& picture, const TruthPicture& truth);
+[[nodiscard]] std::vector<double> error_map(const Image& picture, const ReferencePicture& reference);
 
 }  // namespace arcspan::tools

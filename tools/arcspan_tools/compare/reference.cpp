@@ -36,7 +36,7 @@ class NumberSink {
  public:
   using Format = NumberFormat;
 
-  explicit NumberSink(TruthPicture& picture) : picture_(&picture) {}
+  explicit NumberSink(ReferencePicture& picture) : picture_(&picture) {}
   [[nodiscard]] Rect bounds() const { return {0, 0, picture_->width, picture_->height}; }
   [[nodiscard]] Format::Cursor open(const Span& run) {
     const auto row = static_cast<std::size_t>(run.y) * static_cast<std::size_t>(picture_->width);
@@ -45,7 +45,7 @@ class NumberSink {
   [[nodiscard]] Status close(const Span&) { return Status::kOk; }
 
  private:
-  TruthPicture* picture_;
+  ReferencePicture* picture_;
 };
 
 Levels to_levels(const ChannelCoefficients& c) {
@@ -93,12 +93,12 @@ Levels ReferenceIllumination::levels(Vec3 normal) const {
   return result;
 }
 
-Image TruthPicture::image(Rgb8 background) const {
+Image ReferencePicture::image(Rgb8 background) const {
   Image picture(width, height);
   const auto step = [](double level) { return static_cast<std::uint8_t>(std::lround(level)); };
   for (std::int32_t y = 0; y < height; ++y) {
     for (std::int32_t x = 0; x < width; ++x) {
-      const TruthSample* sample = at(x, y);
+      const ReferenceSample* sample = at(x, y);
       picture.at(x, y) =
           sample == nullptr ? background
                             : Rgb8{step(sample->levels[0]), step(sample->levels[1]), step(sample->levels[2])};
@@ -107,9 +107,9 @@ Image TruthPicture::image(Rgb8 background) const {
   return picture;
 }
 
-TruthPicture draw_truth(const RenderJob& job, TruthKind kind) {
+ReferencePicture draw_reference(const RenderJob& job, ReferenceKind kind) {
   const Viewport& size = job.transform.viewport();
-  TruthPicture picture;
+  ReferencePicture picture;
   picture.width = size.width;
   picture.height = size.height;
   const std::size_t area = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);

@@ -11,9 +11,9 @@
 
 namespace arcspan::tools {
 
-/// What a picture ought to be: Phong's own interpolation (normals along chords, then normalised), or the
-/// spherical one (S0 eq. 2, along the edges and then along the rows).
-enum class TruthKind : std::uint8_t { kPhong, kSlerp };
+/// The correct picture by one of two definitions: Phong's own interpolation (normals along chords, then
+/// normalised), or the spherical one (S0 eq. 2, along the edges and then along the rows).
+enum class ReferenceKind : std::uint8_t { kPhong, kSlerp };
 
 /// Red, green, blue in 8-bit steps, 0...255, not rounded.
 using Levels = std::array<double, 3>;
@@ -37,21 +37,21 @@ struct ReferenceIllumination {
   [[nodiscard]] Levels levels(Vec3 normal) const;
 };
 
-struct TruthSample {
+struct ReferenceSample {
   Vec3 normal;  ///< unit length
   Levels levels{};
 };
 
 /// A picture in doubles.
-struct TruthPicture {
+struct ReferencePicture {
   std::int32_t width = 0;
   std::int32_t height = 0;
-  std::vector<TruthSample> samples;
+  std::vector<ReferenceSample> samples;
   /// For every pixel the number of its sample plus 1, or 0 where nothing was drawn.
   std::vector<std::uint32_t> numbers;
 
   /// Null where nothing was drawn.
-  [[nodiscard]] const TruthSample* at(std::int32_t x, std::int32_t y) const {
+  [[nodiscard]] const ReferenceSample* at(std::int32_t x, std::int32_t y) const {
     const std::uint32_t number =
         numbers[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
     return number == 0 ? nullptr : &samples[number - 1];
@@ -62,7 +62,7 @@ struct TruthPicture {
 
 /// Draws the job in doubles: the pipeline's own geometry, coverage and depth, from the same 16-bit positions
 /// and packed normals, and the same directions and coefficients.
-[[nodiscard]] TruthPicture draw_truth(const RenderJob& job, TruthKind kind);
+[[nodiscard]] ReferencePicture draw_reference(const RenderJob& job, ReferenceKind kind);
 
 [[nodiscard]] Vec3 to_vec3(const Direction& direction);
 

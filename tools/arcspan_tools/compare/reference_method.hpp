@@ -13,8 +13,8 @@
 namespace arcspan::tools {
 
 /// The normal at the fraction t between a and b: S0 eq. 2 of unit vectors, or their chord, not normalised.
-[[nodiscard]] inline Vec3 between_normals(TruthKind kind, Vec3 a, Vec3 b, double t) {
-  const double angle = kind == TruthKind::kSlerp ? std::atan2(length(cross(a, b)), dot(a, b)) : 0;
+[[nodiscard]] inline Vec3 between_normals(ReferenceKind kind, Vec3 a, Vec3 b, double t) {
+  const double angle = kind == ReferenceKind::kSlerp ? std::atan2(length(cross(a, b)), dot(a, b)) : 0;
   const double sine = std::sin(angle);
   if (sine < 1e-9) return a * (1 - t) + b * t;
   return a * (std::sin((1 - t) * angle) / sine) + b * (std::sin(t * angle) / sine);
@@ -24,14 +24,14 @@ namespace arcspan::tools {
 /// but its normals and colours are doubles. Its colour() hands out the number of a sample.
 struct ReferenceMethod {
   struct Lighting {
-    TruthKind kind = TruthKind::kPhong;
+    ReferenceKind kind = ReferenceKind::kPhong;
     ReferenceIllumination illumination;
-    std::vector<TruthSample>* samples = nullptr;
+    std::vector<ReferenceSample>* samples = nullptr;
   };
   struct Face {};
   struct Vertex {
     Vec3 normal;
-    TruthKind kind = TruthKind::kPhong;
+    ReferenceKind kind = ReferenceKind::kPhong;
   };
   /// A vertex on the screen, in pixels.
   struct Corner {
@@ -44,7 +44,7 @@ struct ReferenceMethod {
     Corner middle;
     Corner bottom;
     double first_y = 0;  ///< of the first row's centres
-    TruthKind kind = TruthKind::kPhong;
+    ReferenceKind kind = ReferenceKind::kPhong;
   };
   static constexpr bool kNeedsFaceNormal = false;
 
@@ -71,7 +71,7 @@ struct ReferenceMethod {
 
   class Run {
    public:
-    Run(TruthKind kind, Vec3 left, Vec3 right, double at, double step)
+    Run(ReferenceKind kind, Vec3 left, Vec3 right, double at, double step)
         : kind_(kind), left_(left), right_(right), at_(at), step_(step) {}
 
     [[nodiscard]] PackedRgb colour(const Lighting& lighting) const {
@@ -83,7 +83,7 @@ struct ReferenceMethod {
     void next() { at_ += step_; }
 
    private:
-    TruthKind kind_;
+    ReferenceKind kind_;
     Vec3 left_;
     Vec3 right_;
     double at_;

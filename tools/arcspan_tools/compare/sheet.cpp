@@ -36,7 +36,7 @@ struct Layout {
     text_scale = c.width >= 240 ? 2 : 1;
     text_height = text_scale * kLineHeight;
     cell_width = std::max(c.width, 140) + kGap;
-    // Under the truth stands the scale instead of a map.
+    // Under the reference stands the scale instead of a map.
     const std::int32_t map_height = std::max(c.height, (kDoublings + 2) * text_height);
     cell_height = c.height + map_height + 2 * text_height + 2 * kGap;
     // As wide as high, as far as whole cells go.
@@ -101,27 +101,28 @@ Rgb8 error_colour(double steps) {
   return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
 }
 
-Image error_picture(const Image& picture, const TruthPicture& truth) {
-  const std::vector<double> errors = error_map(picture, truth);
+Image error_picture(const Image& picture, const ReferencePicture& reference) {
+  const std::vector<double> errors = error_map(picture, reference);
   Image map(picture.width, picture.height);
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    map.pixels[i] = truth.numbers[i] == 0 ? kUncovered : error_colour(errors[i]);
+    map.pixels[i] = reference.numbers[i] == 0 ? kUncovered : error_colour(errors[i]);
   }
   return map;
 }
 
-Image contact_sheet(const Comparison& comparison, const TruthPicture& truth) {
+Image contact_sheet(const Comparison& comparison, const ReferencePicture& reference) {
   const Layout layout(comparison, comparison.methods.size() + 1);
   check_size(layout);
   Image sheet(layout.width(), layout.height());
   fill(sheet, 0, 0, sheet.width, sheet.height, kPaper);
   draw_text(sheet, kGap, kGap, comparison.mesh_name, layout.text_scale, kInk);
-  const char* truth_name =
-      comparison.truth_kind == TruthKind::kPhong ? "truth: Phong, double" : "truth: slerp, double";
-  draw_text(sheet, layout.x(0), layout.y(0) + kGap, truth_name, layout.text_scale, kInk);
+  const char* reference_name = comparison.reference_kind == ReferenceKind::kPhong
+                                   ? "reference: Phong, double"
+                                   : "reference: slerp, double";
+  draw_text(sheet, layout.x(0), layout.y(0) + kGap, reference_name, layout.text_scale, kInk);
   const std::int32_t picture_top = kGap + layout.text_height;
   const std::int32_t map_top = picture_top + comparison.height;
-  paste(sheet, comparison.truth, layout.x(0), layout.y(0) + picture_top);
+  paste(sheet, comparison.reference, layout.x(0), layout.y(0) + picture_top);
   draw_scale(sheet, layout.x(0), layout.y(0) + map_top + kGap, layout);
   for (std::size_t i = 0; i < comparison.methods.size(); ++i) {
     const MethodFigures& method = comparison.methods[i];
@@ -129,7 +130,7 @@ Image contact_sheet(const Comparison& comparison, const TruthPicture& truth) {
     const std::int32_t y = layout.y(i + 1);
     draw_text(sheet, x, y + kGap, method.shading, layout.text_scale, kInk);
     paste(sheet, method.picture, x, y + picture_top);
-    paste(sheet, error_picture(method.picture, truth), x, y + map_top);
+    paste(sheet, error_picture(method.picture, reference), x, y + map_top);
     draw_text(sheet, x, y + map_top + comparison.height + 4, figures_text(method.error), layout.text_scale,
               kInk);
   }

@@ -68,15 +68,17 @@ constexpr const char* kNotes =
     "Operations, ns and instructions are per drawn pixel. The operations by kind are those of the pixels "
     "themselves;\n`set-up` is all kinds together for vertices, triangles and row starts. ns and instr. are "
     "of "
-    "the whole draw on\nthis machine. Errors are in 8-bit steps from the double truth before rounding, half "
+    "the whole draw on\nthis machine. Errors are in 8-bit steps from the double reference before rounding, "
+    "half "
     "a "
     "step of which is rounding.\n";
 
 std::string markdown(const Comparison& c, const std::vector<Column>& columns) {
-  std::string text = c.mesh_name + ", " + std::to_string(c.mesh_triangles) + " triangles, " +
-                     std::to_string(c.width) + "x" + std::to_string(c.height) + ", against " +
-                     (c.truth_kind == TruthKind::kPhong ? "classic Phong" : "spherical interpolation") +
-                     " in double precision.\n\n| shading |";
+  std::string text =
+      c.mesh_name + ", " + std::to_string(c.mesh_triangles) + " triangles, " + std::to_string(c.width) + "x" +
+      std::to_string(c.height) + ", against " +
+      (c.reference_kind == ReferenceKind::kPhong ? "classic Phong" : "spherical interpolation") +
+      " in double precision.\n\n| shading |";
   std::string rule = "|---|";
   for (const Column& column : columns) {
     text += " " + column.title + " |";
@@ -118,7 +120,7 @@ std::string json(const Comparison& c, const std::vector<Column>& columns) {
   const nlohmann::ordered_json all = {
       {"mesh", {{"name", c.mesh_name}, {"triangles", c.mesh_triangles}}},
       {"picture", {{"width", c.width}, {"height", c.height}}},
-      {"truth", c.truth_kind == TruthKind::kPhong ? "phong" : "slerp"},
+      {"reference", c.reference_kind == ReferenceKind::kPhong ? "phong" : "slerp"},
       {"methods", methods},
   };
   return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -25,7 +25,7 @@ struct CountJob {
   int tolerance = 1;     ///< of `adaptive`
 };
 
-/// What drawing a picture took. Without a depth test, so that every pixel of every span is coloured.
+/// The operations of drawing a picture without a depth test, so that every pixel of every span is coloured.
 struct CountedDraw {
   OperationCounts in_spans;  ///< between a run's start and its end: the pixels
   OperationCounts around;    ///< everything else: vertices, preparation, row starts

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Only for counted_method.cpp.in, after the pipeline's files have been compiled as arcspan_counted.
+// Only for inclusion after end_counted.hpp: it needs the pipeline as arcspan_counted.
 #pragma once
 
 #include <arcspan_tools/counting/count_job.hpp>
@@ -13,8 +13,8 @@ namespace arcspan_counting {
 
 namespace counted = arcspan_counted;
 
-/// Takes colours and keeps none; while a run is open its operations are counted apart.
-class NoteSink {
+/// Takes colours and keeps none. Operations while a run is open are counted separately from the others.
+class CountingSink {
  public:
   struct Format {
     using Encoded = counted::PackedRgb;
@@ -40,7 +40,7 @@ class NoteSink {
     [[nodiscard]] static counted::Rgb8 decode(Encoded) { return {}; }
   };
 
-  NoteSink(CountedDraw& draw, const counted::Viewport& size) : draw_(&draw) {
+  CountingSink(CountedDraw& draw, const counted::Viewport& size) : draw_(&draw) {
     bounds_.right = size.width;
     bounds_.bottom = size.height;
   }
@@ -62,7 +62,7 @@ class NoteSink {
   counted::Rect bounds_{};
 };
 
-/// Values of one pipeline as those of the other.
+/// Values of the plain pipeline as values of the pipeline that counts.
 template <class T>
 std::vector<T> copied(std::span<const std::byte> bytes) {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -86,10 +86,10 @@ CountedDraw count_draw(const CountJob& job, const typename Method::Lighting& lig
   const auto transform = one<counted::ClipTransform>(job.transform);
   counted::MeshView mesh;
   if (counted::MeshView::make(positions, normals, std::span(indices), mesh) != counted::Status::kOk) {
-    throw std::logic_error("the counting pipeline refuses the mesh");
+    throw std::logic_error("the counting pipeline rejects the mesh");
   }
   CountedDraw draw;
-  NoteSink sink(draw, transform.viewport());
+  CountingSink sink(draw, transform.viewport());
   std::vector<counted::CachedVertex<Method>> cache(mesh.vertex_count());
   operation_target = &draw.around;
   (void)counted::draw_mesh<Method>(mesh, transform, lighting, sink, counted::NoDepth{}, std::span(cache),
@@ -102,36 +102,31 @@ template <template <class> class Method, std::size_t Lights, counted::Highlight 
 CountedDraw count_lit(const CountJob& job) {
   using Lit = counted::Illumination<Lights, Model>;
   const auto given = copied<counted::DirectionalLight>(job.lights);
+  // As in render_with.hpp: lights beyond those given are dark. They are drawn, so they are counted.
   arcspan_counted_std::array<counted::DirectionalLight, Lights> lights;
-  for (std::size_t i = 0; i < Lights; ++i) lights[i] = given[i];
+  for (std::size_t i = 0; i < Lights; ++i) {
+    lights[i] = i < given.size() ? given[i] : counted::DirectionalLight{given[0].towards, {}};
+  }
   Lit lighting;
   const auto material = one<counted::Material>(job.material);
   const auto to_eye = one<counted::Direction>(job.to_eye);
   if (Lit::make(material, lights, to_eye, lighting) != counted::Status::kOk) {
-    throw std::logic_error("the counting pipeline refuses the material");
+    throw std::logic_error("the counting pipeline rejects the material");
   }
   typename Method<Lit>::Lighting lit(lighting);
   counted::Status set = counted::Status::kOk;
   if constexpr (requires { lit.set_segment_bits(1); }) set = lit.set_segment_bits(job.segment_bits);
   if constexpr (requires { lit.set_tolerance(1); }) set = lit.set_tolerance(job.tolerance);
-  if (set != counted::Status::kOk) throw std::logic_error("the counting pipeline refuses the settings");
+  if (set != counted::Status::kOk) throw std::logic_error("the counting pipeline rejects the settings");
   return count_draw<Method<Lit>>(job, lit);
 }
 
 template <template <class> class Method, counted::Highlight Model>
 CountedDraw count_model(const CountJob& job) {
-  switch (job.lights.size() / sizeof(counted::DirectionalLight)) {
-    case 1:
-      return count_lit<Method, 1, Model>(job);
-    case 2:
-      return count_lit<Method, 2, Model>(job);
-    case 3:
-      return count_lit<Method, 3, Model>(job);
-    case 4:
-      return count_lit<Method, 4, Model>(job);
-    default:
-      throw std::logic_error("1 to 4 lights");
-  }
+  constexpr std::size_t kMost = 4;
+  const std::size_t lights = job.lights.size() / sizeof(counted::DirectionalLight);
+  if (lights < 1 || lights > kMost) throw std::logic_error("1 to 4 lights");
+  return lights == 1 ? count_lit<Method, 1, Model>(job) : count_lit<Method, kMost, Model>(job);
 }
 
 template <template <class> class Method>

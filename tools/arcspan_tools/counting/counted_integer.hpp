@@ -13,7 +13,7 @@ template <class T>
 concept PlainNumber = std::is_arithmetic_v<T>;
 
 /// An integer of type T that counts what is done to it. It has T's size, range, promotions and wrap-around;
-/// it converts to a plain number only when told to, so that nothing escapes the counting by itself.
+/// it converts to a plain number only explicitly, so that nothing escapes the counting by accident.
 template <std::integral T>
 class Counted {
  public:
@@ -89,7 +89,7 @@ template <class T>
 
 template <class R>
 [[nodiscard]] constexpr Counted<R> counted(Operation kind, R value) {
-  if (!std::is_constant_evaluated()) note(kind);
+  if (!std::is_constant_evaluated()) count_one(kind);
   return Counted<R>(value);
 }
 
@@ -153,14 +153,14 @@ template <class A, class B>
 requires detail::CountedPair<A, B>
 constexpr bool operator==(A a, B b) {
   using Common = std::common_type_t<detail::Plain<A>, detail::Plain<B>>;
-  if (!std::is_constant_evaluated()) note(Operation::kCompare);
+  if (!std::is_constant_evaluated()) count_one(Operation::kCompare);
   return static_cast<Common>(detail::plain(a)) == static_cast<Common>(detail::plain(b));
 }
 template <class A, class B>
 requires detail::CountedPair<A, B>
 constexpr std::strong_ordering operator<=>(A a, B b) {
   using Common = std::common_type_t<detail::Plain<A>, detail::Plain<B>>;
-  if (!std::is_constant_evaluated()) note(Operation::kCompare);
+  if (!std::is_constant_evaluated()) count_one(Operation::kCompare);
   return static_cast<Common>(detail::plain(a)) <=> static_cast<Common>(detail::plain(b));
 }
 

@@ -43,12 +43,12 @@ concept signed_integral = kCountedSigned<T> || ::std::signed_integral<T>;
 
 template <class T>
 [[nodiscard]] constexpr int countl_zero(Counted<T> v) {
-  if (!::std::is_constant_evaluated()) ::arcspan_counting::note(::arcspan_counting::Operation::kLogic);
+  if (!::std::is_constant_evaluated()) ::arcspan_counting::count_one(::arcspan_counting::Operation::kLogic);
   return static_cast<int>(::std::countl_zero(v.plain()));
 }
 template <class T>
 [[nodiscard]] constexpr int bit_width(Counted<T> v) {
-  if (!::std::is_constant_evaluated()) ::arcspan_counting::note(::arcspan_counting::Operation::kLogic);
+  if (!::std::is_constant_evaluated()) ::arcspan_counting::count_one(::arcspan_counting::Operation::kLogic);
   return static_cast<int>(::std::bit_width(v.plain()));
 }
 
@@ -64,7 +64,7 @@ struct array {
   template <class Index>
   [[nodiscard]] constexpr const T& operator[](Index i) const {
     if (N > 16 && !::std::is_constant_evaluated()) {
-      ::arcspan_counting::note(::arcspan_counting::Operation::kLookUp);
+      ::arcspan_counting::count_one(::arcspan_counting::Operation::kLookUp);
     }
     return elements[static_cast<::std::size_t>(i)];
   }

@@ -14,7 +14,7 @@ struct Counter {
   CountFunction* function;
 };
 
-/// All of them (generated, one translation unit each), in the order of shading_renderers().
+/// One counter for each entry of shading_method_list.hpp, in its order.
 [[nodiscard]] std::span<const Counter> counters();
 
 }  // namespace arcspan_counting

@@ -8,7 +8,7 @@
 
 namespace arcspan_counting {
 
-/// What an integer machine does, by kind.
+/// The operations of an integer machine by kind.
 enum class Operation : std::uint8_t {
   kMultiply,
   kShift,   ///< not of the literal 1: 1 << k is the constant half of a rounding
@@ -40,7 +40,7 @@ inline OperationCounts* operation_target = nullptr;
 /// Above zero inside something that counts as one operation.
 inline int operation_nesting = 0;
 
-inline void note(Operation kind) {
+inline void count_one(Operation kind) {
   if (operation_target != nullptr && operation_nesting == 0) operation_target->add(kind);
 }
 
@@ -48,7 +48,7 @@ inline void note(Operation kind) {
 template <class Call>
 constexpr auto count_as_one(Operation kind, const Call& call) {
   if (__builtin_is_constant_evaluated()) return call();
-  note(kind);
+  count_one(kind);
   ++operation_nesting;
   const auto result = call();
   --operation_nesting;

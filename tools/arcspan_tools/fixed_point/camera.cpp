@@ -92,14 +92,15 @@ Placement placement_of(Vec3 eye, const Axes& axes, const FixedMesh& mesh) {
 
 }  // namespace
 
-Camera place_camera(const CameraOptions& wish, const FixedMesh& mesh, Size size) {
-  Camera camera{{}, wish.target.value_or(mesh.centre), wish.up, wish.fov_degrees};
-  if (wish.eye) {
-    camera.eye = *wish.eye;
+Camera place_camera(const CameraOptions& options, const FixedMesh& mesh, Size size) {
+  Camera camera{{}, options.target.value_or(mesh.centre), options.up, options.fov_degrees};
+  if (options.eye) {
+    camera.eye = *options.eye;
     return camera;
   }
-  const Axes axes = axes_of(wish.view, wish.up);
-  camera.eye = camera.target + axes.z * fitting_distance(mesh, camera.target, axes, wish.fov_degrees, size);
+  const Axes axes = axes_of(options.view, options.up);
+  camera.eye =
+      camera.target + axes.z * fitting_distance(mesh, camera.target, axes, options.fov_degrees, size);
   return camera;
 }
 

@@ -27,9 +27,9 @@ struct Camera {
   double fov_degrees = 40;
 };
 
-/// The camera that `wish` means for `mesh` and a picture of `size`. Without an eye it stands in direction
+/// The camera that `options` means for `mesh` and a picture of `size`. Without an eye it stands in direction
 /// `view`, where the mesh just fits; without a target it looks at the mesh's centre.
-[[nodiscard]] Camera place_camera(const CameraOptions& wish, const FixedMesh& mesh, Size size);
+[[nodiscard]] Camera place_camera(const CameraOptions& options, const FixedMesh& mesh, Size size);
 
 /// A camera as the pipeline takes it, for one mesh and picture size.
 struct FixedCamera {

@@ -7,7 +7,7 @@
 namespace arcspan::tools {
 namespace {
 
-/// What stb_easy_font makes of text: quads, upright rectangles all of them.
+/// A quad of stb_easy_font, always an upright rectangle.
 struct Quad {
   struct Corner {
     float x;

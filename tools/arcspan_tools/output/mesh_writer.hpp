@@ -10,7 +10,8 @@
 
 namespace arcspan::tools {
 
-/// What a compiled mesh is written as: a header of constexpr arrays, or a binary that is used in place.
+/// The form in which a compiled mesh is written: a header of constexpr arrays, or a binary that is used in
+/// place.
 enum class MeshOutput { kHeader, kBinary };
 
 /// By the extension: .hpp or .h, .bin. On standard output a header; `bin:-` is the other. Throws Failure.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/compare/artefacts.hpp>
-#include <arcspan_tools/plot/figures.hpp>
+#include <arcspan_tools/plot/figure_list.hpp>
 
 namespace arcspan::tools {
 namespace {
@@ -12,7 +12,7 @@ Figure row_figure(const ArtefactScene& scene, const char* title) {
   figure.title = title;
   figure.x_label = "column of the picture's middle row";
   figure.y_label = "brightness, steps of 255";
-  figure.curves.push_back({"truth (Phong, double)", scene.middle_row(TruthKind::kPhong)});
+  figure.curves.push_back({"reference (Phong, double)", scene.middle_row(ReferenceKind::kPhong)});
   for (const ShadingRenderer& renderer : shading_renderers()) {
     const std::string shading(renderer.shading);
     figure.curves.push_back({shading, scene.middle_row(shading)});
@@ -45,8 +45,8 @@ Figure rotation_figure() {
   figure.title = "One point while the picture turns (normals 60° apart)";
   figure.x_label = "turn in the image plane, degrees";
   figure.y_label = "brightness, steps of 255";
-  figure.curves.push_back(rotation_curve("truth (Phong, double)", TruthKind::kPhong));
-  figure.curves.push_back(rotation_curve("truth (slerp, double)", TruthKind::kSlerp));
+  figure.curves.push_back(rotation_curve("reference (Phong, double)", ReferenceKind::kPhong));
+  figure.curves.push_back(rotation_curve("reference (slerp, double)", ReferenceKind::kSlerp));
   for (const ShadingRenderer& renderer : shading_renderers()) {
     const std::string shading(renderer.shading);
     figure.curves.push_back(rotation_curve(shading, shading));

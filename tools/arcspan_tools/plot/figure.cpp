@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/plot/figure.hpp>
-#include <arcspan_tools/plot/figures.hpp>
+#include <arcspan_tools/plot/figure_list.hpp>
 
 #include <cstdio>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/plot/figures.hpp>
+#include <arcspan_tools/plot/figure_list.hpp>
 #include <arcspan_tools/plot/formulas.hpp>
 
 #include <cmath>
@@ -26,7 +26,7 @@ Curve polynomial_curve(const char* label, Polynomial p) {
   curve.label = label;
   for (int i = 0; i <= kPoints; ++i) {
     const double degrees = 90.0 * i / kPoints;
-    // What is exact has no place on a logarithmic axis.
+    // Exact values (error 0) cannot be shown on a logarithmic axis.
     curve.points.emplace_back(degrees, std::max(std::fabs(polynomial_error(p, degrees * kDegree)), 1e-8));
   }
   return curve;

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 
-/// What the papers' figures show, computed from definitions, not from the papers' results. Angles in radians.
+/// The curves of the papers' figures, computed from definitions, not from the papers' results. Angles in
+/// radians.
 namespace arcspan::tools {
 
 /// S3: a segment whose end normals are `angle` apart, with the light (or H) in the middle between them; the
-/// intensity, cos^n, is exact at the ends and linear inside. Its error in the middle, relative to the truth.
+/// intensity, cos^n, is exact at the ends and linear inside. Its error in the middle, relative to the
+/// reference.
 [[nodiscard]] double segment_error(double angle, double n);
 
 /// The widest angle at which segment_error() is at most `error`.

@@ -9,7 +9,7 @@ namespace arcspan::tools {
 
 enum class PlotFormat : std::uint8_t { kSvg, kPng };
 
-/// What gnuplot is told: everything, data included.
+/// The complete script for gnuplot, data included.
 [[nodiscard]] std::string gnuplot_script(const Figure& figure, PlotFormat format, const std::string& output);
 
 /// The figure drawn by gnuplot, a whole file. Throws Failure if gnuplot is not installed or fails.

@@ -18,7 +18,7 @@ double intensity(Vec3 normal) {
 double mix(double a, double b, double t) { return (1 - t) * a + t * b; }
 
 /// The normal at P: Q on AB, R on BC, P between them.
-Vec3 normal_at_p(TruthKind kind, Vec3 a, Vec3 b, Vec3 c) {
+Vec3 normal_at_p(ReferenceKind kind, Vec3 a, Vec3 b, Vec3 c) {
   const Vec3 q = between_normals(kind, b, a, 0.4);
   const Vec3 r = between_normals(kind, c, b, 0.7);
   return between_normals(kind, q, r, 0.5);
@@ -40,10 +40,10 @@ WorkedExample worked_example() {
   const double at_q = mix(example.vertices[1], example.vertices[0], 0.4);
   const double at_r = mix(example.vertices[2], example.vertices[1], 0.7);
   example.gouraud = mix(at_q, at_r, 0.5);
-  const Vec3 chord = normal_at_p(TruthKind::kPhong, a, b, c);
+  const Vec3 chord = normal_at_p(ReferenceKind::kPhong, a, b, c);
   example.phong_not_normalised = intensity(chord);
   example.phong = intensity(normalised(chord));
-  example.arc = intensity(normal_at_p(TruthKind::kSlerp, a, b, c));
+  example.arc = intensity(normal_at_p(ReferenceKind::kSlerp, a, b, c));
   return example;
 }
 

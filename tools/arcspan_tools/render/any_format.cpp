@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/pixel/gray4.hpp>
-#include <arcspan/pixel/gray8.hpp>
-#include <arcspan/pixel/mono.hpp>
-#include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/pixel/pixel_format_list.hpp>
 
 #include <arcspan_tools/render/any_format.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <string>
+#include <vector>
 
 namespace arcspan::tools {
 namespace {
@@ -39,27 +36,15 @@ std::unique_ptr<PixelStore> make_store(bool dithers, std::int32_t width, std::in
   return std::make_unique<FormatStore<Format>>(width, rows);
 }
 
-using StoreMaker = std::unique_ptr<PixelStore> (*)(bool, std::int32_t, std::int32_t);
-
-struct NamedFormat {
-  std::string_view name;
-  StoreMaker make;
-};
-
-constexpr NamedFormat kFormats[] = {{"rgb565", &make_store<Rgb565>},
-                                    {"rgb888", &make_store<Rgb888>},
-                                    {"gray8", &make_store<Gray8>},
-                                    {"gray4", &make_store<Gray4>},
-                                    {"mono", &make_store<Mono>}};
-
 }  // namespace
 
-std::unique_ptr<PixelStore> make_pixel_store(std::string_view format, bool dithers, std::int32_t width,
+std::unique_ptr<PixelStore> make_pixel_store(const PixelChoice& pixels, std::int32_t width,
                                              std::int32_t rows) {
-  for (const NamedFormat& named : kFormats) {
-    if (named.name == format) return named.make(dithers, width, rows);
-  }
-  throw Failure(std::string(format), "no such pixel format");
+#define ARCSPAN_MAKE_IF_CHOSEN(name, Format) \
+  if (pixels.format == #name) return make_store<Format>(pixels.dithers, width, rows);
+  ARCSPAN_FOR_EACH_PIXEL_FORMAT(ARCSPAN_MAKE_IF_CHOSEN)
+#undef ARCSPAN_MAKE_IF_CHOSEN
+  throw Failure(std::string(pixels.format), "no such pixel format");
 }
 
 }  // namespace arcspan::tools

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/span/depth.hpp>
 
+#include <arcspan_tools/render/pixel_choice.hpp>
+
+#include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <string_view>
-#include <vector>
 
 namespace arcspan::tools {
 
@@ -22,9 +24,9 @@ class PixelStore {
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 };
 
-/// The store of the named format, e.g. "rgb565"; throws Failure if there is none of that name.
-[[nodiscard]] std::unique_ptr<PixelStore> make_pixel_store(std::string_view format, bool dithers,
-                                                           std::int32_t width, std::int32_t rows);
+/// A store of the format that was chosen; throws Failure if there is none of that name.
+[[nodiscard]] std::unique_ptr<PixelStore> make_pixel_store(const PixelChoice& pixels, std::int32_t width,
+                                                           std::int32_t rows);
 
 /// Keeps nothing: for counting what would be drawn.
 class NoPixels final : public PixelStore {
@@ -44,9 +46,8 @@ class NoPixels final : public PixelStore {
   Rect bounds_;
 };
 
-/// The pipeline's view of such a store. One instantiation of a shading method with it serves every format: a
-/// desk would rather wait for a virtual call a pixel than for the build of every combination. A firmware
-/// names its format instead.
+/// The pipeline's view of such a store. One instantiation of a shading method with it serves every format. It
+/// costs a virtual call per pixel; a firmware names its format instead.
 struct AnyFormat {
   using Encoded = PackedRgb;
   using Word = PixelStore;
@@ -56,7 +57,7 @@ struct AnyFormat {
   class Cursor {
    public:
     Cursor(PixelStore* store, std::int32_t x, std::int32_t y = 0) : store_(store), x_(x), y_(y) {}
-    void write(Encoded code) { store_->write(x_, y_, code); }
+    void write(Encoded colour) { store_->write(x_, y_, colour); }
     [[nodiscard]] Encoded read() const { return encode(store_->pixel(x_, y_)); }
     void next() { ++x_; }
 
@@ -70,17 +71,26 @@ struct AnyFormat {
   [[nodiscard]] static Encoded encode(PackedRgb c) { return c; }
   [[nodiscard]] static Encoded encode(Rgb8 c) { return PackedRgb::of(c.r * 4u, c.g * 4u, c.b * 4u); }
   [[nodiscard]] static Encoded encode_dithered(Rgb8 c, std::int32_t, std::int32_t) { return encode(c); }
-  [[nodiscard]] static Rgb8 decode(Encoded code) { return code.rgb8(); }
+  [[nodiscard]] static Rgb8 decode(Encoded colour) { return colour.rgb8(); }
 };
 
-/// The sink over such a store; counts the spans and their pixels.
+/// The sink over such a store; counts the spans and their pixels. It is always drawn with a depth buffer:
+/// without a depth test (painter's order) the depths under every span are reset before it is drawn, so that
+/// all its pixels pass, and no second instantiation is needed.
 class AnySink {
  public:
   using Format = AnyFormat;
 
-  explicit AnySink(PixelStore& store) : store_(&store) {}
+  /// `painted_over` is the depth buffer if there is no depth test, otherwise null.
+  explicit AnySink(PixelStore& store, const DepthBuffer* painted_over = nullptr)
+      : store_(&store), painted_over_(painted_over) {}
   [[nodiscard]] Rect bounds() const { return store_->bounds(); }
-  [[nodiscard]] AnyFormat::Cursor open(const Span& run) { return {store_, run.x, run.y}; }
+  [[nodiscard]] AnyFormat::Cursor open(const Span& run) {
+    if (painted_over_ != nullptr) {
+      std::fill_n(painted_over_->row(run.y) + run.x, run.count, DepthBuffer::kFarthest);
+    }
+    return {store_, run.x, run.y};
+  }
   [[nodiscard]] Status close(const Span& run) {
     ++spans_;
     pixels_ += static_cast<std::uint64_t>(run.count);
@@ -92,6 +102,7 @@ class AnySink {
 
  private:
   PixelStore* store_;
+  const DepthBuffer* painted_over_;
   std::uint64_t spans_ = 0;
   std::uint64_t pixels_ = 0;
 };

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/draw.hpp>
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/vertex/clip_transform.hpp>
 
 #include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/render/pixel_choice.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -20,8 +22,7 @@ struct RenderJob {
   MeshView mesh;
   ClipTransform transform;
   Material material;
-  /// 1 to 4 of them.
-  std::vector<DirectionalLight> lights;
+  std::vector<DirectionalLight> lights;  ///< 1 to 4
   Direction to_eye;
   Highlight highlight = Highlight::kBlinn;
   bool depth = true;
@@ -29,21 +30,17 @@ struct RenderJob {
   std::int32_t segment_bits = 2;  ///< of `segment`
   std::int32_t tolerance = 1;     ///< of `adaptive`, in 8-bit steps
   Rgb8 background;
-  /// Rows of a band, 1 or more; a band of the picture's height or more is a full frame.
-  std::int32_t band_rows = 0;
-  /// How often every band is cleared and drawn, 1 or more, for measuring: the picture is the same.
-  std::int32_t repeats = 1;
-  bool counts = true;  ///< spans and pixels, by drawing once more
+  std::int32_t band_rows = 0;  ///< rows per band, 1 or more; the picture's height or more is a full frame
+  std::int32_t repeats = 1;    ///< draws of every band, 1 or more, for measuring; the picture is the same
+  bool counts = true;          ///< count spans and pixels, by drawing once more
 };
 
 struct RenderStats {
   std::uint32_t triangles = 0;
-  std::uint64_t spans = 0;  ///< 0 unless they are counted, as are pixels
-  /// Of the spans: those that the depth test hid are counted too.
-  std::uint64_t pixels = 0;
+  std::uint64_t spans = 0;   ///< 0 unless RenderJob::counts
+  std::uint64_t pixels = 0;  ///< of the spans, hidden ones included; 0 unless RenderJob::counts
   std::uint64_t bands = 0;
-  /// Processor time of drawing, clearing apart; of one frame, if it is repeated.
-  double draw_milliseconds = 0;
+  double draw_milliseconds = 0;  ///< processor time of drawing one frame, without clearing
   std::size_t frame_bytes = 0;
   std::size_t depth_bytes = 0;
   std::size_t cache_bytes = 0;
@@ -54,46 +51,40 @@ struct RenderResult {
   RenderStats stats;
 };
 
-/// Told the number of rows that are finished.
+/// Called with the number of rows that are finished.
 using RowsDone = std::function<void(std::size_t)>;
-
-/// What pixels are stored as.
-struct PixelChoice {
-  std::string_view format;
-  bool dithers = false;
-};
 
 using RenderFunction = RenderResult(const RenderJob& job, const PixelChoice& pixels,
                                     const RowsDone& rows_done);
 
-/// A shading method that was chosen at compile time.
+/// A shading method by name.
 struct ShadingRenderer {
   std::string_view shading;
   RenderFunction* function;
 };
 
-/// All of them (generated, one translation unit each).
+/// One renderer for each entry of shading_method_list.hpp, in its order.
 [[nodiscard]] std::span<const ShadingRenderer> shading_renderers();
 
 /// A shading method into a pixel format.
 struct Renderer {
   std::string_view shading;
-  std::string_view format;
-  bool dithers;
+  PixelChoice pixels;
   RenderFunction* function;
 
   [[nodiscard]] RenderResult render(const RenderJob& job, const RowsDone& rows_done) const {
-    return function(job, {format, dithers}, rows_done);
+    return function(job, pixels, rows_done);
   }
 };
 
-/// Every shading into every format, without dither and with it where that makes a difference.
+/// Every shading method into every one of pixel_choices().
 [[nodiscard]] std::span<const Renderer> renderers();
 
-/// The renderer of that name, which must be one; formats of 8 bits a channel look the same with dither.
+/// The renderer of these names; throws Failure if there is none. A format of 8 bits per channel is never
+/// dithered.
 [[nodiscard]] const Renderer& find_renderer(std::string_view shading, std::string_view format, bool dithers);
 
-/// Names for messages and options: every shading, every format, each once, in order.
+/// Every shading method's and every pixel format's name, each once, in the order of the lists.
 [[nodiscard]] std::vector<std::string> shading_names();
 [[nodiscard]] std::vector<std::string> format_names();
 

@@ -1,27 +1,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 
 #include <arcspan_tools/render/any_format.hpp>
+#include <arcspan_tools/render/any_illumination.hpp>
+#include <arcspan_tools/render/pixel_format_name.hpp>
 #include <arcspan_tools/render/render.hpp>
+#include <arcspan_tools/shading_method_list.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/processor_time.hpp>
 
 #include <algorithm>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
-namespace arcspan::tools {
-namespace detail {
+// Every shading method is instantiated with two kinds of targets: a framebuffer of rgb565 with a depth buffer
+// and one light, drawn exactly as firmware draws it, whose times mean something; and any pixel format behind
+// virtual calls, with any lights, with a depth test or without.
+namespace arcspan::tools::detail {
 
-/// A band of a picture in the one format that is instantiated by itself.
+/// A band of a picture in rgb565.
 class DirectBand {
  public:
   using Sink = hal::Framebuffer<Rgb565>;
+  static constexpr DrawFeatures kFeatures{};
 
-  DirectBand(const PixelChoice&, std::int32_t width, std::int32_t rows)
+  DirectBand(const PixelChoice&, std::int32_t width, std::int32_t rows, const DepthBuffer*)
       : memory_(Sink::words(width, rows)), frame_(memory_, width, rows) {}
 
   [[nodiscard]] Sink& sink() { return frame_; }
@@ -41,9 +49,10 @@ class DirectBand {
 class AnyBand {
  public:
   using Sink = AnySink;
+  static constexpr DrawFeatures kFeatures{.whole_rows = false};  // nothing to gain beside virtual calls
 
-  AnyBand(const PixelChoice& pixels, std::int32_t width, std::int32_t rows)
-      : store_(make_pixel_store(pixels.format, pixels.dithers, width, rows)), sink_(*store_) {}
+  AnyBand(const PixelChoice& pixels, std::int32_t width, std::int32_t rows, const DepthBuffer* painted_over)
+      : store_(make_pixel_store(pixels, width, rows)), sink_(*store_, painted_over) {}
 
   [[nodiscard]] Sink& sink() { return sink_; }
   void start(std::int32_t first_row, Rgb8 background) {
@@ -58,25 +67,11 @@ class AnyBand {
   AnySink sink_;
 };
 
-/// The depth of a band, or that there is none.
-template <class Depth>
+/// A depth buffer with its memory.
 class BandDepth {
  public:
-  BandDepth(std::int32_t, std::int32_t) {}
-
-  [[nodiscard]] const NoDepth& buffer() const { return none_; }
-  void start(std::int32_t) {}
-  [[nodiscard]] std::size_t bytes() const { return 0; }
-
- private:
-  NoDepth none_;
-};
-
-template <>
-class BandDepth<DepthBuffer> {
- public:
   BandDepth(std::int32_t width, std::int32_t rows)
-      : memory_(DepthBuffer::words(width, rows)), buffer_(memory_, width, rows) {}
+      : memory_(DepthBuffer::words(width, rows), DepthBuffer::kFarthest), buffer_(memory_, width, rows) {}
 
   [[nodiscard]] const DepthBuffer& buffer() const { return buffer_; }
   void start(std::int32_t first_row) {
@@ -98,14 +93,15 @@ void copy_rows(const Band& band, std::int32_t first, std::int32_t rows, Image& i
   }
 }
 
-/// Draws a band; processor milliseconds.
-template <class Method, class Sink, class Depth>
-[[gnu::noinline]] double draw_into(Sink& sink, const RenderJob& job,
-                                   const typename Method::Lighting& lighting, const Depth& depth,
+/// Draws one band once and returns the processor time in milliseconds. `arcspan compare` counts the
+/// instructions of the functions of this name.
+template <class Method, class Band>
+[[gnu::noinline]] double draw_into(Band& band, const RenderJob& job,
+                                   const typename Method::Lighting& lighting, const DepthBuffer& depth,
                                    std::span<CachedVertex<Method>> cache, RenderStats& stats) {
   const double start = processor_milliseconds();
-  const DrawResult drawn =
-      draw_mesh<Method>(job.mesh, job.transform, lighting, sink, depth, cache, {job.two_sided});
+  const DrawResult drawn = draw_mesh<Method, Band::kFeatures>(job.mesh, job.transform, lighting, band.sink(),
+                                                              depth, cache, {job.two_sided});
   const double end = processor_milliseconds();
   if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
   // Every band walks all triangles of the picture and counts those that reach it.
@@ -113,52 +109,27 @@ template <class Method, class Sink, class Depth>
   return end - start;
 }
 
-/// Counts spans and their pixels, which depth does not change, by drawing into nothing: what is timed does
-/// not count.
-template <class Method>
-void count_band(const RenderJob& job, const typename Method::Lighting& lighting, const Rect& bounds,
-                std::span<CachedVertex<Method>> cache, RenderStats& stats) {
-  NoPixels nothing(bounds);
-  AnySink sink(nothing);
-  (void)draw_mesh<Method>(job.mesh, job.transform, lighting, sink, NoDepth{}, cache, {job.two_sided});
-  stats.spans += sink.spans();
-  stats.pixels += sink.pixels();
-}
-
-/// Draws a band `repeats` times; milliseconds of one.
-template <class Method, class Band, class Depth, class Start>
-double draw_band(const RenderJob& job, const typename Method::Lighting& lighting, Band& band,
-                 const Depth& depth, std::span<CachedVertex<Method>> cache, const Start& start,
-                 RenderStats& stats) {
-  double timed = 0;
-  for (std::int32_t repeat = 0; repeat < job.repeats; ++repeat) {
-    start();
-    timed += draw_into<Method>(band.sink(), job, lighting, depth, cache, stats);
-  }
-  return timed / job.repeats;
-}
-
-template <class Method, class Band, class Depth>
+/// Draws all bands of a picture. `depth` is tested unless the band ignores it.
+template <class Method, class Band>
 RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
                           const typename Method::Lighting& lighting, const RowsDone& rows_done) {
   const Viewport& size = job.transform.viewport();
   const std::int32_t rows = std::clamp(job.band_rows, 1, size.height);
   RenderResult result;
   result.image = Image(size.width, size.height);
-  Band band(pixels, size.width, rows);
-  BandDepth<Depth> depth(size.width, rows);
+  BandDepth depth(size.width, rows);
+  Band band(pixels, size.width, rows, job.depth ? nullptr : &depth.buffer());
   std::vector<CachedVertex<Method>> cache(job.mesh.vertex_count());
   result.stats.frame_bytes = band.bytes();
-  result.stats.depth_bytes = depth.bytes();
-  result.stats.cache_bytes = cache.size() * sizeof(CachedVertex<Method>);
+  result.stats.depth_bytes = job.depth ? depth.bytes() : 0;
   for (std::int32_t first = 0; first < size.height; first += rows) {
-    const auto start = [&] {
+    double milliseconds = 0;
+    for (std::int32_t repeat = 0; repeat < job.repeats; ++repeat) {
       band.start(first, job.background);
       depth.start(first);
-    };
-    result.stats.draw_milliseconds +=
-        draw_band<Method>(job, lighting, band, depth.buffer(), std::span(cache), start, result.stats);
-    if (job.counts) count_band<Method>(job, lighting, band.sink().bounds(), std::span(cache), result.stats);
+      milliseconds += draw_into<Method>(band, job, lighting, depth.buffer(), std::span(cache), result.stats);
+    }
+    result.stats.draw_milliseconds += milliseconds / job.repeats;
     copy_rows(band, first, rows, result.image);
     ++result.stats.bands;
     rows_done(static_cast<std::size_t>(first + rows));
@@ -166,9 +137,24 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
   return result;
 }
 
-/// What the method makes of an illumination, with the job's settings if it has any.
+/// Counts the spans of the picture and their pixels, hidden ones included, by drawing into nothing. Neither
+/// bands nor depth change the counts, and what is timed does not count.
+template <class Method>
+void count_spans(const RenderJob& job, const typename Method::Lighting& lighting, RenderStats& stats) {
+  const Viewport& size = job.transform.viewport();
+  NoPixels nothing({0, 0, size.width, size.height});
+  AnySink sink(nothing);
+  const BandDepth depth(size.width, size.height);
+  std::vector<CachedVertex<Method>> cache(job.mesh.vertex_count());
+  (void)draw_mesh<Method, AnyBand::kFeatures>(job.mesh, job.transform, lighting, sink, depth.buffer(),
+                                              std::span(cache), {job.two_sided});
+  stats.spans = sink.spans();
+  stats.pixels = sink.pixels();
+}
+
+/// The method's lighting by an illumination, with the job's settings of the method if it has any.
 template <class Method, class Lit>
-typename Method::Lighting object_of(const RenderJob& job, const Lit& illumination) {
+typename Method::Lighting lighting_of(const RenderJob& job, const Lit& illumination) {
   typename Method::Lighting lighting(illumination);
   Status status = Status::kOk;
   if constexpr (requires { lighting.set_segment_bits(1); })
@@ -179,54 +165,63 @@ typename Method::Lighting object_of(const RenderJob& job, const Lit& illuminatio
   return lighting;
 }
 
-template <template <class> class Method, std::size_t Lights, Highlight Model>
-RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
-  using Lit = Illumination<Lights, Model>;
+template <std::size_t Lights, Highlight Model>
+Illumination<Lights, Model> illumination_of(const RenderJob& job) {
   // Lights beyond those given are dark, which adds nothing: 2 and 3 need no instantiation of their own.
   std::array<DirectionalLight, Lights> lights;
   lights.fill({job.lights[0].towards, Coefficient{}});
   std::copy(job.lights.begin(), job.lights.end(), lights.begin());
-  Lit illumination;
-  const Status status = Lit::make(job.material, lights, job.to_eye, illumination);
+  Illumination<Lights, Model> illumination;
+  const Status status = Illumination<Lights, Model>::make(job.material, lights, job.to_eye, illumination);
   if (!ok(status)) throw Failure("illumination", to_string(status));
-  const auto lighting = object_of<Method<Lit>>(job, illumination);
-  if constexpr (Lights == 1) {
-    // What is drawn most often is drawn as a firmware would.
-    if (pixels.format == "rgb565" && !pixels.dithers && job.depth) {
-      return render_bands<Method<Lit>, DirectBand, DepthBuffer>(job, pixels, lighting, rows_done);
-    }
-  }
-  return job.depth ? render_bands<Method<Lit>, AnyBand, DepthBuffer>(job, pixels, lighting, rows_done)
-                   : render_bands<Method<Lit>, AnyBand, NoDepth>(job, pixels, lighting, rows_done);
+  return illumination;
 }
 
-template <template <class> class Method, Highlight Model>
+/// `AnyLit` is the illumination that targets behind virtual calls are drawn with: `Lit` itself, or
+/// AnyIllumination.
+template <template <class> class Method, class AnyLit, class Lit>
+RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const Lit& illumination,
+                        const RowsDone& rows_done) {
+  const auto any_lighting = lighting_of<Method<AnyLit>>(job, AnyLit(illumination));
+  RenderResult result;
+  const bool is_direct =
+      Lit::kLights == 1 && job.depth && pixels.format == pixel_format_name<Rgb565>() && !pixels.dithers;
+  if (!is_direct) {
+    result = render_bands<Method<AnyLit>, AnyBand>(job, pixels, any_lighting, rows_done);
+  } else if constexpr (Lit::kLights == 1) {
+    const auto lighting = lighting_of<Method<Lit>>(job, illumination);
+    result = render_bands<Method<Lit>, DirectBand>(job, pixels, lighting, rows_done);
+  }
+  result.stats.cache_bytes = job.mesh.vertex_count() * sizeof(CachedVertex<Method<Lit>>);
+  if (job.counts) count_spans<Method<AnyLit>>(job, any_lighting, result.stats);
+  return result;
+}
+
+template <template <class> class Method, bool kIsLiterature, Highlight Model>
 RenderResult render_model(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   constexpr std::size_t kMost = 4;
   if (job.lights.empty() || job.lights.size() > kMost) {
     throw Failure("--light", "1 to 4 lights, not " + std::to_string(job.lights.size()));
   }
-  return job.lights.size() == 1 ? render_lit<Method, 1, Model>(job, pixels, rows_done)
-                                : render_lit<Method, kMost, Model>(job, pixels, rows_done);
+  const auto render = [&](const auto& illumination) {
+    using Lit = std::remove_cvref_t<decltype(illumination)>;
+    using AnyLit = std::conditional_t<kIsLiterature, AnyIllumination, Lit>;
+    return render_lit<Method, AnyLit>(job, pixels, illumination, rows_done);
+  };
+  return job.lights.size() == 1 ? render(illumination_of<1, Model>(job))
+                                : render(illumination_of<kMost, Model>(job));
 }
 
-}  // namespace detail
+}  // namespace arcspan::tools::detail
+
+namespace arcspan::tools {
 
 /// Renders with the shading `Method`; the rest of the job picks among the instantiations made here.
-template <template <class> class Method>
+template <template <class> class Method, bool kIsLiterature>
 RenderResult render_with(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   return job.highlight == Highlight::kBlinn
-             ? detail::render_model<Method, Highlight::kBlinn>(job, pixels, rows_done)
-             : detail::render_model<Method, Highlight::kPhong>(job, pixels, rows_done);
-}
-
-/// As render_with(), of one light and Blinn's highlight only: for what is measured and not offered.
-template <template <class> class Method>
-RenderResult render_usual(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
-  if (job.lights.size() != 1 || job.highlight != Highlight::kBlinn) {
-    throw Failure("a measured method", "has one light and Blinn's highlight");
-  }
-  return detail::render_lit<Method, 1, Highlight::kBlinn>(job, pixels, rows_done);
+             ? detail::render_model<Method, kIsLiterature, Highlight::kBlinn>(job, pixels, rows_done)
+             : detail::render_model<Method, kIsLiterature, Highlight::kPhong>(job, pixels, rows_done);
 }
 
 }  // namespace arcspan::tools

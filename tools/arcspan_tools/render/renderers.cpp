@@ -1,35 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/render/render.hpp>
+#include <arcspan_tools/shading_method_list.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
-#include <algorithm>
-
 namespace arcspan::tools {
-namespace {
 
-constexpr PixelChoice kPixelChoices[] = {{"rgb565"}, {"rgb888"},       {"gray8"},       {"gray4"},
-                                         {"mono"},   {"rgb565", true}, {"gray4", true}, {"mono", true}};
+// Each is defined by a translation unit of its own, which is render_method.hpp for this method.
+#define ARCSPAN_DECLARE(name, Class, header) RenderFunction render_##Class;
+ARCSPAN_FOR_EACH_SHADING_METHOD(ARCSPAN_DECLARE)
+#undef ARCSPAN_DECLARE
+
+namespace {
 
 std::vector<Renderer> all_renderers() {
   std::vector<Renderer> all;
   for (const ShadingRenderer& method : shading_renderers()) {
-    for (const PixelChoice& pixels : kPixelChoices) {
-      all.push_back({method.shading, pixels.format, pixels.dithers, method.function});
-    }
+    for (const PixelChoice& pixels : pixel_choices())
+      all.push_back({method.shading, pixels, method.function});
   }
   return all;
 }
 
-std::vector<std::string> names(std::string_view Renderer::*member) {
-  std::vector<std::string> result;
-  for (const Renderer& renderer : renderers()) {
-    const std::string name(renderer.*member);
-    if (std::find(result.begin(), result.end(), name) == result.end()) result.push_back(name);
-  }
-  return result;
-}
-
 }  // namespace
+
+std::span<const ShadingRenderer> shading_renderers() {
+#define ARCSPAN_ENTRY(name, Class, header) {name, &render_##Class},
+  static constexpr ShadingRenderer kRenderers[] = {ARCSPAN_FOR_EACH_SHADING_METHOD(ARCSPAN_ENTRY)};
+#undef ARCSPAN_ENTRY
+  return kRenderers;
+}
 
 std::span<const Renderer> renderers() {
   static const std::vector<Renderer> kAll = all_renderers();
@@ -37,17 +36,28 @@ std::span<const Renderer> renderers() {
 }
 
 const Renderer& find_renderer(std::string_view shading, std::string_view format, bool dithers) {
-  const Renderer* found = nullptr;
+  const Renderer* plain = nullptr;
   for (const Renderer& renderer : renderers()) {
-    if (renderer.shading != shading || renderer.format != format) continue;
-    if (renderer.dithers == dithers) return renderer;
-    if (dithers) found = &renderer;  // a format that has nothing to dither
+    if (renderer.shading != shading || renderer.pixels.format != format) continue;
+    if (renderer.pixels.dithers == dithers) return renderer;
+    if (dithers) plain = &renderer;
   }
-  if (found == nullptr) throw Failure(std::string(shading) + ", " + std::string(format), "no such renderer");
-  return *found;
+  if (plain == nullptr) throw Failure(std::string(shading) + ", " + std::string(format), "no such renderer");
+  return *plain;
 }
 
-std::vector<std::string> shading_names() { return names(&Renderer::shading); }
-std::vector<std::string> format_names() { return names(&Renderer::format); }
+std::vector<std::string> shading_names() {
+  std::vector<std::string> names;
+  for (const ShadingRenderer& method : shading_renderers()) names.emplace_back(method.shading);
+  return names;
+}
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const PixelChoice& pixels : pixel_choices()) {
+    if (!pixels.dithers) names.emplace_back(pixels.format);
+  }
+  return names;
+}
 
 }  // namespace arcspan::tools

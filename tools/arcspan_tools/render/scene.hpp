@@ -10,7 +10,7 @@
 
 namespace arcspan::tools {
 
-/// What a picture shows, in doubles: the last of them before the door to fixed point.
+/// The contents of a picture in doubles, before the conversion to fixed point.
 struct Scene {
   CameraOptions camera;
   std::vector<SceneLight> lights = std::vector<SceneLight>(1, SceneLight{0.4, 0.7, 0.6});

@@ -29,9 +29,9 @@ Turntable::Turntable(const Scene& scene, const FixedMesh& mesh, std::size_t fram
   const Vec3 axis = normalised(scene.camera.up);
   double farthest = length(from_target_);
   for (std::size_t frame = 1; frame < frames; ++frame) {
-    CameraOptions wish = scene.camera;
-    wish.view = turned(from_target_, axis, angle_of(frame, frames));
-    const Camera camera = place_camera(wish, mesh, scene.size);
+    CameraOptions options = scene.camera;
+    options.view = turned(from_target_, axis, angle_of(frame, frames));
+    const Camera camera = place_camera(options, mesh, scene.size);
     farthest = std::max(farthest, length(camera.eye - camera.target));
   }
   from_target_ = normalised(from_target_) * farthest;

@@ -16,7 +16,7 @@ class Display {
   [[nodiscard]] virtual Size size() const = 0;
   /// The pipeline's pixel format that it shows without loss, e.g. "rgb565".
   [[nodiscard]] virtual std::string format() const = 0;
-  /// What it is, in a few words.
+  /// A description in a few words.
   [[nodiscard]] virtual std::string description() const = 0;
   /// Shows `image` in the display's middle, which must hold it. Throws Failure.
   virtual void show(const Image& image) = 0;

@@ -14,7 +14,7 @@ class FramebufferDisplay final : public Display {
   explicit FramebufferDisplay(const std::string& path) : path_(path) {
     check(device_.open(path.c_str()));
     description_ = std::string("framebuffer ") + device_.name() + ", " +
-                   std::to_string(device_.layout().bits) + " bits a pixel";
+                   std::to_string(device_.layout().bits) + " bits per pixel";
     sink_.emplace(device_);
   }
 

@@ -5,14 +5,12 @@
 #include <arcspan/hal/panel/ssd1306.hpp>
 #include <arcspan/hal/panel/ssd1351.hpp>
 #include <arcspan/hal/panel/st7789.hpp>
-#include <arcspan/pixel/gray4.hpp>
-#include <arcspan/pixel/rgb565.hpp>
 
+#include <arcspan_tools/render/pixel_format_name.hpp>
 #include <arcspan_tools/show/panel_display.hpp>
 #include <arcspan_tools/show/panel_wires.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
-#include <type_traits>
 #include <vector>
 
 namespace arcspan::tools {
@@ -70,14 +68,14 @@ class PanelDisplay final : public Display {
         description_(std::string("panel ") + name + " at " + options.bus()) {}
   // Not in the constructor: what fails here must put the panel to sleep, too.
   void start() {
-    touched_ = true;
+    started_ = true;
     wires_.check(panel().start());
     // The controller's memory holds noise after power-on.
     frame_.clear({0, 0, 0});
     wires_.check(send_area(panel(), frame_, frame_.bounds(), wire_));
   }
   ~PanelDisplay() override {
-    if (!touched_) return;
+    if (!started_) return;
     // One that could not be started may be on; only a start that is whole makes sure that it understands.
     if (!panel().awake()) (void)panel().start();
     (void)panel().sleep();
@@ -86,9 +84,7 @@ class PanelDisplay final : public Display {
   PanelDisplay& operator=(const PanelDisplay&) = delete;
 
   [[nodiscard]] Size size() const override { return {frame_.bounds().width(), frame_.bounds().height()}; }
-  [[nodiscard]] std::string format() const override {
-    return std::is_same_v<Format, Rgb565> ? "rgb565" : std::is_same_v<Format, Gray4> ? "gray4" : "mono";
-  }
+  [[nodiscard]] std::string format() const override { return std::string(pixel_format_name<Format>()); }
   [[nodiscard]] std::string description() const override { return description_; }
 
   void show(const Image& image) override {
@@ -105,7 +101,7 @@ class PanelDisplay final : public Display {
   }
 
   void finish() override {
-    touched_ = false;
+    started_ = false;
     wires_.check(panel().sleep());
     wires_.light(false);
   }
@@ -119,7 +115,7 @@ class PanelDisplay final : public Display {
   Frame frame_;
   std::vector<std::uint8_t> wire_;
   std::string description_;
-  bool touched_ = false;
+  bool started_ = false;
 };
 
 struct Known {

@@ -9,14 +9,12 @@
 #include <arcspan/hal/sim/ssd0323_model.hpp>
 #include <arcspan/hal/sim/ssd1306_model.hpp>
 #include <arcspan/hal/sim/ssd1351_model.hpp>
-#include <arcspan/pixel/gray4.hpp>
-#include <arcspan/pixel/rgb565.hpp>
 
+#include <arcspan_tools/render/pixel_format_name.hpp>
 #include <arcspan_tools/simulate/simulated_display.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <algorithm>
-#include <type_traits>
 
 namespace arcspan::tools {
 namespace {
@@ -76,24 +74,24 @@ class Display final : public SimulatedDisplay {
   using Frame = typename Mode::Frame;
   using Format = typename Frame::Format;
 
-  Display(const DisplayWish& wish, const Glass& glass)
-      : wish_(wish),
-        wired_(glass, {.orientation = wish.orientation, .inverted = wish.inverted}, wish.hertz),
-        rows_(std::min(wish.band_rows, wired_.panel.height())),
+  Display(const DisplayOptions& options, const Glass& glass)
+      : options_(options),
+        wired_(glass, {.orientation = options.orientation, .inverted = options.inverted}, options.hertz),
+        rows_(std::min(options.band_rows, wired_.panel.height())),
         band_(Frame::words(wired_.panel.width(), rows_)),
         wire_(wire_bytes<Driver>(wired_.panel.width(), rows_)),
         extents_(Damage::extents(wired_.panel.height())),
         damage_(extents_, wired_.panel.width(), wired_.panel.height()),
         mode_(wired_.panel, band_, wire_, rows_) {
-    const std::int32_t step = Driver::Layout::row_step(wish.orientation);
+    const std::int32_t step = Driver::Layout::row_step(options.orientation);
     if (rows_ % step != 0) {
-      throw Failure("--band", std::to_string(rows_) + " rows, but " + wish.panel + " needs a multiple of " +
-                                  std::to_string(step));
+      throw Failure("--band", std::to_string(rows_) + " rows, but " + options.panel +
+                                  " needs a multiple of " + std::to_string(step));
     }
   }
 
   void start() override {
-    require_ok(wish_.panel, wired_.panel.start());
+    require_ok(options_.panel, wired_.panel.start());
     forbid_complaints();
   }
 
@@ -105,16 +103,15 @@ class Display final : public SimulatedDisplay {
       wired_.clock.advance_ns(draw_ns * static_cast<std::uint64_t>(band.bounds().height()) / height);
       return Status::kOk;
     };
-    const Status status = wish_.changes_only ? mode_.show_changes(damage_, draw)
-                                             : mode_.show([&draw](Frame& band) { return draw(band, band); });
-    require_ok(wish_.panel, status);
+    const Status status = options_.changes_only
+                              ? mode_.show_changes(damage_, draw)
+                              : mode_.show([&draw](Frame& band) { return draw(band, band); });
+    require_ok(options_.panel, status);
     forbid_complaints();
   }
 
   [[nodiscard]] Size size() const override { return {wired_.panel.width(), wired_.panel.height()}; }
-  [[nodiscard]] std::string format() const override {
-    return std::is_same_v<Format, Rgb565> ? "rgb565" : std::is_same_v<Format, Gray4> ? "gray4" : "mono";
-  }
+  [[nodiscard]] std::string format() const override { return std::string(pixel_format_name<Format>()); }
   [[nodiscard]] Image picture() const override {
     const sim::Picture shown = wired_.device.picture();
     Image image(shown.width, shown.height);
@@ -125,7 +122,10 @@ class Display final : public SimulatedDisplay {
   [[nodiscard]] std::uint64_t now_ns() const override { return wired_.clock.now_ns(); }
   [[nodiscard]] std::size_t buffer_bytes() const override {
     return band_.size() * sizeof(band_[0]) + wire_.size() +
-           (wish_.changes_only ? extents_.size() * sizeof(RowExtent) : 0);
+           (options_.changes_only ? extents_.size() * sizeof(RowExtent) : 0);
+  }
+  [[nodiscard]] std::size_t frame_bytes() const override {
+    return Frame::words(wired_.panel.width(), wired_.panel.height()) * sizeof(typename Frame::Word);
   }
 
  private:
@@ -150,11 +150,11 @@ class Display final : public SimulatedDisplay {
 
   void forbid_complaints() const {
     for (const auto* list : {&wired_.device.complaints(), &wired_.bus.complaints()}) {
-      if (!list->empty()) throw Failure(wish_.panel, "the controller's model complains: " + list->front());
+      if (!list->empty()) throw Failure(options_.panel, "the controller's model complains: " + list->front());
     }
   }
 
-  DisplayWish wish_;
+  DisplayOptions options_;
   Wired wired_;
   std::int32_t rows_;
   std::vector<typename Frame::Word> band_;
@@ -165,15 +165,15 @@ class Display final : public SimulatedDisplay {
 };
 
 template <class Wired>
-std::unique_ptr<SimulatedDisplay> make(const DisplayWish& wish, const Glass& glass) {
-  return std::make_unique<Display<Wired>>(wish, glass);
+std::unique_ptr<SimulatedDisplay> make(const DisplayOptions& options, const Glass& glass) {
+  return std::make_unique<Display<Wired>>(options, glass);
 }
 
 struct Known {
   const char* name;
   Glass glass;
-  std::unique_ptr<SimulatedDisplay> (*spi)(const DisplayWish&, const Glass&);
-  std::unique_ptr<SimulatedDisplay> (*i2c)(const DisplayWish&, const Glass&);
+  std::unique_ptr<SimulatedDisplay> (*spi)(const DisplayOptions&, const Glass&);
+  std::unique_ptr<SimulatedDisplay> (*i2c)(const DisplayOptions&, const Glass&);
 };
 
 constexpr Known kPanels[] = {
@@ -191,14 +191,14 @@ std::vector<std::string> simulated_panels() {
   return names;
 }
 
-std::unique_ptr<SimulatedDisplay> make_display(const DisplayWish& wish) {
+std::unique_ptr<SimulatedDisplay> make_display(const DisplayOptions& options) {
   for (const Known& panel : kPanels) {
-    if (wish.panel != panel.name) continue;
-    const auto maker = wish.i2c ? panel.i2c : panel.spi;
-    if (maker == nullptr) throw Failure("--bus", wish.panel + " is not simulated on I2C");
-    return maker(wish, panel.glass);
+    if (options.panel != panel.name) continue;
+    const auto maker = options.i2c ? panel.i2c : panel.spi;
+    if (maker == nullptr) throw Failure("--bus", options.panel + " is not simulated on I2C");
+    return maker(options, panel.glass);
   }
-  throw Failure("--panel", "no such panel: " + wish.panel);
+  throw Failure("--panel", "no such panel: " + options.panel);
 }
 
 }  // namespace arcspan::tools

@@ -14,7 +14,7 @@
 
 namespace arcspan::tools {
 
-struct DisplayWish {
+struct DisplayOptions {
   std::string panel;  ///< one of simulated_panels()
   hal::Orientation orientation = hal::Orientation::k0;
   bool inverted = false;
@@ -24,8 +24,8 @@ struct DisplayWish {
   bool changes_only = false;  ///< send what changed since the last frame, not all of it
 };
 
-/// A panel driver with its bus and the model of its controller, whichever it is: what `arcspan simulate`
-/// sends pictures through. Everything on the way is what runs on a board, but for the bus and the glass.
+/// A panel driver with its bus and a model of its controller: `arcspan simulate` sends pictures through it.
+/// Everything on the way is the code that runs on a board, except the bus and the glass.
 class SimulatedDisplay {
  public:
   SimulatedDisplay() = default;
@@ -43,17 +43,19 @@ class SimulatedDisplay {
   [[nodiscard]] virtual Size size() const = 0;
   /// The pixel format that it is drawn in.
   [[nodiscard]] virtual std::string format() const = 0;
-  /// What is on the glass.
+  /// The picture on the glass.
   [[nodiscard]] virtual Image picture() const = 0;
   [[nodiscard]] virtual hal::sim::BusCount count() const = 0;
   [[nodiscard]] virtual std::uint64_t now_ns() const = 0;
   /// Of the band that is drawn and of the one that is sent.
   [[nodiscard]] virtual std::size_t buffer_bytes() const = 0;
+  /// Of a framebuffer that holds a whole picture.
+  [[nodiscard]] virtual std::size_t frame_bytes() const = 0;
 };
 
 [[nodiscard]] std::vector<std::string> simulated_panels();
 
 /// Throws Failure if the panel has no such bus.
-[[nodiscard]] std::unique_ptr<SimulatedDisplay> make_display(const DisplayWish& wish);
+[[nodiscard]] std::unique_ptr<SimulatedDisplay> make_display(const DisplayOptions& options);
 
 }  // namespace arcspan::tools

@@ -6,8 +6,8 @@
 
 namespace arcspan::tools {
 
-/// What stops a command: one line for the user, `subject: what is wrong (value or line)`. The subject is the
-/// file or option at fault; main() prints the line and exits with status 1.
+/// An error that stops a command, as one line for the user: `subject: what is wrong (value or line)`. The
+/// subject is the file or option at fault; main() prints the line and exits with status 1.
 class Failure : public std::runtime_error {
  public:
   Failure(const std::string& subject, const std::string& what) : std::runtime_error(subject + ": " + what) {}

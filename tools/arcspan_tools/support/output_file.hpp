@@ -19,7 +19,7 @@ void write_whole_file(const std::filesystem::path& path, std::string_view bytes)
 /// file of that name is `./-`.
 [[nodiscard]] bool is_standard_output(const std::filesystem::path& path);
 
-/// What kind of file a name asks for: its extension in lower case without the dot, KIND of `KIND:-`,
+/// The kind of file that a name asks for: its extension in lower case without the dot, KIND of `KIND:-`,
 /// `otherwise` for `-`.
 [[nodiscard]] std::string output_kind(const std::filesystem::path& path, std::string_view otherwise);
 

@@ -5,7 +5,7 @@
 
 namespace arcspan::tools {
 
-/// A vector of doubles: what the tools compute with before the door to fixed point.
+/// A vector of doubles: the tools compute with it before the conversion to fixed point.
 struct Vec3 {
   double x = 0;
   double y = 0;

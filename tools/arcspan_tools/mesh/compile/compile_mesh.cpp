@@ -16,9 +16,9 @@ constexpr double kDefaultCrease = 60;
 /// Looks for the mesh with the most triangles that fits.
 class Search {
  public:
-  Search(const MeshData& mesh, const MeshWish& wish, const BytesOf& bytes_of, const std::string& subject,
+  Search(const MeshData& mesh, const MeshLimits& limits, const BytesOf& bytes_of, const std::string& subject,
          const std::function<void(std::size_t)>& tried)
-      : mesh_(mesh), wish_(wish), bytes_of_(bytes_of), subject_(subject), tried_(tried) {}
+      : mesh_(mesh), limits_(limits), bytes_of_(bytes_of), subject_(subject), tried_(tried) {}
 
   CompiledMesh run() {
     const Outcome whole = attempt(Simplification::kNone, mesh_.triangles.size());
@@ -38,7 +38,7 @@ class Search {
 
   Outcome attempt(Simplification how, std::size_t target) {
     tried_(++attempts_);
-    const double crease = wish_.crease_degrees.value_or(kDefaultCrease);
+    const double crease = limits_.crease_degrees.value_or(kDefaultCrease);
     const Simplified simplified = simplify(mesh_, how, target, crease, subject_);
     if (simplified.mesh.triangles.empty()) return Outcome::kEmpty;
     FixedMesh fixed = compacted(to_fixed(simplified.mesh));
@@ -47,8 +47,8 @@ class Search {
     const std::size_t bytes = bytes_of_(fixed.positions.size(), triangles);
     least_triangles_ = std::min(least_triangles_, triangles);
     least_bytes_ = std::min(least_bytes_, bytes);
-    if (wish_.max_triangles && triangles > *wish_.max_triangles) return Outcome::kTooLarge;
-    if (wish_.max_bytes && bytes > *wish_.max_bytes) return Outcome::kTooLarge;
+    if (limits_.max_triangles && triangles > *limits_.max_triangles) return Outcome::kTooLarge;
+    if (limits_.max_bytes && bytes > *limits_.max_bytes) return Outcome::kTooLarge;
     best_.mesh = std::move(fixed);
     best_.how = how;
     best_.error = simplified.error;
@@ -58,7 +58,7 @@ class Search {
   /// Bisects for the largest target that fits, to half a percent; leaves it in best_.
   bool search(Simplification how) {
     std::size_t above =
-        std::min(wish_.max_triangles.value_or(mesh_.triangles.size()), mesh_.triangles.size());
+        std::min(limits_.max_triangles.value_or(mesh_.triangles.size()), mesh_.triangles.size());
     if (attempt(how, above) == Outcome::kFits) return true;
     std::size_t below = 1;
     const Outcome least = attempt(how, below);
@@ -74,7 +74,7 @@ class Search {
   }
 
   const MeshData& mesh_;
-  const MeshWish& wish_;
+  const MeshLimits& limits_;
   const BytesOf& bytes_of_;
   const std::string& subject_;
   const std::function<void(std::size_t)>& tried_;
@@ -86,10 +86,10 @@ class Search {
 
 }  // namespace
 
-CompiledMesh compile_mesh(const MeshData& mesh, const MeshWish& wish, const BytesOf& bytes_of,
+CompiledMesh compile_mesh(const MeshData& mesh, const MeshLimits& limits, const BytesOf& bytes_of,
                           const std::string& subject, const std::function<void(std::size_t)>& tried) {
-  const MeshData creased = wish.crease_degrees ? with_crease(mesh, *wish.crease_degrees, subject) : mesh;
-  CompiledMesh compiled = Search(creased, wish, bytes_of, subject, tried).run();
+  const MeshData creased = limits.crease_degrees ? with_crease(mesh, *limits.crease_degrees, subject) : mesh;
+  CompiledMesh compiled = Search(creased, limits, bytes_of, subject, tried).run();
   compiled.cache_misses_before = cache_misses_per_triangle(compiled.mesh);
   compiled.mesh = ordered(compiled.mesh);
   compiled.cache_misses = cache_misses_per_triangle(compiled.mesh);

@@ -11,8 +11,8 @@
 
 namespace arcspan::tools {
 
-/// What a mesh is to become.
-struct MeshWish {
+/// Limits that a compiled mesh must keep.
+struct MeshLimits {
   std::optional<std::size_t> max_triangles;
   std::optional<std::size_t> max_bytes;
   std::optional<double> crease_degrees;  ///< make normals anew; else they stay
@@ -29,11 +29,11 @@ struct CompiledMesh {
   double cache_misses = 0;         ///< per triangle, now
 };
 
-/// `mesh` in fixed point within `wish`: the most triangles that its limits leave room for, taken away by the
-/// gentlest way that gets there; vertices joined and ordered. `tried` is told how often simplification was
-/// tried so far. Throws Failure about `subject` if the limits cannot be met.
-[[nodiscard]] CompiledMesh compile_mesh(const MeshData& mesh, const MeshWish& wish, const BytesOf& bytes_of,
-                                        const std::string& subject,
+/// Simplifies `mesh` until it is within `limits`, keeping as many triangles as they allow, and converts it to
+/// fixed point; vertices are joined and ordered. `tried` is called with the number of simplifications that
+/// were tried so far. Throws Failure about `subject` if the limits cannot be met.
+[[nodiscard]] CompiledMesh compile_mesh(const MeshData& mesh, const MeshLimits& limits,
+                                        const BytesOf& bytes_of, const std::string& subject,
                                         const std::function<void(std::size_t)>& tried);
 
 }  // namespace arcspan::tools

@@ -9,7 +9,7 @@
 
 namespace arcspan::tools {
 
-/// What a firmware's author wants to know of a mesh.
+/// The figures of a mesh that matter to firmware.
 struct MeshFigures {
   MeshBounds bounds;
   double widest_angle_degrees = 0;  ///< between two normals of one triangle

@@ -9,8 +9,8 @@
 namespace arcspan::tools {
 namespace {
 
-// What a face may refer to: the whole file's counts (a face may stand before its vertices) and, for negative
-// references, how many there were when its line came.
+// The vertices and normals that a face may refer to: the whole file's counts (a face may stand before its
+// vertices) and, for negative references, how many there were when its line came.
 struct Counts {
   std::int64_t vertices = 0;
   std::int64_t texture = 0;

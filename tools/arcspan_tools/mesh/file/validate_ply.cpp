@@ -162,7 +162,7 @@ struct PlyScreen {
 
 }  // namespace
 
-// What the library gets is written anew as text, with positions, normals and faces only.
+// The file is rewritten as text for the library, with positions, normals and faces only.
 std::string screened_ply(std::string_view bytes, const std::string& subject) {
   TextLines lines(bytes, subject);
   const PlyHeader header = read_ply_header(lines);

@@ -64,7 +64,7 @@ void copy_numbers(const TextLines& lines, std::size_t first, std::string& out) {
   out += '\n';
 }
 
-void screen_facet(TextLines& lines, std::string& out) {
+void validate_facet(TextLines& lines, std::string& out) {
   expect(lines, 1, "normal");
   // Normals of facets are not used; some programs write NaN for a facet without area.
   out += "facet normal 0 0 0\n outer loop\n";
@@ -98,7 +98,7 @@ std::string screened_ascii(std::string_view bytes, const std::string& subject) {
       open = false;
     } else {
       expect(lines, 0, "facet");
-      screen_facet(lines, out);
+      validate_facet(lines, out);
       check_facet_count(++facets, subject);
     }
   }

@@ -11,7 +11,7 @@ namespace arcspan::tools {
 [[nodiscard]] Figure polynomial_figure();
 [[nodiscard]] Figure recurrence_figure();
 
-// What they describe, drawn by every shading of the pipeline.
+// The papers' artefacts, drawn by every shading method of the pipeline.
 [[nodiscard]] Figure highlight_figure();
 [[nodiscard]] Figure mach_figure();
 [[nodiscard]] Figure rotation_figure();

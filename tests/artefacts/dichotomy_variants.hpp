@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Dichotomy in the forms that S3 gives figures for and arcspan does not offer: what claims_report measures.
 #pragma once
 
 #include <arcspan/shading/literature/dichotomy.hpp>
+
+/// Every variant of dichotomy that S3 gives figures for and that the command does not offer:
+/// `entry(name, Class)`.
+#define ARCSPAN_FOR_EACH_DICHOTOMY_VARIANT(entry)                                   \
+  entry("dichotomy-root4", DichotomyRoot4) entry("dichotomy-root8", DichotomyRoot8) \
+      entry("dichotomy-linear4", DichotomyLinear4) entry("dichotomy-linear16", DichotomyLinear16)
 
 namespace arcspan {
 

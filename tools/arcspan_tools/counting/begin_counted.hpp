@@ -1,37 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Made by the build: the pipeline with one shading method and integers that count.
+// Everything of the pipeline that is included between this file and end_counted.hpp is compiled with integers
+// that count what is done to them, in the namespace arcspan_counted. No #pragma once: these are brackets.
 #include <arcspan_tools/counting/counted_std.hpp>
 
 // Operations of small machines are counted, on whatever host.
 #undef __SIZEOF_POINTER__
 #define __SIZEOF_POINTER__ 4
-// A method's own operations are counted, not the table of a format's codes.
+// A method's own operations are counted, not the making of a table of encoded colours.
 #define ARCSPAN_ENCODED_COLOURS 0
 #define arcspan arcspan_counted
 #define std arcspan_counted_std
 
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/numbers/root.hpp>
-// Whatever these are made of, they stand for one division and one root.
+// Each of these counts as one division or one root, whatever it is made of.
 #define ARCSPAN_AS_ONE(kind, call) \
   ::arcspan_counting::count_as_one(::arcspan_counting::Operation::kind, [&] { return call; })
 #define reciprocal(...) ARCSPAN_AS_ONE(kDivide, reciprocal(__VA_ARGS__))
 #define wide_reciprocal(...) ARCSPAN_AS_ONE(kDivide, wide_reciprocal(__VA_ARGS__))
 #define integer_root(...) ARCSPAN_AS_ONE(kRoot, integer_root(__VA_ARGS__))
 #define reciprocal_root(...) ARCSPAN_AS_ONE(kRoot, reciprocal_root(__VA_ARGS__))
-
-#include <arcspan/draw.hpp>
-#include <arcspan/shading/@HEADER@.hpp>
-
-#undef arcspan
-#undef std
-
-#include <arcspan_tools/counting/count_with.hpp>
-
-namespace arcspan_counting {
-
-CountFunction count_@SHADING@;
-
-CountedDraw count_@SHADING@(const CountJob& job) { return count_with<arcspan_counted::@METHOD@>(job); }
-
-}  // namespace arcspan_counting

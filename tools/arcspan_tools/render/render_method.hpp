@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The renderer of one shading method. The build compiles this file once for each entry of
+// shading_method_list.hpp, with ARCSPAN_METHOD and ARCSPAN_METHOD_HEADER defined.
+#pragma once
+
+#include <arcspan_tools/render/render_with.hpp>
+#include ARCSPAN_METHOD_HEADER
+
+namespace arcspan::tools {
+
+#define ARCSPAN_TEXT_OF(Class) #Class
+#define ARCSPAN_NAME_OF(Class) ARCSPAN_TEXT_OF(Class)
+
+RenderFunction ARCSPAN_METHOD_FUNCTION(render, ARCSPAN_METHOD);
+
+RenderResult ARCSPAN_METHOD_FUNCTION(render, ARCSPAN_METHOD)(const RenderJob& job, const PixelChoice& pixels,
+                                                             const RowsDone& rows_done) {
+  constexpr bool kIsLiterature = is_literature_method(ARCSPAN_NAME_OF(ARCSPAN_METHOD));
+  return render_with<ARCSPAN_METHOD, kIsLiterature>(job, pixels, rows_done);
+}
+
+}  // namespace arcspan::tools

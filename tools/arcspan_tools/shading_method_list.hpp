@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+// The shading methods, each once: `entry(name, Class, header)`, where `name` is what people write on a
+// command line, `Class` a class template of namespace arcspan and `header` the file that defines it.
+// Everything that exists once for each method is made from this list. CMake (tools/shading_methods.cmake) and
+// scripts/firmware-costs read it too, so every entry has a line of its own.
+// clang-format off
+
+/// The methods that are offered to products.
+#define ARCSPAN_FOR_EACH_PRODUCT_METHOD(entry) \
+  entry("flat", Flat, "arcspan/shading/flat.hpp") \
+  entry("gouraud", Gouraud, "arcspan/shading/gouraud.hpp") \
+  entry("arc", Arc, "arcspan/shading/arc/arc.hpp") \
+  entry("segment", Segment, "arcspan/shading/segment/segment.hpp") \
+  entry("adaptive", Adaptive, "arcspan/shading/adaptive/adaptive.hpp")
+
+/// The methods of the papers, for comparison.
+#define ARCSPAN_FOR_EACH_LITERATURE_METHOD(entry) \
+  entry("phong", Phong, "arcspan/shading/literature/phong.hpp") \
+  entry("slerp", Slerp, "arcspan/shading/literature/slerp.hpp") \
+  entry("kuijk-blake", KuijkBlake, "arcspan/shading/literature/kuijk_blake.hpp") \
+  entry("lyon", Lyon, "arcspan/shading/literature/lyon.hpp") \
+  entry("duff", Duff, "arcspan/shading/literature/duff.hpp") \
+  entry("reflection-map", ReflectionMap, "arcspan/shading/literature/reflection_map.hpp") \
+  entry("arc-vector", ArcVector, "arcspan/shading/literature/arc_vector.hpp") \
+  entry("dichotomy-linear", DichotomyLinear, "arcspan/shading/literature/dichotomy.hpp") \
+  entry("dichotomy-quadratic", DichotomyQuadratic, "arcspan/shading/literature/dichotomy.hpp") \
+  entry("dichotomy-cubic", DichotomyCubic, "arcspan/shading/literature/dichotomy.hpp")
+// clang-format on
+
+/// Every method that this build knows (CMake option ARCSPAN_TOOLS_LITERATURE).
+#ifdef ARCSPAN_NO_LITERATURE_METHODS
+#define ARCSPAN_FOR_EACH_SHADING_METHOD(entry) ARCSPAN_FOR_EACH_PRODUCT_METHOD(entry)
+#else
+#define ARCSPAN_FOR_EACH_SHADING_METHOD(entry) \
+  ARCSPAN_FOR_EACH_PRODUCT_METHOD(entry) ARCSPAN_FOR_EACH_LITERATURE_METHOD(entry)
+#endif
+
+/// The name of a function that exists once for each method: ARCSPAN_METHOD_FUNCTION(render, Arc) is
+/// render_Arc.
+#define ARCSPAN_METHOD_FUNCTION(verb, Class) ARCSPAN_JOIN_METHOD_FUNCTION(verb, Class)
+#define ARCSPAN_JOIN_METHOD_FUNCTION(verb, Class) verb##_##Class
+
+namespace arcspan::tools {
+
+/// Whether the class of this name is in the second list.
+[[nodiscard]] constexpr bool is_literature_method(std::string_view class_name) {
+#define ARCSPAN_COMPARE_CLASS(name, Class, header) class_name == #Class ||
+  return ARCSPAN_FOR_EACH_LITERATURE_METHOD(ARCSPAN_COMPARE_CLASS) false;
+#undef ARCSPAN_COMPARE_CLASS
+}
+
+}  // namespace arcspan::tools

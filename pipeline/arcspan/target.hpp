@@ -12,7 +12,6 @@
 /// measured gain of each policy is in docs/decisions/0016-target-policies.md.
 
 // ---- Inlining policies
-// -------------------------------------------------------------------------------------------
 
 /// For the code of one pixel or one row: always part of its caller, even at -O0, because the call would cost
 /// as much as the work.
@@ -21,6 +20,14 @@
 /// For a stage of a triangle: a function of its own, so that its registers are allocated independently of its
 /// caller's, and its code exists once.
 #define ARCSPAN_OUTLINE [[gnu::noinline]]
+
+/// ARCSPAN_INLINE on cores with many registers only. Where registers are few, a colour computed in a function
+/// of its own leaves them to the loop over the pixels.
+#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
+#define ARCSPAN_INLINE_IF_MANY_REGISTERS
+#else
+#define ARCSPAN_INLINE_IF_MANY_REGISTERS [[gnu::always_inline]]
+#endif
 
 /// For paths that few triangles take: optimised for size and placed apart from the hot code.
 #define ARCSPAN_COLD [[gnu::cold]]
@@ -35,7 +42,6 @@
 #endif
 
 // ---- Configuration
-// -----------------------------------------------------------------------------------------------
 
 /// Number of entries in the table of encoded colours that a draw call keeps on its stack
 /// (EncodedColourTable): 0, 256 (512 bytes) or 1024 (2 KB). Pixels are the same with each. Define it, equally
@@ -61,7 +67,6 @@
 namespace arcspan {
 
 // ---- Features of the core
-// ----------------------------------------------------------------------------------------
 
 /// True if the program is optimised for size (-Os).
 #ifdef __OPTIMIZE_SIZE__
@@ -105,7 +110,6 @@ inline constexpr bool kHasSaturate = false;
 using AliasingWord [[gnu::may_alias]] = __UINT32_TYPE__;
 
 // ---- Hints for register allocation
-// -------------------------------------------------------------------------------
 
 /// Makes the compiler store `value` and load it again at its next use. Without this, gcc copies values that
 /// are stepped once per row through extra stack slots: 12 instructions per row on a Cortex-M3.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/target.hpp>
 
 namespace arcspan {
 
@@ -21,7 +22,7 @@ struct NormalAsScalars {
   [[nodiscard]] static constexpr Scalars scalars(const Direction& n) {
     return {convert<Cosine>(n.x), convert<Cosine>(n.y), convert<Cosine>(n.z)};
   }
-  [[nodiscard]] constexpr PackedRgb colour(const Scalars& s) const {
+  [[nodiscard]] ARCSPAN_INLINE_IF_MANY_REGISTERS constexpr PackedRgb colour(const Scalars& s) const {
     return illumination->colour(
         illumination->scalars(Direction{convert<DirectionComponent>(s[0]), convert<DirectionComponent>(s[1]),
                                         convert<DirectionComponent>(s[2])}));
@@ -69,7 +70,8 @@ struct ArcVector {
   struct Run {
     ArcRun<Components> components;
 
-    [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
+    [[nodiscard]] ARCSPAN_INLINE_IF_MANY_REGISTERS constexpr PackedRgb colour(
+        const Lighting& lighting) const {
       return components.colour(Components{&lighting});
     }
     constexpr void next() { components.next(); }
@@ -79,6 +81,7 @@ struct ArcVector {
    public:
     using Run = ArcVector::Run;
     static constexpr std::int32_t kLongestRun = ArcWalker<Components>::kLongestRun;
+    static constexpr bool kOutlined = true;
     constexpr explicit Walker(Prepared& prepared) : arcs_(prepared.arcs) {}
     [[nodiscard]] constexpr Run row(const RowStart& start) const { return {arcs_.row(start)}; }
     constexpr void next_row() { arcs_.next_row(); }

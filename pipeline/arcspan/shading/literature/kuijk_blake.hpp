@@ -5,6 +5,7 @@
 #include <arcspan/shading/literature/polar.hpp>
 #include <arcspan/shading/literature/prepared_walker.hpp>
 #include <arcspan/shading/literature/slerp_triangle.hpp>
+#include <arcspan/target.hpp>
 
 namespace arcspan {
 
@@ -35,7 +36,8 @@ struct KuijkBlake : SlerpBase<Illumination, Illumination::kScalars> {
     std::array<Wave, kScalars> waves;
     Angle32 step;
 
-    [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
+    [[nodiscard]] ARCSPAN_INLINE_IF_MANY_REGISTERS constexpr PackedRgb colour(
+        const Lighting& lighting) const {
       typename Lighting::Scalars values;
       unrolled<kScalars>([&](auto i) {
         values[i] = Cosine::from_raw(wrap_mul(waves[i].amplitude, round_shift(cosine(waves[i].phase), 15)));

@@ -3,6 +3,7 @@
 
 #include <arcspan/shading/literature/linear_normal.hpp>
 #include <arcspan/shading/literature/prepared_walker.hpp>
+#include <arcspan/target.hpp>
 
 #include <array>
 #include <cstddef>
@@ -142,7 +143,8 @@ struct LinearScalars {
       run.length = SquaredLength::of(prepared.normal.at(start), prepared.normal.step());
       return run;
     }
-    [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
+    [[nodiscard]] ARCSPAN_INLINE_IF_MANY_REGISTERS constexpr PackedRgb colour(
+        const Lighting& lighting) const {
       const Normaliser normalise(length.square);
       typename Lighting::Scalars values;
       unrolled<kScalars>([&](auto i) { values[i] = normalise(scalars[i]); });

@@ -4,6 +4,7 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/shading/literature/prepared_walker.hpp>
 #include <arcspan/shading/literature/slerp_triangle.hpp>
+#include <arcspan/target.hpp>
 
 namespace arcspan {
 
@@ -27,7 +28,8 @@ struct Slerp : SlerpBase<Illumination, 0> {
     Angle32 phase;
     Angle32 step;
 
-    [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
+    [[nodiscard]] ARCSPAN_INLINE_IF_MANY_REGISTERS constexpr PackedRgb colour(
+        const Lighting& lighting) const {
       const SlerpArc::Weights w = arc.at(phase);
       const auto mix = [w](DirectionComponent a, DirectionComponent b) {
         return DirectionComponent::from_raw(

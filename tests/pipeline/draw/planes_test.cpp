@@ -9,7 +9,7 @@
 #include <arcspan/shading/gouraud.hpp>
 
 #include <catch2/catch.hpp>
-#include <tests/support/scenes.hpp>
+#include <tests/support/mesh_and_camera.hpp>
 
 #include <vector>
 
@@ -83,7 +83,7 @@ TEMPLATE_TEST_CASE("planes change no pixel", "", Flat<Light>, Gouraud<Light>, Ad
   }
 }
 
-TEST_CASE("what a plane tells to be a back is not drawn, unless both sides are or planes are left out") {
+TEST_CASE("a back face found by its plane is drawn only if both sides are or planes are left out") {
   Random random(122);
   const TestMesh mesh = make_sphere(8, 12, 3000, 0, random);
   TestCamera camera;

@@ -10,6 +10,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/mesh_and_camera.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <vector>
 
@@ -66,7 +67,7 @@ TestCamera random_camera(Random& random) {
 
 TEMPLATE_TEST_CASE("planes change no pixel", "", Flat<Light>, Gouraud<Light>, Adaptive<Light>) {
   Random random(121);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < share_of(60); ++round) {
     const TestMesh mesh = bumpy(random);
     std::vector<FacePlane> planes(mesh.indices.size() / 3);
     PlaneScale scale;

@@ -9,7 +9,7 @@
 #include <arcspan/shading/arc/arc.hpp>
 
 #include <oled.hpp>
-#include <tests/scenes/integer_shapes.hpp>
+#include <tests/frames/integer_shapes.hpp>
 
 using namespace arcspan;
 using Light = Illumination<1, Highlight::kBlinn>;

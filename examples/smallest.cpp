@@ -9,7 +9,7 @@
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 
-#include <tests/scenes/integer_shapes.hpp>
+#include <tests/frames/integer_shapes.hpp>
 
 using namespace arcspan;
 using Light = Illumination<1, Highlight::kBlinn>;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The project's measured scene (tests/scenes/stage_set.hpp), 320x240, rgb565, 16-bit depth: spheres of three
+// The project's measured scene (tests/frames/stage_set.hpp), 320x240, rgb565, 16-bit depth: spheres of three
 // finenesses and three radii by one method. Clearing and drawing are sections of their own for
-// instruction_count.py; a line "scene: ..." tells how much was drawn in the section that follows.
+// instruction_count.py; a line "scene: ..." gives the amounts drawn in the section before it.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 
-#include <tests/scenes/stage_set.hpp>
+#include <tests/firmware/cost_spheres.hpp>
+#include <tests/frames/stage_set.hpp>
 
 #include <new>
 
@@ -21,13 +22,6 @@ namespace {
 
 constexpr std::int32_t kWidth = 320;
 constexpr std::int32_t kHeight = 240;
-
-constexpr auto kCoarse = scenes::make_sphere<16, 8>();
-constexpr auto kMiddle = scenes::make_sphere<32, 16>();
-constexpr auto kFine = scenes::make_sphere<64, 32>();
-constexpr auto kCoarsePlanes = scenes::planes_of(kCoarse);
-constexpr auto kMiddlePlanes = scenes::planes_of(kMiddle);
-constexpr auto kFinePlanes = scenes::planes_of(kFine);
 
 [[gnu::section(".bss.frame")]] std::uint16_t colours[kWidth * kHeight];
 [[gnu::section(".bss.frame")]] std::uint16_t depths[kWidth * kHeight];
@@ -59,14 +53,7 @@ union ObjectMemory {
 [[gnu::section(".bss.frame")]] ObjectMemory object_memory;
 [[gnu::section(".bss.frame")]] CachedVertex<Method> cache[2048];
 
-/// A sphere with the planes of its triangles, without, and without any triangles.
-struct Meshes {
-  MeshView planed;
-  MeshView plain;
-  MeshView vertices;
-};
-
-bool measure(const char* shape, const Meshes& meshes, std::int32_t radius) {
+bool measure(const char* shape, const SphereMeshes& meshes, std::int32_t radius) {
   scenes::StageSet stage;
   if (!ok(scenes::set_stage({kWidth, kHeight}, radius, {}, stage))) return false;
   const auto& lighting = *new (&object_memory.lighting) Method::Lighting(stage.light);
@@ -101,23 +88,20 @@ bool measure(const char* shape, const Meshes& meshes, std::int32_t radius) {
          drawn.triangles == counted.triangles && plain.triangles == counted.triangles;
 }
 
-template <class Shape, class Planes>
-bool measure_shape(const char* name, const Shape& shape, const Planes& planes) {
-  Meshes meshes;
-  bool good =
-      ok(shape.view(meshes.plain)) &&
-      ok(MeshView::make(shape.positions, shape.normals, std::span<const std::uint16_t>{}, meshes.vertices));
-  meshes.planed = meshes.plain;
-  good = good && ok(planes.attach_to(meshes.planed));
-  for (const std::int32_t radius : {36, 72, 108}) good = good && measure(name, meshes, radius);
-  return good;
+bool measure_sphere(const char* name, SphereFineness fineness) {
+  SphereMeshes meshes;
+  if (!make_sphere_meshes(fineness, meshes)) return false;
+  for (const std::int32_t radius : {36, 72, 108}) {
+    if (!measure(name, meshes, radius)) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
 int main() {
-  return measure_shape("16x8", kCoarse, kCoarsePlanes) && measure_shape("32x16", kMiddle, kMiddlePlanes) &&
-                 measure_shape("64x32", kFine, kFinePlanes)
+  return measure_sphere("16x8", SphereFineness::k16x8) && measure_sphere("32x16", SphereFineness::k32x16) &&
+                 measure_sphere("64x32", SphereFineness::k64x32)
              ? 0
              : 1;
 }

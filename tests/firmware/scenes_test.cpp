@@ -4,7 +4,7 @@
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/stack.hpp>
 
-#include <tests/scenes/golden_frames.hpp>
+#include <tests/frames/golden_frames.hpp>
 
 using namespace arcspan;
 

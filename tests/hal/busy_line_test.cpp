@@ -110,7 +110,7 @@ TEST_CASE("a busy line that is stuck at any transfer is a timeout, and the next 
   }
 }
 
-TEST_CASE("a busy line that cannot be read, or a transfer that hangs behind it, is told") {
+TEST_CASE("a busy line that cannot be read and a transfer that hangs behind it give their status") {
   BusyBench bench;
   REQUIRE(bench.panel.start() == Status::kOk);
   bench.bus.busy.fail_once();

@@ -88,7 +88,7 @@ const std::array<std::uint8_t, 3> kBytes{1, 2, 3};
 static_assert(!std::is_destructible_v<SpiBus> && !std::is_destructible_v<I2cBus>);
 static_assert(!std::is_destructible_v<OutputPin> && !std::is_destructible_v<Clock>);
 
-TEST_CASE("a bus that can only block is over when start returns, and tells its result there") {
+TEST_CASE("a bus that can only block has finished when start returns, which returns the result") {
   BlockingSpi bus;
   ManualClock clock(0);
   CHECK(bus.start(kBytes) == Status::kOk);
@@ -101,7 +101,7 @@ TEST_CASE("a bus that can only block is over when start returns, and tells its r
   CHECK(bus.write(kBytes) == Status::kTransferShort);
 }
 
-TEST_CASE("an empty transfer is refused without touching the bus") {
+TEST_CASE("an empty transfer is refused without using the bus") {
   SlowSpi bus;
   CHECK(bus.write({}) == Status::kInvalidArgument);
   CHECK(bus.start({}) == Status::kInvalidArgument);
@@ -121,7 +121,7 @@ TEST_CASE("a transfer under way is left alone") {
   CHECK(bus.write(kBytes) == Status::kOk);
 }
 
-TEST_CASE("a transfer's failure is told once and frees the bus") {
+TEST_CASE("a transfer's failure is returned once and frees the bus") {
   SlowSpi bus;
   bus.result = Status::kTransferFailed;
   REQUIRE(bus.start(kBytes) == Status::kOk);
@@ -167,7 +167,7 @@ TEST_CASE("an I2C bus refuses reserved addresses and empty transactions") {
   CHECK(bus.write(0x3C, {}) == Status::kInvalidArgument);
 }
 
-TEST_CASE("a pin refuses what is no level and passes on its failure") {
+TEST_CASE("a pin refuses a value that is no level and passes on its failure") {
   CountingPin pin;
   CHECK(pin.set(static_cast<Level>(2)) == Status::kInvalidArgument);
   CHECK(pin.levels.empty());
@@ -177,7 +177,7 @@ TEST_CASE("a pin refuses what is no level and passes on its failure") {
   CHECK(pin.levels == std::vector{Level::kHigh, Level::kLow});
 }
 
-TEST_CASE("a delay of nothing is none, and one too long is cut, not wrapped") {
+TEST_CASE("a delay of zero does not wait, and one that is too long saturates") {
   ManualClock clock(0);
   clock.delay_us(0);
   clock.delay_ms(0);

@@ -34,7 +34,7 @@ constexpr const char* kScript =
 
 }  // namespace
 
-TEST_CASE("what goes as in the script is no difference, however transfers and delays are cut") {
+TEST_CASE("calls as in the script are no difference, however transfers and delays are divided") {
   MockWires mock(kScript);
   CHECK(play(mock, 0xEF) == Status::kOk);
   CHECK(mock.difference() == "");
@@ -42,7 +42,7 @@ TEST_CASE("what goes as in the script is no difference, however transfers and de
   CHECK(mock.waited_us() == 20);
 }
 
-TEST_CASE("the first difference is told, and every call fails after it") {
+TEST_CASE("the first difference is reported, and every call fails after it") {
   MockWires mock(kScript);
   CHECK(play(mock, 0xEE) == Status::kTransferFailed);
   CHECK(mock.difference() == "line 6: expected 'data ef', byte 1 (ef), but it was 'data ee'");
@@ -84,7 +84,7 @@ TEST_CASE("each kind of difference has its words") {
   }
 }
 
-TEST_CASE("a script says what the wires answer") {
+TEST_CASE("a script gives the answers of the wires") {
   SECTION("a pin") {
     MockWires mock("reset low = transfer failed\nwait 20 us");
     CHECK(play(mock, 0) == Status::kTransferFailed);
@@ -107,7 +107,7 @@ TEST_CASE("a script says what the wires answer") {
   }
 }
 
-TEST_CASE("the clock begins where it is told to") {
+TEST_CASE("the clock begins at the given time") {
   MockWires mock("read busy high\nwait 10 us\nread busy high\nwait 10 us\nread busy high");
   mock.set_now_us(UINT32_MAX - 5);
   CHECK(mock.input("busy").wait_for(Level::kLow, mock.clock(), 20) == Status::kTimeout);
@@ -126,7 +126,7 @@ TEST_CASE("a recorder writes the script that its run would pass") {
   CHECK(recorder.events().empty());
 }
 
-TEST_CASE("a recorder passes on to what is attached, and writes down the answers") {
+TEST_CASE("a recorder passes calls on to the attached bus, and writes down the answers") {
   MockWires device("reset low\nwait 20 us\nreset high\ncommand 2a = transfer short\nread busy high");
   WireRecorder recorder;
   recorder.attach(device.spi());

@@ -37,7 +37,7 @@ TEST_CASE("a script is read line by line") {
   CHECK(script.events[7].us == 5000);
 }
 
-TEST_CASE("what is no script names its line") {
+TEST_CASE("a malformed script is refused with the number of its line") {
   const struct {
     const char* text;
     const char* error;
@@ -67,7 +67,7 @@ TEST_CASE("what is no script names its line") {
   CHECK(script.events.size() == 1);
 }
 
-TEST_CASE("what is written is read as the same") {
+TEST_CASE("a written script reads back as the same") {
   std::vector<WireEvent> events = parse_wire_script(
                                       "reset low\nwait 3 us\nreset high\nwait 120 ms\ncommand 2a = timeout\n"
                                       "data 01 02 03 04 f8 00 x400\nread busy low\ni2c 3c 00 x40\ndata 7 x3")

@@ -5,11 +5,12 @@
 
 namespace arcspan::test {
 
-/// Fewer triangles where every one is slow (sanitizers): ARCSPAN_TEST_SHARE percent of them.
-[[nodiscard]] inline int share_of(int triangles) {
+/// The number of random cases to try: ARCSPAN_TEST_SHARE percent of `cases`, all if it is unset. For builds
+/// where every case is slow, because of sanitizers or because nothing is optimised.
+[[nodiscard]] inline int share_of(int cases) {
   const char* const share = std::getenv("ARCSPAN_TEST_SHARE");
   const int percent = share == nullptr ? 100 : std::atoi(share);
-  return percent < 1 || percent > 100 ? triangles : triangles * percent / 100;
+  return percent < 1 || percent > 100 ? cases : cases * percent / 100;
 }
 
 }  // namespace arcspan::test

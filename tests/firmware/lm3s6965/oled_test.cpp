@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws the frames of tests/scenes/oled_frames.hpp on the board's OLED through the driver of hal/, says
+// Draws the frames of tests/frames/oled_frames.hpp on the board's OLED through the driver of hal/, says
 // "shown N" after each and waits for a character, so that oled_test.py can take the emulator's display and
 // compare it with the host's frame.
 #include <arcspan/bare/board.hpp>
@@ -8,7 +8,7 @@
 #include <arcspan/pixel/gray4.hpp>
 
 #include <oled.hpp>
-#include <tests/scenes/oled_frames.hpp>
+#include <tests/frames/oled_frames.hpp>
 
 using namespace arcspan;
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """oled_test.py FRAMES IMAGE SOURCE_DIR EMULATOR...: the emulator's display must show the host's frames, pixel by pixel.
 
-Builds tests/scenes/oled_frames.cpp for the host as FRAMES, runs IMAGE, and after each line "shown N" takes a screen
+Builds tests/frames/oled_frames.cpp for the host as FRAMES, runs IMAGE, and after each line "shown N" takes a screen
 dump through QMP and compares it: 128x64 pixels, each drawn 4x4, grey level n as n * 17.
 """
 
@@ -42,7 +42,7 @@ class Qmp:
 def host_frames(program, source):
     files = sorted((source / "pipeline").rglob("*.cpp"))
     subprocess.run(["g++", "-std=c++20", "-O2", f"-I{source}", f"-I{source}/pipeline", f"-I{source}/hal",
-                    source / "tests/scenes/oled_frames.cpp", *files, "-o", program], check=True)
+                    source / "tests/frames/oled_frames.cpp", *files, "-o", program], check=True)
     data = subprocess.run([program], check=True, capture_output=True).stdout
     size = WIDTH * HEIGHT
     return [data[i:i + size] for i in range(0, len(data), size)]

@@ -86,7 +86,7 @@ TEST_CASE("a failure at any step of a command ends it there, and the next comman
   }
 }
 
-TEST_CASE("D/C is not touched while pixels are on the wire") {
+TEST_CASE("D/C does not change while pixels are on the wire") {
   Wire wire;
   CommandPort port(wire, wire);
   const std::uint8_t pixels[] = {0xAB, 0xCD};

@@ -97,7 +97,7 @@ TEMPLATE_TEST_CASE("page mode gives the same picture, whatever the band", "", AR
   }
 }
 
-TEMPLATE_TEST_CASE("only what changed is sent, and the picture is whole", "", ARCSPAN_EVERY_PANEL) {
+TEMPLATE_TEST_CASE("only changed areas are sent, and the picture is whole", "", ARCSPAN_EVERY_PANEL) {
   using Driver = typename TestType::Driver;
   using Mode = PageMode<Driver>;
   using Format = typename Driver::Layout::Format;
@@ -180,7 +180,7 @@ TEMPLATE_TEST_CASE("inversion, brightness, sleep and wake arrive", "", ARCSPAN_E
   CHECK(complaints(bench) == "");
 }
 
-TEMPLATE_TEST_CASE("what is no argument is refused and nothing is sent", "", ARCSPAN_EVERY_PANEL) {
+TEMPLATE_TEST_CASE("invalid arguments are refused and nothing is sent", "", ARCSPAN_EVERY_PANEL) {
   TestType bench;
   REQUIRE(bench.panel.start() == Status::kOk);
   const std::uint64_t bytes = bench.bus.count().bytes;

@@ -205,7 +205,7 @@ TEST_CASE("SSD1306: the transactions of a start and a frame on I2C") {
   CHECK(mock.finish() == "");
 }
 
-TEST_CASE("nothing is sent after a failure, and all settings are before the next frame") {
+TEST_CASE("nothing is sent after a failure, and all settings are sent before the next frame") {
   const Script window = "command 15\ndata 00 17\ncommand 75\ndata 00 0f\ncommand 5c\n";
   const Script settings =
       "command fd\ndata 12\ncommand fd\ndata b1\ncommand a0\ndata 60\ncommand a1\ndata 00\ncommand a2\ndata "

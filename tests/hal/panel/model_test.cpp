@@ -44,7 +44,7 @@ struct Dcs : Hand<sim::DcsModel> {
 
 }  // namespace
 
-TEST_CASE("the DCS model complains about what the datasheet forbids") {
+TEST_CASE("the DCS model complains about everything that the datasheet forbids") {
   Dcs h;
   REQUIRE(h.device.complaints().empty());
   SECTION("data before a memory write") {

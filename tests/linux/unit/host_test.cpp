@@ -17,7 +17,7 @@
 using namespace arcspan;
 using namespace arcspan::linux_host;
 
-TEST_CASE("a failure says what was tried and what the kernel answered") {
+TEST_CASE("a failure names the attempted call and the answer of the kernel") {
   errno = ENODEV;
   CHECK(Result::from_errno("cannot be opened").text() == "cannot be opened: No such device");
   CHECK(Result::refused("is not open").text() == "is not open");
@@ -25,7 +25,7 @@ TEST_CASE("a failure says what was tried and what the kernel answered") {
   CHECK_FALSE(ok(Result::refused("x")));
 }
 
-TEST_CASE("addresses of lines are told from names") {
+TEST_CASE("addresses of lines are distinguished from names") {
   using gpio::LineAddress;
   using gpio::parse_line_address;
   CHECK(parse_line_address("gpiochip0:25") == LineAddress{"/dev/gpiochip0", 25});

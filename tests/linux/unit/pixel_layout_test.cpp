@@ -130,7 +130,7 @@ TEST_CASE("the leftmost of eight mono pixels is the lowest bit") {
   CHECK(layout.bytes_per_row(9) == 2);
 }
 
-TEST_CASE("what cannot be drawn is refused with its reason") {
+TEST_CASE("a layout that cannot be drawn is refused with the reason") {
   Kernel kernel = kRgb565;
   kernel.fixed.type = FB_TYPE_PLANES;
   CHECK(refusal(kernel) == "pixels do not lie packed, row by row");

@@ -7,7 +7,7 @@
 
 using namespace arcspan::test;
 
-TEST_CASE("show says in one line what is wrong") {
+TEST_CASE("show names a mistake in one line") {
   const struct {
     const char* arguments;
     int status;

@@ -4,8 +4,9 @@
 #include <arcspan/shading/arc/arc.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/mesh_and_camera.hpp>
 #include <tests/support/raster_stage.hpp>
-#include <tests/support/scenes.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <cstdio>
 #include <cstdlib>
@@ -56,7 +57,7 @@ std::string report(const Tally& t) {
 TEMPLATE_TEST_CASE("from inside a sphere every pixel is covered once", "", Silhouette, Arc<Blinn1>) {
   Random random(11);
   Tally tally;
-  for (int i = 0; i < 600; ++i) {
+  for (int i = 0; i < share_of(600); ++i) {
     const int rings = random.integer(3, 24);
     const double radius = random.decades(300, 30000);
     // A rough sphere is seen from its middle only: from elsewhere it really covers itself.
@@ -77,7 +78,7 @@ TEMPLATE_TEST_CASE("from inside a cube or a tetrahedron every pixel is covered o
                    Arc<Blinn1>) {
   Random random(12);
   Tally tally;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < share_of(1000); ++i) {
     const double half = random.decades(300, 30000);
     const TestMesh mesh =
         (random.chance(0.5) ? make_smooth_cube(half) : make_smooth_tetrahedron(half)).inside_out();

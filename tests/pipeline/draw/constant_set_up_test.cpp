@@ -5,7 +5,7 @@
 #include <arcspan/vertex/clip_transform.hpp>
 
 #include <catch2/catch.hpp>
-#include <tests/scenes/integer_shapes.hpp>
+#include <tests/frames/integer_shapes.hpp>
 
 #include <cstring>
 #include <type_traits>

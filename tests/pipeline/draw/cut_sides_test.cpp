@@ -9,8 +9,8 @@
 #include <arcspan/shading/gouraud.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/mesh_and_camera.hpp>
 #include <tests/support/random.hpp>
-#include <tests/support/scenes.hpp>
 
 #include <vector>
 
@@ -83,7 +83,7 @@ void check_windows(const MeshView& mesh, const TestCamera& camera) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a window of columns gets what the whole picture has there", "", Flat<Light>,
+TEMPLATE_TEST_CASE("a sink of some columns gets exactly those columns of the picture", "", Flat<Light>,
                    Gouraud<Light>, Arc<Light>, Adaptive<Light>) {
   Random random(91);
   TestCamera camera;

@@ -7,8 +7,8 @@
 #include <arcspan/shading/adaptive/adaptive.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/mesh_and_camera.hpp>
 #include <tests/support/random.hpp>
-#include <tests/support/scenes.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -105,7 +105,7 @@ TEST_CASE("too wide triangles are drawn whole if nothing splits") {
   CHECK(whole.colours != split.colours);
 }
 
-TEST_CASE("back faces that are left out are refused, and nothing is drawn") {
+TEST_CASE("drawing both sides without the feature for back faces is refused, and nothing is drawn") {
   Random random(173);
   const TestMesh sphere = make_sphere(6, 8, 4000, 0, random);
   const Picture picture = drawn<Arc<Light>, kNone>(sphere, camera_at(14000), {.two_sided = true});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Codes made beforehand give the same pixels: a sink chooses how many by its kEncodedColours.
+// A table of encoded colours gives the same pixels as encoding each of them. A sink chooses the size of the
+// table by its kEncodedColours.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
@@ -8,8 +9,9 @@
 #include <arcspan/shading/literature/phong.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/mesh_and_camera.hpp>
 #include <tests/support/random.hpp>
-#include <tests/support/scenes.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <type_traits>
 #include <vector>
@@ -27,16 +29,17 @@ struct Frame : hal::Framebuffer<Rgb565> {
 
 using Light = Illumination<1, Highlight::kPhong>;
 template <class Method, std::size_t Size>
-using CodesIn = EncodedColoursFor<Method, Frame<Size>>;
-static_assert(std::is_same_v<CodesIn<Arc<Light>, 1024>, EncodedColourTable<Rgb565, 1024>>);
-static_assert(std::is_same_v<CodesIn<Arc<Light>, 256>, EncodedColourTable<Rgb565, 256>>);
+using TableIn = EncodedColoursFor<Method, Frame<Size>>;
+static_assert(std::is_same_v<TableIn<Arc<Light>, 1024>, EncodedColourTable<Rgb565, 1024>>);
+static_assert(std::is_same_v<TableIn<Arc<Light>, 256>, EncodedColourTable<Rgb565, 256>>);
 static_assert(sizeof(EncodedColourTable<Rgb565, 256>) == 512);
-static_assert(std::is_same_v<CodesIn<Arc<Light>, 0>, NoEncodedColours>);
-static_assert(std::is_same_v<CodesIn<Phong<Light>, 1024>, NoEncodedColours>);
-// Several lights have no ramp, dithered codes depend on the place, and only 16 bits are kept.
-static_assert(!HasEncodedColours<Illumination<2, Highlight::kPhong>, Rgb565>);
-static_assert(!HasEncodedColours<Light, Dithered<Rgb565>>);
-static_assert(!HasEncodedColours<Light, Rgb888>);
+static_assert(std::is_same_v<TableIn<Arc<Light>, 0>, NoEncodedColours>);
+static_assert(std::is_same_v<TableIn<Phong<Light>, 1024>, NoEncodedColours>);
+// Several lights have no single ramp, a dithered colour depends on the pixel's place, and entries have 16
+// bits.
+static_assert(!detail::EncodableInAdvance<Illumination<2, Highlight::kPhong>, Rgb565>);
+static_assert(!detail::EncodableInAdvance<Light, Dithered<Rgb565>>);
+static_assert(!detail::EncodableInAdvance<Light, Rgb888>);
 
 constexpr DrawFeatures kFeatures{.caches = false, .planes = false};
 
@@ -107,14 +110,15 @@ int pictures_that_differ(int count) {
 
 }  // namespace
 
-TEST_CASE("pictures are the same with and without codes made beforehand") {
-  CHECK(pictures_that_differ<Arc<Illumination<1, Highlight::kBlinn>>>(60) == 0);
-  CHECK(pictures_that_differ<Arc<Light>>(60) == 0);
-  CHECK(pictures_that_differ<Adaptive<Light>>(60) == 0);
+TEST_CASE("a table of encoded colours changes no pixel") {
+  CHECK(pictures_that_differ<Arc<Illumination<1, Highlight::kBlinn>>>(share_of(60)) == 0);
+  CHECK(pictures_that_differ<Arc<Light>>(share_of(60)) == 0);
+  CHECK(pictures_that_differ<Adaptive<Light>>(share_of(60)) == 0);
 }
 
 TEST_CASE(
-    "a code table has the diffuse colour of every N·L, and of what rounding or overflow may make of one") {
+    "a table of encoded colours has the diffuse colour of every N·L, also where rounding or overflow left "
+    "its range") {
   const TestCamera camera;
   const auto light = make_light<1, Highlight::kBlinn>(camera);
   const EncodedColourTable<Rgb565, 256> narrow(light);
@@ -122,8 +126,8 @@ TEST_CASE(
   int different = 0;
   const auto compare = [&](std::int64_t raw) {
     const Cosine value = Cosine::from_raw(static_cast<std::int32_t>(raw));
-    const std::uint16_t code = Rgb565::encode(light.diffuse_colour(value));
-    different += narrow[value] == code && wide[value] == code ? 0 : 1;
+    const std::uint16_t encoded = Rgb565::encode(light.diffuse_colour(value));
+    different += narrow[value] == encoded && wide[value] == encoded ? 0 : 1;
   };
   for (std::int64_t top = INT32_MIN; top <= INT32_MAX; top += 1 << 16) {
     for (const std::int64_t low : {0, 1, 0x7FFF, 0xFFFF}) compare(top + low);

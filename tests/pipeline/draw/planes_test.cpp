@@ -9,7 +9,8 @@
 #include <arcspan/shading/gouraud.hpp>
 
 #include <catch2/catch.hpp>
-#include <tests/support/scenes.hpp>
+#include <tests/support/mesh_and_camera.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <vector>
 
@@ -66,7 +67,7 @@ TestCamera random_camera(Random& random) {
 
 TEMPLATE_TEST_CASE("planes change no pixel", "", Flat<Light>, Gouraud<Light>, Adaptive<Light>) {
   Random random(121);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < share_of(60); ++round) {
     const TestMesh mesh = bumpy(random);
     std::vector<FacePlane> planes(mesh.indices.size() / 3);
     PlaneScale scale;
@@ -83,7 +84,7 @@ TEMPLATE_TEST_CASE("planes change no pixel", "", Flat<Light>, Gouraud<Light>, Ad
   }
 }
 
-TEST_CASE("what a plane tells to be a back is not drawn, unless both sides are or planes are left out") {
+TEST_CASE("a back face found by its plane is drawn only if both sides are or planes are left out") {
   Random random(122);
   const TestMesh mesh = make_sphere(8, 12, 3000, 0, random);
   TestCamera camera;

@@ -11,8 +11,8 @@
 #include <arcspan/shading/segment/segment.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/mesh_and_camera.hpp>
 #include <tests/support/random.hpp>
-#include <tests/support/scenes.hpp>
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #include <arcspan/mesh/make_face_planes.hpp>
 
 #include <catch2/catch.hpp>
-#include <tests/support/scenes.hpp>
+#include <tests/support/mesh_and_camera.hpp>
 
 #include <algorithm>
 #include <array>

@@ -142,7 +142,7 @@ TEST_CASE("every truncation of a mesh binary is found") {
   }
 }
 
-TEST_CASE("what is wrong with a mesh binary is told, and the view is left alone") {
+TEST_CASE("a malformed mesh binary gives the status that names its mistake, and the view keeps its value") {
   CHECK(changed(0, 'B').status() == Status::kUnsupported);
   CHECK(changed(4, 0).status() == Status::kUnsupported);
   CHECK(changed(4, 3).status() == Status::kUnsupported);

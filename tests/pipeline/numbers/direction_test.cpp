@@ -56,7 +56,7 @@ TEST_CASE("wide vectors are normalised likewise") {
   CHECK(worst < 1.6e-4);
 }
 
-TEST_CASE("dot products of unit vectors stay within rounding of the truth") {
+TEST_CASE("dot products of unit vectors are exact up to rounding") {
   Random random(53);
   double worst = 0;
   for (int i = 0; i < 500000; ++i) {

@@ -29,7 +29,7 @@ static_assert(fills_in_a_constant());
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("fill sets as many codes as it is told, wherever they begin", "", std::uint8_t,
+TEMPLATE_TEST_CASE("fill sets as many words as it is asked for, wherever they begin", "", std::uint8_t,
                    std::uint16_t, std::uint32_t) {
   constexpr auto kValue = static_cast<TestType>(0x9A3C71E5u);
   constexpr auto kOutside = static_cast<TestType>(0x55);

@@ -53,7 +53,7 @@ TEMPLATE_TEST_CASE("a fine colour's levels are its upper bits", "", Plain, Joine
   }
 }
 
-TEMPLATE_TEST_CASE("a fine colour is encoded as its levels are", "", Rgb565, Rgb888, Gray8, Gray4, Mono,
+TEMPLATE_TEST_CASE("a fine colour is encoded like its levels", "", Rgb565, Rgb888, Gray8, Gray4, Mono,
                    Dithered<Rgb565>, Dithered<Gray4>) {
   Random random(32);
   for (int i = 0; i < 100000; ++i) {

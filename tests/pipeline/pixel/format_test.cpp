@@ -12,8 +12,8 @@
 
 using namespace arcspan;
 
-TEMPLATE_TEST_CASE("encode and decode keep black, white and every code", "", Rgb565, Rgb888, Gray8, Gray4,
-                   Mono) {
+TEMPLATE_TEST_CASE("encode and decode keep black, white and every encoded colour", "", Rgb565, Rgb888, Gray8,
+                   Gray4, Mono) {
   CHECK(TestType::decode(TestType::encode({0, 0, 0})) == Rgb8{0, 0, 0});
   CHECK(TestType::decode(TestType::encode({255, 255, 255})) == Rgb8{255, 255, 255});
   for (int v = 0; v < 256; ++v) {
@@ -29,7 +29,7 @@ TEST_CASE("rgb565 truncates each channel") {
   CHECK(Rgb565::encode({0, 4, 0}) == 0x0020);
 }
 
-TEMPLATE_TEST_CASE("a bit cursor touches only its own pixel", "", Gray4, Mono) {
+TEMPLATE_TEST_CASE("a bit cursor changes only its own pixel", "", Gray4, Mono) {
   constexpr auto kFull = static_cast<std::uint8_t>((1u << TestType::kBitsPerPixel) - 1);
   for (std::int32_t x = 0; x < 20; ++x) {
     std::array<std::uint8_t, 10> row{};

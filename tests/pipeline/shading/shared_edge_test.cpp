@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <tests/support/probe.hpp>
 #include <tests/support/raster_stage.hpp>
+#include <tests/support/test_share.hpp>
 #include <tests/support/vec3.hpp>
 
 #include <algorithm>
@@ -182,7 +183,7 @@ TEST_CASE("a pixel in a corner has the corner's scalars") {
   probe.samples = &samples;
   double worst = 0;
   int hits = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < share_of(20000); ++i) {
     for (Direction& axis : probe.axes) axis = to_direction(random_unit(random));
     const Vec3 around = random_unit(random);
     Vertex v[3] = {random_vertex(random, probe, around, 0.25, 1000),
@@ -209,6 +210,6 @@ TEST_CASE("a pixel in a corner has the corner's scalars") {
                        std::abs(to_double(samples.at(before).scalars[k]) - to_double(v[0].shade.scalars[k])));
     }
   }
-  CHECK(hits > 2000);
+  CHECK(hits > share_of(2000));
   CHECK(worst < 0x1p-12);
 }

@@ -4,6 +4,7 @@
 #include <tests/support/coverage.hpp>
 #include <tests/support/random.hpp>
 #include <tests/support/raster_stage.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <algorithm>
 
@@ -86,7 +87,7 @@ class Comparison {
   [[nodiscard]] std::uint64_t covered() const { return covered_; }
 
  private:
-  /// The pixels that the triangle could touch, with a margin of one, within the picture.
+  /// The pixels that the triangle could reach, with a margin of one, within the picture.
   [[nodiscard]] Rect box(const Triangle& t) const {
     const auto [left, right] =
         std::minmax({t.corner[0].x, t.corner[1].x, t.corner[2].x}, std::less<std::int64_t>{});
@@ -118,7 +119,7 @@ void compare(Comparison& comparison, Random& random, int count, double smallest,
              double spread) {
   std::uint64_t faults = 0;
   std::string first;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < share_of(count); ++i) {
     const Triangle t = random_triangle(random, smallest, largest, spread);
     const std::uint64_t wrong = comparison.faults(t);
     if (wrong != 0 && faults == 0) {
@@ -136,14 +137,14 @@ TEST_CASE("coverage is the top-left rule: small triangles") {
   Random random(1);
   Comparison comparison(160, 120);
   compare(comparison, random, 400000, 0.05, 40, 70);
-  CHECK(comparison.covered() > 1000000);
+  CHECK(comparison.covered() > static_cast<std::uint64_t>(share_of(1000000)));
 }
 
 TEST_CASE("coverage is the top-left rule: triangles partly or wholly off the screen") {
   Random random(2);
   Comparison comparison(33, 47);
   compare(comparison, random, 50000, 1, 1024, 100);
-  CHECK(comparison.covered() > 1000000);
+  CHECK(comparison.covered() > static_cast<std::uint64_t>(share_of(1000000)));
 }
 
 TEST_CASE("coverage is the top-left rule: edges over the whole height") {
@@ -151,7 +152,7 @@ TEST_CASE("coverage is the top-left rule: edges over the whole height") {
   Random random(4);
   Comparison comparison(40, 2048);
   std::uint64_t faults = 0;
-  for (int i = 0; i < 2500; ++i) {
+  for (int i = 0; i < share_of(2500); ++i) {
     Triangle t;
     t.corner[0] = {random.integer(-400, 400), random.integer(-kLimit, -kLimit + 999)};
     t.corner[1] = {random.integer(-400, 400), random.integer(kLimit - 999, kLimit - 1)};
@@ -172,5 +173,5 @@ TEST_CASE("coverage is the top-left rule: the whole guard band") {
   CHECK(comparison.faults({{{low, low}, {high, high}, {low, high}}}) == 0);
   CHECK(comparison.faults({{{low, low}, {high, low + 1}, {low, low + 2}}}) == 0);
   CHECK(comparison.faults({{{low, high - 17}, {high, high - 16}, {high, high}}}) == 0);
-  CHECK(comparison.covered() > 10000000);
+  CHECK(comparison.covered() > static_cast<std::uint64_t>(share_of(10000000)));
 }

@@ -6,8 +6,9 @@
 #include <arcspan/vertex/raster_vertex.hpp>
 
 #include <catch2/catch.hpp>
-#include <tests/scenes/stage_set.hpp>
-#include <tests/support/scenes.hpp>
+#include <tests/frames/stage_set.hpp>
+#include <tests/support/mesh_and_camera.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <vector>
 
@@ -33,14 +34,14 @@ struct PlanedMesh {
 };
 
 struct Tally {
-  int known = 0;   ///< meshes of which something could be told
-  int told = 0;    ///< triangles told to be backs
+  int known = 0;   ///< meshes of which something could be culled
+  int culled = 0;  ///< culled triangles
   int backs = 0;   ///< that are backs on the raster
-  int turned = 0;  ///< told to be backs, yet not
+  int turned = 0;  ///< culled, although they show their front
   int outside = 0;
 };
 
-bool told_back(const BackFaces& backs, std::size_t i) { return backs.next_front(i, i + 1) != i; }
+bool is_culled(const BackFaces& backs, std::size_t i) { return backs.next_front(i, i + 1) != i; }
 
 void tally_view(const MeshView& mesh, const ClipTransform& transform, Tally& tally) {
   const BackFaces backs(mesh, transform);
@@ -55,10 +56,10 @@ void tally_view(const MeshView& mesh, const ClipTransform& transform, Tally& tal
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const TriangleIndices t = mesh.triangle(i);
     const bool back = doubled_area(raster[t.a], raster[t.b], raster[t.c]) > 0;
-    const bool told = told_back(backs, i);
-    tally.told += told;
+    const bool culled = is_culled(backs, i);
+    tally.culled += culled;
     tally.backs += back;
-    tally.turned += told && !back;
+    tally.turned += culled && !back;
   }
 }
 
@@ -96,17 +97,17 @@ TestCamera camera_before(Random& random, double reach, double scale) {
 
 }  // namespace
 
-TEST_CASE("no triangle told to be a back shows its front on the raster") {
+TEST_CASE("no triangle culled by its plane shows its front on the raster") {
   Random random(111);
   Tally tally;
-  for (int round = 0; round < 8000; ++round) {
+  for (int round = 0; round < share_of(8000); ++round) {
     const double size = random.decades(3, 10000);
     const PlanedMesh mesh(scattered(random, size));
     const double pixels = random.decades(0.003, 100);
     tally_view(mesh.view(), camera_before(random, mesh.scale.radius, pixels / size).transform(), tally);
   }
   // Nearly around the eye: the far side of the ball is seen much smaller than the near one.
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < share_of(3000); ++round) {
     const PlanedMesh mesh(scattered(random, random.decades(1000, 6000)));
     const double reach = mesh.scale.radius;
     TestCamera camera = camera_before(random, reach, 1);
@@ -116,7 +117,7 @@ TEST_CASE("no triangle told to be a back shows its front on the raster") {
     tally_view(mesh.view(), camera.transform(), tally);
   }
   // Of the size where snapping decides: far off, below a pixel.
-  for (int round = 0; round < 6000; ++round) {
+  for (int round = 0; round < share_of(6000); ++round) {
     const double size = random.real(1000, 5000);
     const PlanedMesh mesh(scattered(random, size));
     TestCamera camera = camera_before(random, mesh.scale.radius, 1);
@@ -126,14 +127,14 @@ TEST_CASE("no triangle told to be a back shows its front on the raster") {
     camera.focal = std::round(random.decades(0.1, 1) / size * -camera.translation.z);
     if (camera.focal >= 1) tally_view(mesh.view(), camera.transform(), tally);
   }
-  CAPTURE(tally.known, tally.told, tally.backs);
+  CAPTURE(tally.known, tally.culled, tally.backs);
   CHECK(tally.turned == 0);
   CHECK(tally.outside == 0);
-  CHECK(tally.known > 1000);
-  CHECK(tally.told > tally.backs / 8);
+  CHECK(tally.known > share_of(1000));
+  CHECK(tally.culled > tally.backs / 8);
 }
 
-TEST_CASE("of a sphere nearly all backs are told by their planes") {
+TEST_CASE("planes cull nearly all back faces of a sphere") {
   static constexpr auto kSphere = scenes::make_sphere<32, 16>();
   static constexpr auto kPlanes = scenes::planes_of(kSphere);
   MeshView mesh;
@@ -145,11 +146,11 @@ TEST_CASE("of a sphere nearly all backs are told by their planes") {
     Tally tally;
     tally_view(mesh, stage.transform, tally);
     CHECK(tally.turned == 0);
-    CHECK(tally.told >= tally.backs * 93 / 100);
+    CHECK(tally.culled >= tally.backs * 93 / 100);
   }
 }
 
-TEST_CASE("nothing is told without planes, nor of what the near plane or the guard band may cut") {
+TEST_CASE("nothing is culled without planes, nor where the near plane or the guard band may clip") {
   Random random(112);
   const PlanedMesh mesh(make_sphere(8, 16, 3000, 0, random));
   TestCamera camera;
@@ -174,7 +175,7 @@ TEST_CASE("nothing is told without planes, nor of what the near plane or the gua
   }
 }
 
-TEST_CASE("nothing is told of what is turned by no rotation") {
+TEST_CASE("nothing is culled if the transform is no rotation") {
   Random random(114);
   const PlanedMesh mesh(make_sphere(8, 16, 3000, 0, random));
   for (int row = 0; row < 3; ++row) {

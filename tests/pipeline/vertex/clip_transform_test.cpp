@@ -3,7 +3,7 @@
 #include <arcspan/vertex/raster_vertex.hpp>
 
 #include <catch2/catch.hpp>
-#include <tests/support/scenes.hpp>
+#include <tests/support/mesh_and_camera.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -76,7 +76,7 @@ TEST_CASE("projection is the pinhole camera's, rounded to 1/16 pixel") {
   CHECK(worst_depth < 2);
 }
 
-TEST_CASE("clip outcodes agree with the view volume but for the last units") {
+TEST_CASE("clip outcodes agree with the view volume up to rounding") {
   Random random(82);
   int wrong = 0;
   for (int i = 0; i < 200000; ++i) {

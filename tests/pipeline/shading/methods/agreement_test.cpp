@@ -18,6 +18,7 @@
 #include <catch2/catch.hpp>
 #include <tests/support/illumination_oracle.hpp>
 #include <tests/support/method_accuracy.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <map>
 #include <string>
@@ -134,7 +135,7 @@ void note(Differences& worst, const std::string& name, double difference) {
 TEMPLATE_TEST_CASE("all methods agree on a flat surface", "", BlinnLit, PhongLit) {
   Random random(1);
   std::map<std::string, int> worst;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < share_of(40); ++i) {
     const Vec3 normal = random_unit(random);
     const Direction n = arcspan::test::detail::packed(normal);
     Scene<TestType> scene;
@@ -230,7 +231,7 @@ TEMPLATE_TEST_CASE("all methods agree at the vertices and in the middles of the 
   Differences at_vertex;
   Differences in_middle;
   const auto pixel = [](std::int32_t subpixel) { return (subpixel - 8) / 16 + kSize / 2; };
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < share_of(200); ++i) {
     const CurvedScene<TestType> curved(random, kOnCentres);
     const auto& corner = curved.triangle.corner;
     for_all(curved.scene, [&](const std::string& name, Kind kind, Picture picture) {
@@ -258,7 +259,7 @@ TEMPLATE_TEST_CASE("methods that interpolate alike agree at both ends of every s
                    PhongLit) {
   Random random(4);
   Differences worst;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < share_of(40); ++i) {
     const CurvedScene<TestType> curved(random, kSlanting);
     const UnitLinearModel chords(curved.triangle);
     const SlerpModel arcs(curved.triangle);

@@ -90,7 +90,7 @@ TEST_CASE("the polynomials of 1/sqrt(2 + z) are as good as they say, over every 
   }
 }
 
-TEST_CASE("dichotomy leaves what is flat exactly alone") {
+TEST_CASE("dichotomy keeps equal normals exactly") {
   CHECK(LinearPolynomial::above_half(0) == 0);
   CHECK(QuadraticPolynomial::above_half(0) == 0);
   CHECK(CubicPolynomial::above_half(0) == 0);

@@ -143,7 +143,7 @@ TEST_CASE("linear light and the highlight left out are together within the toler
   CHECK(worst_light <= 0.875 + kRounding);
 }
 
-TEST_CASE("without a tolerance only what is unlit is linear") {
+TEST_CASE("without a tolerance only unlit rows are linear") {
   Random random(32);
   for (int i = 0; i < 300; ++i) {
     LinearTriangle triangle(random, random.real(6, 16));

@@ -134,7 +134,7 @@ class Subject {
 
 }  // namespace
 
-TEST_CASE("segments are what their model in double precision is") {
+TEST_CASE("segments agree with their model in double precision") {
   for (const double degrees : {3.0, 10.0, 25.0}) {
     for (int bits = 1; bits <= kMostSegmentBits; ++bits) {
       Random random(700 + static_cast<std::uint64_t>(bits));

@@ -8,14 +8,14 @@
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
 
-#include <tests/scenes/stage_set.hpp>
+#include <tests/frames/stage_set.hpp>
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
-/// Frames that every host must draw alike, in whatever bands its memory allows; tests/scenes/hashes.txt pins
+/// Frames that every host must draw alike, in whatever bands its memory allows; tests/frames/hashes.txt pins
 /// them.
 namespace arcspan::scenes {
 

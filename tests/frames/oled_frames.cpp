@@ -3,7 +3,7 @@
 // frame.
 #include <arcspan/pixel/gray4.hpp>
 
-#include <tests/scenes/oled_frames.hpp>
+#include <tests/frames/oled_frames.hpp>
 
 #include <cstdio>
 #include <vector>

@@ -9,7 +9,7 @@
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
 
-#include <tests/scenes/stage_set.hpp>
+#include <tests/frames/stage_set.hpp>
 
 #include <cstdio>
 #include <cstdlib>

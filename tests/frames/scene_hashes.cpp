@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Prints the hashes of the golden frames, drawn at once, or in bands if an argument is given;
-// tests/scenes/hashes.txt is its output.
-#include <tests/scenes/golden_frames.hpp>
+// tests/frames/hashes.txt is its output.
+#include <tests/frames/golden_frames.hpp>
 
 #include <cstdio>
 #include <memory>

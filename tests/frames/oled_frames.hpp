@@ -6,7 +6,7 @@
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 
-#include <tests/scenes/stage_set.hpp>
+#include <tests/frames/stage_set.hpp>
 
 /// The frames that the LM3S6965's OLED shows: a torus, turned a little further from frame to frame.
 namespace arcspan::scenes {

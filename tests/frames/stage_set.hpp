@@ -4,7 +4,7 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
-#include <tests/scenes/integer_shapes.hpp>
+#include <tests/frames/integer_shapes.hpp>
 
 namespace arcspan::scenes {
 

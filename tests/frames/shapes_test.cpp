@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
-#include <tests/scenes/golden_frames.hpp>
+#include <tests/frames/golden_frames.hpp>
 
 #include <cmath>
 #include <cstdlib>

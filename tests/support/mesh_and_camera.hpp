@@ -28,9 +28,9 @@ struct TestMesh {
 
 /// A sphere of rings and segments, poles included; positions jittered by up to `jitter` of the radius.
 [[nodiscard]] TestMesh make_sphere(int rings, int segments, double radius, double jitter, Random& random);
-/// A cube with one normal a corner: 70 to 109 degrees between neighbours.
+/// A cube with one normal per corner: 70 to 109 degrees between neighbours.
 [[nodiscard]] TestMesh make_smooth_cube(double half_edge);
-/// A regular tetrahedron with one normal a corner: 109 degrees between all.
+/// A regular tetrahedron with one normal per corner: 109 degrees between all.
 [[nodiscard]] TestMesh make_smooth_tetrahedron(double half_edge);
 
 /// Camera and object in double precision.
@@ -45,12 +45,12 @@ struct TestCamera {
   std::int32_t width = 160;
   std::int32_t height = 120;
 
-  [[nodiscard]] Vec3 to_view(Vec3 lighting) const;
+  [[nodiscard]] Vec3 to_view(Vec3 point) const;
   [[nodiscard]] ClipTransform transform() const;
   void look_in_random_direction(Random& random);
 };
 
-/// White light from the upper right over the eye's shoulder.
+/// White lights from the upper right over the eye's shoulder.
 template <std::size_t Lights, Highlight Model>
 [[nodiscard]] Illumination<Lights, Model> make_light(const TestCamera& camera) {
   Material material;

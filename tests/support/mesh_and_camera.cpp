@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <tests/support/scenes.hpp>
+#include <tests/support/mesh_and_camera.hpp>
 
 #include <cstdlib>
 
@@ -89,8 +89,8 @@ TestMesh make_smooth_tetrahedron(double half_edge) {
   return mesh;
 }
 
-Vec3 TestCamera::to_view(Vec3 lighting) const {
-  return Vec3{dot(right, lighting), dot(up, lighting), dot(back, lighting)} + translation;
+Vec3 TestCamera::to_view(Vec3 point) const {
+  return Vec3{dot(right, point), dot(up, point), dot(back, point)} + translation;
 }
 
 ClipTransform TestCamera::transform() const {

@@ -225,9 +225,9 @@ class Measurement {
   static void colour(Rgb8 got, const IlluminationOracle& oracle, double light, double cosine,
                      ErrorFigure& figure, int& steps) {
     const bool lit = light > 0;
-    const IlluminationOracle::Levels truth = oracle.levels(light, cosine, lit);
+    const IlluminationOracle::ChannelLevels truth = oracle.levels(light, cosine, lit);
     const bool border = std::abs(light) < 0x1p-11;
-    const IlluminationOracle::Levels other = border ? oracle.levels(light, cosine, !lit) : truth;
+    const IlluminationOracle::ChannelLevels other = border ? oracle.levels(light, cosine, !lit) : truth;
     const double channels[3] = {double(got.r), double(got.g), double(got.b)};
     for (std::size_t c = 0; c < 3; ++c) {
       const bool nearer = std::abs(channels[c] - other[c]) < std::abs(channels[c] - truth[c]);

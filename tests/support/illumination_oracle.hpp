@@ -18,14 +18,14 @@ struct IlluminationOracle {
   double shininess = 1;
   double strength = 1;
 
-  using Levels = std::array<double, 3>;
+  using ChannelLevels = std::array<double, 3>;
 
   /// 0...255 before rounding. `cosine` is what the highlight is a power of, N·H or R·V; `lit` says whether
   /// the light reaches the surface, which is N·L > 0 but for rounding.
-  [[nodiscard]] Levels levels(double normal_light, double cosine, bool lit) const {
+  [[nodiscard]] ChannelLevels levels(double normal_light, double cosine, bool lit) const {
     const double d = std::max(0.0, normal_light);
     const double s = lit ? std::pow(std::max(0.0, cosine), shininess) : 0;
-    Levels result;
+    ChannelLevels result;
     for (std::size_t c = 0; c < 3; ++c) {
       result[c] = std::clamp(255 * (ambient[c] + strength * (diffuse[c] * d + specular[c] * s)), 0.0, 255.0);
     }

@@ -166,7 +166,7 @@ class TriangleDrawer {
   [[nodiscard]] bool is_within_scissor(const RasterPosition& a, const RasterPosition& b,
                                        const RasterPosition& c) {
     const ScissorTest test = scissor_.template test<kWholeRows>(a, b, c);
-    columns_ = test == ScissorTest::kInside ? Columns::kInside : Columns::kCrossing;
+    columns_ = test == ScissorTest::kInside ? ScissorColumns::kInside : ScissorColumns::kCrossing;
     if (test == ScissorTest::kOtherBand) counted_ = true;
     return test == ScissorTest::kInside || test == ScissorTest::kCrossing;
   }
@@ -207,12 +207,12 @@ class TriangleDrawer {
     const Target target{rect, stage_.lighting(), sink_, depth_, encoded_};
     if constexpr (!kWholeRows) {
       result_.status = draw_crossing_rows(command, origin, target);
-    } else if (columns_ == Columns::kCrossing) [[unlikely]] {
+    } else if (columns_ == ScissorColumns::kCrossing) [[unlikely]] {
       result_.status = draw_crossing_rows_outlined(command, origin, target);
     } else {
-      result_.status =
-          Method::walk(command.shade,
-                       RowDrawer<Columns::kInside, TriangleCommand<Method>, Target>{command, origin, target});
+      result_.status = Method::walk(
+          command.shade,
+          RowDrawer<ScissorColumns::kInside, TriangleCommand<Method>, Target>{command, origin, target});
     }
     return true;
   }
@@ -237,8 +237,8 @@ class TriangleDrawer {
   const Depth& depth_;
   const DrawOptions options_;
   DrawResult result_{};
-  Columns columns_ = Columns::kCrossing;  ///< of the current triangle
-  bool counted_ = false;                  ///< the current triangle is to be counted in the result
+  ScissorColumns columns_ = ScissorColumns::kCrossing;  ///< of the current triangle
+  bool counted_ = false;  ///< the current triangle is to be counted in the result
 };
 
 }  // namespace arcspan::detail

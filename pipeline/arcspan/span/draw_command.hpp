@@ -27,7 +27,7 @@ struct RasterOrigin {
 namespace detail {
 
 /// How a command's rows meet the left and right side of the scissor.
-enum class Columns : std::uint8_t {
+enum class ScissorColumns : std::uint8_t {
   kInside,   ///< every row lies within the scissor
   kCrossing  ///< rows have to be cut
 };
@@ -63,14 +63,14 @@ template <class Command, class Walker, class Target>
 
 /// Draws the visible part of the current row, at row y of the picture, in runs of at most Walker::kLongestRun
 /// pixels.
-template <Columns ColumnsType, class Command, class Walker, class Target>
+template <ScissorColumns kColumns, class Command, class Walker, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_row(const Command& command, const Walker& walker,
                                                        std::int32_t y, const Target& target,
                                                        const RowMemory<Target>& memory) {
   const std::int32_t begin = command.left.column();
   std::int32_t first = begin;
   std::int32_t last = command.right.column();
-  if constexpr (ColumnsType == Columns::kCrossing) {
+  if constexpr (kColumns == ScissorColumns::kCrossing) {
     if (first < target.scissor.left) first = target.scissor.left;
     if (last > target.scissor.right) last = target.scissor.right;
   }
@@ -145,7 +145,7 @@ inline constexpr bool kOutlineRows = OutlinedWalker<Walker> || SegmentedRun<type
 
 /// Draws the rows of a command that lie within the scissor. A method's walk() calls it with the walker of its
 /// choice.
-template <Columns ColumnsType, class Command, class Target, bool IsOutlined = false>
+template <ScissorColumns kColumns, class Command, class Target, bool IsOutlined = false>
 struct RowDrawer {
   Command& command;
   const RasterOrigin& origin;
@@ -176,7 +176,7 @@ struct RowDrawer {
       // Counts down, because few sinks need y and the counter then is its own test.
       for (std::int32_t left = half_end - y; left > 0;
            --left, memory.next(), next_row<Target>(command, walker)) {
-        const Status status = draw_row<ColumnsType>(command, walker, half_end - left, target, memory);
+        const Status status = draw_row<kColumns>(command, walker, half_end - left, target, memory);
         if (!ok(status)) return status;
       }
       if (half_end >= stop) return Status::kOk;
@@ -188,7 +188,7 @@ struct RowDrawer {
   [[nodiscard]] ARCSPAN_OUTLINE static constexpr Status draw_outlined(const RowDrawer& drawer,
                                                                       const Walker& walker) {
     const Target local = drawer.target;
-    return RowDrawer<ColumnsType, Command, Target, true>{drawer.command, drawer.origin, local}(walker);
+    return RowDrawer<kColumns, Command, Target, true>{drawer.command, drawer.origin, local}(walker);
   }
 };
 
@@ -199,8 +199,8 @@ inline constexpr bool kWholeRowsPay = !kOptimisedForSize && kHasManyRegisters;
 template <ShadingMethod Method, class Target>
 [[nodiscard]] constexpr Status draw_crossing_rows(TriangleCommand<Method>& command,
                                                   const RasterOrigin& origin, const Target& target) {
-  return Method::walk(
-      command.shade, RowDrawer<Columns::kCrossing, TriangleCommand<Method>, Target>{command, origin, target});
+  return Method::walk(command.shade, RowDrawer<ScissorColumns::kCrossing, TriangleCommand<Method>, Target>{
+                                         command, origin, target});
 }
 template <ShadingMethod Method, class Target>
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_crossing_rows_outlined(TriangleCommand<Method>& command,

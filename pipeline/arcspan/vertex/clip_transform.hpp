@@ -7,7 +7,6 @@
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/rotation.hpp>
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -137,104 +136,6 @@ class ClipTransform {
   int w_bits_ = 0;
 };
 
-namespace detail {
-
-/// The largest distance of a 16-bit position from the object's origin: 32768 * sqrt(3), rounded up.
-inline constexpr std::int64_t kObjectRadius = 56756;
-inline constexpr int kGuardBits = 10 + PixelLength::kFraction;  // division of a PixelLength by kGuardBand
-
-[[nodiscard]] constexpr std::int64_t magnitude64(std::int64_t v) { return v < 0 ? -v : v; }
-
-/// The ranges that ClipTransform::make() states.
-[[nodiscard]] constexpr bool acceptable(const Placement& placement, const Projection& projection,
-                                        const Viewport& viewport) {
-  constexpr std::int64_t kMaxTranslation = std::int64_t{1} << 22;
-  constexpr std::int32_t kMaxPicture = 2 * kGuardBand;
-  for (const ObjectLength t : placement.translation) {
-    if (magnitude64(t.raw()) > kMaxTranslation << ObjectLength::kFraction) return false;
-  }
-  return viewport.width >= 1 && viewport.height >= 1 && viewport.width <= kMaxPicture &&
-         viewport.height <= kMaxPicture && projection.focal.raw() > 0 && projection.near_plane.raw() > 0 &&
-         projection.far_plane > projection.near_plane;
-}
-
-/// The scale of clip space as a power of two: the largest with which all coordinates stay below 2^29.
-[[nodiscard]] constexpr int scale_bits(const Placement& placement, const Projection& projection) {
-  const auto farthest = [](ObjectLength t) {
-    return kObjectRadius + (magnitude64(t.raw()) >> ObjectLength::kFraction) + 1;
-  };
-  const std::int64_t x = farthest(placement.translation[0]);
-  const std::int64_t y = farthest(placement.translation[1]);
-  const std::int64_t widest = (((x > y ? x : y) * projection.focal.raw()) >> kGuardBits) + 1;
-  const std::int64_t w = farthest(placement.translation[2]);
-  const std::int64_t largest = widest > w ? widest : w;
-  return 29 - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(largest)));
-}
-
-/// value * factor * 2^shift, rounded down; |value| < 2^32, 0 < factor < 2^31.
-[[nodiscard]] ARCSPAN_OUTLINE constexpr std::int32_t rescaled(std::int64_t value, std::int64_t factor,
-                                                              int shift) {
-  const std::int64_t product = value * factor;
-  return static_cast<std::int32_t>(shift >= 0 ? product << shift : product >> -shift);
-}
-
-/// The camera's position in object space: -R^T t.
-[[nodiscard]] constexpr ObjectPoint eye_of(const Placement& placement) {
-  const auto coordinate = [&](std::size_t j) {
-    std::int64_t sum = 0;  // below 3 * 2^60
-    for (std::size_t i = 0; i < 3; ++i) {
-      sum -= std::int64_t{placement.rotation.m[i][j].raw()} * placement.translation[i].raw();
-    }
-    return static_cast<std::int32_t>(sum >> (RotationEntry::kFraction + ObjectLength::kFraction));
-  };
-  return {coordinate(0), coordinate(1), coordinate(2)};
-}
-
-}  // namespace detail
-
-constexpr Status ClipTransform::make(const Placement& placement, const Projection& projection,
-                                     const Viewport& viewport, ClipTransform& transform) {
-  if (!detail::acceptable(placement, projection, viewport)) return Status::kInvalidArgument;
-  const int bits = detail::scale_bits(placement, projection);
-  // Rows x and y contain the factor focal / kGuardBand. Rows y and w are negative, because y points down on
-  // the screen and the camera looks along -z.
-  const std::int64_t factors[3] = {projection.focal.raw(), projection.focal.raw(),
-                                   std::int64_t{1} << detail::kGuardBits};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::int64_t sign = i == 0 ? 1 : -1;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::int32_t entry = detail::rescaled(sign * placement.rotation.m[i][j].raw(), factors[i],
-                                                  bits + 14 - RotationEntry::kFraction - detail::kGuardBits);
-      transform.matrix_[i][j] = {entry >> 14, entry & 0x3FFF};
-    }
-    transform.offset_[i] = detail::rescaled(sign * placement.translation[i].raw(), factors[i],
-                                            bits - ObjectLength::kFraction - detail::kGuardBits);
-  }
-  // A near plane beyond the range of w hides everything. It saturates, so as not to wrap to the front.
-  constexpr std::int64_t kFarthest = (std::int64_t{1} << 30) - 1;
-  const std::int64_t near_w = (std::int64_t{projection.near_plane.raw()} << detail::kGuardBits) >>
-                              (ObjectLength::kFraction + detail::kGuardBits - bits);
-  transform.near_w_ = static_cast<std::int32_t>(near_w < 1 ? 1 : near_w > kFarthest ? kFarthest : near_w);
-  constexpr std::uint64_t kMaxDepthRange = std::uint64_t{1} << 27;  // shifted left by at least 3
-  // depth = margin + range * far / (far - near) * (1 - near / w).
-  const std::int64_t range = 65535 - 2 * kDepthMargin;
-  // Unsigned like the library's other divisions, which saves a routine of the compiler's run-time library.
-  const auto beyond_near = static_cast<std::uint32_t>(projection.far_plane.raw()) -
-                           static_cast<std::uint32_t>(projection.near_plane.raw());
-  const std::uint64_t depth_range =
-      static_cast<std::uint64_t>(range * projection.far_plane.raw()) / beyond_near;
-  // With beyond = 1 - near / w in 29 fraction bits, as in depth():
-  // depth_range * beyond = ((depth_range << shift) * beyond >> 32) >> (shift - 3).
-  const auto range32 =
-      static_cast<std::uint32_t>(depth_range < kMaxDepthRange ? depth_range : kMaxDepthRange);
-  const int shift = std::countl_zero(range32) - 1;
-  transform.depth_range_ = static_cast<std::int32_t>(range32 << shift);
-  transform.depth_shift_ = shift - 3;
-  transform.viewport_ = viewport;
-  transform.eye_ = detail::eye_of(placement);
-  transform.focal_ = projection.focal;
-  transform.w_bits_ = bits;
-  return Status::kOk;
-}
-
 }  // namespace arcspan
+
+#include <arcspan/vertex/make_clip_transform.hpp>

@@ -36,7 +36,7 @@ struct ShowArguments {
   double seconds = 0;  // 0: until a signal comes
 };
 
-struct Figures {
+struct ShowStatistics {
   int frames = 0;
   double draw_milliseconds = 0;
   double send_milliseconds = 0;
@@ -101,22 +101,22 @@ class Show {
     }
   }
 
-  [[nodiscard]] const Figures& figures() const { return figures_; }
+  [[nodiscard]] const ShowStatistics& statistics() const { return statistics_; }
 
  private:
   void show_frame() {
     const Scene scene = arguments_.turntable == 0
                             ? arguments_.options.scene
-                            : turntable_.scene(static_cast<std::size_t>(figures_.frames) % pictures_);
+                            : turntable_.scene(static_cast<std::size_t>(statistics_.frames) % pictures_);
     const Clock::time_point begin = Clock::now();
     RenderJob job = make_job(scene, mesh_, arguments_.options.mesh);
     job.counts = false;
     const RenderResult drawn = renderer_.render(job, [](std::size_t) {});
     const Clock::time_point ready = Clock::now();
     display_.show(drawn.image);
-    figures_.draw_milliseconds += milliseconds(ready - begin);
-    figures_.send_milliseconds += milliseconds(Clock::now() - ready);
-    ++figures_.frames;
+    statistics_.draw_milliseconds += milliseconds(ready - begin);
+    statistics_.send_milliseconds += milliseconds(Clock::now() - ready);
+    ++statistics_.frames;
   }
 
   // After the first frame, so that whoever reads it knows that there is something to see.
@@ -137,7 +137,7 @@ class Show {
   const Renderer& renderer_;
   std::size_t pictures_;  ///< a turn
   Turntable turntable_;
-  Figures figures_;
+  ShowStatistics statistics_;
 };
 
 // A path is a framebuffer, anything else the name of a panel.
@@ -155,9 +155,10 @@ int show_until_stopped(ShowArguments& arguments, const FixedMesh& mesh) {
   Show show(arguments, mesh, *display, signals);
   const int signal = show.run();
   display->finish();
-  const Figures& figures = show.figures();
-  std::printf("%d frames; drawing %.1f ms, sending %.1f ms a frame\n", figures.frames,
-              figures.draw_milliseconds / figures.frames, figures.send_milliseconds / figures.frames);
+  const ShowStatistics& statistics = show.statistics();
+  std::printf("%d frames; drawing %.1f ms, sending %.1f ms a frame\n", statistics.frames,
+              statistics.draw_milliseconds / statistics.frames,
+              statistics.send_milliseconds / statistics.frames);
   std::fflush(stdout);
   return signal;
 }

@@ -29,8 +29,8 @@ struct Plane {
   }
 };
 
-double luma_of(const Levels& c) { return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2]; }
-Levels levels_of(Rgb8 c) { return {double(c.r), double(c.g), double(c.b)}; }
+double luma_of(const ChannelLevels& c) { return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2]; }
+ChannelLevels levels_of(Rgb8 c) { return {double(c.r), double(c.g), double(c.b)}; }
 
 /// Where the weight of the neighbour at the distance i stands.
 std::size_t tap(int i) {
@@ -98,9 +98,9 @@ PictureError picture_error(const Image& picture, const ReferencePicture& referen
   double squares = 0;
   for (std::int32_t y = 0; y < reference.height; ++y) {
     for (std::int32_t x = 0; x < reference.width; ++x) {
-      const Levels drawn = levels_of(picture.at(x, y));
+      const ChannelLevels drawn = levels_of(picture.at(x, y));
       const ReferenceSample* sample = reference.at(x, y);
-      const Levels wanted = sample == nullptr ? levels_of(background) : sample->levels;
+      const ChannelLevels wanted = sample == nullptr ? levels_of(background) : sample->levels;
       ours.at(x, y) = luma_of(drawn);
       theirs.at(x, y) = luma_of(wanted);
       if (sample == nullptr) continue;
@@ -125,7 +125,7 @@ std::vector<double> error_map(const Image& picture, const ReferencePicture& refe
     for (std::int32_t x = 0; x < reference.width; ++x, ++i) {
       const ReferenceSample* sample = reference.at(x, y);
       if (sample == nullptr) continue;
-      const Levels drawn = levels_of(picture.at(x, y));
+      const ChannelLevels drawn = levels_of(picture.at(x, y));
       for (std::size_t c = 0; c < 3; ++c) map[i] = std::max(map[i], std::fabs(drawn[c] - sample->levels[c]));
     }
   }

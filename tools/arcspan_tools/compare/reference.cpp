@@ -48,7 +48,7 @@ class NumberSink {
   ReferencePicture* picture_;
 };
 
-Levels to_levels(const ChannelCoefficients& c) {
+ChannelLevels to_levels(const ChannelCoefficients& c) {
   const auto level = [](Coefficient v) { return 255 * std::ldexp(v.raw(), -Coefficient::kFraction); };
   return {level(c.r), level(c.g), level(c.b)};
 }
@@ -75,7 +75,7 @@ ReferenceIllumination::ReferenceIllumination(const RenderJob& job)
   }
 }
 
-Levels ReferenceIllumination::levels(Vec3 normal) const {
+ChannelLevels ReferenceIllumination::levels(Vec3 normal) const {
   double lit = 0;
   double shine = 0;
   for (const auto& [light, strength] : lights) {
@@ -86,7 +86,7 @@ Levels ReferenceIllumination::levels(Vec3 normal) const {
     lit += strength * normal_light;
     shine += strength * std::pow(std::max(cosine, 0.0), shininess);
   }
-  Levels result;
+  ChannelLevels result;
   for (std::size_t c = 0; c < 3; ++c) {
     result[c] = std::clamp(ambient[c] + diffuse[c] * lit + specular[c] * shine, 0.0, 255.0);
   }

@@ -16,13 +16,13 @@ namespace arcspan::tools {
 enum class ReferenceKind : std::uint8_t { kPhong, kSlerp };
 
 /// Red, green, blue in 8-bit steps, 0...255, not rounded.
-using Levels = std::array<double, 3>;
+using ChannelLevels = std::array<double, 3>;
 
 /// S0 eq. 1 or 12 in doubles.
 struct ReferenceIllumination {
-  Levels ambient{};
-  Levels diffuse{};
-  Levels specular{};
+  ChannelLevels ambient{};
+  ChannelLevels diffuse{};
+  ChannelLevels specular{};
   double shininess = 1;
   bool phong_highlight = false;
   struct Light {
@@ -34,12 +34,12 @@ struct ReferenceIllumination {
 
   ReferenceIllumination() = default;
   explicit ReferenceIllumination(const RenderJob& job);
-  [[nodiscard]] Levels levels(Vec3 normal) const;
+  [[nodiscard]] ChannelLevels levels(Vec3 normal) const;
 };
 
 struct ReferenceSample {
   Vec3 normal;  ///< unit length
-  Levels levels{};
+  ChannelLevels levels{};
 };
 
 /// A picture in doubles.

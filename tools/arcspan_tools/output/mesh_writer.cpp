@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kColumns = 108;
 
 /// An array's elements, as many in a line as fit.
-class Rows {
+class ArrayText {
  public:
   void add(const std::string& element) {
     if (column_ + element.size() + 2 > kColumns) {
@@ -39,12 +39,12 @@ std::string braced(std::initializer_list<int> values) {
 
 std::string triple(const ObjectPosition& p) { return braced({p.x, p.y, p.z}); }
 
-std::string array(const std::string& type, const std::string& name, const Rows& rows) {
+std::string array(const std::string& type, const std::string& name, const ArrayText& rows) {
   return "inline constexpr " + type + " " + name + "[] = {" + rows.text() + "\n};\n\n";
 }
 
 std::string plane_arrays(const FixedMesh& mesh) {
-  Rows planes;
+  ArrayText planes;
   for (const FacePlane& p : mesh.planes) planes.add(braced({p.x, p.y, p.z, p.offset}));
   const PlaneScale& scale = mesh.plane_scale;
   return array("arcspan::FacePlane", "kPlanes", planes) + "inline constexpr arcspan::PlaneScale kPlaneScale" +
@@ -115,9 +115,9 @@ std::size_t mesh_bytes(MeshOutput output, std::size_t vertices, std::size_t tria
 
 std::string mesh_header(const FixedMesh& mesh, const MeshFigures& figures, const std::string& name,
                         const std::string& origin) {
-  Rows positions;
-  Rows normals;
-  Rows indices;
+  ArrayText positions;
+  ArrayText normals;
+  ArrayText indices;
   for (const ObjectPosition& p : mesh.positions) positions.add(triple(p));
   for (const PackedNormal& n : mesh.normals) normals.add(braced({n.u, n.v}));
   for (const std::uint16_t index : mesh.indices) indices.add(std::to_string(index));

@@ -87,12 +87,13 @@ Figure recurrence_figure() {
   figure.y_label = "largest error";
   figure.logarithmic_x = true;
   figure.logarithmic_y = true;
-  struct Words {
+  struct WordLength {
     const char* label;
     int fraction;
   };
-  for (const Words& words : {Words{"as printed, 12-bit words", 10}, Words{"as printed, 16-bit words", 14},
-                             Words{"as printed, 24-bit words", 22}, Words{"as printed, 32-bit words", 30}}) {
+  for (const WordLength& words :
+       {WordLength{"as printed, 12-bit words", 10}, WordLength{"as printed, 16-bit words", 14},
+        WordLength{"as printed, 24-bit words", 22}, WordLength{"as printed, 32-bit words", 30}}) {
     figure.curves.push_back(growth_curve(
         words.label, [&words](int pixels) { return printed_recurrence_error(pixels, words.fraction); }));
   }

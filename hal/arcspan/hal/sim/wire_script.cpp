@@ -9,12 +9,12 @@ namespace arcspan::hal::sim {
 namespace {
 
 using Kind = WireEvent::Kind;
-using Words = std::vector<std::string_view>;
+using WordList = std::vector<std::string_view>;
 
 constexpr std::size_t kMostBytes = 1u << 24;
 
-Words words_of(std::string_view line) {
-  Words words;
+WordList words_of(std::string_view line) {
+  WordList words;
   constexpr std::string_view kBlank = " \t\r";
   std::size_t at = line.find_first_not_of(kBlank);
   while (at != std::string_view::npos) {
@@ -70,7 +70,7 @@ std::string read_bytes(std::span<const std::string_view> words, std::vector<std:
   return "";
 }
 
-std::string read_delay(const Words& words, WireEvent& event) {
+std::string read_delay(const WordList& words, WireEvent& event) {
   const std::optional<std::uint64_t> count = words.size() == 3 ? number(words[1], 10) : std::nullopt;
   const bool ms = words.size() == 3 && words[2] == "ms";
   if (!count || *count == 0 || *count > UINT32_MAX || (!ms && words[2] != "us"))
@@ -81,7 +81,7 @@ std::string read_delay(const Words& words, WireEvent& event) {
   return "";
 }
 
-std::string read_pin(const Words& words, WireEvent& event) {
+std::string read_pin(const WordList& words, WireEvent& event) {
   const bool reads = words[0] == "read";
   const std::optional<Level> level =
       words.size() == (reads ? 3u : 2u) ? level_of(words.back()) : std::nullopt;
@@ -92,7 +92,7 @@ std::string read_pin(const Words& words, WireEvent& event) {
   return "";
 }
 
-std::string read_event(const Words& words, WireEvent& event) {
+std::string read_event(const WordList& words, WireEvent& event) {
   const std::span<const std::string_view> rest = std::span(words).subspan(1);
   if (words[0] == "wait") return read_delay(words, event);
   if (words[0] == "command" || words[0] == "data") {
@@ -121,7 +121,7 @@ std::string read_line(std::string_view line, WireEvent& event) {
     event.answer = *status;
     line = line.substr(0, equals);
   }
-  const Words words = words_of(line);
+  const WordList words = words_of(line);
   return words.empty() ? "nothing before =" : read_event(words, event);
 }
 

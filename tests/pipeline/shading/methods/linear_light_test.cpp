@@ -118,7 +118,7 @@ class LinearTriangle {
 }  // namespace
 
 TEST_CASE("linear light and the highlight left out are together within the tolerance") {
-  // Levels have 15 bits, a step of the light has 143 of them.
+  // ChannelLevels have 15 bits, a step of the light has 143 of them.
   constexpr double kRounding = 0.02;
   Random random(31);
   int linear = 0;

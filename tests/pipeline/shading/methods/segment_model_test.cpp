@@ -27,7 +27,7 @@ struct Lighting {
   Vec3 half;
   IlluminationOracle material;
 
-  [[nodiscard]] IlluminationOracle::Levels operator()(Vec3 normal) const {
+  [[nodiscard]] IlluminationOracle::ChannelLevels operator()(Vec3 normal) const {
     return material.levels(dot(normal, light), dot(normal, half), true);
   }
 };
@@ -42,12 +42,12 @@ class SegmentModel {
     const auto fits = [&](std::int64_t length) { return static_cast<double>(length) * step < kWidestStep; };
     while (length_ < std::int64_t{1} << bits && length_ < count - 1 && fits(2 * length_)) length_ *= 2;
   }
-  [[nodiscard]] IlluminationOracle::Levels at(std::int64_t column) const {
+  [[nodiscard]] IlluminationOracle::ChannelLevels at(std::int64_t column) const {
     const std::int64_t part = (column - first_) % length_;
     const auto from = lighting_(row_.at(column - part));
     const auto to = lighting_(row_.at(column - part + length_));
     const double t = static_cast<double>(part) / static_cast<double>(length_);
-    IlluminationOracle::Levels result;
+    IlluminationOracle::ChannelLevels result;
     for (std::size_t c = 0; c < 3; ++c) result[c] = (1 - t) * from[c] + t * to[c];
     return result;
   }

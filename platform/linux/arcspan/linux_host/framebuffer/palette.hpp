@@ -19,10 +19,10 @@ class Palette {
   [[nodiscard]] static Palette rgb332();
 
  private:
-  using Levels = std::array<std::uint16_t, 256>;  // 0 ... 65535, as in the kernel
-  Levels red_{};
-  Levels green_{};
-  Levels blue_{};
+  using LevelTable = std::array<std::uint16_t, 256>;  // 0 ... 65535, as in the kernel
+  LevelTable red_{};
+  LevelTable green_{};
+  LevelTable blue_{};
 };
 
 }  // namespace arcspan::linux_host

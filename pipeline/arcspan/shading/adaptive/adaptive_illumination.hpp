@@ -32,8 +32,8 @@ class AdaptiveIllumination : public Illumination {
     (void)set_tolerance(1);
   }
 
-  /// Sets the tolerance: the largest difference from the colour of `Arc` before rounding, in 8-bit steps; 1
-  /// by default. Returns kInvalidArgument and changes nothing unless `steps` is in 0...kMostTolerance.
+  /// Sets the tolerance: the largest difference from the colour of `Arc` before rounding, in 8-bit steps. It
+  /// is 1 at first. Returns kInvalidArgument and changes nothing unless `steps` is in 0...kMostTolerance.
   [[nodiscard]] constexpr Status set_tolerance(std::int32_t steps) {
     if (steps < 0 || steps > kMostTolerance) return Status::kInvalidArgument;
     const auto tolerance = static_cast<std::uint32_t>(steps) << kStepBits;

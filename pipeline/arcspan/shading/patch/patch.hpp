@@ -30,7 +30,7 @@ struct PatchEdge {
   Cosine slope_step;         ///< change of `slope` per row
 
   /// Assigns member by member, because a call of memcpy costs more on cores with few registers.
-  constexpr void assign(const PatchEdge& other) {
+  constexpr void become(const PatchEdge& other) {
     at = other.at;
     step = other.step;
     second_difference = other.second_difference;

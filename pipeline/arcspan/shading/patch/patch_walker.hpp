@@ -112,7 +112,7 @@ class PatchWalker {
   }
   constexpr void enter_lower() {
     if (!middle_left_) return;
-    unrolled<Run::kUsed>([this](auto i) { (*patch_)[i].left.assign((*patch_)[i].lower); });
+    unrolled<Run::kUsed>([this](auto i) { (*patch_)[i].left.become((*patch_)[i].lower); });
   }
 
  private:

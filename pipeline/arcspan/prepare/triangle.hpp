@@ -38,10 +38,10 @@ struct RowRange {
 /// the side of the middle vertex. Each edge holds its x at the first row that uses it.
 template <class Method>
 struct TriangleCommand {
-  std::int16_t first_row;  ///< relative to the raster origin
-  std::int16_t middle_row;
-  std::int16_t end_row;
-  bool middle_left;  ///< the middle vertex is on the left of the long edge
+  std::int16_t first_row;   ///< relative to the raster origin, as the other two
+  std::int16_t middle_row;  ///< first row of the lower half
+  std::int16_t end_row;     ///< row after the last
+  bool middle_left;         ///< the middle vertex is on the left of the long edge
   EdgeWalk left;
   EdgeWalk right;
   EdgeWalk lower;

@@ -155,7 +155,7 @@ struct Adaptive : Arc<Illumination> {
     const auto& middle = frame.middle->shade.scalars;
     const auto& bottom = frame.bottom->shade.scalars;
     if (top[0].raw() < kLit || middle[0].raw() < kLit || bottom[0].raw() < kLit) return false;
-    std::int32_t farthest = 0;  // largest half distance so far
+    std::int32_t farthest = 0;  // the largest half distance so far
     const auto distance = [&](Cosine light, Cosine eye) {
       const std::int32_t half = lighting.half_distance(light, eye);
       if (half > farthest) farthest = half;

@@ -49,7 +49,7 @@ class AdaptiveIllumination : public Illumination {
     return Status::kOk;
   }
 
-  /// Returns the half distance from which on highlights are omitted, because they are at most half the
+  /// Returns the half distance from which on highlights are omitted, because they are below half the
   /// tolerance: (1 - c) / 2 of the highlight's cosine c, 30 fraction bits.
   [[nodiscard]] constexpr std::int32_t half_tolerance_reach() const { return half_tolerance_reach_; }
 

@@ -12,7 +12,7 @@
 
 namespace arcspan {
 
-/// `Count` scalars that are stepped along the arc of one edge; they factor the factor of the recurrence.
+/// `Count` scalars that are stepped along the arc of one edge; they share the factor of the recurrence.
 template <std::size_t Count>
 struct ArcEdge {
   std::array<ArcScalar, Count> scalars;
@@ -64,7 +64,7 @@ struct SlopeScale {
   return {static_cast<std::int32_t>(a.mantissa), drop, down > 31 ? 31 : down};
 }
 
-/// Returns a scalar and its first difference at the start of an arc along which it goes from `from` to `to`
+/// Returns a scalar and its first difference at the start of an arc from the value `from` to the value `to`
 /// (see ArcStart), by five 16-bit multiplies. `format` is that of `start`.
 [[nodiscard]] constexpr ArcScalar start_scalar(const ArcStart& start, AngleFormat format,
                                                const SlopeScale& scale, Cosine from, Cosine to) {

@@ -9,7 +9,7 @@
 
 namespace arcspan {
 
-/// The factor k = 2 - 2 cos(phi) of an arc that is walked in steps of the angle phi, in block floating point:
+/// The factor k = 2 - 2 cos(phi) of an arc with steps of the angle phi, in block floating point:
 /// k = mantissa * 2^-(16 + shift + fine). A k of 1/4 or more (28.9 degrees per step) saturates; it only
 /// occurs where an arc has no second step to make.
 struct ArcStep {

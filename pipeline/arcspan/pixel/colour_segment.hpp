@@ -7,12 +7,12 @@
 
 namespace arcspan {
 
-/// A colour that changes linearly over at most 2^kFraction steps: the three channels of PackedRgb (10 bits)
-/// with kFraction fraction bits each, rounded down when they are read.
+/// A colour that changes linearly over at most 2^kFraction steps. It holds the three 10-bit channels of
+/// PackedRgb with kFraction fraction bits each, which packed() drops.
 ///
-/// `red_blue` has red in bits 30...16 and blue in 14...0, `green` has green in 30...16. The free bit between
-/// red and blue keeps the sign of differences, in which blue may borrow from red. Sums of steps are exact in
-/// every channel.
+/// `red_blue` holds red in bits 30...16 and blue in bits 14...0; `green` holds green in bits 30...16. Bit
+/// 15 is free for the sign of a blue difference, which borrows from red. Sums of steps are exact in every
+/// channel.
 struct ColourSegment {
   static constexpr int kFraction = 5;
 
@@ -23,7 +23,7 @@ struct ColourSegment {
     return {((c.lanes << 10) & 0x7FE00000u) | ((c.lanes << kFraction) & 0x7FE0u),
             (c.lanes >> 1) & 0x7FE00000u};
   }
-  /// The step that leads to `end` in 2^bits steps, bits in 0...kFraction; exact.
+  /// Returns the step that reaches `end` after 2^bits steps. It is exact for bits in 0...kFraction.
   [[nodiscard]] constexpr ColourSegment step_to(ColourSegment end, int bits) const {
     return {static_cast<std::uint32_t>(static_cast<std::int32_t>(end.red_blue - red_blue) >> bits),
             static_cast<std::uint32_t>(static_cast<std::int32_t>(end.green - green) >> bits)};
@@ -38,7 +38,7 @@ struct ColourSegment {
   }
 };
 
-/// A run of pixels whose colours change linearly.
+/// The pixels of one segment, from left to right (PixelRun): the colour changes by `step` per pixel.
 struct SegmentPixels {
   ColourSegment at;
   ColourSegment step;

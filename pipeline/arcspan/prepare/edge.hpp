@@ -11,22 +11,26 @@
 
 namespace arcspan {
 
-/// An edge on its way down the rows. `x` is where the row's centre line meets it, in pixels with 32 fraction
-/// bits, plus 1/2, less 2^-20. Its upper word is then ceil(x - 1/2), the first column whose centre is not
-/// left of the edge, and its complemented lower word is the distance from the edge to that centre.
+/// Steps down an edge, one row at a time. `x` is the place where the edge crosses the row's centre line, plus
+/// 1/2 - 2^-20, in pixels with 32 fraction bits; `step` is its change per row. With this bias the upper word
+/// of `x` is ceil(true x - 1/2), the first column whose centre is not left of the edge, and the complement of
+/// the lower word is the distance from the edge to that centre.
 ///
-/// This is exact: an edge's true x at a row centre is a multiple of 2^-19, since both coordinates have 4
-/// fraction bits and dy fits 15; the step is short by less than 2^-32, over 2048 rows 2^-21.
+/// The column is exact. Both coordinates have 4 fraction bits and dy < 2^15, so the true x of a row is either
+/// equal to the centre of a column or at least 1/(16 dy) > 2^-19 away from it. The step is too small by less
+/// than 2^-32, which is less than 2^-21 over 2048 rows (decision 1).
 struct EdgeWalk {
   std::int64_t x;
   std::int64_t step;
 
   [[nodiscard]] constexpr std::int32_t column() const { return static_cast<std::int32_t>(x >> 32); }
 
-  /// Distance from the edge to the centre of column(), 16 fraction bits, 0...1.
+  /// Returns the distance from the edge to the centre of column() in pixels: 16 fraction bits, 0 or more and
+  /// below 1.
   [[nodiscard]] constexpr std::uint32_t fraction() const { return ~static_cast<std::uint32_t>(x) >> 16; }
 
-  /// The same with 32 fraction bits and without the bias: for rows so narrow that 16 bits of it say little.
+  /// Returns the distance of fraction() with 32 fraction bits and without the bias of 2^-20. It is for rows
+  /// narrower than a pixel, where 16 fraction bits are too coarse.
   [[nodiscard]] constexpr std::uint32_t fine_fraction() const {
     const std::uint32_t biased = ~static_cast<std::uint32_t>(x);
     return biased < 4096u ? 0u : biased - 4096u;
@@ -35,23 +39,23 @@ struct EdgeWalk {
   constexpr void advance() { x += step; }
 };
 
-/// The part of an edge's way that depends on its two ends only: from `top` to `bottom`, top.y < bottom.y, so
-/// that the two triangles of an edge walk it alike. `row` is the first row to be drawn, `offset` its centre's
-/// distance below the top in 16ths of a row (0 <= offset < 2^15).
+/// The set-up of an edge that runs from its upper end `top` down to its lower end. It depends on these two
+/// ends and on the first row to be drawn only, so the two triangles of an edge step down it identically.
 struct EdgeSetup {
   const RasterPosition* top;
-  std::int32_t dy;      ///< height, 1...2^15 - 1 16ths of a row
-  std::int32_t offset;  ///< centre of the first row below the top, 16ths of a row
-  /// Reciprocal of dy. Unset on short right edges until make_inverse() is called, because only arcs need it
-  /// there.
+  std::int32_t dy;      ///< height in 16ths of a row, 1...2^15 - 1
+  std::int32_t offset;  ///< depth of the first row's centre below the top in 16ths of a row, 0...2^15 - 1
+  /// Reciprocal of dy. Unset on short right edges until make_inverse() is called, because only the arc path
+  /// interpolates along them.
   Reciprocal inverse;
 
   constexpr void make_inverse() { inverse = nonzero_reciprocal(static_cast<std::uint32_t>(dy)); }
 };
 
-/// First row whose centre is at or below y: ceil(y - 1/2).
+/// Returns the first row whose centre is at or below y (28.4): ceil(y - 1/2).
 [[nodiscard]] constexpr std::int32_t first_row_at(std::int32_t y) { return (y + 7) >> 4; }
 
+/// Sets up the edge from `top` to `bottom`, where top.y < bottom.y; `row` is the first row to be drawn.
 constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& bottom, std::int32_t row,
                                bool on_left, EdgeSetup& edge) {
   edge.top = &top;
@@ -60,7 +64,7 @@ constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& 
   if (on_left || !kHasLongMultiply) edge.make_inverse();
 }
 
-/// offset / dy in 15 fraction bits, at most 1.
+/// Returns offset / dy, the fraction of the edge at the first row: rounded down, 0...1.
 [[nodiscard]] constexpr Factor start_fraction(const EdgeSetup& edge) {
   const std::uint32_t product = static_cast<std::uint32_t>(edge.offset) * edge.inverse.mantissa;
   const std::uint32_t fraction = product >> (edge.inverse.exponent - Factor::kFraction);
@@ -69,14 +73,14 @@ constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& 
 
 namespace detail {
 
-/// A quotient with 32 fraction bits, the last 16 of them apart, and whether nothing was left.
+/// A quotient with 32 fraction bits: upper * 2^-16 + lower * 2^-32. `exact` is true if the remainder is 0.
 struct Quotient {
   std::uint32_t upper;
   std::uint32_t lower;
   bool exact;
 };
 
-/// dividend / divisor, rounded down, by schoolbook division; both below 2^15.
+/// Returns dividend / divisor, rounded down, by long division; both below 2^15, the divisor above 0.
 [[nodiscard]] constexpr Quotient divide(std::uint32_t dividend, std::uint32_t divisor) {
   if constexpr (kHasWideRegisters) {
     const std::uint64_t whole = std::uint64_t{dividend} << 32;
@@ -90,15 +94,16 @@ struct Quotient {
   return {upper, lower, rest == lower * divisor};
 }
 
-/// The same without a divide: each digit is estimated by the divisor's nonzero_reciprocal(), refined, off by
-/// one at most, and put right by what it leaves.
+/// Returns the quotient of divide() without a division instruction. `reciprocal` is nonzero_reciprocal() of
+/// the divisor. Each 16-bit digit is estimated with the refined reciprocal; the estimate is wrong by at most
+/// one, and the remainder corrects it.
 [[nodiscard]] constexpr Quotient divide_by_reciprocal(std::uint32_t dividend, std::uint32_t divisor,
                                                       const Reciprocal& reciprocal) {
   const int zeros = 16 + 31 - reciprocal.exponent;
   const std::uint32_t inverse = refined_mantissa(divisor << zeros, reciprocal.mantissa);
   std::uint32_t rest = dividend;
   const auto digit = [&](int up) {
-    // rest * 2^up / divisor = (rest << (up + zeros - 16)) * inverse >> 46, the product in two parts.
+    // rest * 2^up / divisor = ((rest << (up + zeros - 16)) * inverse) >> 46; the last shift is in two parts.
     const std::uint32_t scaled_rest = rest << up;
     std::uint32_t quotient = multiply_high(scaled_rest << 1, inverse) >> (31 - zeros);
     rest = scaled_rest - quotient * divisor;
@@ -119,7 +124,7 @@ struct Quotient {
 
 }  // namespace detail
 
-/// The exact walk of an edge (see EdgeWalk).
+/// Sets `walk` to the edge at its first row; `bottom` is the lower end that `edge` was set up with.
 constexpr void make_edge_walk(const EdgeSetup& edge, const RasterPosition& bottom, EdgeWalk& walk) {
   const std::int32_t dx = bottom.x - edge.top->x;
   const auto magnitude = static_cast<std::uint32_t>(dx < 0 ? -dx : dx);

@@ -8,15 +8,15 @@
 
 namespace arcspan {
 
-/// An attribute linear on the screen, on its way down a left edge.
+/// An attribute that is linear on the screen, along a left edge.
 template <class Value>
 struct BasicLinearEdge {
-  Value at;    ///< on the edge, at the row's centre line
+  Value at;    ///< value where the edge crosses the row's centre line
   Value step;  ///< per row
 };
 
-/// An attribute linear on the screen: its values along the left edge, and its gradient along a row. `lower`
-/// takes the left edge's place at the middle row if the middle vertex is on the left.
+/// An attribute that is linear on the screen: its values along the left edge and its gradient along the rows.
+/// At the middle row `lower` replaces `left` if the middle vertex is on the left.
 template <class Value>
 struct BasicLinearPlane {
   BasicLinearEdge<Value> left;
@@ -31,30 +31,31 @@ struct BasicLinearPlane {
   }
 };
 
-/// Of any 16-bit attribute, and of one whose values are at most 65280 apart.
+/// LinearPlane is for any 16-bit attribute, FullLinearPlane for values that differ by at most 65280.
 using LinearPlane = BasicLinearPlane<Linear>;
 using FullLinearPlane = BasicLinearPlane<FullLinear>;
 
-/// The largest gradient: the whole 16-bit range in one pixel, or what fits of it. A steeper one only occurs
-/// in triangles narrower than a pixel, whose spans have one pixel and do not step. What does not fit leaves
-/// room for rounding the gradient to a multiple of 32 (`FineRgb`).
+/// Raw value of the largest gradient, 2^16 per pixel or row. A steeper one only occurs in triangles narrower
+/// than a pixel, whose spans have one pixel and do not step. For FullLinear it is 32 less, so that the
+/// gradient still fits after FineRgb has rounded it to a multiple of 32.
 template <class Value>
 inline constexpr std::int32_t kMaxGradient = static_cast<std::int32_t>((std::int64_t{1}
                                                                         << (16 + Value::kFraction)) -
                                                                        (Value::kFraction < 15 ? 0 : 32));
 
-/// How many bits of a fraction a product with a difference of two values has room for.
+/// The fraction bits that a factor may have so that its product with a difference of two values fits 32 bits.
 template <class Value>
 inline constexpr int kFractionBits = Value::kFraction < 15 ? 14 : 15;
 
-/// value * fraction, |value| <= 2^29, fraction with 16 fraction bits in 0...1, rounded down; 32-bit
-/// multiplies.
+/// Returns value * fraction, rounded down, with 32-bit multiplies. `fraction` has 16 fraction bits and is in
+/// 0...1; the magnitude of the raw value is at most 2^29.
 [[nodiscard]] constexpr Linear times_fraction(Linear value, std::uint32_t fraction) {
   return Linear::from_raw(scaled_down(value.raw(), fraction, 16));
 }
 
-/// difference / (distance) as a gradient per unit, saturated at kMaxGradient; `difference` is a 16-bit
-/// attribute's, |difference| < 2^16; the distance is given by its reciprocal with `bits` fraction bits.
+/// Returns difference / distance, a gradient per pixel or row, saturated at +-kMaxGradient. `difference` is
+/// that of two 16-bit attributes, |difference| < 2^16; `inverse` is the reciprocal of the distance, which has
+/// `bits` fraction bits.
 template <class Value>
 [[nodiscard]] constexpr Value gradient(std::int32_t difference, const Reciprocal& inverse, int bits) {
   // 1/distance = mantissa * 2^(bits - exponent); the product with a 15-bit mantissa fits 32 bits.
@@ -63,7 +64,7 @@ template <class Value>
   const int shift = inverse.exponent - 1 - bits - Value::kFraction;
   if (shift >= 31) return Value{};
   if (shift >= 1) {
-    const std::int32_t slope = ((product >> (shift - 1)) + 1) >> 1;  // rounded, without a shifted half
+    const std::int32_t slope = ((product >> (shift - 1)) + 1) >> 1;  // rounds without overflow
     if (slope > kMax || slope < -kMax) [[unlikely]] {
       return Value::from_raw(slope < 0 ? -kMax : kMax);
     }
@@ -75,7 +76,7 @@ template <class Value>
   return Value::from_raw(wrap_shl(product, -shift < 31 ? -shift : 0));
 }
 
-/// difference * fraction, 0...1, in format `Value`.
+/// Returns difference * fraction in the format of `Value`; `fraction` is in 0...1.
 template <class Value>
 [[nodiscard]] constexpr std::int32_t part_of(std::int32_t difference, Factor fraction) {
   constexpr int kBits = kFractionBits<Value>;
@@ -87,7 +88,7 @@ template <class Value>
   }
 }
 
-/// Attribute `from` at the top of an edge and `to` at its bottom, 16 bits each.
+/// Sets up an attribute along an edge: `from` at its top, `to` at its bottom, 16 bits each.
 template <class Value>
 constexpr void make_linear_edge(const EdgeSetup& edge, std::int32_t from, std::int32_t to,
                                 BasicLinearEdge<Value>& linear) {
@@ -97,8 +98,8 @@ constexpr void make_linear_edge(const EdgeSetup& edge, std::int32_t from, std::i
   linear.step = gradient<Value>(difference, edge.inverse, Subpixel::kFraction);
 }
 
-/// The attribute at a row's first pixel. Beyond the first column it goes in whole steps, so that cutting a
-/// row changes nothing.
+/// Returns the attribute at a row's first pixel. Every skipped column adds exactly one gradient, so that
+/// starting a row later does not change its pixels.
 [[nodiscard]] ARCSPAN_INLINE constexpr Linear linear_at(const LinearPlane& plane, const RowStart& start) {
   const Linear first = plane.left.at + times_fraction(plane.dx, start.fraction);
   if (start.skipped == 0) [[likely]] {
@@ -107,7 +108,8 @@ constexpr void make_linear_edge(const EdgeSetup& edge, std::int32_t from, std::i
   return first + Linear::from_raw(wrap_mul(plane.dx.raw(), start.skipped));
 }
 
-/// The same by one multiply for what lies within a pixel, with an error below 2: an 8-bit step has 256.
+/// Returns the attribute at a row's first pixel. The fraction of a pixel takes one multiply, whose error is
+/// below 2; Gouraud's colours have 256 per 8-bit step.
 [[nodiscard]] ARCSPAN_INLINE constexpr FullLinear linear_at(const FullLinearPlane& plane,
                                                             const RowStart& start) {
   const std::int32_t inside = wrap_mul(plane.dx.raw() >> 16, static_cast<std::int32_t>(start.fraction));

@@ -8,19 +8,20 @@
 
 namespace arcspan {
 
-/// A row of a triangle as its method's walker gets it.
+/// The position of a row's first pixel, from which the method's walker starts the row (RowWalker).
 struct RowStart {
-  /// From the left edge to the centre of the row's first column, in pixels with 16 fraction bits, below 1.
+  /// Distance in pixels from the left edge to the centre of the first column inside the triangle: 16 fraction
+  /// bits, 0 or more and below 1.
   std::uint32_t fraction;
-  /// How many columns the first pixel lies beyond that one: where the row is cut on the left, or begun anew.
+  /// Columns from that column to the first pixel. Above 0 if the scissor cuts the row on the left, or if a
+  /// long row is drawn in several runs.
   std::int32_t skipped;
-  /// The same distance to the first pixel, and the whole row's length, at least 1, both with `bits` fraction
-  /// bits: 16, or 32 for rows shorter than a pixel.
-  std::uint32_t inside;
-  std::uint32_t width;
-  int bits;
+  std::uint32_t inside;  ///< distance in pixels from the left edge to the first pixel, `bits` fraction bits
+  std::uint32_t width;   ///< length of the whole row in pixels, `bits` fraction bits; raw value at least 1
+  int bits;              ///< 16, or 32 for rows shorter than a pixel
 };
 
+/// Returns the start of the row between two edges, `skipped` columns after its first column.
 [[nodiscard]] ARCSPAN_INLINE constexpr RowStart row_start(const EdgeWalk& left, const EdgeWalk& right,
                                                           std::int32_t skipped) {
   const std::uint32_t fraction = left.fraction();

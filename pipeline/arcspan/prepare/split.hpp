@@ -8,8 +8,9 @@
 
 namespace arcspan {
 
-/// The vertex half-way along an edge on the screen, with the shading half-way along its arc. Does not depend
-/// on the edge's direction, so that both triangles of an edge split it alike and no gap opens.
+/// Returns the vertex half-way along an edge on the screen, with the shading half-way along its arc. It does
+/// not depend on the order of the two ends, so both triangles of an edge get the same vertex and no gap
+/// opens.
 template <class Method>
 [[nodiscard]] ARCSPAN_COLD_OUTLINE constexpr RasterVertex<Method> middle_vertex(
     const RasterVertex<Method>& a, const RasterVertex<Method>& b) {
@@ -21,14 +22,15 @@ template <class Method>
   return middle;
 }
 
-/// How often a part of a triangle may be split again. Two halvings bring an edge of 180 degrees below the 60
-/// that arcs are good for, but the edges between middles of a spherical triangle are more than half as wide;
-/// with 5, none of 10^5 triangles within a cone of 90 degrees was left too wide (with 3: 64).
+/// The depth to which a triangle may be split. Two halvings bring an edge of 180 degrees below the 60 degrees
+/// that arcs support, but the edges between the middles of a spherical triangle are more than half as wide as
+/// its own. With depth 5 none of 10^5 triangles within a cone of 90 degrees stayed too wide; with depth 3, 64
+/// did.
 inline constexpr int kMaxSplits = 5;
 
 namespace detail {
 
-/// Halves ab.
+/// Splits a triangle in two at the middle of ab.
 template <class Method, class Emit>
 ARCSPAN_COLD constexpr void split_one_edge(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                                            const RasterVertex<Method>& c, const Emit& emit) {
@@ -37,7 +39,7 @@ ARCSPAN_COLD constexpr void split_one_edge(const RasterVertex<Method>& a, const 
   emit(m, b, c);
 }
 
-/// Halves ab and bc.
+/// Splits a triangle in three at the middles of ab and bc.
 template <class Method, class Emit>
 ARCSPAN_COLD constexpr void split_two_edges(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                                             const RasterVertex<Method>& c, const Emit& emit) {
@@ -50,10 +52,10 @@ ARCSPAN_COLD constexpr void split_two_edges(const RasterVertex<Method>& a, const
 
 }  // namespace detail
 
-/// Calls `emit(a, b, c)` for the parts of a triangle whose normals are close enough for its method. Every
-/// edge that is too wide is halved at once, whatever the other two are: an edge's fate is its own, so that no
-/// gap opens towards the triangle behind it, however deep either may be split. Calls itself, so `emit` should
-/// be a call and no more.
+/// Splits a triangle until the normals of every part are close enough for its method, at most `splits` times
+/// in depth, and calls `emit(a, b, c)` for each part. Every edge that is too wide is halved, whatever the
+/// other two are. Whether an edge is halved depends on that edge alone, so no gap opens towards its other
+/// triangle. The function is recursive; `emit` should contain one call only, to keep its frame small.
 template <class Method, class Emit>
 ARCSPAN_COLD constexpr void split_triangle(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                                            const RasterVertex<Method>& c, Emit& emit,
@@ -61,8 +63,8 @@ ARCSPAN_COLD constexpr void split_triangle(const RasterVertex<Method>& a, const 
   const bool ab = splits > 0 && Method::too_wide(a.shade, b.shade);
   const bool bc = splits > 0 && Method::too_wide(b.shade, c.shade);
   const bool ca = splits > 0 && Method::too_wide(c.shade, a.shade);
-  const auto again = [&emit, splits](const RasterVertex<Method>& p, const RasterVertex<Method>& q,
-                                     const RasterVertex<Method>& r) {
+  const auto split_part = [&emit, splits](const RasterVertex<Method>& p, const RasterVertex<Method>& q,
+                                          const RasterVertex<Method>& r) {
     split_triangle(p, q, r, emit, splits - 1);
   };
   if (!ab && !bc && !ca) {
@@ -71,22 +73,22 @@ ARCSPAN_COLD constexpr void split_triangle(const RasterVertex<Method>& a, const 
     const RasterVertex<Method> m = middle_vertex(a, b);
     const RasterVertex<Method> n = middle_vertex(b, c);
     const RasterVertex<Method> o = middle_vertex(c, a);
-    again(a, m, o);
-    again(m, b, n);
-    again(o, n, c);
-    again(m, n, o);
+    split_part(a, m, o);
+    split_part(m, b, n);
+    split_part(o, n, c);
+    split_part(m, n, o);
   } else if (ab && bc) {
-    detail::split_two_edges(a, b, c, again);
+    detail::split_two_edges(a, b, c, split_part);
   } else if (bc && ca) {
-    detail::split_two_edges(b, c, a, again);
+    detail::split_two_edges(b, c, a, split_part);
   } else if (ca && ab) {
-    detail::split_two_edges(c, a, b, again);
+    detail::split_two_edges(c, a, b, split_part);
   } else if (ab) {
-    detail::split_one_edge(a, b, c, again);
+    detail::split_one_edge(a, b, c, split_part);
   } else if (bc) {
-    detail::split_one_edge(b, c, a, again);
+    detail::split_one_edge(b, c, a, split_part);
   } else {
-    detail::split_one_edge(c, a, b, again);
+    detail::split_one_edge(c, a, b, split_part);
   }
 }
 

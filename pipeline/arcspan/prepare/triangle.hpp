@@ -9,45 +9,47 @@
 
 namespace arcspan {
 
-/// A vertex as triangle preparation takes it: where it is, and what the shading method knows of it.
+/// Input vertex of triangle preparation: its position on the screen and the shading method's data.
 template <class Method>
 struct RasterVertex {
   RasterPosition position;
   typename Method::Vertex shade;
 };
 
-/// The rows that are to be drawn of a viewport, relative to the raster origin: first ... end - 1.
+/// The rows to be drawn of a viewport, first ... end - 1, relative to the raster origin.
 struct RowRange {
   std::int32_t first = 0;
   std::int32_t end = 0;
 };
 
-/// Twice the signed area in 256ths of a square pixel; negative if a, b, c go counter-clockwise as seen on the
-/// screen (y down), which is how front faces arrive. Exact: by the guard band it fits 32 bits.
+/// Returns twice the signed area in 256ths of a square pixel. It is negative if a, b, c run counter-clockwise
+/// as seen on the screen (y down), as those of front faces do. The result is exact inside the guard band,
+/// where it fits 32 bits.
 [[nodiscard]] constexpr std::int32_t doubled_area(const RasterPosition& a, const RasterPosition& b,
                                                   const RasterPosition& c) {
   return wrap_sub(wrap_mul(b.x - a.x, c.y - a.y), wrap_mul(c.x - a.x, b.y - a.y));
 }
 
-/// The command that the span stage takes. Plain integers; nothing else passes from preparation to spans, so
-/// the span stage can as well be another core or a piece of hardware. docs/triangle-command.md is its layout.
+/// The command that preparation passes to the span stage. It consists of integers without pointers and is all
+/// that passes between the two, so the span stage may be another core or hardware.
+/// docs/triangle-command.md describes its layout.
 ///
-/// The rows from first_row to end_row - 1 lie between `left` and `right`; at middle_row the lower edge takes
-/// over on the side of the middle vertex. Edges stand at the first row they are used in.
+/// Rows first_row ... end_row - 1 lie between `left` and `right`. At middle_row `lower` replaces the edge on
+/// the side of the middle vertex. Each edge holds its x at the first row that uses it.
 template <class Method>
 struct TriangleCommand {
-  std::int16_t first_row;  ///< relative to the raster origin
-  std::int16_t middle_row;
-  std::int16_t end_row;
-  bool middle_left;  ///< the middle vertex is on the left of the long edge
+  std::int16_t first_row;   ///< relative to the raster origin, as the other two
+  std::int16_t middle_row;  ///< first row of the lower half
+  std::int16_t end_row;     ///< row after the last
+  bool middle_left;         ///< the middle vertex is on the left of the long edge
   EdgeWalk left;
   EdgeWalk right;
   EdgeWalk lower;
   LinearPlane depth;
   typename Method::Prepared shade;
 
-  /// True if one of the command's rows is among top ... bottom - 1, when the raster origin is in row
-  /// `origin`.
+  /// Returns true if one of the command's rows is among top ... bottom - 1, where `origin` is the row of the
+  /// raster origin.
   [[nodiscard]] constexpr bool has_rows_in(std::int32_t top, std::int32_t bottom, std::int32_t origin) const {
     return end_row + origin > top && first_row + origin < bottom;
   }
@@ -60,7 +62,7 @@ struct TriangleCommand {
   }
 };
 
-/// Squared chords of a triangle's edges, 28 fraction bits.
+/// Squared chords |Ni - Nj|^2 between the normals at the ends of a triangle's edges, 28 fraction bits.
 struct TriangleChords {
   std::uint32_t top_middle;
   std::uint32_t top_bottom;
@@ -72,7 +74,8 @@ struct TriangleChords {
   }
 };
 
-/// What preparation knows of a triangle while it sets up attributes: vertices by height, edges as walked.
+/// The geometry of a triangle from which preparation sets up attributes: the vertices sorted by height, and
+/// the three edges.
 template <class Method>
 struct TriangleFrame {
   const RasterVertex<Method>* top;
@@ -81,16 +84,16 @@ struct TriangleFrame {
   EdgeSetup long_edge;
   EdgeSetup upper_edge;
   EdgeSetup lower_edge;
-  TriangleChords chords;  ///< between the normals, of methods that MeasureChords
-  bool has_upper;         ///< rows of the upper half will be drawn
-  bool has_lower;
-  bool middle_left;
-  Factor middle_fraction;  ///< fraction of the long edge at the middle vertex's height
-  std::uint32_t width;     ///< of the triangle at that height, 16 fraction bits, at least 1
-  Reciprocal inverse_width;
+  TriangleChords chords;     ///< set if the method is one that MeasuresChords
+  bool has_upper;            ///< the upper half has rows to draw; otherwise upper_edge is unset
+  bool has_lower;            ///< the lower half has rows to draw; otherwise lower_edge is unset
+  bool middle_left;          ///< the middle vertex is on the left of the long edge
+  Factor middle_fraction;    ///< fraction of the long edge at the middle vertex's height
+  std::uint32_t width;       ///< width in pixels at that height, 16 fraction bits, raw value at least 1
+  Reciprocal inverse_width;  ///< reciprocal of `width`
 };
 
-/// Completes the reciprocals of the short edges, for methods that interpolate along both edges of a row.
+/// Sets the reciprocals of the short edges, for methods that interpolate along both edges of a row.
 template <class Method>
 constexpr void make_short_inverses(TriangleFrame<Method>& frame) {
   if (frame.middle_left || !kHasLongMultiply) return;
@@ -98,7 +101,7 @@ constexpr void make_short_inverses(TriangleFrame<Method>& frame) {
   if (frame.has_lower) frame.lower_edge.make_inverse();
 }
 
-/// A 16-bit attribute with the given values at the top, middle and bottom vertex as a plane over the rows.
+/// Sets up the plane of a 16-bit attribute from its values at the top, middle and bottom vertex.
 template <class Value, class Method>
 constexpr void make_linear_plane(const TriangleFrame<Method>& frame, std::int32_t top, std::int32_t middle,
                                  std::int32_t bottom, BasicLinearPlane<Value>& plane) {
@@ -107,7 +110,7 @@ constexpr void make_linear_plane(const TriangleFrame<Method>& frame, std::int32_
   const std::int32_t along = round_shift(wrap_mul(bottom - top, fraction), kBits);
   const std::int32_t across = middle - (top + along);
   plane.dx = gradient<Value>(frame.middle_left ? -across : across, frame.inverse_width, 16);
-  // What no row uses is 0.
+  // Edges without rows are zeroed, so that commands compare equal.
   if (!frame.middle_left) {
     make_linear_edge(frame.long_edge, top, bottom, plane.left);
     plane.lower = {};
@@ -136,7 +139,7 @@ constexpr void order_by_height(const Vertex*& upper, const Vertex*& lower) {
   }
 }
 
-/// The rows of the command; false if there are none.
+/// Sets the rows of the command, clamped to `rows`. Returns false if there are none.
 template <class Method>
 [[nodiscard]] constexpr bool place_rows(const TriangleFrame<Method>& frame, const RowRange& rows,
                                         TriangleCommand<Method>& command) {
@@ -152,7 +155,7 @@ template <class Method>
   return first < end;
 }
 
-/// Walks the edges that have rows to draw, and measures the triangle at its middle vertex.
+/// Sets up the edges that have rows to draw, and the width of the triangle at its middle vertex.
 template <class Method>
 constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>& command) {
   const RasterPosition& top = frame.top->position;
@@ -182,7 +185,7 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
 
 }  // namespace detail
 
-/// Methods whose triangles depend on the chords between their normals: they are measured once.
+/// Optional part of a method: chords_of() measures the chords between the normals once per triangle.
 template <class M>
 concept MeasuresChords = requires(const TriangleFrame<M>& frame) {
   { M::chords_of(frame) } -> std::same_as<TriangleChords>;
@@ -190,7 +193,7 @@ concept MeasuresChords = requires(const TriangleFrame<M>& frame) {
 
 namespace detail {
 
-/// Sorts the vertices by height, and measures what lies between their normals.
+/// Sorts the vertices by height, and measures the chords between their normals if the method needs them.
 template <class Method>
 constexpr void place_vertices(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                               const RasterVertex<Method>& c, TriangleFrame<Method>& frame) {
@@ -203,7 +206,7 @@ constexpr void place_vertices(const RasterVertex<Method>& a, const RasterVertex<
   if constexpr (MeasuresChords<Method>) frame.chords = Method::chords_of(frame);
 }
 
-/// The command of a frame whose vertices are placed; false if there is nothing to draw.
+/// Makes the command of a frame whose vertices are placed. Returns false if there is nothing to draw.
 template <bool WithDepth, class Method>
 [[nodiscard]] constexpr bool prepare_frame(const typename Method::Lighting& lighting,
                                            TriangleFrame<Method>& frame, const typename Method::Face& face,
@@ -225,7 +228,7 @@ template <bool WithDepth, class Method>
 
 }  // namespace detail
 
-/// Whether any two normals are too far apart for the method.
+/// Returns true if the normals of an edge are too far apart for the method.
 template <class Method>
 [[nodiscard]] constexpr bool is_too_wide(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                                          const RasterVertex<Method>& c) {
@@ -235,7 +238,7 @@ template <class Method>
 
 namespace detail {
 
-/// The same of a frame whose vertices are placed.
+/// is_too_wide() for a frame whose vertices are placed; uses its chords where the method measures them.
 template <class Method>
 [[nodiscard]] constexpr bool is_too_wide_in(const TriangleFrame<Method>& frame) {
   if constexpr (MeasuresChords<Method>) {
@@ -247,22 +250,22 @@ template <class Method>
 
 }  // namespace detail
 
-/// What became of a triangle.
+/// Result of prepare_inside().
 enum class Preparation : std::uint8_t {
-  kReady,    ///< there is a command
-  kNothing,  ///< nothing of it is to be drawn
-  kTooWide,  ///< two of its normals are too far apart for the method; it is to be split
+  kReady,    ///< the command is complete
+  kNothing,  ///< the triangle has no area or no row to draw
+  kTooWide,  ///< two of its normals are too far apart for the method, so it must be split
 };
 
-/// Inside the guard band, +-1024 pixels, in which edges and areas fit their words.
+/// Returns true inside the guard band, [-1024, 1024) pixels, within which edges and areas fit their words.
 [[nodiscard]] constexpr bool in_guard_band(const RasterPosition& p) {
   constexpr std::uint32_t kHalf = kGuardBand << Subpixel::kFraction;
   return ((static_cast<std::uint32_t>(p.x) + kHalf) | (static_cast<std::uint32_t>(p.y) + kHalf)) < 2 * kHalf;
 }
 
 /// prepare_triangle() for vertices that are known to be inside the guard band, as those from project() are.
-/// kTooWide only if the triangle `may_split`; otherwise it is drawn as well as the method can.
-/// Where no depth is tested, no plane of it is made.
+/// Returns kTooWide only if `may_split`; otherwise a triangle that is too wide gets a command too, with the
+/// method's larger error. `WithDepth` is false where depth is not tested; the depth plane is then zero.
 template <class Method, bool WithDepth = true>
 ARCSPAN_OUTLINE_IF_SMALL [[nodiscard]] constexpr Preparation prepare_inside(
     const typename Method::Lighting& lighting, const RasterVertex<Method>& a, const RasterVertex<Method>& b,
@@ -275,9 +278,9 @@ ARCSPAN_OUTLINE_IF_SMALL [[nodiscard]] constexpr Preparation prepare_inside(
                                                                                 : Preparation::kNothing;
 }
 
-/// Turns a triangle into the command that draws it. `rows` are the viewport's; false if none of the
-/// triangle's rows is among them, if it has no area, or if a vertex is outside the guard band. Either
-/// orientation is drawn.
+/// Makes the command that draws a triangle of either winding. Returns false if there is nothing to draw: if
+/// the triangle has no row among `rows`, the rows of the viewport, if it has no area, or if a vertex is
+/// outside the guard band.
 template <class Method>
 [[nodiscard]] constexpr bool prepare_triangle(const typename Method::Lighting& lighting,
                                               const RasterVertex<Method>& a, const RasterVertex<Method>& b,

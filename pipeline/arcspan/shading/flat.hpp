@@ -6,7 +6,7 @@
 
 namespace arcspan {
 
-/// Flat shading: one colour a triangle, from its plane's normal.
+/// Flat shading: one colour per triangle, from the full illumination of its face normal.
 template <class Illumination>
 struct Flat {
   using Lighting = Illumination;

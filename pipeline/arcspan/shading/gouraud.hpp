@@ -9,7 +9,8 @@
 
 namespace arcspan {
 
-/// Gouraud shading: the full illumination at the vertices, colour linear on the screen.
+/// Gouraud shading: computes the full illumination per vertex and interpolates the colour linearly on the
+/// screen.
 template <class Illumination>
 struct Gouraud {
   using Lighting = Illumination;
@@ -95,8 +96,8 @@ struct Gouraud {
   }
 
  private:
-  /// With half an 8-bit step added, so that dropping bits rounds; and as it is far more than the error of a
-  /// plane, no value leaves 0...256 and no pixel needs a clamp.
+  /// Makes the plane of a channel and adds half an 8-bit step, so that dropping bits rounds. As the half step
+  /// is far larger than the error of a plane, no value leaves 0...256 8-bit steps and no pixel is clamped.
   static constexpr void make_plane(const TriangleFrame<Gouraud>& frame, std::int32_t top, std::int32_t middle,
                                    std::int32_t bottom, FullLinearPlane& plane) {
     constexpr auto kHalf = FullLinear::from_raw(std::int32_t{1} << (FineRgb::kFraction - 1));

@@ -10,16 +10,17 @@
 
 namespace arcspan {
 
-/// A row with a highlight whose distance goes by second differences, as N·L does: no product a pixel.
+/// The pixels of a row (PixelRun) with a highlight. Second differences step both N·L and the highlight's
+/// scaled distance (HighlightTable), so no product is computed per pixel (decision 7).
 template <class Lighting>
-class HighlightPatchRun : public PatchScalars<2> {
+class HighlightPatchRun : public SecondDifferenceRun<2> {
  public:
   static constexpr std::size_t kUsed = 2;
 
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
     return lighting.colour_with_highlight_at(scalars()[0], scalars()[1].raw());
   }
-  /// The same, encoded; `encoded` is an EncodedColourTable.
+  /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
   template <class Format, class Colours>
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
                                                                           const Colours& encoded) const {
@@ -31,15 +32,18 @@ class HighlightPatchRun : public PatchScalars<2> {
   }
 };
 
-/// Arc with, per triangle, the cheapest way whose predicted error is within a tolerance (S0 section 4 for the
-/// segments, whose length is chosen too):
+/// Arc with the cheapest path per triangle whose predicted error is within a tolerance (decisions 6 and 7).
+/// The paths are tried in this order; those without highlight and the highlight patch need a single light:
 ///
-///     light that is linear on the screen    no highlight above half the tolerance within reach, and the
-///                                           normals' circle so small that the arcs' rise is below it
-///     no highlight                          none above half the tolerance within reach
-///     highlight by its own distance         small triangles, all of them lit: quadratic, as N·L is
-///     segments of 4...16 pixels             wide rows whose colours hardly second_difference, away from the
-///     terminator arc                                   everything else
+/// 1. Light that is linear on the screen: no highlight above half the tolerance is within reach, and the
+///    circle through the normals is so small that N·L differs from a plane by at most the rest of the
+///    tolerance.
+/// 2. A patch of N·L alone: no highlight above half the tolerance is within reach.
+/// 3. Segments of 4...16 pixels (S0 section 4): wide rows whose colours have small second derivatives, away
+///    from the terminator.
+/// 4. A patch of N·L and of the highlight's distance: small triangles whose vertices are all lit, and whose
+///    highlight is Phong's.
+/// 5. The paths of Arc: a patch of every scalar, or arcs.
 template <class Illumination>
 struct Adaptive : Arc<Illumination> {
   using Base = Arc<Illumination>;
@@ -49,9 +53,9 @@ struct Adaptive : Arc<Illumination> {
   using typename Base::Vertex;
   struct Prepared : Base::Prepared {
     FullLinearPlane light;
-    int segment_bits;
-    bool linear_light;     ///< N·L alone, linear on the screen
-    bool highlight_patch;  ///< N·L and the highlight's distance as patches
+    int segment_bits;      ///< path 3: segments have 2^segment_bits pixels; 0 for none
+    bool linear_light;     ///< path 1: N·L alone, in `light`
+    bool highlight_patch;  ///< path 4: the patch has N·L and the highlight's scaled distance
   };
 
   template <class Frame>
@@ -103,19 +107,21 @@ struct Adaptive : Arc<Illumination> {
   static constexpr bool kHasHighlightPatch =
       Base::kHasDiffusePath && Illumination::kModel == Highlight::kPhong;
 
+  /// Returns a lower bound of the highlight's half distance over the triangle: (1 - c) / 2 of its cosine c.
   template <class Frame>
   [[nodiscard]] static constexpr std::int32_t nearest_highlight(const Lighting& lighting,
                                                                 const Frame& frame) {
     return lighting.nearest_highlight(frame.top->shade.scalars, frame.middle->shade.scalars,
                                       frame.bottom->shade.scalars, kPatchHeadroom);
   }
-  /// Whether a highlight above half the tolerance is within reach.
+  /// Returns true if a highlight above half the tolerance is within reach of the triangle.
   template <class Frame>
   [[nodiscard]] static constexpr bool shines(const Lighting& lighting, const Frame& frame) {
     return nearest_highlight(lighting, frame) < lighting.half_tolerance_reach();
   }
 
-  /// Prepares N·L alone, linear if that is within `linear_limit`; false if the triangle fits neither.
+  /// Prepares N·L alone: linear if the error is within `linear_limit`, otherwise as a patch. Returns false if
+  /// the triangle allows neither.
   template <class Frame>
   [[nodiscard]] static constexpr bool prepare_without_highlight(Frame& frame, std::uint32_t linear_limit,
                                                                 Prepared& prepared) {
@@ -124,7 +130,7 @@ struct Adaptive : Arc<Illumination> {
     const std::int32_t c = LinearLight::level(frame.bottom->shade.scalars[0]);
     const std::int32_t upper = a > b ? a : b;
     const std::uint32_t radius2 = squared_radius(frame.chords);
-    if (linear_rise(radius2, upper > c ? upper : c) <= linear_limit) {
+    if (quadruple_linear_error(radius2, upper > c ? upper : c) <= linear_limit) {
       prepared.linear_light = true;
       const auto lift = static_cast<std::int32_t>(radius2 >> (28 - LinearLight::kFraction + 2));
       const auto lifted = [lift](std::int32_t level) {
@@ -138,28 +144,28 @@ struct Adaptive : Arc<Illumination> {
     return true;
   }
 
-  /// Prepares N·L and the highlight's scaled distance as patches; false if a normal turns away from the light
-  /// or the distances do not fit.
+  /// Prepares N·L and the highlight's scaled distance as patches. Returns false if a vertex is not lit, or if
+  /// HighlightTable cannot scale the largest distance.
   template <class Frame>
   [[nodiscard]] static constexpr bool prepare_highlight_patch(const Lighting& lighting, const Frame& frame,
                                                               Prepared& prepared) {
     const TriangleChords& chords = frame.chords;
-    constexpr std::int32_t kLit = std::int32_t{1} << 20;  // more than rounding can take away
+    constexpr std::int32_t kLit = std::int32_t{1} << 20;  // 2^-10, more than any rounding error
     const auto& top = frame.top->shade.scalars;
     const auto& middle = frame.middle->shade.scalars;
     const auto& bottom = frame.bottom->shade.scalars;
     if (top[0].raw() < kLit || middle[0].raw() < kLit || bottom[0].raw() < kLit) return false;
-    std::int32_t farthest = 0;
+    std::int32_t farthest = 0;  // the largest half distance so far
     const auto distance = [&](Cosine light, Cosine eye) {
       const std::int32_t half = lighting.half_distance(light, eye);
       if (half > farthest) farthest = half;
       return half;
     };
-    QuadrupleSagittas light;
-    const auto half_way = [&](const auto& a, const auto& b, std::uint32_t chord, Cosine& rise) {
+    EdgeQuadrupleSagittas light;
+    const auto half_way = [&](const auto& a, const auto& b, std::uint32_t chord, Cosine& sagitta4_of_light) {
       const SagittaFactor sagitta4 = sagitta_factor(chord);
-      rise = detail::quadruple_sagitta(a[0], b[0], sagitta4);
-      return distance(detail::patch_middle(a[0], b[0], rise),
+      sagitta4_of_light = detail::quadruple_sagitta(a[0], b[0], sagitta4);
+      return distance(detail::patch_middle(a[0], b[0], sagitta4_of_light),
                       detail::patch_middle(a[1], b[1], detail::quadruple_sagitta(a[1], b[1], sagitta4)));
     };
     const std::int32_t top_middle = half_way(top, middle, chords.top_middle, light.top_middle);
@@ -168,41 +174,45 @@ struct Adaptive : Arc<Illumination> {
     const std::int32_t at_top = distance(top[0], top[1]);
     const std::int32_t at_middle = distance(middle[0], middle[1]);
     const std::int32_t at_bottom = distance(bottom[0], bottom[1]);
-    const HighlightTable& ramp = lighting.highlight_table();
-    if (!ramp.fits(farthest)) return false;
+    const HighlightTable& table = lighting.highlight_table();
+    if (!table.fits(farthest)) return false;
     make_patch_surface(frame, {top[0], middle[0], bottom[0]}, light, prepared.patch[0]);
-    const auto scaled = [&ramp](std::int32_t half) { return Cosine::from_raw(ramp.scaled(half)); };
+    const auto scaled = [&table](std::int32_t half) { return Cosine::from_raw(table.scaled(half)); };
     const PatchValues at{scaled(at_top), scaled(at_middle), scaled(at_bottom)};
-    const QuadrupleSagittas rises{
+    const EdgeQuadrupleSagittas sagittas{
         detail::quadruple_sagitta_through(at.top, at.middle, scaled(top_middle)),
         detail::quadruple_sagitta_through(at.top, at.bottom, scaled(top_bottom)),
         detail::quadruple_sagitta_through(at.middle, at.bottom, scaled(middle_bottom))};
-    make_patch_surface(frame, at, rises, prepared.patch[1]);
+    make_patch_surface(frame, at, sagittas, prepared.patch[1]);
     return true;
   }
 
-  /// The squared radius of the circle through the three normals (if its centre is within the triangle; else
-  /// of that around the widest edge), at most 16 degrees apart; 28 fraction bits, of which 25 are used.
+  /// Returns an upper bound of the squared radius of the smallest circle around the three normals, which are
+  /// at most 16 degrees apart; 28 fraction bits, of which 25 are used. The circle passes through all three,
+  /// or has the widest edge as its diameter if the triangle of the normals is obtuse.
   ///
-  /// With c the longest chord and e = a^2 + b^2 - c^2 >= 0 it is at most c^2/4 + e/12.
+  /// With c the longest chord and e = max(0, a^2 + b^2 - c^2), the squared radius is at most c^2/4 + e/12.
   [[nodiscard]] static constexpr std::uint32_t squared_radius(const TriangleChords& chords) {
     const std::uint32_t widest = chords.widest();
     const std::uint32_t others = chords.top_middle + chords.top_bottom + chords.middle_bottom - widest;
     const std::uint32_t excess = others > widest ? others - widest : 0;
-    // 4% for the higher terms of 16 degrees.
+    // The last term, about 4%, covers the higher terms at 16 degrees.
     return (widest >> 2) + (excess >> 3) - (excess >> 5) + (widest >> 6);
   }
 
-  /// Twice what N·L, at most `most_level`, rises above the plane through its vertices: where it is positive,
-  /// it never falls below. 28 fraction bits.
-  [[nodiscard]] static constexpr std::uint32_t linear_rise(std::uint32_t radius2, std::int32_t most_level) {
+  /// Returns a bound of four times the error of linear light, 28 fraction bits: R^2 N·L, where `radius2` is
+  /// R^2 and `most_level` the largest N·L (LinearLight). Where N·L is positive, it is above the plane through
+  /// its vertices by at most R^2/2 of itself and never below; lifting the plane by R^2/4 leaves R^2/4 either
+  /// way.
+  [[nodiscard]] static constexpr std::uint32_t quadruple_linear_error(std::uint32_t radius2,
+                                                                      std::int32_t most_level) {
     if (most_level <= 0) return 0;
     return (radius2 >> 9) * ((static_cast<std::uint32_t>(most_level) >> 6) + 1);
   }
 
-  /// Whether every N·L keeps its sign, with a margin whose square is `margin2` (28 fraction bits): where it
-  /// changes, colours have a kink and highlights end at once. A segment may end a quarter row beyond the
-  /// edge.
+  /// Returns true if every N·L keeps its sign over the triangle, by a margin whose square is `margin2` (28
+  /// fraction bits). At a change of sign, colours have a kink and highlights end abruptly. The margin is
+  /// needed because a segment may end up to a quarter of a row beyond the edge.
   template <class Frame>
   [[nodiscard]] static constexpr bool away_from_terminator(const Frame& frame, std::uint32_t margin2) {
     const auto square = [](std::int32_t v) { return static_cast<std::uint32_t>(wrap_mul(v >> 16, v >> 16)); };
@@ -216,18 +226,19 @@ struct Adaptive : Arc<Illumination> {
     return true;
   }
 
-  /// The longest segments that the object's limit allows on the triangle's rows, and that its rows are
-  /// worth, or 0.
+  /// Returns the bits of the longest segments that the tolerance allows and of which the triangle's widest
+  /// row holds at least four; 0 if there are none.
   template <class Frame>
   [[nodiscard]] static constexpr int segment_bits(const Lighting& lighting, const Frame& frame) {
     const TriangleChords& chords = frame.chords;
-    // With one light a pixel without highlight is a look-up: segments must be longer to pay.
+    // With one light, a pixel without highlight is one look-up, so only segments of 8 or 16 pixels are
+    // faster.
     constexpr int kLeastBits = Illumination::kLights == 1 ? 3 : 2;
     constexpr std::uint32_t kLeastWidth = 4u << kLeastBits;
     const std::uint32_t whole = frame.width >> 16;
     if (whole < kLeastWidth) return 0;
-    // The widest row is no wider an angle than the wider of the two edges at the middle vertex; a row's
-    // pixels are not quite even in angle, which the limit's quarter covers.
+    // The angle of the widest row is at most that of the wider edge at the middle vertex. The pixels of a row
+    // are not quite evenly spaced in angle; reducing the limit by a quarter covers that.
     const std::uint32_t limit = lighting.segment_limit(shines(lighting, frame));
     const std::uint32_t width = whole > 1023 ? 1023 : whole;
     const std::uint32_t across =

@@ -14,7 +14,7 @@
 
 namespace arcspan {
 
-/// An object's illumination, and what its tolerance allows.
+/// An object's illumination, a tolerance, and the limits that follow from it for the paths of Adaptive.
 template <class Illumination>
 class AdaptiveIllumination : public Illumination {
  public:
@@ -26,19 +26,19 @@ class AdaptiveIllumination : public Illumination {
     if constexpr (kLitEntries != 0) {
       for (std::size_t i = 0; i < kLitEntries; ++i) {
         const auto light = static_cast<std::int32_t>(static_cast<std::uint32_t>(i) << kLitShift);
-        lit_ramp_[i] = Illumination::diffuse_colour(Cosine::from_raw(light));
+        lit_colours_[i] = Illumination::diffuse_colour(Cosine::from_raw(light));
       }
     }
     (void)set_tolerance(1);
   }
 
-  /// 8-bit steps that a pixel may differ from what `Arc` would compute before rounding, 0...kMostTolerance,
-  /// else kInvalidArgument and nothing changes.
+  /// Sets the tolerance: the largest difference from the colour of `Arc` before rounding, in 8-bit steps. It
+  /// is 1 at first. Returns kInvalidArgument and changes nothing unless `steps` is in 0...kMostTolerance.
   [[nodiscard]] constexpr Status set_tolerance(std::int32_t steps) {
     if (steps < 0 || steps > kMostTolerance) return Status::kInvalidArgument;
     const auto tolerance = static_cast<std::uint32_t>(steps) << kStepBits;
-    // Of the two errors that may meet in a pixel, a highlight left out has a half, and linear light the rest;
-    // farther from highlights they have an eighth and the rest.
+    // Two errors may add up in a pixel. An omitted highlight gets half of the tolerance and linear light the
+    // rest; farther away from highlights, they get an eighth and the rest.
     half_tolerance_reach_ = reach_of(tolerance / 2);
     eighth_tolerance_reach_ = reach_of(tolerance / 8);
     linear_limit_ = linear_limit_of(tolerance - tolerance / 2);
@@ -49,34 +49,35 @@ class AdaptiveIllumination : public Illumination {
     return Status::kOk;
   }
 
-  /// The half distance from which on highlights are left out.
+  /// Returns the half distance from which on highlights are omitted, because they are below half the
+  /// tolerance: (1 - c) / 2 of the highlight's cosine c, 30 fraction bits.
   [[nodiscard]] constexpr std::int32_t half_tolerance_reach() const { return half_tolerance_reach_; }
 
-  /// Up to which (squared radius of the normals) * N·L light may be linear at this half distance from
-  /// highlights; 28 fraction bits.
+  /// Returns the largest product of the normals' squared radius and N·L for which light may be linear, 28
+  /// fraction bits, in a triangle whose half distance from the highlight is at least `half_distance`.
   [[nodiscard]] constexpr std::uint32_t linear_limit(std::int32_t half_distance) const {
     return half_distance >= eighth_tolerance_reach_ ? far_linear_limit_ : linear_limit_;
   }
 
-  /// Up to which squared chord of its widest edge a triangle's highlight may be a quadratic surface of its
-  /// own; 28 fraction bits.
+  /// Returns the largest squared chord of a triangle's widest edge for which the highlight's distance may be
+  /// a patch, 28 fraction bits.
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit() const { return highlight_patch_limit_; }
   [[nodiscard]] constexpr const HighlightTable& highlight_table() const { return highlight_table_; }
 
-  /// Whether a scaled distance is beyond the highlight. What the ramp asks comes first, so that it is asked
-  /// once.
+  /// Returns true if a scaled distance is beyond the highlight. is_white() comes first because the look-up in
+  /// highlight_table_ begins with it too, so the compiler tests it once.
   [[nodiscard]] ARCSPAN_INLINE constexpr bool misses(std::int32_t distance) const {
     return !highlight_table_.is_white(distance) && distance >= HighlightTable::kReach;
   }
 
-  /// The colour at a scaled distance of the highlight's cosine from 1; N·L > 0.
+  /// Returns the colour at N·L > 0 and a scaled distance of the highlight's cosine from 1 (HighlightTable).
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour_with_highlight_at(Cosine normal_light,
                                                                             std::int32_t distance) const {
-    const PackedRgb ramp = lit_colour(normal_light);
-    return misses(distance) ? ramp : ramp.plus(highlight_table_(distance));
+    const PackedRgb lit = lit_colour(normal_light);
+    return misses(distance) ? lit : lit.plus(highlight_table_(distance));
   }
-  /// The same, encoded; `encoded` is an EncodedColourTable that highlights use. White ones have a way of
-  /// their own.
+  /// Returns the colour encoded in `Format`; `encoded` is an EncodedColourTable with kForHighlights. White
+  /// highlights have a path of their own, which takes one comparison.
   template <class Format, class Colours>
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded_with_highlight_at(
       Cosine normal_light, std::int32_t distance, const Colours& encoded) const {
@@ -87,42 +88,43 @@ class AdaptiveIllumination : public Illumination {
     return Format::encode(lit_colour(normal_light).plus(highlight_table_(distance)));
   }
 
-  /// Up to which squared angle of a segment colours may be linear, with a highlight within reach or without;
-  /// 28 fraction bits.
+  /// Returns the largest squared angle of a segment within which colours may be linear, 28 fraction bits;
+  /// `shines` is true if a highlight is within reach.
   [[nodiscard]] constexpr std::uint32_t segment_limit(bool shines) const {
     return shines ? segment_limit_with_highlight_ : segment_limit_without_highlight_;
   }
 
  private:
-  static constexpr int kStepBits = 5;  ///< fraction bits of an 8-bit step
+  static constexpr int kStepBits = 5;  ///< fraction bits of tolerances and colours, in 8-bit steps
   static constexpr int kLitShift = 22;
   static constexpr std::size_t kLitEntries =
       kHasWideRegisters && Illumination::kLights == 1 && Illumination::kModel == Highlight::kPhong ? 1024 : 0;
 
-  /// diffuse_colour(); where memory is plentiful by the top 10 bits, so that nothing has to be clamped.
+  /// Returns diffuse_colour(). Targets with wide registers look it up by the top 10 bits of N·L, for all
+  /// values of which the table has an entry, so that nothing is clamped.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb lit_colour(Cosine normal_light) const {
     if constexpr (kLitEntries != 0) {
-      return lit_ramp_[static_cast<std::uint32_t>(normal_light.raw()) >> kLitShift];
+      return lit_colours_[static_cast<std::uint32_t>(normal_light.raw()) >> kLitShift];
     } else {
       return Illumination::diffuse_colour(normal_light);
     }
   }
 
-  /// factor * tolerance / amount with 28 fraction bits, at most 1.
-  [[nodiscard]] static constexpr std::uint32_t of_chord(std::uint32_t tolerance, std::uint32_t factor,
+  /// Returns factor * tolerance / amount, at most 1, with 28 fraction bits.
+  [[nodiscard]] static constexpr std::uint32_t limit_of(std::uint32_t tolerance, std::uint32_t factor,
                                                         std::uint32_t amount) {
     const std::uint32_t product = tolerance * factor;
     if (product >= amount) return std::uint32_t{1} << 28;
     return static_cast<std::uint32_t>((static_cast<std::uint64_t>(product) << 28) / amount);
   }
 
-  /// With s the squared radius, N·L rises by at most s/2 of itself above its plane. The plane is lifted by
-  /// half of that, so that it is off by s/4 either way.
+  /// Returns linear_limit() for a tolerance. With s the squared radius of the normals, N·L is above its plane
+  /// by at most s/2 of itself. The plane is lifted by half of that, so that the error is s/4 either way.
   [[nodiscard]] constexpr std::uint32_t linear_limit_of(std::uint32_t tolerance) const {
-    return of_chord(tolerance, 4, Illumination::most_diffuse());
+    return limit_of(tolerance, 4, Illumination::most_diffuse());
   }
 
-  /// The half distance where the highlight has fallen to `steps`.
+  /// Returns the half distance beyond which the highlight is below `steps`, found by bisection.
   [[nodiscard]] constexpr std::int32_t reach_of(std::uint32_t steps) const {
     std::int32_t inside = 0;
     std::int32_t outside = Illumination::power().half_reach();
@@ -134,26 +136,28 @@ class AdaptiveIllumination : public Illumination {
     return outside;
   }
 
-  /// A chord of m pixels is off by at most m^2 max|f''| / 8, and at a kink, where a channel is clamped, by
-  /// m max|f'| / 4; |(cos^n)'| < 0.61 sqrt(n).
+  /// Returns segment_limit() for a tolerance. Over a segment of the angle m, a colour f differs from its
+  /// chord by at most m^2 max|f''| / 8 and, at a kink where a channel is clamped, by m max|f'| / 4;
+  /// |(cos^n)'| < 0.61 sqrt(n).
   [[nodiscard]] constexpr std::uint32_t segment_limit_of(std::uint32_t tolerance, bool shines) const {
     constexpr auto kCount = static_cast<std::uint32_t>(Illumination::kLights);
     const std::uint32_t diffuse = Illumination::most_diffuse() * kCount;
-    const std::uint32_t second_difference = shines ? Illumination::most_curvature() : diffuse;
-    const std::uint32_t limit = of_chord(tolerance, 8, second_difference);
+    const std::uint32_t curvature = shines ? Illumination::most_curvature() : diffuse;
+    const std::uint32_t limit = limit_of(tolerance, 8, curvature);
     if (!Illumination::may_clamp(shines)) return limit;
-    // f'^2 <= 2 (diffuse^2 + 0.37 specular * n specular), and n specular <= second_difference.
+    // f'^2 <= 2 (diffuse^2 + 0.37 specular * n specular), and n specular <= curvature.
     const std::uint32_t specular = shines ? Illumination::most_specular() * kCount : 0;
     const std::uint64_t slope2 = 2 * (static_cast<std::uint64_t>(diffuse) * diffuse +
-                                      (static_cast<std::uint64_t>(specular) * second_difference * 3) / 8);
+                                      (static_cast<std::uint64_t>(specular) * curvature * 3) / 8);
     if (slope2 == 0) return limit;
     const std::uint64_t at_kink = (static_cast<std::uint64_t>(16 * tolerance * tolerance) << 28) / slope2;
     return at_kink < limit ? static_cast<std::uint32_t>(at_kink) : limit;
   }
 
-  /// A quadratic surface through six distances of a cosine from 1 differs from the product of two surfaces
-  /// through six scalars each by at most steps * 2.35 (n + 6) a^3 / 255 in the highlight, a being the widest
-  /// chord (decision 7). Of the sharpest highlights `Arc` itself is a step off by rounding.
+  /// Returns highlight_patch_limit() for a tolerance. The quadratic surface of the highlight's distance gives
+  /// highlights that differ by at most specular * 2.35 (n + 6) a^3 / 255 from those of the product of two
+  /// surfaces, where `specular` is the full highlight and a is the widest chord (decision 7). The limit is 0
+  /// for n > 64, where `Arc` itself is one step off by rounding.
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit_of(std::uint32_t tolerance) const {
     constexpr std::uint32_t kSharpest = 64;
     if (Illumination::shininess() > kSharpest) return 0;
@@ -176,7 +180,7 @@ class AdaptiveIllumination : public Illumination {
   std::uint32_t segment_limit_with_highlight_ = 0;
   std::uint32_t segment_limit_without_highlight_ = 0;
   std::uint32_t highlight_patch_limit_ = 0;
-  std::array<PackedRgb, kLitEntries> lit_ramp_{};
+  std::array<PackedRgb, kLitEntries> lit_colours_{};
 };
 
 }  // namespace arcspan

@@ -10,18 +10,19 @@
 
 namespace arcspan {
 
-/// N·L that is linear on the screen, for triangles where that is near enough and no highlight is to be seen:
-/// one addition and one look-up a pixel.
+/// The format of N·L that is linear on the screen (decision 6): a FullLinear attribute in units of
+/// 2^-kFraction, whose raw value is that of a Cosine.
 struct LinearLight {
   static constexpr int kFraction = Cosine::kFraction - FullLinear::kFraction;
 
-  /// N·L of a vertex as a signed attribute, rounded.
+  /// Returns N·L of a vertex as a signed attribute, rounded to nearest: 15 fraction bits.
   [[nodiscard]] static constexpr std::int32_t level(Cosine normal_light) {
     return round_shift(normal_light.raw(), FullLinear::kFraction);
   }
 };
 
-/// A row whose N·L steps evenly and whose highlight cannot be seen: a pixel is one addition and its colour.
+/// The pixels of a row (PixelRun) without highlight, whose N·L is linear: one addition and one look-up per
+/// pixel.
 template <class Lighting>
 class LinearLightRun {
  public:
@@ -31,7 +32,7 @@ class LinearLightRun {
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
     return lighting.diffuse_colour(light_);
   }
-  /// The same, encoded; `encoded` is an EncodedColourTable.
+  /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
   template <class Format, class Colours>
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting&,
                                                                           const Colours& encoded) const {
@@ -44,7 +45,7 @@ class LinearLightRun {
   Cosine step_;
 };
 
-/// The rows of such a triangle (RowWalker).
+/// Steps N·L along the left edge from row to row (RowWalker). It changes the plane in place.
 template <class Lighting>
 class LinearLightWalker {
  public:

@@ -11,9 +11,11 @@
 
 namespace arcspan {
 
-/// Spherical-angular Phong shading on scalars (S0 eq. 14): the products of the normal with L, H or V run
-/// along great circles down the edges and along the rows, each by one multiply, one shift and sums a step. In
-/// triangles whose normals are within 16 degrees the arcs are so flat that second differences do.
+/// Spherical-angular Phong shading on scalars (S0 eq. 14). The products of the normal with L, H or V follow
+/// great circles down the edges and along the rows; the recurrence steps each by one multiply, one shift and
+/// three sums (ArcScalar). Triangles whose normals are within 16 degrees, or 12 degrees under a highlight
+/// with n > 16 (widest_patch()), are patches instead: quadratic surfaces that second differences step
+/// (decision 5).
 template <class Illumination>
 struct Arc {
   static constexpr std::size_t kScalars = Illumination::kScalars;
@@ -25,9 +27,9 @@ struct Arc {
     Scalars scalars;
   };
   enum class Path : std::uint8_t {
-    kArcs,          ///< wide angles, slivers and very large triangles
-    kPatch,         ///< near normals
-    kDiffusePatch,  ///< near normals and no highlight within reach: N·L only
+    kArcs,          ///< arcs: normals too far apart for a patch, slivers, triangles larger than kLargestPatch
+    kPatch,         ///< a patch of every scalar
+    kDiffusePatch,  ///< a patch of N·L only, up to 16 degrees; no highlight is within reach
   };
   struct Prepared {
     union {
@@ -40,7 +42,8 @@ struct Arc {
   static constexpr bool kNeedsFaceNormal = false;
   static constexpr bool kUsesEncodedColours = true;
 
-  /// Normals farther apart than 60 degrees (squared chord 1) are not interpolated; the triangle is split.
+  /// The widest squared chord between two normals of a triangle: 1 (60 degrees), 28 fraction bits. Wider
+  /// triangles are split.
   static constexpr std::uint32_t kWidestChord = std::uint32_t{1} << 28;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
@@ -51,14 +54,15 @@ struct Arc {
     return squared_chord(a.normal, b.normal) > kWidestChord;
   }
 
-  /// The vertex at the fraction t of the arc from a to b. Wide arcs are halved until the series hold.
+  /// Returns the vertex at the fraction t, 0...1, of the arc from a to b. An arc wider than kWidestChord is
+  /// halved up to twice first, so that the series of on_arc() hold.
   [[nodiscard]] ARCSPAN_COLD static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
     Vertex from = a;
     Vertex to = b;
     constexpr Factor kHalf = Factor::of(0.5);
     for (int halvings = 0; halvings < 2 && too_wide(from, to); ++halvings) {
       const Vertex middle = middle_of(from, to);
-      if (t == kHalf) return middle;  // exact, and the same from either end
+      if (t == kHalf) return middle;  // exact and independent of the order of a and b
       if (t < kHalf) {
         to = middle;
         t = t + t;
@@ -70,6 +74,7 @@ struct Arc {
     return on_arc(from, to, t);
   }
 
+  /// Returns the squared chords between the normals of a TriangleFrame (MeasuresChords).
   template <class Frame>
   [[nodiscard]] static constexpr TriangleChords chords_of(const Frame& frame) {
     const Normal& top = frame.top->shade.normal;
@@ -78,7 +83,8 @@ struct Arc {
     return {squared_chord(top, middle), squared_chord(top, bottom), squared_chord(middle, bottom)};
   }
 
-  /// `Frame` is a TriangleFrame whose vertices have this method's shade.
+  /// Chooses the path of a triangle and prepares it. `Frame` is a TriangleFrame whose vertices have this
+  /// method's `Vertex` as their shade.
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
     prepare_path(frame, choose_path(lighting, frame, frame.chords.widest()), prepared);
@@ -99,7 +105,7 @@ struct Arc {
  protected:
   static constexpr bool kHasDiffusePath = Illumination::kLights == 1;
 
-  /// Prepares the triangle for a path, which must be one that its angles allow.
+  /// Prepares the triangle for `path`, which its normals and its size must allow.
   template <class Frame>
   static constexpr void prepare_path(Frame& frame, Path path, Prepared& prepared) {
     prepared.middle_left = frame.middle_left;
@@ -121,6 +127,7 @@ struct Arc {
     }
   }
 
+  /// Returns the path of a triangle; `widest` is its widest squared chord, 28 fraction bits.
   template <class Frame>
   [[nodiscard]] static constexpr Path choose_path(const Lighting& lighting, const Frame& frame,
                                                   std::uint32_t widest) {
@@ -135,20 +142,22 @@ struct Arc {
   }
 
  private:
-  /// The root is of the raw value, 15 fraction bits up: 1/sqrt(value) = 2^7.5 / sqrt(raw), 46341 = 2^15.5.
+  /// Returns sum / sqrt(value), rounded to nearest. `root` is the reciprocal root of the raw value, which has
+  /// 15 fraction bits: 1/sqrt(value) = 2^7.5 / sqrt(raw), and 46341 = 2^15.5.
   [[nodiscard]] ARCSPAN_COLD_OUTLINE static constexpr std::int64_t scaled(std::int64_t sum,
                                                                           const ReciprocalRoot& root) {
     const std::int64_t product = ((sum * root.mantissa) >> 8) * 46341;
     return (product + (std::int64_t{1} << (root.exponent - 1))) >> root.exponent;
   }
 
-  /// Middle of an arc by dichotomy: (a + b) / sqrt(2 + z), z = 2 a·b = 2 - s. Opposite normals have no middle
-  /// and give the zero vector, which is dark.
+  /// Returns the middle of an arc by dichotomy (S3): (a + b) / sqrt(2 + z), z = 2 a·b = 2 - s, where s is the
+  /// squared chord and 2 + z = |a + b|^2. Opposite normals have no middle; they give the zero vector, which
+  /// is dark.
   [[nodiscard]] ARCSPAN_COLD static constexpr Vertex middle_of(const Vertex& a, const Vertex& b) {
-    const std::int32_t rest =
+    const std::int32_t squared_sum =
         Factor::of(4.0).raw() - scaled_chord(squared_chord(a.normal, b.normal), AngleFormat::kWide).raw();
-    ReciprocalRoot root = reciprocal_root(static_cast<std::uint32_t>(rest));
-    if (rest <= 64) root.mantissa = 0;
+    ReciprocalRoot root = reciprocal_root(static_cast<std::uint32_t>(squared_sum));
+    if (squared_sum <= 64) root.mantissa = 0;
     const auto component = [&root](NormalComponent p, NormalComponent q) {
       return NormalComponent::from_raw(
           static_cast<std::int16_t>(scaled(std::int64_t{p.raw()} + q.raw(), root)));
@@ -163,20 +172,21 @@ struct Arc {
     return middle;
   }
 
-  /// S0 eq. 2 at the fraction t of an arc of at most 60 degrees.
+  /// Returns the vertex at the fraction t, 0...1, of an arc of at most 60 degrees (S0 eq. 2).
   [[nodiscard]] ARCSPAN_COLD static constexpr Vertex on_arc(const Vertex& a, const Vertex& b, Factor t) {
     constexpr AngleFormat kFormat = AngleFormat::kWide;
     const SquaredAngle angle =
         angle_of_chord(scaled_chord(squared_chord(a.normal, b.normal), kFormat), kFormat);
     const ArcStart at = arc_start(angle, kFormat, t, Factor{});
     const auto component = [&at](NormalComponent p, NormalComponent q) {
-      const Factor middle =
-          Factor::from_raw(std::int32_t{p.raw()} + q.raw());  // 14 bits summed: 15 bits of the mean
-      const Factor rise = Factor::from_raw((std::int32_t{q.raw()} - p.raw()) * 2);
-      const Factor sum = middle + times_angle(middle, at.even, kFormat) + multiply<Factor>(at.odd, rise);
+      const Factor middle = Factor::from_raw(std::int32_t{p.raw()} +
+                                             q.raw());  // the sum has 14 fraction bits, so the mean has 15
+      const Factor difference = Factor::from_raw((std::int32_t{q.raw()} - p.raw()) * 2);
+      const Factor sum =
+          middle + times_angle(middle, at.even, kFormat) + multiply<Factor>(at.odd, difference);
       return NormalComponent::from_raw(static_cast<std::int16_t>(round_shift(sum.raw(), 1)));
     };
-    constexpr SlopeScale kWholeArc = slope_scale(ArcFraction{}, 15, 0);  // only x is wanted of start_scalar()
+    constexpr SlopeScale kWholeArc = slope_scale(ArcFraction{}, 15, 0);  // d of start_scalar() is not used
     Vertex point;
     point.normal = {component(a.normal.x, b.normal.x), component(a.normal.y, b.normal.y),
                     component(a.normal.z, b.normal.z)};

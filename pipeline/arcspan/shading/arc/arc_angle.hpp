@@ -10,32 +10,36 @@
 
 namespace arcspan {
 
-/// psi^2 of a squared chord s = 2 - 2 cos(psi): s + s^2/12 + s^3/90 + s^4/560 (of 4 asin^2(sqrt(s)/2)); s at
-/// most 1.
+/// Returns the squared angle psi^2 = 4 asin^2(sqrt(s)/2) of the squared chord s = 2 - 2 cos(psi), s at most
+/// 1, by the series s + s^2/12 + s^3/90 + s^4/560. The last coefficient is increased by 0.0004 for the terms
+/// that are left out.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr SquaredAngle angle_of_chord(SquaredAngle s, AngleFormat format) {
   const Factor inner = Factor::of(1.0 / 90) + times_angle(Factor::of(1.0 / 560 + 0.0004), s, format);
   const Factor outer = Factor::of(1.0 / 12) + times_angle(inner, s, format);
   return s + multiply<SquaredAngle>(times_angle(s, s, format), outer);
 }
 
-/// psi / sin(psi) - 1 of a squared chord: s/6 + s^2/30 + s^3/140.
+/// Returns psi / sin(psi) - 1 of a squared chord s, at most 1, by the series s/6 + s^2/30 + s^3/140. The last
+/// coefficient is increased by 0.002 for the terms that are left out.
 [[nodiscard]] constexpr SquaredAngle angle_over_sine_less_1(SquaredAngle s, AngleFormat format) {
   const Factor inner = Factor::of(1.0 / 30) + times_angle(Factor::of(1.0 / 140 + 0.002), s, format);
   return multiply<SquaredAngle>(s, Factor::of(1.0 / 6) + times_angle(inner, s, format));
 }
 
-/// Squared chords between the three normals of a triangle with corner A: |A-B|^2, |A-C|^2, |B-C|^2; at
-/// most 1.
+/// Squared chords between the normals A, B, C of a triangle: |A-B|^2, |A-C|^2, |B-C|^2, each at most 1. A is
+/// the corner at which a half of the triangle ends, B the middle vertex, C the other end of the long edge.
 struct CornerChords {
   SquaredAngle ab;
   SquaredAngle ac;
   SquaredAngle bc;
 };
 
-/// Squared angle of a row, extrapolated from the corner A where the row is a point: rows cut AB whole and AC
-/// at the fraction `t`. There the law of cosines is the plane one for the tangents psi/sin(psi) (B - A cos
-/// psi),
-///     psi_row^2 = psi_ab^2 + t^2 psi_ac^2 - 2 t T_ab·T_ac.
+/// Returns the squared angle of the row through B, extrapolated from the corner A, where rows shrink to a
+/// point; `t` is the fraction of AC at which that row meets it. Near A the law of cosines is the plane one,
+///
+///     psi_row^2 = psi_ab^2 + t^2 psi_ac^2 - 2 t T_ab·T_ac,
+///
+/// where T_ab = psi/sin(psi) (B - A cos psi) is the tangent at A of the arc AB, and T_ac that of AC.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr SquaredAngle row_angle_at_corner(const CornerChords& s,
                                                                          AngleFormat format, Factor t) {
   const SquaredAngle edges = SquaredAngle::from_raw((s.ab.raw() + s.ac.raw() - s.bc.raw()) / 2);
@@ -49,8 +53,10 @@ struct CornerChords {
   return row.raw() < 0 ? SquaredAngle{} : row;
 }
 
-/// Squared angle of the row through B: from B to the point of the arc AC at the fraction t from A.
-/// With N = w(1-t) A + w(t) C:  |N - B|^2 = w(1-t) |A-B|^2 + w(t) |B-C|^2 - 2 (w(1-t) + w(t) - 1).
+/// Returns the squared angle of the row through B: between B and the normal N at the fraction t of the arc
+/// AC, t from A. N = w(1-t) A + w(t) C with the weights w of S0 eq. 2, hence
+///
+///     |N - B|^2 = w(1-t) |A-B|^2 + w(t) |B-C|^2 - 2 (w(1-t) + w(t) - 1).
 [[nodiscard]] constexpr SquaredAngle row_angle_at_middle(const CornerChords& s, AngleFormat format,
                                                          Factor t) {
   const ArcStart at = arc_start(angle_of_chord(s.ac, format), format, t, Factor{});

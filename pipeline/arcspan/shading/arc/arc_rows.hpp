@@ -8,26 +8,28 @@
 
 namespace arcspan {
 
-/// The angle of the rows between two arcs that leave one corner, and the step of their pixels. A row at the
-/// fraction t of the way from the corner to the middle vertex has
+/// The squared angles psi^2 of the rows of a half triangle and the factors k of their pixels' recurrence. The
+/// half lies between two arcs that leave one corner. At the fraction t of the height from the corner to the
+/// middle vertex, a row has
 ///
 ///     psi^2 = t^2 (corner + rise t^2),      k = k_corner + k_rise t^2,
 ///
-/// since psi/t is an even function of t; the first is exact at both ends, the error between them is of the
+/// because psi/t is an even function of t. psi^2 is exact at both ends; its error between them is of the
 /// sixth order in the angle (2.4e-5 of psi^2 at 30 degrees, 2.8e-3 at 60).
 struct ArcRows {
-  std::int32_t corner;  ///< in the rows' AngleFormat
-  std::int32_t rise;
-  std::int32_t k_corner;
-  std::int32_t k_rise;
-  std::int32_t k_shift;
-  std::int32_t t;   ///< of the first row, 30 fraction bits
-  std::int32_t dt;  ///< per row
+  std::int32_t corner;    ///< psi^2 / t^2 at the corner, in the rows' AngleFormat
+  std::int32_t rise;      ///< its increase to the middle vertex, in the rows' AngleFormat
+  std::int32_t k_corner;  ///< mantissa of k at the corner (ArcStep)
+  std::int32_t k_rise;    ///< its increase to the middle vertex
+  std::int32_t k_shift;   ///< shift of k for all rows
+  std::int32_t t;         ///< of the current row, 0...1, 30 fraction bits
+  std::int32_t dt;        ///< change of t per row
 };
 
-/// Rows of a half triangle. `at_corner` and `at_middle` are psi^2 as of arc_angle.hpp, `width` the reciprocal
-/// of the row's length in pixels at the middle vertex. `edge` is the half's short edge; `from_top` tells at
-/// which of its ends the corner is.
+/// Sets up the rows of a half triangle at its first row. `at_corner` and `at_middle` are the results of
+/// row_angle_at_corner() and row_angle_at_middle() in `format`, `width` is the reciprocal of the length in
+/// pixels of the row at the middle vertex (16 fraction bits), and `edge` is the short edge of the half, with
+/// its reciprocal. `from_top` is true if the corner is the upper end of that edge.
 ARCSPAN_OUTLINE constexpr void make_arc_rows(SquaredAngle at_corner, SquaredAngle at_middle,
                                              AngleFormat format, const Reciprocal& width,
                                              const EdgeSetup& edge, bool from_top, ArcRows& rows) {

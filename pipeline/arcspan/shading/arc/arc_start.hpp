@@ -8,18 +8,21 @@
 
 namespace arcspan {
 
-/// How a scalar and its first difference follow from the scalar's values at the two ends of an arc of angle
-/// psi, at a fraction u of it and one step of the fraction a further:
+/// The factors that give the value x of a scalar at the fraction u of an arc, and its first difference for a
+/// step of the fraction a of the arc, from the scalar's values I0 and I1 at the two ends:
 ///
 ///     x    = M + even * M + odd * D,         M = (I0 + I1) / 2,  D = I1 - I0
 ///     diff = a * (slope_odd * D + slope_even * M)
 ///
-/// From x(u) = [sin((1-u) psi) I0 + sin(u psi) I1] / sin(psi) (S0 eq. 2) with c = u - 1/2 and v = c + a/2:
+/// The factors depend on the angle psi of the arc, u and a only, so all scalars share them. They follow from
+/// x(u) = [sin((1-u) psi) I0 + sin(u psi) I1] / sin(psi) (S0 eq. 2) with c = u - 1/2 and v = c + a/2:
+///
 ///     1 + even   = cos(c psi) / cos(psi/2)
 ///     odd        = sin(c psi) / (2 sin(psi/2))
 ///     slope_even = -2 sin(v psi) sin(a psi/2) / (a cos(psi/2))
 ///     slope_odd  = cos(v psi) sin(a psi/2) / (a sin(psi/2))
-/// each as a series in psi^2. The factors hold for every scalar of the arc.
+///
+/// and are computed as series in psi^2. The SquaredAngles are in the format of psi^2.
 struct ArcStart {
   SquaredAngle even;
   Factor odd;
@@ -29,8 +32,8 @@ struct ArcStart {
 
 namespace detail {
 
-/// Any arc; second order: error of x and of the end that diff leads to at most 2e-5 up to 30 degrees and 2e-3
-/// at 60, beside rounding.
+/// arc_start() for any format, by series of the second order in p = psi^2. The error of x, and of the value
+/// that diff reaches at the end of the arc, is at most 2e-5 up to 30 degrees and 2e-3 at 60, plus rounding.
 [[nodiscard]] ARCSPAN_INLINE constexpr ArcStart far_arc_start(SquaredAngle p, AngleFormat format, Factor u,
                                                               Factor a) {
   constexpr Factor kOne = Factor::of(1.0);
@@ -41,30 +44,30 @@ namespace detail {
   const Factor v = c + Factor::from_raw(a.raw() >> 1);
   const Factor v2 = multiply<Factor>(v, v);
   const Factor a2 = multiply<Factor>(a, a);
-  const SquaredAngle bow = multiply<SquaredAngle>(p, Factor::of(0.25) - c2);
+  const SquaredAngle p_parabola = multiply<SquaredAngle>(p, Factor::of(0.25) - c2);  // p (1/4 - c^2)
 
   ArcStart start;
   // even = (p/2) (1/4 - c^2) (1 + p (5/4 - c^2) / 12)
-  const SquaredAngle rise = multiply<SquaredAngle>(p, Factor::of(1.25) - c2);
-  start.even = multiply<SquaredAngle>(bow, kHalf + times_angle(Factor::of(1.0 / 24), rise, format));
+  const SquaredAngle p_even = multiply<SquaredAngle>(p, Factor::of(1.25) - c2);  // p (5/4 - c^2)
+  start.even = multiply<SquaredAngle>(p_parabola, kHalf + times_angle(Factor::of(1.0 / 24), p_even, format));
   // odd = c (1 + p (1/4 - c^2) (1/6 + 0.0043 p))
-  const Factor odd_rise = Factor::of(1.0 / 6) + times_p(Factor::of(0.0043));
-  start.odd = c + times_angle(c, multiply<SquaredAngle>(bow, odd_rise), format);
+  const Factor odd_inner = Factor::of(1.0 / 6) + times_p(Factor::of(0.0043));
+  start.odd = c + times_angle(c, multiply<SquaredAngle>(p_parabola, odd_inner), format);
   // slope_odd = 1 + p [(1 - a^2) / 24 + 0.0012 p - v^2 (1/2 + 0.0104 p)]
-  const Factor odd_fall = multiply<Factor>(v2, kHalf + times_p(Factor::of(0.0104)));
-  const Factor odd_rate =
-      multiply<Factor>(kOne - a2, Factor::of(1.0 / 24)) + times_p(Factor::of(0.0012)) - odd_fall;
-  start.slope_odd = kOne + times_p(odd_rate);
+  const Factor slope_odd_v2 = multiply<Factor>(v2, kHalf + times_p(Factor::of(0.0104)));
+  const Factor slope_odd_rate =
+      multiply<Factor>(kOne - a2, Factor::of(1.0 / 24)) + times_p(Factor::of(0.0012)) - slope_odd_v2;
+  start.slope_odd = kOne + times_p(slope_odd_rate);
   // slope_even = -v p [1 + p (1/8 - a^2/24 + 0.0130 p - v^2 (1/6 + 0.0188 p))]
-  const Factor even_fall = multiply<Factor>(v2, Factor::of(1.0 / 6) + times_p(Factor::of(0.0188)));
-  const Factor even_rate = Factor::of(0.125) - multiply<Factor>(a2, Factor::of(1.0 / 24)) +
-                           times_p(Factor::of(0.0130)) - even_fall;
-  start.slope_even = -multiply<SquaredAngle>(multiply<SquaredAngle>(p, v), kOne + times_p(even_rate));
+  const Factor slope_even_v2 = multiply<Factor>(v2, Factor::of(1.0 / 6) + times_p(Factor::of(0.0188)));
+  const Factor slope_even_rate = Factor::of(0.125) - multiply<Factor>(a2, Factor::of(1.0 / 24)) +
+                                 times_p(Factor::of(0.0130)) - slope_even_v2;
+  start.slope_even = -multiply<SquaredAngle>(multiply<SquaredAngle>(p, v), kOne + times_p(slope_even_rate));
   return start;
 }
 
-/// A near arc: first order, which is within 2e-5 there and 5e-6 at 10 degrees. Most rows of finely divided
-/// meshes are such.
+/// arc_start() for AngleFormat::kNear, by series of the first order. The error is at most 2e-5, and 5e-6 at
+/// 10 degrees. Most rows of finely divided meshes take this path.
 [[nodiscard]] ARCSPAN_INLINE constexpr ArcStart near_arc_start(SquaredAngle angle2, Factor u, Factor a) {
   using NearAngle = Fixed<std::int32_t, fraction_bits(AngleFormat::kNear)>;
   constexpr Factor kOne = Factor::of(1.0);
@@ -74,26 +77,29 @@ namespace detail {
   const Factor c = u - Factor::of(0.5);
   const Factor v = c + Factor::from_raw(a.raw() >> 1);
   const Factor v2 = multiply_floor<Factor>(v, v);
-  const NearAngle bow = multiply_floor<NearAngle>(p, u - multiply_floor<Factor>(u, u));
-  // (5/4 - c^2) / 24 is 0.042...0.052.
-  const Factor even_rate = Factor::of(0.5) + multiply_floor<Factor>(p, Factor::of(0.047));
-  const Factor fall = kTwentyFourth - multiply_floor<Factor>(multiply_floor<Factor>(a, a), kTwentyFourth) -
-                      Factor::from_raw(v2.raw() >> 1);
-  const Factor gain =
+  const NearAngle p_parabola =
+      multiply_floor<NearAngle>(p, u - multiply_floor<Factor>(u, u));  // p (1/4 - c^2)
+  // The constant 0.047 replaces (5/4 - c^2) / 24, which is 0.042...0.052.
+  const Factor even_inner = Factor::of(0.5) + multiply_floor<Factor>(p, Factor::of(0.047));
+  const Factor slope_odd_rate = kTwentyFourth -
+                                multiply_floor<Factor>(multiply_floor<Factor>(a, a), kTwentyFourth) -
+                                Factor::from_raw(v2.raw() >> 1);
+  const Factor slope_even_inner =
       kOne + multiply_floor<Factor>(p, Factor::of(0.125) - multiply_floor<Factor>(v2, kSixth));
 
   ArcStart start;
-  start.even = SquaredAngle::from_raw(multiply_floor<NearAngle>(bow, even_rate).raw());
-  start.odd = c + multiply_floor<Factor>(c, multiply_floor<NearAngle>(bow, kSixth));
-  start.slope_odd = kOne + multiply<Factor>(p, fall);
-  start.slope_even = SquaredAngle::from_raw((-multiply<NearAngle>(multiply<NearAngle>(v, p), gain)).raw());
+  start.even = SquaredAngle::from_raw(multiply_floor<NearAngle>(p_parabola, even_inner).raw());
+  start.odd = c + multiply_floor<Factor>(c, multiply_floor<NearAngle>(p_parabola, kSixth));
+  start.slope_odd = kOne + multiply<Factor>(p, slope_odd_rate);
+  start.slope_even =
+      SquaredAngle::from_raw((-multiply<NearAngle>(multiply<NearAngle>(v, p), slope_even_inner)).raw());
   return start;
 }
 
 }  // namespace detail
 
-/// Of an arc whose squared angle is `angle2`; `u` and `a` in 0...1. A call, for edges, rows and cut vertices
-/// alike.
+/// Returns the factors of an arc with the squared angle `angle2` in `format`; u and a are in 0...1. Edges,
+/// rows and clipped vertices share this one function, which is not inlined.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr ArcStart arc_start(SquaredAngle angle2, AngleFormat format, Factor u,
                                                            Factor a) {
   return format == AngleFormat::kNear ? detail::near_arc_start(angle2, u, a)

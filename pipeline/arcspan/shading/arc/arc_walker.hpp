@@ -10,8 +10,8 @@
 
 namespace arcspan {
 
-/// `Count` scalars of a triangle along great circles: the edges' arcs, each at its first row, and the rows of
-/// the upper and the lower half.
+/// A triangle whose `Count` scalars follow great circles: the arcs of the edges, each at its first row, and
+/// the rows of the upper and the lower half. An edge or a half without rows to draw is not set.
 template <std::size_t Count>
 struct ArcTriangle {
   ArcEdge<Count> long_edge;
@@ -19,13 +19,14 @@ struct ArcTriangle {
   ArcEdge<Count> lower_edge;
   ArcRows upper_rows;
   ArcRows lower_rows;
-  std::uint8_t slope_drop;
-  AngleFormat rows;  ///< the format of the rows' angles
-  bool middle_left;
+  std::uint8_t slope_drop;  ///< slope_drop() of the rows
+  AngleFormat rows;         ///< format of the rows' squared angles
+  bool middle_left;         ///< the middle vertex is on the left of the long edge
 };
 
 namespace detail {
 
+/// Sets up the rows of both halves.
 template <class Frame, std::size_t Count>
 constexpr void prepare_arc_rows(const Frame& frame, ArcTriangle<Count>& arcs) {
   const TriangleChords& chords = frame.chords;
@@ -50,7 +51,8 @@ constexpr void prepare_arc_rows(const Frame& frame, ArcTriangle<Count>& arcs) {
 
 }  // namespace detail
 
-/// `Frame` is a TriangleFrame whose chords are measured and whose vertices carry `scalars`.
+/// Sets up the arcs of a triangle. `Frame` is a TriangleFrame whose chords are measured and whose vertices
+/// have `scalars`.
 template <class Frame, std::size_t Count>
 ARCSPAN_OUTLINE constexpr void prepare_arcs(Frame& frame, ArcTriangle<Count>& arcs) {
   const TriangleChords& chords = frame.chords;
@@ -68,7 +70,7 @@ ARCSPAN_OUTLINE constexpr void prepare_arcs(Frame& frame, ArcTriangle<Count>& ar
   arcs.middle_left = frame.middle_left;
 }
 
-/// The scalars of a row's pixels, by the recurrence.
+/// The pixels of a row (PixelRun); the recurrence steps their scalars.
 template <class Lighting>
 class ArcRun {
  public:
@@ -81,7 +83,7 @@ class ArcRun {
     unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
     return lighting.colour(values);
   }
-  /// The same, encoded; `encoded` is an EncodedColourTable.
+  /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
   template <class Format, class Colours>
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
                                                                           const Colours& encoded) const {
@@ -94,8 +96,8 @@ class ArcRun {
   constexpr void next() {
     unrolled<kScalars>([this](auto i) { scalars_[i].step(mantissa_, shift_); });
   }
-  /// From here on next() goes 2^b pixels at once, b <= bits. Returns b, which is less if the recurrence
-  /// cannot hold so wide a step (28.9 degrees).
+  /// Makes every following next() step 2^b pixels and returns b (StridedRun). b is `bits`, or less if the
+  /// angle per step would reach 28.9 degrees (double_stride()).
   constexpr int stride(int bits) {
     int reached = 0;
     ArcStep twice{mantissa_, shift_, 0};
@@ -103,7 +105,7 @@ class ArcRun {
       unrolled<kScalars>([this](auto i) {
         ArcScalar ahead = scalars_[i];
         ahead.step(mantissa_, shift_);
-        scalars_[i].d += ahead.d;  // two steps: d + the next d
+        scalars_[i].d += ahead.d;  // the difference over two steps
       });
       mantissa_ = twice.mantissa;
       shift_ = twice.shift;
@@ -117,15 +119,16 @@ class ArcRun {
   std::int32_t shift_;
 };
 
-/// Both edges' scalars, from row to row; walks the prepared edges in place.
+/// Steps the scalars of both edges of a half from row to row (RowWalker). It changes the prepared arcs in
+/// place.
 template <class Lighting>
 class ArcWalker {
  public:
   static constexpr std::size_t kScalars = Lighting::kScalars;
   using Run = ArcRun<Lighting>;
 
-  /// The recurrence's rounding adds up to m^2 / 4 units of 2^-30: 1.5e-5 over 256 pixels, then the row starts
-  /// anew.
+  /// Rounding of the recurrence adds up to m^2 / 4 units of 2^-30 over m pixels, 1.5e-5 over 256. A longer
+  /// row is drawn in several runs.
   static constexpr std::int32_t kLongestRun = 256;
   static constexpr bool kOutlined = true;
 
@@ -165,10 +168,11 @@ class ArcWalker {
   }
 
  private:
-  /// Where the row's first pixel is between its ends, 0...1; `inverse` is the width's reciprocal.
+  /// Returns the fraction of the row at its first pixel, 0...1; `inverse` is the reciprocal of start.width.
   [[nodiscard]] static constexpr Factor fraction_of_row(const RowStart& start, const Reciprocal& inverse) {
     const std::uint32_t inside = start.inside < start.width ? start.inside : start.width;
-    const std::uint32_t normalised = inside << (47 - inverse.exponent);  // as the width has its bit 31 set
+    const std::uint32_t normalised = inside
+                                     << (47 - inverse.exponent);  // the shift that moves the width to bit 31
     return Factor::from_raw(static_cast<std::int32_t>(((normalised >> 16) * inverse.mantissa) >> 16));
   }
 

@@ -9,34 +9,36 @@
 
 namespace arcspan {
 
-/// k = 2 - 2 cos(phi) of an arc's step phi, block-floating, for differences with 30 + fine fraction bits:
-/// k = mantissa * 2^-(16 + shift + fine). A zero mantissa makes the step linear. mantissa < 2^15;
-/// shift 1...31. A k of 1/4 (28.9 degrees a step) or more only occurs where an arc has no second step to
-/// make, and saturates.
+/// The factor k = 2 - 2 cos(phi) of an arc with steps of the angle phi, in block floating point:
+/// k = mantissa * 2^-(16 + shift + fine). A k of 1/4 or more (28.9 degrees per step) saturates; it only
+/// occurs where an arc has no second step to make.
 struct ArcStep {
-  std::int32_t mantissa;
-  std::int32_t shift;
-  std::int32_t fine;
+  std::int32_t mantissa;  ///< 0...2^15 - 1; 0 makes the scalar linear
+  std::int32_t shift;     ///< 1...31
+  std::int32_t fine;      ///< fraction bits of differences beyond 30
 };
 
-/// A scalar on its way along an arc: S0 eq. 14 in Reinsch's difference form,
+/// A scalar that is stepped along an arc: S0 eq. 14 in Reinsch's difference form,
 ///
 ///     x <- x + d;    d <- d - round(k x)
 ///
-/// one 16x16->32 multiply, one shift, and sums. The multiplier sees the top 16 bits of x (14 fraction bits);
-/// d keeps all 30, because its error grows with the number of steps (docs/papers.md).
+/// A step takes one 16x16->32 multiply, one shift and three sums, one of which rounds. The multiplier gets
+/// the top 16 bits of x (14 fraction bits); d keeps 30 fraction bits, because its error grows with the number
+/// of steps (docs/papers.md).
 struct ArcScalar {
   Cosine x;
   Cosine d;
 
+  /// Steps along an arc whose ArcStep has no fine bits.
   constexpr void step(std::int32_t mantissa, std::int32_t shift) {
     x += d;
     const std::int32_t kx = wrap_mul(mantissa, x.raw() >> 16);
     d -= Cosine::from_raw(wrap_add(kx, std::int32_t{1} << (shift - 1)) >> shift);
   }
 
-  /// The same with a difference of 30 + fine fraction bits: over m steps the rounding of k x, which hardly
-  /// changes from one to the next, adds up to m^2 / 4 units of d. For edges, which may have 2048 rows.
+  /// Steps with a difference of 30 + fine fraction bits, for edges, which may have 2048 rows. The rounding
+  /// error of k x hardly changes from one step to the next, so over m steps it adds up to m^2 / 4 units of d;
+  /// the fine bits make that unit smaller.
   constexpr void fine_step(const ArcStep& k) {
     x += Cosine::from_raw(d.raw() >> k.fine);
     const std::int32_t kx = wrap_mul(k.mantissa, x.raw() >> 16);
@@ -44,9 +46,10 @@ struct ArcScalar {
   }
 };
 
-/// k of an arc whose squared angle is `angle2`, with `bits` fraction bits, and whose step is the fraction a =
-/// mantissa * 2^-exponent of it, mantissa in [2^15, 2^16], exponent >= 16 (a <= 1): phi^2 = a^2 psi^2, k =
-/// phi^2 (1 - phi^2/12).
+/// Returns k = phi^2 (1 - phi^2/12), phi^2 = a^2 psi^2, of an arc with the squared angle psi^2 = `angle2`
+/// (`bits` fraction bits), of which one step is the fraction a = mantissa * 2^-exponent; mantissa in [2^15,
+/// 2^16], exponent at least 16, so a <= 1. A k too small for its format becomes 0, a k of 1/4 or more
+/// saturates.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr ArcStep arc_step(std::int32_t angle2, int bits,
                                                          std::uint32_t mantissa, int exponent, int fine) {
   // phi^2 = wide * 2^-(30 + scale), wide below 1.1 * 2^30.
@@ -66,14 +69,14 @@ struct ArcScalar {
   return {static_cast<std::int32_t>(drop >= 0 ? wide >> drop : wide << -drop), shift, fine};
 }
 
-/// Turns k = 2 - 2 cos(phi) into that of twice the step, k(2 phi) = k (4 - k). `k` must have no fine bits.
-/// False, with k as it was, if the doubled one is 1/4 or more, which ArcStep cannot hold: 28.9 degrees.
+/// Replaces k by that of twice the step, k(2 phi) = k (4 - k). `k` must have no fine bits. Returns false and
+/// leaves k unchanged if the result is 1/4 or more (28.9 degrees per step), which ArcStep cannot hold.
 [[nodiscard]] constexpr bool double_stride(ArcStep& k) {
   // k = m 2^-(16 + s), so k (4 - k) = 2 (2 m - m^2 2^-(17 + s)) 2^-(16 + s).
   const auto m = static_cast<std::uint32_t>(k.mantissa);
   const std::int32_t down = 17 + k.shift;
-  const std::uint32_t second_difference = down > 31 ? 0u : (m * m + (1u << (down - 1))) >> down;
-  const std::uint32_t sum = 2 * m - second_difference;
+  const std::uint32_t square = down > 31 ? 0u : (m * m + (1u << (down - 1))) >> down;
+  const std::uint32_t sum = 2 * m - square;
   const bool sixteen_bits = sum >= 1u << 15;
   const std::int32_t shift = k.shift - (sixteen_bits ? 2 : 1);
   if (shift < 1) return m == 0;

@@ -8,24 +8,28 @@
 #include <array>
 #include <cstdint>
 
-/// A scalar of a triangle whose normals are close together, as the quadratic surface through its vertices and
-/// the middles of its three arcs (decision 5):
+/// A patch replaces the arcs of a triangle whose normals are close together (decision 5). Each scalar is the
+/// quadratic surface through its values at the three vertices and at the middles of the three arcs:
 ///
 ///     f = sum I_i l_i + sum b_ij l_i l_j,     b_ij = 2 (I_i + I_j) (1 / cos(psi_ij / 2) - 1),
 ///
-/// l being the barycentric coordinates. Along an edge it depends on that edge alone, so that neighbours
-/// agree. Down the left edge and along the rows it goes by second differences: nothing is left to multiply.
+/// where l are the barycentric coordinates. b_ij is the *quadruple sagitta* of an edge: four times the height
+/// of the arc above its chord at the middle, b = 4 (f(1/2) - (I_i + I_j) / 2). For a scalar that is linear in
+/// the normal, S0 eq. 2 gives f(1/2) = (I_i + I_j) / (2 cos(psi_ij / 2)), hence the formula.
+///
+/// Along an edge f depends on that edge alone, so that neighbouring triangles agree. Down the left edge and
+/// along the rows f is stepped by second differences, without a multiply.
 namespace arcspan {
 
-/// A scalar on its way down a left edge. `slope` is its derivative along x there, per pixel.
+/// A scalar along a left edge, at the current row.
 struct PatchEdge {
-  Cosine at;
-  Cosine step;
-  Cosine second_difference;
-  Cosine slope;
-  Cosine slope_step;
+  Cosine at;                 ///< value on the edge, at the row's centre line
+  Cosine step;               ///< difference to the next row
+  Cosine second_difference;  ///< change of `step` per row
+  Cosine slope;              ///< derivative along x on the edge, per pixel
+  Cosine slope_step;         ///< change of `slope` per row
 
-  /// Member by member: a call of memcpy costs more where there are few registers.
+  /// Assigns member by member, because a call of memcpy costs more on cores with few registers.
   constexpr void become(const PatchEdge& other) {
     at = other.at;
     step = other.step;
@@ -41,24 +45,26 @@ struct PatchEdge {
   }
 };
 
-/// A scalar over a triangle: `lower` takes the left edge's place at the middle row if the middle vertex is on
-/// the left; `second_difference` is the second difference from pixel to pixel.
+/// A scalar over a triangle. At the middle row `lower` replaces `left` if the middle vertex is on the left.
 struct PatchScalar {
   PatchEdge left;
-  Cosine second_difference;
+  Cosine second_difference;  ///< per pixel along a row; the same for all rows
   PatchEdge lower;
 };
 
+/// The patch of a triangle: `Count` scalars.
 template <std::size_t Count>
 using Patch = std::array<PatchScalar, Count>;
 
-/// The largest patch in pixels, either way: rounding of second differences adds up to 2^-17, which moves a
-/// highlight of n = 64 by half an 8-bit step.
+/// The limit of a patch's width and height in pixels. Up to there the rounding errors of second differences
+/// add up to 2^-17, which changes a highlight of n = 64 by half an 8-bit step.
 inline constexpr std::int32_t kLargestPatch = 128;
 
-/// 4 (1 / cos(psi/2) - 1) of a squared chord s (28 fraction bits, at most 0.078, which is 16 degrees), which
-/// is s/2 + 3/32 s^2 + ..., below 0.041.
+/// The quadruple sagitta of an edge divided by the mean of its two values: 4 (1 / cos(psi/2) - 1).
 using SagittaFactor = Fixed<std::int32_t, 20>;
+
+/// Returns the factor of an edge with the squared chord s = `chord` (28 fraction bits) by the series
+/// s/2 + 3/32 s^2. s is at most 0.078 (16 degrees), where the factor is below 0.041.
 [[nodiscard]] constexpr SagittaFactor sagitta_factor(std::uint32_t chord) {
   const std::uint32_t coarse = chord >> 10;  // 18 fraction bits
   return SagittaFactor::from_raw(
@@ -67,33 +73,37 @@ using SagittaFactor = Fixed<std::int32_t, 20>;
 
 namespace detail {
 
-/// v * f rounded down, 0 <= f <= 2, to all 30 bits in two products: errors of a patch's parts are errors of
-/// the normal's length, to which highlights are most sensitive.
+/// Returns v * f, rounded down, for f in 0...2. It keeps all 30 fraction bits by two products, because an
+/// error in a part of a patch acts as an error of the normal's length, to which highlights are most
+/// sensitive.
 [[nodiscard]] constexpr Cosine part(Cosine v, Factor f) {
   return Cosine::from_raw(scaled_down(v.raw(), static_cast<std::uint32_t>(f.raw()), Factor::kFraction));
 }
 
-/// 1 / length = fraction * 2^-down.
-struct PatchStep {
+/// The inverse of a length in pixels or rows: fraction * 2^-down.
+struct InverseLength {
   Factor fraction;
   int down;
 };
 
-/// Of a length of at least 1/2, given by its reciprocal with `bits` fraction bits.
-[[nodiscard]] constexpr PatchStep patch_step(const Reciprocal& inverse, int bits) {
+/// Returns the inverse of a length of at least 1/2, given as the reciprocal of the length with `bits`
+/// fraction bits.
+[[nodiscard]] constexpr InverseLength inverse_length(const Reciprocal& inverse, int bits) {
   const int down = inverse.exponent - bits - 16;
   const std::uint32_t fraction = inverse.mantissa >> 1;
   if (down >= 0) return {Factor::from_raw(static_cast<std::int32_t>(fraction)), down};
   return {Factor::from_raw(static_cast<std::int32_t>(fraction << -down)), 0};
 }
 
-/// v / length.
-[[nodiscard]] constexpr Cosine per_step(Cosine v, const PatchStep& step) {
+/// Returns v / length, rounded down.
+[[nodiscard]] constexpr Cosine divide_by_length(Cosine v, const InverseLength& step) {
   return Cosine::from_raw(part(v, step.fraction).raw() >> step.down);
 }
 
-/// v / (length of one) / (length of the other), rounded to nearest: it is summed over and over.
-[[nodiscard]] constexpr Cosine per_steps(Cosine v, const PatchStep& one, const PatchStep& other) {
+/// Returns v / (length of `one` * length of `other`), rounded to nearest. It makes differences of
+/// differences, whose rounding error is summed twice.
+[[nodiscard]] constexpr Cosine divide_by_both_lengths(Cosine v, const InverseLength& one,
+                                                      const InverseLength& other) {
   const Cosine product = part(part(v, one.fraction), other.fraction);
   const int down = one.down + other.down;
   return down == 0 ? product : Cosine::from_raw(round_shift(product.raw(), down > 31 ? 31 : down));
@@ -101,24 +111,25 @@ struct PatchStep {
 
 }  // namespace detail
 
-/// Of a triangle's edges, in common to its scalars.
+/// The sagitta factors of a triangle's edges; all its scalars share them.
 struct EdgeSagittaFactors {
   SagittaFactor top_middle;
   SagittaFactor top_bottom;
   SagittaFactor middle_bottom;
 };
 
-/// A scalar at the vertices.
+/// The values of a scalar at the vertices.
 struct PatchValues {
   Cosine top;
   Cosine middle;
   Cosine bottom;
 };
 
-/// How far a patch may rise above its vertices: sum b_ij l_i l_j <= b / 3 < 1/64.
+/// Upper bound of the height of a patch above the values at its vertices: sum b_ij l_i l_j <= b / 3 < 1/64.
 inline constexpr Cosine kPatchHeadroom = Cosine::of(1.0 / 64);
 
-/// Slivers have slopes too steep for a Cosine, and large triangles too many steps for the rounding.
+/// Returns true if the size of the triangle allows a patch: a width of at least half a pixel, because slopes
+/// of narrower triangles do not fit a Cosine, and a width and height below kLargestPatch.
 template <class Method>
 [[nodiscard]] constexpr bool patch_fits(const TriangleFrame<Method>& frame) {
   return frame.width >= (1u << 15) && frame.width < (static_cast<std::uint32_t>(kLargestPatch) << 16) &&
@@ -127,78 +138,82 @@ template <class Method>
 
 namespace detail {
 
-/// A scalar at one end of an edge: its value, and its slope over the widest row.
+/// A scalar at one end of an edge: its value, and its derivative along x per length of the widest row.
 struct PatchEnd {
   Cosine value;
   Cosine slope;
 };
 
-/// b of an edge between the values p and q.
-[[nodiscard]] constexpr Cosine quadruple_sagitta(Cosine p, Cosine q, SagittaFactor sagitta4) {
+/// Returns the quadruple sagitta of an edge between the values p and q.
+[[nodiscard]] constexpr Cosine quadruple_sagitta(Cosine p, Cosine q, SagittaFactor factor) {
   const Factor mean = Factor::from_raw(wrap_add(p.raw() >> 1, q.raw() >> 1) >> 15);
-  return multiply<Cosine>(mean, sagitta4);
+  return multiply<Cosine>(mean, factor);
 }
 
-/// The value half-way along an edge, which rises by b / 4 above its chord.
-[[nodiscard]] constexpr Cosine patch_middle(Cosine p, Cosine q, Cosine rise) {
-  return Cosine::from_raw(wrap_add(wrap_add(p.raw() >> 1, q.raw() >> 1), rise.raw() >> 2));
+/// Returns the value half-way along an edge: the mean of its ends, plus a quarter of the quadruple sagitta.
+[[nodiscard]] constexpr Cosine patch_middle(Cosine p, Cosine q, Cosine sagitta4) {
+  return Cosine::from_raw(wrap_add(wrap_add(p.raw() >> 1, q.raw() >> 1), sagitta4.raw() >> 2));
 }
 
-/// b of an edge from the value half-way along it.
+/// Returns the quadruple sagitta of an edge between p and q with the value `middle` half-way along it.
 [[nodiscard]] constexpr Cosine quadruple_sagitta_through(Cosine p, Cosine q, Cosine middle) {
   const std::int32_t above = wrap_sub(wrap_sub(middle.raw(), p.raw() >> 1), q.raw() >> 1);
   return Cosine::from_raw(wrap_shl(above, 2));
 }
 
-/// Sets a scalar off down an edge; `pixel` is one pixel of the widest row.
-constexpr void make_patch_edge(const EdgeSetup& edge, const PatchStep& pixel, const PatchEnd& from,
+/// Sets up a scalar along an edge at the edge's first row. `from` is its upper end, `to` its lower end,
+/// `sagitta4` its quadruple sagitta, and `pixel` the inverse width of the widest row in pixels.
+constexpr void make_patch_edge(const EdgeSetup& edge, const InverseLength& pixel, const PatchEnd& from,
                                const PatchEnd& to, Cosine sagitta4, PatchEdge& e) {
-  // f(t) = from + t (to - from + sagitta4) - t^2 sagitta4.
+  // f(t) = from + t (to - from + sagitta4) - t^2 sagitta4, t = 0...1 along the edge.
   const Factor t = start_fraction(edge);
-  const Cosine rise = to.value - from.value + sagitta4;
-  const Cosine sag = part(sagitta4, t);
-  const Cosine turn = to.slope - from.slope;
-  e.at = from.value + part(rise - sag, t);
-  e.slope = per_step(from.slope + part(turn, t), pixel);
-  if (edge.dy < 1 << Subpixel::kFraction) {  // it has one row
+  const Cosine slope_at_top = to.value - from.value + sagitta4;
+  const Cosine sagitta4_by_t = part(sagitta4, t);
+  const Cosine slope_difference = to.slope - from.slope;
+  e.at = from.value + part(slope_at_top - sagitta4_by_t, t);
+  e.slope = divide_by_length(from.slope + part(slope_difference, t), pixel);
+  if (edge.dy < 1 << Subpixel::kFraction) {  // the edge has one row
     e.step = e.second_difference = e.slope_step = Cosine{};
     return;
   }
-  const PatchStep row = patch_step(edge.inverse, Subpixel::kFraction);
-  e.second_difference = -per_steps(sagitta4 + sagitta4, row, row);
-  e.step = per_step(rise - sag - sag, row) + Cosine::from_raw(e.second_difference.raw() >> 1);
-  e.slope_step = per_steps(turn, row, pixel);
+  const InverseLength row = inverse_length(edge.inverse, Subpixel::kFraction);
+  e.second_difference = -divide_by_both_lengths(sagitta4 + sagitta4, row, row);
+  e.step = divide_by_length(slope_at_top - sagitta4_by_t - sagitta4_by_t, row) +
+           Cosine::from_raw(e.second_difference.raw() >> 1);
+  e.slope_step = divide_by_both_lengths(slope_difference, row, pixel);
 }
 
 }  // namespace detail
 
-/// What a scalar rises above its chords: b of the three edges.
-struct QuadrupleSagittas {
+/// The quadruple sagittas of a scalar along a triangle's edges.
+struct EdgeQuadrupleSagittas {
   Cosine top_middle;
   Cosine top_bottom;
   Cosine middle_bottom;
 };
 
-/// Makes one scalar of a patch. With t the fraction of the height and q that of the widest row, which is at
-/// t = m, the barycentric coordinates are l_middle = q, l_bottom = t - m q, and f = F(t) + q G(t) + q^2 H.
+/// Makes one scalar of a patch from its values at the vertices and its quadruple sagittas. Let t be the
+/// fraction of the triangle's height, m that of the middle vertex, and q the distance from the long edge as a
+/// fraction of the widest row. Then the barycentric coordinates are l_middle = q and l_bottom = t - m q, and
+/// f = F(t) + q G(t) + q^2 H.
 template <class Method>
 ARCSPAN_INLINE constexpr void make_patch_surface(const TriangleFrame<Method>& frame, const PatchValues& at,
-                                                 const QuadrupleSagittas& rises, PatchScalar& scalar) {
+                                                 const EdgeQuadrupleSagittas& sagittas, PatchScalar& scalar) {
   using detail::part;
   const Factor m = frame.middle_fraction;
-  const Cosine above = part(rises.top_bottom, m);
-  const Cosine below = rises.top_bottom - above;
+  const Cosine long_m = part(sagittas.top_bottom, m);
+  const Cosine long_rest = sagittas.top_bottom - long_m;
   const Cosine across = at.middle - at.top - part(at.bottom - at.top, m);
-  const Cosine h = part(below - rises.middle_bottom + rises.top_middle, m) - rises.top_middle;
-  // G at the three vertices.
-  Cosine g_top = across + rises.top_middle - above;
-  Cosine g_bottom = across + rises.middle_bottom - below;
+  const Cosine h = part(long_rest - sagittas.middle_bottom + sagittas.top_middle, m) - sagittas.top_middle;
+  // G at the three vertices; `across` is how far the middle vertex is above the long edge's chord.
+  Cosine g_top = across + sagittas.top_middle - long_m;
+  Cosine g_bottom = across + sagittas.middle_bottom - long_rest;
   Cosine g_middle = g_top + part(g_bottom - g_top, m) + h + h;
-  const detail::PatchStep pixel = detail::patch_step(frame.inverse_width, 16);
-  scalar.second_difference = detail::per_steps(h + h, pixel, pixel);
+  const detail::InverseLength pixel = detail::inverse_length(frame.inverse_width, 16);
+  scalar.second_difference = detail::divide_by_both_lengths(h + h, pixel, pixel);
   if (!frame.middle_left) {
-    detail::make_patch_edge(frame.long_edge, pixel, {at.top, g_top}, {at.bottom, g_bottom}, rises.top_bottom,
-                            scalar.left);
+    detail::make_patch_edge(frame.long_edge, pixel, {at.top, g_top}, {at.bottom, g_bottom},
+                            sagittas.top_bottom, scalar.left);
     return;
   }
   // q runs from right to left.
@@ -206,16 +221,16 @@ ARCSPAN_INLINE constexpr void make_patch_surface(const TriangleFrame<Method>& fr
   g_middle = -g_middle;
   g_bottom = -g_bottom;
   if (frame.has_upper) {
-    detail::make_patch_edge(frame.upper_edge, pixel, {at.top, g_top}, {at.middle, g_middle}, rises.top_middle,
-                            scalar.left);
+    detail::make_patch_edge(frame.upper_edge, pixel, {at.top, g_top}, {at.middle, g_middle},
+                            sagittas.top_middle, scalar.left);
   }
   if (frame.has_lower) {
     detail::make_patch_edge(frame.lower_edge, pixel, {at.middle, g_middle}, {at.bottom, g_bottom},
-                            rises.middle_bottom, scalar.lower);
+                            sagittas.middle_bottom, scalar.lower);
   }
 }
 
-/// The same for a scalar that is linear in the normal.
+/// Makes one scalar of a patch that is linear in the normal, from its values at the vertices.
 template <class Method>
 constexpr void make_patch_scalar(const TriangleFrame<Method>& frame,
                                  const EdgeSagittaFactors& sagitta_factors, const PatchValues& at,

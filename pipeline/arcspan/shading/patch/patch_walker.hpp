@@ -10,9 +10,9 @@
 
 namespace arcspan {
 
-/// `Used` scalars of a row's pixels, by second differences.
+/// The scalars of a row's pixels, of which there are `Used`, stepped by second differences.
 template <std::size_t Used>
-class PatchScalars {
+class SecondDifferenceRun {
  public:
   [[nodiscard]] constexpr const std::array<Cosine, Used>& scalars() const { return x_; }
   constexpr void next() {
@@ -22,20 +22,20 @@ class PatchScalars {
     });
   }
 
-  /// `p` is the distance of the first pixel from the left edge, 16 fraction bits below 1.
+  /// Starts scalar i at a row's first column. `p` is the distance in pixels from the left edge to that
+  /// column: 16 fraction bits, 0 or more and below 1.
   ARCSPAN_INLINE constexpr void start(std::size_t i, const PatchScalar& scalar, std::uint32_t p) {
-    // f(p) = at + p slope + p^2 second_difference / 2; f(p + 1) - f(p) = slope + p second_difference +
-    // second_difference / 2.
+    // With b the second difference: f(p) = at + p slope + p^2 b / 2,  f(p + 1) - f(p) = slope + p b + b / 2.
     const Cosine second_difference = scalar.second_difference;
     const Cosine slope = scalar.left.slope;
-    const Cosine turn =
+    const Cosine slope_change =
         Cosine::from_raw(wrap_mul(second_difference.raw() >> 8, static_cast<std::int32_t>(p >> 8)));
-    const Cosine mean = slope + Cosine::from_raw(turn.raw() >> 1);
+    const Cosine mean = slope + Cosine::from_raw(slope_change.raw() >> 1);
     x_[i] = scalar.left.at + Cosine::from_raw(wrap_mul(mean.raw() >> 13, static_cast<std::int32_t>(p >> 3)));
-    d_[i] = slope + turn + Cosine::from_raw(second_difference.raw() >> 1);
+    d_[i] = slope + slope_change + Cosine::from_raw(second_difference.raw() >> 1);
     second_difference_[i] = second_difference;
   }
-  /// As `count` calls of next() would leave it, to the last bit.
+  /// Steps `count` pixels at once; the result is bit-identical to that of `count` calls of next().
   constexpr void skip(std::int32_t count) {
     const std::int32_t pairs = static_cast<std::int32_t>(
         (static_cast<std::uint32_t>(count) * static_cast<std::uint32_t>(count - 1)) >> 1);
@@ -45,9 +45,10 @@ class PatchScalars {
       d_[i] += Cosine::from_raw(wrap_mul(second_difference_[i].raw(), count));
     });
   }
-  /// From here on next() goes 2^bits pixels at once, to the same values, to the last bit. Returns bits.
+  /// Makes every following next() step 2^bits pixels and returns `bits` (StridedRun). The values are
+  /// bit-identical to those of single steps.
   constexpr int stride(int bits) {
-    // n steps of d, d + b, ... are n d + b n (n - 1) / 2.
+    // The sum of the n steps d, d + b, d + 2 b ... is n d + b n (n - 1) / 2.
     const std::int32_t pairs = ((1 << bits) * ((1 << bits) - 1)) >> 1;
     unrolled<Used>([&](auto i) {
       d_[i] = Cosine::from_raw(
@@ -63,9 +64,10 @@ class PatchScalars {
   std::array<Cosine, Used> second_difference_;
 };
 
-/// A row's pixels by the first `Used` scalars of the illumination.
+/// The pixels of a row (PixelRun), coloured by the first `Used` scalars of the illumination: all of them, or
+/// N·L only.
 template <class Lighting, std::size_t Used>
-class PatchRun : public PatchScalars<Used> {
+class PatchRun : public SecondDifferenceRun<Used> {
  public:
   static constexpr std::size_t kUsed = Used;
 
@@ -76,7 +78,7 @@ class PatchRun : public PatchScalars<Used> {
       return lighting.diffuse_colour(this->scalars()[0]);
     }
   }
-  /// The same, encoded; `encoded` is an EncodedColourTable.
+  /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
   template <class Format, class Colours>
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
                                                                           const Colours& encoded) const {
@@ -89,8 +91,8 @@ class PatchRun : public PatchScalars<Used> {
   }
 };
 
-/// The left edge's scalars, from row to row; walks the patch in place. `RunOf` is a PatchScalars, and knows
-/// the colours.
+/// Steps the scalars of the left edge from row to row (RowWalker). It changes the patch in place. `RunOf` is
+/// the type of its runs, a SecondDifferenceRun with colours.
 template <class RunOf, std::size_t Count>
 class PatchWalker {
  public:

@@ -7,9 +7,10 @@
 
 namespace arcspan {
 
+/// The longest segments have 2^kMostSegmentBits = 16 pixels.
 inline constexpr int kMostSegmentBits = 4;
 
-/// An object's illumination, and the length of its segments: 2^bits pixels.
+/// An object's illumination, and the length of its segments: 2^bits pixels, 4 by default.
 template <class Illumination>
 struct SegmentedIllumination : Illumination {
   int bits = 2;
@@ -17,7 +18,8 @@ struct SegmentedIllumination : Illumination {
   constexpr SegmentedIllumination() = default;
   constexpr SegmentedIllumination(const Illumination& illumination) : Illumination(illumination) {}
 
-  /// 1...kMostSegmentBits, else kInvalidArgument and nothing changes.
+  /// Sets the length to 2^value pixels. Returns kInvalidArgument and changes nothing unless `value` is in
+  /// 1...kMostSegmentBits.
   [[nodiscard]] constexpr Status set_segment_bits(int value) {
     if (value < 1 || value > kMostSegmentBits) return Status::kInvalidArgument;
     bits = value;
@@ -25,9 +27,9 @@ struct SegmentedIllumination : Illumination {
   }
 };
 
-/// The combined method of segments (S0 section 4, S3): the arcs step 2^j pixels at once, the power and the
-/// colour are made there, and between them colours are linear. What that costs in accuracy grows with the
-/// square of the angle that a segment spans, and with n.
+/// The combined method of segments (S0 section 4, S3). The paths of Arc step 2^bits pixels at once, the power
+/// and the colour are computed there, and between these pixels the colour is linear. The error grows with the
+/// square of the angle that a segment spans, and with the exponent n.
 template <class Illumination>
 struct Segment : Arc<Illumination> {
   using Base = Arc<Illumination>;

@@ -9,25 +9,28 @@
 
 namespace arcspan {
 
-/// A row's pixels in segments of 2^bits: the colour of `Inner` is made at a segment's two ends and is linear
-/// between them.
+/// The pixels of a row in segments of 2^bits pixels (SegmentedRun). The colour of `Inner` is computed at both
+/// ends of a segment and is linear between them.
 ///
-/// A row that is shorter than a segment is one of the shortest power of two that holds it, and the last
-/// segment of a longer one ends at most a row's length beyond it: there the arcs go on as they came.
+/// A row that is shorter than a segment is one segment of the smallest power of two that holds it. The last
+/// segment of a longer row may end beyond the row, by less than the row's length; its end lies on the
+/// continued arc.
 template <class Inner>
 class SegmentRun {
  public:
-  /// The inner run is made in place: small cores would copy it by memcpy.
+  /// Constructs the inner run in place, because small cores would copy it by memcpy.
   template <class Walker>
   constexpr SegmentRun(const Walker& walker, const RowStart& start, int bits)
       : inner_(walker.row(start)), bits_(bits) {}
 
+  /// Starts a row of `count` pixels.
   template <class Lighting>
   constexpr void begin(const Lighting& lighting, std::int32_t count) {
     const int enough = count < 3 ? 0 : 32 - std::countl_zero(static_cast<std::uint32_t>(count - 2));
     bits_ = inner_.stride(enough < bits_ ? enough : bits_);
     end_ = ColourSegment::of(inner_.colour(lighting));
   }
+  /// Steps to the next segment and returns its number of pixels, at most `left`, those left in the row.
   template <class Lighting>
   [[nodiscard]] constexpr std::int32_t enter(const Lighting& lighting, std::int32_t left) {
     colour_ = end_;
@@ -38,7 +41,7 @@ class SegmentRun {
     const std::int32_t length = 1 << bits_;
     return left < length ? left : length;
   }
-  /// The pixels of the segment that was entered.
+  /// Returns the pixels of the segment that enter() stepped to.
   [[nodiscard]] constexpr SegmentPixels segment() const { return {colour_, step_}; }
 
  private:
@@ -49,7 +52,7 @@ class SegmentRun {
   ColourSegment end_;
 };
 
-/// Another method's walker, row by row in segments.
+/// Draws the rows of another method's walker in segments of 2^bits pixels (RowWalker).
 template <class Inner>
 class SegmentWalker {
  public:

@@ -19,19 +19,19 @@ namespace arcspan {
 /// Draws a mesh: transforms, clips, culls and shades its triangles by `Method` and writes them to `sink`
 /// within the common bounds of the viewport, the sink and the depth target.
 ///
-/// `lighting`  the illumination in the object's space
-/// `depth`     a DepthBuffer, or NoDepth{}
-/// `cache`     memory for mesh.vertex_count() transformed vertices, each of which is then transformed once.
-/// If it is
-///             smaller it is not used, and every triangle transforms its own three vertices
-/// `Features`  what a program does not need can be left out at compile time
+/// - `lighting`: the illumination in the object's space.
+/// - `depth`: a DepthBuffer, or NoDepth{}.
+/// - `cache`: memory for mesh.vertex_count() transformed vertices, each of which is then transformed once. If
+/// it
+///   is smaller it is not used, and every triangle transforms its own three vertices.
+/// - `Features`: the parts of draw_mesh() that the program contains.
 ///
-/// To draw a picture in bands, move the sink and the depth buffer to the band and call this once per band:
-/// the rows are bit for bit those of the picture drawn at once. Columns that are cut off on the left may
-/// change the last bits of what is drawn, because a row starts at its first drawn column.
+/// To draw a picture in bands, move the sink and the depth buffer to a band and call this once per band: the
+/// rows are bit for bit those of the picture drawn at once. Columns that are cut off on the left may change
+/// the last bits of the pixels, because a row starts at its first drawn column.
 ///
-/// Returns in `status` kOk, the sink's first other status, at which drawing stops, or kUnsupported if
-/// two-sided drawing is asked for and left out.
+/// Returns as status kOk, the first other status of the sink, at which drawing stops, or kUnsupported if
+/// two-sided drawing is asked for but left out of `Features`.
 template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] ARCSPAN_OUTLINE DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
                                                    const typename Method::Lighting& lighting, Sink& sink,

@@ -57,21 +57,18 @@ concept RowWalker = (PixelRun<typename W::Run, Lighting> ||
   { W::kLongestRun } -> std::convertible_to<std::int32_t>;
 };
 
-/// A way of shading triangles.
+/// A way of shading triangles. Its types and functions:
 ///
-/// `Lighting`   what the method needs of an object's illumination and material
-/// `Face`       what it keeps of a face's normal; shade_face() is called only if kNeedsFaceNormal
-/// `Vertex`     what it keeps of a vertex's normal; an empty type saves the normal's look-up
-/// `Prepared`   its part of the triangle command, made by prepare(), the last place where it may divide.
-/// prepare() gets
-///              a TriangleFrame and may complete it (make_short_inverses())
-/// `between`    returns the vertex at a fraction of an edge, for clipping and splitting; at 1/2 the result
-/// must not
-///              depend on the order of the two ends
-/// `too_wide`   true if an edge must be halved before the triangle can be shaded
-/// `walk`       static Status walk(Prepared&, draw): calls `draw` with a RowWalker and returns its status;
-/// the type of
-///              the walker may depend on the triangle
+/// - `Lighting`: what the method needs of an object's illumination and material.
+/// - `Face`: what it keeps of a face's normal. shade_face() is called only if kNeedsFaceNormal.
+/// - `Vertex`: what it keeps of a vertex's normal. An empty type saves the look-up of normals.
+/// - `Prepared`: its part of the triangle command, made by prepare(), the last place where it may divide.
+///   prepare() gets a TriangleFrame and may complete it (make_short_inverses()).
+/// - `between`: the vertex at a fraction of an edge, for clipping and splitting. At 1/2 the result must not
+///   depend on the order of the two ends.
+/// - `too_wide`: true if an edge must be halved before the triangle can be shaded.
+/// - `walk`: static Status walk(Prepared&, draw) calls `draw` with a RowWalker and returns its status. The
+///   type of the walker may depend on the triangle.
 template <class M>
 concept ShadingMethod = requires(const typename M::Lighting& lighting, const Direction& normal,
                                  const typename M::Vertex& vertex, const typename M::Face& face,

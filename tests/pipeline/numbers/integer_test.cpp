@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The short products that stand in for long ones, and the quotient without a divide, are exact.
 #include <arcspan/numbers/integer.hpp>
-#include <arcspan/prepare/edge.hpp>
+#include <arcspan/numbers/quotient.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>

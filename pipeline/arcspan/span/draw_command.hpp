@@ -56,8 +56,8 @@ template <class Command, class Walker, class Target>
                                                                  const Span& span, std::int32_t begin,
                                                                  const Target& target,
                                                                  const RowMemory<Target>& memory) {
-  const Target local =
-      target;  // A copy, because the members of a reference would be loaded again for every pixel.
+  // A copy, because the members of a reference would be loaded again for every pixel.
+  const Target local = target;
   return draw_run(command, walker, span, begin, local, memory);
 }
 
@@ -112,8 +112,8 @@ ARCSPAN_INLINE constexpr void next_row(Command& command, Walker& walker) {
 template <class Target, class Command, class Walker>
 ARCSPAN_INLINE constexpr void enter_lower(Command& command, Walker& walker) {
   EdgeWalk& short_edge = command.middle_left ? command.left : command.right;
-  short_edge.x =
-      command.lower.x;  // Member by member: compilers call memcpy for the whole struct on small cores.
+  // Member by member, because compilers call memcpy for the whole struct on small cores.
+  short_edge.x = command.lower.x;
   short_edge.step = command.lower.step;
   if constexpr (Target::Depth::kTests) command.depth.enter_lower(command.middle_left);
   walker.enter_lower();
@@ -145,7 +145,7 @@ inline constexpr bool kOutlineRows = OutlinedWalker<Walker> || SegmentedRun<type
 
 /// Draws the rows of a command that lie within the scissor. A method's walk() calls it with the walker of its
 /// choice.
-template <ScissorColumns kColumns, class Command, class Target, bool IsOutlined = false>
+template <ScissorColumns kColumns, class Command, class Target>
 struct RowDrawer {
   Command& command;
   const RasterOrigin& origin;
@@ -153,7 +153,7 @@ struct RowDrawer {
 
   template <class Walker>
   [[nodiscard]] constexpr Status operator()(Walker walker) const {
-    if constexpr (kOutlineRows<Walker> && !IsOutlined) {
+    if constexpr (kOutlineRows<Walker>) {
       return draw_outlined(*this, walker);
     } else {
       return draw(command, origin, walker, target);
@@ -188,7 +188,7 @@ struct RowDrawer {
   [[nodiscard]] ARCSPAN_OUTLINE static constexpr Status draw_outlined(const RowDrawer& drawer,
                                                                       const Walker& walker) {
     const Target local = drawer.target;
-    return RowDrawer<kColumns, Command, Target, true>{drawer.command, drawer.origin, local}(walker);
+    return draw(drawer.command, drawer.origin, walker, local);
   }
 };
 

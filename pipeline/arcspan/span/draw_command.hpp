@@ -41,11 +41,18 @@ template <class Command, class Walker, class Target>
                                                        const RowMemory<Target>& memory) {
   const RowStart start = row_start(command.left, command.right, span.x - begin);
   typename Walker::Run run = walker.row(start);
-  PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span), linear_at(command.depth, start)};
-  if constexpr (SegmentedRun<typename Walker::Run>) {
-    draw_segments(place, span, run, target, command.depth.dx);
-  } else {
+  if constexpr (IndexedRows<Target> && !SegmentedRun<typename Walker::Run>) {
+    PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span),
+                             linear_at(command.depth, start)};
     draw_pixels(place, span, run, target, command.depth.dx);
+  } else {
+    PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span),
+                             linear_at(command.depth, start)};
+    if constexpr (SegmentedRun<typename Walker::Run>) {
+      draw_segments(place, span, run, target, command.depth.dx);
+    } else {
+      draw_pixels(place, span, run, target, command.depth.dx);
+    }
   }
   return target.sink.close(span);
 }

@@ -51,11 +51,11 @@ template <class Target, class Run>
 inline constexpr bool kLooksUpColours =
     !std::same_as<typename Target::Colours, NoEncodedColours> && !std::same_as<Run, SegmentPixels>;
 
-/// Draws span.count pixels from `place` on, each only if it is_nearer() than the depth buffer where there is
-/// one, and moves `place` behind them. `dz` is the gradient of the depth per pixel.
+/// Draws span.count pixels, each only if it is_nearer() than the depth buffer where there is one. `dz` is the
+/// gradient of the depth per pixel.
 ///
-/// In indexed rows both addresses are those behind the last pixel, and the index runs up to 0: it is the loop
-/// counter too. Elsewhere both rows are stepped.
+/// In indexed rows `place` is behind the last pixel, and the index runs up to 0: it is the loop counter too.
+/// Elsewhere `place` is at the first pixel, and is moved behind the last one.
 template <class Target, class Run>
 ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span& span, Run& run,
                                           const Target& target, Linear dz) {
@@ -66,10 +66,7 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
   [[maybe_unused]] typename Format::Encoded* pixels = nullptr;
   std::uint16_t* depths = place.depths;
   if constexpr (kIndexed) {
-    place.cursor.skip(span.count);
-    place.depths += span.count;
     pixels = place.cursor.pixels();
-    depths = place.depths;
     hide_value(pixels);
     hide_value(depths);
   }
@@ -107,6 +104,10 @@ ARCSPAN_INLINE constexpr void draw_segments(PixelPlace<Target>& place, const Spa
   run.begin(target.lighting, span.count);
   for (std::int32_t left = span.count; left > 0;) {
     const std::int32_t count = run.enter(target.lighting, left);
+    if constexpr (IndexedRows<Target>) {
+      place.cursor.skip(count);
+      place.depths += count;
+    }
     auto segment = run.segment();
     draw_pixels(place, {span.y, span.x + span.count - left, count}, segment, target, dz);
     left -= count;

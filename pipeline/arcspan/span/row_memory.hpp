@@ -17,6 +17,12 @@ class PixelRows {
   [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& span) const {
     return sink_.open(span);
   }
+  /// The cursor behind the span's last pixel.
+  [[nodiscard]] constexpr typename Sink::Format::Cursor behind(const Span& span) const {
+    typename Sink::Format::Cursor cursor = sink_.open(span);
+    cursor.skip(span.count);
+    return cursor;
+  }
   constexpr void next() {}
 
  private:
@@ -30,6 +36,9 @@ requires kHasManyRegisters class PixelRows<Sink> {
   constexpr PixelRows(Sink& sink, std::int32_t y) : row_(sink.row(y)), stride_(sink.stride()) {}
   [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& span) const {
     return typename Sink::Format::Cursor(row_, span.x);
+  }
+  [[nodiscard]] constexpr typename Sink::Format::Cursor behind(const Span& span) const {
+    return typename Sink::Format::Cursor(row_, span.x + span.count);
   }
   constexpr void next() {
     row_ += stride_;
@@ -49,6 +58,10 @@ class DepthRows {
       : row_(depth.row(y)), stride_(depth.bounds().right) {}
   /// The depth of the span's first pixel.
   [[nodiscard]] constexpr std::uint16_t* at(const Span& span) const { return row_ + span.x; }
+  /// The depth behind the span's last pixel.
+  [[nodiscard]] constexpr std::uint16_t* behind(const Span& span) const {
+    return row_ + (span.x + span.count);
+  }
   constexpr void next() {
     row_ += stride_;
     hide_value(row_);

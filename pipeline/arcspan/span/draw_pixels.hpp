@@ -70,8 +70,9 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
     hide_value(pixels);
     hide_value(depths);
   }
-  const std::ptrdiff_t last = kIndexed ? 0 : span.count;
-  for (std::ptrdiff_t i = kIndexed ? -span.count : 0; i != last; ++i) {
+  const auto count = static_cast<std::ptrdiff_t>(span.count);
+  const std::ptrdiff_t last = kIndexed ? 0 : count;
+  for (std::ptrdiff_t i = kIndexed ? -count : 0; i != last; ++i) {
     if constexpr (kIndexed && !kHasWideRegisters) hide_value(i);
     const std::uint16_t depth = depth_of(place.z);
     std::uint16_t* const stored = kIndexed ? depths + i : place.depths;

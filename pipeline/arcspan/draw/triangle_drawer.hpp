@@ -171,7 +171,7 @@ class TriangleDrawer {
     return test == ScissorTest::kInside || test == ScissorTest::kCrossing;
   }
 
-  /// What the method keeps of the triangle's face; empty if it needs no face normal.
+  /// Returns the method's data of the triangle's face; empty if it needs no face normal.
   [[nodiscard]] Face shaded_face([[maybe_unused]] const TriangleIndices& t,
                                  [[maybe_unused]] Facing facing) const {
     if constexpr (Method::kNeedsFaceNormal) {

@@ -61,7 +61,7 @@ namespace detail {
 /// One word per channel.
 template <>
 struct BasicFineRgb<false> : FineChannels {
-  /// What a triangle keeps of its step in addition to the channels' gradients: nothing.
+  /// Per-triangle data of a step beside the channels' gradients. This form needs none.
   struct KeptStep {};
 
   BasicFineRgb() = default;  // not an aggregate, so that encode({r, g, b}) takes an Rgb8

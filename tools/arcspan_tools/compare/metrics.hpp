@@ -7,7 +7,7 @@ namespace arcspan::tools {
 
 /// How far a picture is from the reference, over the pixels that the reference covers.
 struct PictureError {
-  /// Of one channel, in 8-bit steps, from the reference before rounding: half a step is what 8 bits must
+  /// Error of one channel against the unrounded reference, in 8-bit steps: half a step is what 8 bits must
   /// lose.
   double max = 0;
   double rms = 0;

@@ -49,7 +49,7 @@ class SimulatedDisplay {
   [[nodiscard]] virtual std::uint64_t now_ns() const = 0;
   /// Of the band that is drawn and of the one that is sent.
   [[nodiscard]] virtual std::size_t buffer_bytes() const = 0;
-  /// Of a framebuffer that holds a whole picture.
+  /// Size of a framebuffer that holds a whole picture, in bytes.
   [[nodiscard]] virtual std::size_t frame_bytes() const = 0;
 };
 

@@ -15,6 +15,7 @@
 #include <arcspan/shading/literature/kuijk_blake.hpp>
 #include <arcspan/shading/literature/lyon.hpp>
 #include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/recurrence_method.hpp>
 #include <arcspan/shading/literature/reflection_map.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 #include <arcspan/shading/segment/segment.hpp>
@@ -44,6 +45,7 @@ ARCSPAN_INSTANTIATE(DichotomyCubic<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(KuijkBlake<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Lyon<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Phong<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Recurrence<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(ReflectionMap<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Segment<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Slerp<Blinn1>, Rgb565, DepthBuffer);

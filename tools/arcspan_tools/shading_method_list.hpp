@@ -19,6 +19,7 @@
 
 /// The methods of the papers, for comparison.
 #define ARCSPAN_FOR_EACH_LITERATURE_METHOD(entry) \
+  entry("recurrence", Recurrence, "arcspan/shading/literature/recurrence_method.hpp") \
   entry("phong", Phong, "arcspan/shading/literature/phong.hpp") \
   entry("slerp", Slerp, "arcspan/shading/literature/slerp.hpp") \
   entry("kuijk-blake", KuijkBlake, "arcspan/shading/literature/kuijk_blake.hpp") \

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/literature/recurrence_method.hpp>
 #include <arcspan/target.hpp>
 
 namespace arcspan {
@@ -31,39 +31,26 @@ struct NormalAsScalars {
 
 }  // namespace detail
 
-/// Spherical-angular shading with the vector (S0 eq. 7), for comparison. The arcs are those of Arc, but they
-/// carry the three components of the normal, each by the recurrence, and each pixel takes the products with
-/// L, H or V. Arc carries the products themselves (eq. 14) and saves these multiplies.
+/// Spherical-angular shading with the vector (S0 eq. 7), for comparison. It is Recurrence, except that the
+/// three components of the normal are stepped, and each pixel takes the products with L, H or V. Recurrence
+/// steps the products themselves (eq. 14) and saves these multiplies.
 template <class Illumination>
-struct ArcVector {
+struct ArcVector : Recurrence<detail::NormalAsScalars<Illumination>> {
   using Components = detail::NormalAsScalars<Illumination>;
-  using Base = Arc<Components>;
+  using Base = Recurrence<Components>;
   using Lighting = Illumination;
-  using Face = typename Base::Face;
-  using Vertex = typename Base::Vertex;
-  struct Prepared {
-    ArcTriangle<3> arcs;
-  };
-  static constexpr bool kNeedsFaceNormal = false;
-  static constexpr std::uint32_t kWidestChord = Base::kWidestChord;
+  using typename Base::Face;
+  using typename Base::Prepared;
+  using typename Base::Vertex;
+  static constexpr bool kUsesEncodedColours = false;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting&, const Direction& normal) {
     return {to_normal(normal), Components::scalars(normal)};
   }
   [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }
-  [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
-    return Base::between(a, b, t);
-  }
-  [[nodiscard]] static constexpr bool too_wide(const Vertex& a, const Vertex& b) {
-    return Base::too_wide(a, b);
-  }
-  template <class Frame>
-  [[nodiscard]] static constexpr TriangleChords chords_of(const Frame& frame) {
-    return Base::chords_of(frame);
-  }
 
-  static constexpr void prepare(const Lighting&, TriangleFrame<ArcVector>& frame, const Face&,
-                                Prepared& prepared) {
+  template <class Frame>
+  static constexpr void prepare(const Lighting&, Frame& frame, const Face&, Prepared& prepared) {
     prepare_arcs(frame, prepared.arcs);
   }
 
@@ -77,23 +64,9 @@ struct ArcVector {
     constexpr void next() { components.next(); }
   };
 
-  class Walker {
-   public:
-    using Run = ArcVector::Run;
-    static constexpr std::int32_t kLongestRun = ArcWalker<Components>::kLongestRun;
-    static constexpr bool kOutlined = true;
-    constexpr explicit Walker(Prepared& prepared) : arcs_(prepared.arcs) {}
-    [[nodiscard]] constexpr Run row(const RowStart& start) const { return {arcs_.row(start)}; }
-    constexpr void next_row() { arcs_.next_row(); }
-    constexpr void enter_lower() { arcs_.enter_lower(); }
-
-   private:
-    ArcWalker<Components> arcs_;
-  };
-
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    return draw(Walker(prepared));
+    return draw(RecurrenceWalker<Components, Run>(prepared.arcs));
   }
 };
 

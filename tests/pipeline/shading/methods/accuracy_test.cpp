@@ -6,6 +6,7 @@
 #include <arcspan/shading/literature/kuijk_blake.hpp>
 #include <arcspan/shading/literature/lyon.hpp>
 #include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/recurrence_method.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 
 #include <catch2/catch.hpp>
@@ -52,6 +53,11 @@ TEST_CASE("lyon: its integers against linear normals times the series") {
   check<Lyon<Probe>, TaylorModel>(30, 1.3e-4, 2e-5, 31);
   check<Lyon<Probe>, TaylorModel>(60, 1.3e-4, 2e-5, 32);
   check<Lyon<Probe>, TaylorModel>(120, 4e-4, 4e-5, 33);
+}
+
+TEST_CASE("recurrence: its integers against bilinear SLERP") {
+  check<Recurrence<Probe>, SlerpModel>(30, 1e-4, 2e-5, 41);
+  check<Recurrence<Probe>, SlerpModel>(58, 1e-3, 3e-5, 42);
 }
 
 TEST_CASE("arc-vector: its integers against bilinear SLERP") {

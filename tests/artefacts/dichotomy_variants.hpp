@@ -13,10 +13,10 @@ namespace arcspan {
 
 /// 1/sqrt(2 + z) itself, by root and division, as S3 has it before it puts a polynomial there.
 struct RootItself {
-  [[nodiscard]] static constexpr std::uint32_t above_half(std::uint32_t s) {
+  [[nodiscard]] static constexpr std::int32_t above_half(std::uint32_t s) {
     const ReciprocalRoot root = reciprocal_root(((4u << 16) - s) << 12);  // 1/sqrt(28 fraction bits)
     const std::uint32_t p = root.mantissa << (32 - root.exponent);
-    return p < (1u << 17) ? 0 : p - (1u << 17);
+    return p < (1u << 17) ? 0 : static_cast<std::int32_t>(p - (1u << 17));
   }
 };
 

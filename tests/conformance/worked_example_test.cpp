@@ -17,7 +17,7 @@
 #include <arcspan/shading/literature/kuijk_blake.hpp>
 #include <arcspan/shading/literature/lyon.hpp>
 #include <arcspan/shading/literature/phong.hpp>
-#include <arcspan/shading/literature/recurrence_method.hpp>
+#include <arcspan/shading/literature/recurrence_four.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 
 #include <catch2/catch.hpp>
@@ -110,6 +110,7 @@ TEST_CASE("S1, the worked example: flat, Gouraud, Phong and spherical-angular sh
   CHECK(intensity_at_p<Flat<Lit>>() == Approx(kExactFlat).margin(kTolerance));
   CHECK(intensity_at_p<Gouraud<Lit>>() == Approx(kExactGouraud).margin(kTolerance));
   CHECK(intensity_at_p<Phong<Lit>>() == Approx(kExactPhong).margin(kTolerance));
+  CHECK(intensity_at_p<PhongReciprocal<Lit>>() == Approx(kExactPhong).margin(kTolerance));
   CHECK(intensity_at_p<Recurrence<Lit>>() == Approx(kExactArc).margin(kTolerance));
   CHECK(intensity_at_p<Arc<Lit>>() == Approx(kExactArc).margin(kTolerance));
 }
@@ -119,6 +120,7 @@ TEST_CASE("S1, the worked example by the other methods of normals") {
   CHECK(intensity_at_p<Lyon<Lit>>() == Approx(kExactPhong).margin(kTolerance));
   CHECK(intensity_at_p<arcspan::Slerp<Lit>>() == Approx(kExactArc).margin(kTolerance));
   CHECK(intensity_at_p<KuijkBlake<Lit>>() == Approx(kExactArc).margin(kTolerance));
+  CHECK(intensity_at_p<RecurrenceFour<Lit>>() == Approx(kExactArc).margin(kTolerance));
   CHECK(intensity_at_p<ArcVector<Lit>>() == Approx(kExactArc).margin(kTolerance));
 }
 

@@ -15,6 +15,8 @@
 #include <arcspan/shading/literature/kuijk_blake.hpp>
 #include <arcspan/shading/literature/lyon.hpp>
 #include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/phong_segment.hpp>
+#include <arcspan/shading/literature/recurrence_four.hpp>
 #include <arcspan/shading/literature/recurrence_method.hpp>
 #include <arcspan/shading/literature/reflection_map.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
@@ -42,10 +44,15 @@ ARCSPAN_INSTANTIATE(Duff<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(DichotomyLinear<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(DichotomyQuadratic<Phong4>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(DichotomyCubic<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(DichotomyPrintedLinear<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(DichotomyPrintedQuadratic<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(KuijkBlake<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Lyon<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Phong<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(PhongReciprocal<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(PhongSegment<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Recurrence<Phong1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(RecurrenceFour<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(ReflectionMap<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Segment<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Slerp<Blinn1>, Rgb565, DepthBuffer);

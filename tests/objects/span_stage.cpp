@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The span stage and nothing else, for every format and every method but those that divide by definition
-// (phong, duff): the object that must hold no division.
+// (phong, phong-segment, duff): the object that must hold no division.
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/gray8.hpp>
@@ -15,6 +15,8 @@
 #include <arcspan/shading/literature/dichotomy.hpp>
 #include <arcspan/shading/literature/kuijk_blake.hpp>
 #include <arcspan/shading/literature/lyon.hpp>
+#include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/recurrence_four.hpp>
 #include <arcspan/shading/literature/recurrence_method.hpp>
 #include <arcspan/shading/literature/reflection_map.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
@@ -42,9 +44,13 @@ ARCSPAN_INSTANTIATE(ArcVector<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(DichotomyLinear<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(DichotomyQuadratic<Phong4>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(DichotomyCubic<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(DichotomyPrintedLinear<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(DichotomyPrintedQuadratic<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(KuijkBlake<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Lyon<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(PhongReciprocal<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Recurrence<Phong1>, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(RecurrenceFour<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(ReflectionMap<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Segment<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Slerp<Blinn1>, Rgb565, DepthBuffer);

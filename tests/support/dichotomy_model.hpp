@@ -17,9 +17,15 @@ inline constexpr double k45Degrees = 0.78539816339744831;
 [[nodiscard]] inline double cubic_root(double s) {
   return 0.5 + s * (0.0625262157 + s * (0.0114552316 + 0.0031711712 * s));
 }
+/// S3's own, in z = 2 - s.
+[[nodiscard]] inline double printed_linear_root(double s) { return 0.64 - 0.07 * (2 - s); }
+[[nodiscard]] inline double printed_quadratic_root(double s) {
+  return 0.681 - 0.119 * (2 - s) + 0.014 * (2 - s) * (2 - s);
+}
 
 /// The dichotomy of a triangle's rows in double precision, by the same polynomial and the same segments.
-template <double (*P)(double), int SegmentBits>
+/// `FullLast` gives a row's last segment full length.
+template <double (*P)(double), int SegmentBits, bool FullLast = false>
 class DichotomyModel {
  public:
   explicit DichotomyModel(const ShadedTriangle& triangle) : phong_(triangle), corner_(triangle.corner) {
@@ -35,7 +41,7 @@ class DichotomyModel {
     const std::int64_t first = std::min(a, b);
     const std::int64_t base = column - (column - first) % kSegment;
     std::int64_t length = kSegment;
-    while (length / 2 >= std::max(a, b) - 1 - base && length > 0) length /= 2;
+    while (!FullLast && length / 2 >= std::max(a, b) - 1 - base && length > 0) length /= 2;
     const Vec3 left = phong_.at(base, row);
     if (column == base) return left;
     const Vec3 right = phong_.at(base + length, row);

@@ -20,7 +20,10 @@
 /// The methods of the papers, for comparison.
 #define ARCSPAN_FOR_EACH_LITERATURE_METHOD(entry) \
   entry("recurrence", Recurrence, "arcspan/shading/literature/recurrence_method.hpp") \
+  entry("recurrence-four", RecurrenceFour, "arcspan/shading/literature/recurrence_four.hpp") \
   entry("phong", Phong, "arcspan/shading/literature/phong.hpp") \
+  entry("phong-reciprocal", PhongReciprocal, "arcspan/shading/literature/phong.hpp") \
+  entry("phong-segment", PhongSegment, "arcspan/shading/literature/phong_segment.hpp") \
   entry("slerp", Slerp, "arcspan/shading/literature/slerp.hpp") \
   entry("kuijk-blake", KuijkBlake, "arcspan/shading/literature/kuijk_blake.hpp") \
   entry("lyon", Lyon, "arcspan/shading/literature/lyon.hpp") \
@@ -29,7 +32,9 @@
   entry("arc-vector", ArcVector, "arcspan/shading/literature/arc_vector.hpp") \
   entry("dichotomy-linear", DichotomyLinear, "arcspan/shading/literature/dichotomy.hpp") \
   entry("dichotomy-quadratic", DichotomyQuadratic, "arcspan/shading/literature/dichotomy.hpp") \
-  entry("dichotomy-cubic", DichotomyCubic, "arcspan/shading/literature/dichotomy.hpp")
+  entry("dichotomy-cubic", DichotomyCubic, "arcspan/shading/literature/dichotomy.hpp") \
+  entry("dichotomy-printed-linear", DichotomyPrintedLinear, "arcspan/shading/literature/dichotomy.hpp") \
+  entry("dichotomy-printed-quadratic", DichotomyPrintedQuadratic, "arcspan/shading/literature/dichotomy.hpp")
 // clang-format on
 
 /// Every method that this build knows (CMake option ARCSPAN_TOOLS_LITERATURE).

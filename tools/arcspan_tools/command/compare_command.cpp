@@ -63,15 +63,16 @@ std::vector<std::string> parse_shadings(const std::string& text) {
   return wanted;
 }
 
-/// The renderers that are wanted: all if none was named; dichotomy is that of its polynomial, or three.
+/// The renderers that are wanted: all if none was named; dichotomy is that of its polynomial, or all.
 void choose_renderers(CompareArguments& a) {
   const std::vector<std::string> wanted = a.shadings.empty() ? shading_choices() : a.shadings;
   const std::string& polynomial = a.options.polynomial;
   if (!polynomial.empty() && !contains(wanted, kDichotomy)) {
     throw CLI::ValidationError("--polynomial", "only dichotomy has one, which --shading leaves out");
   }
-  if (a.options.segment_given && !contains(wanted, "segment")) {
-    throw CLI::ValidationError("--segment", "only segment has some, which --shading leaves out");
+  if (a.options.segment_given && !contains(wanted, "segment") && !contains(wanted, "phong-segment")) {
+    throw CLI::ValidationError("--segment",
+                               "only segment and phong-segment have some, which --shading leaves out");
   }
   if (a.options.tolerance_given && !contains(wanted, "adaptive")) {
     throw CLI::ValidationError("--tolerance", "only adaptive has one, which --shading leaves out");

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kMostLights = 4;
 constexpr double kFarthestLight = 1000;
-constexpr const char* kPolynomials[] = {"linear", "quadratic", "cubic"};
+constexpr const char* kPolynomials[] = {"linear", "quadratic", "cubic", "printed-linear",
+                                        "printed-quadratic"};
 constexpr const char* kUsualPolynomial = "quadratic";
 
 std::optional<Vec3> parse_direction(const std::string& text) {
@@ -82,8 +83,9 @@ void choose_renderer(RenderOptions& o) {
   } else if (!o.polynomial.empty()) {
     throw CLI::ValidationError("--polynomial", "only --shading dichotomy has one, not " + o.shading);
   }
-  if (o.segment_given && o.shading != "segment") {
-    throw CLI::ValidationError("--segment", "only --shading segment has some, not " + o.shading);
+  if (o.segment_given && o.shading != "segment" && o.shading != "phong-segment") {
+    throw CLI::ValidationError("--segment",
+                               "only --shading segment and phong-segment have some, not " + o.shading);
   }
   if (o.tolerance_given && o.shading != "adaptive") {
     throw CLI::ValidationError("--tolerance", "only --shading adaptive has one, not " + o.shading);
@@ -93,8 +95,9 @@ void choose_renderer(RenderOptions& o) {
 void add_shading_options(CLI::App& app, RenderOptions& o) {
   add_choice(app, "--shading", "shading method", shading_choices(), o.shading);
   add_parsed<std::string>(
-      app, "--polynomial", "linear|quadratic|cubic", "what dichotomy halves arcs by (default quadratic)",
-      "linear, quadratic or cubic",
+      app, "--polynomial", "linear|quadratic|cubic|printed-linear|printed-quadratic",
+      "what dichotomy halves arcs by (default quadratic); printed are S3's own, with its last segments",
+      "linear, quadratic, cubic, printed-linear or printed-quadratic",
       [](const std::string& text) {
         const bool known = std::count(std::begin(kPolynomials), std::end(kPolynomials), text) != 0;
         return known ? std::optional(text) : std::nullopt;

@@ -93,6 +93,8 @@ class ArcRun {
     return lighting.template encoded<Format>(values, encoded);
   }
   [[nodiscard]] constexpr ArcScalar& scalar(std::size_t i) { return scalars_[i]; }
+  [[nodiscard]] constexpr const ArcScalar& scalar(std::size_t i) const { return scalars_[i]; }
+  [[nodiscard]] constexpr ArcStep factor() const { return {mantissa_, shift_, 0}; }
   constexpr void next() {
     unrolled<kScalars>([this](auto i) { scalars_[i].step(mantissa_, shift_); });
   }

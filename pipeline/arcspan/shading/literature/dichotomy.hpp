@@ -13,14 +13,14 @@ namespace arcspan {
 
 namespace detail {
 
-/// `value` > 0 with 18 fraction bits.
-consteval std::uint32_t polynomial_coefficient(double value) {
-  const double rounded = value * 0x1p18 + 0.5;
-  return static_cast<std::uint32_t>(rounded);
+/// `value` with 18 fraction bits.
+consteval std::int32_t polynomial_coefficient(double value) {
+  const double rounded = value * 0x1p18 + (value < 0 ? -0.5 : 0.5);
+  return static_cast<std::int32_t>(rounded);
 }
 /// value * s, rounded, with the fraction bits of `value`; s has 16.
-[[nodiscard]] constexpr std::uint32_t times_chord(std::uint32_t value, std::uint32_t s) {
-  return (value * s + (1u << 15)) >> 16;
+[[nodiscard]] constexpr std::int32_t times_chord(std::int32_t value, std::uint32_t s) {
+  return round_shift(wrap_mul(value, static_cast<std::int32_t>(s)), 16);
 }
 
 }  // namespace detail
@@ -28,45 +28,60 @@ consteval std::uint32_t polynomial_coefficient(double value) {
 /// The factor of an arc's middle, 1/sqrt(2 + z) with z = 2 cos(psi) (S3), as a polynomial of first degree.
 ///
 /// above_half(s) returns 1/sqrt(2 + z) - 1/2 with 18 fraction bits, for s = 2 - z in 0...1 with 16 fraction
-/// bits. It is 0 at s = 0, so that flat spans stay exactly flat; S3's own polynomials in z do not keep them
-/// flat (docs/claims.md). A minimax fit: for psi <= 45 degrees the relative error of 1/2 + above_half(s) is
-/// at most 1.6e-3.
+/// bits. It is 0 at s = 0, so that flat spans stay exactly flat. A minimax fit: for psi <= 45
+/// degrees the relative error of 1/2 + above_half(s) is at most 1.6e-3.
 struct LinearPolynomial {
-  [[nodiscard]] static constexpr std::uint32_t above_half(std::uint32_t s) {
+  [[nodiscard]] static constexpr std::int32_t above_half(std::uint32_t s) {
     return detail::times_chord(detail::polynomial_coefficient(0.0688625867), s);
   }
 };
 /// Like LinearPolynomial, of second degree: two multiplies, relative error at most 4.7e-5.
 struct QuadraticPolynomial {
-  [[nodiscard]] static constexpr std::uint32_t above_half(std::uint32_t s) {
-    const std::uint32_t inner = detail::times_chord(detail::polynomial_coefficient(0.0140394938), s);
+  [[nodiscard]] static constexpr std::int32_t above_half(std::uint32_t s) {
+    const std::int32_t inner = detail::times_chord(detail::polynomial_coefficient(0.0140394938), s);
     return detail::times_chord(detail::polynomial_coefficient(0.0620584825) + inner, s);
   }
 };
 /// Like LinearPolynomial, of third degree: three multiplies, relative error at most 1.6e-6.
 struct CubicPolynomial {
-  [[nodiscard]] static constexpr std::uint32_t above_half(std::uint32_t s) {
-    const std::uint32_t innermost = detail::times_chord(detail::polynomial_coefficient(0.0031711712), s);
-    const std::uint32_t inner =
+  [[nodiscard]] static constexpr std::int32_t above_half(std::uint32_t s) {
+    const std::int32_t innermost = detail::times_chord(detail::polynomial_coefficient(0.0031711712), s);
+    const std::int32_t inner =
         detail::times_chord(detail::polynomial_coefficient(0.0114552316) + innermost, s);
     return detail::times_chord(detail::polynomial_coefficient(0.0625262157) + inner, s);
   }
 };
 
+/// 0.64 - 0.07 z, as S3 prints it: 0.5 + 0.07 s. Relative error at most 2.2e-3 up to 45 degrees.
+struct PrintedLinearPolynomial {
+  [[nodiscard]] static constexpr std::int32_t above_half(std::uint32_t s) {
+    return detail::times_chord(detail::polynomial_coefficient(0.07), s);
+  }
+};
+/// 0.681 - 0.119 z + 0.014 z^2, as S3 prints it: 0.499 + s (0.063 + 0.014 s). Relative error at most 2.0e-3
+/// up to 45 degrees. Every halving makes a flat span darker by that much.
+struct PrintedQuadraticPolynomial {
+  [[nodiscard]] static constexpr std::int32_t above_half(std::uint32_t s) {
+    const std::int32_t inner = detail::times_chord(detail::polynomial_coefficient(0.014), s);
+    return detail::polynomial_coefficient(-0.001) +
+           detail::times_chord(detail::polynomial_coefficient(0.063) + inner, s);
+  }
+};
+
 /// The squared chord of half an arc, 16 fraction bits, never negative. `s` is that of the whole arc, `q` the
 /// polynomial's above_half(s). From z' = (2 + z) p with p = 1/2 + q follows s' = s/2 - (4 - s) q.
-[[nodiscard]] constexpr std::uint32_t halved_chord(std::uint32_t s, std::uint32_t q) {
-  const std::uint32_t half = s >> 1;
-  const std::uint32_t less = ((((std::uint32_t{4} << 16) - s) >> 3) * q + (1u << 14)) >> 15;
-  return less < half ? half - less : 0;
+[[nodiscard]] constexpr std::uint32_t halved_chord(std::uint32_t s, std::int32_t q) {
+  const auto half = static_cast<std::int32_t>(s >> 1);
+  const auto eighth = static_cast<std::int32_t>(((std::uint32_t{4} << 16) - s) >> 3);  // of 4 - s
+  const std::int32_t less = round_shift(wrap_mul(eighth, q), 15);
+  return less < half ? static_cast<std::uint32_t>(half - less) : 0;
 }
 
 /// The scalar in the middle of an arc whose ends have the scalars a and b: (a + b) (1/2 + q), q with 18
 /// fraction bits.
-[[nodiscard]] constexpr Cosine arc_middle(Cosine a, Cosine b, std::uint32_t q) {
+[[nodiscard]] constexpr Cosine arc_middle(Cosine a, Cosine b, std::int32_t q) {
   const std::int32_t mean = wrap_add(a.raw() >> 1, b.raw() >> 1);
-  return Cosine::from_raw(
-      wrap_add(mean, round_shift(wrap_mul(round_shift(mean, 15), static_cast<std::int32_t>(q)), 2)));
+  return Cosine::from_raw(wrap_add(mean, round_shift(wrap_mul(round_shift(mean, 15), q), 2)));
 }
 
 /// Shading by dichotomy (S3). A row is cut into segments of 2^SegmentBits pixels. At a segment's two ends the
@@ -75,12 +90,13 @@ struct CubicPolynomial {
 /// equal lengths and share one value of the polynomial, so a pixel takes one addition and one multiply per
 /// scalar, and a segment one root. There is no division.
 ///
-/// S3 leaves two cases open. The last segment has the least power of two pixels that reaches the row's last
-/// pixel: with S3's full length, short rows would need normals far outside the triangle. In a segment wider
-/// than 45 degrees, where the polynomials end, every pixel's normal is Phong's.
+/// With `FullLast` the last segment has full length and is drawn up to the row's end, as S3 prescribes; its
+/// right end may then be outside of the triangle. Without, it has the least power of two pixels that reaches
+/// the row's last pixel. In a segment wider than 45 degrees, where the polynomials end, every pixel's normal
+/// is Phong's; S3 leaves this case open.
 ///
 /// `Polynomial` has above_half(), as LinearPolynomial.
-template <class Illumination, class Polynomial, int SegmentBits = 3>
+template <class Illumination, class Polynomial, int SegmentBits = 3, bool FullLast = false>
 struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
   static_assert(SegmentBits >= 1 && SegmentBits <= 4);
   using Base = LinearScalars<Illumination, RootAndDivision>;
@@ -170,24 +186,33 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
 
     /// Goes from the segment's first pixel to its end and fills in the nodes up to there.
     constexpr void fill_segment() {
+      if (following_ <= 0) return;
       std::int32_t length = kSegment;
       int bits = SegmentBits;
-      while ((length >> 1) >= following_ && length != 0) {
+      while (!FullLast && (length >> 1) >= following_) {
         length >>= 1;
         --bits;
       }
-      if (length == 0) return;
       advance(bits);
       const std::int32_t inverse = inverse_length();
       make_node(nodes_[static_cast<std::size_t>(length)], inverse);
       const std::uint32_t chord = replace_unit(inverse);
-      if (chord > kWidestChord) {
+      if (chord > kWidestChord || (FullLast && following_ < kSegment && is_steep())) {
         make_every_node(length);
       } else if (following_ >= kSegment) {
         halve_whole(chord >> 12);
       } else {
         halve(length, chord >> 12);
       }
+    }
+
+    /// True if a component changes by 2 or more over a segment, so that beyond the triangle the squares of
+    /// inverse_length() may not fit.
+    [[nodiscard]] constexpr bool is_steep() const {
+      const std::int32_t limit = std::int32_t{1} << (Linear::kFraction + 16 - SegmentBits);
+      const LinearNormal step = prepared_->normal.step();
+      const auto steep = [limit](Linear c) { return c.raw() >= limit || c.raw() <= -limit; };
+      return steep(step.x) || steep(step.y) || steep(step.z);
     }
 
     /// Goes 2^bits pixels to the right.
@@ -212,7 +237,7 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
     constexpr void halve_whole(std::uint32_t s) {
       unrolled<SegmentBits>([&](auto level) {
         constexpr std::size_t kHalf = std::size_t{1} << (SegmentBits - 1 - decltype(level)::value);
-        const std::uint32_t q = Polynomial::above_half(s);
+        const std::int32_t q = Polynomial::above_half(s);
         unrolled<(std::size_t{1} << decltype(level)::value)>(
             [&](auto arc) { make_middle(kHalf + 2 * kHalf * decltype(arc)::value, kHalf, q); });
         s = halved_chord(s, q);
@@ -222,7 +247,7 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
     /// Like halve_whole(), for a segment of `length` pixels and only those nodes that the row's pixels need.
     constexpr void halve(std::int32_t length, std::uint32_t s) {
       for (std::int32_t half = length >> 1; half != 0; half >>= 1) {
-        const std::uint32_t q = Polynomial::above_half(s);
+        const std::int32_t q = Polynomial::above_half(s);
         for (std::int32_t i = half; i < length && i - half < following_; i += half << 1) {
           make_middle(static_cast<std::size_t>(i), static_cast<std::size_t>(half), q);
         }
@@ -230,7 +255,7 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
       }
     }
 
-    constexpr void make_middle(std::size_t at, std::size_t half, std::uint32_t q) {
+    constexpr void make_middle(std::size_t at, std::size_t half, std::int32_t q) {
       unrolled<Base::kScalars>(
           [&](auto i) { nodes_[at][i] = arc_middle(nodes_[at - half][i], nodes_[at + half][i], q); });
     }
@@ -266,5 +291,10 @@ template <class Illumination>
 using DichotomyQuadratic = Dichotomy<Illumination, QuadraticPolynomial>;
 template <class Illumination>
 using DichotomyCubic = Dichotomy<Illumination, CubicPolynomial>;
+/// S3's own polynomials, and its last segments of full length.
+template <class Illumination>
+using DichotomyPrintedLinear = Dichotomy<Illumination, PrintedLinearPolynomial, 3, true>;
+template <class Illumination>
+using DichotomyPrintedQuadratic = Dichotomy<Illumination, PrintedQuadraticPolynomial, 3, true>;
 
 }  // namespace arcspan

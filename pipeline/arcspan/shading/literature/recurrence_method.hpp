@@ -10,8 +10,8 @@ namespace arcspan {
 /// Spherical-angular shading with scalars as S0 prints it (eq. 14), for comparison: the products of the
 /// normal with L, H or V follow great circles down the edges and along the rows of every triangle, however
 /// small its angles are. The recurrence steps each of them by one multiply, one shift and subtractions per
-/// row and per pixel (ArcScalar); no triangle is a quadratic surface. Arcs up to 60 degrees are within 2^-8 of
-/// bilinear SLERP, those up to 30 degrees within 1.4e-4; wider triangles are split.
+/// row and per pixel (ArcScalar); no triangle is a quadratic surface. Arcs up to 60 degrees are within 2^-8
+/// of bilinear SLERP, those up to 30 degrees within 1.4e-4; wider triangles are split.
 template <class Illumination>
 struct Recurrence : Arc<Illumination> {
   using Base = Arc<Illumination>;

@@ -6,7 +6,7 @@
 #include <arcspan/shading/literature/kuijk_blake.hpp>
 #include <arcspan/shading/literature/lyon.hpp>
 #include <arcspan/shading/literature/phong.hpp>
-#include <arcspan/shading/literature/recurrence_method.hpp>
+#include <arcspan/shading/literature/recurrence_four.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 
 #include <catch2/catch.hpp>
@@ -44,6 +44,11 @@ TEST_CASE("phong: its integers against linear normals divided by their length") 
   check<Phong<Probe>, UnitLinearModel>(150, 4e-4, 4e-5, 13);
 }
 
+TEST_CASE("phong-reciprocal: its integers against linear normals divided by their length") {
+  check<PhongReciprocal<Probe>, UnitLinearModel>(60, 1.3e-4, 2e-5, 12);
+  check<PhongReciprocal<Probe>, UnitLinearModel>(150, 4e-4, 4e-5, 13);
+}
+
 TEST_CASE("duff: its integers against linear normals divided by their length") {
   check<Duff<Probe>, UnitLinearModel>(30, 1.3e-4, 2e-5, 21);
   check<Duff<Probe>, UnitLinearModel>(60, 1.3e-4, 2e-5, 22);
@@ -58,6 +63,11 @@ TEST_CASE("lyon: its integers against linear normals times the series") {
 TEST_CASE("recurrence: its integers against bilinear SLERP") {
   check<Recurrence<Probe>, SlerpModel>(30, 1e-4, 2e-5, 41);
   check<Recurrence<Probe>, SlerpModel>(58, 1e-3, 3e-5, 42);
+}
+
+TEST_CASE("recurrence-four: its integers against bilinear SLERP") {
+  check<RecurrenceFour<Probe>, SlerpModel>(30, 1e-4, 2e-5, 41);
+  check<RecurrenceFour<Probe>, SlerpModel>(58, 1e-3, 3e-5, 42);
 }
 
 TEST_CASE("arc-vector: its integers against bilinear SLERP") {

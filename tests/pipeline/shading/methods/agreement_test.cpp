@@ -10,8 +10,8 @@
 #include <arcspan/shading/literature/duff.hpp>
 #include <arcspan/shading/literature/kuijk_blake.hpp>
 #include <arcspan/shading/literature/lyon.hpp>
-#include <arcspan/shading/literature/phong.hpp>
-#include <arcspan/shading/literature/recurrence_method.hpp>
+#include <arcspan/shading/literature/phong_segment.hpp>
+#include <arcspan/shading/literature/recurrence_four.hpp>
 #include <arcspan/shading/literature/reflection_map.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 #include <arcspan/shading/segment/segment.hpp>
@@ -73,6 +73,7 @@ void for_all(const Scene<Lit>& scene, F&& f) {
   f("flat", Kind::kColour, draw<Flat>(scene));
   f("gouraud", Kind::kColour, draw<Gouraud>(scene));
   f("phong", Kind::kChord, draw<Phong>(scene));
+  f("phong-reciprocal", Kind::kChord, draw<PhongReciprocal>(scene));
   f("slerp", Kind::kArc, draw<arcspan::Slerp>(scene));
   f("kuijk-blake", Kind::kArc, draw<KuijkBlake>(scene));
   f("lyon", Kind::kChord, draw<Lyon>(scene));
@@ -80,6 +81,7 @@ void for_all(const Scene<Lit>& scene, F&& f) {
   f("reflection-map", Kind::kTable, draw<ReflectionMap>(scene));
   f("arc-vector", Kind::kArc, draw<ArcVector>(scene));
   f("recurrence", Kind::kArc, draw<Recurrence>(scene));
+  f("recurrence-four", Kind::kArc, draw<RecurrenceFour>(scene));
   f("arc", Kind::kArc, draw<Arc>(scene));
   f("adaptive", Kind::kArc, draw<Adaptive>(scene));
   f("segment", Kind::kArc, draw<Segment>(scene));
@@ -184,7 +186,7 @@ TEMPLATE_TEST_CASE("every method takes every shininess from 1 to 256", "", Blinn
       note(scalar, name, std::max(0.0, steps - 1) / (kSteepness * shininess));
     });
   }
-  CHECK(scalar.size() == 15);
+  CHECK(scalar.size() == 17);
   for (const auto& [name, error] : scalar) {
     INFO(name << " is off by " << error);
     CHECK(error < 1.7e-4);  // docs/pipeline.md: the largest is slerp's
@@ -280,7 +282,7 @@ TEMPLATE_TEST_CASE("methods that interpolate alike agree at both ends of every s
       }
     });
   }
-  CHECK(worst.size() == 13);
+  CHECK(worst.size() == 15);
   for (const auto& [name, steps] : worst) {
     INFO(name << " differs by " << steps << " from the unrounded truth");
     CHECK(steps < (name == "lyon" ? 1.8 : 1.5));
@@ -315,12 +317,14 @@ TEMPLATE_TEST_CASE("on strongly curved triangles the methods are wrong in the or
   CHECK(rms("reflection-map") > 2 * rms("phong"));
   CHECK(rms("lyon") > 1.5 * rms("phong"));
   CHECK(rms("phong") > 3 * rms("slerp"));
-  for (const char* name : {"duff", "dichotomy-linear", "dichotomy-quadratic", "dichotomy-cubic"}) {
+  for (const char* name :
+       {"phong-reciprocal", "duff", "dichotomy-linear", "dichotomy-quadratic", "dichotomy-cubic"}) {
     CHECK(rms(name) == Approx(rms("phong")).epsilon(0.02));
   }
-  for (const char* name : {"slerp", "kuijk-blake", "arc-vector", "recurrence", "arc", "adaptive"}) {
+  for (const char* name :
+       {"slerp", "kuijk-blake", "arc-vector", "recurrence", "recurrence-four", "arc", "adaptive"}) {
     CHECK(rms(name) < 0.45);
   }
   CHECK(rms("segment") < 0.5);
-  CHECK(errors.size() == 16);
+  CHECK(errors.size() == 18);
 }

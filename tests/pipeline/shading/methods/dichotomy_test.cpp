@@ -33,7 +33,7 @@ PolynomialFigures sweep(double (*model)(double)) {
   const auto end = static_cast<std::uint32_t>((2 - 2 * std::cos(k45Degrees)) * 65536);
   for (std::uint32_t raw = 0; raw <= end; ++raw) {
     const double s = raw / 65536.0;
-    const std::uint32_t q = Polynomial::above_half(raw);
+    const std::int32_t q = Polynomial::above_half(raw);
     const double p = 0.5 + q / 262144.0;
     figures.most = std::max(figures.most, std::fabs(p * std::sqrt(4 - s) - 1));
     figures.most_rounding = std::max(figures.most_rounding, std::fabs(p - model(s)));
@@ -49,11 +49,11 @@ struct Bounds {
   double sliver_rms = 0.02;
 };
 
-template <class Polynomial, double (*P)(double), int SegmentBits>
+template <class Polynomial, double (*P)(double), int SegmentBits, bool FullLast = false>
 void check(MethodTask task, Bounds bounds) {
   task.triangles = share_of(1500);
-  const MethodFigures f =
-      measure_method<Dichotomy<Probe, Polynomial, SegmentBits>, DichotomyModel<P, SegmentBits>>(task);
+  const MethodFigures f = measure_method<Dichotomy<Probe, Polynomial, SegmentBits, FullLast>,
+                                         DichotomyModel<P, SegmentBits, FullLast>>(task);
   INFO("segment 2^" << SegmentBits << ": N·L max " << f.normal_light.max << " rms " << f.normal_light.rms()
                     << ", N·H max " << f.normal_half.max << ", pixels " << f.normal_light.count
                     << ", slivers rms " << f.slivers.rms());
@@ -84,10 +84,18 @@ TEST_CASE("the polynomials of 1/sqrt(2 + z) are as good as they say, over every 
   CHECK(second.most > 4e-5);
   const PolynomialFigures third = sweep<CubicPolynomial>(&cubic_root);
   CHECK(third.most < 1.6e-6 + 2 * kRounding);
-  for (const PolynomialFigures& f : {first, second, third}) {
+  const PolynomialFigures printed_first = sweep<PrintedLinearPolynomial>(&printed_linear_root);
+  CHECK(printed_first.most < 2.2e-3);
+  CHECK(printed_first.most > 2.1e-3);
+  const PolynomialFigures printed_second = sweep<PrintedQuadraticPolynomial>(&printed_quadratic_root);
+  CHECK(printed_second.most < 2.01e-3);
+  CHECK(printed_second.most > 1.99e-3);
+  for (const PolynomialFigures& f : {first, second, third, printed_first}) {
     CHECK(f.most_rounding < kRounding);
     CHECK(f.most_halved < 5 * kRounding);
   }
+  CHECK(printed_second.most_rounding < kRounding);
+  CHECK(printed_second.most_halved < 6 * kRounding);  // its three coefficients are rounded
 }
 
 TEST_CASE("dichotomy keeps equal normals exactly") {
@@ -109,6 +117,12 @@ TEST_CASE("dichotomy: its integers against its model, each polynomial and each l
   check<QuadraticPolynomial, &quadratic_root, 2>(angles(0, 25, 75), kNear);
   // A row that ends within 2^-16 of a pixel's centre may take 16 pixels for the 8 of the model.
   check<QuadraticPolynomial, &quadratic_root, 4>(angles(0, 25, 76), {5e-4, 3e-5});
+}
+
+TEST_CASE("dichotomy as S3 prints it: its polynomials, and last segments of full length") {
+  constexpr Bounds kNear{1.5e-4, 3e-5};
+  check<PrintedLinearPolynomial, &printed_linear_root, 3, true>(angles(0, 25, 79), kNear);
+  check<PrintedQuadraticPolynomial, &printed_quadratic_root, 3, true>(angles(0, 25, 80), kNear);
 }
 
 TEST_CASE("dichotomy: wide normals, of which some segments are Phong's at every pixel") {

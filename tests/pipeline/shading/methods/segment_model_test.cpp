@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Segments against their own model in double precision: bilinear SLERP at a segment's two ends, the colour
-// there by the definition, linear between.
+// Segments against their own model in double precision: the normal at a segment's two ends by bilinear SLERP,
+// or by classic Phong as S3 prints it, the colour there by the definition, linear between.
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/literature/phong_segment.hpp>
 #include <arcspan/shading/segment/segment.hpp>
 
 #include <catch2/catch.hpp>
@@ -32,16 +33,48 @@ struct Lighting {
   }
 };
 
-/// One row of pixels, columns from the picture's middle.
-class SegmentModel {
- public:
-  SegmentModel(const TriangleOracle::Row& row, const Lighting& lighting, std::int64_t first,
-               std::int64_t count, int bits)
-      : row_(row), lighting_(lighting), first_(first), length_(1) {
+/// `segment`: great circles; segments are no longer than the row and no wider than a step can be.
+struct OfArcs {
+  template <class Lit>
+  using Method = Segment<Lit>;
+
+  TriangleOracle oracle;
+  explicit OfArcs(const ShadedTriangle& t) : oracle(t.corner[0], t.corner[1], t.corner[2]) {}
+  [[nodiscard]] TriangleOracle::Row row(std::int64_t y) const { return oracle.row(y); }
+  [[nodiscard]] static std::int64_t length(const TriangleOracle::Row& row, std::int64_t first,
+                                           std::int64_t count, int bits) {
     const double step = angle_between(row.at(first), row.at(first + 1));
     const auto fits = [&](std::int64_t length) { return static_cast<double>(length) * step < kWidestStep; };
-    while (length_ < std::int64_t{1} << bits && length_ < count - 1 && fits(2 * length_)) length_ *= 2;
+    std::int64_t length = 1;
+    while (length < std::int64_t{1} << bits && length < count - 1 && fits(2 * length)) length *= 2;
+    return length;
   }
+};
+
+/// `phong-segment`: normals that are linear on the screen; every segment has full length.
+struct OfPhong {
+  template <class Lit>
+  using Method = PhongSegment<Lit>;
+  struct Row {
+    const UnitLinearModel& normals;
+    std::int64_t y;
+    [[nodiscard]] Vec3 at(std::int64_t column) const { return normals.at(column, y); }
+  };
+
+  UnitLinearModel normals;
+  explicit OfPhong(const ShadedTriangle& t) : normals(t) {}
+  [[nodiscard]] Row row(std::int64_t y) const { return {normals, y}; }
+  [[nodiscard]] static std::int64_t length(const Row&, std::int64_t, std::int64_t, int bits) {
+    return std::int64_t{1} << bits;
+  }
+};
+
+/// One row of pixels, columns from the picture's middle.
+template <class Row>
+class SegmentModel {
+ public:
+  SegmentModel(const Row& row, const Lighting& lighting, std::int64_t first, std::int64_t length)
+      : row_(row), lighting_(lighting), first_(first), length_(length) {}
   [[nodiscard]] IlluminationOracle::ChannelLevels at(std::int64_t column) const {
     const std::int64_t part = (column - first_) % length_;
     const auto from = lighting_(row_.at(column - part));
@@ -53,16 +86,18 @@ class SegmentModel {
   }
 
  private:
-  const TriangleOracle::Row& row_;
+  const Row& row_;
   const Lighting& lighting_;
   std::int64_t first_;
   std::int64_t length_;
 };
 
 /// A triangle drawn by segments, and what it was drawn from.
+template <class Kind>
 class Subject {
  public:
   using Lit = Illumination<1, Highlight::kBlinn>;
+  using Method = typename Kind::template Method<Lit>;
 
   Subject(Random& random, double degrees, int bits) : bits_(bits) {
     do {
@@ -75,19 +110,18 @@ class Subject {
     }
     SegmentedIllumination<Lit> lighting(light(random));
     REQUIRE(ok(lighting.set_segment_bits(bits)));
-    RasterStage<Segment<Lit>, hal::Framebuffer<Rgb888>> stage(frame_, kSize, kSize, lighting);
+    RasterStage<Method, hal::Framebuffer<Rgb888>> stage(frame_, kSize, kSize, lighting);
     const auto vertex = [&](std::size_t i) {
       const Point& p = triangle_.corner[i].point;
       const RasterPosition at{static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y), 0};
-      return RasterVertex<Segment<Lit>>{at, Segment<Lit>::shade_vertex(lighting, normals[i])};
+      return RasterVertex<Method>{at, Method::shade_vertex(lighting, normals[i])};
     };
     stage.draw(vertex(0), vertex(1), vertex(2), {});
   }
 
   /// Differences of all pixels and channels, in 8-bit steps.
   void compare(ErrorFigure& figure) {
-    const auto& c = triangle_.corner;
-    const TriangleOracle oracle(c[0], c[1], c[2]);
+    const Kind kind(triangle_);
     for (std::int32_t y = 0; y < kSize; ++y) {
       const auto drawn = [&](std::int32_t x) { return !(frame_.pixel(x, y) == Rgb8{}); };
       std::int32_t first = 0;
@@ -95,8 +129,9 @@ class Subject {
       std::int32_t end = first;
       while (end < kSize && drawn(end)) ++end;
       if (first == end) continue;
-      const TriangleOracle::Row row = oracle.row(y - kSize / 2);
-      const SegmentModel model(row, lighting_, first - kSize / 2, end - first, bits_);
+      const auto row = kind.row(y - kSize / 2);
+      const std::int64_t left = first - kSize / 2;
+      const SegmentModel model(row, lighting_, left, Kind::length(row, left, end - first, bits_));
       for (std::int32_t x = first; x < end; ++x) {
         const Rgb8 pixel = frame_.pixel(x, y);
         const auto levels = model.at(x - kSize / 2);
@@ -134,12 +169,12 @@ class Subject {
 
 }  // namespace
 
-TEST_CASE("segments agree with their model in double precision") {
+TEMPLATE_TEST_CASE("segments agree with their model in double precision", "", OfArcs, OfPhong) {
   for (const double degrees : {3.0, 10.0, 25.0}) {
     for (int bits = 1; bits <= kMostSegmentBits; ++bits) {
       Random random(700 + static_cast<std::uint64_t>(bits));
       ErrorFigure figure;
-      for (int i = 0; i < share_of(400); ++i) Subject(random, degrees, bits).compare(figure);
+      for (int i = 0; i < share_of(400); ++i) Subject<TestType>(random, degrees, bits).compare(figure);
       CAPTURE(degrees, bits, figure.max, figure.rms());
       CHECK(figure.max < 2.5);
       CHECK(figure.rms() < 0.6);

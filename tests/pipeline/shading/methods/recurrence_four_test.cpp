@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Lanes against the single step, and the printed equations of S0 against what they should be.
+// Four pixels at a time against the single step, and the printed equations of S0 against what they should be.
+#include <arcspan/shading/literature/recurrence_four.hpp>
+
 #include <catch2/catch.hpp>
-#include <tests/support/arc_lanes.hpp>
 #include <tests/support/random.hpp>
 #include <tests/support/vec3.hpp>
 
@@ -24,35 +25,36 @@ ArcStep step_of(double phi) {
   return {static_cast<std::int32_t>(mantissa), 15 - exponent - 16, 0};
 }
 
-struct LaneError {
-  double from_single = 0;
+double value_of(const BlockFactor& f) { return std::ldexp(f.mantissa, -(16 + f.shift)); }
+
+struct FourError {
+  double single = 0;       ///< of the single step, from the exact cosine
+  double from_single = 0;  ///< of four at a time
   double from_exact = 0;
 };
 
-/// ArcTriangle of up to 60 degrees over up to 256 pixels.
-template <std::size_t Count>
-LaneError worst_of(std::uint64_t seed, int arcs) {
+/// Arcs of up to `degrees` over 8...256 pixels.
+FourError worst_of(std::uint64_t seed, int arcs, double degrees) {
   Random random(seed);
-  LaneError worst;
+  FourError worst;
   for (int i = 0; i < arcs; ++i) {
-    const int pixels = random.integer(8 * static_cast<int>(Count), 256);
-    const double phi = radians(random.decades(0.5, 58)) / pixels;
+    const int pixels = random.integer(8, 256);
+    const double phi = radians(random.decades(0.5, degrees)) / pixels;
     const double from = random.real(-3.14, 3.14);
     const auto exact = [&](int t) { return std::cos(from + t * phi); };
     const ArcStep single = step_of(phi);
-    ArcStep stride = single;
-    REQUIRE(make_stride<Count>(stride));
+    const FourSteps four = FourSteps::of(single);
     const auto unit = [](double v) {
       return Cosine::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(v, 30))));
     };
     ArcScalar walk{unit(exact(0)), unit(exact(1) - exact(0))};
-    ArcLanes<Count> lanes;
-    lanes.start(walk, single);
+    ArcScalar state = walk;
+    std::array<Cosine, 4> values{};
     for (int t = 0; t < pixels; ++t) {
-      const auto lane = static_cast<std::size_t>(t) % Count;
-      if (t > 0 && lane == 0) lanes.step(stride);
-      const double got = to_double(lanes.lanes[lane].x);
-      if (t < 2 * static_cast<int>(Count)) REQUIRE(lanes.lanes[lane].x == walk.x);
+      if (t % 4 == 0) values = four.step(state);
+      const double got = to_double(values[static_cast<std::size_t>(t) % 4]);
+      if (t < 2) REQUIRE(got == to_double(walk.x));
+      worst.single = std::max(worst.single, std::abs(to_double(walk.x) - exact(t)));
       worst.from_single = std::max(worst.from_single, std::abs(got - to_double(walk.x)));
       worst.from_exact = std::max(worst.from_exact, std::abs(got - exact(t)));
       walk.step(single.mantissa, single.shift);
@@ -81,26 +83,40 @@ TEST_CASE("a stride that cannot be held is refused and leaves k alone") {
   CHECK_FALSE(double_stride(k));
   CHECK(k.mantissa == before.mantissa);
   CHECK(k.shift == before.shift);
-  k = step_of(radians(7.3));
-  CHECK_FALSE(make_stride<4>(k));
-  CHECK(k.shift == step_of(radians(7.3)).shift);
-  CHECK(make_stride<2>(k));
   ArcStep linear{0, 31, 0};
-  CHECK(make_stride<8>(linear));
+  CHECK(double_stride(linear));
   CHECK(linear.mantissa == 0);
 }
 
-TEST_CASE("four and eight lanes agree with the single step") {
-  const LaneError one = worst_of<1>(3, 4000);
-  const LaneError four = worst_of<4>(3, 4000);
-  const LaneError eight = worst_of<8>(4, 4000);
-  INFO("one " << one.from_exact << ", four " << four.from_single << " " << four.from_exact << ", eight "
-              << eight.from_single << " " << eight.from_exact);
-  CHECK(one.from_exact < 3e-5);
-  CHECK(four.from_single < 3e-5);
-  CHECK(four.from_exact < 4.5e-5);
-  CHECK(eight.from_single < 3e-5);
-  CHECK(eight.from_exact < 5e-5);
+TEST_CASE("the factors of four pixels are those of S0 eq. 7 and 9 to 11, for every angle of a step") {
+  for (double angle = 0.002; angle < 28.9; angle *= 1.003) {
+    const ArcStep k = step_of(radians(angle));
+    if (k.shift > 31) continue;
+    const double c = 1 - value_of(k) / 2;
+    // Chebyshev polynomials of the second kind: N(t+j) = U_j N(t) - U_{j-1} N(t-1).
+    const double u[] = {1, 2 * c, 4 * c * c - 1, 8 * c * c * c - 4 * c, 16 * c * c * c * c - 12 * c * c + 1};
+    const FourSteps four = FourSteps::of(k);
+    CAPTURE(angle);
+    for (std::size_t j = 1; j <= 4; ++j) {
+      const double of_normal = 1 - (u[j] - u[j - 1]);
+      CHECK(value_of(four.of_normal[j - 1]) == Approx(of_normal).epsilon(0x1p-14).margin(1e-9));
+      CHECK(four.of_normal[j - 1].mantissa < 1 << 18);
+      if (j == 1) continue;
+      const double of_difference = static_cast<double>(j) - u[j - 1];
+      CHECK(value_of(four.of_difference[j - 2]) == Approx(of_difference).epsilon(0x1p-14).margin(1e-9));
+    }
+  }
+}
+
+TEST_CASE("four pixels at a time agree with the single step and with the exact cosine") {
+  const FourError narrow = worst_of(3, 4000, 30);
+  const FourError wide = worst_of(4, 4000, 60);
+  INFO("30 degrees: single " << narrow.single << ", four " << narrow.from_single << " " << narrow.from_exact
+                             << ", 60 degrees: single " << wide.single << ", four " << wide.from_single << " "
+                             << wide.from_exact);
+  CHECK(narrow.from_exact < 1e-5);
+  CHECK(wide.from_exact < 3e-5);
+  CHECK(wide.from_single < 4e-5);
 }
 
 TEST_CASE("S0 eq. 9 is right, eq. 10 and 11 are printed wrong") {

@@ -5,6 +5,7 @@
 #include <arcspan/shading/literature/kuijk_blake.hpp>
 #include <arcspan/shading/literature/lyon.hpp>
 #include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/recurrence_four.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 
 #include <tests/accuracy/method_rows.hpp>
@@ -51,6 +52,7 @@ void print_method_rows(int triangles) {
   const char* const chord = "chord, divided by its length";
   const char* const arc = "bilinear SLERP";
   print_row<Phong<Probe>, UnitLinearModel>("phong", chord, triangles);
+  print_row<PhongReciprocal<Probe>, UnitLinearModel>("phong-reciprocal", chord, triangles);
   print_row<Duff<Probe>, UnitLinearModel>("duff", chord, triangles);
   print_row<Lyon<Probe>, TaylorModel>("lyon", "chord, times the series", triangles);
   const char* const halved = "chord at a segment's ends, halved between them by the polynomial";
@@ -60,8 +62,14 @@ void print_method_rows(int triangles) {
                                                                            triangles);
   print_row<DichotomyCubic<Probe>, DichotomyModel<&cubic_root, 3>>("dichotomy`, `cubic", halved, triangles);
   print_row<DichotomyCubic<Probe>, UnitLinearModel>("dichotomy`, `cubic", chord, triangles);
+  print_row<DichotomyPrintedLinear<Probe>, DichotomyModel<&printed_linear_root, 3, true>>(
+      "dichotomy`, `printed-linear", halved, triangles);
+  print_row<DichotomyPrintedQuadratic<Probe>, DichotomyModel<&printed_quadratic_root, 3, true>>(
+      "dichotomy`, `printed-quadratic", halved, triangles);
   print_row<arcspan::Slerp<Probe>, SlerpModel>("slerp", arc, triangles);
   print_row<KuijkBlake<Probe>, SlerpModel>("kuijk-blake", arc, triangles);
+  print_row<Recurrence<Probe>, SlerpModel>("recurrence", arc, triangles);
+  print_row<RecurrenceFour<Probe>, SlerpModel>("recurrence-four", arc, triangles);
   print_row<ArcVector<Probe>, SlerpModel>("arc-vector", arc, triangles);
   std::puts(
       "\nBeyond 45° across one segment, which takes a triangle of a few pixels, dichotomy changes over to "

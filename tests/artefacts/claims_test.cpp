@@ -81,6 +81,12 @@ TEST_CASE("a pixel's normal takes the long operations that S0 counts") {
   CHECK(classic[Operation::kRoot] == 1);
   CHECK(classic[Operation::kMultiply] == 3 + 1);  // one rounds the root
   CHECK(classic[Operation::kAdd] >= 5);
+  const OperationCounts reciprocal = arcspan_counting::reciprocal_normal_operations();
+  CHECK(reciprocal[Operation::kDivide] == 0);
+  CHECK(reciprocal[Operation::kRoot] == 1);
+  CHECK(reciprocal[Operation::kMultiply] == 3 + 3);
+  CHECK(arcspan_counting::four_steps_operations()[Operation::kMultiply] == 4 + 3);
+  CHECK(arcspan_counting::four_steps_operations()[Operation::kDivide] == 0);
   const OperationCounts recurrence = arcspan_counting::recurrence_operations();
   CHECK(recurrence[Operation::kMultiply] == 1);
   CHECK(recurrence[Operation::kDivide] + recurrence[Operation::kRoot] + recurrence[Operation::kLookUp] == 0);

@@ -4,6 +4,7 @@
 #include <arcspan/shading/literature/duff.hpp>
 #include <arcspan/shading/literature/lyon.hpp>
 #include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/recurrence_four.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 
 //
@@ -53,6 +54,9 @@ OperationCounts count_linear_scalars() {
 OperationCounts classic_normal_operations() {
   return count_pixel(counted::Phong<Nothing>::Run{some_normal(), some_step()});
 }
+OperationCounts reciprocal_normal_operations() {
+  return count_pixel(counted::PhongReciprocal<Nothing>::Run{some_normal(), some_step()});
+}
 OperationCounts lyon_operations() { return count_linear_scalars<counted::Lyon<Nothing>>(); }
 OperationCounts duff_operations() { return count_linear_scalars<counted::Duff<Nothing>>(); }
 
@@ -73,6 +77,16 @@ OperationCounts recurrence_operations() {
   OperationCounts counts;
   operation_target = &counts;
   scalar.step(Raw(20000), Raw(8));
+  operation_target = nullptr;
+  return counts;
+}
+
+OperationCounts four_steps_operations() {
+  counted::ArcScalar scalar{counted::Cosine::from_raw(Raw(1 << 29)), counted::Cosine::from_raw(Raw(1 << 20))};
+  const counted::FourSteps four = counted::FourSteps::of({Raw(20000), Raw(8), Raw(0)});
+  OperationCounts counts;
+  operation_target = &counts;
+  (void)four.step(scalar);
   operation_target = nullptr;
   return counts;
 }

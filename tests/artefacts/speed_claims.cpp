@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/compare/comparison.hpp>
 #include <arcspan_tools/compare/instructions.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
 #include <arcspan_tools/render/scene.hpp>
@@ -9,7 +10,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <optional>
+#include <string>
+#include <utility>
 
 using namespace arcspan::tools;
 
@@ -18,14 +20,14 @@ namespace {
 constexpr const char* kMeshes[] = {"sphere:8x4", "sphere:16x8", "sphere:32x16"};
 constexpr int kUsualSegment = 2;
 
-/// A method by name, those of this program included; nothing if there is none.
-std::optional<MeasuredMethod> find_any(const std::string& shading) {
-  for (const MeasuredMethod& method : measured_methods()) {
-    if (method.shading == shading) return method;
+/// The function that draws by a method of this name, those of this program included; null if there is none.
+RenderFunction* find_any(const std::string& shading) {
+  for (const MeasuredVariant& variant : measured_variants()) {
+    if (variant.shading == shading) return variant.render;
   }
   const std::vector<std::string> names = shading_names();
-  if (std::find(names.begin(), names.end(), shading) == names.end()) return std::nullopt;
-  return find_method(shading);
+  if (std::find(names.begin(), names.end(), shading) == names.end()) return nullptr;
+  return find_method(shading).render;
 }
 
 /// Segments of 2^bits pixels, in a scene that has such a setting.
@@ -42,155 +44,236 @@ RenderJob make_claim_job(const FixedMesh& mesh, const std::string& name, int seg
   return make_job(scene, mesh, name);
 }
 
+/// Cost of a whole picture, per drawn pixel.
+struct Cost {
+  double nanoseconds = 0;
+  double instructions = 0;
+};
+
 /// Measures methods on one mesh.
 class Bench {
  public:
   Bench(std::string self, std::string mesh_name)
-      : self_(std::move(self)), name_(std::move(mesh_name)), mesh_(make_mesh(name_)) {}
+      : self_(std::move(self)), name_(std::move(mesh_name)), mesh_(make_mesh(name_)) {
+    const auto stats = find_any("flat")(job(kUsualSegment), {"rgb565"}, [](std::size_t) {}).stats;
+    pixels_ = static_cast<double>(stats.pixels);  // every method draws the same pixels
+  }
 
-  /// Nothing if there is no such method.
-  std::optional<MethodFigures> measure(const std::string& shading, int segment_bits = kUsualSegment) {
-    const std::optional<MeasuredMethod> method = find_any(shading);
-    if (!method) return std::nullopt;
+  /// The error and the operations of a method that the command offers.
+  MethodFigures figures(const std::string& shading) {
+    const RenderJob drawn = job(kUsualSegment);
+    return measure_method(shading, drawn, mesh_, draw_reference(drawn, ReferenceKind::kPhong));
+  }
+
+  Cost cost(const std::string& shading, int segment_bits = kUsualSegment) {
+    RenderFunction* const render = find_any(shading);
+    if (render == nullptr) throw Failure(shading, "no such shading");
     const std::pair<std::string, int> key{shading, segment_bits};
     const auto known = known_.find(key);
     if (known != known_.end()) return known->second;
-    const RenderJob job = make_claim_job(mesh_, name_, segment_bits);
-    MethodFigures figures = measure_method(*method, job, mesh_, draw_reference(job, ReferenceKind::kPhong));
     const auto count = drawing_instructions({self_, "--draw", shading, name_, std::to_string(segment_bits)});
     if (!count) throw Failure("valgrind", "not found; it counts the instructions");
-    const RenderStats stats = method->render(job, {"rgb565"}, [](std::size_t) {}).stats;
-    figures.instructions = static_cast<double>(*count) / static_cast<double>(stats.pixels);
-    known_[key] = figures;
-    return figures;
+    const double milliseconds = best_draw_milliseconds(job(segment_bits), *render);
+    return known_[key] = {milliseconds * 1e6 / pixels_, static_cast<double>(*count) / pixels_};
   }
 
  private:
+  [[nodiscard]] RenderJob job(int segment_bits) const { return make_claim_job(mesh_, name_, segment_bits); }
+
   std::string self_;
   std::string name_;
   FixedMesh mesh_;
-  std::map<std::pair<std::string, int>, MethodFigures> known_;
+  double pixels_ = 0;
+  std::map<std::pair<std::string, int>, Cost> known_;
 };
 
 /// A method, and the length of its segments if it has any.
 struct Contender {
-  const char* shading;
+  const char* shading = nullptr;
   int segment_bits = kUsualSegment;
 };
 
-/// `a` costs how many times `b`: three columns of the table.
-std::string cost_ratio(Bench& bench, const Contender& a, const Contender& b) {
-  const std::optional<MethodFigures> p = bench.measure(a.shading, a.segment_bits);
-  const std::optional<MethodFigures> q = bench.measure(b.shading, b.segment_bits);
-  if (!p || !q)
-    return "not measured: there is no `" + std::string(!p ? a.shading : b.shading) + "` yet | - | -";
-  const MethodFigures flat = *bench.measure("flat");
+/// `slower` costs how many times `faster`: three columns of the table.
+std::string cost_ratio(Bench& bench, const Contender& slower, const Contender& faster) {
+  if (slower.shading == nullptr) return "- | - | -";
+  const Cost p = bench.cost(slower.shading, slower.segment_bits);
+  const Cost q = bench.cost(faster.shading, faster.segment_bits);
+  const double flat = bench.cost("flat").instructions;
   char text[96];
-  std::snprintf(text, sizeof text, "%.2f | %.2f | %.2f", *p->instructions / *q->instructions,
-                p->nanoseconds / q->nanoseconds,
-                (*p->instructions - *flat.instructions) / (*q->instructions - *flat.instructions));
+  std::snprintf(text, sizeof text, "%.2f | %.2f | %.2f", p.instructions / q.instructions,
+                p.nanoseconds / q.nanoseconds, (p.instructions - flat) / (q.instructions - flat));
   return text;
 }
 
+/// A ratio that a paper states. Where Phong is one side, the ratio is measured twice: with classic Phong as
+/// the paper has it, and with `modern...`, which normalise by a reciprocal root.
 struct Claim {
   const char* what;
   const char* paper;
   Contender slower;
   Contender faster;
-  const char* remark;
+  const char* remark = "";
+  Contender modern_slower = {};
+  Contender modern_faster = {};
 };
 
+constexpr Contender kModernPhong{"phong-reciprocal"};
+
 constexpr Claim kClaims[] = {
-    {"classic Phong costs how many times Gouraud",
+    {"Phong costs how many times Gouraud",
      "S3: more than 50",
      {"phong"},
      {"gouraud"},
      "S3 quotes it from elsewhere, without a machine; here all is integers: no power by a library, a "
-     "division is "
-     "one instruction, a root 16 steps"},
-    {"classic Phong costs how many times the arcs (eq. 14)",
+     "division is one instruction, a root 16 steps",
+     kModernPhong,
+     {"gouraud"}},
+    {"Phong costs how many times the recurrence with scalars (eq. 14)",
      "S0: more than 2",
      {"phong"},
-     {"arc"},
-     "S0 counts vectors; here two scalars in place of three components"},
-    {"classic Phong costs how many times the arcs with vectors (eq. 7)",
+     {"recurrence"},
+     "S0 counts vectors; here two scalars in place of three components",
+     kModernPhong,
+     {"recurrence"}},
+    {"Phong costs how many times the recurrence with vectors (eq. 7)",
      "S0: more than 2",
      {"phong"},
      {"arc-vector"},
-     "the products with L and H are paid in both"},
-    {"direct SLERP (eq. 2) costs how many times the arcs with vectors",
+     "the products with L and H are paid in both",
+     kModernPhong,
+     {"arc-vector"}},
+    {"Phong costs how many times `arc`",
+     "-",
+     {"phong"},
+     {"arc"},
+     "this library's method",
+     kModernPhong,
+     {"arc"}},
+    {"direct SLERP (eq. 2) costs how many times the recurrence with vectors",
      "-",
      {"slerp"},
      {"arc-vector"},
      "the weights of eq. 2 serve all three components here, and divide by a reciprocal that a row makes "
      "once"},
-    {"the arcs cost how many times Gouraud",
+    {"four pixels at a time (eq. 9 to 11) cost how many times the single step",
+     "-",
+     {"recurrence-four"},
+     {"recurrence"},
+     "on one multiplier; S0 has four in mind"},
+    {"`arc` costs how many times Gouraud",
      "-",
      {"arc"},
      {"gouraud"},
      "the price of a highlight in every pixel"},
-    {"segments of 4 pixels, linear inside: gain over Phong",
+    {"segments of 4 pixels, linear inside, diffuse: gain over Phong",
      "S3: 1.3",
-     {"phong"},
-     {"segment", 2},
-     "S3 counts the diffuse part alone, and ends of segments by Phong's method; here they are ends of arcs"},
-    {"segments of 8 pixels, linear inside: gain over Phong",
+     {"phong-diffuse"},
+     {"phong-segment-diffuse", 2},
+     "as S3 prints it; its figures are for the diffuse part",
+     {"phong-reciprocal-diffuse"},
+     {"phong-reciprocal-segment-diffuse", 2}},
+    {"segments of 8 pixels, linear inside, diffuse: gain over Phong",
      "S3: 1.48",
-     {"phong"},
-     {"segment", 3},
-     "as above"},
-    {"segments of 4 pixels, linear inside: gain over the arcs", "-", {"arc"}, {"segment", 2}, ""},
-    {"segments of 8 pixels, linear inside: gain over the arcs", "-", {"arc"}, {"segment", 3}, ""},
-    {"segments of 4 pixels, halved by the root: gain over Phong",
-     "S3: 1.3",
-     {"phong"},
-     {"dichotomy-root4"},
-     "S3's text can be read either way; no division here, and the root is three multiplications by Newton's "
-     "rule"},
-    {"segments of 8 pixels, halved by the root: gain over Phong",
-     "S3: 1.48",
-     {"phong"},
-     {"dichotomy-root8"},
-     "as above"},
-    {"segments of 4 pixels, halved by the linear polynomial: gain over Phong",
-     "S3: 1.8",
-     {"phong"},
-     {"dichotomy-linear4"},
-     "the diffuse part and the highlight"},
-    {"segments of 8 pixels, halved by the linear polynomial: gain over Phong",
-     "S3: 2.09",
-     {"phong"},
-     {"dichotomy-linear"},
-     "as above"},
-    {"segments of 16 pixels, halved by the linear polynomial: gain over Phong",
+     {"phong-diffuse"},
+     {"phong-segment-diffuse", 3},
+     "",
+     {"phong-reciprocal-diffuse"},
+     {"phong-reciprocal-segment-diffuse", 3}},
+    {"segments of 4 pixels, linear inside, with highlight: gain over Phong",
      "-",
      {"phong"},
-     {"dichotomy-linear16"},
-     ""},
-    {"what the polynomial saves against the root, 4 pixels",
+     {"phong-segment", 2},
+     "",
+     kModernPhong,
+     {"phong-reciprocal-segment", 2}},
+    {"segments of 8 pixels, linear inside, with highlight: gain over Phong",
+     "-",
+     {"phong"},
+     {"phong-segment", 3},
+     "",
+     kModernPhong,
+     {"phong-reciprocal-segment", 3}},
+    {"segments of 4 pixels, halved by the root, diffuse: gain over Phong",
+     "S3: 1.3",
+     {"phong-diffuse"},
+     {"dichotomy-root4-diffuse"},
+     "S3's text can be read either way. Every dichotomy here divides the normals at the ends of a segment by "
+     "a reciprocal root",
+     {"phong-reciprocal-diffuse"},
+     {"dichotomy-root4-diffuse"}},
+    {"segments of 8 pixels, halved by the root, diffuse: gain over Phong",
+     "S3: 1.48",
+     {"phong-diffuse"},
+     {"dichotomy-root8-diffuse"},
+     "",
+     {"phong-reciprocal-diffuse"},
+     {"dichotomy-root8-diffuse"}},
+    {"segments of 4 pixels, halved by the printed linear polynomial, diffuse: gain over Phong",
+     "S3: 1.8",
+     {"phong-diffuse"},
+     {"dichotomy-printed-linear4-diffuse"},
+     "",
+     {"phong-reciprocal-diffuse"},
+     {"dichotomy-printed-linear4-diffuse"}},
+    {"segments of 8 pixels, halved by the printed linear polynomial, diffuse: gain over Phong",
+     "S3: 2.09",
+     {"phong-diffuse"},
+     {"dichotomy-printed-linear-diffuse"},
+     "",
+     {"phong-reciprocal-diffuse"},
+     {"dichotomy-printed-linear-diffuse"}},
+    {"segments of 4 pixels, halved by the printed linear polynomial, with highlight: gain over Phong",
+     "-",
+     {"phong"},
+     {"dichotomy-printed-linear4"},
+     "",
+     kModernPhong,
+     {"dichotomy-printed-linear4"}},
+    {"segments of 8 pixels, halved by the printed linear polynomial, with highlight: gain over Phong",
+     "-",
+     {"phong"},
+     {"dichotomy-printed-linear"},
+     "",
+     kModernPhong,
+     {"dichotomy-printed-linear"}},
+    {"gain of the polynomial over the root, 4 pixels, diffuse",
      "S3: 1.8 / 1.3 = 1.38",
-     {"dichotomy-root4"},
-     {"dichotomy-linear4"},
+     {"dichotomy-root4-diffuse"},
+     {"dichotomy-printed-linear4-diffuse"},
      "one root for each halving of a segment, not for each pixel"},
-    {"what the polynomial saves against the root, 8 pixels",
+    {"gain of the polynomial over the root, 8 pixels, diffuse",
      "S3: 2.09 / 1.48 = 1.41",
-     {"dichotomy-root8"},
-     {"dichotomy-linear"},
+     {"dichotomy-root8-diffuse"},
+     {"dichotomy-printed-linear-diffuse"},
      "as above"},
+    {"gain of the polynomial over the root, 8 pixels, with highlight",
+     "-",
+     {"dichotomy-root8"},
+     {"dichotomy-printed-linear"},
+     "as above"},
+    {"`segment` of 4 pixels, whose ends are those of arcs: gain over `arc`", "-", {"arc"}, {"segment", 2}},
+    {"`segment` of 8 pixels, whose ends are those of arcs: gain over `arc`", "-", {"arc"}, {"segment", 3}},
 };
 
 void print_claims(Bench& coarse) {
   std::puts(
       "## Speed\n\n"
       "On `sphere:8x4`, 320x240 pixels, one light, Blinn's highlight: large triangles, so that the pixels\n"
-      "count and not the set-up. The last column takes off what flat shading costs, that is, edges, rows, "
-      "depth\n"
-      "test and store: it is of the shading alone.\n\n"
-      "| claim | paper | instructions | time | instructions of the shading | remarks |\n"
-      "|---|---|---:|---:|---:|---|");
+      "count and not the set-up. The columns *shading* subtract the cost of flat shading, that is, edges, "
+      "rows,\n"
+      "depth test and store. *Classic* is Phong as the papers have it, with a root bit by bit and three "
+      "divisions\n"
+      "per normal; *reciprocal* is `phong-reciprocal`, with a reciprocal root and three multiplies, and "
+      "segments\n"
+      "with such ends.\n\n"
+      "| claim | paper | classic: instructions | time | shading | reciprocal: instructions | time | shading "
+      "| "
+      "remarks |\n"
+      "|---|---|---:|---:|---:|---:|---:|---:|---|");
   for (const Claim& claim : kClaims) {
-    std::printf("| %s | %s | %s | %s |\n", claim.what, claim.paper,
-                cost_ratio(coarse, claim.slower, claim.faster).c_str(), claim.remark);
+    std::printf("| %s | %s | %s | %s | %s |\n", claim.what, claim.paper,
+                cost_ratio(coarse, claim.slower, claim.faster).c_str(),
+                cost_ratio(coarse, claim.modern_slower, claim.modern_faster).c_str(), claim.remark);
   }
   std::puts("");
 }
@@ -208,10 +291,11 @@ void print_operations(Bench& bench, const char* mesh) {
   for (std::size_t i = 0; i < arcspan_counting::kOperationKinds + 5; ++i) std::printf("---:|");
   std::puts("");
   for (const std::string& shading : shading_names()) {
-    const MethodFigures m = *bench.measure(shading);
+    const MethodFigures m = bench.figures(shading);
+    const Cost cost = bench.cost(shading);
     std::printf("| %s |", shading.c_str());
     for (const double rate : m.per_pixel) std::printf(" %.2f |", rate);
-    std::printf(" %.1f | %.1f | %.2f | %.2f | %.1f |\n", m.around, *m.instructions, m.nanoseconds,
+    std::printf(" %.1f | %.1f | %.2f | %.2f | %.1f |\n", m.around, cost.instructions, cost.nanoseconds,
                 m.error.rms, m.error.max);
   }
   std::puts("");
@@ -242,6 +326,8 @@ void print_operation_claims() {
                arcspan_counting::classic_normal_operations(),
                "a multiply more to round the root; the other additions and shifts round to 15 bits before "
                "and after dividing");
+  print_normal("Phong by a reciprocal root", "-", arcspan_counting::reciprocal_normal_operations(),
+               "the root is a polynomial and two Newton steps");
   print_normal("Lyon, one scalar", "no division, no root", arcspan_counting::lyon_operations(), "");
   print_normal("Duff, one scalar", "3 multiplies and additions less than Phong",
                arcspan_counting::duff_operations(), "one division a scalar, as no vector is made");
@@ -256,16 +342,18 @@ void print_operation_claims() {
                "the difference form has two sums; two more round, of which one is the same all along a row; "
                "a shift brings "
                "the multiplicand to 16 bits");
+  print_normal("eq. 7 and 9 to 11, four pixels of a scalar", "-", arcspan_counting::four_steps_operations(),
+               "seven products, each rounded; no new value depends on another one");
   std::puts("");
 }
 
 }  // namespace
 
 void draw_once(const std::string& shading, const std::string& mesh_name, int segment_bits) {
-  const std::optional<MeasuredMethod> method = find_any(shading);
-  if (!method) throw Failure(shading, "no such shading");
+  RenderFunction* const render = find_any(shading);
+  if (render == nullptr) throw Failure(shading, "no such shading");
   const FixedMesh mesh = make_mesh(mesh_name);
-  (void)method->render(make_claim_job(mesh, mesh_name, segment_bits), {"rgb565"}, [](std::size_t) {});
+  (void)render(make_claim_job(mesh, mesh_name, segment_bits), {"rgb565"}, [](std::size_t) {});
 }
 
 void print_speed(const std::string& self) {

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/compare/comparison.hpp>
+#include <arcspan_tools/render/render.hpp>
 
 #include <string>
 #include <vector>
 
-/// The methods that only claims_report measures.
-std::vector<arcspan::tools::MeasuredMethod> measured_methods();
+/// A method that only claims_report measures.
+struct MeasuredVariant {
+  std::string shading;
+  arcspan::tools::RenderFunction* render;
+};
+std::vector<MeasuredVariant> measured_variants();
 
 /// Measures what the papers say of speed and prints it; `self` is this program, which is run once more under
 /// valgrind for each figure, as `self --draw SHADING MESH SEGMENT_BITS`.

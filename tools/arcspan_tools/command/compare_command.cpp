@@ -31,7 +31,7 @@ struct CompareArguments {
   std::string draw_only;
 };
 
-constexpr const char* kYardsticks[] = {"gouraud", "phong"};
+constexpr const char* kYardsticks[] = {"gouraud", "phong", "phong-reciprocal"};
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();

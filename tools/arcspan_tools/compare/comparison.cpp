@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace arcspan::tools {
 namespace {
@@ -44,21 +45,24 @@ void rate_operations(const MeasuredMethod& method, const RenderJob& job, const F
 }
 
 double best_nanoseconds(const RenderJob& job, RenderFunction& render) {
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + kMeasuringTime;
-  const auto quiet = [](std::size_t) {};
-  const RenderStats counted = render(job, {"rgb565"}, quiet).stats;
+  const RenderStats counted = render(job, {"rgb565"}, [](std::size_t) {}).stats;
   if (counted.pixels == 0) return 0;
-  RenderJob timed = job;
-  timed.counts = false;
-  double best = counted.draw_milliseconds;
-  for (int run = 1; run < kFewestRuns || Clock::now() < end; ++run) {
-    best = std::min(best, render(timed, {"rgb565"}, quiet).stats.draw_milliseconds);
-  }
-  return best * 1e6 / static_cast<double>(counted.pixels);
+  return best_draw_milliseconds(job, render) * 1e6 / static_cast<double>(counted.pixels);
 }
 
 }  // namespace
+
+double best_draw_milliseconds(const RenderJob& job, RenderFunction& render) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + kMeasuringTime;
+  RenderJob timed = job;
+  timed.counts = false;
+  double best = std::numeric_limits<double>::infinity();
+  for (int run = 0; run < kFewestRuns || Clock::now() < end; ++run) {
+    best = std::min(best, render(timed, {"rgb565"}, [](std::size_t) {}).stats.draw_milliseconds);
+  }
+  return best;
+}
 
 MeasuredMethod find_method(const std::string& shading) {
   for (const arcspan_counting::Counter& counter : arcspan_counting::counters()) {

@@ -48,6 +48,9 @@ struct MeasuredMethod {
 [[nodiscard]] MethodFigures measure_method(const std::string& shading, const RenderJob& job,
                                            const FixedMesh& mesh, const ReferencePicture& reference);
 
+/// Processor time of drawing a job into rgb565, in milliseconds: the best of several runs.
+[[nodiscard]] double best_draw_milliseconds(const RenderJob& job, RenderFunction& render);
+
 /// Nanoseconds and instructions per pixel that others are compared with.
 struct Yardstick {
   std::string shading;
@@ -63,7 +66,7 @@ struct Comparison {
   ReferenceKind reference_kind = ReferenceKind::kPhong;
   Image reference;
   std::vector<MethodFigures> methods;
-  std::vector<Yardstick> yardsticks;  ///< gouraud and phong, those that there are
+  std::vector<Yardstick> yardsticks;  ///< gouraud, phong and phong-reciprocal, those that there are
 };
 
 }  // namespace arcspan::tools

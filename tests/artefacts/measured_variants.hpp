@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/shading/literature/dichotomy.hpp>
+#include <arcspan/shading/literature/phong_segment.hpp>
+
+#include <array>
+
+/// What S3 gives figures for and the command does not offer: `entry(name, Class)`.
+#define ARCSPAN_FOR_EACH_MEASURED_VARIANT(entry)                                                         \
+  entry("phong-reciprocal-segment", PhongReciprocalSegment) entry("dichotomy-root4", DichotomyRoot4)     \
+      entry("dichotomy-root8", DichotomyRoot8) entry("dichotomy-printed-linear4", DichotomyPrinted4)     \
+          entry("phong-diffuse", PhongDiffuse) entry("phong-reciprocal-diffuse", PhongReciprocalDiffuse) \
+              entry("phong-segment-diffuse", PhongSegmentDiffuse)                                        \
+                  entry("phong-reciprocal-segment-diffuse", PhongReciprocalSegmentDiffuse)               \
+                      entry("dichotomy-root4-diffuse", DichotomyRoot4Diffuse)                            \
+                          entry("dichotomy-root8-diffuse", DichotomyRoot8Diffuse)                        \
+                              entry("dichotomy-printed-linear4-diffuse", DichotomyPrinted4Diffuse)       \
+                                  entry("dichotomy-printed-linear-diffuse", DichotomyPrinted8Diffuse)
+
+namespace arcspan {
+
+/// 1/sqrt(2 + z) itself, by a reciprocal root, as S3 has it before it puts a polynomial there.
+struct RootItself {
+  [[nodiscard]] static constexpr std::int32_t above_half(std::uint32_t s) {
+    const ReciprocalRoot root = reciprocal_root(((4u << 16) - s) << 12);  // 1/sqrt(28 fraction bits)
+    const std::uint32_t p = root.mantissa << (32 - root.exponent);
+    return p < (1u << 17) ? 0 : static_cast<std::int32_t>(p - (1u << 17));
+  }
+};
+
+/// An illumination of one light without its highlight. N·L is its only scalar: S3's figures are for the
+/// diffuse part.
+template <class Illumination>
+struct Diffuse : Illumination {
+  static constexpr std::size_t kScalars = 1;
+  using Scalars = std::array<Cosine, 1>;
+
+  Diffuse(const Illumination& lit) : Illumination(lit) {
+    constexpr auto kOne = DirectionComponent::from_raw(1 << 15);
+    const auto component = [&lit](const Direction& axis) {
+      return convert<DirectionComponent>(lit.scalars(axis)[0]);
+    };
+    towards = {component({kOne, {}, {}}), component({{}, kOne, {}}), component({{}, {}, kOne})};
+  }
+  [[nodiscard]] Scalars scalars(const Direction& normal) const { return {dot(normal, towards)}; }
+  [[nodiscard]] PackedRgb colour(const Scalars& scalars) const { return this->diffuse_colour(scalars[0]); }
+
+  Direction towards{};
+};
+
+template <class Illumination>
+using PhongReciprocalSegment = NormalSegments<Illumination, detail::UnitByReciprocalRoot>;
+template <class Illumination>
+using DichotomyRoot4 = Dichotomy<Illumination, RootItself, 2, true>;
+template <class Illumination>
+using DichotomyRoot8 = Dichotomy<Illumination, RootItself, 3, true>;
+template <class Illumination>
+using DichotomyPrinted4 = Dichotomy<Illumination, PrintedLinearPolynomial, 2, true>;
+
+template <class Illumination>
+using PhongDiffuse = Phong<Diffuse<Illumination>>;
+template <class Illumination>
+using PhongReciprocalDiffuse = PhongReciprocal<Diffuse<Illumination>>;
+template <class Illumination>
+using PhongSegmentDiffuse = PhongSegment<Diffuse<Illumination>>;
+template <class Illumination>
+using PhongReciprocalSegmentDiffuse = PhongReciprocalSegment<Diffuse<Illumination>>;
+template <class Illumination>
+using DichotomyRoot4Diffuse = DichotomyRoot4<Diffuse<Illumination>>;
+template <class Illumination>
+using DichotomyRoot8Diffuse = DichotomyRoot8<Diffuse<Illumination>>;
+template <class Illumination>
+using DichotomyPrinted4Diffuse = DichotomyPrinted4<Diffuse<Illumination>>;
+template <class Illumination>
+using DichotomyPrinted8Diffuse = DichotomyPrintedLinear<Diffuse<Illumination>>;
+
+}  // namespace arcspan

@@ -16,7 +16,8 @@
 #include <arcspan/shading/literature/duff.hpp>
 #include <arcspan/shading/literature/kuijk_blake.hpp>
 #include <arcspan/shading/literature/lyon.hpp>
-#include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/phong_segment.hpp>
+#include <arcspan/shading/literature/recurrence_four.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 
 #include <cstdlib>
@@ -222,7 +223,7 @@ using Phong2 = Illumination<2, Highlight::kPhong>;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Input in(data, size);
-  switch (in.take<std::uint8_t>() % 18) {
+  switch (in.take<std::uint8_t>() % 20) {
     case 0:
       fuzz_triangles<Arc<Blinn1>, Rgb565>(in);
       break;
@@ -274,8 +275,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     case 16:
       fuzz_mesh<DichotomyLinear<Phong2>, Rgb565>(in);
       break;
+    case 17:
+      fuzz_mesh<PhongSegment<Blinn1>, Rgb565>(in);
+      break;
+    case 18:
+      fuzz_mesh<RecurrenceFour<Phong1>, Rgb565>(in);
+      break;
     default:
-      fuzz_mesh<DichotomyCubic<Blinn4>, Rgb565>(in);
+      fuzz_mesh<DichotomyPrintedQuadratic<Blinn4>, Rgb565>(in);
       break;
   }
   return 0;

@@ -60,8 +60,9 @@ TEST_CASE("compare draws dichotomy by one polynomial or by all") {
     return all;
   };
   REQUIRE(run(base).status == 0);
-  CHECK(names() ==
-        std::vector<std::string>{"flat", "dichotomy-linear", "dichotomy-quadratic", "dichotomy-cubic"});
+  CHECK(names() == std::vector<std::string>{"flat", "dichotomy-linear", "dichotomy-quadratic",
+                                            "dichotomy-cubic", "dichotomy-printed-linear",
+                                            "dichotomy-printed-quadratic"});
   REQUIRE(run(base + " --polynomial cubic").status == 0);
   CHECK(names() == std::vector<std::string>{"flat", "dichotomy-cubic"});
 }

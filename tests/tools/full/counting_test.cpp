@@ -122,18 +122,18 @@ TEST_CASE("counted operations are the methods' own") {
   CHECK(rate(gouraud, Operation::kAdd) == Approx(3).margin(1e-6));  // three channels step
   CHECK(rate(gouraud, Operation::kLookUp) == 0);
   // S0: a multiply a scalar and pixel, and no long operation; the rest of its multiplies is the highlight's.
-  const MethodFigures arc = figures("arc");
-  CHECK(rate(arc, Operation::kMultiply) >= 2);
-  CHECK(rate(arc, Operation::kDivide) == 0);
-  CHECK(rate(arc, Operation::kRoot) == 0);
-  CHECK(rate(arc, Operation::kLookUp) >= 1);  // the ramp
+  const MethodFigures recurrence = figures("recurrence");
+  CHECK(rate(recurrence, Operation::kMultiply) >= 2);
+  CHECK(rate(recurrence, Operation::kDivide) == 0);
+  CHECK(rate(recurrence, Operation::kRoot) == 0);
+  CHECK(rate(recurrence, Operation::kLookUp) >= 1);  // the ramp
 }
 
-TEST_CASE("with no highlight in reach arc steps two scalars and looks up a ramp, no more") {
+TEST_CASE("with no highlight in reach recurrence steps two scalars and looks up a ramp, no more") {
   const FixedMesh mesh = to_fixed(generate(*parse_generated_mesh("sphere:16x8")));
   RenderJob job = sphere_job(mesh);
   job.material.shininess = 256;
-  const CountedDraw sharp = count_operations("arc", job, mesh);
+  const CountedDraw sharp = count_operations("recurrence", job, mesh);
   const double multiplies =
       static_cast<double>(sharp.in_spans[Operation::kMultiply]) / static_cast<double>(sharp.pixels);
   CHECK(multiplies > 2);

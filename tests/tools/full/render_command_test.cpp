@@ -114,9 +114,12 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
       {"--format rgb332", "--format: expected rgb565|rgb888|gray8|gray4|mono, not 'rgb332'"},
       {"--shading ray",
        "--shading: expected "
-       "flat|gouraud|arc|segment|adaptive|phong|slerp|kuijk-blake|lyon|duff|reflection-map|arc-vector|"
-       "dichotomy, not 'ray'"},
-      {"--polynomial fourth", "--polynomial: expected linear, quadratic or cubic, not 'fourth'"},
+       "flat|gouraud|arc|segment|adaptive|recurrence|recurrence-four|phong|phong-reciprocal|phong-segment|"
+       "slerp|kuijk-blake|lyon|duff|reflection-map|arc-vector|dichotomy, not 'ray'"},
+      {"--polynomial fourth",
+       "--polynomial: expected linear, quadratic, cubic, printed-linear or printed-quadratic, not 'fourth'"},
+      {"--segment 2 --shading phong",
+       "--segment: only --shading segment and phong-segment have some, not phong"},
       {"--polynomial cubic", "--polynomial: only --shading dichotomy has one, not arc"},
       {"--polynomial cubic --shading phong", "--polynomial: only --shading dichotomy has one, not phong"},
       {"--illumination lambert", "--illumination: expected blinn or phong, not 'lambert'"},

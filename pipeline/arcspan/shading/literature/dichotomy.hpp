@@ -211,7 +211,7 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
     [[nodiscard]] constexpr bool is_steep() const {
       const std::int32_t limit = std::int32_t{1} << (Linear::kFraction + 16 - SegmentBits);
       const LinearNormal step = prepared_->normal.step();
-      const auto steep = [limit](Linear c) { return c.raw() >= limit || c.raw() <= -limit; };
+      const auto steep = [&](Linear c) { return c.raw() >= limit || c.raw() <= -limit; };
       return steep(step.x) || steep(step.y) || steep(step.z);
     }
 

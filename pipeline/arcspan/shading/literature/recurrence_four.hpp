@@ -50,7 +50,7 @@ struct FourSteps {
       const std::uint32_t half = (std::uint32_t{1} << drop) >> 1;
       return BlockFactor{static_cast<std::int32_t>((product + half) >> drop), most - drop};
     };
-    constexpr std::uint32_t kOne = 1u << 20;
+    constexpr std::uint32_t kOne = std::uint32_t{1} << 20;
     return {{{k_times(kOne), k_times(3 * kOne - k1), k_times(6 * kOne - 5 * k1 + k2),
               k_times(10 * kOne - 15 * k1 + 7 * k2 - k3)}},
             {{k_times(kOne), k_times(4 * kOne - k1), k_times(10 * kOne - 6 * k1 + k2)}}};

@@ -151,14 +151,21 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
     /// 1 / |normal_|, 15 fraction bits. A normal shorter than 1/32, which only occurs between opposite
     /// normals, counts as that long.
     [[nodiscard]] constexpr std::int32_t inverse_length() const {
-      const auto squared = [](Linear c) {
-        const std::int32_t fine = wrap_shl(c.raw(), 2);  // 29 fraction bits, below 4
+      // Squares have 26 fraction bits. Outside of the triangle components may reach 9, and 22 must do.
+      const int more = FullLast && exceeds(normal_, 28) ? 0 : 2;
+      const auto squared = [&](Linear c) {
+        const std::int32_t fine = wrap_shl(c.raw(), more);  // 27 fraction bits and those
         return static_cast<std::uint32_t>(multiply_high(fine, fine));
       };
       const std::uint32_t square = squared(normal_.x) + squared(normal_.y) + squared(normal_.z);
       constexpr std::uint32_t kLeast = std::uint32_t{1} << 16;  // 1/32 squared, 26 fraction bits
       const ReciprocalRoot root = reciprocal_root(square < kLeast ? kLeast : square);
-      return static_cast<std::int32_t>((root.mantissa << 4) >> (root.exponent - 24));
+      return static_cast<std::int32_t>((root.mantissa << 4) >> (root.exponent - 22 - more));
+    }
+    /// True if the magnitude of a component's raw value is 2^bits or more.
+    [[nodiscard]] static constexpr bool exceeds(const LinearNormal& n, int bits) {
+      const auto large = [bits](Linear c) { return (c.raw() >> bits) != 0 && (c.raw() >> bits) != -1; };
+      return large(n.x) || large(n.y) || large(n.z);
     }
     [[nodiscard]] static constexpr Cosine scaled_to_unit(Linear value, std::int32_t inverse_length) {
       return Cosine::from_raw(wrap_mul(round_shift(value.raw(), Linear::kFraction), inverse_length));
@@ -197,22 +204,15 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
       const std::int32_t inverse = inverse_length();
       make_node(nodes_[static_cast<std::size_t>(length)], inverse);
       const std::uint32_t chord = replace_unit(inverse);
-      if (chord > kWidestChord || (FullLast && following_ < kSegment && is_steep())) {
+      // A change of 8 per segment, in rows of few pixels, would not fit a Linear.
+      const bool steep = FullLast && exceeds(prepared_->normal.step(), 30 - SegmentBits);
+      if (chord > kWidestChord || steep) {
         make_every_node(length);
       } else if (following_ >= kSegment) {
         halve_whole(chord >> 12);
       } else {
         halve(length, chord >> 12);
       }
-    }
-
-    /// True if a component changes by 2 or more over a segment, so that beyond the triangle the squares of
-    /// inverse_length() may not fit.
-    [[nodiscard]] constexpr bool is_steep() const {
-      const std::int32_t limit = std::int32_t{1} << (Linear::kFraction + 16 - SegmentBits);
-      const LinearNormal step = prepared_->normal.step();
-      const auto steep = [&](Linear c) { return c.raw() >= limit || c.raw() <= -limit; };
-      return steep(step.x) || steep(step.y) || steep(step.z);
     }
 
     /// Goes 2^bits pixels to the right.

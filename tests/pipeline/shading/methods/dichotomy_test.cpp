@@ -130,6 +130,7 @@ TEST_CASE("dichotomy: wide normals, of which some segments are Phong's at every 
   // there.
   check<QuadraticPolynomial, &quadratic_root, 3>(angles(60, 150, 77), {6e-3, 1e-4, 0.1});
   check<CubicPolynomial, &cubic_root, 4>(angles(60, 150, 78), {3e-2, 1e-4, 0.1});
+  check<PrintedLinearPolynomial, &printed_linear_root, 3, true>(angles(60, 150, 79), {1e-2, 2e-4, 0.1});
 }
 
 TEST_CASE("cutting a row changes no pixel of dichotomy") {

@@ -145,8 +145,7 @@ def mark_loops(function, flow, by_address):
         for part, name in LOOPS:
             if sum(by_address[a].is_inlined_from(name) for a in loop) >= MOST * len(loop):
                 for address in loop:
-                    if by_address[address].part != "pixel":
-                        by_address[address].part = part
+                    by_address[address].part = part
                 break
 
 

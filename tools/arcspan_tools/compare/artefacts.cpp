@@ -136,17 +136,22 @@ ArtefactScene ArtefactScene::narrow_fold() {
 }
 
 ArtefactScene ArtefactScene::star() {
-  constexpr int kSpokes = 10;
+  constexpr std::uint32_t kSpokes = 10;
   MeshData mesh;
-  mesh.positions.push_back({0, 0, 0});
-  mesh.normals.push_back({0, 0, 1});
+  const auto add = [&mesh](double radius, double degrees) {
+    const Vec3 at{radius * std::cos(degrees * kDegree), radius * std::sin(degrees * kDegree), 0};
+    mesh.positions.push_back(at);
+    mesh.normals.push_back(normalised(at * 0.5 + Vec3{0, 0, 1}));
+  };
+  add(0, 0);
+  for (std::uint32_t i = 0; i < kSpokes; ++i) add(i % 2 == 0 ? 1 : 0.4, 90 + 36.0 * i);
+  for (std::uint32_t i = 1; i < kSpokes; i += 2) add(1, 90 + 36.0 * i);
   for (std::uint32_t i = 0; i < kSpokes; ++i) {
-    const double angle = (90 + 360.0 * i / kSpokes) * kDegree;
-    const double radius = i % 2 == 0 ? 1 : 0.4;
-    const Vec3 outwards{radius * std::cos(angle), radius * std::sin(angle), 0};
-    mesh.positions.push_back(outwards);
-    mesh.normals.push_back(normalised(outwards * 0.5 + Vec3{0, 0, 1}));
-    mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % kSpokes});
+    const std::uint32_t here = 1 + i;
+    const std::uint32_t next = 1 + (i + 1) % kSpokes;
+    const std::uint32_t rim = 1 + kSpokes + i / 2;  // outside of the short spoke, which is one of the two
+    mesh.triangles.push_back({0, here, next});
+    mesh.triangles.push_back({here, rim, next});
   }
   Scene scene = front_view(4);
   scene.surface = grey(0.2, 0.75, 128);

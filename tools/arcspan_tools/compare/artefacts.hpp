@@ -28,8 +28,8 @@ class ArtefactScene {
   /// 45 degrees from the right: the brightness rises through the edge, and its slope changes there by any
   /// method.
   [[nodiscard]] static ArtefactScene narrow_fold();
-  /// A disc of ten triangles around a middle vertex whose normal mirrors the light. Outer vertices are 1 and
-  /// 0.4 from the middle in turn; normals lean as on a paraboloid, so that the exact highlight is a circle.
+  /// A disc whose middle vertex has a normal that mirrors the light. Its ten neighbours are 1 and 0.4 away in
+  /// turn; normals lean as on a paraboloid, so that the exact highlight is a circle.
   [[nodiscard]] static ArtefactScene star();
   /// A sphere of 12 x 6, turned by `turn` degrees about its axis, lit from the front: the highlight stays
   /// where it is on the screen while vertices pass through it.

@@ -61,7 +61,7 @@ Figure absolute_error_figure() {
   Curve bound;
   bound.label = "S3's formula, both ends fully lit";
   Curve reached = segment_curve(90, 1);
-  reached.label = "largest that occurs";
+  reached.label = "largest that occurs where all is lit";
   for (const auto& [degrees, error] : reached.points) {
     bound.points.emplace_back(degrees, 100 * s3_absolute_error(degrees * kDegree));
   }

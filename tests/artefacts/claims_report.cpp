@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Measures what the papers claim and prints docs/claims.md (CMake target update_claims).
+// Usage: claims_report [--untimed]      --untimed: without times, for comparison with the page
 #include <arcspan_tools/compare/artefacts.hpp>
 #include <arcspan_tools/compare/scan_line_polygon.hpp>
 #include <arcspan_tools/plot/formulas.hpp>
@@ -24,11 +25,14 @@ void print_head() {
       "# What the papers say and what we measured\n\n"
       "S0, S1 and S3 are the [papers](papers.md). Every figure here is printed by the program "
       "`claims_report`\n"
-      "(`cmake --preset release && cmake --build build/release --target update_claims`; it takes valgrind).\n"
+      "(`scripts/update-figures claims`).\n"
       "`tests/artefacts` checks the statements. `arcspan plot` draws the figures, `arcspan compare` the\n"
       "pictures. Times are of one x86-64 core, instructions are callgrind's; both are of whole pictures "
       "with\n"
-      "depth test, a release build.\n");
+      "depth test, a release build. The test command fails if a figure other than a time differs by more "
+      "than "
+      "2 %.\n\n"
+      "Compiled by gcc " __VERSION__ ".\n");
 }
 
 void print_recurrence() {
@@ -231,8 +235,9 @@ int main(int argc, char** argv) {
       draw_once(argv[2], argv[3], std::atoi(argv[4]));
       return 0;
     }
+    const bool untimed = argc == 2 && std::string(argv[1]) == "--untimed";
     print_head();
-    print_speed(argv[0]);
+    print_speed(argv[0], untimed ? Timing::kLeftOut : Timing::kMeasured);
     print_recurrence();
     print_segments();
     print_polynomials();

@@ -45,8 +45,16 @@ RenderJob make_claim_job(const FixedMesh& mesh, const std::string& name, int seg
 /// Measures methods on one mesh.
 class Bench {
  public:
-  Bench(std::string self, std::string mesh_name)
-      : self_(std::move(self)), name_(std::move(mesh_name)), mesh_(make_mesh(name_)) {}
+  Bench(std::string self, std::string mesh_name, Timing timing)
+      : self_(std::move(self)), name_(std::move(mesh_name)), timing_(timing), mesh_(make_mesh(name_)) {}
+
+  /// A figure of time with two digits behind the point, or that there is none.
+  [[nodiscard]] std::string time_text(double figure) const {
+    if (timing_ == Timing::kLeftOut) return "untimed";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f", figure);
+    return text;
+  }
 
   /// Nothing if there is no such method.
   std::optional<MethodFigures> measure(const std::string& shading, int segment_bits = kUsualSegment) {
@@ -56,7 +64,8 @@ class Bench {
     const auto known = known_.find(key);
     if (known != known_.end()) return known->second;
     const RenderJob job = make_claim_job(mesh_, name_, segment_bits);
-    MethodFigures figures = measure_method(*method, job, mesh_, draw_reference(job, ReferenceKind::kPhong));
+    MethodFigures figures =
+        measure_method(*method, job, mesh_, draw_reference(job, ReferenceKind::kPhong), timing_);
     const auto count = drawing_instructions({self_, "--draw", shading, name_, std::to_string(segment_bits)});
     if (!count) throw Failure("valgrind", "not found; it counts the instructions");
     const RenderStats stats = method->render(job, {"rgb565"}, [](std::size_t) {}).stats;
@@ -68,6 +77,7 @@ class Bench {
  private:
   std::string self_;
   std::string name_;
+  Timing timing_;
   FixedMesh mesh_;
   std::map<std::pair<std::string, int>, MethodFigures> known_;
 };
@@ -86,8 +96,8 @@ std::string cost_ratio(Bench& bench, const Contender& a, const Contender& b) {
     return "not measured: there is no `" + std::string(!p ? a.shading : b.shading) + "` yet | - | -";
   const MethodFigures flat = *bench.measure("flat");
   char text[96];
-  std::snprintf(text, sizeof text, "%.2f | %.2f | %.2f", *p->instructions / *q->instructions,
-                p->nanoseconds / q->nanoseconds,
+  std::snprintf(text, sizeof text, "%.2f | %s | %.2f", *p->instructions / *q->instructions,
+                bench.time_text(p->nanoseconds / q->nanoseconds).c_str(),
                 (*p->instructions - *flat.instructions) / (*q->instructions - *flat.instructions));
   return text;
 }
@@ -211,8 +221,8 @@ void print_operations(Bench& bench, const char* mesh) {
     const MethodFigures m = *bench.measure(shading);
     std::printf("| %s |", shading.c_str());
     for (const double rate : m.per_pixel) std::printf(" %.2f |", rate);
-    std::printf(" %.1f | %.1f | %.2f | %.2f | %.1f |\n", m.around, *m.instructions, m.nanoseconds,
-                m.error.rms, m.error.max);
+    std::printf(" %.1f | %.1f | %s | %.2f | %.1f |\n", m.around, *m.instructions,
+                bench.time_text(m.nanoseconds).c_str(), m.error.rms, m.error.max);
   }
   std::puts("");
 }
@@ -268,11 +278,11 @@ void draw_once(const std::string& shading, const std::string& mesh_name, int seg
   (void)method->render(make_claim_job(mesh, mesh_name, segment_bits), {"rgb565"}, [](std::size_t) {});
 }
 
-void print_speed(const std::string& self) {
-  Bench coarse(self, kMeshes[0]);
+void print_speed(const std::string& self, Timing timing) {
+  Bench coarse(self, kMeshes[0], timing);
   print_claims(coarse);
   for (const char* mesh : kMeshes) {
-    Bench bench(self, mesh);
+    Bench bench(self, mesh, timing);
     print_operations(bench, mesh);
   }
   print_operation_claims();

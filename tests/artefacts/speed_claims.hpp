@@ -10,8 +10,9 @@
 std::vector<arcspan::tools::MeasuredMethod> measured_methods();
 
 /// Measures what the papers say of speed and prints it; `self` is this program, which is run once more under
-/// valgrind for each figure, as `self --draw SHADING MESH SEGMENT_BITS`.
-void print_speed(const std::string& self);
+/// valgrind for each figure, as `self --draw SHADING MESH SEGMENT_BITS`. Where times are left out it prints
+/// "untimed" for them.
+void print_speed(const std::string& self, arcspan::tools::Timing timing);
 
 /// Draws once, for valgrind.
 void draw_once(const std::string& shading, const std::string& mesh, int segment_bits);

@@ -41,14 +41,15 @@ union ObjectMemory {
 };
 [[gnu::section(".bss.frame")]] ObjectMemory object_memory;
 
-bool count(const char* shape, const SphereMeshes& meshes, std::int32_t radius) {
+bool count(const CostScene& scene) {
   scenes::StageSet stage;
-  if (!ok(scenes::set_stage({kCostWidth, kCostHeight}, radius, {}, stage))) return false;
+  if (!ok(scenes::set_stage({kCostWidth, kCostHeight}, scene.radius, {}, stage))) return false;
   const auto& lighting = *new (&object_memory.lighting) Method::Lighting(stage.light);
   CountingSink sink;
-  const DrawResult drawn = draw_mesh<Method>(meshes.planed, stage.transform, lighting, sink, NoDepth{});
-  bare::print_line("scene: ", shape, " ", static_cast<std::uint32_t>(radius), " ",
-                   meshes.planed.vertex_count(), " ", drawn.triangles, " ", sink.rows, " ", sink.pixels);
+  const DrawResult drawn = draw_mesh<Method>(scene.meshes.planed, stage.transform, lighting, sink, NoDepth{});
+  bare::print_line("scene: ", scene.sphere, " ", static_cast<std::uint32_t>(scene.radius), " ",
+                   scene.meshes.planed.vertex_count(), " ", drawn.triangles, " ", sink.rows, " ",
+                   sink.pixels);
   return ok(drawn.status);
 }
 

@@ -51,9 +51,29 @@ union ObjectMemory {
 [[gnu::section(".bss.frame")]] ObjectMemory object_memory;
 [[gnu::section(".bss.frame")]] CachedVertex<Method> cache[2048];
 
-bool measure(const char* shape, const SphereMeshes& meshes, std::int32_t radius) {
+/// Clears and draws, each in a section of its own.
+bool measure_draw(const char* section, const CostScene& scene, const MeshView& mesh,
+                  const ClipTransform& transform, const Method::Lighting& lighting) {
+  hal::Framebuffer<Rgb565> frame(colours, kCostWidth, kCostHeight);
+  auto sink = make_sink();
+  DepthBuffer depth(depths, kCostWidth, kCostHeight);
+  arcspan_mark();
+  frame.clear({0, 0, 0});
+  depth.clear();
+  arcspan_mark();
+  const DrawResult drawn = draw_mesh<Method>(mesh, transform, lighting, sink, depth, cache);
+  arcspan_mark();
+  const auto radius = static_cast<std::uint32_t>(scene.radius);
+  bare::print_line("section: clear ", scene.sphere, " ", radius);
+  bare::print_line("section: ", section, scene.sphere, " ", radius);
+  bare::print_line("section: between");
+  bare::print_line("drawn: ", section, scene.sphere, " ", radius, " ", drawn.triangles);
+  return ok(drawn.status);
+}
+
+bool measure(const CostScene& scene) {
   scenes::StageSet stage;
-  if (!ok(scenes::set_stage({kCostWidth, kCostHeight}, radius, {}, stage))) return false;
+  if (!ok(scenes::set_stage({kCostWidth, kCostHeight}, scene.radius, {}, stage))) return false;
   const auto& lighting = *new (&object_memory.lighting) Method::Lighting(stage.light);
   struct Section {
     const char* name;
@@ -61,23 +81,10 @@ bool measure(const char* shape, const SphereMeshes& meshes, std::int32_t radius)
   };
   // Without triangles only the vertex stage runs.
   const Section sections[] = {
-      {"plain ", meshes.plain}, {"draw ", meshes.planed}, {"vertices ", meshes.vertices}};
+      {"draw ", scene.meshes.planed}, {"plain ", scene.meshes.plain}, {"vertices ", scene.meshes.vertices}};
   for (const Section& section : sections) {
-    hal::Framebuffer<Rgb565> frame(colours, kCostWidth, kCostHeight);
-    auto sink = make_sink();
-    DepthBuffer depth(depths, kCostWidth, kCostHeight);
-    arcspan_mark();
-    frame.clear({0, 0, 0});
-    depth.clear();
-    arcspan_mark();
-    const DrawResult drawn = draw_mesh<Method>(section.mesh, stage.transform, lighting, sink, depth, cache);
-    arcspan_mark();
-    bare::print_line("section: clear ", shape, " ", static_cast<std::uint32_t>(radius));
-    bare::print_line("section: ", section.name, shape, " ", static_cast<std::uint32_t>(radius));
-    bare::print_line("section: between");
-    bare::print_line("drawn: ", section.name, shape, " ", static_cast<std::uint32_t>(radius), " ",
-                     drawn.triangles);
-    if (!ok(drawn.status)) return false;
+    if (!measure_draw(section.name, scene, section.mesh, stage.transform, lighting)) return false;
+    if (!scene.is_benchmark) break;
   }
   return true;
 }

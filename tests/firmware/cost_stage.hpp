@@ -10,8 +10,16 @@ namespace arcspan {
 inline constexpr std::int32_t kCostWidth = 320;
 inline constexpr std::int32_t kCostHeight = 240;
 
-/// Calls `measure(name, meshes, radius)` for each measured scene: spheres of three finenesses, with three
-/// radii in pixels. Returns false at the first call that does.
+/// A measured scene: a sphere with a radius in pixels.
+struct CostScene {
+  const char* sphere = "";
+  SphereMeshes meshes;
+  std::int32_t radius = 0;
+  bool is_benchmark = false;  ///< the one of which every figure is published
+};
+
+/// Calls `measure(scene)` for spheres of three finenesses with three radii. Returns false at the first call
+/// that does.
 template <class Measure>
 bool for_each_cost_scene(Measure measure) {
   struct Sphere {
@@ -21,10 +29,13 @@ bool for_each_cost_scene(Measure measure) {
   constexpr Sphere kSpheres[] = {
       {"16x8", SphereFineness::k16x8}, {"32x16", SphereFineness::k32x16}, {"64x32", SphereFineness::k64x32}};
   for (const Sphere& sphere : kSpheres) {
-    SphereMeshes meshes;
-    if (!make_sphere_meshes(sphere.fineness, meshes)) return false;
+    CostScene scene;
+    scene.sphere = sphere.name;
+    if (!make_sphere_meshes(sphere.fineness, scene.meshes)) return false;
     for (const std::int32_t radius : {36, 72, 108}) {
-      if (!measure(sphere.name, meshes, radius)) return false;
+      scene.radius = radius;
+      scene.is_benchmark = sphere.fineness == SphereFineness::k32x16 && radius == 72;
+      if (!measure(scene)) return false;
     }
   }
   return true;

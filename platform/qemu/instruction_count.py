@@ -58,11 +58,13 @@ def read_report(path, names):
     return [{"name": name, **section} for name, section in zip(names, sections)]
 
 
-def count(image, emulator, prefix="arm-none-eabi-", timeout=120):
-    """Runs the image and returns its sections and its output."""
+def count(image, emulator, prefix="arm-none-eabi-", timeout=120, ranges=None):
+    """Runs the image and returns its sections and its output. `ranges` (first address, size, name), sorted, replaces the
+    functions: instructions are then counted under these names."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
-        ranges, mark = functions(image, prefix)
+        of_functions, mark = functions(image, prefix)
+        ranges = ranges or of_functions
         (folder / "ranges").write_text("".join(f"{first:x} {size:x} {name[:500]}\n" for first, size, name in ranges))
         plugin = f"{build_plugin(folder)},ranges={folder}/ranges,mark={mark:x},out={folder}/report"
         done = subprocess.run([HERE / "run-firmware", "--timeout", str(timeout), "--plugin", plugin, image, "--",

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Measures the accuracy of spherical-angular shading and prints docs/accuracy.md.
-// Usage: accuracy_report [triangles per class]
+// Usage: accuracy_report [--tenth]      --tenth: only its last section, for comparison with the page
 #include <tests/accuracy/method_rows.hpp>
 #include <tests/support/accuracy.hpp>
 
 #include <cstdio>
-#include <cstdlib>
+#include <string_view>
 
 using namespace arcspan::test;
 
@@ -39,14 +39,18 @@ void print(int index, const AccuracyFigures& f) {
   std::fflush(stdout);
 }
 
-}  // namespace
+void print_classes(int triangles) {
+  std::puts(
+      "| normals apart up to | triangles | pixels | N·L | N·H | N·V | diffuse only | Blinn | Phong |\n"
+      "|---|---|---|---|---|---|---|---|---|");
+  for (int i = 0; i < 7; ++i) print(i, measure_class(i, triangles));
+}
 
-int main(int argc, char** argv) {
-  const int triangles = argc > 1 ? std::atoi(argv[1]) : 100000;
+void print_page(int triangles) {
   std::puts(
       "<!-- SPDX-License-Identifier: MIT -->\n"
       "# Measured accuracy\n\n"
-      "Printed by the program `accuracy_report` (CMake target `update_accuracy` writes it here); the tests\n"
+      "Printed by the program `accuracy_report` (`scripts/update-figures accuracy`); the tests\n"
       "check the bounds. Random triangles from a third of a pixel to the whole guard band, slim ones among\n"
       "them, go through triangle preparation and the span stage with normals packed as in a mesh. Every "
       "pixel\n"
@@ -58,9 +62,36 @@ int main(int argc, char** argv) {
       "reference / from the unrounded reference, of which half a step is rounding. Random materials, "
       "shininess 1 to "
       "64,\n"
-      "specular coefficients up to 1.\n\n"
-      "| normals apart up to | triangles | pixels | N·L | N·H | N·V | diffuse only | Blinn | Phong |\n"
-      "|---|---|---|---|---|---|---|---|---|");
-  for (int i = 0; i < 7; ++i) print(i, measure_class(i, triangles));
+      "specular coefficients up to 1.\n");
+  print_classes(triangles);
+  print_method_section();
   print_method_rows(triangles / 25);
+}
+
+/// Ten times as fast, for a test.
+void print_tenth(int triangles) {
+  std::puts(
+      "## A tenth of it\n\n"
+      "The same for a tenth of the triangles. The test command measures these tables again and fails if a "
+      "figure\n"
+      "differs by more than 2 %.\n");
+  print_classes(triangles / 10);
+  print_method_rows(triangles / 250);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  constexpr int kTriangles = 100000;  // per class
+  const bool tenth = argc == 2 && std::string_view(argv[1]) == "--tenth";
+  if (argc != 1 && !tenth) {
+    std::fputs("usage: accuracy_report [--tenth]\n", stderr);
+    return 2;
+  }
+  if (!tenth) {
+    print_page(kTriangles);
+    std::puts("");
+  }
+  print_tenth(kTriangles);
+  return 0;
 }

@@ -39,7 +39,7 @@ void print_row(const char* name, const char* model, int triangles) {
 
 }  // namespace
 
-void print_method_rows(int triangles) {
+void print_method_section() {
   std::puts(
       "\n## The methods that the papers compare with\n\n"
       "Each against its own model in double precision, with the very normals that it gets: what is measured "
@@ -48,7 +48,16 @@ void print_method_rows(int triangles) {
       "pixel\n"
       "thin. In thinner ones the methods of chords lose more, since 16 bits of a distance say little "
       "there.\n\n"
-      "| method | model | normals up to 10° apart | 25° | 58° |\n|---|---|---|---|---|");
+      "Beyond 45° across one segment, which takes a triangle of a few pixels, dichotomy changes over to "
+      "Phong's\n"
+      "normals; the two sides of that decision are up to 5e-3 apart, and integers and model do not always "
+      "decide\n"
+      "alike. The same holds for the length of a row's last segment if the row ends within 2⁻¹⁶ of a pixel's "
+      "centre.");
+}
+
+void print_method_rows(int triangles) {
+  std::puts("\n| method | model | normals up to 10° apart | 25° | 58° |\n|---|---|---|---|---|");
   const char* const chord = "chord, divided by its length";
   const char* const arc = "bilinear SLERP";
   print_row<Phong<Probe>, UnitLinearModel>("phong", chord, triangles);
@@ -71,11 +80,4 @@ void print_method_rows(int triangles) {
   print_row<Recurrence<Probe>, SlerpModel>("recurrence", arc, triangles);
   print_row<RecurrenceFour<Probe>, SlerpModel>("recurrence-four", arc, triangles);
   print_row<ArcVector<Probe>, SlerpModel>("arc-vector", arc, triangles);
-  std::puts(
-      "\nBeyond 45° across one segment, which takes a triangle of a few pixels, dichotomy changes over to "
-      "Phong's\n"
-      "normals; the two sides of that decision are up to 5e-3 apart, and integers and model do not always "
-      "decide\n"
-      "alike. The same holds for the length of a row's last segment if the row ends within 2⁻¹⁶ of a pixel's "
-      "centre.");
 }

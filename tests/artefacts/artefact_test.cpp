@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The artefacts that the papers describe, measured on the pipeline's pictures.
 #include <arcspan_tools/compare/artefacts.hpp>
+#include <arcspan_tools/compare/scan_line_polygon.hpp>
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstdlib>
 
 using namespace arcspan::tools;
+
+namespace {
+
+constexpr double kEdge = 100;
+constexpr int kReach = 12;
+
+}  // namespace
 
 TEST_CASE("a highlight inside a triangle: Gouraud misses it, the arcs have it (S3, defect c)") {
   const ArtefactScene scene = ArtefactScene::highlight();
@@ -15,10 +24,10 @@ TEST_CASE("a highlight inside a triangle: Gouraud misses it, the arcs have it (S
   CHECK(std::fabs(peak(scene.middle_row("arc")) - reference) < 2);
 }
 
-TEST_CASE("Mach bands: Gouraud's brightness has a kink at an edge, the arcs' has none (S1, S3, defect d)") {
+TEST_CASE(
+    "Mach bands: lit head-on, Gouraud's brightness has a kink at an edge, the arcs' has none (S3, defect "
+    "d)") {
   const ArtefactScene scene = ArtefactScene::fold();
-  constexpr double kEdge = 100;
-  constexpr int kReach = 12;
   const double reference = kink(scene.middle_row(ReferenceKind::kPhong), kEdge, kReach);
   const double gouraud = kink(scene.middle_row("gouraud"), kEdge, kReach);
   const double arc = kink(scene.middle_row("arc"), kEdge, kReach);
@@ -29,6 +38,55 @@ TEST_CASE("Mach bands: Gouraud's brightness has a kink at an edge, the arcs' has
   // A smooth curve's second difference shrinks with the distance, a kink does not.
   CHECK(std::fabs(kink(scene.middle_row(ReferenceKind::kPhong), kEdge, 3)) < std::fabs(reference) / 2);
   CHECK(kink(scene.middle_row("gouraud"), kEdge, 4) < 0.8 * gouraud);
+}
+
+TEST_CASE(
+    "Mach bands: lit from the side, Phong's method and the arcs have a larger kink than Gouraud's (S1)") {
+  const ArtefactScene scene = ArtefactScene::narrow_fold();
+  const double gouraud = kink(scene.middle_row("gouraud"), kEdge, kReach);
+  CHECK(gouraud > 1.4);
+  CHECK(gouraud < 1.8);
+  for (const char* shading : {"phong", "arc", "adaptive"}) {
+    CAPTURE(shading);
+    CHECK(kink(scene.middle_row(shading), kEdge, kReach) > 1.3 * gouraud);
+  }
+  // It is not the pipeline's: the references have it, and nearer to the edge it does not shrink.
+  for (const ReferenceKind kind : {ReferenceKind::kPhong, ReferenceKind::kSlerp}) {
+    const double reference = kink(scene.middle_row(kind), kEdge, kReach);
+    CHECK(reference > 1.4 * gouraud);
+    CHECK(kink(scene.middle_row(kind), kEdge, 3) > reference);
+  }
+}
+
+TEST_CASE("a highlight flickers on a turning sphere by Gouraud's method, not by the arcs (S3, defect e)") {
+  CHECK(flicker(ReferenceKind::kPhong) <= 1);
+  CHECK(flicker("gouraud") > 60);
+  CHECK(flicker("flat") > 20);
+  CHECK(flicker("arc") <= 1);
+  CHECK(flicker("adaptive") <= 2);
+}
+
+TEST_CASE("a round highlight becomes a star by Gouraud's method, not by the arcs (S3, defect f)") {
+  const ArtefactScene scene = ArtefactScene::star();
+  CHECK(highlight_elongation(scene.picture(ReferenceKind::kPhong)) < 1.2);  // rounding to pixels
+  CHECK(highlight_elongation(scene.picture("gouraud")) > 2);
+  CHECK(highlight_elongation(scene.picture("arc")) < 1.2);
+}
+
+TEST_CASE("a non-convex polygon jumps at its reflex corner if it is shaded as a whole (S1, figure 26.3)") {
+  // The corner P is in row 68; column 95 is beside it.
+  constexpr std::int32_t kColumn = 95;
+  for (const ScanLineKind kind : {ScanLineKind::kGouraud, ScanLineKind::kPhong}) {
+    const ColumnStep step =
+        largest_step(draw_by_scan_lines(concave_polygon(), kind, 0.9, 70.4, 201, 151), kColumn);
+    CHECK(step.steps > 60);
+    CHECK(std::abs(step.row - 68) <= 1);
+  }
+  // As two triangles that share the edge PQ it does not.
+  for (const char* shading : {"gouraud", "phong", "arc", "adaptive"}) {
+    CAPTURE(shading);
+    CHECK(largest_step(ArtefactScene::concave().picture(shading), kColumn).steps < 8);
+  }
 }
 
 TEST_CASE("the picture's middle shows the same point however it is turned") {

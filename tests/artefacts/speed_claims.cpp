@@ -53,16 +53,25 @@ struct Cost {
 /// Measures methods on one mesh.
 class Bench {
  public:
-  Bench(std::string self, std::string mesh_name)
-      : self_(std::move(self)), name_(std::move(mesh_name)), mesh_(make_mesh(name_)) {
+  Bench(std::string self, std::string mesh_name, Timing timing)
+      : self_(std::move(self)), name_(std::move(mesh_name)), timing_(timing), mesh_(make_mesh(name_)) {
     const auto stats = find_any("flat")(job(kUsualSegment), {"rgb565"}, [](std::size_t) {}).stats;
     pixels_ = static_cast<double>(stats.pixels);  // every method draws the same pixels
+  }
+
+  /// A figure of time with two digits behind the point, or that there is none.
+  [[nodiscard]] std::string time_text(double figure) const {
+    if (timing_ == Timing::kLeftOut) return "untimed";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f", figure);
+    return text;
   }
 
   /// The error and the operations of a method that the command offers.
   MethodFigures figures(const std::string& shading) {
     const RenderJob drawn = job(kUsualSegment);
-    return measure_method(shading, drawn, mesh_, draw_reference(drawn, ReferenceKind::kPhong));
+    return measure_method(find_method(shading), drawn, mesh_, draw_reference(drawn, ReferenceKind::kPhong),
+                          Timing::kLeftOut);
   }
 
   Cost cost(const std::string& shading, int segment_bits = kUsualSegment) {
@@ -73,7 +82,8 @@ class Bench {
     if (known != known_.end()) return known->second;
     const auto count = drawing_instructions({self_, "--draw", shading, name_, std::to_string(segment_bits)});
     if (!count) throw Failure("valgrind", "not found; it counts the instructions");
-    const double milliseconds = best_draw_milliseconds(job(segment_bits), *render);
+    const double milliseconds =
+        timing_ == Timing::kLeftOut ? 0 : best_draw_milliseconds(job(segment_bits), *render);
     return known_[key] = {milliseconds * 1e6 / pixels_, static_cast<double>(*count) / pixels_};
   }
 
@@ -82,6 +92,7 @@ class Bench {
 
   std::string self_;
   std::string name_;
+  Timing timing_;
   FixedMesh mesh_;
   double pixels_ = 0;
   std::map<std::pair<std::string, int>, Cost> known_;
@@ -100,8 +111,9 @@ std::string cost_ratio(Bench& bench, const Contender& slower, const Contender& f
   const Cost q = bench.cost(faster.shading, faster.segment_bits);
   const double flat = bench.cost("flat").instructions;
   char text[96];
-  std::snprintf(text, sizeof text, "%.2f | %.2f | %.2f", p.instructions / q.instructions,
-                p.nanoseconds / q.nanoseconds, (p.instructions - flat) / (q.instructions - flat));
+  std::snprintf(text, sizeof text, "%.2f | %s | %.2f", p.instructions / q.instructions,
+                bench.time_text(p.nanoseconds / q.nanoseconds).c_str(),
+                (p.instructions - flat) / (q.instructions - flat));
   return text;
 }
 
@@ -295,8 +307,8 @@ void print_operations(Bench& bench, const char* mesh) {
     const Cost cost = bench.cost(shading);
     std::printf("| %s |", shading.c_str());
     for (const double rate : m.per_pixel) std::printf(" %.2f |", rate);
-    std::printf(" %.1f | %.1f | %.2f | %.2f | %.1f |\n", m.around, cost.instructions, cost.nanoseconds,
-                m.error.rms, m.error.max);
+    std::printf(" %.1f | %.1f | %s | %.2f | %.1f |\n", m.around, cost.instructions,
+                bench.time_text(cost.nanoseconds).c_str(), m.error.rms, m.error.max);
   }
   std::puts("");
 }
@@ -356,11 +368,11 @@ void draw_once(const std::string& shading, const std::string& mesh_name, int seg
   (void)render(make_claim_job(mesh, mesh_name, segment_bits), {"rgb565"}, [](std::size_t) {});
 }
 
-void print_speed(const std::string& self) {
-  Bench coarse(self, kMeshes[0]);
+void print_speed(const std::string& self, Timing timing) {
+  Bench coarse(self, kMeshes[0], timing);
   print_claims(coarse);
   for (const char* mesh : kMeshes) {
-    Bench bench(self, mesh);
+    Bench bench(self, mesh, timing);
     print_operations(bench, mesh);
   }
   print_operation_claims();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/render/render.hpp>
+#include <arcspan_tools/compare/comparison.hpp>
 
 #include <string>
 #include <vector>
@@ -14,8 +14,9 @@ struct MeasuredVariant {
 std::vector<MeasuredVariant> measured_variants();
 
 /// Measures what the papers say of speed and prints it; `self` is this program, which is run once more under
-/// valgrind for each figure, as `self --draw SHADING MESH SEGMENT_BITS`.
-void print_speed(const std::string& self);
+/// valgrind for each figure, as `self --draw SHADING MESH SEGMENT_BITS`. Where times are left out it prints
+/// "untimed" for them.
+void print_speed(const std::string& self, arcspan::tools::Timing timing);
 
 /// Draws once, for valgrind.
 void draw_once(const std::string& shading, const std::string& mesh, int segment_bits);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/compare/artefacts.hpp>
+#include <arcspan_tools/compare/scan_line_polygon.hpp>
+#include <arcspan_tools/mesh/plain/generate.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 namespace arcspan::tools {
@@ -14,6 +17,7 @@ constexpr Size kSize{201, 151};  // odd: there is a middle pixel
 constexpr std::int32_t kMiddleX = kSize.width / 2;
 constexpr std::int32_t kMiddleY = kSize.height / 2;
 constexpr int kTurnStep = 5;
+constexpr int kFlickerSegments = 12;
 
 /// A grey surface without ambient light, so that brightness is what the shading makes of it.
 Surface grey(double diffuse, double specular, std::int32_t shininess) {
@@ -47,6 +51,22 @@ MeshData triangle(std::array<double, 3> corner_degrees, double lean_degrees) {
   return mesh;
 }
 
+/// Two rectangles with a common upright edge at x = 0, 1 and `right` wide, normals from -30 over 0 to 30
+/// degrees.
+MeshData strip(double right) {
+  MeshData mesh;
+  const std::array<double, 3> columns{-1, 0, right};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double turn = 30 * (static_cast<double>(i) - 1) * kDegree;
+    for (const double y : {-0.7, 0.7}) {
+      mesh.positions.push_back({columns[i], y, 0});
+      mesh.normals.push_back({std::sin(turn), 0, std::cos(turn)});
+    }
+  }
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}};
+  return mesh;
+}
+
 /// Three unit vectors at right angles to one another, each as far from z.
 std::array<Vec3, 3> three_lights() {
   std::array<Vec3, 3> lights;
@@ -59,6 +79,18 @@ std::array<Vec3, 3> three_lights() {
 }
 
 double angle_between(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)) / kDegree; }
+
+template <class Shading>
+double flicker_of(const Shading& shading) {
+  double brightest = 0;
+  double darkest = 255;
+  for (int turn = 0; turn < 360 / kFlickerSegments; ++turn) {
+    const double level = peak(ArtefactScene::turning_sphere(turn).picture(shading));
+    brightest = std::max(brightest, level);
+    darkest = std::min(darkest, level);
+  }
+  return brightest - darkest;
+}
 
 template <class Shading>
 RotationSpread spread_of(const Shading& shading, double apart) {
@@ -91,16 +123,64 @@ ArtefactScene ArtefactScene::highlight() {
 }
 
 ArtefactScene ArtefactScene::fold() {
-  MeshData mesh;
-  for (const double x : {-1.0, 0.0, 1.0}) {
-    for (const double y : {-0.7, 0.7}) {
-      mesh.positions.push_back({x, y, 0});
-      mesh.normals.push_back({std::sin(30 * x * kDegree), 0, std::cos(30 * x * kDegree)});
-    }
-  }
-  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}};
   Scene scene = front_view(4);
   scene.surface = grey(1, 0, 1);
+  return {strip(1), scene};
+}
+
+ArtefactScene ArtefactScene::narrow_fold() {
+  Scene scene = front_view(4);
+  scene.surface = grey(1, 0, 1);
+  scene.lights = {{1, 0, 1}};
+  return {strip(0.3), scene};
+}
+
+ArtefactScene ArtefactScene::star() {
+  constexpr std::uint32_t kSpokes = 10;
+  MeshData mesh;
+  const auto add = [&mesh](double radius, double degrees) {
+    const Vec3 at{radius * std::cos(degrees * kDegree), radius * std::sin(degrees * kDegree), 0};
+    mesh.positions.push_back(at);
+    mesh.normals.push_back(normalised(at * 0.5 + Vec3{0, 0, 1}));
+  };
+  add(0, 0);
+  for (std::uint32_t i = 0; i < kSpokes; ++i) add(i % 2 == 0 ? 1 : 0.4, 90 + 36.0 * i);
+  for (std::uint32_t i = 1; i < kSpokes; i += 2) add(1, 90 + 36.0 * i);
+  for (std::uint32_t i = 0; i < kSpokes; ++i) {
+    const std::uint32_t here = 1 + i;
+    const std::uint32_t next = 1 + (i + 1) % kSpokes;
+    const std::uint32_t rim = 1 + kSpokes + i / 2;  // outside of the short spoke, which is one of the two
+    mesh.triangles.push_back({0, here, next});
+    mesh.triangles.push_back({here, rim, next});
+  }
+  Scene scene = front_view(4);
+  scene.surface = grey(0.2, 0.75, 128);
+  return {mesh, scene};
+}
+
+ArtefactScene ArtefactScene::turning_sphere(double turn) {
+  MeshData mesh = generate(*parse_generated_mesh("sphere:" + std::to_string(kFlickerSegments) + "x6"));
+  const auto turned_about_y = [turn](Vec3 v) {
+    const double c = std::cos(turn * kDegree);
+    const double s = std::sin(turn * kDegree);
+    return Vec3{c * v.x + s * v.z, v.y, c * v.z - s * v.x};
+  };
+  for (Vec3& position : mesh.positions) position = turned_about_y(position);
+  for (Vec3& normal : mesh.normals) normal = turned_about_y(normal);
+  Scene scene = front_view(5);
+  scene.surface = grey(0.4, 0.55, 32);
+  return {mesh, scene};
+}
+
+ArtefactScene ArtefactScene::concave() {
+  MeshData mesh;
+  for (const PolygonCorner& corner : concave_polygon()) {
+    mesh.positions.push_back({corner.x, corner.y, 0});
+    mesh.normals.push_back(corner.normal);
+  }
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};  // Q R P, Q P S
+  Scene scene = front_view(4);
+  scene.surface = grey(0.9, 0, 1);
   return {mesh, scene};
 }
 
@@ -126,6 +206,8 @@ Image ArtefactScene::drawn(const std::string& shading, const Scene& scene) const
 ReferencePicture ArtefactScene::reference(ReferenceKind kind) const {
   return draw_reference(make_job(scene_, mesh_, "artefact"), kind);
 }
+
+Image ArtefactScene::picture(ReferenceKind kind) const { return reference(kind).image({0, 0, 0}); }
 
 Profile ArtefactScene::middle_row(const std::string& shading) const {
   const Image image = drawn(shading, scene_);
@@ -175,6 +257,47 @@ double peak(const Profile& profile) {
   for (const auto& [x, level] : profile) highest = std::max(highest, level);
   return highest;
 }
+
+double peak(const Image& picture) {
+  double highest = 0;
+  for (const Rgb8& pixel : picture.pixels) highest = std::max<double>(highest, pixel.g);
+  return highest;
+}
+
+double highlight_elongation(const Image& picture) {
+  constexpr int kDirections = 360;
+  const double half = picture.at(kMiddleX, kMiddleY).g / 2.0;
+  double nearest = kSize.width;
+  double farthest = 0;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kDirections;
+    double radius = 0;
+    const auto level_at = [&](double r) {
+      const auto x = kMiddleX + static_cast<std::int32_t>(std::lround(r * std::cos(angle)));
+      const auto y = kMiddleY + static_cast<std::int32_t>(std::lround(r * std::sin(angle)));
+      const bool inside = x >= 0 && y >= 0 && x < kSize.width && y < kSize.height;
+      return inside ? picture.at(x, y).g : 0;
+    };
+    while (level_at(radius) >= half) radius += 0.25;
+    nearest = std::min(nearest, radius);
+    farthest = std::max(farthest, radius);
+  }
+  return farthest / nearest;
+}
+
+ColumnStep largest_step(const Image& picture, std::int32_t x) {
+  ColumnStep largest;
+  for (std::int32_t y = 1; y < picture.height; ++y) {
+    const int above = picture.at(x, y - 1).g;
+    const int below = picture.at(x, y).g;
+    if (above > 0 && below > 0 && std::abs(above - below) > largest.steps)
+      largest = {std::fabs(above - below), y};
+  }
+  return largest;
+}
+
+double flicker(const std::string& shading) { return flicker_of(shading); }
+double flicker(ReferenceKind kind) { return flicker_of(kind); }
 
 double kink(const Profile& profile, double x, int reach) {
   const auto level_at = [&profile](double at) {

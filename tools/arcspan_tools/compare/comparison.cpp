@@ -99,14 +99,14 @@ MethodFigures measure_method(const std::string& shading, const RenderJob& job, c
 }
 
 MethodFigures measure_method(const MeasuredMethod& method, const RenderJob& job, const FixedMesh& mesh,
-                             const ReferencePicture& reference) {
+                             const ReferencePicture& reference, Timing timing) {
   MethodFigures figures;
   figures.shading = method.shading;
   // The error in full 8-bit channels, the time in the format that a firmware would have.
   figures.picture = method.render(job, {"rgb888"}, [](std::size_t) {}).image;
   figures.error = picture_error(figures.picture, reference, job.background);
   rate_operations(method, job, mesh, figures);
-  figures.nanoseconds = best_nanoseconds(job, *method.render);
+  if (timing == Timing::kMeasured) figures.nanoseconds = best_nanoseconds(job, *method.render);
   return figures;
 }
 

@@ -5,6 +5,7 @@
 #include <arcspan_tools/counting/count_job.hpp>
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -22,7 +23,7 @@ struct MethodFigures {
   OperationRates per_pixel{};
   /// All kinds together, spent on vertices, preparation and row starts, per pixel.
   double around = 0;
-  double nanoseconds = 0;              ///< per pixel, whole draw, best of several
+  double nanoseconds = 0;              ///< per pixel, whole draw, best of several; 0 if it was not measured
   std::optional<double> instructions;  ///< per pixel, whole draw, if they could be counted
 };
 
@@ -41,10 +42,14 @@ struct MeasuredMethod {
 [[nodiscard]] arcspan_counting::CountedDraw count_operations(const std::string& shading, const RenderJob& job,
                                                              const FixedMesh& mesh);
 
-/// Draws with one method and compares with the reference; counts operations; takes the time. Not
+/// Whether the time of drawing is measured too: the one figure that is another one in every run.
+enum class Timing : std::uint8_t { kMeasured, kLeftOut };
+
+/// Draws with one method and compares with the reference; counts operations; measures the time. Not
 /// instructions.
 [[nodiscard]] MethodFigures measure_method(const MeasuredMethod& method, const RenderJob& job,
-                                           const FixedMesh& mesh, const ReferencePicture& reference);
+                                           const FixedMesh& mesh, const ReferencePicture& reference,
+                                           Timing timing = Timing::kMeasured);
 [[nodiscard]] MethodFigures measure_method(const std::string& shading, const RenderJob& job,
                                            const FixedMesh& mesh, const ReferencePicture& reference);
 

@@ -30,6 +30,16 @@ Curve rotation_curve(const std::string& label, const Shading& shading) {
   return curve;
 }
 
+template <class Shading>
+Curve flicker_curve(const std::string& label, const Shading& shading) {
+  Curve curve;
+  curve.label = label;
+  for (int turn = 0; turn <= 60; turn += 2) {
+    curve.points.emplace_back(turn, peak(ArtefactScene::turning_sphere(turn).picture(shading)));
+  }
+  return curve;
+}
+
 }  // namespace
 
 Figure highlight_figure() {
@@ -38,6 +48,24 @@ Figure highlight_figure() {
 
 Figure mach_figure() {
   return row_figure(ArtefactScene::fold(), "Across the edge between two triangles (diffuse)");
+}
+
+Figure narrow_mach_figure() {
+  return row_figure(ArtefactScene::narrow_fold(),
+                    "Across the edge of unequal triangles, lit at 45° (diffuse)");
+}
+
+Figure flicker_figure() {
+  Figure figure;
+  figure.title = "The brightest pixel of a sphere of 12 x 6 while it turns";
+  figure.x_label = "turn about the axis, degrees";
+  figure.y_label = "brightness, steps of 255";
+  figure.curves.push_back(flicker_curve("reference (Phong, double)", ReferenceKind::kPhong));
+  for (const ShadingRenderer& renderer : shading_renderers()) {
+    const std::string shading(renderer.shading);
+    figure.curves.push_back(flicker_curve(shading, shading));
+  }
+  return figure;
 }
 
 Figure rotation_figure() {

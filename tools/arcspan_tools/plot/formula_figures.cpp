@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kPoints = 360;
+constexpr int kSpansOfFigure = 200;  // of each point; more are for the claims
 
 Curve segment_curve(double widest_degrees, double n) {
   Curve curve;
@@ -49,6 +50,22 @@ Figure diffuse_error_figure() {
   figure.y_label = "error, % of the exact intensity";
   figure.curves = {segment_curve(90, 1)};
   figure.curves[0].label = "1 - cos(angle/2)";
+  return figure;
+}
+
+Figure absolute_error_figure() {
+  Figure figure;
+  figure.title = "Segment with linear intensity: absolute error in its middle, diffuse";
+  figure.x_label = "angle between the normals at its ends, degrees";
+  figure.y_label = "error, % of the light's full intensity";
+  Curve bound;
+  bound.label = "S3's formula, both ends fully lit";
+  Curve reached = segment_curve(90, 1);
+  reached.label = "largest that occurs where all is lit";
+  for (const auto& [degrees, error] : reached.points) {
+    bound.points.emplace_back(degrees, 100 * s3_absolute_error(degrees * kDegree));
+  }
+  figure.curves = {bound, reached};
   return figure;
 }
 
@@ -94,11 +111,13 @@ Figure recurrence_figure() {
   for (const WordLength& words :
        {WordLength{"as printed, 12-bit words", 10}, WordLength{"as printed, 16-bit words", 14},
         WordLength{"as printed, 24-bit words", 22}, WordLength{"as printed, 32-bit words", 30}}) {
-    figure.curves.push_back(growth_curve(
-        words.label, [&words](int pixels) { return printed_recurrence_error(pixels, words.fraction); }));
+    figure.curves.push_back(growth_curve(words.label, [&words](int pixels) {
+      return printed_recurrence_error(pixels, words.fraction, kSpansOfFigure);
+    }));
   }
-  figure.curves.push_back(growth_curve("differences, 16x16 multiply, 32-bit state",
-                                       [](int pixels) { return difference_recurrence_error(pixels); }));
+  figure.curves.push_back(growth_curve("differences, 16x16 multiply, 32-bit state", [](int pixels) {
+    return difference_recurrence_error(pixels, kSpansOfFigure);
+  }));
   return figure;
 }
 

@@ -6,20 +6,26 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <utility>
+#include <vector>
 
 namespace arcspan::tools {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kSpanAngles[] = {kPi / 18, kPi / 6, kPi / 3, kPi / 2};
-constexpr int kStarts = 24;
 
-/// Calls f(start, angle) for the spans that the recurrences are tried on.
+/// The largest f(start, angle) of random spans.
 template <class F>
-double worst_over_spans(const F& f) {
+double worst_over_spans(int spans, const F& f) {
+  std::mt19937_64 random(1);  // its numbers are the same everywhere, those of distributions are not
+  const auto up_to = [&random](double limit) {
+    return limit * std::ldexp(static_cast<double>(random() >> 11), -53);
+  };
   double worst = 0;
-  for (const double angle : kSpanAngles) {
-    for (int i = 0; i < kStarts; ++i) worst = std::max(worst, f(2 * kPi * i / kStarts, angle));
+  for (int i = 0; i < spans; ++i) {
+    const double start = up_to(2 * kPi);
+    worst = std::max(worst, f(start, up_to(kPi / 2)));
   }
   return worst;
 }
@@ -113,27 +119,40 @@ double worst_absolute(Polynomial p, double widest) {
   });
 }
 
-double length_after_halvings(Polynomial p, double angle, int levels) {
-  // The right end, halved towards the left one again and again; both in the plane, the left one at angle 0.
-  double x = std::cos(angle);
-  double y = std::sin(angle);
-  double z = 2 * x;
+double length_error_after_halvings(Polynomial p, double angle, int levels) {
+  // All nodes of one level have the same z, but their lengths differ: halves are made from halves.
+  struct Normal {
+    double x;
+    double y;
+  };
+  std::vector<Normal> nodes{{1, 0}, {std::cos(angle), std::sin(angle)}};
+  double z = 2 * std::cos(angle);
   for (int level = 0; level < levels; ++level) {
     const double factor = p(z);
-    x = (x + 1) * factor;
-    y = y * factor;
+    std::vector<Normal> halved;
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+      halved.push_back(nodes[i]);
+      halved.push_back({(nodes[i].x + nodes[i + 1].x) * factor, (nodes[i].y + nodes[i + 1].y) * factor});
+    }
+    halved.push_back(nodes.back());
+    nodes = std::move(halved);
     z = (2 + z) * factor;  // sqrt(2 + z): twice the cosine of half the angle
   }
-  return std::hypot(x, y) - 1;
+  double worst = 0;
+  for (const Normal& node : nodes) worst = std::max(worst, std::fabs(std::hypot(node.x, node.y) - 1));
+  return worst;
 }
 
-double printed_recurrence_error(int pixels, int fraction) {
+double s3_absolute_error(double angle) { return 2 * (1 / std::sqrt(2 * (1 + std::cos(angle))) - 0.5); }
+
+double printed_recurrence_error(int pixels, int fraction, int spans) {
   return worst_over_spans(
-      [=](double start, double angle) { return printed_error(start, angle, pixels, fraction); });
+      spans, [=](double start, double angle) { return printed_error(start, angle, pixels, fraction); });
 }
 
-double difference_recurrence_error(int pixels) {
-  return worst_over_spans([=](double start, double angle) { return difference_error(start, angle, pixels); });
+double difference_recurrence_error(int pixels, int spans) {
+  return worst_over_spans(spans,
+                          [=](double start, double angle) { return difference_error(start, angle, pixels); });
 }
 
 double printed_ahead(int ahead, double start, double phi) {

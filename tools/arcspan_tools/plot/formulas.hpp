@@ -31,17 +31,24 @@ using Polynomial = double (*)(double z);
 /// The largest |polynomial_error|, and the largest |p - 1/sqrt(2 + z)|, over 0 ... `widest`.
 [[nodiscard]] double worst_relative(Polynomial p, double widest);
 [[nodiscard]] double worst_absolute(Polynomial p, double widest);
-/// What is missing of (or added to) unit length after `levels` halvings from `angle`, z by the same
-/// polynomial.
-[[nodiscard]] double length_after_halvings(Polynomial p, double angle, int levels);
+/// The largest error of a normal's length among all nodes after `levels` halvings of an arc of `angle`, with
+/// the z of each level by the same polynomial.
+[[nodiscard]] double length_error_after_halvings(Polynomial p, double angle, int levels);
 
-/// Largest error of x(t) = cos(start + t angle / pixels), t = 0 ... pixels, over many starts and over span
-/// angles of 10, 30, 60 and 90 degrees:
-/// by S0 eq. 14 as printed, x(t+1) = 2 cos(phi) x(t) - x(t-1), with all numbers in `fraction` bits after the
-/// point, rounded;
-[[nodiscard]] double printed_recurrence_error(int pixels, int fraction);
+/// S3's formula for the largest absolute error in a segment's middle, (I_l + I_p) (1/sqrt(2 (1 + cos(angle)))
+/// - 1/2), for I_l = I_p = 1 (its figure 2). It is a bound: a light in the middle between the normals gives
+/// ends of cos(angle/2), and the error is segment_error(angle, 1), relative and absolute.
+[[nodiscard]] double s3_absolute_error(double angle);
+
+/// Spans that the errors of recurrences are tried on, if nothing else is asked for.
+inline constexpr int kRandomSpans = 20'000;
+
+/// Largest error of x(t) = cos(start + t angle / pixels), t = 0 ... pixels, over `spans` random spans, always
+/// the same: starts of 0 ... 360 degrees, span angles up to 90 degrees; by S0 eq. 14 as printed, x(t+1) = 2
+/// cos(phi) x(t) - x(t-1), with all numbers in `fraction` bits after the point, rounded;
+[[nodiscard]] double printed_recurrence_error(int pixels, int fraction, int spans = kRandomSpans);
 /// by the pipeline's ArcScalar (difference form, 16 x 16 bit products, 32-bit state).
-[[nodiscard]] double difference_recurrence_error(int pixels);
+[[nodiscard]] double difference_recurrence_error(int pixels, int spans = kRandomSpans);
 
 /// S0 eq. 9 to 11 for a scalar x(t) = cos(start + t phi): x(t + ahead) from x(t) and x(t - 1), as printed and
 /// as they ought to be (`ahead` 2, 3, 4).

@@ -17,11 +17,16 @@ double intensity(Vec3 normal) {
 
 double mix(double a, double b, double t) { return (1 - t) * a + t * b; }
 
-/// The normal at P: Q on AB, R on BC, P between them.
-Vec3 normal_at_p(ReferenceKind kind, Vec3 a, Vec3 b, Vec3 c) {
-  const Vec3 q = between_normals(kind, b, a, 0.4);
-  const Vec3 r = between_normals(kind, c, b, 0.7);
+/// The normal at P: Q on AB, R on BC, P between them. `u` and `w` are the weights of A and of B.
+Vec3 normal_at_p(ReferenceKind kind, Vec3 a, Vec3 b, Vec3 c, double u = 0.4, double w = 0.7) {
+  const Vec3 q = between_normals(kind, b, a, u);
+  const Vec3 r = between_normals(kind, c, b, w);
   return between_normals(kind, q, r, 0.5);
+}
+
+/// The intensity at P by Gouraud's method, with the same weights.
+double intensity_at_p(const std::array<double, 3>& vertices, double u, double w) {
+  return mix(mix(vertices[1], vertices[0], u), mix(vertices[2], vertices[1], w), 0.5);
 }
 
 }  // namespace
@@ -37,9 +42,10 @@ WorkedExample worked_example() {
   WorkedExample example;
   example.flat = intensity(normalised(n3));
   example.vertices = {intensity(a), intensity(b), intensity(c)};
-  const double at_q = mix(example.vertices[1], example.vertices[0], 0.4);
-  const double at_r = mix(example.vertices[2], example.vertices[1], 0.7);
-  example.gouraud = mix(at_q, at_r, 0.5);
+  example.gouraud = intensity_at_p(example.vertices, 0.4, 0.7);
+  example.gouraud_as_defined = intensity_at_p(example.vertices, 1 - 0.4, 1 - 0.7);
+  example.phong_as_defined =
+      intensity(normalised(normal_at_p(ReferenceKind::kPhong, a, b, c, 1 - 0.4, 1 - 0.7)));
   const Vec3 chord = normal_at_p(ReferenceKind::kPhong, a, b, c);
   example.phong_not_normalised = intensity(chord);
   example.phong = intensity(normalised(chord));

@@ -14,9 +14,11 @@ std::optional<double> draw_instructions(std::string_view shading, const RenderSt
   if (found == kMarginal.end()) return std::nullopt;
   const auto cost = [&found](const char* what) { return found->at(what).get<double>(); };
   const auto bands = static_cast<double>(stats.bands);
-  return cost("frame") + cost("vertex") * static_cast<double>(vertices) * bands +
-         cost("triangle") * stats.triangles + cost("span") * static_cast<double>(stats.spans) +
-         cost("pixel") * static_cast<double>(stats.pixels);
+  // A triangle includes its share of transforming the vertices once; every further band transforms them
+  // again.
+  return cost("triangle_without_planes") * stats.triangles +
+         cost("vertex") * static_cast<double>(vertices) * (bands - 1) +
+         cost("span") * static_cast<double>(stats.spans) + cost("pixel") * static_cast<double>(stats.pixels);
 }
 
 }  // namespace arcspan::tools

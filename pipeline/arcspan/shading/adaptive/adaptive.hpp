@@ -39,7 +39,7 @@ class HighlightPatchRun : public SecondDifferenceRun<2> {
 ///    circle through the normals is so small that N·L differs from a plane by at most the rest of the
 ///    tolerance.
 /// 2. A patch of N·L alone: no highlight above half the tolerance is within reach.
-/// 3. Segments of 4...16 pixels (S0 section 4): wide rows whose colours have small second derivatives, away
+/// 3. Segments of 4...16 pixels (S3): wide rows whose colours have small second derivatives, away
 ///    from the terminator.
 /// 4. A patch of N·L and of the highlight's distance: small triangles whose vertices are all lit, and whose
 ///    highlight is Phong's.

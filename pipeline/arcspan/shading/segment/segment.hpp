@@ -27,7 +27,7 @@ struct SegmentedIllumination : Illumination {
   }
 };
 
-/// The combined method of segments (S0 section 4, S3). The paths of Arc step 2^bits pixels at once, the power
+/// The combined method of segments (S3). The paths of Arc step 2^bits pixels at once, the power
 /// and the colour are computed there, and between these pixels the colour is linear. The error grows with the
 /// square of the angle that a segment spans, and with the exponent n.
 template <class Illumination>

@@ -17,27 +17,34 @@
 namespace arcspan {
 
 /// Draws a mesh: transforms, clips, culls and shades its triangles by `Method` and writes them to `sink`
-/// within the common bounds of the viewport, the sink and the depth target.
+/// within the common bounds of the viewport and the sink.
 ///
 /// - `lighting`: the illumination in the object's space.
-/// - `depth`: a DepthBuffer, or NoDepth{}.
-/// - `cache`: memory for mesh.vertex_count() transformed vertices, each of which is then transformed once. If
-/// it
-///   is smaller it is not used, and every triangle transforms its own three vertices.
+/// - `depth`: a DepthBuffer that covers these bounds, or NoDepth{}.
+/// - `cache`: memory for at least mesh.vertex_count() transformed vertices, each of which is then transformed
+///   once; or none, and every triangle transforms its own three vertices.
 /// - `Features`: the parts of draw_mesh() that the program contains.
 ///
 /// To draw a picture in bands, move the sink and the depth buffer to a band and call this once per band: the
 /// rows are bit for bit those of the picture drawn at once. Columns that are cut off on the left may change
 /// the last bits of the pixels, because a row starts at its first drawn column.
 ///
-/// Returns as status kOk, the first other status of the sink, at which drawing stops, or kUnsupported if
-/// two-sided drawing is asked for but left out of `Features`.
+/// Returns as status kOk, or the first other status of the sink, at which drawing stops. Draws nothing and
+/// returns:
+///
+///   kUnsupported      two-sided drawing is asked for but left out of `Features`
+///   kDepthMismatch    `depth` does not cover the common bounds of the viewport and the sink
+///   kCacheTooSmall    `cache` is neither empty nor large enough, unless `Features` leaves caches out
+///   others            the status() of a Framebuffer or DepthBuffer that is not kOk
 template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] ARCSPAN_OUTLINE DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
                                                    const typename Method::Lighting& lighting, Sink& sink,
                                                    const Depth& depth,
                                                    std::span<CachedVertex<Method>> cache = {},
                                                    const DrawOptions& options = {}) {
+  if constexpr (Features.caches) {
+    if (!cache.empty() && cache.size() < mesh.vertex_count()) return {Status::kCacheTooSmall};
+  }
   detail::TriangleDrawer<Method, Features, Sink, Depth> drawer(mesh, transform, lighting, sink, depth,
                                                                options);
   if (!drawer.ready()) return drawer.result();
@@ -48,7 +55,7 @@ template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSin
   const detail::UncachedVertices<Method> uncached(drawer.stage(), back_faces);
   if constexpr (!Features.caches) {
     drawer.draw_triangles(uncached);
-  } else if (cache.size() < mesh.vertex_count()) {
+  } else if (cache.empty()) {
     drawer.draw_triangles_outlined(uncached);
   } else if (back_faces.known()) {
     drawer.draw_triangles_outlined(detail::FrontVertices<Method>(drawer.stage(), cache.data(), back_faces));

@@ -29,6 +29,10 @@ const char* to_string(Status status) {
       return "truncated";
     case Status::kCorrupted:
       return "corrupted";
+    case Status::kDepthMismatch:
+      return "depth buffer does not cover the frame";
+    case Status::kCacheTooSmall:
+      return "vertex cache too small";
   }
   return "unknown status";
 }

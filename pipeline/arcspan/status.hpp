@@ -22,6 +22,8 @@ enum class [[nodiscard]] Status : std::uint8_t{
     kTransferShort,    ///< the bus accepted fewer bytes than it was given
     kTruncated,        ///< data ends before it is complete
     kCorrupted,        ///< data contradicts its checksum or itself
+    kDepthMismatch,    ///< the depth buffer does not cover the part of the picture that is drawn
+    kCacheTooSmall,    ///< the vertex cache holds fewer vertices than the mesh has
 };
 
 /// A short, stable, lower-case name for logs: "ok", "invalid argument", ... A value outside the enumeration

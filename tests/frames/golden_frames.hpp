@@ -81,7 +81,9 @@ template <class Method, class Space>
     depth.move_to(top);
     band.clear({16, 16, 32});
     depth.clear();
-    const auto cache = space.vertices.template of<Method>();
+    // Boards with little memory have room for the small shapes only.
+    auto cache = space.vertices.template of<Method>();
+    if (cache.size() < mesh.vertex_count()) cache = {};
     const DrawResult drawn = draw_mesh<Method>(mesh, stage.transform, stage.light, band, depth, cache);
     if (!ok(drawn.status)) return drawn.status;
     for (std::int32_t y = top; y < top + Space::kRows; ++y) {

@@ -18,6 +18,46 @@ TEST_CASE("a framebuffer refuses memory that is too small") {
   CHECK(Framebuffer<Gray4>(memory, 5, 4).bounds().empty());
 }
 
+TEST_CASE("a framebuffer's size is checked without overflow") {
+  std::array<std::uint16_t, 16> memory{};
+  // 65536 * 65536 is 0 in 32 bits, 256 * 256 in 16 bits.
+  CHECK(Framebuffer<Rgb565>(memory, 65536, 65536).status() == Status::kInvalidArgument);
+  CHECK(Framebuffer<Rgb565>(memory, INT32_MAX, 1).status() == Status::kInvalidArgument);
+  CHECK(Framebuffer<Rgb565>(memory, 0, INT32_MAX).status() == Status::kInvalidArgument);
+  CHECK(Framebuffer<Rgb565>(memory, 256, 256).status() == Status::kBufferTooSmall);
+  CHECK(Framebuffer<Rgb565>(memory, 32767, 32767).status() == Status::kBufferTooSmall);
+  CHECK(Framebuffer<Rgb565>(memory, 0, 32767).status() == Status::kOk);
+}
+
+TEST_CASE("a band lies between row 0 and row INT32_MAX") {
+  std::array<std::uint16_t, 12> memory{};
+  CHECK(Framebuffer<Rgb565>(memory, 4, 3, -1).status() == Status::kInvalidArgument);
+  CHECK(Framebuffer<Rgb565>(memory, 4, 3, INT32_MAX - 2).status() == Status::kInvalidArgument);
+  Framebuffer<Rgb565> band(memory, 4, 3, INT32_MAX - 3);
+  CHECK(band.status() == Status::kOk);
+  CHECK(band.bounds() == Rect{0, INT32_MAX - 3, 4, INT32_MAX});
+  for (const std::int32_t row : {INT32_MAX - 2, INT32_MAX, -1, INT32_MIN}) {
+    band.move_to(row);
+    CHECK(band.status() == Status::kInvalidArgument);
+    CHECK(band.bounds().empty());
+    band.clear({255, 255, 255});  // the memory is still its own
+  }
+  band.move_to(6);
+  CHECK(band.status() == Status::kOk);
+  CHECK(band.bounds() == Rect{0, 6, 4, 9});
+  CHECK(band.pixel(3, 8) == Rgb8{255, 255, 255});
+}
+
+TEST_CASE("moving a framebuffer does not mend its lack of memory") {
+  std::array<std::uint16_t, 11> memory{};
+  Framebuffer<Rgb565> band(memory, 4, 3);
+  band.move_to(6);
+  band.clear({255, 255, 255});
+  CHECK(band.status() == Status::kBufferTooSmall);
+  CHECK(band.bounds().empty());
+  CHECK(memory == std::array<std::uint16_t, 11>{});
+}
+
 TEST_CASE("a band keeps the rows it stands for") {
   std::array<std::uint16_t, 12> memory{};
   Framebuffer<Rgb565> band(memory, 4, 3, 6);

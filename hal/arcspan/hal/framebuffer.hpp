@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/pixel/band.hpp>
 #include <arcspan/pixel/fill.hpp>
 #include <arcspan/pixel/mono.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
@@ -31,18 +32,17 @@ class Framebuffer {
     return F::words_per_row(width) * static_cast<std::size_t>(rows);
   }
 
-  /// `memory` must hold at least words(width, rows). If it does not, or if an argument is negative, bounds()
-  /// is empty and status() is kBufferTooSmall or kInvalidArgument.
+  /// `memory` must hold at least words(width, rows), else status() is kBufferTooSmall. It is kInvalidArgument
+  /// unless `width` and `rows` are in 0...32767 and `first_row` is as move_to() takes it. With any status but
+  /// kOk bounds() is empty, and draw_mesh() returns the status.
   constexpr Framebuffer(std::span<Word> memory, std::int32_t width, std::int32_t rows,
                         std::int32_t first_row = 0)
-      : memory_(memory.data()), stride_(static_cast<std::int32_t>(F::words_per_row(width < 0 ? 0 : width))) {
-    if (width < 0 || rows < 0 || first_row < 0) {
-      status_ = Status::kInvalidArgument;
-    } else if (memory.size() < words(width, rows)) {
-      status_ = Status::kBufferTooSmall;
-    } else {
-      bounds_ = {0, first_row, width, first_row + rows};
-    }
+      : status_(detail::check_band_size(width, rows, F::words_per_row, memory.size())) {
+    if (!ok(status_)) return;
+    memory_ = memory.data();
+    stride_ = static_cast<std::int32_t>(F::words_per_row(width));
+    bounds_ = {0, 0, width, rows};
+    status_ = detail::move_band(bounds_, first_row);
   }
 
   [[nodiscard]] constexpr Status status() const { return status_; }
@@ -54,11 +54,11 @@ class Framebuffer {
   }
   [[nodiscard]] constexpr Status close(const Span&) { return Status::kOk; }
 
-  /// Makes this memory represent the band that starts at `first_row`. Its pixels are kept.
+  /// Makes this memory represent the band that starts at `first_row`. Its pixels are kept. `first_row` is
+  /// 0...INT32_MAX - rows; otherwise status() is kInvalidArgument and bounds() empty until the next call.
+  /// Without effect if the constructor was given too little memory or a wrong size.
   constexpr void move_to(std::int32_t first_row) {
-    const std::int32_t rows = bounds_.height();
-    bounds_.top = first_row;
-    bounds_.bottom = first_row + rows;
+    if (memory_ != nullptr) status_ = detail::move_band(bounds_, first_row);
   }
 
   /// Sets every pixel to `colour`.
@@ -85,10 +85,10 @@ class Framebuffer {
   [[nodiscard]] constexpr std::int32_t stride() const { return stride_; }
 
  private:
-  Word* memory_;
-  std::int32_t stride_;
+  Word* memory_ = nullptr;
+  std::int32_t stride_ = 0;
   Rect bounds_{};
-  Status status_ = Status::kOk;
+  Status status_;
 };
 
 static_assert(SinkInMemory<Framebuffer<Rgb565>> && SinkInMemory<Framebuffer<Mono>>);

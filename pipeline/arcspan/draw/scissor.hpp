@@ -12,9 +12,11 @@
 
 namespace arcspan::detail {
 
+/// The common part of two rectangles; all 0 if there is none, so that no coordinate is out of range.
 [[nodiscard]] constexpr Rect intersection(const Rect& a, const Rect& b) {
-  return {a.left > b.left ? a.left : b.left, a.top > b.top ? a.top : b.top,
-          a.right < b.right ? a.right : b.right, a.bottom < b.bottom ? a.bottom : b.bottom};
+  const Rect common{a.left > b.left ? a.left : b.left, a.top > b.top ? a.top : b.top,
+                    a.right < b.right ? a.right : b.right, a.bottom < b.bottom ? a.bottom : b.bottom};
+  return common.empty() ? Rect{} : common;
 }
 
 /// How a triangle lies to the scissor.
@@ -25,8 +27,8 @@ enum class ScissorTest : std::uint8_t {
   kOtherBand,  ///< rows in the viewport, but none in the scissor
 };
 
-/// The rectangle of the picture that one call draws into: the common part of the viewport, the sink and the
-/// depth target. In a picture drawn in bands it is one band.
+/// The rectangle of the picture that one call draws into: the common part of the viewport and the sink. In a
+/// picture drawn in bands it is one band.
 class Scissor {
  public:
   constexpr Scissor(const Viewport& viewport, const Rect& bounds)
@@ -38,6 +40,11 @@ class Scissor {
         is_band_(rect_.height() < viewport.height) {}
 
   [[nodiscard]] constexpr const Rect& rect() const { return rect_; }
+  /// True if `bounds` covers the rectangle, or if that is empty.
+  [[nodiscard]] constexpr bool is_within(const Rect& bounds) const {
+    return rect_.empty() || (bounds.left <= rect_.left && bounds.top <= rect_.top &&
+                             bounds.right >= rect_.right && bounds.bottom >= rect_.bottom);
+  }
   [[nodiscard]] constexpr const RasterOrigin& origin() const { return origin_; }
   /// The rows of the whole viewport, relative to origin().
   [[nodiscard]] constexpr const RowRange& viewport_rows() const { return rows_; }

@@ -27,12 +27,12 @@ class TriangleDrawer {
                  const typename Method::Lighting& lighting, Sink& sink, const Depth& depth,
                  const DrawOptions& options)
       : stage_(mesh, transform, lighting),
-        scissor_(transform.viewport(), intersection(sink.bounds(), depth.bounds())),
+        scissor_(transform.viewport(), sink.bounds()),
         sink_(sink),
         encoded_(lighting),
         depth_(depth),
         options_(options) {
-    if (!Features.two_sided && options.two_sided) result_.status = Status::kUnsupported;
+    result_.status = check();
   }
 
   /// True if there is something to draw into and nothing has failed.
@@ -67,6 +67,19 @@ class TriangleDrawer {
   }
 
  private:
+  /// Returns the reason why nothing can be drawn, or kOk.
+  [[nodiscard]] Status check() const {
+    if (!Features.two_sided && options_.two_sided) return Status::kUnsupported;
+    if constexpr (ChecksItself<Sink>) {
+      if (!ok(sink_.status())) return sink_.status();
+    }
+    if constexpr (Depth::kTests) {
+      if (!ok(depth_.status())) return depth_.status();
+      if (!scissor_.is_within(depth_.bounds())) return Status::kDepthMismatch;
+    }
+    return Status::kOk;
+  }
+
   using Raster = RasterVertex<Method>;
   using Face = typename Method::Face;
   using Colours = EncodedColoursFor<Method, Sink>;

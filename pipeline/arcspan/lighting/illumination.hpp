@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/lighting/directional_light.hpp>
+#include <arcspan/lighting/material.hpp>
 #include <arcspan/lighting/power_table.hpp>
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/numbers/integer.hpp>
@@ -18,27 +20,6 @@ namespace arcspan {
 enum class Highlight : std::uint8_t {
   kBlinn,  ///< N·H (S0 eq. 12)
   kPhong,  ///< R·V (S0 eq. 1)
-};
-
-/// One value per colour channel, each 0...1.
-struct ChannelCoefficients {
-  Coefficient r{};
-  Coefficient g{};
-  Coefficient b{};
-};
-
-/// How a surface reflects light: the shares of ambient, diffuse and specular light, 0...1 per channel.
-struct Material {
-  ChannelCoefficients ambient;
-  ChannelCoefficients diffuse;
-  ChannelCoefficients specular;
-  std::int32_t shininess = 32;  ///< exponent of the highlight, 1...256
-};
-
-/// A light so far away that its direction is the same for the whole object.
-struct DirectionalLight {
-  Direction towards;                            ///< unit vector to the light, in object space
-  Coefficient strength = Coefficient::of(1.0);  ///< factor 1 / (d + K) (S1), 0...1
 };
 
 /// A colour as Gouraud shading interpolates it: per channel 0...65280, in 256ths of an 8-bit step.

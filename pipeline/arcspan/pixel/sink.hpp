@@ -58,13 +58,20 @@ struct Rect {
 /// close() returns the status of the run. On any other status than kOk the draw call ends at once, without
 /// another call of the sink, and returns that status.
 ///
-/// A sink may choose the size of the table of encoded colours by `kEncodedColours`
+/// A sink may have `Status status() const`: if it is not kOk, a draw call returns it and draws nothing
+/// (ChecksItself). A sink may choose the size of the table of encoded colours by `kEncodedColours`
 /// (span/encoded_colours.hpp).
 template <class S>
 concept PixelSink = PixelFormat<typename S::Format> && requires(S& sink, const Span& run) {
   { sink.bounds() } -> std::same_as<Rect>;
   { sink.open(run) } -> std::same_as<typename S::Format::Cursor>;
   { sink.close(run) } -> std::same_as<Status>;
+};
+
+/// Optional part of a sink: a status() that says whether it can take pixels.
+template <class S>
+concept ChecksItself = requires(const S& sink) {
+  { sink.status() } -> std::same_as<Status>;
 };
 
 /// A sink whose rows lie in memory, so that the span stage may step from row to row instead of calling

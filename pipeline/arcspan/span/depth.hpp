@@ -2,8 +2,10 @@
 #pragma once
 
 #include <arcspan/numbers/fixed_formats.hpp>
+#include <arcspan/pixel/band.hpp>
 #include <arcspan/pixel/fill.hpp>
 #include <arcspan/pixel/sink.hpp>
+#include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
 #include <concepts>
@@ -42,32 +44,38 @@ class DepthBuffer {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
   }
 
-  /// `memory` must hold words(width, rows); otherwise bounds() is empty and nothing is drawn.
+  /// `memory` must hold words(width, rows), else status() is kBufferTooSmall. It is kInvalidArgument unless
+  /// `width` and `rows` are in 0...32767 and `first_row` is as move_to() takes it. With any status but kOk
+  /// bounds() is empty, and draw_mesh() returns the status.
   constexpr DepthBuffer(std::span<std::uint16_t> memory, std::int32_t width, std::int32_t rows,
                         std::int32_t first_row = 0)
-      : memory_(memory.data()) {
-    if (width >= 0 && rows >= 0 && memory.size() >= words(width, rows)) {
-      bounds_ = {0, first_row, width, first_row + rows};
-    }
+      : status_(detail::check_band_size(
+            width, rows, [](std::int32_t columns) { return words(columns, 1); }, memory.size())) {
+    if (!ok(status_)) return;
+    memory_ = memory.data();
+    bounds_ = {0, 0, width, rows};
+    status_ = detail::move_band(bounds_, first_row);
   }
 
+  [[nodiscard]] constexpr Status status() const { return status_; }
   [[nodiscard]] constexpr Rect bounds() const { return bounds_; }
   [[nodiscard]] constexpr std::uint16_t* row(std::int32_t y) const {
     return memory_ + (y - bounds_.top) * bounds_.right;
   }
 
   /// Makes the memory represent the rows from `first_row` on. The depths in it stay until clear().
+  /// `first_row` is 0...INT32_MAX - rows; otherwise status() is kInvalidArgument and bounds() empty until the
+  /// next call. Without effect if the constructor was given too little memory or a wrong size.
   constexpr void move_to(std::int32_t first_row) {
-    const std::int32_t rows = bounds_.height();
-    bounds_.top = first_row;
-    bounds_.bottom = first_row + rows;
+    if (memory_ != nullptr) status_ = detail::move_band(bounds_, first_row);
   }
 
   constexpr void clear() { fill(memory_, words(bounds_.right, bounds_.height()), kFarthest); }
 
  private:
-  std::uint16_t* memory_;
+  std::uint16_t* memory_ = nullptr;
   Rect bounds_{};
+  Status status_;
 };
 
 template <class D>

@@ -115,6 +115,10 @@ TEST_CASE("OFF: a cube, and what can be wrong with one") {
   CHECK(complaint("a.off", "OFF 2 1 0\n0 0 0\n0 inf 0\n") == "line 3: 'inf' is not a finite number");
 }
 
+TEST_CASE("an empty mesh binary is truncated") {
+  CHECK(complaint("a.bin", "") == "the mesh binary is damaged (truncated)");
+}
+
 TEST_CASE("STL: text and binary, and what can be wrong with them") {
   const std::string facet =
       "facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n endloop\nendfacet\n";

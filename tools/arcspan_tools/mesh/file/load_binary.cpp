@@ -24,7 +24,7 @@ Vec3 to_vec3(const Direction& d) {
 MeshData mesh_from_binary(std::string_view bytes, const std::string& subject) {
   // Words, for the alignment that a string need not have.
   std::vector<std::uint16_t> words((bytes.size() + 1) / 2);
-  std::memcpy(words.data(), bytes.data(), bytes.size());
+  if (!bytes.empty()) std::memcpy(words.data(), bytes.data(), bytes.size());
   MeshView view;
   const Status status =
       view_mesh_binary({reinterpret_cast<const std::uint8_t*>(words.data()), bytes.size()}, view);

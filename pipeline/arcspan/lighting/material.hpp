@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/fixed_formats.hpp>
+
+#include <cstdint>
+
+namespace arcspan {
+
+/// One value per colour channel, each 0...1.
+struct ChannelCoefficients {
+  Coefficient r{};
+  Coefficient g{};
+  Coefficient b{};
+};
+
+/// How a surface reflects light: the shares of ambient, diffuse and specular light, 0...1 per channel.
+struct Material {
+  ChannelCoefficients ambient;
+  ChannelCoefficients diffuse;
+  ChannelCoefficients specular;
+  std::int32_t shininess = 32;  ///< exponent of the highlight, 1...256
+};
+
+}  // namespace arcspan

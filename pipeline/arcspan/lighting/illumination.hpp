@@ -2,6 +2,8 @@
 #pragma once
 
 #include <arcspan/lighting/directional_light.hpp>
+#include <arcspan/lighting/highlight_fade.hpp>
+#include <arcspan/lighting/illumination_features.hpp>
 #include <arcspan/lighting/material.hpp>
 #include <arcspan/lighting/power_table.hpp>
 #include <arcspan/numbers/direction.hpp>
@@ -13,14 +15,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace arcspan {
-
-/// The cosine that the highlight is a power of.
-enum class Highlight : std::uint8_t {
-  kBlinn,  ///< N·H (S0 eq. 12)
-  kPhong,  ///< R·V (S0 eq. 1)
-};
 
 /// A colour as Gouraud shading interpolates it: per channel 0...65280, in 256ths of an 8-bit step.
 struct DeepColour {
@@ -29,33 +26,24 @@ struct DeepColour {
   std::int32_t b;
 };
 
-/// Squared chords of 16 and of 12 degrees, 28 fraction bits. A patch of up to 16 degrees is within 3.3e-4 of
-/// bilinear SLERP. In the diffuse light that is below a tenth of an 8-bit step, but in a highlight it grows
-/// with the exponent, so patches with sharp highlights are limited to 12 degrees (decision 5).
-inline constexpr std::uint32_t kWidestPatch = 20797469u;
-inline constexpr std::uint32_t kWidestSharpPatch = 11731918u;
-/// The squared chord up to which a triangle with a highlight of this exponent may be a patch.
-[[nodiscard]] constexpr std::uint32_t widest_patch(std::int32_t shininess) {
-  return shininess > 16 ? kWidestSharpPatch : kWidestPatch;
-}
-
 /// The illumination of one object by `Lights` (1...4) lights: its constants, and the colour of a normal's
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
 /// (Phong). Arcs can carry them because they are linear in N.
-template <std::size_t Lights, Highlight Model>
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features = IlluminationFeatures{}>
 class Illumination {
  public:
   static_assert(Lights >= 1 && Lights <= 4);
   static constexpr std::size_t kLights = Lights;
   static constexpr Highlight kModel = Model;
+  static constexpr IlluminationFeatures kFeatures = Features;
   static constexpr std::size_t kScalars = Model == Highlight::kBlinn ? 2 * Lights : Lights + 1;
   using Scalars = std::array<Cosine, kScalars>;
 
   constexpr Illumination() = default;
 
   /// Makes the illumination of lights and an eye, with `to_eye` the unit vector to the eye in object space.
-  /// Returns kInvalidArgument, and does not change `illumination`, if a coefficient or a strength is outside
-  /// 0...1 or the shininess outside 1...256.
+  /// Returns kInvalidArgument, and does not change `illumination`, if a coefficient, a strength or a colour
+  /// is outside 0...1 or the shininess outside 1...256; kUnsupported if `Features` lacks what they ask for.
   static constexpr Status make(const Material& material, const std::array<DirectionalLight, Lights>& lights,
                                const Direction& to_eye, Illumination& illumination);
 
@@ -77,16 +65,16 @@ class Illumination {
 
   /// The colour of a normal with these scalars, each channel rounded and clamped:
   ///
-  ///   ambient + diffuse * sum(strength * max(0, N·L)) + specular * sum(strength * c^n)
+  ///   ambient + diffuse * sum(weight * max(0, N·L)) + specular * sum(weight * fade * c^n)
   ///
-  /// with c the cosine of `Highlight` and n the exponent. The second sum is over lights with N·L > 0. With
-  /// one light the diffuse part comes from ramp().
+  /// with weight = strength * colour of a light, c the cosine of `Highlight` and n the exponent. The second
+  /// sum is over lights with N·L > 0. With one light the diffuse part comes from ramp().
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Scalars& scalars) const {
     if constexpr (Lights == 1) {
       const PackedRgb ramp = diffuse_colour(scalars[0]);
       const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
       if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return ramp;
-      return with_highlight(ramp, power_(half_distance));
+      return with_highlight(ramp, fade_(power_(half_distance), scalars[0]));
     } else {
       const LightSums sums = light_sums(scalars);
       return PackedRgb::of(level(0, sums), level(1, sums), level(2, sums));
@@ -110,7 +98,8 @@ class Illumination {
       requires(Lights == 1) {
     const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
     if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return table[scalars[0]];
-    return Format::encode(with_highlight(diffuse_colour(scalars[0]), power_(half_distance)));
+    const std::uint32_t power = fade_(power_(half_distance), scalars[0]);
+    return Format::encode(with_highlight(diffuse_colour(scalars[0]), power));
   }
 
   /// False if no normal of a triangle has a highlight. `a`, `b` and `c` are the scalars of its vertices;
@@ -150,6 +139,9 @@ class Illumination {
   /// The squared chord up to which a triangle with a highlight may be a patch.
   [[nodiscard]] constexpr std::uint32_t widest_patch() const { return widest_patch_; }
 
+  /// The N·L from which on highlights are not faded, 0 if they end abruptly.
+  [[nodiscard]] constexpr Cosine fade_end() const { return fade_.end(); }
+
   /// The largest diffuse and specular coefficients of a channel, in 8-bit steps with 5 fraction bits.
   [[nodiscard]] constexpr std::uint32_t most_diffuse() const { return largest_channel(diffuse_); }
   [[nodiscard]] constexpr std::uint32_t most_specular() const { return largest_channel(specular_); }
@@ -179,11 +171,15 @@ class Illumination {
 
  private:
   static constexpr int kRampBits = 8;
+  /// Several lights have a weight per channel or one for all. A single light's are in the coefficients.
+  static constexpr bool kWeighsChannels = Lights > 1 && Features.coloured_lights;
+  using Weights = std::conditional_t<kWeighsChannels, std::array<std::uint32_t, 3>, std::uint32_t>;
+  using Fade = std::conditional_t<Features.fading_highlights, HighlightFade, NoHighlightFade>;
 
-  /// The two sums of colour() over the lights, 0...4 each, 15 fraction bits.
+  /// The two sums of colour() over the lights per weight, 0...4 each, 15 fraction bits.
   struct LightSums {
-    std::uint32_t diffuse = 0;
-    std::uint32_t specular = 0;
+    Weights diffuse{};
+    Weights specular{};
   };
 
   /// A colour of the ramp plus the highlight, each channel clamped; `power` is c^n with 15 fraction bits.
@@ -213,6 +209,11 @@ class Illumination {
     }
   }
 
+  /// Adds value * weight to the sum of each channel, all with 15 fraction bits.
+  static constexpr void add_weighted(std::uint32_t value, const Weights& weights, Weights& sums) {
+    unrolled<3>([&](auto c) { sums[c] += (value * weights[c] + (1u << 14)) >> 15; });
+  }
+
   [[nodiscard]] constexpr LightSums light_sums(const Scalars& scalars) const {
     LightSums sums;
     unrolled<Lights>([&](auto i) {
@@ -220,12 +221,16 @@ class Illumination {
       if (diffuse == 0) return;
       const Cosine other = scalars[Model == Highlight::kBlinn ? Lights + i : Lights];
       const std::int32_t half_distance = highlight_distance(scalars[i], other, i);
-      const std::uint32_t specular = half_distance < power_.half_reach() ? power_(half_distance) : 0;
+      const std::uint32_t specular =
+          half_distance < power_.half_reach() ? fade_(power_(half_distance), scalars[i]) : 0;
       if constexpr (Lights == 1) {
         sums = {diffuse, specular};
+      } else if constexpr (!kWeighsChannels) {
+        sums.diffuse += (diffuse * weights_[i] + (1u << 14)) >> 15;
+        sums.specular += (specular * weights_[i] + (1u << 14)) >> 15;
       } else {
-        sums.diffuse += (diffuse * strength_[i] + (1u << 14)) >> 15;
-        sums.specular += (specular * strength_[i] + (1u << 14)) >> 15;
+        add_weighted(diffuse, weights_[i], sums.diffuse);
+        if (specular != 0) add_weighted(specular, weights_[i], sums.specular);
       }
     });
     return sums;
@@ -234,7 +239,11 @@ class Illumination {
   /// Channel `c` in 8-bit steps with 20 fraction bits: 5 of the coefficients and 15 of the sums. At most
   /// 255 * (1 + 4 + 4) * 2^20 < 2^32.
   [[nodiscard]] constexpr std::uint32_t channel(std::size_t c, const LightSums& sums) const {
-    return ambient_[c] + diffuse_[c] * sums.diffuse + specular_[c] * sums.specular;
+    if constexpr (kWeighsChannels) {
+      return ambient_[c] + diffuse_[c] * sums.diffuse[c] + specular_[c] * sums.specular[c];
+    } else {
+      return ambient_[c] + diffuse_[c] * sums.diffuse + specular_[c] * sums.specular;
+    }
   }
   /// Channel `c` as PackedRgb has it: 2 fraction bits, half an 8-bit step added.
   [[nodiscard]] constexpr std::uint32_t level(std::size_t c, const LightSums& sums) const {
@@ -252,17 +261,18 @@ class Illumination {
   /// Entry i is ambient + diffuse * (i + 1/2) / 256; empty for several lights. The first member, so that its
   /// address needs no offset.
   std::array<PackedRgb, Lights == 1 ? 256 : 0> ramp_{};
-  std::array<Direction, kScalars> axes_{};        ///< scalar i is the product of the normal and this
-  std::array<std::uint32_t, 3> ambient_{};        ///< in 8-bit steps, 20 fraction bits
-  std::array<std::uint32_t, 3> diffuse_{};        ///< in 8-bit steps, 5 fraction bits
-  std::array<std::uint32_t, 3> specular_{};       ///< in 8-bit steps, 5 fraction bits
-  std::array<std::uint32_t, Lights> strength_{};  ///< 15 fraction bits
+  std::array<Direction, kScalars> axes_{};   ///< scalar i is the product of the normal and this
+  std::array<std::uint32_t, 3> ambient_{};   ///< in 8-bit steps, 20 fraction bits
+  std::array<std::uint32_t, 3> diffuse_{};   ///< in 8-bit steps, 5 fraction bits
+  std::array<std::uint32_t, 3> specular_{};  ///< in 8-bit steps, 5 fraction bits
+  std::array<Weights, Lights> weights_{};  ///< strength * colour of each of several lights, 15 fraction bits
   std::array<std::int32_t, Lights> half_one_plus_light_eye_{};  ///< (1 + L·V) / 2, 30 fraction bits
   PowerTable power_{};
   std::uint32_t widest_patch_ = 0;
   std::uint32_t most_curvature_ = 0;
   std::uint32_t shininess_ = 1;
   std::uint32_t white_specular_ = 0;  ///< specular_[0] if all channels are equal, else 0
+  [[no_unique_address]] Fade fade_{};
 };
 
 }  // namespace arcspan

@@ -5,6 +5,16 @@
 
 namespace arcspan {
 
+/// Squared chords of 16 and of 12 degrees, 28 fraction bits. A patch of up to 16 degrees is within 3.3e-4 of
+/// bilinear SLERP. In the diffuse light that is below a tenth of an 8-bit step, but in a highlight it grows
+/// with the exponent, so patches with sharp highlights are limited to 12 degrees (decision 5).
+inline constexpr std::uint32_t kWidestPatch = 20797469u;
+inline constexpr std::uint32_t kWidestSharpPatch = 11731918u;
+/// The squared chord up to which a triangle with a highlight of this exponent may be a patch.
+[[nodiscard]] constexpr std::uint32_t widest_patch(std::int32_t shininess) {
+  return shininess > 16 ? kWidestSharpPatch : kWidestPatch;
+}
+
 namespace detail {
 
 [[nodiscard]] constexpr bool in_unit_range(Coefficient c) {
@@ -15,44 +25,72 @@ namespace detail {
   return in_unit_range(c.r) && in_unit_range(c.g) && in_unit_range(c.b);
 }
 
-/// c * strength * 255, rounded: 8-bit steps with `bits` (0...24) fraction bits.
-[[nodiscard]] constexpr std::uint32_t scaled_coefficient(Coefficient c, Coefficient strength, int bits) {
-  const std::uint64_t product =
-      std::uint64_t{static_cast<std::uint32_t>(c.raw())} * static_cast<std::uint32_t>(strength.raw()) * 255u;
+[[nodiscard]] constexpr bool is_grey(const ChannelCoefficients& c) { return c.r == c.g && c.g == c.b; }
+
+/// A value per channel, 0...1 with 15 fraction bits.
+using ChannelWeights = std::array<std::uint32_t, 3>;
+inline constexpr ChannelWeights kFullWeights{32768, 32768, 32768};
+
+/// The strength of a light times its colour, rounded.
+[[nodiscard]] constexpr ChannelWeights channel_weights(const DirectionalLight& light) {
+  const auto weight = [&light](Coefficient c) {
+    return (static_cast<std::uint32_t>(light.strength.raw()) * static_cast<std::uint32_t>(c.raw()) +
+            (1u << 14)) >>
+           15;
+  };
+  return {weight(light.colour.r), weight(light.colour.g), weight(light.colour.b)};
+}
+
+/// c * weight * 255, rounded: 8-bit steps with `bits` (0...24) fraction bits.
+[[nodiscard]] constexpr std::uint32_t scaled_coefficient(Coefficient c, std::uint32_t weight, int bits) {
+  const std::uint64_t product = std::uint64_t{static_cast<std::uint32_t>(c.raw())} * weight * 255u;
   const int down = 2 * Coefficient::kFraction - bits;
   return static_cast<std::uint32_t>((product + (std::uint64_t{1} << (down - 1))) >> down);
 }
 
 /// scaled_coefficient() per channel.
 [[nodiscard]] constexpr std::array<std::uint32_t, 3> scaled_channels(const ChannelCoefficients& c,
-                                                                     Coefficient strength, int bits) {
-  return {scaled_coefficient(c.r, strength, bits), scaled_coefficient(c.g, strength, bits),
-          scaled_coefficient(c.b, strength, bits)};
+                                                                     const ChannelWeights& weights,
+                                                                     int bits) {
+  return {scaled_coefficient(c.r, weights[0], bits), scaled_coefficient(c.g, weights[1], bits),
+          scaled_coefficient(c.b, weights[2], bits)};
 }
 
 }  // namespace detail
 
-template <std::size_t Lights, Highlight Model>
-constexpr Status Illumination<Lights, Model>::make(const Material& material,
-                                                   const std::array<DirectionalLight, Lights>& lights,
-                                                   const Direction& to_eye, Illumination& illumination) {
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr Status Illumination<Lights, Model, Features>::make(
+    const Material& material, const std::array<DirectionalLight, Lights>& lights, const Direction& to_eye,
+    Illumination& illumination) {
   if (!detail::in_unit_range(material.ambient) || !detail::in_unit_range(material.diffuse) ||
-      !detail::in_unit_range(material.specular) || material.shininess < 1 ||
-      material.shininess > PowerTable::kMaxExponent) {
+      !detail::in_unit_range(material.specular) || !detail::in_unit_range(material.highlight_fade) ||
+      material.shininess < 1 || material.shininess > PowerTable::kMaxExponent) {
     return Status::kInvalidArgument;
   }
+  bool supported = Features.fading_highlights || material.highlight_fade.raw() == 0;
   for (const DirectionalLight& light : lights) {
-    if (!detail::in_unit_range(light.strength)) return Status::kInvalidArgument;
+    if (!detail::in_unit_range(light.strength) || !detail::in_unit_range(light.colour)) {
+      return Status::kInvalidArgument;
+    }
+    supported = supported && (Lights == 1 || Features.coloured_lights || detail::is_grey(light.colour));
   }
-  // A single light's strength is multiplied into the coefficients. Several lights are weighted per pixel.
-  const Coefficient strength = Lights == 1 ? lights[0].strength : Coefficient::of(1.0);
+  if (!supported) return Status::kUnsupported;
+  // A single light's weights are multiplied into the coefficients. Several lights are weighted per pixel.
+  const detail::ChannelWeights weights =
+      Lights == 1 ? detail::channel_weights(lights[0]) : detail::kFullWeights;
   constexpr int kCoefficientBits = 5;
-  illumination.ambient_ = detail::scaled_channels(material.ambient, Coefficient::of(1.0), 20);
-  illumination.diffuse_ = detail::scaled_channels(material.diffuse, strength, kCoefficientBits);
-  illumination.specular_ = detail::scaled_channels(material.specular, strength, kCoefficientBits);
+  illumination.ambient_ = detail::scaled_channels(material.ambient, detail::kFullWeights, 20);
+  illumination.diffuse_ = detail::scaled_channels(material.diffuse, weights, kCoefficientBits);
+  illumination.specular_ = detail::scaled_channels(material.specular, weights, kCoefficientBits);
+  illumination.fade_ = Fade(material.highlight_fade);
   for (std::size_t i = 0; i < Lights; ++i) {
     illumination.axes_[i] = lights[i].towards;
-    illumination.strength_[i] = static_cast<std::uint32_t>(lights[i].strength.raw());
+    const detail::ChannelWeights of_light = detail::channel_weights(lights[i]);
+    if constexpr (kWeighsChannels) {
+      illumination.weights_[i] = of_light;
+    } else {
+      illumination.weights_[i] = of_light[0];
+    }
     illumination.half_one_plus_light_eye_[i] =
         (std::int32_t{1} << (Cosine::kFraction - 1)) + (dot(lights[i].towards, to_eye).raw() >> 1);
     if (Model == Highlight::kBlinn)
@@ -74,8 +112,8 @@ constexpr Status Illumination<Lights, Model>::make(const Material& material,
   return Status::kOk;
 }
 
-template <std::size_t Lights, Highlight Model>
-constexpr void Illumination<Lights, Model>::make_ramp() {
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr void Illumination<Lights, Model, Features>::make_ramp() {
   for (std::size_t i = 0; i < ramp_.size(); ++i) {
     // Entry 0 is also the colour of the unlit side, where the diffuse part is 0.
     const std::uint32_t light = i == 0 ? 0 : static_cast<std::uint32_t>(i) * 128 + 64;

@@ -20,6 +20,9 @@ struct Material {
   ChannelCoefficients diffuse;
   ChannelCoefficients specular;
   std::int32_t shininess = 32;  ///< exponent of the highlight, 1...256
+  /// The N·L, 0...1, below which highlights fade out towards the terminator (HighlightFade). At 0 they end
+  /// there abruptly. Other values need IlluminationFeatures::fading_highlights.
+  Coefficient highlight_fade{};
 };
 
 }  // namespace arcspan

@@ -144,17 +144,18 @@ struct Adaptive : Arc<Illumination> {
     return true;
   }
 
-  /// Prepares N·L and the highlight's scaled distance as patches. Returns false if a vertex is not lit, or if
-  /// HighlightTable cannot scale the largest distance.
+  /// Prepares N·L and the highlight's scaled distance as patches. Returns false if a vertex is not lit or its
+  /// highlight fades, or if HighlightTable cannot scale the largest distance.
   template <class Frame>
   [[nodiscard]] static constexpr bool prepare_highlight_patch(const Lighting& lighting, const Frame& frame,
                                                               Prepared& prepared) {
     const TriangleChords& chords = frame.chords;
-    constexpr std::int32_t kLit = std::int32_t{1} << 20;  // 2^-10, more than any rounding error
+    // Above 0 or the end of the fade by 2^-10, which is more than any rounding error.
+    const std::int32_t lit_from = lighting.fade_end().raw() + (std::int32_t{1} << 20);
     const auto& top = frame.top->shade.scalars;
     const auto& middle = frame.middle->shade.scalars;
     const auto& bottom = frame.bottom->shade.scalars;
-    if (top[0].raw() < kLit || middle[0].raw() < kLit || bottom[0].raw() < kLit) return false;
+    if (top[0].raw() < lit_from || middle[0].raw() < lit_from || bottom[0].raw() < lit_from) return false;
     std::int32_t farthest = 0;  // the largest half distance so far
     const auto distance = [&](Cosine light, Cosine eye) {
       const std::int32_t half = lighting.half_distance(light, eye);
@@ -210,12 +211,18 @@ struct Adaptive : Arc<Illumination> {
     return (radius2 >> 9) * ((static_cast<std::uint32_t>(most_level) >> 6) + 1);
   }
 
-  /// Returns true if every N·L keeps its sign over the triangle, by a margin whose square is `margin2` (28
-  /// fraction bits). At a change of sign, colours have a kink and highlights end abruptly. The margin is
-  /// needed because a segment may end up to a quarter of a row beyond the edge.
+  /// Returns true if every N·L keeps its sign over the triangle and stays out of the fade of the highlights,
+  /// by a margin whose square is `margin2` (28 fraction bits). At a change of sign, colours have a kink and
+  /// highlights end abruptly or fade. The margin is needed because a segment may end up to a quarter of a row
+  /// beyond the edge.
   template <class Frame>
-  [[nodiscard]] static constexpr bool away_from_terminator(const Frame& frame, std::uint32_t margin2) {
-    const auto square = [](std::int32_t v) { return static_cast<std::uint32_t>(wrap_mul(v >> 16, v >> 16)); };
+  [[nodiscard]] static constexpr bool away_from_terminator(const Lighting& lighting, const Frame& frame,
+                                                           std::uint32_t margin2) {
+    const std::int32_t fade_end = lighting.fade_end().raw();
+    const auto square = [fade_end](std::int32_t v) {
+      const std::int32_t away = v <= 0 ? v : v > fade_end ? v - fade_end : 0;
+      return static_cast<std::uint32_t>(wrap_mul(away >> 16, away >> 16));
+    };
     for (std::size_t i = 0; i < Illumination::kLights; ++i) {
       const std::int32_t a = frame.top->shade.scalars[i].raw();
       const std::int32_t b = frame.middle->shade.scalars[i].raw();
@@ -243,7 +250,7 @@ struct Adaptive : Arc<Illumination> {
     const std::uint32_t width = whole > 1023 ? 1023 : whole;
     const std::uint32_t across =
         chords.top_middle > chords.middle_bottom ? chords.top_middle : chords.middle_bottom;
-    if (!away_from_terminator(frame, across >> 4)) return 0;
+    if (!away_from_terminator(lighting, frame, across >> 4)) return 0;
     const std::uint32_t allowed = (limit >> 8) - (limit >> 10);
     const std::uint64_t room = static_cast<std::uint64_t>(allowed) * (width * width);
     for (int bits = kMostSegmentBits; bits >= kLeastBits; --bits) {

@@ -68,14 +68,20 @@ ChannelCoefficients take_channels(Input& in) {
 
 template <class Illumination>
 Illumination take_illumination(Input& in) {
-  Material material{take_channels(in), take_channels(in), take_channels(in), in.between(1, 256)};
+  Material material{take_channels(in), take_channels(in), take_channels(in), in.between(1, 256), {}};
   std::array<DirectionalLight, Illumination::kLights> lights;
   for (DirectionalLight& light : lights) light = {take_direction(in), take_coefficient(in)};
+  if constexpr (Illumination::kFeatures.coloured_lights) {
+    for (DirectionalLight& light : lights) light.colour = take_channels(in);
+  }
+  if constexpr (Illumination::kFeatures.fading_highlights) material.highlight_fade = take_coefficient(in);
   // Anything at all must be refused or harmless.
   if ((in.take<std::uint8_t>() & 7) == 0) {
     material.ambient.g = Coefficient::from_raw(in.take<std::int32_t>());
     lights[0].strength = Coefficient::from_raw(in.take<std::int32_t>());
     material.shininess = in.take<std::int32_t>();
+    material.highlight_fade = Coefficient::from_raw(in.take<std::int32_t>());
+    lights[0].colour.b = Coefficient::from_raw(in.take<std::int32_t>());
   }
   Illumination illumination;
   static_cast<void>(Illumination::make(material, lights, take_direction(in), illumination));
@@ -217,7 +223,8 @@ void fuzz_mesh(Input& in) {
 using Blinn1 = Illumination<1, Highlight::kBlinn>;
 using Blinn4 = Illumination<4, Highlight::kBlinn>;
 using Phong1 = Illumination<1, Highlight::kPhong>;
-using Phong2 = Illumination<2, Highlight::kPhong>;
+constexpr IlluminationFeatures kEveryFeature{.coloured_lights = true, .fading_highlights = true};
+using Phong2 = Illumination<2, Highlight::kPhong, kEveryFeature>;
 
 }  // namespace
 

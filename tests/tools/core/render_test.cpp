@@ -185,6 +185,80 @@ TEST_CASE("a light's strength is 1 / (d + K)") {
   }
 }
 
+TEST_CASE("by every method, each channel of coloured lights is that of white lights as strong") {
+  const FixedMesh sphere = mesh("sphere:12x8");
+  const std::string shading = GENERATE(from_range(shading_names()));
+  const Highlight model = GENERATE(Highlight::kBlinn, Highlight::kPhong);
+  CAPTURE(shading, model == Highlight::kPhong);
+  Scene scene = small_scene();
+  scene.highlight = model;
+  scene.lights = {SceneLight(0.4, 0.7, 0.6), SceneLight(-1, 0.2, 0.3)};
+  scene.lights[0].colour = {1, 0.5, 0};
+  scene.lights[1].colour = {0.25, 0.75, 1};
+  const Image coloured = render(scene, sphere, shading.c_str()).image;
+  const auto white = [&](double first, double second) {
+    scene.lights[0].colour = {first, first, first};
+    scene.lights[1].colour = {second, second, second};
+    return render(scene, sphere, shading.c_str()).image;
+  };
+  const Image red = white(1, 0.25);
+  const Image green = white(0.5, 0.75);
+  const Image blue = white(0, 1);
+  Image expected = red;
+  for (std::size_t p = 0; p < expected.pixels.size(); ++p) {
+    expected.pixels[p] = {red.pixels[p].r, green.pixels[p].g, blue.pixels[p].b};
+  }
+  CHECK(coloured == expected);
+  CHECK(coloured != red);
+}
+
+TEST_CASE("by every method, the colour of a single light is one with that of the surface") {
+  const FixedMesh sphere = mesh("sphere:12x8");
+  const std::string shading = GENERATE(from_range(shading_names()));
+  CAPTURE(shading);
+  Scene lit = small_scene();
+  lit.surface.ambient = 0;
+  lit.surface.diffuse = 0.75;
+  lit.surface.specular = 0.5;
+  lit.surface.colour = {1, 1, 1};
+  lit.lights = {{0.4, 0.7, 0.6}};
+  Scene painted = lit;
+  lit.lights[0].colour = {1, 0.5, 0.25};
+  painted.surface.colour = {1, 0.5, 0.25};
+  painted.surface.specular = Vec3{0.5, 0.25, 0.125};
+  CHECK(render(lit, sphere, shading.c_str()).image == render(painted, sphere, shading.c_str()).image);
+  // The direct path into rgb565, without dithering, and the one by virtual calls.
+  const Image direct = render(lit, sphere, shading.c_str(), "rgb565").image;
+  CHECK(direct == render(painted, sphere, shading.c_str(), "rgb565").image);
+}
+
+TEST_CASE("by every method, a low highlight fades at the terminator only if that is asked for") {
+  const FixedMesh sphere = mesh("sphere:48x32");
+  const std::string shading = GENERATE(from_range(shading_names()));
+  CAPTURE(shading);
+  Scene scene = small_scene();
+  scene.surface.ambient = 0.1;
+  scene.surface.diffuse = 0;
+  scene.surface.specular = 0.8;
+  scene.surface.shininess = 2;
+  scene.camera.eye = Vec3{0, 0, 4};
+  scene.lights = {{1, 0, 0}};
+  const Image abrupt = render(scene, sphere, shading.c_str()).image;
+  scene.surface.highlight_fade = 0.5;
+  const Image fading = render(scene, sphere, shading.c_str()).image;
+  // The largest step from pixel to pixel in the middle row, within the sphere.
+  const auto largest_step = [](const Image& image) {
+    int most = 0;
+    for (std::int32_t x = 30; x < 66; ++x) {
+      most = std::max(most, std::abs(int{image.at(x, 36).g} - int{image.at(x + 1, 36).g}));
+    }
+    return most;
+  };
+  // Gouraud and segments blur the abrupt end.
+  CHECK(2 * largest_step(abrupt) > 3 * largest_step(fading));
+  for (std::size_t p = 0; p < fading.pixels.size(); ++p) CHECK(fading.pixels[p].g <= abrupt.pixels[p].g + 1);
+}
+
 TEST_CASE("shares are per channel") {
   const FixedMesh sphere = mesh("sphere:24x12");
   Scene scene = small_scene();

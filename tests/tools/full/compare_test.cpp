@@ -87,6 +87,51 @@ TEST_CASE("the reference's illumination is S0 eq. 12 and eq. 1") {
   CHECK(light.levels({0, 0, -1})[0] == 10);
 }
 
+TEST_CASE("the reference has coloured lights and fading highlights") {
+  ReferenceIllumination light;
+  light.diffuse = {100, 100, 100};
+  light.specular = {50, 50, 50};
+  light.shininess = 2;
+  light.highlight_fade = 0.5;
+  light.lights = {{.towards = Vec3{0, 0, 1}, .weights = {1, 0.5, 0}},
+                  {.towards = Vec3{1, 0, 0}, .weights = {0, 0.5, 1}}};
+  light.to_eye = {0, 0, 1};
+  const double nl = 0.8;
+  const double low = 0.6;  // of the second light; both are above the fade
+  const double shine = std::pow(dot({low, 0, nl}, normalised(Vec3{1, 0, 1})), 2);
+  CHECK(light.levels({low, 0, nl})[0] == Approx(100 * nl + 50 * nl * nl));
+  CHECK(light.levels({low, 0, nl})[1] == Approx(50 * nl + 25 * nl * nl + 50 * low + 25 * shine));
+  CHECK(light.levels({low, 0, nl})[2] == Approx(100 * low + 50 * shine));
+  const double faint = std::sqrt(1 - 0.25 * 0.25);
+  const double faded = 0.5 * std::pow(dot({0.25, 0, faint}, normalised(Vec3{1, 0, 1})), 2);
+  CHECK(light.levels({0.25, 0, faint})[2] == Approx(100 * 0.25 + 50 * faded));
+}
+
+TEST_CASE("with coloured lights every method is as near to the reference as with white ones") {
+  const Highlight model = GENERATE(Highlight::kBlinn, Highlight::kPhong);
+  const double fade = GENERATE(0.0, 0.125);
+  CAPTURE(model == Highlight::kPhong, fade);
+  Scene white;
+  white.highlight = model;
+  white.surface.highlight_fade = fade;
+  white.lights = {SceneLight(0.4, 0.7, 0.6), SceneLight(-1, 0.2, 0.3), SceneLight(0.3, -1, 0.5)};
+  Scene coloured = white;
+  coloured.lights[0].colour = {1, 0.4, 0.1};
+  coloured.lights[1].colour = {0.2, 0.3, 1};
+  coloured.lights[2].colour = {0, 1, 0.5};
+  const Drawn of_white("sphere:32x16", white);
+  const Drawn drawn("sphere:32x16", coloured);
+  for (const char* shading : {"flat", "gouraud", "arc", "adaptive", "segment", "phong"}) {
+    CAPTURE(shading);
+    const ReferenceKind kind =
+        shading == std::string("phong") ? ReferenceKind::kPhong : ReferenceKind::kSlerp;
+    CHECK(error_of(drawn, shading, kind).rms < 1.1 * error_of(of_white, shading, kind).rms);
+  }
+  CHECK(error_of(drawn, "arc", ReferenceKind::kSlerp).rms < 0.5);
+  CHECK(error_of(drawn, "phong").rms < 0.5);
+  CHECK(error_of(drawn, "adaptive", ReferenceKind::kSlerp).rms < 0.6);
+}
+
 TEST_CASE("errors come in the order that the mathematics says") {
   const Drawn coarse("sphere:12x6");
   const PictureError flat = error_of(coarse, "flat");

@@ -213,7 +213,8 @@ void add_compare_command(CLI::App& app) {
   compare->footer(
       "Two or three lights are drawn, timed and counted as four, of which the others are dark. Several "
       "lights\n"
-      "are drawn through virtual calls, and the methods of the papers reach them by further ones.\n"
+      "are drawn through virtual calls, and the methods of the papers reach them by further ones; so are\n"
+      "highlights that fade. Operations are counted as of white lights and of highlights that do not fade.\n"
       "Examples:\n"
       "  arcspan compare bunny.obj -o sheet.png\n"
       "  arcspan compare sphere:32x16 -o sheet.png --shading gouraud,phong,arc --table costs.md");

@@ -29,15 +29,25 @@ std::optional<Vec3> parse_colour(const std::string& text) {
   return v && fits(v->x) && fits(v->y) && fits(v->z) ? v : std::nullopt;
 }
 
-// `X,Y,Z` or `X,Y,Z@D`.
+// `X,Y,Z[@D][#R,G,B]`.
 std::optional<SceneLight> parse_light(const std::string& text) {
-  const std::size_t at = text.find('@');
-  const std::optional<Vec3> towards = parse_direction(text.substr(0, at));
+  const std::size_t hash = text.find('#');
+  const std::string place = text.substr(0, hash);
+  const std::size_t at = place.find('@');
+  const std::optional<Vec3> towards = parse_direction(place.substr(0, at));
   if (!towards) return std::nullopt;
-  if (at == std::string::npos) return SceneLight(*towards);
-  const std::optional<double> distance = parse_number(text.substr(at + 1));
-  if (!distance || !(*distance >= 0 && *distance <= kFarthestLight)) return std::nullopt;
-  return SceneLight(*towards, *distance);
+  SceneLight light(*towards);
+  if (at != std::string::npos) {
+    const std::optional<double> distance = parse_number(place.substr(at + 1));
+    if (!distance || !(*distance >= 0 && *distance <= kFarthestLight)) return std::nullopt;
+    light.distance = *distance;
+  }
+  if (hash != std::string::npos) {
+    const std::optional<Vec3> colour = parse_colour(text.substr(hash + 1));
+    if (!colour) return std::nullopt;
+    light.colour = *colour;
+  }
+  return light;
 }
 
 // One number for all channels, or R,G,B.
@@ -126,12 +136,16 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
   add_share(app, "--specular", "share and colour of the highlight", o.scene.surface.specular);
   add_integer(app, "--shininess", "1...256", "exponent of the highlight (default 40)", 1, 256,
               o.scene.surface.shininess);
+  add_number(app, "--highlight-fade",
+             "N·L below which the highlight fades out; at 0 it ends at the terminator", 0, 1,
+             o.scene.surface.highlight_fade);
   app.add_flag("--two-sided", o.scene.two_sided, "draw back faces too, lit from their side");
   const auto take_light = [&o](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
       const std::optional<SceneLight> light = parse_light(text);
       if (!light) {
-        throw CLI::ValidationError("--light", "expected a direction X,Y,Z[@DISTANCE], not '" + text + "'");
+        throw CLI::ValidationError(
+            "--light", "expected X,Y,Z[@DISTANCE][#R,G,B] with each of R,G,B 0...1, not '" + text + "'");
       }
       o.lights.push_back(*light);
     }
@@ -142,8 +156,9 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
   };
   app.add_option_function<std::vector<std::string>>(
          "--light", take_light,
-         "towards a light (default 0.4,0.7,0.6), at a distance (default 0); up to 4 times")
-      ->type_name("X,Y,Z[@D]")
+         "towards a light (default 0.4,0.7,0.6), at a distance (default 0), of a colour with each of R,G,B "
+         "0...1 (default white); up to 4 times")
+      ->type_name("X,Y,Z[@D][#R,G,B]")
       ->allow_extra_args(false);
   add_number(app, "--attenuation", "K of a light's strength 1/(D + K)", 1, kFarthestLight,
              o.scene.attenuation);

@@ -48,9 +48,11 @@ class NumberSink {
   ReferencePicture* picture_;
 };
 
-ChannelLevels to_levels(const ChannelCoefficients& c) {
-  const auto level = [](Coefficient v) { return 255 * std::ldexp(v.raw(), -Coefficient::kFraction); };
-  return {level(c.r), level(c.g), level(c.b)};
+double to_double(Coefficient c) { return std::ldexp(c.raw(), -Coefficient::kFraction); }
+
+/// The channels times `factor`.
+std::array<double, 3> channels(const ChannelCoefficients& c, double factor) {
+  return {factor * to_double(c.r), factor * to_double(c.g), factor * to_double(c.b)};
 }
 
 }  // namespace
@@ -63,33 +65,32 @@ Vec3 to_vec3(const Direction& d) {
 }
 
 ReferenceIllumination::ReferenceIllumination(const RenderJob& job)
-    : ambient(to_levels(job.material.ambient)),
-      diffuse(to_levels(job.material.diffuse)),
-      specular(to_levels(job.material.specular)),
+    : ambient(channels(job.material.ambient, 255)),
+      diffuse(channels(job.material.diffuse, 255)),
+      specular(channels(job.material.specular, 255)),
       shininess(job.material.shininess),
+      highlight_fade(to_double(job.material.highlight_fade)),
       phong_highlight(job.highlight == Highlight::kPhong),
       to_eye(normalised(to_vec3(job.to_eye))) {
   for (const DirectionalLight& light : job.lights) {
-    lights.push_back(
-        {normalised(to_vec3(light.towards)), std::ldexp(light.strength.raw(), -Coefficient::kFraction)});
+    lights.push_back({normalised(to_vec3(light.towards)), channels(light.colour, to_double(light.strength))});
   }
 }
 
 ChannelLevels ReferenceIllumination::levels(Vec3 normal) const {
-  double lit = 0;
-  double shine = 0;
-  for (const auto& [light, strength] : lights) {
+  ChannelLevels result = ambient;
+  for (const auto& [light, weights] : lights) {
     const double normal_light = dot(normal, light);
     if (normal_light <= 0) continue;
     const double cosine = phong_highlight ? 2 * normal_light * dot(normal, to_eye) - dot(light, to_eye)
                                           : dot(normal, normalised(light + to_eye));
-    lit += strength * normal_light;
-    shine += strength * std::pow(std::max(cosine, 0.0), shininess);
+    const double fade = normal_light < highlight_fade ? normal_light / highlight_fade : 1;
+    const double shine = fade * std::pow(std::max(cosine, 0.0), shininess);
+    for (std::size_t c = 0; c < 3; ++c) {
+      result[c] += weights[c] * (diffuse[c] * normal_light + specular[c] * shine);
+    }
   }
-  ChannelLevels result;
-  for (std::size_t c = 0; c < 3; ++c) {
-    result[c] = std::clamp(ambient[c] + diffuse[c] * lit + specular[c] * shine, 0.0, 255.0);
-  }
+  for (double& level : result) level = std::clamp(level, 0.0, 255.0);
   return result;
 }
 

@@ -24,10 +24,11 @@ struct ReferenceIllumination {
   ChannelLevels diffuse{};
   ChannelLevels specular{};
   double shininess = 1;
+  double highlight_fade = 0;  ///< N·L below which the highlight fades out
   bool phong_highlight = false;
   struct Light {
     Vec3 towards;
-    double strength = 1;
+    std::array<double, 3> weights{1, 1, 1};  ///< strength times colour, per channel
   };
   std::vector<Light> lights;
   Vec3 to_eye;

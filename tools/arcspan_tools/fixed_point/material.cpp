@@ -19,7 +19,8 @@ ChannelCoefficients channels(Vec3 values) {
 }  // namespace
 
 DirectionalLight to_fixed(const SceneLight& light, double attenuation) {
-  return {to_direction(light.towards), coefficient(1 / (light.distance + attenuation))};
+  return {to_direction(light.towards), coefficient(1 / (light.distance + attenuation)),
+          channels(light.colour)};
 }
 
 Material to_fixed(const Surface& surface) {
@@ -28,7 +29,7 @@ Material to_fixed(const Surface& surface) {
     return channels({c.x * share.rgb.x, c.y * share.rgb.y, c.z * share.rgb.z});
   };
   return {of_colour(surface.ambient), of_colour(surface.diffuse), channels(surface.specular.rgb),
-          surface.shininess};
+          surface.shininess, coefficient(surface.highlight_fade)};
 }
 
 Rgb8 to_rgb8(Vec3 colour) {

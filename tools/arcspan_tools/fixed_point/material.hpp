@@ -24,18 +24,23 @@ struct Surface {
   Share diffuse = 0.78;
   Share specular = 0.45;
   std::int32_t shininess = 40;
+  /// The N·L, 0...1, below which the highlight fades out; 0 if it ends at the terminator.
+  double highlight_fade = 0;
 };
 
-/// A light: where it is seen from the object, a direction of any length, and how far away it is.
+/// A light: where it is seen from the object, a direction of any length, how far away it is, and its colour,
+/// 0...1 per channel.
 struct SceneLight {
   Vec3 towards;
   double distance = 0;
+  Vec3 colour{1, 1, 1};
 
   SceneLight(Vec3 v, double d = 0) : towards(v), distance(d) {}  // NOLINT(google-explicit-constructor)
   SceneLight(double x, double y, double z) : towards{x, y, z} {}
 };
 
 /// The pipeline's form of `light`: its strength is 1 / (d + K) with K = `attenuation` (S1), 1 at most.
+/// Colours outside 0...1 are clamped.
 [[nodiscard]] DirectionalLight to_fixed(const SceneLight& light, double attenuation);
 
 /// The pipeline's form of `surface`. Values outside 0...1 are clamped.

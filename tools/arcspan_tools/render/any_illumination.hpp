@@ -18,11 +18,11 @@ class AnyIllumination {
   using Scalars = std::array<Cosine, kScalars>;
 
   /// `wrapped` must live as long as this.
-  template <std::size_t Lights, Highlight Model>
-  explicit AnyIllumination(const Illumination<Lights, Model>& wrapped)
+  template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+  explicit AnyIllumination(const Illumination<Lights, Model, Features>& wrapped)
       : wrapped_(&wrapped),
-        scalars_(&scalars_of<Illumination<Lights, Model>>),
-        colour_(&colour_of<Illumination<Lights, Model>>) {}
+        scalars_(&scalars_of<Illumination<Lights, Model, Features>>),
+        colour_(&colour_of<Illumination<Lights, Model, Features>>) {}
 
   [[nodiscard]] Scalars scalars(const Direction& normal) const { return scalars_(wrapped_, normal); }
   [[nodiscard]] PackedRgb colour(const Scalars& scalars) const { return colour_(wrapped_, scalars); }

@@ -20,7 +20,7 @@
 
 // Every shading method is instantiated with two kinds of targets: a framebuffer of rgb565 with a depth buffer
 // and one light, drawn exactly as firmware draws it, whose times mean something; and any pixel format behind
-// virtual calls, with any lights, with a depth test or without.
+// virtual calls, with any lights and every feature of an illumination, with a depth test or without.
 namespace arcspan::tools::detail {
 
 /// A band of a picture in rgb565.
@@ -165,32 +165,36 @@ typename Method::Lighting lighting_of(const RenderJob& job, const Lit& illuminat
   return lighting;
 }
 
-template <std::size_t Lights, Highlight Model>
-Illumination<Lights, Model> illumination_of(const RenderJob& job) {
+template <class Lit>
+Lit illumination_of(const RenderJob& job) {
   // Lights beyond those given are dark, which adds nothing: 2 and 3 need no instantiation of their own.
-  std::array<DirectionalLight, Lights> lights;
+  std::array<DirectionalLight, Lit::kLights> lights;
   lights.fill({job.lights[0].towards, Coefficient{}});
   std::copy(job.lights.begin(), job.lights.end(), lights.begin());
-  Illumination<Lights, Model> illumination;
-  const Status status = Illumination<Lights, Model>::make(job.material, lights, job.to_eye, illumination);
+  Lit illumination;
+  const Status status = Lit::make(job.material, lights, job.to_eye, illumination);
   if (!ok(status)) throw Failure("illumination", to_string(status));
   return illumination;
 }
 
-/// `AnyLit` is the illumination that targets behind virtual calls are drawn with: `Lit` itself, or
-/// AnyIllumination.
-template <template <class> class Method, class AnyLit, class Lit>
-RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const Lit& illumination,
-                        const RowsDone& rows_done) {
+/// Behind virtual calls every feature is there, used or not; those that are not used change no pixel.
+inline constexpr IlluminationFeatures kEveryFeature{.coloured_lights = true, .fading_highlights = true};
+
+template <template <class> class Method, bool kIsLiterature, std::size_t Lights, Highlight Model>
+RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
+  using Lit = Illumination<Lights, Model, kEveryFeature>;
+  using AnyLit = std::conditional_t<kIsLiterature, AnyIllumination, Lit>;
+  const auto illumination = illumination_of<Lit>(job);
   const auto any_lighting = lighting_of<Method<AnyLit>>(job, AnyLit(illumination));
   RenderResult result;
-  const bool is_direct =
-      Lit::kLights == 1 && job.depth && pixels.format == pixel_format_name<Rgb565>() && !pixels.dithers;
+  const bool is_direct = Lights == 1 && job.depth && job.material.highlight_fade.raw() == 0 &&
+                         pixels.format == pixel_format_name<Rgb565>() && !pixels.dithers;
   if (!is_direct) {
     result = render_bands<Method<AnyLit>, AnyBand>(job, pixels, any_lighting, rows_done);
-  } else if constexpr (Lit::kLights == 1) {
-    const auto lighting = lighting_of<Method<Lit>>(job, illumination);
-    result = render_bands<Method<Lit>, DirectBand>(job, pixels, lighting, rows_done);
+  } else if constexpr (Lights == 1) {
+    using Plain = Illumination<Lights, Model>;
+    const auto lighting = lighting_of<Method<Plain>>(job, illumination_of<Plain>(job));
+    result = render_bands<Method<Plain>, DirectBand>(job, pixels, lighting, rows_done);
   }
   result.stats.cache_bytes = job.mesh.vertex_count() * sizeof(CachedVertex<Method<Lit>>);
   if (job.counts) count_spans<Method<AnyLit>>(job, any_lighting, result.stats);
@@ -203,13 +207,8 @@ RenderResult render_model(const RenderJob& job, const PixelChoice& pixels, const
   if (job.lights.empty() || job.lights.size() > kMost) {
     throw Failure("--light", "1 to 4 lights, not " + std::to_string(job.lights.size()));
   }
-  const auto render = [&](const auto& illumination) {
-    using Lit = std::remove_cvref_t<decltype(illumination)>;
-    using AnyLit = std::conditional_t<kIsLiterature, AnyIllumination, Lit>;
-    return render_lit<Method, AnyLit>(job, pixels, illumination, rows_done);
-  };
-  return job.lights.size() == 1 ? render(illumination_of<1, Model>(job))
-                                : render(illumination_of<kMost, Model>(job));
+  return job.lights.size() == 1 ? render_lit<Method, kIsLiterature, 1, Model>(job, pixels, rows_done)
+                                : render_lit<Method, kIsLiterature, kMost, Model>(job, pixels, rows_done);
 }
 
 }  // namespace arcspan::tools::detail

@@ -108,9 +108,9 @@ TEST_CASE("the reference has coloured lights and fading highlights") {
 }
 
 TEST_CASE("with coloured lights every method is as near to the reference as with white ones") {
-  const Highlight model = GENERATE(Highlight::kBlinn, Highlight::kPhong);
+  const auto model = GENERATE(arcspan::Highlight::kBlinn, arcspan::Highlight::kPhong);
   const double fade = GENERATE(0.0, 0.125);
-  CAPTURE(model == Highlight::kPhong, fade);
+  CAPTURE(model == arcspan::Highlight::kPhong, fade);
   Scene white;
   white.highlight = model;
   white.surface.highlight_fade = fade;

@@ -61,7 +61,7 @@ TEST_CASE("every option is taken, and has an effect") {
                              "--light 0.4,0.7,0.6#1,0.5,0.5",
                              "--light 0.4,0.7,0.6@0.5#1,0.5,0.5",
                              "--light 0.4,0.7,0.6#1,0,0 --light -1,0,0#0,0,1",
-                             "--highlight-fade 0.25",
+                             "--highlight-fade 1",
                              "--attenuation 2",
                              "--ambient 0,0.3,0.14",
                              "--diffuse 0.7,0.7,0",

@@ -104,7 +104,7 @@ TEMPLATE_TEST_CASE("adaptive stays within its tolerance of arc, coloured and fad
   Random random(197);
   constexpr std::int32_t kTolerance = 1;
   int most = 0;
-  for (int i = 0; i < share_of(1000); ++i) {
+  for (int i = 0; i < share_of(3000); ++i) {
     const Triangle triangle = random_triangle(random, random.decades(4, 30));
     const TestType lit = random_lit<TestType>(random, triangle.normals[0]);
     AdaptiveIllumination<TestType> lighting(lit);

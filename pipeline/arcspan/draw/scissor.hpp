@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/triangle.hpp>
@@ -12,11 +13,9 @@
 
 namespace arcspan::detail {
 
-/// The common part of two rectangles; all 0 if there is none, so that no coordinate is out of range.
 [[nodiscard]] constexpr Rect intersection(const Rect& a, const Rect& b) {
-  const Rect common{a.left > b.left ? a.left : b.left, a.top > b.top ? a.top : b.top,
-                    a.right < b.right ? a.right : b.right, a.bottom < b.bottom ? a.bottom : b.bottom};
-  return common.empty() ? Rect{} : common;
+  return {a.left > b.left ? a.left : b.left, a.top > b.top ? a.top : b.top,
+          a.right < b.right ? a.right : b.right, a.bottom < b.bottom ? a.bottom : b.bottom};
 }
 
 /// How a triangle lies to the scissor.
@@ -35,9 +34,10 @@ class Scissor {
       : rect_(intersection({0, 0, viewport.width, viewport.height}, bounds)),
         origin_{viewport.width >> 1, viewport.height >> 1},
         rows_{-origin_.y, viewport.height - origin_.y},
-        left_((rect_.left - origin_.x) * 16),
-        right_((rect_.right - origin_.x) * 16),
-        is_band_(rect_.height() < viewport.height) {}
+        // These wrap if the bounds are far outside the viewport; the rectangle is empty then.
+        left_(wrap_shl(wrap_sub(rect_.left, origin_.x), 4)),
+        right_(wrap_shl(wrap_sub(rect_.right, origin_.x), 4)),
+        is_band_(wrap_sub(rect_.bottom, rect_.top) < viewport.height) {}
 
   [[nodiscard]] constexpr const Rect& rect() const { return rect_; }
   /// True if `bounds` covers the rectangle, or if that is empty.

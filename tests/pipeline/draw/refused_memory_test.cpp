@@ -119,6 +119,26 @@ TEST_CASE("a framebuffer that is not ok is reported by the draw call") {
   CHECK(scene.draw(band, depth).status == Status::kOk);
 }
 
+TEST_CASE("a sink may lie anywhere") {
+  struct Elsewhere : Frame {
+    using Frame::Frame;
+    [[nodiscard]] Rect bounds() const { return place; }
+    Rect place;
+  };
+  Scene scene;
+  Elsewhere sink(scene.colours, scene.camera.width, kRows);
+  for (const Rect& place : {Rect{INT32_MAX - 9, 0, INT32_MAX, 9}, Rect{INT32_MIN, 0, INT32_MIN + 9, 9},
+                            Rect{0, INT32_MAX - 9, 9, INT32_MAX}, Rect{0, INT32_MIN, 9, INT32_MIN + 9},
+                            Rect{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN}}) {
+    sink.place = place;
+    const DrawResult result =
+        draw_mesh<Method>(scene.sphere.view(), scene.camera.transform(), scene.light, sink, NoDepth{});
+    CHECK(result.status == Status::kOk);
+    CHECK(result.triangles == 0);
+  }
+  CHECK(scene.is_blank());
+}
+
 TEST_CASE("a vertex cache is empty or large enough") {
   Scene scene;
   const std::int32_t width = scene.camera.width;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/lighting/illumination_features.hpp>
 #include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace arcspan {
 
@@ -49,5 +51,9 @@ struct NoHighlightFade {
     return power;
   }
 };
+
+/// The fade of an illumination with these features.
+template <IlluminationFeatures Features>
+using FadeFor = std::conditional_t<Features.fading_highlights, HighlightFade, NoHighlightFade>;
 
 }  // namespace arcspan

@@ -30,7 +30,7 @@ struct DeepColour {
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
 /// (Phong). Arcs can carry them because they are linear in N.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features = IlluminationFeatures{}>
-class Illumination {
+class Illumination : private FadeFor<Features> {
  public:
   static_assert(Lights >= 1 && Lights <= 4);
   static constexpr std::size_t kLights = Lights;
@@ -74,7 +74,7 @@ class Illumination {
       const PackedRgb ramp = diffuse_colour(scalars[0]);
       const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
       if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return ramp;
-      return with_highlight(ramp, fade_(power_(half_distance), scalars[0]));
+      return with_highlight(ramp, fade()(power_(half_distance), scalars[0]));
     } else {
       const LightSums sums = light_sums(scalars);
       return PackedRgb::of(level(0, sums), level(1, sums), level(2, sums));
@@ -98,7 +98,7 @@ class Illumination {
       requires(Lights == 1) {
     const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
     if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return table[scalars[0]];
-    const std::uint32_t power = fade_(power_(half_distance), scalars[0]);
+    const std::uint32_t power = fade()(power_(half_distance), scalars[0]);
     return Format::encode(with_highlight(diffuse_colour(scalars[0]), power));
   }
 
@@ -140,7 +140,7 @@ class Illumination {
   [[nodiscard]] constexpr std::uint32_t widest_patch() const { return widest_patch_; }
 
   /// The N·L from which on highlights are not faded, 0 if they end abruptly.
-  [[nodiscard]] constexpr Cosine fade_end() const { return fade_.end(); }
+  [[nodiscard]] constexpr Cosine fade_end() const { return fade().end(); }
 
   /// The largest diffuse and specular coefficients of a channel, in 8-bit steps with 5 fraction bits.
   [[nodiscard]] constexpr std::uint32_t most_diffuse() const { return largest_channel(diffuse_); }
@@ -174,7 +174,9 @@ class Illumination {
   /// Several lights have a weight per channel or one for all. A single light's are in the coefficients.
   static constexpr bool kWeighsChannels = Lights > 1 && Features.coloured_lights;
   using Weights = std::conditional_t<kWeighsChannels, std::array<std::uint32_t, 3>, std::uint32_t>;
-  using Fade = std::conditional_t<Features.fading_highlights, HighlightFade, NoHighlightFade>;
+  /// A base class, because an empty one takes no bytes.
+  using Fade = FadeFor<Features>;
+  [[nodiscard]] constexpr const Fade& fade() const { return *this; }
 
   /// The two sums of colour() over the lights per weight, 0...4 each, 15 fraction bits.
   struct LightSums {
@@ -222,7 +224,7 @@ class Illumination {
       const Cosine other = scalars[Model == Highlight::kBlinn ? Lights + i : Lights];
       const std::int32_t half_distance = highlight_distance(scalars[i], other, i);
       const std::uint32_t specular =
-          half_distance < power_.half_reach() ? fade_(power_(half_distance), scalars[i]) : 0;
+          half_distance < power_.half_reach() ? fade()(power_(half_distance), scalars[i]) : 0;
       if constexpr (Lights == 1) {
         sums = {diffuse, specular};
       } else if constexpr (!kWeighsChannels) {
@@ -272,7 +274,6 @@ class Illumination {
   std::uint32_t most_curvature_ = 0;
   std::uint32_t shininess_ = 1;
   std::uint32_t white_specular_ = 0;  ///< specular_[0] if all channels are equal, else 0
-  [[no_unique_address]] Fade fade_{};
 };
 
 }  // namespace arcspan

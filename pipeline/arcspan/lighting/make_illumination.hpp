@@ -82,7 +82,7 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   illumination.ambient_ = detail::scaled_channels(material.ambient, detail::kFullWeights, 20);
   illumination.diffuse_ = detail::scaled_channels(material.diffuse, weights, kCoefficientBits);
   illumination.specular_ = detail::scaled_channels(material.specular, weights, kCoefficientBits);
-  illumination.fade_ = Fade(material.highlight_fade);
+  static_cast<Fade&>(illumination) = Fade(material.highlight_fade);
   for (std::size_t i = 0; i < Lights; ++i) {
     illumination.axes_[i] = lights[i].towards;
     const detail::ChannelWeights of_light = detail::channel_weights(lights[i]);

@@ -220,7 +220,7 @@ TEST_CASE("bench: wrong arguments are named in one line and nothing is written")
       {"--rounds 0", "--rounds", 2},
       {"--threads 65", "--threads", 2},
       {"--table a.txt", "a.txt: a report's name must end in .md or .json", 1},
-      {"--table md:- --table json:-", "--table: only one can be standard output", 1},
+      {"--table md:- --table json:-", "standard output: only one result can go there", 1},
   }));
   CAPTURE(wrong.arguments);
   const CommandRun done = run(std::string("bench ") + wrong.arguments);

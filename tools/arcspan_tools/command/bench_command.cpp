@@ -6,6 +6,7 @@
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 #include <arcspan_tools/support/progress.hpp>
+#include <arcspan_tools/support/result_files.hpp>
 #include <arcspan_tools/support/text.hpp>
 
 #include <algorithm>
@@ -64,17 +65,11 @@ ReportKind report_kind(const std::string& name) {
   throw Failure(name, "a report's name must end in .md or .json");
 }
 
-std::FILE* stream_for(const std::vector<std::string>& tables) {
-  const auto to_stdout =
-      std::count_if(tables.begin(), tables.end(), [](const std::string& t) { return is_standard_output(t); });
-  if (to_stdout > 1) throw Failure("--table", "only one can be standard output");
-  return to_stdout == 1 ? stderr : stdout;
-}
-
 void run_bench(BenchArguments arguments) {
   BenchPlan& plan = arguments.plan;
   for (const std::string& table : arguments.tables) (void)report_kind(table);
-  std::FILE* const stream = stream_for(arguments.tables);
+  const std::vector<std::filesystem::path> written(arguments.tables.begin(), arguments.tables.end());
+  check_results(written, {});
   if (plan.spheres.empty()) plan.spheres = default_bench_spheres();
   if (!arguments.threads_given)
     plan.threads = std::clamp(std::thread::hardware_concurrency(), 1u, kMostThreads);
@@ -85,10 +80,12 @@ void run_bench(BenchArguments arguments) {
     report = measure(plan, [&progress](std::size_t done) { progress.show(done); });
   }
   const std::string markdown = bench_markdown(report);
+  std::vector<ResultFile> results;
   for (const std::string& table : arguments.tables) {
-    write_whole_file(table, report_kind(table) == ReportKind::kJson ? bench_json(report) : markdown);
+    results.push_back({table, report_kind(table) == ReportKind::kJson ? bench_json(report) : markdown});
   }
-  std::fputs(markdown.c_str(), stream);
+  write_results(results);
+  std::fputs(markdown.c_str(), report_stream(written));
 }
 
 }  // namespace

@@ -2,7 +2,13 @@
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/printable.hpp>
+#include <arcspan_tools/support/temporaries.hpp>
+#include <fcntl.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -17,8 +23,25 @@ constexpr int kFailed = 1;
 constexpr int kWrongArguments = 2;
 
 int complain(const std::string& what, int status) {
-  std::fprintf(stderr, "arcspan: %s\n", what.substr(0, what.find('\n')).c_str());
+  std::fprintf(stderr, "arcspan: %s\n", printable(what).c_str());
   return status;
+}
+
+// A closed standard stream is opened in the direction in which nobody can use it: otherwise the next file
+// that is opened would take its number, and a report would be written into it.
+void occupy_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
+    (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+// A caller may have left signals ignored that this program needs.
+void prepare_process() {
+  occupy_standard_streams();
+  (void)std::signal(SIGCHLD, SIG_DFL);  // waitpid() finds no child without this
+  (void)std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the user's limit fails with a message instead
+  remove_temporaries_at_signals();
 }
 
 // Printing may fail, for example because a disk is full.
@@ -59,6 +82,7 @@ int parse_and_run(CLI::App& app, int argc, const char* const* argv) {
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
+  prepare_process();
   CLI::App app("Phong-shaded 3D in integers: tools for the desk", "arcspan");
   app.set_version_flag("--version", ARCSPAN_VERSION);
   app.require_subcommand(0, 1);

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/compare/instructions.hpp>
 #include <arcspan_tools/compare/sheet.hpp>
 #include <arcspan_tools/compare/table.hpp>
-#include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/support/progress.hpp>
+#include <arcspan_tools/support/result_files.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -147,7 +149,10 @@ void run_compare(const CompareArguments& arguments) {
   (void)image_format(arguments.output);
   for (const std::string& table : arguments.tables) (void)table_format(table);
   const RenderOptions& options = arguments.options;
-  const MeshData data = load_mesh(options.mesh);
+  std::vector<std::filesystem::path> written(arguments.tables.begin(), arguments.tables.end());
+  written.emplace_back(arguments.output);
+  check_results(written, {options.mesh});
+  const MeshData data = load_model(options.mesh);
   const FixedMesh mesh = to_fixed(data);
   const RenderJob job = make_job(options.scene, mesh, options.mesh);
   if (!arguments.draw_only.empty()) {
@@ -156,18 +161,19 @@ void run_compare(const CompareArguments& arguments) {
   }
   const ReferencePicture reference = draw_reference(job, arguments.reference);
   Comparison comparison = compare(arguments, job, mesh, reference);
-  comparison.mesh_name = options.mesh;
+  comparison.mesh_name = printable(options.mesh);
   comparison.mesh_triangles = data.triangles.size();
   comparison.width = reference.width;
   comparison.height = reference.height;
   comparison.reference_kind = arguments.reference;
   comparison.reference = reference.image(job.background);
   const Image sheet = contact_sheet(comparison, reference);
-  write_image(sheet, arguments.output);
+  std::vector<ResultFile> results = {{arguments.output, encode_image(sheet, image_format(arguments.output))}};
   for (const std::string& table : arguments.tables) {
-    write_whole_file(table, comparison_table(comparison, table_format(table)));
+    results.push_back({table, comparison_table(comparison, table_format(table))});
   }
-  std::fputs(comparison_table(comparison, TableFormat::kMarkdown).c_str(), stdout);
+  write_results(results);
+  std::fputs(comparison_table(comparison, TableFormat::kMarkdown).c_str(), report_stream(written));
 }
 
 void add_options(CLI::App& app, CompareArguments& a) {

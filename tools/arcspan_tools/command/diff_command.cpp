@@ -4,6 +4,7 @@
 #include <arcspan_tools/image/difference.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/result_files.hpp>
 
 #include <cstdio>
 #include <memory>
@@ -25,6 +26,7 @@ std::string size_text(const Image& image) {
 
 void run_diff(const DiffArguments& arguments) {
   if (!arguments.out.empty()) (void)image_format(arguments.out);
+  check_results({arguments.out}, {arguments.a, arguments.b});
   const Image a = read_image(arguments.a);
   const Image b = read_image(arguments.b);
   if (a.width != b.width || a.height != b.height) {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/mesh_report.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/image/side_by_side.hpp>
-#include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/render/scene.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 #include <arcspan_tools/support/parse.hpp>
 #include <arcspan_tools/support/progress.hpp>
+#include <arcspan_tools/support/result_files.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -34,7 +35,7 @@ struct Made {
 };
 
 Made make(const MeshArguments& arguments, MeshOutput output) {
-  const MeshData data = load_mesh(arguments.model);
+  const MeshData data = load_model(arguments.model);
   const BytesOf bytes_of = [output, &arguments](std::size_t vertices, std::size_t triangles) {
     return mesh_bytes(output, vertices, triangles, arguments.planes);
   };
@@ -79,6 +80,7 @@ std::string name_of(const MeshArguments& arguments) {
 
 void run_mesh(const MeshArguments& arguments) {
   const MeshOutput output = mesh_output(arguments.output);
+  check_results({arguments.output, arguments.picture, arguments.stats}, {arguments.model});
   std::FILE* const report_to = report_stream({arguments.output, arguments.picture, arguments.stats});
   if (!arguments.picture.empty()) (void)image_format(arguments.picture);
   const Made made = make(arguments, output);
@@ -88,13 +90,16 @@ void run_mesh(const MeshArguments& arguments) {
                                ? mesh_binary_file(mesh, report.figures)
                                : mesh_header(mesh, report.figures, name_of(arguments),
                                              std::filesystem::path(arguments.model).filename().string());
-  if (!arguments.picture.empty()) write_image(before_and_after(made, arguments.model), arguments.picture);
-  write_whole_file(arguments.output, file);
-  if (!arguments.stats.empty()) write_whole_file(arguments.stats, to_json(report));
+  std::vector<ResultFile> results = {{arguments.output, file}};
+  if (!arguments.picture.empty()) {
+    const Image picture = before_and_after(made, arguments.model);
+    results.push_back({arguments.picture, encode_image(picture, image_format(arguments.picture))});
+  }
+  if (!arguments.stats.empty()) results.push_back({arguments.stats, to_json(report)});
+  write_results(results);
   std::fputs(to_text(report).c_str(), report_to);
   const std::string caution = warning(report);
-  if (!caution.empty())
-    std::fprintf(stderr, "arcspan: warning: %s: %s\n", arguments.model.c_str(), caution.c_str());
+  if (!caution.empty()) warn(arguments.model, caution);
 }
 
 void add_limits(CLI::App& mesh, MeshLimits& limits) {

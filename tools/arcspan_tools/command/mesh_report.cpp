@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/command/mesh_report.hpp>
+#include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/support/text.hpp>
 #include <nlohmann/json.hpp>
 
@@ -16,10 +17,10 @@ nlohmann::ordered_json corner(const ObjectPosition& p) { return {p.x, p.y, p.z};
 
 std::string to_text(const MeshReport& r) {
   const FixedMesh& mesh = r.compiled.mesh;
-  std::string text = r.model + formatted(": %zu vertices, %zu triangles, %zu bytes", r.model_vertices,
-                                         r.model_triangles, r.model_bytes);
+  std::string text = printable(r.model) + formatted(": %zu vertices, %zu triangles, %zu bytes",
+                                                    r.model_vertices, r.model_triangles, r.model_bytes);
   if (r.dropped_faces > 0) text += formatted(", %zu faces without area left out", r.dropped_faces);
-  text += "\n" + r.output +
+  text += "\n" + printable(r.output) +
           formatted(": %zu vertices, %zu triangles, %zu bytes, %d-bit indices%s\n", mesh.positions.size(),
                     triangles(r), r.bytes, fits_indices8(mesh.positions.size()) ? 8 : 16,
                     mesh.planes.empty() ? "" : ", planes");

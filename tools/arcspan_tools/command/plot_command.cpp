@@ -5,6 +5,7 @@
 #include <arcspan_tools/plot/gnuplot.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/result_files.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -41,6 +42,7 @@ std::string drawn(const FigureMaker& maker, const std::string& output) {
 }
 
 void run_plot(const PlotArguments& arguments) {
+  check_results({arguments.output}, {});
   write_whole_file(arguments.output, drawn(find_figure(arguments.figure), arguments.output));
 }
 

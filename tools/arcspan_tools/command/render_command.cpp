@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/render_report.hpp>
-#include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 #include <arcspan_tools/support/progress.hpp>
+#include <arcspan_tools/support/result_files.hpp>
 
 #include <chrono>
 #include <cstdio>
@@ -27,7 +28,7 @@ struct Loaded {
 
 Loaded load(const RenderArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  const MeshData data = load_mesh(arguments.options.mesh);
+  const MeshData data = load_model(arguments.options.mesh);
   Loaded loaded{to_fixed(data), {}};
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   RenderReport& report = loaded.report;
@@ -44,7 +45,8 @@ Loaded load(const RenderArguments& arguments) {
 
 void run_render(const RenderArguments& arguments) {
   const RenderOptions& options = arguments.options;
-  (void)image_format(arguments.output);
+  const ImageFormat format = image_format(arguments.output);
+  check_results({arguments.output, arguments.stats}, {options.mesh});
   std::FILE* const report = report_stream({arguments.output, arguments.stats});
   Loaded loaded = load(arguments);
   const RenderJob job = make_job(options.scene, loaded.mesh, options.mesh);
@@ -56,8 +58,9 @@ void run_render(const RenderArguments& arguments) {
   loaded.report.width = size.width;
   loaded.report.height = size.height;
   loaded.report.stats = result.stats;
-  write_image(result.image, arguments.output);
-  if (!arguments.stats.empty()) write_whole_file(arguments.stats, to_json(loaded.report));
+  std::vector<ResultFile> results = {{arguments.output, encode_image(result.image, format)}};
+  if (!arguments.stats.empty()) results.push_back({arguments.stats, to_json(loaded.report)});
+  write_results(results);
   std::fputs(to_text(loaded.report).c_str(), report);
 }
 

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/command/render_report.hpp>
+#include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/support/text.hpp>
 #include <nlohmann/json.hpp>
 
 namespace arcspan::tools {
 std::string to_text(const RenderReport& r) {
   const RenderStats& s = r.stats;
-  std::string text = r.mesh_name + ": " + std::to_string(r.vertices) + " vertices, " +
+  std::string text = printable(r.mesh_name) + ": " + std::to_string(r.vertices) + " vertices, " +
                      std::to_string(r.mesh_triangles) + " triangles";
   if (r.dropped_faces > 0) text += ", " + std::to_string(r.dropped_faces) + " faces without area left out";
-  text += "\n" + r.output + ": " + std::to_string(r.width) + "x" + std::to_string(r.height) + ", " +
-          r.shading + " shading, " + r.format + "\n";
+  text += "\n" + printable(r.output) + ": " + std::to_string(r.width) + "x" + std::to_string(r.height) +
+          ", " + r.shading + " shading, " + r.format + "\n";
   text += formatted("drawn: %u triangles, %llu spans, %llu pixels\n", s.triangles,
                     static_cast<unsigned long long>(s.spans), static_cast<unsigned long long>(s.pixels));
   text += formatted("time: %.1f ms to load, %.2f ms to draw\n", r.load_milliseconds, s.draw_milliseconds);

@@ -3,9 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/number_range.hpp>
 #include <arcspan_tools/command/render_options.hpp>
-#include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/render/turntable.hpp>
 #include <arcspan_tools/show/display.hpp>
 #include <arcspan_tools/show/framebuffer_display.hpp>
@@ -165,7 +165,7 @@ int show_until_stopped(ShowArguments& arguments, const FixedMesh& mesh) {
 
 void run_show(ShowArguments arguments) {
   // If the mesh cannot be loaded, the display is not opened.
-  const FixedMesh mesh = to_fixed(load_mesh(arguments.options.mesh));
+  const FixedMesh mesh = to_fixed(load_model(arguments.options.mesh));
   const int signal = show_until_stopped(arguments, mesh);
   if (signal == 0) return;
   (void)std::raise(signal);  // ends as others do, so that a shell or a service manager sees why

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
-#include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/output/frame_output.hpp>
 #include <arcspan_tools/render/turntable.hpp>
 #include <arcspan_tools/simulate/processor_cost.hpp>
 #include <arcspan_tools/simulate/simulated_display.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/result_files.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +94,7 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   RenderOptions options = arguments.options;
   options.scene.size = display.size();
   options.scene.band_rows = options_of(arguments).band_rows;
-  const FixedMesh mesh = to_fixed(load_mesh(options.mesh));
+  const FixedMesh mesh = to_fixed(load_model(options.mesh));
   const Renderer& renderer = find_renderer(options.shading, display.format(), options.dither);
   const auto frames = static_cast<std::size_t>(arguments.frames);
   const Turntable turntable(options.scene, mesh, frames);
@@ -150,6 +151,7 @@ void report(const SimulateArguments& arguments, const SimulatedDisplay& display,
 }
 
 void run_simulate(const SimulateArguments& arguments) {
+  check_results({arguments.output}, {arguments.options.mesh});
   const std::unique_ptr<SimulatedDisplay> display = make_display(options_of(arguments));
   GlassOutput output(arguments.output, arguments.frames, display->picture());
   const Totals totals = show_all(arguments, *display, output);

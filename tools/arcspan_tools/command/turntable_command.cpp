@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
-#include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/output/frame_output.hpp>
 #include <arcspan_tools/render/turntable.hpp>
 #include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/support/progress.hpp>
+#include <arcspan_tools/support/result_files.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -36,8 +38,9 @@ FrameFormat format_of(const TurntableArguments& arguments) {
 void run_turntable(const TurntableArguments& arguments) {
   const RenderOptions& options = arguments.options;
   const FrameFormat format = format_of(arguments);
+  check_results({arguments.output}, {options.mesh});
   const std::unique_ptr<FrameOutput> output = make_frame_output(arguments.output, format);
-  const FixedMesh mesh = to_fixed(load_mesh(options.mesh));
+  const FixedMesh mesh = to_fixed(load_model(options.mesh));
   const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);
   const Turntable turntable(options.scene, mesh, format.frames);
   Progress progress("drawing", format.frames);
@@ -52,9 +55,9 @@ void run_turntable(const TurntableArguments& arguments) {
   }
   output->finish();
   std::fprintf(report_stream({arguments.output}),
-               "%s: %zu frames of %dx%d, %d ms each, drawn in %.2f ms each\n", arguments.output.c_str(),
-               format.frames, format.size.width, format.size.height, format.milliseconds,
-               milliseconds / static_cast<double>(format.frames));
+               "%s: %zu frames of %dx%d, %d ms each, drawn in %.2f ms each\n",
+               printable(arguments.output).c_str(), format.frames, format.size.width, format.size.height,
+               format.milliseconds, milliseconds / static_cast<double>(format.frames));
 }
 
 }  // namespace

@@ -24,14 +24,16 @@ std::optional<std::uint64_t> summary(const std::string& profile) {
 }  // namespace
 
 std::optional<std::uint64_t> drawing_instructions(const std::vector<std::string>& command) {
-  const ScratchFolder folder;
-  const std::string profile = (folder / "profile").string();
-  std::vector<std::string> arguments = {"--tool=callgrind", "--toggle-collect=*draw_into*",
+  ScratchFolder folder;
+  const std::string& profile = folder.file("profile").path();
+  // Without --vgdb=no valgrind has pipes in /tmp, which stay there if it is killed.
+  std::vector<std::string> arguments = {"--tool=callgrind", "--vgdb=no", "--toggle-collect=*draw_into*",
                                         "--callgrind-out-file=" + profile};
   arguments.insert(arguments.end(), command.begin(), command.end());
   const std::optional<ChildEnd> end = run_child("valgrind", arguments);
   if (!end) return std::nullopt;
   if (end->status != 0) throw Failure("valgrind", "failed with status " + std::to_string(end->status));
+  if (!std::filesystem::exists(profile)) throw Failure("valgrind", "wrote no profile");
   const std::optional<std::uint64_t> count = summary(read_whole_file(profile, kMostProfile));
   if (!count) throw Failure("valgrind", "its profile holds no sum");
   if (*count == 0) throw Failure("valgrind", "counted nothing in the function that draws");

@@ -2,17 +2,20 @@
 #pragma once
 
 #include <arcspan_tools/output/frame_output.hpp>
+#include <arcspan_tools/support/child_process.hpp>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace arcspan::tools {
 
-/// Numbered pictures in a folder. They are collected in a hidden folder beside it that takes its place, or
-/// whose pictures are moved over, when all are there.
+/// Numbered pictures in a folder. They are collected in a hidden folder: beside a folder that does not exist,
+/// whose place it takes when all pictures are there; within a folder that exists, into which they are moved
+/// then.
 class FrameFolder : public FrameOutput {
  public:
   FrameFolder(const std::filesystem::path& folder, const FrameFormat& format);
-  ~FrameFolder() override;
 
   void add(Image frame) override;
   void finish() override;
@@ -22,10 +25,11 @@ class FrameFolder : public FrameOutput {
   void refuse_longer_ones(std::size_t frames) const;
 
   std::filesystem::path folder_;
-  std::string collected_;
+  bool exists_;
+  std::optional<ScratchFolder> collected_;
+  std::vector<Removal*> frames_;  ///< files of collected_
   std::string extension_;
   ImageFormat pictures_;
-  std::size_t count_ = 0;
 };
 
 }  // namespace arcspan::tools

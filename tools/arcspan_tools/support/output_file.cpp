@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/result_files.hpp>
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,74 +11,23 @@
 #include <cstring>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 namespace arcspan::tools {
-namespace {
-
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail_with_errno(const fs::path& path, const char* doing) {
-  throw Failure(path.string(), std::string("cannot ") + doing + " (" + std::strerror(errno) + ")");
+void fail_with_errno(const fs::path& subject, const char* doing) {
+  throw Failure(subject.string(), std::string("cannot ") + doing + " (" + std::strerror(errno) + ")");
 }
 
-/// An open file descriptor that unlinks its temporary unless it was renamed into place.
-class Temporary {
- public:
-  explicit Temporary(const fs::path& target)
-      : target_(target), name_((target.parent_path() / ("." + target.filename().string() + ".XXXXXX"))) {
-    descriptor_ = ::mkstemp(name_.data());
-    if (descriptor_ < 0) fail_with_errno(target_, "write");
-  }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  ~Temporary() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (!placed_) ::unlink(name_.c_str());
-  }
-
-  [[nodiscard]] int descriptor() const { return descriptor_; }
-
-  void place() {
-    // mkstemp makes files private; the result gets the mode that a plain open would have given it.
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    if (::fchmod(descriptor_, 0666 & ~mask) != 0) fail_with_errno(target_, "write");
-    const int descriptor = descriptor_;
-    descriptor_ = -1;
-    if (::close(descriptor) != 0) fail_with_errno(target_, "write");
-    if (::rename(name_.c_str(), target_.c_str()) != 0) fail_with_errno(target_, "write");
-    placed_ = true;
-  }
-
- private:
-  fs::path target_;
-  std::string name_;
-  int descriptor_ = -1;
-  bool placed_ = false;
-};
-
-void write_all(int descriptor, std::string_view bytes, const fs::path& path) {
+void write_all(int descriptor, std::string_view bytes, const fs::path& subject) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail_with_errno(path, "write");
+    if (written < 0) fail_with_errno(subject, "write");
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
 }
-
-void write_in_place(const fs::path& path, std::string_view bytes) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) fail_with_errno(path, "write");
-  try {
-    write_all(descriptor, bytes, path);
-  } catch (...) {
-    ::close(descriptor);
-    throw;
-  }
-  if (::close(descriptor) != 0) fail_with_errno(path, "write");
-}
-
-}  // namespace
 
 bool is_standard_output(const fs::path& path) {
   const std::string& name = path.native();
@@ -98,31 +47,24 @@ std::string output_kind(const fs::path& path, std::string_view otherwise) {
   return kind.empty() ? kind : kind.substr(1);
 }
 
-std::FILE* report_stream(std::initializer_list<fs::path> outputs) {
+std::FILE* report_stream(const std::vector<fs::path>& outputs) {
   const auto count = std::count_if(outputs.begin(), outputs.end(), is_standard_output);
   if (count > 1) throw Failure("standard output", "only one result can go there");
   return count == 1 ? stderr : stdout;
 }
 
-void write_whole_file(const fs::path& path, std::string_view bytes) {
-  if (is_standard_output(path)) {
-    std::fflush(stdout);
-    return write_all(STDOUT_FILENO, bytes, "standard output");
-  }
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (fs::is_directory(status)) throw Failure(path.string(), "cannot write (it is a directory)");
-  if (fs::exists(status) && !fs::is_regular_file(status)) return write_in_place(path, bytes);
-  fs::path target = path;
-  if (fs::exists(status)) target = fs::canonical(path, error);
-  if (error && fs::exists(status)) throw Failure(path.string(), "cannot write (" + error.message() + ")");
+void write_whole_file(const fs::path& path, std::string bytes) { write_results({{path, std::move(bytes)}}); }
+
+void write_new_file(const fs::path& path, std::string_view bytes, const fs::path& subject) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) fail_with_errno(subject, "write");
   try {
-    Temporary temporary(target);
-    write_all(temporary.descriptor(), bytes, path);
-    temporary.place();
-  } catch (const fs::filesystem_error& e) {
-    throw Failure(path.string(), std::string("cannot write (") + e.code().message() + ")");
+    write_all(descriptor, bytes, subject);
+  } catch (...) {
+    ::close(descriptor);
+    throw;
   }
+  if (::close(descriptor) != 0) fail_with_errno(subject, "write");
 }
 
 std::string read_whole_file(const fs::path& path, std::size_t limit) {

@@ -3,17 +3,25 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace arcspan::tools {
 
-/// Writes `bytes` to `path` whole or not at all: into a temporary beside the target that is then renamed, so
-/// a reader never sees half a file and a failure leaves what was there before. A target that exists and is no
-/// regular file (a terminal, a pipe) is written directly; a symbolic link is followed. Standard output is
-/// written for the names below. Throws Failure.
-void write_whole_file(const std::filesystem::path& path, std::string_view bytes);
+/// Writes one result, whole or not at all, as write_results() does. Throws Failure.
+void write_whole_file(const std::filesystem::path& path, std::string bytes);
+
+/// Writes a file that does not exist yet, with the permissions of the user's mask; for files in a temporary
+/// folder. `subject` names the file in the Failure that it may throw.
+void write_new_file(const std::filesystem::path& path, std::string_view bytes,
+                    const std::filesystem::path& subject);
+
+/// Writes all bytes to a file descriptor. Throws a Failure about `subject`.
+void write_all(int descriptor, std::string_view bytes, const std::filesystem::path& subject);
+
+/// Throws a Failure about `subject`: it cannot be read or written (`doing`) for the reason that errno holds.
+[[noreturn]] void fail_with_errno(const std::filesystem::path& subject, const char* doing);
 
 /// Whether `path` stands for standard output: `-`, or `KIND:-` where the kind of file matters (`ppm:-`). A
 /// file of that name is `./-`.
@@ -25,7 +33,7 @@ void write_whole_file(const std::filesystem::path& path, std::string_view bytes)
 
 /// Where a command that writes these files (empty names are none) prints what it has to say about them:
 /// standard output, or standard error if one of them goes there. Throws Failure if two would.
-[[nodiscard]] std::FILE* report_stream(std::initializer_list<std::filesystem::path> outputs);
+[[nodiscard]] std::FILE* report_stream(const std::vector<std::filesystem::path>& outputs);
 
 /// Reads the whole of a regular file of at most `limit` bytes. Throws Failure.
 [[nodiscard]] std::string read_whole_file(const std::filesystem::path& path, std::size_t limit);

@@ -3,9 +3,19 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <string>
+#include <type_traits>
 
 namespace arcspan::tools {
 namespace {
+
+// from_chars does not tell whether a decimal number is too large or too small for a double.
+template <class T>
+std::optional<T> beyond_range(std::string_view text) {
+  if constexpr (std::is_floating_point_v<T>) return std::strtod(std::string(text).c_str(), nullptr);
+  return std::nullopt;
+}
 
 template <class T>
 std::optional<T> parse_all(std::string_view text) {
@@ -18,6 +28,7 @@ std::optional<T> parse_all(std::string_view text) {
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (stop != end || text.empty()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) return beyond_range<T>(text);
   if (error != std::errc{}) return std::nullopt;
   return value;
 }

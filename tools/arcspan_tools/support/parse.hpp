@@ -10,6 +10,7 @@
 namespace arcspan::tools {
 
 /// A finite or non-finite decimal number that is the whole of `text`; an optional sign of either kind.
+/// Numbers beyond the range of double are infinite, those below its least one are 0.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 /// A decimal integer that is the whole of `text`.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/file/isolate.hpp>
+#include <arcspan_tools/support/child_process.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <fcntl.h>
 #include <poll.h>
@@ -101,6 +102,7 @@ RawMesh decode(const std::string& bytes, const std::string& subject) {
   }
   RawMesh mesh;
   mesh.triangles.resize(body.size() / sizeof(Triangle));
+  if (mesh.triangles.empty()) return mesh;
   std::memcpy(static_cast<void*>(mesh.triangles.data()), body.data(),
               mesh.triangles.size() * sizeof(Triangle));
   return mesh;
@@ -112,7 +114,7 @@ RawMesh run_isolated(const std::string& subject, const std::function<RawMesh()>&
                      const std::function<void(std::size_t)>& received) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw Failure(subject, "cannot start the mesh loader");
-  const pid_t process = ::fork();
+  const pid_t process = fork_child();
   if (process == 0) {
     ::close(ends[0]);
     child(ends[1], subject, import);
@@ -124,9 +126,7 @@ RawMesh run_isolated(const std::string& subject, const std::function<RawMesh()>&
   }
   const std::string bytes = receive_all(ends[0], received);
   ::close(ends[0]);
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = wait_for_child(process);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || bytes.empty()) {
     throw Failure(subject, "the mesh loader library " + cause_of_death(status));
   }

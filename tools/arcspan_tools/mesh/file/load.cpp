@@ -6,10 +6,12 @@
 #include <arcspan_tools/mesh/plain/generate.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/support/progress.hpp>
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace arcspan::tools {
 namespace {
@@ -18,7 +20,7 @@ namespace {
 constexpr std::size_t kMaxFileBytes = std::size_t{256} << 20;
 
 RawMesh import_isolated(std::string_view screened, MeshFormat format, const std::string& subject) {
-  Progress progress("reading " + subject, 0);
+  Progress progress("reading " + printable(subject), 0);
   return run_isolated(
       subject, [&] { return import_mesh(screened, format, subject); },
       [&](std::size_t received) { progress.show(received); });
@@ -38,7 +40,10 @@ std::optional<MeshFormat> mesh_format(const std::filesystem::path& path) {
 }
 
 MeshData load_mesh_from_memory(std::string_view bytes, MeshFormat format, const std::string& subject) {
-  return weld(import_mesh(screened(bytes, format, subject), format, subject), subject);
+  ScreenedMesh file = screened(bytes, format, subject);
+  MeshData mesh = weld(import_mesh(file.text, format, subject), subject);
+  mesh.warnings = std::move(file.warnings);
+  return mesh;
 }
 
 MeshData load_mesh(const std::string& name) {
@@ -49,8 +54,10 @@ MeshData load_mesh(const std::string& name) {
     throw Failure(name,
                   "not a mesh that can be read (.obj, .ply, .stl, .off, .bin, sphere:32x16, torus:48x24)");
   }
-  const std::string text = screened(read_whole_file(name, kMaxFileBytes), *format, name);
-  return weld(import_isolated(text, *format, name), name);
+  ScreenedMesh file = screened(read_whole_file(name, kMaxFileBytes), *format, name);
+  MeshData mesh = weld(import_isolated(file.text, *format, name), name);
+  mesh.warnings = std::move(file.warnings);
+  return mesh;
 }
 
 }  // namespace arcspan::tools

@@ -22,6 +22,7 @@ Vec3 to_vec3(const Direction& d) {
 }  // namespace
 
 MeshData mesh_from_binary(std::string_view bytes, const std::string& subject) {
+  if (bytes.empty()) throw Failure(subject, "empty file");
   // Words, for the alignment that a string need not have.
   std::vector<std::uint16_t> words((bytes.size() + 1) / 2);
   if (!bytes.empty()) std::memcpy(words.data(), bytes.data(), bytes.size());

@@ -7,13 +7,29 @@
 #include <cmath>
 
 namespace arcspan::tools {
+namespace {
+
+constexpr double kMostCoordinate = 1e30;
+
+char line_end_of(std::string_view text) {
+  const std::size_t first = text.find_first_of("\r\n");
+  if (first == std::string_view::npos || text[first] == '\n') return '\n';
+  return first + 1 < text.size() && text[first + 1] == '\n' ? '\n' : '\r';
+}
+
+bool has_digit(std::string_view word) { return word.find_first_of("0123456789") != std::string_view::npos; }
+
+}  // namespace
+
+TextLines::TextLines(std::string_view text, std::string subject, Joining joining)
+    : rest_(text), subject_(std::move(subject)), joining_(joining), line_end_(line_end_of(text)) {}
 
 bool TextLines::next() {
   words_.clear();
   if (rest_.empty()) return false;
   number_ = next_number_;
   for (bool continues = true; continues && !rest_.empty();) {
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    const std::size_t end = std::min(rest_.find(line_end_), rest_.size());
     std::string_view line = rest_.substr(0, end);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++next_number_;
@@ -33,7 +49,7 @@ void TextLines::next_words(const std::string& expected) {
 }
 
 void TextLines::split(std::string_view line) {
-  constexpr std::string_view kBlanks = " \t\r\f\v";
+  constexpr std::string_view kBlanks = " \t\r\n\f\v";
   for (;;) {
     const std::size_t begin = line.find_first_not_of(kBlanks);
     if (begin == std::string_view::npos) return;
@@ -48,9 +64,10 @@ double TextLines::number_at(std::size_t i) const {
   if (i >= words_.size()) fail("a number is missing");
   const std::optional<double> value = parse_number(words_[i]);
   if (!value) fail(in_quotes(words_[i]) + " is not a number");
-  // The library keeps floats: what is beyond them would be infinite there.
-  if (!std::isfinite(*value) || std::fabs(*value) > 1e30)
+  if (std::isnan(*value) || (std::isinf(*value) && !has_digit(words_[i]))) {
     fail(in_quotes(words_[i]) + " is not a finite number");
+  }
+  if (std::fabs(*value) > kMostCoordinate) fail(in_quotes(words_[i]) + " is too large (the limit is 1e30)");
   return *value;
 }
 
@@ -59,6 +76,8 @@ std::int64_t TextLines::integer_at(std::size_t i, std::int64_t least, std::int64
   if (i >= words_.size()) fail(std::string(what) + " is missing");
   const std::optional<std::int64_t> value = parse_integer(words_[i]);
   if (!value) fail(in_quotes(words_[i]) + " is not an integer (" + what + ")");
+  if (most < least)
+    fail(std::string(what) + " out of range (" + std::to_string(*value) + "; there are none)");
   if (*value < least || *value > most) {
     fail(std::string(what) + " out of range (" + std::to_string(*value) + "; allowed are " +
          std::to_string(least) + " to " + std::to_string(most) + ")");
@@ -89,6 +108,12 @@ std::string plain_text(std::string_view text) {
     plain.push_back(high == 0 && low > 0 ? low : '?');
   }
   return plain;
+}
+
+bool same_letters(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 void require_text(std::string_view text, const std::string& subject) {

@@ -15,9 +15,9 @@ class TextLines {
  public:
   enum class Joining : std::uint8_t { kNo, kBackslash };
 
-  /// With kBackslash a backslash at a line's end continues it on the next.
-  TextLines(std::string_view text, std::string subject, Joining joining = Joining::kNo)
-      : rest_(text), subject_(std::move(subject)), joining_(joining) {}
+  /// Lines end as the first one does: with LF (or CR LF), or with CR alone, as on old Macs. With kBackslash a
+  /// backslash at a line's end continues it on the next.
+  TextLines(std::string_view text, std::string subject, Joining joining = Joining::kNo);
 
   /// Goes to the next line and splits it, without what follows a '#'. False at the end of the text.
   bool next();
@@ -29,7 +29,8 @@ class TextLines {
   /// Everything after the current line.
   [[nodiscard]] std::string_view rest() const { return rest_; }
 
-  /// Word i as a finite number.
+  /// Word i as a finite number of at most 1e30: the loader library computes with floats, in which products of
+  /// larger ones are infinite.
   [[nodiscard]] double number_at(std::size_t i) const;
   /// Word i as an integer from `least` to `most`; `what` names it in the message.
   [[nodiscard]] std::int64_t integer_at(std::size_t i, std::int64_t least, std::int64_t most,
@@ -44,6 +45,7 @@ class TextLines {
   std::string_view rest_;
   std::string subject_;
   Joining joining_;
+  char line_end_;
   std::vector<std::string_view> words_;
   std::size_t number_ = 0;
   std::size_t next_number_ = 1;
@@ -55,6 +57,9 @@ class TextLines {
 /// `text` as it is, or turned from UTF-16 (either order, by its byte order mark) into bytes in which every
 /// character beyond ASCII is a '?'. An UTF-8 mark is removed.
 [[nodiscard]] std::string plain_text(std::string_view text);
+
+/// Whether both are the same letters, A-Z as a-z.
+[[nodiscard]] bool same_letters(std::string_view a, std::string_view b);
 
 /// Throws a Failure if `text` has bytes that no text file has.
 void require_text(std::string_view text, const std::string& subject);

@@ -3,9 +3,17 @@
 #include <arcspan_tools/mesh/file/validate.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
+#include <algorithm>
+
 namespace arcspan::tools {
 
-std::string screened(std::string_view bytes, MeshFormat format, const std::string& subject) {
+void TriangleCount::add_face(std::int64_t corners) {
+  triangles_ += std::max<std::int64_t>(corners - 2, 0);
+  if (triangles_ <= static_cast<std::int64_t>(kMaxTriangles)) return;
+  throw Failure(subject_, "too many triangles (more than " + std::to_string(kMaxTriangles) + ", the limit)");
+}
+
+ScreenedMesh screened(std::string_view bytes, MeshFormat format, const std::string& subject) {
   if (bytes.find_first_not_of(" \t\r\n\0") == std::string_view::npos) throw Failure(subject, "empty file");
   switch (format) {
     case MeshFormat::kObj:

@@ -4,7 +4,9 @@
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/parse.hpp>
 
-#include <algorithm>
+#include <functional>
+#include <set>
+#include <utility>
 
 namespace arcspan::tools {
 namespace {
@@ -45,11 +47,51 @@ std::int64_t resolve(const TextLines& lines, std::string_view text, std::int64_t
   return index;
 }
 
+/// Statements of the file that would change the picture, for the warnings.
+struct NotDrawn {
+  bool materials = false;
+  bool colours = false;
+  bool flat_faces = false;
+  bool surfaces = false;
+  std::set<std::string, std::less<>> smooth_groups{};  ///< of faces without normals
+
+  [[nodiscard]] std::vector<std::string> warnings() const {
+    std::vector<std::string> all;
+    if (materials) all.emplace_back("materials (usemtl) are not drawn");
+    if (colours) all.emplace_back("vertex colours are not drawn");
+    if (flat_faces) all.emplace_back("faces that are not to be smoothed (s off) are drawn smooth");
+    if (smooth_groups.size() > 1) all.emplace_back("edges between smoothing groups (s) are drawn smooth");
+    if (surfaces) all.emplace_back("curves and free-form surfaces are not drawn");
+    return all;
+  }
+};
+
 struct ObjScreen {
   TextLines lines;
   Counts total;
+  TriangleCount triangles;
   Counts so_far{};
   std::string out{};
+  NotDrawn not_drawn{};
+  std::string smooth_group{};  ///< empty before the first statement
+
+  void note(std::string_view keyword) {
+    constexpr std::size_t kWordsOfColouredVertex = 7;
+    if (keyword == "usemtl") not_drawn.materials = true;
+    if (keyword == "curv" || keyword == "curv2" || keyword == "surf") not_drawn.surfaces = true;
+    if (keyword == "v" && lines.words().size() >= kWordsOfColouredVertex) not_drawn.colours = true;
+    if (keyword == "s") smooth_group = lines.words().size() > 1 ? lines.words()[1] : "off";
+  }
+
+  // Normals of the file decide how smooth a face is, whatever its group.
+  void note_face(bool has_normals) {
+    if (has_normals || smooth_group.empty()) return;
+    if (smooth_group == "off" || smooth_group == "0") {
+      not_drawn.flat_faces = true;
+    } else {
+      not_drawn.smooth_groups.insert(smooth_group);
+    }
+  }
 
   void numbers(std::size_t wanted) {
     out += lines.words()[0];
@@ -61,8 +103,9 @@ struct ObjScreen {
     out += '\n';
   }
 
-  // One corner of a face: v, v/t, v//n or v/t/n; texture coordinates are checked and left out.
-  void corner(std::string_view word) {
+  // One corner of a face: v, v/t, v//n or v/t/n; texture coordinates are checked and left out. Returns
+  // whether it has a normal.
+  bool corner(std::string_view word) {
     std::string_view part[3];
     std::size_t parts = 0;
     for (std::string_view rest = word; parts < 3; ++parts) {
@@ -74,9 +117,9 @@ struct ObjScreen {
     }
     out += ' ' + std::to_string(resolve(lines, part[0], so_far.vertices, total.vertices, "vertex"));
     if (!part[1].empty()) (void)resolve(lines, part[1], so_far.texture, total.texture, "texture");
-    if (!part[2].empty()) {
-      out += "//" + std::to_string(resolve(lines, part[2], so_far.normals, total.normals, "normal"));
-    }
+    if (part[2].empty()) return false;
+    out += "//" + std::to_string(resolve(lines, part[2], so_far.normals, total.normals, "normal"));
+    return true;
   }
 
   void face() {
@@ -84,33 +127,44 @@ struct ObjScreen {
       lines.fail("a face needs three corners or more (this has " + std::to_string(lines.words().size() - 1) +
                  ")");
     }
+    const auto corners = static_cast<std::int64_t>(lines.words().size() - 1);
+    if (corners > kMostCorners) {
+      lines.fail("a face has too many corners (" + std::to_string(corners) + "; the limit is " +
+                 std::to_string(kMostCorners) + ")");
+    }
+    triangles.add_face(corners);
     out += 'f';
-    for (std::size_t i = 1; i < lines.words().size(); ++i) corner(lines.words()[i]);
+    bool has_normals = true;
+    for (std::size_t i = 1; i < lines.words().size(); ++i)
+      has_normals = corner(lines.words()[i]) && has_normals;
     out += '\n';
+    note_face(has_normals);
   }
 };
 
 }  // namespace
 
-std::string screened_obj(std::string_view bytes, const std::string& subject) {
+ScreenedMesh screened_obj(std::string_view bytes, const std::string& subject) {
   const std::string text = plain_text(bytes);
   require_text(text, subject);
-  ObjScreen screen{TextLines(text, subject, TextLines::Joining::kBackslash), count_all(text, subject)};
+  ObjScreen screen{TextLines(text, subject, TextLines::Joining::kBackslash), count_all(text, subject),
+                   TriangleCount(subject)};
   std::size_t faces = 0;
   while (screen.lines.next()) {
     if (screen.lines.words().empty()) continue;
     const std::string_view keyword = screen.lines.words()[0];
     count(screen.so_far, keyword);
+    screen.note(keyword);
     if (keyword == "v" || keyword == "vn") screen.numbers(3);
     if (keyword != "f") continue;
-    screen.face();
     if (++faces > kMaxTriangles) {
       throw Failure(subject, "too many faces (more than " + std::to_string(kMaxTriangles) + ", the limit)");
     }
+    screen.face();
   }
   if (screen.total.vertices == 0) throw Failure(subject, "not an OBJ mesh (no vertices)");
   if (faces == 0) throw Failure(subject, "no faces");
-  return std::move(screen.out);
+  return {std::move(screen.out), screen.not_drawn.warnings()};
 }
 
 }  // namespace arcspan::tools

@@ -10,45 +10,79 @@
 namespace arcspan::tools {
 namespace {
 
+constexpr double kMostCoordinate = 1e30;  // as in a text, see TextLines
+
 void append_number(std::string& out, double value) {
   char text[32];
   const auto [end, error] = std::to_chars(text, text + sizeof text, value);
   out.append(text, end);
 }
 
+/// Whether each of so many elements has a line of its own in a text. Otherwise lines may break anywhere.
+bool is_line_by_line(std::string_view body, std::int64_t elements) {
+  TextLines lines(body, "");
+  std::int64_t used = 0;
+  while (lines.next()) used += lines.words().empty() ? 0 : 1;
+  return used == elements;
+}
+
 /// The numbers of a PLY body, one after the other, from text or from either byte order.
 class PlyBody {
  public:
-  PlyBody(TextLines& lines, PlyEncoding encoding)
-      : lines_(lines), encoding_(encoding), bytes_(lines.rest()) {}
+  PlyBody(TextLines& lines, const PlyHeader& header)
+      : lines_(lines), encoding_(header.encoding), bytes_(lines.rest()), word_(lines.words().size()) {
+    std::int64_t elements = 0;
+    for (const PlyElement& element : header.elements) elements += element.count;
+    line_by_line_ = encoding_ == PlyEncoding::kText && is_line_by_line(bytes_, elements);
+  }
 
   /// Starts the next element; `what` names it in messages.
   void begin(std::string what) {
     what_ = std::move(what);
-    word_ = 0;
-    if (encoding_ == PlyEncoding::kText) lines_.next_words(what_);
+    if (line_by_line_) next_line();
   }
 
   double number(PlyType type) {
-    const double value = encoding_ == PlyEncoding::kText ? lines_.number_at(word_++) : binary(type);
+    const double value = encoding_ == PlyEncoding::kText ? text() : binary(type);
     if (!std::isfinite(value)) fail("a number that is not finite in " + what_);
+    if (std::fabs(value) > kMostCoordinate) fail("a number above 1e30 in " + what_);
     return value;
   }
 
-  std::int64_t integer(PlyType type, std::int64_t most, const char* what) {
+  /// Numbers that are left over in a text without lines mean that others were taken for what they are not.
+  void end() {
+    if (encoding_ != PlyEncoding::kText || line_by_line_) return;
+    if (word_ < lines_.words().size()) fail("more numbers than the header announces");
+    while (lines_.next()) {
+      if (!lines_.words().empty()) fail("more numbers than the header announces");
+    }
+  }
+
+  std::int64_t integer(PlyType type, std::int64_t least, std::int64_t most, const char* what) {
     const double value = number(type);
-    if (value >= 0 && value <= static_cast<double>(most) && value == std::floor(value)) {
+    if (value >= static_cast<double>(least) && value <= static_cast<double>(most) &&
+        value == std::floor(value)) {
       return static_cast<std::int64_t>(value);
     }
     std::string text;
     append_number(text, value);
-    fail(std::string(what) + " out of range (" + text + "; allowed are 0 to " + std::to_string(most) +
-         ") in " + what_);
+    fail(std::string(what) + " out of range (" + text + "; allowed are " + std::to_string(least) + " to " +
+         std::to_string(most) + ") in " + what_);
   }
 
   [[noreturn]] void fail(const std::string& what) const { lines_.fail(what); }
 
  private:
+  void next_line() {
+    lines_.next_words(what_);
+    word_ = 0;
+  }
+
+  double text() {
+    if (!line_by_line_ && word_ >= lines_.words().size()) next_line();
+    return lines_.number_at(word_++);
+  }
+
   double binary(PlyType type) {
     if (bytes_.size() < type.bytes) fail("the file ends before " + what_);
     std::uint64_t bits = 0;
@@ -70,7 +104,8 @@ class PlyBody {
   PlyEncoding encoding_;
   std::string_view bytes_;
   std::string what_;
-  std::size_t word_ = 0;
+  std::size_t word_;  ///< the next one of the current line
+  bool line_by_line_ = false;
 };
 
 std::size_t property_index(const PlyElement& element, std::string_view name) {
@@ -80,10 +115,11 @@ std::size_t property_index(const PlyElement& element, std::string_view name) {
   return element.properties.size();
 }
 
+constexpr std::int64_t kMostInList = 1 << 20;
+
 void skip(PlyBody& body, const PlyProperty& property) {
-  constexpr std::int64_t kMostInList = 1 << 20;
   std::int64_t numbers = 1;
-  if (property.count_type) numbers = body.integer(*property.count_type, kMostInList, "length of a list");
+  if (property.count_type) numbers = body.integer(*property.count_type, 0, kMostInList, "length of a list");
   for (std::int64_t i = 0; i < numbers; ++i) (void)body.number(property.type);
 }
 
@@ -94,9 +130,10 @@ std::string nth(const PlyElement& element, std::int64_t i) {
 struct PlyScreen {
   const PlyHeader& header;
   PlyBody body;
+  TriangleCount triangles;
+  std::int64_t vertex_count;  ///< announced, because faces may come first
   std::string vertices{};
   std::string faces{};
-  std::int64_t vertex_count = 0;
   std::int64_t face_count = 0;
   bool has_normals = false;
 
@@ -107,7 +144,6 @@ struct PlyScreen {
     const std::size_t none = element.properties.size();
     if (at[0] == none || at[1] == none || at[2] == none) body.fail("the vertices have no x, y and z");
     has_normals = at[3] != none && at[4] != none && at[5] != none;
-    vertex_count = element.count;
     std::vector<double> values(element.properties.size());
     for (std::int64_t v = 0; v < element.count; ++v) {
       body.begin(nth(element, v));
@@ -126,20 +162,54 @@ struct PlyScreen {
     }
   }
 
-  void read_face(const PlyElement& element) {
+  [[nodiscard]] bool has_indices(const PlyProperty& property) const {
+    return property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index");
+  }
+
+  void add_face(const std::string& indices, std::int64_t corners) {
+    triangles.add_face(corners);
+    faces += std::to_string(corners) + indices + '\n';
+    ++face_count;
+  }
+
+  void read_face(const PlyProperty& property) {
+    const std::int64_t corners = body.integer(*property.count_type, 0, kMostCorners, "number of corners");
+    std::string face;
+    for (std::int64_t c = 0; c < corners; ++c) {
+      face += ' ' + std::to_string(body.integer(property.type, 0, vertex_count - 1, "vertex index"));
+    }
+    if (corners >= 3) add_face(face, corners);
+  }
+
+  // Every vertex from the third one on makes a triangle with the two before it, turned over at every second
+  // one. -1 starts a new strip. A vertex that occurs twice in a triangle joins two strips.
+  void read_strips(const PlyProperty& property) {
+    const std::int64_t length = body.integer(*property.count_type, 0, kMostInList, "length of a list");
+    std::int64_t a = -1;
+    std::int64_t b = -1;
+    bool turned = false;
+    for (std::int64_t i = 0; i < length; ++i) {
+      const std::int64_t c = body.integer(property.type, -1, vertex_count - 1, "vertex index");
+      if (a >= 0 && c >= 0 && a != b && b != c && c != a) {
+        const std::int64_t first = turned ? b : a;
+        const std::int64_t second = turned ? a : b;
+        add_face(' ' + std::to_string(first) + ' ' + std::to_string(second) + ' ' + std::to_string(c), 3);
+      }
+      turned = c >= 0 && a >= 0 && !turned;
+      a = c < 0 ? -1 : b;
+      b = c;
+    }
+  }
+
+  void read_element(const PlyElement& element) {
     for (const PlyProperty& property : element.properties) {
-      if (!property.count_type || (property.name != "vertex_indices" && property.name != "vertex_index")) {
+      if (element.name == "face" && has_indices(property)) {
+        read_face(property);
+      } else if (element.name == "tristrips" && has_indices(property)) {
+        read_strips(property);
+      } else {
         skip(body, property);
-        continue;
       }
-      const std::int64_t corners = body.integer(*property.count_type, kMostCorners, "number of corners");
-      std::string face = std::to_string(corners);
-      for (std::int64_t c = 0; c < corners; ++c) {
-        face += ' ' + std::to_string(body.integer(property.type, vertex_count - 1, "vertex index"));
-      }
-      if (corners < 3) continue;
-      faces += face + '\n';
-      ++face_count;
     }
   }
 
@@ -151,35 +221,65 @@ struct PlyScreen {
     }
     for (std::int64_t i = 0; i < element.count; ++i) {
       body.begin(nth(element, i));
-      if (element.name == "face") {
-        read_face(element);
-      } else {
-        for (const PlyProperty& property : element.properties) skip(body, property);
-      }
+      read_element(element);
     }
   }
+
+  [[nodiscard]] std::string text() const {
+    std::string out = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(vertex_count) +
+                      "\nproperty float x\nproperty float y\nproperty float z\n";
+    if (has_normals) out += "property float nx\nproperty float ny\nproperty float nz\n";
+    out +=
+        "element face " + std::to_string(face_count) + "\nproperty list int int vertex_indices\nend_header\n";
+    return out + vertices + faces;
+  }
 };
+
+std::vector<std::string> colour_warnings(const PlyHeader& header) {
+  std::vector<std::string> warnings;
+  for (const PlyElement& element : header.elements) {
+    if (property_index(element, "red") == element.properties.size() &&
+        property_index(element, "diffuse_red") == element.properties.size()) {
+      continue;
+    }
+    if (element.name == "vertex") warnings.emplace_back("vertex colours are not drawn");
+    if (element.name == "face") warnings.emplace_back("face colours are not drawn");
+  }
+  return warnings;
+}
+
+/// How many vertices the header announces.
+std::int64_t vertex_count_of(const PlyHeader& header, const std::string& subject) {
+  std::int64_t count = 0;
+  std::size_t elements = 0;
+  for (const PlyElement& element : header.elements) {
+    if (element.name != "vertex") continue;
+    count = element.count;
+    ++elements;
+  }
+  if (elements > 1) throw Failure(subject, "two elements are named 'vertex'");
+  if (count == 0) throw Failure(subject, "no vertices");
+  return count;
+}
 
 }  // namespace
 
 // The file is rewritten as text for the library, with positions, normals and faces only.
-std::string screened_ply(std::string_view bytes, const std::string& subject) {
-  TextLines lines(bytes, subject);
+ScreenedMesh screened_ply(std::string_view bytes, const std::string& subject) {
+  const std::string plain = plain_text(bytes);
+  TextLines lines(plain, subject);
   const PlyHeader header = read_ply_header(lines);
-  PlyScreen screen{header, PlyBody(lines, header.encoding)};
+  const std::int64_t vertices = vertex_count_of(header, subject);
+  PlyScreen screen{header, PlyBody(lines, header), TriangleCount(subject), vertices};
   for (const PlyElement& element : header.elements) {
     // Nothing in the file would stop the count of an element without properties.
     if (element.properties.empty() && element.count > 0)
       lines.fail("element " + in_quotes(element.name) + " is empty");
     screen.read(element, subject);
   }
+  screen.body.end();
   if (screen.face_count == 0) throw Failure(subject, "no faces");
-  std::string out = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(screen.vertex_count) +
-                    "\nproperty float x\nproperty float y\nproperty float z\n";
-  if (screen.has_normals) out += "property float nx\nproperty float ny\nproperty float nz\n";
-  out += "element face " + std::to_string(screen.face_count) +
-         "\nproperty list int int vertex_indices\nend_header\n";
-  return out + screen.vertices + screen.faces;
+  return {screen.text(), colour_warnings(header)};
 }
 
 }  // namespace arcspan::tools

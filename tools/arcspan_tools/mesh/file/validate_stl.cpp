@@ -28,8 +28,17 @@ void check_facet_count(std::uint64_t count, const std::string& subject) {
   }
 }
 
+// Two conventions: "COLOR=" in the header (Magics), or bit 15 of the last two bytes of a facet (VisCAM).
+bool has_colours(std::string_view bytes, std::uint32_t facets) {
+  if (bytes.substr(0, kHeaderBytes).find("COLOR=") != std::string_view::npos) return true;
+  for (std::size_t f = 0; f < facets; ++f) {
+    if ((bytes[kHeaderBytes + 4 + f * kFacetBytes + kFacetBytes - 1] & 0x80) != 0) return true;
+  }
+  return false;
+}
+
 // 80 bytes of header, a count, then per facet a normal, three corners (float32) and two bytes of colour.
-std::string screened_binary(std::string_view bytes, const std::string& subject) {
+ScreenedMesh screened_binary(std::string_view bytes, const std::string& subject) {
   const std::uint32_t facets = little_u32(bytes, kHeaderBytes);
   check_facet_count(facets, subject);
   const std::uint64_t wanted = kHeaderBytes + 4 + std::uint64_t{kFacetBytes} * facets;
@@ -47,11 +56,13 @@ std::string screened_binary(std::string_view bytes, const std::string& subject) 
     }
   }
   // A blank header: one that says "solid" or "COLOR=" would send the library elsewhere.
-  return std::string(kHeaderBytes, '\0') + std::string(bytes.substr(kHeaderBytes, wanted - kHeaderBytes));
+  return {std::string(kHeaderBytes, '\0') + std::string(bytes.substr(kHeaderBytes, wanted - kHeaderBytes)),
+          has_colours(bytes, facets) ? std::vector<std::string>{"face colours are not drawn"}
+                                     : std::vector<std::string>{}};
 }
 
 void expect(const TextLines& lines, std::size_t i, std::string_view word) {
-  if (i < lines.words().size() && lines.words()[i] == word) return;
+  if (i < lines.words().size() && same_letters(lines.words()[i], word)) return;
   lines.fail("expected '" + std::string(word) + "'" +
              (i < lines.words().size() ? ", not " + in_quotes(lines.words()[i]) : ""));
 }
@@ -83,7 +94,7 @@ void validate_facet(TextLines& lines, std::string& out) {
   out += " endloop\nendfacet\n";
 }
 
-std::string screened_ascii(std::string_view bytes, const std::string& subject) {
+ScreenedMesh screened_ascii(std::string_view bytes, const std::string& subject) {
   require_text(bytes, subject);
   TextLines lines(bytes, subject);
   std::string out = "solid mesh\n";
@@ -92,9 +103,9 @@ std::string screened_ascii(std::string_view bytes, const std::string& subject) {
   while (lines.next()) {
     if (lines.words().empty()) continue;
     const std::string_view keyword = lines.words()[0];
-    if (keyword == "solid") {
+    if (same_letters(keyword, "solid")) {
       open = true;
-    } else if (keyword == "endsolid") {
+    } else if (same_letters(keyword, "endsolid")) {
       open = false;
     } else {
       expect(lines, 0, "facet");
@@ -104,18 +115,25 @@ std::string screened_ascii(std::string_view bytes, const std::string& subject) {
   }
   if (open) lines.fail("the file ends before endsolid");
   check_facet_count(facets, subject);
-  return out + "endsolid mesh\n";
+  return {out + "endsolid mesh\n", {}};
 }
 
 }  // namespace
 
-std::string screened_stl(std::string_view bytes, const std::string& subject) {
-  // A binary file may start with "solid" too, so its exact size decides first.
+ScreenedMesh screened_stl(std::string_view bytes, const std::string& subject) {
+  // A binary file may start with "solid", too. Its exact size decides first, then the upper byte of its
+  // count, which is 0 in every file that is not too large and nowhere in a text.
   const bool has_count = bytes.size() >= kHeaderBytes + 4;
   const bool exact =
       has_count &&
       bytes.size() == kHeaderBytes + 4 + std::uint64_t{kFacetBytes} * little_u32(bytes, kHeaderBytes);
-  if (!exact && bytes.starts_with("solid")) return screened_ascii(bytes, subject);
+  const bool can_be_text = !has_count || bytes[kHeaderBytes + 3] != 0;
+  if (exact || !can_be_text) return screened_binary(bytes, subject);
+  const std::string text = plain_text(bytes);
+  TextLines lines(text, subject);
+  while (lines.words().empty() && lines.next()) {
+  }
+  if (!lines.words().empty() && same_letters(lines.words()[0], "solid")) return screened_ascii(text, subject);
   if (!has_count) throw Failure(subject, "not an STL mesh (neither text nor long enough for a binary one)");
   return screened_binary(bytes, subject);
 }

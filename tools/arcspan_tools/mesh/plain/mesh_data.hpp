@@ -24,6 +24,8 @@ struct MeshData {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// Faces of the file that have no area, left out of `triangles`.
   std::size_t dropped_faces = 0;
+  /// A line for each kind of content of the file that is not drawn, such as its materials.
+  std::vector<std::string> warnings;
 };
 
 /// Triangles whose corners carry their own copies of positions and normals, as loaders give them.

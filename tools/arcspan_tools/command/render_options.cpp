@@ -173,7 +173,8 @@ void add_camera_options(CLI::App& app, RenderOptions& o) {
                    parse_point, [&o](Vec3 v) { o.scene.camera.target = v; });
   add_parsed<Vec3>(app, "--up", "X,Y,Z", "its upward direction (default 0,1,0)", "a direction X,Y,Z",
                    parse_direction, [&o](Vec3 v) { o.scene.camera.up = v; });
-  add_number(app, "--fov", "vertical field of view in degrees", 1, 170, o.scene.camera.fov_degrees);
+  add_number(app, "--fov", "vertical field of view in degrees; wider by default if a narrow picture needs it",
+             1, 170, o.scene.camera.fov_degrees);
 }
 
 }  // namespace
@@ -181,6 +182,7 @@ void add_camera_options(CLI::App& app, RenderOptions& o) {
 void note_settings(const CLI::App& app, RenderOptions& options) {
   options.segment_given = app.count("--segment") != 0;
   options.tolerance_given = app.count("--tolerance") != 0;
+  options.scene.camera.fov_given = app.count("--fov") != 0;
 }
 
 std::vector<std::string> dichotomies(const std::string& polynomial) {

@@ -38,7 +38,7 @@ inline constexpr const char* kDichotomy = "dichotomy";
 /// The choices of --shading: every method, with dichotomy once.
 [[nodiscard]] std::vector<std::string> shading_choices();
 
-/// Notes which settings of single methods were given.
+/// Notes which settings were given that are otherwise chosen, or belong to single methods.
 void note_settings(const CLI::App& app, RenderOptions& options);
 
 /// Adds MESH and the options to a subcommand. `options` must live as long as `app`.

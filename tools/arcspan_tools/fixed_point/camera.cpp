@@ -2,6 +2,7 @@
 #include <arcspan_tools/fixed_point/camera.hpp>
 #include <arcspan_tools/fixed_point/rounding.hpp>
 #include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,10 @@ namespace {
 constexpr double kMargin = 1.06;
 /// The near plane of an eye inside or near a mesh, in object units: a 250th of the largest extent.
 constexpr double kLeastNear = 256;
+/// Of a translation, in object units: 64 times the largest extent.
+constexpr double kMostUnits = 4'194'303;
+/// Of an eye from which a mesh is to fit: the rest is for the far side of the mesh and for another target.
+constexpr double kMostFittingUnits = 4'000'000;
 
 /// The camera's axes: x to the right, y up, z backwards.
 struct Axes {
@@ -24,9 +29,9 @@ struct Axes {
 
 Axes axes_of(Vec3 backwards, Vec3 up) {
   const Vec3 z = normalised(backwards);
-  Vec3 x = cross(up, z);
+  Vec3 x = cross(normalised(up), z);
   // Looking along `up`: any other direction will do for it.
-  if (length(x) < 1e-6 * length(up)) x = cross(std::fabs(z.z) < 0.9 ? Vec3{0, 0, -1} : Vec3{0, 1, 0}, z);
+  if (length(x) < 1e-6) x = cross(std::fabs(z.z) < 0.9 ? Vec3{0, 0, -1} : Vec3{0, 1, 0}, z);
   x = normalised(x);
   return {x, cross(z, x), z};
 }
@@ -50,6 +55,48 @@ double fitting_distance(const FixedMesh& mesh, Vec3 target, const Axes& axes, do
     distance = std::max(distance, dot(p, axes.z) + kMargin * aside);
   }
   return distance;
+}
+
+// The least tangent of half the vertical field of view at which every vertex lies inside the picture, seen
+// from `distance`; infinite if there is none.
+double fitting_tangent(const FixedMesh& mesh, Vec3 target, const Axes& axes, double distance, Size size) {
+  double tangent = 0;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3 p = mesh.centre + from_centre(mesh, i) - target;
+    const double depth = distance - dot(p, axes.z);
+    if (!(depth > 0)) return INFINITY;
+    const double aside =
+        std::max(std::fabs(dot(p, axes.x)) * size.height / size.width, std::fabs(dot(p, axes.y)));
+    tangent = std::max(tangent, kMargin * aside / depth);
+  }
+  return tangent;
+}
+
+[[noreturn]] void refuse_far(const char* subject, double distance) {
+  throw Failure(subject,
+                formatted("too far away (%g; the limit is 64 times the size of the mesh)", distance));
+}
+
+// The distance at which the mesh fits, or the largest one with a field of view that is wide enough there.
+void fit(Camera& camera, const CameraOptions& options, const FixedMesh& mesh, Size size) {
+  const double from_mesh = length(camera.target - mesh.centre);
+  if (!(from_mesh <= kMostUnits * mesh.unit)) refuse_far("--target", from_mesh);
+  const Axes axes = axes_of(options.view, options.up);
+  const double most = kMostFittingUnits * mesh.unit;
+  double distance = fitting_distance(mesh, camera.target, axes, camera.fov_degrees, size);
+  if (distance > most) {
+    const double tangent = fitting_tangent(mesh, camera.target, axes, most, size);
+    if (!std::isfinite(tangent)) refuse_far("--target", from_mesh);
+    const double degrees = std::atan(tangent) * 360 / std::numbers::pi;
+    if (options.fov_given) {
+      throw Failure("--fov",
+                    formatted("too narrow for the whole mesh in %dx%d pixels (%g; the least is %.1f)",
+                              size.width, size.height, options.fov_degrees, degrees));
+    }
+    camera.fov_degrees = degrees;
+    distance = most;
+  }
+  camera.eye = camera.target + axes.z * distance;
 }
 
 struct DepthRange {
@@ -80,12 +127,8 @@ Placement placement_of(Vec3 eye, const Axes& axes, const FixedMesh& mesh) {
       placement.rotation.m[i][j] = to_fixed_point<RotationEntry>(std::clamp(entries[j], -1.0, 1.0)).value();
     }
     const double moved = dot(mesh.centre - eye, rows[i]) / mesh.unit;
-    const std::optional<ObjectLength> translation = to_fixed_point<ObjectLength>(moved);
-    if (!translation || std::fabs(moved) > 4'194'303) {
-      throw Failure("camera", "too far away (" + std::to_string(length(mesh.centre - eye)) +
-                                  "; the limit is 64 times the size of the mesh)");
-    }
-    placement.translation[i] = *translation;
+    if (!(std::fabs(moved) <= kMostUnits)) refuse_far("camera", length(mesh.centre - eye));
+    placement.translation[i] = to_fixed_point<ObjectLength>(moved).value();
   }
   return placement;
 }
@@ -96,15 +139,16 @@ Camera place_camera(const CameraOptions& options, const FixedMesh& mesh, Size si
   Camera camera{{}, options.target.value_or(mesh.centre), options.up, options.fov_degrees};
   if (options.eye) {
     camera.eye = *options.eye;
-    return camera;
+  } else {
+    fit(camera, options, mesh, size);
   }
-  const Axes axes = axes_of(options.view, options.up);
-  camera.eye =
-      camera.target + axes.z * fitting_distance(mesh, camera.target, axes, options.fov_degrees, size);
   return camera;
 }
 
 FixedCamera to_fixed(const Camera& camera, const FixedMesh& mesh, Size size) {
+  // Twice the limit, which is checked axis by axis below: here it keeps all that follows finite.
+  const double distance = length(camera.eye - mesh.centre);
+  if (!(distance <= 2 * kMostUnits * mesh.unit)) refuse_far("camera", distance);
   if (camera.eye == camera.target) throw Failure("--eye", "is where the target is");
   if (length(camera.up) == 0) throw Failure("--up", "has no direction");
   const Vec3 backwards = camera.eye - camera.target;

@@ -17,6 +17,7 @@ struct CameraOptions {
   std::optional<Vec3> target;
   Vec3 up{0, 1, 0};
   double fov_degrees = 40;  ///< vertical
+  bool fov_given = false;   ///< whether it is the user's; otherwise place_camera() may widen it
   Vec3 view{0.5, 0.4, 1};   ///< from the target towards an eye that is not given
 };
 
@@ -28,7 +29,10 @@ struct Camera {
 };
 
 /// The camera that `options` means for `mesh` and a picture of `size`. Without an eye it stands in direction
-/// `view`, where the mesh just fits; without a target it looks at the mesh's centre.
+/// `view`, where the mesh just fits; without a target it looks at the mesh's centre. If the mesh fits only
+/// from farther than the pipeline's numbers reach, because the picture is very narrow, the field of view is
+/// widened. Throws Failure for a field of view that was given and would have to be widened, and for a target
+/// too far from the mesh.
 [[nodiscard]] Camera place_camera(const CameraOptions& options, const FixedMesh& mesh, Size size);
 
 /// A camera as the pipeline takes it, for one mesh and picture size.

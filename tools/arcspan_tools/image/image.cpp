@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/mesh/crc32.hpp>
+
 #include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/image/netpbm.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
 #include <memory>
+#include <string_view>
 
 namespace arcspan::tools {
 namespace {
@@ -22,23 +26,50 @@ std::string png(const Image& image) {
   return out;
 }
 
-std::string netpbm_header(const char* kind, const Image& image) {
-  return std::string(kind) + "\n" + std::to_string(image.width) + " " + std::to_string(image.height) +
-         "\n255\n";
+bool is_png(std::string_view bytes) { return bytes.starts_with("\x89PNG\r\n\x1a\n"); }
+
+std::uint32_t big_u32(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = (value << 8) | static_cast<unsigned char>(bytes[at + i]);
+  return value;
 }
 
-std::string ppm(const Image& image) {
-  std::string out = netpbm_header("P6", image);
-  for (const Rgb8& p : image.pixels) {
-    for (const std::uint8_t channel : {p.r, p.g, p.b}) out.push_back(static_cast<char>(channel));
+// The library does not compare checksums and takes damaged chunks for good ones.
+void check_chunks(std::string_view bytes, const std::string& subject) {
+  constexpr std::size_t kSignatureBytes = 8;
+  constexpr std::size_t kAroundData = 12;  // length, type, checksum
+  for (std::size_t at = kSignatureBytes; at < bytes.size();) {
+    const std::size_t left = bytes.size() - at;
+    if (left < kAroundData || big_u32(bytes, at) > left - kAroundData)
+      throw Failure(subject, "a truncated PNG picture");
+    const std::size_t size = big_u32(bytes, at);
+    const auto* checked = reinterpret_cast<const std::uint8_t*>(bytes.data()) + at + 4;
+    if (crc32({checked, size + 4}) != big_u32(bytes, at + 8 + size)) {
+      throw Failure(subject, "a damaged PNG picture (the checksum at byte " + std::to_string(at + 8 + size) +
+                                 " is wrong)");
+    }
+    if (bytes.substr(at + 4, 4) == "IEND") return;
+    at += kAroundData + size;
   }
-  return out;
+  throw Failure(subject, "a truncated PNG picture");
 }
 
-std::string pgm(const Image& image) {
-  std::string out = netpbm_header("P5", image);
-  for (const Rgb8& p : image.pixels) out.push_back(static_cast<char>(luma(p)));
-  return out;
+Image read_png(std::string_view bytes, const std::string& subject) {
+  check_chunks(bytes, subject);
+  int width = 0;
+  int height = 0;
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> decoded(
+      stbi_load_from_memory(data, static_cast<int>(bytes.size()), &width, &height, nullptr, 3),
+      &stbi_image_free);
+  if (decoded == nullptr) {
+    throw Failure(subject, std::string("a PNG picture that cannot be read (") + stbi_failure_reason() + ")");
+  }
+  Image image(width, height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = {decoded.get()[3 * i], decoded.get()[3 * i + 1], decoded.get()[3 * i + 2]};
+  }
+  return image;
 }
 
 }  // namespace
@@ -69,21 +100,9 @@ void write_image(const Image& image, const std::filesystem::path& path) {
 
 Image read_image(const std::filesystem::path& path) {
   const std::string bytes = read_whole_file(path, kMaxFileBytes);
-  int width = 0;
-  int height = 0;
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> decoded(
-      stbi_load_from_memory(data, static_cast<int>(bytes.size()), &width, &height, nullptr, 3),
-      &stbi_image_free);
-  if (decoded == nullptr) {
-    throw Failure(path.string(),
-                  std::string("not a PNG, PPM or PGM picture (") + stbi_failure_reason() + ")");
-  }
-  Image image(width, height);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    image.pixels[i] = {decoded.get()[3 * i], decoded.get()[3 * i + 1], decoded.get()[3 * i + 2]};
-  }
-  return image;
+  if (is_netpbm(bytes)) return read_netpbm(bytes, path.string());
+  if (is_png(bytes)) return read_png(bytes, path.string());
+  throw Failure(path.string(), "not a PNG, PPM (P6) or PGM (P5) picture");
 }
 
 }  // namespace arcspan::tools

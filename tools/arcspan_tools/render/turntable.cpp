@@ -25,6 +25,7 @@ Turntable::Turntable(const Scene& scene, const FixedMesh& mesh, std::size_t fram
   const Camera first = place_camera(scene.camera, mesh, scene.size);
   target_ = first.target;
   from_target_ = first.eye - first.target;
+  fov_degrees_ = first.fov_degrees;
   if (scene.camera.eye) return;
   const Vec3 axis = normalised(scene.camera.up);
   double farthest = length(from_target_);
@@ -33,6 +34,7 @@ Turntable::Turntable(const Scene& scene, const FixedMesh& mesh, std::size_t fram
     options.view = turned(from_target_, axis, angle_of(frame, frames));
     const Camera camera = place_camera(options, mesh, scene.size);
     farthest = std::max(farthest, length(camera.eye - camera.target));
+    fov_degrees_ = std::max(fov_degrees_, camera.fov_degrees);
   }
   from_target_ = normalised(from_target_) * farthest;
 }
@@ -42,6 +44,7 @@ Scene Turntable::scene(std::size_t frame) const {
   const double angle = angle_of(frame, frames_);
   Scene scene = base_;
   scene.camera.target = target_;
+  scene.camera.fov_degrees = fov_degrees_;
   scene.camera.eye = target_ + turned(from_target_, axis, angle);
   for (SceneLight& light : scene.lights) light.towards = turned(light.towards, axis, angle);
   return scene;

@@ -22,6 +22,7 @@ class Turntable {
   Scene base_;
   Vec3 target_;
   Vec3 from_target_;  ///< of the eye, at first
+  double fov_degrees_;
   std::size_t frames_;
 };
 

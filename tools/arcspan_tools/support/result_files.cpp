@@ -210,6 +210,7 @@ fs::path destination(const fs::path& path) {
 }
 
 void check_results(const std::vector<fs::path>& results, const std::vector<fs::path>& inputs) {
+  (void)report_stream(results);  // refuses two on standard output
   const std::vector<NamedFile> written = named_files(results);
   const std::vector<NamedFile> read = named_files(inputs);
   for (std::size_t i = 0; i < written.size(); ++i) {
@@ -223,7 +224,6 @@ void check_results(const std::vector<fs::path>& results, const std::vector<fs::p
     }
     if (!is_standard_output(file.name)) refuse_lost_folder(file.name);
   }
-  (void)report_stream(results);
 }
 
 void write_results(const std::vector<ResultFile>& results) {

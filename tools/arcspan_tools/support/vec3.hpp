@@ -25,14 +25,18 @@ struct Vec3 {
 
 [[nodiscard]] inline double length(Vec3 a) { return std::hypot(a.x, a.y, a.z); }
 
-/// `a` at unit length; a zero (or not finite) vector stays what it is.
-[[nodiscard]] inline Vec3 normalised(Vec3 a) {
-  const double size = length(a);
-  return size > 0 && std::isfinite(size) ? a * (1 / size) : a;
-}
-
 [[nodiscard]] inline bool finite(Vec3 a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+/// `a` at unit length; a zero (or not finite) vector stays what it is. It is scaled by a power of two first,
+/// since the length of very large or very small vectors is not a double.
+[[nodiscard]] inline Vec3 normalised(Vec3 a) {
+  const double largest = std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
+  if (!(largest > 0) || !finite(a)) return a;
+  const int exponent = -std::ilogb(largest);
+  const Vec3 scaled = {std::ldexp(a.x, exponent), std::ldexp(a.y, exponent), std::ldexp(a.z, exponent)};
+  return scaled * (1 / length(scaled));
 }
 
 }  // namespace arcspan::tools

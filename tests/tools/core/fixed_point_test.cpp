@@ -6,6 +6,7 @@
 #include <arcspan_tools/fixed_point/material.hpp>
 #include <arcspan_tools/fixed_point/rounding.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
+#include <arcspan_tools/render/turntable.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <catch2/catch.hpp>
 #include <tests/tools/temporary_folder.hpp>
@@ -97,6 +98,27 @@ TEST_CASE("the default camera has the whole mesh in view, near the edge of the p
   CHECK(filled > 0.75);
 }
 
+TEST_CASE("a picture too narrow for the usual field of view gets a wider one, unless it was given") {
+  const Size size = GENERATE(Size{30, 2048}, Size{8, 2048}, Size{2, 1024});
+  CAPTURE(size.width, size.height);
+  const FixedMesh mesh = sphere();
+  CameraOptions options;
+  const Camera camera = place_camera(options, mesh, size);
+  CHECK(camera.fov_degrees > 40);
+  const ScreenBox box = screen_box(mesh, to_fixed(camera, mesh, size).transform);
+  CHECK(box.left >= 0);
+  CHECK(box.right < size.width);
+  options.fov_given = true;
+  CHECK(message_of<Failure>([&] { (void)place_camera(options, mesh, size); })
+            .find("--fov: too narrow for the whole mesh in " + std::to_string(size.width) + "x" +
+                  std::to_string(size.height) + " pixels (40; the least is ") == 0);
+  Scene scene;
+  scene.size = size;
+  for (std::size_t frame = 0; frame < 3; ++frame) {
+    CHECK_NOTHROW(make_job(Turntable(scene, mesh, 3).scene(frame), mesh, "sphere"));
+  }
+}
+
 TEST_CASE("a camera sees right-handed: x to the right, y up, nearer is larger") {
   const FixedMesh mesh = to_fixed(triangle({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}));
   const CameraOptions options{Vec3{0, 0, 10}, Vec3{0, 0, 0}, {0, 1, 0}, 40};
@@ -120,11 +142,24 @@ TEST_CASE("cameras that see nothing sensible are refused or put right") {
   };
   CHECK(message({Vec3{1, 2, 3}, Vec3{1, 2, 3}, {0, 1, 0}, 40}) == "--eye: is where the target is");
   CHECK(message({Vec3{0, 0, 5000}, {}, {0, 1, 0}, 40}) ==
-        "camera: too far away (5000.000000; the limit is 64 times the size of the mesh)");
+        "camera: too far away (5000; the limit is 64 times the size of the mesh)");
+  CHECK(message({Vec3{1e308, 0, 0}, {}, {0, 1, 0}, 40}) ==
+        "camera: too far away (1e+308; the limit is 64 times the size of the mesh)");
+  CHECK(message({Vec3{1e308, -1e308, 1e308}, {}, {0, 1, 0}, 40}).find("camera: too far away (") == 0);
+  CHECK(message({{}, Vec3{-1e308, 0, 0}, {0, 1, 0}, 40}) ==
+        "--target: too far away (1e+308; the limit is 64 times the size of the mesh)");
+  CHECK(message({Vec3{0, 0, 5}, Vec3{0, 1e308, 1e308}, {0, 1, 0}, 40}) == "(nothing was thrown)");
+  CHECK(message({Vec3{0, 0, 5}, {}, {1e308, 1e308, 0}, 40}) == "(nothing was thrown)");
   CHECK_NOTHROW(to_fixed(place_camera({Vec3{0, 9, 0}, {}, {0, 1, 0}, 40}, mesh, size), mesh, size));
   CHECK_NOTHROW(to_fixed(place_camera({Vec3{0, 0, 0.5}, {}, {0, 1, 0}, 40}, mesh, size), mesh, size));
   CHECK_NOTHROW(
       to_fixed(place_camera({Vec3{0, 0, 5}, Vec3{0, 0, 9}, {0, 1, 0}, 40}, mesh, size), mesh, size));
+}
+
+TEST_CASE("the largest and the smallest vectors have a direction") {
+  CHECK(normalised({0, 1e308, 1e308}) == normalised({0, 1, 1}));
+  CHECK(normalised({-1e-320, 0, 0}).x == Approx(-1));
+  CHECK(normalised({0, 0, 0}) == Vec3{});
 }
 
 TEST_CASE("surfaces become coefficients") {

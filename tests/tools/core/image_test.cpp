@@ -62,6 +62,54 @@ TEST_CASE("names of other kinds and files that are no pictures are refused") {
   CHECK_THROWS_AS(read_image(folder.file("c.png", png.substr(0, png.size() / 2))), Failure);
 }
 
+TEST_CASE("PPM and PGM: comments, maxima and 16 bits are read as the formats say") {
+  const TemporaryFolder folder;
+  const auto read = [&folder](const std::string& bytes) {
+    return read_image(folder.file("a", bytes)).pixels;
+  };
+  CHECK(read("P6 2\t1\n255\nabcdef, and what follows the first picture") ==
+        std::vector<Rgb8>{{'a', 'b', 'c'}, {'d', 'e', 'f'}});
+  CHECK(read("P5#a 9 comment\n1 #2\r3\n255\nabc") ==
+        std::vector<Rgb8>{{97, 97, 97}, {98, 98, 98}, {99, 99, 99}});
+  CHECK(read(std::string("P6\n1 1\n100\n\0\x32\x64", 14)) == std::vector<Rgb8>{{0, 128, 255}});
+  CHECK(read(std::string("P6\n1 1\n65535\n\0\0\x80\x80\xFF\xFF", 19)) == std::vector<Rgb8>{{0, 128, 255}});
+}
+
+TEST_CASE("every damaged PPM and PGM is refused with the reason") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.ppm";
+  const auto complaint = [&](const std::string& bytes) {
+    const std::string message = message_of<Failure>([&] { (void)read_image(folder.file("a.ppm", bytes)); });
+    return message.find(path + ": ") == 0 ? message.substr(path.size() + 2) : message;
+  };
+  const auto damaged = [&](const std::string& what) { return "a damaged PPM or PGM picture (" + what + ")"; };
+  CHECK(complaint("P6\n4 4\n255\nabc") == "truncated (14 bytes of 59)");
+  CHECK(complaint("P5\n100 100\n255\n") == "truncated (15 bytes of 10015)");
+  CHECK(complaint("P5\n2 1\n256\nabc") == "truncated (14 bytes of 15)");
+  CHECK(complaint("P6\n-1 1\n255\nabc") == damaged("width is not a number"));
+  CHECK(complaint("P6\n1 0\n255\nabc") == damaged("height 0 out of range 1 to 16384"));
+  CHECK(complaint("P6\n1 99999999999999999999\n255\nabc") ==
+        damaged("height 999999999999 out of range 1 to 16384"));
+  CHECK(complaint("P6\n1 1\n65536\nabc") == damaged("largest value 65536 out of range 1 to 65535"));
+  CHECK(complaint("P6\n1 1\n255") == damaged("its header has no end"));
+  CHECK(complaint("P6\n1 1\n") == damaged("largest value is not a number"));
+  CHECK(complaint("P5\n1 1\n9\nz") == damaged("value 122 above the largest, 9"));
+  CHECK(complaint("P3\n1 1\n255\n1 2 3\n") == "not a PNG, PPM (P6) or PGM (P5) picture");
+}
+
+TEST_CASE("every byte of a PNG is protected by its checksums, and every cut is noticed") {
+  const TemporaryFolder folder;
+  const std::string png = encode_image(gradient(5, 3), ImageFormat::kPng);
+  REQUIRE(read_image(folder.file("a.png", png)) == gradient(5, 3));
+  for (std::size_t i = 0; i < png.size(); ++i) {
+    CAPTURE(i);
+    std::string changed = png;
+    changed[i] = static_cast<char>(changed[i] ^ 4);
+    CHECK_THROWS_AS(read_image(folder.file("b.png", changed)), Failure);
+    CHECK_THROWS_AS(read_image(folder.file("c.png", png.substr(0, i))), Failure);
+  }
+}
+
 TEST_CASE("a difference is measured per channel") {
   const Image a = gradient(8, 4);
   Image b = a;

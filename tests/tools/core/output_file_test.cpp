@@ -11,7 +11,7 @@ using namespace arcspan::test;
 TEST_CASE("a written file is whole, replaces the old one and leaves nothing beside it") {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.bin", "an old file that is longer");
-  write_whole_file(path, std::string_view("new\0bytes", 9));
+  write_whole_file(path, std::string("new\0bytes", 9));
   CHECK(contents(path) == std::string("new\0bytes", 9));
   CHECK(folder.size() == 1);
 }

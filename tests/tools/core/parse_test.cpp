@@ -12,10 +12,12 @@ TEST_CASE("numbers are taken whole or not at all") {
   CHECK(parse_number("+2.") == 2.0);
   CHECK(parse_number(".5") == 0.5);
   CHECK(std::isnan(parse_number("nan").value()));
-  for (const char* wrong : {"", "+", "-", "+-1", "1 ", " 1", "1,5", "0x10", "one", "1e999"}) {
+  for (const char* wrong : {"", "+", "-", "+-1", "1 ", " 1", "1,5", "0x10", "one"}) {
     CAPTURE(wrong);
     CHECK_FALSE(parse_number(wrong).has_value());
   }
+  CHECK(parse_number("-1e999") == -INFINITY);
+  CHECK(parse_number("1e-999") == 0.0);
   CHECK(parse_integer("-7") == -7);
   CHECK_FALSE(parse_integer("7.0").has_value());
   CHECK_FALSE(parse_integer("99999999999999999999").has_value());

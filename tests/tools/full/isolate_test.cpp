@@ -2,6 +2,7 @@
 #include <arcspan_tools/mesh/file/isolate.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <catch2/catch.hpp>
+#include <sys/wait.h>
 #include <tests/tools/temporary_folder.hpp>
 #include <unistd.h>
 
@@ -29,6 +30,35 @@ TEST_CASE("a mesh comes back whole from the loader's process") {
   CHECK(received.triangles[4999][0].position == sent.triangles[4999][0].position);
   CHECK(received.triangles[4999][0].normal == Vec3{0, 0, 1});
   CHECK(last == 1 + 5000 * sizeof(sent.triangles[0]));
+}
+
+TEST_CASE("a mesh without triangles comes back empty") {
+  CHECK(run_isolated(
+            "m.obj", [] { return RawMesh{}; }, [](std::size_t) {})
+            .triangles.empty());
+}
+
+// The pipe's writing end is open as long as one of the two processes lives.
+TEST_CASE("the loader's process ends with this one, even if it loops") {
+  int ends[2];
+  REQUIRE(::pipe(ends) == 0);
+  const pid_t parent = ::fork();
+  if (parent == 0) {
+    (void)message_for([&ends]() -> RawMesh {
+      (void)!::write(ends[1], "s", 1);
+      for (;;) ::pause();
+    });
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  char byte = 0;
+  REQUIRE(::read(ends[0], &byte, 1) == 1);
+  ::kill(parent, SIGKILL);
+  ::waitpid(parent, nullptr, 0);
+  ::alarm(10);  // ends the test if the loader lives
+  CHECK(::read(ends[0], &byte, 1) == 0);
+  ::alarm(0);
+  ::close(ends[0]);
 }
 
 TEST_CASE("every way in which the loader's process can end is reported in one line") {

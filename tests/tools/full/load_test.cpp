@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <tests/tools/temporary_folder.hpp>
 
+#include <algorithm>
+
 using namespace arcspan::tools;
 using namespace arcspan::test;
 
@@ -72,7 +74,10 @@ TEST_CASE("every wrong OBJ gets a line that names the place and the value") {
   CHECK(complaint("a.obj", square + "f 1 2 1/1/1/1\n") == "line 5: '1/1/1/1' is not a corner of a face");
   CHECK(complaint("a.obj", "v 0 zero 0\n" + square) == "line 1: 'zero' is not a number");
   CHECK(complaint("a.obj", square + "v 0 nan 0\nf 1 2 3\n") == "line 5: 'nan' is not a finite number");
-  CHECK(complaint("a.obj", square + "v 0 1e39 0\nf 1 2 3\n") == "line 5: '1e39' is not a finite number");
+  CHECK(complaint("a.obj", square + "v 0 1e39 0\nf 1 2 3\n") ==
+        "line 5: '1e39' is too large (the limit is 1e30)");
+  CHECK(complaint("a.obj", square + "v 0 1e999 0\nf 1 2 3\n") ==
+        "line 5: '1e999' is too large (the limit is 1e30)");
   CHECK(complaint("a.obj", square + "v 1 2") == "line 5: a number is missing");
   CHECK(complaint("a.obj", square + "f 1 1 2\n") == "no faces with an area (1 dropped)");
   CHECK(complaint("a.obj", std::string("v \0\1\2", 5)) == "not a text file (byte 0 at offset 2)");
@@ -104,7 +109,11 @@ TEST_CASE("files that are not there or of no known kind") {
 TEST_CASE("OFF: a cube, and what can be wrong with one") {
   const std::string head = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
   CHECK(loaded("a.off", head + "4 0 1 2 3\n3 0 2 1 255 0 0\n").triangles.size() == 3);
-  CHECK(complaint("a.off", "COFF\n") == "line 1: expected OFF, not 'COFF'");
+  CHECK(complaint("a.off", "SOFF\n") == "line 1: expected OFF, not 'SOFF'");
+  CHECK(complaint("a.off", "4OFF\n") == "line 1: only three dimensions can be read, not those of '4OFF'");
+  CHECK(complaint("a.off", "OFF BINARY\n\1") == "line 1: a binary OFF file cannot be read");
+  CHECK(complaint("a.off", head + "5000 0 1\n") ==
+        "line 7: number of corners out of range (5000; allowed are 1 to 4096)");
   CHECK(complaint("a.off", "OFF\n") == "line 1: the file ends before its counts");
   CHECK(complaint("a.off", "OFF\n4 x 0\n") == "line 2: 'x' is not an integer (face count)");
   CHECK(complaint("a.off", "OFF\n4 999999 0\n") ==
@@ -117,6 +126,31 @@ TEST_CASE("OFF: a cube, and what can be wrong with one") {
 
 TEST_CASE("an empty mesh binary is truncated") {
   CHECK(complaint("a.bin", "") == "the mesh binary is damaged (truncated)");
+}
+
+TEST_CASE("OFF: keywords of other programs, none at all, and line ends of old Macs") {
+  const auto square = [](const std::string& keyword, const std::string& more) {
+    return keyword + "4 1 0\n0 0 0" + more + "\n1 0 0" + more + "\n1 1 0" + more + "\n0 1 0" + more +
+           "\n4 0 1 2 3\n";
+  };
+  const std::vector<std::string> colours = {"vertex colours are not drawn"};
+  for (const char* keyword : {"OFF\n", "off\n", "OFF ", "", "STOFF\n"}) {
+    CAPTURE(keyword);
+    const MeshData mesh = loaded("a.off", square(keyword, ""));
+    CHECK(mesh.triangles.size() == 2);
+    CHECK(mesh.warnings.empty());
+  }
+  CHECK(loaded("a.off", square("COFF\n", " 255 0 0 255")).warnings == colours);
+  CHECK(loaded("a.off", square("OFF\n", " 0.1 0.2 0.3")).warnings == colours);
+  CHECK(loaded("a.off", square("OFF\n", "") + "\n").warnings.empty());
+  CHECK(loaded("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n").warnings ==
+        std::vector<std::string>{"face colours are not drawn"});
+  const MeshData with_normals = loaded("a.off", square("CNOFF\n", " 0 0.6 0.8 255 0 0 255"));
+  for (const Vec3& n : with_normals.normals) CHECK(length(n - Vec3{0, 0.6, 0.8}) < 1e-6);
+  CHECK(with_normals.warnings == colours);
+  std::string mac = square("OFF\n", "");
+  std::replace(mac.begin(), mac.end(), '\n', '\r');
+  CHECK(loaded("a.off", mac).triangles.size() == 2);
 }
 
 TEST_CASE("STL: text and binary, and what can be wrong with them") {
@@ -144,10 +178,32 @@ TEST_CASE("STL: text and binary, and what can be wrong with them") {
   REQUIRE(mesh.triangles.size() == 1);
   CHECK(mesh.normals[0] == Vec3{0, 0, 1});
   CHECK(complaint("a.stl", binary.substr(0, 130)) == "truncated (130 bytes of 134 for 1 triangles)");
+  // A header may say "solid", and bytes may follow.
+  std::string solid = binary;
+  solid.replace(0, 5, "solid");
+  CHECK(loaded("a.stl", solid).triangles.size() == 1);
+  CHECK(loaded("a.stl", solid + "more").triangles.size() == 1);
+  CHECK(complaint("a.stl", solid.substr(0, 130)) == "truncated (130 bytes of 134 for 1 triangles)");
+  CHECK(loaded("a.stl", solid).warnings.empty());
+  solid[133] = static_cast<char>(0x80);
+  CHECK(loaded("a.stl", solid).warnings == std::vector<std::string>{"face colours are not drawn"});
   put(10, "\x00\x00\xC0\x7F");
   CHECK(complaint("a.stl", binary) == "a coordinate of triangle 0 is not a finite number");
   binary[82] = 0x7F;
   CHECK(complaint("a.stl", binary) == "too many triangles (8323073; the limit is 262144)");
+}
+
+TEST_CASE("STL: text in upper case, with a byte order mark, in UTF-16, and with line ends of old Macs") {
+  std::string text =
+      "SOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\n"
+      "ENDSOLID A\n";
+  CHECK(loaded("a.stl", text).triangles.size() == 1);
+  CHECK(loaded("a.stl", "\xEF\xBB\xBF" + text).triangles.size() == 1);
+  std::string wide = "\xFF\xFE";
+  for (const char c : text) wide += {c, '\0'};
+  CHECK(loaded("a.stl", wide).triangles.size() == 1);
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  CHECK(loaded("a.stl", text).triangles.size() == 1);
 }
 
 TEST_CASE("PLY: text and both byte orders give the same mesh") {
@@ -186,6 +242,8 @@ TEST_CASE("PLY: what can be wrong with one") {
   CHECK(complaint("a.ply", head + "property half x\n") == "line 3: a property before any element");
   CHECK(complaint("a.ply", head + "element vertex 3\nproperty half x\n") == "line 4: 'half' is not a type");
   CHECK(complaint("a.ply", head + vertices + body) == "no faces");
+  CHECK(complaint("a.ply", head + faces + "end_header\n3 0 1 2\n") == "no vertices");
+  CHECK(complaint("a.ply", head + vertices + vertices + body) == "two elements are named 'vertex'");
   CHECK(complaint("a.ply", head + vertices + faces + body) == "line 12: the file ends before face 1 of 1");
   CHECK(complaint("a.ply", head + vertices + faces + body + "3 0 1 3\n") ==
         "line 13: vertex index out of range (3; allowed are 0 to 2) in face 1 of 1");
@@ -195,6 +253,81 @@ TEST_CASE("PLY: what can be wrong with one") {
         "line 7: the vertices have no x, y and z");
   CHECK(complaint("a.ply", "ply\nformat binary_little_endian 1.0\n" + vertices + faces +
                                "end_header\n\1\2\3") == "line 9: the file ends before vertex 1 of 3");
+}
+
+TEST_CASE("PLY: faces before vertices, triangle strips, free line breaks, and line ends of old Macs") {
+  const std::string head = "ply\nformat ascii 1.0\n";
+  const std::string vertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string faces = "element face 2\nproperty list uchar int vertex_indices\n";
+  const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+  const std::string ordered = head + vertices + faces + "end_header\n" + points + "3 0 1 2\n3 2 1 3\n";
+  const MeshData expected = loaded("a.ply", ordered);
+  REQUIRE(expected.triangles.size() == 2);
+  std::string mac = ordered;
+  std::replace(mac.begin(), mac.end(), '\n', '\r');
+  for (const std::string& same :
+       {head + faces + vertices + "end_header\n3 0 1 2\n3 2 1 3\n" + points,
+        head + vertices + strips + "end_header\n" + points + "4 0 1 2 3\n",
+        head + vertices + strips + "end_header\n" + points + "8 0 1 2 -1 2 1 3 -1\n",
+        head + vertices + strips + "end_header\n" + points + "7 0 1 2 2 2 1 3\n",
+        head + vertices + faces + "end_header\n0 0\n0 1 0 0\n0 1 0 1 1\n\n0 3 0\n1 2 3 2 1\n3\n", mac}) {
+    CAPTURE(same);
+    const MeshData mesh = loaded("a.ply", same);
+    CHECK(mesh.positions == expected.positions);
+    CHECK(mesh.triangles == expected.triangles);
+    CHECK(mesh.normals == expected.normals);
+  }
+  CHECK(complaint("a.ply", head + vertices + strips + "end_header\n" + points + "3 0 1 4\n") ==
+        "line 13: vertex index out of range (4; allowed are -1 to 3) in tristrips 1 of 1");
+  CHECK(complaint("a.ply",
+                  head + vertices + faces + "end_header\n0 0 0 1 0 0\n0 1 0 1 1 0\n3 0 1 2 3 2 1 3 9\n") ==
+        "line 11: more numbers than the header announces");
+  CHECK(complaint("a.ply", "ply\nformat binary_little_endian 1.0\n" + vertices + strips + "end_header\n" +
+                               std::string("\xFF\xFF\xFF\x7E", 4) + std::string(44, '\0')) ==
+        "line 9: a number above 1e30 in vertex 1 of 4");
+}
+
+TEST_CASE("OBJ: line ends of old Macs, and a face of too many corners") {
+  std::string text = std::string(kSquare) + "f 1 2 3 4\n";
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  CHECK(loaded("a.obj", text).triangles.size() == 2);
+  std::string polygon;
+  for (int i = 0; i < 4097; ++i) polygon += "v " + std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
+  polygon += "f";
+  for (int i = 1; i <= 4096; ++i) polygon += " " + std::to_string(i);
+  CHECK(loaded("a.obj", polygon).triangles.size() == 4094);
+  CHECK(complaint("a.obj", polygon + " 4097") ==
+        "line 4098: a face has too many corners (4097; the limit is 4096)");
+  std::string many = polygon + "\n";
+  for (int i = 0; i < 6; ++i) many += many.substr(many.find('f'));
+  CHECK(complaint("a.obj", many + many.substr(many.find('f'))) ==
+        "too many triangles (more than 262144, the limit)");
+}
+
+TEST_CASE("content that is not drawn gets a warning") {
+  const std::string square = kSquare;
+  const auto warnings = [](const std::string& text) { return loaded("a.obj", text).warnings; };
+  using Lines = std::vector<std::string>;
+  CHECK(warnings(square + "g a\ns 1\nf 1 2 3\nf 1 3 4\n").empty());
+  CHECK(warnings(square + "usemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\n") ==
+        Lines{"materials (usemtl) are not drawn"});
+  CHECK(warnings("v 0 0 0 1 0 0\n" + square + "f 2 3 4\n") == Lines{"vertex colours are not drawn"});
+  const Lines flat = {"faces that are not to be smoothed (s off) are drawn smooth"};
+  CHECK(warnings(square + "s off\nf 1 2 3\n") == flat);
+  CHECK(warnings(square + "s 0\nf 1 2 3\n") == flat);
+  CHECK(warnings(square + "s 1\nf 1 2 3\ns 2\nf 1 3 4\n") ==
+        Lines{"edges between smoothing groups (s) are drawn smooth"});
+  // Normals of the file say it all.
+  CHECK(warnings(square + "vn 0 0 1\ns off\nf 1//1 2//1 3//1\n").empty());
+  CHECK(warnings(square + "cstype bspline\nsurf 0 1 0 1 1 2 3 4\nf 1 2 3\n") ==
+        Lines{"curves and free-form surfaces are not drawn"});
+  const std::string rgb = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" +
+      rgb + "element face 1\nproperty list uchar int vertex_indices\n" + rgb +
+      "end_header\n0 0 0 1 1 1\n1 0 0 1 1 1\n0 1 0 1 1 1\n3 0 1 2 1 1 1\n";
+  CHECK(loaded("a.ply", ply).warnings == Lines{"vertex colours are not drawn", "face colours are not drawn"});
 }
 
 TEST_CASE("real meshes of the loader's own collection") {

@@ -2,7 +2,9 @@
 #include <arcspan_tools/mesh/file/ply_header.hpp>
 #include <arcspan_tools/mesh/file/validate.hpp>
 #include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/parse.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -10,6 +12,7 @@
 namespace arcspan::tools {
 namespace {
 
+constexpr std::int64_t kMostInList = 1 << 20;
 constexpr double kMostCoordinate = 1e30;  // as in a text, see TextLines
 
 void append_number(std::string& out, double value) {
@@ -18,12 +21,34 @@ void append_number(std::string& out, double value) {
   out.append(text, end);
 }
 
-/// Whether each of so many elements has a line of its own in a text. Otherwise lines may break anywhere.
-bool is_line_by_line(std::string_view body, std::int64_t elements) {
+/// How many words an element needs, of which a line holds the first ones.
+std::size_t words_needed(const PlyElement& element, const std::vector<std::string_view>& words) {
+  std::size_t needed = 0;
+  for (const PlyProperty& property : element.properties) {
+    if (property.count_type && needed < words.size()) {
+      const std::int64_t length = parse_integer(words[needed]).value_or(0);
+      needed += static_cast<std::size_t>(std::clamp<std::int64_t>(length, 0, kMostInList));
+    }
+    ++needed;
+  }
+  return needed;
+}
+
+/// Whether every element has a line of its own in a text, which may hold more than the header says. Otherwise
+/// lines may break anywhere.
+bool is_line_by_line(std::string_view body, const PlyHeader& header) {
   TextLines lines(body, "");
-  std::int64_t used = 0;
-  while (lines.next()) used += lines.words().empty() ? 0 : 1;
-  return used == elements;
+  const auto next = [&lines] {
+    bool more = lines.next();
+    while (more && lines.words().empty()) more = lines.next();
+    return more;
+  };
+  for (const PlyElement& element : header.elements) {
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      if (!next() || lines.words().size() < words_needed(element, lines.words())) return false;
+    }
+  }
+  return !next();
 }
 
 /// The numbers of a PLY body, one after the other, from text or from either byte order.
@@ -31,9 +56,7 @@ class PlyBody {
  public:
   PlyBody(TextLines& lines, const PlyHeader& header)
       : lines_(lines), encoding_(header.encoding), bytes_(lines.rest()), word_(lines.words().size()) {
-    std::int64_t elements = 0;
-    for (const PlyElement& element : header.elements) elements += element.count;
-    line_by_line_ = encoding_ == PlyEncoding::kText && is_line_by_line(bytes_, elements);
+    line_by_line_ = encoding_ == PlyEncoding::kText && is_line_by_line(bytes_, header);
   }
 
   /// Starts the next element; `what` names it in messages.
@@ -114,8 +137,6 @@ std::size_t property_index(const PlyElement& element, std::string_view name) {
   }
   return element.properties.size();
 }
-
-constexpr std::int64_t kMostInList = 1 << 20;
 
 void skip(PlyBody& body, const PlyProperty& property) {
   std::int64_t numbers = 1;

@@ -127,7 +127,8 @@ ScreenedMesh screened_stl(std::string_view bytes, const std::string& subject) {
   const bool exact =
       has_count &&
       bytes.size() == kHeaderBytes + 4 + std::uint64_t{kFacetBytes} * little_u32(bytes, kHeaderBytes);
-  const bool can_be_text = !has_count || bytes[kHeaderBytes + 3] != 0;
+  const bool is_utf16 = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+  const bool can_be_text = !has_count || is_utf16 || bytes[kHeaderBytes + 3] != 0;
   if (exact || !can_be_text) return screened_binary(bytes, subject);
   const std::string text = plain_text(bytes);
   TextLines lines(text, subject);

@@ -99,8 +99,11 @@ TEST_CASE("a child is killed when its parent is") {
   REQUIRE(::pipe(ends) == 0);
   const int status = status_of([&] {
     if (fork_child() == 0) {
+      (void)!::write(ends[1], "s", 1);
       for (;;) ::pause();
     }
+    char started = 0;
+    (void)!::read(ends[0], &started, 1);
     (void)::raise(SIGKILL);
   });
   CHECK(WTERMSIG(status) == SIGKILL);

@@ -43,13 +43,10 @@ int main() {
   screen.clear({0, 0, 0});
   nearest.clear();
   // The whole sphere is in view, its triangles are small, and its inside is never visible.
-  constexpr DrawFeatures kFeatures{.clips = false,
-                                   .splits = false,
-                                   .two_sided = false,
-                                   .caches = false,
-                                   .planes = false,
-                                   .whole_rows = false};
-  const DrawResult drawn = draw_mesh<Arc<Light>, kFeatures>(kSphere, kCamera, kLight, screen, nearest);
+  constexpr DrawFeatures kFeatures{
+      .clips = false, .two_sided = false, .caches = false, .planes = false, .whole_rows = false};
+  using Method = Arc<Light, WidestNormals::k60Degrees>;
+  const DrawResult drawn = draw_mesh<Method, kFeatures>(kSphere, kCamera, kLight, screen, nearest);
 
   bare::print_line("triangles: ", drawn.triangles, ", left out: ", drawn.left_out);
   bare::print_line("middle pixel: ", std::uint32_t{screen.pixel(kWidth / 2, kHeight / 2).r});

@@ -151,17 +151,15 @@ void fuzz_triangles(Input& in) {
       take_shade<I>(in, vertex.shade);
     }
     const Direction normal = take_direction(in);
-    auto emit = [&](const auto& a, const auto& b, const auto& c) {
-      TriangleCommand<Method> command;
-      if (!prepare_triangle(lighting, a, b, c, Method::shade_face(lighting, normal), rows, command)) return;
-      const Rect clip = target.sink.bounds();
-      if ((in.take<std::uint8_t>() & 1) != 0) {
-        static_cast<void>(draw_command(command, origin, clip, lighting, target.sink, target.depth));
-      } else {
-        static_cast<void>(draw_command(command, origin, clip, lighting, target.sink, NoDepth{}));
-      }
-    };
-    split_triangle(v[0], v[1], v[2], emit);
+    TriangleCommand<Method> command;
+    if (!prepare_triangle(lighting, v[0], v[1], v[2], Method::shade_face(lighting, normal), rows, command))
+      continue;
+    const Rect clip = target.sink.bounds();
+    if ((in.take<std::uint8_t>() & 1) != 0) {
+      static_cast<void>(draw_command(command, origin, clip, lighting, target.sink, target.depth));
+    } else {
+      static_cast<void>(draw_command(command, origin, clip, lighting, target.sink, NoDepth{}));
+    }
   }
 }
 

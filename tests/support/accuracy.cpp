@@ -221,12 +221,12 @@ class Measurement {
     ++figures_.pixels;
   }
 
-  /// The highlight ends sharply where N·L = 0; there either side of the step is right.
+  /// The highlight ends sharply where N·L = 0. Within the error of N·L either side of the step is right.
   static void colour(Rgb8 got, const IlluminationOracle& oracle, double light, double cosine,
                      ErrorFigure& figure, int& steps) {
     const bool lit = light > 0;
     const IlluminationOracle::ChannelLevels truth = oracle.levels(light, cosine, lit);
-    const bool border = std::abs(light) < 0x1p-11;
+    const bool border = std::abs(light) < 1.2e-3;
     const IlluminationOracle::ChannelLevels other = border ? oracle.levels(light, cosine, !lit) : truth;
     const double channels[3] = {double(got.r), double(got.g), double(got.b)};
     for (std::size_t c = 0; c < 3; ++c) {

@@ -34,7 +34,9 @@ struct Probe {
     return {};
   }
 
-  [[nodiscard]] std::uint32_t widest_patch() const { return arcspan::widest_patch(shininess); }
+  [[nodiscard]] std::uint32_t widest_patch() const {
+    return arcspan::widest_patch(Highlight::kPhong, shininess, 255u << 5);
+  }
 
   std::int32_t shininess = 64;
   std::array<Direction, 3> axes{};

@@ -27,7 +27,6 @@ struct DrawResult {
 struct DrawFeatures {
   bool clips =
       true;  ///< draws triangles across the near plane or the guard band; else counts them as left_out
-  bool splits = true;      ///< splits triangles with normals too far apart; else draws them less accurately
   bool two_sided = true;   ///< DrawOptions::two_sided works; else it returns kUnsupported
   bool caches = true;      ///< uses a vertex cache if one is given
   bool planes = true;      ///< culls by the face planes of a mesh that has them

@@ -6,7 +6,6 @@
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/mesh/face_normal.hpp>
-#include <arcspan/prepare/split.hpp>
 #include <arcspan/span/draw_command.hpp>
 #include <arcspan/target.hpp>
 
@@ -16,7 +15,7 @@
 
 namespace arcspan::detail {
 
-/// Draws the triangles of one draw_mesh() call: culls, clips, shades, splits, prepares and hands the commands
+/// Draws the triangles of one draw_mesh() call: culls, clips, shades, prepares and hands the commands
 /// to the span stage.
 template <ShadingMethod Method, DrawFeatures Features, PixelSink Sink, DepthTarget Depth>
 class TriangleDrawer {
@@ -196,27 +195,20 @@ class TriangleDrawer {
     }
   }
 
-  /// Draws one side of a triangle whose vertices are shaded, in parts if its normals are too far apart.
-  ARCSPAN_INLINE void draw_side(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c,
-                                Facing facing) {
+  /// Draws one side of a triangle whose vertices are shaded. A function of its own, so that the stack of the
+  /// other paths does not hold a command.
+  ARCSPAN_OUTLINE void draw_side(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c,
+                                 Facing facing) {
     const Face face = shaded_face(t, facing);
-    if (draw_part(a, b, c, face, Features.splits)) return;
-    if constexpr (Features.splits) draw_split(a, b, c, face);
-  }
-
-  /// Prepares a triangle and draws its rows. Returns false if it `may_split` and its normals are too far
-  /// apart for the method; nothing is drawn then. A function of its own, so that the stack holds only one
-  /// command.
-  ARCSPAN_OUTLINE bool draw_part(const Raster& a, const Raster& b, const Raster& c, const Face& face,
-                                 bool may_split) {
     TriangleCommand<Method> command;
-    const Preparation prepared = prepare_inside<Method, Depth::kTests>(
-        stage_.lighting(), a, b, c, face, scissor_.viewport_rows(), may_split, command);
-    if (prepared != Preparation::kReady) return prepared == Preparation::kNothing;
+    if (!prepare_inside<Method, Depth::kTests>(stage_.lighting(), a, b, c, face, scissor_.viewport_rows(),
+                                               command)) {
+      return;
+    }
     counted_ = true;
     const RasterOrigin& origin = scissor_.origin();
     const Rect& rect = scissor_.rect();
-    if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return true;
+    if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;
     const Target target{rect, stage_.lighting(), sink_, depth_, encoded_};
     if constexpr (!kWholeRows) {
       result_.status = draw_crossing_rows(command, origin, target);
@@ -227,20 +219,6 @@ class TriangleDrawer {
           command.shade,
           RowDrawer<ScissorColumns::kInside, TriangleCommand<Method>, Target>{command, origin, target});
     }
-    return true;
-  }
-
-  /// Splits a triangle and draws the parts that have rows in this band.
-  ARCSPAN_COLD_OUTLINE void draw_split(const Raster& a, const Raster& b, const Raster& c, const Face& face) {
-    auto emit = [this, &face](const Raster& p, const Raster& q, const Raster& r) {
-      if (!ok(result_.status)) return;
-      if (scissor_.is_in_other_band(p.position, q.position, r.position)) {
-        counted_ = true;
-        return;
-      }
-      (void)draw_part(p, q, r, face, false);
-    };
-    split_triangle(a, b, c, emit);
   }
 
   const VertexStage<Method> stage_;

@@ -3,16 +3,28 @@
 
 #include <arcspan/lighting/illumination.hpp>
 
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
 namespace arcspan {
 
-/// Squared chords of 16 and of 12 degrees, 28 fraction bits. A patch of up to 16 degrees is within 3.3e-4 of
-/// bilinear SLERP. In the diffuse light that is below a tenth of an 8-bit step, but in a highlight it grows
-/// with the exponent, so patches with sharp highlights are limited to 12 degrees (decision 5).
-inline constexpr std::uint32_t kWidestPatch = 20797469u;
-inline constexpr std::uint32_t kWidestSharpPatch = 11731918u;
-/// The squared chord up to which a triangle with a highlight of this exponent may be a patch.
-[[nodiscard]] constexpr std::uint32_t widest_patch(std::int32_t shininess) {
-  return shininess > 16 ? kWidestSharpPatch : kWidestPatch;
+/// Returns the squared chord, 28 fraction bits, up to which a triangle with a highlight may be a patch, so
+/// that the highlight differs by at most 1.2 8-bit steps. The difference grows with the exponent and with the
+/// height of the highlight, `most_specular` (8-bit steps, 5 fraction bits).
+[[nodiscard]] constexpr std::uint32_t widest_patch(Highlight model, std::int32_t shininess,
+                                                   std::uint32_t most_specular) {
+  // Entry i is for exponents up to 2^i and white highlights by R·V: 23, 23, 23, 20, 17, 14.5, 12, 10, 8.5
+  // degrees. Blunt highlights would allow 29, but they end abruptly where N·L = 0, so its error counts too.
+  constexpr std::array<std::uint32_t, 9> kChords{42678632, 42678632, 42678632, 32377278, 23458706,
+                                                 17100605, 11731918, 8156275,  5897063};
+  constexpr std::uint32_t kWhite = 255u << 5;
+  const std::uint32_t height = static_cast<std::uint32_t>(shininess) * most_specular;
+  const int doublings = height <= kWhite ? 0 : static_cast<int>(std::bit_width((height - 1) / kWhite));
+  // N·H turns by half the angle of R·V, so its highlights are as wide as those of a quarter of the exponent.
+  const int index = model == Highlight::kPhong ? doublings : doublings - 2;
+  return kChords[static_cast<std::size_t>(index < 0 ? 0 : index)];
 }
 
 namespace detail {
@@ -100,7 +112,7 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   const std::array<std::uint32_t, 3>& specular = illumination.specular_;
   const bool white = specular[0] == specular[1] && specular[1] == specular[2];
   illumination.white_specular_ = white ? specular[0] : 0;
-  illumination.widest_patch_ = arcspan::widest_patch(material.shininess);
+  illumination.widest_patch_ = arcspan::widest_patch(Model, material.shininess, illumination.most_specular());
   illumination.shininess_ = static_cast<std::uint32_t>(material.shininess);
   illumination.power_ = PowerTable(material.shininess);
   const std::uint32_t turns = Model == Highlight::kBlinn ? 1 : 2;

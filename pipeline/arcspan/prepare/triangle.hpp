@@ -228,35 +228,6 @@ template <bool WithDepth, class Method>
 
 }  // namespace detail
 
-/// Returns true if the normals of an edge are too far apart for the method.
-template <class Method>
-[[nodiscard]] constexpr bool is_too_wide(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
-                                         const RasterVertex<Method>& c) {
-  return Method::too_wide(a.shade, b.shade) || Method::too_wide(b.shade, c.shade) ||
-         Method::too_wide(c.shade, a.shade);
-}
-
-namespace detail {
-
-/// is_too_wide() for a frame whose vertices are placed; uses its chords where the method measures them.
-template <class Method>
-[[nodiscard]] constexpr bool is_too_wide_in(const TriangleFrame<Method>& frame) {
-  if constexpr (MeasuresChords<Method>) {
-    return frame.chords.widest() > Method::kWidestChord;
-  } else {
-    return is_too_wide(*frame.top, *frame.middle, *frame.bottom);
-  }
-}
-
-}  // namespace detail
-
-/// Result of prepare_inside().
-enum class Preparation : std::uint8_t {
-  kReady,    ///< the command is complete
-  kNothing,  ///< the triangle has no area or no row to draw
-  kTooWide,  ///< two of its normals are too far apart for the method, so it must be split
-};
-
 /// Returns true inside the guard band, [-1024, 1024) pixels, within which edges and areas fit their words.
 [[nodiscard]] constexpr bool in_guard_band(const RasterPosition& p) {
   constexpr std::uint32_t kHalf = kGuardBand << Subpixel::kFraction;
@@ -264,18 +235,15 @@ enum class Preparation : std::uint8_t {
 }
 
 /// prepare_triangle() for vertices that are known to be inside the guard band, as those from project() are.
-/// Returns kTooWide only if `may_split`; otherwise a triangle that is too wide gets a command too, with the
-/// method's larger error. `WithDepth` is false where depth is not tested; the depth plane is then zero.
+/// `WithDepth` is false where depth is not tested; the depth plane is then zero.
 template <class Method, bool WithDepth = true>
-ARCSPAN_OUTLINE_IF_SMALL [[nodiscard]] constexpr Preparation prepare_inside(
+ARCSPAN_OUTLINE_IF_SMALL [[nodiscard]] constexpr bool prepare_inside(
     const typename Method::Lighting& lighting, const RasterVertex<Method>& a, const RasterVertex<Method>& b,
-    const RasterVertex<Method>& c, const typename Method::Face& face, const RowRange& rows, bool may_split,
+    const RasterVertex<Method>& c, const typename Method::Face& face, const RowRange& rows,
     TriangleCommand<Method>& command) {
   TriangleFrame<Method> frame;
   detail::place_vertices(a, b, c, frame);
-  if (may_split && detail::is_too_wide_in(frame)) return Preparation::kTooWide;
-  return detail::prepare_frame<WithDepth>(lighting, frame, face, rows, command) ? Preparation::kReady
-                                                                                : Preparation::kNothing;
+  return detail::prepare_frame<WithDepth>(lighting, frame, face, rows, command);
 }
 
 /// Makes the command that draws a triangle of either winding. Returns false if there is nothing to draw: if

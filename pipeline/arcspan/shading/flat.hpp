@@ -20,7 +20,6 @@ struct Flat {
     return lighting.colour(lighting.scalars(normal));
   }
   [[nodiscard]] static constexpr Vertex between(const Vertex&, const Vertex&, Factor) { return {}; }
-  [[nodiscard]] static constexpr bool too_wide(const Vertex&, const Vertex&) { return false; }
   static constexpr void prepare(const Lighting&, const TriangleFrame<Flat>&, const Face& face,
                                 Prepared& prepared) {
     prepared = face;
@@ -35,7 +34,6 @@ struct Flat {
   class Walker {
    public:
     using Run = Flat::Run;
-    static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
     constexpr explicit Walker(Prepared& prepared) : value_(prepared) {}
     [[nodiscard]] constexpr Run row(const RowStart&) const { return {value_}; }
     constexpr void next_row() {}

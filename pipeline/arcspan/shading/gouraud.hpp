@@ -35,7 +35,6 @@ struct Gouraud {
     };
     return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
   }
-  [[nodiscard]] static constexpr bool too_wide(const Vertex&, const Vertex&) { return false; }
 
   static constexpr void prepare(const Lighting&, const TriangleFrame<Gouraud>& frame, const Face&,
                                 Prepared& prepared) {
@@ -61,7 +60,6 @@ struct Gouraud {
   class Walker {
    public:
     using Run = Gouraud::Run;
-    static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
     constexpr explicit Walker(Prepared& prepared) : p_(&prepared) {}
     [[nodiscard]] constexpr Run row(const RowStart& start) const {
       return {FineRgb::of(word(linear_at(p_->r, start)), word(linear_at(p_->g, start)),

@@ -45,16 +45,15 @@ concept SegmentedRunOf = SegmentedRun<R> && requires(R run, const Lighting& ligh
   { run.enter(lighting, count) } -> std::same_as<std::int32_t>;
 };
 
-/// Walks down the rows of a command. `row()` returns the run of the current row, of at most kLongestRun
-/// pixels; `next_row()` steps down; `enter_lower()` changes to the lower short edge. A walker may change the
-/// command's prepared part. Walkers and runs belong to the span stage: they do not divide.
+/// Walks down the rows of a command. `row()` returns the run of the current row; `next_row()` steps down;
+/// `enter_lower()` changes to the lower short edge. A walker may change the command's prepared part. Walkers
+/// and runs belong to the span stage: they do not divide.
 template <class W, class Lighting>
 concept RowWalker = (PixelRun<typename W::Run, Lighting> ||
                      SegmentedRunOf<typename W::Run, Lighting>)&&requires(W walker, const RowStart& row) {
   { walker.row(row) } -> std::same_as<typename W::Run>;
   {walker.next_row()};
   {walker.enter_lower()};
-  { W::kLongestRun } -> std::convertible_to<std::int32_t>;
 };
 
 /// A way of shading triangles. Its types and functions:
@@ -66,7 +65,6 @@ concept RowWalker = (PixelRun<typename W::Run, Lighting> ||
 ///   prepare() gets a TriangleFrame and may complete it (make_short_inverses()).
 /// - `between`: the vertex at a fraction of an edge, for clipping and splitting. At 1/2 the result must not
 ///   depend on the order of the two ends.
-/// - `too_wide`: true if an edge must be halved before the triangle can be shaded.
 /// - `walk`: static Status walk(Prepared&, draw) calls `draw` with a RowWalker and returns its status. The
 ///   type of the walker may depend on the triangle.
 template <class M>
@@ -76,9 +74,15 @@ concept ShadingMethod = requires(const typename M::Lighting& lighting, const Dir
   { M::shade_vertex(lighting, normal) } -> std::same_as<typename M::Vertex>;
   { M::shade_face(lighting, normal) } -> std::same_as<typename M::Face>;
   { M::between(vertex, vertex, fraction) } -> std::same_as<typename M::Vertex>;
-  { M::too_wide(vertex, vertex) } -> std::same_as<bool>;
   {M::prepare(lighting, frame, face, prepared)};
   { M::kNeedsFaceNormal } -> std::convertible_to<bool>;
+};
+
+/// Optional part of a run: `length()` is the number of pixels after which the row needs a new run, at
+/// least 1.
+template <class R>
+concept LimitedRun = requires(const R run) {
+  { run.length() } -> std::same_as<std::int32_t>;
 };
 
 /// Optional part of a method: its runs look up encoded colours in the table of span/encoded_colours.hpp where

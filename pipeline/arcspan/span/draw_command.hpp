@@ -33,14 +33,16 @@ enum class ScissorColumns : std::uint8_t {
 };
 
 /// Draws the pixels of `span` in the current row. `begin` is the row's first column; the span may start right
-/// of it.
+/// of it. Shortens `span` if the run is shorter (LimitedRun).
 template <class Command, class Walker, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_run(const Command& command, const Walker& walker,
-                                                       const Span& span, std::int32_t begin,
-                                                       const Target& target,
+                                                       Span& span, std::int32_t begin, const Target& target,
                                                        const RowMemory<Target>& memory) {
   const RowStart start = row_start(command.left, command.right, span.x - begin);
   typename Walker::Run run = walker.row(start);
+  if constexpr (LimitedRun<typename Walker::Run>) {
+    if (span.count > run.length()) span.count = run.length();
+  }
   if constexpr (IndexedRows<Target> && !SegmentedRun<typename Walker::Run>) {
     PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span),
                              linear_at(command.depth, start)};
@@ -60,7 +62,7 @@ template <class Command, class Walker, class Target>
 /// draw_run() in a function of its own, for runs that need many registers.
 template <class Command, class Walker, class Target>
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_run_outlined(const Command& command, const Walker& walker,
-                                                                 const Span& span, std::int32_t begin,
+                                                                 Span& span, std::int32_t begin,
                                                                  const Target& target,
                                                                  const RowMemory<Target>& memory) {
   // A copy, because the members of a reference would be loaded again for every pixel.
@@ -68,8 +70,8 @@ template <class Command, class Walker, class Target>
   return draw_run(command, walker, span, begin, local, memory);
 }
 
-/// Draws the visible part of the current row, at row y of the picture, in runs of at most Walker::kLongestRun
-/// pixels.
+/// Draws the visible part of the current row, at row y of the picture; in several runs if they are
+/// LimitedRun.
 template <ScissorColumns kColumns, class Command, class Walker, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_row(const Command& command, const Walker& walker,
                                                        std::int32_t y, const Target& target,
@@ -84,16 +86,13 @@ template <ScissorColumns kColumns, class Command, class Walker, class Target>
   if (first >= last) return Status::kOk;
   Span span{y, first, last - first};
   while (true) {
-    if constexpr (Walker::kLongestRun < 2 * kGuardBand) {
-      if (span.count > Walker::kLongestRun) span.count = Walker::kLongestRun;
-    }
     Status status;
     if constexpr (OutlinedWalker<Walker> || (kHasManyRegisters && SegmentedRun<typename Walker::Run>)) {
       status = draw_run_outlined(command, walker, span, begin, target, memory);
     } else {
       status = draw_run(command, walker, span, begin, target, memory);
     }
-    if constexpr (Walker::kLongestRun >= 2 * kGuardBand) {
+    if constexpr (!LimitedRun<typename Walker::Run>) {
       return status;
     } else {
       span.x += span.count;
@@ -161,10 +160,21 @@ struct RowDrawer {
   template <class Walker>
   [[nodiscard]] constexpr Status operator()(Walker walker) const {
     if constexpr (kOutlineRows<Walker>) {
-      return draw_outlined(*this, walker);
+      // One row loop serves both kinds of columns, because these rows take much longer than the test.
+      return RowDrawer<ScissorColumns::kCrossing, Command, Target>::draw_outlined(command, origin, walker,
+                                                                                  target);
     } else {
       return draw(command, origin, walker, target);
     }
+  }
+
+  template <class Walker>
+  [[nodiscard]] ARCSPAN_OUTLINE static constexpr Status draw_outlined(Command& command,
+                                                                      const RasterOrigin& origin,
+                                                                      const Walker& walker,
+                                                                      const Target& target) {
+    const Target local = target;
+    return draw(command, origin, walker, local);
   }
 
  private:
@@ -189,13 +199,6 @@ struct RowDrawer {
       if (half_end >= stop) return Status::kOk;
       enter_lower<Target>(command, walker);
     }
-  }
-
-  template <class Walker>
-  [[nodiscard]] ARCSPAN_OUTLINE static constexpr Status draw_outlined(const RowDrawer& drawer,
-                                                                      const Walker& walker) {
-    const Target local = drawer.target;
-    return draw(drawer.command, drawer.origin, walker, local);
   }
 };
 

@@ -6,10 +6,14 @@
 #include <catch2/catch.hpp>
 #include <tests/support/mesh_and_camera.hpp>
 #include <tests/support/raster_stage.hpp>
+#include <tests/support/run_list.hpp>
 #include <tests/support/test_share.hpp>
 
-#include <cstdio>
-#include <cstdlib>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 using namespace arcspan;
 using namespace arcspan::test;
@@ -90,4 +94,71 @@ TEMPLATE_TEST_CASE("from inside a cube or a tetrahedron every pixel is covered o
   CHECK(tally.other == 0);
   CHECK(tally.twice == 0);
   CHECK(tally.missing == 0);
+}
+
+namespace {
+
+/// A closed surface with random corners and normals. It may cut itself anywhere; each edge belongs to two
+/// triangles in opposite directions.
+TestMesh random_closed_mesh(Random& random) {
+  TestMesh mesh;
+  const double reach = random.decades(20, 1500);  // below a pixel to the whole picture
+  const double thin = random.chance(0.3) ? 0.05 : 1;
+  const bool tetrahedron = random.chance(0.5);
+  for (int i = 0; i < (tetrahedron ? 4 : 6); ++i) {
+    const auto coordinate = [&] { return random.real(-reach, reach); };
+    mesh.add({coordinate(), thin * coordinate(), coordinate()}, random_unit(random));
+  }
+  if (tetrahedron) {
+    mesh.indices = {0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0};
+  } else {
+    mesh.indices = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+  }
+  return mesh;
+}
+
+constexpr std::int32_t kSmall = 40;
+using Balance = std::array<int, static_cast<std::size_t>(kSmall) * kSmall>;
+
+/// Adds `side` to each pixel for each front face of the mesh that covers it. Returns the number of these
+/// pixels.
+template <class Method>
+std::uint64_t add_fronts(const TestMesh& mesh, const TestCamera& camera, int side, RunList& runs,
+                         Balance& balance) {
+  const typename Method::Lighting lighting{};
+  runs.runs.clear();
+  std::uint64_t covered = 0;
+  if (!ok(draw_mesh<Method>(mesh.view(), camera.transform(), lighting, runs, NoDepth{}).status))
+    balance[0] += 1000;
+  for (const Span& run : runs.runs) {
+    covered += static_cast<std::uint64_t>(run.count);
+    for (std::int32_t x = run.x; x < run.x + run.count; ++x) {
+      balance[static_cast<std::size_t>(run.y * kSmall + x)] += side;
+    }
+  }
+  return covered;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("front faces of a closed mesh cover each pixel as often as its back faces", "", Silhouette,
+                   Arc<Blinn1>) {
+  Random random(13);
+  RunList runs({0, 0, kSmall, kSmall});
+  TestCamera camera;
+  camera.width = kSmall;
+  camera.height = kSmall;
+  camera.focal = 60;
+  camera.translation = {0, 0, -4500};
+  int faults = 0;
+  std::uint64_t covered = 0;
+  for (int i = 0; i < share_of(100000); ++i) {
+    const TestMesh mesh = random_closed_mesh(random);
+    Balance balance{};
+    covered += add_fronts<TestType>(mesh, camera, 1, runs, balance);
+    covered += add_fronts<TestType>(mesh.inside_out(), camera, -1, runs, balance);
+    faults += std::all_of(balance.begin(), balance.end(), [](int b) { return b == 0; }) ? 0 : 1;
+  }
+  CHECK(covered > static_cast<std::uint64_t>(share_of(100000)) * 50);
+  CHECK(faults == 0);
 }

@@ -17,8 +17,7 @@ namespace {
 
 constexpr std::int32_t kSize = 160;
 constexpr std::int32_t kRadius = 16384;
-constexpr DrawFeatures kFeatures{
-    .clips = false, .splits = false, .two_sided = false, .caches = false, .planes = false};
+constexpr DrawFeatures kFeatures{.clips = false, .two_sided = false, .caches = false, .planes = false};
 
 /// Never leaves a scalar out.
 template <Highlight Model>

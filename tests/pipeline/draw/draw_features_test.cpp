@@ -19,12 +19,8 @@ using namespace arcspan::test;
 namespace {
 
 using Light = Illumination<1, Highlight::kPhong>;
-constexpr DrawFeatures kNone{.clips = false,
-                             .splits = false,
-                             .two_sided = false,
-                             .caches = false,
-                             .planes = false,
-                             .whole_rows = false};
+constexpr DrawFeatures kNone{
+    .clips = false, .two_sided = false, .caches = false, .planes = false, .whole_rows = false};
 
 struct Picture {
   std::vector<std::uint16_t> colours;
@@ -90,19 +86,6 @@ TEST_CASE("triangles that the view cuts are left out and counted if nothing clip
   CHECK(none.result.status == Status::kOk);
   CHECK(none.result.left_out > 0);
   CHECK(none.result.triangles < all.result.triangles);
-}
-
-TEST_CASE("too wide triangles are drawn whole if nothing splits") {
-  constexpr DrawFeatures kWhole{.splits = false};
-  const TestMesh cube = make_smooth_cube(3000);
-  TestCamera camera = camera_at(14000);
-  camera.right = {0.8, 0, 0.6};
-  camera.back = {-0.6, 0, 0.8};
-  const Picture split = drawn<Arc<Light>, DrawFeatures{}>(cube, camera);
-  const Picture whole = drawn<Arc<Light>, kWhole>(cube, camera);
-  CHECK(whole.result.triangles == split.result.triangles);
-  CHECK(whole.drawn() == split.drawn());  // the same outline, without cracks
-  CHECK(whole.colours != split.colours);
 }
 
 TEST_CASE("drawing both sides without the feature for back faces is refused, and nothing is drawn") {

@@ -33,8 +33,8 @@ const ArcEdge<3>* edge_between(const Vertex& p, const Vertex& q, const Vertex* c
   const auto is = [&](const Vertex* a, const Vertex* b) {
     return (a == &p && b == &q) || (a == &q && b == &p);
   };
-  if (command.shade.path != Method::Path::kArcs) return nullptr;
-  const ArcTriangle<3>& arcs = command.shade.arcs;
+  if (command.shade.path != Method::Path::kWide || command.shade.wide.is_very_wide) return nullptr;
+  const WideTriangle<3>& arcs = command.shade.wide.wide;
   if (is(sorted[0], sorted[2])) return &arcs.long_edge;
   if (is(sorted[0], sorted[1])) return command.first_row < command.middle_row ? &arcs.upper_edge : nullptr;
   return command.middle_row < command.end_row ? &arcs.lower_edge : nullptr;

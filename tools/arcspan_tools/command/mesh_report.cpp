@@ -71,8 +71,9 @@ std::string to_json(const MeshReport& r) {
 std::string warning(const MeshReport& r) {
   if (r.figures.wide_triangles == 0) return {};
   return formatted(
-      "%zu of %zu triangles have normals more than 60 degrees apart: arc shading splits them each time it "
-      "draws them (keep more triangles, or more edges sharp by --crease 60 or a smaller angle)",
+      "%zu of %zu triangles have normals more than 60 degrees apart, which takes arc shading several "
+      "thousand "
+      "instructions per row (keep more triangles, or more edges sharp by --crease 60 or a smaller angle)",
       r.figures.wide_triangles, triangles(r));
 }
 

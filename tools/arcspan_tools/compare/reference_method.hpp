@@ -55,7 +55,6 @@ struct ReferenceMethod {
   [[nodiscard]] static Vertex between(const Vertex& a, const Vertex& b, Factor t) {
     return {between_normals(a.kind, a.normal, b.normal, std::ldexp(t.raw(), -Factor::kFraction)), a.kind};
   }
-  [[nodiscard]] static bool too_wide(const Vertex&, const Vertex&) { return false; }
 
   static void prepare(const Lighting&, const TriangleFrame<ReferenceMethod>& frame, const Face&,
                       Prepared& prepared) {
@@ -93,7 +92,6 @@ struct ReferenceMethod {
   class Walker {
    public:
     using Run = ReferenceMethod::Run;
-    static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
     explicit Walker(Prepared& prepared) : triangle_(prepared), y_(prepared.first_y) {}
 
     [[nodiscard]] Run row(const RowStart& start) const {

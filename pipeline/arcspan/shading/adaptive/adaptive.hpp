@@ -66,10 +66,10 @@ struct Adaptive : Arc<Illumination> {
     prepared.highlight_patch = false;
     prepared.segment_bits = 0;
     if constexpr (Base::kHasDiffusePath) {
-      if (chords.widest() <= kWidestPatch) {
+      if (chords.widest() <= kWidestArc) {
         const std::int32_t nearest = nearest_highlight(lighting, frame);
-        if (nearest >= lighting.half_tolerance_reach() &&
-            prepare_without_highlight(frame, lighting.linear_limit(nearest), prepared)) {
+        if (nearest >= lighting.half_tolerance_reach()) {
+          prepare_without_highlight(lighting, frame, lighting.linear_limit(nearest), prepared);
           return;
         }
       }
@@ -77,12 +77,13 @@ struct Adaptive : Arc<Illumination> {
     const bool fits_patch = chords.widest() <= lighting.widest_patch() && patch_fits(frame);
     prepared.segment_bits = segment_bits(lighting, frame);
     if constexpr (kHasHighlightPatch) {
-      if (fits_patch && prepared.segment_bits == 0 && chords.widest() <= lighting.highlight_patch_limit()) {
+      if (fits_patch && prepared.segment_bits == 0 && chords.widest() <= kWidestBounded &&
+          chords.widest() <= lighting.highlight_patch_limit()) {
         prepared.highlight_patch = prepare_highlight_patch(lighting, frame, prepared);
         if (prepared.highlight_patch) return;
       }
     }
-    Base::prepare_path(frame, fits_patch ? Path::kPatch : Path::kArcs, prepared);
+    Base::prepare_path(lighting, frame, fits_patch ? Path::kPatch : Path::kWide, prepared);
   }
 
   template <class Draw>
@@ -106,13 +107,16 @@ struct Adaptive : Arc<Illumination> {
  private:
   static constexpr bool kHasHighlightPatch =
       Base::kHasDiffusePath && Illumination::kModel == Highlight::kPhong;
+  /// The squared chord of 16 degrees, 28 fraction bits, up to which the errors of linear light and of
+  /// highlight patches are bounded.
+  static constexpr std::uint32_t kWidestBounded = 20797469u;
 
   /// Returns a lower bound of the highlight's half distance over the triangle: (1 - c) / 2 of its cosine c.
   template <class Frame>
   [[nodiscard]] static constexpr std::int32_t nearest_highlight(const Lighting& lighting,
                                                                 const Frame& frame) {
     return lighting.nearest_highlight(frame.top->shade.scalars, frame.middle->shade.scalars,
-                                      frame.bottom->shade.scalars, kPatchHeadroom);
+                                      frame.bottom->shade.scalars, arc_headroom(frame.chords.widest()));
   }
   /// Returns true if a highlight above half the tolerance is within reach of the triangle.
   template <class Frame>
@@ -120,28 +124,26 @@ struct Adaptive : Arc<Illumination> {
     return nearest_highlight(lighting, frame) < lighting.half_tolerance_reach();
   }
 
-  /// Prepares N·L alone: linear if the error is within `linear_limit`, otherwise as a patch. Returns false if
-  /// the triangle allows neither.
+  /// Prepares N·L alone: linear if the error is within `linear_limit`, otherwise by Arc's paths.
   template <class Frame>
-  [[nodiscard]] static constexpr bool prepare_without_highlight(Frame& frame, std::uint32_t linear_limit,
-                                                                Prepared& prepared) {
+  static constexpr void prepare_without_highlight(const Lighting& lighting, Frame& frame,
+                                                  std::uint32_t linear_limit, Prepared& prepared) {
     const std::int32_t a = LinearLight::level(frame.top->shade.scalars[0]);
     const std::int32_t b = LinearLight::level(frame.middle->shade.scalars[0]);
     const std::int32_t c = LinearLight::level(frame.bottom->shade.scalars[0]);
     const std::int32_t upper = a > b ? a : b;
+    const std::uint32_t widest = frame.chords.widest();
     const std::uint32_t radius2 = squared_radius(frame.chords);
-    if (quadruple_linear_error(radius2, upper > c ? upper : c) <= linear_limit) {
+    if (widest <= kWidestBounded && quadruple_linear_error(radius2, upper > c ? upper : c) <= linear_limit) {
       prepared.linear_light = true;
       const auto lift = static_cast<std::int32_t>(radius2 >> (28 - LinearLight::kFraction + 2));
       const auto lifted = [lift](std::int32_t level) {
         return level + (wrap_mul(level, lift) >> LinearLight::kFraction);
       };
       make_linear_plane(frame, lifted(a), lifted(b), lifted(c), prepared.light);
-      return true;
+      return;
     }
-    if (!patch_fits(frame)) return false;
-    Base::prepare_path(frame, Path::kDiffusePatch, prepared);
-    return true;
+    Base::prepare_path(lighting, frame, Base::diffuse_path(patch_fits(frame), widest), prepared);
   }
 
   /// Prepares N·L and the highlight's scaled distance as patches. Returns false if a vertex is not lit or its

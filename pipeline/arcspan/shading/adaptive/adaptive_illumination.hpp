@@ -157,7 +157,7 @@ class AdaptiveIllumination : public Illumination {
   /// Returns highlight_patch_limit() for a tolerance. The quadratic surface of the highlight's distance gives
   /// highlights that differ by at most specular * 2.35 (n + 6) a^3 / 255 from those of the product of two
   /// surfaces, where `specular` is the full highlight and a is the widest chord (decision 7). The limit is 0
-  /// for n > 64, where `Arc` itself is one step off by rounding.
+  /// for n > 64, where `Arc` itself is one step off by rounding. The bound holds up to 16 degrees.
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit_of(std::uint32_t tolerance) const {
     constexpr std::uint32_t kSharpest = 64;
     if (Illumination::shininess() > kSharpest) return 0;

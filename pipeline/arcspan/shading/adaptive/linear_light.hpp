@@ -50,7 +50,6 @@ template <class Lighting>
 class LinearLightWalker {
  public:
   using Run = LinearLightRun<Lighting>;
-  static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
 
   constexpr LinearLightWalker(FullLinearPlane& light, bool middle_left)
       : light_(&light), middle_left_(middle_left) {}

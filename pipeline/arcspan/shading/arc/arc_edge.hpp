@@ -18,10 +18,11 @@ struct ArcEdge {
   std::array<ArcScalar, Count> scalars;
   ArcStep step;
 
-  /// Steps to the next row. The function is not inlined, because its registers do not fit beside those of the
-  /// row loop.
+  /// Steps the first `Used` scalars to the next row. The function is not inlined, because its registers do
+  /// not fit beside those of the row loop.
+  template <std::size_t Used>
   ARCSPAN_OUTLINE constexpr void advance() {
-    unrolled<Count>([this](auto i) { scalars[i].fine_step(step); });
+    unrolled<Used>([this](auto i) { scalars[i].fine_step(step); });
   }
 };
 
@@ -83,12 +84,13 @@ struct SlopeScale {
   return scalar;
 }
 
-/// Sets up the scalars of an edge at its first row. `from` are their values at its top, `to` those at its
-/// bottom; `chord` is the squared chord between the normals there, 28 fraction bits.
+/// Sets up the first `used` scalars of an edge at its first row. `from` are their values at its top, `to`
+/// those at its bottom; `chord` is the squared chord between the normals there, 28 fraction bits.
 template <std::size_t Count>
 ARCSPAN_OUTLINE constexpr void make_arc_edge(const EdgeSetup& edge, std::uint32_t chord,
                                              const std::array<Cosine, Count>& from,
-                                             const std::array<Cosine, Count>& to, ArcEdge<Count>& arc) {
+                                             const std::array<Cosine, Count>& to, std::size_t used,
+                                             ArcEdge<Count>& arc) {
   const AngleFormat format = angle_format(chord);
   const SquaredAngle angle2 = angle_of_chord(scaled_chord(chord, format), format);
   const ArcFraction row = arc_fraction(edge.inverse, Subpixel::kFraction);
@@ -97,7 +99,7 @@ ARCSPAN_OUTLINE constexpr void make_arc_edge(const EdgeSetup& edge, std::uint32_
   // of them except two, which k needs.
   const int fine = row.exponent > 18 ? row.exponent - 18 : 0;
   const SlopeScale scale = slope_scale(row, slope_drop(chord), fine);
-  for (std::size_t i = 0; i < Count; ++i) {
+  for (std::size_t i = 0; i < used; ++i) {
     arc.scalars[i] = start_scalar(start, format, scale, from[i], to[i]);
   }
   arc.step = arc_step(angle2.raw(), fraction_bits(format), row.mantissa, row.exponent, fine);

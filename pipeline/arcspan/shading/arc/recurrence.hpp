@@ -69,20 +69,4 @@ struct ArcScalar {
   return {static_cast<std::int32_t>(drop >= 0 ? wide >> drop : wide << -drop), shift, fine};
 }
 
-/// Replaces k by that of twice the step, k(2 phi) = k (4 - k). `k` must have no fine bits. Returns false and
-/// leaves k unchanged if the result is 1/4 or more (28.9 degrees per step), which ArcStep cannot hold.
-[[nodiscard]] constexpr bool double_stride(ArcStep& k) {
-  // k = m 2^-(16 + s), so k (4 - k) = 2 (2 m - m^2 2^-(17 + s)) 2^-(16 + s).
-  const auto m = static_cast<std::uint32_t>(k.mantissa);
-  const std::int32_t down = 17 + k.shift;
-  const std::uint32_t square = down > 31 ? 0u : (m * m + (1u << (down - 1))) >> down;
-  const std::uint32_t sum = 2 * m - square;
-  const bool sixteen_bits = sum >= 1u << 15;
-  const std::int32_t shift = k.shift - (sixteen_bits ? 2 : 1);
-  if (shift < 1) return m == 0;
-  k.mantissa = static_cast<std::int32_t>(sixteen_bits ? (sum + 1) >> 1 : sum);
-  k.shift = shift;
-  return true;
-}
-
 }  // namespace arcspan

@@ -41,6 +41,7 @@ struct ArcVector : Recurrence<detail::NormalAsScalars<Illumination>> {
   using Lighting = Illumination;
   using typename Base::Face;
   using typename Base::Prepared;
+  using typename Base::Scalars;
   using typename Base::Vertex;
   static constexpr bool kUsesEncodedColours = false;
 
@@ -50,8 +51,8 @@ struct ArcVector : Recurrence<detail::NormalAsScalars<Illumination>> {
   [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }
 
   template <class Frame>
-  static constexpr void prepare(const Lighting&, Frame& frame, const Face&, Prepared& prepared) {
-    prepare_arcs(frame, prepared.arcs);
+  static constexpr void prepare(const Lighting&, Frame& frame, const Face& face, Prepared& prepared) {
+    Base::prepare({}, frame, face, prepared);
   }
 
   struct Run {
@@ -62,11 +63,16 @@ struct ArcVector : Recurrence<detail::NormalAsScalars<Illumination>> {
       return components.colour(Components{&lighting});
     }
     constexpr void next() { components.next(); }
+    [[nodiscard]] constexpr std::int32_t length() const { return components.length(); }
   };
+  [[nodiscard]] static constexpr PackedRgb colour_of(const Lighting& lighting, const Scalars& components) {
+    return Components{&lighting}.colour(components);
+  }
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    return draw(RecurrenceWalker<Components, Run>(prepared.arcs));
+    if (prepared.is_wide) return draw(WideWalker<CarriedRun<ArcVector, 3>, 3>(prepared.wide));
+    return draw(RecurrenceWalker<Components, Run>(prepared.narrow));
   }
 };
 

@@ -48,7 +48,8 @@ struct KuijkBlake : SlerpBase<Illumination, Illumination::kScalars> {
       unrolled<kScalars>([this](auto i) { waves[i].phase += step; });
     }
 
-    [[nodiscard]] static constexpr Run of_row(const Prepared& triangle, const RowStart& start) {
+    [[nodiscard]] static constexpr Run of_row(const SlerpTriangle<Base::kCount>& triangle,
+                                              const RowStart& start) {
       const SlerpRow<Base::kCount> row = triangle.row(start);
       Run run;
       run.step = row.step;
@@ -70,11 +71,22 @@ struct KuijkBlake : SlerpBase<Illumination, Illumination::kScalars> {
       return {round_shift(polar.size, 14), row.phase - polar.angle};
     }
   };
-  using Walker = PreparedWalker<Prepared, Run>;
+  using Walker = PreparedWalker<SlerpTriangle<Base::kCount>, Run>;
+
+  /// Returns the colour of the values that a vertex carries.
+  [[nodiscard]] static constexpr PackedRgb colour_of(const Lighting& lighting,
+                                                     const SlerpValues<Base::kCount>& values) {
+    typename Lighting::Scalars scalars;
+    for (std::size_t i = 0; i < kScalars; ++i) scalars[i] = values[3 + i];
+    return lighting.colour(scalars);
+  }
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    return draw(Walker(prepared));
+    if (prepared.is_wide) {
+      return draw(WideWalker<CarriedRun<KuijkBlake, Base::kCount>, Base::kCount>(prepared.wide));
+    }
+    return draw(Walker(prepared.narrow));
   }
 };
 

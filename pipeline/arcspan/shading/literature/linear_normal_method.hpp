@@ -28,7 +28,6 @@ struct LinearNormalMethod {
   [[nodiscard]] static Vertex between(const Vertex& a, const Vertex& b, Factor t) {
     return between_normalised(a, b, t);
   }
-  [[nodiscard]] static constexpr bool too_wide(const Vertex&, const Vertex&) { return false; }
 
   template <class Method>
   static constexpr void prepare(const Lighting&, const TriangleFrame<Method>& frame, const Face&,

@@ -112,7 +112,6 @@ struct LinearScalars {
     }
     return cut;
   }
-  [[nodiscard]] static constexpr bool too_wide(const Vertex&, const Vertex&) { return false; }
 
   template <class Method>
   static constexpr void prepare(const Lighting&, const TriangleFrame<Method>& frame, const Face&,
@@ -132,7 +131,7 @@ struct LinearScalars {
   struct Run {
     std::array<Linear, kScalars> scalars;
     std::array<Linear, kScalars> steps;
-    SquaredLength length;
+    SquaredLength squared;
 
     [[nodiscard]] static constexpr Run of_row(const Prepared& prepared, const RowStart& start) {
       Run run;
@@ -140,27 +139,25 @@ struct LinearScalars {
         run.scalars[i] = linear_at(prepared.scalars[i], start);
         run.steps[i] = prepared.scalars[i].dx;
       });
-      run.length = SquaredLength::of(prepared.normal.at(start), prepared.normal.step());
+      run.squared = SquaredLength::of(prepared.normal.at(start), prepared.normal.step());
       return run;
     }
     [[nodiscard]] ARCSPAN_INLINE_IF_MANY_REGISTERS constexpr PackedRgb colour(
         const Lighting& lighting) const {
-      const Normaliser normalise(length.square);
+      const Normaliser normalise(squared.square);
       typename Lighting::Scalars values;
       unrolled<kScalars>([&](auto i) { values[i] = normalise(scalars[i]); });
       return lighting.colour(values);
     }
+    /// A new run starts N·N again before the rounding of its differences is visible (LimitedRun).
+    [[nodiscard]] static constexpr std::int32_t length() { return 256; }
     constexpr void next() {
       unrolled<kScalars>([this](auto i) { scalars[i] += steps[i]; });
-      length.next();
+      squared.next();
     }
   };
 
-  struct Walker : PreparedWalker<Prepared, Run> {
-    using PreparedWalker<Prepared, Run>::PreparedWalker;
-    /// A new run starts N·N again before the rounding of its differences is visible.
-    static constexpr std::int32_t kLongestRun = 256;
-  };
+  using Walker = PreparedWalker<Prepared, Run>;
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {

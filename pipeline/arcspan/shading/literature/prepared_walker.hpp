@@ -14,7 +14,6 @@ template <class Prepared, class MethodRun>
 class PreparedWalker {
  public:
   using Run = MethodRun;
-  static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
   constexpr explicit PreparedWalker(Prepared& prepared) : prepared_(&prepared) {}
   [[nodiscard]] constexpr Run row(const RowStart& start) const { return Run::of_row(*prepared_, start); }
   constexpr void next_row() { prepared_->next_row(); }

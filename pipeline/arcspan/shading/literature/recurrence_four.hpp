@@ -101,6 +101,7 @@ struct RecurrenceFour : Recurrence<Illumination> {
     [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
       return lighting.colour(four_[at_]);
     }
+    [[nodiscard]] static constexpr std::int32_t length() { return ArcRun<Illumination>::length(); }
     constexpr void next() {
       at_ = (at_ + 1) & 3;
       if (at_ == 0) make_four();
@@ -122,7 +123,8 @@ struct RecurrenceFour : Recurrence<Illumination> {
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    return draw(RecurrenceWalker<Illumination, Run>(prepared.arcs));
+    if (prepared.is_wide) return Base::walk(prepared, draw);
+    return draw(RecurrenceWalker<Illumination, Run>(prepared.narrow));
   }
 };
 

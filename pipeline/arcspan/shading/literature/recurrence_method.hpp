@@ -2,7 +2,8 @@
 #pragma once
 
 #include <arcspan/shading/arc/arc.hpp>
-#include <arcspan/shading/arc/arc_walker.hpp>
+#include <arcspan/shading/literature/recurrence_walker.hpp>
+#include <arcspan/shading/literature/wide_rows.hpp>
 #include <arcspan/status.hpp>
 
 namespace arcspan {
@@ -11,29 +12,25 @@ namespace arcspan {
 /// normal with L, H or V follow great circles down the edges and along the rows of every triangle, however
 /// small its angles are. The recurrence steps each of them by one multiply, one shift and subtractions per
 /// row and per pixel (ArcScalar); no triangle is a quadratic surface. Arcs up to 60 degrees are within 2^-8
-/// of bilinear SLERP, those up to 30 degrees within 1.4e-4; wider triangles are split.
+/// of bilinear SLERP, those up to 30 degrees within 1.4e-4; wider triangles are drawn as by Arc.
 template <class Illumination>
 struct Recurrence : Arc<Illumination> {
   using Base = Arc<Illumination>;
   using typename Base::Face;
   using typename Base::Lighting;
   using typename Base::Vertex;
-  struct Prepared {
-    ArcTriangle<Base::kScalars> arcs;
-  };
-  /// 1 with 28 fraction bits, 60 degrees: the limit of the series of ArcStart.
-  static constexpr std::uint32_t kWidestChord = std::uint32_t{1} << 28;
+  using Prepared = NarrowOrWide<ArcTriangle<Base::kScalars>, Base::kScalars>;
 
-  [[nodiscard]] static constexpr bool too_wide(const Vertex& a, const Vertex& b) {
-    return squared_chord(a.normal, b.normal) > kWidestChord;
-  }
   template <class Frame>
   static constexpr void prepare(const Lighting&, Frame& frame, const Face&, Prepared& prepared) {
-    prepare_arcs(frame, prepared.arcs);
+    if (prepared.is_narrow(frame)) prepare_arcs(frame, prepared.narrow);
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    return draw(ArcWalker<Illumination>(prepared.arcs));
+    if (prepared.is_wide) {
+      return draw(WideWalker<PatchRun<Lighting, Base::kScalars>, Base::kScalars>(prepared.wide));
+    }
+    return draw(ArcWalker<Illumination>(prepared.narrow));
   }
 };
 

@@ -40,22 +40,31 @@ struct Slerp : SlerpBase<Illumination, 0> {
     }
     constexpr void next() { phase += step; }
 
-    [[nodiscard]] static constexpr Run of_row(const Prepared& triangle, const RowStart& start) {
+    [[nodiscard]] static constexpr Run of_row(const SlerpTriangle<Base::kCount>& triangle,
+                                              const RowStart& start) {
       const SlerpRow<Base::kCount> row = triangle.row(start);
       return {direction(row.left), direction(row.right), row.arc, row.phase, row.step};
     }
 
-   private:
     [[nodiscard]] static constexpr Direction direction(const SlerpValues<Base::kCount>& v) {
       return {convert<DirectionComponent>(v[0]), convert<DirectionComponent>(v[1]),
               convert<DirectionComponent>(v[2])};
     }
   };
-  using Walker = PreparedWalker<Prepared, Run>;
+  using Walker = PreparedWalker<SlerpTriangle<Base::kCount>, Run>;
+
+  /// Returns the colour of the values that a vertex carries.
+  [[nodiscard]] static constexpr PackedRgb colour_of(const Lighting& lighting,
+                                                     const SlerpValues<Base::kCount>& values) {
+    return lighting.colour(lighting.scalars(Run::direction(values)));
+  }
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    return draw(Walker(prepared));
+    if (prepared.is_wide) {
+      return draw(WideWalker<CarriedRun<Slerp, Base::kCount>, Base::kCount>(prepared.wide));
+    }
+    return draw(Walker(prepared.narrow));
   }
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/arc/arc_vertex.hpp>
 #include <arcspan/shading/literature/linear_normal.hpp>
 #include <arcspan/shading/literature/sine_table.hpp>
+#include <arcspan/shading/literature/wide_rows.hpp>
 
 #include <array>
 #include <cstddef>
@@ -25,15 +26,6 @@ namespace detail {
 [[nodiscard]] constexpr Angle32 part_of(Angle32 angle, std::uint32_t fraction) {
   return static_cast<Angle32>((std::uint64_t{angle} * fraction) >> 30);
 }
-
-/// The part of an illumination with which Arc cuts and splits vertices of `Count` scalars.
-template <std::size_t Count>
-struct CarriedScalars {
-  static constexpr std::size_t kScalars = Count;
-  static constexpr std::size_t kLights = 2;
-  using Scalars = std::array<Cosine, Count>;
-  [[nodiscard]] Scalars scalars(const Direction&) const { return {}; }
-};
 
 }  // namespace detail
 
@@ -180,27 +172,27 @@ struct SlerpTriangle {
 };
 
 /// The common part of Slerp and KuijkBlake: vertices carry the normal's three components and `More` other
-/// scalars, and are cut and split as Arc's.
+/// scalars, and are clipped as Arc's.
 template <class Illumination, std::size_t More>
 struct SlerpBase {
   static constexpr std::size_t kCount = 3 + More;
-  using Carrier = Arc<detail::CarriedScalars<kCount>>;
   using Lighting = Illumination;
   struct Face {};
-  using Vertex = typename Carrier::Vertex;
-  using Prepared = SlerpTriangle<kCount>;
+  using Vertex = ArcVertex<kCount>;
+  using Prepared = NarrowOrWide<SlerpTriangle<kCount>, kCount>;
   static constexpr bool kNeedsFaceNormal = false;
 
   [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }
   [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
-    return Carrier::between(a, b, t);
+    return on_arc(a, b, t);
   }
-  [[nodiscard]] static constexpr bool too_wide(const Vertex& a, const Vertex& b) {
-    return Carrier::too_wide(a, b);
+  template <class Frame>
+  [[nodiscard]] static constexpr TriangleChords chords_of(const Frame& frame) {
+    return chords_of_normals(frame);
   }
   template <class Frame>
   static constexpr void prepare(const Lighting&, Frame& frame, const Face&, Prepared& prepared) {
-    prepared.make(frame);
+    if (prepared.is_narrow(frame)) prepared.narrow.make(frame);
   }
 
  protected:

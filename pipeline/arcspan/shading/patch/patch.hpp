@@ -60,15 +60,20 @@ using Patch = std::array<PatchScalar, Count>;
 /// add up to 2^-17, which changes a highlight of n = 64 by half an 8-bit step.
 inline constexpr std::int32_t kLargestPatch = 128;
 
+/// The squared chord of 33 degrees, 28 fraction bits, up to which a triangle without highlight may be a
+/// patch: its N·L differs from bilinear SLERP by at most 0.8 8-bit steps (decision 5).
+inline constexpr std::uint32_t kWidestDiffusePatch = 86613079u;
+
 /// The quadruple sagitta of an edge divided by the mean of its two values: 4 (1 / cos(psi/2) - 1).
-using SagittaFactor = Fixed<std::int32_t, 20>;
+using SagittaFactor = Fixed<std::int32_t, 18>;
 
 /// Returns the factor of an edge with the squared chord s = `chord` (28 fraction bits) by the series
-/// s/2 + 3/32 s^2. s is at most 0.078 (16 degrees), where the factor is below 0.041.
+/// s/2 + 3/32 s^2 + 5/256 s^3. s is at most 0.33 (33 degrees), where the factor is below 0.18.
 [[nodiscard]] constexpr SagittaFactor sagitta_factor(std::uint32_t chord) {
-  const std::uint32_t coarse = chord >> 10;  // 18 fraction bits
+  const std::uint32_t s = chord >> 13;                       // 15 fraction bits
+  const std::uint32_t inner = 3072u + ((s * 5u + 4u) >> 3);  // 3/32 + 5/256 s, 15 fraction bits
   return SagittaFactor::from_raw(
-      static_cast<std::int32_t>(((chord + 256) >> 9) + ((3 * (coarse * coarse)) >> 21)));
+      static_cast<std::int32_t>(((chord + 1024) >> 11) + (((s * s) >> 12) * inner >> 15)));
 }
 
 namespace detail {
@@ -125,8 +130,16 @@ struct PatchValues {
   Cosine bottom;
 };
 
-/// Upper bound of the height of a patch above the values at its vertices: sum b_ij l_i l_j <= b / 3 < 1/64.
-inline constexpr Cosine kPatchHeadroom = Cosine::of(1.0 / 64);
+/// Returns an upper bound of the height of a scalar above its values at the vertices of a triangle whose
+/// widest squared chord is s = `chord` (28 fraction bits): s/6 + 0.058 s^2 + 2^-12, for s at most 1. The
+/// normals lie in a cap of the radius R, sin^2(R) = s/3 at most, within which a cosine rises by 1 - cos(R) =
+/// s/6 + s^2/72 +
+/// ...; the rest is for the errors of patches and pieces.
+[[nodiscard]] constexpr Cosine arc_headroom(std::uint32_t chord) {
+  const std::uint32_t s = chord >> 13;  // 15 fraction bits
+  const std::uint32_t factor = 5462u + ((s * 1901u) >> 15);
+  return Cosine::from_raw(static_cast<std::int32_t>(s * factor + (1u << 18)));
+}
 
 /// Returns true if the size of the triangle allows a patch: a width of at least half a pixel, because slopes
 /// of narrower triangles do not fit a Cosine, and a width and height below kLargestPatch.

@@ -10,6 +10,13 @@
 
 namespace arcspan {
 
+/// A scalar at a pixel, its first difference and its second difference along the row.
+struct Parabola {
+  Cosine x;
+  Cosine d;
+  Cosine second_difference;
+};
+
 /// The scalars of a row's pixels, of which there are `Used`, stepped by second differences.
 template <std::size_t Used>
 class SecondDifferenceRun {
@@ -34,6 +41,12 @@ class SecondDifferenceRun {
     x_[i] = scalar.left.at + Cosine::from_raw(wrap_mul(mean.raw() >> 13, static_cast<std::int32_t>(p >> 3)));
     d_[i] = slope + slope_change + Cosine::from_raw(second_difference.raw() >> 1);
     second_difference_[i] = second_difference;
+  }
+  /// Starts scalar i at a pixel from its value, its first difference and its second difference.
+  ARCSPAN_INLINE constexpr void start_at(std::size_t i, const Parabola& f) {
+    x_[i] = f.x;
+    d_[i] = f.d;
+    second_difference_[i] = f.second_difference;
   }
   /// Steps `count` pixels at once; the result is bit-identical to that of `count` calls of next().
   constexpr void skip(std::int32_t count) {
@@ -97,7 +110,6 @@ template <class RunOf, std::size_t Count>
 class PatchWalker {
  public:
   using Run = RunOf;
-  static constexpr std::int32_t kLongestRun = 2 * kGuardBand;
 
   constexpr PatchWalker(Patch<Count>& patch, bool middle_left) : patch_(&patch), middle_left_(middle_left) {}
 

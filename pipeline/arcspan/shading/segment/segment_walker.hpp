@@ -41,6 +41,8 @@ class SegmentRun {
     const std::int32_t length = 1 << bits_;
     return left < length ? left : length;
   }
+  /// Returns the number of pixels that the inner run may have (LimitedRun).
+  [[nodiscard]] constexpr std::int32_t length() const requires LimitedRun<Inner> { return inner_.length(); }
   /// Returns the pixels of the segment that enter() stepped to.
   [[nodiscard]] constexpr SegmentPixels segment() const { return {colour_, step_}; }
 
@@ -57,7 +59,6 @@ template <class Inner>
 class SegmentWalker {
  public:
   using Run = SegmentRun<typename Inner::Run>;
-  static constexpr std::int32_t kLongestRun = Inner::kLongestRun;
 
   constexpr SegmentWalker(const Inner& inner, int bits) : inner_(inner), bits_(bits) {}
 

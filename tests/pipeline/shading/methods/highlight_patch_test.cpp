@@ -147,12 +147,14 @@ double most_different(Random& random, std::int32_t n, double widest) {
 
 TEST_CASE(
     "in triangles as wide as the limit, a highlight's own distance is within the tolerance of the product") {
+  constexpr std::uint32_t kSixteenDegrees = 20797469u;  // where Adaptive ends, squared chord
   Random random(5);
   for (std::int32_t n = 1; n <= 64; n *= 2) {
     for (const std::int32_t tolerance : {1, 2}) {
       Lighting lighting(shiny_light(n, {0, 0, 1}, {0, 0, 1}));
       REQUIRE(ok(lighting.set_tolerance(tolerance)));
-      const std::uint32_t limit = std::min(lighting.highlight_patch_limit(), widest_patch(n));
+      const std::uint32_t limit =
+          std::min({lighting.highlight_patch_limit(), lighting.widest_patch(), kSixteenDegrees});
       const double widest = std::sqrt(std::ldexp(limit, -28));
       double most = 0;
       for (int i = 0; i < share_of(1500); ++i) most = std::max(most, most_different(random, n, widest));

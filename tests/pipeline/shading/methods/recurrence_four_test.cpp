@@ -65,29 +65,6 @@ FourError worst_of(std::uint64_t seed, int arcs, double degrees) {
 
 }  // namespace
 
-TEST_CASE("doubling the stride keeps k to its 15 bits") {
-  for (double angle = 0.002; angle < 14.4; angle *= 1.003) {
-    ArcStep k = step_of(radians(angle));
-    if (k.shift > 31) continue;
-    const double before = value_of(k);
-    REQUIRE(double_stride(k));
-    const double truth = before * (4 - before);
-    CHECK(std::abs(value_of(k) - truth) <= truth * 0x1p-14);
-    CHECK(k.mantissa < 32768);
-  }
-}
-
-TEST_CASE("a stride that cannot be held is refused and leaves k alone") {
-  ArcStep k = step_of(radians(14.6));
-  const ArcStep before = k;
-  CHECK_FALSE(double_stride(k));
-  CHECK(k.mantissa == before.mantissa);
-  CHECK(k.shift == before.shift);
-  ArcStep linear{0, 31, 0};
-  CHECK(double_stride(linear));
-  CHECK(linear.mantissa == 0);
-}
-
 TEST_CASE("the factors of four pixels are those of S0 eq. 7 and 9 to 11, for every angle of a step") {
   for (double angle = 0.002; angle < 28.9; angle *= 1.003) {
     const ArcStep k = step_of(radians(angle));

@@ -177,48 +177,6 @@ TEST_CASE("a patch's stride is its single steps, to the last bit") {
   }
 }
 
-TEST_CASE("an arc's stride stays with its single steps") {
-  using Lit = Illumination<1, Highlight::kBlinn>;
-  Random random(3);
-  std::int32_t worst = 0;
-  for (int i = 0; i < 5000; ++i) {
-    const double phi = random.decades(1e-4, 0.02);
-    const double k = 2 - 2 * std::cos(phi);
-    int exponent = 0;
-    const double mantissa = std::frexp(k, &exponent);  // 0.5...1
-    const ArcStep step{static_cast<std::int32_t>(mantissa * 32768), -1 - exponent, 0};
-    ArcRun<Lit> single(step.mantissa, step.shift);
-    const double size = random.real(0, 1);
-    const double at = random.real(0, 6.28);
-    for (std::size_t s = 0; s < 2; ++s) {
-      const auto unit = [&](double v) {
-        return Cosine::from_raw(static_cast<std::int32_t>(std::lround(v * 0x1p30)));
-      };
-      single.scalar(s) = {unit(size * std::cos(at)), unit(size * (std::cos(at + phi) - std::cos(at)))};
-    }
-    ArcRun<Lit> stride = single;
-    const int bits = static_cast<int>(random.integer(0, 4));
-    REQUIRE(stride.stride(bits) == bits);
-    const int strides = 64 >> bits;
-    for (int n = 0; n < strides; ++n) {
-      stride.next();
-      for (int m = 0; m < 1 << bits; ++m) single.next();
-      worst = std::max(worst, std::abs(stride.scalar(0).x.raw() - single.scalar(0).x.raw()));
-    }
-  }
-  // k has 15 bits: both go an angle that is wrong by up to 2^-16 of 64 steps of 0.02.
-  INFO("off by " << worst * 0x1p-30);
-  CHECK(worst * 0x1p-30 < 5e-5);
-  CHECK(worst > 0);
-}
-
-TEST_CASE("a stride too wide for the recurrence is shortened") {
-  using Lit = Illumination<1, Highlight::kBlinn>;
-  ArcRun<Lit> run(20000, 4);  // k = 0.019: 7.9 degrees
-  run.scalar(0) = run.scalar(1) = {Cosine::of(0.5), Cosine::of(0.01)};
-  CHECK(run.stride(4) == 1);
-}
-
 TEST_CASE("segments begin with arc's colour, and their error falls with the square of their length") {
   using Lit = Illumination<1, Highlight::kPhong>;
   Random random(4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/arc/arc_vertex.hpp>
 
 #include <arcspan_tools/mesh/compile/mesh_figures.hpp>
 
@@ -22,7 +22,6 @@ MeshFigures figures_of(const FixedMesh& mesh) {
   std::vector<Normal> normals;
   normals.reserve(mesh.normals.size());
   for (const PackedNormal& n : mesh.normals) normals.push_back(to_normal(unpack_normal(n)));
-  using AnyArc = Arc<Illumination<1, Highlight::kBlinn>>;
   std::uint32_t widest = 0;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const Normal& a = normals[mesh.indices[i]];
@@ -30,7 +29,7 @@ MeshFigures figures_of(const FixedMesh& mesh) {
     const Normal& c = normals[mesh.indices[i + 2]];
     const std::uint32_t chord = std::max({squared_chord(a, b), squared_chord(b, c), squared_chord(c, a)});
     widest = std::max(widest, chord);
-    if (chord > AnyArc::kWidestChord) ++found.wide_triangles;
+    if (chord > kWidestArc) ++found.wide_triangles;
   }
   const double half_chord = std::min(std::sqrt(std::ldexp(double(widest), -28)) / 2, 1.0);
   found.widest_angle_degrees = 2 * std::asin(half_chord) * 180 / std::numbers::pi;

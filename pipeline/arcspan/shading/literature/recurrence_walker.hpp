@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/arc/arc_rows.hpp>
+#include <arcspan/shading/literature/recurrence_rows.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/target.hpp>
 
@@ -59,10 +59,12 @@ ARCSPAN_OUTLINE constexpr void prepare_arcs(Frame& frame, ArcTriangle<Count>& ar
   const auto& top = frame.top->shade.scalars;
   const auto& middle = frame.middle->shade.scalars;
   const auto& bottom = frame.bottom->shade.scalars;
-  make_arc_edge(frame.long_edge, chords.top_bottom, top, bottom, arcs.long_edge);
+  make_arc_edge(frame.long_edge, chords.top_bottom, top, bottom, Count, arcs.long_edge);
   make_short_inverses(frame);
-  if (frame.has_upper) make_arc_edge(frame.upper_edge, chords.top_middle, top, middle, arcs.upper_edge);
-  if (frame.has_lower) make_arc_edge(frame.lower_edge, chords.middle_bottom, middle, bottom, arcs.lower_edge);
+  if (frame.has_upper)
+    make_arc_edge(frame.upper_edge, chords.top_middle, top, middle, Count, arcs.upper_edge);
+  if (frame.has_lower)
+    make_arc_edge(frame.lower_edge, chords.middle_bottom, middle, bottom, Count, arcs.lower_edge);
   const std::uint32_t widest = chords.widest();
   arcs.slope_drop = static_cast<std::uint8_t>(slope_drop(widest));
   arcs.rows = angle_format(widest);
@@ -75,6 +77,10 @@ template <class Lighting>
 class ArcRun {
  public:
   static constexpr std::size_t kScalars = Lighting::kScalars;
+
+  /// Rounding of the recurrence adds up to m^2 / 4 units of 2^-30 over m pixels, 1.5e-5 over 256. A longer
+  /// row is drawn in several runs (LimitedRun).
+  [[nodiscard]] static constexpr std::int32_t length() { return 256; }
 
   constexpr ArcRun(std::int32_t mantissa, std::int32_t shift) : mantissa_(mantissa), shift_(shift) {}
 
@@ -98,22 +104,6 @@ class ArcRun {
   constexpr void next() {
     unrolled<kScalars>([this](auto i) { scalars_[i].step(mantissa_, shift_); });
   }
-  /// Makes every following next() step 2^b pixels and returns b (StridedRun). b is `bits`, or less if the
-  /// angle per step would reach 28.9 degrees (double_stride()).
-  constexpr int stride(int bits) {
-    int reached = 0;
-    ArcStep twice{mantissa_, shift_, 0};
-    for (; reached < bits && double_stride(twice); ++reached) {
-      unrolled<kScalars>([this](auto i) {
-        ArcScalar ahead = scalars_[i];
-        ahead.step(mantissa_, shift_);
-        scalars_[i].d += ahead.d;  // the difference over two steps
-      });
-      mantissa_ = twice.mantissa;
-      shift_ = twice.shift;
-    }
-    return reached;
-  }
 
  private:
   std::array<ArcScalar, kScalars> scalars_;
@@ -129,9 +119,6 @@ class ArcWalker {
   static constexpr std::size_t kScalars = Lighting::kScalars;
   using Run = ArcRun<Lighting>;
 
-  /// Rounding of the recurrence adds up to m^2 / 4 units of 2^-30 over m pixels, 1.5e-5 over 256. A longer
-  /// row is drawn in several runs.
-  static constexpr std::int32_t kLongestRun = 256;
   static constexpr bool kOutlined = true;
 
   constexpr explicit ArcWalker(ArcTriangle<kScalars>& arcs)
@@ -160,8 +147,8 @@ class ArcWalker {
   }
 
   constexpr void next_row() {
-    arcs_->long_edge.advance();
-    short_->advance();
+    arcs_->long_edge.template advance<kScalars>();
+    short_->template advance<kScalars>();
     rows_->t = wrap_add(rows_->t, rows_->dt);
   }
   constexpr void enter_lower() {

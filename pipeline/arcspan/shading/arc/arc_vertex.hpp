@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/direction.hpp>
+#include <arcspan/numbers/root.hpp>
+#include <arcspan/prepare/triangle.hpp>
+#include <arcspan/shading/arc/arc_edge.hpp>
+#include <arcspan/target.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan {
+
+/// A normal and scalars that are linear in it, as a method interpolates them along great circles.
+template <std::size_t Count>
+struct ArcVertex {
+  Normal normal;
+  std::array<Cosine, Count> scalars;
+};
+
+/// The squared chord of 60 degrees, 28 fraction bits: the widest arc for which the series of angle_of_chord()
+/// and arc_start() hold. Wider arcs are halved first.
+inline constexpr std::uint32_t kWidestArc = std::uint32_t{1} << 28;
+
+/// Returns the squared chords between the normals of a TriangleFrame whose vertices are ArcVertex.
+template <class Frame>
+[[nodiscard]] constexpr TriangleChords chords_of_normals(const Frame& frame) {
+  const Normal& top = frame.top->shade.normal;
+  const Normal& middle = frame.middle->shade.normal;
+  const Normal& bottom = frame.bottom->shade.normal;
+  return {squared_chord(top, middle), squared_chord(top, bottom), squared_chord(middle, bottom)};
+}
+
+/// The factor 1 / (2 cos(psi/2)) by which the sum of an arc's two ends becomes the value half-way (dichotomy,
+/// S3): 1 / sqrt(2 + z), z = 2 a·b = 2 - s, where s is the squared chord.
+class HalfWay {
+ public:
+  /// `chord` has 28 fraction bits, 0...4. Opposite normals have nothing half-way; they give 0, which is dark.
+  constexpr explicit HalfWay(std::uint32_t chord)
+      : square_(Factor::of(4.0).raw() - scaled_chord(chord, AngleFormat::kWide).raw()),
+        root_(reciprocal_root(static_cast<std::uint32_t>(square_))) {
+    if (square_ <= 64) root_.mantissa = 0;
+  }
+
+  /// Returns the value half-way between two values with the sum `sum`, in the format of the sum, rounded to
+  /// nearest.
+  [[nodiscard]] constexpr std::int32_t of(std::int64_t sum) const {
+    // 1/sqrt(value) = 2^7.5 / sqrt(raw) with 15 fraction bits, and 46341 = 2^15.5.
+    const std::int64_t product = ((sum * root_.mantissa) >> 8) * 46341;
+    return static_cast<std::int32_t>((product + (std::int64_t{1} << (root_.exponent - 1))) >> root_.exponent);
+  }
+
+  /// Returns the squared chord of half the arc, 2 - sqrt(4 - s); 28 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t chord() const {
+    return (std::uint32_t{2} << 28) - (static_cast<std::uint32_t>(of(square_)) << 13);
+  }
+
+ private:
+  std::int32_t square_;  ///< 4 - s = |a + b|^2, 15 fraction bits
+  ReciprocalRoot root_;
+};
+
+/// Returns the vertex half-way along an arc. It does not depend on the order of a and b.
+template <std::size_t Count>
+[[nodiscard]] ARCSPAN_COLD_OUTLINE constexpr ArcVertex<Count> half_way(const ArcVertex<Count>& a,
+                                                                       const ArcVertex<Count>& b) {
+  const HalfWay half(squared_chord(a.normal, b.normal));
+  const auto component = [&half](NormalComponent p, NormalComponent q) {
+    return NormalComponent::from_raw(static_cast<std::int16_t>(half.of(std::int64_t{p.raw()} + q.raw())));
+  };
+  ArcVertex<Count> middle;
+  middle.normal = {component(a.normal.x, b.normal.x), component(a.normal.y, b.normal.y),
+                   component(a.normal.z, b.normal.z)};
+  for (std::size_t i = 0; i < Count; ++i) {
+    middle.scalars[i] = Cosine::from_raw(half.of(std::int64_t{a.scalars[i].raw()} + b.scalars[i].raw()));
+  }
+  return middle;
+}
+
+/// Returns the vertex at the fraction t, 0...1, of an arc of at most 60 degrees (S0 eq. 2).
+template <std::size_t Count>
+[[nodiscard]] ARCSPAN_COLD constexpr ArcVertex<Count> on_narrow_arc(const ArcVertex<Count>& a,
+                                                                    const ArcVertex<Count>& b, Factor t) {
+  constexpr AngleFormat kFormat = AngleFormat::kWide;
+  const SquaredAngle angle =
+      angle_of_chord(scaled_chord(squared_chord(a.normal, b.normal), kFormat), kFormat);
+  const ArcStart at = arc_start(angle, kFormat, t, Factor{});
+  const auto component = [&at](NormalComponent p, NormalComponent q) {
+    // The sum has 14 fraction bits, so the mean has 15.
+    const Factor middle = Factor::from_raw(std::int32_t{p.raw()} + q.raw());
+    const Factor difference = Factor::from_raw((std::int32_t{q.raw()} - p.raw()) * 2);
+    const Factor sum = middle + times_angle(middle, at.even, kFormat) + multiply<Factor>(at.odd, difference);
+    return NormalComponent::from_raw(static_cast<std::int16_t>(round_shift(sum.raw(), 1)));
+  };
+  constexpr SlopeScale kWholeArc = slope_scale(ArcFraction{}, 15, 0);  // d of start_scalar() is not used
+  ArcVertex<Count> point;
+  point.normal = {component(a.normal.x, b.normal.x), component(a.normal.y, b.normal.y),
+                  component(a.normal.z, b.normal.z)};
+  for (std::size_t i = 0; i < Count; ++i) {
+    point.scalars[i] = start_scalar(at, kFormat, kWholeArc, a.scalars[i], b.scalars[i]).x;
+  }
+  return point;
+}
+
+/// Returns the vertex at the fraction t, 0...1, of the arc from a to b. Arcs of more than 60 degrees are
+/// halved up to twice first.
+template <std::size_t Count>
+[[nodiscard]] ARCSPAN_COLD_OUTLINE constexpr ArcVertex<Count> on_arc(ArcVertex<Count> from,
+                                                                     ArcVertex<Count> to, Factor t) {
+  constexpr Factor kHalf = Factor::of(0.5);
+  for (int halvings = 0; halvings < 2 && squared_chord(from.normal, to.normal) > kWidestArc; ++halvings) {
+    const ArcVertex<Count> middle = half_way(from, to);
+    if (t == kHalf) return middle;  // exact and independent of the order of a and b
+    if (t < kHalf) {
+      to = middle;
+      t = t + t;
+    } else {
+      from = middle;
+      t = t + t - Factor::of(1.0);
+    }
+  }
+  return on_narrow_arc(from, to, t);
+}
+
+}  // namespace arcspan

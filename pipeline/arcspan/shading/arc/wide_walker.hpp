@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/shading/arc/row_pieces.hpp>
+#include <arcspan/shading/arc/very_wide_triangle.hpp>
+#include <arcspan/shading/arc/wide_triangle.hpp>
+#include <arcspan/shading/patch/patch_walker.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace arcspan {
+
+/// Which triangles a method shades exactly.
+enum class WidestNormals : std::uint8_t {
+  kAny,        ///< all
+  k60Degrees,  ///< normals up to 60 degrees apart; wider ones are less accurate. Saves 1.3 KB of code.
+};
+
+/// The prepared part of a triangle whose normals are too far apart for a patch.
+template <std::size_t Count, WidestNormals kWidest>
+struct WideOrVeryWide {
+  static constexpr bool kHasVeryWide = kWidest == WidestNormals::kAny;
+  struct None {};
+  union {
+    WideTriangle<Count> wide;
+    std::conditional_t<kHasVeryWide, VeryWideTriangle<Count>, None> very_wide;
+  };
+  Factor widest_piece;  ///< squared angle of a piece of a row, at most
+  bool is_very_wide;
+  bool middle_left;  ///< the middle vertex is on the left of the long edge
+};
+
+/// Sets up the first `used` scalars of a wide triangle, or all of a triangle beyond 60 degrees. `Frame` is a
+/// TriangleFrame whose chords are measured and whose vertices are ArcVertex. `widest` is the squared angle of
+/// the widest piece.
+template <class Frame, std::size_t Count, WidestNormals kWidest>
+constexpr void prepare_wide(Frame& frame, std::size_t used, Factor widest,
+                            WideOrVeryWide<Count, kWidest>& triangle) {
+  triangle.widest_piece = widest;
+  triangle.middle_left = frame.middle_left;
+  if constexpr (triangle.kHasVeryWide) {
+    triangle.is_very_wide = frame.chords.widest() > kWidestArc;
+    if (triangle.is_very_wide) {
+      triangle.very_wide.prepare(frame);
+      return;
+    }
+  }
+  triangle.wide.prepare(frame, used);
+}
+
+/// The pixels of a piece of a row (LimitedRun); `Pixels` is a SecondDifferenceRun with colours.
+template <class Pixels>
+class PieceRun : public Pixels {
+ public:
+  constexpr explicit PieceRun(std::int32_t length) : length_(length) {}
+  /// Returns the number of pixels up to the end of the piece, at least 1.
+  [[nodiscard]] constexpr std::int32_t length() const { return length_; }
+
+ private:
+  std::int32_t length_;
+};
+
+/// Steps the scalars of both edges from row to row (RowWalker), and draws rows in pieces. It changes the
+/// prepared triangle in place. `Pixels` uses the first Pixels::kUsed of its `Count` scalars.
+template <class Pixels, std::size_t Count, WidestNormals kWidest = WidestNormals::kAny>
+class WideWalker {
+ public:
+  using Run = PieceRun<Pixels>;
+  using Prepared = WideOrVeryWide<Count, kWidest>;
+  static constexpr std::size_t kUsed = Pixels::kUsed;
+  static constexpr bool kOutlined = true;
+
+  constexpr explicit WideWalker(Prepared& triangle)
+      : triangle_(&triangle), short_(&triangle.wide.upper_edge), rows_(&triangle.wide.upper_rows) {}
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
+    if (kHasFastRow && !is_very_wide()) {
+      const Factor angle2 = rows_->squared();
+      if (is_one_piece(angle2, triangle_->widest_piece, start)) {
+        const PieceSteps steps = steps_of_row(start, angle2);
+        const ArcEdge<Count>& left = triangle_->middle_left ? *short_ : triangle_->wide.long_edge;
+        const ArcEdge<Count>& right = triangle_->middle_left ? triangle_->wide.long_edge : *short_;
+        Run run(INT32_MAX);
+        unrolled<kUsed>(
+            [&](auto i) { run.start_at(i, parabola_of(steps, left.scalars[i].x, right.scalars[i].x)); });
+        if (start.skipped != 0) run.skip(start.skipped);
+        return run;
+      }
+    }
+    return piece(start);
+  }
+
+  constexpr void next_row() {
+    if constexpr (Prepared::kHasVeryWide) {
+      if (triangle_->is_very_wide) {
+        triangle_->very_wide.next_row(in_lower_);
+        return;
+      }
+    }
+    triangle_->wide.long_edge.template advance<kUsed>();
+    short_->template advance<kUsed>();
+    rows_->t.advance();
+  }
+  constexpr void enter_lower() {
+    in_lower_ = true;
+    short_ = &triangle_->wide.lower_edge;
+    rows_ = &triangle_->wide.lower_rows;
+  }
+
+ private:
+  /// Returns one of several pieces of a row.
+  [[nodiscard]] ARCSPAN_OUTLINE constexpr Run piece(RowStart start) const {
+    RowEnds<Count> ends;
+    std::int32_t length = INT32_MAX;
+    if (is_very_wide()) {
+      if constexpr (Prepared::kHasVeryWide) {
+        length = triangle_->very_wide.row(in_lower_, triangle_->middle_left, start, ends);
+      }
+    } else {
+      for (std::size_t i = 0; i < kUsed; ++i) {
+        const Cosine at_short = short_->scalars[i].x;
+        const Cosine at_long = triangle_->wide.long_edge.scalars[i].x;
+        ends.left[i] = triangle_->middle_left ? at_short : at_long;
+        ends.right[i] = triangle_->middle_left ? at_long : at_short;
+      }
+      ends.angle2 = rows_->squared();
+    }
+    const RowPiece piece = piece_of_row(start, halvings_of(ends.angle2, triangle_->widest_piece, start));
+    narrow_to<kUsed>(piece, ends);
+    const PieceSteps steps = steps_of_piece(piece, ends.angle2);
+    Run run(length < piece.length ? length : piece.length);
+    for (std::size_t i = 0; i < kUsed; ++i) run.start_at(i, parabola_of(steps, ends.left[i], ends.right[i]));
+    run.skip(static_cast<std::int32_t>(piece.inside >> piece.bits));
+    return run;
+  }
+
+  /// Programs that are optimised for size have one function for all rows.
+  static constexpr bool kHasFastRow = !kOptimisedForSize;
+
+  [[nodiscard]] constexpr bool is_very_wide() const {
+    return Prepared::kHasVeryWide && triangle_->is_very_wide;
+  }
+
+  Prepared* triangle_;
+  ArcEdge<Count>* short_;
+  RowAngles* rows_;
+  bool in_lower_ = false;
+};
+
+}  // namespace arcspan

@@ -21,7 +21,15 @@
 // Every shading method is instantiated with two kinds of targets: a framebuffer of rgb565 with a depth buffer
 // and one light, drawn exactly as firmware draws it, whose times mean something; and any pixel format behind
 // virtual calls, with any lights and every feature of an illumination, with a depth test or without.
+//
+// ARCSPAN_ALWAYS_VIRTUAL leaves the first kind out: the same pictures, drawn slower and compiled faster.
 namespace arcspan::tools::detail {
+
+#ifdef ARCSPAN_ALWAYS_VIRTUAL
+inline constexpr bool kDrawsDirectly = false;
+#else
+inline constexpr bool kDrawsDirectly = true;
+#endif
 
 /// A band of a picture in rgb565.
 class DirectBand {
@@ -187,15 +195,17 @@ RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const R
   const auto illumination = illumination_of<Lit>(job);
   const auto any_lighting = lighting_of<Method<AnyLit>>(job, AnyLit(illumination));
   RenderResult result;
-  const bool is_direct = Lights == 1 && job.depth && job.material.highlight_fade.raw() == 0 &&
-                         pixels.format == pixel_format_name<Rgb565>() && !pixels.dithers;
-  if (!is_direct) {
-    result = render_bands<Method<AnyLit>, AnyBand>(job, pixels, any_lighting, rows_done);
-  } else if constexpr (Lights == 1) {
-    using Plain = Illumination<Lights, Model>;
-    const auto lighting = lighting_of<Method<Plain>>(job, illumination_of<Plain>(job));
-    result = render_bands<Method<Plain>, DirectBand>(job, pixels, lighting, rows_done);
+  bool is_drawn = false;
+  if constexpr (kDrawsDirectly && Lights == 1) {
+    if (job.depth && job.material.highlight_fade.raw() == 0 && pixels.format == pixel_format_name<Rgb565>() &&
+        !pixels.dithers) {
+      using Plain = Illumination<Lights, Model>;
+      const auto lighting = lighting_of<Method<Plain>>(job, illumination_of<Plain>(job));
+      result = render_bands<Method<Plain>, DirectBand>(job, pixels, lighting, rows_done);
+      is_drawn = true;
+    }
   }
+  if (!is_drawn) result = render_bands<Method<AnyLit>, AnyBand>(job, pixels, any_lighting, rows_done);
   result.stats.cache_bytes = job.mesh.vertex_count() * sizeof(CachedVertex<Method<Lit>>);
   if (job.counts) count_spans<Method<AnyLit>>(job, any_lighting, result.stats);
   return result;

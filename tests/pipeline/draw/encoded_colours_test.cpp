@@ -87,7 +87,9 @@ TestMesh random_triangles(Random& random) {
   return mesh;
 }
 
-template <class Method>
+/// `All`: in all sizes, with a depth test and without. The table is the same for every method, so one takes
+/// all.
+template <class Method, bool All = false>
 int pictures_that_differ(int count) {
   Random random(77);
   TestCamera camera;
@@ -100,10 +102,12 @@ int pictures_that_differ(int count) {
         i % 4 == 3 ? make_sphere(3 + i % 9, 5 + i % 17, 6000, 0.02, random) : random_triangles(random);
     const MeshView view = mesh.view();
     const Pictures tested = drawn<Method, 0, true>(view, camera, light);
-    different += tested == drawn<Method, 256, true>(view, camera, light) ? 0 : 1;
     different += tested == drawn<Method, 1024, true>(view, camera, light) ? 0 : 1;
-    const Pictures untested = drawn<Method, 0, false>(view, camera, light);
-    different += untested == drawn<Method, 1024, false>(view, camera, light) ? 0 : 1;
+    if constexpr (All) {
+      different += tested == drawn<Method, 256, true>(view, camera, light) ? 0 : 1;
+      const Pictures untested = drawn<Method, 0, false>(view, camera, light);
+      different += untested == drawn<Method, 1024, false>(view, camera, light) ? 0 : 1;
+    }
   }
   return different;
 }
@@ -112,7 +116,7 @@ int pictures_that_differ(int count) {
 
 TEST_CASE("a table of encoded colours changes no pixel") {
   CHECK(pictures_that_differ<Arc<Illumination<1, Highlight::kBlinn>>>(share_of(60)) == 0);
-  CHECK(pictures_that_differ<Arc<Light>>(share_of(60)) == 0);
+  CHECK(pictures_that_differ<Arc<Light>, true>(share_of(60)) == 0);
   CHECK(pictures_that_differ<Adaptive<Light>>(share_of(60)) == 0);
 }
 

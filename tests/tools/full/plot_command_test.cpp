@@ -26,8 +26,13 @@ TEST_CASE("plot draws every figure as SVG, and the first as PNG, where gnuplot i
     WARN("gnuplot is not installed");
     return;
   }
+#ifdef ARCSPAN_SANITIZED
+  const auto makers = figure_makers().first(1);  // the others are calculated by artefact_tests
+#else
+  const auto makers = figure_makers();
+#endif
   const TemporaryFolder folder;
-  for (const FigureMaker& maker : figure_makers()) {
+  for (const FigureMaker& maker : makers) {
     CAPTURE(std::string(maker.name));
     const std::string start = "plot " + std::string(maker.name) + " -o ";
     const CommandRun svg = run(start + (folder / "a.svg"));
@@ -37,7 +42,7 @@ TEST_CASE("plot draws every figure as SVG, and the first as PNG, where gnuplot i
     CHECK(text.find("<svg") != std::string::npos);
     CHECK(text.find("</svg>") != std::string::npos);
     // Some figures take seconds to calculate: the labels of all of them are checked by artefact_tests.
-    if (&maker != figure_makers().data()) continue;
+    if (&maker != makers.data()) continue;
     CHECK(text.find(maker.make().x_label) != std::string::npos);
     REQUIRE(run(start + (folder / "a.png")).status == 0);
     CHECK(read_image(folder / "a.png").width == 1120);

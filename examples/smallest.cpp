@@ -45,7 +45,7 @@ int main() {
   // The whole sphere is in view, its triangles are small, and its inside is never visible.
   constexpr DrawFeatures kFeatures{
       .clips = false, .two_sided = false, .caches = false, .planes = false, .whole_rows = false};
-  using Method = Arc<Light, WidestNormals::k60Degrees>;
+  using Method = ArcUpTo<Light, WidestNormals::k60Degrees>;
   const DrawResult drawn = draw_mesh<Method, kFeatures>(kSphere, kCamera, kLight, screen, nearest);
 
   bare::print_line("triangles: ", drawn.triangles, ", left out: ", drawn.left_out);

@@ -21,8 +21,8 @@ namespace arcspan {
 ///   degrees, which are parabolas through the arc's ends and middle (decision 23).
 ///
 /// literature/recurrence.hpp has eq. 14 for every pixel.
-template <class Illumination, WidestNormals kWidest = WidestNormals::kAny>
-struct Arc {
+template <class Illumination, WidestNormals kWidest>
+struct ArcUpTo {
   static constexpr std::size_t kScalars = Illumination::kScalars;
   using Scalars = std::array<Cosine, kScalars>;
   using Lighting = Illumination;
@@ -133,5 +133,9 @@ struct Arc {
     return fits && widest <= lighting.widest_patch() ? Path::kPatch : Path::kWide;
   }
 };
+
+/// ArcUpTo for any normals.
+template <class Illumination>
+using Arc = ArcUpTo<Illumination, WidestNormals::kAny>;
 
 }  // namespace arcspan

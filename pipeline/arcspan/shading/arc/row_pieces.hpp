@@ -61,7 +61,7 @@ struct RowPiece {
       (start.width >> spare) | static_cast<std::uint32_t>((start.width >> spare) == 0);
   const std::uint32_t inside = start.inside >> spare;
   const int bits = start.bits - spare;
-  const std::uint32_t last = (1u << halvings) - 1;
+  const std::uint32_t last = (std::uint32_t{1} << halvings) - 1;
   std::uint32_t index = 0;
   std::uint32_t begin = 0;
   std::uint32_t end = width >> halvings;
@@ -70,7 +70,7 @@ struct RowPiece {
     begin = end;
     end = ((index + 1) * width) >> halvings;
   }
-  const std::uint32_t rest = index == last ? 0 : (end - inside + (1u << bits) - 1) >> bits;
+  const std::uint32_t rest = index == last ? 0 : (end - inside + (std::uint32_t{1} << bits) - 1) >> bits;
   return {index,          halvings, width,
           inside - begin, bits,     index == last ? INT32_MAX : static_cast<std::int32_t>(rest)};
 }
@@ -81,7 +81,7 @@ struct RowPiece {
   int halvings = 0;
   for (std::int32_t narrowed = angle2.raw(); narrowed > widest.raw(); narrowed >>= 2) ++halvings;
   if (start.bits == 16) {
-    while ((start.width >> halvings) > (1u << (16 + kLongestPieceBits))) ++halvings;
+    while ((start.width >> halvings) > (std::uint32_t{1} << (16 + kLongestPieceBits))) ++halvings;
   }
   return halvings;
 }
@@ -134,7 +134,7 @@ struct PieceSteps {
 /// Returns the steps along a piece with the squared angle `angle2`.
 [[nodiscard]] constexpr PieceSteps steps_of_piece(const RowPiece& piece, Factor angle2) {
   const Reciprocal inverse = nonzero_reciprocal(piece.width);
-  const std::uint32_t distance = (piece.inside & ((1u << piece.bits) - 1)) << piece.halvings;
+  const std::uint32_t distance = (piece.inside & ((std::uint32_t{1} << piece.bits) - 1)) << piece.halvings;
   const int exponent = inverse.exponent - piece.bits - piece.halvings;
   // A piece shorter than a pixel has one pixel and takes no step; any exponent in range will do.
   return piece_steps(distance, piece.width, inverse, exponent < 16 ? 16 : exponent, angle2);

@@ -41,7 +41,7 @@ constexpr void prepare_wide(Frame& frame, std::size_t used, Factor widest,
                             WideOrVeryWide<Count, kWidest>& triangle) {
   triangle.widest_piece = widest;
   triangle.middle_left = frame.middle_left;
-  if constexpr (triangle.kHasVeryWide) {
+  if constexpr (WideOrVeryWide<Count, kWidest>::kHasVeryWide) {
     triangle.is_very_wide = frame.chords.widest() > kWidestArc;
     if (triangle.is_very_wide) {
       triangle.very_wide.prepare(frame);

@@ -138,7 +138,7 @@ struct PatchValues {
 [[nodiscard]] constexpr Cosine arc_headroom(std::uint32_t chord) {
   const std::uint32_t s = chord >> 13;  // 15 fraction bits
   const std::uint32_t factor = 5462u + ((s * 1901u) >> 15);
-  return Cosine::from_raw(static_cast<std::int32_t>(s * factor + (1u << 18)));
+  return Cosine::from_raw(static_cast<std::int32_t>(s * factor + (std::uint32_t{1} << 18)));
 }
 
 /// Returns true if the size of the triangle allows a patch: a width of at least half a pixel, because slopes

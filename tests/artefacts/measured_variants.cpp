@@ -9,8 +9,9 @@ namespace {
 /// Draws into rgb565 with a depth test, with one light and Blinn's highlight, whatever the job asks for.
 template <template <class> class Method>
 RenderResult render_variant(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
-  using Shading = Method<Illumination<1, Highlight::kBlinn>>;
-  const auto lighting = detail::lighting_of<Shading>(job, detail::illumination_of<1, Highlight::kBlinn>(job));
+  using Lit = Illumination<1, Highlight::kBlinn>;
+  using Shading = Method<Lit>;
+  const auto lighting = detail::lighting_of<Shading>(job, detail::illumination_of<Lit>(job));
   return detail::render_bands<Shading, detail::DirectBand>(job, pixels, lighting, rows_done);
 }
 

@@ -110,6 +110,8 @@ struct Adaptive : Arc<Illumination> {
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the errors of linear light and of
   /// highlight patches are bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;
+  /// Half a pixel, 16 fraction bits: gradients of narrower triangles are too coarse for linear light.
+  static constexpr std::uint32_t kNarrowest = std::uint32_t{1} << 15;
 
   /// Returns a lower bound of the highlight's half distance over the triangle: (1 - c) / 2 of its cosine c.
   template <class Frame>
@@ -134,7 +136,8 @@ struct Adaptive : Arc<Illumination> {
     const std::int32_t upper = a > b ? a : b;
     const std::uint32_t widest = frame.chords.widest();
     const std::uint32_t radius2 = squared_radius(frame.chords);
-    if (widest <= kWidestBounded && quadruple_linear_error(radius2, upper > c ? upper : c) <= linear_limit) {
+    if (widest <= kWidestBounded && frame.width >= kNarrowest &&
+        quadruple_linear_error(radius2, upper > c ? upper : c) <= linear_limit) {
       prepared.linear_light = true;
       const auto lift = static_cast<std::int32_t>(radius2 >> (28 - LinearLight::kFraction + 2));
       const auto lifted = [lift](std::int32_t level) {
@@ -252,6 +255,7 @@ struct Adaptive : Arc<Illumination> {
     const std::uint32_t width = whole > 1023 ? 1023 : whole;
     const std::uint32_t across =
         chords.top_middle > chords.middle_bottom ? chords.top_middle : chords.middle_bottom;
+    if (chords.widest() > kWidestArc) return 0;  // a chord says too little of its angle there
     if (!away_from_terminator(lighting, frame, across >> 4)) return 0;
     const std::uint32_t allowed = (limit >> 8) - (limit >> 10);
     const std::uint64_t room = static_cast<std::uint64_t>(allowed) * (width * width);

@@ -144,7 +144,8 @@ class AdaptiveIllumination : public Illumination {
     const std::uint32_t diffuse = Illumination::most_diffuse() * kCount;
     const std::uint32_t curvature = shines ? Illumination::most_curvature() : diffuse;
     const std::uint32_t limit = limit_of(tolerance, 8, curvature);
-    if (!Illumination::may_clamp(shines)) return limit;
+    // With n = 1 the highlight itself has a kink where its cosine is 0.
+    if (!Illumination::may_clamp(shines) && !(shines && Illumination::shininess() == 1)) return limit;
     // f'^2 <= 2 (diffuse^2 + 0.37 specular * n specular), and n specular <= curvature.
     const std::uint32_t specular = shines ? Illumination::most_specular() * kCount : 0;
     const std::uint64_t slope2 = 2 * (static_cast<std::uint64_t>(diffuse) * diffuse +

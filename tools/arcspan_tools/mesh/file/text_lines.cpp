@@ -9,8 +9,6 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr double kMostCoordinate = 1e30;
-
 char line_end_of(std::string_view text) {
   const std::size_t first = text.find_first_of("\r\n");
   if (first == std::string_view::npos || text[first] == '\n') return '\n';

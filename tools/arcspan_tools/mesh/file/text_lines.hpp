@@ -9,6 +9,9 @@
 
 namespace arcspan::tools {
 
+/// The largest number in a mesh file, for which products of three still fit a double.
+inline constexpr double kMostCoordinate = 1e30;
+
 /// The lines of a text file, split into words; the words of the current line can be taken as numbers. Throws
 /// a Failure that names the line for what is not as it should be.
 class TextLines {

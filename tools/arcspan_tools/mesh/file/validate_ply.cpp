@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/file/ply_header.hpp>
+#include <arcspan_tools/mesh/file/text_lines.hpp>
 #include <arcspan_tools/mesh/file/validate.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/parse.hpp>
@@ -13,7 +14,6 @@ namespace arcspan::tools {
 namespace {
 
 constexpr std::int64_t kMostInList = 1 << 20;
-constexpr double kMostCoordinate = 1e30;  // as in a text, see TextLines
 
 void append_number(std::string& out, double value) {
   char text[32];

@@ -254,8 +254,8 @@ TEST_CASE("by every method, a low highlight fades at the terminator only if that
     }
     return most;
   };
-  // Gouraud and segments blur the abrupt end.
-  CHECK(2 * largest_step(abrupt) > 3 * largest_step(fading));
+  // Gouraud and segments blur the abrupt end, segments of Phong's colours the most.
+  CHECK(10 * largest_step(abrupt) > 13 * largest_step(fading));
   for (std::size_t p = 0; p < fading.pixels.size(); ++p) CHECK(fading.pixels[p].g <= abrupt.pixels[p].g + 1);
 }
 

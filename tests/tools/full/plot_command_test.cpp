@@ -57,7 +57,7 @@ TEST_CASE("plot: what is wrong is said in one line, and nothing is written") {
     int status;
   };
   const Case wrong = GENERATE(values<Case>({
-      {"", "spiral -o a.svg", "FIGURE: expected diffuse-error|specular-error|", 2},
+      {"", "spiral -o a.svg", "FIGURE: expected diffuse-error|absolute-error|", 2},
       {"", "rotation -o a.pdf", "a.pdf: a figure's name must end in .svg, .png or .csv", 1},
       {"", "rotation", "--output is required", 2},
       {"PATH=/nowhere ", "diffuse-error -o a.svg", "gnuplot: not found", 1},

@@ -110,8 +110,6 @@ struct Adaptive : Arc<Illumination> {
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the errors of linear light and of
   /// highlight patches are bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;
-  /// Half a pixel, 16 fraction bits: gradients of narrower triangles are too coarse for linear light.
-  static constexpr std::uint32_t kNarrowest = std::uint32_t{1} << 15;
 
   /// Returns a lower bound of the highlight's half distance over the triangle: (1 - c) / 2 of its cosine c.
   template <class Frame>
@@ -134,10 +132,14 @@ struct Adaptive : Arc<Illumination> {
     const std::int32_t b = LinearLight::level(frame.middle->shade.scalars[0]);
     const std::int32_t c = LinearLight::level(frame.bottom->shade.scalars[0]);
     const std::int32_t upper = a > b ? a : b;
+    const std::int32_t lower = a < b ? a : b;
+    const std::int32_t most = upper > c ? upper : c;
+    // A gradient saturates at 2 per pixel, which a sliver may exceed.
+    const auto range = static_cast<std::uint32_t>(most - (lower < c ? lower : c));
     const std::uint32_t widest = frame.chords.widest();
     const std::uint32_t radius2 = squared_radius(frame.chords);
-    if (widest <= kWidestBounded && frame.width >= kNarrowest &&
-        quadruple_linear_error(radius2, upper > c ? upper : c) <= linear_limit) {
+    if (widest <= kWidestBounded && range < frame.width &&
+        quadruple_linear_error(radius2, most) <= linear_limit) {
       prepared.linear_light = true;
       const auto lift = static_cast<std::int32_t>(radius2 >> (28 - LinearLight::kFraction + 2));
       const auto lifted = [lift](std::int32_t level) {

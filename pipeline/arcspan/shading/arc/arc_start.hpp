@@ -30,13 +30,12 @@ struct ArcStart {
   SquaredAngle slope_even;
 };
 
-namespace detail {
-
-/// arc_start() for any format, by polynomials in p = psi^2 that are fitted to the series. The error of x is
-/// at most 6e-5 up to 60 degrees, that of the value that diff reaches at the end of the arc 2e-4, plus
-/// rounding.
-[[nodiscard]] ARCSPAN_INLINE constexpr ArcStart far_arc_start(SquaredAngle p, AngleFormat format, Factor u,
-                                                              Factor a) {
+/// Returns the factors of an arc with the squared angle p = psi^2 in `format`; u and a are in 0...1. By
+/// polynomials in p that are fitted to the series: the error of x is at most 6e-5 up to 60 degrees, that of
+/// the value that diff reaches at the end of the arc 2e-4, plus rounding. Edges and clipped vertices share
+/// this one function, which is not inlined.
+[[nodiscard]] ARCSPAN_OUTLINE constexpr ArcStart arc_start(SquaredAngle p, AngleFormat format, Factor u,
+                                                           Factor a) {
   constexpr Factor kOne = Factor::of(1.0);
   constexpr Factor kHalf = Factor::of(0.5);
   const auto times_p = [p, format](auto b) { return times_angle(b, p, format); };
@@ -67,46 +66,6 @@ namespace detail {
                                  times_p(Factor::of(0.0144)) - slope_even_v2;
   start.slope_even = -multiply<SquaredAngle>(multiply<SquaredAngle>(p, v), kOne + times_p(slope_even_rate));
   return start;
-}
-
-/// arc_start() for AngleFormat::kNear, by series of the first order. The error is at most 2e-5, and 5e-6 at
-/// 10 degrees. Most rows of finely divided meshes take this path.
-[[nodiscard]] ARCSPAN_INLINE constexpr ArcStart near_arc_start(SquaredAngle angle2, Factor u, Factor a) {
-  using NearAngle = Fixed<std::int32_t, fraction_bits(AngleFormat::kNear)>;
-  constexpr Factor kOne = Factor::of(1.0);
-  constexpr Factor kTwentyFourth = Factor::of(1.0 / 24);
-  constexpr Factor kSixth = Factor::of(1.0 / 6);
-  const NearAngle p = NearAngle::from_raw(angle2.raw());
-  const Factor c = u - Factor::of(0.5);
-  const Factor v = c + Factor::from_raw(a.raw() >> 1);
-  const Factor v2 = multiply_floor<Factor>(v, v);
-  const NearAngle p_parabola =
-      multiply_floor<NearAngle>(p, u - multiply_floor<Factor>(u, u));  // p (1/4 - c^2)
-  // The constant 0.047 replaces (5/4 - c^2) / 24, which is 0.042...0.052.
-  const Factor even_inner = Factor::of(0.5) + multiply_floor<Factor>(p, Factor::of(0.047));
-  const Factor slope_odd_rate = kTwentyFourth -
-                                multiply_floor<Factor>(multiply_floor<Factor>(a, a), kTwentyFourth) -
-                                Factor::from_raw(v2.raw() >> 1);
-  const Factor slope_even_inner =
-      kOne + multiply_floor<Factor>(p, Factor::of(0.125) - multiply_floor<Factor>(v2, kSixth));
-
-  ArcStart start;
-  start.even = SquaredAngle::from_raw(multiply_floor<NearAngle>(p_parabola, even_inner).raw());
-  start.odd = c + multiply_floor<Factor>(c, multiply_floor<NearAngle>(p_parabola, kSixth));
-  start.slope_odd = kOne + multiply<Factor>(p, slope_odd_rate);
-  start.slope_even =
-      SquaredAngle::from_raw((-multiply<NearAngle>(multiply<NearAngle>(v, p), slope_even_inner)).raw());
-  return start;
-}
-
-}  // namespace detail
-
-/// Returns the factors of an arc with the squared angle `angle2` in `format`; u and a are in 0...1. Edges,
-/// rows and clipped vertices share this one function, which is not inlined.
-[[nodiscard]] ARCSPAN_OUTLINE constexpr ArcStart arc_start(SquaredAngle angle2, AngleFormat format, Factor u,
-                                                           Factor a) {
-  return format == AngleFormat::kNear ? detail::near_arc_start(angle2, u, a)
-                                      : detail::far_arc_start(angle2, format, u, a);
 }
 
 }  // namespace arcspan

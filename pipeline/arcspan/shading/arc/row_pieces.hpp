@@ -86,21 +86,13 @@ struct RowPiece {
   return halvings;
 }
 
-/// Returns the height of an arc above its chord in the middle, divided by the mean of its two ends:
-/// 1 / cos(psi/2) - 1 = psi^2/8 + 0.01291 psi^4 + 0.00159 psi^6 of psi^2 = `angle2`, at most 1.1. 18 fraction
-/// bits, error below 1e-4. Fitted to the series for these angles.
-[[nodiscard]] constexpr std::int32_t relative_sagitta(Factor angle2) {
-  const Factor fourth = multiply_floor<Factor>(angle2, angle2);
-  const Factor inner = Factor::of(0.01291) + multiply<Factor>(angle2, Factor::of(0.00159));
-  return angle2.raw() + (wrap_mul(fourth.raw(), inner.raw()) >> 12);  // psi^2/8 has 18 fraction bits
-}
-
-/// Returns four times that of an arc of at most 42 degrees, psi^2/2 + 0.0520 psi^4 + 0.0058 psi^6; 17
-/// fraction bits, error below 1e-5. Fitted to the series for these angles.
+/// Returns the quadruple sagitta of an arc divided by the mean of its two ends, 4 / cos(psi/2) - 4 = psi^2/2
+/// + 0.0516 psi^4 + 0.0064 psi^6 of psi^2 = `angle2`, at most 1.1. 17 fraction bits, error below 1e-4. Fitted
+/// to the series.
 [[nodiscard]] constexpr std::int32_t quadruple_relative_sagitta(Factor angle2) {
   const std::int32_t fourth = wrap_mul(angle2.raw(), angle2.raw()) >> 15;  // 15 fraction bits
-  // 0.05200 + 0.00577 psi^2 with 15 fraction bits
-  const std::int32_t inner = 1704 + ((angle2.raw() * 189) >> 15);
+  // 0.0516 + 0.0064 psi^2 with 15 fraction bits
+  const std::int32_t inner = 1692 + ((angle2.raw() * 209) >> 15);
   return wrap_shl(angle2.raw(), 1) + (wrap_mul(fourth, inner) >> 13);
 }
 
@@ -173,7 +165,8 @@ struct PieceSteps {
 template <std::size_t Used, std::size_t Count>
 ARCSPAN_INLINE constexpr void narrow_to(const RowPiece& piece, RowEnds<Count>& ends) {
   for (int level = piece.halvings - 1; level >= 0; --level) {
-    const std::int32_t sagitta = relative_sagitta(ends.angle2);
+    const std::int32_t sagitta =
+        quadruple_relative_sagitta(ends.angle2) >> 1;  // 18 fraction bits of the sagitta
     std::array<Cosine, Count>& replaced = ((piece.index >> level) & 1) != 0 ? ends.left : ends.right;
     unrolled<Used>([&](auto i) {
       const std::int32_t mean = wrap_add(ends.left[i].raw() >> 1, ends.right[i].raw() >> 1);

@@ -15,10 +15,11 @@ namespace arcspan {
 /// height of the highlight, `most_specular` (8-bit steps, 5 fraction bits).
 [[nodiscard]] constexpr std::uint32_t widest_patch(Highlight model, std::int32_t shininess,
                                                    std::uint32_t most_specular) {
-  // Entry i is for exponents up to 2^i and white highlights by R·V: 23, 23, 23, 20, 17, 14.5, 12, 10, 8.5
+  // Entry i is for exponents up to 2^i and white highlights by R·V: 23, 23, 23, 20, 17, 14.5, 11, 9, 7.5
   // degrees. Blunt highlights would allow 29, but they end abruptly where N·L = 0, so its error counts too.
+  // Sharp ones show rounding as well, which leaves less for the patch.
   constexpr std::array<std::uint32_t, 9> kChords{42678632, 42678632, 42678632, 32377278, 23458706,
-                                                 17100605, 11731918, 8156275,  5897063};
+                                                 17100605, 9863831,  6609772,  4593005};
   constexpr std::uint32_t kWhite = 255u << 5;
   const std::uint32_t height = static_cast<std::uint32_t>(shininess) * most_specular;
   const int doublings = height <= kWhite ? 0 : static_cast<int>(std::bit_width((height - 1) / kWhite));

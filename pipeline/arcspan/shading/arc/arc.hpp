@@ -14,7 +14,7 @@ namespace arcspan {
 /// down the edges and along the rows (S0). Small angles need no exact circle, so a triangle takes one of two
 /// paths:
 ///
-/// - Normals within 12 to 33 degrees, depending on the highlight (widest_patch()): a quadratic surface
+/// - Normals within 7.5 to 33 degrees, depending on the highlight (widest_patch()): a quadratic surface
 /// through
 ///   the arcs' ends and middles, which second differences step without a multiply (decision 5).
 /// - Wider: the recurrence of S0 eq. 14 down the edges (ArcScalar), and each row in pieces of at most 20

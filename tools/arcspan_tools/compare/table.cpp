@@ -69,9 +69,10 @@ constexpr const char* kNotes =
     "themselves;\n`set-up` is all kinds together for vertices, triangles and row starts. ns and instr. are "
     "of "
     "the whole draw on\nthis machine. Errors are in 8-bit steps from the double reference before rounding, "
-    "half "
-    "a "
-    "step of which is rounding.\n";
+    "half a "
+    "step of which is rounding.\nThe largest error (max) is usually where N·L changes sign: a highlight ends "
+    "abruptly there, and pixels on the other\nside of that border than the reference's differ by the whole "
+    "highlight (--highlight-fade softens the border).\n";
 
 std::string markdown(const Comparison& c, const std::vector<Column>& columns) {
   std::string text =

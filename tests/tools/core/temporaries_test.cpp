@@ -80,18 +80,20 @@ TEST_CASE("a signal waits for the end of a pause") {
 TEST_CASE("a child leaves its parent's temporaries alone, and dies from the same signals") {
   const TemporaryFolder folder;
   const std::string kept = folder.file("kept", "x");
-  remove_temporaries_at_signals();
-  Removal of_parent(kept);
-  const pid_t child = fork_child();
-  if (child == 0) {
-    (void)::raise(SIGTERM);
-    ::_exit(0);
-  }
-  const int status = wait_for_child(child);
-  leave_temporaries_to_parent();  // the test's own dispositions again
-  CHECK(WIFSIGNALED(status));
-  CHECK(WTERMSIG(status) == SIGTERM);
-  CHECK(std::filesystem::exists(kept));
+  const int status = status_of([&] {
+    remove_temporaries_at_signals();
+    const Removal of_parent(kept);
+    const pid_t child = fork_child();
+    if (child == 0) {
+      (void)::raise(SIGTERM);
+      ::_exit(0);
+    }
+    const int of_child = wait_for_child(child);
+    const bool died = WIFSIGNALED(of_child) && WTERMSIG(of_child) == SIGTERM;
+    ::_exit(died && std::filesystem::exists(kept) ? 7 : 8);
+  });
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 7);
 }
 
 TEST_CASE("a child is killed when its parent is") {

@@ -107,21 +107,21 @@ template <std::size_t Count>
 /// Returns the vertex at the fraction t, 0...1, of the arc from a to b. Arcs of more than 60 degrees are
 /// halved up to twice first.
 template <std::size_t Count>
-[[nodiscard]] ARCSPAN_COLD_OUTLINE constexpr ArcVertex<Count> on_arc(ArcVertex<Count> from,
-                                                                     ArcVertex<Count> to, Factor t) {
+[[nodiscard]] ARCSPAN_COLD_OUTLINE constexpr ArcVertex<Count> on_arc(const ArcVertex<Count>& a,
+                                                                     const ArcVertex<Count>& b, Factor t) {
   constexpr Factor kHalf = Factor::of(0.5);
-  for (int halvings = 0; halvings < 2 && squared_chord(from.normal, to.normal) > kWidestArc; ++halvings) {
-    const ArcVertex<Count> middle = half_way(from, to);
-    if (t == kHalf) return middle;  // exact and independent of the order of a and b
-    if (t < kHalf) {
-      to = middle;
-      t = t + t;
-    } else {
-      from = middle;
-      t = t + t - Factor::of(1.0);
-    }
-  }
-  return on_narrow_arc(from, to, t);
+  if (squared_chord(a.normal, b.normal) <= kWidestArc) return on_narrow_arc(a, b, t);
+  const ArcVertex<Count> middle = half_way(a, b);
+  const bool is_first = t < kHalf;
+  // Ends are referred to and not copied, because small cores would call memcpy.
+  const ArcVertex<Count>& from = is_first ? a : middle;
+  const ArcVertex<Count>& to = is_first ? middle : b;
+  const Factor part = is_first ? t + t : t + t - Factor::of(1.0);
+  if (squared_chord(from.normal, to.normal) <= kWidestArc) return on_narrow_arc(from, to, part);
+  const ArcVertex<Count> quarter = half_way(from, to);
+  const bool is_first_part = part < kHalf;
+  return on_narrow_arc(is_first_part ? from : quarter, is_first_part ? quarter : to,
+                       is_first_part ? part + part : part + part - Factor::of(1.0));
 }
 
 }  // namespace arcspan

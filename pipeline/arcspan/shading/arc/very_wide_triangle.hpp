@@ -47,8 +47,12 @@ struct VeryWideTriangle {
     const ArcVertex<Count> at_long = on_arc(top, bottom, long_edge.factor());
     const ArcVertex<Count> at_short =
         in_lower ? on_arc(middle, bottom, lower_edge.factor()) : on_arc(top, middle, upper_edge.factor());
-    ends.left = (middle_left ? at_short : at_long).scalars;
-    ends.right = (middle_left ? at_long : at_short).scalars;
+    const ArcVertex<Count>& left = middle_left ? at_short : at_long;
+    const ArcVertex<Count>& right = middle_left ? at_long : at_short;
+    unrolled<Count>([&](auto i) {  // a copy of the whole would be a call of memcpy
+      ends.left[i] = left.scalars[i];
+      ends.right[i] = right.scalars[i];
+    });
     std::uint32_t chord = squared_chord(at_long.normal, at_short.normal);
     std::int32_t length = INT32_MAX;
     while (chord > kWidestArc) {

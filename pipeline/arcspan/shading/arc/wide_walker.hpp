@@ -55,12 +55,12 @@ constexpr void prepare_wide(Frame& frame, std::size_t used, Factor widest,
 template <class Pixels>
 class PieceRun : public Pixels {
  public:
-  constexpr explicit PieceRun(std::int32_t length) : length_(length) {}
   /// Returns the number of pixels up to the end of the piece, at least 1.
   [[nodiscard]] constexpr std::int32_t length() const { return length_; }
+  constexpr void set_length(std::int32_t length) { length_ = length; }
 
  private:
-  std::int32_t length_;
+  std::int32_t length_ = INT32_MAX;
 };
 
 /// Steps the scalars of both edges from row to row (RowWalker), and draws rows in pieces. It changes the
@@ -77,20 +77,21 @@ class WideWalker {
       : triangle_(&triangle), short_(&triangle.wide.upper_edge), rows_(&triangle.wide.upper_rows) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
+    Run run;  // one object on all ways, which small cores would otherwise copy by memcpy
     if (kHasFastRow && !is_very_wide()) {
       const Factor angle2 = rows_->squared();
       if (is_one_piece(angle2, triangle_->widest_piece, start)) {
         const PieceSteps steps = steps_of_row(start, angle2);
         const ArcEdge<Count>& left = triangle_->middle_left ? *short_ : triangle_->wide.long_edge;
         const ArcEdge<Count>& right = triangle_->middle_left ? triangle_->wide.long_edge : *short_;
-        Run run(INT32_MAX);
         unrolled<kUsed>(
             [&](auto i) { run.start_at(i, parabola_of(steps, left.scalars[i].x, right.scalars[i].x)); });
         if (start.skipped != 0) run.skip(start.skipped);
         return run;
       }
     }
-    return piece(start);
+    set_piece(start, run);
+    return run;
   }
 
   constexpr void next_row() {
@@ -111,8 +112,8 @@ class WideWalker {
   }
 
  private:
-  /// Returns one of several pieces of a row.
-  [[nodiscard]] ARCSPAN_OUTLINE constexpr Run piece(RowStart start) const {
+  /// Sets `run` to one of several pieces of a row.
+  ARCSPAN_OUTLINE constexpr void set_piece(RowStart start, Run& run) const {
     RowEnds<Count> ends;
     std::int32_t length = INT32_MAX;
     if (is_very_wide()) {
@@ -131,10 +132,9 @@ class WideWalker {
     const RowPiece piece = piece_of_row(start, halvings_of(ends.angle2, triangle_->widest_piece, start));
     narrow_to<kUsed>(piece, ends);
     const PieceSteps steps = steps_of_piece(piece, ends.angle2);
-    Run run(length < piece.length ? length : piece.length);
+    run.set_length(length < piece.length ? length : piece.length);
     for (std::size_t i = 0; i < kUsed; ++i) run.start_at(i, parabola_of(steps, ends.left[i], ends.right[i]));
     run.skip(static_cast<std::int32_t>(piece.inside >> piece.bits));
-    return run;
   }
 
   /// Programs that are optimised for size have one function for all rows.

@@ -20,7 +20,7 @@ constexpr std::size_t kMostErrorText = std::size_t{1} << 20;
 
 fs::path folder_for_temporaries() {
   std::error_code error;
-  const fs::path folder = fs::temp_directory_path(error);
+  fs::path folder = fs::temp_directory_path(error);
   if (!error) return folder;
   const char* const wanted = std::getenv("TMPDIR");
   throw Failure("TMPDIR",

@@ -235,6 +235,7 @@ void write_results(const std::vector<ResultFile>& results) {
     if (is_written_directly(result.path)) write_directly(result);
   }
   std::vector<Placement> placements;
+  placements.reserve(staged.size());
   for (StagedFile& file : staged) placements.push_back(file.placement());
   place_all(placements);
 }

@@ -97,7 +97,7 @@ class WideWalker {
   constexpr void next_row() {
     if constexpr (Prepared::kHasVeryWide) {
       if (triangle_->is_very_wide) {
-        triangle_->very_wide.next_row(in_lower_);
+        triangle_->very_wide.next_row(in_lower());
         return;
       }
     }
@@ -106,7 +106,6 @@ class WideWalker {
     rows_->t.advance();
   }
   constexpr void enter_lower() {
-    in_lower_ = true;
     short_ = &triangle_->wide.lower_edge;
     rows_ = &triangle_->wide.lower_rows;
   }
@@ -118,7 +117,7 @@ class WideWalker {
     std::int32_t length = INT32_MAX;
     if (is_very_wide()) {
       if constexpr (Prepared::kHasVeryWide) {
-        length = triangle_->very_wide.row(in_lower_, triangle_->middle_left, start, ends);
+        length = triangle_->very_wide.row(in_lower(), triangle_->middle_left, start, ends);
       }
     } else {
       for (std::size_t i = 0; i < kUsed; ++i) {
@@ -137,6 +136,9 @@ class WideWalker {
     run.skip(static_cast<std::int32_t>(piece.inside >> piece.bits));
   }
 
+  /// True in the lower half. No member of its own: small cores would copy a larger walker by memcpy.
+  [[nodiscard]] constexpr bool in_lower() const { return short_ == &triangle_->wide.lower_edge; }
+
   /// Programs that are optimised for size have one function for all rows.
   static constexpr bool kHasFastRow = !kOptimisedForSize;
 
@@ -147,7 +149,6 @@ class WideWalker {
   Prepared* triangle_;
   ArcEdge<Count>* short_;
   RowAngles* rows_;
-  bool in_lower_ = false;
 };
 
 }  // namespace arcspan

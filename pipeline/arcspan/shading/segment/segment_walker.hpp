@@ -33,7 +33,8 @@ class SegmentRun {
   /// Steps to the next segment and returns its number of pixels, at most `left`, those left in the row.
   template <class Lighting>
   [[nodiscard]] constexpr std::int32_t enter(const Lighting& lighting, std::int32_t left) {
-    colour_ = end_;
+    colour_.red_blue = end_.red_blue;  // member by member: small cores would copy the whole by memcpy
+    colour_.green = end_.green;
     if (left == 1) return 1;
     inner_.next();
     end_ = ColourSegment::of(inner_.colour(lighting));

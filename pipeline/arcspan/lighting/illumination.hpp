@@ -56,6 +56,11 @@ class Illumination : private FadeFor<Features> {
     return illumination;
   }
 
+  /// Changes only the directions that make() was given, in object space: unit vectors to the lights and to
+  /// the eye. Enough for an object that turns, or whose camera does, because everything else depends on the
+  /// material and on the colours of the lights.
+  constexpr void set_directions(const std::array<Direction, Lights>& to_lights, const Direction& to_eye);
+
   /// The scalars of a unit normal.
   [[nodiscard]] constexpr Scalars scalars(const Direction& normal) const {
     Scalars result;

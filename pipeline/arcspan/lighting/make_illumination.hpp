@@ -97,19 +97,16 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   illumination.specular_ = detail::scaled_channels(material.specular, weights, kCoefficientBits);
   static_cast<Fade&>(illumination) = Fade(material.highlight_fade);
   for (std::size_t i = 0; i < Lights; ++i) {
-    illumination.axes_[i] = lights[i].towards;
     const detail::ChannelWeights of_light = detail::channel_weights(lights[i]);
     if constexpr (kWeighsChannels) {
       illumination.weights_[i] = of_light;
     } else {
       illumination.weights_[i] = of_light[0];
     }
-    illumination.half_one_plus_light_eye_[i] =
-        (std::int32_t{1} << (Cosine::kFraction - 1)) + (dot(lights[i].towards, to_eye).raw() >> 1);
-    if (Model == Highlight::kBlinn)
-      illumination.axes_[(Lights + i) % kScalars] = half_way(lights[i].towards, to_eye);
   }
-  if (Model == Highlight::kPhong) illumination.axes_[Lights] = to_eye;
+  std::array<Direction, Lights> to_lights;
+  for (std::size_t i = 0; i < Lights; ++i) to_lights[i] = lights[i].towards;
+  illumination.set_directions(to_lights, to_eye);
   const std::array<std::uint32_t, 3>& specular = illumination.specular_;
   const bool white = specular[0] == specular[1] && specular[1] == specular[2];
   illumination.white_specular_ = white ? specular[0] : 0;
@@ -123,6 +120,18 @@ constexpr Status Illumination<Lights, Model, Features>::make(
        illumination.most_specular() * static_cast<std::uint32_t>(material.shininess) * turns * turns);
   illumination.make_ramp();
   return Status::kOk;
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr void Illumination<Lights, Model, Features>::set_directions(
+    const std::array<Direction, Lights>& to_lights, const Direction& to_eye) {
+  for (std::size_t i = 0; i < Lights; ++i) {
+    axes_[i] = to_lights[i];
+    half_one_plus_light_eye_[i] =
+        (std::int32_t{1} << (Cosine::kFraction - 1)) + (dot(to_lights[i], to_eye).raw() >> 1);
+    if (Model == Highlight::kBlinn) axes_[(Lights + i) % kScalars] = half_way(to_lights[i], to_eye);
+  }
+  if (Model == Highlight::kPhong) axes_[Lights] = to_eye;
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>

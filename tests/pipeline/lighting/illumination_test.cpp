@@ -176,6 +176,29 @@ TEMPLATE_TEST_CASE_SIG("each channel is that of white lights as strong as the ch
   }
 }
 
+TEMPLATE_TEST_CASE_SIG("an illumination whose directions were changed is the one made with them", "",
+                       ((Highlight Model, std::size_t Lights), Model, Lights), (Highlight::kPhong, 1),
+                       (Highlight::kBlinn, 2), (Highlight::kPhong, 4)) {
+  Random random(194);
+  for (int i = 0; i < share_of(300); ++i) {
+    const Scene<Lights> before(random);
+    const Scene<Lights> after(random);
+    auto lights = before.lights;
+    std::array<Direction, Lights> directions;
+    for (std::size_t k = 0; k < Lights; ++k) lights[k].towards = directions[k] = after.lights[k].towards;
+    Coloured<Lights, Model> changed;
+    Coloured<Lights, Model> made;
+    REQUIRE(ok(Coloured<Lights, Model>::make(before.material, before.lights, before.to_eye, changed)));
+    REQUIRE(ok(Coloured<Lights, Model>::make(before.material, lights, after.to_eye, made)));
+    changed.set_directions(directions, after.to_eye);
+    for (int k = 0; k < 40; ++k) {
+      const Direction normal = to_direction(random_unit(random));
+      REQUIRE(changed.scalars(normal) == made.scalars(normal));
+      REQUIRE(changed.colour(changed.scalars(normal)).rgb8() == made.colour(made.scalars(normal)).rgb8());
+    }
+  }
+}
+
 TEST_CASE("the colour of a single light is one with the material's") {
   using Plain = Illumination<1, Highlight::kPhong>;
   Random random(194);

@@ -72,9 +72,9 @@ void print_page(int triangles) {
 void print_tenth(int triangles) {
   std::puts(
       "## A tenth of it\n\n"
-      "The same for a tenth of the triangles. The test command measures these tables again and fails if a "
-      "figure\n"
-      "differs by more than 2 %.\n");
+      "These tables are measured with a tenth of the triangles. The test command measures them again and "
+      "fails if a\n"
+      "figure differs by more than 2 %.\n");
   print_classes(triangles / 10);
   print_method_rows(triangles / 250);
 }

@@ -223,8 +223,7 @@ void print_artefacts() {
       "linear interpolation over a triangle is the same in every direction (over quadrilaterals, of which "
       "S1\n"
       "speaks, it is not). Great circles along edges and then along rows do depend on it, by the spread "
-      "above:\n"
-      "this is why triangles of more than 60 degrees are split.");
+      "above.");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include <array>
 
-/// What S3 gives figures for and the command does not offer: `entry(name, Class)`.
+/// The methods that S3 gives figures for and that the command does not offer: `entry(name, Class)`.
 #define ARCSPAN_FOR_EACH_MEASURED_VARIANT(entry)                                                         \
   entry("phong-reciprocal-segment", PhongReciprocalSegment) entry("dichotomy-root4", DichotomyRoot4)     \
       entry("dichotomy-root8", DichotomyRoot8) entry("dichotomy-printed-linear4", DichotomyPrinted4)     \

@@ -11,18 +11,19 @@
 namespace arcspan {
 
 /// Returns the squared chord, 28 fraction bits, up to which a triangle with a highlight may be a patch, so
-/// that the highlight differs by at most 1.2 8-bit steps. The difference grows with the exponent and with the
-/// height of the highlight, `most_specular` (8-bit steps, 5 fraction bits).
+/// that the highlight differs by at most 1.2 8-bit steps. The difference grows with the exponent and with
+/// `height`, the height of the highlights of all lights together (8-bit steps, 5 fraction bits, at most four
+/// times 255).
 [[nodiscard]] constexpr std::uint32_t widest_patch(Highlight model, std::int32_t shininess,
-                                                   std::uint32_t most_specular) {
-  // Entry i is for exponents up to 2^i and white highlights by R·V: 23, 23, 23, 20, 17, 14.5, 11, 9, 7.5
-  // degrees. Blunt highlights would allow 29, but they end abruptly where N·L = 0, so its error counts too.
-  // Sharp ones show rounding as well, which leaves less for the patch.
-  constexpr std::array<std::uint32_t, 9> kChords{42678632, 42678632, 42678632, 32377278, 23458706,
-                                                 17100605, 9863831,  6609772,  4593005};
+                                                   std::uint32_t height) {
+  // Entry i is for exponents up to 2^i and white highlights by R·V: 23, 23, 23, 20, 17, 14.5, 11, 9, 7.5,
+  // 6.3, 5.2 degrees. Blunt highlights would allow 29, but they end abruptly where N·L = 0, so its error
+  // counts too. Sharp ones show rounding as well, which leaves less for the patch.
+  constexpr std::array<std::uint32_t, 11> kChords{42678632, 42678632, 42678632, 32377278, 23458706, 17100605,
+                                                  9863831,  6609772,  4593005,  3241999,  2209600};
   constexpr std::uint32_t kWhite = 255u << 5;
-  const std::uint32_t height = static_cast<std::uint32_t>(shininess) * most_specular;
-  const int doublings = height <= kWhite ? 0 : static_cast<int>(std::bit_width((height - 1) / kWhite));
+  const std::uint32_t sharpness = static_cast<std::uint32_t>(shininess) * height;
+  const int doublings = sharpness <= kWhite ? 0 : static_cast<int>(std::bit_width((sharpness - 1) / kWhite));
   // N·H turns by half the angle of R·V, so its highlights are as wide as those of a quarter of the exponent.
   const int index = model == Highlight::kPhong ? doublings : doublings - 2;
   return kChords[static_cast<std::size_t>(index < 0 ? 0 : index)];
@@ -52,6 +53,17 @@ inline constexpr ChannelWeights kFullWeights{32768, 32768, 32768};
            15;
   };
   return {weight(light.colour.r), weight(light.colour.g), weight(light.colour.b)};
+}
+
+/// Returns the height of the highlights of all lights together, for the largest specular coefficient of a
+/// channel. A single light's strength is in that coefficient already.
+template <std::size_t Lights>
+[[nodiscard]] constexpr std::uint32_t highlight_height(std::uint32_t most_specular,
+                                                       const std::array<DirectionalLight, Lights>& lights) {
+  if (Lights == 1) return most_specular;
+  std::uint32_t strengths = 0;  // 15 fraction bits, at most 4
+  for (const DirectionalLight& light : lights) strengths += static_cast<std::uint32_t>(light.strength.raw());
+  return static_cast<std::uint32_t>((std::uint64_t{most_specular} * strengths) >> Coefficient::kFraction);
 }
 
 /// c * weight * 255, rounded: 8-bit steps with `bits` (0...24) fraction bits.
@@ -110,7 +122,8 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   const std::array<std::uint32_t, 3>& specular = illumination.specular_;
   const bool white = specular[0] == specular[1] && specular[1] == specular[2];
   illumination.white_specular_ = white ? specular[0] : 0;
-  illumination.widest_patch_ = arcspan::widest_patch(Model, material.shininess, illumination.most_specular());
+  illumination.widest_patch_ = arcspan::widest_patch(
+      Model, material.shininess, detail::highlight_height(illumination.most_specular(), lights));
   illumination.shininess_ = static_cast<std::uint32_t>(material.shininess);
   illumination.power_ = PowerTable(material.shininess);
   const std::uint32_t turns = Model == Highlight::kBlinn ? 1 : 2;

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// What framebuffers and depth buffers have in common: memory of the caller stands for some rows of a
-/// picture, which can move.
+/// Checks of framebuffers and depth buffers. Both hold a band: some rows of a picture, in memory of the
+/// caller, which move_to() turns into other rows.
 namespace arcspan::detail {
 
 /// The largest width and the largest number of rows of a band. The words of such a band fit 31 bits.

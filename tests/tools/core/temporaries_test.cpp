@@ -118,7 +118,7 @@ TEST_CASE("a child is killed when its parent is") {
   ::close(ends[0]);
 }
 
-TEST_CASE("a program is run, and one that does not exist is told apart from one that fails") {
+TEST_CASE("run_child returns nothing for a program that does not exist, and the status of one that fails") {
   CHECK_FALSE(run_child("no-such-program", {}).has_value());
   const auto end = run_child("sh", {"-c", "cat >&2; exit 3"}, "input");
   REQUIRE(end.has_value());

@@ -62,7 +62,7 @@ std::string to_json(const MeshReport& r) {
       {"cache_misses_per_triangle",
        {{"before", r.compiled.cache_misses_before}, {"after", r.compiled.cache_misses}}},
       {"widest_normal_angle_degrees", r.figures.widest_angle_degrees},
-      {"triangles_to_split", r.figures.wide_triangles},
+      {"triangles_above_60_degrees", r.figures.wide_triangles},
   };
   // Names of files may be any bytes.
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -71,9 +71,9 @@ std::string to_json(const MeshReport& r) {
 std::string warning(const MeshReport& r) {
   if (r.figures.wide_triangles == 0) return {};
   return formatted(
-      "%zu of %zu triangles have normals more than 60 degrees apart, which takes arc shading several "
-      "thousand "
-      "instructions per row (keep more triangles, or more edges sharp by --crease 60 or a smaller angle)",
+      "%zu of %zu triangles have normals more than 60 degrees apart, which makes them slower to draw and "
+      "look "
+      "bent (keep more triangles, or more edges sharp by --crease 60 or a smaller angle)",
       r.figures.wide_triangles, triangles(r));
 }
 

@@ -28,7 +28,7 @@ struct MeshReport {
 /// For machines: one object.
 [[nodiscard]] std::string to_json(const MeshReport& report);
 
-/// A line for standard error if shading will have to split triangles; else empty.
+/// Returns a warning if normals of a triangle are more than 60 degrees apart, otherwise an empty string.
 [[nodiscard]] std::string warning(const MeshReport& report);
 
 }  // namespace arcspan::tools

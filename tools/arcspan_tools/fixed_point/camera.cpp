@@ -15,9 +15,10 @@ namespace {
 constexpr double kMargin = 1.06;
 /// The near plane of an eye inside or near a mesh, in object units: a 250th of the largest extent.
 constexpr double kLeastNear = 256;
-/// Of a translation, in object units: 64 times the largest extent.
+/// The largest translation, in object units: 64 times the largest extent.
 constexpr double kMostUnits = 4'194'303;
-/// Of an eye from which a mesh is to fit: the rest is for the far side of the mesh and for another target.
+/// The largest distance of an eye from which a mesh is to fit, in object units. The rest up to kMostUnits
+/// is for the far side of the mesh and for another target.
 constexpr double kMostFittingUnits = 4'000'000;
 
 /// The camera's axes: x to the right, y up, z backwards.

@@ -54,7 +54,7 @@ std::vector<char*> argument_vector(std::vector<std::string>& words) {
   return argv;
 }
 
-/// What the child wrote into the pipe: errno of a failed exec, or 0 when exec closed it.
+/// Returns errno of a failed exec, which the child wrote into the pipe, or 0 if exec closed the pipe.
 int reason_of_failure(int pipe) {
   int reason = 0;
   while (::read(pipe, &reason, sizeof reason) < 0 && errno == EINTR) {

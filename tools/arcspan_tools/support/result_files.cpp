@@ -153,7 +153,7 @@ void write_directly(const ResultFile& result) {
   if (::close(descriptor) != 0) fail_with_errno(result.path, "write");
 }
 
-/// What a name stands for, so that two names can be compared.
+/// A name and the file that it refers to. Two names are compared by their files.
 struct NamedFile {
   fs::path name;
   fs::path place;                 ///< without links and dots

@@ -15,12 +15,11 @@ namespace arcspan {
 /// paths:
 ///
 /// - Normals within 7.5 to 33 degrees, depending on the highlight (widest_patch()): a quadratic surface
-/// through
-///   the arcs' ends and middles, which second differences step without a multiply (decision 5).
-/// - Wider: the recurrence of S0 eq. 14 down the edges (ArcScalar), and each row in pieces of at most 20
-///   degrees, which are parabolas through the arc's ends and middle (decision 23).
+///   through the arcs' ends and middles, which second differences step without a multiply (decision 5).
+/// - Wider: the recurrence of S0 eq. 14 down the edges (ArcScalar), and each row in pieces of at most 1.3
+///   times that angle (widest_piece()), which are parabolas through the arc's ends and middle (decision 23).
 ///
-/// literature/recurrence.hpp has eq. 14 for every pixel.
+/// literature/recurrence_method.hpp has eq. 14 for every pixel.
 template <class Illumination, WidestNormals kWidest>
 struct ArcUpTo {
   static constexpr std::size_t kScalars = Illumination::kScalars;

@@ -23,7 +23,7 @@ namespace arcspan {
 /// Returns the squared angle in rad^2 of the widest piece, for a lighting that allows patches up to the
 /// squared chord `widest_patch` (28 fraction bits). Pieces may be 1.3 times as wide as patches for the same
 /// error, because a parabola differs from an arc by less than a patch from a spherical triangle (decision
-/// 22).
+/// 23).
 [[nodiscard]] constexpr Factor widest_piece(std::uint32_t widest_patch) {
   const std::uint32_t angle2 = widest_patch >> 13;
   return Factor::from_raw(static_cast<std::int32_t>(angle2 + (angle2 >> 1) + (angle2 >> 3)));
@@ -92,7 +92,7 @@ struct RowPiece {
 [[nodiscard]] constexpr std::int32_t quadruple_relative_sagitta(Factor angle2) {
   const std::int32_t fourth = wrap_mul(angle2.raw(), angle2.raw()) >> 15;  // 15 fraction bits
   // 0.0516 + 0.0064 psi^2 with 15 fraction bits
-  const std::int32_t inner = 1692 + ((angle2.raw() * 209) >> 15);
+  const std::int32_t inner = 1692 + (wrap_mul(angle2.raw(), 209) >> 15);
   return wrap_shl(angle2.raw(), 1) + (wrap_mul(fourth, inner) >> 13);
 }
 

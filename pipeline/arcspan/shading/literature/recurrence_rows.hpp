@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/arc/arc_edge.hpp>
+#include <arcspan/shading/arc/row_angles.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>
@@ -22,8 +22,7 @@ struct ArcRows {
   std::int32_t k_corner;  ///< mantissa of k at the corner (ArcStep)
   std::int32_t k_rise;    ///< its increase to the middle vertex
   std::int32_t k_shift;   ///< shift of k for all rows
-  std::int32_t t;         ///< of the current row, 0...1, 30 fraction bits
-  std::int32_t dt;        ///< change of t per row
+  EdgeFraction t;         ///< of the current row
 };
 
 /// Sets up the rows of a half triangle at its first row. `at_corner` and `at_middle` are the results of
@@ -42,14 +41,7 @@ ARCSPAN_OUTLINE constexpr void make_arc_rows(SquaredAngle at_corner, SquaredAngl
   rows.k_corner = corner.mantissa >> (corner.shift - rows.k_shift);
   rows.k_rise = (middle.mantissa >> (middle.shift - rows.k_shift)) - rows.k_corner;
 
-  constexpr std::uint32_t kOne = std::uint32_t{1} << 30;
-  const int up = 30 - edge.inverse.exponent;
-  const auto scaled = [up](std::uint32_t v) { return up >= 0 ? v << up : v >> -up; };
-  const std::uint32_t step = edge.dy < 16 ? kOne : scaled(16 * edge.inverse.mantissa);
-  const std::uint32_t start = scaled(static_cast<std::uint32_t>(edge.offset) * edge.inverse.mantissa);
-  const std::uint32_t below_top = start > kOne ? kOne : start;
-  rows.t = static_cast<std::int32_t>(from_top ? below_top : kOne - below_top);
-  rows.dt = from_top ? static_cast<std::int32_t>(step) : -static_cast<std::int32_t>(step);
+  rows.t = edge_fraction(edge, from_top);
 }
 
 }  // namespace arcspan

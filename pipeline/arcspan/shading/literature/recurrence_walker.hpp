@@ -125,7 +125,7 @@ class ArcWalker {
       : arcs_(&arcs), short_(&arcs.upper_edge), rows_(&arcs.upper_rows) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
-    const Factor t = Factor::from_raw(rows_->t >> 15);
+    const Factor t = rows_->t.factor();
     const Factor t2 = multiply<Factor>(t, t);
     const SquaredAngle angle2 =
         multiply<SquaredAngle>(t2, SquaredAngle::from_raw(rows_->corner) +
@@ -149,7 +149,7 @@ class ArcWalker {
   constexpr void next_row() {
     arcs_->long_edge.template advance<kScalars>();
     short_->template advance<kScalars>();
-    rows_->t = wrap_add(rows_->t, rows_->dt);
+    rows_->t.advance();
   }
   constexpr void enter_lower() {
     short_ = &arcs_->lower_edge;

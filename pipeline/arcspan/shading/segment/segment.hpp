@@ -28,13 +28,15 @@ struct SegmentedIllumination : Illumination {
 };
 
 /// The combined method of segments (S3). The paths of Arc step 2^bits pixels at once, the power
-/// and the colour are computed there, and between these pixels the colour is linear. The error grows with the
-/// square of the angle that a segment spans, and with the exponent n.
+/// and the colour are computed there, and between these pixels the colour is linear. Each piece of a wide row
+/// starts with a new segment. The error grows with the square of the angle that a segment spans, and with the
+/// exponent n.
 template <class Illumination>
 struct Segment : Arc<Illumination> {
   using Base = Arc<Illumination>;
   using Lighting = SegmentedIllumination<Illumination>;
   using typename Base::Face;
+  using typename Base::Path;
   using typename Base::Vertex;
   static constexpr bool kUsesEncodedColours = false;
   struct Prepared : Base::Prepared {
@@ -42,10 +44,12 @@ struct Segment : Arc<Illumination> {
   };
 
   template <class Frame>
-  static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face& face,
-                                Prepared& prepared) {
+  static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
     prepared.bits = lighting.bits;
-    Base::prepare(lighting, frame, face, prepared);
+    const Path path = Base::choose_path(lighting, frame, frame.chords.widest());
+    // The last segment may end beyond the row. A highlight can be within reach there, which kDiffuseWide
+    // omits and kWide, its replacement where code is optimised for size, does not.
+    Base::prepare_path(lighting, frame, path == Path::kDiffuseWide ? Path::kWide : path, prepared);
   }
 
   template <class Draw>

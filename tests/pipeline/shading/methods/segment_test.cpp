@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Segments, and what adaptive makes of its tolerance.
-#include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/segment/segment.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/illumination_oracle.hpp>
-#include <tests/support/method_accuracy.hpp>
 #include <tests/support/test_share.hpp>
+#include <tests/support/triangle_picture.hpp>
 
+#include <array>
 #include <cmath>
-#include <vector>
 
 using namespace arcspan;
 using namespace arcspan::test;
@@ -25,54 +23,6 @@ constexpr std::int32_t kSize = 64;
 std::uint32_t random_level(Random& random) {
   return random.chance(0.2) ? (random.chance(0.5) ? 0u : 1023u)
                             : static_cast<std::uint32_t>(random.integer(0, 1023));
-}
-
-/// A triangle somewhere on the screen, its normals within `degrees` of one that may be lit from anywhere.
-struct Triangle {
-  std::array<RasterPosition, 3> points{};
-  std::array<Direction, 3> normals{};
-};
-Triangle random_triangle(Random& random, double degrees) {
-  Triangle triangle;
-  const Vec3 middle = random_unit(random);
-  constexpr std::int32_t kEdge = (kSize / 2) << Subpixel::kFraction;
-  for (std::size_t i = 0; i < 3; ++i) {
-    triangle.points[i].x = static_cast<std::int16_t>(random.integer(-kEdge, kEdge));
-    triangle.points[i].y = static_cast<std::int16_t>(random.integer(-kEdge, kEdge));
-    triangle.points[i].z = 1000;
-    const double away = random.real(0, degrees) * 3.14159265358979 / 180;
-    triangle.normals[i] = arcspan::test::detail::packed(tilted(random, middle, away / 2));
-  }
-  return triangle;
-}
-
-struct Picture {
-  std::vector<Rgb888::Word> memory = std::vector<Rgb888::Word>(hal::Framebuffer<Rgb888>::words(kSize, kSize));
-  hal::Framebuffer<Rgb888> frame{memory, kSize, kSize};
-};
-
-template <class Method>
-Picture draw(const Triangle& triangle, const typename Method::Lighting& lighting) {
-  Picture picture;
-  RasterStage<Method, hal::Framebuffer<Rgb888>> stage(picture.frame, kSize, kSize, lighting);
-  const auto vertex = [&](std::size_t i) {
-    return RasterVertex<Method>{triangle.points[i], Method::shade_vertex(lighting, triangle.normals[i])};
-  };
-  stage.draw(vertex(0), vertex(1), vertex(2), {});
-  return picture;
-}
-
-int difference(Rgb8 a, Rgb8 b) {
-  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
-}
-int most_different(Picture& a, Picture& b) {
-  int most = 0;
-  for (std::int32_t y = 0; y < kSize; ++y) {
-    for (std::int32_t x = 0; x < kSize; ++x) {
-      most = std::max(most, difference(a.frame.pixel(x, y), b.frame.pixel(x, y)));
-    }
-  }
-  return most;
 }
 
 Material random_material(Random& random) {
@@ -116,12 +66,13 @@ int most_beyond_tolerance(std::uint64_t seed, int triangles, std::int32_t tolera
   int most = -256;
   for (int i = 0; i < share_of(triangles); ++i) {
     const bool wide = random.chance(0.5);
-    const Triangle triangle = random_triangle(random, wide ? random.real(16, 120) : random.decades(0.5, 60));
+    const ScreenTriangle triangle =
+        random_screen_triangle(random, kSize, wide ? random.real(16, 120) : random.decades(0.5, 60));
     const Lit lit = random_light<Lit>(random, triangle.normals[0]);
     AdaptiveIllumination<Lit> lighting(lit);
     REQUIRE(ok(lighting.set_tolerance(tolerance)));
-    Picture exact = draw<Arc<Lit>>(triangle, lit);
-    Picture near = draw<Adaptive<Lit>>(triangle, lighting);
+    const TrianglePicture exact = picture_of<Arc<Lit>>(triangle, lit, kSize);
+    const TrianglePicture near = picture_of<Adaptive<Lit>>(triangle, lighting, kSize);
     const int beyond = most_different(exact, near) - tolerance;
     if (beyond > most) {
       most = beyond;
@@ -183,13 +134,13 @@ TEST_CASE("segments begin with arc's colour, and their error falls with the squa
   Random random(4);
   std::array<double, kMostSegmentBits + 1> squares{};
   for (int i = 0; i < 300; ++i) {
-    Triangle triangle = random_triangle(random, 30);
+    const ScreenTriangle triangle = random_screen_triangle(random, kSize, 30);
     const Lit lit = random_light<Lit>(random, triangle.normals[0]);
-    Picture exact = draw<Arc<Lit>>(triangle, lit);
+    const TrianglePicture exact = picture_of<Arc<Lit>>(triangle, lit, kSize);
     for (int bits = 1; bits <= kMostSegmentBits; ++bits) {
       SegmentedIllumination<Lit> lighting(lit);
       REQUIRE(ok(lighting.set_segment_bits(bits)));
-      Picture near = draw<Segment<Lit>>(triangle, lighting);
+      const TrianglePicture near = picture_of<Segment<Lit>>(triangle, lighting, kSize);
       for (std::int32_t y = 0; y < kSize; ++y) {
         bool first = true;
         for (std::int32_t x = 0; x < kSize; ++x) {

@@ -10,7 +10,8 @@
 namespace arcspan::tools {
 namespace {
 
-/// Creases of normals that simplification has to make anew: what the arcs take without splitting.
+/// The crease angle of normals that simplification makes anew, in degrees: the widest triangles that the
+/// arcs draw at full speed.
 constexpr double kDefaultCrease = 60;
 
 /// Looks for the mesh with the most triangles that fits.

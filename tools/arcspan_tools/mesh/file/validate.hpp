@@ -10,7 +10,8 @@
 
 namespace arcspan::tools {
 
-/// Of a face. The loader library takes a time that grows with the square of the corners, or faster.
+/// The largest number of corners of a face. The loader library's time grows with the square of that number
+/// or faster.
 inline constexpr std::int64_t kMostCorners = 4096;
 
 /// A mesh file as the loader library is to get it.

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// The highlights of several lights may coincide, where their errors add up. Patches and pieces are narrower
+// for them, so that arc keeps the bound that it has for one light.
+#include <arcspan/shading/arc/arc.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/support/test_share.hpp>
+#include <tests/support/triangle_picture.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+using namespace arcspan;
+using namespace arcspan::test;
+
+namespace {
+
+constexpr std::int32_t kSize = 64;
+constexpr double kDiffuse = 0.2;
+constexpr double kSpecular = 0.4;
+
+/// A grey material and two lights of full strength that are reflected to the eye near the triangle's middle.
+struct TwoLights {
+  Vec3 to_eye;
+  std::array<Vec3, 2> to_light;
+
+  TwoLights(Random& random, Vec3 middle) : to_eye(tilted(random, middle, radians(random.real(0, 50)))) {
+    for (Vec3& light : to_light) {
+      const Vec3 half = tilted(random, middle, radians(random.real(0, 18)));
+      light = normalised(2 * dot(half, to_eye) * half - to_eye);
+    }
+  }
+
+  template <class Lit>
+  [[nodiscard]] Lit illumination(std::int32_t shininess) const {
+    const auto grey = [](Coefficient c) { return ChannelCoefficients{c, c, c}; };
+    const Material material{{}, grey(Coefficient::of(kDiffuse)), grey(Coefficient::of(kSpecular)), shininess};
+    Lit lit;
+    REQUIRE(ok(Lit::make(material, {{{to_direction(to_light[0])}, {to_direction(to_light[1])}}},
+                         to_direction(to_eye), lit)));
+    return lit;
+  }
+
+  /// The level at a unit normal in 8-bit steps; negative near a terminator, where a highlight may end.
+  [[nodiscard]] double level(Highlight model, Vec3 normal, std::int32_t shininess) const {
+    double sum = 0;
+    for (const Vec3& light : to_light) {
+      const double lit = dot(normal, light);
+      if (std::abs(lit) < 2e-3) return -1;
+      if (lit < 0) continue;
+      const double cosine = model == Highlight::kPhong ? 2 * lit * dot(normal, to_eye) - dot(light, to_eye)
+                                                       : dot(normal, normalised(light + to_eye));
+      sum += kDiffuse * lit + kSpecular * std::pow(std::max(0.0, cosine), shininess);
+    }
+    return std::min(255 * sum, 255.0);
+  }
+};
+
+/// Returns the largest error of a pixel, in 8-bit steps.
+template <Highlight Model>
+double worst_error(std::int32_t shininess) {
+  using Lit = Illumination<2, Model>;
+  Random random(7);
+  double worst = 0;
+  for (int i = 0; i < share_of(3000); ++i) {
+    const ScreenTriangle triangle = random_screen_triangle(random, kSize, random.real(5, 30));
+    ShadedTriangle shaded;
+    Vec3 middle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 normal = normalised(to_vec3(triangle.normals[k]));
+      shaded.corner[k] = {{triangle.points[k].x, triangle.points[k].y}, normal};
+      middle = middle + normal;
+    }
+    if (test::detail::thickness(shaded) < 1) continue;
+    const TwoLights lights(random, normalised(middle));
+    const TrianglePicture picture =
+        picture_of<Arc<Lit>>(triangle, lights.illumination<Lit>(shininess), kSize);
+    const SlerpModel model(shaded);
+    for (std::int32_t y = 0; y < kSize; ++y) {
+      for (std::int32_t x = 0; x < kSize; ++x) {
+        const Rgb8 pixel = picture.frame.pixel(x, y);
+        if (pixel == Rgb8{}) continue;
+        const double level = lights.level(Model, model.at(x - kSize / 2, y - kSize / 2), shininess);
+        if (level >= 0) worst = std::max(worst, std::abs(pixel.g - level));
+      }
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("arc is within two steps where the highlights of two lights coincide") {
+  const std::int32_t shininess = GENERATE(4, 16, 64);
+  CAPTURE(shininess);
+  // Half a step more, because the level is not rounded.
+  CHECK(worst_error<Highlight::kPhong>(shininess) <= 2.5);
+  CHECK(worst_error<Highlight::kBlinn>(shininess) <= 2.5);
+}

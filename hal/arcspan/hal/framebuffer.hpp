@@ -84,6 +84,18 @@ class Framebuffer {
   /// Words from one row to the next.
   [[nodiscard]] constexpr std::int32_t stride() const { return stride_; }
 
+ protected:
+  /// A framebuffer whose rows begin `stride` Words apart; `status` is that of its arguments.
+  constexpr Framebuffer(Status status, Word* memory, std::int32_t stride, std::int32_t width,
+                        std::int32_t rows, std::int32_t first_row)
+      : status_(status) {
+    if (!ok(status_)) return;
+    memory_ = memory;
+    stride_ = stride;
+    bounds_ = {0, 0, width, rows};
+    status_ = detail::move_band(bounds_, first_row);
+  }
+
  private:
   Word* memory_ = nullptr;
   std::int32_t stride_ = 0;

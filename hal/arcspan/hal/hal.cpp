@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Instantiates the templates of hal/ for every format, so that scripts/check-objects can inspect their code.
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/hal/framebuffer_window.hpp>
 #include <arcspan/hal/panel/ili9341.hpp>
 #include <arcspan/hal/panel/page_mode.hpp>
 #include <arcspan/hal/panel/ssd0323.hpp>
 #include <arcspan/hal/panel/ssd1306.hpp>
 #include <arcspan/hal/panel/ssd1351.hpp>
 #include <arcspan/hal/panel/st7789.hpp>
-#include <arcspan/pixel/gray4.hpp>
-#include <arcspan/pixel/gray8.hpp>
-#include <arcspan/pixel/mono.hpp>
-#include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/pixel/pixel_format_list.hpp>
 
 namespace arcspan::hal {
 
-template class Framebuffer<Rgb565>;
-template class Framebuffer<Rgb888>;
-template class Framebuffer<Gray8>;
-template class Framebuffer<Gray4>;
-template class Framebuffer<Mono>;
+#define ARCSPAN_INSTANTIATE(name, Format) \
+  template class Framebuffer<Format>;     \
+  template class FramebufferWindow<Format>;
+ARCSPAN_FOR_EACH_PIXEL_FORMAT(ARCSPAN_INSTANTIATE)
+#undef ARCSPAN_INSTANTIATE
 
 template class DamageSink<Framebuffer<Rgb565>>;
 template class PageMode<Ili9341>;

@@ -49,16 +49,14 @@ concept PixelFormat = requires(Rgb8 c, std::int32_t x, typename F::Encoded encod
 
 namespace detail {
 
-/// A level of `Bits` bits as 8 bits: its upper bits are repeated below it, so that 0 becomes 0 and the
-/// highest level 255.
+/// A level of `Bits` bits as 8 bits: its bits are repeated below it, so that 0 becomes 0 and the highest
+/// level 255.
 template <unsigned Bits>
 [[nodiscard]] constexpr std::uint8_t expand_to_8(unsigned level) {
-  static_assert(Bits == 1 || (Bits >= 4 && Bits <= 8));
-  if constexpr (Bits == 1) {
-    return level != 0 ? 255 : 0;
-  } else {
-    return static_cast<std::uint8_t>((level << (8 - Bits)) | (level >> (2 * Bits - 8)));
-  }
+  static_assert(Bits >= 1 && Bits <= 8);
+  unsigned bits = level << (8 - Bits);
+  for (unsigned have = Bits; have < 8; have *= 2) bits |= bits >> have;
+  return static_cast<std::uint8_t>(bits);
 }
 
 }  // namespace detail

@@ -2,6 +2,8 @@
 // What every panel has to do, with its driver and the model of its controller end to end.
 #include "benches.hpp"
 
+#include <arcspan/pixel/rgb565_swapped.hpp>
+
 #include <catch2/catch.hpp>
 
 using namespace arcspan;
@@ -35,6 +37,27 @@ TEMPLATE_TEST_CASE("a frame on the glass is the framebuffer, in every orientatio
     CHECK(bench.device.picture() == expected(scene.frame, o));
     CHECK(complaints(bench) == "");
   }
+}
+
+TEMPLATE_TEST_CASE("the memory of a frame with swapped bytes is what a panel of 16-bit colours takes", "",
+                   Ili9341Bench, St7789Bench, Ssd1351Bench) {
+  TestType bench;
+  REQUIRE(bench.panel.start() == Status::kOk);
+  const Scene<TestType> scene(bench.panel);
+  const std::int32_t width = bench.panel.width();
+  const std::int32_t height = bench.panel.height();
+  std::vector<std::uint16_t> memory(Framebuffer<Rgb565Swapped>::words(width, height));
+  Framebuffer<Rgb565Swapped> swapped(memory, width, height);
+  for (std::int32_t y = 0; y < height; ++y) {
+    auto cursor = swapped.open({y, 0, width});
+    for (std::int32_t x = 0; x < width; ++x, cursor.next())
+      cursor.write(Rgb565Swapped::encode(scene.frame.pixel(x, y)));
+  }
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(memory.data());
+  REQUIRE(bench.panel.start_write(bench.panel.bounds(), {bytes, 2 * memory.size()}) == Status::kOk);
+  REQUIRE(bench.panel.finish() == Status::kOk);
+  CHECK(bench.device.picture() == expected(scene.frame, Orientation::k0));
+  CHECK(complaints(bench) == "");
 }
 
 TEMPLATE_TEST_CASE("a partial update changes its area and nothing else", "", ARCSPAN_EVERY_PANEL) {

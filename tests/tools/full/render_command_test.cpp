@@ -116,7 +116,10 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
       {"--size 320", "--size: expected WxH with each 1...2048, not '320'"},
       {"--size 0x10", "--size: expected WxH with each 1...2048, not '0x10'"},
       {"--size 99999x99999", "--size: expected WxH with each 1...2048, not '99999x99999'"},
-      {"--format rgb332", "--format: expected rgb565|rgb888|gray8|gray4|mono, not 'rgb332'"},
+      {"--format rgb666",
+       "--format: expected "
+       "rgb565|rgb888|gray8|gray4|mono|rgb565_swapped|bgr888|xrgb8888|argb8888|rgb332|gray2, "
+       "not 'rgb666'"},
       {"--shading ray",
        "--shading: expected "
        "flat|gouraud|arc|segment|adaptive|recurrence|recurrence-four|phong|phong-reciprocal|phong-segment|"

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/colour_segment.hpp>
+#include <arcspan/pixel/cursor.hpp>
+#include <arcspan/pixel/fine_rgb.hpp>
+#include <arcspan/pixel/pixel_format.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan {
+
+/// Rgb565 with its two bytes exchanged. On a little-endian processor the memory then has the bytes that a
+/// panel of 16-bit colours takes: whole rows of a frame are sent as they are by hal::Panel::start_write().
+/// LVGL calls it RGB565_SWAPPED.
+struct Rgb565Swapped {
+  using Encoded = std::uint16_t;
+  using Word = std::uint16_t;
+  using Cursor = WordCursor<std::uint16_t>;
+  static constexpr unsigned kBitsPerPixel = 16;
+  static constexpr bool kDithers = false;
+
+  [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) {
+    return static_cast<std::size_t>(width);
+  }
+  [[nodiscard]] static constexpr Encoded swapped(std::uint16_t v) {
+    return static_cast<Encoded>((v << 8) | (v >> 8));
+  }
+  [[nodiscard]] static constexpr Encoded encode(Rgb8 c) { return swapped(Rgb565::encode(c)); }
+  [[nodiscard]] static constexpr Encoded encode(PackedRgb c) { return swapped(Rgb565::encode(c)); }
+  [[nodiscard]] static constexpr Encoded encode(ColourSegment c) { return swapped(Rgb565::encode(c)); }
+  template <bool Joined>
+  [[nodiscard]] static constexpr Encoded encode(const BasicFineRgb<Joined>& c) {
+    return swapped(Rgb565::encode(c));
+  }
+  [[nodiscard]] static constexpr Encoded encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
+    return swapped(Rgb565::encode_dithered(c, x, y));
+  }
+  [[nodiscard]] static constexpr Rgb8 decode(Encoded encoded) { return Rgb565::decode(swapped(encoded)); }
+};
+
+static_assert(PixelFormat<Rgb565Swapped>);
+
+}  // namespace arcspan

@@ -1,12 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/shading/literature/arc_vector.hpp>
-#include <arcspan/shading/literature/dichotomy.hpp>
-#include <arcspan/shading/literature/duff.hpp>
-#include <arcspan/shading/literature/kuijk_blake.hpp>
-#include <arcspan/shading/literature/lyon.hpp>
-#include <arcspan/shading/literature/phong.hpp>
-#include <arcspan/shading/literature/recurrence_four.hpp>
-#include <arcspan/shading/literature/slerp.hpp>
 
 #include <tests/accuracy/method_rows.hpp>
 #include <tests/support/dichotomy_model.hpp>
@@ -22,15 +14,15 @@ namespace {
 
 constexpr double kClasses[] = {10, 25, 58};
 
-template <class Method, class Model>
-void print_row(const char* name, const char* model, int triangles) {
-  std::printf("| `%s` | %s |", name, model);
+template <class Model>
+void print_row(const char* method, const char* model, int triangles) {
+  std::printf("| `%s` | %s |", method, model);
   for (const double degrees : kClasses) {
     MethodTask task;
     task.to_degrees = degrees;
     task.triangles = triangles;
     task.seed = 4000 + static_cast<std::uint64_t>(degrees);
-    const MethodFigures f = measure_method<Method, Model>(task);
+    const MethodFigures f = measure_method<Model>(probed_method(method), task);
     std::printf(" %.1e (%.1e) |", std::max(f.normal_light.max, f.normal_half.max), f.normal_light.rms());
   }
   std::puts("");
@@ -60,24 +52,21 @@ void print_method_rows(int triangles) {
   std::puts("\n| method | model | normals up to 10° apart | 25° | 58° |\n|---|---|---|---|---|");
   const char* const chord = "chord, divided by its length";
   const char* const arc = "bilinear SLERP";
-  print_row<Phong<Probe>, UnitLinearModel>("phong", chord, triangles);
-  print_row<PhongReciprocal<Probe>, UnitLinearModel>("phong-reciprocal", chord, triangles);
-  print_row<Duff<Probe>, UnitLinearModel>("duff", chord, triangles);
-  print_row<Lyon<Probe>, TaylorModel>("lyon", "chord, times the series", triangles);
+  print_row<UnitLinearModel>("phong", chord, triangles);
+  print_row<UnitLinearModel>("phong-reciprocal", chord, triangles);
+  print_row<UnitLinearModel>("duff", chord, triangles);
+  print_row<TaylorModel>("lyon", "chord, times the series", triangles);
   const char* const halved = "chord at a segment's ends, halved between them by the polynomial";
-  print_row<DichotomyLinear<Probe>, DichotomyModel<&linear_root, 3>>("dichotomy`, `linear", halved,
-                                                                     triangles);
-  print_row<DichotomyQuadratic<Probe>, DichotomyModel<&quadratic_root, 3>>("dichotomy`, `quadratic", halved,
-                                                                           triangles);
-  print_row<DichotomyCubic<Probe>, DichotomyModel<&cubic_root, 3>>("dichotomy`, `cubic", halved, triangles);
-  print_row<DichotomyCubic<Probe>, UnitLinearModel>("dichotomy`, `cubic", chord, triangles);
-  print_row<DichotomyPrintedLinear<Probe>, DichotomyModel<&printed_linear_root, 3, true>>(
-      "dichotomy`, `printed-linear", halved, triangles);
-  print_row<DichotomyPrintedQuadratic<Probe>, DichotomyModel<&printed_quadratic_root, 3, true>>(
-      "dichotomy`, `printed-quadratic", halved, triangles);
-  print_row<arcspan::Slerp<Probe>, SlerpModel>("slerp", arc, triangles);
-  print_row<KuijkBlake<Probe>, SlerpModel>("kuijk-blake", arc, triangles);
-  print_row<Recurrence<Probe>, SlerpModel>("recurrence", arc, triangles);
-  print_row<RecurrenceFour<Probe>, SlerpModel>("recurrence-four", arc, triangles);
-  print_row<ArcVector<Probe>, SlerpModel>("arc-vector", arc, triangles);
+  print_row<DichotomyModel<&linear_root, 3>>("dichotomy-linear", halved, triangles);
+  print_row<DichotomyModel<&quadratic_root, 3>>("dichotomy-quadratic", halved, triangles);
+  print_row<DichotomyModel<&cubic_root, 3>>("dichotomy-cubic", halved, triangles);
+  print_row<UnitLinearModel>("dichotomy-cubic", chord, triangles);
+  print_row<DichotomyModel<&printed_linear_root, 3, true>>("dichotomy-printed-linear", halved, triangles);
+  print_row<DichotomyModel<&printed_quadratic_root, 3, true>>("dichotomy-printed-quadratic", halved,
+                                                              triangles);
+  print_row<SlerpModel>("slerp", arc, triangles);
+  print_row<SlerpModel>("kuijk-blake", arc, triangles);
+  print_row<SlerpModel>("recurrence", arc, triangles);
+  print_row<SlerpModel>("recurrence-four", arc, triangles);
+  print_row<SlerpModel>("arc-vector", arc, triangles);
 }

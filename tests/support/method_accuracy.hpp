@@ -4,9 +4,7 @@
 #include <arcspan/mesh/packed_normal.hpp>
 
 #include <tests/support/accuracy.hpp>
-#include <tests/support/probe.hpp>
-#include <tests/support/raster_stage.hpp>
-#include <tests/support/run_list.hpp>
+#include <tests/support/probed_methods.hpp>
 #include <tests/support/slerp_oracle.hpp>
 
 #include <algorithm>
@@ -129,10 +127,10 @@ namespace detail {
 
 }  // namespace detail
 
-/// Draws random triangles by `Method` (of Probe) and compares N·L and N·H of every pixel with `Model`, which
-/// gets the very normals that the method gets: what is measured is the method's own integer arithmetic.
-template <class Method, class Model>
-[[nodiscard]] MethodFigures measure_method(const MethodTask& task) {
+/// Draws random triangles by a probed method and compares N·L and N·H of every pixel with `Model`, which gets
+/// the very normals that the method gets: what is measured is the method's own integer arithmetic.
+template <class Model>
+[[nodiscard]] MethodFigures measure_method(DrawProbed draw, const MethodTask& task) {
   constexpr std::int32_t kPicture = 512;
   Random random(task.seed);
   MethodFigures figures;
@@ -152,16 +150,15 @@ template <class Method, class Model>
     probe.blinn = &blinn;
     probe.phong = &phong;
     for (Direction& axis : probe.axes) axis = to_direction(random_unit(random));
-    std::array<RasterVertex<Method>, 3> v;
+    ProbedTriangle probed;
     for (std::size_t k = 0; k < 3; ++k) {
       auto& corner = triangle.corner[k];
-      const Direction normal = detail::packed(corner.normal);
-      corner.normal = normalised(to_vec3(normal));
-      v[k] = {{static_cast<std::int16_t>(corner.point.x), static_cast<std::int16_t>(corner.point.y), 0},
-              Method::shade_vertex(probe, normal)};
+      probed.normals[k] = detail::packed(corner.normal);
+      corner.normal = normalised(to_vec3(probed.normals[k]));
+      probed.points[k].x = static_cast<std::int16_t>(corner.point.x);
+      probed.points[k].y = static_cast<std::int16_t>(corner.point.y);
     }
-    RasterStage<Method, RunList> stage(runs, kPicture, kPicture, probe);
-    stage.draw(v[0], v[1], v[2]);
+    draw(probed, probe, runs);
     const Model model(triangle);
     const bool thin = detail::thickness(triangle) < 1;
     std::size_t next = 0;

@@ -5,6 +5,7 @@
 #include <arcspan/pixel/rgb888.hpp>
 
 #include <tests/support/method_accuracy.hpp>
+#include <tests/support/raster_stage.hpp>
 
 #include <algorithm>
 #include <array>

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <tests/support/dichotomy_model.hpp>
 #include <tests/support/method_accuracy.hpp>
+#include <tests/support/raster_stage.hpp>
 #include <tests/support/test_share.hpp>
 
 #include <cmath>
@@ -49,14 +50,14 @@ struct Bounds {
   double sliver_rms = 0.02;
 };
 
-template <class Polynomial, double (*P)(double), int SegmentBits, bool FullLast = false>
-void check(MethodTask task, Bounds bounds) {
+template <double (*P)(double), int SegmentBits = 3, bool FullLast = false>
+void check(std::string_view method, MethodTask task, Bounds bounds) {
   task.triangles = share_of(1500);
-  const MethodFigures f = measure_method<Dichotomy<Probe, Polynomial, SegmentBits, FullLast>,
-                                         DichotomyModel<P, SegmentBits, FullLast>>(task);
-  INFO("segment 2^" << SegmentBits << ": N·L max " << f.normal_light.max << " rms " << f.normal_light.rms()
-                    << ", N·H max " << f.normal_half.max << ", pixels " << f.normal_light.count
-                    << ", slivers rms " << f.slivers.rms());
+  const MethodFigures f =
+      measure_method<DichotomyModel<P, SegmentBits, FullLast>>(probed_method(method), task);
+  INFO(method << ": N·L max " << f.normal_light.max << " rms " << f.normal_light.rms() << ", N·H max "
+              << f.normal_half.max << ", pixels " << f.normal_light.count << ", slivers rms "
+              << f.slivers.rms());
   CHECK(f.missing == 0);
   CHECK(f.normal_light.count > static_cast<std::uint64_t>(task.triangles) * 20);
   CHECK(f.normal_light.max < bounds.most);
@@ -110,27 +111,27 @@ TEST_CASE("dichotomy keeps equal normals exactly") {
 
 TEST_CASE("dichotomy: its integers against its model, each polynomial and each length of a segment") {
   constexpr Bounds kNear{1.5e-4, 3e-5};
-  check<LinearPolynomial, &linear_root, 3>(angles(0, 25, 71), kNear);
-  check<QuadraticPolynomial, &quadratic_root, 3>(angles(0, 25, 72), kNear);
-  check<CubicPolynomial, &cubic_root, 3>(angles(0, 25, 73), kNear);
-  check<QuadraticPolynomial, &quadratic_root, 1>(angles(0, 25, 74), kNear);
-  check<QuadraticPolynomial, &quadratic_root, 2>(angles(0, 25, 75), kNear);
+  check<&linear_root>("dichotomy-linear", angles(0, 25, 71), kNear);
+  check<&quadratic_root>("dichotomy-quadratic", angles(0, 25, 72), kNear);
+  check<&cubic_root>("dichotomy-cubic", angles(0, 25, 73), kNear);
+  check<&quadratic_root, 1>("dichotomy-quadratic-2", angles(0, 25, 74), kNear);
+  check<&quadratic_root, 2>("dichotomy-quadratic-4", angles(0, 25, 75), kNear);
   // A row that ends within 2^-16 of a pixel's centre may take 16 pixels for the 8 of the model.
-  check<QuadraticPolynomial, &quadratic_root, 4>(angles(0, 25, 76), {5e-4, 3e-5});
+  check<&quadratic_root, 4>("dichotomy-quadratic-16", angles(0, 25, 76), {5e-4, 3e-5});
 }
 
 TEST_CASE("dichotomy as S3 prints it: its polynomials, and last segments of full length") {
   constexpr Bounds kNear{1.5e-4, 3e-5};
-  check<PrintedLinearPolynomial, &printed_linear_root, 3, true>(angles(0, 25, 79), kNear);
-  check<PrintedQuadraticPolynomial, &printed_quadratic_root, 3, true>(angles(0, 25, 80), kNear);
+  check<&printed_linear_root, 3, true>("dichotomy-printed-linear", angles(0, 25, 79), kNear);
+  check<&printed_quadratic_root, 3, true>("dichotomy-printed-quadratic", angles(0, 25, 80), kNear);
 }
 
 TEST_CASE("dichotomy: wide normals, of which some segments are Phong's at every pixel") {
   // Whether a segment is wider than 45 degrees is decided in 14 bits; the two ways differ by up to 5e-3
   // there.
-  check<QuadraticPolynomial, &quadratic_root, 3>(angles(60, 150, 77), {6e-3, 1e-4, 0.1});
-  check<CubicPolynomial, &cubic_root, 4>(angles(60, 150, 78), {3e-2, 1e-4, 0.1});
-  check<PrintedLinearPolynomial, &printed_linear_root, 3, true>(angles(60, 150, 79), {1e-2, 2e-4, 0.1});
+  check<&quadratic_root>("dichotomy-quadratic", angles(60, 150, 77), {6e-3, 1e-4, 0.1});
+  check<&cubic_root, 4>("dichotomy-cubic-16", angles(60, 150, 78), {3e-2, 1e-4, 0.1});
+  check<&printed_linear_root, 3, true>("dichotomy-printed-linear", angles(60, 150, 79), {1e-2, 2e-4, 0.1});
 }
 
 TEST_CASE("cutting a row changes no pixel of dichotomy") {

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/method_accuracy.hpp>
+#include <tests/support/raster_stage.hpp>
 
 #include <algorithm>
 #include <array>

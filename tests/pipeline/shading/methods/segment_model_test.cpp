@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 #include <tests/support/illumination_oracle.hpp>
 #include <tests/support/method_accuracy.hpp>
+#include <tests/support/raster_stage.hpp>
 #include <tests/support/test_share.hpp>
 
 #include <algorithm>

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/shading/literature/arc_vector.hpp>
+#include <arcspan/shading/literature/dichotomy.hpp>
+#include <arcspan/shading/literature/duff.hpp>
+#include <arcspan/shading/literature/kuijk_blake.hpp>
+#include <arcspan/shading/literature/lyon.hpp>
+#include <arcspan/shading/literature/phong.hpp>
+#include <arcspan/shading/literature/recurrence_four.hpp>
+#include <arcspan/shading/literature/slerp.hpp>
+
+#include <tests/support/probed_methods.hpp>
+#include <tests/support/raster_stage.hpp>
+
+#include <map>
+
+namespace arcspan::test {
+
+namespace {
+
+template <class Method>
+void draw(const ProbedTriangle& triangle, const Probe& probe, RunList& runs) {
+  const Rect bounds = runs.bounds();
+  RasterStage<Method, RunList> stage(runs, bounds.right, bounds.bottom, probe);
+  const auto vertex = [&](std::size_t i) {
+    return RasterVertex<Method>{triangle.points[i], Method::shade_vertex(probe, triangle.normals[i])};
+  };
+  stage.draw(vertex(0), vertex(1), vertex(2));
+}
+
+const std::map<std::string_view, DrawProbed> kMethods{
+    {"arc-vector", &draw<ArcVector<Probe>>},
+    {"dichotomy-cubic", &draw<DichotomyCubic<Probe>>},
+    {"dichotomy-cubic-16", &draw<Dichotomy<Probe, CubicPolynomial, 4>>},
+    {"dichotomy-linear", &draw<DichotomyLinear<Probe>>},
+    {"dichotomy-printed-linear", &draw<DichotomyPrintedLinear<Probe>>},
+    {"dichotomy-printed-quadratic", &draw<DichotomyPrintedQuadratic<Probe>>},
+    {"dichotomy-quadratic", &draw<DichotomyQuadratic<Probe>>},
+    {"dichotomy-quadratic-2", &draw<Dichotomy<Probe, QuadraticPolynomial, 1>>},
+    {"dichotomy-quadratic-4", &draw<Dichotomy<Probe, QuadraticPolynomial, 2>>},
+    {"dichotomy-quadratic-16", &draw<Dichotomy<Probe, QuadraticPolynomial, 4>>},
+    {"duff", &draw<Duff<Probe>>},
+    {"kuijk-blake", &draw<KuijkBlake<Probe>>},
+    {"lyon", &draw<Lyon<Probe>>},
+    {"phong", &draw<Phong<Probe>>},
+    {"phong-reciprocal", &draw<PhongReciprocal<Probe>>},
+    {"recurrence", &draw<Recurrence<Probe>>},
+    {"recurrence-four", &draw<RecurrenceFour<Probe>>},
+    {"slerp", &draw<arcspan::Slerp<Probe>>},
+};
+
+}  // namespace
+
+DrawProbed probed_method(std::string_view name) { return kMethods.at(name); }
+
+}  // namespace arcspan::test

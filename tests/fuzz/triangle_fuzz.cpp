@@ -179,7 +179,19 @@ Placement take_placement(Input& in) {
   return placement;
 }
 
-template <class Method, class Format>
+/// The ways in which a mesh is drawn. The code that they differ in is the same for every method, so that few
+/// methods take all of them.
+struct Ways {
+  bool with_depth = true;
+  bool without_depth = true;
+  bool whole_rows = true;
+};
+constexpr Ways kDepthOnly{.without_depth = false};
+constexpr Ways kNoDepthOnly{.with_depth = false};
+constexpr Ways kRunsWithDepth{.without_depth = false, .whole_rows = false};
+constexpr Ways kRunsWithoutDepth{.with_depth = false, .whole_rows = false};
+
+template <class Method, class Format, Ways kWays = Ways{}>
 void fuzz_mesh(Input& in) {
   using I = typename Method::Lighting;
   const I lighting = take_illumination<I>(in);
@@ -212,10 +224,15 @@ void fuzz_mesh(Input& in) {
     if (!ok(MeshView::make(positions, normals, std::span<const std::uint8_t>(indices), mesh))) return;
   }
   const DrawOptions options{two_sided};
-  static_cast<void>(
-      draw_mesh<Method>(mesh, transform, lighting, target.sink, target.depth, std::span(cache), options));
-  static_cast<void>(
-      draw_mesh<Method>(mesh, transform, lighting, target.sink, NoDepth{}, std::span(cache), options));
+  constexpr DrawFeatures kFeatures{.whole_rows = kWays.whole_rows};
+  if constexpr (kWays.with_depth) {
+    static_cast<void>(draw_mesh<Method, kFeatures>(mesh, transform, lighting, target.sink, target.depth,
+                                                   std::span(cache), options));
+  }
+  if constexpr (kWays.without_depth) {
+    static_cast<void>(draw_mesh<Method, kFeatures>(mesh, transform, lighting, target.sink, NoDepth{},
+                                                   std::span(cache), options));
+  }
 }
 
 using Blinn1 = Illumination<1, Highlight::kBlinn>;
@@ -248,46 +265,46 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz_mesh<Arc<Phong1>, Rgb565>(in);
       break;
     case 6:
-      fuzz_mesh<Arc<Blinn4>, Gray8>(in);
+      fuzz_mesh<Arc<Blinn4>, Gray8, kDepthOnly>(in);
       break;
     case 7:
-      fuzz_mesh<Gouraud<Phong2>, Mono>(in);
+      fuzz_mesh<Gouraud<Phong2>, Mono, kNoDepthOnly>(in);
       break;
     case 8:
-      fuzz_mesh<Flat<Blinn1>, Rgb888>(in);
+      fuzz_mesh<Flat<Blinn1>, Rgb888, kDepthOnly>(in);
       break;
     case 9:
-      fuzz_mesh<Arc<Blinn1>, Dithered<Gray4>>(in);
+      fuzz_mesh<Arc<Blinn1>, Dithered<Gray4>, kNoDepthOnly>(in);
       break;
     case 10:
-      fuzz_mesh<Phong<Blinn1>, Rgb565>(in);
+      fuzz_mesh<Phong<Blinn1>, Rgb565, kRunsWithDepth>(in);
       break;
     case 11:
-      fuzz_mesh<Duff<Phong1>, Rgb565>(in);
+      fuzz_mesh<Duff<Phong1>, Rgb565, kRunsWithoutDepth>(in);
       break;
     case 12:
-      fuzz_mesh<Lyon<Blinn1>, Rgb565>(in);
+      fuzz_mesh<Lyon<Blinn1>, Rgb565, kRunsWithDepth>(in);
       break;
     case 13:
-      fuzz_mesh<Slerp<Phong1>, Rgb565>(in);
+      fuzz_mesh<Slerp<Phong1>, Rgb565, kRunsWithoutDepth>(in);
       break;
     case 14:
-      fuzz_mesh<KuijkBlake<Blinn1>, Rgb565>(in);
+      fuzz_mesh<KuijkBlake<Blinn1>, Rgb565, kRunsWithDepth>(in);
       break;
     case 15:
-      fuzz_mesh<ArcVector<Phong1>, Rgb565>(in);
+      fuzz_mesh<ArcVector<Phong1>, Rgb565, kRunsWithoutDepth>(in);
       break;
     case 16:
-      fuzz_mesh<DichotomyLinear<Phong2>, Rgb565>(in);
+      fuzz_mesh<DichotomyLinear<Phong2>, Rgb565, kRunsWithDepth>(in);
       break;
     case 17:
-      fuzz_mesh<PhongSegment<Blinn1>, Rgb565>(in);
+      fuzz_mesh<PhongSegment<Blinn1>, Rgb565, kRunsWithoutDepth>(in);
       break;
     case 18:
-      fuzz_mesh<RecurrenceFour<Phong1>, Rgb565>(in);
+      fuzz_mesh<RecurrenceFour<Phong1>, Rgb565, kRunsWithDepth>(in);
       break;
     default:
-      fuzz_mesh<DichotomyPrintedQuadratic<Blinn4>, Rgb565>(in);
+      fuzz_mesh<DichotomyPrintedQuadratic<Blinn4>, Rgb565, kRunsWithoutDepth>(in);
       break;
   }
   return 0;

@@ -33,6 +33,20 @@ const char* to_string(Status status) {
       return "depth buffer does not cover the frame";
     case Status::kCacheTooSmall:
       return "vertex cache too small";
+    case Status::kNearNotBeforeFar:
+      return "near plane not before far plane";
+    case Status::kNoViewDirection:
+      return "camera has no view direction";
+    case Status::kScaleOutOfRange:
+      return "object scale out of range";
+    case Status::kTooManyLights:
+      return "more lights than the shading method has";
+    case Status::kTooManyObjects:
+      return "more objects than the scene memory holds";
+    case Status::kMethodNotListed:
+      return "shading method not listed";
+    case Status::kLightChanged:
+      return "light differs from the material's";
   }
   return "unknown status";
 }

@@ -11,19 +11,26 @@ namespace arcspan {
 /// fail returns a Status and states which values it returns.
 enum class [[nodiscard]] Status : std::uint8_t{
     kOk = 0,
-    kInvalidArgument,  ///< an argument is outside the range that its function states
-    kIndexOutOfRange,  ///< a mesh index names a vertex or normal that does not exist
-    kBufferTooSmall,   ///< memory given by the caller is smaller than its function states
-    kUnsupported,      ///< the device, format or machine cannot do this
-    kNotReady,         ///< the device has not been started, or is asleep
-    kBusy,             ///< a transfer is still under way, or the device signals busy
-    kTimeout,          ///< the device stayed busy longer than the stated limit
-    kTransferFailed,   ///< the bus reported an error
-    kTransferShort,    ///< the bus accepted fewer bytes than it was given
-    kTruncated,        ///< data ends before it is complete
-    kCorrupted,        ///< data contradicts its checksum or itself
-    kDepthMismatch,    ///< the depth buffer does not cover the part of the picture that is drawn
-    kCacheTooSmall,    ///< the vertex cache holds fewer vertices than the mesh has
+    kInvalidArgument,   ///< an argument is outside the range that its function states
+    kIndexOutOfRange,   ///< a mesh index names a vertex or normal that does not exist
+    kBufferTooSmall,    ///< memory given by the caller is smaller than its function states
+    kUnsupported,       ///< the device, format or machine cannot do this
+    kNotReady,          ///< the device has not been started, or is asleep
+    kBusy,              ///< a transfer is still under way, or the device signals busy
+    kTimeout,           ///< the device stayed busy longer than the stated limit
+    kTransferFailed,    ///< the bus reported an error
+    kTransferShort,     ///< the bus accepted fewer bytes than it was given
+    kTruncated,         ///< data ends before it is complete
+    kCorrupted,         ///< data contradicts its checksum or itself
+    kDepthMismatch,     ///< the depth buffer does not cover the part of the picture that is drawn
+    kCacheTooSmall,     ///< the vertex cache holds fewer vertices than the mesh has
+    kNearNotBeforeFar,  ///< the planes of a lens are not 0 < near < far
+    kNoViewDirection,   ///< the eye coincides with its target, or looks along the camera's up direction
+    kScaleOutOfRange,   ///< an object's scale is outside the range that Object states
+    kTooManyLights,     ///< a scene has more lights than a shading method of it
+    kTooManyObjects,    ///< more objects are in view than the memory of a scene holds
+    kMethodNotListed,   ///< a material's shading method is not among those that the scene's memory lists
+    kLightChanged,      ///< a single light is not the one that a material was made for
 };
 
 /// A short, stable, lower-case name for logs: "ok", "invalid argument", ... A value outside the enumeration

@@ -108,14 +108,7 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   illumination.diffuse_ = detail::scaled_channels(material.diffuse, weights, kCoefficientBits);
   illumination.specular_ = detail::scaled_channels(material.specular, weights, kCoefficientBits);
   static_cast<Fade&>(illumination) = Fade(material.highlight_fade);
-  for (std::size_t i = 0; i < Lights; ++i) {
-    const detail::ChannelWeights of_light = detail::channel_weights(lights[i]);
-    if constexpr (kWeighsChannels) {
-      illumination.weights_[i] = of_light;
-    } else {
-      illumination.weights_[i] = of_light[0];
-    }
-  }
+  if constexpr (Lights > 1) illumination.set_strengths(lights);
   std::array<Direction, Lights> to_lights;
   for (std::size_t i = 0; i < Lights; ++i) to_lights[i] = lights[i].towards;
   illumination.set_directions(to_lights, to_eye);
@@ -145,6 +138,19 @@ constexpr void Illumination<Lights, Model, Features>::set_directions(
     if (Model == Highlight::kBlinn) axes_[(Lights + i) % kScalars] = half_way(to_lights[i], to_eye);
   }
   if (Model == Highlight::kPhong) axes_[Lights] = to_eye;
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr void Illumination<Lights, Model, Features>::set_strengths(
+    const std::array<DirectionalLight, Lights>& lights) requires(Lights > 1) {
+  for (std::size_t i = 0; i < Lights; ++i) {
+    const detail::ChannelWeights of_light = detail::channel_weights(lights[i]);
+    if constexpr (kWeighsChannels) {
+      weights_[i] = of_light;
+    } else {
+      weights_[i] = of_light[0];
+    }
+  }
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>

@@ -79,6 +79,18 @@ class MeshView {
     return view;
   }
 
+  /// A view of `count` triangles from `first` on, with all vertices. What is beyond the last triangle is left
+  /// out.
+  [[nodiscard]] constexpr MeshView part(std::size_t first, std::size_t count) const {
+    MeshView view = *this;
+    const std::size_t begin = first < triangle_count_ ? first : triangle_count_;
+    view.triangle_count_ = count < triangle_count_ - begin ? count : triangle_count_ - begin;
+    if (indices8_ != nullptr) view.indices8_ += 3 * begin;
+    if (indices16_ != nullptr) view.indices16_ += 3 * begin;
+    if (planes_ != nullptr) view.planes_ += begin;
+    return view;
+  }
+
   /// The planes of the triangles, triangle_count() of them, or null.
   [[nodiscard]] constexpr const FacePlane* planes() const { return planes_; }
   [[nodiscard]] constexpr const PlaneScale& plane_scale() const { return plane_scale_; }

@@ -23,6 +23,20 @@ namespace arcspan {
   return root;
 }
 
+/// floor(sqrt(v)), exact for every 64-bit v, in 32 steps.
+[[nodiscard]] constexpr std::uint32_t wide_integer_root(std::uint64_t v) {
+  std::uint64_t root = 0;
+  for (std::uint64_t bit = std::uint64_t{1} << 62; bit != 0; bit >>= 2) {
+    if (v >= root + bit) {
+      v -= root + bit;
+      root = (root >> 1) + bit;
+    } else {
+      root >>= 1;
+    }
+  }
+  return static_cast<std::uint32_t>(root);
+}
+
 /// A reciprocal root 1/sqrt(v) = mantissa * 2^-exponent, mantissa in [2^15, 2^16].
 struct ReciprocalRoot {
   std::uint32_t mantissa = 0;

@@ -94,11 +94,11 @@ std::int64_t sum_of_magnitudes(const ObjectPoint& p) {
 BackFaces::BackFaces(const MeshView& mesh, const ClipTransform& transform) {
   constexpr std::int64_t kFarthest = std::int64_t{1} << 22;
   const PlaneScale& scale = mesh.plane_scale();
-  SphereView view{};
-  if (mesh.planes() == nullptr || !view_sphere(scale.radius, transform, view)) return;
   const std::int64_t away = sum_of_magnitudes(transform.eye());
+  SphereView view{};
+  if (mesh.planes() == nullptr || away > kFarthest || !view_sphere(scale.radius, transform, view)) return;
   const std::int64_t margin = snapping_margin(view, transform.focal());
-  if (away > kFarthest || margin >= kTooMuch) return;
+  if (margin >= kTooMuch) return;
   // Bytes of a plane are rounded by half a unit each, its offset by one more, being made of a rounded normal.
   // The eye has the error of its own rounding and that of the rotation's.
   const std::int64_t rounding = (away + (std::int64_t{1} << scale.offset_bits)) / 2 + 2;

@@ -37,6 +37,20 @@ struct Viewport {
   std::int32_t height = 0;
 };
 
+/// A placement and a camera in wide formats, for ClipTransform::set_placement(). Lengths have 8 fraction bits
+/// and are in units of 2^unit_bits object units, so that an object may be farther away than Placement allows,
+/// and a near one is placed more precisely.
+struct WidePlacement {
+  Rotation rotation;            ///< as in Placement
+  std::int64_t translation[3];  ///< at most 2^30 in magnitude
+  std::int64_t near_plane = 1;  ///< 1...2^31 - 1
+  std::int32_t focal = 1;       ///< above 0; times 2^focal_bits it is a PixelLength's raw()
+  std::int32_t focal_bits = 0;  ///< -30...21
+  std::int32_t unit_bits = 0;   ///< kLeastUnitBits...kMostUnitBits; above 0 no back faces are found by planes
+  static constexpr int kLeastUnitBits = -8;
+  static constexpr int kMostUnitBits = 24;
+};
+
 /// A vertex in clip space, before the division by w; y points down. It is inside the guard band if |x| <= w
 /// and |y| <= w, and in front of the near plane if w >= ClipTransform::near_w(). The three have the same
 /// scale (ClipTransform::w_bits()) and are below 2^30 in magnitude.
@@ -72,6 +86,10 @@ class ClipTransform {
     return transform;
   }
 
+  /// Changes the placement, the near plane and the focal length. The viewport and the ratio of the far plane
+  /// to the near one, from which depths are computed, stay. For objects of different scale before one camera.
+  constexpr void set_placement(const WidePlacement& placement);
+
   /// The clip-space position of a vertex.
   [[nodiscard]] constexpr ClipPosition operator()(ObjectPosition p) const {
     return {row(0, p), row(1, p), row(2, p)};
@@ -79,11 +97,12 @@ class ClipTransform {
 
   /// w of the near plane, at least 1.
   [[nodiscard]] constexpr std::int32_t near_w() const { return near_w_; }
-  /// The camera's position in object space.
+  /// The camera's position in object space; (2^23, 0, 0) if set_placement() was given unit bits above 0.
   [[nodiscard]] constexpr const ObjectPoint& eye() const { return eye_; }
+  /// The focal length that make() was given. After set_placement() it is times 2^focal_bits.
   [[nodiscard]] constexpr PixelLength focal() const { return focal_; }
   /// The scale of clip space, -4...13: w of a point is its distance before the camera in object units times
-  /// 2^w_bits().
+  /// 2^w_bits(). Down to -51 if set_placement() was given unit or focal bits.
   [[nodiscard]] constexpr int w_bits() const { return w_bits_; }
   /// The squared length of the matrix' row for x, y or w (i = 0, 1, 2), below 3 * 2^56. Entries have 14
   /// fraction bits more than clip space.
@@ -96,6 +115,9 @@ class ClipTransform {
     return sum;
   }
   [[nodiscard]] constexpr const Viewport& viewport() const { return viewport_; }
+  /// Upper bounds of the clip-space lengths, in w and in x or y, of an object-space length of at most 56756.
+  [[nodiscard]] constexpr std::int32_t length_ahead(std::uint32_t length) const;
+  [[nodiscard]] constexpr std::int32_t length_across(std::uint32_t length) const;
 
   /// The depth of a vertex: 16 bits, nearer is smaller, linear on the screen. `near_over_w` is near_w() / w
   /// with 29 fraction bits. The result is clamped to kDepthMargin ... 65535 - kDepthMargin, so that steps
@@ -133,6 +155,7 @@ class ClipTransform {
   Viewport viewport_{};
   ObjectPoint eye_{};
   PixelLength focal_{};
+  int focal_bits_ = 0;
   int w_bits_ = 0;
 };
 

@@ -31,13 +31,16 @@ inline constexpr int kGuardBits = 10 + PixelLength::kFraction;  // division of a
 }
 
 /// The scale of clip space as a power of two: the largest with which all coordinates stay below 2^29.
-[[nodiscard]] constexpr int scale_bits(const Placement& placement, const Projection& projection) {
-  const auto farthest = [](ObjectLength t) {
-    return kObjectRadius + (magnitude64(t.raw()) >> ObjectLength::kFraction) + 1;
+[[nodiscard]] constexpr int scale_bits(const WidePlacement& placement) {
+  const std::int64_t radius =
+      placement.unit_bits < 0 ? kObjectRadius << -placement.unit_bits : kObjectRadius >> placement.unit_bits;
+  const auto farthest = [radius](std::int64_t t) {
+    return radius + (magnitude64(t) >> ObjectLength::kFraction) + 1;
   };
   const std::int64_t x = farthest(placement.translation[0]);
   const std::int64_t y = farthest(placement.translation[1]);
-  const std::int64_t widest = (((x > y ? x : y) * projection.focal.raw()) >> kGuardBits) + 1;
+  const std::int64_t widest =
+      (((x > y ? x : y) * placement.focal) >> (kGuardBits - placement.focal_bits)) + 1;
   const std::int64_t w = farthest(placement.translation[2]);
   const std::int64_t largest = widest > w ? widest : w;
   return 29 - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(largest)));
@@ -47,17 +50,18 @@ inline constexpr int kGuardBits = 10 + PixelLength::kFraction;  // division of a
 [[nodiscard]] ARCSPAN_OUTLINE constexpr std::int32_t rescaled(std::int64_t value, std::int64_t factor,
                                                               int shift) {
   const std::int64_t product = value * factor;
-  return static_cast<std::int32_t>(shift >= 0 ? product << shift : product >> -shift);
+  return static_cast<std::int32_t>(shift >= 0 ? product << shift : product >> (shift < -63 ? 63 : -shift));
 }
 
-/// The camera's position in object space: -R^T t.
-[[nodiscard]] constexpr ObjectPoint eye_of(const Placement& placement) {
+/// The camera's position in object space: -R^T t. Unit bits must not be above 0.
+[[nodiscard]] constexpr ObjectPoint eye_of(const WidePlacement& placement) {
   const auto coordinate = [&](std::size_t j) {
     std::int64_t sum = 0;  // below 3 * 2^60
     for (std::size_t i = 0; i < 3; ++i) {
-      sum -= std::int64_t{placement.rotation.m[i][j].raw()} * placement.translation[i].raw();
+      sum -= std::int64_t{placement.rotation.m[i][j].raw()} * placement.translation[i];
     }
-    return static_cast<std::int32_t>(sum >> (RotationEntry::kFraction + ObjectLength::kFraction));
+    return static_cast<std::int32_t>(
+        sum >> (RotationEntry::kFraction + ObjectLength::kFraction - placement.unit_bits));
   };
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
@@ -67,27 +71,10 @@ inline constexpr int kGuardBits = 10 + PixelLength::kFraction;  // division of a
 constexpr Status ClipTransform::make(const Placement& placement, const Projection& projection,
                                      const Viewport& viewport, ClipTransform& transform) {
   if (!detail::acceptable(placement, projection, viewport)) return Status::kInvalidArgument;
-  const int bits = detail::scale_bits(placement, projection);
-  // Rows x and y contain the factor focal / kGuardBand. Rows y and w are negative, because y points down on
-  // the screen and the camera looks along -z.
-  const std::int64_t factors[3] = {projection.focal.raw(), projection.focal.raw(),
-                                   std::int64_t{1} << detail::kGuardBits};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::int64_t sign = i == 0 ? 1 : -1;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::int32_t entry = detail::rescaled(sign * placement.rotation.m[i][j].raw(), factors[i],
-                                                  bits + 14 - RotationEntry::kFraction - detail::kGuardBits);
-      transform.matrix_[i][j] = {entry >> 14, entry & 0x3FFF};
-    }
-    transform.offset_[i] = detail::rescaled(sign * placement.translation[i].raw(), factors[i],
-                                            bits - ObjectLength::kFraction - detail::kGuardBits);
-  }
-  // A near plane beyond the range of w hides everything. It saturates, so as not to wrap to the front.
-  constexpr std::int64_t kFarthest = (std::int64_t{1} << 30) - 1;
-  const std::int64_t near_w = (std::int64_t{projection.near_plane.raw()} << detail::kGuardBits) >>
-                              (ObjectLength::kFraction + detail::kGuardBits - bits);
-  transform.near_w_ = static_cast<std::int32_t>(near_w < 1 ? 1 : near_w > kFarthest ? kFarthest : near_w);
-  constexpr std::uint64_t kMaxDepthRange = std::uint64_t{1} << 27;  // shifted left by at least 3
+  WidePlacement wide{placement.rotation, {}, projection.near_plane.raw(), projection.focal.raw()};
+  for (std::size_t i = 0; i < 3; ++i) wide.translation[i] = placement.translation[i].raw();
+  transform.set_placement(wide);
+  constexpr std::uint64_t kMaxDepthRange = (std::uint64_t{1} << 28) - 1;  // shifted left by at least 3
   // depth = margin + range * far / (far - near) * (1 - near / w).
   const std::int64_t range = 65535 - 2 * kDepthMargin;
   // Unsigned like the library's other divisions, which saves a routine of the compiler's run-time library.
@@ -103,10 +90,54 @@ constexpr Status ClipTransform::make(const Placement& placement, const Projectio
   transform.depth_range_ = static_cast<std::int32_t>(range32 << shift);
   transform.depth_shift_ = shift - 3;
   transform.viewport_ = viewport;
-  transform.eye_ = detail::eye_of(placement);
-  transform.focal_ = projection.focal;
-  transform.w_bits_ = bits;
   return Status::kOk;
+}
+
+constexpr void ClipTransform::set_placement(const WidePlacement& placement) {
+  const int bits = detail::scale_bits(placement);
+  w_bits_ = bits - placement.unit_bits;
+  // Rows x and y contain the factor focal / kGuardBand. Rows y and w are negative, because y points down on
+  // the screen and the camera looks along -z.
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int64_t sign = i == 0 ? 1 : -1;
+    const std::int64_t factor = i < 2 ? placement.focal : std::int64_t{1} << detail::kGuardBits;
+    const int factor_bits = i < 2 ? placement.focal_bits : 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::int32_t entry =
+          detail::rescaled(sign * placement.rotation.m[i][j].raw(), factor,
+                           w_bits_ + factor_bits + 14 - RotationEntry::kFraction - detail::kGuardBits);
+      matrix_[i][j] = {entry >> 14, entry & 0x3FFF};
+    }
+    offset_[i] = detail::rescaled(sign * placement.translation[i], factor,
+                                  bits + factor_bits - ObjectLength::kFraction - detail::kGuardBits);
+  }
+  // A near plane beyond the range of w hides everything. It saturates, so as not to wrap to the front.
+  constexpr std::int64_t kFarthest = (std::int64_t{1} << 30) - 1;
+  const std::int64_t near_w =
+      (placement.near_plane << detail::kGuardBits) >> (ObjectLength::kFraction + detail::kGuardBits - bits);
+  near_w_ = static_cast<std::int32_t>(near_w < 1 ? 1 : near_w > kFarthest ? kFarthest : near_w);
+  eye_ = placement.unit_bits <= 0 ? detail::eye_of(placement) : ObjectPoint{std::int32_t{1} << 23, 0, 0};
+  focal_ = PixelLength::from_raw(placement.focal);
+  focal_bits_ = placement.focal_bits;
+}
+
+namespace detail {
+
+/// An upper bound of length * factor * 2^shift that allows for the rounding of a matrix and of the rotation
+/// in it; length <= 56756, factor < 2^31.
+[[nodiscard]] constexpr std::int32_t clip_length(std::uint32_t length, std::int64_t factor, int shift) {
+  const std::int32_t nominal = rescaled(length, factor, shift);
+  return nominal + (nominal >> 12) + 16;
+}
+
+}  // namespace detail
+
+constexpr std::int32_t ClipTransform::length_ahead(std::uint32_t length) const {
+  return detail::clip_length(length, std::int64_t{1} << detail::kGuardBits, w_bits_ - detail::kGuardBits);
+}
+
+constexpr std::int32_t ClipTransform::length_across(std::uint32_t length) const {
+  return detail::clip_length(length, focal_.raw(), w_bits_ + focal_bits_ - detail::kGuardBits);
 }
 
 }  // namespace arcspan

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/draw.hpp>
+#include <arcspan/draw/scissor.hpp>
+#include <arcspan/scene/camera.hpp>
+#include <arcspan/scene/object.hpp>
+#include <arcspan/scene/scene_frame.hpp>
+#include <arcspan/scene/scene_light.hpp>
+#include <arcspan/scene/scene_material.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan {
+
+/// The shading methods that a program draws scenes by, each a method or a Use. Nothing else is compiled.
+template <class... Methods>
+struct MethodList {};
+
+template <class List, std::size_t Objects, std::size_t Vertices = 0>
+class SceneMemory;
+
+/// The memory of a scene that is being drawn, of the caller's: usually static. `Objects` is the most that are
+/// in view at a time. `Vertices` is at least the number of vertices of the largest mesh, or 0: then each
+/// triangle transforms its own three vertices. It needs no initialisation and may be used for any scene.
+template <class... Methods, std::size_t Objects, std::size_t Vertices>
+class SceneMemory<MethodList<Methods...>, Objects, Vertices> {
+ public:
+  static_assert(sizeof...(Methods) > 0 && Objects <= 65535);
+
+  [[nodiscard]] detail::SceneFrame frame() {
+    return {header_,
+            {static_cast<detail::SceneSlot*>(static_cast<void*>(slots_)), Objects},
+            order_,
+            {vertices_, kVertexBytes * Vertices},
+            kFacts};
+  }
+
+ private:
+  static constexpr const detail::UseFacts* kFacts[] = {
+      &detail::kUseFacts<typename detail::UseOf<Methods>::Type>...};
+  static constexpr std::size_t kVertexBytes = [] {
+    std::size_t most = 0;
+    for (const detail::UseFacts* const facts : kFacts) {
+      if (facts->vertex_bytes > most) most = facts->vertex_bytes;
+    }
+    return most;
+  }();
+
+  detail::SceneHeader header_;
+  std::uint16_t order_[Objects > 0 ? Objects : 1] = {};
+  // Bytes, because initialised slots would take flash too.
+  alignas(
+      detail::SceneSlot) unsigned char slots_[sizeof(detail::SceneSlot) * (Objects > 0 ? Objects : 1)] = {};
+  alignas(8) unsigned char vertices_[kVertexBytes * Vertices + 1] = {};
+};
+
+/// The result of drawing a scene or a band of it.
+struct SceneResult {
+  Status status = Status::kOk;
+  std::uint32_t objects = 0;    ///< objects that may have pixels in the target
+  std::uint32_t triangles = 0;  ///< of these objects, as in DrawResult
+  std::uint32_t left_out = 0;   ///< as in DrawResult
+};
+
+namespace detail {
+
+/// A part of an object to be drawn.
+template <class Sink, class Depth>
+struct PartCall {
+  const MeshView& mesh;
+  const ClipTransform& transform;
+  const SceneMaterial& material;
+  const ObjectLights& lights;
+  Sink& sink;
+  const Depth& depth;
+  std::span<unsigned char> vertices;
+};
+
+template <class Used, class Sink, class Depth>
+DrawResult draw_part_by(const PartCall<Sink, Depth>& part) {
+  using Method = typename Used::Method;
+  const auto& material = static_cast<const PreparedMaterial<Used>&>(part.material);
+  std::span<CachedVertex<Method>> cache;
+  if (!part.vertices.empty()) {
+    cache = {static_cast<CachedVertex<Method>*>(static_cast<void*>(part.vertices.data())),
+             part.mesh.vertex_count()};
+  }
+  if constexpr (Lit<typename Method::Lighting>) {
+    typename Method::Lighting lighting;
+    const Status status = material.light(part.lights, lighting);
+    if (!ok(status)) return {status};
+    return draw_mesh<Method, Used::kFeatures>(part.mesh, part.transform, lighting, part.sink, part.depth,
+                                              cache, part.material.options());
+  } else {
+    return draw_mesh<Method, Used::kFeatures>(part.mesh, part.transform, material.lighting(), part.sink,
+                                              part.depth, cache, part.material.options());
+  }
+}
+
+/// Draws a part by the method of its material, which is listed.
+template <class... Used, class Sink, class Depth>
+DrawResult draw_part(MethodList<Used...>, const PartCall<Sink, Depth>& part) {
+  if constexpr (sizeof...(Used) == 1) {
+    return draw_part_by<Used...>(part);
+  } else {
+    using Function = DrawResult (*)(const PartCall<Sink, Depth>&);
+    struct Entry {
+      const UseFacts* use;
+      Function function;
+    };
+    static constexpr Entry kEntries[] = {{&kUseFacts<Used>, &draw_part_by<Used, Sink, Depth>}...};
+    const Entry* entry = kEntries;
+    while (entry->use != part.material.use()) ++entry;
+    return entry->function(part);
+  }
+}
+
+/// Returns the reason why nothing can be drawn into a target, or kOk.
+template <class Sink, class Depth>
+[[nodiscard]] Status check_target(const Sink& sink, const Depth& depth, const Rect& rect) {
+  if constexpr (ChecksItself<Sink>) {
+    if (!ok(sink.status())) return sink.status();
+  }
+  if constexpr (Depth::kTests) {
+    if (!ok(depth.status())) return depth.status();
+    const Rect& covered = depth.bounds();
+    if (!rect.empty() && intersection(rect, covered) != rect) return Status::kDepthMismatch;
+  }
+  return Status::kOk;
+}
+
+}  // namespace detail
+
+/// Sets up a frame of `scene` in `memory`: the transforms of the objects in view and their order. Once per
+/// frame, before draw_prepared_scene(); whatever `scene` refers to must stay until the last band is drawn.
+/// Returns kOk, or draws nothing until the next call and returns:
+///
+///   kNotReady          the camera has not been made
+///   kScaleOutOfRange   an object's scale is below 2^-10
+///   kIndexOutOfRange   a part of an object has triangles that its mesh does not have
+///   kMethodNotListed   a material's method is not in the list of `memory`
+///   kTooManyLights     a material's method takes fewer lights than the scene has
+///   kTooManyObjects    more objects are in view than `memory` holds
+///   kCacheTooSmall     a mesh has more vertices than `memory` holds, which is not 0
+///   kUnsupported       there are several lights, one of them coloured, and a material's illumination has not
+///                      IlluminationFeatures::coloured_lights
+///   kInvalidArgument   a light's strength or colour is outside 0...1, or a part has no material
+template <class List, std::size_t Objects, std::size_t Vertices>
+[[nodiscard]] Status prepare_scene(const Scene& scene, SceneMemory<List, Objects, Vertices>& memory) {
+  return detail::prepare(scene, memory.frame());
+}
+
+/// Draws the scene of the last prepare_scene() into `sink`: the whole picture, or a band of it. Objects whose
+/// bounding sphere lies outside of it are skipped. With a DepthBuffer the nearest object is drawn first,
+/// which saves pixels; with NoDepth the farthest, so that nearer ones cover it. The nearer object is the one
+/// whose bounding sphere has the nearer middle. Returns as status that of prepare_scene(), or:
+///
+///   kDepthMismatch   `depth` does not cover the common bounds of the picture and the sink
+///   kLightChanged    see Use
+///   others           as draw_mesh()
+template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_prepared_scene(SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory,
+                                              Sink& sink, const Depth& depth) {
+  const detail::SceneFrame frame = memory.frame();
+  SceneResult result{frame.header.status};
+  if (!ok(result.status)) return result;
+  const Viewport& viewport = frame.header.camera->viewport();
+  const Rect rect = detail::intersection({0, 0, viewport.width, viewport.height}, sink.bounds());
+  result.status = detail::check_target(sink, depth, rect);
+  const std::size_t count = frame.header.in_view;
+  for (std::size_t i = 0; i < count && ok(result.status); ++i) {
+    const detail::SceneSlot& slot = frame.slots[frame.order[Depth::kTests ? i : count - 1 - i]];
+    if (detail::is_outside(slot.sphere, slot.transform.near_w(), viewport, rect)) continue;
+    ++result.objects;
+    const detail::ObjectLights lights = detail::lights_at(frame.header, *slot.object);
+    for (std::size_t p = 0; p < slot.object->part_count() && ok(result.status); ++p) {
+      const Part part = slot.object->part(p);
+      const MeshView mesh = slot.object->mesh().part(part.first, part.count);
+      const DrawResult drawn =
+          detail::draw_part(MethodList<typename detail::UseOf<Methods>::Type...>{},
+                            detail::PartCall<Sink, Depth>{mesh, slot.transform, *part.material, lights, sink,
+                                                          depth, frame.vertices});
+      result.status = drawn.status;
+      result.triangles += drawn.triangles;
+      result.left_out += drawn.left_out;
+    }
+  }
+  return result;
+}
+
+/// Draws a scene into `sink`: prepare_scene() and draw_prepared_scene(). For bands, call it once per band; to
+/// save the preparation, call the two yourself.
+template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth,
+                                     SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory) {
+  const Status status = prepare_scene(scene, memory);
+  if (!ok(status)) return {status};
+  return draw_prepared_scene(memory, sink, depth);
+}
+
+}  // namespace arcspan

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/scene/scene_frame.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
+
+#include <memory>
+
+namespace arcspan::detail {
+
+namespace {
+
+/// An upper bound of sqrt(a^2 + b^2) for a, b >= 0, at most 12 % too large: the larger plus half the smaller.
+std::int64_t hypotenuse(std::int64_t a, std::int64_t b) {
+  return a > b ? a + (b >> 1) + 1 : b + (a >> 1) + 1;
+}
+
+/// The coordinates of a sphere along one axis of the picture, in clip space.
+struct Extent {
+  std::int64_t at;
+  std::int64_t radius;
+};
+
+/// True if a sphere lies wholly on the side `sign` (-1 or 1) of an edge of a rectangle: a plane through the
+/// eye. `edge` is its distance from the middle of the picture in half pixels.
+bool is_beyond(const ClipSphere& sphere, const Extent& extent, std::int32_t edge, int sign) {
+  // Clip coordinates and those of clipped vertices are rounded by less than this.
+  constexpr std::int64_t kRounding = 32;
+  const std::int64_t slope = edge < 0 ? -std::int64_t{edge} : edge;
+  const std::int64_t distance = sign * (2 * kGuardBand * extent.at - edge * std::int64_t{sphere.middle.w});
+  const std::int64_t reach = hypotenuse(2 * kGuardBand * extent.radius, slope * sphere.radius_ahead);
+  return distance > reach + kRounding * (2 * kGuardBand + slope);
+}
+
+/// True if a sphere lies wholly outside of `begin` ... `end`, columns or rows of a picture of `size` pixels.
+bool is_outside_range(const ClipSphere& sphere, const Extent& extent, std::int32_t size, std::int32_t begin,
+                      std::int32_t end) {
+  return is_beyond(sphere, extent, 2 * begin - size, -1) || is_beyond(sphere, extent, 2 * end - size, 1);
+}
+
+[[nodiscard]] ClipSphere clip_sphere(const ClipTransform& transform, const BoundingSphere& sphere) {
+  return {transform(sphere.middle), transform.length_across(sphere.radius),
+          transform.length_ahead(sphere.radius)};
+}
+
+/// The depth of a sphere's middle, that of the near plane if it is before that.
+[[nodiscard]] std::uint16_t depth_of(const ClipSphere& sphere, const ClipTransform& transform) {
+  const std::int32_t w = sphere.middle.w;
+  return project({0, 0, w < transform.near_w() ? transform.near_w() : w}, transform).z;
+}
+
+[[nodiscard]] Status check_lights(const LightList& lights) {
+  if (lights.lights.size() > std::tuple_size_v<decltype(ObjectLights::lights)>) return Status::kTooManyLights;
+  for (const SceneLight& light : lights.lights) {
+    if (!in_unit_range(light.strength()) || !in_unit_range(light.colour())) return Status::kInvalidArgument;
+  }
+  return Status::kOk;
+}
+
+[[nodiscard]] bool all_grey(const LightList& lights) {
+  for (const SceneLight& light : lights.lights) {
+    if (!is_grey(light.colour())) return false;
+  }
+  return true;
+}
+
+/// Checks the material of a part.
+[[nodiscard]] Status check_material(const SceneMaterial& material, const LightList& lights,
+                                    const SceneFrame& frame) {
+  const UseFacts* const use = material.use();
+  bool listed = false;
+  for (const UseFacts* const one : frame.uses) listed = listed || one == use;
+  if (!listed) return Status::kMethodNotListed;
+  if (use->lights != 0 && lights.lights.size() > use->lights) return Status::kTooManyLights;
+  if (use->needs_grey_lights && !all_grey(lights)) return Status::kUnsupported;
+  return Status::kOk;
+}
+
+/// Checks an object and returns in `vertex_bytes` the size of its largest cached vertex.
+[[nodiscard]] Status check_object(const Object& object, const LightList& lights, const SceneFrame& frame,
+                                  std::size_t& vertex_bytes) {
+  if (object.scale < Camera::kLeastScale) return Status::kScaleOutOfRange;
+  const std::size_t triangles = object.mesh().triangle_count();
+  vertex_bytes = 0;
+  for (std::size_t i = 0; i < object.part_count(); ++i) {
+    const Part part = object.part(i);
+    if (part.first > triangles || part.count > triangles - part.first) return Status::kIndexOutOfRange;
+    if (part.material == nullptr) return Status::kInvalidArgument;
+    const Status status = check_material(*part.material, lights, frame);
+    if (!ok(status)) return status;
+    const std::size_t bytes = part.material->use()->vertex_bytes;
+    if (bytes > vertex_bytes) vertex_bytes = bytes;
+  }
+  return Status::kOk;
+}
+
+/// Inserts the last slot into the order, behind those that are as near.
+void insert_into_order(const SceneFrame& frame, std::size_t last) {
+  std::size_t i = last;
+  for (; i > 0 && frame.slots[frame.order[i - 1]].depth > frame.slots[last].depth; --i) {
+    frame.order[i] = frame.order[i - 1];
+  }
+  frame.order[i] = static_cast<std::uint16_t>(last);
+}
+
+/// Sets up one object if it is in view.
+[[nodiscard]] Status prepare_object(const Object& object, const Scene& scene, const SceneFrame& frame) {
+  std::size_t vertex_bytes = 0;
+  const Status status = check_object(object, scene.lights, frame, vertex_bytes);
+  if (!ok(status)) return status;
+  const std::size_t bytes = vertex_bytes * object.mesh().vertex_count();
+  if (!frame.vertices.empty() && bytes > frame.vertices.size()) return Status::kCacheTooSmall;
+  SceneSlot slot{{}, {}, &object, 0, 0};
+  if (!scene.camera.place(object.position, object.rotation, object.scale, slot.transform)) return Status::kOk;
+  slot.sphere = clip_sphere(slot.transform, object.sphere());
+  const Viewport& viewport = scene.camera.viewport();
+  if (is_outside(slot.sphere, slot.transform.near_w(), viewport, {0, 0, viewport.width, viewport.height})) {
+    return Status::kOk;
+  }
+  if (frame.header.in_view >= frame.slots.size()) return Status::kTooManyObjects;
+  slot.depth = depth_of(slot.sphere, slot.transform);
+  const std::size_t last = frame.header.in_view++;
+  std::construct_at(&frame.slots[last], slot);
+  insert_into_order(frame, last);
+  return Status::kOk;
+}
+
+}  // namespace
+
+bool is_outside(const ClipSphere& sphere, std::int32_t near_w, const Viewport& viewport, const Rect& rect) {
+  if (rect.empty() || sphere.middle.w + sphere.radius_ahead < near_w) return true;
+  return is_outside_range(sphere, {sphere.middle.y, sphere.radius_across}, viewport.height, rect.top,
+                          rect.bottom) ||
+         is_outside_range(sphere, {sphere.middle.x, sphere.radius_across}, viewport.width, rect.left,
+                          rect.right);
+}
+
+Status prepare(const Scene& scene, const SceneFrame& frame) {
+  SceneHeader& header = frame.header;
+  header = {scene.lights, &scene.camera, 0, check_lights(scene.lights)};
+  if (scene.camera.viewport().width == 0) header.status = Status::kNotReady;
+  for (const Object& object : scene.objects) {
+    if (!ok(header.status)) break;
+    if (object.visible) header.status = prepare_object(object, scene, frame);
+  }
+  if (!ok(header.status)) header.in_view = 0;
+  return header.status;
+}
+
+ObjectLights lights_at(const SceneHeader& header, const Object& object) {
+  ObjectLights seen;
+  const WorldPoint middle = object.middle();
+  std::size_t count = 0;
+  for (const SceneLight& light : header.lights.lights)
+    seen.lights[count++] = light.seen_from(middle, object.rotation);
+  for (; count < seen.lights.size(); ++count) seen.lights[count].strength = Coefficient{};
+  constexpr Direction kBack = normalised(0, 0, 1);
+  seen.to_eye = object.rotation.to_object(header.camera->rotation().to_object(kBack));
+  return seen;
+}
+
+}  // namespace arcspan::detail

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/scene/camera.hpp>
+#include <arcspan/scene/object.hpp>
+#include <arcspan/scene/scene_light.hpp>
+#include <arcspan/scene/scene_material.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan/vertex/clip_transform.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan {
+
+/// What is drawn, and from where. It refers to the caller's memory.
+struct Scene {
+  const Camera& camera;
+  LightList lights;
+  std::span<const Object> objects;
+};
+
+namespace detail {
+
+/// An object's bounding sphere in clip space: its middle, and upper bounds of the lengths of its radius.
+struct ClipSphere {
+  ClipPosition middle;
+  std::int32_t radius_across;  ///< in x and y
+  std::int32_t radius_ahead;   ///< in w
+};
+
+/// An object in view.
+struct SceneSlot {
+  ClipTransform transform;
+  ClipSphere sphere;
+  const Object* object;
+  std::uint32_t first_vertex;  ///< of its vertices in the memory of the scene, in bytes
+  std::uint16_t depth;         ///< of the sphere's middle
+};
+
+/// The part of a SceneMemory that belongs to the whole scene.
+struct SceneHeader {
+  LightList lights{};
+  const Camera* camera = nullptr;
+  std::uint16_t in_view = 0;  ///< slots in use
+  Status status = Status::kNotReady;
+};
+
+/// A view of a SceneMemory.
+struct SceneFrame {
+  SceneHeader& header;
+  std::span<SceneSlot> slots;
+  std::span<std::uint16_t> order;  ///< indices of slots, the nearest object first
+  std::span<unsigned char> vertices;
+  std::span<const UseFacts* const> uses;
+};
+
+/// Checks the scene, and sets up the objects that are in view of the camera. Returns the status of
+/// prepare_scene().
+[[nodiscard]] Status prepare(const Scene& scene, const SceneFrame& frame);
+
+/// True if no vertex of an object can come to lie within `rect` of the picture, which is within `viewport`.
+[[nodiscard]] bool is_outside(const ClipSphere& sphere, std::int32_t near_w, const Viewport& viewport,
+                              const Rect& rect);
+
+/// The lights of a scene and the direction to the eye in the space of an object.
+[[nodiscard]] ObjectLights lights_at(const SceneHeader& header, const Object& object);
+
+}  // namespace detail
+
+}  // namespace arcspan

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/draw/draw_options.hpp>
+#include <arcspan/draw/vertex_stage.hpp>
+#include <arcspan/lighting/illumination.hpp>
+#include <arcspan/pixel/colour.hpp>
+#include <arcspan/scene/scene_light.hpp>
+#include <arcspan/shading/method.hpp>
+#include <arcspan/shading/unlit.hpp>
+#include <arcspan/status.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+namespace arcspan {
+
+/// A shading method with the features of draw_mesh() that it is used with. A program lists its combinations
+/// in SceneMemory; a method stands for itself with the default features.
+///
+/// `ChangingLight` concerns methods with a single light. The light's strength and colour are then part of the
+/// material, and draw_scene() refuses another light (kLightChanged). If it is true, draw_scene() makes the
+/// material again for each object whose light has another strength, as point lights have, which takes about
+/// as many instructions as 20,000 pixels. Methods with several lights weight them per pixel and always follow
+/// the lights.
+template <ShadingMethod M, DrawFeatures F = DrawFeatures{}, bool ChangingLight = false>
+struct Use {
+  using Method = M;
+  static constexpr DrawFeatures kFeatures = F;
+  static constexpr bool kChangingLight = ChangingLight;
+};
+
+namespace detail {
+
+template <class T>
+struct UseOf {
+  using Type = Use<T>;
+};
+template <class M, DrawFeatures F, bool C>
+struct UseOf<Use<M, F, C>> {
+  using Type = Use<M, F, C>;
+};
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+Illumination<Lights, Model, Features> illumination_in(const Illumination<Lights, Model, Features>&);
+
+/// The Illumination that a lit method's Lighting is or derives from.
+template <class Lighting>
+using IlluminationOf = decltype(illumination_in(std::declval<Lighting>()));
+
+/// The facts of a Use that the code for all of them needs. Its address tells which use a material is for.
+struct UseFacts {
+  std::uint16_t vertex_bytes;  ///< of a cached vertex
+  std::uint8_t lights;         ///< that the method takes; 0 for none
+  bool needs_grey_lights;      ///< several lights must not be coloured
+};
+
+template <class Lighting>
+concept Lit = requires {
+  Lighting::kLights;
+};
+
+template <class U>
+[[nodiscard]] consteval UseFacts facts_of() {
+  using Method = typename U::Method;
+  UseFacts facts{sizeof(CachedVertex<Method>), 0, false};
+  if constexpr (Lit<typename Method::Lighting>) {
+    using Illuminated = IlluminationOf<typename Method::Lighting>;
+    facts.lights = static_cast<std::uint8_t>(Illuminated::kLights);
+    facts.needs_grey_lights = Illuminated::kLights > 1 && !Illuminated::kFeatures.coloured_lights;
+  }
+  return facts;
+}
+
+template <class U>
+inline constexpr UseFacts kUseFacts = facts_of<U>();
+
+/// The lights as one object sees them.
+struct ObjectLights {
+  std::array<DirectionalLight, 4> lights{};  ///< missing ones have no strength
+  Direction to_eye{};
+};
+
+}  // namespace detail
+
+/// What an object is made of, of any shading method: the base of PreparedMaterial.
+class SceneMaterial {
+ public:
+  [[nodiscard]] constexpr const detail::UseFacts* use() const { return use_; }
+  [[nodiscard]] constexpr const DrawOptions& options() const { return options_; }
+
+ protected:
+  constexpr SceneMaterial(const detail::UseFacts& use, const DrawOptions& options)
+      : use_(&use), options_(options) {}
+
+ private:
+  const detail::UseFacts* use_;
+  DrawOptions options_;
+};
+
+/// A material ready for drawing by one shading method: colour ramp, power table and all else that does not
+/// depend on directions. Usually a constant in flash. `M` is a method or a Use.
+template <class M>
+class PreparedMaterial : public SceneMaterial {
+ public:
+  using Used = typename detail::UseOf<M>::Type;
+  using Method = typename Used::Method;
+  using Lighting = typename Method::Lighting;
+
+  /// Prepares `material` for the lights of a scene. Their directions do not matter. Returns, and does not
+  /// change `prepared` unless kOk, kTooManyLights or the status of Illumination::make().
+  [[nodiscard]] static constexpr Status make(const Material& material, const LightList& lights,
+                                             const DrawOptions& options, PreparedMaterial& prepared);
+
+  /// make() as a constant. Arguments that make() rejects do not compile.
+  [[nodiscard]] static consteval PreparedMaterial of(
+      const Material& material, const LightList& lights,
+      const DrawOptions& options = {}) requires(detail::Lit<Lighting>) {
+    PreparedMaterial prepared;
+    if (!ok(make(material, lights, options, prepared))) detail::constant_refused();
+    return prepared;
+  }
+  /// A material from the method's own data, such as Unlit::lighting(colour).
+  constexpr explicit PreparedMaterial(const Lighting& lighting, const DrawOptions& options = {})
+      : SceneMaterial(detail::kUseFacts<Used>, options), lighting_(lighting) {}
+  /// Black. A place for make().
+  constexpr PreparedMaterial() : PreparedMaterial(Lighting{}) {}
+
+  [[nodiscard]] constexpr const Lighting& lighting() const { return lighting_; }
+
+  /// Sets `lighting` to this material under the lights of one object. Returns kLightChanged as Use states.
+  [[nodiscard]] constexpr Status light(const detail::ObjectLights& seen, Lighting& lighting) const;
+
+ private:
+  struct Nothing {};
+  /// What a changed single light is noticed by, and what the material is then made of.
+  struct SingleLight {
+    detail::ChannelWeights weights{};
+    std::conditional_t<Used::kChangingLight, Material, Nothing> material{};
+  };
+  static constexpr bool kSingleLight = detail::kUseFacts<Used>.lights == 1;
+
+  Lighting lighting_;
+  [[no_unique_address]] std::conditional_t<kSingleLight, SingleLight, Nothing> single_{};
+};
+
+namespace detail {
+
+/// `a` times `b` per channel, rounded.
+[[nodiscard]] constexpr ChannelCoefficients product(const ChannelCoefficients& a,
+                                                    const ChannelCoefficients& b) {
+  return {multiply<Coefficient>(a.r, b.r), multiply<Coefficient>(a.g, b.g), multiply<Coefficient>(a.b, b.b)};
+}
+
+/// The first `Count` of the lights that an object sees.
+template <std::size_t Count>
+[[nodiscard]] constexpr std::array<DirectionalLight, Count> first_lights(const ObjectLights& seen) {
+  std::array<DirectionalLight, Count> lights{};
+  for (std::size_t i = 0; i < Count; ++i) lights[i] = seen.lights[i];
+  return lights;
+}
+
+}  // namespace detail
+
+template <class M>
+constexpr Status PreparedMaterial<M>::make(const Material& material, const LightList& lights,
+                                           const DrawOptions& options, PreparedMaterial& prepared) {
+  using Illumination = detail::IlluminationOf<Lighting>;
+  if (lights.lights.size() > Illumination::kLights) return Status::kTooManyLights;
+  if (!detail::in_unit_range(lights.ambient)) return Status::kInvalidArgument;
+  constexpr Direction kAhead = normalised(0, 0, 1);
+  std::array<DirectionalLight, Illumination::kLights> all{};
+  for (DirectionalLight& light : all) light = {kAhead, Coefficient{}, kWhite};
+  for (std::size_t i = 0; i < lights.lights.size(); ++i) {
+    all[i] = {kAhead, lights.lights[i].strength(), lights.lights[i].colour()};
+  }
+  Material lit = material;
+  // Out of range in the same cases as the material is.
+  if (detail::in_unit_range(material.ambient))
+    lit.ambient = detail::product(material.ambient, lights.ambient);
+  Illumination illumination;
+  const Status status = Illumination::make(lit, all, kAhead, illumination);
+  if (!ok(status)) return status;
+  prepared = PreparedMaterial(Lighting(illumination), options);
+  if constexpr (kSingleLight) {
+    prepared.single_.weights = detail::channel_weights(all[0]);
+    if constexpr (Used::kChangingLight) prepared.single_.material = lit;
+  }
+  return Status::kOk;
+}
+
+template <class M>
+constexpr Status PreparedMaterial<M>::light(const detail::ObjectLights& seen, Lighting& lighting) const {
+  using Illumination = detail::IlluminationOf<Lighting>;
+  const auto lights = detail::first_lights<Illumination::kLights>(seen);
+  std::array<Direction, Illumination::kLights> towards{};
+  for (std::size_t i = 0; i < lights.size(); ++i) towards[i] = lights[i].towards;
+  if constexpr (kSingleLight) {
+    if (detail::channel_weights(lights[0]) != single_.weights) {
+      if constexpr (Used::kChangingLight) {
+        Illumination illumination;
+        const Status status = Illumination::make(single_.material, lights, seen.to_eye, illumination);
+        if (ok(status)) lighting = Lighting(illumination);
+        return status;
+      }
+      return Status::kLightChanged;
+    }
+  }
+  lighting = lighting_;
+  lighting.set_directions(towards, seen.to_eye);
+  if constexpr (!kSingleLight) lighting.set_strengths(lights);
+  return Status::kOk;
+}
+
+}  // namespace arcspan

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/colour.hpp>
+#include <arcspan/shading/method.hpp>
+
+namespace arcspan {
+
+/// One colour for the whole object, without light: signs, sprites, emitters.
+struct Unlit {
+  using Lighting = PackedRgb;
+  struct Face {};
+  struct Vertex {};
+  struct Prepared {};
+  static constexpr bool kNeedsFaceNormal = false;
+
+  [[nodiscard]] static constexpr Vertex shade_vertex(const Lighting&, const Direction&) { return {}; }
+  [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }
+  [[nodiscard]] static constexpr Vertex between(const Vertex&, const Vertex&, Factor) { return {}; }
+  static constexpr void prepare(const Lighting&, const TriangleFrame<Unlit>&, const Face&, Prepared&) {}
+
+  /// The Lighting that draws in `colour`: each channel with the half step that PackedRgb includes.
+  [[nodiscard]] static constexpr Lighting lighting(Rgb8 colour) {
+    return PackedRgb::of(4u * colour.r + 2, 4u * colour.g + 2, 4u * colour.b + 2);
+  }
+
+  struct Run {
+    [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const { return lighting; }
+    constexpr void next() {}
+  };
+
+  struct Walker {
+    using Run = Unlit::Run;
+    [[nodiscard]] constexpr Run row(const RowStart&) const { return {}; }
+    constexpr void next_row() {}
+    constexpr void enter_lower() {}
+  };
+
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk(Prepared&, Draw&& draw) {
+    return draw(Walker());
+  }
+};
+
+}  // namespace arcspan

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// Each status of a scene that cannot be drawn, and input without any sense.
+#include <arcspan/shading/flat.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/pipeline/scene/scene_support.hpp>
+#include <tests/support/test_share.hpp>
+
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+using namespace arcspan;
+using namespace arcspan::test;
+
+namespace {
+
+const TestMesh kCube = make_smooth_cube(18000);
+const MeshView kMesh = kCube.view();
+SceneMemory<SceneMethods, 2, 8> memory_of_scene;
+constexpr Camera kCamera = Camera::of({WorldPoint::of(0, 1, 5), {}}, kLens, kScreen);
+
+Status status_of(const std::vector<Object>& objects, const LightList& lights = kLights,
+                 const Camera& camera = kCamera) {
+  Canvas canvas;
+  const Status status =
+      draw_scene({camera, lights, objects}, canvas.picture, canvas.depth, memory_of_scene).status;
+  // Nothing is drawn, now or by a band that follows.
+  if (!ok(status)) {
+    CHECK(draw_prepared_scene(memory_of_scene, canvas.picture, canvas.depth).status == status);
+    CHECK(canvas.pixels == Canvas().pixels);
+  }
+  return status;
+}
+
+}  // namespace
+
+TEST_CASE("a scene that makes no sense is refused with its cause") {
+  Object object(kMesh, kCopper);
+  CHECK(status_of({object}) == Status::kOk);
+  CHECK(status_of({object, object}) == Status::kOk);
+  CHECK(status_of({object, object, object}) == Status::kTooManyObjects);
+  CHECK(status_of({object}, kLights, Camera{}) == Status::kNotReady);
+
+  Object tiny = object;
+  tiny.scale = WorldLength::from_raw(63);
+  CHECK(status_of({tiny}) == Status::kScaleOutOfRange);
+  tiny.scale = WorldLength::from_raw(-65536);
+  CHECK(status_of({tiny}) == Status::kScaleOutOfRange);
+
+  const Part beyond[] = {{&kCopper, 10, 3}};
+  CHECK(status_of({Object(kMesh, beyond)}) == Status::kIndexOutOfRange);
+  const Part wrapping[] = {{&kCopper, 2, SIZE_MAX}};
+  CHECK(status_of({Object(kMesh, wrapping)}) == Status::kIndexOutOfRange);
+  const Part bare[] = {{nullptr, 0, 3}};
+  CHECK(status_of({Object(kMesh, bare)}) == Status::kInvalidArgument);
+
+  static constexpr auto kFlat = PreparedMaterial<Flat<SceneLighting>>::of(Material{}, kLights);
+  CHECK(status_of({Object(kMesh, kFlat)}) == Status::kMethodNotListed);
+
+  Random random(1831);
+  const TestMesh large = make_sphere(4, 6, 30000, 0, random);
+  const MeshView large_view = large.view();
+  CHECK(status_of({Object(large_view, kCopper)}) == Status::kCacheTooSmall);
+}
+
+TEST_CASE("lights that a method cannot show are refused") {
+  const SceneLight sun = SceneLight::directional(arcspan::normalised(1, 1, 1), Coefficient::of(0.5));
+  const SceneLight three[] = {sun, sun, sun};
+  const Object lit(kMesh, kCopper);
+  const Object unlit(kMesh, kRed);
+  CHECK(status_of({lit}, {three}) == Status::kTooManyLights);
+  CHECK(status_of({unlit}, {three}) == Status::kOk);
+  const SceneLight five[] = {sun, sun, sun, sun, sun};
+  CHECK(status_of({unlit}, {five}) == Status::kTooManyLights);
+  CHECK(status_of({lit}, {{three, 1}}) == Status::kOk);
+  CHECK(status_of({lit}, {}) == Status::kOk);
+
+  const SceneLight red[] = {SceneLight::directional(arcspan::normalised(1, 1, 1), Coefficient::of(0.5),
+                                                    {Coefficient::of(1.0), Coefficient{}, Coefficient{}})};
+  CHECK(status_of({lit}, {red}) == Status::kUnsupported);
+  const SceneLight bright[] = {
+      SceneLight::directional(arcspan::normalised(1, 1, 1), Coefficient::from_raw(32769))};
+  CHECK(status_of({lit}, {bright}) == Status::kInvalidArgument);
+
+  PreparedMaterial<SceneMethod> prepared;
+  CHECK(PreparedMaterial<SceneMethod>::make(Material{}, {three}, {}, prepared) == Status::kTooManyLights);
+  CHECK(PreparedMaterial<SceneMethod>::make(Material{}, {red}, {}, prepared) == Status::kUnsupported);
+  LightList dazzling = kLights;
+  dazzling.ambient.g = Coefficient::from_raw(-1);
+  CHECK(PreparedMaterial<SceneMethod>::make(Material{}, dazzling, {}, prepared) == Status::kInvalidArgument);
+}
+
+TEST_CASE("targets that do not fit are refused") {
+  const Object object(kMesh, kCopper);
+  Canvas canvas;
+  Canvas band(16);
+  const Scene scene{kCamera, kLights, {&object, 1}};
+  CHECK(draw_scene(scene, canvas.picture, band.depth, memory_of_scene).status == Status::kDepthMismatch);
+  band.picture.move_to(16);
+  CHECK(draw_scene(scene, band.picture, band.depth, memory_of_scene).status == Status::kDepthMismatch);
+  band.depth.move_to(16);
+  CHECK(draw_scene(scene, band.picture, band.depth, memory_of_scene).status == Status::kOk);
+  Picture small({}, Canvas::kWidth, Canvas::kHeight);
+  CHECK(draw_scene(scene, small, canvas.depth, memory_of_scene).status == Status::kBufferTooSmall);
+  // A band below the picture has nothing to draw.
+  band.move_to(1000);
+  CHECK(draw_scene(scene, band.picture, band.depth, memory_of_scene).status == Status::kOk);
+}
+
+TEST_CASE("two-sided materials draw the backs of faces") {
+  static constexpr auto kTwoSided =
+      PreparedMaterial<SceneMethod>::of(matter(Coefficient::of(0.5), {}, {}), kLights, {.two_sided = true});
+  const TestMesh hollow = kCube.inside_out();
+  const MeshView view = hollow.view();
+  const auto triangles = [&](const SceneMaterial& material) {
+    const Object object(view, material);
+    Canvas canvas;
+    return draw_scene({kCamera, kLights, {&object, 1}}, canvas.picture, canvas.depth, memory_of_scene)
+        .triangles;
+  };
+  CHECK(triangles(kTwoSided) == 12);
+  CHECK(triangles(kCopper) < 12);
+}
+
+TEST_CASE("no number leads to undefined behaviour") {
+  Random random(1832);
+  const auto word = [&] {
+    const auto bits = static_cast<std::int32_t>(random.bits());
+    switch (random.integer(0, 4)) {
+      case 0:
+        return bits;
+      case 1:
+        return INT32_MIN + (bits & 3);
+      case 2:
+        return INT32_MAX - (bits & 3);
+      case 3:
+        return bits >> (random.bits() & 31);
+      default:
+        return bits & 0xFF;
+    }
+  };
+  const auto length = [&] { return WorldLength::from_raw(word()); };
+  const auto point = [&] { return WorldPoint{length(), length(), length()}; };
+  const auto rotation = [&] {
+    if (random.chance(0.5)) return random_rotation(random);
+    const auto entry = [&] { return RotationEntry::from_raw(word()); };
+    if (random.chance(0.5)) return rotation_of(Quaternion{entry(), entry(), entry(), entry()});
+    // Not orthonormal, but with entries of -1...1 as the format has them.
+    Rotation made{};
+    for (auto& row : made.m) {
+      for (RotationEntry& e : row) e = RotationEntry::from_raw(word() >> 1);
+    }
+    return made;
+  };
+  int drawn = 0;
+  int accepted = 0;
+  for (int i = 0; i < share_of(20000); ++i) {
+    const auto lens = [&] {
+      switch (random.integer(0, 2)) {
+        case 0:
+          return Lens::field_of_view({static_cast<std::uint16_t>(word())}, length(), length());
+        case 1:
+          return Lens::focal_length(PixelLength::from_raw(word()), length(), length());
+        default:
+          return Lens::orthographic(length(), length(), length());
+      }
+    };
+    Camera camera = kCamera;
+    const Viewport viewport{random.chance(0.9) ? random.integer(1, 2048) : word(),
+                            random.chance(0.9) ? random.integer(1, 2048) : word()};
+    LookAt view{point(), point()};
+    view.up = {DirectionComponent::from_raw(word() >> 15), DirectionComponent::from_raw(word() >> 15),
+               DirectionComponent::from_raw(word() >> 15)};
+    if (random.chance(0.9) && ok(Camera::make(view, lens(), viewport, camera))) ++accepted;
+    if (random.chance(0.2)) camera.set_pose(point(), rotation());
+    const SceneLight lights[] = {
+        SceneLight::directional({DirectionComponent::from_raw(word()), DirectionComponent::from_raw(word()),
+                                 DirectionComponent::from_raw(word())}),
+        SceneLight::point(point(), length(), Coefficient::from_raw(random.integer(0, 32768)))};
+    Object object(kMesh, random.chance(0.5) ? static_cast<const SceneMaterial&>(kCopper) : kRed,
+                  random.chance(0.7)
+                      ? bounding_sphere(kMesh)
+                      : BoundingSphere{{32767, -32768, 32767}, static_cast<std::uint16_t>(word())});
+    object.position = point();
+    object.rotation = rotation();
+    object.scale = length();
+    Canvas canvas(20);
+    canvas.picture.move_to(random.integer(0, 60));
+    canvas.depth.move_to(canvas.picture.bounds().top);
+    const SceneResult result =
+        draw_scene({camera, {lights}, {&object, 1}}, canvas.picture, canvas.depth, memory_of_scene);
+    if (result.objects != 0) ++drawn;
+  }
+  CHECK(accepted > share_of(20000) / 100);
+  CHECK(drawn > share_of(20000) / 200);
+}

@@ -31,6 +31,7 @@ class SceneMemory<MethodList<Methods...>, Objects, Vertices> {
  public:
   static_assert(sizeof...(Methods) > 0 && Objects <= 65535);
 
+  [[nodiscard]] void* lighting() { return lighting_; }
   [[nodiscard]] detail::SceneFrame frame() {
     return {header_,
             {static_cast<detail::SceneSlot*>(static_cast<void*>(slots_)), Objects},
@@ -50,11 +51,22 @@ class SceneMemory<MethodList<Methods...>, Objects, Vertices> {
     return most;
   }();
 
+  template <class... Used>
+  static constexpr std::size_t most_lighting_bytes(MethodList<Used...>) {
+    std::size_t most = 1;
+    for (const std::size_t bytes : {sizeof(typename Used::Method::Lighting)...})
+      most = bytes > most ? bytes : most;
+    return most;
+  }
+  static constexpr std::size_t kLightingBytes =
+      most_lighting_bytes(MethodList<typename detail::UseOf<Methods>::Type...>{});
+
   detail::SceneHeader header_;
   std::uint16_t order_[Objects > 0 ? Objects : 1] = {};
   // Bytes, because initialised slots would take flash too.
   alignas(
       detail::SceneSlot) unsigned char slots_[sizeof(detail::SceneSlot) * (Objects > 0 ? Objects : 1)] = {};
+  alignas(8) unsigned char lighting_[kLightingBytes] = {};
   alignas(8) unsigned char vertices_[kVertexBytes * Vertices + 1] = {};
 };
 
@@ -77,6 +89,7 @@ struct PartCall {
   const ObjectLights& lights;
   Sink& sink;
   const Depth& depth;
+  void* lighting;  ///< memory for the material under these lights
   std::span<unsigned char> vertices;
 };
 
@@ -90,7 +103,7 @@ DrawResult draw_part_by(const PartCall<Sink, Depth>& part) {
              part.mesh.vertex_count()};
   }
   if constexpr (Lit<typename Method::Lighting>) {
-    typename Method::Lighting lighting;
+    auto& lighting = *static_cast<typename Method::Lighting*>(part.lighting);
     const Status status = material.light(part.lights, lighting);
     if (!ok(status)) return {status};
     return draw_mesh<Method, Used::kFeatures>(part.mesh, part.transform, lighting, part.sink, part.depth,
@@ -166,15 +179,16 @@ template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink
 [[nodiscard]] SceneResult draw_prepared_scene(SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory,
                                               Sink& sink, const Depth& depth) {
   const detail::SceneFrame frame = memory.frame();
-  SceneResult result{frame.header.status};
+  SceneResult result{frame.header.camera == nullptr ? Status::kNotReady : frame.header.status};
   if (!ok(result.status)) return result;
   const Viewport& viewport = frame.header.camera->viewport();
-  const Rect rect = detail::intersection({0, 0, viewport.width, viewport.height}, sink.bounds());
+  const Rect whole{0, 0, viewport.width, viewport.height};
+  const Rect rect = detail::intersection(whole, sink.bounds());
   result.status = detail::check_target(sink, depth, rect);
   const std::size_t count = frame.header.in_view;
   for (std::size_t i = 0; i < count && ok(result.status); ++i) {
     const detail::SceneSlot& slot = frame.slots[frame.order[Depth::kTests ? i : count - 1 - i]];
-    if (detail::is_outside(slot.sphere, slot.transform.near_w(), viewport, rect)) continue;
+    if (rect != whole && detail::is_outside(slot, rect)) continue;
     ++result.objects;
     const detail::ObjectLights lights = detail::lights_at(frame.header, *slot.object);
     for (std::size_t p = 0; p < slot.object->part_count() && ok(result.status); ++p) {
@@ -183,7 +197,7 @@ template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink
       const DrawResult drawn =
           detail::draw_part(MethodList<typename detail::UseOf<Methods>::Type...>{},
                             detail::PartCall<Sink, Depth>{mesh, slot.transform, *part.material, lights, sink,
-                                                          depth, frame.vertices});
+                                                          depth, memory.lighting(), frame.vertices});
       result.status = drawn.status;
       result.triangles += drawn.triangles;
       result.left_out += drawn.left_out;

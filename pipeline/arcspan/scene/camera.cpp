@@ -36,6 +36,19 @@ class UnitConversion {
   int unit_bits_;
 };
 
+/// a * b, rounded once per entry.
+Rotation product(const Rotation& a, const Rotation& b) {
+  Rotation rotation;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      std::int64_t sum = std::int64_t{1} << 29;  // halves of entries keep the sum below 2^63
+      for (std::size_t k = 0; k < 3; ++k) sum += std::int64_t{a.m[i][k].raw()} * b.m[k][j].raw();
+      rotation.m[i][j] = detail::rotation_entry(sum >> 30);
+    }
+  }
+  return rotation;
+}
+
 }  // namespace
 
 bool Camera::place(const WorldPoint& position, const Rotation& rotation, WorldLength scale,
@@ -52,11 +65,11 @@ bool Camera::place(const WorldPoint& position, const Rotation& rotation, WorldLe
   }
   const UnitConversion to_units(scale, largest, parallel_ ? 1 : WidePlacement::kLeastUnitBits);
   if (to_units.unit_bits() > WidePlacement::kMostUnitBits) return false;
-  WidePlacement placement{rotation_ * rotation, {}, to_units(near_), focal_, focal_bits_,
+  WidePlacement placement{product(rotation_, rotation), {}, to_units(near_), focal_, focal_bits_,
                           to_units.unit_bits()};
   if (placement.near_plane < 1) placement.near_plane = 1;
   for (std::size_t i = 0; i < 3; ++i) placement.translation[i] = to_units(view[i]);
-  transform = lens_;
+  transform.set_lens(lens_);
   transform.set_placement(placement);
   return true;
 }

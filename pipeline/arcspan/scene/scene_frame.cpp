@@ -2,7 +2,7 @@
 #include <arcspan/scene/scene_frame.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 
-#include <memory>
+#include <tuple>
 
 namespace arcspan::detail {
 
@@ -101,32 +101,46 @@ void insert_into_order(const SceneFrame& frame, std::size_t last) {
   frame.order[i] = static_cast<std::uint16_t>(last);
 }
 
-/// Sets up one object if it is in view.
-[[nodiscard]] Status prepare_object(const Object& object, const Scene& scene, const SceneFrame& frame) {
+/// Sets up a slot for an object. Returns false if the object is not in view.
+[[nodiscard]] bool set_up(const Object& object, const Camera& camera, SceneSlot& slot) {
+  if (!camera.place(object.position, object.rotation, object.scale, slot.transform)) return false;
+  slot.object = &object;
+  slot.sphere = clip_sphere(slot.transform, object.sphere());
+  slot.depth = depth_of(slot.sphere, slot.transform);
+  const Viewport& viewport = camera.viewport();
+  return !is_outside(slot, {0, 0, viewport.width, viewport.height});
+}
+
+/// True if an object for which there is no slot is in view.
+[[nodiscard]] ARCSPAN_COLD_OUTLINE bool is_in_view(const Object& object, const Camera& camera) {
+  SceneSlot spare;
+  return set_up(object, camera, spare);
+}
+
+/// Adds an object to the frame if it is in view.
+[[nodiscard]] Status add_object(const Object& object, const Scene& scene, const SceneFrame& frame) {
   std::size_t vertex_bytes = 0;
   const Status status = check_object(object, scene.lights, frame, vertex_bytes);
   if (!ok(status)) return status;
   const std::size_t bytes = vertex_bytes * object.mesh().vertex_count();
   if (!frame.vertices.empty() && bytes > frame.vertices.size()) return Status::kCacheTooSmall;
-  SceneSlot slot{{}, {}, &object, 0, 0};
-  if (!scene.camera.place(object.position, object.rotation, object.scale, slot.transform)) return Status::kOk;
-  slot.sphere = clip_sphere(slot.transform, object.sphere());
-  const Viewport& viewport = scene.camera.viewport();
-  if (is_outside(slot.sphere, slot.transform.near_w(), viewport, {0, 0, viewport.width, viewport.height})) {
-    return Status::kOk;
+  const std::size_t last = frame.header.in_view;
+  if (last >= frame.slots.size()) {
+    return is_in_view(object, scene.camera) ? Status::kTooManyObjects : Status::kOk;
   }
-  if (frame.header.in_view >= frame.slots.size()) return Status::kTooManyObjects;
-  slot.depth = depth_of(slot.sphere, slot.transform);
-  const std::size_t last = frame.header.in_view++;
-  std::construct_at(&frame.slots[last], slot);
-  insert_into_order(frame, last);
+  if (set_up(object, scene.camera, frame.slots[last])) {
+    ++frame.header.in_view;
+    insert_into_order(frame, last);
+  }
   return Status::kOk;
 }
 
 }  // namespace
 
-bool is_outside(const ClipSphere& sphere, std::int32_t near_w, const Viewport& viewport, const Rect& rect) {
-  if (rect.empty() || sphere.middle.w + sphere.radius_ahead < near_w) return true;
+bool is_outside(const SceneSlot& slot, const Rect& rect) {
+  const ClipSphere& sphere = slot.sphere;
+  const Viewport& viewport = slot.transform.viewport();
+  if (rect.empty() || sphere.middle.w + sphere.radius_ahead < slot.transform.near_w()) return true;
   return is_outside_range(sphere, {sphere.middle.y, sphere.radius_across}, viewport.height, rect.top,
                           rect.bottom) ||
          is_outside_range(sphere, {sphere.middle.x, sphere.radius_across}, viewport.width, rect.left,
@@ -135,11 +149,11 @@ bool is_outside(const ClipSphere& sphere, std::int32_t near_w, const Viewport& v
 
 Status prepare(const Scene& scene, const SceneFrame& frame) {
   SceneHeader& header = frame.header;
-  header = {scene.lights, &scene.camera, 0, check_lights(scene.lights)};
+  header = {scene.lights.lights, &scene.camera, 0, check_lights(scene.lights)};
   if (scene.camera.viewport().width == 0) header.status = Status::kNotReady;
   for (const Object& object : scene.objects) {
     if (!ok(header.status)) break;
-    if (object.visible) header.status = prepare_object(object, scene, frame);
+    if (object.visible) header.status = add_object(object, scene, frame);
   }
   if (!ok(header.status)) header.in_view = 0;
   return header.status;
@@ -149,7 +163,7 @@ ObjectLights lights_at(const SceneHeader& header, const Object& object) {
   ObjectLights seen;
   const WorldPoint middle = object.middle();
   std::size_t count = 0;
-  for (const SceneLight& light : header.lights.lights)
+  for (const SceneLight& light : header.lights)
     seen.lights[count++] = light.seen_from(middle, object.rotation);
   for (; count < seen.lights.size(); ++count) seen.lights[count].strength = Coefficient{};
   constexpr Direction kBack = normalised(0, 0, 1);

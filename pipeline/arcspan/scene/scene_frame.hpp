@@ -36,16 +36,16 @@ struct SceneSlot {
   ClipTransform transform;
   ClipSphere sphere;
   const Object* object;
-  std::uint32_t first_vertex;  ///< of its vertices in the memory of the scene, in bytes
-  std::uint16_t depth;         ///< of the sphere's middle
+  std::uint16_t depth;  ///< of the sphere's middle
 };
 
-/// The part of a SceneMemory that belongs to the whole scene.
+/// The part of a SceneMemory that belongs to the whole scene. All is zero at first, so that static memory
+/// takes no flash.
 struct SceneHeader {
-  LightList lights{};
-  const Camera* camera = nullptr;
-  std::uint16_t in_view = 0;  ///< slots in use
-  Status status = Status::kNotReady;
+  std::span<const SceneLight> lights{};
+  const Camera* camera = nullptr;  ///< null before the first frame
+  std::uint16_t in_view = 0;       ///< slots in use
+  Status status = Status::kOk;
 };
 
 /// A view of a SceneMemory.
@@ -61,9 +61,8 @@ struct SceneFrame {
 /// prepare_scene().
 [[nodiscard]] Status prepare(const Scene& scene, const SceneFrame& frame);
 
-/// True if no vertex of an object can come to lie within `rect` of the picture, which is within `viewport`.
-[[nodiscard]] bool is_outside(const ClipSphere& sphere, std::int32_t near_w, const Viewport& viewport,
-                              const Rect& rect);
+/// True if the object of `slot` has no pixel in `rect`, which is within the viewport.
+[[nodiscard]] bool is_outside(const SceneSlot& slot, const Rect& rect);
 
 /// The lights of a scene and the direction to the eye in the space of an object.
 [[nodiscard]] ObjectLights lights_at(const SceneHeader& header, const Object& object);

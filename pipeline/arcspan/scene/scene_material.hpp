@@ -4,6 +4,7 @@
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/numbers/copy_words.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/scene/scene_light.hpp>
 #include <arcspan/shading/method.hpp>
@@ -80,8 +81,8 @@ inline constexpr UseFacts kUseFacts = facts_of<U>();
 
 /// The lights as one object sees them.
 struct ObjectLights {
-  std::array<DirectionalLight, 4> lights{};  ///< missing ones have no strength
-  Direction to_eye{};
+  std::array<DirectionalLight, 4> lights;  ///< missing ones have no strength
+  Direction to_eye;
 };
 
 }  // namespace detail
@@ -209,7 +210,7 @@ constexpr Status PreparedMaterial<M>::light(const detail::ObjectLights& seen, Li
       return Status::kLightChanged;
     }
   }
-  lighting = lighting_;
+  copy_words(lighting_, lighting);
   lighting.set_directions(towards, seen.to_eye);
   if constexpr (!kSingleLight) lighting.set_strengths(lights);
   return Status::kOk;

@@ -89,6 +89,12 @@ class ClipTransform {
   /// Changes the placement, the near plane and the focal length. The viewport and the ratio of the far plane
   /// to the near one, from which depths are computed, stay. For objects of different scale before one camera.
   constexpr void set_placement(const WidePlacement& placement);
+  /// Takes the viewport and the depths of another transform.
+  constexpr void set_lens(const ClipTransform& other) {
+    viewport_ = other.viewport_;
+    depth_range_ = other.depth_range_;
+    depth_shift_ = other.depth_shift_;
+  }
 
   /// The clip-space position of a vertex.
   [[nodiscard]] constexpr ClipPosition operator()(ObjectPosition p) const {

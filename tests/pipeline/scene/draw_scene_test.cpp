@@ -38,7 +38,7 @@ void draw_unculled(const Scene& scene, Canvas& canvas) {
     ClipTransform transform;
     REQUIRE(scene.camera.place(object.position, object.rotation, object.scale, transform));
     detail::SceneHeader header;
-    header.lights = scene.lights;
+    header.lights = scene.lights.lights;
     header.camera = &scene.camera;
     const detail::ObjectLights lights = detail::lights_at(header, object);
     for (std::size_t i = 0; i < object.part_count(); ++i) {

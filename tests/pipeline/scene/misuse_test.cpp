@@ -64,6 +64,12 @@ TEST_CASE("a scene that makes no sense is refused with its cause") {
   CHECK(status_of({Object(large_view, kCopper)}) == Status::kCacheTooSmall);
 }
 
+TEST_CASE("nothing is drawn before a frame is prepared") {
+  static SceneMemory<SceneMethods, 1> unused;
+  Canvas canvas;
+  CHECK(draw_prepared_scene(unused, canvas.picture, canvas.depth).status == Status::kNotReady);
+}
+
 TEST_CASE("lights that a method cannot show are refused") {
   const SceneLight sun = SceneLight::directional(arcspan::normalised(1, 1, 1), Coefficient::of(0.5));
   const SceneLight three[] = {sun, sun, sun};

@@ -132,7 +132,7 @@ TEST_CASE("counted operations are the methods' own") {
 TEST_CASE("with no highlight in reach recurrence steps two scalars and looks up a ramp, no more") {
   const FixedMesh mesh = to_fixed(generate(*parse_generated_mesh("sphere:16x8")));
   RenderJob job = sphere_job(mesh);
-  job.material.shininess = 256;
+  job.parts[0].material.shininess = 256;
   const CountedDraw sharp = count_operations("recurrence", job, mesh);
   const double multiplies =
       static_cast<double>(sharp.in_spans[Operation::kMultiply]) / static_cast<double>(sharp.pixels);

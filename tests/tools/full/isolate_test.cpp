@@ -14,17 +14,17 @@ using arcspan::test::message_of;
 
 namespace {
 
-std::string message_for(const std::function<RawMesh()>& import) {
+std::string message_for(const std::function<ImportedMesh()>& import) {
   return message_of<Failure>([&] { (void)run_isolated("m.obj", import, [](std::size_t) {}); });
 }
 
 }  // namespace
 
 TEST_CASE("a mesh comes back whole from the loader's process") {
-  RawMesh sent;
+  ImportedMesh sent;
   for (int i = 0; i < 5000; ++i) sent.triangles.push_back({{{{0.1 * i, 0, 0}, {0, 0, 1}}, {}, {}}});
   std::size_t last = 0;
-  const RawMesh received = run_isolated(
+  const ImportedMesh received = run_isolated(
       "m.obj", [&] { return sent; }, [&](std::size_t bytes) { last = bytes; });
   REQUIRE(received.triangles.size() == sent.triangles.size());
   CHECK(received.triangles[4999][0].position == sent.triangles[4999][0].position);
@@ -34,7 +34,7 @@ TEST_CASE("a mesh comes back whole from the loader's process") {
 
 TEST_CASE("a mesh without triangles comes back empty") {
   CHECK(run_isolated(
-            "m.obj", [] { return RawMesh{}; }, [](std::size_t) {})
+            "m.obj", [] { return ImportedMesh{}; }, [](std::size_t) {})
             .triangles.empty());
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("the loader's process ends with this one, even if it loops") {
   REQUIRE(::pipe(ends) == 0);
   const pid_t parent = ::fork();
   if (parent == 0) {
-    (void)message_for([&ends]() -> RawMesh {
+    (void)message_for([&ends]() -> ImportedMesh {
       (void)!::write(ends[1], "s", 1);
       for (;;) ::pause();
     });
@@ -62,11 +62,13 @@ TEST_CASE("the loader's process ends with this one, even if it loops") {
 }
 
 TEST_CASE("every way in which the loader's process can end is reported in one line") {
-  CHECK(message_for([]() -> RawMesh { throw Failure("m.obj", "line 3: wrong"); }) == "m.obj: line 3: wrong");
-  CHECK(message_for([]() -> RawMesh { throw std::bad_alloc(); }) ==
+  CHECK(message_for([]() -> ImportedMesh { throw Failure("m.obj", "line 3: wrong"); }) ==
+        "m.obj: line 3: wrong");
+  CHECK(message_for([]() -> ImportedMesh { throw std::bad_alloc(); }) ==
         "m.obj: the mesh loader needs more memory than it may have");
-  CHECK(message_for([]() -> RawMesh { ::_exit(3); }) == "m.obj: the mesh loader library ended with status 3");
-  CHECK(message_for([]() -> RawMesh {
+  CHECK(message_for([]() -> ImportedMesh { ::_exit(3); }) ==
+        "m.obj: the mesh loader library ended with status 3");
+  CHECK(message_for([]() -> ImportedMesh {
           std::signal(SIGSEGV, SIG_DFL);
           ::raise(SIGSEGV);
           return {};

@@ -36,19 +36,21 @@ struct ParallelBands::Work {
           frame_(memory, job.transform.viewport().width, rows, first),
           depth_memory_(DepthBuffer::words(job.transform.viewport().width, rows)),
           depth_(depth_memory_, job.transform.viewport().width, rows, first),
-          cache_(job.mesh.vertex_count()) {}
+          cache_(part().mesh.vertex_count()) {}
 
     void clear() {
       frame_.clear(job_.background);
       depth_.clear();
     }
     [[nodiscard]] Status draw() {
-      return draw_mesh<Method>(job_.mesh, job_.transform, light_, frame_, depth_, std::span(cache_),
-                               {job_.two_sided})
+      return draw_mesh<Method>(part().mesh, job_.transform, light_, frame_, depth_, std::span(cache_),
+                               {part().two_sided})
           .status;
     }
 
    private:
+    [[nodiscard]] const RenderPart& part() const { return job_.parts[0]; }
+
     const RenderJob& job_;
     const Light& light_;
     Frame frame_;
@@ -66,10 +68,10 @@ struct ParallelBands::Work {
   std::vector<double> own;            ///< milliseconds of processor time of each band's quickest frame
 
   Work(const RenderJob& wanted, std::uint32_t threads) : job(wanted) {
-    if (job.lights.size() != 1 || job.highlight != Highlight::kPhong) {
-      throw Failure("bands in parallel", "are drawn with one light and Phong's highlight");
+    if (job.parts.size() != 1 || job.lights.size() != 1 || job.highlight != Highlight::kPhong) {
+      throw Failure("bands in parallel", "are drawn with one material, one light and Phong's highlight");
     }
-    const Status status = Light::make(job.material, {job.lights[0]}, job.to_eye, light);
+    const Status status = Light::make(job.parts[0].material, {job.lights[0]}, job.to_eye, light);
     if (!ok(status)) throw Failure("illumination", to_string(status));
     const Viewport& size = job.transform.viewport();
     memory.resize(Frame::words(size.width, size.height));

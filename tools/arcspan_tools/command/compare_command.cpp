@@ -118,14 +118,14 @@ std::uint64_t drawn_pixels(const std::string& shading, const RenderJob& job) {
 }
 
 /// Measures one shading method.
-MethodFigures figures_of(const std::string& shading, const RenderJob& job, const FixedMesh& mesh,
+MethodFigures figures_of(const std::string& shading, const RenderJob& job, const FixedMeshes& meshes,
                          const ReferencePicture& reference, bool instructions) {
-  MethodFigures figures = measure_method(shading, job, mesh, reference);
+  MethodFigures figures = measure_method(shading, job, meshes, reference);
   figures.instructions = instructions_per_pixel(shading, drawn_pixels(shading, job), instructions);
   return figures;
 }
 
-Comparison compare(const CompareArguments& arguments, const RenderJob& job, const FixedMesh& mesh,
+Comparison compare(const CompareArguments& arguments, const RenderJob& job, const FixedMeshes& meshes,
                    const ReferencePicture& reference) {
   std::vector<std::string> measured = arguments.shadings;
   const std::size_t shown = measured.size();
@@ -136,7 +136,7 @@ Comparison compare(const CompareArguments& arguments, const RenderJob& job, cons
   Progress progress("comparing", measured.size());
   for (std::size_t i = 0; i < measured.size(); ++i) {
     progress.show(i);
-    const MethodFigures figures = figures_of(measured[i], job, mesh, reference, arguments.instructions);
+    const MethodFigures figures = figures_of(measured[i], job, meshes, reference, arguments.instructions);
     if (std::find(std::begin(kYardsticks), std::end(kYardsticks), measured[i]) != std::end(kYardsticks)) {
       comparison.yardsticks.push_back({measured[i], figures.nanoseconds, figures.instructions});
     }
@@ -152,17 +152,16 @@ void run_compare(const CompareArguments& arguments) {
   std::vector<std::filesystem::path> written(arguments.tables.begin(), arguments.tables.end());
   written.emplace_back(arguments.output);
   check_results(written, {options.mesh});
-  const MeshData data = load_model(options.mesh);
-  const FixedMesh mesh = to_fixed(data);
-  const RenderJob job = make_job(options.scene, mesh, options.mesh);
+  const FixedModel model = to_fixed(load_model(options.mesh, options.crease_degrees));
+  const RenderJob job = make_job(options.scene, model, options.mesh);
   if (!arguments.draw_only.empty()) {
     (void)drawn_pixels(arguments.draw_only, job);
     return;
   }
   const ReferencePicture reference = draw_reference(job, arguments.reference);
-  Comparison comparison = compare(arguments, job, mesh, reference);
+  Comparison comparison = compare(arguments, job, model, reference);
   comparison.mesh_name = printable(options.mesh);
-  comparison.mesh_triangles = data.triangles.size();
+  comparison.mesh_triangles = model.triangle_count();
   comparison.width = reference.width;
   comparison.height = reference.height;
   comparison.reference_kind = arguments.reference;

@@ -3,6 +3,7 @@
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/mesh_report.hpp>
+#include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/image/side_by_side.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
@@ -35,7 +36,10 @@ struct Made {
 };
 
 Made make(const MeshArguments& arguments, MeshOutput output) {
-  const MeshData data = load_model(arguments.model);
+  const Model model = load_model(arguments.model);
+  if (model.parts.size() > 1) warn(arguments.model, "its parts are written as one mesh without materials");
+  MeshData data = weld(to_raw(model).mesh, arguments.model);
+  data.dropped_faces = model.dropped_faces;
   const BytesOf bytes_of = [output, &arguments](std::size_t vertices, std::size_t triangles) {
     return mesh_bytes(output, vertices, triangles, arguments.planes);
   };
@@ -114,15 +118,7 @@ void add_limits(CLI::App& mesh, MeshLimits& limits) {
   add_parsed<std::size_t>(mesh, "--max-bytes", "N", "simplify until it takes no more",
                           "an integer 1...1000000000", parse_count,
                           [&limits](std::size_t n) { limits.max_bytes = n; });
-  add_parsed<double>(
-      mesh, "--crease", "DEGREES",
-      "make normals anew; edges sharper than this (0...180) stay sharp (default: the model's normals)",
-      "a number 0...180",
-      [](const std::string& text) {
-        const std::optional<double> v = parse_number(text);
-        return v && *v >= 0 && *v <= 180 ? v : std::nullopt;
-      },
-      [&limits](double v) { limits.crease_degrees = v; });
+  add_crease(mesh, limits.crease_degrees);
 }
 
 }  // namespace

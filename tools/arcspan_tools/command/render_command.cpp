@@ -22,23 +22,24 @@ struct RenderArguments {
 };
 
 struct Loaded {
-  FixedMesh mesh;
+  FixedModel model;
   RenderReport report;
 };
 
 Loaded load(const RenderArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  const MeshData data = load_model(arguments.options.mesh);
-  Loaded loaded{to_fixed(data), {}};
+  const Model model = load_model(arguments.options.mesh, arguments.options.crease_degrees);
+  Loaded loaded{to_fixed(model), {}};
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   RenderReport& report = loaded.report;
   report.mesh_name = arguments.options.mesh;
   report.output = arguments.output;
   report.shading = arguments.options.shading;
-  report.vertices = data.positions.size();
-  report.mesh_triangles = data.triangles.size();
-  report.dropped_faces = data.dropped_faces;
-  report.mesh_bytes = loaded.mesh.bytes();
+  report.vertices = model.vertex_count();
+  report.mesh_triangles = model.triangle_count();
+  report.parts = model.parts.size();
+  report.dropped_faces = model.dropped_faces;
+  report.mesh_bytes = loaded.model.bytes();
   report.load_milliseconds = elapsed.count();
   return loaded;
 }
@@ -49,7 +50,7 @@ void run_render(const RenderArguments& arguments) {
   check_results({arguments.output, arguments.stats}, {options.mesh});
   std::FILE* const report = report_stream({arguments.output, arguments.stats});
   Loaded loaded = load(arguments);
-  const RenderJob job = make_job(options.scene, loaded.mesh, options.mesh);
+  const RenderJob job = make_job(options.scene, loaded.model, options.mesh);
   const Size size = options.scene.size;
   Progress progress("drawing", static_cast<std::size_t>(size.height));
   const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);

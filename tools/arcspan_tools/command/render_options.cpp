@@ -102,6 +102,19 @@ void choose_renderer(RenderOptions& o) {
   }
 }
 
+// They hold for the whole model, in place of what its file says.
+void add_surface_options(CLI::App& app, RenderOptions& o) {
+  Surface& surface = o.scene.surface;
+  add_parsed<Vec3>(app, "--colour", "R,G,B", "of the surface, each 0...1, in place of the file's colours",
+                   "R,G,B with each 0...1", parse_colour, [&surface](Vec3 v) { surface.colour = v; });
+  add_share(app, "--ambient", "ambient share of the colour", surface.ambient);
+  add_share(app, "--diffuse", "diffuse share of the colour", surface.diffuse);
+  add_share(app, "--specular", "share and colour of the highlight, in place of the file's", surface.specular);
+  add_integer(app, "--shininess", "1...256", "exponent of the highlight, in place of the file's (default 40)",
+              1, 256, surface.shininess);
+  add_crease(app, o.crease_degrees);
+}
+
 void add_shading_options(CLI::App& app, RenderOptions& o) {
   add_choice(app, "--shading", "shading method", shading_choices(), o.shading);
   add_parsed<std::string>(
@@ -129,13 +142,7 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
         return std::nullopt;
       },
       [&o](Highlight h) { o.scene.highlight = h; });
-  add_parsed<Vec3>(app, "--colour", "R,G,B", "of the surface, each 0...1", "R,G,B with each 0...1",
-                   parse_colour, [&o](Vec3 v) { o.scene.surface.colour = v; });
-  add_share(app, "--ambient", "ambient share of the colour", o.scene.surface.ambient);
-  add_share(app, "--diffuse", "diffuse share of the colour", o.scene.surface.diffuse);
-  add_share(app, "--specular", "share and colour of the highlight", o.scene.surface.specular);
-  add_integer(app, "--shininess", "1...256", "exponent of the highlight (default 40)", 1, 256,
-              o.scene.surface.shininess);
+  add_surface_options(app, o);
   add_number(app, "--highlight-fade",
              "N·L below which the highlight fades out; at 0 it ends at the terminator", 0, 1,
              o.scene.surface.highlight_fade);
@@ -179,10 +186,25 @@ void add_camera_options(CLI::App& app, RenderOptions& o) {
 
 }  // namespace
 
+void add_crease(CLI::App& app, std::optional<double>& degrees) {
+  add_parsed<double>(
+      app, "--crease", "DEGREES",
+      "make normals anew; edges sharper than this (0...180) stay sharp (default: the model's normals)",
+      "a number 0...180",
+      [](const std::string& text) {
+        const std::optional<double> v = parse_number(text);
+        return v && *v >= 0 && *v <= 180 ? v : std::nullopt;
+      },
+      [&degrees](double v) { degrees = v; });
+}
+
 void note_settings(const CLI::App& app, RenderOptions& options) {
   options.segment_given = app.count("--segment") != 0;
   options.tolerance_given = app.count("--tolerance") != 0;
   options.scene.camera.fov_given = app.count("--fov") != 0;
+  options.scene.chosen = {app.count("--colour") != 0, app.count("--ambient") != 0,
+                          app.count("--diffuse") != 0, app.count("--specular") != 0,
+                          app.count("--shininess") != 0};
 }
 
 std::vector<std::string> dichotomies(const std::string& polynomial) {

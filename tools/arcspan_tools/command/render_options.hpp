@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/render/scene.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct RenderOptions {
   /// Whether `segment` and `adaptive` were given their settings, which are in the scene.
   bool segment_given = false;
   bool tolerance_given = false;
+  std::optional<double> crease_degrees;  ///< make normals anew; the model's otherwise
   Scene scene;
   /// Those given; the scene's own stays if there are none.
   std::vector<SceneLight> lights;
@@ -37,6 +39,9 @@ inline constexpr const char* kDichotomy = "dichotomy";
 
 /// The choices of --shading: every method, with dichotomy once.
 [[nodiscard]] std::vector<std::string> shading_choices();
+
+/// Adds --crease.
+void add_crease(CLI::App& app, std::optional<double>& degrees);
 
 /// Notes which settings were given that are otherwise chosen, or belong to single methods.
 void note_settings(const CLI::App& app, RenderOptions& options);

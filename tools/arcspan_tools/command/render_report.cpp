@@ -9,6 +9,7 @@ std::string to_text(const RenderReport& r) {
   const RenderStats& s = r.stats;
   std::string text = printable(r.mesh_name) + ": " + std::to_string(r.vertices) + " vertices, " +
                      std::to_string(r.mesh_triangles) + " triangles";
+  if (r.parts > 1) text += ", " + std::to_string(r.parts) + " parts";
   if (r.dropped_faces > 0) text += ", " + std::to_string(r.dropped_faces) + " faces without area left out";
   text += "\n" + printable(r.output) + ": " + std::to_string(r.width) + "x" + std::to_string(r.height) +
           ", " + r.shading + " shading, " + r.format + "\n";
@@ -27,6 +28,7 @@ std::string to_json(const RenderReport& r) {
        {{"name", r.mesh_name},
         {"vertices", r.vertices},
         {"triangles", r.mesh_triangles},
+        {"parts", r.parts},
         {"dropped_faces", r.dropped_faces}}},
       {"picture",
        {{"file", r.output},

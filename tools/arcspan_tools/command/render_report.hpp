@@ -16,6 +16,7 @@ struct RenderReport {
   std::string format;
   std::size_t vertices = 0;
   std::size_t mesh_triangles = 0;
+  std::size_t parts = 1;
   std::size_t dropped_faces = 0;
   std::size_t mesh_bytes = 0;
   std::int32_t width = 0;

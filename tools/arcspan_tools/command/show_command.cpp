@@ -74,16 +74,16 @@ Clock::duration to_duration(double seconds) {
 // Draws and shows frames until the time is over or a signal comes, which is returned (0 for none).
 class Show {
  public:
-  Show(const ShowArguments& arguments, const FixedMesh& mesh, Display& display,
+  Show(const ShowArguments& arguments, const FixedModel& model, Display& display,
        linux_host::SignalWatch& signals)
       : arguments_(arguments),
-        mesh_(mesh),
+        model_(model),
         display_(display),
         signals_(signals),
         renderer_(
             find_renderer(arguments.options.shading, arguments.options.format, arguments.options.dither)),
         pictures_(static_cast<std::size_t>(std::max(arguments.turntable, 1))),
-        turntable_(arguments.options.scene, mesh, pictures_) {}
+        turntable_(arguments.options.scene, model, pictures_) {}
 
   [[nodiscard]] int run() {
     const Clock::time_point begin = Clock::now();
@@ -109,7 +109,7 @@ class Show {
                             ? arguments_.options.scene
                             : turntable_.scene(static_cast<std::size_t>(statistics_.frames) % pictures_);
     const Clock::time_point begin = Clock::now();
-    RenderJob job = make_job(scene, mesh_, arguments_.options.mesh);
+    RenderJob job = make_job(scene, model_, arguments_.options.mesh);
     job.counts = false;
     const RenderResult drawn = renderer_.render(job, [](std::size_t) {});
     const Clock::time_point ready = Clock::now();
@@ -131,7 +131,7 @@ class Show {
   }
 
   const ShowArguments& arguments_;
-  const FixedMesh& mesh_;
+  const FixedModel& model_;
   Display& display_;
   linux_host::SignalWatch& signals_;
   const Renderer& renderer_;
@@ -147,12 +147,12 @@ std::unique_ptr<Display> open_display(const ShowArguments& arguments) {
 }
 
 // Returns the signal that ended it, when everything is given back.
-int show_until_stopped(ShowArguments& arguments, const FixedMesh& mesh) {
+int show_until_stopped(ShowArguments& arguments, const FixedModel& model) {
   // Before the display is opened: from here on a signal waits until the display can be left clean.
   linux_host::SignalWatch signals;
   const std::unique_ptr<Display> display = open_display(arguments);
   fit(arguments, *display);
-  Show show(arguments, mesh, *display, signals);
+  Show show(arguments, model, *display, signals);
   const int signal = show.run();
   display->finish();
   const ShowStatistics& statistics = show.statistics();
@@ -165,8 +165,8 @@ int show_until_stopped(ShowArguments& arguments, const FixedMesh& mesh) {
 
 void run_show(ShowArguments arguments) {
   // If the mesh cannot be loaded, the display is not opened.
-  const FixedMesh mesh = to_fixed(load_model(arguments.options.mesh));
-  const int signal = show_until_stopped(arguments, mesh);
+  const FixedModel model = to_fixed(load_model(arguments.options.mesh, arguments.options.crease_degrees));
+  const int signal = show_until_stopped(arguments, model);
   if (signal == 0) return;
   (void)std::raise(signal);  // ends as others do, so that a shell or a service manager sees why
   throw ExitStatus{kSignalStatus + signal};

@@ -94,19 +94,19 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   RenderOptions options = arguments.options;
   options.scene.size = display.size();
   options.scene.band_rows = options_of(arguments).band_rows;
-  const FixedMesh mesh = to_fixed(load_model(options.mesh));
+  const FixedModel model = to_fixed(load_model(options.mesh, options.crease_degrees));
   const Renderer& renderer = find_renderer(options.shading, display.format(), options.dither);
   const auto frames = static_cast<std::size_t>(arguments.frames);
-  const Turntable turntable(options.scene, mesh, frames);
+  const Turntable turntable(options.scene, model, frames);
   display.start();
   const hal::sim::BusCount start = display.count();
   Totals totals;
   for (std::size_t i = 0; i < frames; ++i) {
     const Scene scene = frames == 1 ? options.scene : turntable.scene(i);
-    const RenderJob job = make_job(scene, mesh, options.mesh);
+    const RenderJob job = make_job(scene, model, options.mesh);
     const RenderResult drawn = renderer.render(job, [](std::size_t) {});
     const std::optional<double> instructions =
-        draw_instructions(options.shading, drawn.stats, mesh.positions.size());
+        draw_instructions(options.shading, drawn.stats, model.vertex_count());
     totals.draw_known = totals.draw_known && instructions.has_value();
     const auto draw_ns = static_cast<std::uint64_t>(instructions.value_or(0) * 1000 / arguments.cpu_mhz);
     const std::uint64_t before = display.now_ns();

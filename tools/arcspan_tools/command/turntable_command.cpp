@@ -40,13 +40,13 @@ void run_turntable(const TurntableArguments& arguments) {
   const FrameFormat format = format_of(arguments);
   check_results({arguments.output}, {options.mesh});
   const std::unique_ptr<FrameOutput> output = make_frame_output(arguments.output, format);
-  const FixedMesh mesh = to_fixed(load_model(options.mesh));
+  const FixedModel model = to_fixed(load_model(options.mesh, options.crease_degrees));
   const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);
-  const Turntable turntable(options.scene, mesh, format.frames);
+  const Turntable turntable(options.scene, model, format.frames);
   Progress progress("drawing", format.frames);
   double milliseconds = 0;
   for (std::size_t frame = 0; frame < format.frames; ++frame) {
-    RenderJob job = make_job(turntable.scene(frame), mesh, options.mesh);
+    RenderJob job = make_job(turntable.scene(frame), model, options.mesh);
     job.counts = false;
     RenderResult result = renderer.render(job, [](std::size_t) {});
     milliseconds += result.stats.draw_milliseconds;

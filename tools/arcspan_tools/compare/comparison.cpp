@@ -32,10 +32,19 @@ OperationRates rates(const arcspan_counting::OperationCounts& counts, std::uint6
   return result;
 }
 
-void rate_operations(const MeasuredMethod& method, const RenderJob& job, const FixedMesh& mesh,
+void add(CountedDraw& sum, const CountedDraw& draw) {
+  for (std::size_t i = 0; i < draw.in_spans.of.size(); ++i) {
+    sum.in_spans.of[i] += draw.in_spans.of[i];
+    sum.around.of[i] += draw.around.of[i];
+  }
+  sum.pixels += draw.pixels;
+  sum.spans += draw.spans;
+}
+
+void rate_operations(const MeasuredMethod& method, const RenderJob& job, const FixedMeshes& meshes,
                      MethodFigures& figures) {
-  const CountedDraw draw = count_operations(method, job, mesh);
-  const CountedDraw loop = count_operations("flat", job, mesh);
+  const CountedDraw draw = count_operations(method, job, meshes);
+  const CountedDraw loop = count_operations("flat", job, meshes);
   figures.per_pixel = rates(draw.in_spans, draw.pixels);
   const OperationRates bare = rates(loop.in_spans, loop.pixels);
   for (std::size_t i = 0; i < bare.size(); ++i) {
@@ -73,47 +82,51 @@ MeasuredMethod find_method(const std::string& shading) {
   throw Failure(shading, "no such shading to count");
 }
 
-CountedDraw count_operations(const std::string& shading, const RenderJob& job, const FixedMesh& mesh) {
-  return count_operations(find_method(shading), job, mesh);
+CountedDraw count_operations(const std::string& shading, const RenderJob& job, const FixedMeshes& meshes) {
+  return count_operations(find_method(shading), job, meshes);
 }
 
-CountedDraw count_operations(const MeasuredMethod& method, const RenderJob& job, const FixedMesh& mesh) {
+CountedDraw count_operations(const MeasuredMethod& method, const RenderJob& job, const FixedMeshes& meshes) {
   // Counted with plain illuminations only, because each instantiation takes seconds to compile: several
   // lights as white ones, and highlights that do not fade. A single light's colour is part of the material.
-  Material material = job.material;
-  material.highlight_fade = {};
   std::vector<DirectionalLight> lights = job.lights;
   if (lights.size() > 1) {
     for (DirectionalLight& light : lights) light.colour = DirectionalLight{}.colour;
   }
-  arcspan_counting::CountJob bytes;
-  bytes.positions = bytes_of(mesh.positions);
-  bytes.normals = bytes_of(mesh.normals);
-  bytes.indices = bytes_of(mesh.indices);
-  bytes.transform = bytes_of_one(job.transform);
-  bytes.material = bytes_of_one(material);
-  bytes.lights = bytes_of(lights);
-  bytes.to_eye = bytes_of_one(job.to_eye);
-  bytes.phong_highlight = job.highlight == Highlight::kPhong;
-  bytes.two_sided = job.two_sided;
-  bytes.segment_bits = job.segment_bits;
-  bytes.tolerance = job.tolerance;
-  return method.count(bytes);
+  CountedDraw sum;
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    Material material = job.parts[i].material;
+    material.highlight_fade = {};
+    arcspan_counting::CountJob bytes;
+    bytes.positions = bytes_of(meshes[i].positions);
+    bytes.normals = bytes_of(meshes[i].normals);
+    bytes.indices = bytes_of(meshes[i].indices);
+    bytes.transform = bytes_of_one(job.transform);
+    bytes.material = bytes_of_one(material);
+    bytes.lights = bytes_of(lights);
+    bytes.to_eye = bytes_of_one(job.to_eye);
+    bytes.phong_highlight = job.highlight == Highlight::kPhong;
+    bytes.two_sided = job.parts[i].two_sided;
+    bytes.segment_bits = job.segment_bits;
+    bytes.tolerance = job.tolerance;
+    add(sum, method.count(bytes));
+  }
+  return sum;
 }
 
-MethodFigures measure_method(const std::string& shading, const RenderJob& job, const FixedMesh& mesh,
+MethodFigures measure_method(const std::string& shading, const RenderJob& job, const FixedMeshes& meshes,
                              const ReferencePicture& reference) {
-  return measure_method(find_method(shading), job, mesh, reference);
+  return measure_method(find_method(shading), job, meshes, reference);
 }
 
-MethodFigures measure_method(const MeasuredMethod& method, const RenderJob& job, const FixedMesh& mesh,
+MethodFigures measure_method(const MeasuredMethod& method, const RenderJob& job, const FixedMeshes& meshes,
                              const ReferencePicture& reference, Timing timing) {
   MethodFigures figures;
   figures.shading = method.shading;
   // The error in full 8-bit channels, the time in the format that a firmware would have.
   figures.picture = method.render(job, {"rgb888"}, [](std::size_t) {}).image;
   figures.error = picture_error(figures.picture, reference, job.background);
-  rate_operations(method, job, mesh, figures);
+  rate_operations(method, job, meshes, figures);
   if (timing == Timing::kMeasured) figures.nanoseconds = best_nanoseconds(job, *method.render);
   return figures;
 }

@@ -36,11 +36,11 @@ struct MeasuredMethod {
 /// One of those that the commands offer; throws Failure if there is none of that name.
 [[nodiscard]] MeasuredMethod find_method(const std::string& shading);
 
-/// Draws with one method in the pipeline that counts, without depth test.
+/// Draws with one method in the pipeline that counts, without depth test. `meshes` are those of the job.
 [[nodiscard]] arcspan_counting::CountedDraw count_operations(const MeasuredMethod& method,
-                                                             const RenderJob& job, const FixedMesh& mesh);
+                                                             const RenderJob& job, const FixedMeshes& meshes);
 [[nodiscard]] arcspan_counting::CountedDraw count_operations(const std::string& shading, const RenderJob& job,
-                                                             const FixedMesh& mesh);
+                                                             const FixedMeshes& meshes);
 
 /// Whether the time of drawing is measured too: the one figure that is another one in every run.
 enum class Timing : std::uint8_t { kMeasured, kLeftOut };
@@ -48,10 +48,10 @@ enum class Timing : std::uint8_t { kMeasured, kLeftOut };
 /// Draws with one method and compares with the reference; counts operations; measures the time. Not
 /// instructions.
 [[nodiscard]] MethodFigures measure_method(const MeasuredMethod& method, const RenderJob& job,
-                                           const FixedMesh& mesh, const ReferencePicture& reference,
+                                           const FixedMeshes& meshes, const ReferencePicture& reference,
                                            Timing timing = Timing::kMeasured);
 [[nodiscard]] MethodFigures measure_method(const std::string& shading, const RenderJob& job,
-                                           const FixedMesh& mesh, const ReferencePicture& reference);
+                                           const FixedMeshes& meshes, const ReferencePicture& reference);
 
 /// Processor time of drawing a job into rgb565, in milliseconds: the best of several runs.
 [[nodiscard]] double best_draw_milliseconds(const RenderJob& job, RenderFunction& render);

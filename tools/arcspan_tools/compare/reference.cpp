@@ -64,12 +64,12 @@ Vec3 to_vec3(const Direction& d) {
   return {component(d.x), component(d.y), component(d.z)};
 }
 
-ReferenceIllumination::ReferenceIllumination(const RenderJob& job)
-    : ambient(channels(job.material.ambient, 255)),
-      diffuse(channels(job.material.diffuse, 255)),
-      specular(channels(job.material.specular, 255)),
-      shininess(job.material.shininess),
-      highlight_fade(to_double(job.material.highlight_fade)),
+ReferenceIllumination::ReferenceIllumination(const RenderJob& job, const Material& material)
+    : ambient(channels(material.ambient, 255)),
+      diffuse(channels(material.diffuse, 255)),
+      specular(channels(material.specular, 255)),
+      shininess(material.shininess),
+      highlight_fade(to_double(material.highlight_fade)),
       phong_highlight(job.highlight == Highlight::kPhong),
       to_eye(normalised(to_vec3(job.to_eye))) {
   for (const DirectionalLight& light : job.lights) {
@@ -115,17 +115,20 @@ ReferencePicture draw_reference(const RenderJob& job, ReferenceKind kind) {
   picture.height = size.height;
   const std::size_t area = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
   picture.numbers.resize(area);
-  const ReferenceMethod::Lighting lighting{kind, ReferenceIllumination(job), &picture.samples};
   NumberSink sink(picture);
-  std::vector<CachedVertex<ReferenceMethod>> cache(job.mesh.vertex_count());
+  std::vector<CachedVertex<ReferenceMethod>> cache(most_vertices(job));
   std::vector<std::uint16_t> depth_memory(job.depth ? area : 0, DepthBuffer::kFarthest);
   const DepthBuffer depth(depth_memory, size.width, size.height);
-  const DrawOptions options{job.two_sided};
-  const DrawResult drawn = job.depth ? draw_mesh<ReferenceMethod>(job.mesh, job.transform, lighting, sink,
-                                                                  depth, std::span(cache), options)
-                                     : draw_mesh<ReferenceMethod>(job.mesh, job.transform, lighting, sink,
-                                                                  NoDepth{}, std::span(cache), options);
-  if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
+  for (const RenderPart& part : job.parts) {
+    const ReferenceMethod::Lighting lighting{kind, ReferenceIllumination(job, part.material),
+                                             &picture.samples};
+    const DrawOptions options{part.two_sided};
+    const DrawResult drawn = job.depth ? draw_mesh<ReferenceMethod>(part.mesh, job.transform, lighting, sink,
+                                                                    depth, std::span(cache), options)
+                                       : draw_mesh<ReferenceMethod>(part.mesh, job.transform, lighting, sink,
+                                                                    NoDepth{}, std::span(cache), options);
+    if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
+  }
   return picture;
 }
 

@@ -34,7 +34,8 @@ struct ReferenceIllumination {
   Vec3 to_eye;
 
   ReferenceIllumination() = default;
-  explicit ReferenceIllumination(const RenderJob& job);
+  /// Of one part of a job.
+  ReferenceIllumination(const RenderJob& job, const Material& material);
   [[nodiscard]] ChannelLevels levels(Vec3 normal) const;
 };
 

@@ -39,37 +39,42 @@ Axes axes_of(Vec3 backwards, Vec3 up) {
 
 double tangent_of_half(double degrees) { return std::tan(degrees * std::numbers::pi / 360); }
 
-Vec3 from_centre(const FixedMesh& mesh, std::size_t i) {
-  const ObjectPosition& p = mesh.positions[i];
-  return Vec3{double(p.x), double(p.y), double(p.z)} * mesh.unit;
+/// Calls `use` with the vector from the centre to each vertex.
+template <class Use>
+void for_each_vertex(const FixedMeshes& meshes, const Use& use) {
+  for (const FixedMesh& mesh : meshes) {
+    for (const ObjectPosition& p : mesh.positions) {
+      use(Vec3{double(p.x), double(p.y), double(p.z)} * mesh.unit);
+    }
+  }
 }
 
 // The least distance from the target at which every vertex lies inside the picture's four planes.
-double fitting_distance(const FixedMesh& mesh, Vec3 target, const Axes& axes, double fov_degrees, Size size) {
+double fitting_distance(const FixedMeshes& meshes, Vec3 target, const Axes& axes, double fov_degrees,
+                        Size size) {
   const double vertical = tangent_of_half(fov_degrees);
   const double horizontal = vertical * size.width / size.height;
   double distance = 0;
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const Vec3 p = mesh.centre + from_centre(mesh, i) - target;
+  for_each_vertex(meshes, [&](const Vec3& from_centre) {
+    const Vec3 p = meshes.centre() + from_centre - target;
     const double aside =
         std::max(std::fabs(dot(p, axes.x)) / horizontal, std::fabs(dot(p, axes.y)) / vertical);
     distance = std::max(distance, dot(p, axes.z) + kMargin * aside);
-  }
+  });
   return distance;
 }
 
 // The least tangent of half the vertical field of view at which every vertex lies inside the picture, seen
 // from `distance`; infinite if there is none.
-double fitting_tangent(const FixedMesh& mesh, Vec3 target, const Axes& axes, double distance, Size size) {
+double fitting_tangent(const FixedMeshes& meshes, Vec3 target, const Axes& axes, double distance, Size size) {
   double tangent = 0;
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const Vec3 p = mesh.centre + from_centre(mesh, i) - target;
+  for_each_vertex(meshes, [&](const Vec3& from_centre) {
+    const Vec3 p = meshes.centre() + from_centre - target;
     const double depth = distance - dot(p, axes.z);
-    if (!(depth > 0)) return INFINITY;
     const double aside =
         std::max(std::fabs(dot(p, axes.x)) * size.height / size.width, std::fabs(dot(p, axes.y)));
-    tangent = std::max(tangent, kMargin * aside / depth);
-  }
+    tangent = std::max(tangent, depth > 0 ? kMargin * aside / depth : INFINITY);
+  });
   return tangent;
 }
 
@@ -79,14 +84,14 @@ double fitting_tangent(const FixedMesh& mesh, Vec3 target, const Axes& axes, dou
 }
 
 // The distance at which the mesh fits, or the largest one with a field of view that is wide enough there.
-void fit(Camera& camera, const CameraOptions& options, const FixedMesh& mesh, Size size) {
-  const double from_mesh = length(camera.target - mesh.centre);
-  if (!(from_mesh <= kMostUnits * mesh.unit)) refuse_far("--target", from_mesh);
+void fit(Camera& camera, const CameraOptions& options, const FixedMeshes& meshes, Size size) {
+  const double from_mesh = length(camera.target - meshes.centre());
+  if (!(from_mesh <= kMostUnits * meshes.unit())) refuse_far("--target", from_mesh);
   const Axes axes = axes_of(options.view, options.up);
-  const double most = kMostFittingUnits * mesh.unit;
-  double distance = fitting_distance(mesh, camera.target, axes, camera.fov_degrees, size);
+  const double most = kMostFittingUnits * meshes.unit();
+  double distance = fitting_distance(meshes, camera.target, axes, camera.fov_degrees, size);
   if (distance > most) {
-    const double tangent = fitting_tangent(mesh, camera.target, axes, most, size);
+    const double tangent = fitting_tangent(meshes, camera.target, axes, most, size);
     if (!std::isfinite(tangent)) refuse_far("--target", from_mesh);
     const double degrees = std::atan(tangent) * 360 / std::numbers::pi;
     if (options.fov_given) {
@@ -105,12 +110,12 @@ struct DepthRange {
   double farthest;
 };
 
-DepthRange depths(const FixedMesh& mesh, Vec3 eye, const Axes& axes) {
+DepthRange depths(const FixedMeshes& meshes, Vec3 eye, const Axes& axes) {
   DepthRange range{INFINITY, -INFINITY};
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const double depth = dot(eye - mesh.centre - from_centre(mesh, i), axes.z) / mesh.unit;
+  for_each_vertex(meshes, [&](const Vec3& from_centre) {
+    const double depth = dot(eye - meshes.centre() - from_centre, axes.z) / meshes.unit();
     range = {std::min(range.nearest, depth), std::max(range.farthest, depth)};
-  }
+  });
   return range;
 }
 
@@ -119,7 +124,7 @@ ObjectLength object_length(double units) {
   return to_fixed_point<ObjectLength>(std::clamp(units, -kMost, kMost)).value();
 }
 
-Placement placement_of(Vec3 eye, const Axes& axes, const FixedMesh& mesh) {
+Placement placement_of(Vec3 eye, const Axes& axes, const FixedMeshes& meshes) {
   const Vec3 rows[3] = {axes.x, axes.y, axes.z};
   Placement placement{};
   for (int i = 0; i < 3; ++i) {
@@ -127,8 +132,8 @@ Placement placement_of(Vec3 eye, const Axes& axes, const FixedMesh& mesh) {
     for (int j = 0; j < 3; ++j) {
       placement.rotation.m[i][j] = to_fixed_point<RotationEntry>(std::clamp(entries[j], -1.0, 1.0)).value();
     }
-    const double moved = dot(mesh.centre - eye, rows[i]) / mesh.unit;
-    if (!(std::fabs(moved) <= kMostUnits)) refuse_far("camera", length(mesh.centre - eye));
+    const double moved = dot(meshes.centre() - eye, rows[i]) / meshes.unit();
+    if (!(std::fabs(moved) <= kMostUnits)) refuse_far("camera", length(meshes.centre() - eye));
     placement.translation[i] = to_fixed_point<ObjectLength>(moved).value();
   }
   return placement;
@@ -136,25 +141,25 @@ Placement placement_of(Vec3 eye, const Axes& axes, const FixedMesh& mesh) {
 
 }  // namespace
 
-Camera place_camera(const CameraOptions& options, const FixedMesh& mesh, Size size) {
-  Camera camera{{}, options.target.value_or(mesh.centre), options.up, options.fov_degrees};
+Camera place_camera(const CameraOptions& options, const FixedMeshes& meshes, Size size) {
+  Camera camera{{}, options.target.value_or(meshes.centre()), options.up, options.fov_degrees};
   if (options.eye) {
     camera.eye = *options.eye;
   } else {
-    fit(camera, options, mesh, size);
+    fit(camera, options, meshes, size);
   }
   return camera;
 }
 
-FixedCamera to_fixed(const Camera& camera, const FixedMesh& mesh, Size size) {
+FixedCamera to_fixed(const Camera& camera, const FixedMeshes& meshes, Size size) {
   // Twice the limit, which is checked axis by axis below: here it keeps all that follows finite.
-  const double distance = length(camera.eye - mesh.centre);
-  if (!(distance <= 2 * kMostUnits * mesh.unit)) refuse_far("camera", distance);
+  const double distance = length(camera.eye - meshes.centre());
+  if (!(distance <= 2 * kMostUnits * meshes.unit())) refuse_far("camera", distance);
   if (camera.eye == camera.target) throw Failure("--eye", "is where the target is");
   if (length(camera.up) == 0) throw Failure("--up", "has no direction");
   const Vec3 backwards = camera.eye - camera.target;
   const Axes axes = axes_of(backwards, camera.up);
-  const DepthRange depth = depths(mesh, camera.eye, axes);
+  const DepthRange depth = depths(meshes, camera.eye, axes);
   const double near_plane = std::max(depth.nearest * 0.98, kLeastNear);
   const double far_plane = std::max(depth.farthest, near_plane) * 1.02;
   const double focal = size.height / (2 * tangent_of_half(camera.fov_degrees));
@@ -162,7 +167,7 @@ FixedCamera to_fixed(const Camera& camera, const FixedMesh& mesh, Size size) {
                               object_length(near_plane), object_length(far_plane)};
   FixedCamera fixed;
   fixed.to_eye = to_direction(backwards);
-  const Status status = ClipTransform::make(placement_of(camera.eye, axes, mesh), projection,
+  const Status status = ClipTransform::make(placement_of(camera.eye, axes, meshes), projection,
                                             {size.width, size.height}, fixed.transform);
   if (!ok(status))
     throw Failure("camera", std::string("cannot look at this mesh (") + to_string(status) + ")");

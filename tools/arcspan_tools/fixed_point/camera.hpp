@@ -11,7 +11,7 @@
 
 namespace arcspan::tools {
 
-/// Where a camera may be asked to stand; what is not given is chosen so that the whole mesh is in view.
+/// Where a camera may be asked to stand; what is not given is chosen so that the whole model is in view.
 struct CameraOptions {
   std::optional<Vec3> eye;
   std::optional<Vec3> target;
@@ -28,21 +28,21 @@ struct Camera {
   double fov_degrees = 40;
 };
 
-/// The camera that `options` means for `mesh` and a picture of `size`. Without an eye it stands in direction
-/// `view`, where the mesh just fits; without a target it looks at the mesh's centre. If the mesh fits only
-/// from farther than the pipeline's numbers reach, because the picture is very narrow, the field of view is
+/// The camera that `options` means for `meshes` and a picture of `size`. Without an eye it stands in
+/// direction `view`, where they just fit; without a target it looks at their centre. If they fit only from
+/// farther than the pipeline's numbers reach, because the picture is very narrow, the field of view is
 /// widened. Throws Failure for a field of view that was given and would have to be widened, and for a target
-/// too far from the mesh.
-[[nodiscard]] Camera place_camera(const CameraOptions& options, const FixedMesh& mesh, Size size);
+/// too far from them.
+[[nodiscard]] Camera place_camera(const CameraOptions& options, const FixedMeshes& meshes, Size size);
 
-/// A camera as the pipeline takes it, for one mesh and picture size.
+/// A camera as the pipeline takes it, for one model and picture size.
 struct FixedCamera {
   ClipTransform transform;
   Direction to_eye;
 };
 
 /// Throws Failure for a camera that the pipeline's numbers do not hold, or that looks nowhere.
-[[nodiscard]] FixedCamera to_fixed(const Camera& camera, const FixedMesh& mesh, Size size);
+[[nodiscard]] FixedCamera to_fixed(const Camera& camera, const FixedMeshes& meshes, Size size);
 
 /// The unit vector along `v`, which must not be zero.
 [[nodiscard]] Direction to_direction(Vec3 v);

@@ -16,13 +16,12 @@ struct Box {
   Vec3 high;
 };
 
-Box bounds(const MeshData& mesh) {
-  Box box{mesh.positions[0], mesh.positions[0]};
+/// Makes `box` hold the mesh too.
+void extend(Box& box, const MeshData& mesh) {
   for (const Vec3& p : mesh.positions) {
     box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
     box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
   }
-  return box;
 }
 
 std::int16_t to_unit(double length, double unit) { return static_cast<std::int16_t>(rounded(length / unit)); }
@@ -34,11 +33,8 @@ PackedNormal packed(Vec3 normal) {
   return pack_normal(component(normal.x), component(normal.y), component(normal.z));
 }
 
-}  // namespace
-
-FixedMesh to_fixed(const MeshData& mesh) {
+FixedMesh fixed_within(const Box& box, const MeshData& mesh) {
   constexpr double kSteps = 65534;  // -32767...32767
-  const Box box = bounds(mesh);
   const Vec3 extent = box.high - box.low;
   FixedMesh fixed;
   fixed.centre = (box.low + box.high) * 0.5;
@@ -51,6 +47,44 @@ FixedMesh to_fixed(const MeshData& mesh) {
   for (const Vec3& n : mesh.normals) fixed.normals.push_back(packed(n));
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t index : triangle) fixed.indices.push_back(static_cast<std::uint16_t>(index));
+  }
+  return fixed;
+}
+
+}  // namespace
+
+std::size_t FixedModel::vertex_count() const {
+  std::size_t count = 0;
+  for (const FixedMesh& mesh : meshes) count += mesh.positions.size();
+  return count;
+}
+
+std::size_t FixedModel::triangle_count() const {
+  std::size_t count = 0;
+  for (const FixedMesh& mesh : meshes) count += mesh.indices.size() / 3;
+  return count;
+}
+
+std::size_t FixedModel::bytes() const {
+  std::size_t sum = 0;
+  for (const FixedMesh& mesh : meshes) sum += mesh.bytes();
+  return sum;
+}
+
+FixedMesh to_fixed(const MeshData& mesh) {
+  Box box{mesh.positions[0], mesh.positions[0]};
+  extend(box, mesh);
+  return fixed_within(box, mesh);
+}
+
+FixedModel to_fixed(const Model& model) {
+  const Vec3& any = model.parts[0].mesh.positions[0];
+  Box box{any, any};
+  for (const ModelPart& part : model.parts) extend(box, part.mesh);
+  FixedModel fixed;
+  for (const ModelPart& part : model.parts) {
+    fixed.meshes.push_back(fixed_within(box, part.mesh));
+    fixed.looks.push_back(part.look);
   }
   return fixed;
 }

@@ -3,9 +3,10 @@
 
 #include <arcspan/mesh/mesh_view.hpp>
 
-#include <arcspan_tools/mesh/plain/mesh_data.hpp>
+#include <arcspan_tools/mesh/plain/model.hpp>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,32 @@ struct FixedMesh {
   [[nodiscard]] MeshView view(const std::string& subject) const;
 };
 
+/// A model as the pipeline takes it: one mesh for each part. All meshes have the same unit and centre, so
+/// that one transform places them.
+struct FixedModel {
+  std::vector<FixedMesh> meshes;
+  std::vector<PartLook> looks;  ///< of each mesh
+
+  [[nodiscard]] std::size_t vertex_count() const;
+  [[nodiscard]] std::size_t triangle_count() const;
+  [[nodiscard]] std::size_t bytes() const;
+};
+
+/// The meshes of a model, one or more, or a single mesh.
+class FixedMeshes : public std::span<const FixedMesh> {
+ public:
+  FixedMeshes(const FixedModel& model) : span(model.meshes) {}  // NOLINT(google-explicit-constructor)
+  FixedMeshes(const FixedMesh& mesh) : span(&mesh, 1) {}        // NOLINT(google-explicit-constructor)
+
+  [[nodiscard]] double unit() const { return front().unit; }
+  [[nodiscard]] const Vec3& centre() const { return front().centre; }
+};
+
 /// Centres and scales `mesh` so that its largest extent fills 16 bits, and rounds.
 [[nodiscard]] FixedMesh to_fixed(const MeshData& mesh);
+
+/// The same for the parts of a model together.
+[[nodiscard]] FixedModel to_fixed(const Model& model);
 
 /// The same mesh with the planes of its triangles; throws as FixedMesh::view() does.
 [[nodiscard]] FixedMesh with_planes(FixedMesh mesh, const std::string& subject);

@@ -23,13 +23,29 @@ DirectionalLight to_fixed(const SceneLight& light, double attenuation) {
           channels(light.colour)};
 }
 
+Surface with_material(Surface surface, const FileMaterial& material, const SurfaceChoice& chosen) {
+  if (!chosen.colour && material.colour) {
+    surface.colour = *material.colour;
+    surface.ambient_colour = material.ambient_colour;
+  }
+  if (!chosen.specular && material.specular) surface.specular = *material.specular;
+  if (!chosen.shininess && material.shininess) surface.shininess = *material.shininess;
+  if (!chosen.colour) surface.emission = material.emission;
+  if (material.unlit) {
+    if (!chosen.ambient) surface.ambient = 1;
+    if (!chosen.diffuse) surface.diffuse = 0;
+    if (!chosen.specular) surface.specular = 0;
+  }
+  return surface;
+}
+
 Material to_fixed(const Surface& surface) {
-  const auto of_colour = [&surface](const Share& share) {
-    const Vec3& c = surface.colour;
-    return channels({c.x * share.rgb.x, c.y * share.rgb.y, c.z * share.rgb.z});
+  const auto shared = [](const Vec3& c, const Share& share) {
+    return Vec3{c.x * share.rgb.x, c.y * share.rgb.y, c.z * share.rgb.z};
   };
-  return {of_colour(surface.ambient), of_colour(surface.diffuse), channels(surface.specular.rgb),
-          surface.shininess, coefficient(surface.highlight_fade)};
+  const Vec3 ambient = shared(surface.ambient_colour.value_or(surface.colour), surface.ambient);
+  return {channels(ambient + surface.emission), channels(shared(surface.colour, surface.diffuse)),
+          channels(surface.specular.rgb), surface.shininess, coefficient(surface.highlight_fade)};
 }
 
 Rgb8 to_rgb8(Vec3 colour) {

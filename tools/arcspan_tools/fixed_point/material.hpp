@@ -4,7 +4,10 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/pixel/colour.hpp>
 
+#include <arcspan_tools/mesh/plain/model.hpp>
 #include <arcspan_tools/support/vec3.hpp>
+
+#include <optional>
 
 namespace arcspan::tools {
 
@@ -16,8 +19,8 @@ struct Share {
   Share(Vec3 channels) : rgb(channels) {}    // NOLINT(google-explicit-constructor)
 };
 
-/// A surface in doubles: pixel = colour * (ambient + diffuse * max(0, N·L)) + specular * highlight, channel
-/// by channel. All 0...1.
+/// A surface in doubles: pixel = emission + ambient colour * ambient + colour * diffuse * max(0, N·L) +
+/// specular * highlight, channel by channel. All 0...1.
 struct Surface {
   Vec3 colour{0.86, 0.52, 0.30};
   Share ambient = 0.14;
@@ -26,7 +29,23 @@ struct Surface {
   std::int32_t shininess = 40;
   /// The N·L, 0...1, below which the highlight fades out; 0 if it ends at the terminator.
   double highlight_fade = 0;
+  std::optional<Vec3> ambient_colour{};  ///< `colour` if unset
+  Vec3 emission{};
 };
+
+/// Members of a Surface that a user has set, and that the materials of a file leave as they are.
+struct SurfaceChoice {
+  bool colour = false;
+  bool ambient = false;
+  bool diffuse = false;
+  bool specular = false;
+  bool shininess = false;
+};
+
+/// `surface` with what the file says of its material, except for what the user has chosen. A surface that is
+/// unlit keeps a share of light only where the user has chosen one.
+[[nodiscard]] Surface with_material(Surface surface, const FileMaterial& material,
+                                    const SurfaceChoice& chosen);
 
 /// A light: where it is seen from the object, a direction of any length, how far away it is, and its colour,
 /// 0...1 per channel.

@@ -8,6 +8,8 @@
 #include <arcspan_tools/image/image.hpp>
 #include <arcspan_tools/render/pixel_choice.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -17,16 +19,21 @@
 
 namespace arcspan::tools {
 
+/// A mesh with one material.
+struct RenderPart {
+  MeshView mesh;
+  Material material;
+  bool two_sided = false;
+};
+
 /// One picture for the pipeline: everything is fixed point or integer already.
 struct RenderJob {
-  MeshView mesh;
+  std::vector<RenderPart> parts;  ///< 1 or more, drawn in this order by the same transform
   ClipTransform transform;
-  Material material;
   std::vector<DirectionalLight> lights;  ///< 1 to 4
   Direction to_eye;
   Highlight highlight = Highlight::kBlinn;
   bool depth = true;
-  bool two_sided = false;
   std::int32_t segment_bits = 2;  ///< of `segment`
   std::int32_t tolerance = 1;     ///< of `adaptive`, in 8-bit steps
   Rgb8 background;
@@ -34,6 +41,13 @@ struct RenderJob {
   std::int32_t repeats = 1;    ///< draws of every band, 1 or more, for measuring; the picture is the same
   bool counts = true;          ///< count spans and pixels, by drawing once more
 };
+
+/// The number of vertices of the largest part, which is what a vertex cache has to hold.
+[[nodiscard]] inline std::size_t most_vertices(const RenderJob& job) {
+  std::size_t most = 0;
+  for (const RenderPart& part : job.parts) most = std::max(most, part.mesh.vertex_count());
+  return most;
+}
 
 struct RenderStats {
   std::uint32_t triangles = 0;

@@ -101,33 +101,42 @@ void copy_rows(const Band& band, std::int32_t first, std::int32_t rows, Image& i
   }
 }
 
+/// A method's lighting for each part of a job.
+template <class Method>
+using Lightings = std::vector<typename Method::Lighting>;
+
 /// Draws one band once and returns the processor time in milliseconds. `arcspan compare` counts the
 /// instructions of the functions of this name.
 template <class Method, class Band>
-[[gnu::noinline]] double draw_into(Band& band, const RenderJob& job,
-                                   const typename Method::Lighting& lighting, const DepthBuffer& depth,
-                                   std::span<CachedVertex<Method>> cache, RenderStats& stats) {
+[[gnu::noinline]] double draw_into(Band& band, const RenderJob& job, const Lightings<Method>& lightings,
+                                   const DepthBuffer& depth, std::span<CachedVertex<Method>> cache,
+                                   RenderStats& stats) {
+  std::uint32_t triangles = 0;
   const double start = processor_milliseconds();
-  const DrawResult drawn = draw_mesh<Method, Band::kFeatures>(job.mesh, job.transform, lighting, band.sink(),
-                                                              depth, cache, {job.two_sided});
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    const RenderPart& part = job.parts[i];
+    const DrawResult drawn = draw_mesh<Method, Band::kFeatures>(part.mesh, job.transform, lightings[i],
+                                                                band.sink(), depth, cache, {part.two_sided});
+    if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
+    triangles += drawn.triangles;
+  }
   const double end = processor_milliseconds();
-  if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
   // Every band walks all triangles of the picture and counts those that reach it.
-  stats.triangles = std::max(stats.triangles, drawn.triangles);
+  stats.triangles = std::max(stats.triangles, triangles);
   return end - start;
 }
 
 /// Draws all bands of a picture. `depth` is tested unless the band ignores it.
 template <class Method, class Band>
-RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
-                          const typename Method::Lighting& lighting, const RowsDone& rows_done) {
+RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels, const Lightings<Method>& lightings,
+                          const RowsDone& rows_done) {
   const Viewport& size = job.transform.viewport();
   const std::int32_t rows = std::clamp(job.band_rows, 1, size.height);
   RenderResult result;
   result.image = Image(size.width, size.height);
   BandDepth depth(size.width, rows);
   Band band(pixels, size.width, rows, job.depth ? nullptr : &depth.buffer());
-  std::vector<CachedVertex<Method>> cache(job.mesh.vertex_count());
+  std::vector<CachedVertex<Method>> cache(most_vertices(job));
   result.stats.frame_bytes = band.bytes();
   result.stats.depth_bytes = job.depth ? depth.bytes() : 0;
   for (std::int32_t first = 0; first < size.height; first += rows) {
@@ -135,7 +144,7 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
     for (std::int32_t repeat = 0; repeat < job.repeats; ++repeat) {
       band.start(first, job.background);
       depth.start(first);
-      milliseconds += draw_into<Method>(band, job, lighting, depth.buffer(), std::span(cache), result.stats);
+      milliseconds += draw_into<Method>(band, job, lightings, depth.buffer(), std::span(cache), result.stats);
     }
     result.stats.draw_milliseconds += milliseconds / job.repeats;
     copy_rows(band, first, rows, result.image);
@@ -148,14 +157,17 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
 /// Counts the spans of the picture and their pixels, hidden ones included, by drawing into nothing. Neither
 /// bands nor depth change the counts, and what is timed does not count.
 template <class Method>
-void count_spans(const RenderJob& job, const typename Method::Lighting& lighting, RenderStats& stats) {
+void count_spans(const RenderJob& job, const Lightings<Method>& lightings, RenderStats& stats) {
   const Viewport& size = job.transform.viewport();
   NoPixels nothing({0, 0, size.width, size.height});
   AnySink sink(nothing);
   const BandDepth depth(size.width, size.height);
-  std::vector<CachedVertex<Method>> cache(job.mesh.vertex_count());
-  (void)draw_mesh<Method, AnyBand::kFeatures>(job.mesh, job.transform, lighting, sink, depth.buffer(),
-                                              std::span(cache), {job.two_sided});
+  std::vector<CachedVertex<Method>> cache(most_vertices(job));
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    const RenderPart& part = job.parts[i];
+    (void)draw_mesh<Method, AnyBand::kFeatures>(part.mesh, job.transform, lightings[i], sink, depth.buffer(),
+                                                std::span(cache), {part.two_sided});
+  }
   stats.spans = sink.spans();
   stats.pixels = sink.pixels();
 }
@@ -173,16 +185,32 @@ typename Method::Lighting lighting_of(const RenderJob& job, const Lit& illuminat
   return lighting;
 }
 
+template <class Method, class Lit>
+Lightings<Method> lightings_of(const RenderJob& job, const std::vector<Lit>& illuminations) {
+  Lightings<Method> lightings;
+  for (const Lit& illumination : illuminations) lightings.push_back(lighting_of<Method>(job, illumination));
+  return lightings;
+}
+
+/// The illumination of each part.
 template <class Lit>
-Lit illumination_of(const RenderJob& job) {
+std::vector<Lit> illuminations_of(const RenderJob& job) {
   // Lights beyond those given are dark, which adds nothing: 2 and 3 need no instantiation of their own.
   std::array<DirectionalLight, Lit::kLights> lights;
   lights.fill({job.lights[0].towards, Coefficient{}});
   std::copy(job.lights.begin(), job.lights.end(), lights.begin());
-  Lit illumination;
-  const Status status = Lit::make(job.material, lights, job.to_eye, illumination);
-  if (!ok(status)) throw Failure("illumination", to_string(status));
-  return illumination;
+  std::vector<Lit> illuminations(job.parts.size());
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    const Status status = Lit::make(job.parts[i].material, lights, job.to_eye, illuminations[i]);
+    if (!ok(status)) throw Failure("illumination", to_string(status));
+  }
+  return illuminations;
+}
+
+/// Whether no part has a feature that only kEveryFeature offers.
+inline bool is_plain(const RenderJob& job) {
+  return std::all_of(job.parts.begin(), job.parts.end(),
+                     [](const RenderPart& part) { return part.material.highlight_fade.raw() == 0; });
 }
 
 /// Behind virtual calls every feature is there, used or not; those that are not used change no pixel.
@@ -192,22 +220,22 @@ template <template <class> class Method, bool kIsLiterature, std::size_t Lights,
 RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   using Lit = Illumination<Lights, Model, kEveryFeature>;
   using AnyLit = std::conditional_t<kIsLiterature, AnyIllumination, Lit>;
-  const auto illumination = illumination_of<Lit>(job);
-  const auto any_lighting = lighting_of<Method<AnyLit>>(job, AnyLit(illumination));
+  const auto illuminations = illuminations_of<Lit>(job);
+  const std::vector<AnyLit> any(illuminations.begin(), illuminations.end());
+  const auto any_lightings = lightings_of<Method<AnyLit>>(job, any);
   RenderResult result;
   bool is_drawn = false;
   if constexpr (kDrawsDirectly && Lights == 1) {
-    if (job.depth && job.material.highlight_fade.raw() == 0 && pixels.format == pixel_format_name<Rgb565>() &&
-        !pixels.dithers) {
+    if (job.depth && is_plain(job) && pixels.format == pixel_format_name<Rgb565>() && !pixels.dithers) {
       using Plain = Illumination<Lights, Model>;
-      const auto lighting = lighting_of<Method<Plain>>(job, illumination_of<Plain>(job));
-      result = render_bands<Method<Plain>, DirectBand>(job, pixels, lighting, rows_done);
+      const auto lightings = lightings_of<Method<Plain>>(job, illuminations_of<Plain>(job));
+      result = render_bands<Method<Plain>, DirectBand>(job, pixels, lightings, rows_done);
       is_drawn = true;
     }
   }
-  if (!is_drawn) result = render_bands<Method<AnyLit>, AnyBand>(job, pixels, any_lighting, rows_done);
-  result.stats.cache_bytes = job.mesh.vertex_count() * sizeof(CachedVertex<Method<Lit>>);
-  if (job.counts) count_spans<Method<AnyLit>>(job, any_lighting, result.stats);
+  if (!is_drawn) result = render_bands<Method<AnyLit>, AnyBand>(job, pixels, any_lightings, rows_done);
+  result.stats.cache_bytes = most_vertices(job) * sizeof(CachedVertex<Method<Lit>>);
+  if (job.counts) count_spans<Method<AnyLit>>(job, any_lightings, result.stats);
   return result;
 }
 

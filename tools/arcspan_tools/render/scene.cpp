@@ -2,22 +2,40 @@
 #include <arcspan_tools/render/scene.hpp>
 
 namespace arcspan::tools {
+namespace {
 
-RenderJob make_job(const Scene& scene, const FixedMesh& mesh, const std::string& subject) {
-  const FixedCamera camera = to_fixed(place_camera(scene.camera, mesh, scene.size), mesh, scene.size);
+/// Everything except the parts.
+RenderJob job_without_parts(const Scene& scene, const FixedMeshes& meshes) {
+  const FixedCamera camera = to_fixed(place_camera(scene.camera, meshes, scene.size), meshes, scene.size);
   RenderJob job;
-  job.mesh = mesh.view(subject);
   job.transform = camera.transform;
   job.to_eye = camera.to_eye;
-  job.material = to_fixed(scene.surface);
   for (const SceneLight& light : scene.lights) job.lights.push_back(to_fixed(light, scene.attenuation));
   job.highlight = scene.highlight;
   job.depth = scene.depth;
-  job.two_sided = scene.two_sided;
   job.segment_bits = scene.segment_bits;
   job.tolerance = scene.tolerance;
   job.background = to_rgb8(scene.background);
   job.band_rows = scene.band_rows > 0 ? scene.band_rows : scene.size.height;
+  return job;
+}
+
+}  // namespace
+
+RenderJob make_job(const Scene& scene, const FixedMesh& mesh, const std::string& subject) {
+  RenderJob job = job_without_parts(scene, mesh);
+  job.parts.push_back({mesh.view(subject), to_fixed(scene.surface), scene.two_sided});
+  return job;
+}
+
+RenderJob make_job(const Scene& scene, const FixedModel& model, const std::string& subject) {
+  RenderJob job = job_without_parts(scene, model);
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    const FileMaterial& material = model.looks[i].material;
+    job.parts.push_back({model.meshes[i].view(subject),
+                         to_fixed(with_material(scene.surface, material, scene.chosen)),
+                         scene.two_sided || material.two_sided});
+  }
   return job;
 }
 

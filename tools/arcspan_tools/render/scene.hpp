@@ -16,6 +16,7 @@ struct Scene {
   std::vector<SceneLight> lights = std::vector<SceneLight>(1, SceneLight{0.4, 0.7, 0.6});
   double attenuation = 1;  ///< K of 1 / (d + K), 1 or more
   Surface surface;
+  SurfaceChoice chosen;  ///< members of `surface` that materials of a file do not replace
   Vec3 background{0.09, 0.11, 0.14};
   Highlight highlight = Highlight::kBlinn;
   Size size{320, 240};
@@ -28,5 +29,8 @@ struct Scene {
 
 /// `scene` with `mesh`, in fixed point. The mesh must outlive the job; `subject` names it in a Failure.
 [[nodiscard]] RenderJob make_job(const Scene& scene, const FixedMesh& mesh, const std::string& subject);
+
+/// The same for a model, with its materials.
+[[nodiscard]] RenderJob make_job(const Scene& scene, const FixedModel& model, const std::string& subject);
 
 }  // namespace arcspan::tools

@@ -20,9 +20,9 @@ double angle_of(std::size_t frame, std::size_t frames) {
 
 }  // namespace
 
-Turntable::Turntable(const Scene& scene, const FixedMesh& mesh, std::size_t frames)
+Turntable::Turntable(const Scene& scene, const FixedMeshes& meshes, std::size_t frames)
     : base_(scene), frames_(frames) {
-  const Camera first = place_camera(scene.camera, mesh, scene.size);
+  const Camera first = place_camera(scene.camera, meshes, scene.size);
   target_ = first.target;
   from_target_ = first.eye - first.target;
   fov_degrees_ = first.fov_degrees;
@@ -32,7 +32,7 @@ Turntable::Turntable(const Scene& scene, const FixedMesh& mesh, std::size_t fram
   for (std::size_t frame = 1; frame < frames; ++frame) {
     CameraOptions options = scene.camera;
     options.view = turned(from_target_, axis, angle_of(frame, frames));
-    const Camera camera = place_camera(options, mesh, scene.size);
+    const Camera camera = place_camera(options, meshes, scene.size);
     farthest = std::max(farthest, length(camera.eye - camera.target));
     fov_degrees_ = std::max(fov_degrees_, camera.fov_degrees);
   }

@@ -12,8 +12,7 @@ namespace arcspan::tools {
 /// which looks the same. If the camera may choose its place, it stands where the mesh fits at every angle.
 class Turntable {
  public:
-  /// `mesh` must outlive it.
-  Turntable(const Scene& scene, const FixedMesh& mesh, std::size_t frames);
+  Turntable(const Scene& scene, const FixedMeshes& meshes, std::size_t frames);
 
   /// The scene after `frame` of `frames` parts of a turn.
   [[nodiscard]] Scene scene(std::size_t frame) const;

@@ -86,7 +86,7 @@ Simplified with_normals(const MeshData& mesh, std::size_t triangles) {
 
 Simplified by_position(const MeshData& mesh, Simplification how, std::size_t triangles, double crease_degrees,
                        const std::string& subject) {
-  Positions positions = positions_of(mesh);
+  Positions positions = positions_of(mesh.positions);
   LibraryMesh library = to_library(positions.points);
   for (const auto& t : mesh.triangles) {
     for (const std::uint32_t vertex : t) library.indices.push_back(positions.ids[vertex]);

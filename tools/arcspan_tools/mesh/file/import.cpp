@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -50,12 +51,18 @@ bool has_vertex_normals(const aiMesh& mesh, MeshFormat format) {
   return mesh.HasNormals() && format != MeshFormat::kStl;
 }
 
-void append(RawMesh& out, const aiMesh& mesh, MeshFormat format, const std::string& subject) {
+// Tags are whole numbers; what is none stays 0.
+std::uint32_t tag(ai_real value) {
+  return value > 0 && value < (1u << 24) ? static_cast<std::uint32_t>(std::lround(value)) : 0;
+}
+
+void append(ImportedMesh& out, const aiMesh& mesh, MeshFormat format, const std::string& subject) {
   const bool with_normals = has_vertex_normals(mesh, format);
   for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
     const aiFace& face = mesh.mFaces[f];
     if (face.mNumIndices != 3) continue;
     std::array<RawMesh::Corner, 3> triangle;
+    TriangleSource source;
     for (unsigned i = 0; i < 3; ++i) {
       const unsigned index = face.mIndices[i];
       if (index >= mesh.mNumVertices) {
@@ -64,11 +71,16 @@ void append(RawMesh& out, const aiMesh& mesh, MeshFormat format, const std::stri
       }
       triangle[i].position = to_vec3(mesh.mVertices[index]);
       if (!finite(triangle[i].position)) throw Failure(subject, "a coordinate is not a finite number");
+      if (mesh.HasTextureCoords(0)) {
+        source.face = tag(mesh.mTextureCoords[0][index].x);
+        source.vertices[i] = tag(mesh.mTextureCoords[0][index].y);
+      }
       if (!with_normals) continue;
       const Vec3 normal = to_vec3(mesh.mNormals[index]);
       if (finite(normal)) triangle[i].normal = normal;
     }
     out.triangles.push_back(triangle);
+    if (mesh.HasTextureCoords(0)) out.sources.push_back(source);
   }
 }
 
@@ -81,13 +93,13 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-RawMesh import_mesh(std::string_view screened, MeshFormat format, const std::string& subject) {
+ImportedMesh import_mesh(std::string_view screened, MeshFormat format, const std::string& subject) {
   Assimp::Importer importer;
   keep_only(importer, extension(format));
   const aiScene* scene =
       importer.ReadFileFromMemory(screened.data(), screened.size(), aiProcess_Triangulate, extension(format));
   if (scene == nullptr) throw Failure(subject, "cannot be read: " + one_line(importer.GetErrorString()));
-  RawMesh raw;
+  ImportedMesh raw;
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) append(raw, *scene->mMeshes[m], format, subject);
   return raw;
 }

@@ -3,13 +3,29 @@
 
 #include <arcspan_tools/mesh/file/load.hpp>
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace arcspan::tools {
 
-/// Reads screened mesh bytes (see screen.hpp) with the loader library. Polygons are triangulated; points and
-/// lines are ignored. The only file of this project that knows the library.
-[[nodiscard]] RawMesh import_mesh(std::string_view screened, MeshFormat format, const std::string& subject);
+/// Where a triangle comes from: the tag of its face and of its corners (see TaggedObj).
+struct TriangleSource {
+  std::uint32_t face = 0;
+  std::array<std::uint32_t, 3> vertices{};
+};
+
+/// The triangles of a mesh file.
+struct ImportedMesh {
+  std::vector<std::array<RawMesh::Corner, 3>> triangles;
+  std::vector<TriangleSource> sources;  ///< of each triangle, or empty if the file had no tags
+};
+
+/// Reads screened mesh bytes (see validate.hpp) with the loader library. Polygons are triangulated; points
+/// and lines are ignored. The only file of this project that knows the library.
+[[nodiscard]] ImportedMesh import_mesh(std::string_view screened, MeshFormat format,
+                                       const std::string& subject);
 
 }  // namespace arcspan::tools

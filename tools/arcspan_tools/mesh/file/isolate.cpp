@@ -19,11 +19,13 @@ namespace {
 
 static_assert(sizeof(RawMesh::Corner) == 6 * sizeof(double), "corners travel as plain bytes");
 using Triangle = std::array<RawMesh::Corner, 3>;
+static_assert(sizeof(TriangleSource) == 4 * sizeof(std::uint32_t));
 
 constexpr rlim_t kMostSeconds = 120;
 
-// The first byte of what the child sends: triangles follow, or the text of what went wrong.
-enum class Answer : char { kMesh = 'm', kFailure = 'f' };
+// The first byte of what the child sends: triangles follow, without or with their sources, or the text of
+// what went wrong.
+enum class Answer : char { kMesh = 'm', kTaggedMesh = 't', kFailure = 'f' };
 
 bool send(int pipe, const void* data, std::size_t size) {
   const char* at = static_cast<const char*>(data);
@@ -55,12 +57,15 @@ void answer(int pipe, Answer kind, const void* data, std::size_t size) {
 }
 
 // A failure's text already names the subject.
-[[noreturn]] void child(int pipe, const std::string& subject, const std::function<RawMesh()>& import) {
+[[noreturn]] void child(int pipe, const std::string& subject, const std::function<ImportedMesh()>& import) {
   limit_resources();
   std::string failure;
   try {
-    const RawMesh mesh = import();
-    answer(pipe, Answer::kMesh, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
+    const ImportedMesh mesh = import();
+    const bool tagged = !mesh.sources.empty();
+    answer(pipe, tagged ? Answer::kTaggedMesh : Answer::kMesh, mesh.triangles.data(),
+           mesh.triangles.size() * sizeof(Triangle));
+    if (tagged) (void)send(pipe, mesh.sources.data(), mesh.sources.size() * sizeof(TriangleSource));
     ::_exit(0);
   } catch (const std::bad_alloc&) {
     failure = subject + ": the mesh loader needs more memory than it may have";
@@ -93,25 +98,33 @@ std::string cause_of_death(int status) {
   return std::string("crashed: ") + ::strsignal(WTERMSIG(status));
 }
 
+template <class T>
+void take(std::string_view& bytes, std::vector<T>& values, std::size_t count) {
+  values.resize(count);
+  if (count == 0) return;
+  std::memcpy(static_cast<void*>(values.data()), bytes.data(), count * sizeof(T));
+  bytes.remove_prefix(count * sizeof(T));
+}
+
 // Carries the child's finished message, which already names its subject.
-RawMesh decode(const std::string& bytes, const std::string& subject) {
-  const std::string_view body = std::string_view(bytes).substr(1);
+ImportedMesh decode(const std::string& bytes, const std::string& subject) {
+  std::string_view body = std::string_view(bytes).substr(1);
   if (bytes[0] == static_cast<char>(Answer::kFailure)) {
     const std::string prefix = subject + ": ";
     throw Failure(subject, std::string(body.starts_with(prefix) ? body.substr(prefix.size()) : body));
   }
-  RawMesh mesh;
-  mesh.triangles.resize(body.size() / sizeof(Triangle));
-  if (mesh.triangles.empty()) return mesh;
-  std::memcpy(static_cast<void*>(mesh.triangles.data()), body.data(),
-              mesh.triangles.size() * sizeof(Triangle));
+  const bool tagged = bytes[0] == static_cast<char>(Answer::kTaggedMesh);
+  const std::size_t count = body.size() / (sizeof(Triangle) + (tagged ? sizeof(TriangleSource) : 0));
+  ImportedMesh mesh;
+  take(body, mesh.triangles, count);
+  if (tagged) take(body, mesh.sources, count);
   return mesh;
 }
 
 }  // namespace
 
-RawMesh run_isolated(const std::string& subject, const std::function<RawMesh()>& import,
-                     const std::function<void(std::size_t)>& received) {
+ImportedMesh run_isolated(const std::string& subject, const std::function<ImportedMesh()>& import,
+                          const std::function<void(std::size_t)>& received) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw Failure(subject, "cannot start the mesh loader");
   const pid_t process = fork_child();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/mesh/plain/mesh_data.hpp>
+#include <arcspan_tools/mesh/file/import.hpp>
 
 #include <functional>
 #include <string>
@@ -12,7 +12,8 @@ namespace arcspan::tools {
 /// of a loader library takes this process down: each becomes a Failure about `subject`. The child is killed
 /// when this process ends. `received` is called with the number of bytes that have come back so far, ten
 /// times a second or more often.
-[[nodiscard]] RawMesh run_isolated(const std::string& subject, const std::function<RawMesh()>& import,
-                                   const std::function<void(std::size_t)>& received);
+[[nodiscard]] ImportedMesh run_isolated(const std::string& subject,
+                                        const std::function<ImportedMesh()>& import,
+                                        const std::function<void(std::size_t)>& received);
 
 }  // namespace arcspan::tools

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/assemble.hpp>
 #include <arcspan_tools/mesh/file/import.hpp>
 #include <arcspan_tools/mesh/file/isolate.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
@@ -16,14 +17,30 @@
 namespace arcspan::tools {
 namespace {
 
-/// A text file of kMaxTriangles triangles needs about a tenth of this.
-constexpr std::size_t kMaxFileBytes = std::size_t{256} << 20;
-
-RawMesh import_isolated(std::string_view screened, MeshFormat format, const std::string& subject) {
+ImportedMesh import_isolated(const ScreenedMesh& file, const std::string& subject) {
   Progress progress("reading " + printable(subject), 0);
   return run_isolated(
-      subject, [&] { return import_mesh(screened, format, subject); },
+      subject, [&] { return import_mesh(file.text, file.format, subject); },
       [&](std::size_t received) { progress.show(received); });
+}
+
+RawModel load_raw(const std::string& name, MeshFormat format) {
+  ScreenedMesh file = screened(read_whole_file(name, kMostFileBytes), format, name, side_files_of(name));
+  ImportedMesh mesh = import_isolated(file, name);
+  return assembled(std::move(mesh), std::move(file), name);
+}
+
+MeshFormat require_format(const std::string& name) {
+  if (const std::optional<MeshFormat> format = mesh_format(name)) return *format;
+  throw Failure(name,
+                "not a mesh that can be read (.obj, .ply, .stl, .off, .bin, sphere:32x16, torus:48x24)");
+}
+
+/// The mesh of a name that stands for no model file.
+std::optional<MeshData> plain_mesh(const std::string& name) {
+  if (const std::optional<GeneratedMesh> wanted = parse_generated_mesh(name)) return generate(*wanted);
+  if (output_kind(name, "") == "bin") return mesh_from_binary(read_whole_file(name, kMostFileBytes), name);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -39,25 +56,20 @@ std::optional<MeshFormat> mesh_format(const std::filesystem::path& path) {
   return std::nullopt;
 }
 
-MeshData load_mesh_from_memory(std::string_view bytes, MeshFormat format, const std::string& subject) {
-  ScreenedMesh file = screened(bytes, format, subject);
-  MeshData mesh = weld(import_mesh(file.text, format, subject), subject);
-  mesh.warnings = std::move(file.warnings);
-  return mesh;
+Model load_model_from_memory(std::string_view bytes, MeshFormat format, const std::string& subject) {
+  ScreenedMesh file = screened(bytes, format, subject, no_side_files());
+  ImportedMesh mesh = import_mesh(file.text, file.format, subject);
+  return weld_parts(assembled(std::move(mesh), std::move(file), subject), subject);
+}
+
+Model load_model_file(const std::string& name) {
+  if (std::optional<MeshData> mesh = plain_mesh(name)) return to_model(std::move(*mesh));
+  return weld_parts(load_raw(name, require_format(name)), name);
 }
 
 MeshData load_mesh(const std::string& name) {
-  if (const std::optional<GeneratedMesh> wanted = parse_generated_mesh(name)) return generate(*wanted);
-  if (output_kind(name, "") == "bin") return mesh_from_binary(read_whole_file(name, kMaxFileBytes), name);
-  const std::optional<MeshFormat> format = mesh_format(name);
-  if (!format) {
-    throw Failure(name,
-                  "not a mesh that can be read (.obj, .ply, .stl, .off, .bin, sphere:32x16, torus:48x24)");
-  }
-  ScreenedMesh file = screened(read_whole_file(name, kMaxFileBytes), *format, name);
-  MeshData mesh = weld(import_isolated(file.text, *format, name), name);
-  mesh.warnings = std::move(file.warnings);
-  return mesh;
+  if (std::optional<MeshData> mesh = plain_mesh(name)) return std::move(*mesh);
+  return weld(load_raw(name, require_format(name)).mesh, name);
 }
 
 }  // namespace arcspan::tools

@@ -95,6 +95,15 @@ std::string in_quotes(std::string_view word) {
   return "'" + text + (word.size() > kMost ? "...'" : "'");
 }
 
+std::string rest_of_line(const TextLines& lines) {
+  std::string rest;
+  for (std::size_t i = 1; i < lines.words().size(); ++i) {
+    if (i > 1) rest += ' ';
+    rest += lines.words()[i];
+  }
+  return rest;
+}
+
 std::string plain_text(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) return std::string(text.substr(3));
   const bool big = text.starts_with("\xFE\xFF");

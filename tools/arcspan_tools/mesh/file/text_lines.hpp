@@ -57,6 +57,10 @@ class TextLines {
 /// `word` in quotes for a message: shortened, with bytes that no terminal should get replaced.
 [[nodiscard]] std::string in_quotes(std::string_view word);
 
+/// The words of the current line after the first one, with single blanks between them: a name that may have
+/// blanks.
+[[nodiscard]] std::string rest_of_line(const TextLines& lines);
+
 /// `text` as it is, or turned from UTF-16 (either order, by its byte order mark) into bytes in which every
 /// character beyond ASCII is a '?'. An UTF-8 mark is removed.
 [[nodiscard]] std::string plain_text(std::string_view text);

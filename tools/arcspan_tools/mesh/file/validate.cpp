@@ -13,11 +13,12 @@ void TriangleCount::add_face(std::int64_t corners) {
   throw Failure(subject_, "too many triangles (more than " + std::to_string(kMaxTriangles) + ", the limit)");
 }
 
-ScreenedMesh screened(std::string_view bytes, MeshFormat format, const std::string& subject) {
+ScreenedMesh screened(std::string_view bytes, MeshFormat format, const std::string& subject,
+                      const SideFiles& files) {
   if (bytes.find_first_not_of(" \t\r\n\0") == std::string_view::npos) throw Failure(subject, "empty file");
   switch (format) {
     case MeshFormat::kObj:
-      return screened_obj(bytes, subject);
+      return screened_obj(bytes, subject, files);
     case MeshFormat::kPly:
       return screened_ply(bytes, subject);
     case MeshFormat::kStl:

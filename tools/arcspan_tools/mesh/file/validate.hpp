@@ -2,8 +2,10 @@
 #pragma once
 
 #include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/mesh/file/side_files.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,10 +16,24 @@ namespace arcspan::tools {
 /// or faster.
 inline constexpr std::int64_t kMostCorners = 4096;
 
-/// A mesh file as the loader library is to get it.
+/// What a face of a file has besides its corners.
+struct FaceTag {
+  std::uint32_t look = 0;  ///< an index into ScreenedMesh::looks
+  std::uint32_t smoothing = RawMesh::kSmooth;
+  std::optional<Vec3> colour{};  ///< of the face itself, display values
+};
+
+/// A mesh file as the loader library is to get it, and the rest of it, which the library does not see.
 struct ScreenedMesh {
   std::string text;
-  std::vector<std::string> warnings;  ///< as in MeshData
+  MeshFormat format = MeshFormat::kObj;  ///< of `text`
+  std::vector<std::string> warnings{};   ///< as in Model
+  std::vector<PartLook> looks{1};
+  /// Empty if all faces are alike; otherwise `text` is an OBJ whose corners have texture coordinates: the
+  /// number of the face, from 0, and that of the vertex.
+  std::vector<FaceTag> faces{};
+  /// Empty, or the colour of each vertex, display values.
+  std::vector<std::optional<Vec3>> vertex_colours{};
 };
 
 /// Counts the triangles that faces become, before the loader library has to make them.
@@ -36,12 +52,14 @@ class TriangleCount {
 /// Checks the bytes of a mesh file before the loader library sees them, and returns what the library is to be
 /// given. The library takes words for zeros, skips what it does not understand and has been seen to crash on
 /// damaged files; after this every number is one and finite, every index exists and every announced element
-/// is there. Lines that do not matter to a shape (materials, groups, texture coordinates) are left out where
-/// the format allows it, with a warning if they would change the picture. Throws a Failure that names the
+/// is there. Materials, groups and colours are kept beside the text; what is not drawn (textures, curves) is
+/// left out, with a warning. `files` reads the files that this one refers to. Throws a Failure that names the
 /// line.
-[[nodiscard]] ScreenedMesh screened(std::string_view bytes, MeshFormat format, const std::string& subject);
+[[nodiscard]] ScreenedMesh screened(std::string_view bytes, MeshFormat format, const std::string& subject,
+                                    const SideFiles& files);
 
-[[nodiscard]] ScreenedMesh screened_obj(std::string_view bytes, const std::string& subject);
+[[nodiscard]] ScreenedMesh screened_obj(std::string_view bytes, const std::string& subject,
+                                        const SideFiles& files);
 [[nodiscard]] ScreenedMesh screened_ply(std::string_view bytes, const std::string& subject);
 [[nodiscard]] ScreenedMesh screened_stl(std::string_view bytes, const std::string& subject);
 [[nodiscard]] ScreenedMesh screened_off(std::string_view bytes, const std::string& subject);

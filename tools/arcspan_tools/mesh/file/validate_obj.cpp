@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/colour_scale.hpp>
+#include <arcspan_tools/mesh/file/obj_looks.hpp>
+#include <arcspan_tools/mesh/file/tagged_obj.hpp>
 #include <arcspan_tools/mesh/file/text_lines.hpp>
 #include <arcspan_tools/mesh/file/validate.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/parse.hpp>
 
 #include <functional>
-#include <set>
+#include <map>
 #include <utility>
 
 namespace arcspan::tools {
@@ -19,19 +22,33 @@ struct Counts {
   std::int64_t normals = 0;
 };
 
+/// Words of `v` with a colour: x, y, z, red, green and blue.
+constexpr std::size_t kWordsOfColouredVertex = 7;
+
+/// What is known of a file before its faces are read.
+struct Overview {
+  Counts total{};
+  bool tagged = false;  ///< whether faces may differ in more than their corners
+};
+
 void count(Counts& counts, std::string_view keyword) {
   if (keyword == "v") ++counts.vertices;
   if (keyword == "vt") ++counts.texture;
   if (keyword == "vn") ++counts.normals;
 }
 
-Counts count_all(std::string_view text, const std::string& subject) {
-  Counts counts;
+Overview overview_of(std::string_view text, const std::string& subject) {
+  Overview overview;
   TextLines lines(text, subject, TextLines::Joining::kBackslash);
   while (lines.next()) {
-    if (!lines.words().empty()) count(counts, lines.words()[0]);
+    if (lines.words().empty()) continue;
+    const std::string_view keyword = lines.words()[0];
+    count(overview.total, keyword);
+    const bool coloured = keyword == "v" && lines.words().size() >= kWordsOfColouredVertex;
+    const bool divides = keyword == "o" || keyword == "g" || keyword == "s" || keyword == "usemtl";
+    overview.tagged = overview.tagged || coloured || divides;
   }
-  return counts;
+  return overview;
 }
 
 // A reference as a positive number; OBJ counts from 1, negative ones back from the last element so far.
@@ -47,65 +64,52 @@ std::int64_t resolve(const TextLines& lines, std::string_view text, std::int64_t
   return index;
 }
 
-/// Statements of the file that would change the picture, for the warnings.
-struct NotDrawn {
-  bool materials = false;
-  bool colours = false;
-  bool flat_faces = false;
-  bool surfaces = false;
-  std::set<std::string, std::less<>> smooth_groups{};  ///< of faces without normals
-
-  [[nodiscard]] std::vector<std::string> warnings() const {
-    std::vector<std::string> all;
-    if (materials) all.emplace_back("materials (usemtl) are not drawn");
-    if (colours) all.emplace_back("vertex colours are not drawn");
-    if (flat_faces) all.emplace_back("faces that are not to be smoothed (s off) are drawn smooth");
-    if (smooth_groups.size() > 1) all.emplace_back("edges between smoothing groups (s) are drawn smooth");
-    if (surfaces) all.emplace_back("curves and free-form surfaces are not drawn");
-    return all;
-  }
-};
-
 struct ObjScreen {
   TextLines lines;
   Counts total;
+  TaggedObj out;
   TriangleCount triangles;
   Counts so_far{};
-  std::string out{};
-  NotDrawn not_drawn{};
-  std::string smooth_group{};  ///< empty before the first statement
+  ObjLooks looks{};
+  std::vector<FaceTag> faces{};
+  std::vector<std::optional<Vec3>> colours{};
+  std::uint32_t smoothing = RawMesh::kSmooth;
+  std::map<std::string, std::uint32_t, std::less<>> smoothing_groups{};
+  bool surfaces = false;  ///< whether there are any
 
-  void note(std::string_view keyword) {
-    constexpr std::size_t kWordsOfColouredVertex = 7;
-    if (keyword == "usemtl") not_drawn.materials = true;
-    if (keyword == "curv" || keyword == "curv2" || keyword == "surf") not_drawn.surfaces = true;
-    if (keyword == "v" && lines.words().size() >= kWordsOfColouredVertex) not_drawn.colours = true;
-    if (keyword == "s") smooth_group = lines.words().size() > 1 ? lines.words()[1] : "off";
+  void statement(std::string_view keyword) {
+    looks.note(lines);
+    if (keyword == "v" || keyword == "vn") numbers(keyword);
+    if (keyword == "v" && out.tagged()) colours.push_back(vertex_colour());
+    if (keyword == "s") smoothing = smoothing_group();
+    if (keyword == "curv" || keyword == "curv2" || keyword == "surf") surfaces = true;
+    if (keyword == "f") face();
   }
 
-  // Normals of the file decide how smooth a face is, whatever its group.
-  void note_face(bool has_normals) {
-    if (has_normals || smooth_group.empty()) return;
-    if (smooth_group == "off" || smooth_group == "0") {
-      not_drawn.flat_faces = true;
-    } else {
-      not_drawn.smooth_groups.insert(smooth_group);
-    }
-  }
-
-  void numbers(std::size_t wanted) {
-    out += lines.words()[0];
-    for (std::size_t i = 1; i <= wanted; ++i) {
+  void numbers(std::string_view keyword) {
+    std::string line(keyword);
+    for (std::size_t i = 1; i <= 3; ++i) {
       (void)lines.number_at(i);
-      out += ' ';
-      out += lines.words()[i];
+      (line += ' ') += lines.words()[i];
     }
-    out += '\n';
+    out.line(line);
   }
 
-  // One corner of a face: v, v/t, v//n or v/t/n; texture coordinates are checked and left out. Returns
-  // whether it has a normal.
-  bool corner(std::string_view word) {
+  [[nodiscard]] std::optional<Vec3> vertex_colour() const {
+    if (lines.words().size() < kWordsOfColouredVertex) return std::nullopt;
+    return Vec3{lines.number_at(4), lines.number_at(5), lines.number_at(6)};
+  }
+
+  // "s off" and "s 0" are flat. Faces before the first statement are a group of their own.
+  std::uint32_t smoothing_group() {
+    const std::string_view name = lines.words().size() > 1 ? lines.words()[1] : "off";
+    if (name == "off" || name == "0") return RawMesh::kFlat;
+    const auto next = static_cast<std::uint32_t>(RawMesh::kSmooth + 1 + smoothing_groups.size());
+    return smoothing_groups.try_emplace(std::string(name), next).first->second;
+  }
+
+  // One corner of a face: v, v/t, v//n or v/t/n; texture coordinates are checked and left out.
+  void corner(std::string_view word) {
     std::string_view part[3];
     std::size_t parts = 0;
     for (std::string_view rest = word; parts < 3; ++parts) {
@@ -115,11 +119,11 @@ struct ObjScreen {
       if (parts == 2) lines.fail(in_quotes(word) + " is not a corner of a face");
       rest.remove_prefix(slash + 1);
     }
-    out += ' ' + std::to_string(resolve(lines, part[0], so_far.vertices, total.vertices, "vertex"));
+    const std::int64_t vertex = resolve(lines, part[0], so_far.vertices, total.vertices, "vertex");
     if (!part[1].empty()) (void)resolve(lines, part[1], so_far.texture, total.texture, "texture");
-    if (part[2].empty()) return false;
-    out += "//" + std::to_string(resolve(lines, part[2], so_far.normals, total.normals, "normal"));
-    return true;
+    const std::int64_t normal =
+        part[2].empty() ? 0 : resolve(lines, part[2], so_far.normals, total.normals, "normal");
+    out.corner(vertex, normal);
   }
 
   void face() {
@@ -133,38 +137,38 @@ struct ObjScreen {
                  std::to_string(kMostCorners) + ")");
     }
     triangles.add_face(corners);
-    out += 'f';
-    bool has_normals = true;
-    for (std::size_t i = 1; i < lines.words().size(); ++i)
-      has_normals = corner(lines.words()[i]) && has_normals;
-    out += '\n';
-    note_face(has_normals);
+    for (std::size_t i = 1; i < lines.words().size(); ++i) corner(lines.words()[i]);
+    out.end_face();
+    if (out.tagged()) faces.push_back({looks.current(), smoothing, {}});
   }
 };
 
 }  // namespace
 
-ScreenedMesh screened_obj(std::string_view bytes, const std::string& subject) {
+ScreenedMesh screened_obj(std::string_view bytes, const std::string& subject, const SideFiles& files) {
   const std::string text = plain_text(bytes);
   require_text(text, subject);
-  ObjScreen screen{TextLines(text, subject, TextLines::Joining::kBackslash), count_all(text, subject),
-                   TriangleCount(subject)};
-  std::size_t faces = 0;
+  const Overview overview = overview_of(text, subject);
+  ObjScreen screen{TextLines(text, subject, TextLines::Joining::kBackslash), overview.total,
+                   TaggedObj(overview.tagged), TriangleCount(subject)};
   while (screen.lines.next()) {
     if (screen.lines.words().empty()) continue;
     const std::string_view keyword = screen.lines.words()[0];
     count(screen.so_far, keyword);
-    screen.note(keyword);
-    if (keyword == "v" || keyword == "vn") screen.numbers(3);
-    if (keyword != "f") continue;
-    if (++faces > kMaxTriangles) {
+    if (keyword == "f" && screen.out.faces() == static_cast<std::int64_t>(kMaxTriangles)) {
       throw Failure(subject, "too many faces (more than " + std::to_string(kMaxTriangles) + ", the limit)");
     }
-    screen.face();
+    screen.statement(keyword);
   }
   if (screen.total.vertices == 0) throw Failure(subject, "not an OBJ mesh (no vertices)");
-  if (faces == 0) throw Failure(subject, "no faces");
-  return {std::move(screen.out), screen.not_drawn.warnings()};
+  if (screen.out.faces() == 0) throw Failure(subject, "no faces");
+  ScreenedMesh result{screen.out.text(), MeshFormat::kObj};
+  if (screen.surfaces) result.warnings.emplace_back("curves and free-form surfaces are not drawn");
+  if (!screen.out.tagged()) return result;
+  result.looks = screen.looks.finish(files, result.warnings);
+  result.faces = std::move(screen.faces);
+  result.vertex_colours = scaled_colours(std::move(screen.colours));
+  return result;
 }
 
 }  // namespace arcspan::tools

@@ -107,7 +107,7 @@ ScreenedMesh screened_off(std::string_view bytes, const std::string& subject) {
     lines.next_words("face " + std::to_string(f + 1) + " of " + std::to_string(faces));
     screen.face(vertices);
   }
-  return {std::move(screen.out), screen.warnings()};
+  return {std::move(screen.out), MeshFormat::kOff, screen.warnings()};
 }
 
 }  // namespace arcspan::tools

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/colour_scale.hpp>
 #include <arcspan_tools/mesh/file/ply_header.hpp>
+#include <arcspan_tools/mesh/file/tagged_obj.hpp>
 #include <arcspan_tools/mesh/file/text_lines.hpp>
 #include <arcspan_tools/mesh/file/validate.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -148,14 +150,51 @@ std::string nth(const PlyElement& element, std::int64_t i) {
   return element.name + " " + std::to_string(i + 1) + " of " + std::to_string(element.count);
 }
 
+using Colour = std::optional<Vec3>;
+
+/// The properties of an element that are its colour, if it has one.
+class ColourProperties {
+ public:
+  explicit ColourProperties(const PlyElement& element) : element_(element) {
+    static constexpr const char* kNames[2][3] = {{"red", "green", "blue"},
+                                                 {"diffuse_red", "diffuse_green", "diffuse_blue"}};
+    for (const auto& names : kNames) {
+      for (std::size_t i = 0; i < 3; ++i) at_[i] = property_index(element, names[i]);
+      const std::size_t none = element.properties.size();
+      has_colour_ = at_[0] != none && at_[1] != none && at_[2] != none;
+      if (has_colour_) return;
+    }
+  }
+
+  [[nodiscard]] bool any() const { return has_colour_; }
+  /// The colour in an element's values: of integers 0...1; floats are as they are in the file.
+  [[nodiscard]] Colour colour(const std::vector<double>& values) const {
+    if (!has_colour_) return std::nullopt;
+    return Vec3{channel(values, at_[0]), channel(values, at_[1]), channel(values, at_[2])};
+  }
+
+ private:
+  [[nodiscard]] double channel(const std::vector<double>& values, std::size_t i) const {
+    const PlyType type = element_.properties[i].type;
+    if (type.kind == PlyType::Kind::kFloat) return values[i];
+    const int bits = 8 * type.bytes - (type.kind == PlyType::Kind::kSigned ? 1 : 0);
+    return std::clamp(values[i] / (std::ldexp(1.0, bits) - 1), 0.0, 1.0);
+  }
+
+  const PlyElement& element_;
+  std::size_t at_[3]{};
+  bool has_colour_ = false;
+};
+
 struct PlyScreen {
   const PlyHeader& header;
   PlyBody body;
   TriangleCount triangles;
   std::int64_t vertex_count;  ///< announced, because faces may come first
+  TaggedObj faces;
   std::string vertices{};
-  std::string faces{};
-  std::int64_t face_count = 0;
+  std::vector<Colour> vertex_colours{};
+  std::vector<Colour> face_colours{};
   bool has_normals = false;
 
   void read_vertices(const PlyElement& element) {
@@ -165,6 +204,7 @@ struct PlyScreen {
     const std::size_t none = element.properties.size();
     if (at[0] == none || at[1] == none || at[2] == none) body.fail("the vertices have no x, y and z");
     has_normals = at[3] != none && at[4] != none && at[5] != none;
+    const ColourProperties colours(element);
     std::vector<double> values(element.properties.size());
     for (std::int64_t v = 0; v < element.count; ++v) {
       body.begin(nth(element, v));
@@ -175,31 +215,37 @@ struct PlyScreen {
           values[p] = body.number(element.properties[p].type);
         }
       }
-      for (std::size_t i = 0; i < (has_normals ? 6u : 3u); ++i) {
-        append_number(vertices, values[at[i]]);
-        vertices += ' ';
-      }
-      vertices += '\n';
+      write_vertex(values, at);
+      if (colours.any()) vertex_colours.push_back(colours.colour(values));
     }
+  }
+
+  void write_vertex(const std::vector<double>& values, const std::size_t (&at)[6]) {
+    for (std::size_t i = 0; i < (has_normals ? 6u : 3u); ++i) {
+      if (i % 3 == 0) vertices += i == 0 ? "v" : "\nvn";
+      vertices += ' ';
+      append_number(vertices, values[at[i]]);
+    }
+    vertices += '\n';
   }
 
   [[nodiscard]] bool has_indices(const PlyProperty& property) const {
     return property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index");
   }
 
-  void add_face(const std::string& indices, std::int64_t corners) {
-    triangles.add_face(corners);
-    faces += std::to_string(corners) + indices + '\n';
-    ++face_count;
+  void add_face(const std::vector<std::int64_t>& corners) {
+    triangles.add_face(static_cast<std::int64_t>(corners.size()));
+    for (const std::int64_t corner : corners) faces.corner(corner + 1, has_normals ? corner + 1 : 0);
+    faces.end_face();
   }
 
   void read_face(const PlyProperty& property) {
     const std::int64_t corners = body.integer(*property.count_type, 0, kMostCorners, "number of corners");
-    std::string face;
+    std::vector<std::int64_t> face;
     for (std::int64_t c = 0; c < corners; ++c) {
-      face += ' ' + std::to_string(body.integer(property.type, 0, vertex_count - 1, "vertex index"));
+      face.push_back(body.integer(property.type, 0, vertex_count - 1, "vertex index"));
     }
-    if (corners >= 3) add_face(face, corners);
+    if (corners >= 3) add_face(face);
   }
 
   // Every vertex from the third one on makes a triangle with the two before it, turned over at every second
@@ -212,9 +258,7 @@ struct PlyScreen {
     for (std::int64_t i = 0; i < length; ++i) {
       const std::int64_t c = body.integer(property.type, -1, vertex_count - 1, "vertex index");
       if (a >= 0 && c >= 0 && a != b && b != c && c != a) {
-        const std::int64_t first = turned ? b : a;
-        const std::int64_t second = turned ? a : b;
-        add_face(' ' + std::to_string(first) + ' ' + std::to_string(second) + ' ' + std::to_string(c), 3);
+        add_face({turned ? b : a, turned ? a : b, c});
       }
       turned = c >= 0 && a >= 0 && !turned;
       a = c < 0 ? -1 : b;
@@ -222,16 +266,21 @@ struct PlyScreen {
     }
   }
 
-  void read_element(const PlyElement& element) {
-    for (const PlyProperty& property : element.properties) {
+  void read_element(const PlyElement& element, const ColourProperties& colours) {
+    std::vector<double> values(element.properties.size());
+    for (std::size_t p = 0; p < values.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
       if (element.name == "face" && has_indices(property)) {
         read_face(property);
       } else if (element.name == "tristrips" && has_indices(property)) {
         read_strips(property);
-      } else {
+      } else if (property.count_type) {
         skip(body, property);
+      } else {
+        values[p] = body.number(property.type);
       }
     }
+    face_colours.resize(static_cast<std::size_t>(faces.faces()), colours.colour(values));
   }
 
   void read(const PlyElement& element, const std::string& subject) {
@@ -240,33 +289,28 @@ struct PlyScreen {
       throw Failure(subject, "too many faces (" + std::to_string(element.count) + "; the limit is " +
                                  std::to_string(kMaxTriangles) + ")");
     }
+    const ColourProperties colours(element);
     for (std::int64_t i = 0; i < element.count; ++i) {
       body.begin(nth(element, i));
-      read_element(element);
+      read_element(element, colours);
     }
   }
 
-  [[nodiscard]] std::string text() const {
-    std::string out = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(vertex_count) +
-                      "\nproperty float x\nproperty float y\nproperty float z\n";
-    if (has_normals) out += "property float nx\nproperty float ny\nproperty float nz\n";
-    out +=
-        "element face " + std::to_string(face_count) + "\nproperty list int int vertex_indices\nend_header\n";
-    return out + vertices + faces;
+  [[nodiscard]] ScreenedMesh result() {
+    ScreenedMesh out{vertices + faces.text(), MeshFormat::kObj};
+    if (!faces.tagged()) return out;
+    out.vertex_colours = scaled_colours(std::move(vertex_colours));
+    for (const Colour& colour : scaled_colours(std::move(face_colours))) {
+      out.faces.push_back({0, RawMesh::kSmooth, colour});
+    }
+    out.faces.resize(static_cast<std::size_t>(faces.faces()));
+    return out;
   }
 };
 
-std::vector<std::string> colour_warnings(const PlyHeader& header) {
-  std::vector<std::string> warnings;
-  for (const PlyElement& element : header.elements) {
-    if (property_index(element, "red") == element.properties.size() &&
-        property_index(element, "diffuse_red") == element.properties.size()) {
-      continue;
-    }
-    if (element.name == "vertex") warnings.emplace_back("vertex colours are not drawn");
-    if (element.name == "face") warnings.emplace_back("face colours are not drawn");
-  }
-  return warnings;
+bool has_colours(const PlyHeader& header) {
+  return std::any_of(header.elements.begin(), header.elements.end(),
+                     [](const PlyElement& element) { return ColourProperties(element).any(); });
 }
 
 /// How many vertices the header announces.
@@ -285,13 +329,14 @@ std::int64_t vertex_count_of(const PlyHeader& header, const std::string& subject
 
 }  // namespace
 
-// The file is rewritten as text for the library, with positions, normals and faces only.
+// The file is rewritten as OBJ text for the library, with positions, normals and faces only.
 ScreenedMesh screened_ply(std::string_view bytes, const std::string& subject) {
   const std::string plain = plain_text(bytes);
   TextLines lines(plain, subject);
   const PlyHeader header = read_ply_header(lines);
   const std::int64_t vertices = vertex_count_of(header, subject);
-  PlyScreen screen{header, PlyBody(lines, header), TriangleCount(subject), vertices};
+  PlyScreen screen{header, PlyBody(lines, header), TriangleCount(subject), vertices,
+                   TaggedObj(has_colours(header))};
   for (const PlyElement& element : header.elements) {
     // Nothing in the file would stop the count of an element without properties.
     if (element.properties.empty() && element.count > 0)
@@ -299,8 +344,8 @@ ScreenedMesh screened_ply(std::string_view bytes, const std::string& subject) {
     screen.read(element, subject);
   }
   screen.body.end();
-  if (screen.face_count == 0) throw Failure(subject, "no faces");
-  return {screen.text(), colour_warnings(header)};
+  if (screen.faces.faces() == 0) throw Failure(subject, "no faces");
+  return screen.result();
 }
 
 }  // namespace arcspan::tools

@@ -57,6 +57,7 @@ ScreenedMesh screened_binary(std::string_view bytes, const std::string& subject)
   }
   // A blank header: one that says "solid" or "COLOR=" would send the library elsewhere.
   return {std::string(kHeaderBytes, '\0') + std::string(bytes.substr(kHeaderBytes, wanted - kHeaderBytes)),
+          MeshFormat::kStl,
           has_colours(bytes, facets) ? std::vector<std::string>{"face colours are not drawn"}
                                      : std::vector<std::string>{}};
 }
@@ -115,7 +116,7 @@ ScreenedMesh screened_ascii(std::string_view bytes, const std::string& subject) 
   }
   if (open) lines.fail("the file ends before endsolid");
   check_facet_count(facets, subject);
-  return {out + "endsolid mesh\n", {}};
+  return {out + "endsolid mesh\n", MeshFormat::kStl};
 }
 
 }  // namespace

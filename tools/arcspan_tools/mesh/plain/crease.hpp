@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/mesh/plain/mesh_data.hpp>
+#include <arcspan_tools/mesh/plain/model.hpp>
 
 #include <string>
 
@@ -12,5 +12,8 @@ namespace arcspan::tools {
 /// everything, 0 shades every face flat. Whatever normals the mesh had are dropped; vertices are joined
 /// afterwards. Throws Failure about `subject` if there are too many of them then.
 [[nodiscard]] MeshData with_crease(const MeshData& mesh, double degrees, const std::string& subject);
+
+/// The same for a model; faces of other parts count as neighbours too.
+[[nodiscard]] Model with_crease(const Model& model, double degrees, const std::string& subject);
 
 }  // namespace arcspan::tools

@@ -24,8 +24,6 @@ struct MeshData {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// Faces of the file that have no area, left out of `triangles`.
   std::size_t dropped_faces = 0;
-  /// A line for each kind of content of the file that is not drawn, such as its materials.
-  std::vector<std::string> warnings;
 };
 
 /// Triangles whose corners carry their own copies of positions and normals, as loaders give them.
@@ -35,12 +33,19 @@ struct RawMesh {
     /// Zero where the file gives no normal.
     Vec3 normal;
   };
+  /// The smoothing group of triangles whose corners without a normal get that of their own triangle.
+  static constexpr std::uint32_t kFlat = 0;
+  static constexpr std::uint32_t kSmooth = 1;
+
   std::vector<std::array<Corner, 3>> triangles;
+  /// Empty, or the smoothing group of each triangle: kFlat, or any other number; kSmooth if empty.
+  std::vector<std::uint32_t> smoothing{};
 };
 
 /// Joins corners of equal position and normal into vertices. Corners without a normal get the area-weighted
-/// average over all triangles that share the position. Triangles without area are dropped and counted.
-/// `subject` names the mesh in the Failure that is thrown if a limit is passed or nothing is left.
+/// average over all triangles of their smoothing group that share the position. Triangles without area are
+/// dropped and counted. `subject` names the mesh in the Failure that is thrown if a limit is passed or
+/// nothing is left.
 [[nodiscard]] MeshData weld(const RawMesh& raw, const std::string& subject);
 
 }  // namespace arcspan::tools

@@ -7,18 +7,18 @@
 
 namespace arcspan::tools {
 
-Positions positions_of(const MeshData& mesh) {
-  const auto key = [&mesh](std::uint32_t i) {
-    const Vec3& p = mesh.positions[i];
+Positions positions_of(const std::vector<Vec3>& vertices) {
+  const auto key = [&vertices](std::uint32_t i) {
+    const Vec3& p = vertices[i];
     return std::tie(p.x, p.y, p.z);
   };
-  std::vector<std::uint32_t> order(mesh.positions.size());
+  std::vector<std::uint32_t> order(vertices.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&key](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   Positions found;
   found.ids.resize(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i == 0 || key(order[i - 1]) != key(order[i])) found.points.push_back(mesh.positions[order[i]]);
+    if (i == 0 || key(order[i - 1]) != key(order[i])) found.points.push_back(vertices[order[i]]);
     found.ids[order[i]] = static_cast<std::uint32_t>(found.points.size() - 1);
   }
   return found;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/plain/mesh_data.hpp>
+#include <arcspan_tools/mesh/plain/model.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <bit>
@@ -32,17 +33,34 @@ Vec3 area_vector(const std::array<RawMesh::Corner, 3>& t) {
   return cross(t[1].position - t[0].position, t[2].position - t[0].position);
 }
 
-using NormalAt = std::unordered_map<Vec3, Vec3, VertexHash>;
+std::uint32_t smoothing_of(const RawMesh& raw, std::size_t triangle) {
+  return raw.smoothing.empty() ? RawMesh::kSmooth : raw.smoothing[triangle];
+}
+
+/// A position within a smoothing group.
+struct SmoothPoint {
+  Vec3 position;
+  std::uint32_t group;
+
+  friend bool operator==(const SmoothPoint&, const SmoothPoint&) = default;
+};
+struct SmoothPointHash {
+  std::size_t operator()(const SmoothPoint& p) const {
+    return VertexHash::folded(VertexHash::mix(VertexHash::mix(0, p.position), p.group));
+  }
+};
+using NormalAt = std::unordered_map<SmoothPoint, Vec3, SmoothPointHash>;
 
 // Faces that cancel out at a position (a sheet with two sides) leave no direction: the first face's then.
 NormalAt averaged_normals(const RawMesh& raw) {
   NormalAt sums;
   NormalAt first;
-  for (const auto& triangle : raw.triangles) {
-    const Vec3 area = area_vector(triangle);
-    if (length(area) == 0) continue;
-    for (const RawMesh::Corner& corner : triangle) {
-      const Vec3 key = canonical(corner.position);
+  for (std::size_t i = 0; i < raw.triangles.size(); ++i) {
+    const Vec3 area = area_vector(raw.triangles[i]);
+    const std::uint32_t group = smoothing_of(raw, i);
+    if (length(area) == 0 || group == RawMesh::kFlat) continue;
+    for (const RawMesh::Corner& corner : raw.triangles[i]) {
+      const SmoothPoint key{canonical(corner.position), group};
       first.emplace(key, area);
       sums[key] = sums[key] + area;
     }
@@ -60,14 +78,31 @@ void check_limit(const std::string& subject, const char* what, std::size_t count
                 "too many " + std::string(what) + " (more than " + std::to_string(limit) + ", the limit)");
 }
 
+/// Makes vertices of the corners of one mesh.
 class Welder {
  public:
-  Welder(MeshData& mesh, const NormalAt& averaged) : mesh_(mesh), averaged_(averaged) {}
+  explicit Welder(const NormalAt& averaged) : averaged_(averaged) {}
 
-  std::uint32_t vertex(const RawMesh::Corner& corner) {
-    const Vec3 position = canonical(corner.position);
-    const Vec3 own = canonical(normalised(corner.normal));
-    const Vec3 normal = own == Vec3{} ? canonical(averaged_.at(position)) : own;
+  void add(const std::array<RawMesh::Corner, 3>& triangle, std::uint32_t group, const std::string& subject) {
+    std::array<std::uint32_t, 3> indices{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 position = canonical(triangle[i].position);
+      const Vec3 own = canonical(normalised(triangle[i].normal));
+      indices[i] = vertex(position, own == Vec3{} ? missing_normal(triangle, position, group) : own);
+    }
+    check_limit(subject, "vertices", mesh_.positions.size(), kMaxVertices);
+    mesh_.triangles.push_back(indices);
+  }
+  [[nodiscard]] MeshData& mesh() { return mesh_; }
+
+ private:
+  [[nodiscard]] Vec3 missing_normal(const std::array<RawMesh::Corner, 3>& triangle, const Vec3& position,
+                                    std::uint32_t group) const {
+    return canonical(group == RawMesh::kFlat ? normalised(area_vector(triangle))
+                                             : averaged_.at({position, group}));
+  }
+
+  std::uint32_t vertex(const Vec3& position, const Vec3& normal) {
     const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
     const auto [at, is_new] = known_.try_emplace({position, normal}, next);
     if (is_new) {
@@ -77,35 +112,45 @@ class Welder {
     return at->second;
   }
 
- private:
-  MeshData& mesh_;
+  MeshData mesh_;
   const NormalAt& averaged_;
   std::unordered_map<RawMesh::Corner, std::uint32_t, VertexHash, SameVertex> known_;
 };
 
+void require_faces(const std::string& subject, bool any, std::size_t dropped) {
+  if (any) return;
+  throw Failure(
+      subject, dropped == 0 ? "no faces" : "no faces with an area (" + std::to_string(dropped) + " dropped)");
+}
+
 }  // namespace
 
 MeshData weld(const RawMesh& raw, const std::string& subject) {
-  check_limit(subject, "triangles", raw.triangles.size(), kMaxTriangles);
-  const NormalAt averaged = averaged_normals(raw);
-  MeshData mesh;
-  Welder welder(mesh, averaged);
-  for (const auto& triangle : raw.triangles) {
+  Model model = weld_parts({raw, {{}}, std::vector<std::uint32_t>(raw.triangles.size()), {}}, subject);
+  model.parts[0].mesh.dropped_faces = model.dropped_faces;
+  return std::move(model.parts[0].mesh);
+}
+
+Model weld_parts(const RawModel& raw, const std::string& subject) {
+  check_limit(subject, "triangles", raw.mesh.triangles.size(), kMaxTriangles);
+  const NormalAt averaged = averaged_normals(raw.mesh);
+  std::vector<Welder> welders(raw.looks.size(), Welder(averaged));
+  Model model;
+  for (std::size_t i = 0; i < raw.mesh.triangles.size(); ++i) {
+    const auto& triangle = raw.mesh.triangles[i];
     if (length(area_vector(triangle)) == 0) {
-      ++mesh.dropped_faces;
+      ++model.dropped_faces;
       continue;
     }
-    std::array<std::uint32_t, 3> indices{};
-    for (std::size_t i = 0; i < 3; ++i) indices[i] = welder.vertex(triangle[i]);
-    check_limit(subject, "vertices", mesh.positions.size(), kMaxVertices);
-    mesh.triangles.push_back(indices);
+    welders[raw.look_of[i]].add(triangle, smoothing_of(raw.mesh, i), subject);
   }
-  if (mesh.triangles.empty()) {
-    throw Failure(subject, mesh.dropped_faces == 0 ? "no faces"
-                                                   : "no faces with an area (" +
-                                                         std::to_string(mesh.dropped_faces) + " dropped)");
+  for (std::size_t i = 0; i < welders.size(); ++i) {
+    if (welders[i].mesh().triangles.empty()) continue;
+    model.parts.push_back({raw.looks[i], std::move(welders[i].mesh())});
   }
-  return mesh;
+  require_faces(subject, !model.parts.empty(), model.dropped_faces);
+  model.warnings = raw.warnings;
+  return model;
 }
 
 }  // namespace arcspan::tools

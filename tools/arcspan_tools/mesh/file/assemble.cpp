@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/assemble.hpp>
+#include <arcspan_tools/mesh/file/triangle_colours.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+#include <utility>
+
+namespace arcspan::tools {
+namespace {
+
+/// The colour of a triangle: that of its face, or those of its corners if all have one.
+TriangleColour colour_of(const TriangleSource& source, const FaceTag& tag, const ScreenedMesh& file) {
+  if (tag.colour) return {true, {*tag.colour, *tag.colour, *tag.colour}};
+  TriangleColour colour{!file.vertex_colours.empty(), {}};
+  for (std::size_t i = 0; i < 3 && colour.known; ++i) {
+    const std::optional<Vec3>& corner = file.vertex_colours[source.vertices[i]];
+    colour.known = corner.has_value();
+    if (corner) colour.corners[i] = *corner;
+  }
+  return colour;
+}
+
+}  // namespace
+
+RawModel assembled(ImportedMesh mesh, ScreenedMesh file, const std::string& subject) {
+  RawModel model;
+  model.mesh.triangles = std::move(mesh.triangles);
+  model.looks = file.looks;
+  model.warnings = std::move(file.warnings);
+  model.look_of.resize(model.mesh.triangles.size());
+  if (file.faces.empty()) return model;
+  if (mesh.sources.size() != model.mesh.triangles.size()) throw Failure(subject, "the loader lost its faces");
+  std::vector<TriangleColour> colours;
+  for (std::size_t i = 0; i < mesh.sources.size(); ++i) {
+    const TriangleSource& source = mesh.sources[i];
+    const bool known = source.face < file.faces.size();
+    if (!known) throw Failure(subject, "the loader made up a face");
+    for (const std::uint32_t vertex : source.vertices) {
+      if (!file.vertex_colours.empty() && vertex >= file.vertex_colours.size()) {
+        throw Failure(subject, "the loader made up a vertex");
+      }
+    }
+    const FaceTag& tag = file.faces[source.face];
+    model.look_of[i] = tag.look;
+    model.mesh.smoothing.push_back(tag.smoothing);
+    colours.push_back(colour_of(source, tag, file));
+  }
+  apply_colours(model, colours);
+  return model;
+}
+
+}  // namespace arcspan::tools

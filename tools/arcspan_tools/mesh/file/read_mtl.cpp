@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/read_mtl.hpp>
+#include <arcspan_tools/mesh/file/text_lines.hpp>
+#include <arcspan_tools/support/parse.hpp>
+#include <arcspan_tools/support/text.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace arcspan::tools {
+namespace {
+
+/// Statements without an effect on an opaque surface that reflects nothing: they need no warning.
+constexpr std::string_view kSilent[] = {"Ni", "Tf", "sharpness", "Tr", "d", "Km"};
+
+class MtlReader {
+ public:
+  MtlReader(TextLines& lines, MtlMaterials& materials) : lines_(lines), materials_(materials) {}
+
+  void read() {
+    while (lines_.next()) {
+      if (!lines_.words().empty()) statement(lines_.words()[0]);
+    }
+  }
+
+ private:
+  void statement(std::string_view keyword) {
+    if (keyword == "newmtl") return begin();
+    if (material_ == nullptr) lines_.fail(in_quotes(keyword) + " before any newmtl");
+    if (keyword == "Kd") {
+      material_->colour = colour();
+    } else if (keyword == "Ka") {
+      material_->ambient_colour = colour();
+      if (is_grey(material_->ambient_colour)) material_->ambient_colour.reset();
+    } else if (keyword == "Ks") {
+      specular_ = colour();
+      set_highlight();
+    } else if (keyword == "Ke") {
+      material_->emission = colour().value_or(Vec3{});
+    } else if (keyword == "Ns") {
+      constexpr double kLeast = 1;
+      constexpr double kMost = 256;
+      material_->shininess =
+          static_cast<std::int32_t>(std::lround(std::clamp(lines_.number_at(1), kLeast, kMost)));
+    } else if (keyword == "illum") {
+      illum_ = lines_.integer_at(1, 0, 10, "illumination model");
+      if (illum_ > 2) materials_.not_drawn.insert("illum " + std::to_string(illum_));
+      set_highlight();
+    } else if (keyword == "d") {
+      opacity(lines_.number_at(lines_.words().size() - 1));
+    } else if (keyword == "Tr") {
+      opacity(1 - lines_.number_at(1));
+    } else if (std::find(std::begin(kSilent), std::end(kSilent), keyword) == std::end(kSilent)) {
+      materials_.not_drawn.insert(std::string(keyword));
+    }
+  }
+
+  void begin() {
+    const std::string name = rest_of_line(lines_);
+    if (name.empty()) lines_.fail("a material has no name");
+    material_ = &materials_.by_name.insert_or_assign(name, FileMaterial{name}).first->second;
+    specular_.reset();
+    illum_ = 2;
+  }
+
+  // illum may stand before Ks or after it.
+  void set_highlight() {
+    material_->unlit = illum_ == 0;
+    material_->specular = illum_ == 1 ? Vec3{} : specular_;
+  }
+
+  void opacity(double value) { materials_.transparent = materials_.transparent || value < 1; }
+
+  static bool is_grey(const std::optional<Vec3>& c) { return c && c->x == c->y && c->y == c->z; }
+
+  /// Three numbers, or one for all channels. Spectra and CIE colours give nothing.
+  std::optional<Vec3> colour() {
+    if (lines_.words().size() > 1 && (lines_.words()[1] == "spectral" || lines_.words()[1] == "xyz")) {
+      materials_.not_drawn.insert(std::string(lines_.words()[0]) + " " + std::string(lines_.words()[1]));
+      return std::nullopt;
+    }
+    const double red = channel(1);
+    if (lines_.words().size() == 2) return Vec3{red, red, red};
+    return Vec3{red, channel(2), channel(3)};
+  }
+
+  double channel(std::size_t i) {
+    const double value = lines_.number_at(i);
+    if (value < 0) lines_.fail(in_quotes(lines_.words()[i]) + " is not a colour (0...1)");
+    materials_.too_bright = materials_.too_bright || value > 1;
+    return std::min(value, 1.0);
+  }
+
+  TextLines& lines_;
+  MtlMaterials& materials_;
+  FileMaterial* material_ = nullptr;
+  std::optional<Vec3> specular_;
+  std::int64_t illum_ = 2;
+};
+
+}  // namespace
+
+void read_mtl(std::string_view bytes, const std::string& subject, MtlMaterials& materials) {
+  const std::string text = plain_text(bytes);
+  require_text(text, subject);
+  TextLines lines(text, subject, TextLines::Joining::kBackslash);
+  MtlReader(lines, materials).read();
+}
+
+std::vector<std::string> warnings_of(const MtlMaterials& materials) {
+  std::vector<std::string> all;
+  if (!materials.not_drawn.empty()) {
+    const std::vector<std::string> names(materials.not_drawn.begin(), materials.not_drawn.end());
+    all.push_back("not drawn of its materials: " + joined(names, ", "));
+  }
+  if (materials.transparent) all.emplace_back("transparent materials (d, Tr) are drawn opaque");
+  if (materials.too_bright) all.emplace_back("colours of materials above 1 are drawn as 1");
+  return all;
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace arcspan::tools {
+
+/// A file that a model file refers to.
+struct SideFile {
+  std::string subject;  ///< names it in messages
+  std::string bytes;
+};
+
+/// Reads the file that a model file calls `name`; nothing if it cannot be read.
+using SideFiles = std::function<std::optional<SideFile>(const std::string& name)>;
+
+/// Reads from the folder of the model file and below only: names that lead out of it, and absolute ones, give
+/// nothing. Backslashes count as slashes.
+[[nodiscard]] SideFiles side_files_of(const std::string& model);
+
+/// Reads nothing.
+[[nodiscard]] SideFiles no_side_files();
+
+}  // namespace arcspan::tools

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/mesh/plain/mesh_data.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace arcspan::tools {
+
+/// The look of a surface as a model file states it. Colours are display values 0...1 per channel, 1 being a
+/// channel of 255 (docs/conventions.md). Unset members are left to the options of the command.
+struct FileMaterial {
+  std::string name{};
+  std::optional<Vec3> colour{};             ///< of diffuse light
+  std::optional<Vec3> ambient_colour{};     ///< of ambient light; `colour` if unset
+  std::optional<Vec3> specular{};           ///< of the highlight; black means none
+  std::optional<std::int32_t> shininess{};  ///< exponent of the highlight, 1...256
+  Vec3 emission{};                          ///< added to every pixel
+  bool unlit = false;                       ///< the colour is shown as it is, without light
+  bool two_sided = false;                   ///< back faces are drawn too
+
+  friend bool operator==(const FileMaterial&, const FileMaterial&) = default;
+};
+
+/// What the triangles of a part have in common.
+struct PartLook {
+  /// Names of the object, mesh and groups that the part belongs to, by which it can be selected.
+  std::vector<std::string> names{};
+  FileMaterial material{};
+
+  friend bool operator==(const PartLook&, const PartLook&) = default;
+};
+
+/// A part of a model: the triangles of one group with one material.
+struct ModelPart {
+  PartLook look{};
+  MeshData mesh{};
+};
+
+/// The contents of a model file: parts in one coordinate system.
+struct Model {
+  std::vector<ModelPart> parts{};
+  /// Faces of the file that have no area, left out of the parts.
+  std::size_t dropped_faces = 0;
+  /// A line for each kind of content of the file that is not drawn, such as its textures.
+  std::vector<std::string> warnings{};
+
+  [[nodiscard]] std::size_t vertex_count() const;
+  [[nodiscard]] std::size_t triangle_count() const;
+};
+
+/// The triangles of a model as loaders give them.
+struct RawModel {
+  RawMesh mesh{};
+  std::vector<PartLook> looks{};
+  /// For each triangle an index into `looks`.
+  std::vector<std::uint32_t> look_of{};
+  std::vector<std::string> warnings{};
+};
+
+/// weld() of each part; normals are averaged across parts. Parts without triangles are left out. The limit of
+/// vertices holds for each part, that of triangles for the model.
+[[nodiscard]] Model weld_parts(const RawModel& raw, const std::string& subject);
+
+/// The model of a mesh without materials.
+[[nodiscard]] Model to_model(MeshData mesh);
+
+/// The triangles of a model, with the normals of their corners.
+[[nodiscard]] RawModel to_raw(const Model& model);
+
+/// The parts that have `name` among their names. Throws a Failure about `subject` that lists the names if
+/// there is none.
+[[nodiscard]] Model select_parts(Model model, const std::string& name, const std::string& subject);
+
+}  // namespace arcspan::tools

@@ -18,7 +18,7 @@ void require(bool promise) {
 }
 
 void check(const MeshData& mesh) {
-  require(!mesh.triangles.empty() && mesh.triangles.size() <= kMaxTriangles);
+  require(!mesh.triangles.empty());
   require(mesh.positions.size() == mesh.normals.size() && mesh.positions.size() <= kMaxVertices);
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t index : triangle) require(index < mesh.positions.size());
@@ -27,14 +27,20 @@ void check(const MeshData& mesh) {
   for (const Vec3& normal : mesh.normals) require(std::fabs(length(normal) - 1) < 1e-6);
 }
 
+void check(const Model& model) {
+  require(!model.parts.empty() && model.triangle_count() <= kMaxTriangles);
+  for (const ModelPart& part : model.parts) check(part.mesh);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 1) return 0;
-  constexpr MeshFormat kFormats[] = {MeshFormat::kObj, MeshFormat::kPly, MeshFormat::kStl, MeshFormat::kOff};
-  const MeshFormat format = kFormats[data[0] & 3u];
+  constexpr MeshFormat kFormats[] = {MeshFormat::kObj,  MeshFormat::kPly,  MeshFormat::kStl, MeshFormat::kOff,
+                                     MeshFormat::kGltf, MeshFormat::kGltf, MeshFormat::kObj, MeshFormat::kPly};
+  const MeshFormat format = kFormats[data[0] & 7u];
   try {
-    check(load_mesh_from_memory({reinterpret_cast<const char*>(data) + 1, size - 1}, format, "fuzz"));
+    check(load_model_from_memory({reinterpret_cast<const char*>(data) + 1, size - 1}, format, "fuzz"));
   } catch (const Failure&) {
   }
   return 0;

@@ -28,6 +28,11 @@ MeshData loaded(const std::string& name, const std::string& bytes) {
   return load_mesh(folder.file(name, bytes));
 }
 
+std::vector<std::string> warnings_of(const std::string& name, const std::string& bytes) {
+  const TemporaryFolder folder;
+  return load_model_file(folder.file(name, bytes)).warnings;
+}
+
 }  // namespace
 
 TEST_CASE("OBJ polygons are triangulated and their normals face the front") {
@@ -104,7 +109,8 @@ TEST_CASE("files that are not there or of no known kind") {
   CHECK(message_of<Failure>([&] { (void)load_mesh(folder / "none.obj"); }) ==
         (folder / "none.obj") + ": cannot read (no such file)");
   CHECK(message_of<Failure>([] { (void)load_mesh("picture.jpg"); }) ==
-        "picture.jpg: not a mesh that can be read (.obj, .ply, .stl, .off, .bin, sphere:32x16, torus:48x24)");
+        "picture.jpg: not a mesh that can be read (.obj, .ply, .stl, .off, .gltf, .glb, .bin, sphere:32x16, "
+        "torus:48x24)");
 }
 
 TEST_CASE("OFF: a cube, and what can be wrong with one") {
@@ -135,18 +141,17 @@ TEST_CASE("OFF: keywords of other programs, none at all, and line ends of old Ma
   const std::vector<std::string> colours = {"vertex colours are not drawn"};
   for (const char* keyword : {"OFF\n", "off\n", "OFF ", "", "STOFF\n"}) {
     CAPTURE(keyword);
-    const MeshData mesh = loaded("a.off", square(keyword, ""));
-    CHECK(mesh.triangles.size() == 2);
-    CHECK(mesh.warnings.empty());
+    CHECK(loaded("a.off", square(keyword, "")).triangles.size() == 2);
+    CHECK(warnings_of("a.off", square(keyword, "")).empty());
   }
-  CHECK(loaded("a.off", square("COFF\n", " 255 0 0 255")).warnings == colours);
-  CHECK(loaded("a.off", square("OFF\n", " 0.1 0.2 0.3")).warnings == colours);
-  CHECK(loaded("a.off", square("OFF\n", "") + "\n").warnings.empty());
-  CHECK(loaded("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n").warnings ==
+  CHECK(warnings_of("a.off", square("COFF\n", " 255 0 0 255")) == colours);
+  CHECK(warnings_of("a.off", square("OFF\n", " 0.1 0.2 0.3")) == colours);
+  CHECK(warnings_of("a.off", square("OFF\n", "") + "\n").empty());
+  CHECK(warnings_of("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n") ==
         std::vector<std::string>{"face colours are not drawn"});
-  const MeshData with_normals = loaded("a.off", square("CNOFF\n", " 0 0.6 0.8 255 0 0 255"));
-  for (const Vec3& n : with_normals.normals) CHECK(length(n - Vec3{0, 0.6, 0.8}) < 1e-6);
-  CHECK(with_normals.warnings == colours);
+  const std::string coloured = square("CNOFF\n", " 0 0.6 0.8 255 0 0 255");
+  for (const Vec3& n : loaded("a.off", coloured).normals) CHECK(length(n - Vec3{0, 0.6, 0.8}) < 1e-6);
+  CHECK(warnings_of("a.off", coloured) == colours);
   std::string mac = square("OFF\n", "");
   std::replace(mac.begin(), mac.end(), '\n', '\r');
   CHECK(loaded("a.off", mac).triangles.size() == 2);
@@ -183,9 +188,9 @@ TEST_CASE("STL: text and binary, and what can be wrong with them") {
   CHECK(loaded("a.stl", solid).triangles.size() == 1);
   CHECK(loaded("a.stl", solid + "more").triangles.size() == 1);
   CHECK(complaint("a.stl", solid.substr(0, 130)) == "truncated (130 bytes of 134 for 1 triangles)");
-  CHECK(loaded("a.stl", solid).warnings.empty());
+  CHECK(warnings_of("a.stl", solid).empty());
   solid[133] = static_cast<char>(0x80);
-  CHECK(loaded("a.stl", solid).warnings == std::vector<std::string>{"face colours are not drawn"});
+  CHECK(warnings_of("a.stl", solid) == std::vector<std::string>{"face colours are not drawn"});
   put(10, "\x00\x00\xC0\x7F");
   CHECK(complaint("a.stl", binary) == "a coordinate of triangle 0 is not a finite number");
   binary[82] = 0x7F;
@@ -313,27 +318,10 @@ TEST_CASE("OBJ: line ends of old Macs, and a face of too many corners") {
 
 TEST_CASE("content that is not drawn gets a warning") {
   const std::string square = kSquare;
-  const auto warnings = [](const std::string& text) { return loaded("a.obj", text).warnings; };
   using Lines = std::vector<std::string>;
-  CHECK(warnings(square + "g a\ns 1\nf 1 2 3\nf 1 3 4\n").empty());
-  CHECK(warnings(square + "usemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\n") ==
-        Lines{"materials (usemtl) are not drawn"});
-  CHECK(warnings("v 0 0 0 1 0 0\n" + square + "f 2 3 4\n") == Lines{"vertex colours are not drawn"});
-  const Lines flat = {"faces that are not to be smoothed (s off) are drawn smooth"};
-  CHECK(warnings(square + "s off\nf 1 2 3\n") == flat);
-  CHECK(warnings(square + "s 0\nf 1 2 3\n") == flat);
-  CHECK(warnings(square + "s 1\nf 1 2 3\ns 2\nf 1 3 4\n") ==
-        Lines{"edges between smoothing groups (s) are drawn smooth"});
-  // Normals of the file say it all.
-  CHECK(warnings(square + "vn 0 0 1\ns off\nf 1//1 2//1 3//1\n").empty());
-  CHECK(warnings(square + "cstype bspline\nsurf 0 1 0 1 1 2 3 4\nf 1 2 3\n") ==
+  CHECK(warnings_of("a.obj", square + "g a\ns 1\nf 1 2 3\ns off\nf 1 3 4\n").empty());
+  CHECK(warnings_of("a.obj", square + "cstype bspline\nsurf 0 1 0 1 1 2 3 4\nf 1 2 3\n") ==
         Lines{"curves and free-form surfaces are not drawn"});
-  const std::string rgb = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-  const std::string ply =
-      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" +
-      rgb + "element face 1\nproperty list uchar int vertex_indices\n" + rgb +
-      "end_header\n0 0 0 1 1 1\n1 0 0 1 1 1\n0 1 0 1 1 1\n3 0 1 2 1 1 1\n";
-  CHECK(loaded("a.ply", ply).warnings == Lines{"vertex colours are not drawn", "face colours are not drawn"});
 }
 
 TEST_CASE("real meshes of the loader's own collection") {

@@ -25,6 +25,8 @@ const char* extension(MeshFormat format) {
       return "stl";
     case MeshFormat::kOff:
       return "off";
+    case MeshFormat::kGltf:
+      break;
   }
   return "";
 }
@@ -52,7 +54,7 @@ bool has_vertex_normals(const aiMesh& mesh, MeshFormat format) {
 }
 
 // Tags are whole numbers; what is none stays 0.
-std::uint32_t tag(ai_real value) {
+std::uint32_t tag_number(ai_real value) {
   return value > 0 && value < (1u << 24) ? static_cast<std::uint32_t>(std::lround(value)) : 0;
 }
 
@@ -72,8 +74,8 @@ void append(ImportedMesh& out, const aiMesh& mesh, MeshFormat format, const std:
       triangle[i].position = to_vec3(mesh.mVertices[index]);
       if (!finite(triangle[i].position)) throw Failure(subject, "a coordinate is not a finite number");
       if (mesh.HasTextureCoords(0)) {
-        source.face = tag(mesh.mTextureCoords[0][index].x);
-        source.vertices[i] = tag(mesh.mTextureCoords[0][index].y);
+        source.face = tag_number(mesh.mTextureCoords[0][index].x);
+        source.vertices[i] = tag_number(mesh.mTextureCoords[0][index].y);
       }
       if (!with_normals) continue;
       const Vec3 normal = to_vec3(mesh.mNormals[index]);

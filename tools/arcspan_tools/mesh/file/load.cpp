@@ -4,6 +4,7 @@
 #include <arcspan_tools/mesh/file/isolate.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/mesh/file/validate.hpp>
+#include <arcspan_tools/mesh/gltf/read_gltf.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
@@ -25,15 +26,18 @@ ImportedMesh import_isolated(const ScreenedMesh& file, const std::string& subjec
 }
 
 RawModel load_raw(const std::string& name, MeshFormat format) {
-  ScreenedMesh file = screened(read_whole_file(name, kMostFileBytes), format, name, side_files_of(name));
+  const std::string bytes = read_whole_file(name, kMostFileBytes);
+  if (format == MeshFormat::kGltf) return read_gltf(bytes, name, side_files_of(name));
+  ScreenedMesh file = screened(bytes, format, name, side_files_of(name));
   ImportedMesh mesh = import_isolated(file, name);
   return assembled(std::move(mesh), std::move(file), name);
 }
 
 MeshFormat require_format(const std::string& name) {
   if (const std::optional<MeshFormat> format = mesh_format(name)) return *format;
-  throw Failure(name,
-                "not a mesh that can be read (.obj, .ply, .stl, .off, .bin, sphere:32x16, torus:48x24)");
+  throw Failure(
+      name,
+      "not a mesh that can be read (.obj, .ply, .stl, .off, .gltf, .glb, .bin, sphere:32x16, torus:48x24)");
 }
 
 /// The mesh of a name that stands for no model file.
@@ -53,10 +57,14 @@ std::optional<MeshFormat> mesh_format(const std::filesystem::path& path) {
   if (extension == ".ply") return MeshFormat::kPly;
   if (extension == ".stl") return MeshFormat::kStl;
   if (extension == ".off") return MeshFormat::kOff;
+  if (extension == ".gltf" || extension == ".glb") return MeshFormat::kGltf;
   return std::nullopt;
 }
 
 Model load_model_from_memory(std::string_view bytes, MeshFormat format, const std::string& subject) {
+  if (format == MeshFormat::kGltf) {
+    return weld_parts(read_gltf(bytes, subject, no_side_files()), subject);
+  }
   ScreenedMesh file = screened(bytes, format, subject, no_side_files());
   ImportedMesh mesh = import_mesh(file.text, file.format, subject);
   return weld_parts(assembled(std::move(mesh), std::move(file), subject), subject);

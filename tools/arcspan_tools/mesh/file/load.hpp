@@ -13,12 +13,13 @@ namespace arcspan::tools {
 /// Largest model file: a text file of kMaxTriangles triangles needs about a tenth of this.
 inline constexpr std::size_t kMostFileBytes = std::size_t{256} << 20;
 
-enum class MeshFormat { kObj, kPly, kStl, kOff };
+enum class MeshFormat { kObj, kPly, kStl, kOff, kGltf };
 
 /// The format that a file name's extension stands for, in either case.
 [[nodiscard]] std::optional<MeshFormat> mesh_format(const std::filesystem::path& path);
 
-/// Loads a model from a file (.obj, .ply, .stl, .off, or .bin for a mesh binary), or generates one
+/// Loads a model from a file (.obj, .ply, .stl, .off, .gltf, .glb, or .bin for a mesh binary), or generates
+/// one
 /// (`sphere:32x16`, `torus:48x24`; see generate.hpp). Throws Failure for everything that is wrong with it.
 [[nodiscard]] Model load_model_file(const std::string& name);
 

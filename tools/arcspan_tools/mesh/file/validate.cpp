@@ -25,6 +25,8 @@ ScreenedMesh screened(std::string_view bytes, MeshFormat format, const std::stri
       return screened_stl(bytes, subject);
     case MeshFormat::kOff:
       return screened_off(bytes, subject);
+    case MeshFormat::kGltf:
+      break;
   }
   throw Failure(subject, "unknown format");
 }

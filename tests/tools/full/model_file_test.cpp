@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// Parts, materials and colours of OBJ, MTL and PLY files.
+#include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <catch2/catch.hpp>
+#include <tests/tools/temporary_folder.hpp>
+
+#include <algorithm>
+
+using namespace arcspan::tools;
+using namespace arcspan::test;
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// Two triangles that meet at a right angle along the y axis.
+constexpr const char* kFold = "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 1\n";
+
+Model loaded(const std::string& obj, const std::string& mtl = "") {
+  const TemporaryFolder folder;
+  if (!mtl.empty()) (void)folder.file("a.mtl", mtl);
+  return load_model_file(folder.file("a.obj", obj));
+}
+
+FileMaterial material(const std::string& statements) {
+  return loaded(std::string(kFold) + "mtllib a.mtl\nusemtl m\nf 1 3 2\n", "newmtl m\n" + statements)
+      .parts[0]
+      .look.material;
+}
+
+std::string complaint_about_mtl(const std::string& mtl) {
+  const TemporaryFolder folder;
+  (void)folder.file("a.mtl", mtl);
+  const std::string obj = folder.file("a.obj", std::string(kFold) + "mtllib a.mtl\nusemtl m\nf 1 3 2\n");
+  const std::string message = message_of<Failure>([&] { (void)load_model_file(obj); });
+  const std::string prefix = (folder / "a.mtl") + ": ";
+  return message.rfind(prefix, 0) == 0 ? message.substr(prefix.size()) : "(without the name) " + message;
+}
+
+Model loaded_ply(const std::string& vertex_properties, const std::string& face_properties,
+                 const std::string& body) {
+  const TemporaryFolder folder;
+  return load_model_file(folder.file(
+      "a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n" +
+          vertex_properties + "element face 2\nproperty list uchar int vertex_indices\n" + face_properties +
+          "end_header\n" + body));
+}
+
+}  // namespace
+
+TEST_CASE("OBJ: a part for each group and material, with its names") {
+  const Model model =
+      loaded(std::string("mtllib a.mtl\n") + kFold +
+                 "o car\ng body doors\nusemtl red\nf 1 3 2\ng wheels\nusemtl matt black\nf 1 2 4\nf 1 4 3\n"
+                 "g body doors\nusemtl red\nf 4 2 3\n",
+             "newmtl red\nKd 1 0 0\nnewmtl matt  black\nKd 0.1 0.1 0.1\n");
+  REQUIRE(model.parts.size() == 2);
+  CHECK(model.parts[0].look.names == Lines{"car", "body", "doors"});
+  CHECK(model.parts[0].look.material.name == "red");
+  CHECK(model.parts[0].look.material.colour == Vec3{1, 0, 0});
+  CHECK(model.parts[0].mesh.triangles.size() == 2);
+  CHECK(model.parts[1].look.names == Lines{"car", "wheels"});
+  CHECK(model.parts[1].look.material.colour == Vec3{0.1, 0.1, 0.1});
+  CHECK(model.parts[1].mesh.triangles.size() == 2);
+  CHECK(model.triangle_count() == 4);
+  CHECK(model.warnings.empty());
+}
+
+TEST_CASE("a group is selected by any of its names") {
+  const std::string obj = std::string(kFold) + "o car\ng body\nf 1 3 2\ng wheels\nf 1 2 4\n";
+  CHECK(select_parts(loaded(obj), "wheels", "m").parts.size() == 1);
+  CHECK(select_parts(loaded(obj), "car", "m").parts.size() == 2);
+  CHECK(message_of<Failure>([&] { (void)select_parts(loaded(obj), "wing", "m"); }) ==
+        "m: no group 'wing' (there are: body, car, wheels)");
+}
+
+TEST_CASE("MTL: statements of a material") {
+  CHECK(material("Kd 0.25 0.5 0.75\n").colour == Vec3{0.25, 0.5, 0.75});
+  CHECK(material("Kd 0.25\n").colour == Vec3{0.25, 0.25, 0.25});
+  CHECK_FALSE(material("Ns 10\n").colour);
+  CHECK(material("Ks 0.5 0.25 0\nNs 31.6\n").specular == Vec3{0.5, 0.25, 0});
+  CHECK(material("Ks 0.5 0.25 0\nNs 31.6\n").shininess == 32);
+  CHECK(material("Ns 1000\n").shininess == 256);
+  CHECK(material("Ns 0\n").shininess == 1);
+  CHECK(material("Ke 0.1 0 0\n").emission == Vec3{0.1, 0, 0});
+  // Grey ambient colours are what exporters write without a meaning.
+  CHECK_FALSE(material("Ka 1 1 1\n").ambient_colour);
+  CHECK_FALSE(material("Ka 0 0 0\n").ambient_colour);
+  CHECK(material("Ka 0.1 0.2 0.3\n").ambient_colour == Vec3{0.1, 0.2, 0.3});
+  CHECK(material("illum 0\n").unlit);
+  CHECK_FALSE(material("illum 2\n").unlit);
+  CHECK(material("Ks 1 1 1\nillum 1\n").specular == Vec3{0, 0, 0});
+  CHECK(material("illum 1\nKs 1 1 1\n").specular == Vec3{0, 0, 0});
+  CHECK(material("illum 2\nKs 1 1 1\n").specular == Vec3{1, 1, 1});
+}
+
+TEST_CASE("MTL: what is not drawn gets a warning, once") {
+  const auto warnings = [](const std::string& mtl) {
+    return loaded(std::string(kFold) + "mtllib a.mtl\nusemtl m\nf 1 3 2\nusemtl n\nf 1 2 4\n",
+                  "newmtl m\n" + mtl + "newmtl n\n" + mtl)
+        .warnings;
+  };
+  CHECK(warnings("Kd 1 0 0\nNi 1.5\nTf 1 1 1\nd 1\nillum 2\n").empty());
+  CHECK(warnings("map_Kd wood.png\nbump b.png\nillum 3\n") ==
+        Lines{"not drawn of its materials: bump, illum 3, map_Kd"});
+  const Lines transparent = {"transparent materials (d, Tr) are drawn opaque"};
+  CHECK(warnings("d 0.5\n") == transparent);
+  CHECK(warnings("d -halo 0.5\n") == transparent);
+  CHECK(warnings("Tr 0.5\n") == transparent);
+  CHECK(warnings("Kd 2 0 0\n") == Lines{"colours of materials above 1 are drawn as 1"});
+  CHECK(warnings("Kd spectral a.rfl\n") == Lines{"not drawn of its materials: Kd spectral"});
+}
+
+TEST_CASE("MTL: what is wrong names the file, the line and the value") {
+  CHECK(complaint_about_mtl("newmtl m\nKd 1 red 0\n") == "line 2: 'red' is not a number");
+  CHECK(complaint_about_mtl("newmtl m\nKd 1 0\n") == "line 2: a number is missing");
+  CHECK(complaint_about_mtl("newmtl m\nKd -1 0 0\n") == "line 2: '-1' is not a colour (0...1)");
+  CHECK(complaint_about_mtl("newmtl m\nNs shiny\n") == "line 2: 'shiny' is not a number");
+  CHECK(complaint_about_mtl("newmtl m\nillum 11\n") ==
+        "line 2: illumination model out of range (11; allowed are 0 to 10)");
+  CHECK(complaint_about_mtl("Kd 1 0 0\n") == "line 1: 'Kd' before any newmtl");
+  CHECK(complaint_about_mtl("newmtl\n") == "line 1: a material has no name");
+  CHECK(complaint_about_mtl(std::string("newmtl m\n\0", 10)) == "not a text file (byte 0 at offset 9)");
+}
+
+TEST_CASE(
+    "MTL files are read from the folder of the model only; what is missing is drawn in the default look") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "model");
+  std::filesystem::create_directory(folder / "model/sub");
+  (void)folder.file("outside.mtl", "newmtl m\nKd 1 0 0\n");
+  (void)folder.file("model/sub/my own.mtl", "newmtl m\nKd 0 1 0\n");
+  const auto model = [&](const std::string& library) {
+    return load_model_file(
+        folder.file("model/a.obj", std::string(kFold) + "mtllib " + library + "\nusemtl m\nf 1 3 2\n"));
+  };
+  CHECK(model("sub/my own.mtl").parts[0].look.material.colour == Vec3{0, 1, 0});
+  CHECK(model("sub\\my own.mtl").parts[0].look.material.colour == Vec3{0, 1, 0});
+  for (const std::string& outside : {std::string("../outside.mtl"), std::string("sub/../../outside.mtl"),
+                                     folder / "outside.mtl", std::string("none.mtl")}) {
+    CAPTURE(outside);
+    const Model without = model(outside);
+    CHECK_FALSE(without.parts[0].look.material.colour);
+    REQUIRE(without.warnings.size() == 1);
+    CHECK(without.warnings[0].find("(mtllib) from the model's folder") != std::string::npos);
+  }
+  CHECK(model("sub/my own.mtl\nusemtl unknown\nf 1 2 4").warnings ==
+        Lines{"materials that are not defined are drawn in the default look: 'unknown'"});
+}
+
+TEST_CASE("OBJ: faces are smoothed within their group, and not at all by s off") {
+  const auto normals = [](const std::string& first, const std::string& second) {
+    const Model model = loaded(std::string(kFold) + first + "f 1 3 2\n" + second + "f 1 2 4\n");
+    std::vector<Vec3> own = model.parts[0].mesh.normals;
+    return own;
+  };
+  const auto count = [](const std::vector<Vec3>& all, Vec3 wanted) {
+    return std::count_if(all.begin(), all.end(), [&](const Vec3& n) { return length(n - wanted) < 1e-9; });
+  };
+  const Vec3 half = normalised(Vec3{1, 0, 1});
+  for (const char* same : {"", "s 1\n"}) CHECK(count(normals(same, same), half) == 2);
+  CHECK(count(normals("s 1\n", "s 2\n"), half) == 0);
+  CHECK(count(normals("s 1\n", "s 2\n"), {0, 0, 1}) == 3);
+  CHECK(count(normals("s off\n", ""), {1, 0, 0}) == 3);
+  CHECK(count(normals("s 0\n", "s 0\n"), {0, 0, 1}) == 3);
+  // Normals go on across parts: a ball of several colours stays round.
+  const Model ball = loaded(std::string(kFold) + "g a\nf 1 3 2\ng b\nf 1 2 4\n");
+  REQUIRE(ball.parts.size() == 2);
+  CHECK(count(ball.parts[0].mesh.normals, half) == 2);
+  CHECK(count(ball.parts[1].mesh.normals, half) == 2);
+}
+
+TEST_CASE("OBJ: vertex colours, 0...1 or 0...255") {
+  const std::string square = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 0 1 0 ";
+  const Model same = loaded(square + "1 0 0\nf 1 2 3 4\n");
+  REQUIRE(same.parts.size() == 1);
+  CHECK(same.parts[0].look.material.colour == Vec3{1, 0, 0});
+  CHECK(same.warnings.empty());
+  const Model mixed = loaded(square + "0 0 1\nf 1 2 3\nf 1 3 4\n");
+  REQUIRE(mixed.parts.size() == 2);
+  CHECK(mixed.parts[1].look.material.colour == Vec3{170 / 255.0, 0, 85 / 255.0});
+  CHECK(mixed.warnings ==
+        Lines{"vertex colours that differ within a triangle are drawn as their mean (1 triangles)"});
+  const Model bytes = loaded("v 0 0 0 255 51 0\nv 1 0 0 255 51 0\nv 1 1 0 255 51 0\nf 1 2 3\n");
+  CHECK(bytes.parts[0].look.material.colour == Vec3{1, 0.2, 0});
+  // A vertex without a colour leaves its triangles to their material.
+  CHECK_FALSE(loaded(square + "\nf 1 3 4\n").parts[0].look.material.colour);
+  CHECK(message_of<Failure>([] { (void)loaded("v 0 0 0 1 x 0\nf 1 1 1\n"); }).find("line 1: 'x' is not") !=
+        std::string::npos);
+}
+
+TEST_CASE("more vertex colours than 256 are drawn with the nearest ones") {
+  std::string obj;
+  std::string faces;
+  for (int i = 0; i < 400; ++i) {
+    const std::string colour = " 0 " + std::to_string((i % 200) / 200.0) + " " + (i < 200 ? "0" : "1") + "\n";
+    const std::string x = std::to_string(i);
+    obj += "v " + x + " 0 0" + colour + "v " + x + " 1 0" + colour + "v " + x + " 0 1" + colour;
+    faces += "f -" + std::to_string(3 * (400 - i)) + " -" + std::to_string(3 * (400 - i) - 1) + " -" +
+             std::to_string(3 * (400 - i) - 2) + "\n";
+  }
+  const Model model = loaded(obj + faces);
+  CHECK(model.parts.size() > 32);
+  CHECK(model.parts.size() <= 256);
+  CHECK(model.triangle_count() == 400);
+  REQUIRE(model.warnings.size() == 1);
+  CHECK(model.warnings[0].find("of its colours, the nearest of ") == 0);
+}
+
+TEST_CASE("PLY: colours of vertices and of faces, as integers and as floats") {
+  const std::string rgb = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  const std::string faces = "3 0 1 2\n3 0 2 3\n";
+  const Model bytes =
+      loaded_ply(rgb, "", "0 0 0 255 51 0\n1 0 0 255 51 0\n1 1 0 255 51 0\n0 1 0 255 51 0\n" + faces);
+  REQUIRE(bytes.parts.size() == 1);
+  CHECK(bytes.parts[0].look.material.colour == Vec3{1, 0.2, 0});
+  CHECK(bytes.warnings.empty());
+  const Model floats = loaded_ply("property float red\nproperty float green\nproperty float blue\n", "",
+                                  "0 0 0 0 1 0.2\n1 0 0 0 1 0.2\n1 1 0 0 1 0.2\n0 1 0 0 1 0.2\n" + faces);
+  CHECK(floats.parts[0].look.material.colour == Vec3{0, 1, 0.2});
+  const std::string wide =
+      "property ushort diffuse_red\nproperty ushort diffuse_green\nproperty ushort diffuse_blue\n";
+  const Model words =
+      loaded_ply(wide, "", "0 0 0 65535 0 0\n1 0 0 65535 0 0\n1 1 0 65535 0 0\n0 1 0 65535 0 0\n" + faces);
+  CHECK(words.parts[0].look.material.colour == Vec3{1, 0, 0});
+  const Model of_faces =
+      loaded_ply("", rgb, "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 3 0 0 255\n");
+  REQUIRE(of_faces.parts.size() == 2);
+  CHECK(of_faces.parts[0].look.material.colour == Vec3{1, 0, 0});
+  CHECK(of_faces.parts[1].look.material.colour == Vec3{0, 0, 1});
+  CHECK(of_faces.parts[1].mesh.triangles.size() == 1);
+}
+
+TEST_CASE("colours and groups survive polygons, in whatever order the loader makes triangles of them") {
+  std::string obj;
+  for (int i = 0; i < 5; ++i) {
+    const char* const corners[] = {"0 0", "4 0", "4 4", "2 1", "0 4"};
+    for (const char* corner : corners) obj += std::string("v ") + corner + " " + std::to_string(i) + "\n";
+    obj += "g g" + std::to_string(i) + "\nf -5 -4 -3 -2 -1\n";
+  }
+  const Model model = loaded(obj);
+  REQUIRE(model.parts.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    CHECK(model.parts[i].look.names == Lines{"g" + std::to_string(i)});
+    CHECK(model.parts[i].mesh.triangles.size() == 3);
+    for (const Vec3& p : model.parts[i].mesh.positions) CHECK(p.z == double(i));
+  }
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/gltf/gltf_material.hpp>
+#include <arcspan_tools/support/srgb.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace arcspan::tools {
+namespace {
+
+constexpr double kDielectric = 0.04;  ///< reflectance of a surface that is no metal, seen from the front
+
+/// Red, green and blue of a member of three or four numbers, each 0...1.
+Vec3 colour_or(const JsonView& json, const std::string& key, Vec3 value) {
+  const std::optional<JsonView> member = json.find(key);
+  if (!member) return value;
+  const std::vector<double> v = member->numbers(3, 4);
+  const auto channel = [&v](std::size_t i) { return std::clamp(v[i], 0.0, 1.0); };
+  return {channel(0), channel(1), channel(2)};
+}
+
+double factor_or(const JsonView& json, const std::string& key, double value) {
+  return std::clamp(json.number_or(key, value), 0.0, 1.0);
+}
+
+/// The highlight of a lobe of this width whose reflectance is `front`.
+void set_highlight(FileMaterial& material, Vec3 front, double roughness) {
+  constexpr double kMost = 256;
+  const double alpha = std::max(roughness * roughness, 1e-3);
+  const double exponent = std::clamp(2 / (alpha * alpha) - 2, 1.0, kMost);
+  material.shininess = static_cast<std::int32_t>(std::lround(exponent));
+  material.specular = to_srgb(front * ((exponent + 2) / 8));
+}
+
+/// The extension of specular colour and glossiness, which older files have.
+GltfMaterial from_glossiness(const JsonView& json) {
+  GltfMaterial result;
+  result.base = colour_or(json, "diffuseFactor", {1, 1, 1});
+  result.material.colour = to_srgb(result.base);
+  set_highlight(result.material, colour_or(json, "specularFactor", {1, 1, 1}),
+                1 - factor_or(json, "glossinessFactor", 1));
+  return result;
+}
+
+GltfMaterial from_metallic_roughness(const JsonView& material) {
+  const std::optional<JsonView> json = material.find("pbrMetallicRoughness");
+  if (!json) return phong_of({1, 1, 1}, 1, 1);
+  return phong_of(colour_or(*json, "baseColorFactor", {1, 1, 1}), factor_or(*json, "metallicFactor", 1),
+                  factor_or(*json, "roughnessFactor", 1));
+}
+
+/// Materials of 1.0 are Phong's already; their colours are display values.
+GltfMaterial from_version_1(const JsonView& json, std::set<std::string>& not_drawn) {
+  GltfMaterial result;
+  result.material.colour = Vec3{1, 1, 1};
+  const std::optional<JsonView> values = json.find("values");
+  if (!values) return result;
+  const auto colour = [&](const char* key) -> std::optional<Vec3> {
+    const std::optional<JsonView> member = values->find(key);
+    if (!member) return std::nullopt;
+    if (member->is_text()) {
+      not_drawn.insert("textures");
+      return std::nullopt;
+    }
+    return colour_or(*values, key, {});
+  };
+  result.material.colour = colour("diffuse").value_or(Vec3{1, 1, 1});
+  result.material.specular = colour("specular").value_or(Vec3{});
+  const double shininess = std::clamp(values->number_or("shininess", 1), 1.0, 256.0);
+  result.material.shininess = static_cast<std::int32_t>(std::lround(shininess));
+  return result;
+}
+
+bool has_texture(const JsonView& json) {
+  for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
+    if (json.find(key)) return true;
+  }
+  const std::optional<JsonView> metallic = json.find("pbrMetallicRoughness");
+  return metallic && (metallic->find("baseColorTexture") || metallic->find("metallicRoughnessTexture"));
+}
+
+void note_what_is_left_out(const JsonView& json, std::set<std::string>& not_drawn) {
+  if (has_texture(json)) not_drawn.insert("textures");
+  if (json.text_or("alphaMode", "OPAQUE") != "OPAQUE") not_drawn.insert("transparency");
+  const std::optional<JsonView> extensions = json.find("extensions");
+  for (std::size_t i = 0; extensions && i < extensions->size(); ++i) {
+    const std::string place = extensions->element(i).place();
+    const std::size_t quote = place.rfind('\'', place.size() - 3);
+    const std::string name = place.substr(quote + 1, place.size() - quote - 3);
+    if (name != "KHR_materials_unlit" && name != "KHR_materials_pbrSpecularGlossiness")
+      not_drawn.insert(name);
+  }
+}
+
+}  // namespace
+
+GltfMaterial phong_of(Vec3 base, double metallic, double roughness) {
+  GltfMaterial result;
+  result.base = base * (1 - metallic / 2);
+  result.material.colour = to_srgb(result.base);
+  const double dielectric = kDielectric * (1 - metallic);
+  set_highlight(result.material, Vec3{dielectric, dielectric, dielectric} + base * metallic, roughness);
+  return result;
+}
+
+GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json, std::set<std::string>& not_drawn) {
+  const std::string name = json.text_or("name", "");
+  if (file.version() == 1) {
+    GltfMaterial result = from_version_1(json, not_drawn);
+    result.material.name = name;
+    return result;
+  }
+  const std::optional<JsonView> extensions = json.find("extensions");
+  const std::optional<JsonView> glossiness =
+      extensions ? extensions->find("KHR_materials_pbrSpecularGlossiness") : std::nullopt;
+  GltfMaterial result = glossiness ? from_glossiness(*glossiness) : from_metallic_roughness(json);
+  if (glossiness && (glossiness->find("diffuseTexture") || glossiness->find("specularGlossinessTexture"))) {
+    not_drawn.insert("textures");
+  }
+  result.material.name = name;
+  result.material.emission = to_srgb(colour_or(json, "emissiveFactor", {}));
+  const std::optional<JsonView> two_sided = json.find("doubleSided");
+  result.material.two_sided = two_sided && two_sided->truth();
+  result.material.unlit = extensions && extensions->find("KHR_materials_unlit");
+  note_what_is_left_out(json, not_drawn);
+  return result;
+}
+
+}  // namespace arcspan::tools

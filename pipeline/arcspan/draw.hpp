@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/draw/band_cache.hpp>
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/triangle_drawer.hpp>
 #include <arcspan/draw/vertex_source.hpp>
@@ -9,7 +10,6 @@
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/target.hpp>
-#include <arcspan/vertex/back_faces.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
 #include <span>
@@ -48,20 +48,43 @@ template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSin
   detail::TriangleDrawer<Method, Features, Sink, Depth> drawer(mesh, transform, lighting, sink, depth,
                                                                options);
   if (!drawer.ready()) return drawer.result();
-  BackFaces back_faces;
-  if constexpr (Features.planes) {
-    if (!drawer.two_sided()) back_faces = BackFaces(mesh, transform);
-  }
-  const detail::UncachedVertices<Method> uncached(drawer.stage(), back_faces);
+  const detail::VisibleTriangles visible = drawer.visible_triangles();
+  if (visible.excludes_all()) return drawer.result();
+  const detail::UncachedVertices<Method> uncached(drawer.stage(), visible);
   if constexpr (!Features.caches) {
     drawer.draw_triangles(uncached);
   } else if (cache.empty()) {
     drawer.draw_triangles_outlined(uncached);
-  } else if (back_faces.known()) {
-    drawer.draw_triangles_outlined(detail::FrontVertices<Method>(drawer.stage(), cache.data(), back_faces));
+  } else if (visible.known()) {
+    drawer.draw_triangles_outlined(detail::FrontVertices<Method>(drawer.stage(), cache.data(), visible));
   } else {
     drawer.draw_triangles_outlined(detail::CachedVertices<Method>(drawer.stage(), cache.data()));
   }
+  return drawer.result();
+}
+
+/// Draws a mesh as above, with vertices that `cache` keeps from band to band.
+///
+/// Draws nothing and returns also:
+///
+///   kCacheTooSmall    the memory of `cache` is too small for the mesh
+///   kCacheMismatch    `cache` holds another object (BandCache)
+template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth>
+requires(Features.caches)
+[[nodiscard]] ARCSPAN_OUTLINE DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
+                                                   const typename Method::Lighting& lighting, Sink& sink,
+                                                   const Depth& depth, BandCache<Method>& cache,
+                                                   const DrawOptions& options = {}) {
+  detail::TriangleDrawer<Method, Features, Sink, Depth> drawer(mesh, transform, lighting, sink, depth,
+                                                               options);
+  if (!drawer.ready()) return drawer.result();
+  const Status held = cache.begin(drawer.stage(), drawer.two_sided());
+  if (!ok(held)) return {held};
+  const detail::VisibleTriangles visible = drawer.visible_triangles();
+  if (visible.excludes_all()) return drawer.result();
+  const Rect& rect = drawer.scissor().rect();
+  drawer.draw_triangles_outlined(detail::KeptVertices<Method>(drawer.stage(), cache.vertices(), cache.rows(),
+                                                              visible, rect.top, rect.bottom));
   return drawer.result();
 }
 

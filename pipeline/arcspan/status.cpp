@@ -47,6 +47,8 @@ const char* to_string(Status status) {
       return "shading method not listed";
     case Status::kLightChanged:
       return "light differs from the material's";
+    case Status::kCacheMismatch:
+      return "band cache holds another object";
   }
   return "unknown status";
 }

@@ -15,8 +15,8 @@ struct DrawOptions {
 /// The result of draw_mesh().
 struct DrawResult {
   Status status = Status::kOk;
-  /// Triangles of the mesh that have a part in the viewport's rows and the scissor's columns. In a picture
-  /// drawn in bands, triangles of other bands are counted too, so that every band has the same count.
+  /// Triangles of the mesh that have a part in the common bounds of the viewport and the sink. In a picture
+  /// drawn in bands, every band counts those that reach it.
   std::uint32_t triangles = 0;
   std::uint32_t left_out =
       0;  ///< triangles that needed clipping and were not drawn, as DrawFeatures::clips is off

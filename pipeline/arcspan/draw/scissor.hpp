@@ -22,8 +22,7 @@ namespace arcspan::detail {
 enum class ScissorTest : std::uint8_t {
   kInside,     ///< within its columns
   kCrossing,   ///< a vertex lies left or right of it
-  kOutside,    ///< no pixel centre within its columns
-  kOtherBand,  ///< rows in the viewport, but none in the scissor
+  kOutside,    ///< no pixel centre within its columns, or no row within its rows
 };
 
 /// The rectangle of the picture that one call draws into: the common part of the viewport and the sink. In a
@@ -40,6 +39,8 @@ class Scissor {
         is_band_(wrap_sub(rect_.bottom, rect_.top) < viewport.height) {}
 
   [[nodiscard]] constexpr const Rect& rect() const { return rect_; }
+  /// True if rows of the viewport lie outside the rectangle.
+  [[nodiscard]] constexpr bool is_band() const { return is_band_; }
   /// True if `bounds` covers the rectangle, or if that is empty.
   [[nodiscard]] constexpr bool is_within(const Rect& bounds) const {
     return rect_.empty() || (bounds.left <= rect_.left && bounds.top <= rect_.top &&
@@ -55,14 +56,8 @@ class Scissor {
                                            const RasterPosition& c) const {
     const bool crossing = !MayBeInside || leaves_columns(a, b, c);
     if (crossing && is_outside_columns(a, b, c)) return ScissorTest::kOutside;
-    if (is_in_other_band(a, b, c)) return ScissorTest::kOtherBand;
+    if (is_band_ && has_no_row_in_band(a, b, c)) return ScissorTest::kOutside;
     return crossing ? ScissorTest::kCrossing : ScissorTest::kInside;
-  }
-
-  /// True if the triangle has rows in the viewport, but none in the scissor: it belongs to other bands only.
-  [[nodiscard]] constexpr bool is_in_other_band(const RasterPosition& a, const RasterPosition& b,
-                                                const RasterPosition& c) const {
-    return is_band_ && has_no_row_in_band(a, b, c);
   }
 
  private:
@@ -85,9 +80,7 @@ class Scissor {
     const std::int32_t lower = a.y > b.y ? a.y : b.y;
     const std::int32_t first = first_row_at(upper < c.y ? upper : c.y);
     const std::int32_t end = first_row_at(lower > c.y ? lower : c.y);
-    if (first >= end || end <= rows_.first || first >= rows_.end) return false;
-    if (end + origin_.y > rect_.top && first + origin_.y < rect_.bottom) return false;
-    return doubled_area(a, b, c) != 0;
+    return first >= end || end + origin_.y <= rect_.top || first + origin_.y >= rect_.bottom;
   }
 
   Rect rect_;

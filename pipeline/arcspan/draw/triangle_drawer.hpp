@@ -4,6 +4,7 @@
 #include <arcspan/clip/clip_polygon.hpp>
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/scissor.hpp>
+#include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/mesh/face_normal.hpp>
 #include <arcspan/span/draw_command.hpp>
@@ -38,7 +39,15 @@ class TriangleDrawer {
   [[nodiscard]] bool ready() const { return !scissor_.rect().empty() && ok(result_.status); }
   [[nodiscard]] const VertexStage<Method>& stage() const { return stage_; }
   [[nodiscard]] const DrawResult& result() const { return result_; }
+  [[nodiscard]] const Scissor& scissor() const { return scissor_; }
   [[nodiscard]] bool two_sided() const { return Features.two_sided && options_.two_sided; }
+  /// The triangles that may be visible, as far as planes say.
+  [[nodiscard]] VisibleTriangles visible_triangles() const {
+    if constexpr (Features.planes) {
+      if (!two_sided()) return VisibleTriangles(stage_.mesh(), stage_.transform(), scissor_);
+    }
+    return VisibleTriangles(stage_.mesh());
+  }
 
   /// Draws the mesh with the vertices of a source (vertex_source.hpp) until the sink fails.
   template <class Source>
@@ -174,13 +183,12 @@ class TriangleDrawer {
     return {project(vertex.position, stage_.transform()), vertex.shade};
   }
 
-  /// Tests the triangle against the scissor, before it is shaded. Triangles of other bands are counted here.
+  /// Tests the triangle against the scissor, before it is shaded.
   [[nodiscard]] bool is_within_scissor(const RasterPosition& a, const RasterPosition& b,
                                        const RasterPosition& c) {
     const ScissorTest test = scissor_.template test<kWholeRows>(a, b, c);
     columns_ = test == ScissorTest::kInside ? ScissorColumns::kInside : ScissorColumns::kCrossing;
-    if (test == ScissorTest::kOtherBand) counted_ = true;
-    return test == ScissorTest::kInside || test == ScissorTest::kCrossing;
+    return test != ScissorTest::kOutside;
   }
 
   /// Returns the method's data of the triangle's face; empty if it needs no face normal.
@@ -205,10 +213,10 @@ class TriangleDrawer {
                                                command)) {
       return;
     }
-    counted_ = true;
     const RasterOrigin& origin = scissor_.origin();
     const Rect& rect = scissor_.rect();
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;
+    counted_ = true;
     const Target target{rect, stage_.lighting(), sink_, depth_, encoded_};
     if constexpr (!kWholeRows) {
       result_.status = draw_crossing_rows(command, origin, target);

@@ -51,6 +51,10 @@ class VertexStage {
     vertex.shaded = false;
   }
 
+  ARCSPAN_OUTLINE void transform_outlined(std::size_t i, CachedVertex<Method>& vertex) const {
+    transform(i, vertex);
+  }
+
   /// Transforms vertex i of a mesh that is known to be in view.
   ARCSPAN_OUTLINE void transform_inside(std::size_t i, CachedVertex<Method>& vertex) const {
     vertex.raster.position = project(clip_position(i), transform_);

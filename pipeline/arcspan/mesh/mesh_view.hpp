@@ -35,6 +35,9 @@ class MeshView {
 
   constexpr MeshView() = default;
 
+  /// Equal views refer to the same arrays.
+  friend constexpr bool operator==(const MeshView&, const MeshView&) = default;
+
   /// Makes a view of arrays of vertices and of triangles, each three indices. They are checked here once, so
   /// that drawing need not. Returns:
   ///

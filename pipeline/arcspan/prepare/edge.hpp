@@ -37,6 +37,8 @@ struct EdgeWalk {
   }
 
   constexpr void advance() { x += step; }
+  /// Steps `rows` rows at once, 0...2^15 - 1; the result is that of `rows` calls of advance().
+  constexpr void advance(std::int32_t rows) { x += scaled(step, static_cast<std::uint32_t>(rows)); }
 };
 
 /// The set-up of an edge that runs from its upper end `top` down to its lower end. It depends on these two

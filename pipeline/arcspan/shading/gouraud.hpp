@@ -74,6 +74,11 @@ struct Gouraud {
       p_->g.next_row();
       p_->b.next_row();
     }
+    constexpr void skip_rows(std::int32_t rows) {
+      p_->r.skip_rows(rows);
+      p_->g.skip_rows(rows);
+      p_->b.skip_rows(rows);
+    }
     constexpr void enter_lower() {
       p_->r.enter_lower(p_->middle_left);
       p_->g.enter_lower(p_->middle_left);

@@ -125,10 +125,19 @@ ARCSPAN_INLINE constexpr void enter_lower(Command& command, Walker& walker) {
   walker.enter_lower();
 }
 
-/// Steps from row y to row `end` without drawing.
+/// Steps down `rows` rows of one half of the triangle without drawing. The rows that follow are exactly those
+/// that next_row() leads to.
 template <class Target, class Command, class Walker>
-constexpr void skip_rows(Command& command, Walker& walker, std::int32_t& y, std::int32_t end) {
-  for (; y < end; ++y) next_row<Target>(command, walker);
+constexpr void skip_rows(Command& command, Walker& walker, std::int32_t rows) {
+  if constexpr (SkipsRows<Walker> && !kOptimisedForSize) {
+    if (rows == 0) return;  // then the edges of this half may be unset
+    command.left.advance(rows);
+    command.right.advance(rows);
+    if constexpr (Target::Depth::kTests) command.depth.skip_rows(rows);
+    walker.skip_rows(rows);
+  } else {
+    for (; rows > 0; --rows) next_row<Target>(command, walker);
+  }
 }
 
 /// Steps a command down from row y to row `top` without drawing, so that a band's rows are exactly those of
@@ -137,11 +146,14 @@ constexpr void skip_rows(Command& command, Walker& walker, std::int32_t& y, std:
 template <class Target, class Command, class Walker>
 constexpr void step_to_row(Command& command, Walker& walker, std::int32_t& y, std::int32_t top,
                            std::int32_t& half_end, std::int32_t end) {
-  skip_rows<Target>(command, walker, y, half_end < top ? half_end : top);
-  if (y == top) return;
-  enter_lower<Target>(command, walker);
-  half_end = end;
-  skip_rows<Target>(command, walker, y, top);
+  if (half_end < top) {
+    skip_rows<Target>(command, walker, half_end - y);
+    y = half_end;
+    enter_lower<Target>(command, walker);
+    half_end = end;
+  }
+  skip_rows<Target>(command, walker, top - y);
+  y = top;
 }
 
 /// True if the rows of a walker are functions of their own: their set-up takes more registers than are left
@@ -226,7 +238,7 @@ template <ShadingMethod Method, class Target>
 /// be drawn once.
 ///
 /// Returns kOk, or the first other status of the sink, at which drawing stops. Rows above the scissor are
-/// stepped over one by one, so that a picture drawn in bands is bit for bit the picture drawn at once.
+/// stepped over, so that a picture drawn in bands is bit for bit the picture drawn at once.
 template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] constexpr Status draw_command(TriangleCommand<Method>& command, const RasterOrigin& origin,
                                             const Rect& scissor, const typename Method::Lighting& lighting,

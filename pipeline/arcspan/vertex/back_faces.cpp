@@ -31,7 +31,7 @@ std::int64_t longest_row(std::int64_t unit) { return unit + (unit >> 12) + 2; }
 
 /// True if a row is no longer than that. Otherwise the placement's matrix is no rotation, and the sphere does
 /// not bound the vertices.
-bool within(const ClipTransform& transform, int row, std::int64_t unit) {
+bool within(const ClipTransform& transform, std::size_t row, std::int64_t unit) {
   return transform.row_square(row) <= longest_row(unit) * longest_row(unit);
 }
 

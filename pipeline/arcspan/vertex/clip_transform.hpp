@@ -35,6 +35,8 @@ struct Projection {
 struct Viewport {
   std::int32_t width = 0;
   std::int32_t height = 0;
+
+  friend constexpr bool operator==(const Viewport&, const Viewport&) = default;
 };
 
 /// A placement and a camera in wide formats, for ClipTransform::set_placement(). Lengths have 8 fraction bits
@@ -65,6 +67,8 @@ struct ObjectPoint {
   std::int32_t x = 0;
   std::int32_t y = 0;
   std::int32_t z = 0;
+
+  friend constexpr bool operator==(const ObjectPoint&, const ObjectPoint&) = default;
 };
 
 /// The transform from object space to clip space, and the depth of a clip-space vertex. Made once per object
@@ -72,6 +76,8 @@ struct ObjectPoint {
 class ClipTransform {
  public:
   constexpr ClipTransform() = default;
+
+  friend constexpr bool operator==(const ClipTransform&, const ClipTransform&) = default;
 
   /// Returns kInvalidArgument, and does not change `transform`, if the viewport's size is not 1...2048, the
   /// focal length not above 0, the planes not 0 < near < far, or a translation above 2^22 units in magnitude.
@@ -110,14 +116,17 @@ class ClipTransform {
   /// The scale of clip space, -4...13: w of a point is its distance before the camera in object units times
   /// 2^w_bits(). Down to -51 if set_placement() was given unit or focal bits.
   [[nodiscard]] constexpr int w_bits() const { return w_bits_; }
-  /// The squared length of the matrix' row for x, y or w (i = 0, 1, 2), below 3 * 2^56. Entries have 14
-  /// fraction bits more than clip space.
-  [[nodiscard]] constexpr std::int64_t row_square(int i) const {
+  /// The factor of coordinate j (0, 1, 2) in row i of the matrix, for x, y or w (i = 0, 1, 2): below 2^28 in
+  /// magnitude, 14 fraction bits more than clip space.
+  [[nodiscard]] constexpr std::int64_t entry(std::size_t i, std::size_t j) const {
+    return std::int64_t{matrix_[i][j].high} * (1 << 14) + matrix_[i][j].low;
+  }
+  /// The clip-space coordinate x, y or w (i = 0, 1, 2) of the object's origin.
+  [[nodiscard]] constexpr std::int64_t offset(std::size_t i) const { return offset_[i]; }
+  /// The squared length of row i of the matrix, below 3 * 2^56; scaled as entry().
+  [[nodiscard]] constexpr std::int64_t row_square(std::size_t i) const {
     std::int64_t sum = 0;
-    for (const Entry& e : matrix_[i]) {
-      const std::int64_t entry = std::int64_t{e.high} * (1 << 14) + e.low;
-      sum += entry * entry;
-    }
+    for (std::size_t j = 0; j < 3; ++j) sum += entry(i, j) * entry(i, j);
     return sum;
   }
   [[nodiscard]] constexpr const Viewport& viewport() const { return viewport_; }
@@ -143,6 +152,8 @@ class ClipTransform {
   struct Entry {
     std::int32_t high;
     std::int32_t low;
+
+    friend constexpr bool operator==(const Entry&, const Entry&) = default;
   };
 
   [[nodiscard]] constexpr std::int32_t row(int i, ObjectPosition p) const {

@@ -39,7 +39,7 @@ std::optional<Level> level_of(std::string_view word) {
 }
 
 std::optional<Status> status_of(std::string_view text) {
-  for (int i = 0; i <= static_cast<int>(Status::kCacheTooSmall); ++i) {
+  for (int i = 0; i <= static_cast<int>(Status::kCacheMismatch); ++i) {
     const auto status = static_cast<Status>(i);
     if (text == arcspan::to_string(status)) return status;
   }

@@ -58,6 +58,7 @@ class LinearLightWalker {
     return Run(linear_at(*light_, start), light_->dx);
   }
   constexpr void next_row() { light_->next_row(); }
+  constexpr void skip_rows(std::int32_t rows) { light_->skip_rows(rows); }
   constexpr void enter_lower() { light_->enter_lower(middle_left_); }
 
  private:

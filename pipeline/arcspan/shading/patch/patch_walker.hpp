@@ -122,6 +122,9 @@ class PatchWalker {
   constexpr void next_row() {
     unrolled<Run::kUsed>([this](auto i) { (*patch_)[i].left.advance(); });
   }
+  constexpr void skip_rows(std::int32_t rows) {
+    unrolled<Run::kUsed>([&](auto i) { (*patch_)[i].left.advance(rows); });
+  }
   constexpr void enter_lower() {
     if (!middle_left_) return;
     unrolled<Run::kUsed>([this](auto i) { (*patch_)[i].left.become((*patch_)[i].lower); });

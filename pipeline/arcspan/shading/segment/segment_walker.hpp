@@ -65,6 +65,7 @@ class SegmentWalker {
 
   [[nodiscard]] constexpr Run row(const RowStart& start) const { return Run(inner_, start, bits_); }
   constexpr void next_row() { inner_.next_row(); }
+  constexpr void skip_rows(std::int32_t rows) requires SkipsRows<Inner> { inner_.skip_rows(rows); }
   constexpr void enter_lower() { inner_.enter_lower(); }
 
  private:

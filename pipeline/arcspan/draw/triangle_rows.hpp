@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/draw/vertex_stage.hpp>
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/prepare/edge.hpp>
+#include <arcspan/prepare/triangle.hpp>
+#include <arcspan/target.hpp>
+#include <arcspan/vertex/back_faces.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan {
+
+/// The rows of a triangle, in groups of 8 from the top of the picture: first ... last. No group if the triangle
+/// is not drawn: then last < first.
+struct TriangleRows {
+  static constexpr int kGroupBits = 3;
+
+  std::uint8_t first;
+  std::uint8_t last;
+};
+
+namespace detail {
+
+/// Outcode of a cached vertex that has not been transformed.
+inline constexpr std::uint8_t kNotTransformed = 0xFF;
+
+template <class Method>
+ARCSPAN_INLINE inline void transform_if_needed(const VertexStage<Method>& stage, std::size_t i,
+                                        CachedVertex<Method>& vertex) {
+  if (vertex.outcode == kNotTransformed) stage.transform_outlined(i, vertex);
+}
+
+/// The groups of a triangle with these vertices, for a picture of `height` rows.
+template <class Method>
+[[nodiscard]] TriangleRows rows_of(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
+                                   const CachedVertex<Method>& c, std::int32_t height, bool two_sided) {
+  constexpr TriangleRows kNone{1, 0};
+  constexpr TriangleRows kAll{0, 255};
+  if ((a.outcode | b.outcode | c.outcode) != 0) return (a.outcode & b.outcode & c.outcode) != 0 ? kNone : kAll;
+  const RasterPosition& p = a.raster.position;
+  const RasterPosition& q = b.raster.position;
+  const RasterPosition& r = c.raster.position;
+  const std::int32_t area = doubled_area(p, q, r);
+  if (area >= 0 && (area == 0 || !two_sided)) return kNone;
+  const std::int32_t upper = p.y < q.y ? p.y : q.y;
+  const std::int32_t lower = p.y > q.y ? p.y : q.y;
+  const std::int32_t top = first_row_at(upper < r.y ? upper : r.y) + (height >> 1);
+  const std::int32_t end = first_row_at(lower > r.y ? lower : r.y) + (height >> 1);
+  if (top >= end || end <= 0 || top >= height) return kNone;
+  const auto group = [](std::int32_t row) {
+    return static_cast<std::uint8_t>(row >> TriangleRows::kGroupBits);
+  };
+  return {group(top < 0 ? 0 : top), group((end > height ? height : end) - 1)};
+}
+
+/// Sets the rows of all triangles of a mesh; `vertices` are transformed as they are needed.
+template <class Method>
+void find_rows(const VertexStage<Method>& stage, bool two_sided, CachedVertex<Method>* vertices,
+               TriangleRows* rows) {
+  const MeshView& mesh = stage.mesh();
+  const BackFaces back_faces = two_sided ? BackFaces() : BackFaces(mesh, stage.transform());
+  const std::int32_t height = stage.transform().viewport().height;
+  const std::size_t count = mesh.triangle_count();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (back_faces.known()) {
+      const std::size_t front = back_faces.next_front(i, count);
+      for (; i < front; ++i) rows[i] = {1, 0};
+      if (i == count) return;
+    }
+    const TriangleIndices t = mesh.triangle(i);
+    for (const std::uint16_t v : {t.a, t.b, t.c}) transform_if_needed(stage, v, vertices[v]);
+    rows[i] = rows_of(vertices[t.a], vertices[t.b], vertices[t.c], height, two_sided);
+  }
+}
+
+}  // namespace detail
+}  // namespace arcspan

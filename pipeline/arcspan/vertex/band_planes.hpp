@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/target.hpp>
+#include <arcspan/vertex/clip_transform.hpp>
+
+#include <cstdint>
+
+namespace arcspan {
+
+/// A linear function of object space, x p.x + y p.y + z p.z + offset. Its magnitude is below 2^31 for every
+/// 16-bit position.
+struct ObjectForm {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  std::int32_t z = 0;
+  std::int32_t offset = 0;
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr bool is_positive_at(const ObjectPosition& p) const {
+    return x * p.x + y * p.y + z * p.z + offset > 0;
+  }
+};
+
+/// Finds the triangles that have no row in a band of the picture, before a vertex is transformed: the upper
+/// and the lower border of the band are planes through the eye, and a triangle wholly beyond one of them has
+/// no row in the band. Triangles near a border may be left to the raster, so that the picture is bit for bit
+/// the same.
+class BandPlanes {
+ public:
+  /// Not known(): every triangle may have rows in the band.
+  constexpr BandPlanes() = default;
+  /// The band of the rows `first` ... `end` - 1 of the picture. Every vertex must be within `radius` of the
+  /// object's origin and the sphere of this radius wholly inside the clip volume, as BackFaces::known() says.
+  BandPlanes(const ClipTransform& transform, std::int32_t first, std::int32_t end, std::uint16_t radius);
+
+  [[nodiscard]] constexpr bool known() const { return known_; }
+  /// True if no triangle has rows in the band.
+  [[nodiscard]] constexpr bool excludes_all() const { return excludes_all_; }
+
+  /// True if triangle i of `mesh` has no row in the band. Requires known().
+  [[nodiscard]] ARCSPAN_INLINE constexpr bool excludes(const MeshView& mesh, std::size_t i) const {
+    const TriangleIndices t = mesh.triangle(i);
+    const ObjectPosition& a = mesh.position(t.a);
+    if (above_.is_positive_at(a)) {
+      return above_.is_positive_at(mesh.position(t.b)) && above_.is_positive_at(mesh.position(t.c));
+    }
+    return below_.is_positive_at(a) && below_.is_positive_at(mesh.position(t.b)) &&
+           below_.is_positive_at(mesh.position(t.c));
+  }
+
+ private:
+  ObjectForm above_;
+  ObjectForm below_;
+  bool known_ = false;
+  bool excludes_all_ = false;
+};
+
+}  // namespace arcspan

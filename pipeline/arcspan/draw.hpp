@@ -3,6 +3,7 @@
 
 #include <arcspan/draw/band_cache.hpp>
 #include <arcspan/draw/draw_options.hpp>
+#include <arcspan/draw/kept_vertices.hpp>
 #include <arcspan/draw/triangle_drawer.hpp>
 #include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
@@ -70,11 +71,9 @@ template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSin
 ///   kCacheTooSmall    the memory of `cache` is too small for the mesh
 ///   kCacheMismatch    `cache` holds another object (BandCache)
 template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth>
-requires(Features.caches)
-[[nodiscard]] ARCSPAN_OUTLINE DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
-                                                   const typename Method::Lighting& lighting, Sink& sink,
-                                                   const Depth& depth, BandCache<Method>& cache,
-                                                   const DrawOptions& options = {}) {
+requires(Features.caches) [[nodiscard]] ARCSPAN_OUTLINE DrawResult
+    draw_mesh(const MeshView& mesh, const ClipTransform& transform, const typename Method::Lighting& lighting,
+              Sink& sink, const Depth& depth, BandCache<Method>& cache, const DrawOptions& options = {}) {
   detail::TriangleDrawer<Method, Features, Sink, Depth> drawer(mesh, transform, lighting, sink, depth,
                                                                options);
   if (!drawer.ready()) return drawer.result();

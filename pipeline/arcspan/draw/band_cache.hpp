@@ -3,7 +3,6 @@
 
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/triangle_rows.hpp>
-#include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/status.hpp>
@@ -47,8 +46,8 @@ class BandCache {
   /// Forgets the object.
   constexpr void clear() { holds_ = false; }
 
-  /// Transforms and shades all vertices, and finds the rows of all triangles. Returns kCacheTooSmall, and holds
-  /// no object, if the memory is too small for the mesh.
+  /// Transforms and shades all vertices, and finds the rows of all triangles. Returns kCacheTooSmall, and
+  /// holds no object, if the memory is too small for the mesh.
   Status fill(const MeshView& mesh, const ClipTransform& transform, const typename Method::Lighting& lighting,
               const DrawOptions& options = {}) {
     clear();
@@ -56,18 +55,17 @@ class BandCache {
     const Status status = begin(stage, options.two_sided);
     if (!ok(status)) return status;
     for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
-      detail::transform_if_needed(stage, i, vertices_[i]);
+      stage.transform_if_needed(i, vertices_[i]);
       if (vertices_[i].outcode == kInside) stage.shade(i, vertices_[i]);
     }
     return Status::kOk;
   }
 
-  /// Starts to hold the object of `stage` if the cache holds none, and finds the rows of its triangles. Returns
-  /// kOk if the cache holds this object. For draw_mesh().
+  /// Starts to hold the object of `stage` if the cache holds none, and finds the rows of its triangles.
+  /// Returns kOk if the cache holds this object. For draw_mesh().
   [[nodiscard]] Status begin(const detail::VertexStage<Method>& stage, bool two_sided) {
     if (holds_) {
-      const bool same =
-          mesh_ == stage.mesh() && transform_ == stage.transform() && two_sided_ == two_sided;
+      const bool same = mesh_ == stage.mesh() && transform_ == stage.transform() && two_sided_ == two_sided;
       return same ? Status::kOk : Status::kCacheMismatch;
     }
     const MeshView& mesh = stage.mesh();
@@ -84,7 +82,7 @@ class BandCache {
 
   /// The memory of the vertices, and of the rows or null. For draw_mesh().
   [[nodiscard]] constexpr CachedVertex<Method>* vertices() const { return vertices_.data(); }
-  [[nodiscard]] constexpr const TriangleRows* rows() const { return rows_.data(); }
+  [[nodiscard]] constexpr const TriangleRows* rows() const { return rows_.empty() ? nullptr : rows_.data(); }
 
  private:
   std::span<CachedVertex<Method>> vertices_;

@@ -20,9 +20,9 @@ namespace arcspan::detail {
 
 /// How a triangle lies to the scissor.
 enum class ScissorTest : std::uint8_t {
-  kInside,     ///< within its columns
-  kCrossing,   ///< a vertex lies left or right of it
-  kOutside,    ///< no pixel centre within its columns, or no row within its rows
+  kInside,    ///< within its columns
+  kCrossing,  ///< a vertex lies left or right of it
+  kOutside,   ///< no pixel centre within its columns, or no row within its rows
 };
 
 /// The rectangle of the picture that one call draws into: the common part of the viewport and the sink. In a

@@ -4,8 +4,8 @@
 #include <arcspan/clip/clip_polygon.hpp>
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/scissor.hpp>
-#include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
+#include <arcspan/draw/visible_triangles.hpp>
 #include <arcspan/mesh/face_normal.hpp>
 #include <arcspan/span/draw_command.hpp>
 #include <arcspan/target.hpp>

@@ -13,43 +13,35 @@
 
 namespace arcspan {
 
-/// The rows of a triangle, in groups of 8 from the top of the picture: first ... last. No group if the triangle
-/// is not drawn: then last < first.
+/// The rows of a triangle, in groups of 8 from the top of the picture: first ... last.
 struct TriangleRows {
   static constexpr int kGroupBits = 3;
 
   std::uint8_t first;
-  std::uint8_t last;
+  std::uint8_t last;  ///< below `first` if the triangle is not drawn
 };
 
 namespace detail {
 
-/// Outcode of a cached vertex that has not been transformed.
-inline constexpr std::uint8_t kNotTransformed = 0xFF;
-
-template <class Method>
-ARCSPAN_INLINE inline void transform_if_needed(const VertexStage<Method>& stage, std::size_t i,
-                                        CachedVertex<Method>& vertex) {
-  if (vertex.outcode == kNotTransformed) stage.transform_outlined(i, vertex);
-}
+inline constexpr TriangleRows kNoRows{255, 0};
 
 /// The groups of a triangle with these vertices, for a picture of `height` rows.
 template <class Method>
 [[nodiscard]] TriangleRows rows_of(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
                                    const CachedVertex<Method>& c, std::int32_t height, bool two_sided) {
-  constexpr TriangleRows kNone{1, 0};
-  constexpr TriangleRows kAll{0, 255};
-  if ((a.outcode | b.outcode | c.outcode) != 0) return (a.outcode & b.outcode & c.outcode) != 0 ? kNone : kAll;
+  if ((a.outcode | b.outcode | c.outcode) != 0) {
+    return (a.outcode & b.outcode & c.outcode) != 0 ? kNoRows : TriangleRows{0, 255};
+  }
   const RasterPosition& p = a.raster.position;
   const RasterPosition& q = b.raster.position;
   const RasterPosition& r = c.raster.position;
   const std::int32_t area = doubled_area(p, q, r);
-  if (area >= 0 && (area == 0 || !two_sided)) return kNone;
+  if (area >= 0 && (area == 0 || !two_sided)) return kNoRows;
   const std::int32_t upper = p.y < q.y ? p.y : q.y;
   const std::int32_t lower = p.y > q.y ? p.y : q.y;
   const std::int32_t top = first_row_at(upper < r.y ? upper : r.y) + (height >> 1);
   const std::int32_t end = first_row_at(lower > r.y ? lower : r.y) + (height >> 1);
-  if (top >= end || end <= 0 || top >= height) return kNone;
+  if (top >= end || end <= 0 || top >= height) return kNoRows;
   const auto group = [](std::int32_t row) {
     return static_cast<std::uint8_t>(row >> TriangleRows::kGroupBits);
   };
@@ -67,11 +59,11 @@ void find_rows(const VertexStage<Method>& stage, bool two_sided, CachedVertex<Me
   for (std::size_t i = 0; i < count; ++i) {
     if (back_faces.known()) {
       const std::size_t front = back_faces.next_front(i, count);
-      for (; i < front; ++i) rows[i] = {1, 0};
+      for (; i < front; ++i) rows[i] = kNoRows;
       if (i == count) return;
     }
     const TriangleIndices t = mesh.triangle(i);
-    for (const std::uint16_t v : {t.a, t.b, t.c}) transform_if_needed(stage, v, vertices[v]);
+    for (const std::uint16_t v : {t.a, t.b, t.c}) stage.transform_if_needed(v, vertices[v]);
     rows[i] = rows_of(vertices[t.a], vertices[t.b], vertices[t.c], height, two_sided);
   }
 }

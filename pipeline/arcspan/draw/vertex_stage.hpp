@@ -24,6 +24,9 @@ struct CachedVertex {
 
 namespace detail {
 
+/// Outcode of a cached vertex that has not been transformed.
+inline constexpr std::uint8_t kNotTransformed = 0xFF;
+
 /// The side of a triangle that is seen.
 enum class Facing : std::uint8_t { kFront, kBack };
 
@@ -51,8 +54,9 @@ class VertexStage {
     vertex.shaded = false;
   }
 
-  ARCSPAN_OUTLINE void transform_outlined(std::size_t i, CachedVertex<Method>& vertex) const {
-    transform(i, vertex);
+  /// Transforms vertex i unless that has been done.
+  ARCSPAN_INLINE void transform_if_needed(std::size_t i, CachedVertex<Method>& vertex) const {
+    if (vertex.outcode == kNotTransformed) transform_outlined(i, vertex);
   }
 
   /// Transforms vertex i of a mesh that is known to be in view.
@@ -76,6 +80,10 @@ class VertexStage {
   }
 
  private:
+  ARCSPAN_OUTLINE void transform_outlined(std::size_t i, CachedVertex<Method>& vertex) const {
+    transform(i, vertex);
+  }
+
   const MeshView& mesh_;
   const ClipTransform& transform_;
   const typename Method::Lighting& lighting_;

@@ -16,8 +16,8 @@
 /// A method is chosen at compile time and has one file; a firmware contains only the methods that it names.
 /// The required part is ShadingMethod with RowWalker and PixelRun (or SegmentedRun). The optional parts are
 /// named concepts too: MeasuresChords (prepare/triangle.hpp), UsesEncodedColours with EncodingRun,
-/// OutlinedWalker, SkipsRows, StridedRun, and ChoosesEncodedColours for sinks. docs/add-a-shading-method.md has an
-/// example.
+/// OutlinedWalker, SkipsRows, StridedRun, and ChoosesEncodedColours for sinks. docs/add-a-shading-method.md
+/// has an example.
 namespace arcspan {
 
 /// The type of a colour that a run hands to the pixel format.
@@ -102,8 +102,9 @@ concept EncodingRun = requires(const R& run, const Lighting& lighting, const Col
 template <class W>
 concept OutlinedWalker = bool{W::kOutlined};
 
-/// Optional part of a walker, for pictures in bands: skip_rows(rows) steps down `rows` rows at once, 0...2047.
-/// The result must be bit-identical to that of `rows` calls of next_row(). Other walkers are stepped.
+/// Optional part of a walker, for pictures in bands: skip_rows(rows) steps down `rows` rows at once,
+/// 0...2047. The result must be bit-identical to that of `rows` calls of next_row(). Other walkers are
+/// stepped.
 template <class W>
 concept SkipsRows = requires(W walker, std::int32_t rows) {
   {walker.skip_rows(rows)};

@@ -125,15 +125,21 @@ ARCSPAN_INLINE constexpr void enter_lower(Command& command, Walker& walker) {
   walker.enter_lower();
 }
 
+/// Steps the edges and the depth of a command down by `rows` rows.
+template <bool WithDepth, class Command>
+ARCSPAN_OUTLINE constexpr void skip_rows_of_command(Command& command, std::int32_t rows) {
+  command.left.advance(rows);
+  command.right.advance(rows);
+  if constexpr (WithDepth) command.depth.skip_rows(rows);
+}
+
 /// Steps down `rows` rows of one half of the triangle without drawing. The rows that follow are exactly those
 /// that next_row() leads to.
 template <class Target, class Command, class Walker>
 constexpr void skip_rows(Command& command, Walker& walker, std::int32_t rows) {
   if constexpr (SkipsRows<Walker> && !kOptimisedForSize) {
     if (rows == 0) return;  // then the edges of this half may be unset
-    command.left.advance(rows);
-    command.right.advance(rows);
-    if constexpr (Target::Depth::kTests) command.depth.skip_rows(rows);
+    skip_rows_of_command<Target::Depth::kTests>(command, rows);
     walker.skip_rows(rows);
   } else {
     for (; rows > 0; --rows) next_row<Target>(command, walker);

@@ -7,7 +7,7 @@ namespace arcspan {
 
 namespace {
 
-constexpr int kEntryBits = 13;                                // magnitude of a form's entries
+constexpr int kEntryBits = 13;                                  // magnitude of a form's entries
 constexpr std::int64_t kLargestOffset = std::int64_t{1} << 30;  // more than a form's other terms add up to
 
 std::int64_t magnitude(std::int64_t v) { return v < 0 ? -v : v; }
@@ -30,8 +30,8 @@ ObjectForm form_beyond(const ClipTransform& transform, std::int64_t k, std::int6
   const std::int64_t at_origin = sign *
                                  (transform.offset(1) * (std::int64_t{1} << 14) - k * transform.offset(2)) *
                                  (std::int64_t{1} << 14);
-  // Each entry is rounded down by less than 1, which changes the form by less than the sum of the coordinates'
-  // magnitudes, at most sqrt(3) * radius.
+  // Each entry is rounded down by less than 1, which changes the form by less than the sum of the
+  // coordinates' magnitudes, at most sqrt(3) * radius.
   const std::int64_t offset = (at_origin >> shift) - 2 * std::int64_t{radius} - 1;
   const std::int64_t clamped = offset > kLargestOffset    ? kLargestOffset
                                : offset < -kLargestOffset ? -kLargestOffset
@@ -55,8 +55,8 @@ BandPlanes::BandPlanes(const ClipTransform& transform, std::int32_t first, std::
   const Viewport& viewport = transform.viewport();
   const std::int32_t middle = viewport.height >> 1;
   const std::int32_t odd = (viewport.height & 1) * 8;
-  // A vertex at y sixteenths is above the band if y <= 16 first - 8, where first_row_at(y) <= first, and below
-  // it if y >= 16 end - 7. One sixteenth more is for its rounding and its error.
+  // A vertex at y sixteenths is above the band if y <= 16 first - 8, where first_row_at(y) <= first, and
+  // below it if y >= 16 end - 7. One sixteenth more is for its rounding and its error.
   above_ = form_beyond(transform, 16 * (first - middle) + 7 - odd, -1, radius);
   below_ = form_beyond(transform, 16 * (end - middle) - 6 - odd, 1, radius);
   excludes_all_ = is_positive_within(radius, above_) || is_positive_within(radius, below_);

@@ -121,7 +121,7 @@ template <class Method, class Band>
     triangles += drawn.triangles;
   }
   const double end = processor_milliseconds();
-  // Every band walks all triangles of the picture and counts those that reach it.
+  // Every band counts the triangles that reach it; count_spans() counts those of the picture.
   stats.triangles = std::max(stats.triangles, triangles);
   return end - start;
 }
@@ -154,8 +154,8 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels, const
   return result;
 }
 
-/// Counts the spans of the picture and their pixels, hidden ones included, by drawing into nothing. Neither
-/// bands nor depth change the counts, and what is timed does not count.
+/// Counts the triangles of the picture, their spans and their pixels, hidden ones included, by drawing into
+/// nothing. Neither bands nor depth change the counts, and what is timed does not count.
 template <class Method>
 void count_spans(const RenderJob& job, const Lightings<Method>& lightings, RenderStats& stats) {
   const Viewport& size = job.transform.viewport();
@@ -163,10 +163,12 @@ void count_spans(const RenderJob& job, const Lightings<Method>& lightings, Rende
   AnySink sink(nothing);
   const BandDepth depth(size.width, size.height);
   std::vector<CachedVertex<Method>> cache(most_vertices(job));
+  stats.triangles = 0;
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
     const RenderPart& part = job.parts[i];
-    (void)draw_mesh<Method, AnyBand::kFeatures>(part.mesh, job.transform, lightings[i], sink, depth.buffer(),
-                                                std::span(cache), {part.two_sided});
+    const DrawResult drawn = draw_mesh<Method, AnyBand::kFeatures>(
+        part.mesh, job.transform, lightings[i], sink, depth.buffer(), std::span(cache), {part.two_sided});
+    stats.triangles += drawn.triangles;
   }
   stats.spans = sink.spans();
   stats.pixels = sink.pixels();

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/draw/triangle_rows.hpp>
+#include <arcspan/draw/vertex_stage.hpp>
+#include <arcspan/draw/visible_triangles.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan::detail {
+
+/// The vertices that a BandCache keeps from band to band, transformed on first use: a source of vertices
+/// (vertex_source.hpp).
+template <class Method>
+class KeptVertices {
+ public:
+  static constexpr bool kAllInside = false;
+
+  /// `rows` are the rows of the triangles, or null; the band has the rows `first` ... `end` - 1.
+  KeptVertices(const VertexStage<Method>& stage, CachedVertex<Method>* cache, const TriangleRows* rows,
+               const VisibleTriangles& visible, std::int32_t first, std::int32_t end)
+      : stage_(stage),
+        visible_(visible),
+        cache_(cache),
+        rows_(rows),
+        first_(first >> TriangleRows::kGroupBits),
+        last_((end - 1) >> TriangleRows::kGroupBits) {}
+  [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
+    if (rows_ == nullptr) return visible_.known() ? visible_.next(i, count) : i;
+    while (i < count && (rows_[i].last < first_ || rows_[i].first > last_)) ++i;
+    return i;
+  }
+  [[nodiscard]] CachedVertex<Method>& operator[](std::size_t i) const {
+    stage_.transform_if_needed(i, cache_[i]);
+    return cache_[i];
+  }
+
+ private:
+  const VertexStage<Method>& stage_;
+  const VisibleTriangles& visible_;
+  CachedVertex<Method>* cache_;
+  const TriangleRows* rows_;
+  std::int32_t first_;  ///< groups of rows of the band
+  std::int32_t last_;
+};
+
+}  // namespace arcspan::detail

@@ -36,8 +36,9 @@ void check(const Model& model) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 1) return 0;
-  constexpr MeshFormat kFormats[] = {MeshFormat::kObj,  MeshFormat::kPly,  MeshFormat::kStl, MeshFormat::kOff,
-                                     MeshFormat::kGltf, MeshFormat::kGltf, MeshFormat::kObj, MeshFormat::kPly};
+  constexpr MeshFormat kFormats[] = {MeshFormat::kObj, MeshFormat::kPly,  MeshFormat::kStl,
+                                     MeshFormat::kOff, MeshFormat::kGltf, MeshFormat::kGltf,
+                                     MeshFormat::kObj, MeshFormat::kPly};
   const MeshFormat format = kFormats[data[0] & 7u];
   try {
     check(load_model_from_memory({reinterpret_cast<const char*>(data) + 1, size - 1}, format, "fuzz"));

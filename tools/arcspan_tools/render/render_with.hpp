@@ -103,12 +103,12 @@ void copy_rows(const Band& band, std::int32_t first, std::int32_t rows, Image& i
 
 /// A method's lighting for each part of a job.
 template <class Method>
-using Lightings = std::vector<typename Method::Lighting>;
+using PartLightings = std::vector<typename Method::Lighting>;
 
 /// Draws one band once and returns the processor time in milliseconds. `arcspan compare` counts the
 /// instructions of the functions of this name.
 template <class Method, class Band>
-[[gnu::noinline]] double draw_into(Band& band, const RenderJob& job, const Lightings<Method>& lightings,
+[[gnu::noinline]] double draw_into(Band& band, const RenderJob& job, const PartLightings<Method>& lightings,
                                    const DepthBuffer& depth, std::span<CachedVertex<Method>> cache,
                                    RenderStats& stats) {
   std::uint32_t triangles = 0;
@@ -128,8 +128,8 @@ template <class Method, class Band>
 
 /// Draws all bands of a picture. `depth` is tested unless the band ignores it.
 template <class Method, class Band>
-RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels, const Lightings<Method>& lightings,
-                          const RowsDone& rows_done) {
+RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
+                          const PartLightings<Method>& lightings, const RowsDone& rows_done) {
   const Viewport& size = job.transform.viewport();
   const std::int32_t rows = std::clamp(job.band_rows, 1, size.height);
   RenderResult result;
@@ -157,7 +157,7 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels, const
 /// Counts the triangles of the picture, their spans and their pixels, hidden ones included, by drawing into
 /// nothing. Neither bands nor depth change the counts, and what is timed does not count.
 template <class Method>
-void count_spans(const RenderJob& job, const Lightings<Method>& lightings, RenderStats& stats) {
+void count_spans(const RenderJob& job, const PartLightings<Method>& lightings, RenderStats& stats) {
   const Viewport& size = job.transform.viewport();
   NoPixels nothing({0, 0, size.width, size.height});
   AnySink sink(nothing);
@@ -188,8 +188,8 @@ typename Method::Lighting lighting_of(const RenderJob& job, const Lit& illuminat
 }
 
 template <class Method, class Lit>
-Lightings<Method> lightings_of(const RenderJob& job, const std::vector<Lit>& illuminations) {
-  Lightings<Method> lightings;
+PartLightings<Method> lightings_of(const RenderJob& job, const std::vector<Lit>& illuminations) {
+  PartLightings<Method> lightings;
   for (const Lit& illumination : illuminations) lightings.push_back(lighting_of<Method>(job, illumination));
   return lightings;
 }

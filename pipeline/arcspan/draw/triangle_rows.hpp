@@ -23,25 +23,25 @@ struct TriangleRows {
 
 namespace detail {
 
-inline constexpr TriangleRows kNoRows{255, 0};
+inline constexpr TriangleRows kNoTriangleRows{255, 0};
 
 /// The groups of a triangle with these vertices, for a picture of `height` rows.
 template <class Method>
 [[nodiscard]] TriangleRows rows_of(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
                                    const CachedVertex<Method>& c, std::int32_t height, bool two_sided) {
   if ((a.outcode | b.outcode | c.outcode) != 0) {
-    return (a.outcode & b.outcode & c.outcode) != 0 ? kNoRows : TriangleRows{0, 255};
+    return (a.outcode & b.outcode & c.outcode) != 0 ? kNoTriangleRows : TriangleRows{0, 255};
   }
   const RasterPosition& p = a.raster.position;
   const RasterPosition& q = b.raster.position;
   const RasterPosition& r = c.raster.position;
   const std::int32_t area = doubled_area(p, q, r);
-  if (area >= 0 && (area == 0 || !two_sided)) return kNoRows;
+  if (area >= 0 && (area == 0 || !two_sided)) return kNoTriangleRows;
   const std::int32_t upper = p.y < q.y ? p.y : q.y;
   const std::int32_t lower = p.y > q.y ? p.y : q.y;
   const std::int32_t top = first_row_at(upper < r.y ? upper : r.y) + (height >> 1);
   const std::int32_t end = first_row_at(lower > r.y ? lower : r.y) + (height >> 1);
-  if (top >= end || end <= 0 || top >= height) return kNoRows;
+  if (top >= end || end <= 0 || top >= height) return kNoTriangleRows;
   const auto group = [](std::int32_t row) {
     return static_cast<std::uint8_t>(row >> TriangleRows::kGroupBits);
   };
@@ -59,7 +59,7 @@ void find_rows(const VertexStage<Method>& stage, bool two_sided, CachedVertex<Me
   for (std::size_t i = 0; i < count; ++i) {
     if (back_faces.known()) {
       const std::size_t front = back_faces.next_front(i, count);
-      for (; i < front; ++i) rows[i] = kNoRows;
+      for (; i < front; ++i) rows[i] = kNoTriangleRows;
       if (i == count) return;
     }
     const TriangleIndices t = mesh.triangle(i);

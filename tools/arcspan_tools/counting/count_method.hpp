@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The counter of one shading method's operations. The build compiles this file once for each entry of
 // shading_method_list.hpp, with ARCSPAN_METHOD and ARCSPAN_METHOD_HEADER defined.
-#pragma once
+// No #pragma once: a source may hold several methods.
 
 #include <arcspan_tools/counting/begin_counted.hpp>
 //

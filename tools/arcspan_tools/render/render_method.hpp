@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The renderer of one shading method. The build compiles this file once for each entry of
 // shading_method_list.hpp, with ARCSPAN_METHOD and ARCSPAN_METHOD_HEADER defined.
-#pragma once
+// No #pragma once: a source may hold several methods.
 
 #include <arcspan_tools/render/render_with.hpp>
 #include ARCSPAN_METHOD_HEADER

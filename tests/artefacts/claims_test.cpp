@@ -147,7 +147,12 @@ TEST_CASE("S1's worked example, exactly") {
 
 TEST_CASE("every figure has curves with points, axes, and a script that names them") {
   for (const FigureMaker& maker : figure_makers()) {
-    CAPTURE(std::string(maker.name));
+    const std::string name(maker.name);
+    CAPTURE(name);
+#ifdef ARCSPAN_SANITIZED
+    // Thousands of pictures, of scenes that artefact_test.cpp draws too.
+    if (name == "rotation" || name == "flicker") continue;
+#endif
     const Figure figure = maker.make();
     CHECK_FALSE(figure.x_label.empty());
     CHECK_FALSE(figure.y_label.empty());

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/raster_stage.hpp>
+#include <tests/support/test_share.hpp>
 #include <tests/support/vec3.hpp>
 
 #include <algorithm>
@@ -109,7 +110,7 @@ TEST_CASE("clipping agrees with double precision, within capacity and within the
   std::size_t most = 0;
   double worst_plane = 0;  // units beyond a plane
   double worst_area = 0;   // difference of area per length of outline, in sixteenths
-  for (int i = 0; i < 300000; ++i) {
+  for (int i = 0; i < share_of(300000); ++i) {
     const std::int32_t near_w = random.integer(1 << 15, 1 << 20);
     Polygon polygon;
     Polygon spare;
@@ -137,7 +138,7 @@ TEST_CASE("clipping agrees with double precision, within capacity and within the
     const Outline ours = outline(got);
     worst_area = std::max(worst_area, std::abs(ours.area - truth.area) / (truth.perimeter + 16));
   }
-  CHECK(survivors > 50000);
+  CHECK(survivors > share_of(50000));
   CHECK(most <= Polygon::kCapacity);
   CHECK(most >= 6);
   CHECK(worst_plane <= 4);

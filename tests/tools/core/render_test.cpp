@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 using namespace arcspan;
 using namespace arcspan::tools;
@@ -46,7 +47,12 @@ TEST_CASE("every band height gives the same picture and the same figures") {
   scene.depth = depth;
   const RenderResult whole = render(scene, torus, shading.c_str(), "rgb565", true);
   CHECK(whole.stats.bands == 1);
-  for (const std::int32_t rows : {1, 2, 7, 16, 71, 72, 2048}) {
+#ifdef ARCSPAN_SANITIZED
+  const std::vector<std::int32_t> heights{7, 71, 2048};
+#else
+  const std::vector<std::int32_t> heights{1, 2, 7, 16, 71, 72, 2048};
+#endif
+  for (const std::int32_t rows : heights) {
     CAPTURE(rows);
     scene.band_rows = rows;
     const RenderResult banded = render(scene, torus, shading.c_str(), "rgb565", true);

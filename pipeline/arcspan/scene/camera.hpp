@@ -126,7 +126,7 @@ class Camera {
   std::int64_t near_ = 0;  ///< 16 fraction bits; kParallel times the planes' distance if orthographic
   std::int64_t set_back_ = 0;  ///< distance from the eye of an orthographic lens to eye_, 16 fraction bits
   std::int32_t focal_ = 0;     ///< times 2^focal_bits_: 11 fraction bits of a pixel
-  std::int32_t focal_bits_ = 0;
+  int focal_bits_ = 0;
   bool parallel_ = false;
 };
 

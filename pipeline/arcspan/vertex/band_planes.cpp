@@ -7,7 +7,7 @@ namespace arcspan {
 
 namespace {
 
-constexpr int kEntryBits = 13;                                  // magnitude of a form's entries
+constexpr int kFormBits = 13;                                   // magnitude of a form's entries
 constexpr std::int64_t kLargestOffset = std::int64_t{1} << 30;  // more than a form's other terms add up to
 
 std::int64_t magnitude(std::int64_t v) { return v < 0 ? -v : v; }
@@ -24,7 +24,7 @@ ObjectForm form_beyond(const ClipTransform& transform, std::int64_t k, std::int6
     if (magnitude(entries[j]) > largest) largest = magnitude(entries[j]);
   }
   const int bits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(largest)));
-  const int shift = bits > kEntryBits ? bits - kEntryBits : 0;
+  const int shift = bits > kFormBits ? bits - kFormBits : 0;
   const auto scaled = [shift](std::int64_t v) { return static_cast<std::int32_t>(v >> shift); };
   // Entries have 14 fraction bits more than offsets, which are below 2^30. The sum is below 2^60.
   const std::int64_t at_origin = sign *

@@ -218,10 +218,10 @@ inline bool is_plain(const RenderJob& job) {
 /// Behind virtual calls every feature is there, used or not; those that are not used change no pixel.
 inline constexpr IlluminationFeatures kEveryFeature{.coloured_lights = true, .fading_highlights = true};
 
-template <template <class> class Method, bool kIsLiterature, std::size_t Lights, Highlight Model>
+template <template <class> class Method, bool kAsksForColours, std::size_t Lights, Highlight Model>
 RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   using Lit = Illumination<Lights, Model, kEveryFeature>;
-  using AnyLit = std::conditional_t<kIsLiterature, AnyIllumination, Lit>;
+  using AnyLit = std::conditional_t<kAsksForColours, AnyIllumination, Lit>;
   const auto illuminations = illuminations_of<Lit>(job);
   const std::vector<AnyLit> any(illuminations.begin(), illuminations.end());
   const auto any_lightings = lightings_of<Method<AnyLit>>(job, any);
@@ -241,14 +241,14 @@ RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const R
   return result;
 }
 
-template <template <class> class Method, bool kIsLiterature, Highlight Model>
+template <template <class> class Method, bool kAsksForColours, Highlight Model>
 RenderResult render_model(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   constexpr std::size_t kMost = 4;
   if (job.lights.empty() || job.lights.size() > kMost) {
     throw Failure("--light", "1 to 4 lights, not " + std::to_string(job.lights.size()));
   }
-  return job.lights.size() == 1 ? render_lit<Method, kIsLiterature, 1, Model>(job, pixels, rows_done)
-                                : render_lit<Method, kIsLiterature, kMost, Model>(job, pixels, rows_done);
+  return job.lights.size() == 1 ? render_lit<Method, kAsksForColours, 1, Model>(job, pixels, rows_done)
+                                : render_lit<Method, kAsksForColours, kMost, Model>(job, pixels, rows_done);
 }
 
 }  // namespace arcspan::tools::detail
@@ -256,11 +256,12 @@ RenderResult render_model(const RenderJob& job, const PixelChoice& pixels, const
 namespace arcspan::tools {
 
 /// Renders with the shading `Method`; the rest of the job picks among the instantiations made here.
-template <template <class> class Method, bool kIsLiterature>
+/// `kAsksForColours` is true for methods that AnyIllumination suffices for.
+template <template <class> class Method, bool kAsksForColours>
 RenderResult render_with(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   return job.highlight == Highlight::kBlinn
-             ? detail::render_model<Method, kIsLiterature, Highlight::kBlinn>(job, pixels, rows_done)
-             : detail::render_model<Method, kIsLiterature, Highlight::kPhong>(job, pixels, rows_done);
+             ? detail::render_model<Method, kAsksForColours, Highlight::kBlinn>(job, pixels, rows_done)
+             : detail::render_model<Method, kAsksForColours, Highlight::kPhong>(job, pixels, rows_done);
 }
 
 }  // namespace arcspan::tools

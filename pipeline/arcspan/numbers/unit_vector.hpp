@@ -39,4 +39,12 @@ template <std::size_t Count>
   return unit;
 }
 
+/// True if all components are 0. Comparing arrays would call memcmp.
+template <std::size_t Count>
+[[nodiscard]] constexpr bool is_zero(const std::array<std::int32_t, Count>& v) {
+  std::int32_t bits = 0;
+  for (const std::int32_t c : v) bits |= c;
+  return bits == 0;
+}
+
 }  // namespace arcspan

@@ -143,7 +143,7 @@ constexpr Status Camera::look_at(const LookAt& view) {
   };
   const Unit up{view.up.x.raw(), view.up.y.raw(), view.up.z.raw()};
   const Unit right = unit_vector30<3>(cross(up, back));
-  if (right == Unit{}) return Status::kNoViewDirection;  // also if `back` is zero
+  if (is_zero(right)) return Status::kNoViewDirection;  // also if `back` is zero
   const Unit above = unit_vector30<3>(cross(back, right));
   const Unit axes[3] = {right, above, back};
   for (std::size_t i = 0; i < 3; ++i) {

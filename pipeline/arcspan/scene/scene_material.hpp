@@ -156,6 +156,10 @@ namespace detail {
   return {multiply<Coefficient>(a.r, b.r), multiply<Coefficient>(a.g, b.g), multiply<Coefficient>(a.b, b.b)};
 }
 
+[[nodiscard]] constexpr bool differ(const ChannelWeights& a, const ChannelWeights& b) {
+  return a[0] != b[0] || a[1] != b[1] || a[2] != b[2];
+}
+
 /// The first `Count` of the lights that an object sees.
 template <std::size_t Count>
 [[nodiscard]] constexpr std::array<DirectionalLight, Count> first_lights(const ObjectLights& seen) {
@@ -200,7 +204,7 @@ constexpr Status PreparedMaterial<M>::light(const detail::ObjectLights& seen, Li
   std::array<Direction, Illumination::kLights> towards{};
   for (std::size_t i = 0; i < lights.size(); ++i) towards[i] = lights[i].towards;
   if constexpr (kSingleLight) {
-    if (detail::channel_weights(lights[0]) != single_.weights) {
+    if (detail::differ(detail::channel_weights(lights[0]), single_.weights)) {
       if constexpr (Used::kChangingLight) {
         Illumination illumination;
         const Status status = Illumination::make(single_.material, lights, seen.to_eye, illumination);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Scenes of several methods, as all_stages.cpp has draw_mesh().
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/scene.hpp>
+#include <arcspan/shading/flat.hpp>
+#include <arcspan/shading/gouraud.hpp>
+
+namespace arcspan {
+
+using SceneLighting = Illumination<2, Highlight::kBlinn>;
+using SingleLighting = Illumination<1, Highlight::kBlinn>;
+using Methods = MethodList<Gouraud<SceneLighting>, Unlit, Use<Flat<SingleLighting>, DrawFeatures{}, true>>;
+
+template SceneResult draw_scene(const Scene&, hal::Framebuffer<Rgb565>&, const DepthBuffer&,
+                                SceneMemory<Methods, 4, 100>&);
+
+Status make_camera(const LookAt& view, const Lens& lens, const Viewport& viewport, Camera& camera) {
+  return Camera::make(view, lens, viewport, camera);
+}
+
+Status make_material(const Material& material, const LightList& lights,
+                     PreparedMaterial<Gouraud<SceneLighting>>& prepared) {
+  return PreparedMaterial<Gouraud<SceneLighting>>::make(material, lights, {}, prepared);
+}
+
+Object make_object(const MeshView& mesh, std::span<const Part> parts, const Quaternion& orientation) {
+  Object object(mesh, parts);
+  object.rotation = rotation_of(orientation);
+  return object;
+}
+
+}  // namespace arcspan

@@ -57,6 +57,7 @@ template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSin
   } else if (cache.empty()) {
     drawer.draw_triangles_outlined(uncached);
   } else if (visible.known()) {
+    detail::forget_vertices(cache.data(), mesh.vertex_count());
     drawer.draw_triangles_outlined(detail::FrontVertices<Method>(drawer.stage(), cache.data(), visible));
   } else {
     drawer.draw_triangles_outlined(detail::CachedVertices<Method>(drawer.stage(), cache.data()));

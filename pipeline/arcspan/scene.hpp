@@ -4,6 +4,7 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/scene/camera.hpp>
+#include <arcspan/scene/draw_part.hpp>
 #include <arcspan/scene/object.hpp>
 #include <arcspan/scene/scene_frame.hpp>
 #include <arcspan/scene/scene_light.hpp>
@@ -16,16 +17,13 @@
 
 namespace arcspan {
 
-/// The shading methods that a program draws scenes by, each a method or a Use. Nothing else is compiled.
-template <class... Methods>
-struct MethodList {};
-
 template <class List, std::size_t Objects, std::size_t Vertices = 0>
 class SceneMemory;
 
 /// The memory of a scene that is being drawn, of the caller's: usually static. `Objects` is the most that are
 /// in view at a time. `Vertices` is at least the number of vertices of the largest mesh, or 0: then each
-/// triangle transforms its own three vertices. It needs no initialisation and may be used for any scene.
+/// triangle transforms its own three vertices. If there is room for the vertices of all objects in view, they
+/// are kept from band to band. It needs no initialisation and may be used for any scene.
 template <class... Methods, std::size_t Objects, std::size_t Vertices>
 class SceneMemory<MethodList<Methods...>, Objects, Vertices> {
  public:
@@ -79,58 +77,6 @@ struct SceneResult {
 };
 
 namespace detail {
-
-/// A part of an object to be drawn.
-template <class Sink, class Depth>
-struct PartCall {
-  const MeshView& mesh;
-  const ClipTransform& transform;
-  const SceneMaterial& material;
-  const ObjectLights& lights;
-  Sink& sink;
-  const Depth& depth;
-  void* lighting;  ///< memory for the material under these lights
-  std::span<unsigned char> vertices;
-};
-
-template <class Used, class Sink, class Depth>
-DrawResult draw_part_by(const PartCall<Sink, Depth>& part) {
-  using Method = typename Used::Method;
-  const auto& material = static_cast<const PreparedMaterial<Used>&>(part.material);
-  std::span<CachedVertex<Method>> cache;
-  if (!part.vertices.empty()) {
-    cache = {static_cast<CachedVertex<Method>*>(static_cast<void*>(part.vertices.data())),
-             part.mesh.vertex_count()};
-  }
-  if constexpr (Lit<typename Method::Lighting>) {
-    auto& lighting = *static_cast<typename Method::Lighting*>(part.lighting);
-    const Status status = material.light(part.lights, lighting);
-    if (!ok(status)) return {status};
-    return draw_mesh<Method, Used::kFeatures>(part.mesh, part.transform, lighting, part.sink, part.depth,
-                                              cache, part.material.options());
-  } else {
-    return draw_mesh<Method, Used::kFeatures>(part.mesh, part.transform, material.lighting(), part.sink,
-                                              part.depth, cache, part.material.options());
-  }
-}
-
-/// Draws a part by the method of its material, which is listed.
-template <class... Used, class Sink, class Depth>
-DrawResult draw_part(MethodList<Used...>, const PartCall<Sink, Depth>& part) {
-  if constexpr (sizeof...(Used) == 1) {
-    return draw_part_by<Used...>(part);
-  } else {
-    using Function = DrawResult (*)(const PartCall<Sink, Depth>&);
-    struct Entry {
-      const UseFacts* use;
-      Function function;
-    };
-    static constexpr Entry kEntries[] = {{&kUseFacts<Used>, &draw_part_by<Used, Sink, Depth>}...};
-    const Entry* entry = kEntries;
-    while (entry->use != part.material.use()) ++entry;
-    return entry->function(part);
-  }
-}
 
 /// Returns the reason why nothing can be drawn into a target, or kOk.
 template <class Sink, class Depth>
@@ -187,17 +133,17 @@ template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink
   result.status = detail::check_target(sink, depth, rect);
   const std::size_t count = frame.header.in_view;
   for (std::size_t i = 0; i < count && ok(result.status); ++i) {
-    const detail::SceneSlot& slot = frame.slots[frame.order[Depth::kTests ? i : count - 1 - i]];
+    detail::SceneSlot& slot = frame.slots[frame.order[Depth::kTests ? i : count - 1 - i]];
     if (rect != whole && detail::is_outside(slot, rect)) continue;
     ++result.objects;
+    if (!frame.header.keeps_vertices) slot.held = nullptr;
     const detail::ObjectLights lights = detail::lights_at(frame.header, *slot.object);
     for (std::size_t p = 0; p < slot.object->part_count() && ok(result.status); ++p) {
       const Part part = slot.object->part(p);
       const MeshView mesh = slot.object->mesh().part(part.first, part.count);
-      const DrawResult drawn =
-          detail::draw_part(MethodList<typename detail::UseOf<Methods>::Type...>{},
-                            detail::PartCall<Sink, Depth>{mesh, slot.transform, *part.material, lights, sink,
-                                                          depth, memory.lighting(), frame.vertices});
+      const DrawResult drawn = detail::draw_part<Vertices != 0>(
+          MethodList<typename detail::UseOf<Methods>::Type...>{},
+          detail::PartCall<Sink, Depth>{slot, mesh, *part.material, lights, sink, depth, memory.lighting()});
       result.status = drawn.status;
       result.triangles += drawn.triangles;
       result.left_out += drawn.left_out;

@@ -3,6 +3,7 @@
 
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/triangle_rows.hpp>
+#include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/status.hpp>
@@ -75,7 +76,7 @@ class BandCache {
     transform_ = stage.transform();
     two_sided_ = two_sided;
     holds_ = true;
-    for (std::size_t i = 0; i < mesh.vertex_count(); ++i) vertices_[i].outcode = detail::kNotTransformed;
+    detail::forget_vertices(vertices_.data(), mesh.vertex_count());
     if (!rows_.empty()) detail::find_rows(stage, two_sided, vertices_.data(), rows_.data());
     return Status::kOk;
   }

@@ -29,6 +29,12 @@ class CachedVertices {
   CachedVertex<Method>* cache_;
 };
 
+/// Marks vertices as not transformed yet.
+template <class Method>
+void forget_vertices(CachedVertex<Method>* cache, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) cache[i].outcode = kNotTransformed;
+}
+
 /// The back faces of the mesh are known, so only the vertices of other triangles are transformed, on first
 /// use.
 template <class Method>
@@ -36,12 +42,10 @@ class FrontVertices {
  public:
   static constexpr bool kAllInside = true;
 
-  /// `back_faces` must be known().
+  /// The back faces must be known. Vertices of `cache` are forgotten, or have been transformed like this.
   FrontVertices(const VertexStage<Method>& stage, CachedVertex<Method>* cache,
                 const VisibleTriangles& visible)
-      : stage_(stage), visible_(visible), cache_(cache) {
-    for (std::size_t i = 0; i < stage.mesh().vertex_count(); ++i) cache[i].outcode = kNotTransformed;
-  }
+      : stage_(stage), visible_(visible), cache_(cache) {}
   [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
     return visible_.next(i, count);
   }

@@ -129,10 +129,27 @@ void insert_into_order(const SceneFrame& frame, std::size_t last) {
     return is_in_view(object, scene.camera) ? Status::kTooManyObjects : Status::kOk;
   }
   if (set_up(object, scene.camera, frame.slots[last])) {
+    frame.slots[last].vertex_bytes = static_cast<std::uint32_t>(bytes);
     ++frame.header.in_view;
     insert_into_order(frame, last);
   }
   return Status::kOk;
+}
+
+/// Gives each slot vertices of its own, if there is room for all, else all slots the same.
+void share_vertices(const SceneFrame& frame) {
+  constexpr std::size_t kAlignment = 8;
+  const auto aligned = [](std::size_t bytes) { return (bytes + kAlignment - 1) & ~(kAlignment - 1); };
+  const std::span<SceneSlot> slots = frame.slots.first(frame.header.in_view);
+  std::size_t all = 0;
+  for (const SceneSlot& slot : slots) all += aligned(slot.vertex_bytes);
+  frame.header.keeps_vertices = all <= frame.vertices.size();
+  unsigned char* at = frame.vertices.data();
+  for (SceneSlot& slot : slots) {
+    slot.vertices = at;
+    slot.held = nullptr;
+    if (frame.header.keeps_vertices) at += aligned(slot.vertex_bytes);
+  }
 }
 
 }  // namespace
@@ -149,13 +166,14 @@ bool is_outside(const SceneSlot& slot, const Rect& rect) {
 
 Status prepare(const Scene& scene, const SceneFrame& frame) {
   SceneHeader& header = frame.header;
-  header = {scene.lights.lights, &scene.camera, 0, check_lights(scene.lights)};
+  header = {scene.lights.lights, &scene.camera, 0, false, check_lights(scene.lights)};
   if (scene.camera.viewport().width == 0) header.status = Status::kNotReady;
   for (const Object& object : scene.objects) {
     if (!ok(header.status)) break;
     if (object.visible) header.status = add_object(object, scene, frame);
   }
   if (!ok(header.status)) header.in_view = 0;
+  share_vertices(frame);
   return header.status;
 }
 

@@ -36,7 +36,10 @@ struct SceneSlot {
   ClipTransform transform;
   ClipSphere sphere;
   const Object* object;
-  std::uint16_t depth;  ///< of the sphere's middle
+  unsigned char* vertices;     ///< memory for CachedVertex, or null
+  const UseFacts* held;        ///< the use that has written the vertices, or null
+  std::uint32_t vertex_bytes;  ///< that the vertices take at most
+  std::uint16_t depth;         ///< of the sphere's middle
 };
 
 /// The part of a SceneMemory that belongs to the whole scene. All is zero at first, so that static memory
@@ -45,6 +48,7 @@ struct SceneHeader {
   std::span<const SceneLight> lights{};
   const Camera* camera = nullptr;  ///< null before the first frame
   std::uint16_t in_view = 0;       ///< slots in use
+  bool keeps_vertices = false;     ///< each slot has vertices of its own; else all have the same
   Status status = Status::kOk;
 };
 

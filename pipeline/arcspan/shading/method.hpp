@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 /// The protocol of a shading method: what draw_mesh() demands of a type that it is given as `Method`.
 ///
@@ -89,6 +90,11 @@ concept LimitedRun = requires(const R run) {
 /// there is one. All its runs except segments must then be EncodingRun.
 template <class M>
 concept UsesEncodedColours = bool{M::kUsesEncodedColours};
+
+/// Optional part of a method: its Vertex depends on the directions of the lighting only, so that vertices
+/// that are shaded with one material serve for others of the same type.
+template <class M>
+concept SharesVertices = std::is_empty_v<typename M::Vertex> || bool{M::kSharesVertices};
 
 /// Optional part of a run, for methods that use encoded colours: `encoded<Format>(lighting, colours)` returns
 /// the current pixel's colour encoded in `Format`, equal to Format::encode(colour(lighting)).

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenes against draw_mesh(), bands against whole pictures, culling and order.
+#include <arcspan/shading/gouraud.hpp>
+
 #include <catch2/catch.hpp>
 #include <tests/pipeline/scene/scene_support.hpp>
 #include <tests/support/test_share.hpp>
@@ -20,8 +22,9 @@ const TestMesh kCube = make_smooth_cube(18000);
 const MeshView kBallView = kBall.view();
 const MeshView kCubeView = kCube.view();
 
-using Memory = SceneMemory<SceneMethods, 12, 100>;
-Memory memory_of_scene;
+// The first has room for the vertices of one object, the second for those of all.
+SceneMemory<SceneMethods, 12, 100> memory_of_scene;
+SceneMemory<SceneMethods, 12, 1200> large_memory;
 
 bool equal(const Picture& a, const Picture& b) {
   for (std::int32_t y = a.bounds().top; y < a.bounds().bottom; ++y) {
@@ -171,10 +174,11 @@ TEST_CASE("culling and order change no pixel, and bands are the whole picture") 
 
     constexpr std::int32_t kRows = 10;  // the last band reaches beyond the picture
     Canvas band(kRows);
-    REQUIRE(ok(prepare_scene(made.scene(), memory_of_scene)));
+    REQUIRE(ok(prepare_scene(made.scene(), large_memory)));
+    CHECK(large_memory.frame().header.keeps_vertices);
     for (std::int32_t row = 0; row < Canvas::kHeight; row += kRows) {
       band.move_to(row);
-      REQUIRE(ok(draw_prepared_scene(memory_of_scene, band.picture, band.depth).status));
+      REQUIRE(ok(draw_prepared_scene(large_memory, band.picture, band.depth).status));
       for (std::int32_t y = row; y < std::min(row + kRows, Canvas::kHeight); ++y) {
         for (std::int32_t x = 0; x < Canvas::kWidth; ++x) {
           REQUIRE(band.picture.pixel(x, y) == canvas.picture.pixel(x, y));
@@ -258,4 +262,24 @@ TEST_CASE("the parts of an object are drawn by their materials") {
     }
   }
   CHECK(red > 50);
+}
+
+TEST_CASE("parts share vertices where their colours differ") {
+  using Smooth = Gouraud<SceneLighting>;
+  static constexpr auto kRough = PreparedMaterial<Smooth>::of(matter(Coefficient::of(0.9), {}, {}), kLights);
+  static constexpr auto kBlue = PreparedMaterial<Smooth>::of(matter({}, {}, Coefficient::of(0.9)), kLights);
+  static SceneMemory<MethodList<Smooth, SceneMethod>, 1, 100> with_vertices;
+  static SceneMemory<MethodList<Smooth, SceneMethod>, 1> without_vertices;
+  const std::size_t third = kBallView.triangle_count() / 3;
+  const Part parts[] = {
+      {&kRough, 0, third}, {&kCopper, third, 10}, {&kBlue, third + 10, third}, {&kRough, 2 * third, 20}};
+  const Object object(kBallView, parts);
+  const Camera camera = looking({1, 3, 3}, {});
+  const Scene scene{camera, kLights, {&object, 1}};
+  Canvas with;
+  Canvas without;
+  const SceneResult result = draw_scene(scene, with.picture, with.depth, with_vertices);
+  CHECK(result.triangles > 30);
+  CHECK(draw_scene(scene, without.picture, without.depth, without_vertices).triangles == result.triangles);
+  CHECK(with.pixels == without.pixels);
 }

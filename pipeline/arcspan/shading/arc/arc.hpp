@@ -43,6 +43,7 @@ struct ArcUpTo {
     bool middle_left;
   };
   static constexpr bool kNeedsFaceNormal = false;
+  static constexpr bool kSharesVertices = true;
   static constexpr bool kUsesEncodedColours = true;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {

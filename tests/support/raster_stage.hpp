@@ -4,8 +4,11 @@
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/span/draw_command.hpp>
+#include <arcspan/span/draw_small.hpp>
 
 #include <tests/support/strict_sink.hpp>
+
+#include <optional>
 
 namespace arcspan::test {
 
@@ -28,16 +31,44 @@ class RasterStage {
   /// True if the triangle gave a command.
   bool draw(const RasterVertex<Method>& a, const RasterVertex<Method>& b, const RasterVertex<Method>& c,
             const typename Method::Face& face = {}) {
+    if constexpr (DrawsSmallTriangles<Method>) {
+      if (const auto drawn = draw_small(a, b, c)) return *drawn;
+    }
     TriangleCommand<Method> command;
     if (!prepare_triangle(lighting_, a, b, c, face, rows_, command)) return false;
     return ok(draw_command(command, origin_, clip_, lighting_, sink_, depth_));
   }
+
+  /// Draws small triangles by TriangleCommands too.
+  void leave_out_small_triangles() { draws_small_ = false; }
 
   void clip_to(const Rect& clip) { clip_ = clip; }
   [[nodiscard]] const Rect& clip() const { return clip_; }
   [[nodiscard]] RasterOrigin origin() const { return origin_; }
 
  private:
+  /// Draws a small triangle and returns true if it has rows, or nothing if it has to be a TriangleCommand.
+  std::optional<bool> draw_small(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+                                 const RasterVertex<Method>& c) {
+    const RasterPosition& p = a.position;
+    if (!draws_small_ || !in_guard_band(p) || !is_small(p, b.position, c.position)) return std::nullopt;
+    if (doubled_area(p, b.position, c.position) == 0 || clip_.empty()) return false;
+    const NoEncodedColours encoded(lighting_);
+    const detail::RowTarget<typename Method::Lighting, Sink, Depth> target{clip_, lighting_, sink_, depth_,
+                                                                           encoded};
+    Status status = Status::kOk;
+    switch (detail::draw_small_triangle<Method>(a, b, c, rows_, origin_, target, status)) {
+      case detail::SmallResult::kDone:
+        return ok(status);
+      case detail::SmallResult::kNoRows:
+        return false;
+      case detail::SmallResult::kRefused:
+        break;
+    }
+    return std::nullopt;
+  }
+
+  bool draws_small_ = true;
   Sink& sink_;
   typename Method::Lighting lighting_;
   Depth depth_;

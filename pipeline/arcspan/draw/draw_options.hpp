@@ -27,9 +27,12 @@ struct DrawResult {
 struct DrawFeatures {
   bool clips =
       true;  ///< draws triangles across the near plane or the guard band; else counts them as left_out
-  bool two_sided = true;   ///< DrawOptions::two_sided works; else it returns kUnsupported
-  bool caches = true;      ///< uses a vertex cache if one is given
-  bool planes = true;      ///< culls by the face planes of a mesh that has them
+  bool two_sided = true;  ///< DrawOptions::two_sided works; else it returns kUnsupported
+  bool caches = true;     ///< uses a vertex cache if one is given
+  bool planes = true;     ///< culls by the face planes of a mesh that has them
+  /// draws triangles of up to 8x8 pixels pixel by pixel, where the method can (DrawsSmallTriangles). It
+  /// changes pixels within the method's accuracy.
+  bool small_triangles = true;
   bool whole_rows = true;  ///< second row loop for triangles within the scissor's columns; no effect at -Os
 };
 

@@ -8,6 +8,7 @@
 #include <arcspan/draw/visible_triangles.hpp>
 #include <arcspan/mesh/face_normal.hpp>
 #include <arcspan/span/draw_command.hpp>
+#include <arcspan/span/draw_small.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstddef>
@@ -93,6 +94,7 @@ class TriangleDrawer {
   using Colours = EncodedColoursFor<Method, Sink>;
   using Target = RowTarget<typename Method::Lighting, Sink, Depth, Colours>;
   static constexpr bool kWholeRows = Features.whole_rows && kWholeRowsPay;
+  static constexpr bool kDrawsSmall = Features.small_triangles && DrawsSmallTriangles<Method>;
 
   /// True if the triangle lies outside one plane of the clip volume, has no area, or shows its back and backs
   /// are not drawn: the case of half of all triangles, before anything is set up.
@@ -203,10 +205,26 @@ class TriangleDrawer {
     }
   }
 
-  /// Draws one side of a triangle whose vertices are shaded. A function of its own, so that the stack of the
-  /// other paths does not hold a command.
-  ARCSPAN_OUTLINE void draw_side(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c,
-                                 Facing facing) {
+  /// Draws one side of a triangle whose vertices are shaded.
+  ARCSPAN_INLINE void draw_side(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c,
+                                Facing facing) {
+    if constexpr (kDrawsSmall) {
+      if (is_small(a.position, b.position, c.position) && draw_small_side(a, b, c)) return;
+    }
+    draw_large_side(t, a, b, c, facing);
+  }
+
+  /// Draws one side of a small triangle. Returns false if the method cannot.
+  ARCSPAN_OUTLINE bool draw_small_side(const Raster& a, const Raster& b, const Raster& c) {
+    const Target target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_};
+    const SmallResult result = draw_small_triangle<Method>(a, b, c, scissor_.viewport_rows(),
+                                                           scissor_.origin(), target, result_.status);
+    counted_ = counted_ || result == SmallResult::kDone;
+    return result != SmallResult::kRefused;
+  }
+
+  ARCSPAN_OUTLINE void draw_large_side(const TriangleIndices& t, const Raster& a, const Raster& b,
+                                       const Raster& c, Facing facing) {
     const Face face = shaded_face(t, facing);
     TriangleCommand<Method> command;
     if (!prepare_inside<Method, Depth::kTests>(stage_.lighting(), a, b, c, face, scissor_.viewport_rows(),

@@ -96,6 +96,14 @@ concept UsesEncodedColours = bool{M::kUsesEncodedColours};
 template <class M>
 concept SharesVertices = std::is_empty_v<typename M::Vertex> || bool{M::kSharesVertices};
 
+/// Optional part of a method: it draws small triangles (prepare/small_triangle.hpp) by barycentric
+/// coordinates. `Small` is its part of them. prepare_small(lighting, a, b, c, small) prepares it from three
+/// `Vertex` and returns false if the triangle has to be drawn by a TriangleCommand. walk_small(small, draw)
+/// calls `draw` with a surface, whose at(b, c) returns a run at the pixel with these coordinates, and returns
+/// its status.
+template <class M>
+concept DrawsSmallTriangles = bool{M::kDrawsSmallTriangles};
+
 /// Optional part of a run, for methods that use encoded colours: `encoded<Format>(lighting, colours)` returns
 /// the current pixel's colour encoded in `Format`, equal to Format::encode(colour(lighting)).
 template <class R, class Format, class Lighting, class Colours>

@@ -50,6 +50,7 @@ struct Adaptive : Arc<Illumination> {
   using Lighting = AdaptiveIllumination<Illumination>;
   using typename Base::Face;
   using typename Base::Path;
+  using typename Base::Small;
   using typename Base::Vertex;
   struct Prepared : Base::Prepared {
     FullLinearPlane light;
@@ -84,6 +85,19 @@ struct Adaptive : Arc<Illumination> {
       }
     }
     Base::prepare_path(lighting, frame, fits_patch ? Path::kPatch : Path::kWide, prepared);
+  }
+
+  /// Prepares a small triangle as Arc does, but without highlights below half the tolerance.
+  template <class Raster>
+  [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
+                                                    const Raster& b, const Raster& c, Small& small) {
+    const TriangleChords chords = Base::chords_between(a.shade, b.shade, c.shade);
+    bool shines = true;
+    if constexpr (Base::kHasDiffusePath) {
+      shines = lighting.nearest_highlight(a.shade.scalars, b.shade.scalars, c.shade.scalars,
+                                          arc_headroom(chords.widest())) < lighting.half_tolerance_reach();
+    }
+    return Base::prepare_small_path(lighting, a, b, c, chords, shines, small);
   }
 
   template <class Draw>

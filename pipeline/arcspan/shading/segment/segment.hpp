@@ -39,6 +39,7 @@ struct Segment : Arc<Illumination> {
   using typename Base::Path;
   using typename Base::Vertex;
   static constexpr bool kUsesEncodedColours = false;
+  static constexpr bool kDrawsSmallTriangles = false;
   struct Prepared : Base::Prepared {
     int bits;
   };

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/prepare/small_triangle.hpp>
+#include <arcspan/span/draw_command.hpp>
+#include <arcspan/span/draw_pixels.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstdint>
+
+namespace arcspan::detail {
+
+/// Draws the pixels of a small triangle. `surface` gives the colour at barycentric coordinates.
+template <class Surface, class Target>
+[[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_small_pixels(const SmallTriangle& triangle,
+                                                                 const Surface& surface,
+                                                                 const RasterOrigin& origin,
+                                                                 const Target& target) {
+  using Format = typename Target::Format;
+  using Run = typename Surface::Run;
+  constexpr bool kTests = Target::Depth::kTests;
+  std::int32_t at_b = triangle.ca.at;
+  std::int32_t at_c = triangle.ab.at;
+  for (std::int32_t row = 0; row < triangle.rows; ++row, at_b += triangle.ca.dy, at_c += triangle.ab.dy) {
+    const SmallSpan found = triangle.spans[row];
+    if (found.count == 0) continue;
+    const Span span{triangle.row + row + origin.y, triangle.column + found.first + origin.x, found.count};
+    typename Format::Cursor cursor = target.sink.open(span);
+    std::uint16_t* stored = nullptr;
+    if constexpr (kTests) stored = target.depth.row(span.y) + span.x;
+    const auto& pixels = surface.row((triangle.row + row) * 16 + 8);
+    std::int32_t in_b = at_b + found.first * triangle.ca.dx;
+    std::int32_t in_c = at_c + found.first * triangle.ab.dx;
+    for (std::int32_t left = span.count; left != 0; --left) {
+      const std::int32_t b = triangle.coordinate(in_b);
+      const std::int32_t c = triangle.coordinate(in_c);
+      bool nearer = true;
+      if constexpr (kTests) {
+        const std::uint16_t depth = triangle.depth(b, c);
+        nearer = is_nearer(depth, *stored);
+        if (nearer) *stored = depth;
+        ++stored;
+      }
+      if (nearer) {
+        const Run run = pixels.at(b, c);
+        if constexpr (kLooksUpColours<Target, Run>) {
+          cursor.write(run.template encoded<Format>(target.lighting, target.encoded));
+        } else {
+          cursor.write(encode_at<Format>(run.colour(target.lighting), span.x + span.count - left, span.y));
+        }
+      }
+      cursor.next();
+      in_b += triangle.ca.dx;
+      in_c += triangle.ab.dx;
+    }
+    const Status status = target.sink.close(span);
+    if (!ok(status)) return status;
+  }
+  return Status::kOk;
+}
+
+/// How drawing a small triangle ended.
+enum class SmallResult : std::uint8_t {
+  kDone,    ///< drawn, as far as it has pixels
+  kNoRows,  ///< it has no row in the viewport
+  kRefused  ///< nothing is drawn, because the method needs a TriangleCommand for its normals
+};
+
+/// Draws a small triangle (is_small()) whose doubled_area() is not 0, of either winding. `rows` are those of
+/// the viewport. Sets `status` if the result is kDone.
+template <class Method, class Target>
+[[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(
+    const RasterVertex<Method>& a, const RasterVertex<Method>& second, const RasterVertex<Method>& third,
+    const RowRange& rows, const RasterOrigin& origin, const Target& target, Status& status) {
+  const bool clockwise = doubled_area(a.position, second.position, third.position) > 0;
+  const RasterVertex<Method>& b = clockwise ? third : second;
+  const RasterVertex<Method>& c = clockwise ? second : third;
+  const Rect& scissor = target.scissor;
+  SmallTriangle triangle;
+  const bool covers = cover_small_triangle(
+      a.position, b.position, c.position,
+      {scissor.left - origin.x, scissor.right - origin.x, scissor.top - origin.y, scissor.bottom - origin.y},
+      triangle);
+  if (!covers) {
+    const std::int32_t first = triangle.first_row > rows.first ? triangle.first_row : rows.first;
+    const std::int32_t end = triangle.end_row < rows.end ? triangle.end_row : rows.end;
+    status = Status::kOk;
+    return first < end ? SmallResult::kDone : SmallResult::kNoRows;
+  }
+  typename Method::Small small;
+  if (!Method::prepare_small(target.lighting, a, b, c, small)) return SmallResult::kRefused;
+  prepare_small_triangle(a.position, b.position, c.position, triangle);
+  status = Method::walk_small(
+      small, [&](const auto& surface) { return draw_small_pixels(triangle, surface, origin, target); });
+  return SmallResult::kDone;
+}
+
+}  // namespace arcspan::detail

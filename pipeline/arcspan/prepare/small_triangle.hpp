@@ -15,7 +15,7 @@
 namespace arcspan {
 
 /// A triangle is small if its vertices are at most this many pixels apart, along x and along y.
-inline constexpr std::int32_t kSmallSize = 8;
+inline constexpr std::int32_t kSmallSize = 7;
 
 /// Returns true if the triangle is small.
 [[nodiscard]] constexpr bool is_small(const RasterPosition& a, const RasterPosition& b,
@@ -29,16 +29,12 @@ inline constexpr std::int32_t kSmallSize = 8;
 }
 
 /// The edge function of an edge: twice the area of the triangle between the edge and a point, in 256ths of a
-/// square pixel, positive inside. All values are exact: below 2^16 in magnitude within the box of a small
+/// square pixel, positive inside. All values are exact, and below 2^16 in magnitude within the box of a small
 /// triangle.
 struct EdgeFunction {
-  std::int32_t at;   ///< at the centre of the box's first pixel
-  std::int32_t dx;   ///< change per pixel
-  std::int32_t dy;   ///< change per row
-  std::int32_t tie;  ///< added before the test for >= 0: -1 if a pixel centre on the edge is outside, else 0
-
-  /// Returns a number that is negative if the point where the function is `value` is outside.
-  [[nodiscard]] constexpr std::int32_t outside(std::int32_t value) const { return value + tie; }
+  std::int32_t at;  ///< at the centre of the box's first pixel
+  std::int32_t dx;  ///< change per pixel
+  std::int32_t dy;  ///< change per row
 };
 
 /// The pixels of a small triangle in a row: columns first ... first + count - 1 of the box.
@@ -59,14 +55,16 @@ struct SmallTriangle {
   std::int32_t first_row;
   std::int32_t end_row;
   EdgeFunction ab;
-  EdgeFunction bc;
   EdgeFunction ca;
   /// 2^16 / (twice the area in 256ths of a square pixel) = inverse * 2^-shift, rounded down.
   std::uint32_t inverse;
   int shift;
+  std::int32_t db;  ///< change of the barycentric coordinate of vertex b per pixel, 16 fraction bits
+  std::int32_t dc;
   std::int32_t z;   ///< depth of vertex a
   std::int32_t zb;  ///< what vertex b is deeper
   std::int32_t zc;
+  Linear dz;  ///< change of the depth per pixel
   SmallSpan spans[kSmallSize];
 
   /// Returns a barycentric coordinate from its edge function at a point inside: 16 fraction bits, rounded
@@ -76,59 +74,63 @@ struct SmallTriangle {
   }
   /// Returns the depth at the barycentric coordinates b and c. It is within 7 of the plane through the
   /// vertices and never outside of their depths.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t depth(std::int32_t b, std::int32_t c) const {
-    const std::int32_t part = wrap_add(wrap_mul(zb, b >> 1), wrap_mul(zc, c >> 1));
-    return static_cast<std::uint16_t>(z + (part >> 15));
+  [[nodiscard]] ARCSPAN_INLINE constexpr Linear depth(std::int32_t b, std::int32_t c) const {
+    const std::int32_t part = wrap_add(wrap_mul(zb, b >> 1), wrap_mul(zc, c >> 1));  // 15 fraction bits
+    return Linear::from_raw((z << Linear::kFraction) + (part >> (15 - Linear::kFraction)));
   }
 };
 
 namespace detail {
 
 /// Makes the edge function of the edge from p to q, inside being on the left as seen on the screen (y down).
-/// A centre on a left edge or on a top edge is inside.
-constexpr void make_edge_function(const RasterPosition& p, const RasterPosition& q,
-                                  const SmallTriangle& triangle, EdgeFunction& edge) {
+/// Returns 0 if a point on the edge is inside, as it is on a left edge or on a top edge, otherwise -1.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t make_edge_function(const RasterPosition& p,
+                                                                       const RasterPosition& q,
+                                                                       const SmallTriangle& triangle,
+                                                                       EdgeFunction& edge) {
   const std::int32_t dx = q.x - p.x;
   const std::int32_t dy = q.y - p.y;
-  const std::int32_t x = triangle.column * 16 + 8 - p.x;
-  const std::int32_t y = triangle.row * 16 + 8 - p.y;
-  edge.at = dy * x - dx * y;
+  edge.at = dy * (triangle.column * 16 + 8 - p.x) - dx * (triangle.row * 16 + 8 - p.y);
   edge.dx = dy * 16;
   edge.dy = dx * -16;
-  edge.tie = dy > 0 || (dy == 0 && dx < 0) ? 0 : -1;
+  return dy > 0 || (dy == 0 && dx < 0) ? 0 : -1;
 }
 
+/// The three edge functions at a pixel, less 1 where a point on the edge is outside.
+struct EdgeValues {
+  std::int32_t ab;
+  std::int32_t bc;
+  std::int32_t ca;
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr bool inside() const { return (ab | bc | ca) >= 0; }
+  ARCSPAN_INLINE constexpr void add(const EdgeValues& step) {
+    ab += step.ab;
+    bc += step.bc;
+    ca += step.ca;
+  }
+};
+
 /// Finds the pixels of every row. Returns false if there are none.
-[[nodiscard]] constexpr bool find_spans(SmallTriangle& triangle) {
-  std::int32_t ab = triangle.ab.outside(triangle.ab.at);
-  std::int32_t bc = triangle.bc.outside(triangle.bc.at);
-  std::int32_t ca = triangle.ca.outside(triangle.ca.at);
-  const std::int32_t ab_dx = triangle.ab.dx;
-  const std::int32_t bc_dx = triangle.bc.dx;
-  const std::int32_t ca_dx = triangle.ca.dx;
-  std::uint32_t found = 0;
-  for (std::int32_t row = 0; row < triangle.rows; ++row) {
-    std::int32_t u = ab;
-    std::int32_t v = bc;
-    std::int32_t w = ca;
-    std::int32_t left = triangle.columns;
-    for (; left != 0 && (u | v | w) < 0; --left) {
-      u += ab_dx;
-      v += bc_dx;
-      w += ca_dx;
+[[nodiscard]] ARCSPAN_INLINE constexpr bool find_spans(SmallTriangle& triangle, EdgeValues first,
+                                                       const EdgeValues& per_pixel,
+                                                       const EdgeValues& per_row) {
+  const std::int32_t columns = triangle.columns;
+  SmallSpan* span = triangle.spans;
+  SmallSpan* const end = span + triangle.rows;
+  std::int32_t found = 0;
+  for (; span != end; ++span, first.add(per_row)) {
+    EdgeValues at = first;
+    std::int32_t column = 0;
+    while (!at.inside() && ++column != columns) at.add(per_pixel);
+    span->first = static_cast<std::uint8_t>(column);
+    const std::int32_t begin = column;
+    if (column != columns) {
+      do {
+        at.add(per_pixel);
+      } while (++column != columns && at.inside());
     }
-    const std::int32_t outside = left;
-    for (; left != 0 && (u | v | w) >= 0; --left) {
-      u += ab_dx;
-      v += bc_dx;
-      w += ca_dx;
-    }
-    triangle.spans[row] = {static_cast<std::uint8_t>(triangle.columns - outside),
-                           static_cast<std::uint8_t>(outside - left)};
-    found |= static_cast<std::uint32_t>(outside - left);
-    ab += triangle.ab.dy;
-    bc += triangle.bc.dy;
-    ca += triangle.ca.dy;
+    span->count = static_cast<std::uint8_t>(column - begin);
+    found |= column - begin;
   }
   return found != 0;
 }
@@ -170,10 +172,12 @@ struct SmallLimits {
   triangle.columns = (right < limits.right ? right : limits.right) - triangle.column;
   triangle.rows = (bottom < limits.bottom ? bottom : limits.bottom) - triangle.row;
   if (triangle.columns <= 0 || triangle.rows <= 0) return false;
-  detail::make_edge_function(a, b, triangle, triangle.ab);
-  detail::make_edge_function(b, c, triangle, triangle.bc);
-  detail::make_edge_function(c, a, triangle, triangle.ca);
-  return detail::find_spans(triangle);
+  EdgeFunction bc;
+  const std::int32_t ab_tie = detail::make_edge_function(a, b, triangle, triangle.ab);
+  const std::int32_t bc_tie = detail::make_edge_function(b, c, triangle, bc);
+  const std::int32_t ca_tie = detail::make_edge_function(c, a, triangle, triangle.ca);
+  return detail::find_spans(triangle, {triangle.ab.at + ab_tie, bc.at + bc_tie, triangle.ca.at + ca_tie},
+                            {triangle.ab.dx, bc.dx, triangle.ca.dx}, {triangle.ab.dy, bc.dy, triangle.ca.dy});
 }
 
 /// Prepares the barycentric coordinates and the depth of a small triangle with pixels.
@@ -181,12 +185,21 @@ constexpr void prepare_small_triangle(const RasterPosition& a, const RasterPosit
                                       const RasterPosition& c, SmallTriangle& triangle) {
   const auto area = static_cast<std::uint32_t>(-doubled_area(a, b, c));  // below 2^15
   const int zeros = std::countl_zero(area | 1u);
+  const std::uint32_t inverse = detail::wide_reciprocal_mantissa(area << zeros);
   // Reduced by more than its error, so that no product with an edge function exceeds 1.
-  triangle.inverse = (detail::wide_reciprocal_mantissa(area << zeros) - 16u) >> 15;
+  triangle.inverse = (inverse - 16u) >> 15;
   triangle.shift = 31 - zeros;
   triangle.z = a.z;
   triangle.zb = std::int32_t{b.z} - a.z;
   triangle.zc = std::int32_t{c.z} - a.z;
+  // Steps are only used where two pixels of a row are inside. There no coordinate changes by more than 1 and
+  // the depth by no more than 2^16 per pixel; elsewhere they may wrap.
+  const auto step = static_cast<std::int32_t>(triangle.inverse);
+  triangle.db = wrap_mul(triangle.ca.dx, step) >> triangle.shift;
+  triangle.dc = wrap_mul(triangle.ab.dx, step) >> triangle.shift;
+  const std::int32_t across = triangle.zb * triangle.ca.dx + triangle.zc * triangle.ab.dx;
+  triangle.dz = Linear::from_raw(multiply_high(wrap_shl(across >> 1, Linear::kFraction + 2 - triangle.shift),
+                                               static_cast<std::int32_t>(inverse - (inverse >> 31))));
 }
 
 }  // namespace arcspan

@@ -5,6 +5,7 @@
 #include <arcspan/prepare/small_triangle.hpp>
 #include <arcspan/span/draw_command.hpp>
 #include <arcspan/span/draw_pixels.hpp>
+#include <arcspan/span/row_memory.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
@@ -12,48 +13,30 @@
 
 namespace arcspan::detail {
 
-/// Draws the pixels of a small triangle. `surface` gives the colour at barycentric coordinates.
+/// Draws the pixels of a small triangle. `surface` gives the runs of its rows.
 template <class Surface, class Target>
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_small_pixels(const SmallTriangle& triangle,
                                                                  const Surface& surface,
                                                                  const RasterOrigin& origin,
-                                                                 const Target& target) {
-  using Format = typename Target::Format;
-  using Run = typename Surface::Run;
-  constexpr bool kTests = Target::Depth::kTests;
+                                                                 const Target& all) {
+  const Target target = all;  // a copy, because the members of a reference would be loaded for every pixel
   std::int32_t at_b = triangle.ca.at;
   std::int32_t at_c = triangle.ab.at;
-  for (std::int32_t row = 0; row < triangle.rows; ++row, at_b += triangle.ca.dy, at_c += triangle.ab.dy) {
+  RowMemory<Target> memory(target, triangle.row + origin.y);
+  for (std::int32_t row = 0; row < triangle.rows;
+       ++row, at_b += triangle.ca.dy, at_c += triangle.ab.dy, memory.next()) {
     const SmallSpan found = triangle.spans[row];
     if (found.count == 0) continue;
     const Span span{triangle.row + row + origin.y, triangle.column + found.first + origin.x, found.count};
-    typename Format::Cursor cursor = target.sink.open(span);
-    std::uint16_t* stored = nullptr;
-    if constexpr (kTests) stored = target.depth.row(span.y) + span.x;
-    const auto& pixels = surface.row((triangle.row + row) * 16 + 8);
-    std::int32_t in_b = at_b + found.first * triangle.ca.dx;
-    std::int32_t in_c = at_c + found.first * triangle.ab.dx;
-    for (std::int32_t left = span.count; left != 0; --left) {
-      const std::int32_t b = triangle.coordinate(in_b);
-      const std::int32_t c = triangle.coordinate(in_c);
-      bool nearer = true;
-      if constexpr (kTests) {
-        const std::uint16_t depth = triangle.depth(b, c);
-        nearer = is_nearer(depth, *stored);
-        if (nearer) *stored = depth;
-        ++stored;
-      }
-      if (nearer) {
-        const Run run = pixels.at(b, c);
-        if constexpr (kLooksUpColours<Target, Run>) {
-          cursor.write(run.template encoded<Format>(target.lighting, target.encoded));
-        } else {
-          cursor.write(encode_at<Format>(run.colour(target.lighting), span.x + span.count - left, span.y));
-        }
-      }
-      cursor.next();
-      in_b += triangle.ca.dx;
-      in_c += triangle.ab.dx;
+    const std::int32_t b = triangle.coordinate(at_b + found.first * triangle.ca.dx);
+    const std::int32_t c = triangle.coordinate(at_c + found.first * triangle.ab.dx);
+    auto run = surface.row((triangle.row + row) * 16 + 8, b, c);
+    if constexpr (IndexedRows<Target>) {
+      PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span), triangle.depth(b, c)};
+      draw_pixels(place, span, run, target, triangle.dz);
+    } else {
+      PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span), triangle.depth(b, c)};
+      draw_pixels(place, span, run, target, triangle.dz);
     }
     const Status status = target.sink.close(span);
     if (!ok(status)) return status;
@@ -89,9 +72,9 @@ template <class Method, class Target>
     status = Status::kOk;
     return first < end ? SmallResult::kDone : SmallResult::kNoRows;
   }
-  typename Method::Small small;
-  if (!Method::prepare_small(target.lighting, a, b, c, small)) return SmallResult::kRefused;
   prepare_small_triangle(a.position, b.position, c.position, triangle);
+  typename Method::Small small;
+  if (!Method::prepare_small(target.lighting, a, b, c, triangle, small)) return SmallResult::kRefused;
   status = Method::walk_small(
       small, [&](const auto& surface) { return draw_small_pixels(triangle, surface, origin, target); });
   return SmallResult::kDone;

@@ -50,7 +50,6 @@ struct Adaptive : Arc<Illumination> {
   using Lighting = AdaptiveIllumination<Illumination>;
   using typename Base::Face;
   using typename Base::Path;
-  using typename Base::Small;
   using typename Base::Vertex;
   struct Prepared : Base::Prepared {
     FullLinearPlane light;
@@ -87,17 +86,45 @@ struct Adaptive : Arc<Illumination> {
     Base::prepare_path(lighting, frame, fits_patch ? Path::kPatch : Path::kWide, prepared);
   }
 
-  /// Prepares a small triangle as Arc does, but without highlights below half the tolerance.
+  /// A small triangle (DrawsSmallTriangles): linear light, or as Arc draws it without highlights below half
+  /// the tolerance.
+  struct Small {
+    union {
+      SmallLinearLight<Lighting> light;
+      typename Base::Small arc;
+    };
+    bool linear_light;
+  };
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
-                                                    const Raster& b, const Raster& c, Small& small) {
+                                                    const Raster& b, const Raster& c,
+                                                    const SmallTriangle& triangle, Small& small) {
     const TriangleChords chords = Base::chords_between(a.shade, b.shade, c.shade);
+    small.linear_light = false;
     bool shines = true;
     if constexpr (Base::kHasDiffusePath) {
-      shines = lighting.nearest_highlight(a.shade.scalars, b.shade.scalars, c.shade.scalars,
-                                          arc_headroom(chords.widest())) < lighting.half_tolerance_reach();
+      const std::int32_t nearest = lighting.nearest_highlight(a.shade.scalars, b.shade.scalars,
+                                                              c.shade.scalars, arc_headroom(chords.widest()));
+      shines = nearest < lighting.half_tolerance_reach();
+      if (!shines) {
+        const LinearLevels levels(chords, a.shade.scalars[0], b.shade.scalars[0], c.shade.scalars[0]);
+        if (levels.quadruple_error() <= lighting.linear_limit(nearest)) {
+          small.linear_light = true;
+          small.light.prepare(levels.lifted(levels.a), levels.lifted(levels.b), levels.lifted(levels.c),
+                              triangle);
+          return true;
+        }
+      }
     }
-    return Base::prepare_small_path(lighting, a, b, c, chords, shines, small);
+    return Base::prepare_small_path(lighting, a, b, c, chords, shines, triangle, small.arc);
+  }
+  /// Calls `draw` with the surface of a small triangle.
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
+    if constexpr (Base::kHasDiffusePath) {
+      if (small.linear_light) return draw(small.light);
+    }
+    return Base::walk_small(small.arc, draw);
   }
 
   template <class Draw>
@@ -142,26 +169,16 @@ struct Adaptive : Arc<Illumination> {
   template <class Frame>
   static constexpr void prepare_without_highlight(const Lighting& lighting, Frame& frame,
                                                   std::uint32_t linear_limit, Prepared& prepared) {
-    const std::int32_t a = LinearLight::level(frame.top->shade.scalars[0]);
-    const std::int32_t b = LinearLight::level(frame.middle->shade.scalars[0]);
-    const std::int32_t c = LinearLight::level(frame.bottom->shade.scalars[0]);
-    const std::int32_t upper = a > b ? a : b;
-    const std::int32_t lower = a < b ? a : b;
-    const std::int32_t most = upper > c ? upper : c;
+    const LinearLevels levels(frame.chords, frame.top->shade.scalars[0], frame.middle->shade.scalars[0],
+                              frame.bottom->shade.scalars[0]);
     // A gradient saturates at 2 per pixel, which a sliver may exceed.
-    const auto range = static_cast<std::uint32_t>(most - (lower < c ? lower : c));
-    const std::uint32_t widest = frame.chords.widest();
-    const std::uint32_t radius2 = squared_radius(frame.chords);
-    if (widest <= kWidestBounded && range < frame.width &&
-        quadruple_linear_error(radius2, most) <= linear_limit) {
+    if (levels.range() < frame.width && levels.quadruple_error() <= linear_limit) {
       prepared.linear_light = true;
-      const auto lift = static_cast<std::int32_t>(radius2 >> (28 - LinearLight::kFraction + 2));
-      const auto lifted = [lift](std::int32_t level) {
-        return level + (wrap_mul(level, lift) >> LinearLight::kFraction);
-      };
-      make_linear_plane(frame, lifted(a), lifted(b), lifted(c), prepared.light);
+      make_linear_plane(frame, levels.lifted(levels.a), levels.lifted(levels.b), levels.lifted(levels.c),
+                        prepared.light);
       return;
     }
+    const std::uint32_t widest = frame.chords.widest();
     Base::prepare_path(lighting, frame, Base::diffuse_path(patch_fits(frame), widest), prepared);
   }
 
@@ -209,6 +226,44 @@ struct Adaptive : Arc<Illumination> {
     return true;
   }
 
+  /// N·L at the vertices of a triangle, and what follows for linear light.
+  struct LinearLevels {
+    std::int32_t a;  ///< LinearLight::level()
+    std::int32_t b;
+    std::int32_t c;
+    std::uint32_t radius2;  ///< squared_radius() of the normals
+    bool bounded;           ///< the normals are so close that `radius2` holds
+
+    constexpr LinearLevels(const TriangleChords& chords, Cosine at_a, Cosine at_b, Cosine at_c)
+        : a(LinearLight::level(at_a)),
+          b(LinearLight::level(at_b)),
+          c(LinearLight::level(at_c)),
+          radius2(squared_radius(chords)),
+          bounded(chords.widest() <= kWidestBounded) {}
+
+    [[nodiscard]] constexpr std::int32_t most() const {
+      const std::int32_t upper = a > b ? a : b;
+      return upper > c ? upper : c;
+    }
+    [[nodiscard]] constexpr std::uint32_t range() const {
+      const std::int32_t lower = a < b ? a : b;
+      return static_cast<std::uint32_t>(most() - (lower < c ? lower : c));
+    }
+    /// Returns a bound of four times the error of linear light, 28 fraction bits: R^2 N·L with the largest
+    /// N·L. Where N·L is positive, it is above the plane through its vertices by at most R^2/2 of itself and
+    /// never below; lifting the plane by R^2/4 leaves R^2/4 either way.
+    [[nodiscard]] constexpr std::uint32_t quadruple_error() const {
+      if (!bounded) return UINT32_MAX;
+      if (most() <= 0) return 0;
+      return (radius2 >> 9) * ((static_cast<std::uint32_t>(most()) >> 6) + 1);
+    }
+    /// Returns a level of the lifted plane.
+    [[nodiscard]] constexpr std::int32_t lifted(std::int32_t level) const {
+      const auto lift = static_cast<std::int32_t>(radius2 >> (28 - LinearLight::kFraction + 2));
+      return level + (wrap_mul(level, lift) >> LinearLight::kFraction);
+    }
+  };
+
   /// Returns an upper bound of the squared radius of the smallest circle around the three normals, which are
   /// at most 16 degrees apart; 28 fraction bits, of which 25 are used. The circle passes through all three,
   /// or has the widest edge as its diameter if the triangle of the normals is obtuse.
@@ -220,16 +275,6 @@ struct Adaptive : Arc<Illumination> {
     const std::uint32_t excess = others > widest ? others - widest : 0;
     // The last term, about 4%, covers the higher terms at 16 degrees.
     return (widest >> 2) + (excess >> 3) - (excess >> 5) + (widest >> 6);
-  }
-
-  /// Returns a bound of four times the error of linear light, 28 fraction bits: R^2 N·L, where `radius2` is
-  /// R^2 and `most_level` the largest N·L (LinearLight). Where N·L is positive, it is above the plane through
-  /// its vertices by at most R^2/2 of itself and never below; lifting the plane by R^2/4 leaves R^2/4 either
-  /// way.
-  [[nodiscard]] static constexpr std::uint32_t quadruple_linear_error(std::uint32_t radius2,
-                                                                      std::int32_t most_level) {
-    if (most_level <= 0) return 0;
-    return (radius2 >> 9) * ((static_cast<std::uint32_t>(most_level) >> 6) + 1);
   }
 
   /// Returns true if every N·L keeps its sign over the triangle and stays out of the fade of the highlights,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/prepare/linear.hpp>
+#include <arcspan/prepare/small_triangle.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/target.hpp>
@@ -43,6 +45,39 @@ class LinearLightRun {
  private:
   Cosine light_;
   Cosine step_;
+};
+
+/// N·L of a small triangle that is linear on the screen.
+template <class Lighting>
+class SmallLinearLight {
+ public:
+  using Run = LinearLightRun<Lighting>;
+
+  /// Prepares the plane through three levels.
+  constexpr void prepare(std::int32_t a, std::int32_t b, std::int32_t c, const SmallTriangle& triangle) {
+    a_ = a;
+    b_ = b - a;
+    c_ = c - a;
+    // Where two pixels of a row are inside, no coordinate changes by more than 1; elsewhere the step may
+    // wrap.
+    step_ = at_coordinates(0, triangle.db, triangle.dc);
+  }
+  /// Returns the run that begins at the barycentric coordinates l_b and l_c, 16 fraction bits.
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t b, std::int32_t c) const {
+    return Run(at_coordinates(a_, b, c), step_);
+  }
+
+ private:
+  [[nodiscard]] ARCSPAN_INLINE constexpr FullLinear at_coordinates(std::int32_t a, std::int32_t b,
+                                                                   std::int32_t c) const {
+    const std::int32_t part = wrap_add(wrap_mul(b_, b >> 1), wrap_mul(c_, c >> 1));
+    return FullLinear::from_raw(wrap_add(wrap_shl(a, FullLinear::kFraction), part));
+  }
+
+  std::int32_t a_;
+  std::int32_t b_;
+  std::int32_t c_;
+  FullLinear step_;
 };
 
 /// Steps N·L along the left edge from row to row (RowWalker). It changes the plane in place.

@@ -101,14 +101,15 @@ struct ArcUpTo {
   /// Prepares a small triangle; returns false if its normals are more than 60 degrees apart.
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
-                                                    const Raster& b, const Raster& c, Small& small) {
+                                                    const Raster& b, const Raster& c,
+                                                    const SmallTriangle& triangle, Small& small) {
     const TriangleChords chords = chords_between(a.shade, b.shade, c.shade);
     bool shines = true;
     if constexpr (kHasDiffusePath) {
       shines = lighting.may_shine(a.shade.scalars, b.shade.scalars, c.shade.scalars,
                                   arc_headroom(chords.widest()));
     }
-    return prepare_small_path(lighting, a, b, c, chords, shines, small);
+    return prepare_small_path(lighting, a, b, c, chords, shines, triangle, small);
   }
   /// Calls `draw` with the surface of a small triangle.
   template <class Draw>
@@ -159,18 +160,16 @@ struct ArcUpTo {
   [[nodiscard]] static constexpr bool prepare_small_path(const Lighting& lighting, const Raster& a,
                                                          const Raster& b, const Raster& c,
                                                          const TriangleChords& chords, bool shines,
-                                                         Small& small) {
+                                                         const SmallTriangle& triangle, Small& small) {
     const std::uint32_t widest = chords.widest();
     if (widest > kWidestArc) return false;
     const Scalars& at_a = a.shade.scalars;
     const Scalars& at_b = b.shade.scalars;
     const Scalars& at_c = c.shade.scalars;
-    const auto prepare_patch = [&](auto& patch) {
-      patch.prepare(at_a, at_b, at_c, chords.top_middle, chords.middle_bottom, chords.top_bottom);
-    };
+    const auto prepare_patch = [&](auto& patch) { patch.prepare(at_a, at_b, at_c, chords, triangle); };
     const auto prepare_arc = [&](auto& arc) {
       arc.template prepare<Scalars>({&a.position, &b.position, &c.position}, {&at_a, &at_b, &at_c},
-                                    {chords.middle_bottom, chords.top_bottom, chords.top_middle});
+                                    {chords.middle_bottom, chords.top_bottom, chords.top_middle}, triangle);
     };
     if constexpr (kHasDiffusePath) {
       if (!shines) {

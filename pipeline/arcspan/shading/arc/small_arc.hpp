@@ -71,13 +71,44 @@ struct ArcPoint {
 template <class Lighting, std::size_t Used>
 class SmallArc {
  public:
-  using Run = PatchRun<Lighting, Used>;
+  /// The pixels of a row (PixelRun).
+  class Run {
+   public:
+    static constexpr std::size_t kUsed = Used;
+
+    [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
+      return pixel().colour(lighting);
+    }
+    template <class Format, class Colours>
+    [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
+                                                                            const Colours& encoded) const {
+      return pixel().template encoded<Format>(lighting, encoded);
+    }
+    constexpr void next() { u_ += du_; }
+
+   private:
+    friend class SmallArc;
+
+    [[nodiscard]] ARCSPAN_INLINE constexpr PatchRun<Lighting, Used> pixel() const {
+      const std::int32_t u = u_ >> kMoreBits;
+      const ArcPoint point(excess_, u < 0 ? 0 : u > 32768 ? 32768 : u);
+      PatchRun<Lighting, Used> pixel;
+      unrolled<Used>([&](auto i) { pixel.start_at(i, {point.between(on_long_[i], on_short_[i]), {}, {}}); });
+      return pixel;
+    }
+
+    std::int32_t u_;  ///< fraction of the row from the long edge, 15 + kMoreBits fraction bits
+    std::int32_t du_;
+    ArcExcess excess_;
+    std::array<Cosine, Used> on_long_;
+    std::array<Cosine, Used> on_short_;
+  };
 
   /// Prepares the first `Used` scalars. The squared chords have 28 fraction bits.
   template <class Scalars>
   constexpr void prepare(const std::array<const RasterPosition*, 3>& positions,
                          const std::array<const Scalars*, 3>& scalars,
-                         const std::array<std::uint32_t, 3>& opposite_chords) {
+                         const std::array<std::uint32_t, 3>& opposite_chords, const SmallTriangle& triangle) {
     std::size_t top = positions[1]->y < positions[0]->y ? 1 : 0;
     std::size_t bottom = 1 - top;
     if (positions[2]->y < positions[top]->y) {
@@ -90,6 +121,7 @@ class SmallArc {
     base_ = middle == 0 ? 65536 : 0;
     of_b_ = middle == 0 ? -1 : middle == 1 ? 1 : 0;
     of_c_ = middle == 0 ? -1 : middle == 2 ? 1 : 0;
+    d_middle_ = of_b_ * triangle.db + of_c_ * triangle.dc;
     top_y_ = positions[top]->y;
     middle_y_ = positions[middle]->y;
     bottom_y_ = positions[bottom]->y;
@@ -107,52 +139,36 @@ class SmallArc {
     }
   }
 
-  /// A row of pixels.
-  struct Row {
-    std::array<Cosine, Used> on_long;
-    std::array<Cosine, Used> on_short;
-    ArcExcess excess;
-    std::uint32_t stretch;  ///< length of the middle row divided by that of this row, 15 fraction bits
-    std::int32_t base;
-    std::int32_t of_b;
-    std::int32_t of_c;
-
-    /// Returns the pixel at the barycentric coordinates l_b and l_c, 16 fraction bits.
-    [[nodiscard]] ARCSPAN_INLINE constexpr Run at(std::int32_t b, std::int32_t c) const {
-      const auto middle = static_cast<std::uint32_t>(base + of_b * b + of_c * c);
-      const std::uint32_t u = (middle * stretch) >> 16;
-      const ArcPoint point(excess, static_cast<std::int32_t>(u > 32768 ? 32768 : u));
-      Run run;
-      unrolled<Used>([&](auto i) { run.start_at(i, {point.between(on_long[i], on_short[i]), {}, {}}); });
-      return run;
-    }
-  };
-
-  /// Returns the row whose centre line is at `y` (28.4); it must have a pixel.
-  [[nodiscard]] constexpr Row row(std::int32_t y) const {
+  /// Returns the run of the row whose centre line is at `y` (28.4). It begins at the barycentric coordinates
+  /// l_b and l_c, 16 fraction bits, which are inside the triangle.
+  [[nodiscard]] constexpr Run row(std::int32_t y, std::int32_t b, std::int32_t c) const {
     const ArcPoint on_long(long_edge_, fraction(y - top_y_, bottom_y_ - top_y_));
     const bool is_upper = y < middle_y_;
     const std::int32_t from_corner = is_upper ? y - top_y_ : bottom_y_ - y;
     const std::int32_t height = is_upper ? middle_y_ - top_y_ : bottom_y_ - middle_y_;
     const std::int32_t t = fraction(is_upper ? from_corner : height - from_corner, height);
     const ArcPoint on_short(is_upper ? upper_edge_ : lower_edge_, t);
-    Row row;
     const std::array<Cosine, Used>& upper_end = is_upper ? top_ : middle_;
     const std::array<Cosine, Used>& lower_end = is_upper ? middle_ : bottom_;
-    for (std::size_t i = 0; i < Used; ++i) {
-      row.on_long[i] = on_long.between(top_[i], bottom_[i]);
-      row.on_short[i] = on_short.between(upper_end[i], lower_end[i]);
-    }
-    row.excess = ArcExcess(row_chord(on_long, on_short, is_upper));
+    Run run;
+    unrolled<Used>([&](auto i) {
+      run.on_long_[i] = on_long.between(top_[i], bottom_[i]);
+      run.on_short_[i] = on_short.between(upper_end[i], lower_end[i]);
+    });
+    run.excess_ = ArcExcess(row_chord(on_long, on_short, is_upper));
+    // The length of the middle row divided by that of this row: 15 fraction bits.
     const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(from_corner));
-    row.stretch = (static_cast<std::uint32_t>(height) * inverse.mantissa) >> (inverse.exponent - 15);
-    row.base = base_;
-    row.of_b = of_b_;
-    row.of_c = of_c_;
-    return row;
+    const std::uint32_t stretch =
+        (static_cast<std::uint32_t>(height) * inverse.mantissa) >> (inverse.exponent - 15);
+    const auto middle = static_cast<std::uint32_t>(base_ + of_b_ * b + of_c_ * c);
+    run.u_ = static_cast<std::int32_t>((middle * stretch) >> (16 - kMoreBits));
+    run.du_ = wrap_mul(d_middle_, static_cast<std::int32_t>(stretch)) >> (16 - kMoreBits);
+    return run;
   }
 
  private:
+  static constexpr int kMoreBits = 13;
+
   /// Returns part / whole, 15 fraction bits; 0 <= part <= whole <= 128 pixels.
   [[nodiscard]] static constexpr std::int32_t fraction(std::int32_t part, std::int32_t whole) {
     const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(whole));
@@ -180,7 +196,8 @@ class SmallArc {
   std::int32_t base_;
   std::int32_t of_b_;
   std::int32_t of_c_;
-  std::int32_t top_y_;  ///< of the vertices, 4 fraction bits
+  std::int32_t d_middle_;  ///< its change per pixel, 16 fraction bits
+  std::int32_t top_y_;     ///< of the vertices, 4 fraction bits
   std::int32_t middle_y_;
   std::int32_t bottom_y_;
   std::int32_t top_middle_;  ///< squared chords, 15 fraction bits

@@ -251,9 +251,9 @@ ARCSPAN_INLINE constexpr void make_patch_surface(const TriangleFrame<Method>& fr
 
 /// Makes one scalar of a patch that is linear in the normal, from its values at the vertices.
 template <class Method>
-constexpr void make_patch_scalar(const TriangleFrame<Method>& frame,
-                                 const EdgeSagittaFactors& sagitta_factors, const PatchValues& at,
-                                 PatchScalar& scalar) {
+ARCSPAN_OUTLINE constexpr void make_patch_scalar(const TriangleFrame<Method>& frame,
+                                                 const EdgeSagittaFactors& sagitta_factors,
+                                                 const PatchValues& at, PatchScalar& scalar) {
   make_patch_surface(frame, at,
                      {detail::quadruple_sagitta(at.top, at.middle, sagitta_factors.top_middle),
                       detail::quadruple_sagitta(at.top, at.bottom, sagitta_factors.top_bottom),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/integer.hpp>
+#include <arcspan/prepare/small_triangle.hpp>
 #include <arcspan/shading/patch/patch.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
 #include <arcspan/target.hpp>
@@ -13,16 +15,19 @@ namespace arcspan {
 
 /// A scalar of a small triangle a, b, c: the surface of a patch (patch.hpp) in barycentric coordinates,
 ///
-///     f = I_a + l_b (I_b - I_a + l_a b_ab) + l_c (I_c - I_a + l_a b_ac + l_b b_bc).
+///     f = I_a + l_b (to_b - ab l_b + twist l_c) + l_c (to_c - ac l_c),
+///     to_b = I_b - I_a + ab,   to_c = I_c - I_a + ac,   twist = bc - ab - ac,
+///
+/// where ab, bc and ac are the quadruple sagittas of the edges.
 struct SmallPatchScalar {
   Cosine a;  ///< value at vertex a
-  /// The other two values relative to it, and the quadruple sagittas, with the fraction bits of the
-  /// coordinates.
-  std::int32_t b;
-  std::int32_t c;
+  /// The factors have the fraction bits of the coordinates.
+  std::int32_t to_b;
+  std::int32_t to_c;
   std::int32_t ab;
   std::int32_t ac;
-  std::int32_t bc;
+  std::int32_t twist;
+  Cosine second_difference;  ///< per pixel
 };
 
 /// The scalars of a small triangle as quadratic surfaces. `Bits` are the fraction bits of coordinates: 16
@@ -34,11 +39,13 @@ class SmallPatch {
 
   /// Prepares the first `Used` scalars of three vertices with these squared chords (28 fraction bits).
   template <class Scalars>
-  constexpr void prepare(const Scalars& a, const Scalars& b, const Scalars& c, std::uint32_t ab,
-                         std::uint32_t bc, std::uint32_t ca) {
-    const std::int32_t of_ab = sagitta_factor(ab).raw();
-    const std::int32_t of_bc = sagitta_factor(bc).raw();
-    const std::int32_t of_ca = sagitta_factor(ca).raw();
+  constexpr void prepare(const Scalars& a, const Scalars& b, const Scalars& c, const TriangleChords& chords,
+                         const SmallTriangle& triangle) {
+    db_ = triangle.db >> kDropped;
+    dc_ = triangle.dc >> kDropped;
+    const std::int32_t of_ab = sagitta_factor(chords.top_middle).raw();
+    const std::int32_t of_bc = sagitta_factor(chords.middle_bottom).raw();
+    const std::int32_t of_ca = sagitta_factor(chords.top_bottom).raw();
     const auto rounded = [](std::int32_t raw) { return round_shift(raw, Cosine::kFraction - Bits); };
     const auto sagitta = [](Cosine p, Cosine q, std::int32_t factor) {
       // The mean has 15 fraction bits and the factor 18.
@@ -48,35 +55,54 @@ class SmallPatch {
     for (std::size_t i = 0; i < Used; ++i) {
       SmallPatchScalar& scalar = scalars_[i];
       scalar.a = a[i];
-      scalar.b = rounded(wrap_sub(b[i].raw(), a[i].raw()));
-      scalar.c = rounded(wrap_sub(c[i].raw(), a[i].raw()));
       scalar.ab = sagitta(a[i], b[i], of_ab);
       scalar.ac = sagitta(a[i], c[i], of_ca);
-      scalar.bc = sagitta(b[i], c[i], of_bc);
+      scalar.twist = sagitta(b[i], c[i], of_bc) - scalar.ab - scalar.ac;
+      scalar.to_b = rounded(wrap_sub(b[i].raw(), a[i].raw())) + scalar.ab;
+      scalar.to_c = rounded(wrap_sub(c[i].raw(), a[i].raw())) + scalar.ac;
+      const std::int32_t along_b = wrap_sub(times(scalar.twist, dc_), times(scalar.ab, db_));
+      const std::int32_t along_c = times(scalar.ac, dc_);
+      scalar.second_difference = product(wrap_sub(wrap_mul(along_b, db_), wrap_mul(along_c, dc_)), -1);
     }
   }
 
-  /// Rows need nothing of their own.
-  [[nodiscard]] constexpr const SmallPatch& row(std::int32_t) const { return *this; }
-
-  /// Returns the pixel at the barycentric coordinates l_b and l_c, 16 fraction bits.
-  [[nodiscard]] ARCSPAN_INLINE constexpr Run at(std::int32_t b16, std::int32_t c16) const {
-    const std::int32_t b = b16 >> (16 - Bits);
-    const std::int32_t c = c16 >> (16 - Bits);
-    const std::int32_t a = (std::int32_t{1} << Bits) - b - c;
+  /// Returns the run that begins at the barycentric coordinates l_b and l_c, 16 fraction bits.
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t b16, std::int32_t c16) const {
+    const std::int32_t b = b16 >> kDropped;
+    const std::int32_t c = c16 >> kDropped;
     Run run;
     unrolled<Used>([&](auto i) {
       const SmallPatchScalar& scalar = scalars_[i];
-      const std::int32_t along_b = scalar.b + (wrap_mul(scalar.ab, a) >> Bits);
-      const std::int32_t along_c =
-          scalar.c + (wrap_add(wrap_mul(scalar.ac, a), wrap_mul(scalar.bc, b)) >> Bits);
-      const std::int32_t above = wrap_add(wrap_mul(along_b, b), wrap_mul(along_c, c));
-      run.start_at(i, {scalar.a + Cosine::from_raw(above >> (2 * Bits - Cosine::kFraction)), {}, {}});
+      const std::int32_t bend_b = times(scalar.ab, b);
+      const std::int32_t bend_c = times(scalar.ac, c);
+      // The surface is I_a + b along_b + c along_c; its derivatives by b and by c follow.
+      const std::int32_t along_b = scalar.to_b - bend_b + times(scalar.twist, c);
+      const std::int32_t along_c = scalar.to_c - bend_c;
+      const std::int32_t by_c = along_c - bend_c + times(scalar.twist, b);
+      const Cosine slope = product(wrap_add(wrap_mul(along_b - bend_b, db_), wrap_mul(by_c, dc_)));
+      run.start_at(i,
+                   {scalar.a + product(wrap_add(wrap_mul(along_b, b), wrap_mul(along_c, c))),
+                    slope + Cosine::from_raw(scalar.second_difference.raw() >> 1), scalar.second_difference});
     });
     return run;
   }
 
  private:
+  static constexpr int kDropped = 16 - Bits;
+
+  /// Returns a factor times a coordinate as a factor.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::int32_t times(std::int32_t factor,
+                                                                   std::int32_t coordinate) {
+    return wrap_mul(factor, coordinate) >> Bits;
+  }
+  /// Returns the value of a product of a factor and a coordinate, divided by 2^down.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Cosine product(std::int32_t raw, int down = 0) {
+    const int drop = 2 * Bits - Cosine::kFraction + down;
+    return Cosine::from_raw(drop < 0 ? wrap_shl(raw, -drop) : raw >> drop);
+  }
+
+  std::int32_t db_;
+  std::int32_t dc_;
   std::array<SmallPatchScalar, Used> scalars_;
 };
 

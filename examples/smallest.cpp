@@ -43,8 +43,12 @@ int main() {
   screen.clear({0, 0, 0});
   nearest.clear();
   // The whole sphere is in view, its triangles are small, and its inside is never visible.
-  constexpr DrawFeatures kFeatures{
-      .clips = false, .two_sided = false, .caches = false, .planes = false, .whole_rows = false};
+  constexpr DrawFeatures kFeatures{.clips = false,
+                                   .two_sided = false,
+                                   .caches = false,
+                                   .planes = false,
+                                   .small_triangles = false,
+                                   .whole_rows = false};
   using Method = ArcUpTo<Light, WidestNormals::k60Degrees>;
   const DrawResult drawn = draw_mesh<Method, kFeatures>(kSphere, kCamera, kLight, screen, nearest);
 

@@ -22,6 +22,7 @@
 #include <arcspan/shading/literature/slerp.hpp>
 #include <arcspan/shading/segment/segment.hpp>
 #include <arcspan/span/draw_command.hpp>
+#include <arcspan/span/draw_small.hpp>
 
 namespace arcspan {
 
@@ -60,5 +61,23 @@ ARCSPAN_INSTANTIATE(Arc<Phong4>, Gray8, NoDepth);
 ARCSPAN_INSTANTIATE(Arc<Phong1>, Gray4, NoDepth);
 ARCSPAN_INSTANTIATE(Arc<Phong1>, Dithered<Mono>, NoDepth);
 ARCSPAN_INSTANTIATE(Arc<Phong1>, Dithered<Rgb565>, DepthBuffer);
+
+// The runs of small triangles, by the shading method's surfaces.
+template <class Surface, class Lighting, class Format, class Depth>
+Status draw_small(const SmallTriangle& triangle, const Surface& surface, const RasterOrigin& origin,
+                  const detail::RowTarget<Lighting, hal::Framebuffer<Format>, Depth>& target) {
+  return detail::draw_small_pixels(triangle, surface, origin, target);
+}
+#define ARCSPAN_INSTANTIATE_SMALL(LIGHTING, FORMAT, DEPTH, ...)                             \
+  template Status draw_small(const SmallTriangle&, const __VA_ARGS__&, const RasterOrigin&, \
+                             const detail::RowTarget<LIGHTING, hal::Framebuffer<FORMAT>, DEPTH>&)
+
+ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallPatch<Phong1, 1, 15>);
+ARCSPAN_INSTANTIATE_SMALL(Phong1, Gray4, NoDepth, SmallPatch<Phong1, 2, 16>);
+ARCSPAN_INSTANTIATE_SMALL(Blinn4, Rgb888, DepthBuffer, SmallPatch<Blinn4, 8, 16>);
+ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallArc<Phong1, 1>);
+ARCSPAN_INSTANTIATE_SMALL(Blinn4, Rgb565, DepthBuffer, SmallArc<Blinn4, 8>);
+ARCSPAN_INSTANTIATE_SMALL(AdaptiveIllumination<Phong1>, Rgb565, DepthBuffer,
+                          SmallLinearLight<AdaptiveIllumination<Phong1>>);
 
 }  // namespace arcspan

@@ -138,12 +138,16 @@ class Illumination : private FadeFor<Features> {
     return nearest;
   }
 
-  /// (1 - R·V) / 2 at a normal with these scalars, 30 fraction bits, error at most 2^-28. More precise than
-  /// in colour(), which rounds both factors to 15 bits.
-  [[nodiscard]] constexpr std::int32_t half_distance(Cosine normal_light, Cosine normal_eye) const
-      requires(Lights == 1 && Model == Highlight::kPhong) {
-    const std::int32_t product = multiply_high(normal_light.raw(), normal_eye.raw());
-    return wrap_sub(half_one_plus_light_eye_[0], wrap_shl(product, 2));
+  /// (1 - c) / 2 of the highlight's cosine c at a normal with these scalars, 30 fraction bits; `other` is N·H
+  /// or N·V. The error is at most 2^-28, less than in colour(), which rounds both factors of R·V to 15 bits.
+  [[nodiscard]] constexpr std::int32_t half_distance(Cosine normal_light, Cosine other) const
+      requires(Lights == 1) {
+    if constexpr (Model == Highlight::kBlinn) {
+      return highlight_distance(normal_light, other, 0);
+    } else {
+      const std::int32_t product = multiply_high(normal_light.raw(), other.raw());
+      return wrap_sub(half_one_plus_light_eye_[0], wrap_shl(product, 2));
+    }
   }
 
   /// The squared chord up to which a triangle with a highlight may be a patch.

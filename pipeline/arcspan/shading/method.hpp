@@ -97,12 +97,16 @@ template <class M>
 concept SharesVertices = std::is_empty_v<typename M::Vertex> || bool{M::kSharesVertices};
 
 /// Optional part of a method: it draws small triangles (prepare/small_triangle.hpp) by barycentric
-/// coordinates. `Small` is its part of them. prepare_small(lighting, a, b, c, small) prepares it from three
-/// `Vertex` and returns false if the triangle has to be drawn by a TriangleCommand. walk_small(small, draw)
-/// calls `draw` with a surface, whose at(b, c) returns a run at the pixel with these coordinates, and returns
-/// its status.
+/// coordinates. A method declares that by `using DrawsSmallTrianglesAs =` its own name; methods derived from
+/// it do not draw them, unless they declare it as well.
+///
+/// `Small` is the method's part of a small triangle. prepare_small(lighting, a, b, c, triangle, small) makes
+/// it from three RasterVertex and the SmallTriangle; it returns false if the triangle has to be drawn by a
+/// TriangleCommand. walk_small(small, draw) calls `draw` with a surface and returns its status. The surface's
+/// row(y, b, c) returns the run (PixelRun) of a row: `y` is the row's centre line (28.4), b and c are the
+/// barycentric coordinates of its first pixel, 16 fraction bits.
 template <class M>
-concept DrawsSmallTriangles = bool{M::kDrawsSmallTriangles};
+concept DrawsSmallTriangles = std::same_as<typename M::DrawsSmallTrianglesAs, M>;
 
 /// Optional part of a run, for methods that use encoded colours: `encoded<Format>(lighting, colours)` returns
 /// the current pixel's colour encoded in `Format`, equal to Format::encode(colour(lighting)).

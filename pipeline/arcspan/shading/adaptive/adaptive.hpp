@@ -41,13 +41,13 @@ class HighlightPatchRun : public SecondDifferenceRun<2> {
 /// 2. A patch of N·L alone: no highlight above half the tolerance is within reach.
 /// 3. Segments of 4...16 pixels (S3): wide rows whose colours have small second derivatives, away
 ///    from the terminator.
-/// 4. A patch of N·L and of the highlight's distance: small triangles whose vertices are all lit, and whose
-///    highlight is Phong's.
+/// 4. A patch of N·L and of the highlight's distance: small triangles whose vertices are all lit.
 /// 5. The paths of Arc: a patch of every scalar, or arcs.
 template <class Illumination>
 struct Adaptive : Arc<Illumination> {
   using Base = Arc<Illumination>;
   using Lighting = AdaptiveIllumination<Illumination>;
+  using DrawsSmallTrianglesAs = Adaptive;
   using typename Base::Face;
   using typename Base::Path;
   using typename Base::Vertex;
@@ -99,7 +99,7 @@ struct Adaptive : Arc<Illumination> {
   [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
                                                     const Raster& b, const Raster& c,
                                                     const SmallTriangle& triangle, Small& small) {
-    const TriangleChords chords = Base::chords_between(a.shade, b.shade, c.shade);
+    const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
     small.linear_light = false;
     bool shines = true;
     if constexpr (Base::kHasDiffusePath) {
@@ -116,7 +116,7 @@ struct Adaptive : Arc<Illumination> {
         }
       }
     }
-    return Base::prepare_small_path(lighting, a, b, c, chords, shines, triangle, small.arc);
+    return small.arc.prepare(SmallCorners{a, b, c}, chords, lighting.widest_patch(), shines, triangle);
   }
   /// Calls `draw` with the surface of a small triangle.
   template <class Draw>
@@ -124,7 +124,7 @@ struct Adaptive : Arc<Illumination> {
     if constexpr (Base::kHasDiffusePath) {
       if (small.linear_light) return draw(small.light);
     }
-    return Base::walk_small(small.arc, draw);
+    return small.arc.walk(draw);
   }
 
   template <class Draw>
@@ -146,8 +146,7 @@ struct Adaptive : Arc<Illumination> {
   }
 
  private:
-  static constexpr bool kHasHighlightPatch =
-      Base::kHasDiffusePath && Illumination::kModel == Highlight::kPhong;
+  static constexpr bool kHasHighlightPatch = Base::kHasDiffusePath;
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the errors of linear light and of
   /// highlight patches are bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;

@@ -97,8 +97,7 @@ class AdaptiveIllumination : public Illumination {
  private:
   static constexpr int kStepBits = 5;  ///< fraction bits of tolerances and colours, in 8-bit steps
   static constexpr int kLitShift = 22;
-  static constexpr std::size_t kLitEntries =
-      kHasWideRegisters && Illumination::kLights == 1 && Illumination::kModel == Highlight::kPhong ? 1024 : 0;
+  static constexpr std::size_t kLitEntries = kHasWideRegisters && Illumination::kLights == 1 ? 1024 : 0;
 
   /// Returns diffuse_colour(). Targets with wide registers look it up by the top 10 bits of N·L, for all
   /// values of which the table has an entry, so that nothing is clamped.
@@ -158,8 +157,10 @@ class AdaptiveIllumination : public Illumination {
   /// Returns highlight_patch_limit() for a tolerance. The quadratic surface of the highlight's distance gives
   /// highlights that differ by at most specular * 2.35 (n + 6) a^3 / 255 from those of the product of two
   /// surfaces, where `specular` is the full highlight and a is the widest chord (decision 7). The limit is 0
-  /// for n > 64, where `Arc` itself is one step off by rounding. The bound holds up to 16 degrees.
+  /// for n > 64, where `Arc` itself is one step off by rounding. The bound holds up to 16 degrees. Blinn's
+  /// distance is linear in N·H, so that its surface is the surface of N·H, and no limit is needed.
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit_of(std::uint32_t tolerance) const {
+    if (Illumination::kModel == Highlight::kBlinn) return tolerance == 0 ? 0 : std::uint32_t{1} << 28;
     constexpr std::uint32_t kSharpest = 64;
     if (Illumination::shininess() > kSharpest) return 0;
     const std::uint64_t height =

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
-#include <arcspan/shading/arc/small_arc.hpp>
+#include <arcspan/shading/arc/small_shading.hpp>
 #include <arcspan/shading/arc/wide_walker.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
-#include <arcspan/shading/patch/small_patch.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -44,20 +43,11 @@ struct ArcUpTo {
     Path path;
     bool middle_left;
   };
-  /// A small triangle (DrawsSmallTriangles).
-  struct Small {
-    union {
-      SmallPatch<Lighting, 1, 15> diffuse_patch;
-      SmallPatch<Lighting, kScalars, 16> patch;
-      SmallArc<Lighting, 1> diffuse_arc;
-      SmallArc<Lighting, kScalars> arc;
-    };
-    Path path;
-  };
+  using Small = SmallShading<Lighting>;
   static constexpr bool kNeedsFaceNormal = false;
   static constexpr bool kSharesVertices = true;
   static constexpr bool kUsesEncodedColours = true;
-  static constexpr bool kDrawsSmallTriangles = true;
+  using DrawsSmallTrianglesAs = ArcUpTo;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
     return {to_normal(normal), lighting.scalars(normal)};
@@ -98,27 +88,22 @@ struct ArcUpTo {
     return draw(PatchWalker<PatchRun<Lighting, kScalars>, kScalars>(prepared.patch, prepared.middle_left));
   }
 
-  /// Prepares a small triangle; returns false if its normals are more than 60 degrees apart.
+  /// Prepares a small triangle (DrawsSmallTriangles).
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
                                                     const Raster& b, const Raster& c,
                                                     const SmallTriangle& triangle, Small& small) {
-    const TriangleChords chords = chords_between(a.shade, b.shade, c.shade);
+    const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
     bool shines = true;
     if constexpr (kHasDiffusePath) {
       shines = lighting.may_shine(a.shade.scalars, b.shade.scalars, c.shade.scalars,
                                   arc_headroom(chords.widest()));
     }
-    return prepare_small_path(lighting, a, b, c, chords, shines, triangle, small);
+    return small.prepare(SmallCorners{a, b, c}, chords, lighting.widest_patch(), shines, triangle);
   }
-  /// Calls `draw` with the surface of a small triangle.
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
-    if constexpr (kHasDiffusePath) {
-      if (small.path == Path::kDiffusePatch) return draw(small.diffuse_patch);
-      if (small.path == Path::kDiffuseWide) return draw(small.diffuse_arc);
-    }
-    return small.path == Path::kPatch ? draw(small.patch) : draw(small.arc);
+    return small.walk(draw);
   }
 
  protected:
@@ -146,49 +131,6 @@ struct ArcUpTo {
           {frame.top->shade.scalars[i], frame.middle->shade.scalars[i], frame.bottom->shade.scalars[i]},
           prepared.patch[i]);
     }
-  }
-
-  /// Returns the squared chords of the edges ab, ca and bc.
-  [[nodiscard]] static constexpr TriangleChords chords_between(const Vertex& a, const Vertex& b,
-                                                               const Vertex& c) {
-    return {squared_chord(a.normal, b.normal), squared_chord(c.normal, a.normal),
-            squared_chord(b.normal, c.normal)};
-  }
-
-  /// prepare_small() with the chords of chords_between(); `shines` is true if a highlight is within reach.
-  template <class Raster>
-  [[nodiscard]] static constexpr bool prepare_small_path(const Lighting& lighting, const Raster& a,
-                                                         const Raster& b, const Raster& c,
-                                                         const TriangleChords& chords, bool shines,
-                                                         const SmallTriangle& triangle, Small& small) {
-    const std::uint32_t widest = chords.widest();
-    if (widest > kWidestArc) return false;
-    const Scalars& at_a = a.shade.scalars;
-    const Scalars& at_b = b.shade.scalars;
-    const Scalars& at_c = c.shade.scalars;
-    const auto prepare_patch = [&](auto& patch) { patch.prepare(at_a, at_b, at_c, chords, triangle); };
-    const auto prepare_arc = [&](auto& arc) {
-      arc.template prepare<Scalars>({&a.position, &b.position, &c.position}, {&at_a, &at_b, &at_c},
-                                    {chords.middle_bottom, chords.top_bottom, chords.top_middle}, triangle);
-    };
-    if constexpr (kHasDiffusePath) {
-      if (!shines) {
-        small.path = widest <= kWidestDiffusePatch ? Path::kDiffusePatch : Path::kDiffuseWide;
-        if (widest <= kWidestDiffusePatch) {
-          prepare_patch(small.diffuse_patch);
-        } else {
-          prepare_arc(small.diffuse_arc);
-        }
-        return true;
-      }
-    }
-    small.path = widest <= lighting.widest_patch() ? Path::kPatch : Path::kWide;
-    if (small.path == Path::kPatch) {
-      prepare_patch(small.patch);
-    } else {
-      prepare_arc(small.arc);
-    }
-    return true;
   }
 
   /// Returns the path of a triangle without highlight; `fits` is patch_fits().

@@ -105,9 +105,8 @@ class SmallArc {
   };
 
   /// Prepares the first `Used` scalars. The squared chords have 28 fraction bits.
-  template <class Scalars>
   constexpr void prepare(const std::array<const RasterPosition*, 3>& positions,
-                         const std::array<const Scalars*, 3>& scalars,
+                         const std::array<const std::array<Cosine, Lighting::kScalars>*, 3>& scalars,
                          const std::array<std::uint32_t, 3>& opposite_chords, const SmallTriangle& triangle) {
     std::size_t top = positions[1]->y < positions[0]->y ? 1 : 0;
     std::size_t bottom = 1 - top;

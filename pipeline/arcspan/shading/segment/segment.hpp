@@ -39,7 +39,6 @@ struct Segment : Arc<Illumination> {
   using typename Base::Path;
   using typename Base::Vertex;
   static constexpr bool kUsesEncodedColours = false;
-  static constexpr bool kDrawsSmallTriangles = false;
   struct Prepared : Base::Prepared {
     int bits;
   };

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/shading/arc/small_arc.hpp>
+#include <arcspan/shading/patch/small_patch.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan {
+
+/// Returns the squared chords of a triangle's edges: ab as top_middle, ca as top_bottom, bc as middle_bottom.
+[[nodiscard]] constexpr TriangleChords chords_between(const Normal& a, const Normal& b, const Normal& c) {
+  return {squared_chord(a, b), squared_chord(c, a), squared_chord(b, c)};
+}
+
+/// The three vertices of a small triangle.
+template <class Raster>
+struct SmallCorners {
+  const Raster& a;
+  const Raster& b;
+  const Raster& c;
+};
+template <class Raster>
+SmallCorners(const Raster&, const Raster&, const Raster&) -> SmallCorners<Raster>;
+
+/// The part of `Arc` of a small triangle: a patch or arcs, of all scalars or of N·L alone.
+template <class Lighting>
+class SmallShading {
+ public:
+  /// Prepares the triangle; `shines` is true if a highlight is within reach, for which patches are as wide as
+  /// `widest_patch`. Returns false if the normals are more than 60 degrees apart.
+  template <class Raster>
+  [[nodiscard]] constexpr bool prepare(const SmallCorners<Raster>& at, const TriangleChords& chords,
+                                       std::uint32_t widest_patch, bool shines,
+                                       const SmallTriangle& triangle) {
+    const std::uint32_t widest = chords.widest();
+    if (widest > kWidestArc) return false;
+    const auto prepare_patch = [&](auto& patch) {
+      patch.prepare(at.a.shade.scalars, at.b.shade.scalars, at.c.shade.scalars, chords, triangle);
+    };
+    const auto prepare_arc = [&](auto& arc) {
+      arc.prepare({&at.a.position, &at.b.position, &at.c.position},
+                  {&at.a.shade.scalars, &at.b.shade.scalars, &at.c.shade.scalars},
+                  {chords.middle_bottom, chords.top_bottom, chords.top_middle}, triangle);
+    };
+    if constexpr (kHasDiffusePath) {
+      if (!shines) {
+        path_ = widest <= kWidestDiffusePatch ? Path::kDiffusePatch : Path::kDiffuseArc;
+        if (path_ == Path::kDiffusePatch) {
+          prepare_patch(diffuse_patch_);
+        } else {
+          prepare_arc(diffuse_arc_);
+        }
+        return true;
+      }
+    }
+    path_ = widest <= widest_patch ? Path::kPatch : Path::kArc;
+    if (path_ == Path::kPatch) {
+      prepare_patch(patch_);
+    } else {
+      prepare_arc(arc_);
+    }
+    return true;
+  }
+
+  /// Calls `draw` with the surface and returns its status.
+  template <class Draw>
+  [[nodiscard]] constexpr Status walk(Draw&& draw) const {
+    if constexpr (kHasDiffusePath) {
+      if (path_ == Path::kDiffusePatch) return draw(diffuse_patch_);
+      if (path_ == Path::kDiffuseArc) return draw(diffuse_arc_);
+    }
+    return path_ == Path::kPatch ? draw(patch_) : draw(arc_);
+  }
+
+ private:
+  static constexpr bool kHasDiffusePath = Lighting::kLights == 1;
+  enum class Path : std::uint8_t { kPatch, kDiffusePatch, kArc, kDiffuseArc };
+
+  union {
+    SmallPatch<Lighting, 1, 15> diffuse_patch_;
+    SmallPatch<Lighting, Lighting::kScalars, 16> patch_;
+    SmallArc<Lighting, 1> diffuse_arc_;
+    SmallArc<Lighting, Lighting::kScalars> arc_;
+  };
+  Path path_;
+};
+
+}  // namespace arcspan

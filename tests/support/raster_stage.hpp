@@ -60,7 +60,7 @@ class RasterStage {
     switch (detail::draw_small_triangle<Method>(a, b, c, rows_, origin_, target, status)) {
       case detail::SmallResult::kDone:
         return ok(status);
-      case detail::SmallResult::kNoRows:
+      case detail::SmallResult::kOutOfView:
         return false;
       case detail::SmallResult::kRefused:
         break;

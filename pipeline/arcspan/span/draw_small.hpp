@@ -47,7 +47,7 @@ template <class Surface, class Target>
 /// How drawing a small triangle ended.
 enum class SmallResult : std::uint8_t {
   kDone,    ///< drawn, as far as it has pixels
-  kNoRows,  ///< it has no row in the viewport
+  kOutOfView,  ///< it has no row in the viewport
   kRefused  ///< nothing is drawn, because the method needs a TriangleCommand for its normals
 };
 
@@ -70,7 +70,7 @@ template <class Method, class Target>
     const std::int32_t first = triangle.first_row > rows.first ? triangle.first_row : rows.first;
     const std::int32_t end = triangle.end_row < rows.end ? triangle.end_row : rows.end;
     status = Status::kOk;
-    return first < end ? SmallResult::kDone : SmallResult::kNoRows;
+    return first < end ? SmallResult::kDone : SmallResult::kOutOfView;
   }
   prepare_small_triangle(a.position, b.position, c.position, triangle);
   typename Method::Small small;

@@ -3,6 +3,8 @@
 
 #include <arcspan/numbers/unroll.hpp>
 #include <arcspan/prepare/triangle.hpp>
+#include <arcspan/shading/patch/inverse_length.hpp>
+#include <arcspan/shading/patch/patch_limits.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -63,14 +65,6 @@ struct PatchScalar {
 template <std::size_t Count>
 using Patch = std::array<PatchScalar, Count>;
 
-/// The limit of a patch's width and height in pixels. Up to there the rounding errors of second differences
-/// add up to 2^-17, which changes a highlight of n = 64 by half an 8-bit step.
-inline constexpr std::int32_t kLargestPatch = 128;
-
-/// The squared chord of 33 degrees, 28 fraction bits, up to which a triangle without highlight may be a
-/// patch: its N·L differs from bilinear SLERP by at most 0.8 8-bit steps (decision 5).
-inline constexpr std::uint32_t kWidestDiffusePatch = 86613079u;
-
 /// The quadruple sagitta of an edge divided by the mean of its two values: 4 (1 / cos(psi/2) - 1).
 using SagittaFactor = Fixed<std::int32_t, 18>;
 
@@ -82,46 +76,6 @@ using SagittaFactor = Fixed<std::int32_t, 18>;
   return SagittaFactor::from_raw(
       static_cast<std::int32_t>(((chord + 1024) >> 11) + (((s * s) >> 12) * inner >> 15)));
 }
-
-namespace detail {
-
-/// Returns v * f, rounded down, for f in 0...2. It keeps all 30 fraction bits by two products, because an
-/// error in a part of a patch acts as an error of the normal's length, to which highlights are most
-/// sensitive.
-[[nodiscard]] constexpr Cosine part(Cosine v, Factor f) {
-  return Cosine::from_raw(scaled_down(v.raw(), static_cast<std::uint32_t>(f.raw()), Factor::kFraction));
-}
-
-/// The inverse of a length in pixels or rows: fraction * 2^-down.
-struct InverseLength {
-  Factor fraction;
-  int down;
-};
-
-/// Returns the inverse of a length of at least 1/2, given as the reciprocal of the length with `bits`
-/// fraction bits.
-[[nodiscard]] constexpr InverseLength inverse_length(const Reciprocal& inverse, int bits) {
-  const int down = inverse.exponent - bits - 16;
-  const std::uint32_t fraction = inverse.mantissa >> 1;
-  if (down >= 0) return {Factor::from_raw(static_cast<std::int32_t>(fraction)), down};
-  return {Factor::from_raw(static_cast<std::int32_t>(fraction << -down)), 0};
-}
-
-/// Returns v / length, rounded down.
-[[nodiscard]] constexpr Cosine divide_by_length(Cosine v, const InverseLength& step) {
-  return Cosine::from_raw(part(v, step.fraction).raw() >> step.down);
-}
-
-/// Returns v / (length of `one` * length of `other`), rounded to nearest. It makes differences of
-/// differences, whose rounding error is summed twice.
-[[nodiscard]] constexpr Cosine divide_by_both_lengths(Cosine v, const InverseLength& one,
-                                                      const InverseLength& other) {
-  const Cosine product = part(part(v, one.fraction), other.fraction);
-  const int down = one.down + other.down;
-  return down == 0 ? product : Cosine::from_raw(round_shift(product.raw(), down > 31 ? 31 : down));
-}
-
-}  // namespace detail
 
 /// The sagitta factors of a triangle's edges; all its scalars share them.
 struct EdgeSagittaFactors {
@@ -136,24 +90,6 @@ struct PatchValues {
   Cosine middle;
   Cosine bottom;
 };
-
-/// Returns an upper bound of the height of a scalar above its values at the vertices of a triangle whose
-/// widest squared chord is s = `chord` (28 fraction bits): s/6 + 0.058 s^2 + 2^-12, for s at most 1. The
-/// normals lie in a cap of the radius R, sin^2(R) = s/3 at most, within which a cosine rises by 1 - cos(R) =
-/// s/6 + s^2/72 + ...; the rest is for the errors of patches and pieces.
-[[nodiscard]] constexpr Cosine arc_headroom(std::uint32_t chord) {
-  const std::uint32_t s = chord >> 13;  // 15 fraction bits
-  const std::uint32_t factor = 5462u + ((s * 1901u) >> 15);
-  return Cosine::from_raw(static_cast<std::int32_t>(s * factor + (std::uint32_t{1} << 18)));
-}
-
-/// Returns true if the size of the triangle allows a patch: a width of at least half a pixel, because slopes
-/// of narrower triangles do not fit a Cosine, and a width and height below kLargestPatch.
-template <class Method>
-[[nodiscard]] constexpr bool patch_fits(const TriangleFrame<Method>& frame) {
-  return frame.width >= (1u << 15) && frame.width < (static_cast<std::uint32_t>(kLargestPatch) << 16) &&
-         frame.long_edge.dy < (kLargestPatch << Subpixel::kFraction);
-}
 
 namespace detail {
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/prepare/triangle.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstdint>
+
+/// Which triangles may be patches, and bounds of their scalars.
+namespace arcspan {
+
+/// The limit of a patch's width and height in pixels. Up to there the rounding errors of second differences
+/// add up to 2^-17, which changes a highlight of n = 64 by half an 8-bit step.
+inline constexpr std::int32_t kLargestPatch = 128;
+
+/// The squared chord of 33 degrees, 28 fraction bits, up to which a triangle without highlight may be a
+/// patch: its N·L differs from bilinear SLERP by at most 0.8 8-bit steps (decision 5).
+inline constexpr std::uint32_t kWidestDiffusePatch = 86613079u;
+
+/// Returns an upper bound of the height of a scalar above its values at the vertices of a triangle whose
+/// widest squared chord is s = `chord` (28 fraction bits): s/6 + 0.058 s^2 + 2^-12, for s at most 1. The
+/// normals lie in a cap of the radius R, sin^2(R) = s/3 at most, within which a cosine rises by 1 - cos(R) =
+/// s/6 + s^2/72 + ...; the rest is for the errors of patches and pieces.
+[[nodiscard]] constexpr Cosine arc_headroom(std::uint32_t chord) {
+  const std::uint32_t s = chord >> 13;  // 15 fraction bits
+  const std::uint32_t factor = 5462u + ((s * 1901u) >> 15);
+  return Cosine::from_raw(static_cast<std::int32_t>(s * factor + (std::uint32_t{1} << 18)));
+}
+
+/// Returns true if the size of the triangle allows a patch: a width of at least half a pixel, because slopes
+/// of narrower triangles do not fit a Cosine, and a width and height below kLargestPatch.
+template <class Method>
+[[nodiscard]] constexpr bool patch_fits(const TriangleFrame<Method>& frame) {
+  return frame.width >= (1u << 15) && frame.width < (static_cast<std::uint32_t>(kLargestPatch) << 16) &&
+         frame.long_edge.dy < (kLargestPatch << Subpixel::kFraction);
+}
+
+}  // namespace arcspan

@@ -2,7 +2,7 @@
 """Boots Debian's kernel in QEMU with programs and a scenario, and passes if the scenario does.
 
 Shots of the display are taken by QEMU, that is from outside of the guest. The scenario `show` names them; they are
-compared with each other, and with what `arcspan render` on this machine makes of the same scene.
+compared with each other, and with pictures that `arcspan render` draws of the same scene on this machine.
 """
 import argparse
 import json
@@ -35,7 +35,7 @@ def make_initrd(arguments, work):
     shutil.copy("/bin/busybox", root / "bin")
     shutil.copy(HERE / "init", root / "init")
     shutil.copy(HERE / "scenarios" / arguments.scenario, root / "scenario")
-    for module in (arguments.prepared / "modules").glob("*.ko"):
+    for module in (arguments.prepared / "modules").iterdir():
         shutil.copy(module, root / "modules")
     for program in arguments.program:
         shutil.copy(program, root / "programs")
@@ -74,8 +74,10 @@ class Monitor:
 
 
 def start_guest(arguments, initrd, control):
-    display = ["-vga", "std"] if arguments.vga else []
-    vga = f" vga={VESA_640X480[arguments.vga]}" if arguments.vga else ""
+    display, vga = [], ""
+    if arguments.vga:
+        bits, card = arguments.vga
+        display, vga = ["-vga", card], f" vga={VESA_640X480[int(bits)]}"
     return subprocess.Popen(
         ["qemu-system-x86_64", "-accel", "tcg", "-cpu", "max", "-M", "pc", "-m", "512", "-nodefaults", *display,
          "-display", "none", "-monitor", "none", "-serial", "stdio", "-no-reboot",
@@ -116,22 +118,69 @@ def run(arguments, work):
     return status, shots
 
 
+def read_ppm(data):
+    """Width, height and bytes of a picture."""
+    width, height = (int(word) for word in data.split(maxsplit=3)[1:3])
+    return width, height, data[len(data) - 3 * width * height:]
+
+
+def in_middle(picture, width, height):
+    """The bytes of a picture of this size, with `picture` in its middle and black around it."""
+    inner_width, inner_height, pixels = read_ppm(picture)
+    left, top = (width - inner_width) // 2, (height - inner_height) // 2
+    rows = [bytes(3 * width)] * height
+    for y in range(inner_height):
+        row = pixels[3 * inner_width * y:3 * inner_width * (y + 1)]
+        rows[top + y] = bytes(3 * left) + row + bytes(3 * (width - inner_width - left))
+    return b"".join(rows)
+
+
+def check_picture(arguments, work, shot, format_name):
+    """Whether the shot is the picture that fills the display."""
+    width, height, pixels = read_ppm(shot)
+    path = work / "expected.ppm"
+    subprocess.run([arguments.program[0], "render", "sphere:16x8", "--size", f"{width}x{height}", "--format", format_name,
+                    "-o", path], check=True, stdout=subprocess.DEVNULL)
+    return pixels == read_ppm(path.read_bytes())[2]
+
+
+def check_turn(arguments, work, shot, format_name):
+    """Whether the shot is one of the pictures of the turn, except its first."""
+    width, height, pixels = read_ppm(shot)
+    folder = work / "turn"
+    shutil.rmtree(folder, ignore_errors=True)
+    subprocess.run([arguments.program[0], "turntable", "torus:12x8", "--frames", "7", "--size", "160x120", "--format",
+                    format_name, "--pictures", "ppm", "-o", f"{folder}/"], check=True, stdout=subprocess.DEVNULL)
+    pictures = [in_middle(path.read_bytes(), width, height) for path in sorted(folder.iterdir())]
+    return pixels in pictures[1:] and pixels != pictures[0]
+
+
 def check_shots(arguments, work, shots):
     """What is wrong with the shots of the scenario `show`."""
     wrong = []
-    expected = work / "expected.ppm"
-    pixels = "rgb565" if arguments.vga == 16 else "rgb888"
-    subprocess.run([arguments.program[0], "render", "sphere:16x8", "--size", "640x480", "--format", pixels, "-o",
-                    expected], check=True, stdout=subprocess.DEVNULL)
-    if shots["picture"] != expected.read_bytes():
-        wrong.append(f"the display differs from the picture: {work}/picture.ppm, {expected}")
-    if len(set(shots["before"])) < 3:
-        wrong.append("there was no text before")
-    if shots["typed"] == shots["before"]:
-        wrong.append("the console does not draw any more")
-    for name in ("after", "after_all", "after_time", "after_failure"):
-        if shots[name] != shots["before"]:
-            wrong.append(f"the display is not as it was before: {work}/{name}.ppm")
+    bits, card = arguments.vga
+    firmware_format = "rgb565" if bits == "16" else "rgb888"
+    card_format = "rgb565" if card == "cirrus" else "rgb888"
+    for name, format_name, check in (("fb_picture", firmware_format, check_picture),
+                                     ("fb_turntable", firmware_format, check_turn),
+                                     ("card_picture", card_format, check_picture),
+                                     ("card_turntable", card_format, check_turn),
+                                     ("card_no_flips", card_format, check_turn)):
+        if not check(arguments, work, shots[name], format_name):
+            wrong.append(f"the display differs from the picture: {work}/{name}.ppm")
+    for prefix in ("fb", "card"):
+        before = shots[f"{prefix}_before"]
+        if len(set(before)) < 3:
+            wrong.append(f"there was no text before: {work}/{prefix}_before.ppm")
+        if shots[f"{prefix}_typed"] == before:
+            wrong.append(f"the console does not draw any more: {work}/{prefix}_typed.ppm")
+        for name in ("after", "after_all", "after_time", "after_failure"):
+            if shots[f"{prefix}_{name}"] != before:
+                wrong.append(f"the display is not as it was before: {work}/{prefix}_{name}.ppm")
+    if shots["card_after_faults"] != shots["card_typed"]:
+        wrong.append(f"the display is not as it was before: {work}/card_after_faults.ppm")
+    if shots["other_before"] != shots["other_after"] or read_ppm(shots["other_after"])[:2] != (640, 480):
+        wrong.append(f"another program's picture is not as it was before: {work}/other_after.ppm")
     return wrong
 
 
@@ -141,7 +190,8 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, required=True, help="folder for what is made here")
     parser.add_argument("--scenario", required=True)
     parser.add_argument("--program", required=True, nargs="+", help="what the scenario runs")
-    parser.add_argument("--vga", type=int, choices=sorted(VESA_640X480), help="bits a pixel of the display")
+    parser.add_argument("--vga", nargs=2, metavar=("BITS", "CARD"),
+                        help="bits per pixel of the firmware's mode, and QEMU's name of the graphics card")
     parser.add_argument("--gpiod", default="1", help="major version of libgpiod that the program must have")
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)

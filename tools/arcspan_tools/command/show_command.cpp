@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/linux_host/drm/drm_device.hpp>
 #include <arcspan/linux_host/signal_watch.hpp>
 
 #include <CLI/CLI.hpp>
@@ -8,6 +9,7 @@
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/render/turntable.hpp>
 #include <arcspan_tools/show/display.hpp>
+#include <arcspan_tools/show/drm_display.hpp>
 #include <arcspan_tools/show/framebuffer_display.hpp>
 #include <arcspan_tools/show/panel_display.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -140,10 +142,12 @@ class Show {
   ShowStatistics statistics_;
 };
 
-// A path is a framebuffer, anything else the name of a panel.
+// A path is a graphics card or a framebuffer, anything else the name of a panel.
 std::unique_ptr<Display> open_display(const ShowArguments& arguments) {
-  if (arguments.device.find('/') != std::string::npos) return open_framebuffer_display(arguments.device);
-  return open_panel_display(arguments.device, arguments.panel);
+  const std::string& device = arguments.device;
+  if (device.find('/') == std::string::npos) return open_panel_display(device, arguments.panel);
+  if (linux_host::is_drm_device(device.c_str())) return open_drm_display(device);
+  return open_framebuffer_display(device);
 }
 
 // Returns the signal that ended it, when everything is given back.
@@ -179,7 +183,7 @@ void add_show_command(CLI::App& app) {
   CLI::App* show =
       app.add_subcommand("show", "Show a mesh on a display of this machine until a signal comes (Ctrl-C)");
   add_render_options(*show, arguments->options);
-  std::string devices = "a framebuffer of the kernel, e.g. /dev/fb0, or a panel:";
+  std::string devices = "a graphics card, e.g. /dev/dri/card0, a framebuffer, e.g. /dev/fb0, or a panel:";
   for (const std::string& name : panel_names()) devices += " " + name;
   show->add_option("--device", arguments->device, devices)->required();
   add_panel_options(*show, arguments->panel);
@@ -195,7 +199,7 @@ void add_show_command(CLI::App& app) {
       ->check(number_range(0, 86400, "0...86400"));
   show->footer(
       "Examples:\n"
-      "  arcspan show bunny.obj --device /dev/fb0 --turntable 120\n"
+      "  arcspan show bunny.obj --device /dev/dri/card0 --turntable 120\n"
       "  arcspan show torus:48x24 --device /dev/fb0 --seconds 10\n"
       "  arcspan show bunny.obj --device st7789 --dc GPIO25 --reset GPIO27 --backlight GPIO18\n"
       "  arcspan show bunny.obj --device ssd1306 --i2c /dev/i2c-1");

@@ -54,15 +54,15 @@ class RasterStage {
     if (!draws_small_ || !in_guard_band(p) || !is_small(p, b.position, c.position)) return std::nullopt;
     if (doubled_area(p, b.position, c.position) == 0 || clip_.empty()) return false;
     const NoEncodedColours encoded(lighting_);
-    const detail::RowTarget<typename Method::Lighting, Sink, Depth> target{clip_, lighting_, sink_, depth_,
-                                                                           encoded};
+    const arcspan::detail::RowTarget<typename Method::Lighting, Sink, Depth> target{clip_, lighting_, sink_,
+                                                                                    depth_, encoded};
     Status status = Status::kOk;
-    switch (detail::draw_small_triangle<Method>(a, b, c, rows_, origin_, target, status)) {
-      case detail::SmallResult::kDone:
+    switch (arcspan::detail::draw_small_triangle<Method>(a, b, c, rows_, origin_, target, status)) {
+      case arcspan::detail::SmallResult::kDone:
         return ok(status);
-      case detail::SmallResult::kOutOfView:
+      case arcspan::detail::SmallResult::kOutOfView:
         return false;
-      case detail::SmallResult::kRefused:
+      case arcspan::detail::SmallResult::kRefused:
         break;
     }
     return std::nullopt;

@@ -127,6 +127,32 @@ consteval auto make_sphere() {
   return shape;
 }
 
+/// A cube with edges of kRadius and a normal per face: 4 vertices for each of its 6 faces.
+consteval auto make_cube() {
+  Shape<24, 12> shape{};
+  constexpr std::int64_t kHalf = std::int64_t{1} << 29;
+  std::size_t v = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const std::int64_t side : {-kHalf, kHalf}) {
+      for (const std::int64_t corner : {0, 1, 2, 3}) {  // around the face
+        const std::int64_t along = corner == 1 || corner == 2 ? side : -side;
+        const std::int64_t across = corner >= 2 ? kHalf : -kHalf;
+        std::int64_t p[3] = {};
+        std::int64_t normal[3] = {};
+        p[axis] = normal[axis] = side;
+        p[(axis + 1) % 3] = along;
+        p[(axis + 2) % 3] = across;
+        shape.normals[v + static_cast<std::size_t>(corner)] = packed(normal[0], normal[1], normal[2]);
+        shape.vertex(v + static_cast<std::size_t>(corner), p[0], p[1], p[2]);
+      }
+      shape.triangle(v / 2, v, v + 1, v + 2);
+      shape.triangle(v / 2 + 1, v, v + 2, v + 3);
+      v += 4;
+    }
+  }
+  return shape;
+}
+
 /// A torus about the y axis, outer radius kRadius, its tube 3/8 of the ring's radius.
 template <std::size_t Sectors, std::size_t Sides>
 consteval auto make_torus() {

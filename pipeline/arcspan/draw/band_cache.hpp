@@ -2,8 +2,8 @@
 #pragma once
 
 #include <arcspan/draw/draw_options.hpp>
+#include <arcspan/draw/kept_vertices.hpp>
 #include <arcspan/draw/triangle_rows.hpp>
-#include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/status.hpp>

@@ -11,6 +11,12 @@
 
 namespace arcspan::detail {
 
+/// Marks vertices as not transformed yet.
+template <class Method>
+void forget_vertices(CachedVertex<Method>* cache, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) cache[i].outcode = kNotTransformed;
+}
+
 /// The vertices that a BandCache keeps from band to band, transformed on first use: a source of vertices
 /// (vertex_source.hpp).
 template <class Method>

@@ -29,12 +29,6 @@ class CachedVertices {
   CachedVertex<Method>* cache_;
 };
 
-/// Marks vertices as not transformed yet.
-template <class Method>
-void forget_vertices(CachedVertex<Method>* cache, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) cache[i].outcode = kNotTransformed;
-}
-
 /// The back faces of the mesh are known, so only the vertices of other triangles are transformed, on first
 /// use.
 template <class Method>

@@ -25,8 +25,10 @@ struct Part {
 class Object {
  public:
   /// An object of one material. Its bounding sphere is computed from all vertices, unless it is given.
-  constexpr Object(const MeshView& mesh, const SceneMaterial& material)
-      : Object(mesh, material, arcspan::bounding_sphere(mesh)) {}
+  constexpr Object(const MeshView& mesh, const SceneMaterial& material, const WorldPoint& at = {})
+      : Object(mesh, material, arcspan::bounding_sphere(mesh)) {
+    position = at;
+  }
   constexpr Object(const MeshView& mesh, const SceneMaterial& material, const BoundingSphere& sphere)
       : mesh_(&mesh), material_(&material), sphere_(sphere) {}
   /// An object of several materials. Triangles that no part names are not drawn.
@@ -35,8 +37,8 @@ class Object {
   constexpr Object(const MeshView& mesh, std::span<const Part> parts, const BoundingSphere& sphere)
       : mesh_(&mesh), parts_(parts), sphere_(sphere) {}
   // They are referred to.
-  Object(MeshView&&, const SceneMaterial&) = delete;
-  Object(const MeshView&, SceneMaterial&&) = delete;
+  Object(MeshView&&, const SceneMaterial&, const WorldPoint& = {}) = delete;
+  Object(const MeshView&, SceneMaterial&&, const WorldPoint& = {}) = delete;
   Object(MeshView&&, std::span<const Part>) = delete;
 
   WorldPoint position{};                     ///< of the mesh's origin

@@ -20,8 +20,8 @@ inline constexpr std::int32_t kSmallSize = 7;
 /// Returns true if the triangle is small.
 [[nodiscard]] constexpr bool is_small(const RasterPosition& a, const RasterPosition& b,
                                       const RasterPosition& c) {
-  constexpr std::int32_t kMost = kSmallSize << Subpixel::kFraction;
   const auto apart = [](std::int32_t p, std::int32_t q) {
+    constexpr std::int32_t kMost = kSmallSize << Subpixel::kFraction;
     return static_cast<std::uint32_t>(p - q + kMost) > 2 * static_cast<std::uint32_t>(kMost);
   };
   if (apart(a.x, b.x) || apart(a.y, b.y)) return false;

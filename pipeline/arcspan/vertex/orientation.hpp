@@ -35,11 +35,11 @@ struct Quaternion {
   const std::array<std::int32_t, 4> u = unit_vector30<4>({q.w.raw(), q.x.raw(), q.y.raw(), q.z.raw()});
   if (is_zero(u)) return Rotation::identity();
   const auto twice = [&u](std::size_t i, std::size_t j) { return 2 * detail::product30(u[i], u[j]); };
-  constexpr std::int64_t kOne = detail::kOne30;
+  constexpr std::int64_t kUnit = detail::kOne30;
   const std::int64_t entries[3][3] = {
-      {kOne - twice(2, 2) - twice(3, 3), twice(1, 2) - twice(0, 3), twice(1, 3) + twice(0, 2)},
-      {twice(1, 2) + twice(0, 3), kOne - twice(1, 1) - twice(3, 3), twice(2, 3) - twice(0, 1)},
-      {twice(1, 3) - twice(0, 2), twice(2, 3) + twice(0, 1), kOne - twice(1, 1) - twice(2, 2)}};
+      {kUnit - twice(2, 2) - twice(3, 3), twice(1, 2) - twice(0, 3), twice(1, 3) + twice(0, 2)},
+      {twice(1, 2) + twice(0, 3), kUnit - twice(1, 1) - twice(3, 3), twice(2, 3) - twice(0, 1)},
+      {twice(1, 3) - twice(0, 2), twice(2, 3) + twice(0, 1), kUnit - twice(1, 1) - twice(2, 2)}};
   Rotation rotation{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) rotation.m[i][j] = detail::rotation_entry(entries[i][j]);

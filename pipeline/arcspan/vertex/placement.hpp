@@ -39,8 +39,8 @@ struct WidePlacement {
   std::int64_t translation[3];  ///< at most 2^30 in magnitude
   std::int64_t near_plane = 1;  ///< 1...2^31 - 1
   std::int32_t focal = 1;       ///< above 0; times 2^focal_bits it is a PixelLength's raw()
-  std::int32_t focal_bits = 0;  ///< -30...21
-  std::int32_t unit_bits = 0;   ///< kLeastUnitBits...kMostUnitBits; above 0 no back faces are found by planes
+  int focal_bits = 0;           ///< -30...21
+  int unit_bits = 0;            ///< kLeastUnitBits...kMostUnitBits; above 0 no back faces are found by planes
   static constexpr int kLeastUnitBits = -8;
   static constexpr int kMostUnitBits = 24;
 };

@@ -23,6 +23,7 @@ struct Probe {
   using Phong = Illumination<1, Highlight::kPhong>;
   static constexpr std::size_t kScalars = 3;
   static constexpr std::size_t kLights = 3;  ///< not one, so that every triangle carries all scalars
+  static constexpr bool kHasRamp = false;
   using Scalars = std::array<Cosine, kScalars>;
 
   [[nodiscard]] Scalars scalars(const Direction& normal) const {

@@ -108,15 +108,28 @@ class HighlightTable {
     if (is_white(distance)) [[likely]] {
       return PackedRgb::grey(level(static_cast<std::uint32_t>(distance)) >> 14);
     }
-    const std::uint32_t here = level(distance < 0 ? 0u : static_cast<std::uint32_t>(distance));
-    const auto share = [this, here](std::size_t c) { return ((here >> 8) * share_[c]) >> 21; };
-    return PackedRgb::of(share(0), share(1), share(2));
+    return in_shares(level(distance < 0 ? 0u : static_cast<std::uint32_t>(distance)) >> 8);
+  }
+  /// The highlight times `weight`, 0...1 with 15 fraction bits.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb operator()(std::int32_t distance,
+                                                              std::uint32_t weight) const {
+    if (is_white(distance)) [[likely]] {
+      return PackedRgb::grey(((level(static_cast<std::uint32_t>(distance)) >> 8) * weight) >> 21);
+    }
+    const std::uint32_t here = level(distance < 0 ? 0u : static_cast<std::uint32_t>(distance)) >> 8;
+    return in_shares((here * weight) >> 15);
   }
 
  private:
   static constexpr std::uint32_t kIntervals = 128;
   static constexpr int kPositionShift = 11;  // 2^11 = kReach / (kIntervals << kPositionBits)
   using Line = std::conditional_t<kHasWideRegisters, detail::LongHighlightLine, detail::ShortHighlightLine>;
+
+  /// The colour whose largest channel is `most`, in 8-bit steps with 8 fraction bits.
+  [[nodiscard]] constexpr PackedRgb in_shares(std::uint32_t most) const {
+    const auto share = [this, most](std::size_t c) { return (most * share_[c]) >> 21; };
+    return PackedRgb::of(share(0), share(1), share(2));
+  }
 
   /// The largest channel of the highlight in 8-bit steps, 16 fraction bits; distance < kReach.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t level(std::uint32_t distance) const {

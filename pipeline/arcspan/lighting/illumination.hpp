@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 namespace arcspan {
 
@@ -26,11 +27,26 @@ struct DeepColour {
   std::int32_t b;
 };
 
+/// How the sum of several grey lights becomes a position in their ramp. All members have 15 fraction bits.
+template <std::size_t Lights>
+struct RampScale {
+  /// The weighted sum of N·L at the end of the ramp, and its reciprocal. It depends on the material only, so
+  /// that a change of the weights need not make the ramp.
+  std::uint32_t range = 0;
+  std::uint32_t inverse = 0;
+  std::array<std::uint32_t, Lights> shares{};  ///< the lights' weights times `inverse`
+};
+/// Used for a single light, whose ramp is over N·L, and for coloured lights, which have none.
+struct NoRampScale {};
+template <std::size_t Lights, IlluminationFeatures Features>
+using RampScaleFor =
+    std::conditional_t<(Lights > 1 && !Features.coloured_lights), RampScale<Lights>, NoRampScale>;
+
 /// The illumination of one object by `Lights` (1...4) lights: its constants, and the colour of a normal's
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
 /// (Phong). Arcs can carry them because they are linear in N.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features = IlluminationFeatures{}>
-class Illumination : private FadeFor<Features> {
+class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Features> {
  public:
   static_assert(Lights >= 1 && Lights <= 4);
   static constexpr std::size_t kLights = Lights;
@@ -38,6 +54,8 @@ class Illumination : private FadeFor<Features> {
   static constexpr IlluminationFeatures kFeatures = Features;
   static constexpr std::size_t kScalars = Model == Highlight::kBlinn ? 2 * Lights : Lights + 1;
   using Scalars = std::array<Cosine, kScalars>;
+  /// True if the diffuse part is looked up in ramp(): a single light, or several that are grey.
+  static constexpr bool kHasRamp = Lights == 1 || !Features.coloured_lights;
 
   constexpr Illumination() = default;
 
@@ -78,27 +96,63 @@ class Illumination : private FadeFor<Features> {
   ///   ambient + diffuse * sum(weight * max(0, N·L)) + specular * sum(weight * fade * c^n)
   ///
   /// with weight = strength * colour of a light, c the cosine of `Highlight` and n the exponent. The second
-  /// sum is over lights with N·L > 0. With one light the diffuse part comes from ramp().
+  /// sum is over lights with N·L > 0. With a ramp() the diffuse part comes from there.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Scalars& scalars) const {
     if constexpr (Lights == 1) {
       const PackedRgb ramp = diffuse_colour(scalars[0]);
       const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
       if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return ramp;
       return with_highlight(ramp, fade()(power_(half_distance), scalars[0]));
+    } else if constexpr (kHasRamp) {
+      GreySums sums;
+      add_grey_lights(scalars, sums, std::make_index_sequence<Lights>{});
+      const PackedRgb ramp = diffuse_colour(Cosine::from_raw(static_cast<std::int32_t>(sums.diffuse)));
+      return sums.power == 0 ? ramp : with_highlight(ramp, sums.power);
     } else {
       const LightSums sums = light_sums(scalars);
       return PackedRgb::of(level(0, sums), level(1, sums), level(2, sums));
     }
   }
 
-  /// colour() without a highlight; one light only.
-  [[nodiscard]] constexpr PackedRgb diffuse_colour(Cosine normal_light) const requires(Lights == 1) {
+  /// The scalar of which diffuse_colour() is the diffuse part of colour(), as long as every light i that is
+  /// in `lit` (bit i) has N·L >= 0 and every other one N·L <= 0: N·L of one light, the mean of several by
+  /// their weights. It is linear in the normal.
+  [[nodiscard]] constexpr Cosine diffuse_scalar(const Scalars& scalars,
+                                                [[maybe_unused]] std::uint32_t lit) const requires kHasRamp {
+    if constexpr (Lights == 1) {
+      return scalars[0];
+    } else {
+      Cosine sum{};
+      for (std::size_t i = 0; i < Lights; ++i) {
+        if ((lit >> i & 1u) != 0) sum += Cosine::from_raw(scaled_down(scalars[i].raw(), this->shares[i], 15));
+      }
+      return sum;
+    }
+  }
+  /// Sets `lit` to the lights that reach a triangle with these scalars at its vertices. Returns false if one
+  /// of several reaches only a part of it, where diffuse_scalar() does not hold. With all N·L of one sign at
+  /// the vertices, they have it everywhere.
+  [[nodiscard]] constexpr bool lit_throughout(const Scalars& a, const Scalars& b, const Scalars& c,
+                                              std::uint32_t& lit) const {
+    lit = 0;
+    if constexpr (Lights > 1) {
+      for (std::size_t i = 0; i < Lights; ++i) {
+        const bool any = a[i].raw() > 0 || b[i].raw() > 0 || c[i].raw() > 0;
+        if (any && (a[i].raw() | b[i].raw() | c[i].raw()) < 0) return false;
+        lit |= static_cast<std::uint32_t>(any) << i;
+      }
+    }
+    return true;
+  }
+
+  /// colour() without a highlight, by the scalar of diffuse_scalar().
+  [[nodiscard]] constexpr PackedRgb diffuse_colour(Cosine normal_light) const requires kHasRamp {
     const std::uint32_t index = clamped_byte(normal_light.raw() >> (Cosine::kFraction - kRampBits));
     return ramp_[static_cast<std::size_t>(index)];
   }
 
-  /// The colours of diffuse_colour(): entry i is for N·L = i / 256 ... (i + 1) / 256.
-  [[nodiscard]] constexpr const auto& ramp() const requires(Lights == 1) { return ramp_; }
+  /// The colours of diffuse_colour(): entry i is for scalars of i / 256 ... (i + 1) / 256.
+  [[nodiscard]] constexpr const auto& ramp() const requires kHasRamp { return ramp_; }
 
   /// Format::encode(colour(scalars)), which without a highlight is read from `table` (EncodedColourTable);
   /// one light only.
@@ -122,32 +176,47 @@ class Illumination : private FadeFor<Features> {
   /// may_shine(). INT32_MAX if no light reaches it.
   [[nodiscard]] constexpr std::int32_t nearest_highlight(const Scalars& a, const Scalars& b, const Scalars& c,
                                                          Cosine headroom) const {
+    std::int32_t nearest = INT32_MAX;
+    for (std::size_t i = 0; i < Lights; ++i) {
+      const std::int32_t distance = nearest_highlight_of(i, a, b, c, headroom);
+      if (distance < nearest) nearest = distance;
+    }
+    return nearest;
+  }
+  /// nearest_highlight() of one light.
+  [[nodiscard]] constexpr std::int32_t nearest_highlight_of(std::size_t light, const Scalars& a,
+                                                            const Scalars& b, const Scalars& c,
+                                                            Cosine headroom) const {
     const auto highest = [&](std::size_t i) {
       const Cosine upper = a[i] > b[i] ? a[i] : b[i];
       const Cosine most = (upper > c[i] ? upper : c[i]) + headroom;
       return most.raw() < 0 ? Cosine{} : most;
     };
-    std::int32_t nearest = INT32_MAX;
-    for (std::size_t i = 0; i < Lights; ++i) {
-      const Cosine light = highest(i);
-      if (light.raw() == 0) continue;
-      const Cosine other = highest(Model == Highlight::kBlinn ? Lights + i : Lights);
-      const std::int32_t distance = highlight_distance(light, other, i);
-      if (distance < nearest) nearest = distance;
-    }
-    return nearest;
+    const Cosine most_light = highest(light);
+    if (most_light.raw() == 0) return INT32_MAX;
+    return highlight_distance(most_light, highest(highlight_index(light)), light);
   }
 
   /// (1 - c) / 2 of the highlight's cosine c at a normal with these scalars, 30 fraction bits; `other` is N·H
   /// or N·V. The error is at most 2^-28, less than in colour(), which rounds both factors of R·V to 15 bits.
-  [[nodiscard]] constexpr std::int32_t half_distance(Cosine normal_light, Cosine other) const
-      requires(Lights == 1) {
+  [[nodiscard]] constexpr std::int32_t half_distance(Cosine normal_light, Cosine other,
+                                                     std::size_t light) const {
     if constexpr (Model == Highlight::kBlinn) {
-      return highlight_distance(normal_light, other, 0);
+      return highlight_distance(normal_light, other, light);
     } else {
       const std::int32_t product = multiply_high(normal_light.raw(), other.raw());
-      return wrap_sub(half_one_plus_light_eye_[0], wrap_shl(product, 2));
+      return wrap_sub(half_one_plus_light_eye_[light], wrap_shl(product, 2));
     }
+  }
+
+  /// The index of the scalar that the highlight of a light depends on besides N·L.
+  [[nodiscard]] static constexpr std::size_t highlight_index(std::size_t light) {
+    return Model == Highlight::kBlinn ? Lights + light : Lights;
+  }
+  /// The weight of a light's highlight, 15 fraction bits; that of a single light is in the coefficients.
+  [[nodiscard]] constexpr std::uint32_t highlight_weight(std::size_t light) const requires kHasRamp {
+    if constexpr (Lights == 1) return std::uint32_t{1} << 15;
+    return weights_[light];
   }
 
   /// The squared chord up to which a triangle with a highlight may be a patch.
@@ -156,6 +225,10 @@ class Illumination : private FadeFor<Features> {
   /// The N·L from which on highlights are not faded, 0 if they end abruptly.
   [[nodiscard]] constexpr Cosine fade_end() const { return fade().end(); }
 
+  /// The change of the largest diffuse channel over ramp() in 8-bit steps, 5 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t most_ramp() const requires kHasRamp {
+    return (most_diffuse() * ramp_range() + 32767) >> 15;
+  }
   /// The largest diffuse and specular coefficients of a channel, in 8-bit steps with 5 fraction bits.
   [[nodiscard]] constexpr std::uint32_t most_diffuse() const { return largest_channel(diffuse_); }
   [[nodiscard]] constexpr std::uint32_t most_specular() const { return largest_channel(specular_); }
@@ -185,6 +258,9 @@ class Illumination : private FadeFor<Features> {
 
  private:
   static constexpr int kRampBits = 8;
+  [[nodiscard]] static constexpr Cosine highlight_scalar(const Scalars& scalars, std::size_t light) {
+    return scalars[highlight_index(light)];
+  }
   /// Several lights have a weight per channel or one for all. A single light's are in the coefficients.
   static constexpr bool kWeighsChannels = Lights > 1 && Features.coloured_lights;
   using Weights = std::conditional_t<kWeighsChannels, std::array<std::uint32_t, 3>, std::uint32_t>;
@@ -200,7 +276,10 @@ class Illumination : private FadeFor<Features> {
 
   /// A colour of the ramp plus the highlight, each channel clamped; `power` is c^n with 15 fraction bits.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb with_highlight(PackedRgb ramp, std::uint32_t power) const {
-    const auto share = [power](std::uint32_t coefficient) { return (coefficient * power) >> 18; };
+    const auto share = [power](std::uint32_t coefficient) {
+      const std::uint32_t level = (coefficient * power) >> 18;
+      return Lights == 1 || level < 1023 ? level : 1023u;  // several highlights may coincide
+    };
     if (white_specular_ != 0) return ramp.plus(PackedRgb::grey(share(white_specular_)));
     return ramp.plus(PackedRgb::of(share(specular_[0]), share(specular_[1]), share(specular_[2])));
   }
@@ -225,6 +304,28 @@ class Illumination : private FadeFor<Features> {
     }
   }
 
+  /// The sums of colour() over several grey lights.
+  struct GreySums {
+    std::uint32_t diffuse = 0;  ///< diffuse_scalar(), 30 fraction bits
+    std::uint32_t power = 0;    ///< of the highlights, weighted; 15 fraction bits
+  };
+  /// Functions and not lambdas, which compilers would call for every pixel.
+  ARCSPAN_INLINE constexpr void add_grey_light(std::size_t light, const Scalars& scalars,
+                                               GreySums& sums) const {
+    const std::uint32_t diffuse = clamped(scalars[light]);
+    if (diffuse == 0) return;
+    sums.diffuse += diffuse * this->shares[light];
+    const std::int32_t half_distance =
+        highlight_distance(scalars[light], highlight_scalar(scalars, light), light);
+    if (half_distance >= power_.half_reach()) return;
+    sums.power += (fade()(power_(half_distance), scalars[light]) * weights_[light] + (1u << 14)) >> 15;
+  }
+  template <std::size_t... I>
+  ARCSPAN_INLINE constexpr void add_grey_lights(const Scalars& scalars, GreySums& sums,
+                                                std::index_sequence<I...>) const {
+    (add_grey_light(I, scalars, sums), ...);
+  }
+
   /// Adds value * weight to the sum of each channel, all with 15 fraction bits.
   static constexpr void add_weighted(std::uint32_t value, const Weights& weights, Weights& sums) {
     unrolled<3>([&](auto c) { sums[c] += (value * weights[c] + (1u << 14)) >> 15; });
@@ -235,8 +336,7 @@ class Illumination : private FadeFor<Features> {
     unrolled<Lights>([&](auto i) {
       const std::uint32_t diffuse = clamped(scalars[i]);
       if (diffuse == 0) return;
-      const Cosine other = scalars[Model == Highlight::kBlinn ? Lights + i : Lights];
-      const std::int32_t half_distance = highlight_distance(scalars[i], other, i);
+      const std::int32_t half_distance = highlight_distance(scalars[i], highlight_scalar(scalars, i), i);
       const std::uint32_t specular =
           half_distance < power_.half_reach() ? fade()(power_(half_distance), scalars[i]) : 0;
       if constexpr (Lights == 1) {
@@ -272,11 +372,20 @@ class Illumination : private FadeFor<Features> {
     return static_cast<std::int32_t>(rounded > 65280 ? 65280 : rounded);
   }
 
+  constexpr void set_ramp_range() requires(Lights > 1 && kHasRamp);
+  /// The weighted sum of N·L at the end of the ramp, 15 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t ramp_range() const {
+    if constexpr (Lights == 1) {
+      return std::uint32_t{1} << 15;
+    } else {
+      return this->range;
+    }
+  }
   constexpr void make_ramp();
 
-  /// Entry i is ambient + diffuse * (i + 1/2) / 256; empty for several lights. The first member, so that its
-  /// address needs no offset.
-  std::array<PackedRgb, Lights == 1 ? 256 : 0> ramp_{};
+  /// Entry i is ambient + diffuse * ramp_range() * (i + 1/2) / 256; empty for coloured lights. The first
+  /// member, so that its address needs no offset.
+  std::array<PackedRgb, kHasRamp ? 256 : 0> ramp_{};
   std::array<Direction, kScalars> axes_{};   ///< scalar i is the product of the normal and this
   std::array<std::uint32_t, 3> ambient_{};   ///< in 8-bit steps, 20 fraction bits
   std::array<std::uint32_t, 3> diffuse_{};   ///< in 8-bit steps, 5 fraction bits

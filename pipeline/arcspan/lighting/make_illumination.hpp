@@ -108,6 +108,7 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   illumination.diffuse_ = detail::scaled_channels(material.diffuse, weights, kCoefficientBits);
   illumination.specular_ = detail::scaled_channels(material.specular, weights, kCoefficientBits);
   static_cast<Fade&>(illumination) = Fade(material.highlight_fade);
+  if constexpr (Lights > 1 && kHasRamp) illumination.set_ramp_range();
   if constexpr (Lights > 1) illumination.set_strengths(lights);
   std::array<Direction, Lights> to_lights;
   for (std::size_t i = 0; i < Lights; ++i) to_lights[i] = lights[i].towards;
@@ -124,7 +125,7 @@ constexpr Status Illumination<Lights, Model, Features>::make(
       static_cast<std::uint32_t>(Lights) *
       (illumination.most_diffuse() +
        illumination.most_specular() * static_cast<std::uint32_t>(material.shininess) * turns * turns);
-  illumination.make_ramp();
+  if constexpr (kHasRamp) illumination.make_ramp();
   return Status::kOk;
 }
 
@@ -149,15 +150,30 @@ constexpr void Illumination<Lights, Model, Features>::set_strengths(
       weights_[i] = of_light;
     } else {
       weights_[i] = of_light[0];
+      this->shares[i] = (of_light[0] * this->inverse) >> 15;
     }
   }
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr void Illumination<Lights, Model, Features>::set_ramp_range() requires(Lights > 1 && kHasRamp) {
+  // The light that saturates every channel, but at least three quarters of that of all lights at full
+  // strength: diffuse_scalar() then stays below 4/3, for which patches have room.
+  constexpr auto kMost = static_cast<std::uint32_t>(Lights) << 15;
+  this->range = kMost / 4 * 3;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::uint32_t missing = (255u << 5) - (ambient_[c] >> 15);  // 5 fraction bits
+    if (diffuse_[c] * (this->range >> 5) < missing << 10) this->range = kMost;
+  }
+  this->inverse = (std::uint32_t{1} << 30) / this->range;
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr void Illumination<Lights, Model, Features>::make_ramp() {
   for (std::size_t i = 0; i < ramp_.size(); ++i) {
     // Entry 0 is also the colour of the unlit side, where the diffuse part is 0.
-    const std::uint32_t light = i == 0 ? 0 : static_cast<std::uint32_t>(i) * 128 + 64;
+    const std::uint32_t middle = static_cast<std::uint32_t>(i) * 2 + 1;  // 9 fraction bits
+    const std::uint32_t light = i == 0 ? 0 : (middle * ramp_range()) >> 9;
     // From 20 to 2 fraction bits, rounded, with half an 8-bit step added, as PackedRgb has it.
     const auto channel_level = [&](std::size_t c) {
       const std::uint32_t sum =

@@ -35,9 +35,11 @@ static_assert(std::is_same_v<TableIn<Arc<Light>, 256>, EncodedColourTable<Rgb565
 static_assert(sizeof(EncodedColourTable<Rgb565, 256>) == 512);
 static_assert(std::is_same_v<TableIn<Arc<Light>, 0>, NoEncodedColours>);
 static_assert(std::is_same_v<TableIn<Phong<Light>, 1024>, NoEncodedColours>);
-// Several lights have no single ramp, a dithered colour depends on the pixel's place, and entries have 16
+// Coloured lights have no ramp, a dithered colour depends on the pixel's place, and entries have 16
 // bits.
-static_assert(!detail::EncodableInAdvance<Illumination<2, Highlight::kPhong>, Rgb565>);
+static_assert(detail::EncodableInAdvance<Illumination<2, Highlight::kPhong>, Rgb565>);
+static_assert(!detail::EncodableInAdvance<
+              Illumination<2, Highlight::kPhong, IlluminationFeatures{.coloured_lights = true}>, Rgb565>);
 static_assert(!detail::EncodableInAdvance<Light, Dithered<Rgb565>>);
 static_assert(!detail::EncodableInAdvance<Light, Rgb888>);
 

@@ -10,30 +10,62 @@
 
 namespace arcspan {
 
-/// The pixels of a row (PixelRun) with a highlight. Second differences step both N·L and the highlight's
-/// scaled distance (HighlightTable), so no product is computed per pixel (decision 7).
+/// The pixels of a row (PixelRun) with the highlight of one light. Second differences step both
+/// diffuse_scalar() and the highlight's scaled distance (HighlightTable), so no product is computed per pixel
+/// (decision 7).
 template <class Lighting>
 class HighlightPatchRun : public SecondDifferenceRun<2> {
  public:
   static constexpr std::size_t kUsed = 2;
 
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
-    return lighting.colour_with_highlight_at(scalars()[0], scalars()[1].raw());
+    return lighting.colour_with_highlight_at(scalars()[0], scalars()[1].raw(), weight());
   }
   /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
   template <class Format, class Colours>
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
                                                                           const Colours& encoded) const {
     if constexpr (Colours::kForHighlights) {
-      return lighting.template encoded_with_highlight_at<Format>(scalars()[0], scalars()[1].raw(), encoded);
+      return lighting.template encoded_with_highlight_at<Format>(scalars()[0], scalars()[1].raw(), weight(),
+                                                                 encoded);
     } else {
       return Format::encode(colour(lighting));
     }
   }
+  constexpr void set_weight(std::uint32_t weight) {
+    if constexpr (Lighting::kLights > 1) weight_[0] = weight;
+  }
+
+ private:
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t weight() const {
+    if constexpr (Lighting::kLights > 1) return weight_[0];
+    return std::uint32_t{1} << 15;
+  }
+  std::array<std::uint32_t, Lighting::kLights == 1 ? 0 : 1> weight_;  ///< highlight_weight() of its light
+};
+
+/// Steps a highlight patch (RowWalker).
+template <class Lighting, std::size_t Count>
+class HighlightPatchWalker : public PatchWalker<HighlightPatchRun<Lighting>, Count> {
+ public:
+  using Base = PatchWalker<HighlightPatchRun<Lighting>, Count>;
+  using typename Base::Run;
+
+  constexpr HighlightPatchWalker(Patch<Count>& patch, bool middle_left, std::uint32_t weight)
+      : Base(patch, middle_left), weight_(weight) {}
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
+    Run run = Base::row(start);
+    run.set_weight(weight_);
+    return run;
+  }
+
+ private:
+  std::uint32_t weight_;
 };
 
 /// Arc with the cheapest path per triangle whose predicted error is within a tolerance (decisions 6 and 7).
-/// The paths are tried in this order; those without highlight and the highlight patch need a single light:
+/// The paths are tried in this order; those without highlight and the highlight patch need a ramp, and that
+/// each of several lights reaches the whole triangle or nothing of it:
 ///
 /// 1. Light that is linear on the screen: no highlight above half the tolerance is within reach, and the
 ///    circle through the normals is so small that N·L differs from a plane by at most the rest of the
@@ -41,7 +73,9 @@ class HighlightPatchRun : public SecondDifferenceRun<2> {
 /// 2. A patch of N·L alone: no highlight above half the tolerance is within reach.
 /// 3. Segments of 4...16 pixels (S3): wide rows whose colours have small second derivatives, away
 ///    from the terminator.
-/// 4. A patch of N·L and of the highlight's distance: small triangles whose vertices are all lit.
+/// 4. A patch of N·L and of a highlight's distance: small triangles whose vertices are all lit, within reach
+/// of the
+///    highlight of one light.
 /// 5. The paths of Arc: a patch of every scalar, or arcs.
 template <class Illumination>
 struct Adaptive : Arc<Illumination> {
@@ -55,7 +89,8 @@ struct Adaptive : Arc<Illumination> {
     FullLinearPlane light;
     int segment_bits;      ///< path 3: segments have 2^segment_bits pixels; 0 for none
     bool linear_light;     ///< path 1: N·L alone, in `light`
-    bool highlight_patch;  ///< path 4: the patch has N·L and the highlight's scaled distance
+    bool highlight_patch;  ///< path 4: the patch has the diffuse scalar and a highlight's scaled distance
+    std::uint32_t highlight_weight;  ///< path 4: of the light
   };
 
   template <class Frame>
@@ -68,7 +103,7 @@ struct Adaptive : Arc<Illumination> {
     if constexpr (Base::kHasDiffusePath) {
       if (chords.widest() <= kWidestArc) {
         const std::int32_t nearest = nearest_highlight(lighting, frame);
-        if (nearest >= lighting.half_tolerance_reach()) {
+        if (nearest >= lighting.half_tolerance_reach() && Base::has_diffuse_scalar(lighting, frame)) {
           prepare_without_highlight(lighting, frame, lighting.linear_limit(nearest), prepared);
           return;
         }
@@ -106,8 +141,11 @@ struct Adaptive : Arc<Illumination> {
       const std::int32_t nearest = lighting.nearest_highlight(a.shade.scalars, b.shade.scalars,
                                                               c.shade.scalars, arc_headroom(chords.widest()));
       shines = nearest < lighting.half_tolerance_reach();
-      if (!shines) {
-        const LinearLevels levels(chords, a.shade.scalars[0], b.shade.scalars[0], c.shade.scalars[0]);
+      std::uint32_t lit = 0;
+      if (!shines && lighting.lit_throughout(a.shade.scalars, b.shade.scalars, c.shade.scalars, lit)) {
+        const LinearLevels levels(chords, lighting.diffuse_scalar(a.shade.scalars, lit),
+                                  lighting.diffuse_scalar(b.shade.scalars, lit),
+                                  lighting.diffuse_scalar(c.shade.scalars, lit));
         if (levels.quadruple_error() <= lighting.linear_limit(nearest)) {
           small.linear_light = true;
           small.light.prepare(levels.lifted(levels.a), levels.lifted(levels.b), levels.lifted(levels.c),
@@ -116,7 +154,7 @@ struct Adaptive : Arc<Illumination> {
         }
       }
     }
-    return small.arc.prepare(SmallCorners{a, b, c}, chords, lighting.widest_patch(), shines, triangle);
+    return small.arc.prepare(lighting, SmallCorners{a, b, c}, chords, shines, triangle);
   }
   /// Calls `draw` with the surface of a small triangle.
   template <class Draw>
@@ -135,8 +173,8 @@ struct Adaptive : Arc<Illumination> {
     }
     if constexpr (kHasHighlightPatch) {
       if (prepared.highlight_patch) {
-        return draw(
-            PatchWalker<HighlightPatchRun<Lighting>, Base::kScalars>(prepared.patch, prepared.middle_left));
+        return draw(HighlightPatchWalker<Lighting, Base::kScalars>(prepared.patch, prepared.middle_left,
+                                                                   prepared.highlight_weight));
       }
     }
     if (prepared.segment_bits == 0) return Base::walk(prepared, draw);
@@ -168,8 +206,8 @@ struct Adaptive : Arc<Illumination> {
   template <class Frame>
   static constexpr void prepare_without_highlight(const Lighting& lighting, Frame& frame,
                                                   std::uint32_t linear_limit, Prepared& prepared) {
-    const LinearLevels levels(frame.chords, frame.top->shade.scalars[0], frame.middle->shade.scalars[0],
-                              frame.bottom->shade.scalars[0]);
+    const PatchValues light = Base::diffuse_scalars(lighting, frame);
+    const LinearLevels levels(frame.chords, light.top, light.middle, light.bottom);
     // A gradient saturates at 2 per pixel, which a sliver may exceed.
     if (levels.range() < frame.width && levels.quadruple_error() <= linear_limit) {
       prepared.linear_light = true;
@@ -181,40 +219,67 @@ struct Adaptive : Arc<Illumination> {
     Base::prepare_path(lighting, frame, Base::diffuse_path(patch_fits(frame), widest), prepared);
   }
 
-  /// Prepares N·L and the highlight's scaled distance as patches. Returns false if a vertex is not lit or its
-  /// highlight fades, or if HighlightTable cannot scale the largest distance.
+  /// Returns the light whose highlight is above half the tolerance and within reach of the triangle, or
+  /// kLights if there are several.
+  template <class Frame>
+  [[nodiscard]] static constexpr std::size_t shining_light(const Lighting& lighting, const Frame& frame) {
+    if constexpr (Illumination::kLights == 1) return 0;
+    std::size_t found = Illumination::kLights;
+    for (std::size_t i = 0; i < Illumination::kLights; ++i) {
+      const std::int32_t nearest =
+          lighting.nearest_highlight_of(i, frame.top->shade.scalars, frame.middle->shade.scalars,
+                                        frame.bottom->shade.scalars, arc_headroom(frame.chords.widest()));
+      if (nearest >= lighting.half_tolerance_reach()) continue;
+      if (found != Illumination::kLights) return Illumination::kLights;
+      found = i;
+    }
+    return found;
+  }
+
+  /// Prepares the diffuse scalar and the scaled distance of a highlight as patches. Returns false if there
+  /// are several highlights, if a vertex is not lit or its highlight fades, or if HighlightTable cannot scale
+  /// the largest distance.
   template <class Frame>
   [[nodiscard]] static constexpr bool prepare_highlight_patch(const Lighting& lighting, const Frame& frame,
                                                               Prepared& prepared) {
     const TriangleChords& chords = frame.chords;
+    const std::size_t light = shining_light(lighting, frame);
+    if (Illumination::kLights > 1 &&
+        (light == Illumination::kLights || !Base::has_diffuse_scalar(lighting, frame))) {
+      return false;
+    }
+    prepared.highlight_weight = lighting.highlight_weight(light);
     // Above 0 or the end of the fade by 2^-10, which is more than any rounding error.
     const std::int32_t lit_from = lighting.fade_end().raw() + (std::int32_t{1} << 20);
+    const std::size_t other = Illumination::highlight_index(light);
     const auto& top = frame.top->shade.scalars;
     const auto& middle = frame.middle->shade.scalars;
     const auto& bottom = frame.bottom->shade.scalars;
-    if (top[0].raw() < lit_from || middle[0].raw() < lit_from || bottom[0].raw() < lit_from) return false;
+    if (top[light].raw() < lit_from || middle[light].raw() < lit_from || bottom[light].raw() < lit_from)
+      return false;
     std::int32_t farthest = 0;  // the largest half distance so far
-    const auto distance = [&](Cosine light, Cosine eye) {
-      const std::int32_t half = lighting.half_distance(light, eye);
+    const auto distance = [&](Cosine at_light, Cosine at_other) {
+      const std::int32_t half = lighting.half_distance(at_light, at_other, light);
       if (half > farthest) farthest = half;
       return half;
     };
-    EdgeQuadrupleSagittas light;
-    const auto half_way = [&](const auto& a, const auto& b, std::uint32_t chord, Cosine& sagitta4_of_light) {
-      const SagittaFactor sagitta4 = sagitta_factor(chord);
-      sagitta4_of_light = detail::quadruple_sagitta(a[0], b[0], sagitta4);
-      return distance(detail::patch_middle(a[0], b[0], sagitta4_of_light),
-                      detail::patch_middle(a[1], b[1], detail::quadruple_sagitta(a[1], b[1], sagitta4)));
+    const auto half_way = [&](const auto& a, const auto& b, SagittaFactor factor) {
+      const auto middle_of = [&](std::size_t i) {
+        return detail::patch_middle(a[i], b[i], detail::quadruple_sagitta(a[i], b[i], factor));
+      };
+      return distance(middle_of(light), middle_of(other));
     };
-    const std::int32_t top_middle = half_way(top, middle, chords.top_middle, light.top_middle);
-    const std::int32_t top_bottom = half_way(top, bottom, chords.top_bottom, light.top_bottom);
-    const std::int32_t middle_bottom = half_way(middle, bottom, chords.middle_bottom, light.middle_bottom);
-    const std::int32_t at_top = distance(top[0], top[1]);
-    const std::int32_t at_middle = distance(middle[0], middle[1]);
-    const std::int32_t at_bottom = distance(bottom[0], bottom[1]);
+    const EdgeSagittaFactors factors{sagitta_factor(chords.top_middle), sagitta_factor(chords.top_bottom),
+                                     sagitta_factor(chords.middle_bottom)};
+    const std::int32_t top_middle = half_way(top, middle, factors.top_middle);
+    const std::int32_t top_bottom = half_way(top, bottom, factors.top_bottom);
+    const std::int32_t middle_bottom = half_way(middle, bottom, factors.middle_bottom);
+    const std::int32_t at_top = distance(top[light], top[other]);
+    const std::int32_t at_middle = distance(middle[light], middle[other]);
+    const std::int32_t at_bottom = distance(bottom[light], bottom[other]);
     const HighlightTable& table = lighting.highlight_table();
     if (!table.fits(farthest)) return false;
-    make_patch_surface(frame, {top[0], middle[0], bottom[0]}, light, prepared.patch[0]);
+    make_patch_scalar(frame, factors, Base::diffuse_scalars(lighting, frame), prepared.patch[0]);
     const auto scaled = [&table](std::int32_t half) { return Cosine::from_raw(table.scaled(half)); };
     const PatchValues at{scaled(at_top), scaled(at_middle), scaled(at_bottom)};
     const EdgeQuadrupleSagittas sagittas{
@@ -303,9 +368,8 @@ struct Adaptive : Arc<Illumination> {
   template <class Frame>
   [[nodiscard]] static constexpr int segment_bits(const Lighting& lighting, const Frame& frame) {
     const TriangleChords& chords = frame.chords;
-    // With one light, a pixel without highlight is one look-up, so only segments of 8 or 16 pixels are
-    // faster.
-    constexpr int kLeastBits = Illumination::kLights == 1 ? 3 : 2;
+    // With a ramp, a pixel without highlight is one look-up, so only segments of 8 or 16 pixels are faster.
+    constexpr int kLeastBits = Illumination::kHasRamp ? 3 : 2;
     constexpr std::uint32_t kLeastWidth = 4u << kLeastBits;
     const std::uint32_t whole = frame.width >> 16;
     if (whole < kLeastWidth) return 0;

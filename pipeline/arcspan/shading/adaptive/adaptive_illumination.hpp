@@ -39,8 +39,10 @@ class AdaptiveIllumination : public Illumination {
     const auto tolerance = static_cast<std::uint32_t>(steps) << kStepBits;
     // Two errors may add up in a pixel. An omitted highlight gets half of the tolerance and linear light the
     // rest; farther away from highlights, they get an eighth and the rest.
-    half_tolerance_reach_ = reach_of(tolerance / 2);
-    eighth_tolerance_reach_ = reach_of(tolerance / 8);
+    // Every light may have a highlight that is omitted.
+    constexpr auto kHighlights = static_cast<std::uint32_t>(Illumination::kLights);
+    half_tolerance_reach_ = reach_of(tolerance / (2 * kHighlights));
+    eighth_tolerance_reach_ = reach_of(tolerance / (8 * kHighlights));
     linear_limit_ = linear_limit_of(tolerance - tolerance / 2);
     far_linear_limit_ = linear_limit_of(tolerance - tolerance / 8);
     segment_limit_with_highlight_ = segment_limit_of(tolerance, true);
@@ -70,22 +72,24 @@ class AdaptiveIllumination : public Illumination {
     return !highlight_table_.is_white(distance) && distance >= HighlightTable::kReach;
   }
 
-  /// Returns the colour at N·L > 0 and a scaled distance of the highlight's cosine from 1 (HighlightTable).
-  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour_with_highlight_at(Cosine normal_light,
-                                                                            std::int32_t distance) const {
-    const PackedRgb lit = lit_colour(normal_light);
-    return misses(distance) ? lit : lit.plus(highlight_table_(distance));
+  /// Returns the colour with the diffuse_scalar() `diffuse` and a light's highlight at a scaled distance of
+  /// its cosine from 1 (HighlightTable); N·L > 0. `weight` is the light's highlight_weight().
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour_with_highlight_at(Cosine diffuse,
+                                                                            std::int32_t distance,
+                                                                            std::uint32_t weight) const {
+    const PackedRgb lit = lit_colour(diffuse);
+    return misses(distance) ? lit : lit.plus(highlight(distance, weight));
   }
   /// Returns the colour encoded in `Format`; `encoded` is an EncodedColourTable with kForHighlights. White
   /// highlights have a path of their own, which takes one comparison.
   template <class Format, class Colours>
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded_with_highlight_at(
-      Cosine normal_light, std::int32_t distance, const Colours& encoded) const {
+      Cosine diffuse, std::int32_t distance, std::uint32_t weight, const Colours& encoded) const {
     if (highlight_table_.is_white(distance)) [[likely]] {
-      return Format::encode(lit_colour(normal_light).plus(highlight_table_(distance)));
+      return Format::encode(lit_colour(diffuse).plus(highlight(distance, weight)));
     }
-    if (distance >= HighlightTable::kReach) return encoded[normal_light];
-    return Format::encode(lit_colour(normal_light).plus(highlight_table_(distance)));
+    if (distance >= HighlightTable::kReach) return encoded[diffuse];
+    return Format::encode(lit_colour(diffuse).plus(highlight(distance, weight)));
   }
 
   /// Returns the largest squared angle of a segment within which colours may be linear, 28 fraction bits;
@@ -97,7 +101,7 @@ class AdaptiveIllumination : public Illumination {
  private:
   static constexpr int kStepBits = 5;  ///< fraction bits of tolerances and colours, in 8-bit steps
   static constexpr int kLitShift = 22;
-  static constexpr std::size_t kLitEntries = kHasWideRegisters && Illumination::kLights == 1 ? 1024 : 0;
+  static constexpr std::size_t kLitEntries = kHasWideRegisters && Illumination::kHasRamp ? 1024 : 0;
 
   /// Returns diffuse_colour(). Targets with wide registers look it up by the top 10 bits of N·L, for all
   /// values of which the table has an entry, so that nothing is clamped.
@@ -107,6 +111,12 @@ class AdaptiveIllumination : public Illumination {
     } else {
       return Illumination::diffuse_colour(normal_light);
     }
+  }
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::int32_t distance,
+                                                             std::uint32_t weight) const {
+    if constexpr (Illumination::kLights == 1) return highlight_table_(distance);
+    return highlight_table_(distance, weight);
   }
 
   /// Returns factor * tolerance / amount, at most 1, with 28 fraction bits.
@@ -120,7 +130,8 @@ class AdaptiveIllumination : public Illumination {
   /// Returns linear_limit() for a tolerance. With s the squared radius of the normals, N·L is above its plane
   /// by at most s/2 of itself. The plane is lifted by half of that, so that the error is s/4 either way.
   [[nodiscard]] constexpr std::uint32_t linear_limit_of(std::uint32_t tolerance) const {
-    return limit_of(tolerance, 4, Illumination::most_diffuse());
+    if constexpr (Illumination::kHasRamp) return limit_of(tolerance, 4, Illumination::most_ramp());
+    return 0;
   }
 
   /// Returns the half distance beyond which the highlight is below `steps`, found by bisection.

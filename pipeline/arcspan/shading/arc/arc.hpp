@@ -99,7 +99,7 @@ struct ArcUpTo {
       shines = lighting.may_shine(a.shade.scalars, b.shade.scalars, c.shade.scalars,
                                   arc_headroom(chords.widest()));
     }
-    return small.prepare(SmallCorners{a, b, c}, chords, lighting.widest_patch(), shines, triangle);
+    return small.prepare(lighting, SmallCorners{a, b, c}, chords, shines, triangle);
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
@@ -107,9 +107,9 @@ struct ArcUpTo {
   }
 
  protected:
-  static constexpr bool kHasDiffusePath = Illumination::kLights == 1;
+  static constexpr bool kHasDiffusePath = Illumination::kHasRamp;
   /// Rows in pieces without highlight are a matter of time only: carrying all scalars gives the same colours.
-  static constexpr bool kHasDiffuseWide = kHasDiffusePath && !kOptimisedForSize;
+  static constexpr bool kHasDiffuseWide = Illumination::kLights == 1 && !kOptimisedForSize;
 
   /// Prepares the triangle for `path`, which its normals and its size must allow.
   template <class Frame>
@@ -125,12 +125,37 @@ struct ArcUpTo {
     const EdgeSagittaFactors sagitta_factors{sagitta_factor(chords.top_middle),
                                              sagitta_factor(chords.top_bottom),
                                              sagitta_factor(chords.middle_bottom)};
+    if constexpr (kHasDiffusePath && Illumination::kLights > 1) {
+      if (path == Path::kDiffusePatch) {
+        make_patch_scalar(frame, sagitta_factors, diffuse_scalars(lighting, frame), prepared.patch[0]);
+        return;
+      }
+    }
     for (std::size_t i = 0; i < count; ++i) {
       make_patch_scalar(
           frame, sagitta_factors,
           {frame.top->shade.scalars[i], frame.middle->shade.scalars[i], frame.bottom->shade.scalars[i]},
           prepared.patch[i]);
     }
+  }
+
+  /// Returns the diffuse_scalar() of the vertices of a TriangleFrame whose lights are lit_throughout().
+  template <class Frame>
+  [[nodiscard]] static constexpr PatchValues diffuse_scalars(const Lighting& lighting, const Frame& frame) {
+    const Scalars& top = frame.top->shade.scalars;
+    const Scalars& middle = frame.middle->shade.scalars;
+    const Scalars& bottom = frame.bottom->shade.scalars;
+    std::uint32_t lit = 0;
+    (void)lighting.lit_throughout(top, middle, bottom, lit);
+    return {lighting.diffuse_scalar(top, lit), lighting.diffuse_scalar(middle, lit),
+            lighting.diffuse_scalar(bottom, lit)};
+  }
+  /// Returns true if a triangle without highlight has a diffuse_scalar().
+  template <class Frame>
+  [[nodiscard]] static constexpr bool has_diffuse_scalar(const Lighting& lighting, const Frame& frame) {
+    std::uint32_t lit = 0;
+    return lighting.lit_throughout(frame.top->shade.scalars, frame.middle->shade.scalars,
+                                   frame.bottom->shade.scalars, lit);
   }
 
   /// Returns the path of a triangle without highlight; `fits` is patch_fits().
@@ -147,7 +172,8 @@ struct ArcUpTo {
     const bool fits = patch_fits(frame);
     if constexpr (kHasDiffusePath) {
       if (!lighting.may_shine(frame.top->shade.scalars, frame.middle->shade.scalars,
-                              frame.bottom->shade.scalars, arc_headroom(widest))) {
+                              frame.bottom->shade.scalars, arc_headroom(widest)) &&
+          has_diffuse_scalar(lighting, frame)) {
         return diffuse_path(fits, widest);
       }
     }

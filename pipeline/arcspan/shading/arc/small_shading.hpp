@@ -6,7 +6,7 @@
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
-#include <cstddef>
+#include <array>
 #include <cstdint>
 
 namespace arcspan {
@@ -30,36 +30,42 @@ SmallCorners(const Raster&, const Raster&, const Raster&) -> SmallCorners<Raster
 template <class Lighting>
 class SmallShading {
  public:
-  /// Prepares the triangle; `shines` is true if a highlight is within reach, for which patches are as wide as
-  /// `widest_patch`. Returns false if the normals are more than 60 degrees apart.
+  /// Prepares the triangle; `shines` is true if a highlight is within reach. Returns false if the normals are
+  /// more than 60 degrees apart.
   template <class Raster>
-  [[nodiscard]] constexpr bool prepare(const SmallCorners<Raster>& at, const TriangleChords& chords,
-                                       std::uint32_t widest_patch, bool shines,
+  [[nodiscard]] constexpr bool prepare(const Lighting& lighting, const SmallCorners<Raster>& at,
+                                       const TriangleChords& chords, bool shines,
                                        const SmallTriangle& triangle) {
     const std::uint32_t widest = chords.widest();
     if (widest > kWidestArc) return false;
-    const auto prepare_patch = [&](auto& patch) {
-      patch.prepare(at.a.shade.scalars, at.b.shade.scalars, at.c.shade.scalars, chords, triangle);
-    };
+    const auto& a = at.a.shade.scalars;
+    const auto& b = at.b.shade.scalars;
+    const auto& c = at.c.shade.scalars;
     const auto prepare_arc = [&](auto& arc) {
-      arc.prepare({&at.a.position, &at.b.position, &at.c.position},
-                  {&at.a.shade.scalars, &at.b.shade.scalars, &at.c.shade.scalars},
+      arc.prepare({&at.a.position, &at.b.position, &at.c.position}, {&a, &b, &c},
                   {chords.middle_bottom, chords.top_bottom, chords.top_middle}, triangle);
     };
-    if constexpr (kHasDiffusePath) {
-      if (!shines) {
-        path_ = widest <= kWidestDiffusePatch ? Path::kDiffusePatch : Path::kDiffuseArc;
-        if (path_ == Path::kDiffusePatch) {
-          prepare_patch(diffuse_patch_);
-        } else {
-          prepare_arc(diffuse_arc_);
-        }
+    if constexpr (Lighting::kHasRamp) {
+      std::uint32_t lit = 0;
+      if (!shines && widest <= kWidestDiffusePatch && lighting.lit_throughout(a, b, c, lit)) {
+        path_ = Path::kDiffusePatch;
+        const auto scalar = [&](const auto& scalars) {
+          return std::array<Cosine, 1>{lighting.diffuse_scalar(scalars, lit)};
+        };
+        diffuse_patch_.prepare(scalar(a), scalar(b), scalar(c), chords, triangle);
         return true;
       }
     }
-    path_ = widest <= widest_patch ? Path::kPatch : Path::kArc;
+    if constexpr (Lighting::kLights == 1) {
+      if (!shines) {
+        path_ = Path::kDiffuseArc;
+        prepare_arc(diffuse_arc_);
+        return true;
+      }
+    }
+    path_ = widest <= lighting.widest_patch() ? Path::kPatch : Path::kArc;
     if (path_ == Path::kPatch) {
-      prepare_patch(patch_);
+      patch_.prepare(a, b, c, chords, triangle);
     } else {
       prepare_arc(arc_);
     }
@@ -69,15 +75,16 @@ class SmallShading {
   /// Calls `draw` with the surface and returns its status.
   template <class Draw>
   [[nodiscard]] constexpr Status walk(Draw&& draw) const {
-    if constexpr (kHasDiffusePath) {
+    if constexpr (Lighting::kHasRamp) {
       if (path_ == Path::kDiffusePatch) return draw(diffuse_patch_);
+    }
+    if constexpr (Lighting::kLights == 1) {
       if (path_ == Path::kDiffuseArc) return draw(diffuse_arc_);
     }
     return path_ == Path::kPatch ? draw(patch_) : draw(arc_);
   }
 
  private:
-  static constexpr bool kHasDiffusePath = Lighting::kLights == 1;
   enum class Path : std::uint8_t { kPatch, kDiffusePatch, kArc, kDiffuseArc };
 
   union {

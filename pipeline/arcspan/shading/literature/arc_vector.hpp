@@ -15,6 +15,7 @@ struct NormalAsScalars {
   static constexpr std::size_t kScalars = 3;
   /// Not 1: with one light Arc carries scalars[0] alone where a triangle has no highlight.
   static constexpr std::size_t kLights = 2;
+  static constexpr bool kHasRamp = false;
   using Scalars = std::array<Cosine, kScalars>;
 
   const Illumination* illumination;

@@ -96,8 +96,11 @@ class PatchRun : public SecondDifferenceRun<Used> {
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
                                                                           const Colours& encoded) const {
     if constexpr (Used == Lighting::kScalars) {
-      if constexpr (!Colours::kForHighlights) return Format::encode(colour(lighting));
-      return lighting.template encoded<Format>(this->scalars(), encoded);
+      if constexpr (Colours::kForHighlights && Lighting::kLights == 1) {
+        return lighting.template encoded<Format>(this->scalars(), encoded);
+      } else {
+        return Format::encode(colour(lighting));
+      }
     } else {
       return encoded[this->scalars()[0]];
     }

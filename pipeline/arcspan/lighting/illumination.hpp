@@ -147,11 +147,17 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
 
   /// colour() without a highlight, by the scalar of diffuse_scalar().
   [[nodiscard]] constexpr PackedRgb diffuse_colour(Cosine normal_light) const requires kHasRamp {
-    const std::uint32_t index = clamped_byte(normal_light.raw() >> (Cosine::kFraction - kRampBits));
+    constexpr std::int32_t kLast = (std::int32_t{1} << kRampBits) - 1;
+    const std::int32_t entry = normal_light.raw() >> (Cosine::kFraction - kRampBits);
+    const std::uint32_t index = Lights == 1 ? clamped_byte(entry)
+                                            : static_cast<std::uint32_t>(entry < 0       ? 0
+                                                                         : entry > kLast ? kLast
+                                                                                         : entry);
     return ramp_[static_cast<std::size_t>(index)];
   }
 
-  /// The colours of diffuse_colour(): entry i is for scalars of i / 256 ... (i + 1) / 256.
+  /// The colours of diffuse_colour(), evenly spaced over scalars 0...1: 256 of one light, 512 of two, 1024 of
+  /// more.
   [[nodiscard]] constexpr const auto& ramp() const requires kHasRamp { return ramp_; }
 
   /// Format::encode(colour(scalars)), which without a highlight is read from `table` (EncodedColourTable);
@@ -257,7 +263,8 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   }
 
  private:
-  static constexpr int kRampBits = 8;
+  /// An entry of the ramp stands for 1/256 of one light's diffuse part.
+  static constexpr int kRampBits = Lights == 1 ? 8 : Lights == 2 ? 9 : 10;
   [[nodiscard]] static constexpr Cosine highlight_scalar(const Scalars& scalars, std::size_t light) {
     return scalars[highlight_index(light)];
   }
@@ -383,9 +390,9 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   }
   constexpr void make_ramp();
 
-  /// Entry i is ambient + diffuse * ramp_range() * (i + 1/2) / 256; empty for coloured lights. The first
+  /// Entry i is ambient + diffuse * ramp_range() * (i + 1/2) / size; empty for coloured lights. The first
   /// member, so that its address needs no offset.
-  std::array<PackedRgb, kHasRamp ? 256 : 0> ramp_{};
+  std::array<PackedRgb, kHasRamp ? std::size_t{1} << kRampBits : 0> ramp_{};
   std::array<Direction, kScalars> axes_{};   ///< scalar i is the product of the normal and this
   std::array<std::uint32_t, 3> ambient_{};   ///< in 8-bit steps, 20 fraction bits
   std::array<std::uint32_t, 3> diffuse_{};   ///< in 8-bit steps, 5 fraction bits

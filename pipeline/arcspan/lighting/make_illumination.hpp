@@ -172,8 +172,8 @@ template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr void Illumination<Lights, Model, Features>::make_ramp() {
   for (std::size_t i = 0; i < ramp_.size(); ++i) {
     // Entry 0 is also the colour of the unlit side, where the diffuse part is 0.
-    const std::uint32_t middle = static_cast<std::uint32_t>(i) * 2 + 1;  // 9 fraction bits
-    const std::uint32_t light = i == 0 ? 0 : (middle * ramp_range()) >> 9;
+    const std::uint32_t middle = static_cast<std::uint32_t>(i) * 2 + 1;  // kRampBits + 1 fraction bits
+    const std::uint32_t light = i == 0 ? 0 : (middle * ramp_range()) >> (kRampBits + 1);
     // From 20 to 2 fraction bits, rounded, with half an 8-bit step added, as PackedRgb has it.
     const auto channel_level = [&](std::size_t c) {
       const std::uint32_t sum =

@@ -10,6 +10,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
+#include <type_traits>
 
 namespace arcspan {
 
@@ -51,11 +53,13 @@ class EncodedColourTable {
 
 namespace detail {
 
-/// True if the diffuse colours can be encoded in advance: one light, and a 16-bit format without dithering.
+/// True if the diffuse colours can be encoded in advance: one light, whose ramp has 256 entries, and a 16-bit
+/// format without dithering.
 template <class Lighting, class Format>
 concept EncodableInAdvance = !Format::kDithers && sizeof(typename Format::Encoded) == 2 &&
                              requires(const Lighting& lighting, PackedRgb colour) {
-  lighting.ramp();
+  requires std::tuple_size_v<std::remove_cvref_t<decltype(lighting.ramp())>>
+  == 256;
   Format::encode(colour);
 };
 

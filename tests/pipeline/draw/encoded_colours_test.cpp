@@ -35,11 +35,9 @@ static_assert(std::is_same_v<TableIn<Arc<Light>, 256>, EncodedColourTable<Rgb565
 static_assert(sizeof(EncodedColourTable<Rgb565, 256>) == 512);
 static_assert(std::is_same_v<TableIn<Arc<Light>, 0>, NoEncodedColours>);
 static_assert(std::is_same_v<TableIn<Phong<Light>, 1024>, NoEncodedColours>);
-// Coloured lights have no ramp, a dithered colour depends on the pixel's place, and entries have 16
+// The ramp of several lights is finer, a dithered colour depends on the pixel's place, and entries have 16
 // bits.
-static_assert(detail::EncodableInAdvance<Illumination<2, Highlight::kPhong>, Rgb565>);
-static_assert(!detail::EncodableInAdvance<
-              Illumination<2, Highlight::kPhong, IlluminationFeatures{.coloured_lights = true}>, Rgb565>);
+static_assert(!detail::EncodableInAdvance<Illumination<2, Highlight::kPhong>, Rgb565>);
 static_assert(!detail::EncodableInAdvance<Light, Dithered<Rgb565>>);
 static_assert(!detail::EncodableInAdvance<Light, Rgb888>);
 

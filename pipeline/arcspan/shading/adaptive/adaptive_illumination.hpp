@@ -101,7 +101,7 @@ class AdaptiveIllumination : public Illumination {
  private:
   static constexpr int kStepBits = 5;  ///< fraction bits of tolerances and colours, in 8-bit steps
   static constexpr int kLitShift = 22;
-  static constexpr std::size_t kLitEntries = kHasWideRegisters && Illumination::kHasRamp ? 1024 : 0;
+  static constexpr std::size_t kLitEntries = kHasWideRegisters && Illumination::kLights == 1 ? 1024 : 0;
 
   /// Returns diffuse_colour(). Targets with wide registers look it up by the top 10 bits of N·L, for all
   /// values of which the table has an entry, so that nothing is clamped.

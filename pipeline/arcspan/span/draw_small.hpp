@@ -46,9 +46,9 @@ template <class Surface, class Target>
 
 /// How drawing a small triangle ended.
 enum class SmallResult : std::uint8_t {
-  kDone,    ///< drawn, as far as it has pixels
+  kDone,       ///< drawn, as far as it has pixels
   kOutOfView,  ///< it has no row in the viewport
-  kRefused  ///< nothing is drawn, because the method needs a TriangleCommand for its normals
+  kRefused     ///< nothing is drawn, because the method needs a TriangleCommand for its normals
 };
 
 /// Draws a small triangle (is_small()) whose doubled_area() is not 0, of either winding. `rows` are those of

@@ -25,8 +25,21 @@ namespace {
 
 MeshData made(const std::string& name) { return generate(parse_generated_mesh(name).value()); }
 
+/// A compiled model of one mesh.
+struct CompiledMesh : CompiledModel {
+  explicit CompiledMesh(CompiledModel all) : CompiledModel(std::move(all)), mesh(model.meshes[0]) {}
+  FixedMesh mesh;
+};
+
+CompiledModel compiled(const Model& model, const MeshLimits& limits) {
+  const BytesOf bytes_of = [](const FixedModel& m) {
+    return array_bytes(m.vertex_count(), m.triangle_count());
+  };
+  return compile_model(model, limits, bytes_of, "test", [](std::size_t) {});
+}
+
 CompiledMesh compiled(const MeshData& mesh, const MeshLimits& limits) {
-  return compile_mesh(mesh, limits, array_bytes, "test", [](std::size_t) {});
+  return CompiledMesh(compiled(to_model(mesh), limits));
 }
 
 double volume(const FixedMesh& mesh) {

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 namespace arcspan::tools {
 namespace {
@@ -26,53 +27,53 @@ struct MeshArguments {
   std::string name;
   std::string picture;
   std::string stats;
+  std::string group;
   bool planes = false;
   MeshLimits limits;
 };
 
 struct Made {
   MeshReport report;
-  FixedMesh model;
+  FixedModel model;
 };
 
 Made make(const MeshArguments& arguments, MeshOutput output) {
-  const Model model = load_model(arguments.model);
-  if (model.parts.size() > 1) warn(arguments.model, "its parts are written as one mesh without materials");
-  MeshData data = weld(to_raw(model).mesh, arguments.model);
-  data.dropped_faces = model.dropped_faces;
-  const BytesOf bytes_of = [output, &arguments](std::size_t vertices, std::size_t triangles) {
-    return mesh_bytes(output, vertices, triangles, arguments.planes);
+  Model data = load_model(arguments.model);
+  if (!arguments.group.empty()) data = select_parts(std::move(data), arguments.group, arguments.model);
+  const BytesOf bytes_of = [output, &arguments](const FixedModel& model) {
+    return model_bytes(output, model, arguments.planes);
   };
   Made made{{}, to_fixed(data)};
   MeshReport& report = made.report;
   report.model = arguments.model;
   report.output = arguments.output;
-  report.model_vertices = data.positions.size();
-  report.model_triangles = data.triangles.size();
-  report.model_bytes = bytes_of(data.positions.size(), data.triangles.size());
-  report.model_extent = made.model.unit * 65534;
+  report.model_vertices = data.vertex_count();
+  report.model_triangles = data.triangle_count();
+  report.model_bytes = bytes_of(made.model);
+  report.model_extent = made.model.meshes[0].unit * 65534;
   report.dropped_faces = data.dropped_faces;
   Progress progress("simplifying", 0);
-  report.compiled = compile_mesh(data, arguments.limits, bytes_of, arguments.model,
-                                 [&progress](std::size_t tried) { progress.show(tried); });
-  FixedMesh& mesh = report.compiled.mesh;
-  if (arguments.planes) mesh = with_planes(std::move(mesh), arguments.model);
-  report.bytes = bytes_of(mesh.positions.size(), mesh.indices.size() / 3);
-  report.figures = figures_of(mesh);
+  report.compiled = compile_model(data, arguments.limits, bytes_of, arguments.model,
+                                  [&progress](std::size_t tried) { progress.show(tried); });
+  for (FixedMesh& mesh : report.compiled.model.meshes) {
+    if (arguments.planes) mesh = with_planes(std::move(mesh), arguments.model);
+  }
+  report.bytes = bytes_of(report.compiled.model);
+  report.figures = figures_of(report.compiled.model);
   return made;
 }
 
-/// Both meshes from where the model as it was fills the picture.
+/// Both models from where the model as it was fills the picture.
 Image before_and_after(const Made& made, const std::string& subject) {
   Scene scene;
   const Camera camera = place_camera(scene.camera, made.model, scene.size);
   scene.camera.eye = camera.eye;
   scene.camera.target = camera.target;
   const Renderer& renderer = find_renderer("arc", "rgb888", false);
-  const auto drawn = [&](const FixedMesh& mesh) {
-    return renderer.render(make_job(scene, mesh, subject), [](std::size_t) {}).image;
+  const auto drawn = [&](const FixedModel& model) {
+    return renderer.render(make_job(scene, model, subject), [](std::size_t) {}).image;
   };
-  return side_by_side(drawn(made.model), drawn(made.report.compiled.mesh));
+  return side_by_side(drawn(made.model), drawn(made.report.compiled.model));
 }
 
 std::string name_of(const MeshArguments& arguments) {
@@ -89,11 +90,11 @@ void run_mesh(const MeshArguments& arguments) {
   if (!arguments.picture.empty()) (void)image_format(arguments.picture);
   const Made made = make(arguments, output);
   const MeshReport& report = made.report;
-  const FixedMesh& mesh = report.compiled.mesh;
+  const FixedModel& model = report.compiled.model;
   const std::string file = output == MeshOutput::kBinary
-                               ? mesh_binary_file(mesh, report.figures)
-                               : mesh_header(mesh, report.figures, name_of(arguments),
-                                             std::filesystem::path(arguments.model).filename().string());
+                               ? model_binary_file(model)
+                               : model_header(model, name_of(arguments),
+                                              std::filesystem::path(arguments.model).filename().string());
   std::vector<ResultFile> results = {{arguments.output, file}};
   if (!arguments.picture.empty()) {
     const Image picture = before_and_after(made, arguments.model);
@@ -130,14 +131,16 @@ void add_mesh_command(CLI::App& app) {
                    "an .obj, .gltf, .glb, .ply, .stl, .off or .bin file, or sphere:32x16, torus:48x24")
       ->required();
   mesh->add_option("-o,--output", arguments->output,
-                   "a header of constexpr arrays (.hpp, .h) or a mesh binary (.bin); hpp:- and bin:- are "
-                   "standard output")
+                   "a header of constexpr arrays (.hpp, .h) or a binary (.bin), with all parts and their "
+                   "materials; hpp:- and bin:- are standard output")
       ->required();
   add_limits(*mesh, arguments->limits);
   mesh->add_option("--name", arguments->name, "the header's namespace (default: from the file's name)")
       ->check([](const std::string& text) {
         return is_identifier(text) ? "" : "'" + text + "' cannot name a namespace";
       });
+  mesh->add_option("--group", arguments->group,
+                   "only the parts of this name: an object, a group (g) or a mesh of the file");
   mesh->add_flag(
       "--planes", arguments->planes,
       "the triangles' planes too, 4 bytes each: backs are then culled before they are transformed");
@@ -147,6 +150,7 @@ void add_mesh_command(CLI::App& app) {
       "Examples:\n"
       "  arcspan mesh bunny.obj -o bunny.hpp --max-bytes 16384 --picture bunny.png\n"
       "  arcspan mesh part.stl -o part.bin --crease 40 --max-triangles 800\n"
+      "  arcspan mesh car.glb -o wheels.hpp --group wheels\n"
       "  arcspan mesh torus:24x12 -o bin:- | xxd -i > torus.inc");
   mesh->callback([arguments] { run_mesh(*arguments); });
 }

@@ -1,36 +1,102 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/command/mesh_report.hpp>
+#include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/support/text.hpp>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace arcspan::tools {
 namespace {
 
 std::string triple(const ObjectPosition& p) { return formatted("(%d, %d, %d)", p.x, p.y, p.z); }
 
-std::size_t triangles(const MeshReport& r) { return r.compiled.mesh.indices.size() / 3; }
+std::size_t triangles(const MeshReport& r) { return r.compiled.model.triangle_count(); }
+
+bool has_planes(const MeshReport& r) { return !r.compiled.model.meshes[0].planes.empty(); }
+
+/// 8 or 16; 0 if parts differ.
+int index_bits(const MeshReport& r) {
+  const std::vector<FixedMesh>& meshes = r.compiled.model.meshes;
+  const auto is_short = [](const FixedMesh& mesh) { return fits_indices8(mesh.positions.size()); };
+  if (std::all_of(meshes.begin(), meshes.end(), is_short)) return 8;
+  return std::none_of(meshes.begin(), meshes.end(), is_short) ? 16 : 0;
+}
+
+std::string index_text(const MeshReport& r) {
+  const int bits = index_bits(r);
+  return bits == 0 ? "8-bit and 16-bit indices" : std::to_string(bits) + "-bit indices";
+}
+
+std::string channels(const ChannelCoefficients& c) {
+  const auto value = [](Coefficient v) { return std::ldexp(v.raw(), -Coefficient::kFraction); };
+  return formatted("%.2f,%.2f,%.2f", value(c.r), value(c.g), value(c.b));
+}
+
+/// A line for each part of a model that is more than a plain mesh.
+std::string parts_text(const MeshReport& r) {
+  const FixedModel& model = r.compiled.model;
+  if (is_plain_mesh(model)) return {};
+  constexpr std::size_t kMostListed = 40;
+  const std::vector<std::string> names = part_names(model);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostListed); ++i) {
+    const Material material = material_of(model.looks[i]);
+    text += "  " + printable(names[i]) +
+            formatted(": %zu vertices, %zu triangles, diffuse %s, specular %s, shininess %d%s\n",
+                      model.meshes[i].positions.size(), model.meshes[i].indices.size() / 3,
+                      channels(material.diffuse).c_str(), channels(material.specular).c_str(),
+                      material.shininess, model.looks[i].material.two_sided ? ", two-sided" : "");
+  }
+  if (names.size() > kMostListed) text += formatted("  and %zu more parts\n", names.size() - kMostListed);
+  return text;
+}
+
+nlohmann::ordered_json json_channels(const ChannelCoefficients& c) {
+  return {c.r.raw(), c.g.raw(), c.b.raw()};
+}
+
+nlohmann::ordered_json parts_json(const FixedModel& model) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  const std::vector<std::string> names = part_names(model);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Material material = material_of(model.looks[i]);
+    all.push_back({{"name", names[i]},
+                   {"vertices", model.meshes[i].positions.size()},
+                   {"triangles", model.meshes[i].indices.size() / 3},
+                   {"ambient", json_channels(material.ambient)},
+                   {"diffuse", json_channels(material.diffuse)},
+                   {"specular", json_channels(material.specular)},
+                   {"shininess", material.shininess},
+                   {"two_sided", model.looks[i].material.two_sided}});
+  }
+  return all;
+}
 
 nlohmann::ordered_json corner(const ObjectPosition& p) { return {p.x, p.y, p.z}; }
 
 }  // namespace
 
 std::string to_text(const MeshReport& r) {
-  const FixedMesh& mesh = r.compiled.mesh;
+  const FixedModel& model = r.compiled.model;
   std::string text = printable(r.model) + formatted(": %zu vertices, %zu triangles, %zu bytes",
                                                     r.model_vertices, r.model_triangles, r.model_bytes);
   if (r.dropped_faces > 0) text += formatted(", %zu faces without area left out", r.dropped_faces);
   text += "\n" + printable(r.output) +
-          formatted(": %zu vertices, %zu triangles, %zu bytes, %d-bit indices%s\n", mesh.positions.size(),
-                    triangles(r), r.bytes, fits_indices8(mesh.positions.size()) ? 8 : 16,
-                    mesh.planes.empty() ? "" : ", planes");
+          formatted(": %zu vertices, %zu triangles, %zu bytes, %s%s", model.vertex_count(), triangles(r),
+                    r.bytes, index_text(r).c_str(), has_planes(r) ? ", planes" : "");
+  if (model.meshes.size() > 1) text += formatted(", %zu parts", model.meshes.size());
+  text += "\n" + parts_text(r);
   text += std::string("simplification: ") + to_string(r.compiled.how);
   if (r.compiled.how != Simplification::kNone) {
     text += formatted(", surface moved by about %.3g (%.2f %% of the extent)", r.compiled.error,
                       100 * r.compiled.error / r.model_extent);
   }
   text += "\nbounds: " + triple(r.figures.bounds.low) + " ... " + triple(r.figures.bounds.high) +
-          formatted(", one step is %.6g of the model's units\n", mesh.unit);
+          formatted(", one step is %.6g of the model's units\n", model.meshes[0].unit);
   text += formatted("vertex cache of 16: %.2f misses per triangle, %.2f before\n", r.compiled.cache_misses,
                     r.compiled.cache_misses_before);
   text += formatted("widest normal angle of a triangle: %.1f degrees; %zu of %zu triangles above 60\n",
@@ -39,7 +105,7 @@ std::string to_text(const MeshReport& r) {
 }
 
 std::string to_json(const MeshReport& r) {
-  const FixedMesh& mesh = r.compiled.mesh;
+  const FixedMesh& mesh = r.compiled.model.meshes[0];
   const nlohmann::ordered_json json = {
       {"model",
        {{"name", r.model},
@@ -49,15 +115,16 @@ std::string to_json(const MeshReport& r) {
         {"dropped_faces", r.dropped_faces}}},
       {"mesh",
        {{"file", r.output},
-        {"vertices", mesh.positions.size()},
+        {"vertices", r.compiled.model.vertex_count()},
         {"triangles", triangles(r)},
         {"bytes", r.bytes},
-        {"index_bits", fits_indices8(mesh.positions.size()) ? 8 : 16},
-        {"planes", !mesh.planes.empty()},
+        {"index_bits", index_bits(r)},
+        {"planes", has_planes(r)},
         {"low", corner(r.figures.bounds.low)},
         {"high", corner(r.figures.bounds.high)},
         {"unit", mesh.unit},
         {"centre", {mesh.centre.x, mesh.centre.y, mesh.centre.z}}}},
+      {"parts", parts_json(r.compiled.model)},
       {"simplification", {{"method", to_string(r.compiled.how)}, {"error", r.compiled.error}}},
       {"cache_misses_per_triangle",
        {{"before", r.compiled.cache_misses_before}, {"after", r.compiled.cache_misses}}},

@@ -8,7 +8,7 @@
 
 namespace arcspan::tools {
 
-/// The figures of one compiled mesh.
+/// The figures of one compiled model.
 struct MeshReport {
   std::string model;
   std::string output;
@@ -18,7 +18,7 @@ struct MeshReport {
   double model_extent = 0;      ///< its largest, in its own units
   std::size_t dropped_faces = 0;
   std::size_t bytes = 0;
-  CompiledMesh compiled;
+  CompiledModel compiled;
   MeshFigures figures;
 };
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/lighting/material.hpp>
+
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/compile/mesh_figures.hpp>
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace arcspan::tools {
 
@@ -22,13 +25,31 @@ enum class MeshOutput { kHeader, kBinary };
 [[nodiscard]] std::size_t mesh_bytes(MeshOutput output, std::size_t vertices, std::size_t triangles,
                                      bool planes);
 
-/// The header: the mesh's arrays and `make_view` in namespace `name`, which must be an identifier (see
-/// identifier()). `origin` says in a comment what it was made from.
-[[nodiscard]] std::string mesh_header(const FixedMesh& mesh, const MeshFigures& figures,
-                                      const std::string& name, const std::string& origin);
+/// Bytes that the model takes in a firmware, materials included.
+[[nodiscard]] std::size_t model_bytes(MeshOutput output, const FixedModel& model, bool planes);
+
+/// Whether the model is a single mesh without a material, which is written as a mesh.
+[[nodiscard]] bool is_plain_mesh(const FixedModel& model);
+
+/// The header. A single mesh: its arrays and `make_view` in namespace `name`, which must be an identifier
+/// (see identifier()), and its material if it has one. Several parts: each in a namespace of its own within
+/// `name`, and `kParts`, the list of them. Unit and origin are constants. `origin` says in a comment what it
+/// was made from.
+[[nodiscard]] std::string model_header(const FixedModel& model, const std::string& name,
+                                       const std::string& origin);
 
 /// The binary of docs/mesh-binary.md.
 [[nodiscard]] std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures);
+
+/// The binary of docs/model-binary.md, or of a plain mesh that of docs/mesh-binary.md.
+[[nodiscard]] std::string model_binary_file(const FixedModel& model);
+
+/// Names of the parts for people, no two alike.
+[[nodiscard]] std::vector<std::string> part_names(const FixedModel& model);
+
+/// The material of a part as a firmware takes it: what its file says, with the shares of light that pictures
+/// have by default.
+[[nodiscard]] Material material_of(const PartLook& look);
 
 /// A C++ identifier that resembles `text`: `big bunny` gives big_bunny, `3` and `class` get mesh_ in front.
 [[nodiscard]] std::string identifier(std::string_view text);

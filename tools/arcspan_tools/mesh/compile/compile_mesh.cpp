@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace arcspan::tools {
 namespace {
@@ -14,15 +15,27 @@ namespace {
 /// arcs draw at full speed.
 constexpr double kDefaultCrease = 60;
 
-/// Looks for the mesh with the most triangles that fits.
+/// compacted() of each part; parts that have no triangle left are dropped.
+FixedModel compacted(const FixedModel& model) {
+  FixedModel out;
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    FixedMesh mesh = compacted(model.meshes[i]);
+    if (mesh.indices.empty()) continue;
+    out.meshes.push_back(std::move(mesh));
+    out.looks.push_back(model.looks[i]);
+  }
+  return out;
+}
+
+/// Looks for the model with the most triangles that fits.
 class Search {
  public:
-  Search(const MeshData& mesh, const MeshLimits& limits, const BytesOf& bytes_of, const std::string& subject,
+  Search(const Model& model, const MeshLimits& limits, const BytesOf& bytes_of, const std::string& subject,
          const std::function<void(std::size_t)>& tried)
-      : mesh_(mesh), limits_(limits), bytes_of_(bytes_of), subject_(subject), tried_(tried) {}
+      : model_(model), limits_(limits), bytes_of_(bytes_of), subject_(subject), tried_(tried) {}
 
-  CompiledMesh run() {
-    const Outcome whole = attempt(Simplification::kNone, mesh_.triangles.size());
+  CompiledModel run() {
+    const Outcome whole = attempt(Simplification::kNone, model_.triangle_count());
     if (whole == Outcome::kFits) return best_;
     if (whole == Outcome::kEmpty) throw Failure(subject_, "no triangle has an area in 16-bit positions");
     for (const Simplification how :
@@ -40,17 +53,17 @@ class Search {
   Outcome attempt(Simplification how, std::size_t target) {
     tried_(++attempts_);
     const double crease = limits_.crease_degrees.value_or(kDefaultCrease);
-    const Simplified simplified = simplify(mesh_, how, target, crease, subject_);
-    if (simplified.mesh.triangles.empty()) return Outcome::kEmpty;
-    FixedMesh fixed = compacted(to_fixed(simplified.mesh));
-    if (fixed.indices.empty()) return Outcome::kEmpty;
-    const std::size_t triangles = fixed.indices.size() / 3;
-    const std::size_t bytes = bytes_of_(fixed.positions.size(), triangles);
+    const Simplified simplified = simplify(model_, how, target, crease, subject_);
+    if (simplified.model.triangle_count() == 0) return Outcome::kEmpty;
+    FixedModel fixed = compacted(to_fixed(simplified.model));
+    if (fixed.meshes.empty()) return Outcome::kEmpty;
+    const std::size_t triangles = fixed.triangle_count();
+    const std::size_t bytes = bytes_of_(fixed);
     least_triangles_ = std::min(least_triangles_, triangles);
     least_bytes_ = std::min(least_bytes_, bytes);
     if (limits_.max_triangles && triangles > *limits_.max_triangles) return Outcome::kTooLarge;
     if (limits_.max_bytes && bytes > *limits_.max_bytes) return Outcome::kTooLarge;
-    best_.mesh = std::move(fixed);
+    best_.model = std::move(fixed);
     best_.how = how;
     best_.error = simplified.error;
     return Outcome::kFits;
@@ -59,7 +72,7 @@ class Search {
   /// Bisects for the largest target that fits, to half a percent; leaves it in best_.
   bool search(Simplification how) {
     std::size_t above =
-        std::min(limits_.max_triangles.value_or(mesh_.triangles.size()), mesh_.triangles.size());
+        std::min(limits_.max_triangles.value_or(model_.triangle_count()), model_.triangle_count());
     if (attempt(how, above) == Outcome::kFits) return true;
     std::size_t below = 1;
     const Outcome least = attempt(how, below);
@@ -74,12 +87,12 @@ class Search {
     return found;
   }
 
-  const MeshData& mesh_;
+  const Model& model_;
   const MeshLimits& limits_;
   const BytesOf& bytes_of_;
   const std::string& subject_;
   const std::function<void(std::size_t)>& tried_;
-  CompiledMesh best_;
+  CompiledModel best_;
   std::size_t attempts_ = 0;
   std::size_t least_triangles_ = std::numeric_limits<std::size_t>::max();
   std::size_t least_bytes_ = std::numeric_limits<std::size_t>::max();
@@ -87,13 +100,17 @@ class Search {
 
 }  // namespace
 
-CompiledMesh compile_mesh(const MeshData& mesh, const MeshLimits& limits, const BytesOf& bytes_of,
-                          const std::string& subject, const std::function<void(std::size_t)>& tried) {
-  const MeshData creased = limits.crease_degrees ? with_crease(mesh, *limits.crease_degrees, subject) : mesh;
-  CompiledMesh compiled = Search(creased, limits, bytes_of, subject, tried).run();
-  compiled.cache_misses_before = cache_misses_per_triangle(compiled.mesh);
-  compiled.mesh = ordered(compiled.mesh);
-  compiled.cache_misses = cache_misses_per_triangle(compiled.mesh);
+CompiledModel compile_model(const Model& model, const MeshLimits& limits, const BytesOf& bytes_of,
+                            const std::string& subject, const std::function<void(std::size_t)>& tried) {
+  const Model creased = limits.crease_degrees ? with_crease(model, *limits.crease_degrees, subject) : model;
+  CompiledModel compiled = Search(creased, limits, bytes_of, subject, tried).run();
+  const auto triangles = static_cast<double>(compiled.model.triangle_count());
+  for (FixedMesh& mesh : compiled.model.meshes) {
+    const double share = static_cast<double>(mesh.indices.size() / 3) / triangles;
+    compiled.cache_misses_before += share * cache_misses_per_triangle(mesh);
+    mesh = ordered(mesh);
+    compiled.cache_misses += share * cache_misses_per_triangle(mesh);
+  }
   return compiled;
 }
 

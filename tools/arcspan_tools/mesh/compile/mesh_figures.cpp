@@ -36,6 +36,21 @@ MeshFigures figures_of(const FixedMesh& mesh) {
   return found;
 }
 
+MeshFigures figures_of(const FixedModel& model) {
+  MeshFigures all = figures_of(model.meshes[0]);
+  for (std::size_t i = 1; i < model.meshes.size(); ++i) {
+    const MeshFigures one = figures_of(model.meshes[i]);
+    ObjectPosition& low = all.bounds.low;
+    ObjectPosition& high = all.bounds.high;
+    const MeshBounds& b = one.bounds;
+    low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+    high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
+    all.widest_angle_degrees = std::max(all.widest_angle_degrees, one.widest_angle_degrees);
+    all.wide_triangles += one.wide_triangles;
+  }
+  return all;
+}
+
 bool fits_indices8(std::size_t vertices) { return vertices <= 256; }
 
 std::size_t array_bytes(std::size_t vertices, std::size_t triangles) {

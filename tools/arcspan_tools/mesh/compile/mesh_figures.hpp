@@ -20,6 +20,9 @@ struct MeshFigures {
 /// `mesh` must have a vertex.
 [[nodiscard]] MeshFigures figures_of(const FixedMesh& mesh);
 
+/// Those of all parts together.
+[[nodiscard]] MeshFigures figures_of(const FixedModel& model);
+
 /// Whether the mesh's indices fit 8 bits.
 [[nodiscard]] bool fits_indices8(std::size_t vertices);
 

@@ -11,44 +11,66 @@ namespace arcspan::tools {
 namespace {
 
 /// As the library takes them: single precision, around the origin, so that meshes far from it lose nothing.
+/// The vertices of all parts one after the other, so that a vertex belongs to one part.
 struct LibraryMesh {
   std::vector<float> positions;
   std::vector<unsigned> indices;
+  std::vector<std::size_t> first_vertices;  ///< of each part
   double scale = 1;  ///< of the library's errors, which are relative to the largest extent
 
   [[nodiscard]] std::size_t vertices() const { return positions.size() / 3; }
 };
 
-LibraryMesh to_library(const std::vector<Vec3>& points) {
-  Vec3 low = points[0];
-  Vec3 high = points[0];
-  for (const Vec3& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+/// The vertices of parts that have these positions; no indices.
+LibraryMesh to_library(const std::vector<std::vector<Vec3>>& parts) {
+  Vec3 low = parts[0][0];
+  Vec3 high = parts[0][0];
+  for (const std::vector<Vec3>& points : parts) {
+    for (const Vec3& p : points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
   }
   LibraryMesh out;
   out.scale = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-  for (const Vec3& p : points) {
-    const Vec3 unit = (p - low) * (1 / out.scale);
-    for (const double c : {unit.x, unit.y, unit.z}) out.positions.push_back(static_cast<float>(c));
+  for (const std::vector<Vec3>& points : parts) {
+    out.first_vertices.push_back(out.vertices());
+    for (const Vec3& p : points) {
+      const Vec3 unit = (p - low) * (1 / out.scale);
+      for (const double c : {unit.x, unit.y, unit.z}) out.positions.push_back(static_cast<float>(c));
+    }
   }
   return out;
 }
 
-/// Shrinks the indices; returns the relative error.
-double run_library(LibraryMesh& mesh, Simplification how, std::size_t triangles) {
+/// The indices that the library leaves of `from`; adds to `error` what it moves, relative to the extent.
+std::vector<unsigned> run_library(const LibraryMesh& mesh, const std::vector<unsigned>& from,
+                                  Simplification how, std::size_t triangles, double& error) {
   constexpr float kAnyError = 1;
   constexpr std::size_t kStride = 3 * sizeof(float);
-  const std::vector<unsigned> from = mesh.indices;
-  float error = 0;
+  std::vector<unsigned> to(from.size());
+  float moved = 0;
   const std::size_t left =
       how == Simplification::kByCells
-          ? meshopt_simplifySloppy(mesh.indices.data(), from.data(), from.size(), mesh.positions.data(),
-                                   mesh.vertices(), kStride, 3 * triangles, kAnyError, &error)
-          : meshopt_simplify(mesh.indices.data(), from.data(), from.size(), mesh.positions.data(),
-                             mesh.vertices(), kStride, 3 * triangles, kAnyError, 0, &error);
-  mesh.indices.resize(left);
-  return static_cast<double>(error);
+          ? meshopt_simplifySloppy(to.data(), from.data(), from.size(), mesh.positions.data(),
+                                   mesh.vertices(), kStride, 3 * triangles, kAnyError, &moved)
+          : meshopt_simplify(to.data(), from.data(), from.size(), mesh.positions.data(), mesh.vertices(),
+                             kStride, 3 * triangles, kAnyError, 0, &moved);
+  to.resize(left);
+  error = std::max(error, static_cast<double>(moved));
+  return to;
+}
+
+/// The indices of each part, counted from its own first vertex.
+std::vector<std::vector<unsigned>> by_part(const LibraryMesh& mesh, const std::vector<unsigned>& indices) {
+  std::vector<std::vector<unsigned>> parts(mesh.first_vertices.size());
+  const auto& first = mesh.first_vertices;
+  for (const unsigned index : indices) {
+    const auto part =
+        static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), index) - first.begin()) - 1;
+    parts[part].push_back(static_cast<unsigned>(index - first[part]));
+  }
+  return parts;
 }
 
 /// The vertices that are still used, in their old order.
@@ -57,7 +79,6 @@ MeshData without_unused(const MeshData& mesh, const std::vector<unsigned>& indic
   std::vector<std::uint32_t> now(mesh.positions.size(), kUnused);
   for (const unsigned index : indices) now[index] = 0;
   MeshData out;
-  out.dropped_faces = mesh.dropped_faces;
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now[i] == kUnused) continue;
     now[i] = static_cast<std::uint32_t>(out.positions.size());
@@ -70,6 +91,18 @@ MeshData without_unused(const MeshData& mesh, const std::vector<unsigned>& indic
   return out;
 }
 
+/// The parts of `model` that still have triangles, reduced to them.
+Model reduced(const Model& model, const LibraryMesh& library, const std::vector<unsigned>& indices) {
+  Model out;
+  out.dropped_faces = model.dropped_faces;
+  const std::vector<std::vector<unsigned>> parts = by_part(library, indices);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].empty()) continue;
+    out.parts.push_back({model.parts[i].look, without_unused(model.parts[i].mesh, parts[i])});
+  }
+  return out;
+}
+
 bool has_area(const MeshData& mesh) {
   return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&mesh](const auto& t) {
     const Vec3& a = mesh.positions[t[0]];
@@ -77,28 +110,74 @@ bool has_area(const MeshData& mesh) {
   });
 }
 
-Simplified with_normals(const MeshData& mesh, std::size_t triangles) {
-  LibraryMesh library = to_library(mesh.positions);
-  for (const auto& t : mesh.triangles) library.indices.insert(library.indices.end(), t.begin(), t.end());
-  const double error = run_library(library, Simplification::kWithNormals, triangles);
-  return {without_unused(mesh, library.indices), error * library.scale};
+/// The library's form of a model; its indices are those of the triangles.
+LibraryMesh to_library(const Model& model) {
+  std::vector<std::vector<Vec3>> positions;
+  for (const ModelPart& part : model.parts) positions.push_back(part.mesh.positions);
+  LibraryMesh library = to_library(positions);
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    for (const auto& t : model.parts[i].mesh.triangles) {
+      for (const std::uint32_t vertex : t) {
+        library.indices.push_back(static_cast<unsigned>(library.first_vertices[i]) + vertex);
+      }
+    }
+  }
+  return library;
 }
 
-Simplified by_position(const MeshData& mesh, Simplification how, std::size_t triangles, double crease_degrees,
-                       const std::string& subject) {
-  Positions positions = positions_of(mesh.positions);
-  LibraryMesh library = to_library(positions.points);
-  for (const auto& t : mesh.triangles) {
-    for (const std::uint32_t vertex : t) library.indices.push_back(positions.ids[vertex]);
+Simplified with_normals(const Model& model, std::size_t triangles) {
+  const LibraryMesh library = to_library(model);
+  double error = 0;
+  const std::vector<unsigned> left =
+      run_library(library, library.indices, Simplification::kWithNormals, triangles, error);
+  return {reduced(model, library, left), error * library.scale};
+}
+
+/// `model` with one vertex for each position of a part; the normals are none.
+Model without_normals(const Model& model) {
+  Model joined = model;
+  for (ModelPart& part : joined.parts) {
+    Positions positions = positions_of(part.mesh.positions);
+    part.mesh.normals.assign(positions.points.size(), Vec3{});
+    part.mesh.positions = std::move(positions.points);
+    for (auto& t : part.mesh.triangles) {
+      for (std::uint32_t& vertex : t) vertex = positions.ids[vertex];
+    }
   }
-  const double error = run_library(library, how, triangles);
-  MeshData joined;
-  joined.dropped_faces = mesh.dropped_faces;
-  joined.normals.resize(positions.points.size());
-  joined.positions = std::move(positions.points);
-  joined = without_unused(joined, library.indices);
-  if (!has_area(joined)) return {};
-  return {with_crease(joined, crease_degrees, subject), error * library.scale};
+  return joined;
+}
+
+/// Clusters parts one by one, because clusters know nothing of parts. Each gets its share of the triangles.
+std::vector<unsigned> clustered(const LibraryMesh& library, std::size_t triangles, double& error) {
+  std::vector<unsigned> left;
+  for (std::size_t begin = 0; begin < library.indices.size();) {
+    const auto& first = library.first_vertices;
+    const auto next = std::upper_bound(first.begin(), first.end(), library.indices[begin]);
+    std::size_t end = begin;
+    while (end < library.indices.size() && (next == first.end() || library.indices[end] < *next)) ++end;
+    const std::vector<unsigned> own(library.indices.begin() + static_cast<std::ptrdiff_t>(begin),
+                                    library.indices.begin() + static_cast<std::ptrdiff_t>(end));
+    const std::size_t share = std::max<std::size_t>(triangles * own.size() / library.indices.size(), 1);
+    const std::vector<unsigned> few = run_library(library, own, Simplification::kByCells, share, error);
+    left.insert(left.end(), few.begin(), few.end());
+    begin = end;
+  }
+  return left;
+}
+
+Simplified by_position(const Model& model, Simplification how, std::size_t triangles, double crease_degrees,
+                       const std::string& subject) {
+  const Model joined = without_normals(model);
+  const LibraryMesh library = to_library(joined);
+  double error = 0;
+  const std::vector<unsigned> left = how == Simplification::kByCells
+                                         ? clustered(library, triangles, error)
+                                         : run_library(library, library.indices, how, triangles, error);
+  const Model few = reduced(joined, library, left);
+  if (std::none_of(few.parts.begin(), few.parts.end(), [](const ModelPart& p) { return has_area(p.mesh); })) {
+    return {};
+  }
+  return {with_crease(few, crease_degrees, subject), error * library.scale};
 }
 
 }  // namespace
@@ -117,18 +196,18 @@ const char* to_string(Simplification how) {
   return "clustering, normals made anew";
 }
 
-Simplified simplify(const MeshData& mesh, Simplification how, std::size_t triangles, double crease_degrees,
+Simplified simplify(const Model& model, Simplification how, std::size_t triangles, double crease_degrees,
                     const std::string& subject) {
   switch (how) {
     case Simplification::kNone:
-      return {mesh, 0};
+      return {model, 0};
     case Simplification::kWithNormals:
-      return with_normals(mesh, triangles);
+      return with_normals(model, triangles);
     case Simplification::kByPosition:
     case Simplification::kByCells:
       break;
   }
-  return by_position(mesh, how, triangles, crease_degrees, subject);
+  return by_position(model, how, triangles, crease_degrees, subject);
 }
 
 }  // namespace arcspan::tools

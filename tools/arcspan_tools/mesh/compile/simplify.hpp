@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/mesh/plain/mesh_data.hpp>
+#include <arcspan_tools/mesh/plain/model.hpp>
 
 #include <string>
 
@@ -19,13 +19,14 @@ enum class Simplification {
 [[nodiscard]] const char* to_string(Simplification how);
 
 struct Simplified {
-  MeshData mesh;
+  Model model;
   double error = 0;  ///< the library's estimate of how far the surface moved, in the mesh's units
 };
 
-/// `mesh` with about `triangles` triangles or fewer, or more if `how` gets no further: check. Normals made
-/// anew have creases at `crease_degrees`. An empty `triangles` list of the result says that nothing was left.
-[[nodiscard]] Simplified simplify(const MeshData& mesh, Simplification how, std::size_t triangles,
+/// `model` with about `triangles` triangles or fewer, or more if `how` gets no further: check. Borders
+/// between parts stay where they are, except kByCells, which simplifies each part by itself. Normals made
+/// anew have creases at `crease_degrees`. No parts in the result mean that nothing was left.
+[[nodiscard]] Simplified simplify(const Model& model, Simplification how, std::size_t triangles,
                                   double crease_degrees, const std::string& subject);
 
 }  // namespace arcspan::tools

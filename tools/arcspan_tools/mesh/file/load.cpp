@@ -40,10 +40,11 @@ MeshFormat require_format(const std::string& name) {
       "not a mesh that can be read (.obj, .ply, .stl, .off, .gltf, .glb, .bin, sphere:32x16, torus:48x24)");
 }
 
-/// The mesh of a name that stands for no model file.
-std::optional<MeshData> plain_mesh(const std::string& name) {
-  if (const std::optional<GeneratedMesh> wanted = parse_generated_mesh(name)) return generate(*wanted);
-  if (output_kind(name, "") == "bin") return mesh_from_binary(read_whole_file(name, kMostFileBytes), name);
+/// The model of a name that stands for no model file of other programs.
+std::optional<Model> own_model(const std::string& name) {
+  if (const std::optional<GeneratedMesh> wanted = parse_generated_mesh(name))
+    return to_model(generate(*wanted));
+  if (output_kind(name, "") == "bin") return model_from_binary(read_whole_file(name, kMostFileBytes), name);
   return std::nullopt;
 }
 
@@ -71,12 +72,14 @@ Model load_model_from_memory(std::string_view bytes, MeshFormat format, const st
 }
 
 Model load_model_file(const std::string& name) {
-  if (std::optional<MeshData> mesh = plain_mesh(name)) return to_model(std::move(*mesh));
+  if (std::optional<Model> model = own_model(name)) return std::move(*model);
   return weld_parts(load_raw(name, require_format(name)), name);
 }
 
 MeshData load_mesh(const std::string& name) {
-  if (std::optional<MeshData> mesh = plain_mesh(name)) return std::move(*mesh);
+  if (std::optional<Model> model = own_model(name)) {
+    return model->parts.size() == 1 ? std::move(model->parts[0].mesh) : weld(to_raw(*model).mesh, name);
+  }
   return weld(load_raw(name, require_format(name)).mesh, name);
 }
 

@@ -18,7 +18,8 @@ enum class MeshFormat { kObj, kPly, kStl, kOff, kGltf };
 /// The format that a file name's extension stands for, in either case.
 [[nodiscard]] std::optional<MeshFormat> mesh_format(const std::filesystem::path& path);
 
-/// Loads a model from a file (.obj, .ply, .stl, .off, .gltf, .glb, or .bin for a mesh binary), or generates
+/// Loads a model from a file (.obj, .ply, .stl, .off, .gltf, .glb, or .bin for a mesh or model
+/// binary), or generates
 /// one
 /// (`sphere:32x16`, `torus:48x24`; see generate.hpp). Throws Failure for everything that is wrong with it.
 [[nodiscard]] Model load_model_file(const std::string& name);
@@ -31,8 +32,9 @@ enum class MeshFormat { kObj, kPly, kStl, kOff, kGltf };
 /// load_model_file(), with all parts as one mesh.
 [[nodiscard]] MeshData load_mesh(const std::string& name);
 
-/// The mesh of a mesh binary (docs/mesh-binary.md), in its object units. Throws Failure for a foreign,
-/// truncated or corrupted one, and one that has no or too many triangles.
-[[nodiscard]] MeshData mesh_from_binary(std::string_view bytes, const std::string& subject);
+/// The model of a mesh binary (docs/mesh-binary.md), in its object units, or of a model binary
+/// (docs/model-binary.md). Throws Failure for a foreign, truncated or corrupted one, and one that has no or
+/// too many triangles.
+[[nodiscard]] Model model_from_binary(std::string_view bytes, const std::string& subject);
 
 }  // namespace arcspan::tools

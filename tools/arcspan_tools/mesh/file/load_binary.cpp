@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/mesh/mesh_binary.hpp>
+#include <arcspan/model/model_binary.hpp>
 
+#include <arcspan_tools/fixed_point/material.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <cmath>
 #include <cstring>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace arcspan::tools {
 namespace {
@@ -19,23 +24,7 @@ Vec3 to_vec3(const Direction& d) {
   return normalised(Vec3{component(d.x), component(d.y), component(d.z)});
 }
 
-}  // namespace
-
-MeshData mesh_from_binary(std::string_view bytes, const std::string& subject) {
-  if (bytes.empty()) throw Failure(subject, "empty file");
-  // Words, for the alignment that a string need not have.
-  std::vector<std::uint16_t> words((bytes.size() + 1) / 2);
-  if (!bytes.empty()) std::memcpy(words.data(), bytes.data(), bytes.size());
-  MeshView view;
-  const Status status =
-      view_mesh_binary({reinterpret_cast<const std::uint8_t*>(words.data()), bytes.size()}, view);
-  if (status == Status::kUnsupported) throw Failure(subject, "not a mesh binary of version 1 or 2");
-  if (!ok(status))
-    throw Failure(subject, std::string("the mesh binary is damaged (") + to_string(status) + ")");
-  if (view.triangle_count() > kMaxTriangles) {
-    throw Failure(subject, "too many triangles (more than " + std::to_string(kMaxTriangles) + ", the limit)");
-  }
-  if (view.triangle_count() == 0) throw Failure(subject, "no faces");
+MeshData to_data(const MeshView& view) {
   MeshData mesh;
   for (std::size_t i = 0; i < view.vertex_count(); ++i) {
     mesh.positions.push_back(to_vec3(view.position(i)));
@@ -46,6 +35,83 @@ MeshData mesh_from_binary(std::string_view bytes, const std::string& subject) {
     mesh.triangles.push_back({t.a, t.b, t.c});
   }
   return mesh;
+}
+
+[[noreturn]] void refuse_damaged(const std::string& subject, const char* what, Status status) {
+  throw Failure(subject, "the " + std::string(what) + " binary is damaged (" + to_string(status) + ")");
+}
+
+void require_triangles(std::size_t triangles, const std::string& subject) {
+  if (triangles == 0) throw Failure(subject, "no faces");
+  if (triangles <= kMaxTriangles) return;
+  throw Failure(subject, "too many triangles (more than " + std::to_string(kMaxTriangles) + ", the limit)");
+}
+
+double double_at(std::span<const std::uint8_t> bytes, std::size_t at) {
+  double value = 0;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+/// The material of a part without the shares of light, which are the scene's.
+FileMaterial file_material(const arcspan::ModelPart& part) {
+  const auto share = [](const ChannelCoefficients& c, double whole) {
+    const auto channel = [whole](Coefficient v) {
+      return std::ldexp(v.raw(), -Coefficient::kFraction) / whole;
+    };
+    return Vec3{channel(c.r), channel(c.g), channel(c.b)};
+  };
+  const Surface scene;
+  FileMaterial material;
+  material.name = part.name;
+  material.colour = share(part.material.diffuse, scene.diffuse.rgb.x);
+  material.ambient_colour = share(part.material.ambient, scene.ambient.rgb.x);
+  material.specular = share(part.material.specular, 1);
+  material.shininess = part.material.shininess;
+  material.two_sided = part.two_sided;
+  return material;
+}
+
+Model model_of_parts(std::span<const std::uint8_t> bytes, const std::string& subject) {
+  std::vector<arcspan::ModelPart> parts;
+  std::size_t count = 0;
+  Status status = view_model_binary(bytes, parts, count);
+  if (status == Status::kBufferTooSmall) {
+    parts.resize(count);
+    status = view_model_binary(bytes, parts, count);
+  }
+  if (status == Status::kUnsupported) throw Failure(subject, "not a model binary of version 1");
+  if (!ok(status)) refuse_damaged(subject, "model", status);
+  const double unit = double_at(bytes, model_binary::kUnitAt);
+  const Vec3 origin{double_at(bytes, model_binary::kOriginAt), double_at(bytes, model_binary::kOriginAt + 8),
+                    double_at(bytes, model_binary::kOriginAt + 16)};
+  if (!(unit > 0 && unit < 1e30) || !finite(origin)) refuse_damaged(subject, "model", Status::kCorrupted);
+  Model model;
+  for (const arcspan::ModelPart& part : parts) {
+    MeshData mesh = to_data(part.mesh);
+    for (Vec3& p : mesh.positions) p = origin + p * unit;
+    model.parts.push_back({{{part.name}, file_material(part)}, std::move(mesh)});
+  }
+  std::erase_if(model.parts, [](const tools::ModelPart& part) { return part.mesh.triangles.empty(); });
+  require_triangles(model.triangle_count(), subject);
+  return model;
+}
+
+}  // namespace
+
+Model model_from_binary(std::string_view bytes, const std::string& subject) {
+  if (bytes.empty()) throw Failure(subject, "empty file");
+  // Words, for the alignment that a string need not have.
+  std::vector<std::uint16_t> words((bytes.size() + 1) / 2);
+  std::memcpy(words.data(), bytes.data(), bytes.size());
+  const std::span binary(reinterpret_cast<const std::uint8_t*>(words.data()), bytes.size());
+  if (bytes.starts_with("ARCP")) return model_of_parts(binary, subject);
+  MeshView view;
+  const Status status = view_mesh_binary(binary, view);
+  if (status == Status::kUnsupported) throw Failure(subject, "not a mesh binary of version 1 or 2");
+  if (!ok(status)) refuse_damaged(subject, "mesh", status);
+  require_triangles(view.triangle_count(), subject);
+  return to_model(to_data(view));
 }
 
 }  // namespace arcspan::tools

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/output/mesh_writer.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <initializer_list>
+#include <set>
+
+namespace arcspan::tools {
+namespace {
+
+constexpr std::size_t kColumns = 108;
+
+/// An array's elements, as many in a line as fit.
+class ArrayText {
+ public:
+  void add(const std::string& element) {
+    if (column_ + element.size() + 2 > kColumns) {
+      text_ += "\n   ";
+      column_ = 3;
+    }
+    text_ += " " + element + ",";
+    column_ += element.size() + 2;
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  std::size_t column_ = kColumns;
+};
+
+std::string braced(std::initializer_list<int> values) {
+  std::string text = "{";
+  for (const int value : values) text += (text.size() > 1 ? ", " : "") + std::to_string(value);
+  return text + "}";
+}
+
+std::string triple(const ObjectPosition& p) { return braced({p.x, p.y, p.z}); }
+
+std::string array(const std::string& type, const std::string& name, const ArrayText& rows) {
+  return "inline constexpr " + type + " " + name + "[] = {" + rows.text() + "\n};\n\n";
+}
+
+std::string plane_arrays(const FixedMesh& mesh) {
+  ArrayText planes;
+  for (const FacePlane& p : mesh.planes) planes.add(braced({p.x, p.y, p.z, p.offset}));
+  const PlaneScale& scale = mesh.plane_scale;
+  return array("arcspan::FacePlane", "kPlanes", planes) + "inline constexpr arcspan::PlaneScale kPlaneScale" +
+         braced({scale.normal_bits, scale.offset_bits, scale.radius}) + ";\n\n";
+}
+
+// Enough digits that the same number is read back; the shortest such text.
+std::string number(double value) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
+// A comment must not end in a backslash, nor hold a line's end.
+std::string harmless(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\\') c = '?';
+  }
+  return text;
+}
+
+std::string comment(const FixedModel& model, const std::string& origin) {
+  const MeshFigures figures = figures_of(model);
+  const bool planes = !model.meshes[0].planes.empty();
+  std::string text = "// Made by `arcspan mesh` from " + harmless(origin) + ".\n//\n";
+  text += "// " + std::to_string(model.vertex_count()) + " vertices, " +
+          std::to_string(model.triangle_count()) + " triangles, " +
+          std::to_string(model_bytes(MeshOutput::kHeader, model, planes)) + " bytes. Positions " +
+          triple(figures.bounds.low) + " ... " + triple(figures.bounds.high) + ".\n";
+  if (model.meshes.size() > 1) text += "// " + std::to_string(model.meshes.size()) + " parts.\n";
+  return text;
+}
+
+std::string unit_and_origin(const FixedMesh& mesh) {
+  return "/// The length of an object unit in the model's units, and the model's point at the object's "
+         "origin.\n"
+         "inline constexpr double kUnit = " +
+         number(mesh.unit) + ";\ninline constexpr double kOrigin[] = {" + number(mesh.centre.x) + ", " +
+         number(mesh.centre.y) + ", " + number(mesh.centre.z) + "};\n\n";
+}
+
+/// The arrays and make_view().
+std::string mesh_text(const FixedMesh& mesh) {
+  ArrayText positions;
+  ArrayText normals;
+  ArrayText indices;
+  for (const ObjectPosition& p : mesh.positions) positions.add(triple(p));
+  for (const PackedNormal& n : mesh.normals) normals.add(braced({n.u, n.v}));
+  for (const std::uint16_t index : mesh.indices) indices.add(std::to_string(index));
+  const bool planes = !mesh.planes.empty();
+  const std::string index_type = fits_indices8(mesh.positions.size()) ? "std::uint8_t" : "std::uint16_t";
+  return array("arcspan::ObjectPosition", "kPositions", positions) +
+         array("arcspan::PackedNormal", "kNormals", normals) + array(index_type, "kIndices", indices) +
+         (planes ? plane_arrays(mesh) : "") +
+         "/// A view of the mesh; kOk unless the arrays were edited.\n"
+         "inline arcspan::Status make_view(arcspan::MeshView& view) {\n" +
+         (planes ? "  const arcspan::Status status =\n"
+                   "      arcspan::MeshView::make(kPositions, kNormals, std::span(kIndices), view);\n"
+                   "  return ok(status) ? view.attach(kPlanes, kPlaneScale) : status;\n"
+                 : "  return arcspan::MeshView::make(kPositions, kNormals, std::span(kIndices), view);\n") +
+         "}\n\n";
+}
+
+std::string channels(const ChannelCoefficients& c) {
+  std::string text;
+  for (const Coefficient channel : {c.r, c.g, c.b}) {
+    text += (text.empty() ? "{" : ", ") + std::string("arcspan::Coefficient::from_raw(") +
+            std::to_string(channel.raw()) + ")";
+  }
+  return text + "}";
+}
+
+/// Coefficients are in 32768ths.
+std::string material_text(const PartLook& look) {
+  const Material material = material_of(look);
+  return "inline constexpr arcspan::Material kMaterial = {\n    " + channels(material.ambient) + ",\n    " +
+         channels(material.diffuse) + ",\n    " + channels(material.specular) + ",\n    " +
+         std::to_string(material.shininess) +
+         "};\ninline constexpr bool kTwoSided = " + (look.material.two_sided ? "true" : "false") + ";\n\n";
+}
+
+/// Namespaces of the parts, no two alike.
+std::vector<std::string> namespaces_of(const FixedModel& model) {
+  std::vector<std::string> names;
+  std::set<std::string> taken{"Part", "kParts", "kUnit", "kOrigin", "kMostVertices"};
+  for (const std::string& wanted : part_names(model)) {
+    std::string name = identifier(wanted);
+    for (int i = 2; !taken.insert(name).second; ++i) name = identifier(wanted) + "_" + std::to_string(i);
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::string parts_text(const FixedModel& model) {
+  const std::vector<std::string> names = namespaces_of(model);
+  const std::vector<std::string> titles = part_names(model);
+  std::string text;
+  std::string list;
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += "/// " + harmless(titles[i]) + "\nnamespace " + names[i] + " {\n\n" + mesh_text(model.meshes[i]) +
+            material_text(model.looks[i]) + "}  // namespace " + names[i] + "\n\n";
+    list += "    {" + names[i] + "::make_view, &" + names[i] + "::kMaterial, " + names[i] + "::kTwoSided},\n";
+    most = std::max(most, model.meshes[i].positions.size());
+  }
+  return text +
+         "/// A part of the model. All have the same unit and origin, and are drawn by the same transform.\n"
+         "struct Part {\n"
+         "  arcspan::Status (*make_view)(arcspan::MeshView& view);\n"
+         "  const arcspan::Material* material;\n"
+         "  bool two_sided;\n"
+         "};\n"
+         "inline constexpr Part kParts[] = {\n" +
+         list +
+         "};\n\n"
+         "/// Vertices of the largest part, which a vertex cache has to hold.\n"
+         "inline constexpr std::size_t kMostVertices = " +
+         std::to_string(most) + ";\n\n";
+}
+
+}  // namespace
+
+std::string model_header(const FixedModel& model, const std::string& name, const std::string& origin) {
+  const bool plain = is_plain_mesh(model);
+  const bool single = model.meshes.size() == 1;
+  return comment(model, origin) + "#pragma once\n\n" +
+         (plain ? "" : "#include <arcspan/lighting/material.hpp>\n") +
+         "#include <arcspan/mesh/mesh_view.hpp>\n\n" + (single ? "" : "#include <cstddef>\n") +
+         "#include <cstdint>\n#include <span>\n\nnamespace " + name + " {\n\n" +
+         unit_and_origin(model.meshes[0]) +
+         (single ? mesh_text(model.meshes[0]) + (plain ? "" : material_text(model.looks[0]))
+                 : parts_text(model)) +
+         "}  // namespace " + name + "\n";
+}
+
+}  // namespace arcspan::tools

@@ -15,12 +15,12 @@ constexpr std::size_t kMostListed = 8;
 void read_library(const std::string& line, const SideFiles& files, MtlMaterials& materials,
                   std::set<std::string>& missing) {
   // The line is one name, which may have blanks, or several.
-  if (const std::optional<SideFile> file = files(line))
+  if (const std::optional<ReferredFile> file = files(line))
     return read_mtl(file->bytes, file->subject, materials);
   for (std::size_t begin = 0; begin < line.size();) {
     const std::size_t end = std::min(line.find(' ', begin), line.size());
     const std::string name = line.substr(begin, end - begin);
-    if (const std::optional<SideFile> file = files(name)) {
+    if (const std::optional<ReferredFile> file = files(name)) {
       read_mtl(file->bytes, file->subject, materials);
     } else {
       missing.insert(name);

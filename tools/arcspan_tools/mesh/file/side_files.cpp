@@ -20,17 +20,17 @@ bool stays_inside(const std::filesystem::path& path) {
 
 SideFiles side_files_of(const std::string& model) {
   const std::filesystem::path folder = std::filesystem::path(model).parent_path();
-  return [folder](std::string name) -> std::optional<SideFile> {
+  return [folder](std::string name) -> std::optional<ReferredFile> {
     std::replace(name.begin(), name.end(), '\\', '/');
     const std::filesystem::path path = folder / name;
     std::error_code failed;
     if (!stays_inside(name) || !std::filesystem::is_regular_file(path, failed)) return std::nullopt;
-    return SideFile{path.string(), read_whole_file(path.string(), kMostFileBytes)};
+    return ReferredFile{path.string(), read_whole_file(path.string(), kMostFileBytes)};
   };
 }
 
 SideFiles no_side_files() {
-  return [](const std::string&) { return std::optional<SideFile>(); };
+  return [](const std::string&) { return std::optional<ReferredFile>(); };
 }
 
 }  // namespace arcspan::tools

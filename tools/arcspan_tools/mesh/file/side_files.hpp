@@ -8,13 +8,13 @@
 namespace arcspan::tools {
 
 /// A file that a model file refers to.
-struct SideFile {
+struct ReferredFile {
   std::string subject;  ///< names it in messages
   std::string bytes;
 };
 
 /// Reads the file that a model file calls `name`; nothing if it cannot be read.
-using SideFiles = std::function<std::optional<SideFile>(const std::string& name)>;
+using SideFiles = std::function<std::optional<ReferredFile>(const std::string& name)>;
 
 /// Reads from the folder of the model file and below only: names that lead out of it, and absolute ones, give
 /// nothing. Backslashes count as slashes.

@@ -150,7 +150,7 @@ std::string nth(const PlyElement& element, std::int64_t i) {
   return element.name + " " + std::to_string(i + 1) + " of " + std::to_string(element.count);
 }
 
-using Colour = std::optional<Vec3>;
+using PlyColour = std::optional<Vec3>;
 
 /// The properties of an element that are its colour, if it has one.
 class ColourProperties {
@@ -168,7 +168,7 @@ class ColourProperties {
 
   [[nodiscard]] bool any() const { return has_colour_; }
   /// The colour in an element's values: of integers 0...1; floats are as they are in the file.
-  [[nodiscard]] Colour colour(const std::vector<double>& values) const {
+  [[nodiscard]] PlyColour colour(const std::vector<double>& values) const {
     if (!has_colour_) return std::nullopt;
     return Vec3{channel(values, at_[0]), channel(values, at_[1]), channel(values, at_[2])};
   }
@@ -193,8 +193,8 @@ struct PlyScreen {
   std::int64_t vertex_count;  ///< announced, because faces may come first
   TaggedObj faces;
   std::string vertices{};
-  std::vector<Colour> vertex_colours{};
-  std::vector<Colour> face_colours{};
+  std::vector<PlyColour> vertex_colours{};
+  std::vector<PlyColour> face_colours{};
   bool has_normals = false;
 
   void read_vertices(const PlyElement& element) {
@@ -300,7 +300,7 @@ struct PlyScreen {
     ScreenedMesh out{vertices + faces.text(), MeshFormat::kObj};
     if (!faces.tagged()) return out;
     out.vertex_colours = scaled_colours(std::move(vertex_colours));
-    for (const Colour& colour : scaled_colours(std::move(face_colours))) {
+    for (const PlyColour& colour : scaled_colours(std::move(face_colours))) {
       out.faces.push_back({0, RawMesh::kSmooth, colour});
     }
     out.faces.resize(static_cast<std::size_t>(faces.faces()));

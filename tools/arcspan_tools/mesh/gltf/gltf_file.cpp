@@ -70,11 +70,11 @@ GltfFile::GltfFile(std::string_view bytes, std::string subject, SideFiles files)
 }
 
 void GltfFile::read_binary(std::string_view bytes) {
-  constexpr std::size_t kHeaderBytes = 12;
+  constexpr std::size_t kContainerBytes = 12;
   constexpr std::size_t kChunkHeaderBytes = 8;
   constexpr std::uint32_t kJson = 0x4E4F534A;
   constexpr std::uint32_t kBinary = 0x004E4942;
-  if (bytes.size() < kHeaderBytes + kChunkHeaderBytes) throw Failure(subject_, "truncated");
+  if (bytes.size() < kContainerBytes + kChunkHeaderBytes) throw Failure(subject_, "truncated");
   const std::uint32_t version = chunk_number(bytes, 4);
   if (version != 2)
     throw Failure(subject_, "a .glb of version " + std::to_string(version) + " cannot be read");
@@ -84,7 +84,7 @@ void GltfFile::read_binary(std::string_view bytes) {
                   "truncated (" + std::to_string(bytes.size()) + " bytes of " + std::to_string(size) + ")");
   }
   bool has_json = false;
-  for (std::size_t at = kHeaderBytes; at + kChunkHeaderBytes <= size;) {
+  for (std::size_t at = kContainerBytes; at + kChunkHeaderBytes <= size;) {
     const std::size_t length = chunk_number(bytes, at);
     const std::uint32_t type = chunk_number(bytes, at + 4);
     at += kChunkHeaderBytes;
@@ -145,7 +145,7 @@ std::string GltfFile::read_uri(const JsonView& uri) const {
     return *bytes;
   }
   const std::string name = percent_decoded(text);
-  if (std::optional<SideFile> file = files_(name)) return std::move(file->bytes);
+  if (std::optional<ReferredFile> file = files_(name)) return std::move(file->bytes);
   uri.fail("cannot read '" + name + "' in the model's folder");
 }
 

@@ -164,7 +164,8 @@ TEST_CASE("names and arguments reach the terminal without line breaks and escape
 TEST_CASE("content of a mesh that is not drawn gets a warning line, whichever command loads it") {
   const TemporaryFolder folder;
   const std::string obj = folder.file("a.obj", "usemtl red\n" + std::string(kTriangle));
-  const std::string warning = "arcspan: warning: " + obj + ": materials that are not defined are drawn in the default look: 'red'\n";
+  const std::string warning =
+      "arcspan: warning: " + obj + ": materials that are not defined are drawn in the default look: 'red'\n";
   for (const char* command :
        {"render", "mesh", "turntable --frames 2", "simulate", "compare --no-instructions --shading flat"}) {
     CAPTURE(command);

@@ -6,9 +6,9 @@
 #include <arcspan/lighting/illumination_features.hpp>
 #include <arcspan/lighting/material.hpp>
 #include <arcspan/lighting/power_table.hpp>
+#include <arcspan/lighting/ramp_scale.hpp>
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/numbers/integer.hpp>
-#include <arcspan/numbers/unroll.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/status.hpp>
 
@@ -26,21 +26,6 @@ struct DeepColour {
   std::int32_t g;
   std::int32_t b;
 };
-
-/// How the sum of several grey lights becomes a position in their ramp. All members have 15 fraction bits.
-template <std::size_t Lights>
-struct RampScale {
-  /// The weighted sum of N·L at the end of the ramp, and its reciprocal. It depends on the material only, so
-  /// that a change of the weights need not make the ramp.
-  std::uint32_t range = 0;
-  std::uint32_t inverse = 0;
-  std::array<std::uint32_t, Lights> shares{};  ///< the lights' weights times `inverse`
-};
-/// Used for a single light, whose ramp is over N·L, and for coloured lights, which have none.
-struct NoRampScale {};
-template <std::size_t Lights, IlluminationFeatures Features>
-using RampScaleFor =
-    std::conditional_t<(Lights > 1 && !Features.coloured_lights), RampScale<Lights>, NoRampScale>;
 
 /// The illumination of one object by `Lights` (1...4) lights: its constants, and the colour of a normal's
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
@@ -133,17 +118,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// of several reaches only a part of it, where diffuse_scalar() does not hold. With all N·L of one sign at
   /// the vertices, they have it everywhere.
   [[nodiscard]] constexpr bool lit_throughout(const Scalars& a, const Scalars& b, const Scalars& c,
-                                              std::uint32_t& lit) const {
-    lit = 0;
-    if constexpr (Lights > 1) {
-      for (std::size_t i = 0; i < Lights; ++i) {
-        const bool any = a[i].raw() > 0 || b[i].raw() > 0 || c[i].raw() > 0;
-        if (any && (a[i].raw() | b[i].raw() | c[i].raw()) < 0) return false;
-        lit |= static_cast<std::uint32_t>(any) << i;
-      }
-    }
-    return true;
-  }
+                                              std::uint32_t& lit) const;
 
   /// colour() without a highlight, by the scalar of diffuse_scalar().
   [[nodiscard]] constexpr PackedRgb diffuse_colour(Cosine normal_light) const requires kHasRamp {
@@ -181,39 +156,16 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// A lower bound of the half distance (PowerTable) of all normals of a triangle, arguments as for
   /// may_shine(). INT32_MAX if no light reaches it.
   [[nodiscard]] constexpr std::int32_t nearest_highlight(const Scalars& a, const Scalars& b, const Scalars& c,
-                                                         Cosine headroom) const {
-    std::int32_t nearest = INT32_MAX;
-    for (std::size_t i = 0; i < Lights; ++i) {
-      const std::int32_t distance = nearest_highlight_of(i, a, b, c, headroom);
-      if (distance < nearest) nearest = distance;
-    }
-    return nearest;
-  }
+                                                         Cosine headroom) const;
   /// nearest_highlight() of one light.
   [[nodiscard]] constexpr std::int32_t nearest_highlight_of(std::size_t light, const Scalars& a,
                                                             const Scalars& b, const Scalars& c,
-                                                            Cosine headroom) const {
-    const auto highest = [&](std::size_t i) {
-      const Cosine upper = a[i] > b[i] ? a[i] : b[i];
-      const Cosine most = (upper > c[i] ? upper : c[i]) + headroom;
-      return most.raw() < 0 ? Cosine{} : most;
-    };
-    const Cosine most_light = highest(light);
-    if (most_light.raw() == 0) return INT32_MAX;
-    return highlight_distance(most_light, highest(highlight_index(light)), light);
-  }
+                                                            Cosine headroom) const;
 
   /// (1 - c) / 2 of the highlight's cosine c at a normal with these scalars, 30 fraction bits; `other` is N·H
   /// or N·V. The error is at most 2^-28, less than in colour(), which rounds both factors of R·V to 15 bits.
   [[nodiscard]] constexpr std::int32_t half_distance(Cosine normal_light, Cosine other,
-                                                     std::size_t light) const {
-    if constexpr (Model == Highlight::kBlinn) {
-      return highlight_distance(normal_light, other, light);
-    } else {
-      const std::int32_t product = multiply_high(normal_light.raw(), other.raw());
-      return wrap_sub(half_one_plus_light_eye_[light], wrap_shl(product, 2));
-    }
-  }
+                                                     std::size_t light) const;
 
   /// The index of the scalar that the highlight of a light depends on besides N·L.
   [[nodiscard]] static constexpr std::size_t highlight_index(std::size_t light) {
@@ -246,14 +198,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// steps with 5 fraction bits. From |cos''| <= 1 and |(cos^n)''| <= n; R turns by twice the angle.
   [[nodiscard]] constexpr std::uint32_t most_curvature() const { return most_curvature_; }
   /// True if a channel's sum can reach 255 and be clamped; `shines` tells whether to include highlights.
-  [[nodiscard]] constexpr bool may_clamp(bool shines) const {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint32_t lit =  // 5 fraction bits
-          (diffuse_[c] + (shines ? specular_[c] : 0)) * static_cast<std::uint32_t>(Lights);
-      if ((ambient_[c] >> 15) + lit >= 255u << 5) return true;
-    }
-    return false;
-  }
+  [[nodiscard]] constexpr bool may_clamp(bool shines) const;
 
   /// The colour of a normal with these scalars in 256ths of an 8-bit step. Without the ramp, for any number
   /// of lights.
@@ -318,15 +263,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   };
   /// Functions and not lambdas, which compilers would call for every pixel.
   ARCSPAN_INLINE constexpr void add_grey_light(std::size_t light, const Scalars& scalars,
-                                               GreySums& sums) const {
-    const std::uint32_t diffuse = clamped(scalars[light]);
-    if (diffuse == 0) return;
-    sums.diffuse += diffuse * this->shares[light];
-    const std::int32_t half_distance =
-        highlight_distance(scalars[light], highlight_scalar(scalars, light), light);
-    if (half_distance >= power_.half_reach()) return;
-    sums.power += (fade()(power_(half_distance), scalars[light]) * weights_[light] + (1u << 14)) >> 15;
-  }
+                                               GreySums& sums) const;
   template <std::size_t... I>
   ARCSPAN_INLINE constexpr void add_grey_lights(const Scalars& scalars, GreySums& sums,
                                                 std::index_sequence<I...>) const {
@@ -334,52 +271,19 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   }
 
   /// Adds value * weight to the sum of each channel, all with 15 fraction bits.
-  static constexpr void add_weighted(std::uint32_t value, const Weights& weights, Weights& sums) {
-    unrolled<3>([&](auto c) { sums[c] += (value * weights[c] + (1u << 14)) >> 15; });
-  }
+  static constexpr void add_weighted(std::uint32_t value, const Weights& weights, Weights& sums);
 
-  [[nodiscard]] constexpr LightSums light_sums(const Scalars& scalars) const {
-    LightSums sums;
-    unrolled<Lights>([&](auto i) {
-      const std::uint32_t diffuse = clamped(scalars[i]);
-      if (diffuse == 0) return;
-      const std::int32_t half_distance = highlight_distance(scalars[i], highlight_scalar(scalars, i), i);
-      const std::uint32_t specular =
-          half_distance < power_.half_reach() ? fade()(power_(half_distance), scalars[i]) : 0;
-      if constexpr (Lights == 1) {
-        sums = {diffuse, specular};
-      } else if constexpr (!kWeighsChannels) {
-        sums.diffuse += (diffuse * weights_[i] + (1u << 14)) >> 15;
-        sums.specular += (specular * weights_[i] + (1u << 14)) >> 15;
-      } else {
-        add_weighted(diffuse, weights_[i], sums.diffuse);
-        if (specular != 0) add_weighted(specular, weights_[i], sums.specular);
-      }
-    });
-    return sums;
-  }
+  [[nodiscard]] constexpr auto light_sums(const Scalars& scalars) const -> LightSums;
 
   /// Channel `c` in 8-bit steps with 20 fraction bits: 5 of the coefficients and 15 of the sums. At most
   /// 255 * (1 + 4 + 4) * 2^20 < 2^32.
-  [[nodiscard]] constexpr std::uint32_t channel(std::size_t c, const LightSums& sums) const {
-    if constexpr (kWeighsChannels) {
-      return ambient_[c] + diffuse_[c] * sums.diffuse[c] + specular_[c] * sums.specular[c];
-    } else {
-      return ambient_[c] + diffuse_[c] * sums.diffuse + specular_[c] * sums.specular;
-    }
-  }
+  [[nodiscard]] constexpr std::uint32_t channel(std::size_t c, const LightSums& sums) const;
   /// Channel `c` as PackedRgb has it: 2 fraction bits, half an 8-bit step added.
-  [[nodiscard]] constexpr std::uint32_t level(std::size_t c, const LightSums& sums) const {
-    const std::uint32_t rounded = (channel(c, sums) + (std::uint32_t{1} << 19)) >> 18;
-    return rounded > 1023 ? 1023 : rounded;
-  }
+  [[nodiscard]] constexpr std::uint32_t level(std::size_t c, const LightSums& sums) const;
   /// Channel `c` in 256ths of an 8-bit step.
-  [[nodiscard]] constexpr std::int32_t deep_level(std::size_t c, const LightSums& sums) const {
-    const std::uint32_t rounded = (channel(c, sums) + (1u << 11)) >> 12;
-    return static_cast<std::int32_t>(rounded > 65280 ? 65280 : rounded);
-  }
+  [[nodiscard]] constexpr std::int32_t deep_level(std::size_t c, const LightSums& sums) const;
 
-  constexpr void set_ramp_range() requires(Lights > 1 && kHasRamp);
+  constexpr void set_ramp_range();
   /// The weighted sum of N·L at the end of the ramp, 15 fraction bits.
   [[nodiscard]] constexpr std::uint32_t ramp_range() const {
     if constexpr (Lights == 1) {
@@ -408,5 +312,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
 
 }  // namespace arcspan
 
+#include <arcspan/lighting/illumination_bounds.hpp>
 #include <arcspan/lighting/make_illumination.hpp>
+#include <arcspan/lighting/several_lights.hpp>
 #include <arcspan/target.hpp>

@@ -156,7 +156,7 @@ constexpr void Illumination<Lights, Model, Features>::set_strengths(
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr void Illumination<Lights, Model, Features>::set_ramp_range() requires(Lights > 1 && kHasRamp) {
+constexpr void Illumination<Lights, Model, Features>::set_ramp_range() {
   // The light that saturates every channel, but at least three quarters of that of all lights at full
   // strength: diffuse_scalar() then stays below 4/3, for which patches have room.
   constexpr auto kMost = static_cast<std::uint32_t>(Lights) << 15;

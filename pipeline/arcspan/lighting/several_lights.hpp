@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/lighting/illumination.hpp>
+#include <arcspan/numbers/unroll.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+/// The sums of Illumination over its lights. A single light's colour comes from the ramp instead.
+namespace arcspan {
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr void Illumination<Lights, Model, Features>::add_weighted(std::uint32_t value,
+                                                                   const Weights& weights, Weights& sums) {
+  unrolled<3>([&](auto c) { sums[c] += (value * weights[c] + (1u << 14)) >> 15; });
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_grey_light(std::size_t light,
+                                                                                    const Scalars& scalars,
+                                                                                    GreySums& sums) const {
+  const std::uint32_t diffuse = clamped(scalars[light]);
+  if (diffuse == 0) return;
+  sums.diffuse += diffuse * this->shares[light];
+  const std::int32_t half_distance =
+      highlight_distance(scalars[light], highlight_scalar(scalars, light), light);
+  if (half_distance >= power_.half_reach()) return;
+  sums.power += (fade()(power_(half_distance), scalars[light]) * weights_[light] + (1u << 14)) >> 15;
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr auto Illumination<Lights, Model, Features>::light_sums(const Scalars& scalars) const -> LightSums {
+  LightSums sums;
+  unrolled<Lights>([&](auto i) {
+    const std::uint32_t diffuse = clamped(scalars[i]);
+    if (diffuse == 0) return;
+    const std::int32_t half_distance = highlight_distance(scalars[i], highlight_scalar(scalars, i), i);
+    const std::uint32_t specular =
+        half_distance < power_.half_reach() ? fade()(power_(half_distance), scalars[i]) : 0;
+    if constexpr (Lights == 1) {
+      sums = {diffuse, specular};
+    } else if constexpr (!kWeighsChannels) {
+      sums.diffuse += (diffuse * weights_[i] + (1u << 14)) >> 15;
+      sums.specular += (specular * weights_[i] + (1u << 14)) >> 15;
+    } else {
+      add_weighted(diffuse, weights_[i], sums.diffuse);
+      if (specular != 0) add_weighted(specular, weights_[i], sums.specular);
+    }
+  });
+  return sums;
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr std::uint32_t Illumination<Lights, Model, Features>::channel(std::size_t c,
+                                                                       const LightSums& sums) const {
+  if constexpr (kWeighsChannels) {
+    return ambient_[c] + diffuse_[c] * sums.diffuse[c] + specular_[c] * sums.specular[c];
+  } else {
+    return ambient_[c] + diffuse_[c] * sums.diffuse + specular_[c] * sums.specular;
+  }
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr std::uint32_t Illumination<Lights, Model, Features>::level(std::size_t c,
+                                                                     const LightSums& sums) const {
+  const std::uint32_t rounded = (channel(c, sums) + (std::uint32_t{1} << 19)) >> 18;
+  return rounded > 1023 ? 1023 : rounded;
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr std::int32_t Illumination<Lights, Model, Features>::deep_level(std::size_t c,
+                                                                         const LightSums& sums) const {
+  const std::uint32_t rounded = (channel(c, sums) + (1u << 11)) >> 12;
+  return static_cast<std::int32_t>(rounded > 65280 ? 65280 : rounded);
+}
+
+}  // namespace arcspan

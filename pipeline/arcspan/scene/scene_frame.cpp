@@ -122,14 +122,14 @@ void insert_into_order(const SceneFrame& frame, std::size_t last) {
   std::size_t vertex_bytes = 0;
   const Status status = check_object(object, scene.lights, frame, vertex_bytes);
   if (!ok(status)) return status;
-  const std::size_t bytes = vertex_bytes * object.mesh().vertex_count();
-  if (!frame.vertices.empty() && bytes > frame.vertices.size()) return Status::kCacheTooSmall;
+  const std::size_t vertices = frame.vertices.empty() ? 0 : object.mesh().vertex_count();
+  if (vertices != 0 && vertex_bytes > frame.vertices.size() / vertices) return Status::kCacheTooSmall;
   const std::size_t last = frame.header.in_view;
   if (last >= frame.slots.size()) {
     return is_in_view(object, scene.camera) ? Status::kTooManyObjects : Status::kOk;
   }
   if (set_up(object, scene.camera, frame.slots[last])) {
-    frame.slots[last].vertex_bytes = static_cast<std::uint32_t>(bytes);
+    frame.slots[last].vertex_bytes = vertex_bytes * vertices;
     ++frame.header.in_view;
     insert_into_order(frame, last);
   }
@@ -141,8 +141,8 @@ void share_vertices(const SceneFrame& frame) {
   constexpr std::size_t kAlignment = 8;
   const auto aligned = [](std::size_t bytes) { return (bytes + kAlignment - 1) & ~(kAlignment - 1); };
   const std::span<SceneSlot> slots = frame.slots.first(frame.header.in_view);
-  std::size_t all = 0;
-  for (const SceneSlot& slot : slots) all += aligned(slot.vertex_bytes);
+  std::uint32_t all = 0;
+  for (const SceneSlot& slot : slots) all += static_cast<std::uint32_t>(aligned(slot.vertex_bytes));
   frame.header.keeps_vertices = all <= frame.vertices.size();
   unsigned char* at = frame.vertices.data();
   for (SceneSlot& slot : slots) {

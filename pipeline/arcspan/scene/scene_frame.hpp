@@ -36,10 +36,10 @@ struct SceneSlot {
   ClipTransform transform;
   ClipSphere sphere;
   const Object* object;
-  unsigned char* vertices;     ///< memory for CachedVertex, or null
-  const UseFacts* held;        ///< the use that has written the vertices, or null
-  std::uint32_t vertex_bytes;  ///< that the vertices take at most
-  std::uint16_t depth;         ///< of the sphere's middle
+  unsigned char* vertices;   ///< memory for CachedVertex, or null
+  const UseFacts* held;      ///< the use that has written the vertices, or null
+  std::size_t vertex_bytes;  ///< that the vertices take at most, 0 without memory for any
+  std::uint16_t depth;       ///< of the sphere's middle
 };
 
 /// The part of a SceneMemory that belongs to the whole scene. All is zero at first, so that static memory

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The cost of a scene of 20 spheres with 20 materials, and of the benchmark frame drawn as a scene of one
-// object: sections for instruction_count.py.
+// object and by draw_mesh(): sections for scene_cost_test.py.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
 #include <arcspan/hal/framebuffer.hpp>
@@ -24,6 +24,7 @@ using Method = ARCSPAN_METHOD<scenes::Light>;
 [[gnu::section(".bss.frame")]] std::uint16_t colours[kCostWidth * kCostHeight];
 [[gnu::section(".bss.frame")]] std::uint16_t depths[kCostWidth * kCostHeight];
 [[gnu::section(".bss.frame")]] SceneMemory<MethodList<Method>, 20, 2048> memory_of_scene;
+[[gnu::section(".bss.frame")]] CachedVertex<Method> cache[512];
 
 // Camera, light and material of set_stage(), of which this is the frame "32x16 72".
 constexpr SceneLight kSun[] = {SceneLight::directional(normalised(5000, 6000, 6245))};
@@ -78,6 +79,23 @@ bool measure(const char* name, const Camera& camera, std::span<const Object> obj
   return ok(prepared) && ok(drawn.status);
 }
 
+/// The benchmark frame by draw_mesh(), with the transform and the illumination of the scene's object.
+bool measure_mesh(const Object& object) {
+  hal::Framebuffer<Rgb565> frame(colours, kCostWidth, kCostHeight);
+  DepthBuffer depth(depths, kCostWidth, kCostHeight);
+  frame.clear({0, 0, 0});
+  depth.clear();
+  const detail::SceneFrame prepared = memory_of_scene.frame();
+  const ClipTransform& transform = prepared.slots[0].transform;
+  const auto& lighting = *static_cast<const Method::Lighting*>(memory_of_scene.lighting());
+  arcspan_mark();
+  const DrawResult drawn = draw_mesh<Method>(object.mesh(), transform, lighting, frame, depth, cache);
+  arcspan_mark();
+  bare::print_line("section: draw mesh");
+  bare::print_line("section: between");
+  return ok(drawn.status);
+}
+
 }  // namespace
 
 int main() {
@@ -88,7 +106,7 @@ int main() {
   Object one(fine.planed, kMaterials[0]);
   one.scale = WorldLength::of(2);
   one.rotation = kPose;
-  if (!measure("one", kCamera, {&one, 1})) return 2;
+  if (!measure("one", kCamera, {&one, 1}) || !measure_mesh(one)) return 2;
 
   static std::array<Object, kSpheres> objects = [&]<std::size_t... I>(std::index_sequence<I...>) {
     return std::array<Object, kSpheres>{Object(coarse.planed, kMaterials[I])...};

@@ -295,7 +295,7 @@ TEST_CASE("a wrong number of lights or an unknown renderer is refused") {
   CHECK_THROWS_AS(render(scene, sphere), Failure);
   scene.lights.assign(5, {0, 0, 1});
   CHECK_THROWS_AS(render(scene, sphere), Failure);
-  CHECK_THROWS_AS(find_renderer("arc", "rgb332", false), Failure);
+  CHECK_THROWS_AS(find_renderer("arc", "rgb1234", false), Failure);
   CHECK(!find_renderer("arc", "rgb888", true).pixels.dithers);
   CHECK(find_renderer("arc", "mono", true).pixels.dithers);
 }

@@ -18,6 +18,7 @@
 #include <iterator>
 #include <limits>
 #include <span>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 

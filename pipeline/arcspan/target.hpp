@@ -41,6 +41,13 @@
 #define ARCSPAN_OUTLINE_IF_SMALL
 #endif
 
+/// ARCSPAN_INLINE, but a function of its own at -Os, where it is called from several places.
+#ifdef __OPTIMIZE_SIZE__
+#define ARCSPAN_INLINE_UNLESS_SMALL [[gnu::noinline]]
+#else
+#define ARCSPAN_INLINE_UNLESS_SMALL [[gnu::always_inline]]
+#endif
+
 // ---- Configuration
 
 /// Number of entries in the table of encoded colours that a draw call keeps on its stack

@@ -25,7 +25,7 @@ class ArcExcess {
  public:
   ArcExcess() = default;  // without values, so that a union may hold one
   /// `s`: the squared chord, 15 fraction bits, 0...1.
-  constexpr explicit ArcExcess(std::int32_t s) {
+  ARCSPAN_OUTLINE_IF_SMALL constexpr explicit ArcExcess(std::int32_t s) {
     // 1/6, 1/30, 1/140, 1/630 and more; 1/120 and 13/5040, 17 fraction bits.
     const std::int32_t inner = 4369 + ((s * (936 + ((s * 275) >> 15))) >> 15);
     rise_ = (s * (21845 + ((s * inner) >> 15))) >> 15;
@@ -33,7 +33,7 @@ class ArcExcess {
   }
 
   /// Returns the excess of the end that is reached at t = 1: 18 fraction bits. `t` has 15.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t operator()(std::int32_t t) const {
+  [[nodiscard]] ARCSPAN_INLINE_UNLESS_SMALL constexpr std::int32_t operator()(std::int32_t t) const {
     const std::int32_t t2 = (t * t) >> 15;
     const std::int32_t cubic = (t * (32768 - t2)) >> 13;  // 17 fraction bits, below 0.385
     return (cubic * (rise_ - ((bend_ * t2) >> 15))) >> 16;
@@ -50,11 +50,11 @@ struct ArcPoint {
   std::int32_t from;  ///< excess of the end at t = 0, 18 fraction bits
   std::int32_t to;
 
-  ARCSPAN_INLINE constexpr ArcPoint(const ArcExcess& excess, std::int32_t fraction)
+  ARCSPAN_INLINE_UNLESS_SMALL constexpr ArcPoint(const ArcExcess& excess, std::int32_t fraction)
       : t(fraction), from(excess(32768 - fraction)), to(excess(fraction)) {}
 
   /// Returns a scalar at this point from its values at the ends.
-  [[nodiscard]] ARCSPAN_INLINE constexpr Cosine between(Cosine a, Cosine b) const {
+  [[nodiscard]] ARCSPAN_INLINE_UNLESS_SMALL constexpr Cosine between(Cosine a, Cosine b) const {
     const std::int32_t straight =
         wrap_add(a.raw(), scaled_down(wrap_sub(b.raw(), a.raw()), static_cast<std::uint32_t>(t), 15));
     const std::int32_t above =

@@ -135,24 +135,40 @@ def in_middle(picture, width, height):
     return b"".join(rows)
 
 
+def render(arguments, work, model, size, format_name):
+    """The picture of a model, as a file's bytes."""
+    path = work / "expected.ppm"
+    subprocess.run([arguments.program[0], "render", model, "--size", size, "--format", format_name, "-o", path], check=True,
+                   stdout=subprocess.DEVNULL)
+    return path.read_bytes()
+
+
 def check_picture(arguments, work, shot, format_name):
     """Whether the shot is the picture that fills the display."""
     width, height, pixels = read_ppm(shot)
-    path = work / "expected.ppm"
-    subprocess.run([arguments.program[0], "render", "sphere:16x8", "--size", f"{width}x{height}", "--format", format_name,
-                    "-o", path], check=True, stdout=subprocess.DEVNULL)
-    return pixels == read_ppm(path.read_bytes())[2]
+    return pixels == read_ppm(render(arguments, work, "sphere:16x8", f"{width}x{height}", format_name))[2]
+
+
+def check_small(arguments, work, shot, format_name):
+    """Whether the shot is the small picture in the middle of the display."""
+    width, height, pixels = read_ppm(shot)
+    return pixels == in_middle(render(arguments, work, "torus:12x8", "160x120", format_name), width, height)
 
 
 def check_turn(arguments, work, shot, format_name):
     """Whether the shot is one of the pictures of the turn, except its first."""
-    width, height, pixels = read_ppm(shot)
+    pictures = turn(arguments, work, shot, format_name)
+    return read_ppm(shot)[2] in pictures[1:] and read_ppm(shot)[2] != pictures[0]
+
+
+def turn(arguments, work, shot, format_name):
+    """The pictures of a turn in the middle of the display."""
+    width, height, _ = read_ppm(shot)
     folder = work / "turn"
     shutil.rmtree(folder, ignore_errors=True)
     subprocess.run([arguments.program[0], "turntable", "torus:12x8", "--frames", "7", "--size", "160x120", "--format",
                     format_name, "--pictures", "ppm", "-o", f"{folder}/"], check=True, stdout=subprocess.DEVNULL)
-    pictures = [in_middle(path.read_bytes(), width, height) for path in sorted(folder.iterdir())]
-    return pixels in pictures[1:] and pixels != pictures[0]
+    return [in_middle(path.read_bytes(), width, height) for path in sorted(folder.iterdir())]
 
 
 def check_shots(arguments, work, shots):
@@ -162,9 +178,10 @@ def check_shots(arguments, work, shots):
     firmware_format = "rgb565" if bits == "16" else "rgb888"
     card_format = "rgb565" if card == "cirrus" else "rgb888"
     for name, format_name, check in (("fb_picture", firmware_format, check_picture),
-                                     ("fb_turntable", firmware_format, check_turn),
+                                     ("fb_small", firmware_format, check_small),
                                      ("card_picture", card_format, check_picture),
-                                     ("card_turntable", card_format, check_turn),
+                                     ("card_small", card_format, check_small),
+                                     ("card_turn", card_format, check_turn),
                                      ("card_no_flips", card_format, check_turn)):
         if not check(arguments, work, shots[name], format_name):
             wrong.append(f"the display differs from the picture: {work}/{name}.ppm")

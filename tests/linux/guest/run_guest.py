@@ -16,7 +16,7 @@ import threading
 
 HERE = pathlib.Path(__file__).resolve().parent
 VESA_640X480 = {16: "0x311", 24: "0x312", 32: "0x342"}
-LIMIT_SECONDS = 150
+LIMIT_SECONDS = 300
 
 
 def libraries(program):

@@ -284,6 +284,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   [[nodiscard]] constexpr std::int32_t deep_level(std::size_t c, const LightSums& sums) const;
 
   constexpr void set_ramp_range();
+  constexpr void set_widest_patch(const std::array<DirectionalLight, Lights>& lights);
   /// The weighted sum of N·L at the end of the ramp, 15 fraction bits.
   [[nodiscard]] constexpr std::uint32_t ramp_range() const {
     if constexpr (Lights == 1) {

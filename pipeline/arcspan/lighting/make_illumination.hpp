@@ -116,9 +116,8 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   const std::array<std::uint32_t, 3>& specular = illumination.specular_;
   const bool white = specular[0] == specular[1] && specular[1] == specular[2];
   illumination.white_specular_ = white ? specular[0] : 0;
-  illumination.widest_patch_ = arcspan::widest_patch(
-      Model, material.shininess, detail::highlight_height(illumination.most_specular(), lights));
   illumination.shininess_ = static_cast<std::uint32_t>(material.shininess);
+  illumination.set_widest_patch(lights);
   illumination.power_ = PowerTable(material.shininess);
   const std::uint32_t turns = Model == Highlight::kBlinn ? 1 : 2;
   illumination.most_curvature_ =
@@ -153,6 +152,14 @@ constexpr void Illumination<Lights, Model, Features>::set_strengths(
       this->shares[i] = (of_light[0] * this->inverse) >> 15;
     }
   }
+  set_widest_patch(lights);
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr void Illumination<Lights, Model, Features>::set_widest_patch(
+    const std::array<DirectionalLight, Lights>& lights) {
+  widest_patch_ = arcspan::widest_patch(Model, static_cast<std::int32_t>(shininess_),
+                                        detail::highlight_height(most_specular(), lights));
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>

@@ -93,6 +93,7 @@ TEST_CASE("a prepared material is the illumination that make() gives for the obj
     REQUIRE(lighting.scalars(to_direction(random_unit(random))).size() == scalars.size());
     CHECK(lighting.colour(scalars).lanes == expected.colour(scalars).lanes);
   }
+  CHECK(lighting.widest_patch() == expected.widest_patch());
   const Direction up = arcspan::normalised(0, 1, 0);
   CHECK(lighting.scalars(up) == expected.scalars(up));
 }

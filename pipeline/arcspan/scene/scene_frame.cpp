@@ -183,7 +183,8 @@ ObjectLights lights_at(const SceneHeader& header, const Object& object) {
   std::size_t count = 0;
   for (const SceneLight& light : header.lights)
     seen.lights[count++] = light.seen_from(middle, object.rotation);
-  for (; count < seen.lights.size(); ++count) seen.lights[count].strength = Coefficient{};
+  // No normal is turned towards a light without direction, which is the fastest way to have none.
+  for (; count < seen.lights.size(); ++count) seen.lights[count] = {Direction{}, Coefficient{}, kWhite};
   constexpr Direction kBack = normalised(0, 0, 1);
   seen.to_eye = object.rotation.to_object(header.camera->rotation().to_object(kBack));
   return seen;

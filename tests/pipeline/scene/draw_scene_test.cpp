@@ -133,7 +133,7 @@ TEST_CASE("a scene of one object is draw_mesh with the transform made by hand") 
                               {PixelLength::of(100), ObjectLength::of(65536), ObjectLength::of(589824)},
                               kScreen, transform) == Status::kOk);
   SceneLighting lighting;
-  const DirectionalLight off{arcspan::normalised(0, 0, 1), Coefficient{}};
+  const DirectionalLight off{Direction{}, Coefficient{}};
   REQUIRE(SceneLighting::make(matter(Coefficient::of(0.8), Coefficient::of(0.4), Coefficient::of(0.2)),
                               {DirectionalLight{turn.to_object(arcspan::normalised(3, 4, 5))}, off},
                               turn.to_object(arcspan::normalised(0, 0, 1)), lighting) == Status::kOk);

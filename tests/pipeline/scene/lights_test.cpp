@@ -64,6 +64,19 @@ TEST_CASE("a point light in an object's middle shines nowhere, and has half its 
   CHECK(seen.towards == arcspan::normalised(0, -1, 0));
 }
 
+TEST_CASE("missing lights have no direction and no strength") {
+  detail::SceneHeader header;
+  const Camera camera;
+  header.camera = &camera;
+  header.lights = kLights.lights.first(1);
+  const MeshView mesh;
+  const detail::ObjectLights seen = detail::lights_at(header, Object(mesh, kRed));
+  for (std::size_t i = 1; i < seen.lights.size(); ++i) {
+    CHECK(seen.lights[i].towards == Direction{});
+    CHECK(seen.lights[i].strength == Coefficient{});
+  }
+}
+
 TEST_CASE("the eye's direction turns with camera and object") {
   Camera camera;
   REQUIRE(Camera::make({WorldPoint::of(4, 0, 0), {}}, kLens, kScreen, camera) == Status::kOk);

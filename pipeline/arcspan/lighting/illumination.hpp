@@ -64,9 +64,8 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// material and on the colours of the lights.
   constexpr void set_directions(const std::array<Direction, Lights>& to_lights, const Direction& to_eye);
 
-  /// Changes only the strengths and colours of several lights, 0...1. Lights that differ in their channels
-  /// need IlluminationFeatures::coloured_lights; otherwise red counts for all. A single light's are in the
-  /// ramp.
+  /// Changes only the strengths and colours of several lights, 0...1. Without coloured_lights red counts for
+  /// all channels. A single light's are in the ramp.
   constexpr void set_strengths(const std::array<DirectionalLight, Lights>& lights) requires(Lights > 1);
 
   /// The scalars of a unit normal.

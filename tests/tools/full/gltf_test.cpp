@@ -93,7 +93,7 @@ std::string glb(const json& gltf, const std::string& bin) {
 TEST_CASE("glTF: a mesh with its names and its material") {
   const Model model = loaded(square());
   REQUIRE(model.parts.size() == 1);
-  CHECK(model.parts[0].look.names == Lines{"square", "sheet"});
+  CHECK(model.parts[0].look.names == Lines{"sheet", "square"});
   CHECK(model.parts[0].look.material.name == "red");
   CHECK(model.parts[0].mesh.triangles.size() == 2);
   CHECK(model.parts[0].mesh.positions.size() == 4);

@@ -142,7 +142,8 @@ class GltfReader {
   void read_mesh(const JsonView& node, const JsonView& id, const Affine& transform) {
     const JsonView mesh = file_.element("meshes", id);
     std::vector<std::string> names;
-    for (const std::string& name : {node.text_or("name", ""), mesh.text_or("name", "")}) {
+    // The node is last, because parts are called by their last name and nodes may share a mesh.
+    for (const std::string& name : {mesh.text_or("name", ""), node.text_or("name", "")}) {
       if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
     const JsonView primitives = mesh.at("primitives");

@@ -56,7 +56,7 @@ class FramebufferWindow : public Framebuffer<F> {
  private:
   [[nodiscard]] static constexpr Status check(std::size_t words, std::int32_t width, std::int32_t rows,
                                               const RowLayout& layout) {
-    const Status status = detail::check_band_size(width, rows, F::words_per_row, SIZE_MAX);
+    const Status status = arcspan::detail::check_band_size(width, rows, F::words_per_row, SIZE_MAX);
     if (!ok(status)) return status;
     const std::size_t row = F::words_per_row(width);
     if (layout.offset < 0 || layout.stride < 0 || static_cast<std::size_t>(layout.stride) < row)

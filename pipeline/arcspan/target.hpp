@@ -33,9 +33,9 @@
 #define ARCSPAN_COLD [[gnu::cold]]
 #define ARCSPAN_COLD_OUTLINE [[gnu::noinline, gnu::cold]]
 
-/// ARCSPAN_OUTLINE at -Os only: its stack frame is then released before the next stage begins. At -O2
-/// inlining is faster.
-#ifdef __OPTIMIZE_SIZE__
+/// ARCSPAN_OUTLINE at -Os and on cores with few registers: its stack frame is then released before the next
+/// stage begins. Elsewhere inlining is faster.
+#if defined(__OPTIMIZE_SIZE__) || defined(__ARM_ARCH_6M__) || defined(__AVR__)
 #define ARCSPAN_OUTLINE_IF_SMALL [[gnu::noinline]]
 #else
 #define ARCSPAN_OUTLINE_IF_SMALL

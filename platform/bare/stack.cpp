@@ -29,6 +29,12 @@ void paint_stack() {
   }
 }
 
+std::uint32_t stack_depth() {
+  const volatile std::uint32_t in_frame = 0;
+  return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(arcspan_stack_top) -
+                                    reinterpret_cast<std::uintptr_t>(&in_frame));
+}
+
 std::uint32_t deepest_stack() {
   const volatile std::uint32_t* word = arcspan_stack_bottom;
   while (word < arcspan_stack_top && *word == kPattern) ++word;

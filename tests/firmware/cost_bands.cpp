@@ -68,7 +68,7 @@ bool measure(const char* name, const Scene& scene, std::int32_t rows, Cache&& ca
 }  // namespace
 
 int main() {
-  scenes::StageSet stage;
+  static scenes::StageSet stage;
   SphereMeshes meshes;
   if (!ok(scenes::set_stage({kCostWidth, kCostHeight}, 72, {}, stage))) return 1;
   if (!make_sphere_meshes(SphereFineness::k32x16, meshes)) return 1;

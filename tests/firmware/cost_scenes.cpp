@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The measured scenes by one method, as a product draws them: the program has one call of draw_mesh(), for
 // one method, one sink and one depth buffer, so that the compiler inlines as it does for a product. Clearing
-// and drawing are sections of their own for instruction_count.py; "drawn:" gives the visible triangles.
+// and drawing are sections of their own for instruction_count.py; "drawn:" gives the visible triangles,
+// "stack:" the stack that the call used.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
+#include <arcspan/bare/stack.hpp>
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
@@ -57,23 +59,26 @@ bool measure_draw(const char* section, const CostScene& scene, const MeshView& m
   hal::Framebuffer<Rgb565> frame(colours, kCostWidth, kCostHeight);
   auto sink = make_sink();
   DepthBuffer depth(depths, kCostWidth, kCostHeight);
+  bare::paint_stack();
   arcspan_mark();
   frame.clear({0, 0, 0});
   depth.clear();
   arcspan_mark();
   const DrawResult drawn = draw_mesh<Method>(mesh, transform, lighting, sink, depth, cache);
   arcspan_mark();
+  const std::uint32_t depth_here = bare::stack_depth();
   const auto radius = static_cast<std::uint32_t>(scene.radius);
   bare::print_line("section: clear ", scene.sphere, " ", radius);
   bare::print_line("section: ", section, scene.sphere, " ", radius);
   bare::print_line("section: between");
+  bare::print_line("stack: ", section, scene.sphere, " ", radius, " ", bare::deepest_stack() - depth_here);
   bare::print_line("drawn: ", section, scene.sphere, " ", radius, " ", drawn.triangles);
   return ok(drawn.status);
 }
 
 bool measure(const CostScene& scene) {
-  scenes::StageSet stage;
-  if (!ok(scenes::set_stage({kCostWidth, kCostHeight}, scene.radius, {}, stage))) return false;
+  static scenes::StageSet stage;  // larger than the stack that programs are allowed
+  if (!ok(scenes::set_stage({kCostWidth, kCostHeight}, scene.radius, scene.turn, stage))) return false;
   const auto& lighting = *new (&object_memory.lighting) Method::Lighting(stage.light);
   struct Section {
     const char* name;
@@ -91,4 +96,13 @@ bool measure(const CostScene& scene) {
 
 }  // namespace
 
-int main() { return for_each_cost_scene(measure) ? 0 : 1; }
+#ifndef ARCSPAN_COST_RANDOM
+#define ARCSPAN_COST_RANDOM 0
+#endif
+
+int main() {
+  if (!for_each_cost_scene(measure)) return 1;
+  // For methods of which scripts/firmware-costs tests laws.
+  bare::print_line("random scenes:");
+  return for_each_random_scene(ARCSPAN_COST_RANDOM, measure) ? 0 : 1;
+}

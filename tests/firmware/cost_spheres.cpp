@@ -5,9 +5,11 @@
 namespace arcspan {
 namespace {
 
+constexpr auto kCoarsest = scenes::make_sphere<8, 4>();
 constexpr auto kCoarse = scenes::make_sphere<16, 8>();
 constexpr auto kMiddle = scenes::make_sphere<32, 16>();
 constexpr auto kFine = scenes::make_sphere<64, 32>();
+constexpr auto kCoarsestPlanes = scenes::planes_of(kCoarsest);
 constexpr auto kCoarsePlanes = scenes::planes_of(kCoarse);
 constexpr auto kMiddlePlanes = scenes::planes_of(kMiddle);
 constexpr auto kFinePlanes = scenes::planes_of(kFine);
@@ -25,6 +27,8 @@ bool make_views(const Shape& shape, const Planes& planes, SphereMeshes& meshes) 
 
 bool make_sphere_meshes(SphereFineness fineness, SphereMeshes& meshes) {
   switch (fineness) {
+    case SphereFineness::k8x4:
+      return make_views(kCoarsest, kCoarsestPlanes, meshes);
     case SphereFineness::k16x8:
       return make_views(kCoarse, kCoarsePlanes, meshes);
     case SphereFineness::k32x16:

@@ -6,7 +6,7 @@
 namespace arcspan {
 
 /// The spheres of the measured scene, by segments and rings.
-enum class SphereFineness { k16x8, k32x16, k64x32 };
+enum class SphereFineness { k8x4, k16x8, k32x16, k64x32 };
 
 /// A sphere with the planes of its triangles, without planes, and without triangles.
 struct SphereMeshes {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/clip/clip_polygon.hpp>
+#include <arcspan/draw/clip_triangle.hpp>
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
@@ -160,29 +160,16 @@ class TriangleDrawer {
   /// Clips the triangle and draws the rest if it shows the side `facing`. Clipped vertices have normals that
   /// are not in the mesh, so each side is clipped with its own shading.
   ARCSPAN_COLD_OUTLINE void draw_clipped(const TriangleIndices& t, Facing facing) {
-    ClipPolygon<Method> polygon;
-    ClipPolygon<Method> spare;
-    polygon.count = 0;
-    for (const std::uint16_t i : {t.a, t.b, t.c}) {
-      ClipVertex<Method>& vertex = polygon.vertices[polygon.count++];
-      vertex.position = stage_.clip_position(i);
-      stage_.shade(i, facing, vertex.shade);
-    }
-    const ClipPolygon<Method>& inside = clip_polygon(polygon, spare, stage_.transform().near_w());
-    for (std::size_t i = 2; i < inside.count && ok(result_.status); ++i) {
-      const Raster p = projected(inside.vertices[0]);
-      const Raster q = projected(inside.vertices[i - 1]);
-      const Raster r = projected(inside.vertices[i]);
+    Raster inside[ClipPolygon<Method>::kCapacity];
+    const std::size_t count = clip_triangle(stage_, t, facing, inside);
+    for (std::size_t i = 2; i < count && ok(result_.status); ++i) {
+      const Raster& p = inside[0];
+      const Raster& q = inside[i - 1];
+      const Raster& r = inside[i];
       const std::int32_t area = doubled_area(p.position, q.position, r.position);
       const bool faces = facing == Facing::kFront ? area < 0 : area > 0;
-      if (faces && is_within_scissor(p.position, q.position, r.position)) {
-        draw_side(t, p, q, r, facing);
-      }
+      if (faces && is_within_scissor(p.position, q.position, r.position)) draw_side(t, p, q, r, facing);
     }
-  }
-
-  [[nodiscard]] Raster projected(const ClipVertex<Method>& vertex) const {
-    return {project(vertex.position, stage_.transform()), vertex.shade};
   }
 
   /// Tests the triangle against the scissor, before it is shaded.

@@ -20,7 +20,7 @@ class VisibleTriangles {
   VisibleTriangles(const MeshView& mesh, const ClipTransform& transform, const Scissor& scissor)
       : mesh_(mesh), back_faces_(mesh, transform) {
     if (!back_faces_.known() || !scissor.is_band()) return;
-    band_ = BandPlanes(transform, scissor.rect().top, scissor.rect().bottom, mesh.plane_scale().radius);
+    band_.set(transform, scissor.rect().top, scissor.rect().bottom, mesh.plane_scale().radius);
   }
 
   /// True if next() and excludes_all() may be called. Then all vertices are inside the clip volume.

@@ -82,7 +82,8 @@ namespace detail {
 
 /// floor(value * factor / 2^bits), of which the lower 32 bits are returned; factor in 0...2^16, bits
 /// in 15...16.
-[[nodiscard]] constexpr std::int32_t scaled_down(std::int32_t value, std::uint32_t factor, int bits) {
+[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t scaled_down(std::int32_t value, std::uint32_t factor,
+                                                                int bits) {
   if constexpr (kHasWideRegisters) {
     return static_cast<std::int32_t>((std::int64_t{value} * static_cast<std::int32_t>(factor)) >> bits);
   } else {

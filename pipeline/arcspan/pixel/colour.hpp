@@ -39,7 +39,7 @@ struct PackedRgb {
   [[nodiscard]] static constexpr PackedRgb grey(std::uint32_t v) { return {v * 0x00400801u}; }
 
   /// The sum of two colours per channel, saturated.
-  [[nodiscard]] constexpr PackedRgb plus(PackedRgb other) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb plus(PackedRgb other) const {
     if constexpr (kHasWideRegisters) {
       std::uint64_t sum = std::uint64_t{lanes} + other.lanes;
       hide_value(sum);  // otherwise compilers compute it twice, once per width

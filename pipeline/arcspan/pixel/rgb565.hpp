@@ -28,7 +28,7 @@ struct Rgb565 {
     return static_cast<Encoded>(((c.r & 0xF8u) << 8) | ((c.g & 0xFCu) << 3) | (c.b >> 3));
   }
   /// encode(c.rgb8()), directly from the packed channels.
-  [[nodiscard]] static constexpr Encoded encode(PackedRgb c) {
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Encoded encode(PackedRgb c) {
     if constexpr (kHasWideRegisters || !kHasManyRegisters) {
       const std::uint32_t levels = c.lanes & 0xFC1F03E0u;  // the first shift leaves green above bit 15
       return static_cast<Encoded>((levels >> 5) | (levels >> 21));

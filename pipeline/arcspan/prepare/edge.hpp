@@ -36,7 +36,7 @@ struct EdgeWalk {
     return biased < 4096u ? 0u : biased - 4096u;
   }
 
-  constexpr void advance() { x += step; }
+  ARCSPAN_INLINE constexpr void advance() { x += step; }
   /// Steps `rows` rows at once, 0...2^15 - 1; the result is that of `rows` calls of advance().
   constexpr void advance(std::int32_t rows) { x += scaled(step, static_cast<std::uint32_t>(rows)); }
 };

@@ -23,7 +23,7 @@ struct BasicLinearPlane {
   BasicLinearEdge<Value> lower;
   Value dx;  ///< per pixel
 
-  constexpr void next_row() { left.at += left.step; }
+  ARCSPAN_INLINE constexpr void next_row() { left.at += left.step; }
   /// Steps `rows` rows at once; the result is that of `rows` calls of next_row().
   constexpr void skip_rows(std::int32_t rows) { left.at += Value::from_raw(wrap_mul(left.step.raw(), rows)); }
   constexpr void enter_lower(bool middle_left) {

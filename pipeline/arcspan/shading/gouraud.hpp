@@ -66,7 +66,7 @@ struct Gouraud {
                           word(linear_at(p_->b, start))),
               FineRgb::step(p_->r.dx.raw(), p_->g.dx.raw(), p_->b.dx.raw(), p_->step)};
     }
-    constexpr void next_row() {
+    ARCSPAN_INLINE constexpr void next_row() {
       reload_from_memory(p_->r.left.at);
       reload_from_memory(p_->g.left.at);
       reload_from_memory(p_->b.left.at);

@@ -87,7 +87,8 @@ template <ScissorColumns kColumns, class Command, class Walker, class Target>
   Span span{y, first, last - first};
   while (true) {
     Status status;
-    if constexpr (OutlinedWalker<Walker> || (kHasManyRegisters && SegmentedRun<typename Walker::Run>)) {
+    if constexpr (OutlinedWalker<Walker> || kOptimisedForSize ||
+                  (kHasManyRegisters && SegmentedRun<typename Walker::Run>)) {
       status = draw_run_outlined(command, walker, span, begin, target, memory);
     } else {
       status = draw_run(command, walker, span, begin, target, memory);

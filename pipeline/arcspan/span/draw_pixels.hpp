@@ -51,8 +51,8 @@ template <class Target, class Run>
 inline constexpr bool kLooksUpColours =
     !std::same_as<typename Target::Colours, NoEncodedColours> && !std::same_as<Run, SegmentPixels>;
 
-/// Draws span.count pixels, each only if it is_nearer() than the depth buffer where there is one. `dz` is the
-/// gradient of the depth per pixel.
+/// Draws span.count pixels, at least one, each only if it is_nearer() than the depth buffer where there is
+/// one. `dz` is the gradient of the depth per pixel.
 ///
 /// In indexed rows `place` is behind the last pixel, and the index runs up to 0: it is the loop counter too.
 /// Elsewhere `place` is at the first pixel, and is moved behind the last one.
@@ -72,7 +72,9 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
   }
   const auto count = static_cast<std::ptrdiff_t>(span.count);
   const std::ptrdiff_t last = kIndexed ? 0 : count;
-  for (std::ptrdiff_t i = kIndexed ? -count : 0; i != last; ++i) {
+  // A test at the end, which -Os would not move there.
+  std::ptrdiff_t i = kIndexed ? -count : 0;
+  do {
     if constexpr (kIndexed && !kHasWideRegisters) hide_value(i);
     const std::uint16_t depth = depth_of(place.z);
     std::uint16_t* const stored = kIndexed ? depths + i : place.depths;
@@ -95,7 +97,7 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
     if constexpr (kTests) place.z += dz;
     if constexpr (!kIndexed) place.cursor.next();
     run.next();
-  }
+  } while (++i != last);
 }
 
 /// Draws a run that consists of segments with linear colours (SegmentedRun).

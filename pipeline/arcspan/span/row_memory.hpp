@@ -97,7 +97,7 @@ struct RowMemory {
   PixelRows<typename Target::Sink> pixels;
   DepthRows<typename Target::Depth> depths;
 
-  constexpr RowMemory(const Target& target, std::int32_t y)
+  ARCSPAN_INLINE constexpr RowMemory(const Target& target, std::int32_t y)
       : pixels(target.sink, y), depths(target.depth, y) {}
   constexpr void next() {
     pixels.next();

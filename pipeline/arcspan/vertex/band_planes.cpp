@@ -49,9 +49,8 @@ bool is_positive_within(std::uint16_t radius, const ObjectForm& form) {
 
 }  // namespace
 
-BandPlanes::BandPlanes(const ClipTransform& transform, std::int32_t first, std::int32_t end,
-                       std::uint16_t radius)
-    : known_(true) {
+void BandPlanes::set(const ClipTransform& transform, std::int32_t first, std::int32_t end,
+                     std::uint16_t radius) {
   const Viewport& viewport = transform.viewport();
   const std::int32_t middle = viewport.height >> 1;
   const std::int32_t odd = (viewport.height & 1) * 8;
@@ -59,6 +58,7 @@ BandPlanes::BandPlanes(const ClipTransform& transform, std::int32_t first, std::
   // below it if y >= 16 end - 7. One sixteenth more is for its rounding and its error.
   above_ = form_beyond(transform, 16 * (first - middle) + 7 - odd, -1, radius);
   below_ = form_beyond(transform, 16 * (end - middle) - 6 - odd, 1, radius);
+  known_ = true;
   excludes_all_ = is_positive_within(radius, above_) || is_positive_within(radius, below_);
 }
 

@@ -30,9 +30,10 @@ class BandPlanes {
  public:
   /// Not known(): every triangle may have rows in the band.
   constexpr BandPlanes() = default;
-  /// The band of the rows `first` ... `end` - 1 of the picture. Every vertex must be within `radius` of the
-  /// object's origin and the sphere of this radius wholly inside the clip volume, as BackFaces::known() says.
-  BandPlanes(const ClipTransform& transform, std::int32_t first, std::int32_t end, std::uint16_t radius);
+  /// Sets the planes of the band of the rows `first` ... `end` - 1 of the picture. Every vertex must be
+  /// within `radius` of the object's origin and the sphere of this radius wholly inside the clip volume, as
+  /// BackFaces::known() says.
+  void set(const ClipTransform& transform, std::int32_t first, std::int32_t end, std::uint16_t radius);
 
   [[nodiscard]] constexpr bool known() const { return known_; }
   /// True if no triangle has rows in the band.

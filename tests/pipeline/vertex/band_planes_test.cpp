@@ -65,7 +65,9 @@ TEST_CASE("band planes exclude no triangle with rows in the band, and nearly all
     for (int i = 0; i < 20; ++i) {
       const auto first = static_cast<std::int32_t>(random.real(0, camera.height - 1));
       const auto end = first + 1 + static_cast<std::int32_t>(random.real(0, camera.height - first - 1));
-      const BandPlanes band(transform, first, end, scale.radius);
+      BandPlanes band;
+      CHECK_FALSE(band.known());
+      band.set(transform, first, end, scale.radius);
       CAPTURE(round, first, end, camera.height, camera.focal);
       REQUIRE(band.known());
       bool reached = false;

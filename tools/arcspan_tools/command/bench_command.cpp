@@ -92,7 +92,7 @@ void run_bench(BenchArguments arguments) {
 
 void add_bench_command(CLI::App& app) {
   auto arguments = std::make_shared<BenchArguments>();
-  arguments->plan.methods = {"flat", "gouraud", "arc", "phong", kFloatPhong};
+  arguments->plan.methods = {"flat", "gouraud", "arc", "adaptive", "phong", kFloatPhong};
   CLI::App* bench = app.add_subcommand("bench", "Measure the time of the shading methods on this machine");
   bench
       ->add_option_function<std::vector<std::string>>(
@@ -108,7 +108,8 @@ void add_bench_command(CLI::App& app) {
   bench
       ->add_option_function<std::string>(
           "--method", [arguments](const std::string& text) { arguments->plan.methods = parse_methods(text); },
-          "shadings and float-phong, with commas between them (default: flat,gouraud,arc,phong,float-phong)")
+          "shadings and float-phong, with commas between them (default: "
+          "flat,gouraud,arc,adaptive,phong,float-phong)")
       ->type_name("A,B,C");
   bench->add_option("--rounds", arguments->plan.rounds, "in each of which every method draws (default: 15)")
       ->check(CLI::Range(1, 1000));

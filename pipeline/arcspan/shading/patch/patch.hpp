@@ -40,7 +40,7 @@ struct PatchEdge {
     slope_step = other.slope_step;
   }
 
-  constexpr void advance() {
+  ARCSPAN_INLINE constexpr void advance() {
     at += step;
     step += second_difference;
     slope += slope_step;

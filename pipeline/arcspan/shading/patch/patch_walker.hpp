@@ -22,12 +22,7 @@ template <std::size_t Used>
 class SecondDifferenceRun {
  public:
   [[nodiscard]] constexpr const std::array<Cosine, Used>& scalars() const { return x_; }
-  constexpr void next() {
-    unrolled<Used>([this](auto i) {
-      x_[i] += d_[i];
-      d_[i] += second_difference_[i];
-    });
-  }
+  ARCSPAN_INLINE constexpr void next() { step_from<0>(); }
 
   /// Starts scalar i at a row's first column. `p` is the distance in pixels from the left edge to that
   /// column: 16 fraction bits, 0 or more and below 1.
@@ -72,6 +67,14 @@ class SecondDifferenceRun {
   }
 
  private:
+  /// Steps the scalars from I on. Not by unrolled(), whose function -Os would call for every pixel.
+  template <std::size_t I>
+  ARCSPAN_INLINE constexpr void step_from() {
+    x_[I] += d_[I];
+    d_[I] += second_difference_[I];
+    if constexpr (I + 1 < Used) step_from<I + 1>();
+  }
+
   std::array<Cosine, Used> x_;
   std::array<Cosine, Used> d_;
   std::array<Cosine, Used> second_difference_;

@@ -15,6 +15,9 @@ namespace arcspan::bare {
 /// Fills the unused part of the stack, from the bottom to a little below the caller's frame, with a pattern.
 void paint_stack();
 
+/// Bytes between the top of the stack and the frame of the caller's callees.
+[[nodiscard]] std::uint32_t stack_depth();
+
 /// Bytes between the top of the stack and the deepest word written since paint_stack(). Equals stack_size()
 /// if the pattern is gone down to the bottom.
 [[nodiscard]] std::uint32_t deepest_stack();

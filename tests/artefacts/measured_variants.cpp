@@ -11,8 +11,8 @@ template <template <class> class Method>
 RenderResult render_variant(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   using Lit = Illumination<1, Highlight::kBlinn>;
   using Shading = Method<Lit>;
-  const auto lighting = detail::lighting_of<Shading>(job, detail::illumination_of<Lit>(job));
-  return detail::render_bands<Shading, detail::DirectBand>(job, pixels, lighting, rows_done);
+  const auto lightings = detail::lightings_of<Shading>(job, detail::illuminations_of<Lit>(job));
+  return detail::render_bands<Shading, detail::DirectBand>(job, pixels, lightings, rows_done);
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ Model model_of_parts(std::span<const std::uint8_t> bytes, const std::string& sub
 Model model_from_binary(std::string_view bytes, const std::string& subject) {
   if (bytes.empty()) throw Failure(subject, "empty file");
   // Words, for the alignment that a string need not have.
-  std::vector<std::uint16_t> words((bytes.size() + 1) / 2);
+  std::vector<std::uint16_t> words(bytes.size() / 2 + 1);
   std::memcpy(words.data(), bytes.data(), bytes.size());
   const std::span binary(reinterpret_cast<const std::uint8_t*>(words.data()), bytes.size());
   if (bytes.starts_with("ARCP")) return model_of_parts(binary, subject);

@@ -36,7 +36,8 @@ constexpr double kExactArc = 4.488443;
 constexpr double kTolerance = 0.002;
 
 // The second light is dark: several lights are multiplied out, one alone comes from a ramp of 256 colours.
-using Lit = Illumination<2, Highlight::kPhong>;
+/// With coloured lights, because grey ones are summed in a ramp, whose 512 steps are wider than kTolerance.
+using Lit = Illumination<2, Highlight::kPhong, IlluminationFeatures{.coloured_lights = true}>;
 
 // The planes' normals; a vertex has the sum of those around it.
 const Vec3 kPlane1{0, 0, 2};

@@ -188,7 +188,7 @@ TEST_CASE("unlit materials show their colour as it is, emission is added, highli
   CHECK(middle("Kd 0.2 0.4 0.6\nillum 0\n", aside + " --ambient 0.5") == Rgb8{26, 51, 77});
 }
 
-TEST_CASE("--crease makes normals anew in render") {
+TEST_CASE("render makes normals anew by --crease") {
   const Files files;
   const std::string smooth = "mtllib colours.mtl\nusemtl red\ns 1\n" + box(0, 0, 0, 1, 1, 1);
   const auto faces = [&](const std::string& options) {

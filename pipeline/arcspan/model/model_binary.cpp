@@ -36,11 +36,14 @@ Status read_header(std::span<const std::uint8_t> bytes, std::size_t& count) {
   if (bytes.size() < layout::kHeaderBytes) return Status::kTruncated;
   if (number16(at + layout::kVersionAt) != layout::kVersion) return Status::kUnsupported;
   const std::size_t parts = number16(at + layout::kPartsAt);
-  const std::size_t covered = layout::kHeaderBytes + parts * layout::kPartBytes;
+  const auto covered =  // below 2^22, for which std::size_t may be too short
+      static_cast<std::uint32_t>(layout::kHeaderBytes) +
+      static_cast<std::uint32_t>(parts) * static_cast<std::uint32_t>(layout::kPartBytes);
   const std::uint32_t size = number32(at + layout::kSizeAt);
   if (size < covered + layout::kChecksumBytes) return Status::kCorrupted;
   if (bytes.size() < size) return Status::kTruncated;
-  if (crc32(bytes.first(covered)) != number32(at + covered)) return Status::kCorrupted;
+  if (crc32(bytes.first(static_cast<std::size_t>(covered))) != number32(at + covered))
+    return Status::kCorrupted;
   count = parts;
   return Status::kOk;
 }
@@ -60,7 +63,10 @@ Status read_part(std::span<const std::uint8_t> binary, const std::uint8_t* entry
   if (!is_right) return Status::kCorrupted;
   material.shininess = shininess;
   MeshView mesh;
-  const Status status = view_mesh_binary(binary.subspan(begin, size), mesh);
+  // Both are within the binary, so they fit std::size_t, which may have 16 bits.
+  const std::span<const std::uint8_t> bytes =
+      binary.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(size));
+  const Status status = view_mesh_binary(bytes, mesh);
   // A mesh that is cut short within a whole file is a fault of the file.
   if (!ok(status)) return status == Status::kTruncated ? Status::kCorrupted : status;
   // Cast by way of void, because signedness of characters does not matter.
@@ -78,7 +84,8 @@ Status view_model_binary(std::span<const std::uint8_t> bytes, std::span<ModelPar
   if (!ok(status)) return status;
   count = found;
   if (found > parts.size()) return Status::kBufferTooSmall;
-  const std::span<const std::uint8_t> binary = bytes.first(number32(bytes.data() + layout::kSizeAt));
+  const std::span<const std::uint8_t> binary =
+      bytes.first(static_cast<std::size_t>(number32(bytes.data() + layout::kSizeAt)));
   for (std::size_t i = 0; i < found; ++i) {
     const std::uint8_t* entry = bytes.data() + layout::kHeaderBytes + i * layout::kPartBytes;
     const Status read = read_part(binary, entry, parts[i]);

@@ -106,7 +106,8 @@ CompiledModel compile_model(const Model& model, const MeshLimits& limits, const 
   CompiledModel compiled = Search(creased, limits, bytes_of, subject, tried).run();
   const auto triangles = static_cast<double>(compiled.model.triangle_count());
   for (FixedMesh& mesh : compiled.model.meshes) {
-    const double share = static_cast<double>(mesh.indices.size() / 3) / triangles;
+    const std::size_t count = mesh.indices.size() / 3;
+    const double share = static_cast<double>(count) / triangles;
     compiled.cache_misses_before += share * cache_misses_per_triangle(mesh);
     mesh = ordered(mesh);
     compiled.cache_misses += share * cache_misses_per_triangle(mesh);

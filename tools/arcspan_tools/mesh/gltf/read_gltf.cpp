@@ -36,7 +36,7 @@ Affine affine_of(const JsonView& node) {
     const std::vector<double> m = matrix->numbers(16, 16);
     return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
   }
-  const auto numbers = [&node](const char* key, std::vector<double> value) {
+  const auto numbers = [&node](const char* key, const std::vector<double>& value) {
     const std::optional<JsonView> member = node.find(key);
     return member ? member->numbers(value.size(), value.size()) : value;
   };

@@ -29,6 +29,7 @@ class SceneMemory<MethodList<Methods...>, Objects, Vertices> {
  public:
   static_assert(sizeof...(Methods) > 0 && Objects <= 65535);
 
+  /// @cond for draw_mesh() and draw_scene(), not in the reference
   [[nodiscard]] void* lighting() { return lighting_; }
   [[nodiscard]] detail::SceneFrame frame() {
     return {header_,
@@ -37,6 +38,7 @@ class SceneMemory<MethodList<Methods...>, Objects, Vertices> {
             {vertices_, kVertexBytes * Vertices},
             kFacts};
   }
+  /// @endcond
 
  private:
   static constexpr const detail::UseFacts* kFacts[] = {

@@ -62,6 +62,7 @@ class BandCache {
     return Status::kOk;
   }
 
+  /// @cond for draw_mesh() and draw_scene(), not in the reference
   /// Starts to hold the object of `stage` if the cache holds none, and finds the rows of its triangles.
   /// Returns kOk if the cache holds this object. For draw_mesh().
   [[nodiscard]] Status begin(const detail::VertexStage<Method>& stage, bool two_sided) {
@@ -80,6 +81,7 @@ class BandCache {
     if (!rows_.empty()) detail::find_rows(stage, two_sided, vertices_.data(), rows_.data());
     return Status::kOk;
   }
+  /// @endcond
 
   /// The memory of the vertices, and of the rows or null. For draw_mesh().
   [[nodiscard]] constexpr CachedVertex<Method>* vertices() const { return vertices_.data(); }

@@ -90,12 +90,16 @@ struct ObjectLights {
 /// What an object is made of, of any shading method: the base of PreparedMaterial.
 class SceneMaterial {
  public:
+  /// @cond for draw_mesh() and draw_scene(), not in the reference
   [[nodiscard]] constexpr const detail::UseFacts* use() const { return use_; }
+  /// @endcond
   [[nodiscard]] constexpr const DrawOptions& options() const { return options_; }
 
  protected:
+  /// @cond for draw_mesh() and draw_scene(), not in the reference
   constexpr SceneMaterial(const detail::UseFacts& use, const DrawOptions& options)
       : use_(&use), options_(options) {}
+  /// @endcond
 
  private:
   const detail::UseFacts* use_;
@@ -107,7 +111,9 @@ class SceneMaterial {
 template <class M>
 class PreparedMaterial : public SceneMaterial {
  public:
+  /// @cond for draw_mesh() and draw_scene(), not in the reference
   using Used = typename detail::UseOf<M>::Type;
+  /// @endcond
   using Method = typename Used::Method;
   using Lighting = typename Method::Lighting;
 
@@ -117,9 +123,11 @@ class PreparedMaterial : public SceneMaterial {
                                              const DrawOptions& options, PreparedMaterial& prepared);
 
   /// make() as a constant. Arguments that make() rejects do not compile.
-  [[nodiscard]] static consteval PreparedMaterial of(
-      const Material& material, const LightList& lights,
-      const DrawOptions& options = {}) requires(detail::Lit<Lighting>) {
+  [[nodiscard]] static consteval PreparedMaterial of(const Material& material, const LightList& lights,
+                                                     const DrawOptions& options = {}) requires requires {
+    Lighting::kLights;
+  }
+  {
     PreparedMaterial prepared;
     if (!ok(make(material, lights, options, prepared))) detail::constant_refused();
     return prepared;
@@ -132,8 +140,10 @@ class PreparedMaterial : public SceneMaterial {
 
   [[nodiscard]] constexpr const Lighting& lighting() const { return lighting_; }
 
+  /// @cond for draw_mesh() and draw_scene(), not in the reference
   /// Sets `lighting` to this material under the lights of one object. Returns kLightChanged as Use states.
   [[nodiscard]] constexpr Status light(const detail::ObjectLights& seen, Lighting& lighting) const;
+  /// @endcond
 
  private:
   struct Nothing {};
@@ -197,6 +207,7 @@ constexpr Status PreparedMaterial<M>::make(const Material& material, const Light
   return Status::kOk;
 }
 
+/// @cond
 template <class M>
 constexpr Status PreparedMaterial<M>::light(const detail::ObjectLights& seen, Lighting& lighting) const {
   using Illumination = detail::IlluminationOf<Lighting>;
@@ -219,5 +230,6 @@ constexpr Status PreparedMaterial<M>::light(const detail::ObjectLights& seen, Li
   if constexpr (!kSingleLight) lighting.set_strengths(lights);
   return Status::kOk;
 }
+/// @endcond
 
 }  // namespace arcspan

@@ -237,7 +237,7 @@ TEST_CASE("glTF: what is not drawn is named once") {
   gltf["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
   gltf["materials"][0]["alphaMode"] = "BLEND";
   gltf["materials"][0]["extensions"] = {{"KHR_materials_clearcoat", json::object()}};
-  gltf["animations"] = {json::object()};
+  gltf["animations"] = json::array({json::object()});
   gltf["nodes"][0]["skin"] = 0;
   gltf["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 0}});
   CHECK(

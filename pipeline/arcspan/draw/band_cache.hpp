@@ -14,8 +14,8 @@
 
 namespace arcspan {
 
-/// What draw_mesh() keeps of one object from band to band of a picture: the transformed and shaded vertices,
-/// and the rows of its triangles. Memory is the caller's:
+/// The cache in which draw_mesh() keeps one object from band to band of a picture: its transformed and shaded
+/// vertices, and the rows of its triangles. Memory is the caller's:
 ///
 /// - `vertices`: at least as many as the mesh has.
 /// - `rows`: at least as many as the mesh has triangles, or none. A triangle of another band then costs 7

@@ -43,8 +43,8 @@ struct SmallSpan {
   std::uint8_t count;
 };
 
-/// What the span stage needs of a small triangle besides its shading. It consists of integers, like a
-/// TriangleCommand, which docs/triangle-command.md describes.
+/// The command of a small triangle for the span stage, without its shading. It consists of integers, like a
+/// TriangleCommand; docs/triangle-command.md describes both.
 struct SmallTriangle {
   /// Pixels: the box's first column and row, relative to the raster origin, and its size.
   std::int32_t column;

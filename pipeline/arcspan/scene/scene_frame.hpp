@@ -15,7 +15,7 @@
 
 namespace arcspan {
 
-/// What is drawn, and from where. It refers to the caller's memory.
+/// A camera, lights and objects, which draw_scene() draws. All three belong to the caller.
 struct Scene {
   const Camera& camera;
   LightList lights;

@@ -87,7 +87,7 @@ struct ObjectLights {
 
 }  // namespace detail
 
-/// What an object is made of, of any shading method: the base of PreparedMaterial.
+/// The base of all PreparedMaterial types: the part of a material that does not depend on the shading method.
 class SceneMaterial {
  public:
   /// @cond for draw_mesh() and draw_scene(), not in the reference
@@ -147,7 +147,8 @@ class PreparedMaterial : public SceneMaterial {
 
  private:
   struct Nothing {};
-  /// What a changed single light is noticed by, and what the material is then made of.
+  /// Data of methods with a single light: the weights of the light that the material was made for, by which
+  /// light() detects another one, and the material from which it is made again if Use allows that.
   struct SingleLight {
     detail::ChannelWeights weights{};
     std::conditional_t<Used::kChangingLight, Material, Nothing> material{};

@@ -100,7 +100,7 @@ TEST_CASE("a repeated frame is the same frame, and so are its figures") {
   built.job.counts = false;
   const RenderResult uncounted = arc.render(built.job, [](std::size_t) {});
   CHECK(uncounted.image == once.image);
-  // Of the fullest of three bands.
+  // Without counting, `triangles` is that of the fullest of the three bands.
   CHECK(uncounted.stats.triangles < once.stats.triangles);
   CHECK(3 * uncounted.stats.triangles >= once.stats.triangles);
   CHECK(uncounted.stats.spans == 0);

@@ -144,8 +144,8 @@ TEST_CASE("with no highlight in reach recurrence steps two scalars and looks up 
 
 TEST_CASE("adaptive takes no more operations than arc, apart from its choice of a method") {
   constexpr double kChoice = 1.004;  // where every triangle is too wide for anything else
-  // Of two lights, where a triangle has a pixel or two: which of them reach it, and with what highlights.
-  constexpr double kChoiceOfTwo = 1.04;
+  // With two lights adaptive also finds the lights that reach a triangle, which shows in small triangles.
+  constexpr double kChoiceOfTwo = 1.012;
   for (const char* name : {"sphere:8x4", "sphere:16x8", "sphere:48x24", "torus:48x24", "torus:12x6"}) {
     const FixedMesh mesh = to_fixed(generate(*parse_generated_mesh(name)));
     for (const std::int32_t width : {80, 320, 1000}) {

@@ -34,7 +34,7 @@ struct ReferenceIllumination {
   Vec3 to_eye;
 
   ReferenceIllumination() = default;
-  /// Of one part of a job.
+  /// The illumination of one part of a job, which has `material`.
   ReferenceIllumination(const RenderJob& job, const Material& material);
   [[nodiscard]] ChannelLevels levels(Vec3 normal) const;
 };

@@ -55,7 +55,7 @@ class FixedMeshes : public std::span<const FixedMesh> {
 /// Centres and scales `mesh` so that its largest extent fills 16 bits, and rounds.
 [[nodiscard]] FixedMesh to_fixed(const MeshData& mesh);
 
-/// The same for the parts of a model together.
+/// Centres and scales all parts of `model` alike, so that its largest extent fills 16 bits, and rounds.
 [[nodiscard]] FixedModel to_fixed(const Model& model);
 
 /// The same mesh with the planes of its triangles; throws as FixedMesh::view() does.

@@ -142,7 +142,8 @@ struct Adaptive : Arc<Illumination> {
                                                               c.shade.scalars, arc_headroom(chords.widest()));
       shines = nearest < lighting.half_tolerance_reach();
       std::uint32_t lit = 0;
-      if (!shines && lighting.lit_throughout(a.shade.scalars, b.shade.scalars, c.shade.scalars, lit)) {
+      if (!shines && chords.widest() <= kWidestBounded &&
+          lighting.lit_throughout(a.shade.scalars, b.shade.scalars, c.shade.scalars, lit)) {
         const LinearLevels levels(chords, lighting.diffuse_scalar(a.shade.scalars, lit),
                                   lighting.diffuse_scalar(b.shade.scalars, lit),
                                   lighting.diffuse_scalar(c.shade.scalars, lit));

@@ -14,8 +14,8 @@
 
 namespace arcspan {
 
-/// What the weights of an arc's ends exceed those of its chord by. The point at the fraction t of an arc of
-/// the angle psi is (S0 eq. 2)
+/// The differences between the weights of an arc's two ends and those of its chord. The point at the fraction
+/// t of an arc of the angle psi is (S0 eq. 2)
 ///
 ///     sin((1 - t) psi) / sin(psi) A + sin(t psi) / sin(psi) B,
 ///     sin(t psi) / sin(psi) = t + t (1 - t^2) (rise - bend t^2)

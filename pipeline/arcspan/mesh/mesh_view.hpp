@@ -3,6 +3,7 @@
 
 #include <arcspan/mesh/face_plane.hpp>
 #include <arcspan/mesh/packed_normal.hpp>
+#include <arcspan/mesh/texture_point.hpp>
 #include <arcspan/status.hpp>
 
 #include <cstddef>
@@ -82,6 +83,18 @@ class MeshView {
     return view;
   }
 
+  /// Attaches a texture point for each vertex, 4 bytes each. Returns kInvalidArgument, and changes nothing,
+  /// if their number is not that of vertices or the scale is out of range. Without them all points are (0,
+  /// 0).
+  constexpr Status attach(std::span<const TexturePoint> points, const TextureScale& scale);
+  /// A copy with attach() done, as a constant. Points that attach() rejects do not compile.
+  [[nodiscard]] consteval MeshView with(std::span<const TexturePoint> points,
+                                        const TextureScale& scale) const {
+    MeshView view = *this;
+    if (!ok(view.attach(points, scale))) detail::constant_refused();
+    return view;
+  }
+
   /// A view of `count` triangles from `first` on, with all vertices. What is beyond the last triangle is left
   /// out.
   [[nodiscard]] constexpr MeshView part(std::size_t first, std::size_t count) const {
@@ -104,6 +117,12 @@ class MeshView {
   /// Position and normal of vertex `i`, which must be below vertex_count().
   [[nodiscard]] constexpr const ObjectPosition& position(std::size_t i) const { return positions_[i]; }
   [[nodiscard]] constexpr PackedNormal normal(std::size_t i) const { return normals_[i]; }
+
+  /// Texture point of vertex `i`, which must be below vertex_count().
+  [[nodiscard]] constexpr TexturePoint texture_point(std::size_t i) const {
+    return texture_points_ == nullptr ? TexturePoint{} : texture_points_[i];
+  }
+  [[nodiscard]] constexpr const TextureScale& texture_scale() const { return texture_scale_; }
 
   /// The vertices of triangle `i`, which must be below triangle_count().
   [[nodiscard]] constexpr TriangleIndices triangle(std::size_t i) const {
@@ -131,6 +150,8 @@ class MeshView {
   std::size_t triangle_count_ = 0;
   const FacePlane* planes_ = nullptr;
   PlaneScale plane_scale_{};
+  TextureScale texture_scale_{};
+  const TexturePoint* texture_points_ = nullptr;
 };
 
 namespace detail {
@@ -187,6 +208,16 @@ constexpr Status MeshView::attach(std::span<const FacePlane> planes, const Plane
   }
   planes_ = planes.data();
   plane_scale_ = scale;
+  return Status::kOk;
+}
+
+constexpr Status MeshView::attach(std::span<const TexturePoint> points, const TextureScale& scale) {
+  if (points.size() != vertex_count_ || scale.fraction_bits < TextureScale::kLeastBits ||
+      scale.fraction_bits > TextureScale::kMostBits) {
+    return Status::kInvalidArgument;
+  }
+  texture_points_ = points.data();
+  texture_scale_ = scale;
   return Status::kOk;
 }
 

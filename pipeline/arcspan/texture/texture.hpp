@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/status.hpp>
+#include <arcspan/texture/texel_formats.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan {
+
+/// The size of a texture: width and height as powers of two, and how many mip levels it has. Level i is 2^-i
+/// times as wide and high as level 0, which is the picture itself.
+struct TextureSize {
+  static constexpr unsigned kLeastBits = 3;  ///< 8 texels
+  static constexpr unsigned kMostBits = 10;  ///< 1024 texels
+
+  std::uint8_t width_bits = 0;
+  std::uint8_t height_bits = 0;
+  std::uint8_t levels = 1;
+
+  friend constexpr bool operator==(const TextureSize&, const TextureSize&) = default;
+
+  /// True if both sides have 8...1024 texels and no level has a side below one texel.
+  [[nodiscard]] constexpr bool valid() const {
+    const unsigned less = width_bits < height_bits ? width_bits : height_bits;
+    const unsigned more = width_bits < height_bits ? height_bits : width_bits;
+    return less >= kLeastBits && more <= kMostBits && levels >= 1 && levels <= less + 1;
+  }
+  /// The number of texels of levels 0 ... count - 1.
+  [[nodiscard]] constexpr std::uint32_t texels(unsigned count) const {
+    std::uint32_t sum = 0;
+    for (unsigned i = 0; i < count; ++i) sum += std::uint32_t{1} << (width_bits + height_bits - 2 * i);
+    return sum;
+  }
+};
+
+/// A picture that is mapped onto triangles, in the caller's memory, usually flash, which must outlive it.
+/// Nothing is copied. The levels follow each other, each row by row from the top left texel on.
+template <TexelFormat Texels>
+class Texture {
+ public:
+  using Format = Texels;
+  using Word = typename Texels::Word;
+
+  /// Black, 8×8 texels. A place for make().
+  constexpr Texture() = default;
+
+  /// The words that the levels of a texture take.
+  [[nodiscard]] static constexpr std::size_t words(const TextureSize& size) {
+    constexpr std::size_t kWordBits = 8 * sizeof(Word);
+    return (std::size_t{size.texels(size.levels)} * Texels::kBits + kWordBits - 1) / kWordBits;
+  }
+
+  /// Makes a texture of `words`, and of a palette if the format has one. Returns:
+  ///
+  ///   kOk                `texture` is set; otherwise it is not changed
+  ///   kInvalidArgument   the size is not valid(), or a palette is given that has no use
+  ///   kBufferTooSmall    there are fewer words than words(size), or fewer colours than kPaletteSize
+  static constexpr Status make(std::span<const Word> words, const TextureSize& size, Texture& texture,
+                               std::span<const std::uint16_t> palette = {}) {
+    if (!size.valid() || (Texels::kPaletteSize == 0 && !palette.empty())) return Status::kInvalidArgument;
+    if (words.size() < Texture::words(size) || palette.size() < Texels::kPaletteSize) {
+      return Status::kBufferTooSmall;
+    }
+    texture.words_ = words.data();
+    texture.palette_ = palette.data();
+    texture.size_ = size;
+    return Status::kOk;
+  }
+
+  /// make() as a constant. Arguments that make() rejects do not compile.
+  [[nodiscard]] static consteval Texture of(std::span<const Word> words, const TextureSize& size,
+                                            std::span<const std::uint16_t> palette = {}) {
+    Texture texture;
+    if (!ok(make(words, size, texture, palette))) detail::constant_refused();
+    return texture;
+  }
+
+  [[nodiscard]] constexpr const TextureSize& size() const { return size_; }
+  /// The words that begin with texel `first`, an even number in formats of 4 bits.
+  [[nodiscard]] constexpr const Word* at(std::uint32_t first) const {
+    return words_ + first * Texels::kBits / (8 * sizeof(Word));
+  }
+  [[nodiscard]] constexpr const std::uint16_t* palette() const { return palette_; }
+
+ private:
+  static constexpr Word kBlack[64] = {};
+  static constexpr std::uint16_t kBlackPalette[Texels::kPaletteSize == 0 ? 1 : Texels::kPaletteSize] = {};
+
+  const Word* words_ = kBlack;
+  const std::uint16_t* palette_ = kBlackPalette;
+  TextureSize size_{3, 3, 1};
+};
+
+}  // namespace arcspan

@@ -51,10 +51,10 @@ concept TexelColour = requires(std::uint16_t stored) {
 
 /// A format of texels: how they lie in memory. `Word` is the memory word and kBits the bits of a texel;
 /// kPaletteSize is the number of a palette's colours, 0 without one. `stored` returns texel `index` of a
-/// level as a Colour stores it.
+/// level as its ColourFormat stores it.
 template <TexelColour C = OpaqueColour>
 struct DirectTexels {
-  using Colour = C;
+  using ColourFormat = C;
   using Word = std::uint16_t;
   static constexpr unsigned kBits = 16;
   static constexpr std::size_t kPaletteSize = 0;
@@ -67,7 +67,7 @@ struct DirectTexels {
 /// 8 bits per texel, the index of a colour in a palette.
 template <TexelColour C = OpaqueColour>
 struct Palette8Texels {
-  using Colour = C;
+  using ColourFormat = C;
   using Word = std::uint8_t;
   static constexpr unsigned kBits = 8;
   static constexpr std::size_t kPaletteSize = 256;
@@ -81,7 +81,7 @@ struct Palette8Texels {
 /// 4 bits per texel, the left one of two in the upper bits.
 template <TexelColour C = OpaqueColour>
 struct Palette4Texels {
-  using Colour = C;
+  using ColourFormat = C;
   using Word = std::uint8_t;
   static constexpr unsigned kBits = 4;
   static constexpr std::size_t kPaletteSize = 16;
@@ -94,7 +94,7 @@ struct Palette4Texels {
 
 /// 8 bits per texel, a grey level.
 struct GrayTexels {
-  using Colour = OpaqueColour;
+  using ColourFormat = OpaqueColour;
   using Word = std::uint8_t;
   static constexpr unsigned kBits = 8;
   static constexpr std::size_t kPaletteSize = 0;
@@ -106,7 +106,7 @@ struct GrayTexels {
 };
 
 template <class T>
-concept TexelFormat = TexelColour<typename T::Colour> &&
+concept TexelFormat = TexelColour<typename T::ColourFormat> &&
     requires(const typename T::Word* words, const std::uint16_t* palette, std::uint32_t index) {
   { T::kBits } -> std::convertible_to<unsigned>;
   { T::kPaletteSize } -> std::convertible_to<std::size_t>;

@@ -119,7 +119,7 @@ class TriangleDrawer {
       draw_clipped(t);
     } else if (is_within_scissor(p, q, r)) {
       if (two_sided() && doubled_area(p, q, r) > 0) {
-        draw_back(t, p, q, r);
+        draw_back(t, a.raster, b.raster, c.raster);
       } else {
         if constexpr (!std::is_empty_v<typename Method::Vertex>) {
           stage_.shade(t.a, a);
@@ -136,15 +136,22 @@ class TriangleDrawer {
   }
 
   /// Draws the back of a triangle. Few meshes show backs, so their shading is not cached.
-  ARCSPAN_COLD_OUTLINE void draw_back(const TriangleIndices& t, const RasterPosition& p,
-                                      const RasterPosition& q, const RasterPosition& r) {
-    Raster a{p, {}};
-    Raster b{q, {}};
-    Raster c{r, {}};
+  ARCSPAN_COLD_OUTLINE void draw_back(const TriangleIndices& t, const Raster& p, const Raster& q,
+                                      const Raster& r) {
+    Raster a = unshaded(p);
+    Raster b = unshaded(q);
+    Raster c = unshaded(r);
     stage_.shade(t.a, Facing::kBack, a.shade);
     stage_.shade(t.b, Facing::kBack, b.shade);
     stage_.shade(t.c, Facing::kBack, c.shade);
     draw_side(t, a, b, c, Facing::kBack);
+  }
+
+  [[nodiscard]] static Raster unshaded(const Raster& vertex) {
+    Raster copy{};
+    copy.position = vertex.position;
+    if constexpr (NeedsNearOverW<Method>) copy.near_over_w = vertex.near_over_w;
+    return copy;
   }
 
   /// Draws a triangle across the near plane or the guard band.

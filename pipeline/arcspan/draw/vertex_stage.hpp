@@ -22,6 +22,13 @@ struct CachedVertex {
   bool shaded;
 };
 
+/// Optional part of a method: set_vertex_data(mesh, i, vertex) sets what vertex i has in the mesh besides its
+/// normal.
+template <class M>
+concept TakesVertexData = requires(const MeshView& mesh, std::size_t i, typename M::Vertex& vertex) {
+  {M::set_vertex_data(mesh, i, vertex)};
+};
+
 namespace detail {
 
 /// Outcode of a cached vertex that has not been transformed.
@@ -46,11 +53,20 @@ class VertexStage {
     return transform_(mesh_.position(i));
   }
 
+  /// Sets where a vertex inside the clip volume is on the screen.
+  ARCSPAN_INLINE void place(const ClipPosition& position, RasterVertex<Method>& vertex) const {
+    if constexpr (NeedsNearOverW<Method>) {
+      vertex.position = project(position, transform_, vertex.near_over_w.value);
+    } else {
+      vertex.position = project(position, transform_);
+    }
+  }
+
   /// Transforms vertex i of the mesh; it is not shaded yet.
   ARCSPAN_INLINE void transform(std::size_t i, CachedVertex<Method>& vertex) const {
     const ClipPosition position = clip_position(i);
     vertex.outcode = outcode(position, transform_.near_w());
-    if (vertex.outcode == kInside) vertex.raster.position = project(position, transform_);
+    if (vertex.outcode == kInside) place(position, vertex.raster);
     vertex.shaded = false;
   }
 
@@ -61,7 +77,7 @@ class VertexStage {
 
   /// Transforms vertex i of a mesh that is known to be in view.
   ARCSPAN_OUTLINE void transform_inside(std::size_t i, CachedVertex<Method>& vertex) const {
-    vertex.raster.position = project(clip_position(i), transform_);
+    place(clip_position(i), vertex.raster);
     vertex.outcode = kInside;
     vertex.shaded = false;
   }
@@ -77,6 +93,7 @@ class VertexStage {
   ARCSPAN_OUTLINE void shade(std::size_t i, Facing facing, typename Method::Vertex& shade) const {
     const Direction normal = unpack_normal(mesh_.normal(i));
     shade = Method::shade_vertex(lighting_, facing == Facing::kBack ? -normal : normal);
+    if constexpr (TakesVertexData<Method>) Method::set_vertex_data(mesh_, i, shade);
   }
 
  private:

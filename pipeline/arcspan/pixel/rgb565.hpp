@@ -3,10 +3,10 @@
 
 #include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/pixel/cursor.hpp>
-#include <arcspan/pixel/fine_rgb.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/target.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -41,11 +41,12 @@ struct Rgb565 {
     const std::uint32_t levels = c.red_blue & 0x7C007C00u;  // one shift per channel; the other one falls out
     return static_cast<Encoded>((levels >> 15) | (levels >> 10) | ((c.green >> 25) << 5));
   }
-  /// encode(c.packed()), directly from the words.
-  template <bool Joined>
-  [[nodiscard]] static constexpr Encoded encode(const BasicFineRgb<Joined>& c) {
-    return c.rgb565();
+  /// encode(c.packed()), directly from the words, of a colour that knows how (BasicFineRgb, LitTexel).
+  template <class C>
+  requires requires(const C& c) {
+    { c.rgb565() } -> std::same_as<std::uint16_t>;
   }
+  [[nodiscard]] static constexpr Encoded encode(const C& c) { return c.rgb565(); }
   [[nodiscard]] static constexpr Encoded encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
     return encode(Rgb8{dithered<5>(c.r, x, y), dithered<6>(c.g, x, y), dithered<5>(c.b, x, y)});
   }

@@ -10,11 +10,26 @@
 
 namespace arcspan {
 
+/// Optional part of a method (`kNeedsNearOverW`): its vertices have near/w, for attributes in perspective.
+template <class M>
+concept NeedsNearOverW = bool{M::kNeedsNearOverW};
+
+/// near/w of a vertex, 29 fraction bits, 0...1.
+struct NearOverW {
+  std::int32_t value;
+};
+
 /// Input vertex of triangle preparation: its position on the screen and the shading method's data.
 template <class Method>
 struct RasterVertex {
   RasterPosition position;
   typename Method::Vertex shade;
+};
+template <NeedsNearOverW Method>
+struct RasterVertex<Method> {
+  RasterPosition position;
+  typename Method::Vertex shade;
+  NearOverW near_over_w;
 };
 
 /// The rows to be drawn of a viewport, first ... end - 1, relative to the raster origin.

@@ -20,8 +20,8 @@ struct Flat {
     return lighting.colour(lighting.scalars(normal));
   }
   [[nodiscard]] static constexpr Vertex between(const Vertex&, const Vertex&, Factor) { return {}; }
-  static constexpr void prepare(const Lighting&, const TriangleFrame<Flat>&, const Face& face,
-                                Prepared& prepared) {
+  template <class Frame>
+  static constexpr void prepare(const Lighting&, const Frame&, const Face& face, Prepared& prepared) {
     prepared = face;
   }
 

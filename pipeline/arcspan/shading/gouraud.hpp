@@ -36,8 +36,8 @@ struct Gouraud {
     return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
   }
 
-  static constexpr void prepare(const Lighting&, const TriangleFrame<Gouraud>& frame, const Face&,
-                                Prepared& prepared) {
+  template <class Frame>
+  static constexpr void prepare(const Lighting&, const Frame& frame, const Face&, Prepared& prepared) {
     const Vertex& top = frame.top->shade;
     const Vertex& middle = frame.middle->shade;
     const Vertex& bottom = frame.bottom->shade;
@@ -101,7 +101,8 @@ struct Gouraud {
  private:
   /// Makes the plane of a channel and adds half an 8-bit step, so that dropping bits rounds. As the half step
   /// is far larger than the error of a plane, no value leaves 0...256 8-bit steps and no pixel is clamped.
-  static constexpr void make_plane(const TriangleFrame<Gouraud>& frame, std::int32_t top, std::int32_t middle,
+  template <class Frame>
+  static constexpr void make_plane(const Frame& frame, std::int32_t top, std::int32_t middle,
                                    std::int32_t bottom, FullLinearPlane& plane) {
     constexpr auto kHalf = FullLinear::from_raw(std::int32_t{1} << (FineRgb::kFraction - 1));
     make_linear_plane(frame, top, middle, bottom, plane);

@@ -46,6 +46,14 @@ concept SegmentedRunOf = SegmentedRun<R> && requires(R run, const Lighting& ligh
   { run.enter(lighting, count) } -> std::same_as<std::int32_t>;
 };
 
+/// A run that computes something anew in every piece of a row. begin() is called first, then enter() before
+/// each piece: it gets the number of pixels left and returns the length of the piece, 1 up to that number.
+template <class R, class Lighting>
+concept PiecewiseRun = PixelRun<R, Lighting> && requires(R run, const Lighting& lighting, std::int32_t left) {
+  {run.begin(lighting)};
+  { run.enter(left) } -> std::same_as<std::int32_t>;
+};
+
 /// Walks down the rows of a command. `row()` returns the run of the current row; `next_row()` steps down;
 /// `enter_lower()` changes to the lower short edge. A walker may change the command's prepared part. Walkers
 /// and runs belong to the span stage: they do not divide.

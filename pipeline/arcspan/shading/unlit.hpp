@@ -17,7 +17,8 @@ struct Unlit {
   [[nodiscard]] static constexpr Vertex shade_vertex(const Lighting&, const Direction&) { return {}; }
   [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }
   [[nodiscard]] static constexpr Vertex between(const Vertex&, const Vertex&, Factor) { return {}; }
-  static constexpr void prepare(const Lighting&, const TriangleFrame<Unlit>&, const Face&, Prepared&) {}
+  template <class Frame>
+  static constexpr void prepare(const Lighting&, const Frame&, const Face&, Prepared&) {}
 
   /// The Lighting that draws in `colour`: each channel with the half step that PackedRgb includes.
   [[nodiscard]] static constexpr Lighting lighting(Rgb8 colour) {

@@ -43,7 +43,8 @@ template <class Command, class Walker, class Target>
   if constexpr (LimitedRun<typename Walker::Run>) {
     if (span.count > run.length()) span.count = run.length();
   }
-  if constexpr (IndexedRows<Target> && !SegmentedRun<typename Walker::Run>) {
+  if constexpr (IndexedRows<Target> && !SegmentedRun<typename Walker::Run> &&
+                !PiecewiseRun<typename Walker::Run, typename Target::Lighting>) {
     PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span),
                              linear_at(command.depth, start)};
     draw_pixels(place, span, run, target, command.depth.dx);
@@ -52,6 +53,8 @@ template <class Command, class Walker, class Target>
                              linear_at(command.depth, start)};
     if constexpr (SegmentedRun<typename Walker::Run>) {
       draw_segments(place, span, run, target, command.depth.dx);
+    } else if constexpr (PiecewiseRun<typename Walker::Run, typename Target::Lighting>) {
+      draw_pieces(place, span, run, target, command.depth.dx);
     } else {
       draw_pixels(place, span, run, target, command.depth.dx);
     }

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/colour.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstdint>
+
+namespace arcspan {
+
+/// The light of a pixel as a textured method gets it: the part that the texel reflects, and the highlight,
+/// which is added to it.
+struct PixelLight {
+  PackedRgb diffuse;    ///< of a white surface; includes half an 8-bit step as every PackedRgb
+  PackedRgb highlight;  ///< without the half step
+};
+
+/// Which colours the light on a texture may have.
+enum class TexelLight : std::uint8_t {
+  kNone,      ///< texels keep their colours: signs, emitters, light that is painted into the texture
+  kGrey,      ///< all channels of ambient and diffuse light are equal; one product per pixel
+  kColoured,  ///< one product per channel
+};
+
+namespace detail {
+
+/// A 5-6-5 pixel spread over a word: g in bits 26...21, r in 15...11, b in 4...0. Each channel then has five
+/// fraction bits below it, or a bit for a carry above it.
+inline constexpr std::uint32_t kSpreadMask = 0x07E0F81F;
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t spread(std::uint32_t rgb565) {
+  return (rgb565 | (rgb565 << 16)) & kSpreadMask;
+}
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t joined(std::uint32_t spread) {
+  return static_cast<std::uint16_t>(spread | (spread >> 16));
+}
+/// The sum of two spread pixels, saturated.
+[[nodiscard]] constexpr std::uint32_t saturated_sum(std::uint32_t a, std::uint32_t b) {
+  constexpr std::uint32_t kRedBlueCarries = 0x00010020;
+  constexpr std::uint32_t kGreenCarry = 0x08000000;
+  const std::uint32_t sum = a + b;
+  const std::uint32_t red_blue = sum & kRedBlueCarries;
+  const std::uint32_t green = sum & kGreenCarry;
+  return (sum | (red_blue - (red_blue >> 5)) | (green - (green >> 6))) & kSpreadMask;
+}
+/// A PackedRgb without half step as a spread pixel, rounded.
+[[nodiscard]] constexpr std::uint32_t spread(PackedRgb c) {
+  const auto five = [](std::uint32_t v) { return v > 1007 ? 31u : (v + 16) >> 5; };
+  const std::uint32_t green = c.lanes >> 22;
+  return ((green > 1015 ? 63u : (green + 8) >> 4) << 21) | (five((c.lanes >> 11) & 1023u) << 11) |
+         five(c.lanes & 1023u);
+}
+
+/// A channel of a texel as 8 bits, from its 5 or 6.
+[[nodiscard]] constexpr std::uint32_t texel_red(std::uint32_t rgb565) {
+  return ((rgb565 >> 8) & 0xF8u) | (rgb565 >> 13);
+}
+[[nodiscard]] constexpr std::uint32_t texel_green(std::uint32_t rgb565) {
+  return ((rgb565 >> 3) & 0xFCu) | ((rgb565 >> 9) & 3u);
+}
+[[nodiscard]] constexpr std::uint32_t texel_blue(std::uint32_t rgb565) {
+  return ((rgb565 << 3) & 0xF8u) | ((rgb565 >> 2) & 7u);
+}
+
+/// texel * light for a channel: 8 bits times a PackedRgb channel, as a PackedRgb channel.
+[[nodiscard]] constexpr std::uint32_t lit_channel(std::uint32_t texel, std::uint32_t light) {
+  // The half step of the light is left out of the product, and added once. 257 / 2^16 is 1 / 255.
+  const std::uint32_t above = light < 2 ? 0 : light - 2;
+  return ((texel * above * 257u + 0x8000u) >> 16) + 2;
+}
+
+}  // namespace detail
+
+/// The colour of a texel that keeps its colour (PackableColour).
+struct UnlitTexel {
+  std::uint16_t texel;
+
+  [[nodiscard]] constexpr std::uint16_t rgb565() const { return texel; }
+  [[nodiscard]] constexpr PackedRgb packed() const {
+    return PackedRgb::of(4 * detail::texel_red(texel) + 2, 4 * detail::texel_green(texel) + 2,
+                         4 * detail::texel_blue(texel) + 2);
+  }
+};
+
+/// The colour of a texel under light (PackableColour). As a 5-6-5 pixel it is computed in one word, with
+/// light of 33 levels if that is grey; as other formats with all bits. Both are rounded.
+template <TexelLight Colours>
+struct LitTexel {
+  std::uint16_t texel;
+  PixelLight light;
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
+    std::uint32_t lit;
+    if constexpr (Colours == TexelLight::kGrey) {
+      const std::uint32_t level = ((light.diffuse.lanes >> 22) + 16) >> 5;  // 0...32
+      constexpr std::uint32_t kHalf = (16u << 21) | (16u << 11) | 16u;
+      lit = ((detail::spread(texel) * level + kHalf) >> 5) & detail::kSpreadMask;
+    } else {
+      // 0...1022 of the light becomes 0...1025, so that full light keeps the texel.
+      const auto level = [](std::uint32_t v) { return v + (v >> 8); };
+      const std::uint32_t green = (texel >> 5 & 63u) * level(light.diffuse.lanes >> 22) + 512;
+      const std::uint32_t red = (texel >> 11) * level((light.diffuse.lanes >> 11) & 1023u) + 512u;
+      const std::uint32_t blue = (texel & 31u) * level(light.diffuse.lanes & 1023u) + 512;
+      lit = ((green >> 10) << 21) | ((red >> 10) << 11) | (blue >> 10);
+    }
+    if (light.highlight.lanes != 0) lit = detail::saturated_sum(lit, detail::spread(light.highlight));
+    return detail::joined(lit);
+  }
+  [[nodiscard]] constexpr PackedRgb packed() const {
+    const std::uint32_t green = light.diffuse.lanes >> 22;
+    const bool grey = Colours == TexelLight::kGrey;
+    const std::uint32_t red = grey ? green : (light.diffuse.lanes >> 11) & 1023u;
+    const std::uint32_t blue = grey ? green : light.diffuse.lanes & 1023u;
+    const PackedRgb lit = PackedRgb::of(detail::lit_channel(detail::texel_red(texel), red),
+                                        detail::lit_channel(detail::texel_green(texel), green),
+                                        detail::lit_channel(detail::texel_blue(texel), blue));
+    return lit.plus(light.highlight);
+  }
+};
+
+}  // namespace arcspan

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/integer.hpp>
+#include <arcspan/numbers/reciprocal.hpp>
+#include <arcspan/prepare/row_start.hpp>
+#include <arcspan/shading/textured/texture_triangle.hpp>
+#include <arcspan/target.hpp>
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan {
+
+namespace detail {
+
+/// Entry n is 2^30 / n, rounded down; entry 0 is not used.
+consteval std::array<std::int32_t, TextureTriangle::kLongestPiece + 1> make_piece_inverses() {
+  std::array<std::int32_t, TextureTriangle::kLongestPiece + 1> table{};
+  for (std::size_t n = 1; n < table.size(); ++n) table[n] = static_cast<std::int32_t>((1u << 30) / n);
+  return table;
+}
+inline constexpr auto kPieceInverses = make_piece_inverses();
+
+}  // namespace detail
+
+/// The texels of a row's pixels. u and v share a word of 64 bits that one addition steps: from the top, the
+/// column of the texel in `width_bits`, its fraction, the row of the texel in `height_bits`, its fraction of
+/// 32 bits. Both repeat by wrapping; a carry of v changes the last fraction bit of u. A rotation of the upper
+/// half brings row and column together as the index of the texel.
+class TexelSteps {
+ public:
+  constexpr void set_size(unsigned width_bits, unsigned height_bits) {
+    height_bits_ = height_bits;
+    rotation_ = static_cast<int>(width_bits);
+    mask_ = (std::uint32_t{1} << (width_bits + height_bits)) - 1;
+  }
+  /// Starts at u and v, fractions of a repetition in 32 bits.
+  constexpr void start(std::uint32_t u, std::uint32_t v) { at_ = joined(u, v); }
+  /// Sets the change of u and v per pixel, signed.
+  constexpr void set_step(std::int32_t u, std::int32_t v) {
+    // Rounded to what is left of u beside v.
+    const std::uint32_t half = (std::uint32_t{1} << height_bits_) >> 1;
+    const std::uint64_t upper = (static_cast<std::uint32_t>(u) + half) & ~row_mask();
+    step_ = (upper << 32) + (static_cast<std::uint64_t>(std::int64_t{v}) << height_bits_);
+  }
+  /// The index of the current texel in its level.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t index() const {
+    return std::rotl(static_cast<std::uint32_t>(at_ >> 32), rotation_) & mask_;
+  }
+  ARCSPAN_INLINE constexpr void next() { at_ += step_; }
+  /// u and v of the current pixel, fractions of a repetition in 32 bits. The last height_bits of u are 0.
+  [[nodiscard]] constexpr std::uint32_t u() const {
+    return static_cast<std::uint32_t>(at_ >> 32) & ~row_mask();
+  }
+  [[nodiscard]] constexpr std::uint32_t v() const { return static_cast<std::uint32_t>(at_ >> height_bits_); }
+
+ private:
+  [[nodiscard]] constexpr std::uint32_t row_mask() const { return (std::uint32_t{1} << height_bits_) - 1; }
+  [[nodiscard]] constexpr std::uint64_t joined(std::uint32_t u, std::uint32_t v) const {
+    return (std::uint64_t{u & ~row_mask()} << 32) + (std::uint64_t{v} << height_bits_);
+  }
+
+  std::uint64_t at_;
+  std::uint64_t step_;
+  unsigned height_bits_;
+  int rotation_;
+  std::uint32_t mask_;
+};
+
+/// u and v along a row of a triangle, in pieces over which they are linear: the whole row, or as many pixels
+/// as keep the error of perspective below half a texel. At the ends of pieces u = (u/w) / (1/w), by a table
+/// of reciprocals.
+class TextureRow {
+ public:
+  /// Starts at a row's first pixel.
+  ARCSPAN_INLINE constexpr void start(const TextureTriangle& t, const RowStart& row) {
+    triangle_ = &t;
+    u_ = linear_at(t.u, row).raw();
+    v_ = linear_at(t.v, row).raw();
+    steps_.set_size(t.width_bits, t.height_bits);
+    if (t.piece == 0) {
+      steps_.start(word(t.u_origin, u_), word(t.v_origin, v_));
+      steps_.set_step(wrap_shl(t.u.dx.raw(), t.word_shift), wrap_shl(t.v.dx.raw(), t.word_shift));
+    } else {
+      start_in_perspective(row);
+    }
+  }
+  /// Begins the next piece of a row of which `left` pixels are left, at least 1. Returns its length.
+  ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) {
+    if (triangle_->piece == 0) return left;
+    return enter_in_perspective(left);
+  }
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t index() const { return steps_.index(); }
+  ARCSPAN_INLINE constexpr void next() { steps_.next(); }
+  [[nodiscard]] constexpr const TexelSteps& steps() const { return steps_; }
+  [[nodiscard]] constexpr const TextureTriangle& triangle() const { return *triangle_; }
+
+ private:
+  /// Relative u and v, 28 fraction bits.
+  struct Relative {
+    std::int32_t u;
+    std::int32_t v;
+  };
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t word(std::uint32_t origin,
+                                                            std::int32_t relative) const {
+    return origin + static_cast<std::uint32_t>(wrap_shl(relative, triangle_->word_shift));
+  }
+  /// u and v at the current pixel, by division.
+  [[nodiscard]] ARCSPAN_INLINE constexpr Relative divided() const {
+    // Rounding may lower 1/w below the least of the vertices, by far less than half of it.
+    const std::int32_t least = triangle_->least_q >> 1;
+    const auto q = static_cast<std::uint32_t>(q_ < least ? least : q_);
+    const int zeros = std::countl_zero(q | 1u);
+    const auto inverse = static_cast<std::int32_t>(detail::reciprocal_mantissa(q << zeros) << 14);
+    return {multiply_high(wrap_shl(u_, zeros - 1), inverse), multiply_high(wrap_shl(v_, zeros - 1), inverse)};
+  }
+  constexpr void start_in_perspective(const RowStart& row) {
+    q_ = linear_at(triangle_->q, row).raw();
+    at_ = divided();
+  }
+  /// Returns the length of the next piece: it grows with the distance of 1/w from its least value, because
+  /// the error falls with the cube of 1/w.
+  [[nodiscard]] constexpr std::int32_t length_of_piece(std::int32_t left) const {
+    const std::int32_t fall = triangle_->q.dx.raw() < 0 ? triangle_->q.dx.raw() : 0;
+    std::int32_t length = triangle_->piece;
+    auto threshold = static_cast<std::uint32_t>(triangle_->piece_q);
+    while (length < left && 2 * length <= TextureTriangle::kLongestPiece) {
+      const std::int32_t longer = 2 * length;
+      threshold += (threshold >> 1) + (threshold >> 4) + (threshold >> 5);  // times 2^(2/3), a bit more
+      const std::int32_t end = wrap_add(q_, wrap_mul(fall, longer < left ? longer : left));
+      if (end < 0 || static_cast<std::uint32_t>(end) < threshold) break;
+      length = longer;
+    }
+    return length;
+  }
+  ARCSPAN_OUTLINE constexpr std::int32_t enter_in_perspective(std::int32_t left) {
+    const std::int32_t length = length_of_piece(left);
+    // The last piece ends at its last pixel, because 1/w may vanish beyond the triangle.
+    const bool last = length >= left;
+    const std::int32_t steps = last ? left - 1 : length;
+    steps_.start(word(triangle_->u_origin, at_.u), word(triangle_->v_origin, at_.v));
+    if (steps == 0) {
+      steps_.set_step(0, 0);
+      return left;
+    }
+    u_ = wrap_add(u_, wrap_mul(triangle_->u.dx.raw(), steps));
+    v_ = wrap_add(v_, wrap_mul(triangle_->v.dx.raw(), steps));
+    q_ = wrap_add(q_, wrap_mul(triangle_->q.dx.raw(), steps));
+    const Relative end = divided();
+    const std::int32_t inverse = detail::kPieceInverses[static_cast<std::size_t>(steps)];
+    const auto step = [&](std::int32_t from, std::int32_t to) {
+      return wrap_shl(multiply_high(wrap_shl(wrap_sub(to, from), 2), inverse), triangle_->word_shift);
+    };
+    steps_.set_step(step(at_.u, end.u), step(at_.v, end.v));
+    at_ = end;
+    return last ? left : length;
+  }
+
+  TexelSteps steps_;
+  const TextureTriangle* triangle_;
+  std::int32_t u_;  ///< u, or u/w, at the end of the current piece, as Linear
+  std::int32_t v_;
+  std::int32_t q_;
+  Relative at_;  ///< at the end of the current piece
+};
+
+}  // namespace arcspan

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/integer.hpp>
+#include <arcspan/prepare/linear.hpp>
+#include <arcspan/prepare/precise_plane.hpp>
+#include <arcspan/prepare/triangle.hpp>
+#include <arcspan/target.hpp>
+#include <arcspan/texture/texture.hpp>
+
+#include <bit>
+#include <cstdint>
+
+namespace arcspan {
+
+/// A texture point as triangles interpolate it: widths and heights of the texture, 16 fraction bits, below
+/// 2^27 in magnitude.
+struct MappedPoint {
+  std::int32_t u;
+  std::int32_t v;
+};
+
+/// How a texture lies on a triangle: the part of the command that the texture adds.
+///
+/// In the plane of the screen u and v are linear only where all vertices are equally far away. Otherwise u/w,
+/// v/w and 1/w are linear, and u and v are their quotients (Blinn, "Hyperbolic Interpolation", 1992). All
+/// three are attributes of 16 bits. u and v are relative to the least of the triangle, in units of 2^-16 of
+/// `span_bits`: a power of two that the triangle's range fits.
+struct TextureTriangle {
+  /// Pixels of the longest piece that is linear. The table of their reciprocals has as many entries.
+  static constexpr std::int32_t kLongestPiece = 128;
+
+  LinearPlane u;            ///< u, or u/w
+  LinearPlane v;            ///< v, or v/w
+  LinearPlane q;            ///< 1/w, relative to the nearest vertex; unset if `piece` is 0
+  std::uint32_t u_origin;   ///< least u, the fraction of a repetition in 32 bits
+  std::uint32_t v_origin;   ///< least v
+  std::int32_t least_q;     ///< least 1/w of the vertices, as Linear
+  std::int32_t piece_q;     ///< 1/w for which `piece` is made
+  std::uint32_t first;      ///< first texel of the mip level
+  std::uint8_t width_bits;  ///< size of the mip level
+  std::uint8_t height_bits;
+  std::uint8_t word_shift;  ///< from a relative u with 28 fraction bits to the fraction of a repetition
+  std::uint8_t piece;       ///< pixels of a piece at the farthest vertex; 0 if u and v are linear themselves
+  bool middle_left;
+};
+
+namespace detail {
+
+/// The least and the largest of three values.
+struct Extent {
+  std::int32_t least;
+  std::int32_t most;
+
+  constexpr Extent(std::int32_t a, std::int32_t b, std::int32_t c)
+      : least(a < b ? (a < c ? a : c) : (b < c ? b : c)), most(a > b ? (a > c ? a : c) : (b > c ? b : c)) {}
+  [[nodiscard]] constexpr std::uint32_t range() const {
+    return static_cast<std::uint32_t>(wrap_sub(most, least));
+  }
+};
+
+/// Returns a lower bound of the binary logarithm of v > 0, 8 fraction bits; it is too low by at most
+/// kLogError.
+[[nodiscard]] constexpr std::int32_t low_log2(std::uint32_t v) {
+  const int zeros = std::countl_zero(v | 1u);
+  return (31 - zeros) * 256 + static_cast<std::int32_t>(((v << zeros) >> 23) & 0xFFu);
+}
+inline constexpr std::int32_t kLogError = 24;  // log2(1 + m) - m is at most 0.0861, and 1/256 is cut off
+
+/// Returns the mip level of a triangle whose texels are about as large as pixels, or the last. `texels` is
+/// the triangle's doubled area in texels of level 0, `pixels` that in pixels, both with 8 fraction bits.
+[[nodiscard]] constexpr unsigned mip_level(const TextureSize& size, std::uint64_t texels,
+                                           std::uint32_t pixels) {
+  if (size.levels == 1) return 0;
+  const int up = texels >> 32 != 0 ? 24 : 0;
+  const std::int32_t ratio = low_log2(static_cast<std::uint32_t>(texels >> up)) + 256 * up - low_log2(pixels);
+  // The level is half the logarithm of the areas' ratio, rounded.
+  const std::int32_t level = (ratio + 256) >> 9;
+  if (level <= 0) return 0;
+  return level < size.levels ? static_cast<unsigned>(level) : size.levels - 1u;
+}
+
+/// 1/w of a vertex is at least this, as Linear: so far away that a ratio of distances of 65536 is left.
+inline constexpr std::int32_t kLeastQ = 1 << 12;
+
+/// The largest |s' - f q'| q of a triangle's vertices, where f = s/q: the change of f along a row times q^2,
+/// with the fraction bits of 2 Linear less 28. Along a row it is constant, over the triangle linear.
+struct PerspectiveSlope {
+  std::int32_t ds;  ///< raw gradients
+  std::int32_t dq;
+  std::uint32_t most = 0;
+
+  /// Adds a vertex: f with 28 fraction bits, q as Linear.
+  constexpr void add(std::int32_t f, std::int32_t q) {
+    const std::int32_t part = multiply_high(dq, wrap_shl(f, 2)) * 4;
+    const std::int32_t slope = wrap_sub(ds, part);
+    const std::uint32_t magnitude = static_cast<std::uint32_t>(slope < 0 ? -slope : slope) + 4;
+    const std::uint32_t product = multiply_high(magnitude, static_cast<std::uint32_t>(q) << 4) + 1;
+    if (product > most) most = product;
+  }
+};
+
+/// Returns the pixels of a piece over which u and v may be linear at the least q of a triangle, 0 if less than
+/// one: the error, n^2/4 |q'| |s' q - s q'| / q^3 texels, stays below 0.45. `u` and `v` are the slopes; `u_bits` and `v_bits`
+/// the binary logarithms of the texels that a relative u or v of 1 has.
+[[nodiscard]] constexpr std::uint8_t piece_length(std::int32_t least_q, const PerspectiveSlope& u,
+                                                  const PerspectiveSlope& v, int u_bits, int v_bits) {
+  const std::uint32_t dq = static_cast<std::uint32_t>(u.dq < 0 ? -u.dq : u.dq);
+  if (dq == 0) return static_cast<std::uint8_t>(TextureTriangle::kLongestPiece);
+  const std::int32_t along_u = low_log2(u.most) + 256 * u_bits;
+  const std::int32_t along_v = low_log2(v.most) + 256 * v_bits;
+  const std::int32_t slope = (along_u > along_v ? along_u : along_v) + kLogError;
+  constexpr std::int32_t kLimit = 217;  // of 1.8
+  // All as Linear; the product of the slope is 2^-28 of what it stands for.
+  const std::int32_t square = kLimit + 3 * low_log2(static_cast<std::uint32_t>(least_q)) - 256 * 28 -
+                              (low_log2(dq) + kLogError) - slope;
+  const std::int32_t log = square >> 1;
+  if (log < 0) return 0;
+  if (log >= 7 * 256) return static_cast<std::uint8_t>(TextureTriangle::kLongestPiece);
+  // 2^m is at least 1 + m ln 2, and at least 1 + m - 0.0861.
+  const std::int32_t m = log & 255;
+  const std::int32_t tangent = (m * 177) >> 8;
+  const std::int32_t chord = m - kLogError;
+  return static_cast<std::uint8_t>((256 + (tangent > chord ? tangent : chord)) << (log >> 8) >> 8);
+}
+
+/// The vertices of a triangle for its texture, in the order top, middle, bottom.
+struct TextureCorners {
+  MappedPoint at[3];
+  std::int32_t near_over_w[3];
+};
+
+/// Twice the area of the corners in texels of a texture, 8 fraction bits.
+[[nodiscard]] constexpr std::uint64_t texel_area(const TextureCorners& c, const TextureSize& size) {
+  const auto part = [](std::int32_t a, std::int32_t b) { return std::int64_t{b} - a; };
+  const std::int64_t area = part(c.at[0].u, c.at[1].u) * part(c.at[0].v, c.at[2].v) -
+                            part(c.at[0].u, c.at[2].u) * part(c.at[0].v, c.at[1].v);
+  const auto magnitude = static_cast<std::uint64_t>(area < 0 ? -area : area);
+  // 32 fraction bits of repetitions; at most 58 bits, and at most 20 of size.
+  return (magnitude >> 24) << (size.width_bits + size.height_bits);
+}
+
+/// Prepares a triangle whose u and v are not linear. `shift` makes the range of u and v fit 16 bits, `narrow`
+/// is by how many bits gradients exceed ranges.
+template <class Frame>
+constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& corners,
+                                      const MappedPoint& least, int shift, int narrow, const Extent& w,
+                                      TextureTriangle& t) {
+  t.word_shift = static_cast<std::uint8_t>(4 - shift);
+  // All values as Linear, of which all 28 bits are used.
+  const int up = std::countl_zero(static_cast<std::uint32_t>(w.most) | 1u) - 4;
+  std::int32_t q[3];
+  std::int32_t f_u[3];
+  std::int32_t f_v[3];
+  for (int i = 0; i < 3; ++i) {
+    const std::int32_t at = corners.near_over_w[i];
+    const std::int32_t scaled = (up >= 0 ? wrap_shl(at, up) : at >> -up) >> narrow;
+    q[i] = scaled < kLeastQ ? kLeastQ : scaled;
+    f_u[i] = wrap_shl(wrap_sub(corners.at[i].u, least.u), 12 + shift);
+    f_v[i] = wrap_shl(wrap_sub(corners.at[i].v, least.v), 12 + shift);
+  }
+  const PrecisePlanes planes(frame);
+  const auto over_w = [&](const std::int32_t(&f)[3], LinearPlane& plane) {
+    const auto part = [&](int i) { return multiply_high(wrap_shl(f[i], 3), wrap_shl(q[i], 1)); };
+    planes.make(part(0), part(1), part(2), plane);
+  };
+  planes.make(q[0], q[1], q[2], t.q);
+  over_w(f_u, t.u);
+  over_w(f_v, t.v);
+  t.least_q = Extent(q[0], q[1], q[2]).least;
+  PerspectiveSlope slope_u{t.u.dx.raw(), t.q.dx.raw()};
+  PerspectiveSlope slope_v{t.v.dx.raw(), t.q.dx.raw()};
+  for (int i = 0; i < 3; ++i) {
+    slope_u.add(f_u[i], q[i]);
+    slope_v.add(f_v[i], q[i]);
+  }
+  const std::uint8_t length =
+      piece_length(t.least_q, slope_u, slope_v, t.width_bits - shift, t.height_bits - shift);
+  t.piece = length == 0 ? 1 : length;
+  t.piece_q = length == 0 ? INT32_MAX >> 2 : t.least_q;  // where each pixel is a piece, all are
+}
+
+}  // namespace detail
+
+/// Prepares the texture of a triangle. `corners` are those of the frame's vertices.
+template <class Frame>
+constexpr void prepare_texture(const Frame& frame, const TextureSize& size,
+                               const detail::TextureCorners& corners, TextureTriangle& t) {
+  const detail::Extent u(corners.at[0].u, corners.at[1].u, corners.at[2].u);
+  const detail::Extent v(corners.at[0].v, corners.at[1].v, corners.at[2].v);
+  const std::int32_t area = doubled_area(frame.top->position, frame.middle->position, frame.bottom->position);
+  const unsigned level = detail::mip_level(size, detail::texel_area(corners, size),
+                                           static_cast<std::uint32_t>(area < 0 ? -area : area));
+  t.first = size.texels(level);
+  t.width_bits = static_cast<std::uint8_t>(size.width_bits - level);
+  t.height_bits = static_cast<std::uint8_t>(size.height_bits - level);
+  t.u_origin = static_cast<std::uint32_t>(u.least) << 16;
+  t.v_origin = static_cast<std::uint32_t>(v.least) << 16;
+  t.middle_left = frame.middle_left;
+  // Relative values as 16 bits of 2^-(16 - shift) repetitions.
+  const std::uint32_t range = u.range() > v.range() ? u.range() : v.range();
+  const int fits = std::countl_zero(range | 0xFFFu) - 16;
+  // In a triangle narrower than a pixel gradients are larger than ranges, but must not be larger than 16
+  // bits.
+  const int narrow = frame.width < 0x10000u ? std::countl_zero(frame.width) - 15 : 0;
+  const detail::Extent w(corners.near_over_w[0], corners.near_over_w[1], corners.near_over_w[2]);
+  // Affine mapping is wrong by at most d (sqrt(r) - 1) / (sqrt(r) + 1) < d (r - 1) / 4 texels, if d is the
+  // range in texels and r the ratio of the distances.
+  const std::uint32_t d_u = u.range() >> (12 - t.width_bits);
+  const std::uint32_t d_v = v.range() >> (12 - t.height_bits);
+  const std::uint64_t texels = (d_u > d_v ? d_u : d_v) + 1;  // 4 fraction bits
+  if (texels * w.range() <= std::uint64_t{28} * static_cast<std::uint32_t>(w.least)) {
+    const int shift = (fits < 4 ? fits : 4) - narrow;
+    t.word_shift = static_cast<std::uint8_t>(4 - shift);
+    t.piece = 0;
+    const auto linear = [&](std::int32_t MappedPoint::*part, std::int32_t least, LinearPlane& plane) {
+      const auto relative = [&](int i) {
+        const std::int32_t distance = wrap_sub(corners.at[i].*part, least);
+        return shift >= 0 ? distance << shift : shift > -32 ? distance >> -shift : 0;
+      };
+      make_linear_plane(frame, relative(0), relative(1), relative(2), plane);
+    };
+    linear(&MappedPoint::u, u.least, t.u);
+    linear(&MappedPoint::v, v.least, t.v);
+    return;
+  }
+  detail::prepare_in_perspective(frame, corners, {u.least, v.least}, fits < 4 ? fits : 4, narrow, w, t);
+}
+
+}  // namespace arcspan

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/numbers/integer.hpp>
+#include <arcspan/shading/method.hpp>
+#include <arcspan/shading/textured/texel_light.hpp>
+#include <arcspan/shading/textured/texture_row.hpp>
+#include <arcspan/shading/textured/texture_triangle.hpp>
+#include <arcspan/shading/unlit.hpp>
+#include <arcspan/target.hpp>
+#include <arcspan/texture/texture.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace arcspan {
+
+/// The pixels of a row of a textured triangle (PiecewiseRun). `LightRun` is the run of the method that lights
+/// them.
+template <class LightRun, TexelFormat Texels, TexelLight Colours>
+class TexturedRun {
+ public:
+  constexpr TexturedRun(const LightRun& light, const TextureTriangle& triangle, const RowStart& row)
+      : light_(light) {
+    row_.start(triangle, row);
+  }
+
+  template <class Lighting>
+  ARCSPAN_INLINE constexpr void begin(const Lighting& lighting) {
+    words_ = lighting.texture.at(row_.triangle().first);
+    palette_ = lighting.texture.palette();
+  }
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) { return row_.enter(left); }
+
+  template <class Lighting>
+  [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
+    const std::uint16_t texel = Texels::ColourFormat::rgb565(Texels::stored(words_, palette_, row_.index()));
+    if constexpr (Colours == TexelLight::kNone) {
+      return UnlitTexel{texel};
+    } else {
+      return LitTexel<Colours>{texel, light(lighting)};
+    }
+  }
+  ARCSPAN_INLINE constexpr void next() {
+    row_.next();
+    if constexpr (Colours != TexelLight::kNone) light_.next();
+  }
+  [[nodiscard]] constexpr const TextureRow& texture() const { return row_; }
+  [[nodiscard]] constexpr std::int32_t length() const requires LimitedRun<LightRun> {
+    return light_.length();
+  }
+
+ private:
+  template <class Lighting>
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
+    if constexpr (requires { light_.light(lighting); }) {
+      return light_.light(lighting);
+    } else if constexpr (requires { light_.colour(lighting).packed(); }) {
+      return {light_.colour(lighting).packed(), {}};
+    } else {
+      return {light_.colour(lighting), {}};
+    }
+  }
+
+  LightRun light_;
+  TextureRow row_;
+  const typename Texels::Word* words_ = nullptr;
+  const std::uint16_t* palette_ = nullptr;
+};
+
+/// Steps a textured triangle from row to row (RowWalker), with the walker of its light.
+template <class LightWalker, TexelFormat Texels, TexelLight Colours>
+class TexturedWalker {
+ public:
+  using Run = TexturedRun<typename LightWalker::Run, Texels, Colours>;
+  static constexpr bool kOutlined = [] {
+    if constexpr (OutlinedWalker<LightWalker>) return true;
+    return false;
+  }();
+
+  constexpr TexturedWalker(const LightWalker& light, TextureTriangle& triangle)
+      : light_(light), triangle_(&triangle) {}
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
+    return Run(light_.row(start), *triangle_, start);
+  }
+  ARCSPAN_INLINE constexpr void next_row() {
+    light_.next_row();
+    triangle_->u.next_row();
+    triangle_->v.next_row();
+    if (triangle_->piece != 0) triangle_->q.next_row();
+  }
+  constexpr void enter_lower() {
+    light_.enter_lower();
+    triangle_->u.enter_lower(triangle_->middle_left);
+    triangle_->v.enter_lower(triangle_->middle_left);
+    if (triangle_->piece != 0) triangle_->q.enter_lower(triangle_->middle_left);
+  }
+
+ private:
+  LightWalker light_;
+  TextureTriangle* triangle_;
+};
+
+/// A shading method with a texture: each pixel shows a texel, times the light that `Light` (Unlit, Flat,
+/// Gouraud, Arc, Adaptive) computes for it. Phong's highlights are added afterwards; those of Gouraud and
+/// Flat are part of the light. The diffuse coefficients of a textured material are usually 1 (white).
+///
+/// The nearest texel is shown, of the mip level whose texels are about as large as the triangle's pixels.
+/// Perspective is correct within half a texel: a triangle is mapped linearly where that is exact enough,
+/// elsewhere in the longest pieces of a row that are.
+template <class Light, TexelFormat Texels,
+          TexelLight Colours = std::same_as<Light, Unlit> ? TexelLight::kNone : TexelLight::kGrey>
+struct Textured : Light {
+  /// The illumination of `Light` with the texture.
+  struct Lighting : Light::Lighting {
+    constexpr Lighting() = default;
+    constexpr explicit Lighting(const typename Light::Lighting& light, const Texture<Texels>& picture = {})
+        : Light::Lighting(light), texture(picture) {}
+    Texture<Texels> texture;
+  };
+  using typename Light::Face;
+  struct Vertex : Light::Vertex {
+    MappedPoint point;
+  };
+  struct Prepared {
+    typename Light::Prepared light;
+    TextureTriangle texture;
+  };
+  static constexpr bool kNeedsNearOverW = true;
+  static constexpr bool kUsesEncodedColours = false;
+
+  [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
+    return {Light::shade_vertex(lighting, normal), {}};
+  }
+  /// Sets what a vertex has in the mesh besides its normal (TakesVertexData).
+  static constexpr void set_vertex_data(const MeshView& mesh, std::size_t i, Vertex& vertex) {
+    const TexturePoint point = mesh.texture_point(i);
+    const int shift = 16 - mesh.texture_scale().fraction_bits;
+    vertex.point = {wrap_shl(point.u, shift), wrap_shl(point.v, shift)};
+  }
+  [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
+    const auto mix = [t](std::int32_t from, std::int32_t to) {
+      const std::int64_t part = (std::int64_t{to} - from) * t.raw();
+      return static_cast<std::int32_t>(from + ((part + (1 << 14)) >> 15));
+    };
+    return {Light::between(a, b, t), {mix(a.point.u, b.point.u), mix(a.point.v, b.point.v)}};
+  }
+
+  template <class Frame>
+  static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face& face,
+                                Prepared& prepared) {
+    Light::prepare(lighting, frame, face, prepared.light);
+    // Segments would have colours without texels.
+    if constexpr (requires { prepared.light.segment_bits; }) prepared.light.segment_bits = 0;
+    prepare_texture(
+        frame, lighting.texture.size(),
+        {{frame.top->shade.point, frame.middle->shade.point, frame.bottom->shade.point},
+         {frame.top->near_over_w.value, frame.middle->near_over_w.value, frame.bottom->near_over_w.value}},
+        prepared.texture);
+  }
+
+  template <class Draw>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    return Light::walk(prepared.light, [&](auto walker) {
+      using LightWalker = decltype(walker);
+      if constexpr (SegmentedRun<typename LightWalker::Run>) {
+        return Status::kOk;  // prepare() has left them out
+      } else {
+        return draw(TexturedWalker<LightWalker, Texels, Colours>(walker, prepared.texture));
+      }
+    });
+  }
+};
+
+}  // namespace arcspan

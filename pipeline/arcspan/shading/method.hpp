@@ -46,11 +46,16 @@ concept SegmentedRunOf = SegmentedRun<R> && requires(R run, const Lighting& ligh
   { run.enter(lighting, count) } -> std::same_as<std::int32_t>;
 };
 
-/// A run that computes something anew in every piece of a row. begin() is called first, then enter() before
-/// each piece: it gets the number of pixels left and returns the length of the piece, 1 up to that number.
+/// Optional part of a run: begin() gets the lighting before the first pixel, for addresses that colour() needs.
 template <class R, class Lighting>
-concept PiecewiseRun = PixelRun<R, Lighting> && requires(R run, const Lighting& lighting, std::int32_t left) {
+concept BeginsWithLighting = requires(R run, const Lighting& lighting) {
   {run.begin(lighting)};
+};
+
+/// A run that computes something anew in every piece of a row. enter() is called before each piece: it gets the
+/// number of pixels left and returns the length of the piece, 1 up to that number.
+template <class R, class Lighting>
+concept PiecewiseRun = PixelRun<R, Lighting> && requires(R run, std::int32_t left) {
   { run.enter(left) } -> std::same_as<std::int32_t>;
 };
 

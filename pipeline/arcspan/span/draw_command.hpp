@@ -40,6 +40,9 @@ template <class Command, class Walker, class Target>
                                                        const RowMemory<Target>& memory) {
   const RowStart start = row_start(command.left, command.right, span.x - begin);
   typename Walker::Run run = walker.row(start);
+  if constexpr (BeginsWithLighting<typename Walker::Run, typename Target::Lighting>) {
+    run.begin(target.lighting);
+  }
   if constexpr (LimitedRun<typename Walker::Run>) {
     if (span.count > run.length()) span.count = run.length();
   }

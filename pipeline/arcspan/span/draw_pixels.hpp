@@ -121,7 +121,6 @@ ARCSPAN_INLINE constexpr void draw_segments(PixelPlace<Target>& place, const Spa
 template <class Target, class Run>
 ARCSPAN_INLINE constexpr void draw_pieces(PixelPlace<Target>& place, const Span& span, Run& run,
                                           const Target& target, Linear dz) {
-  run.begin(target.lighting);
   for (std::int32_t left = span.count; left > 0;) {
     const std::int32_t count = run.enter(left);
     if constexpr (IndexedRows<Target>) {

@@ -26,25 +26,20 @@ inline constexpr auto kPieceInverses = make_piece_inverses();
 
 }  // namespace detail
 
-/// The texels of a row's pixels. u and v share a word of 64 bits that one addition steps: from the top, the
-/// column of the texel in `width_bits`, its fraction, the row of the texel in `height_bits`, its fraction of
-/// 32 bits. Both repeat by wrapping; a carry of v changes the last fraction bit of u. A rotation of the upper
-/// half brings row and column together as the index of the texel.
+/// The texels of a row's pixels, stepped as a JoinedPoint. A rotation of its upper half brings row and column
+/// together as the index of the texel.
 class TexelSteps {
  public:
-  constexpr void set_size(unsigned width_bits, unsigned height_bits) {
-    height_bits_ = height_bits;
-    rotation_ = static_cast<int>(width_bits);
-    mask_ = (std::uint32_t{1} << (width_bits + height_bits)) - 1;
-  }
+  ARCSPAN_INLINE constexpr explicit TexelSteps(const TextureTriangle& t)
+      : height_bits_(t.height_bits), rotation_(t.width_bits), mask_(t.mask) {}
+
   /// Starts at u and v, fractions of a repetition in 32 bits.
-  constexpr void start(std::uint32_t u, std::uint32_t v) { at_ = joined(u, v); }
-  /// Sets the change of u and v per pixel, signed.
-  constexpr void set_step(std::int32_t u, std::int32_t v) {
-    // Rounded to what is left of u beside v.
-    const std::uint32_t half = (std::uint32_t{1} << height_bits_) >> 1;
-    const std::uint64_t upper = (static_cast<std::uint32_t>(u) + half) & ~row_mask();
-    step_ = (upper << 32) + (static_cast<std::uint64_t>(std::int64_t{v}) << height_bits_);
+  ARCSPAN_INLINE constexpr void start(std::uint32_t u, std::uint32_t v) {
+    at_ = JoinedPoint::of(u, v, height_bits_);
+  }
+  ARCSPAN_INLINE constexpr void set_step(std::uint64_t step) { step_ = step; }
+  ARCSPAN_INLINE constexpr void set_step(std::int32_t u, std::int32_t v) {
+    step_ = JoinedPoint::step(u, v, height_bits_);
   }
   /// The index of the current texel in its level.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t index() const {
@@ -53,16 +48,11 @@ class TexelSteps {
   ARCSPAN_INLINE constexpr void next() { at_ += step_; }
   /// u and v of the current pixel, fractions of a repetition in 32 bits. The last height_bits of u are 0.
   [[nodiscard]] constexpr std::uint32_t u() const {
-    return static_cast<std::uint32_t>(at_ >> 32) & ~row_mask();
+    return static_cast<std::uint32_t>(at_ >> 32) >> height_bits_ << height_bits_;
   }
   [[nodiscard]] constexpr std::uint32_t v() const { return static_cast<std::uint32_t>(at_ >> height_bits_); }
 
  private:
-  [[nodiscard]] constexpr std::uint32_t row_mask() const { return (std::uint32_t{1} << height_bits_) - 1; }
-  [[nodiscard]] constexpr std::uint64_t joined(std::uint32_t u, std::uint32_t v) const {
-    return (std::uint64_t{u & ~row_mask()} << 32) + (std::uint64_t{v} << height_bits_);
-  }
-
   std::uint64_t at_;
   std::uint64_t step_;
   unsigned height_bits_;
@@ -70,33 +60,44 @@ class TexelSteps {
   std::uint32_t mask_;
 };
 
-/// u and v along a row of a triangle, in pieces over which they are linear: the whole row, or as many pixels
-/// as keep the error of perspective below half a texel. At the ends of pieces u = (u/w) / (1/w), by a table
-/// of reciprocals.
-class TextureRow {
+/// u and v along a row, linear in the whole row.
+class LinearTexture {
  public:
-  /// Starts at a row's first pixel.
-  ARCSPAN_INLINE constexpr void start(const TextureTriangle& t, const RowStart& row) {
-    triangle_ = &t;
-    u_ = linear_at(t.u, row).raw();
-    v_ = linear_at(t.v, row).raw();
-    steps_.set_size(t.width_bits, t.height_bits);
-    if (t.piece == 0) {
-      steps_.start(word(t.u_origin, u_), word(t.v_origin, v_));
-      steps_.set_step(wrap_shl(t.u.dx.raw(), t.word_shift), wrap_shl(t.v.dx.raw(), t.word_shift));
-    } else {
-      start_in_perspective(row);
-    }
+  ARCSPAN_INLINE constexpr LinearTexture(const TextureTriangle& t, const RowStart& row) : steps_(t) {
+    steps_.start(word_at(t.u, row, t.word_shift), word_at(t.v, row, t.word_shift));
+    steps_.set_step(t.step);
   }
-  /// Begins the next piece of a row of which `left` pixels are left, at least 1. Returns its length.
-  ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) {
-    if (triangle_->piece == 0) return left;
-    return enter_in_perspective(left);
-  }
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t index() const { return steps_.index(); }
+  [[nodiscard]] ARCSPAN_INLINE constexpr const TexelSteps& steps() const { return steps_; }
   ARCSPAN_INLINE constexpr void next() { steps_.next(); }
-  [[nodiscard]] constexpr const TexelSteps& steps() const { return steps_; }
-  [[nodiscard]] constexpr const TextureTriangle& triangle() const { return *triangle_; }
+
+ private:
+  /// A fraction of a repetition at a row's first pixel.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t word_at(const LinearPlane& plane,
+                                                                      const RowStart& row, int shift) {
+    const std::int32_t dx = plane.dx.raw();
+    const std::int32_t across =
+        wrap_add(times_fraction(plane.dx, row.fraction).raw(), wrap_mul(dx, row.skipped));
+    return static_cast<std::uint32_t>(wrap_add(plane.left.at.raw(), wrap_shl(across, shift)));
+  }
+
+  TexelSteps steps_;
+};
+
+/// u and v along a row, in pieces over which they are linear: as many pixels as keep the error of perspective
+/// below half a texel. At the ends of pieces u = (u/w) / (1/w), by a table of reciprocals.
+class PerspectiveTexture {
+ public:
+  ARCSPAN_INLINE constexpr PerspectiveTexture(const TextureTriangle& t, const RowStart& row)
+      : steps_(t),
+        triangle_(&t),
+        u_(linear_at(t.u, row).raw()),
+        v_(linear_at(t.v, row).raw()),
+        q_(linear_at(t.q, row).raw()),
+        at_(divided()) {}
+  [[nodiscard]] ARCSPAN_INLINE constexpr const TexelSteps& steps() const { return steps_; }
+  ARCSPAN_INLINE constexpr void next() { steps_.next(); }
+  /// Begins the next piece of a row of which `left` pixels are left, at least 1. Returns its length.
+  ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) { return enter_outlined(left); }
 
  private:
   /// Relative u and v, 28 fraction bits.
@@ -118,10 +119,6 @@ class TextureRow {
     const auto inverse = static_cast<std::int32_t>(detail::reciprocal_mantissa(q << zeros) << 14);
     return {multiply_high(wrap_shl(u_, zeros - 1), inverse), multiply_high(wrap_shl(v_, zeros - 1), inverse)};
   }
-  constexpr void start_in_perspective(const RowStart& row) {
-    q_ = linear_at(triangle_->q, row).raw();
-    at_ = divided();
-  }
   /// Returns the length of the next piece: it grows with the distance of 1/w from its least value, because
   /// the error falls with the cube of 1/w.
   [[nodiscard]] constexpr std::int32_t length_of_piece(std::int32_t left) const {
@@ -137,14 +134,14 @@ class TextureRow {
     }
     return length;
   }
-  ARCSPAN_OUTLINE constexpr std::int32_t enter_in_perspective(std::int32_t left) {
+  ARCSPAN_OUTLINE constexpr std::int32_t enter_outlined(std::int32_t left) {
     const std::int32_t length = length_of_piece(left);
     // The last piece ends at its last pixel, because 1/w may vanish beyond the triangle.
     const bool last = length >= left;
     const std::int32_t steps = last ? left - 1 : length;
     steps_.start(word(triangle_->u_origin, at_.u), word(triangle_->v_origin, at_.v));
     if (steps == 0) {
-      steps_.set_step(0, 0);
+      steps_.set_step(0);
       return left;
     }
     u_ = wrap_add(u_, wrap_mul(triangle_->u.dx.raw(), steps));

@@ -23,26 +23,68 @@ struct MappedPoint {
 /// How a texture lies on a triangle: the part of the command that the texture adds.
 ///
 /// In the plane of the screen u and v are linear only where all vertices are equally far away. Otherwise u/w,
-/// v/w and 1/w are linear, and u and v are their quotients (Blinn, "Hyperbolic Interpolation", 1992). All
-/// three are attributes of 16 bits. u and v are relative to the least of the triangle, in units of 2^-16 of
-/// `span_bits`: a power of two that the triangle's range fits.
+/// v/w and 1/w are linear, and u and v are their quotients (Blinn, "Hyperbolic Interpolation", 1992).
 struct TextureTriangle {
   /// Pixels of the longest piece that is linear. The table of their reciprocals has as many entries.
   static constexpr std::int32_t kLongestPiece = 128;
 
-  LinearPlane u;            ///< u, or u/w
-  LinearPlane v;            ///< v, or v/w
+  /// If `piece` is 0, u and v; their edges are fractions of a repetition in 32 bits, which wrap. Otherwise (u
+  /// - u_origin)/w and (v - v_origin)/w, in units in which 1 is the triangle's largest range of u or v, or up
+  /// to twice that.
+  LinearPlane u;
+  LinearPlane v;
   LinearPlane q;            ///< 1/w, relative to the nearest vertex; unset if `piece` is 0
+  std::uint64_t step;       ///< of TexelSteps per pixel; unset unless `piece` is 0
   std::uint32_t u_origin;   ///< least u, the fraction of a repetition in 32 bits
   std::uint32_t v_origin;   ///< least v
-  std::int32_t least_q;     ///< least 1/w of the vertices, as Linear
+  std::int32_t least_q;     ///< least 1/w of the vertices
   std::int32_t piece_q;     ///< 1/w for which `piece` is made
   std::uint32_t first;      ///< first texel of the mip level
+  std::uint32_t mask;       ///< of a texel's index in the level
   std::uint8_t width_bits;  ///< size of the mip level
   std::uint8_t height_bits;
   std::uint8_t word_shift;  ///< from a relative u with 28 fraction bits to the fraction of a repetition
-  std::uint8_t piece;       ///< pixels of a piece at the farthest vertex; 0 if u and v are linear themselves
+  std::uint8_t piece;       ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
   bool middle_left;
+
+  constexpr void next_row() {
+    u.next_row();
+    v.next_row();
+    if (piece != 0) q.next_row();
+  }
+  constexpr void skip_rows(std::int32_t rows) {
+    u.skip_rows(rows);
+    v.skip_rows(rows);
+    if (piece != 0) q.skip_rows(rows);
+  }
+  constexpr void enter_lower() {
+    u.enter_lower(middle_left);
+    v.enter_lower(middle_left);
+    if (piece != 0) q.enter_lower(middle_left);
+  }
+};
+
+/// u and v in one word of 64 bits, so that one addition steps both. From the top: the column of the texel in
+/// `width_bits`, its fraction, the row of the texel in `height_bits`, its fraction of 32 bits. Both repeat by
+/// wrapping; a carry of v changes the last fraction bit of u.
+struct JoinedPoint {
+  /// u and v as fractions of a repetition in 32 bits.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint64_t of(std::uint32_t u, std::uint32_t v,
+                                                                 unsigned height_bits) {
+    const std::uint32_t unit = std::uint32_t{1} << height_bits;
+    const std::uint64_t upper = std::uint64_t{u & (0u - unit)} << 32;
+    // A product takes one instruction where a shift of two words takes five.
+    return upper + (kHasLongMultiply && !kHasWideRegisters ? std::uint64_t{v} * unit
+                                                           : std::uint64_t{v} << height_bits);
+  }
+  /// Signed changes of u and v.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint64_t step(std::int32_t u, std::int32_t v,
+                                                                   unsigned height_bits) {
+    // Rounded to what is left of u beside v.
+    const std::uint32_t upper = static_cast<std::uint32_t>(u) + ((std::uint32_t{1} << height_bits) >> 1);
+    return (std::uint64_t{upper >> height_bits << height_bits} << 32) +
+           (static_cast<std::uint64_t>(std::int64_t{v}) << height_bits);
+  }
 };
 
 namespace detail {
@@ -71,7 +113,6 @@ inline constexpr std::int32_t kLogError = 24;  // log2(1 + m) - m is at most 0.0
 /// the triangle's doubled area in texels of level 0, `pixels` that in pixels, both with 8 fraction bits.
 [[nodiscard]] constexpr unsigned mip_level(const TextureSize& size, std::uint64_t texels,
                                            std::uint32_t pixels) {
-  if (size.levels == 1) return 0;
   const int up = texels >> 32 != 0 ? 24 : 0;
   const std::int32_t ratio = low_log2(static_cast<std::uint32_t>(texels >> up)) + 256 * up - low_log2(pixels);
   // The level is half the logarithm of the areas' ratio, rounded.
@@ -100,9 +141,9 @@ struct PerspectiveSlope {
   }
 };
 
-/// Returns the pixels of a piece over which u and v may be linear at the least q of a triangle, 0 if less than
-/// one: the error, n^2/4 |q'| |s' q - s q'| / q^3 texels, stays below 0.45. `u` and `v` are the slopes; `u_bits` and `v_bits`
-/// the binary logarithms of the texels that a relative u or v of 1 has.
+/// Returns the pixels of a piece over which u and v may be linear at the least q of a triangle, 0 if less
+/// than one: the error, n^2/4 |q'| |s' q - s q'| / q^3 texels, stays below 0.45. `u` and `v` are the slopes;
+/// `u_bits` and `v_bits` the binary logarithms of the texels that a relative u or v of 1 has.
 [[nodiscard]] constexpr std::uint8_t piece_length(std::int32_t least_q, const PerspectiveSlope& u,
                                                   const PerspectiveSlope& v, int u_bits, int v_bits) {
   const std::uint32_t dq = static_cast<std::uint32_t>(u.dq < 0 ? -u.dq : u.dq);
@@ -138,6 +179,19 @@ struct TextureCorners {
   const auto magnitude = static_cast<std::uint64_t>(area < 0 ? -area : area);
   // 32 fraction bits of repetitions; at most 58 bits, and at most 20 of size.
   return (magnitude >> 24) << (size.width_bits + size.height_bits);
+}
+
+/// Changes the edges of a plane of relative values to fractions of a repetition in 32 bits. The gradient
+/// keeps its format, because it may be larger than a repetition in a narrow triangle.
+constexpr void become_words(LinearPlane& plane, std::uint32_t origin, int shift) {
+  const auto word = [shift](Linear& value) { value = Linear::from_raw(wrap_shl(value.raw(), shift)); };
+  const auto edge = [&](BasicLinearEdge<Linear>& line) {
+    word(line.at);
+    word(line.step);
+    line.at += Linear::from_raw(static_cast<std::int32_t>(origin));
+  };
+  edge(plane.left);
+  edge(plane.lower);
 }
 
 /// Prepares a triangle whose u and v are not linear. `shift` makes the range of u and v fit 16 bits, `narrow`
@@ -180,6 +234,13 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
   t.piece_q = length == 0 ? INT32_MAX >> 2 : t.least_q;  // where each pixel is a piece, all are
 }
 
+template <class Frame>
+[[nodiscard]] ARCSPAN_OUTLINE constexpr unsigned level_of(const Frame& frame, const TextureSize& size,
+                                                          const TextureCorners& corners) {
+  const std::int32_t area = doubled_area(frame.top->position, frame.middle->position, frame.bottom->position);
+  return mip_level(size, texel_area(corners, size), static_cast<std::uint32_t>(area < 0 ? -area : area));
+}
+
 }  // namespace detail
 
 /// Prepares the texture of a triangle. `corners` are those of the frame's vertices.
@@ -188,12 +249,11 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size,
                                const detail::TextureCorners& corners, TextureTriangle& t) {
   const detail::Extent u(corners.at[0].u, corners.at[1].u, corners.at[2].u);
   const detail::Extent v(corners.at[0].v, corners.at[1].v, corners.at[2].v);
-  const std::int32_t area = doubled_area(frame.top->position, frame.middle->position, frame.bottom->position);
-  const unsigned level = detail::mip_level(size, detail::texel_area(corners, size),
-                                           static_cast<std::uint32_t>(area < 0 ? -area : area));
+  const unsigned level = size.levels == 1 ? 0 : detail::level_of(frame, size, corners);
   t.first = size.texels(level);
   t.width_bits = static_cast<std::uint8_t>(size.width_bits - level);
   t.height_bits = static_cast<std::uint8_t>(size.height_bits - level);
+  t.mask = (std::uint32_t{1} << (t.width_bits + t.height_bits)) - 1;
   t.u_origin = static_cast<std::uint32_t>(u.least) << 16;
   t.v_origin = static_cast<std::uint32_t>(v.least) << 16;
   t.middle_left = frame.middle_left;
@@ -213,15 +273,19 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size,
     const int shift = (fits < 4 ? fits : 4) - narrow;
     t.word_shift = static_cast<std::uint8_t>(4 - shift);
     t.piece = 0;
-    const auto linear = [&](std::int32_t MappedPoint::*part, std::int32_t least, LinearPlane& plane) {
+    const auto linear = [&](std::int32_t MappedPoint::*part, std::int32_t least, std::uint32_t origin,
+                            LinearPlane& plane) {
       const auto relative = [&](int i) {
         const std::int32_t distance = wrap_sub(corners.at[i].*part, least);
         return shift >= 0 ? distance << shift : shift > -32 ? distance >> -shift : 0;
       };
       make_linear_plane(frame, relative(0), relative(1), relative(2), plane);
+      detail::become_words(plane, origin, t.word_shift);
     };
-    linear(&MappedPoint::u, u.least, t.u);
-    linear(&MappedPoint::v, v.least, t.v);
+    linear(&MappedPoint::u, u.least, t.u_origin, t.u);
+    linear(&MappedPoint::v, v.least, t.v_origin, t.v);
+    t.step = JoinedPoint::step(wrap_shl(t.u.dx.raw(), t.word_shift), wrap_shl(t.v.dx.raw(), t.word_shift),
+                               t.height_bits);
     return;
   }
   detail::prepare_in_perspective(frame, corners, {u.least, v.least}, fits < 4 ? fits : 4, narrow, w, t);

@@ -18,26 +18,31 @@
 
 namespace arcspan {
 
-/// The pixels of a row of a textured triangle (PiecewiseRun). `LightRun` is the run of the method that lights
-/// them.
-template <class LightRun, TexelFormat Texels, TexelLight Colours>
+/// The pixels of a row of a textured triangle (PixelRun, or PiecewiseRun in perspective). `LightRun` is the
+/// run of the method that lights them; `Mapping` is LinearTexture or PerspectiveTexture.
+template <class LightRun, class Mapping, TexelFormat Texels, TexelLight Colours>
 class TexturedRun {
  public:
-  constexpr TexturedRun(const LightRun& light, const TextureTriangle& triangle, const RowStart& row)
-      : light_(light) {
-    row_.start(triangle, row);
-  }
+  ARCSPAN_INLINE constexpr TexturedRun(const LightRun& light, const TextureTriangle& triangle,
+                                       const RowStart& row)
+      : light_(light), texture_(triangle, row), first_(triangle.first) {}
 
+  /// Called before the first pixel (BeginsWithLighting).
   template <class Lighting>
   ARCSPAN_INLINE constexpr void begin(const Lighting& lighting) {
-    words_ = lighting.texture.at(row_.triangle().first);
+    words_ = lighting.texture.at(first_);
+    hide_value(words_);  // otherwise the first texel is added for every pixel
     palette_ = lighting.texture.palette();
   }
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) { return row_.enter(left); }
 
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(
+      std::int32_t left) requires std::same_as<Mapping, PerspectiveTexture> {
+    return texture_.enter(left);
+  }
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
-    const std::uint16_t texel = Texels::ColourFormat::rgb565(Texels::stored(words_, palette_, row_.index()));
+    const std::uint16_t texel =
+        Texels::ColourFormat::rgb565(Texels::stored(words_, palette_, texture_.steps().index()));
     if constexpr (Colours == TexelLight::kNone) {
       return UnlitTexel{texel};
     } else {
@@ -45,10 +50,10 @@ class TexturedRun {
     }
   }
   ARCSPAN_INLINE constexpr void next() {
-    row_.next();
+    texture_.next();
     if constexpr (Colours != TexelLight::kNone) light_.next();
   }
-  [[nodiscard]] constexpr const TextureRow& texture() const { return row_; }
+  [[nodiscard]] constexpr const TexelSteps& steps() const { return texture_.steps(); }
   [[nodiscard]] constexpr std::int32_t length() const requires LimitedRun<LightRun> {
     return light_.length();
   }
@@ -66,19 +71,21 @@ class TexturedRun {
   }
 
   LightRun light_;
-  TextureRow row_;
+  Mapping texture_;
+  std::uint32_t first_;
   const typename Texels::Word* words_ = nullptr;
   const std::uint16_t* palette_ = nullptr;
 };
 
-/// Steps a textured triangle from row to row (RowWalker), with the walker of its light.
-template <class LightWalker, TexelFormat Texels, TexelLight Colours>
+/// Steps a textured triangle from row to row (RowWalker), with the walker of its light. Rows in perspective
+/// are functions of their own, because pieces take many registers.
+template <class LightWalker, class Mapping, TexelFormat Texels, TexelLight Colours>
 class TexturedWalker {
  public:
-  using Run = TexturedRun<typename LightWalker::Run, Texels, Colours>;
+  using Run = TexturedRun<typename LightWalker::Run, Mapping, Texels, Colours>;
   static constexpr bool kOutlined = [] {
     if constexpr (OutlinedWalker<LightWalker>) return true;
-    return false;
+    return std::same_as<Mapping, PerspectiveTexture>;
   }();
 
   constexpr TexturedWalker(const LightWalker& light, TextureTriangle& triangle)
@@ -89,15 +96,15 @@ class TexturedWalker {
   }
   ARCSPAN_INLINE constexpr void next_row() {
     light_.next_row();
-    triangle_->u.next_row();
-    triangle_->v.next_row();
-    if (triangle_->piece != 0) triangle_->q.next_row();
+    triangle_->next_row();
+  }
+  constexpr void skip_rows(std::int32_t rows) requires SkipsRows<LightWalker> {
+    light_.skip_rows(rows);
+    triangle_->skip_rows(rows);
   }
   constexpr void enter_lower() {
     light_.enter_lower();
-    triangle_->u.enter_lower(triangle_->middle_left);
-    triangle_->v.enter_lower(triangle_->middle_left);
-    if (triangle_->piece != 0) triangle_->q.enter_lower(triangle_->middle_left);
+    triangle_->enter_lower();
   }
 
  private:
@@ -118,7 +125,10 @@ struct Textured : Light {
   /// The illumination of `Light` with the texture.
   struct Lighting : Light::Lighting {
     constexpr Lighting() = default;
-    constexpr explicit Lighting(const typename Light::Lighting& light, const Texture<Texels>& picture = {})
+    /// `light`: what Light::Lighting is made of, usually an Illumination.
+    template <class L>
+    requires std::constructible_from<typename Light::Lighting, const L&>
+    constexpr explicit Lighting(const L& light, const Texture<Texels>& picture = {})
         : Light::Lighting(light), texture(picture) {}
     Texture<Texels> texture;
   };
@@ -170,7 +180,11 @@ struct Textured : Light {
       if constexpr (SegmentedRun<typename LightWalker::Run>) {
         return Status::kOk;  // prepare() has left them out
       } else {
-        return draw(TexturedWalker<LightWalker, Texels, Colours>(walker, prepared.texture));
+        if (prepared.texture.piece == 0) {
+          return draw(TexturedWalker<LightWalker, LinearTexture, Texels, Colours>(walker, prepared.texture));
+        }
+        return draw(
+            TexturedWalker<LightWalker, PerspectiveTexture, Texels, Colours>(walker, prepared.texture));
       }
     });
   }

@@ -11,6 +11,7 @@
 #include <tests/firmware/cost_stage.hpp>
 
 #include <array>
+#include <new>
 
 // The light of the texture, which CMakeLists.txt defines.
 #include ARCSPAN_LIGHT_HEADER
@@ -79,7 +80,7 @@ bool set_light(typename M::Lighting& lighting) {
     const Status made =
         scenes::Light::make(white, {DirectionalLight{pose.to_object(normalised(5000, 6000, 6245))}},
                             pose.to_object(normalised(0, 0, 1)), light);
-    lighting = typename M::Lighting(light);
+    ::new (&lighting) typename M::Lighting(light);
     return ok(made);
   } else {
     return true;

@@ -5,6 +5,7 @@
 #include <arcspan/lighting/highlight_fade.hpp>
 #include <arcspan/lighting/illumination_features.hpp>
 #include <arcspan/lighting/material.hpp>
+#include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/lighting/power_table.hpp>
 #include <arcspan/lighting/ramp_scale.hpp>
 #include <arcspan/numbers/direction.hpp>
@@ -95,6 +96,23 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     } else {
       const LightSums sums = light_sums(scalars);
       return PackedRgb::of(level(0, sums), level(1, sums), level(2, sums));
+    }
+  }
+
+  /// The parts of colour(). Several coloured lights have no highlight of their own here: it is in `diffuse`.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Scalars& scalars) const {
+    if constexpr (Lights == 1) {
+      const PackedRgb ramp = diffuse_colour(scalars[0]);
+      const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
+      if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return {ramp, {}};
+      return {ramp, highlight(fade()(power_(half_distance), scalars[0]))};
+    } else if constexpr (kHasRamp) {
+      GreySums sums;
+      add_grey_lights(scalars, sums, std::make_index_sequence<Lights>{});
+      const PackedRgb ramp = diffuse_colour(Cosine::from_raw(static_cast<std::int32_t>(sums.diffuse)));
+      return {ramp, sums.power == 0 ? PackedRgb{} : highlight(sums.power)};
+    } else {
+      return {colour(scalars), {}};
     }
   }
 
@@ -225,14 +243,18 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     Weights specular{};
   };
 
-  /// A colour of the ramp plus the highlight, each channel clamped; `power` is c^n with 15 fraction bits.
-  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb with_highlight(PackedRgb ramp, std::uint32_t power) const {
+  /// A highlight, each channel clamped; `power` is c^n with 15 fraction bits.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::uint32_t power) const {
     const auto share = [power](std::uint32_t coefficient) {
       const std::uint32_t level = (coefficient * power) >> 18;
       return Lights == 1 || level < 1023 ? level : 1023u;  // several highlights may coincide
     };
-    if (white_specular_ != 0) return ramp.plus(PackedRgb::grey(share(white_specular_)));
-    return ramp.plus(PackedRgb::of(share(specular_[0]), share(specular_[1]), share(specular_[2])));
+    if (white_specular_ != 0) return PackedRgb::grey(share(white_specular_));
+    return PackedRgb::of(share(specular_[0]), share(specular_[1]), share(specular_[2]));
+  }
+  /// A colour of the ramp plus the highlight, each channel clamped.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb with_highlight(PackedRgb ramp, std::uint32_t power) const {
+    return ramp.plus(highlight(power));
   }
 
   /// `scalar` clamped to 0...1, 15 fraction bits.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/prepare/row_start.hpp>
@@ -46,14 +47,15 @@ concept SegmentedRunOf = SegmentedRun<R> && requires(R run, const Lighting& ligh
   { run.enter(lighting, count) } -> std::same_as<std::int32_t>;
 };
 
-/// Optional part of a run: begin() gets the lighting before the first pixel, for addresses that colour() needs.
+/// Optional part of a run: begin() gets the lighting before the first pixel, for addresses that colour()
+/// needs.
 template <class R, class Lighting>
 concept BeginsWithLighting = requires(R run, const Lighting& lighting) {
   {run.begin(lighting)};
 };
 
-/// A run that computes something anew in every piece of a row. enter() is called before each piece: it gets the
-/// number of pixels left and returns the length of the piece, 1 up to that number.
+/// A run that computes something anew in every piece of a row. enter() is called before each piece: it gets
+/// the number of pixels left and returns the length of the piece, 1 up to that number.
 template <class R, class Lighting>
 concept PiecewiseRun = PixelRun<R, Lighting> && requires(R run, std::int32_t left) {
   { run.enter(left) } -> std::same_as<std::int32_t>;
@@ -126,6 +128,13 @@ concept DrawsSmallTriangles = std::same_as<typename M::DrawsSmallTrianglesAs, M>
 template <class R, class Format, class Lighting, class Colours>
 concept EncodingRun = requires(const R& run, const Lighting& lighting, const Colours& colours) {
   { run.template encoded<Format>(lighting, colours) } -> std::same_as<typename Format::Encoded>;
+};
+
+/// Optional part of a run: light(lighting) returns the parts of colour(), for methods that reflect them
+/// differently (Textured).
+template <class R, class Lighting>
+concept LightRun = requires(const R& run, const Lighting& lighting) {
+  { run.light(lighting) } -> std::same_as<PixelLight>;
 };
 
 /// Optional part of a walker (`kOutlined`): few triangles need it and its set-up takes many registers, so its

@@ -21,6 +21,10 @@ class HighlightPatchRun : public SecondDifferenceRun<2> {
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
     return lighting.colour_with_highlight_at(scalars()[0], scalars()[1].raw(), weight());
   }
+  /// Returns the parts of colour() (LightRun).
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
+    return lighting.light_with_highlight_at(scalars()[0], scalars()[1].raw(), weight());
+  }
   /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
   template <class Format, class Colours>
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,

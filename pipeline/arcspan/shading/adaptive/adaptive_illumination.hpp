@@ -80,6 +80,12 @@ class AdaptiveIllumination : public Illumination {
     const PackedRgb lit = lit_colour(diffuse);
     return misses(distance) ? lit : lit.plus(highlight(distance, weight));
   }
+  /// Returns the parts of that colour.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light_with_highlight_at(Cosine diffuse,
+                                                                            std::int32_t distance,
+                                                                            std::uint32_t weight) const {
+    return {lit_colour(diffuse), misses(distance) ? PackedRgb{} : highlight(distance, weight)};
+  }
   /// Returns the colour encoded in `Format`; `encoded` is an EncodedColourTable with kForHighlights. White
   /// highlights have a path of their own, which takes one comparison.
   template <class Format, class Colours>

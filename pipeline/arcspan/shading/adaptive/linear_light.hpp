@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/small_triangle.hpp>
@@ -33,6 +34,10 @@ class LinearLightRun {
 
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
     return lighting.diffuse_colour(light_);
+  }
+  /// Returns the parts of colour() (LightRun).
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
+    return {lighting.diffuse_colour(light_), {}};
   }
   /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
   template <class Format, class Colours>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/shading/patch/patch.hpp>
 #include <arcspan/target.hpp>
@@ -92,6 +93,14 @@ class PatchRun : public SecondDifferenceRun<Used> {
       return lighting.colour(this->scalars());
     } else {
       return lighting.diffuse_colour(this->scalars()[0]);
+    }
+  }
+  /// Returns the parts of colour() (LightRun).
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
+    if constexpr (Used == Lighting::kScalars) {
+      return lighting.light(this->scalars());
+    } else {
+      return {lighting.diffuse_colour(this->scalars()[0]), {}};
     }
   }
   /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).

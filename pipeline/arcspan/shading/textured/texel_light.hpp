@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>
 
 namespace arcspan {
-
-/// The light of a pixel as a textured method gets it: the part that the texel reflects, and the highlight,
-/// which is added to it.
-struct PixelLight {
-  PackedRgb diffuse;    ///< of a white surface; includes half an 8-bit step as every PackedRgb
-  PackedRgb highlight;  ///< without the half step
-};
 
 /// Which colours the light on a texture may have.
 enum class TexelLight : std::uint8_t {
@@ -81,25 +75,30 @@ struct UnlitTexel {
   }
 };
 
+/// The level of grey light, 0...32, rounded.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t grey_level(PackedRgb light) {
+  return ((light.lanes >> 22) + 16) >> 5;
+}
+
 /// The colour of a texel under light (PackableColour). As a 5-6-5 pixel it is computed in one word, with
 /// light of 33 levels if that is grey; as other formats with all bits. Both are rounded.
 template <TexelLight Colours>
 struct LitTexel {
   std::uint16_t texel;
   PixelLight light;
+  std::uint32_t level;  ///< of grey light, 0...32
 
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
     std::uint32_t lit;
     if constexpr (Colours == TexelLight::kGrey) {
-      const std::uint32_t level = ((light.diffuse.lanes >> 22) + 16) >> 5;  // 0...32
       constexpr std::uint32_t kHalf = (16u << 21) | (16u << 11) | 16u;
       lit = ((detail::spread(texel) * level + kHalf) >> 5) & detail::kSpreadMask;
     } else {
       // 0...1022 of the light becomes 0...1025, so that full light keeps the texel.
-      const auto level = [](std::uint32_t v) { return v + (v >> 8); };
-      const std::uint32_t green = (texel >> 5 & 63u) * level(light.diffuse.lanes >> 22) + 512;
-      const std::uint32_t red = (texel >> 11) * level((light.diffuse.lanes >> 11) & 1023u) + 512u;
-      const std::uint32_t blue = (texel & 31u) * level(light.diffuse.lanes & 1023u) + 512;
+      const auto whole = [](std::uint32_t v) { return v + (v >> 8); };
+      const std::uint32_t green = (texel >> 5 & 63u) * whole(light.diffuse.lanes >> 22) + 512;
+      const std::uint32_t red = (texel >> 11) * whole((light.diffuse.lanes >> 11) & 1023u) + 512u;
+      const std::uint32_t blue = (texel & 31u) * whole(light.diffuse.lanes & 1023u) + 512;
       lit = ((green >> 10) << 21) | ((red >> 10) << 11) | (blue >> 10);
     }
     if (light.highlight.lanes != 0) lit = detail::saturated_sum(lit, detail::spread(light.highlight));

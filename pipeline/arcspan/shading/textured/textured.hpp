@@ -20,11 +20,10 @@ namespace arcspan {
 
 /// The pixels of a row of a textured triangle (PixelRun, or PiecewiseRun in perspective). `LightRun` is the
 /// run of the method that lights them; `Mapping` is LinearTexture or PerspectiveTexture.
-template <class LightRun, class Mapping, TexelFormat Texels, TexelLight Colours>
+template <class Lit, class Mapping, TexelFormat Texels, TexelLight Colours>
 class TexturedRun {
  public:
-  ARCSPAN_INLINE constexpr TexturedRun(const LightRun& light, const TextureTriangle& triangle,
-                                       const RowStart& row)
+  ARCSPAN_INLINE constexpr TexturedRun(const Lit& light, const TextureTriangle& triangle, const RowStart& row)
       : light_(light), texture_(triangle, row), first_(triangle.first) {}
 
   /// Called before the first pixel (BeginsWithLighting).
@@ -46,7 +45,12 @@ class TexturedRun {
     if constexpr (Colours == TexelLight::kNone) {
       return UnlitTexel{texel};
     } else {
-      return LitTexel<Colours>{texel, light(lighting)};
+      const PixelLight lit = light(lighting);
+      if constexpr (requires { light_.grey_level(); }) {
+        return LitTexel<Colours>{texel, lit, light_.grey_level()};
+      } else {
+        return LitTexel<Colours>{texel, lit, grey_level(lit.diffuse)};
+      }
     }
   }
   ARCSPAN_INLINE constexpr void next() {
@@ -54,14 +58,12 @@ class TexturedRun {
     if constexpr (Colours != TexelLight::kNone) light_.next();
   }
   [[nodiscard]] constexpr const TexelSteps& steps() const { return texture_.steps(); }
-  [[nodiscard]] constexpr std::int32_t length() const requires LimitedRun<LightRun> {
-    return light_.length();
-  }
+  [[nodiscard]] constexpr std::int32_t length() const requires LimitedRun<Lit> { return light_.length(); }
 
  private:
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
-    if constexpr (requires { light_.light(lighting); }) {
+    if constexpr (LightRun<Lit, Lighting>) {
       return light_.light(lighting);
     } else if constexpr (requires { light_.colour(lighting).packed(); }) {
       return {light_.colour(lighting).packed(), {}};
@@ -70,7 +72,7 @@ class TexturedRun {
     }
   }
 
-  LightRun light_;
+  Lit light_;
   Mapping texture_;
   std::uint32_t first_;
   const typename Texels::Word* words_ = nullptr;

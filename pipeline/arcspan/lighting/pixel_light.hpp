@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/colour.hpp>
+
+namespace arcspan {
+
+/// The light of a pixel in two parts, for surfaces that reflect them in different colours, as a texture does.
+/// Their sum, saturated, is the colour of an untextured surface.
+struct PixelLight {
+  PackedRgb diffuse;    ///< ambient and diffuse part
+  PackedRgb highlight;  ///< specular part, without the half 8-bit step that a PackedRgb includes otherwise
+};
+
+}  // namespace arcspan

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/lighting/illumination.hpp>
+#include <arcspan/lighting/pixel_light.hpp>
+#include <arcspan/prepare/linear.hpp>
+#include <arcspan/shading/method.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstdint>
+
+namespace arcspan {
+
+/// Gouraud shading of one channel, for textures under grey light: computes the full illumination per vertex
+/// and interpolates its green channel, which stands for all three.
+template <class Illumination>
+struct GreyGouraud {
+  using Lighting = Illumination;
+  struct Face {};
+  struct Vertex {
+    std::int32_t level;  ///< 0...65280, in 256ths of an 8-bit step
+  };
+  struct Prepared {
+    FullLinearPlane level;
+    bool middle_left;
+  };
+  static constexpr bool kNeedsFaceNormal = false;
+
+  [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
+    return {lighting.deep_colour(lighting.scalars(normal)).g};
+  }
+  [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }
+  [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
+    return {a.level + round_shift(wrap_mul(b.level - a.level, t.raw() >> 1), 14)};
+  }
+
+  template <class Frame>
+  static constexpr void prepare(const Lighting&, const Frame& frame, const Face&, Prepared& prepared) {
+    make_linear_plane(frame, frame.top->shade.level, frame.middle->shade.level, frame.bottom->shade.level,
+                      prepared.level);
+    prepared.level.left.at += kHalf;
+    prepared.level.lower.at += kHalf;
+    prepared.middle_left = frame.middle_left;
+  }
+
+  /// The pixels of a row (PixelRun, LightRun).
+  class Run {
+   public:
+    constexpr Run(FullLinear at, FullLinear step)
+        : at_(static_cast<std::uint32_t>(at.raw())), step_(static_cast<std::uint32_t>(step.raw())) {}
+
+    [[nodiscard]] constexpr PackedRgb colour(const Lighting&) const {
+      return PackedRgb::grey(packed_level());
+    }
+    [[nodiscard]] constexpr PixelLight light(const Lighting& lighting) const {
+      return {colour(lighting), {}};
+    }
+    /// The level as 0...32, rounded.
+    [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t grey_level() const { return at_ >> 26; }
+    ARCSPAN_INLINE constexpr void next() { at_ += step_; }
+
+   private:
+    /// The level as a channel of PackedRgb: with half an 8-bit step instead of half a grey_level().
+    [[nodiscard]] constexpr std::uint32_t packed_level() const {
+      return (at_ - static_cast<std::uint32_t>(kHalf.raw()) + (1u << 22)) >> 21;
+    }
+    std::uint32_t at_;  ///< 8-bit steps with 23 fraction bits, and half a grey_level()
+    std::uint32_t step_;
+  };
+
+  class Walker {
+   public:
+    using Run = GreyGouraud::Run;
+    constexpr explicit Walker(Prepared& prepared) : p_(&prepared) {}
+    [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
+      return Run(linear_at(p_->level, start), p_->level.dx);
+    }
+    ARCSPAN_INLINE constexpr void next_row() { p_->level.next_row(); }
+    constexpr void skip_rows(std::int32_t rows) { p_->level.skip_rows(rows); }
+    constexpr void enter_lower() { p_->level.enter_lower(p_->middle_left); }
+
+   private:
+    Prepared* p_;
+  };
+
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    return draw(Walker(prepared));
+  }
+
+ private:
+  static constexpr FullLinear kHalf = FullLinear::from_raw(1 << 25);  ///< half of a 32nd of 256
+};
+
+}  // namespace arcspan

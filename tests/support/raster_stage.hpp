@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/prepare/prepare_triangle.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/span/draw_command.hpp>

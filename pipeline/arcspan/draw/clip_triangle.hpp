@@ -29,7 +29,7 @@ ARCSPAN_COLD_OUTLINE std::size_t clip_triangle(const VertexStage<Method>& stage,
   }
   const ClipPolygon<Method>& rest = clip_polygon(polygon, spare, stage.transform().near_w());
   for (std::size_t i = 0; i < rest.count; ++i) {
-    stage.place(rest.vertices[i].position, inside[i]);
+    place_on_screen(rest.vertices[i].position, stage.transform(), inside[i]);
     inside[i].shade = rest.vertices[i].shade;
   }
   return rest.count;

@@ -138,20 +138,13 @@ class TriangleDrawer {
   /// Draws the back of a triangle. Few meshes show backs, so their shading is not cached.
   ARCSPAN_COLD_OUTLINE void draw_back(const TriangleIndices& t, const Raster& p, const Raster& q,
                                       const Raster& r) {
-    Raster a = unshaded(p);
-    Raster b = unshaded(q);
-    Raster c = unshaded(r);
+    Raster a = unshaded<Method>(p);
+    Raster b = unshaded<Method>(q);
+    Raster c = unshaded<Method>(r);
     stage_.shade(t.a, Facing::kBack, a.shade);
     stage_.shade(t.b, Facing::kBack, b.shade);
     stage_.shade(t.c, Facing::kBack, c.shade);
     draw_side(t, a, b, c, Facing::kBack);
-  }
-
-  [[nodiscard]] static Raster unshaded(const Raster& vertex) {
-    Raster copy{};
-    copy.position = vertex.position;
-    if constexpr (NeedsNearOverW<Method>) copy.near_over_w = vertex.near_over_w;
-    return copy;
   }
 
   /// Draws a triangle across the near plane or the guard band.

@@ -4,6 +4,7 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/mesh/packed_normal.hpp>
 #include <arcspan/prepare/triangle.hpp>
+#include <arcspan/shading/method.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
@@ -20,13 +21,6 @@ struct CachedVertex {
   RasterVertex<Method> raster;
   std::uint8_t outcode;  ///< planes that the vertex is outside of (ClipOutcode); if any, `raster` is unset
   bool shaded;
-};
-
-/// Optional part of a method: set_vertex_data(mesh, i, vertex) sets what vertex i has in the mesh besides its
-/// normal.
-template <class M>
-concept TakesVertexData = requires(const MeshView& mesh, std::size_t i, typename M::Vertex& vertex) {
-  {M::set_vertex_data(mesh, i, vertex)};
 };
 
 namespace detail {
@@ -53,20 +47,11 @@ class VertexStage {
     return transform_(mesh_.position(i));
   }
 
-  /// Sets where a vertex inside the clip volume is on the screen.
-  ARCSPAN_INLINE void place(const ClipPosition& position, RasterVertex<Method>& vertex) const {
-    if constexpr (NeedsNearOverW<Method>) {
-      vertex.position = project(position, transform_, vertex.near_over_w.value);
-    } else {
-      vertex.position = project(position, transform_);
-    }
-  }
-
   /// Transforms vertex i of the mesh; it is not shaded yet.
   ARCSPAN_INLINE void transform(std::size_t i, CachedVertex<Method>& vertex) const {
     const ClipPosition position = clip_position(i);
     vertex.outcode = outcode(position, transform_.near_w());
-    if (vertex.outcode == kInside) place(position, vertex.raster);
+    if (vertex.outcode == kInside) place_on_screen(position, transform_, vertex.raster);
     vertex.shaded = false;
   }
 
@@ -77,7 +62,7 @@ class VertexStage {
 
   /// Transforms vertex i of a mesh that is known to be in view.
   ARCSPAN_OUTLINE void transform_inside(std::size_t i, CachedVertex<Method>& vertex) const {
-    place(clip_position(i), vertex.raster);
+    place_on_screen(clip_position(i), transform_, vertex.raster);
     vertex.outcode = kInside;
     vertex.shaded = false;
   }

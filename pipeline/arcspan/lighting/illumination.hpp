@@ -100,21 +100,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   }
 
   /// The parts of colour(). Several coloured lights have no highlight of their own here: it is in `diffuse`.
-  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Scalars& scalars) const {
-    if constexpr (Lights == 1) {
-      const PackedRgb ramp = diffuse_colour(scalars[0]);
-      const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
-      if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return {ramp, {}};
-      return {ramp, highlight(fade()(power_(half_distance), scalars[0]))};
-    } else if constexpr (kHasRamp) {
-      GreySums sums;
-      add_grey_lights(scalars, sums, std::make_index_sequence<Lights>{});
-      const PackedRgb ramp = diffuse_colour(Cosine::from_raw(static_cast<std::int32_t>(sums.diffuse)));
-      return {ramp, sums.power == 0 ? PackedRgb{} : highlight(sums.power)};
-    } else {
-      return {colour(scalars), {}};
-    }
-  }
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Scalars& scalars) const;
 
   /// The scalar of which diffuse_colour() is the diffuse part of colour(), as long as every light i that is
   /// in `lit` (bit i) has N·L >= 0 and every other one N·L <= 0: N·L of one light, the mean of several by
@@ -336,5 +322,6 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
 
 #include <arcspan/lighting/illumination_bounds.hpp>
 #include <arcspan/lighting/make_illumination.hpp>
+#include <arcspan/lighting/pixel_light_of.hpp>
 #include <arcspan/lighting/several_lights.hpp>
 #include <arcspan/target.hpp>

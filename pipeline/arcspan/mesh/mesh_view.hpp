@@ -4,6 +4,7 @@
 #include <arcspan/mesh/face_plane.hpp>
 #include <arcspan/mesh/packed_normal.hpp>
 #include <arcspan/mesh/texture_point.hpp>
+#include <arcspan/pixel/colour.hpp>
 #include <arcspan/status.hpp>
 
 #include <cstddef>
@@ -95,6 +96,16 @@ class MeshView {
     return view;
   }
 
+  /// Attaches a colour for each vertex, 3 bytes each. Returns kInvalidArgument, and changes nothing, if their
+  /// number is not that of vertices. Without them all vertices are white.
+  constexpr Status attach(std::span<const Rgb8> colours);
+  /// A copy with attach() done, as a constant. Colours that attach() rejects do not compile.
+  [[nodiscard]] consteval MeshView with(std::span<const Rgb8> colours) const {
+    MeshView view = *this;
+    if (!ok(view.attach(colours))) detail::constant_refused();
+    return view;
+  }
+
   /// A view of `count` triangles from `first` on, with all vertices. What is beyond the last triangle is left
   /// out.
   [[nodiscard]] constexpr MeshView part(std::size_t first, std::size_t count) const {
@@ -124,6 +135,11 @@ class MeshView {
   }
   [[nodiscard]] constexpr const TextureScale& texture_scale() const { return texture_scale_; }
 
+  /// Colour of vertex `i`, which must be below vertex_count().
+  [[nodiscard]] constexpr Rgb8 colour(std::size_t i) const {
+    return colours_ == nullptr ? Rgb8{255, 255, 255} : colours_[i];
+  }
+
   /// The vertices of triangle `i`, which must be below triangle_count().
   [[nodiscard]] constexpr TriangleIndices triangle(std::size_t i) const {
     if (indices8_ != nullptr) {
@@ -152,73 +168,9 @@ class MeshView {
   PlaneScale plane_scale_{};
   TextureScale texture_scale_{};
   const TexturePoint* texture_points_ = nullptr;
+  const Rgb8* colours_ = nullptr;
 };
 
-namespace detail {
-
-/// The squared distance of a vertex from the object's origin, at most 3 * 2^30.
-[[nodiscard]] constexpr std::uint32_t squared_distance(const ObjectPosition& p) {
-  const auto square = [](std::int32_t c) { return static_cast<std::uint32_t>(c * c); };
-  return square(p.x) + square(p.y) + square(p.z);
-}
-
-/// The checks of MeshView::make().
-template <class Index>
-[[nodiscard]] constexpr Status check_mesh(std::size_t positions, std::size_t normals,
-                                          std::span<const Index> indices) {
-  if (positions != normals || positions > MeshView::kMaxVertices || indices.size() % 3 != 0) {
-    return Status::kInvalidArgument;
-  }
-  for (const Index index : indices) {
-    if (index >= positions) return Status::kIndexOutOfRange;
-  }
-  return Status::kOk;
-}
-
-}  // namespace detail
-
-constexpr Status MeshView::make(std::span<const ObjectPosition> positions,
-                                std::span<const PackedNormal> normals, std::span<const std::uint16_t> indices,
-                                MeshView& view) {
-  const Status status = detail::check_mesh(positions.size(), normals.size(), indices);
-  if (!ok(status)) return status;
-  view = MeshView(positions, normals, indices.size() / 3);
-  view.indices16_ = indices.data();
-  return Status::kOk;
-}
-
-constexpr Status MeshView::make(std::span<const ObjectPosition> positions,
-                                std::span<const PackedNormal> normals, std::span<const std::uint8_t> indices,
-                                MeshView& view) {
-  const Status status = detail::check_mesh(positions.size(), normals.size(), indices);
-  if (!ok(status)) return status;
-  view = MeshView(positions, normals, indices.size() / 3);
-  view.indices8_ = indices.data();
-  return Status::kOk;
-}
-
-constexpr Status MeshView::attach(std::span<const FacePlane> planes, const PlaneScale& scale) {
-  if (planes.size() != triangle_count_ || scale.normal_bits < PlaneScale::kLeastNormalBits ||
-      scale.normal_bits > PlaneScale::kMostNormalBits || scale.offset_bits > PlaneScale::kMostOffsetBits) {
-    return Status::kInvalidArgument;
-  }
-  const std::uint32_t radius = scale.radius;
-  for (std::size_t i = 0; i < vertex_count_; ++i) {
-    if (detail::squared_distance(positions_[i]) > radius * radius) return Status::kInvalidArgument;
-  }
-  planes_ = planes.data();
-  plane_scale_ = scale;
-  return Status::kOk;
-}
-
-constexpr Status MeshView::attach(std::span<const TexturePoint> points, const TextureScale& scale) {
-  if (points.size() != vertex_count_ || scale.fraction_bits < TextureScale::kLeastBits ||
-      scale.fraction_bits > TextureScale::kMostBits) {
-    return Status::kInvalidArgument;
-  }
-  texture_points_ = points.data();
-  texture_scale_ = scale;
-  return Status::kOk;
-}
-
 }  // namespace arcspan
+
+#include <arcspan/mesh/make_mesh_view.hpp>

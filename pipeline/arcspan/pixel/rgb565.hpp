@@ -20,6 +20,7 @@ struct Rgb565 {
   using Cursor = WordCursor<std::uint16_t>;
   static constexpr unsigned kBitsPerPixel = 16;
   static constexpr bool kDithers = false;
+  static constexpr bool kIsRgb565 = true;  ///< a pixel is a 5-6-5 word, on which blending may compute
 
   [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) {
     return static_cast<std::size_t>(width);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/prepare/input_vertex.hpp>
 #include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/triangle_command.hpp>
 #include <arcspan/target.hpp>
@@ -9,28 +10,6 @@
 #include <cstdint>
 
 namespace arcspan {
-
-/// Optional part of a method (`kNeedsNearOverW`): its vertices have near/w, for attributes in perspective.
-template <class M>
-concept NeedsNearOverW = bool{M::kNeedsNearOverW};
-
-/// near/w of a vertex, 29 fraction bits, 0...1.
-struct NearOverW {
-  std::int32_t value;
-};
-
-/// Input vertex of triangle preparation: its position on the screen and the shading method's data.
-template <class Method>
-struct RasterVertex {
-  RasterPosition position;
-  typename Method::Vertex shade;
-};
-template <NeedsNearOverW Method>
-struct RasterVertex<Method> {
-  RasterPosition position;
-  typename Method::Vertex shade;
-  NearOverW near_over_w;
-};
 
 /// The rows to be drawn of a viewport, first ... end - 1, relative to the raster origin.
 struct RowRange {
@@ -212,14 +191,9 @@ template <bool WithDepth, class Method>
 
 }  // namespace detail
 
-/// Returns true inside the guard band, [-1024, 1024) pixels, within which edges and areas fit their words.
-[[nodiscard]] constexpr bool in_guard_band(const RasterPosition& p) {
-  constexpr std::uint32_t kHalf = kGuardBand << Subpixel::kFraction;
-  return ((static_cast<std::uint32_t>(p.x) + kHalf) | (static_cast<std::uint32_t>(p.y) + kHalf)) < 2 * kHalf;
-}
-
-/// prepare_triangle() for vertices that are known to be inside the guard band, as those from project() are.
-/// `WithDepth` is false where depth is not tested; the depth plane is then zero.
+/// Makes the command that draws a triangle of either winding, as prepare_triangle() (prepare_triangle.hpp)
+/// does; its vertices are known to be inside the guard band, as those from project() are. `WithDepth` is
+/// false where depth is not tested; the depth plane is then zero.
 template <class Method, bool WithDepth = true>
 ARCSPAN_OUTLINE_IF_SMALL [[nodiscard]] constexpr bool prepare_inside(
     const typename Method::Lighting& lighting, const RasterVertex<Method>& a, const RasterVertex<Method>& b,
@@ -228,21 +202,6 @@ ARCSPAN_OUTLINE_IF_SMALL [[nodiscard]] constexpr bool prepare_inside(
   TriangleFrame<Method> frame;
   detail::place_vertices(a, b, c, frame);
   return detail::prepare_frame<WithDepth>(lighting, frame, face, rows, command);
-}
-
-/// Makes the command that draws a triangle of either winding. Returns false if there is nothing to draw: if
-/// the triangle has no row among `rows`, the rows of the viewport, if it has no area, or if a vertex is
-/// outside the guard band.
-template <class Method>
-[[nodiscard]] constexpr bool prepare_triangle(const typename Method::Lighting& lighting,
-                                              const RasterVertex<Method>& a, const RasterVertex<Method>& b,
-                                              const RasterVertex<Method>& c,
-                                              const typename Method::Face& face, const RowRange& rows,
-                                              TriangleCommand<Method>& command) {
-  if (!in_guard_band(a.position) || !in_guard_band(b.position) || !in_guard_band(c.position)) return false;
-  TriangleFrame<Method> frame;
-  detail::place_vertices(a, b, c, frame);
-  return detail::prepare_frame<true>(lighting, frame, face, rows, command);
 }
 
 }  // namespace arcspan

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/scene/scene_frame.hpp>
-#include <arcspan/vertex/raster_vertex.hpp>
+#include <arcspan/vertex/project.hpp>
 
 #include <tuple>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/lighting/pixel_light.hpp>
+#include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/prepare/row_start.hpp>
@@ -110,6 +111,13 @@ concept UsesEncodedColours = bool{M::kUsesEncodedColours};
 /// that are shaded with one material serve for others of the same type.
 template <class M>
 concept SharesVertices = std::is_empty_v<typename M::Vertex> || bool{M::kSharesVertices};
+
+/// Optional part of a method: set_vertex_data(mesh, i, vertex) sets what vertex i has in the mesh besides its
+/// normal.
+template <class M>
+concept TakesVertexData = requires(const MeshView& mesh, std::size_t i, typename M::Vertex& vertex) {
+  {M::set_vertex_data(mesh, i, vertex)};
+};
 
 /// Optional part of a method: it draws small triangles (prepare/small_triangle.hpp) by barycentric
 /// coordinates. A method declares that by `using DrawsSmallTrianglesAs =` its own name; methods derived from

@@ -29,6 +29,8 @@ namespace arcspan {
 /// No depth test: triangles cover what was drawn before them (painter's order, convex objects).
 struct NoDepth {
   static constexpr bool kTests = false;
+  static constexpr bool kWrites = false;
+  [[nodiscard]] static constexpr bool passes(std::uint16_t, std::uint16_t) { return true; }
   [[nodiscard]] constexpr Rect bounds() const {
     return {INT32_MIN / 2, INT32_MIN / 2, INT32_MAX / 2, INT32_MAX / 2};
   }
@@ -38,7 +40,13 @@ struct NoDepth {
 class DepthBuffer {
  public:
   static constexpr bool kTests = true;
+  static constexpr bool kWrites = true;
   static constexpr std::uint16_t kFarthest = 0xFFFF;
+
+  /// The test of a pixel, nearer than what is there.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr bool passes(std::uint16_t depth, std::uint16_t stored) {
+    return is_nearer(depth, stored);
+  }
 
   [[nodiscard]] static constexpr std::size_t words(std::int32_t width, std::int32_t rows) {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
@@ -78,7 +86,10 @@ class DepthBuffer {
   Status status_;
 };
 
+/// A depth buffer, or one with another test or without writing (DepthMode, span/depth_mode.hpp).
 template <class D>
-concept DepthTarget = std::same_as<D, NoDepth> || std::same_as<D, DepthBuffer>;
+concept DepthTarget = std::same_as<D, NoDepth> || std::same_as<D, DepthBuffer> || requires {
+  requires bool{D::kIsDepthMode};
+};
 
 }  // namespace arcspan

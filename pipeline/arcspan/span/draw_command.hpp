@@ -6,6 +6,7 @@
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/depth.hpp>
+#include <arcspan/span/draw_pieces.hpp>
 #include <arcspan/span/draw_pixels.hpp>
 #include <arcspan/span/row_memory.hpp>
 #include <arcspan/status.hpp>

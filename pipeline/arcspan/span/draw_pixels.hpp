@@ -6,6 +6,7 @@
 #include <arcspan/prepare/linear.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/depth.hpp>
+#include <arcspan/span/draw_operated.hpp>
 #include <arcspan/span/encoded_colours.hpp>
 #include <arcspan/target.hpp>
 
@@ -78,19 +79,29 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
     if constexpr (kIndexed && !kHasWideRegisters) hide_value(i);
     const std::uint16_t depth = depth_of(place.z);
     std::uint16_t* const stored = kIndexed ? depths + i : place.depths;
-    if (!kTests || is_nearer(depth, *stored)) [[likely]] {
-      if constexpr (kTests) *stored = depth;
-      typename Format::Encoded encoded;
-      if constexpr (kLooksUpColours<Target, Run>) {
-        encoded = run.template encoded<Format>(target.lighting, target.encoded);
+    if (!kTests || Target::Depth::passes(depth, *stored)) [[likely]] {
+      if constexpr (kHasOperation<Target, Run>) {
+        const std::int32_t x = origin + static_cast<std::int32_t>(i);
+        const auto colour = run.colour(target.lighting);
+        if constexpr (kIndexed) {
+          draw_operated<Target>(colour, typename Format::Cursor(pixels + i, 0), stored, depth, x, span.y);
+        } else {
+          draw_operated<Target>(colour, place.cursor, stored, depth, x, span.y);
+        }
       } else {
-        encoded =
-            encode_at<Format>(run.colour(target.lighting), origin + static_cast<std::int32_t>(i), span.y);
-      }
-      if constexpr (kIndexed) {
-        pixels[i] = encoded;
-      } else {
-        place.cursor.write(encoded);
+        if constexpr (kTests && Target::Depth::kWrites) *stored = depth;
+        typename Format::Encoded encoded;
+        if constexpr (kLooksUpColours<Target, Run>) {
+          encoded = run.template encoded<Format>(target.lighting, target.encoded);
+        } else {
+          encoded =
+              encode_at<Format>(run.colour(target.lighting), origin + static_cast<std::int32_t>(i), span.y);
+        }
+        if constexpr (kIndexed) {
+          pixels[i] = encoded;
+        } else {
+          place.cursor.write(encoded);
+        }
       }
     }
     if constexpr (!kIndexed && kTests) ++place.depths;
@@ -98,38 +109,6 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
     if constexpr (!kIndexed) place.cursor.next();
     run.next();
   } while (++i != last);
-}
-
-/// Draws a run that consists of segments with linear colours (SegmentedRun).
-template <class Target, class Run>
-ARCSPAN_INLINE constexpr void draw_segments(PixelPlace<Target>& place, const Span& span, Run& run,
-                                            const Target& target, Linear dz) {
-  run.begin(target.lighting, span.count);
-  for (std::int32_t left = span.count; left > 0;) {
-    const std::int32_t count = run.enter(target.lighting, left);
-    if constexpr (IndexedRows<Target>) {
-      place.cursor.skip(count);
-      place.depths += count;
-    }
-    auto segment = run.segment();
-    draw_pixels(place, {span.y, span.x + span.count - left, count}, segment, target, dz);
-    left -= count;
-  }
-}
-
-/// Draws a run piece by piece (PiecewiseRun).
-template <class Target, class Run>
-ARCSPAN_INLINE constexpr void draw_pieces(PixelPlace<Target>& place, const Span& span, Run& run,
-                                          const Target& target, Linear dz) {
-  for (std::int32_t left = span.count; left > 0;) {
-    const std::int32_t count = run.enter(left);
-    if constexpr (IndexedRows<Target>) {
-      place.cursor.skip(count);
-      place.depths += count;
-    }
-    draw_pixels(place, {span.y, span.x + span.count - left, count}, run, target, dz);
-    left -= count;
-  }
 }
 
 }  // namespace arcspan::detail

@@ -72,23 +72,31 @@ class DepthRows {
   std::int32_t stride_;
 };
 
-template <>
-class DepthRows<DepthBuffer, false> {
+template <class Depth>
+class DepthRows<Depth, false> {
  public:
-  constexpr DepthRows(const DepthBuffer& depth, std::int32_t) : depth_(depth) {}
+  constexpr DepthRows(const Depth& depth, std::int32_t) : depth_(depth) {}
   [[nodiscard]] constexpr std::uint16_t* at(const Span& span) const { return depth_.row(span.y) + span.x; }
   constexpr void next() {}
 
  private:
-  const DepthBuffer& depth_;
+  const Depth& depth_;
 };
 
-template <bool Steps>
-class DepthRows<NoDepth, Steps> {
+/// Without a depth buffer.
+class NoDepthRows {
  public:
-  constexpr DepthRows(const NoDepth&, std::int32_t) {}
+  constexpr NoDepthRows(const NoDepth&, std::int32_t) {}
   [[nodiscard]] constexpr std::uint16_t* at(const Span&) const { return nullptr; }
   constexpr void next() {}
+};
+template <>
+class DepthRows<NoDepth, true> : public NoDepthRows {
+  using NoDepthRows::NoDepthRows;
+};
+template <>
+class DepthRows<NoDepth, false> : public NoDepthRows {
+  using NoDepthRows::NoDepthRows;
 };
 
 /// The memory of the current row of a command: its pixels and its depths.

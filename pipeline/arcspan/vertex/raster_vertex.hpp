@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/numbers/reciprocal.hpp>
+#include <arcspan/target.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
 #include <bit>
@@ -44,8 +45,9 @@ enum ClipOutcode : std::uint8_t {
 
 /// The vertex on the screen: x and y are divided by w, rounded to the nearest Subpixel, and saturated at the
 /// guard band. Requires p.w >= transform.near_w(). Sets `near_over_w` to near_w() / w, 29 fraction bits.
-[[nodiscard]] inline RasterPosition project(const ClipPosition& p, const ClipTransform& transform,
-                                            std::int32_t& near_over_w) {
+[[nodiscard]] ARCSPAN_INLINE inline RasterPosition project(const ClipPosition& p,
+                                                           const ClipTransform& transform,
+                                                           std::int32_t& near_over_w) {
   // c / w = (c << zeros) / (w << zeros). `c` is shifted by one bit less, which keeps its sign.
   const auto w = static_cast<std::uint32_t>(p.w);
   const int zeros = std::countl_zero(w | 1u);
@@ -64,10 +66,6 @@ enum ClipOutcode : std::uint8_t {
   const std::int32_t odd_y = (transform.viewport().height & 1) * 8;
   near_over_w = over_w(transform.near_w());
   return {screen(p.x, odd_x), screen(p.y, odd_y), transform.depth(near_over_w)};
-}
-[[nodiscard]] inline RasterPosition project(const ClipPosition& p, const ClipTransform& transform) {
-  std::int32_t near_over_w;
-  return project(p, transform, near_over_w);
 }
 
 }  // namespace arcspan

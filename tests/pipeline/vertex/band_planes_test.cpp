@@ -3,7 +3,7 @@
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/vertex/back_faces.hpp>
 #include <arcspan/vertex/band_planes.hpp>
-#include <arcspan/vertex/raster_vertex.hpp>
+#include <arcspan/vertex/project.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/mesh_and_camera.hpp>

@@ -76,7 +76,8 @@ class SmallArc {
    public:
     static constexpr std::size_t kUsed = Used;
 
-    [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
+    [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const ->
+        typename PatchRun<Lighting, Used>::Shade {
       return pixel().colour(lighting);
     }
     template <class Format, class Colours>

@@ -56,7 +56,7 @@ class SmallShading {
         return true;
       }
     }
-    if constexpr (Lighting::kLights == 1) {
+    if constexpr (Lighting::kHasRamp && Lighting::kLights == 1) {
       if (!shines) {
         path_ = Path::kDiffuseArc;
         prepare_arc(diffuse_arc_);
@@ -78,7 +78,7 @@ class SmallShading {
     if constexpr (Lighting::kHasRamp) {
       if (path_ == Path::kDiffusePatch) return draw(diffuse_patch_);
     }
-    if constexpr (Lighting::kLights == 1) {
+    if constexpr (Lighting::kHasRamp && Lighting::kLights == 1) {
       if (path_ == Path::kDiffuseArc) return draw(diffuse_arc_);
     }
     return path_ == Path::kPatch ? draw(patch_) : draw(arc_);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace arcspan {
 
@@ -88,7 +89,10 @@ class PatchRun : public SecondDifferenceRun<Used> {
  public:
   static constexpr std::size_t kUsed = Used;
 
-  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
+  /// The lighting's type of colours.
+  using Shade = decltype(std::declval<const Lighting&>().colour(
+      std::declval<const std::array<Cosine, Lighting::kScalars>&>()));
+  [[nodiscard]] ARCSPAN_INLINE constexpr Shade colour(const Lighting& lighting) const {
     if constexpr (Used == Lighting::kScalars) {
       return lighting.colour(this->scalars());
     } else {

@@ -3,6 +3,7 @@
 
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/pixel/colour.hpp>
+#include <arcspan/pixel/spread_rgb565.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>
@@ -17,32 +18,6 @@ enum class TexelLight : std::uint8_t {
 };
 
 namespace detail {
-
-/// A 5-6-5 pixel spread over a word: g in bits 26...21, r in 15...11, b in 4...0. Each channel then has five
-/// fraction bits below it, or a bit for a carry above it.
-inline constexpr std::uint32_t kSpreadMask = 0x07E0F81F;
-[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t spread(std::uint32_t rgb565) {
-  return (rgb565 | (rgb565 << 16)) & kSpreadMask;
-}
-[[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t joined(std::uint32_t spread) {
-  return static_cast<std::uint16_t>(spread | (spread >> 16));
-}
-/// The sum of two spread pixels, saturated.
-[[nodiscard]] constexpr std::uint32_t saturated_sum(std::uint32_t a, std::uint32_t b) {
-  constexpr std::uint32_t kRedBlueCarries = 0x00010020;
-  constexpr std::uint32_t kGreenCarry = 0x08000000;
-  const std::uint32_t sum = a + b;
-  const std::uint32_t red_blue = sum & kRedBlueCarries;
-  const std::uint32_t green = sum & kGreenCarry;
-  return (sum | (red_blue - (red_blue >> 5)) | (green - (green >> 6))) & kSpreadMask;
-}
-/// A PackedRgb without half step as a spread pixel, rounded.
-[[nodiscard]] constexpr std::uint32_t spread(PackedRgb c) {
-  const auto five = [](std::uint32_t v) { return v > 1007 ? 31u : (v + 16) >> 5; };
-  const std::uint32_t green = c.lanes >> 22;
-  return ((green > 1015 ? 63u : (green + 8) >> 4) << 21) | (five((c.lanes >> 11) & 1023u) << 11) |
-         five(c.lanes & 1023u);
-}
 
 /// A channel of a texel as 8 bits, from its 5 or 6.
 [[nodiscard]] constexpr std::uint32_t texel_red(std::uint32_t rgb565) {
@@ -91,8 +66,7 @@ struct LitTexel {
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
     std::uint32_t lit;
     if constexpr (Colours == TexelLight::kGrey) {
-      constexpr std::uint32_t kHalf = (16u << 21) | (16u << 11) | 16u;
-      lit = ((detail::spread(texel) * level + kHalf) >> 5) & detail::kSpreadMask;
+      lit = detail::scaled_spread(detail::spread(texel), level);
     } else {
       // 0...1022 of the light becomes 0...1025, so that full light keeps the texel.
       const auto whole = [](std::uint32_t v) { return v + (v >> 8); };
@@ -114,6 +88,16 @@ struct LitTexel {
                                         detail::lit_channel(detail::texel_blue(texel), blue));
     return lit.plus(light.highlight);
   }
+};
+
+/// A colour `C` of a texel whose format has alpha (AlphaColour, MaskedColour).
+template <class C>
+struct AlphaTexel : C {
+  std::uint32_t opacity;  ///< 0...16
+
+  [[nodiscard]] constexpr std::uint32_t alpha() const { return opacity; }
+  /// Unless an operation blends, a texel is drawn if it is at least half opaque.
+  [[nodiscard]] constexpr bool covers(std::int32_t, std::int32_t) const { return opacity >= 8; }
 };
 
 }  // namespace arcspan

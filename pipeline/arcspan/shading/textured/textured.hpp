@@ -40,17 +40,12 @@ class TexturedRun {
   }
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
-    const std::uint16_t texel =
-        Texels::ColourFormat::rgb565(Texels::stored(words_, palette_, texture_.steps().index()));
-    if constexpr (Colours == TexelLight::kNone) {
-      return UnlitTexel{texel};
+    const std::uint16_t stored = Texels::stored(words_, palette_, texture_.steps().index());
+    if constexpr (Texels::ColourFormat::kAlphaBits == 0) {
+      return lit(lighting, stored);
     } else {
-      const PixelLight lit = light(lighting);
-      if constexpr (requires { light_.grey_level(); }) {
-        return LitTexel<Colours>{texel, lit, light_.grey_level()};
-      } else {
-        return LitTexel<Colours>{texel, lit, grey_level(lit.diffuse)};
-      }
+      using Lit565 = decltype(lit(lighting, stored));
+      return AlphaTexel<Lit565>{lit(lighting, stored), Texels::ColourFormat::alpha(stored)};
     }
   }
   ARCSPAN_INLINE constexpr void next() {
@@ -61,6 +56,21 @@ class TexturedRun {
   [[nodiscard]] constexpr std::int32_t length() const requires LimitedRun<Lit> { return light_.length(); }
 
  private:
+  /// A texel under the current pixel's light.
+  template <class Lighting>
+  [[nodiscard]] ARCSPAN_INLINE constexpr auto lit(const Lighting& lighting, std::uint16_t stored) const {
+    const std::uint16_t texel = Texels::ColourFormat::rgb565(stored);
+    if constexpr (Colours == TexelLight::kNone) {
+      return UnlitTexel{texel};
+    } else {
+      const PixelLight reflected = light(lighting);
+      if constexpr (requires { light_.grey_level(); }) {
+        return LitTexel<Colours>{texel, reflected, light_.grey_level()};
+      } else {
+        return LitTexel<Colours>{texel, reflected, grey_level(reflected.diffuse)};
+      }
+    }
+  }
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
     if constexpr (LightRun<Lit, Lighting>) {

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/colour.hpp>
+#include <arcspan/pixel/dither.hpp>
+#include <arcspan/pixel/spread_rgb565.hpp>
+#include <arcspan/target.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+/// What happens to the colour of a pixel before it is stored: fog, then transparency. Each operation is a
+/// function object that takes a colour and returns one that knows more. shading/with_operation.hpp adds an
+/// operation to a shading method.
+namespace arcspan {
+
+/// Optional part of a colour: covers(x, y) is false where the pixel is not drawn, and its depth neither.
+template <class C>
+concept MaskedColour = requires(const C& c, std::int32_t x) {
+  { c.covers(x, x) } -> std::same_as<bool>;
+};
+
+/// Optional part of a colour: alpha() is the opacity of its texel, 0...16.
+template <class C>
+concept AlphaColour = requires(const C& c) {
+  { c.alpha() } -> std::same_as<std::uint32_t>;
+};
+
+/// Optional part of a colour: at_depth(depth) is the colour of a pixel with this 16-bit depth.
+template <class C>
+concept DepthColour = requires(const C& c, std::uint16_t depth) {
+  {c.at_depth(depth)};
+};
+
+/// Optional part of a colour: over() is the colour over one that is there already, as PackedRgb without half
+/// steps or as a 5-6-5 pixel.
+template <class C>
+concept BlendedColour = requires(const C& c, PackedRgb below, std::uint16_t pixel) {
+  { c.over(below) } -> std::same_as<PackedRgb>;
+  { c.over565(pixel) } -> std::same_as<std::uint16_t>;
+};
+
+namespace detail {
+
+/// The colour as PackedRgb, whatever its type.
+template <class C>
+[[nodiscard]] constexpr PackedRgb packed_colour(const C& c) {
+  if constexpr (std::same_as<C, PackedRgb>)
+    return c;
+  else
+    return c.packed();
+}
+template <class C>
+[[nodiscard]] constexpr std::uint16_t colour565(const C& c) {
+  if constexpr (requires { c.rgb565(); }) {
+    return c.rgb565();
+  } else {
+    const Rgb8 rgb = packed_colour(c).rgb8();
+    return static_cast<std::uint16_t>(((rgb.r & 0xF8u) << 8) | ((rgb.g & 0xFCu) << 3) | (rgb.b >> 3));
+  }
+}
+
+/// The colour c of each channel, computed by function(channel of a, channel of b), 0...1023.
+template <class Function>
+[[nodiscard]] constexpr PackedRgb by_channel(PackedRgb a, PackedRgb b, const Function& function) {
+  return PackedRgb::of(function((a.lanes >> 11) & 1023u, (b.lanes >> 11) & 1023u),
+                       function(a.lanes >> 22, b.lanes >> 22), function(a.lanes & 1023u, b.lanes & 1023u));
+}
+
+/// What a colour passes on when an operation wraps it.
+template <class C>
+struct WrappedColour {
+  C colour;
+
+  [[nodiscard]] constexpr bool covers(std::int32_t x, std::int32_t y) const requires MaskedColour<C> {
+    return colour.covers(x, y);
+  }
+};
+
+}  // namespace detail
+
+/// How a transparent surface covers what is there: by its opacity; or its light is added; or what is there is
+/// seen through it, multiplied by its colour, as through coloured glass.
+enum class Blend : std::uint8_t { kAlpha, kAdd, kMultiply };
+
+/// Blends a surface with what was drawn before it, by a constant opacity and by the alpha of its texels. It
+/// is to be drawn after everything behind it, the farthest first.
+template <Blend Mode = Blend::kAlpha>
+struct Opacity {
+  std::uint8_t opacity = 32;  ///< 0...32
+
+  template <class C>
+  struct Result : detail::WrappedColour<C> {
+    std::uint32_t opacity;  ///< 0...32
+
+    [[nodiscard]] constexpr bool covers(std::int32_t x, std::int32_t y) const
+        requires(MaskedColour<C> || AlphaColour<C>) {
+      if constexpr (AlphaColour<C>) {
+        return opacity != 0;
+      } else {
+        return this->colour.covers(x, y);
+      }
+    }
+    [[nodiscard]] constexpr PackedRgb over(PackedRgb below) const {
+      const PackedRgb above = detail::packed_colour(this->colour);
+      return detail::by_channel(above, below, [this](std::uint32_t a, std::uint32_t b) {
+        if constexpr (Mode == Blend::kAlpha) {
+          return (a * opacity + b * (32 - opacity) + 16) >> 5;
+        } else if constexpr (Mode == Blend::kAdd) {
+          const std::uint32_t sum = ((a * opacity + 16) >> 5) + b;
+          return sum > 1023 ? 1023u : sum;
+        } else {
+          // Where nothing is opaque, what is below stays.
+          const std::uint32_t product = (a * b + 511) / 1024;
+          return (product * opacity + b * (32 - opacity) + 16) >> 5;
+        }
+      });
+    }
+    [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t over565(std::uint16_t pixel) const {
+      const std::uint32_t above = detail::spread(detail::colour565(this->colour));
+      const std::uint32_t below = detail::spread(pixel);
+      if constexpr (Mode == Blend::kAlpha) {
+        return detail::joined(detail::mixed_spread(below, above, opacity));
+      } else if constexpr (Mode == Blend::kAdd) {
+        return detail::joined(detail::saturated_sum(below, detail::scaled_spread(above, opacity)));
+      } else {
+        // 33 / 1024 is 1 / 31, 65 / 4096 is 1 / 63, both a little more.
+        const std::uint32_t red = ((above >> 11 & 31u) * (below >> 11 & 31u) * 33u + 512u) >> 10;
+        const std::uint32_t green = ((above >> 21) * (below >> 21) * 65u + 2048u) >> 12;
+        const std::uint32_t blue = ((above & 31u) * (below & 31u) * 33u + 512u) >> 10;
+        return detail::joined(detail::mixed_spread(below, (green << 21) | (red << 11) | blue, opacity));
+      }
+    }
+    template <class D = C>
+    [[nodiscard]] constexpr auto at_depth(std::uint16_t depth) const requires DepthColour<D> {
+      const auto nearer = this->colour.at_depth(depth);
+      return Result<std::remove_const_t<decltype(nearer)>>{{nearer}, opacity};
+    }
+  };
+
+  template <class C>
+  [[nodiscard]] ARCSPAN_INLINE constexpr auto operator()(const C& colour) const {
+    std::uint32_t share = opacity;
+    if constexpr (AlphaColour<C>) share = (share * colour.alpha() + 8) >> 4;
+    return Result<C>{{colour}, share};
+  }
+};
+
+/// Draws a share of a surface's pixels, in the pattern of kDitherMatrix: transparency that needs no order.
+struct ScreenDoor {
+  std::uint8_t opacity = 8;  ///< of 8 pixels
+
+  template <class C>
+  struct Result : detail::WrappedColour<C> {
+    std::uint32_t opacity;
+
+    [[nodiscard]] constexpr bool covers(std::int32_t x, std::int32_t y) const {
+      if constexpr (MaskedColour<C>) {
+        if (!this->colour.covers(x, y)) return false;
+      }
+      const std::int8_t threshold =
+          kDitherMatrix[static_cast<std::size_t>(y) & 3u][static_cast<std::size_t>(x) & 3u];
+      return threshold + 4 < static_cast<std::int32_t>(opacity);
+    }
+    [[nodiscard]] constexpr PackedRgb packed() const { return detail::packed_colour(this->colour); }
+    [[nodiscard]] constexpr std::uint16_t rgb565() const { return detail::colour565(this->colour); }
+    template <class D = C>
+    [[nodiscard]] constexpr auto at_depth(std::uint16_t depth) const requires DepthColour<D> {
+      const auto nearer = this->colour.at_depth(depth);
+      return Result<std::remove_const_t<decltype(nearer)>>{{nearer}, opacity};
+    }
+  };
+
+  template <class C>
+  [[nodiscard]] ARCSPAN_INLINE constexpr auto operator()(const C& colour) const {
+    return Result<C>{{colour}, opacity};
+  }
+};
+
+}  // namespace arcspan

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/pixel_operation.hpp>
+#include <arcspan/shading/method.hpp>
+#include <arcspan/target.hpp>
+
+#include <concepts>
+#include <type_traits>
+
+namespace arcspan {
+
+namespace detail {
+
+/// The run of a method, with an operation on its colours.
+template <class Run>
+struct OperationRun : Run {
+  ARCSPAN_INLINE constexpr explicit OperationRun(const Run& run) : Run(run) {}
+  template <class Lighting>
+  [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
+    return lighting.operation(Run::colour(static_cast<const typename Lighting::Base&>(lighting)));
+  }
+};
+
+/// The walker of a method, whose runs have an operation.
+template <class Walker>
+struct OperationWalker : Walker {
+  using Run = OperationRun<typename Walker::Run>;
+  constexpr explicit OperationWalker(const Walker& walker) : Walker(walker) {}
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
+    return Run(Walker::row(start));
+  }
+};
+
+}  // namespace detail
+
+/// A shading method with an operation on its pixels (pixel_operation.hpp): fog, transparency. Operations
+/// nest, the inner one first:
+///
+///     using Window = WithOperation<WithOperation<Textured<Unlit, Palette8Texels<>>, Fogged>, Opacity<>>;
+///
+/// Colours that are blended or masked are computed pixel by pixel: neither segments nor tables of encoded
+/// colours are used.
+template <class Method, class Operation>
+struct WithOperation : Method {
+  struct Lighting : Method::Lighting {
+    using Base = typename Method::Lighting;
+    constexpr Lighting() = default;
+    template <class L>
+    requires std::constructible_from<Base, const L&>
+    constexpr explicit Lighting(const L& light, const Operation& op = {}) : Base(light), operation(op) {}
+    Operation operation;
+  };
+  static constexpr bool kUsesEncodedColours = false;
+
+  template <class Frame>
+  static constexpr void prepare(const Lighting& lighting, Frame& frame, const typename Method::Face& face,
+                                typename Method::Prepared& prepared) {
+    Method::prepare(lighting, frame, face, prepared);
+    if constexpr (requires { prepared.segment_bits; }) prepared.segment_bits = 0;
+  }
+  template <class Draw>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(typename Method::Prepared& prepared,
+                                                            Draw&& draw) {
+    return Method::walk(prepared, [&](auto walker) {
+      using Walker = decltype(walker);
+      if constexpr (SegmentedRun<typename Walker::Run>) {
+        return Status::kOk;  // prepare() has left them out
+      } else {
+        return draw(detail::OperationWalker<Walker>(walker));
+      }
+    });
+  }
+};
+
+}  // namespace arcspan

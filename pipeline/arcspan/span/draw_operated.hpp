@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/pixel_format.hpp>
+#include <arcspan/pixel/pixel_operation.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+namespace arcspan::detail {
+
+/// True if the pixels of `Run` are masked, blended or in fog.
+template <class Target, class Run>
+inline constexpr bool kHasOperation = [] {
+  if constexpr (requires(const Run& run, const typename Target::Lighting& lighting) {
+                  run.colour(lighting);
+                }) {
+    using Shade = std::remove_cvref_t<decltype(std::declval<const Run&>().colour(
+        std::declval<const typename Target::Lighting&>()))>;
+    return MaskedColour<Shade> || BlendedColour<Shade> || DepthColour<Shade>;
+  }
+  return false;
+}();
+
+/// The pixel of a colour, at (x, y) of the picture, where `below` is now.
+template <class Format, class Shade>
+[[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded operated(const Shade& colour,
+                                                                         typename Format::Encoded below,
+                                                                         std::int32_t x, std::int32_t y) {
+  if constexpr (!BlendedColour<Shade>) {
+    return encode_at<Format>(colour, x, y);
+  } else if constexpr (!Format::kDithers && requires { Format::kIsRgb565; }) {
+    return colour.over565(below);
+  } else {
+    const Rgb8 rgb = Format::decode(below);
+    return encode_at<Format>(colour.over(PackedRgb::of(4u * rgb.r + 2, 4u * rgb.g + 2, 4u * rgb.b + 2)), x,
+                             y);
+  }
+}
+
+/// Draws a pixel that has passed the depth test, at (x, y) of the picture: in fog of its depth, unless it is
+/// masked, blended with what is at the cursor.
+template <class Target, class Shade>
+ARCSPAN_INLINE constexpr void draw_operated(const Shade& colour, typename Target::Format::Cursor cursor,
+                                            std::uint16_t* stored, std::uint16_t depth, std::int32_t x,
+                                            std::int32_t y) {
+  using Format = typename Target::Format;
+  if constexpr (MaskedColour<Shade>) {
+    if (!colour.covers(x, y)) return;
+  }
+  if constexpr (Target::Depth::kTests && DepthColour<Shade>) {
+    const auto in_depth = colour.at_depth(depth);
+    if constexpr (Target::Depth::kWrites) *stored = depth;
+    cursor.write(operated<Format>(in_depth, cursor.read(), x, y));
+  } else {
+    if constexpr (Target::Depth::kTests && Target::Depth::kWrites) *stored = depth;
+    cursor.write(operated<Format>(colour, cursor.read(), x, y));
+  }
+}
+
+}  // namespace arcspan::detail

@@ -103,6 +103,8 @@ struct Opacity {
         return this->colour.covers(x, y);
       }
     }
+    /// The surface alone.
+    [[nodiscard]] constexpr PackedRgb packed() const { return detail::packed_colour(this->colour); }
     [[nodiscard]] constexpr PackedRgb over(PackedRgb below) const {
       const PackedRgb above = detail::packed_colour(this->colour);
       return detail::by_channel(above, below, [this](std::uint32_t a, std::uint32_t b) {

@@ -185,6 +185,7 @@ struct RowDrawer {
 
   template <class Walker>
   [[nodiscard]] constexpr Status operator()(Walker walker) const {
+    static_assert(RowWalker<Walker, typename Target::Lighting>);
     if constexpr (kOutlineRows<Walker>) {
       // One row loop serves both kinds of columns, because these rows take much longer than the test.
       return RowDrawer<ScissorColumns::kCrossing, Command, Target>::draw_outlined(command, origin, walker,

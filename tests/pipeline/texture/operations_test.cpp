@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: MIT
+// Combinations of surfaces, operations and pixel formats against a plain interpreter in double precision.
+#include <arcspan/draw.hpp>
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/pixel/fog.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/textured/textured.hpp>
+#include <arcspan/shading/vertex_coloured.hpp>
+#include <arcspan/shading/with_operation.hpp>
+#include <arcspan/span/depth_mode.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+using namespace arcspan;
+using hal::Framebuffer;
+
+namespace {
+
+constexpr std::int32_t kWidth = 96;
+constexpr std::int32_t kHeight = 64;
+constexpr double kNear = 8000;
+constexpr double kFar = 60000;
+constexpr double kFogStart = 12000;
+constexpr double kFogEnd = 40000;
+constexpr Rgb8 kFogColour{200, 120, 40};
+constexpr DrawFeatures kFeatures{.clips = false,
+                                 .two_sided = false,
+                                 .caches = false,
+                                 .planes = false,
+                                 .small_triangles = false,
+                                 .whole_rows = false};
+
+/// A slope of two triangles that leads away from the camera, with texture points and colours.
+MeshView slope() {
+  static constexpr std::array<ObjectPosition, 4> kPositions{
+      {{-9000, -7000, 12000}, {9000, -7000, 12000}, {9000, 7000, -12000}, {-9000, 7000, -12000}}};
+  static constexpr std::array<PackedNormal, 4> kNormals{};
+  static constexpr std::array<std::uint8_t, 6> kIndices{0, 1, 2, 0, 2, 3};
+  static constexpr std::array<TexturePoint, 4> kPoints{{{0, 4096}, {4096, 4096}, {4096, 0}, {0, 0}}};
+  static constexpr std::array<Rgb8, 4> kColours{{{255, 0, 0}, {0, 255, 0}, {20, 40, 255}, {255, 255, 255}}};
+  MeshView mesh;
+  REQUIRE(ok(MeshView::make(kPositions, kNormals, kIndices, mesh)));
+  REQUIRE(ok(mesh.attach(kPoints, TextureScale{12})));
+  REQUIRE(ok(mesh.attach(kColours)));
+  return mesh;
+}
+
+ClipTransform camera() {
+  Placement placement{Rotation::identity(), {}};
+  placement.translation[2] = ObjectLength::of(-30000.0);
+  ClipTransform transform;
+  REQUIRE(ok(ClipTransform::make(placement,
+                                 {PixelLength::of(90.0), ObjectLength::of(kNear), ObjectLength::of(kFar)},
+                                 {kWidth, kHeight}, transform)));
+  return transform;
+}
+
+/// 8×8 texels of all alphas: with `Alpha4Colour` rising to the right.
+Texture<DirectTexels<Alpha4Colour>> picture() {
+  static const std::vector<std::uint16_t> kWords = [] {
+    std::vector<std::uint16_t> words;
+    for (std::uint32_t i = 0; i < 64; ++i) {
+      const std::uint32_t alpha = (i & 7) * 2 + 1;
+      words.push_back(static_cast<std::uint16_t>(((i * 2654435761u >> 16) & 0xFFF0u) | alpha));
+    }
+    return words;
+  }();
+  Texture<DirectTexels<Alpha4Colour>> texture;
+  REQUIRE(ok(Texture<DirectTexels<Alpha4Colour>>::make(kWords, {3, 3, 1}, texture)));
+  return texture;
+}
+const Fog& fog() {
+  static const Fog kFog = [] {
+    Fog made;
+    REQUIRE(ok(Fog::make({ObjectLength::of(kNear).raw(), ObjectLength::of(kFar).raw(),
+                          ObjectLength::of(kFogStart).raw(), ObjectLength::of(kFogEnd).raw()},
+                         kFogColour, made)));
+    return made;
+  }();
+  return kFog;
+}
+
+/// What is drawn over.
+Rgb8 background(std::int32_t x, std::int32_t y) {
+  return {static_cast<std::uint8_t>(x * 2), static_cast<std::uint8_t>(y * 3),
+          static_cast<std::uint8_t>(160 - x)};
+}
+
+/// A picture and its depths. All depths are the farthest at first, but those of every third column nearest.
+template <class Format>
+struct Picture {
+  std::vector<typename Format::Word> words =
+      std::vector<typename Format::Word>(Framebuffer<Format>::words(kWidth, kHeight));
+  std::vector<std::uint16_t> depths =
+      std::vector<std::uint16_t>(std::size_t{kWidth} * kHeight, DepthBuffer::kFarthest);
+  Framebuffer<Format> frame{words, kWidth, kHeight};
+  DepthBuffer depth{depths, kWidth, kHeight};
+
+  Picture() {
+    for (std::int32_t y = 0; y < kHeight; ++y) {
+      typename Format::Cursor cursor(frame.row(y), 0);
+      for (std::int32_t x = 0; x < kWidth; ++x, cursor.next()) {
+        cursor.write(Format::encode(background(x, y)));
+        if (x % 3 == 0) depths[index(x, y)] = 0;
+      }
+    }
+  }
+  [[nodiscard]] static std::size_t index(std::int32_t x, std::int32_t y) {
+    return static_cast<std::size_t>(y * kWidth + x);
+  }
+};
+
+template <class Method, class Format, class Depth>
+void draw(const typename Method::Lighting& lighting, Picture<Format>& picture, const Depth& depth) {
+  const DrawResult drawn = draw_mesh<Method, kFeatures>(slope(), camera(), lighting, picture.frame, depth);
+  REQUIRE(drawn.status == Status::kOk);
+  REQUIRE(drawn.triangles == 2);
+}
+
+struct Colour3 {
+  std::array<double, 3> channel{};
+};
+Colour3 colour3(Rgb8 c) { return {{double(c.r), double(c.g), double(c.b)}}; }
+template <class Function>
+Colour3 each(const Colour3& a, const Colour3& b, Function function) {
+  Colour3 result;
+  for (std::size_t i = 0; i < 3; ++i)
+    result.channel[i] = std::clamp(function(a.channel[i], b.channel[i]), 0.0, 255.0);
+  return result;
+}
+Colour3 mixed(const Colour3& a, const Colour3& b, double share) {
+  return each(a, b, [share](double x, double y) { return x + (y - x) * share; });
+}
+
+/// The surface alone: its colours, which pixels it covers, and their depths.
+struct Surface {
+  std::vector<Rgb8> colours;
+  std::vector<bool> covered;
+  std::vector<std::uint16_t> depths;
+};
+
+/// The interpreters of the operations: what a pixel becomes, or nothing where it is not drawn.
+struct Reference {
+  Colour3 surface;
+  double alpha;
+  double share_of_fog;
+  Colour3 below;
+  std::int32_t x;
+  std::int32_t y;
+
+  Colour3 operator()(const Fogged&) const { return mixed(surface, colour3(kFogColour), share_of_fog); }
+  template <Blend Mode>
+  Colour3 blended(const Opacity<Mode>& operation, const Colour3& above) const {
+    const double share = operation.opacity / 32.0 * alpha;
+    if constexpr (Mode == Blend::kAlpha) return mixed(below, above, share);
+    if constexpr (Mode == Blend::kAdd)
+      return each(below, above, [share](double b, double a) { return b + a * share; });
+    return mixed(below, each(below, above, [](double b, double a) { return b * a / 255; }), share);
+  }
+  template <Blend Mode>
+  Colour3 operator()(const Opacity<Mode>& operation) const {
+    return blended(operation, surface);
+  }
+};
+
+double share_of_fog(std::uint16_t depth) {
+  const double near_over_w = 1 - std::clamp((depth - 256.0) / 65023, 0.0, 1.0) * (1 - kNear / kFar);
+  return std::clamp((kNear / near_over_w - kFogStart) / (kFogEnd - kFogStart), 0.0, 1.0);
+}
+
+/// An operation with its parameters.
+template <class Operation>
+Operation parameters() {
+  if constexpr (std::same_as<Operation, Fogged>) {
+    return {&fog()};
+  } else if constexpr (std::same_as<Operation, ScreenDoor>) {
+    return {3};
+  } else {
+    return Operation{19};
+  }
+}
+
+using TexturedSurface = Textured<Unlit, DirectTexels<Alpha4Colour>>;
+
+template <class Method>
+typename Method::Lighting surface_lighting() {
+  typename Method::Lighting lighting{};
+  if constexpr (requires { lighting.texture; }) lighting.texture = picture();
+  return lighting;
+}
+
+/// The surface without operations, opaque, with all bits.
+template <class Method>
+Surface draw_surface() {
+  Picture<Rgb888> picture;
+  // Blending draws texels of any alpha, so a texture that ignores it is the surface.
+  auto lighting = surface_lighting<Method>();
+  Surface surface;
+  using Opaque = WithOperation<Method, Opacity<Blend::kAlpha>>;
+  typename Opaque::Lighting all(lighting, Opacity<Blend::kAlpha>{32});
+  draw<Opaque>(all, picture, picture.depth);
+  for (std::int32_t y = 0; y < kHeight; ++y) {
+    for (std::int32_t x = 0; x < kWidth; ++x) {
+      const std::size_t i = picture.index(x, y);
+      surface.covered.push_back(picture.depths[i] != 0 && picture.depths[i] != DepthBuffer::kFarthest);
+      surface.depths.push_back(picture.depths[i]);
+      surface.colours.push_back(picture.frame.pixel(x, y));
+    }
+  }
+  return surface;
+}
+
+/// The largest difference of a channel from the interpreter, over all drawn pixels of a surface without
+/// alpha.
+template <class Operation, class Format>
+double largest_difference() {
+  using Base = UnlitVertexColoured;
+  using Method = WithOperation<Base, Operation>;
+  const Surface surface = draw_surface<Base>();
+  Picture<Format> picture;
+  const auto operation = parameters<Operation>();
+  draw<Method>(typename Method::Lighting(FullLight{}, operation), picture, picture.depth);
+  double worst = 0;
+  int drawn = 0;
+  for (std::int32_t y = 0; y < kHeight; ++y) {
+    for (std::int32_t x = 0; x < kWidth; ++x) {
+      const std::size_t i = picture.index(x, y);
+      const Rgb8 below = Format::decode(Format::encode(background(x, y)));
+      const Rgb8 got = picture.frame.pixel(x, y);
+      REQUIRE(picture.depths[i] == surface.depths[i]);
+      if (!surface.covered[i]) {
+        REQUIRE(got == below);
+        continue;
+      }
+      ++drawn;
+      const Reference reference{
+          colour3(surface.colours[i]), 1, share_of_fog(picture.depths[i]), colour3(below), x, y};
+      const Colour3 wanted = reference(operation);
+      const Colour3 have = colour3(got);
+      if constexpr (Format::kBitsPerPixel == 4) {  // grey levels
+        worst = std::max(worst, std::abs(have.channel[0] - 0.299 * wanted.channel[0] -
+                                         0.587 * wanted.channel[1] - 0.114 * wanted.channel[2]));
+      } else {
+        for (std::size_t c = 0; c < 3; ++c)
+          worst = std::max(worst, std::abs(have.channel[c] - wanted.channel[c]));
+      }
+    }
+  }
+  REQUIRE(drawn > 1000);
+  return worst;
+}
+
+// A step of the format, and what 33 levels of opacity and fog differ from all.
+constexpr double kStep888 = 3;
+constexpr double kStep565 = 255 / 31.0 + 4;
+constexpr double kStepGray4 = 17;
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("fog and blending are the interpreter's in every format", "[textures]", Fogged,
+                   Opacity<Blend::kAlpha>, Opacity<Blend::kAdd>, Opacity<Blend::kMultiply>) {
+  CHECK(largest_difference<TestType, Rgb888>() <= kStep888);
+  CHECK(largest_difference<TestType, Rgb565>() <= kStep565);
+  CHECK(largest_difference<TestType, Gray4>() <= kStepGray4);
+}
+
+TEST_CASE("operations nest: texels with alpha are blended in fog", "[textures]") {
+  using Method = WithOperation<WithOperation<TexturedSurface, Fogged>, Opacity<>>;
+  Picture<Rgb565> picture;
+  Picture<Rgb565> clear;
+  WithOperation<TexturedSurface, Fogged>::Lighting foggy(surface_lighting<TexturedSurface>(),
+                                                         parameters<Fogged>());
+  draw<Method>(Method::Lighting(foggy, Opacity<>{32}), picture, picture.depth);
+  using Plain = WithOperation<TexturedSurface, Opacity<>>;
+  draw<Plain>(Plain::Lighting(surface_lighting<TexturedSurface>(), Opacity<>{32}), clear, clear.depth);
+  int drawn = 0;
+  int nearer = 0;
+  for (std::int32_t y = 0; y < kHeight; ++y) {
+    for (std::int32_t x = 0; x < kWidth; ++x) {
+      const std::size_t i = picture.index(x, y);
+      REQUIRE(picture.depths[i] == clear.depths[i]);
+      if (picture.depths[i] == 0 || picture.depths[i] == DepthBuffer::kFarthest) continue;
+      ++drawn;
+      const double share = share_of_fog(picture.depths[i]);
+      const Rgb8 with = picture.frame.pixel(x, y);
+      const Rgb8 without = clear.frame.pixel(x, y);
+      // The fog lies over the texel and is blended with it, so it moves the pixel by at most its share.
+      REQUIRE(std::abs(with.r - without.r) <= share * 255 + kStep565);
+      nearer += std::abs(with.r - kFogColour.r) <= std::abs(without.r - kFogColour.r) + 9 ? 1 : 0;
+    }
+  }
+  CHECK(drawn > 1000);
+  CHECK(nearer >= drawn - drawn / 50);  // a step of the format may hide it
+}
+
+TEST_CASE("without blending, texels less than half opaque are not drawn, nor is their depth", "[textures]") {
+  Picture<Rgb565> masked;
+  draw<TexturedSurface>(surface_lighting<TexturedSurface>(), masked, masked.depth);
+  Picture<Rgb565> all;
+  using Blended = WithOperation<TexturedSurface, Opacity<>>;
+  draw<Blended>(Blended::Lighting(surface_lighting<TexturedSurface>(), Opacity<>{32}), all, all.depth);
+  int drawn = 0;
+  int open = 0;
+  for (std::int32_t y = 0; y < kHeight; ++y) {
+    for (std::int32_t x = 0; x < kWidth; ++x) {
+      const std::size_t i = masked.index(x, y);
+      if (all.depths[i] == 0 || all.depths[i] == DepthBuffer::kFarthest) continue;
+      const bool hole = masked.depths[i] == DepthBuffer::kFarthest;
+      if (hole) REQUIRE(masked.frame.pixel(x, y) == Rgb565::decode(Rgb565::encode(background(x, y))));
+      ++(hole ? open : drawn);
+    }
+  }
+  CHECK(drawn > 400);
+  CHECK(open > 400);
+}
+
+TEST_CASE("a screen door draws its share of the pixels, the same in every band", "[textures]") {
+  using Method = WithOperation<UnlitVertexColoured, ScreenDoor>;
+  const Surface surface = draw_surface<UnlitVertexColoured>();
+  for (const int eighths : {0, 1, 4, 7, 8}) {
+    const auto share = static_cast<std::uint8_t>(eighths);
+    Picture<Rgb888> picture;
+    draw<Method>(Method::Lighting(FullLight{}, ScreenDoor{share}), picture, picture.depth);
+    int covered = 0;
+    int drawn = 0;
+    for (std::size_t i = 0; i < surface.covered.size(); ++i) {
+      covered += surface.covered[i] ? 1 : 0;
+      drawn += surface.covered[i] && picture.depths[i] == surface.depths[i] ? 1 : 0;
+    }
+    CHECK(std::abs(drawn - covered * share / 8.0) <= covered * 0.02);
+  }
+}
+
+TEST_CASE("modes of the depth test draw what they say, and write only where they say", "[textures]") {
+  const Surface surface = draw_surface<UnlitVertexColoured>();
+  const auto drawn_with = [&](auto mode_of) {
+    Picture<Rgb888> picture;
+    // The surface itself, and nothing behind it.
+    for (std::size_t i = 0; i < picture.depths.size(); ++i) {
+      if (surface.covered[i] && i % 2 == 0) picture.depths[i] = surface.depths[i];
+    }
+    const std::vector<std::uint16_t> before = picture.depths;
+    const auto mode = mode_of(picture.depth);
+    draw<UnlitVertexColoured>(FullLight{}, picture, mode);
+    std::array<int, 3> counts{};  // nearer, equal, farther than what was there
+    for (std::int32_t y = 0; y < kHeight; ++y) {
+      for (std::int32_t x = 0; x < kWidth; ++x) {
+        const std::size_t i = picture.index(x, y);
+        if (picture.frame.pixel(x, y) == background(x, y)) continue;
+        ++counts[before[i] == 0 ? 2 : before[i] == DepthBuffer::kFarthest ? 0 : 1];
+      }
+    }
+    return std::pair(counts, picture.depths == before);
+  };
+  const auto [near_only, near_same] = drawn_with([](const DepthBuffer& d) { return ReadOnlyDepth(d); });
+  CHECK((near_only[0] > 500 && near_only[1] == 0 && near_only[2] == 0));
+  CHECK(near_same);
+  const auto [or_equal, equal_same] =
+      drawn_with([](const DepthBuffer& d) { return DepthMode<DepthCompare::kNearerOrEqual, true>(d); });
+  CHECK((or_equal[0] == near_only[0] && or_equal[1] > 500 && or_equal[2] == 0));
+  CHECK(!equal_same);
+  const auto [farther, farther_same] =
+      drawn_with([](const DepthBuffer& d) { return DepthMode<DepthCompare::kFarther, false>(d); });
+  CHECK((farther[0] == 0 && farther[1] == 0 && farther[2] > 500));
+  CHECK(farther_same);
+  const auto [always, always_same] =
+      drawn_with([](const DepthBuffer& d) { return DepthMode<DepthCompare::kAlways, true>(d); });
+  CHECK((always[0] == near_only[0] && always[1] == or_equal[1] && always[2] == farther[2]));
+  CHECK(!always_same);
+}
+
+TEST_CASE("the illumination of a vertex is multiplied by its colour", "[textures]") {
+  const MeshView mesh = slope();
+  for (std::size_t i = 0; i < 4; ++i) {
+    DeepColour vertex{65280, 32640, 100};
+    UnlitVertexColoured::set_vertex_data(mesh, i, vertex);
+    const Rgb8 colour = mesh.colour(i);
+    CHECK(vertex.r == 256 * colour.r);
+    CHECK(std::abs(vertex.g - 128 * colour.g) <= 1);
+    CHECK(std::abs(vertex.b - 100 * colour.b / 255.0) <= 1);
+  }
+}
+
+TEST_CASE("textures in bands are the picture drawn at once", "[textures]") {
+  using Method = WithOperation<WithOperation<TexturedSurface, Fogged>, Opacity<>>;
+  const Method::Lighting lighting(WithOperation<TexturedSurface, Fogged>::Lighting(
+                                      surface_lighting<TexturedSurface>(), parameters<Fogged>()),
+                                  Opacity<>{25});
+  Picture<Rgb565> whole;
+  draw<Method>(lighting, whole, whole.depth);
+  Picture<Rgb565> bands;
+  for (std::int32_t top = 0; top < kHeight; top += 7) {
+    const std::int32_t rows = std::min(7, kHeight - top);
+    const auto first = static_cast<std::ptrdiff_t>(top * kWidth);
+    Framebuffer<Rgb565> band({bands.words.data() + first, static_cast<std::size_t>(rows * kWidth)}, kWidth,
+                             rows, top);
+    DepthBuffer depth({bands.depths.data() + first, static_cast<std::size_t>(rows * kWidth)}, kWidth, rows,
+                      top);
+    REQUIRE(draw_mesh<Method, kFeatures>(slope(), camera(), lighting, band, depth).status == Status::kOk);
+  }
+  CHECK(bands.words == whole.words);
+  CHECK(bands.depths == whole.depths);
+}
+
+TEST_CASE("fog refuses ranges that make no sense, and keeps what it was") {
+  Fog made = fog();
+  for (const FogRange range :
+       {FogRange{0, 100, 1, 2}, {100, 100, 1, 2}, {10, 100, 50, 50}, {10, 100, 60, 50}}) {
+    CHECK(Fog::make(range, {1, 2, 3}, made) == Status::kInvalidArgument);
+    CHECK(made.share(65000) == fog().share(65000));
+  }
+  for (std::uint32_t depth = 0; depth < 65536; depth += 13) {
+    const auto at = static_cast<std::uint16_t>(depth);
+    REQUIRE(std::abs(fog().share(at) / 256.0 - share_of_fog(at)) <= 0.008);
+  }
+}

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// Where texels are shown: against double precision, over random triangles.
+#include <arcspan/prepare/prepare_triangle.hpp>
+#include <arcspan/shading/textured/textured.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/support/random.hpp>
+#include <tests/support/test_share.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+using namespace arcspan;
+using arcspan::test::Random;
+using Method = Textured<Unlit, DirectTexels<>>;
+
+namespace {
+
+/// A triangle on the screen with texture points and distances, and the same in double precision.
+struct MappedTriangle {
+  std::array<RasterVertex<Method>, 3> vertices{};
+
+  struct Point {
+    double u;
+    double v;
+  };
+  /// u and v at the centre of a pixel, as the vertices determine them.
+  [[nodiscard]] Point at(std::int32_t column, std::int32_t row) const {
+    const auto x = [this](std::size_t i) { return double{vertices[i].position.x * 1.0}; };
+    const auto y = [this](std::size_t i) { return double{vertices[i].position.y * 1.0}; };
+    const double px = column * 16 + 8;
+    const double py = row * 16 + 8;
+    const double area = (x(1) - x(0)) * (y(2) - y(0)) - (x(2) - x(0)) * (y(1) - y(0));
+    const double b = ((px - x(0)) * (y(2) - y(0)) - (x(2) - x(0)) * (py - y(0))) / area;
+    const double c = ((x(1) - x(0)) * (py - y(0)) - (px - x(0)) * (y(1) - y(0))) / area;
+    const std::array<double, 3> weight{1 - b - c, b, c};
+    double over = 0;
+    Point sum{0, 0};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double w = weight[i] * vertices[i].near_over_w.value;
+      over += w;
+      sum.u += w * vertices[i].shade.point.u / 65536;
+      sum.v += w * vertices[i].shade.point.v / 65536;
+    }
+    return {sum.u / over, sum.v / over};
+  }
+};
+
+/// A triangle of a picture of `size` pixels whose nearest vertex is at most `ratio` times as near as its
+/// farthest, and that shows up to `range` repetitions.
+MappedTriangle random_triangle(Random& random, std::int32_t size, double ratio, double range) {
+  MappedTriangle triangle;
+  const double farthest = 1 / random.decades(1, ratio);
+  std::array<double, 3> nearness{1, farthest, random.decades(farthest, 1)};
+  std::swap(nearness[0], nearness[static_cast<std::size_t>(random.integer(0, 2))]);
+  const double scale = random.decades(1e5, 5e8);
+  const double u = random.real(-4, 4);
+  const double v = random.real(-4, 4);
+  for (std::size_t i = 0; i < 3; ++i) {
+    RasterVertex<Method>& vertex = triangle.vertices[i];
+    vertex.position = {static_cast<std::int16_t>(random.integer(-8 * size, 8 * size)),
+                       static_cast<std::int16_t>(random.integer(-8 * size, 8 * size)), 1000};
+    vertex.shade.point = {static_cast<std::int32_t>((u + random.real(-range, range) / 2) * 65536),
+                          static_cast<std::int32_t>((v + random.real(-range, range) / 2) * 65536)};
+    vertex.near_over_w.value = static_cast<std::int32_t>(nearness[i] * scale);
+  }
+  return triangle;
+}
+
+/// Calls `visit(column, row, steps)` for every pixel of a triangle.
+template <class Visit>
+void for_each_pixel(const MappedTriangle& triangle, const Method::Lighting& lighting, std::int32_t size,
+                    Visit visit) {
+  TriangleCommand<Method> command;
+  const auto& [a, b, c] = triangle.vertices;
+  if (!prepare_triangle<Method>(lighting, a, b, c, {}, RowRange{-size, size}, command)) return;
+  const Status status = Method::walk(command.shade, [&](auto walker) {
+    for (std::int32_t row = command.first_row; row < command.end_row; ++row) {
+      if (row == command.middle_row) {
+        (command.middle_left ? command.left : command.right) = command.lower;
+        walker.enter_lower();
+      }
+      const std::int32_t end = command.right.column();
+      std::int32_t column = command.left.column();
+      if (column < end) {
+        auto run = walker.row(row_start(command.left, command.right, 0));
+        while (column < end) {
+          std::int32_t count = end - column;
+          if constexpr (requires { run.enter(count); }) count = run.enter(count);
+          for (; count > 0; --count, ++column, run.next()) visit(column, row, run.steps());
+        }
+      }
+      command.left.advance();
+      command.right.advance();
+      walker.next_row();
+    }
+    return Status::kOk;
+  });
+  REQUIRE(status == Status::kOk);
+}
+
+Method::Lighting lighting_of(unsigned width_bits, unsigned height_bits, std::uint8_t levels = 1) {
+  static const std::vector<std::uint16_t> kWords(2u << 20);
+  Method::Lighting lighting;
+  REQUIRE(ok(Texture<DirectTexels<>>::make(
+      kWords, {static_cast<std::uint8_t>(width_bits), static_cast<std::uint8_t>(height_bits), levels},
+      lighting.texture)));
+  return lighting;
+}
+
+/// The distance of a fraction of a repetition from `wanted`, in texels of 2^bits.
+double texels_off(std::uint32_t shown, double wanted, unsigned bits) {
+  const double repetitions = std::ldexp(shown, -32) - wanted;
+  return std::abs(repetitions - std::round(repetitions)) * (1 << bits);
+}
+
+/// The largest error over random triangles, in texels.
+double largest_error(std::uint64_t seed, int count, std::int32_t size, double ratio, double texels,
+                     unsigned width, unsigned height) {
+  Random random(seed);
+  const Method::Lighting lighting = lighting_of(width, height);
+  double worst = 0;
+  for (int i = 0; i < count; ++i) {
+    const double range = random.real(1, texels) / (1 << std::max(width, height));
+    const MappedTriangle triangle = random_triangle(random, size, ratio, range);
+    for_each_pixel(triangle, lighting, size, [&](std::int32_t x, std::int32_t y, const TexelSteps& steps) {
+      const auto [u, v] = triangle.at(x, y);
+      worst = std::max({worst, texels_off(steps.u(), u, width), texels_off(steps.v(), v, height)});
+    });
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("no pixel shows a point of the texture more than half a texel away") {
+  const int count = test::share_of(300);
+  CHECK(largest_error(1, count, 240, 1.05, 100, 7, 7) <= 0.5);  // most are mapped linearly
+  CHECK(largest_error(2, count, 240, 2, 256, 7, 7) <= 0.5);
+  CHECK(largest_error(3, count, 240, 8, 256, 6, 8) <= 0.5);
+  CHECK(largest_error(4, count, 240, 40, 1000, 8, 5) <= 0.5);
+  CHECK(largest_error(5, count, 240, 4, 2000, 10, 10) <= 0.5);
+  CHECK(largest_error(6, 10 * count, 12, 4, 200, 7, 7) <= 0.5);  // small ones, and slivers of a pixel
+  CHECK(largest_error(7, count / 4, 1000, 3, 500, 7, 7) <= 0.5);
+}
+
+TEST_CASE(
+    "a texture point of any value is mapped without undefined behaviour, and its pixels stay in the level") {
+  Random random(8);
+  const Method::Lighting lighting = lighting_of(10, 3, 4);
+  for (int i = 0; i < test::share_of(2000); ++i) {
+    MappedTriangle triangle = random_triangle(random, 40, 1000, 1);
+    for (RasterVertex<Method>& vertex : triangle.vertices) {
+      const auto any = [&] { return static_cast<std::int32_t>(random.integer(-32768, 32767)) * 4096; };
+      vertex.shade.point = {any(), any()};
+      if (random.chance(0.1)) vertex.near_over_w.value = random.integer(0, 3);
+    }
+    for_each_pixel(triangle, lighting, 40, [&](std::int32_t, std::int32_t, const TexelSteps& steps) {
+      REQUIRE(steps.index() < 1u << 13);
+    });
+  }
+}
+
+TEST_CASE("a triangle shows the mip level whose texels are nearest to its pixels in size") {
+  const Method::Lighting lighting = lighting_of(8, 8, 6);
+  // A right angle of 64 pixels at the same distance everywhere, `repetitions` of 256 texels long.
+  const auto level = [&](double repetitions) {
+    MappedTriangle triangle;
+    const auto length = static_cast<std::int32_t>(repetitions * 65536);
+    triangle.vertices = {RasterVertex<Method>{{0, 0, 0}, {{}, {0, 0}}, {1 << 28}},
+                         RasterVertex<Method>{{0, 1024, 0}, {{}, {0, length}}, {1 << 28}},
+                         RasterVertex<Method>{{1024, 0, 0}, {{}, {length, 0}}, {1 << 28}}};
+    TriangleCommand<Method> command;
+    REQUIRE(prepare_triangle<Method>(lighting, triangle.vertices[0], triangle.vertices[1],
+                                     triangle.vertices[2], {}, RowRange{-100, 100}, command));
+    const unsigned bits = command.shade.texture.width_bits;
+    REQUIRE(command.shade.texture.first == lighting.texture.size().texels(8 - bits));
+    return 8 - bits;
+  };
+  CHECK(level(0.01) == 0);
+  CHECK(level(0.25) == 0);  // a texel a pixel
+  CHECK(level(0.33) == 0);
+  CHECK(level(0.38) == 1);  // 1.5 texels
+  CHECK(level(0.5) == 1);
+  CHECK(level(1) == 2);
+  CHECK(level(4) == 4);
+  CHECK(level(100) == 5);  // there is no smaller one
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Texels under light against double precision, for every channel and every level of light.
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/textured/texel_light.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+using namespace arcspan;
+
+namespace {
+
+/// Light of a level of 8 bits as shading passes it on.
+PackedRgb grey_light(std::uint32_t level) { return PackedRgb::grey(4 * level + 2); }
+
+/// The statistics of errors, in 8-bit steps.
+struct Errors {
+  double sum = 0;
+  double worst = 0;
+  int count = 0;
+
+  void add(double error) {
+    sum += error;
+    worst = std::max(worst, std::abs(error));
+    ++count;
+  }
+  [[nodiscard]] double mean() const { return sum / count; }
+};
+
+}  // namespace
+
+TEST_CASE("a lit texel has no bias, and is within a step of its format", "[textures]") {
+  Errors red;
+  Errors green;
+  Errors deep;
+  Errors coloured;
+  for (std::uint32_t texel = 0; texel < 64; ++texel) {
+    for (std::uint32_t level = 0; level < 256; ++level) {
+      const double share = level / 255.0;
+      const PackedRgb light = grey_light(level);
+      const auto pixel = static_cast<std::uint16_t>(((texel >> 1) << 11) | (texel << 5) | (texel >> 1));
+      const LitTexel<TexelLight::kGrey> grey{pixel, {light, {}}, grey_level(light)};
+      const LitTexel<TexelLight::kColoured> any{pixel, {light, {}}, 0};
+      red.add(255 / 31.0 * ((grey.rgb565() >> 11) - (texel >> 1) * share));
+      green.add(255 / 63.0 * ((grey.rgb565() >> 5 & 63) - texel * share));
+      coloured.add(255 / 63.0 * ((any.rgb565() >> 5 & 63) - texel * share));
+      deep.add(grey.packed().rgb8().g - texel * share * 255 / 63);
+    }
+  }
+  CHECK(std::abs(red.mean()) <= 0.5);
+  CHECK(std::abs(green.mean()) <= 0.5);
+  CHECK(std::abs(coloured.mean()) <= 0.5);
+  CHECK(std::abs(deep.mean()) <= 0.5);
+  // Half a step of the format by rounding, and half a level of light.
+  CHECK(red.worst <= 255 / 31.0);
+  CHECK(green.worst <= 1.5 * 255 / 63);
+  CHECK(coloured.worst <= 255 / 63.0);
+  CHECK(deep.worst <= 1.5);
+}
+
+TEST_CASE("full light keeps every texel, no light leaves nothing, highlights are added and saturate",
+          "[textures]") {
+  for (std::uint32_t value = 0; value < 65536; value += 7) {
+    const auto texel = static_cast<std::uint16_t>(value);
+    const PackedRgb full = grey_light(255);
+    const PackedRgb none = grey_light(0);
+    REQUIRE(LitTexel<TexelLight::kGrey>{texel, {full, {}}, grey_level(full)}.rgb565() == texel);
+    REQUIRE(LitTexel<TexelLight::kColoured>{texel, {full, {}}, 0}.rgb565() == texel);
+    REQUIRE(Rgb565::encode(LitTexel<TexelLight::kGrey>{texel, {full, {}}, 32}.packed()) == texel);
+    REQUIRE(LitTexel<TexelLight::kGrey>{texel, {none, {}}, grey_level(none)}.rgb565() == 0);
+    REQUIRE(LitTexel<TexelLight::kColoured>{texel, {none, {}}, 0}.rgb565() == 0);
+    const PackedRgb white = PackedRgb::grey(1020);
+    REQUIRE(LitTexel<TexelLight::kGrey>{texel, {full, white}, 32}.rgb565() == 0xFFFF);
+    const PackedRgb half = PackedRgb::grey(512);
+    const std::uint16_t shining = LitTexel<TexelLight::kGrey>{texel, {full, half}, 32}.rgb565();
+    REQUIRE((shining >> 11) == std::min<std::uint32_t>(31, (value >> 11) + 16));
+    REQUIRE((shining >> 5 & 63) == std::min<std::uint32_t>(63, (value >> 5 & 63) + 32));
+    REQUIRE((shining & 31) == std::min<std::uint32_t>(31, (value & 31) + 16));
+  }
+}
+
+TEST_CASE("coloured light tints texels", "[textures]") {
+  const PackedRgb orange = PackedRgb::of(1022, 512, 2);
+  const std::uint16_t lit = LitTexel<TexelLight::kColoured>{0xFFFF, {orange, {}}, 0}.rgb565();
+  CHECK((lit >> 11) == 31);
+  CHECK((lit >> 5 & 63) == 32);
+  CHECK((lit & 31) == 0);
+}

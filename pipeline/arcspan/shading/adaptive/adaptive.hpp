@@ -99,30 +99,38 @@ struct Adaptive : Arc<Illumination> {
 
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
-    const TriangleChords& chords = frame.chords;
+    const std::uint32_t widest = frame.chords.widest();
     prepared.middle_left = frame.middle_left;
     prepared.linear_light = false;
     prepared.highlight_patch = false;
     prepared.segment_bits = 0;
+    const bool is_arc = widest <= kWidestArc;  // wider chords say too little of their angles
+    NearestHighlight nearest{};
     if constexpr (Base::kHasDiffusePath) {
-      if (chords.widest() <= kWidestArc) {
-        const std::int32_t nearest = nearest_highlight(lighting, frame);
-        if (nearest >= lighting.half_tolerance_reach() && Base::has_diffuse_scalar(lighting, frame)) {
-          prepare_without_highlight(lighting, frame, lighting.linear_limit(nearest), prepared);
+      if (is_arc) {
+        nearest = nearest_highlight(lighting, frame);
+        std::uint32_t lit = 0;
+        if (nearest.distance >= lighting.half_tolerance_reach() &&
+            Base::lit_throughout(lighting, frame, lit)) {
+          prepare_without_highlight(lighting, frame, lighting.linear_limit(nearest.distance), lit, prepared);
           return;
         }
       }
     }
-    const bool fits_patch = chords.widest() <= lighting.widest_patch() && patch_fits(frame);
-    prepared.segment_bits = segment_bits(lighting, frame);
+    const bool fits_patch = widest <= lighting.widest_patch() && patch_fits(frame);
+    if (is_arc && frame.width >> 16 >= kLeastWidth) {
+      if constexpr (!Base::kHasDiffusePath) nearest = nearest_highlight(lighting, frame);
+      prepared.segment_bits =
+          segment_bits(lighting, frame, nearest.distance < lighting.half_tolerance_reach());
+    }
     if constexpr (kHasHighlightPatch) {
-      if (fits_patch && prepared.segment_bits == 0 && chords.widest() <= kWidestBounded &&
-          chords.widest() <= lighting.highlight_patch_limit()) {
-        prepared.highlight_patch = prepare_highlight_patch(lighting, frame, prepared);
+      if (fits_patch && prepared.segment_bits == 0 && widest <= kWidestBounded &&
+          widest <= lighting.highlight_patch_limit()) {
+        prepared.highlight_patch = prepare_highlight_patch(lighting, frame, nearest.light, prepared);
         if (prepared.highlight_patch) return;
       }
     }
-    Base::prepare_path(lighting, frame, fits_patch ? Path::kPatch : Path::kWide, prepared);
+    Base::prepare_path(lighting, frame, fits_patch ? Path::kPatch : Path::kWide, 0, prepared);
   }
 
   /// A small triangle (DrawsSmallTriangles): linear light, or as Arc draws it without highlights below half
@@ -139,18 +147,17 @@ struct Adaptive : Arc<Illumination> {
                                                     const Raster& b, const Raster& c,
                                                     const SmallTriangle& triangle, Small& small) {
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
+    const SmallCorners corners{a, b, c};
     small.linear_light = false;
     bool shines = true;
+    typename Base::Small::Diffuse diffuse{};
     if constexpr (Base::kHasDiffusePath) {
       const std::int32_t nearest = lighting.nearest_highlight(a.shade.scalars, b.shade.scalars,
                                                               c.shade.scalars, arc_headroom(chords.widest()));
       shines = nearest < lighting.half_tolerance_reach();
-      std::uint32_t lit = 0;
-      if (!shines && chords.widest() <= kWidestBounded &&
-          lighting.lit_throughout(a.shade.scalars, b.shade.scalars, c.shade.scalars, lit)) {
-        const LinearLevels levels(chords, lighting.diffuse_scalar(a.shade.scalars, lit),
-                                  lighting.diffuse_scalar(b.shade.scalars, lit),
-                                  lighting.diffuse_scalar(c.shade.scalars, lit));
+      diffuse = Base::Small::diffuse_of(lighting, corners, chords.widest(), shines);
+      if (diffuse.suffices && chords.widest() <= kWidestBounded) {
+        const LinearLevels levels(chords, diffuse.a, diffuse.b, diffuse.c);
         if (levels.quadruple_error() <= lighting.linear_limit(nearest)) {
           small.linear_light = true;
           small.light.prepare(levels.lifted(levels.a), levels.lifted(levels.b), levels.lifted(levels.c),
@@ -159,7 +166,7 @@ struct Adaptive : Arc<Illumination> {
         }
       }
     }
-    return small.arc.prepare(lighting, SmallCorners{a, b, c}, chords, shines, triangle);
+    return small.arc.prepare(lighting, corners, chords, shines, diffuse, triangle);
   }
   /// Calls `draw` with the surface of a small triangle.
   template <class Draw>
@@ -194,65 +201,71 @@ struct Adaptive : Arc<Illumination> {
   /// highlight patches are bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;
 
-  /// Returns a lower bound of the highlight's half distance over the triangle: (1 - c) / 2 of its cosine c.
+  /// With a ramp, a pixel without highlight is one look-up, so only segments of 8 or 16 pixels are faster.
+  static constexpr int kLeastBits = Illumination::kHasRamp ? 3 : 2;
+  /// The width of a triangle's widest row from which on it may have segments: four of the shortest.
+  static constexpr std::uint32_t kLeastWidth = 4u << kLeastBits;
+
+  /// The highlights of a triangle.
+  struct NearestHighlight {
+    std::int32_t distance;  ///< a lower bound of the half distance: (1 - c) / 2 of the highlight's cosine c
+    /// Of several lights, the one whose highlight is above half the tolerance and within reach; kLights if
+    /// there are none or several such lights.
+    std::size_t light;
+  };
   template <class Frame>
-  [[nodiscard]] static constexpr std::int32_t nearest_highlight(const Lighting& lighting,
-                                                                const Frame& frame) {
-    return lighting.nearest_highlight(frame.top->shade.scalars, frame.middle->shade.scalars,
-                                      frame.bottom->shade.scalars, arc_headroom(frame.chords.widest()));
-  }
-  /// Returns true if a highlight above half the tolerance is within reach of the triangle.
-  template <class Frame>
-  [[nodiscard]] static constexpr bool shines(const Lighting& lighting, const Frame& frame) {
-    return nearest_highlight(lighting, frame) < lighting.half_tolerance_reach();
+  [[nodiscard]] static constexpr NearestHighlight nearest_highlight(const Lighting& lighting,
+                                                                    const Frame& frame) {
+    const auto& top = frame.top->shade.scalars;
+    const auto& middle = frame.middle->shade.scalars;
+    const auto& bottom = frame.bottom->shade.scalars;
+    const Cosine headroom = arc_headroom(frame.chords.widest());
+    if constexpr (Illumination::kLights == 1) {
+      return {lighting.nearest_highlight(top, middle, bottom, headroom), 0};
+    } else {
+      NearestHighlight nearest{INT32_MAX, Illumination::kLights};
+      bool shines = false;
+      for (std::size_t i = 0; i < Illumination::kLights; ++i) {
+        const std::int32_t distance = lighting.nearest_highlight_of(i, top, middle, bottom, headroom);
+        if (distance < nearest.distance) nearest.distance = distance;
+        if (distance >= lighting.half_tolerance_reach()) continue;
+        nearest.light = shines ? Illumination::kLights : i;
+        shines = true;
+      }
+      return nearest;
+    }
   }
 
-  /// Prepares N·L alone: linear if the error is within `linear_limit`, otherwise by Arc's paths.
+  /// Prepares N·L alone: linear if the error is within `linear_limit`, otherwise by Arc's paths. `lit` is
+  /// that of lit_throughout().
   template <class Frame>
   static constexpr void prepare_without_highlight(const Lighting& lighting, Frame& frame,
-                                                  std::uint32_t linear_limit, Prepared& prepared) {
-    const PatchValues light = Base::diffuse_scalars(lighting, frame);
-    const LinearLevels levels(frame.chords, light.top, light.middle, light.bottom);
-    // A gradient saturates at 2 per pixel, which a sliver may exceed.
-    if (levels.range() < frame.width && levels.quadruple_error() <= linear_limit) {
-      prepared.linear_light = true;
-      make_linear_plane(frame, levels.lifted(levels.a), levels.lifted(levels.b), levels.lifted(levels.c),
-                        prepared.light);
-      return;
-    }
+                                                  std::uint32_t linear_limit, std::uint32_t lit,
+                                                  Prepared& prepared) {
     const std::uint32_t widest = frame.chords.widest();
-    Base::prepare_path(lighting, frame, Base::diffuse_path(patch_fits(frame), widest), prepared);
-  }
-
-  /// Returns the light whose highlight is above half the tolerance and within reach of the triangle, or
-  /// kLights if there are several.
-  template <class Frame>
-  [[nodiscard]] static constexpr std::size_t shining_light(const Lighting& lighting, const Frame& frame) {
-    if constexpr (Illumination::kLights == 1) return 0;
-    std::size_t found = Illumination::kLights;
-    for (std::size_t i = 0; i < Illumination::kLights; ++i) {
-      const std::int32_t nearest =
-          lighting.nearest_highlight_of(i, frame.top->shade.scalars, frame.middle->shade.scalars,
-                                        frame.bottom->shade.scalars, arc_headroom(frame.chords.widest()));
-      if (nearest >= lighting.half_tolerance_reach()) continue;
-      if (found != Illumination::kLights) return Illumination::kLights;
-      found = i;
+    if (widest <= kWidestBounded) {
+      const PatchValues light = Base::diffuse_scalars(lighting, frame, lit);
+      const LinearLevels levels(frame.chords, light.top, light.middle, light.bottom);
+      // A gradient saturates at 2 per pixel, which a sliver may exceed.
+      if (levels.range() < frame.width && levels.quadruple_error() <= linear_limit) {
+        prepared.linear_light = true;
+        make_linear_plane(frame, levels.lifted(levels.a), levels.lifted(levels.b), levels.lifted(levels.c),
+                          prepared.light);
+        return;
+      }
     }
-    return found;
+    Base::prepare_path(lighting, frame, Base::diffuse_path(patch_fits(frame), widest), lit, prepared);
   }
 
-  /// Prepares the diffuse scalar and the scaled distance of a highlight as patches. Returns false if there
-  /// are several highlights, if a vertex is not lit or its highlight fades, or if HighlightTable cannot scale
-  /// the largest distance.
+  /// Prepares the diffuse scalar and the scaled distance of a highlight as patches; `light` is that of
+  /// NearestHighlight. Returns false if there are several highlights, if a vertex is not lit or its highlight
+  /// fades, or if HighlightTable cannot scale the largest distance.
   template <class Frame>
   [[nodiscard]] static constexpr bool prepare_highlight_patch(const Lighting& lighting, const Frame& frame,
-                                                              Prepared& prepared) {
+                                                              std::size_t light, Prepared& prepared) {
     const TriangleChords& chords = frame.chords;
-    const std::size_t light = shining_light(lighting, frame);
-    if (Illumination::kLights > 1 &&
-        (light == Illumination::kLights || !Base::has_diffuse_scalar(lighting, frame))) {
-      return false;
-    }
+    std::uint32_t lit = 0;
+    if (light == Illumination::kLights || !Base::lit_throughout(lighting, frame, lit)) return false;
     prepared.highlight_weight = lighting.highlight_weight(light);
     // Above 0 or the end of the fade by 2^-10, which is more than any rounding error.
     const std::int32_t lit_from = lighting.fade_end().raw() + (std::int32_t{1} << 20);
@@ -284,7 +297,7 @@ struct Adaptive : Arc<Illumination> {
     const std::int32_t at_bottom = distance(bottom[light], bottom[other]);
     const HighlightTable& table = lighting.highlight_table();
     if (!table.fits(farthest)) return false;
-    make_patch_scalar(frame, factors, Base::diffuse_scalars(lighting, frame), prepared.patch[0]);
+    make_patch_scalar(frame, factors, Base::diffuse_scalars(lighting, frame, lit), prepared.patch[0]);
     const auto scaled = [&table](std::int32_t half) { return Cosine::from_raw(table.scaled(half)); };
     const PatchValues at{scaled(at_top), scaled(at_middle), scaled(at_bottom)};
     const EdgeQuadrupleSagittas sagittas{
@@ -295,20 +308,19 @@ struct Adaptive : Arc<Illumination> {
     return true;
   }
 
-  /// N·L at the vertices of a triangle, and what follows for linear light.
+  /// N·L at the vertices of a triangle whose normals are at most 16 degrees apart, and what follows for
+  /// linear light.
   struct LinearLevels {
     std::int32_t a;  ///< LinearLight::level()
     std::int32_t b;
     std::int32_t c;
     std::uint32_t radius2;  ///< squared_radius() of the normals
-    bool bounded;           ///< the normals are so close that `radius2` holds
 
     constexpr LinearLevels(const TriangleChords& chords, Cosine at_a, Cosine at_b, Cosine at_c)
         : a(LinearLight::level(at_a)),
           b(LinearLight::level(at_b)),
           c(LinearLight::level(at_c)),
-          radius2(squared_radius(chords)),
-          bounded(chords.widest() <= kWidestBounded) {}
+          radius2(squared_radius(chords)) {}
 
     [[nodiscard]] constexpr std::int32_t most() const {
       const std::int32_t upper = a > b ? a : b;
@@ -322,7 +334,6 @@ struct Adaptive : Arc<Illumination> {
     /// N·L. Where N·L is positive, it is above the plane through its vertices by at most R^2/2 of itself and
     /// never below; lifting the plane by R^2/4 leaves R^2/4 either way.
     [[nodiscard]] constexpr std::uint32_t quadruple_error() const {
-      if (!bounded) return UINT32_MAX;
       if (most() <= 0) return 0;
       return (radius2 >> 9) * ((static_cast<std::uint32_t>(most()) >> 6) + 1);
     }
@@ -358,7 +369,7 @@ struct Adaptive : Arc<Illumination> {
       const std::int32_t away = v <= 0 ? v : v > fade_end ? v - fade_end : 0;
       return static_cast<std::uint32_t>(wrap_mul(away >> 16, away >> 16));
     };
-    for (std::size_t i = 0; i < Illumination::kLights; ++i) {
+    for (std::size_t i = 0; i < lighting.lights(); ++i) {
       const std::int32_t a = frame.top->shade.scalars[i].raw();
       const std::int32_t b = frame.middle->shade.scalars[i].raw();
       const std::int32_t c = frame.bottom->shade.scalars[i].raw();
@@ -369,22 +380,18 @@ struct Adaptive : Arc<Illumination> {
   }
 
   /// Returns the bits of the longest segments that the tolerance allows and of which the triangle's widest
-  /// row holds at least four; 0 if there are none.
+  /// row, of at least kLeastWidth pixels, holds at least four; 0 if there are none. `shines` is true if a
+  /// highlight above half the tolerance is within reach.
   template <class Frame>
-  [[nodiscard]] static constexpr int segment_bits(const Lighting& lighting, const Frame& frame) {
+  [[nodiscard]] static constexpr int segment_bits(const Lighting& lighting, const Frame& frame, bool shines) {
     const TriangleChords& chords = frame.chords;
-    // With a ramp, a pixel without highlight is one look-up, so only segments of 8 or 16 pixels are faster.
-    constexpr int kLeastBits = Illumination::kHasRamp ? 3 : 2;
-    constexpr std::uint32_t kLeastWidth = 4u << kLeastBits;
     const std::uint32_t whole = frame.width >> 16;
-    if (whole < kLeastWidth) return 0;
     // The angle of the widest row is at most that of the wider edge at the middle vertex. The pixels of a row
     // are not quite evenly spaced in angle; reducing the limit by a quarter covers that.
-    const std::uint32_t limit = lighting.segment_limit(shines(lighting, frame));
+    const std::uint32_t limit = lighting.segment_limit(shines);
     const std::uint32_t width = whole > 1023 ? 1023 : whole;
     const std::uint32_t across =
         chords.top_middle > chords.middle_bottom ? chords.top_middle : chords.middle_bottom;
-    if (chords.widest() > kWidestArc) return 0;  // a chord says too little of its angle there
     if (!away_from_terminator(lighting, frame, across >> 4)) return 0;
     const std::uint32_t allowed = (limit >> 8) - (limit >> 10);
     const std::uint64_t room = static_cast<std::uint64_t>(allowed) * (width * width);

@@ -68,7 +68,9 @@ struct ArcUpTo {
   /// method's `Vertex` as their shade.
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
-    prepare_path(lighting, frame, choose_path(lighting, frame, frame.chords.widest()), prepared);
+    std::uint32_t lit = 0;
+    const Path path = choose_path(lighting, frame, lit);
+    prepare_path(lighting, frame, path, lit, prepared);
   }
 
   /// Calls `draw` with the walker of the command's path.
@@ -94,12 +96,14 @@ struct ArcUpTo {
                                                     const Raster& b, const Raster& c,
                                                     const SmallTriangle& triangle, Small& small) {
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
+    const SmallCorners corners{a, b, c};
     bool shines = true;
     if constexpr (kHasDiffusePath) {
       shines = lighting.may_shine(a.shade.scalars, b.shade.scalars, c.shade.scalars,
                                   arc_headroom(chords.widest()));
     }
-    return small.prepare(lighting, SmallCorners{a, b, c}, chords, shines, triangle);
+    const auto diffuse = Small::diffuse_of(lighting, corners, chords.widest(), shines);
+    return small.prepare(lighting, corners, chords, shines, diffuse, triangle);
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
@@ -111,9 +115,11 @@ struct ArcUpTo {
   /// Rows in pieces without highlight are a matter of time only: carrying all scalars gives the same colours.
   static constexpr bool kHasDiffuseWide = Illumination::kLights == 1 && !kOptimisedForSize;
 
-  /// Prepares the triangle for `path`, which its normals and its size must allow.
+  /// Prepares the triangle for `path`, which its normals and its size must allow; `lit` is that of
+  /// lit_throughout() if the path has no highlight.
   template <class Frame>
-  static constexpr void prepare_path(const Lighting& lighting, Frame& frame, Path path, Prepared& prepared) {
+  static constexpr void prepare_path(const Lighting& lighting, Frame& frame, Path path,
+                                     [[maybe_unused]] std::uint32_t lit, Prepared& prepared) {
     prepared.middle_left = frame.middle_left;
     prepared.path = path;
     const std::size_t count = path == Path::kDiffusePatch || path == Path::kDiffuseWide ? 1 : kScalars;
@@ -127,7 +133,7 @@ struct ArcUpTo {
                                              sagitta_factor(chords.middle_bottom)};
     if constexpr (kHasDiffusePath && Illumination::kLights > 1) {
       if (path == Path::kDiffusePatch) {
-        make_patch_scalar(frame, sagitta_factors, diffuse_scalars(lighting, frame), prepared.patch[0]);
+        make_patch_scalar(frame, sagitta_factors, diffuse_scalars(lighting, frame, lit), prepared.patch[0]);
         return;
       }
     }
@@ -139,21 +145,18 @@ struct ArcUpTo {
     }
   }
 
-  /// Returns the diffuse_scalar() of the vertices of a TriangleFrame whose lights are lit_throughout().
+  /// Returns the diffuse_scalar() of the vertices of a TriangleFrame.
   template <class Frame>
-  [[nodiscard]] static constexpr PatchValues diffuse_scalars(const Lighting& lighting, const Frame& frame) {
-    const Scalars& top = frame.top->shade.scalars;
-    const Scalars& middle = frame.middle->shade.scalars;
-    const Scalars& bottom = frame.bottom->shade.scalars;
-    std::uint32_t lit = 0;
-    (void)lighting.lit_throughout(top, middle, bottom, lit);
-    return {lighting.diffuse_scalar(top, lit), lighting.diffuse_scalar(middle, lit),
-            lighting.diffuse_scalar(bottom, lit)};
+  [[nodiscard]] static constexpr PatchValues diffuse_scalars(const Lighting& lighting, const Frame& frame,
+                                                             std::uint32_t lit) {
+    return {lighting.diffuse_scalar(frame.top->shade.scalars, lit),
+            lighting.diffuse_scalar(frame.middle->shade.scalars, lit),
+            lighting.diffuse_scalar(frame.bottom->shade.scalars, lit)};
   }
-  /// Returns true if a triangle without highlight has a diffuse_scalar().
+  /// Returns true if a triangle without highlight has a diffuse_scalar(), and sets `lit` to its argument.
   template <class Frame>
-  [[nodiscard]] static constexpr bool has_diffuse_scalar(const Lighting& lighting, const Frame& frame) {
-    std::uint32_t lit = 0;
+  [[nodiscard]] static constexpr bool lit_throughout(const Lighting& lighting, const Frame& frame,
+                                                     std::uint32_t& lit) {
     return lighting.lit_throughout(frame.top->shade.scalars, frame.middle->shade.scalars,
                                    frame.bottom->shade.scalars, lit);
   }
@@ -164,16 +167,17 @@ struct ArcUpTo {
     return kHasDiffuseWide ? Path::kDiffuseWide : Path::kWide;
   }
 
-  /// Returns the path of a triangle; `widest` is its widest squared chord, 28 fraction bits.
+  /// Returns the path of a triangle, and sets `lit` for paths without highlight.
   template <class Frame>
   [[nodiscard]] static constexpr Path choose_path(const Lighting& lighting, const Frame& frame,
-                                                  std::uint32_t widest) {
+                                                  [[maybe_unused]] std::uint32_t& lit) {
+    const std::uint32_t widest = frame.chords.widest();
     if (widest > kWidestArc) return Path::kWide;
     const bool fits = patch_fits(frame);
     if constexpr (kHasDiffusePath) {
       if (!lighting.may_shine(frame.top->shade.scalars, frame.middle->shade.scalars,
                               frame.bottom->shade.scalars, arc_headroom(widest)) &&
-          has_diffuse_scalar(lighting, frame)) {
+          lit_throughout(lighting, frame, lit)) {
         return diffuse_path(fits, widest);
       }
     }

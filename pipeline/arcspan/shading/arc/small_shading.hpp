@@ -30,11 +30,35 @@ SmallCorners(const Raster&, const Raster&, const Raster&) -> SmallCorners<Raster
 template <class Lighting>
 class SmallShading {
  public:
+  /// The diffuse_scalar() of the vertices, if the triangle can be drawn by it.
+  struct Diffuse {
+    bool suffices;
+    Cosine a;
+    Cosine b;
+    Cosine c;
+  };
+  /// `widest`: the widest squared chord; `shines`: true if a highlight is within reach.
+  template <class Raster>
+  [[nodiscard]] static constexpr Diffuse diffuse_of(const Lighting& lighting, const SmallCorners<Raster>& at,
+                                                    std::uint32_t widest, bool shines) {
+    if constexpr (Lighting::kHasRamp) {
+      const auto& a = at.a.shade.scalars;
+      const auto& b = at.b.shade.scalars;
+      const auto& c = at.c.shade.scalars;
+      std::uint32_t lit = 0;
+      if (!shines && widest <= kWidestDiffusePatch && lighting.lit_throughout(a, b, c, lit)) {
+        return {true, lighting.diffuse_scalar(a, lit), lighting.diffuse_scalar(b, lit),
+                lighting.diffuse_scalar(c, lit)};
+      }
+    }
+    return {};
+  }
+
   /// Prepares the triangle; `shines` is true if a highlight is within reach. Returns false if the normals are
   /// more than 60 degrees apart.
   template <class Raster>
   [[nodiscard]] constexpr bool prepare(const Lighting& lighting, const SmallCorners<Raster>& at,
-                                       const TriangleChords& chords, bool shines,
+                                       const TriangleChords& chords, bool shines, const Diffuse& diffuse,
                                        const SmallTriangle& triangle) {
     const std::uint32_t widest = chords.widest();
     if (widest > kWidestArc) return false;
@@ -46,13 +70,10 @@ class SmallShading {
                   {chords.middle_bottom, chords.top_bottom, chords.top_middle}, triangle);
     };
     if constexpr (Lighting::kHasRamp) {
-      std::uint32_t lit = 0;
-      if (!shines && widest <= kWidestDiffusePatch && lighting.lit_throughout(a, b, c, lit)) {
+      if (diffuse.suffices) {
         path_ = Path::kDiffusePatch;
-        const auto scalar = [&](const auto& scalars) {
-          return std::array<Cosine, 1>{lighting.diffuse_scalar(scalars, lit)};
-        };
-        diffuse_patch_.prepare(scalar(a), scalar(b), scalar(c), chords, triangle);
+        const auto scalar = [](Cosine value) { return std::array<Cosine, 1>{value}; };
+        diffuse_patch_.prepare(scalar(diffuse.a), scalar(diffuse.b), scalar(diffuse.c), chords, triangle);
         return true;
       }
     }

@@ -42,6 +42,9 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   using Scalars = std::array<Cosine, kScalars>;
   /// True if the diffuse part is looked up in ramp(): a single light, or several that are grey.
   static constexpr bool kHasRamp = Lights == 1 || !Features.coloured_lights;
+  /// For code that also takes illuminations whose lights are known at run time only.
+  [[nodiscard]] static constexpr std::size_t lights() { return Lights; }
+  [[nodiscard]] static constexpr Highlight model() { return Model; }
 
   constexpr Illumination() = default;
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/draw.hpp>
+#include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
 
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
@@ -191,6 +194,49 @@ TEST_CASE("a light's strength is 1 / (d + K)") {
   }
 }
 
+namespace {
+
+/// The picture that firmware draws by adaptive, which asks an illumination for all that arc and segment do,
+/// and for more. `Lit` has two lights.
+template <class Lit>
+Image firmware_picture(const RenderJob& job) {
+  using Method = Adaptive<Lit>;
+  const Viewport& size = job.transform.viewport();
+  std::vector<std::uint16_t> colours(hal::Framebuffer<Rgb565>::words(size.width, size.height));
+  std::vector<std::uint16_t> depths(DepthBuffer::words(size.width, size.height));
+  hal::Framebuffer<Rgb565> frame(colours, size.width, size.height);
+  DepthBuffer depth(depths, size.width, size.height);
+  frame.clear(job.background);
+  depth.clear();
+  const RenderPart& part = job.parts.front();
+  Lit lit;
+  REQUIRE(ok(Lit::make(part.material, {job.lights.at(0), job.lights.at(1)}, job.to_eye, lit)));
+  std::vector<CachedVertex<Method>> cache(part.mesh.vertex_count());
+  const AdaptiveIllumination<Lit> lighting(lit);
+  REQUIRE(ok(draw_mesh<Method>(part.mesh, job.transform, lighting, frame, depth, std::span(cache)).status));
+  Image image(size.width, size.height);
+  for (std::int32_t y = 0; y < size.height; ++y) {
+    for (std::int32_t x = 0; x < size.width; ++x) image.at(x, y) = frame.pixel(x, y);
+  }
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("several lights are drawn as firmware draws them") {
+  const FixedMesh torus = mesh("torus:24x12");
+  Scene scene = small_scene();
+  scene.size = {192, 144};
+  scene.lights = {SceneLight(0.4, 0.7, 0.6), SceneLight({-1, 0.2, 0.3}, 0.5)};
+  CHECK(render(scene, torus, "adaptive", "rgb565").image ==
+        firmware_picture<Illumination<2, Highlight::kBlinn>>(make_job(scene, torus, "m")));
+  scene.highlight = Highlight::kPhong;
+  scene.lights[1].colour = {0.25, 0.75, 1};
+  CHECK(render(scene, torus, "adaptive", "rgb565").image ==
+        firmware_picture<Illumination<2, Highlight::kPhong, IlluminationFeatures{.coloured_lights = true}>>(
+            make_job(scene, torus, "m")));
+}
+
 TEST_CASE("by every method, each channel of coloured lights is that of white lights as strong") {
   const FixedMesh sphere = mesh("sphere:12x8");
   const std::string shading = GENERATE(from_range(shading_names()));
@@ -198,9 +244,12 @@ TEST_CASE("by every method, each channel of coloured lights is that of white lig
   CAPTURE(shading, model == Highlight::kPhong);
   Scene scene = small_scene();
   scene.highlight = model;
-  scene.lights = {SceneLight(0.4, 0.7, 0.6), SceneLight(-1, 0.2, 0.3)};
+  // The third light has no strength. Its colour makes all pictures those of coloured lights: grey ones are
+  // summed in a ramp.
+  scene.lights = {SceneLight(0.4, 0.7, 0.6), SceneLight(-1, 0.2, 0.3), SceneLight({0, 0, 1}, 1e6)};
   scene.lights[0].colour = {1, 0.5, 0};
   scene.lights[1].colour = {0.25, 0.75, 1};
+  scene.lights[2].colour = {1, 0, 0};
   const Image coloured = render(scene, sphere, shading.c_str()).image;
   const auto white = [&](double first, double second) {
     scene.lights[0].colour = {first, first, first};

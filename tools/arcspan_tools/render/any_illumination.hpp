@@ -6,59 +6,122 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
 
 namespace arcspan::tools {
 
-/// An illumination whose highlight and number of lights are known at run time only. It offers the scalars of
-/// a normal and their colour, which is all that flat, Gouraud and the methods of shading/literature ask of an
-/// illumination, so one instantiation of such a method serves every illumination. Scalars that the wrapped
-/// one lacks are zero.
+/// The scalars of up to four lights: N·L of light i is number i, and 4 + i is its N·H (Blinn) or N·V (Phong,
+/// the same for all). Those of lights that are not there are zero.
+inline constexpr std::size_t kAnyLights = 4;
+using AnyScalars = std::array<Cosine, 2 * kAnyLights>;
+
+/// An Illumination whose type is known at run time only: the one that a firmware with these lights has.
+class IlluminationCalls {
+ public:
+  virtual ~IlluminationCalls() = default;
+
+  [[nodiscard]] virtual bool has_ramp() const = 0;
+  [[nodiscard]] virtual std::size_t lights() const = 0;
+  [[nodiscard]] virtual Highlight model() const = 0;
+  [[nodiscard]] virtual AnyScalars scalars(const Direction& normal) const = 0;
+  [[nodiscard]] virtual PackedRgb colour(const AnyScalars& scalars) const = 0;
+  [[nodiscard]] virtual DeepColour deep_colour(const AnyScalars& scalars) const = 0;
+  /// The next four are for an illumination that has a ramp.
+  [[nodiscard]] virtual Cosine diffuse_scalar(const AnyScalars& scalars, std::uint32_t lit) const = 0;
+  [[nodiscard]] virtual PackedRgb diffuse_colour(Cosine normal_light) const = 0;
+  [[nodiscard]] virtual std::uint32_t highlight_weight(std::size_t light) const = 0;
+  [[nodiscard]] virtual std::uint32_t most_ramp() const = 0;
+  [[nodiscard]] virtual bool lit_throughout(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
+                                            std::uint32_t& lit) const = 0;
+  [[nodiscard]] virtual std::int32_t nearest_highlight_of(std::size_t light, const AnyScalars& a,
+                                                          const AnyScalars& b, const AnyScalars& c,
+                                                          Cosine headroom) const = 0;
+  [[nodiscard]] virtual std::int32_t half_distance(Cosine normal_light, Cosine other,
+                                                   std::size_t light) const = 0;
+  [[nodiscard]] virtual bool may_clamp(bool shines) const = 0;
+  [[nodiscard]] virtual std::uint32_t widest_patch() const = 0;
+  [[nodiscard]] virtual Cosine fade_end() const = 0;
+  [[nodiscard]] virtual std::uint32_t most_diffuse() const = 0;
+  [[nodiscard]] virtual std::uint32_t most_specular() const = 0;
+  [[nodiscard]] virtual std::uint32_t most_curvature() const = 0;
+  [[nodiscard]] virtual std::uint32_t shininess() const = 0;
+  [[nodiscard]] virtual const PowerTable& power() const = 0;
+  [[nodiscard]] virtual const std::array<std::uint32_t, 3>& specular() const = 0;
+};
+
+/// The illumination by 1 to 4 lights that firmware uses: with a ramp unless one of several lights is
+/// coloured. Throws Failure for other numbers of lights, and for materials and lights that
+/// Illumination::make() rejects.
+[[nodiscard]] std::unique_ptr<IlluminationCalls> make_any_illumination(
+    const Material& material, std::span<const DirectionalLight> lights, const Direction& to_eye,
+    Highlight model);
+
+/// IlluminationCalls with the interface of an Illumination of four lights, so that one instantiation of a
+/// method for every number of lights and both models draws the pixels that firmware draws. Flat, Gouraud and
+/// the methods of shading/literature do not ask for a ramp, so that one of the two types serves them.
+template <bool HasRamp>
 class AnyIllumination {
  public:
-  static constexpr std::size_t kScalars = 8;  ///< of four lights with Blinn's highlight, the most there are
-  using Scalars = std::array<Cosine, kScalars>;
+  static constexpr std::size_t kLights = kAnyLights;
+  static constexpr std::size_t kScalars = 2 * kAnyLights;
+  static constexpr bool kHasRamp = HasRamp;
+  using Scalars = AnyScalars;
 
-  /// `wrapped` must live as long as this.
-  template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-  explicit AnyIllumination(const Illumination<Lights, Model, Features>& wrapped)
-      : wrapped_(&wrapped),
-        scalars_(&scalars_of<Illumination<Lights, Model, Features>>),
-        colour_(&colour_of<Illumination<Lights, Model, Features>>),
-        deep_colour_(&deep_colour_of<Illumination<Lights, Model, Features>>) {}
+  /// `calls` must live as long as this.
+  explicit AnyIllumination(const IlluminationCalls& calls) : calls_(&calls) {}
 
-  [[nodiscard]] Scalars scalars(const Direction& normal) const { return scalars_(wrapped_, normal); }
-  [[nodiscard]] PackedRgb colour(const Scalars& scalars) const { return colour_(wrapped_, scalars); }
-  [[nodiscard]] DeepColour deep_colour(const Scalars& scalars) const {
-    return deep_colour_(wrapped_, scalars);
+  [[nodiscard]] std::size_t lights() const { return calls_->lights(); }
+  [[nodiscard]] Highlight model() const { return calls_->model(); }
+  [[nodiscard]] Scalars scalars(const Direction& normal) const { return calls_->scalars(normal); }
+  [[nodiscard]] PackedRgb colour(const Scalars& scalars) const { return calls_->colour(scalars); }
+  [[nodiscard]] DeepColour deep_colour(const Scalars& scalars) const { return calls_->deep_colour(scalars); }
+  [[nodiscard]] Cosine diffuse_scalar(const Scalars& scalars, std::uint32_t lit) const requires HasRamp {
+    return calls_->diffuse_scalar(scalars, lit);
   }
+  [[nodiscard]] PackedRgb diffuse_colour(Cosine normal_light) const requires HasRamp {
+    return calls_->diffuse_colour(normal_light);
+  }
+  [[nodiscard]] std::uint32_t highlight_weight(std::size_t light) const requires HasRamp {
+    return calls_->highlight_weight(light);
+  }
+  [[nodiscard]] std::uint32_t most_ramp() const requires HasRamp { return calls_->most_ramp(); }
+  [[nodiscard]] bool lit_throughout(const Scalars& a, const Scalars& b, const Scalars& c,
+                                    std::uint32_t& lit) const {
+    return calls_->lit_throughout(a, b, c, lit);
+  }
+  [[nodiscard]] bool may_shine(const Scalars& a, const Scalars& b, const Scalars& c, Cosine headroom) const {
+    return nearest_highlight(a, b, c, headroom) < power().half_reach();
+  }
+  [[nodiscard]] std::int32_t nearest_highlight(const Scalars& a, const Scalars& b, const Scalars& c,
+                                               Cosine headroom) const {
+    std::int32_t nearest = INT32_MAX;
+    for (std::size_t i = 0; i < kLights; ++i)
+      nearest = std::min(nearest, nearest_highlight_of(i, a, b, c, headroom));
+    return nearest;
+  }
+  /// INT32_MAX for a light that is not there.
+  [[nodiscard]] std::int32_t nearest_highlight_of(std::size_t light, const Scalars& a, const Scalars& b,
+                                                  const Scalars& c, Cosine headroom) const {
+    return calls_->nearest_highlight_of(light, a, b, c, headroom);
+  }
+  [[nodiscard]] std::int32_t half_distance(Cosine normal_light, Cosine other, std::size_t light) const {
+    return calls_->half_distance(normal_light, other, light);
+  }
+  [[nodiscard]] static constexpr std::size_t highlight_index(std::size_t light) { return kLights + light; }
+  [[nodiscard]] bool may_clamp(bool shines) const { return calls_->may_clamp(shines); }
+  [[nodiscard]] std::uint32_t widest_patch() const { return calls_->widest_patch(); }
+  [[nodiscard]] Cosine fade_end() const { return calls_->fade_end(); }
+  [[nodiscard]] std::uint32_t most_diffuse() const { return calls_->most_diffuse(); }
+  [[nodiscard]] std::uint32_t most_specular() const { return calls_->most_specular(); }
+  [[nodiscard]] std::uint32_t most_curvature() const { return calls_->most_curvature(); }
+  [[nodiscard]] std::uint32_t shininess() const { return calls_->shininess(); }
+  [[nodiscard]] const PowerTable& power() const { return calls_->power(); }
+  [[nodiscard]] const std::array<std::uint32_t, 3>& specular() const { return calls_->specular(); }
 
  private:
-  template <class Wrapped>
-  static Scalars scalars_of(const void* wrapped, const Direction& normal) {
-    const typename Wrapped::Scalars few = static_cast<const Wrapped*>(wrapped)->scalars(normal);
-    Scalars all{};
-    std::copy(few.begin(), few.end(), all.begin());
-    return all;
-  }
-  template <class Wrapped>
-  static typename Wrapped::Scalars of_wrapped(const Scalars& all) {
-    typename Wrapped::Scalars few;
-    std::copy_n(all.begin(), few.size(), few.begin());
-    return few;
-  }
-  template <class Wrapped>
-  static PackedRgb colour_of(const void* wrapped, const Scalars& all) {
-    return static_cast<const Wrapped*>(wrapped)->colour(of_wrapped<Wrapped>(all));
-  }
-  template <class Wrapped>
-  static DeepColour deep_colour_of(const void* wrapped, const Scalars& all) {
-    return static_cast<const Wrapped*>(wrapped)->deep_colour(of_wrapped<Wrapped>(all));
-  }
-
-  const void* wrapped_;
-  Scalars (*scalars_)(const void*, const Direction&);
-  PackedRgb (*colour_)(const void*, const Scalars&);
-  DeepColour (*deep_colour_)(const void*, const Scalars&);
+  const IlluminationCalls* calls_;
 };
 
 }  // namespace arcspan::tools

@@ -16,8 +16,8 @@ RenderFunction ARCSPAN_METHOD_FUNCTION(render, ARCSPAN_METHOD);
 RenderResult ARCSPAN_METHOD_FUNCTION(render, ARCSPAN_METHOD)(const RenderJob& job, const PixelChoice& pixels,
                                                              const RowsDone& rows_done) {
   constexpr std::string_view kName = ARCSPAN_NAME_OF(ARCSPAN_METHOD);
-  constexpr bool kAsksForColours = kName == "Flat" || kName == "Gouraud" || is_literature_method(kName);
-  return render_with<ARCSPAN_METHOD, kAsksForColours>(job, pixels, rows_done);
+  constexpr bool kAsksForRamp = kName != "Flat" && kName != "Gouraud" && !is_literature_method(kName);
+  return render_with<ARCSPAN_METHOD, kAsksForRamp>(job, pixels, rows_done);
 }
 
 }  // namespace arcspan::tools

@@ -19,8 +19,8 @@
 #include <vector>
 
 // Every shading method is instantiated with two kinds of targets: a framebuffer of rgb565 with a depth buffer
-// and one light, drawn exactly as firmware draws it, whose times mean something; and any pixel format behind
-// virtual calls, with any lights and every feature of an illumination, with a depth test or without.
+// and one light, drawn exactly as firmware draws it, whose times mean something; and any pixel format and any
+// lights behind virtual calls, with a depth test or without. Both draw the pixels that firmware draws.
 //
 // ARCSPAN_ALWAYS_VIRTUAL leaves the first kind out: the same pictures, drawn slower and compiled faster.
 namespace arcspan::tools::detail {
@@ -194,61 +194,60 @@ PartLightings<Method> lightings_of(const RenderJob& job, const std::vector<Lit>&
   return lightings;
 }
 
-/// The illumination of each part.
-template <class Lit>
-std::vector<Lit> illuminations_of(const RenderJob& job) {
-  // Lights beyond those given are dark, which adds nothing: 2 and 3 need no instantiation of their own.
-  std::array<DirectionalLight, Lit::kLights> lights;
-  lights.fill({job.lights[0].towards, Coefficient{}});
-  std::copy(job.lights.begin(), job.lights.end(), lights.begin());
-  std::vector<Lit> illuminations(job.parts.size());
-  for (std::size_t i = 0; i < job.parts.size(); ++i) {
-    const Status status = Lit::make(job.parts[i].material, lights, job.to_eye, illuminations[i]);
-    if (!ok(status)) throw Failure("illumination", to_string(status));
-  }
-  return illuminations;
-}
-
-/// Whether no part has a feature that only kEveryFeature offers.
+/// Whether no part needs a feature of an illumination that is off unless firmware asks for it.
 inline bool is_plain(const RenderJob& job) {
   return std::all_of(job.parts.begin(), job.parts.end(),
                      [](const RenderPart& part) { return part.material.highlight_fade.raw() == 0; });
 }
 
-/// Behind virtual calls every feature is there, used or not; those that are not used change no pixel.
-inline constexpr IlluminationFeatures kEveryFeature{.coloured_lights = true, .fading_highlights = true};
+/// Renders into rgb565 with one light.
+template <template <class> class Method, Highlight Model>
+RenderResult render_directly(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
+  using Lit = Illumination<1, Model>;
+  std::vector<Lit> illuminations(job.parts.size());
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    const Status status =
+        Lit::make(job.parts[i].material, {job.lights.front()}, job.to_eye, illuminations[i]);
+    if (!ok(status)) throw Failure("illumination", to_string(status));
+  }
+  return render_bands<Method<Lit>, DirectBand>(job, pixels, lightings_of<Method<Lit>>(job, illuminations),
+                                               rows_done);
+}
 
-template <template <class> class Method, bool kAsksForColours, std::size_t Lights, Highlight Model>
-RenderResult render_lit(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
-  using Lit = Illumination<Lights, Model, kEveryFeature>;
-  using AnyLit = std::conditional_t<kAsksForColours, AnyIllumination, Lit>;
-  const auto illuminations = illuminations_of<Lit>(job);
-  const std::vector<AnyLit> any(illuminations.begin(), illuminations.end());
-  const auto any_lightings = lightings_of<Method<AnyLit>>(job, any);
+/// The bytes of a vertex in the cache of a firmware with these lights.
+template <template <class> class Method, Highlight Model>
+std::size_t cached_vertex_bytes(std::size_t lights) {
+  constexpr std::size_t kBytes[] = {sizeof(CachedVertex<Method<Illumination<1, Model>>>),
+                                    sizeof(CachedVertex<Method<Illumination<2, Model>>>),
+                                    sizeof(CachedVertex<Method<Illumination<3, Model>>>),
+                                    sizeof(CachedVertex<Method<Illumination<4, Model>>>)};
+  return kBytes[lights - 1];
+}
+
+template <template <class> class Method, class Lit>
+RenderResult render_any(const RenderJob& job, const std::vector<std::unique_ptr<IlluminationCalls>>& calls,
+                        const PixelChoice& pixels, const RowsDone& rows_done) {
+  std::vector<Lit> illuminations;
+  for (const std::unique_ptr<IlluminationCalls>& of_part : calls) illuminations.emplace_back(*of_part);
+  const auto lightings = lightings_of<Method<Lit>>(job, illuminations);
   RenderResult result;
   bool is_drawn = false;
-  if constexpr (kDrawsDirectly && Lights == 1) {
-    if (job.depth && is_plain(job) && pixels.format == pixel_format_name<Rgb565>() && !pixels.dithers) {
-      using Plain = Illumination<Lights, Model>;
-      const auto lightings = lightings_of<Method<Plain>>(job, illuminations_of<Plain>(job));
-      result = render_bands<Method<Plain>, DirectBand>(job, pixels, lightings, rows_done);
+  if constexpr (kDrawsDirectly && Lit::kHasRamp) {
+    if (job.lights.size() == 1 && job.depth && is_plain(job) &&
+        pixels.format == pixel_format_name<Rgb565>() && !pixels.dithers) {
+      result = job.highlight == Highlight::kBlinn
+                   ? render_directly<Method, Highlight::kBlinn>(job, pixels, rows_done)
+                   : render_directly<Method, Highlight::kPhong>(job, pixels, rows_done);
       is_drawn = true;
     }
   }
-  if (!is_drawn) result = render_bands<Method<AnyLit>, AnyBand>(job, pixels, any_lightings, rows_done);
-  result.stats.cache_bytes = most_vertices(job) * sizeof(CachedVertex<Method<Lit>>);
-  if (job.counts) count_spans<Method<AnyLit>>(job, any_lightings, result.stats);
+  if (!is_drawn) result = render_bands<Method<Lit>, AnyBand>(job, pixels, lightings, rows_done);
+  result.stats.cache_bytes =
+      most_vertices(job) * (job.highlight == Highlight::kBlinn
+                                ? cached_vertex_bytes<Method, Highlight::kBlinn>(job.lights.size())
+                                : cached_vertex_bytes<Method, Highlight::kPhong>(job.lights.size()));
+  if (job.counts) count_spans<Method<Lit>>(job, lightings, result.stats);
   return result;
-}
-
-template <template <class> class Method, bool kAsksForColours, Highlight Model>
-RenderResult render_model(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
-  constexpr std::size_t kMost = 4;
-  if (job.lights.empty() || job.lights.size() > kMost) {
-    throw Failure("--light", "1 to 4 lights, not " + std::to_string(job.lights.size()));
-  }
-  return job.lights.size() == 1 ? render_lit<Method, kAsksForColours, 1, Model>(job, pixels, rows_done)
-                                : render_lit<Method, kAsksForColours, kMost, Model>(job, pixels, rows_done);
 }
 
 }  // namespace arcspan::tools::detail
@@ -256,12 +255,18 @@ RenderResult render_model(const RenderJob& job, const PixelChoice& pixels, const
 namespace arcspan::tools {
 
 /// Renders with the shading `Method`; the rest of the job picks among the instantiations made here.
-/// `kAsksForColours` is true for methods that AnyIllumination suffices for.
-template <template <class> class Method, bool kAsksForColours>
+/// `kAsksForRamp` is false for methods that do not ask whether an illumination has a ramp.
+template <template <class> class Method, bool kAsksForRamp>
 RenderResult render_with(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
-  return job.highlight == Highlight::kBlinn
-             ? detail::render_model<Method, kAsksForColours, Highlight::kBlinn>(job, pixels, rows_done)
-             : detail::render_model<Method, kAsksForColours, Highlight::kPhong>(job, pixels, rows_done);
+  std::vector<std::unique_ptr<IlluminationCalls>> calls;
+  for (const RenderPart& part : job.parts) {
+    calls.push_back(make_any_illumination(part.material, job.lights, job.to_eye, job.highlight));
+  }
+  if constexpr (kAsksForRamp) {
+    if (!calls.front()->has_ramp())
+      return detail::render_any<Method, AnyIllumination<false>>(job, calls, pixels, rows_done);
+  }
+  return detail::render_any<Method, AnyIllumination<true>>(job, calls, pixels, rows_done);
 }
 
 }  // namespace arcspan::tools

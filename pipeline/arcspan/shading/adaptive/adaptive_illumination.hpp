@@ -40,9 +40,9 @@ class AdaptiveIllumination : public Illumination {
     // Two errors may add up in a pixel. An omitted highlight gets half of the tolerance and linear light the
     // rest; farther away from highlights, they get an eighth and the rest.
     // Every light may have a highlight that is omitted.
-    constexpr auto kHighlights = static_cast<std::uint32_t>(Illumination::kLights);
-    half_tolerance_reach_ = reach_of(tolerance / (2 * kHighlights));
-    eighth_tolerance_reach_ = reach_of(tolerance / (8 * kHighlights));
+    const auto highlights = static_cast<std::uint32_t>(Illumination::lights());
+    half_tolerance_reach_ = reach_of(tolerance / (2 * highlights));
+    eighth_tolerance_reach_ = reach_of(tolerance / (8 * highlights));
     linear_limit_ = linear_limit_of(tolerance - tolerance / 2);
     far_linear_limit_ = linear_limit_of(tolerance - tolerance / 8);
     segment_limit_with_highlight_ = segment_limit_of(tolerance, true);
@@ -156,14 +156,14 @@ class AdaptiveIllumination : public Illumination {
   /// chord by at most m^2 max|f''| / 8 and, at a kink where a channel is clamped, by m max|f'| / 4;
   /// |(cos^n)'| < 0.61 sqrt(n).
   [[nodiscard]] constexpr std::uint32_t segment_limit_of(std::uint32_t tolerance, bool shines) const {
-    constexpr auto kCount = static_cast<std::uint32_t>(Illumination::kLights);
-    const std::uint32_t diffuse = Illumination::most_diffuse() * kCount;
+    const auto lights = static_cast<std::uint32_t>(Illumination::lights());
+    const std::uint32_t diffuse = Illumination::most_diffuse() * lights;
     const std::uint32_t curvature = shines ? Illumination::most_curvature() : diffuse;
     const std::uint32_t limit = limit_of(tolerance, 8, curvature);
     // With n = 1 the highlight itself has a kink where its cosine is 0.
     if (!Illumination::may_clamp(shines) && !(shines && Illumination::shininess() == 1)) return limit;
     // f'^2 <= 2 (diffuse^2 + 0.37 specular * n specular), and n specular <= curvature.
-    const std::uint32_t specular = shines ? Illumination::most_specular() * kCount : 0;
+    const std::uint32_t specular = shines ? Illumination::most_specular() * lights : 0;
     const std::uint64_t slope2 = 2 * (static_cast<std::uint64_t>(diffuse) * diffuse +
                                       (static_cast<std::uint64_t>(specular) * curvature * 3) / 8);
     if (slope2 == 0) return limit;
@@ -177,7 +177,7 @@ class AdaptiveIllumination : public Illumination {
   /// for n > 64, where `Arc` itself is one step off by rounding. The bound holds up to 16 degrees. Blinn's
   /// distance is linear in N·H, so that its surface is the surface of N·H, and no limit is needed.
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit_of(std::uint32_t tolerance) const {
-    if (Illumination::kModel == Highlight::kBlinn) return tolerance == 0 ? 0 : std::uint32_t{1} << 28;
+    if (Illumination::model() == Highlight::kBlinn) return tolerance == 0 ? 0 : std::uint32_t{1} << 28;
     constexpr std::uint32_t kSharpest = 64;
     if (Illumination::shininess() > kSharpest) return 0;
     const std::uint64_t height =

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/render/any_illumination.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+#include <string>
+
+namespace arcspan::tools {
+namespace {
+
+template <class Wrapped>
+class CallsOf final : public IlluminationCalls {
+ public:
+  CallsOf(const Material& material, std::span<const DirectionalLight> lights, const Direction& to_eye) {
+    std::array<DirectionalLight, kLights> copies;
+    std::copy(lights.begin(), lights.end(), copies.begin());
+    const Status status = Wrapped::make(material, copies, to_eye, wrapped_);
+    if (!ok(status)) throw Failure("illumination", to_string(status));
+  }
+
+  [[nodiscard]] bool has_ramp() const override { return Wrapped::kHasRamp; }
+  [[nodiscard]] std::size_t lights() const override { return kLights; }
+  [[nodiscard]] Highlight model() const override { return Wrapped::kModel; }
+  [[nodiscard]] AnyScalars scalars(const Direction& normal) const override {
+    const Scalars few = wrapped_.scalars(normal);
+    AnyScalars all{};
+    for (std::size_t i = 0; i < kLights; ++i) {
+      all[i] = few[i];
+      all[kAnyLights + i] = few[Wrapped::highlight_index(i)];
+    }
+    return all;
+  }
+  [[nodiscard]] PackedRgb colour(const AnyScalars& scalars) const override {
+    return wrapped_.colour(few_of(scalars));
+  }
+  [[nodiscard]] DeepColour deep_colour(const AnyScalars& scalars) const override {
+    return wrapped_.deep_colour(few_of(scalars));
+  }
+  [[nodiscard]] Cosine diffuse_scalar(const AnyScalars& scalars, std::uint32_t lit) const override {
+    if constexpr (Wrapped::kHasRamp) return wrapped_.diffuse_scalar(few_of(scalars), lit);
+    return {};
+  }
+  [[nodiscard]] PackedRgb diffuse_colour(Cosine normal_light) const override {
+    if constexpr (Wrapped::kHasRamp) return wrapped_.diffuse_colour(normal_light);
+    return {};
+  }
+  [[nodiscard]] std::uint32_t highlight_weight(std::size_t light) const override {
+    if constexpr (Wrapped::kHasRamp) return wrapped_.highlight_weight(light);
+    return 0;
+  }
+  [[nodiscard]] std::uint32_t most_ramp() const override {
+    if constexpr (Wrapped::kHasRamp) return wrapped_.most_ramp();
+    return 0;
+  }
+  [[nodiscard]] bool lit_throughout(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
+                                    std::uint32_t& lit) const override {
+    return wrapped_.lit_throughout(few_of(a), few_of(b), few_of(c), lit);
+  }
+  [[nodiscard]] std::int32_t nearest_highlight_of(std::size_t light, const AnyScalars& a, const AnyScalars& b,
+                                                  const AnyScalars& c, Cosine headroom) const override {
+    if (light >= kLights) return INT32_MAX;
+    return wrapped_.nearest_highlight_of(light, few_of(a), few_of(b), few_of(c), headroom);
+  }
+  [[nodiscard]] std::int32_t half_distance(Cosine normal_light, Cosine other,
+                                           std::size_t light) const override {
+    return wrapped_.half_distance(normal_light, other, light);
+  }
+  [[nodiscard]] bool may_clamp(bool shines) const override { return wrapped_.may_clamp(shines); }
+  [[nodiscard]] std::uint32_t widest_patch() const override { return wrapped_.widest_patch(); }
+  [[nodiscard]] Cosine fade_end() const override { return wrapped_.fade_end(); }
+  [[nodiscard]] std::uint32_t most_diffuse() const override { return wrapped_.most_diffuse(); }
+  [[nodiscard]] std::uint32_t most_specular() const override { return wrapped_.most_specular(); }
+  [[nodiscard]] std::uint32_t most_curvature() const override { return wrapped_.most_curvature(); }
+  [[nodiscard]] std::uint32_t shininess() const override { return wrapped_.shininess(); }
+  [[nodiscard]] const PowerTable& power() const override { return wrapped_.power(); }
+  [[nodiscard]] const std::array<std::uint32_t, 3>& specular() const override { return wrapped_.specular(); }
+
+ private:
+  static constexpr std::size_t kLights = Wrapped::kLights;
+  using Scalars = typename Wrapped::Scalars;
+
+  [[nodiscard]] static Scalars few_of(const AnyScalars& all) {
+    Scalars few;
+    for (std::size_t i = 0; i < kLights; ++i) {
+      few[i] = all[i];
+      few[Wrapped::highlight_index(i)] = all[kAnyLights + i];
+    }
+    return few;
+  }
+
+  Wrapped wrapped_;
+};
+
+using Calls = std::unique_ptr<IlluminationCalls>;
+
+template <Highlight Model, bool kColoured>
+Calls calls_for(const Material& material, std::span<const DirectionalLight> lights, const Direction& to_eye) {
+  // A fade of 0, which firmware leaves out, changes no pixel.
+  constexpr IlluminationFeatures kFeatures{.coloured_lights = kColoured, .fading_highlights = true};
+  const auto by = [&]<std::size_t Lights>(std::integral_constant<std::size_t, Lights>) -> Calls {
+    return std::make_unique<CallsOf<Illumination<Lights, Model, kFeatures>>>(material, lights, to_eye);
+  };
+  switch (lights.size()) {
+    case 1:
+      // A single light may be coloured anyway.
+      if constexpr (!kColoured) return by(std::integral_constant<std::size_t, 1>{});
+      break;
+    case 2:
+      return by(std::integral_constant<std::size_t, 2>{});
+    case 3:
+      return by(std::integral_constant<std::size_t, 3>{});
+    case 4:
+      return by(std::integral_constant<std::size_t, 4>{});
+  }
+  throw Failure("--light", "1 to 4 lights, not " + std::to_string(lights.size()));
+}
+
+}  // namespace
+
+std::unique_ptr<IlluminationCalls> make_any_illumination(const Material& material,
+                                                         std::span<const DirectionalLight> lights,
+                                                         const Direction& to_eye, Highlight model) {
+  const bool coloured =
+      lights.size() > 1 && std::any_of(lights.begin(), lights.end(), [](const DirectionalLight& light) {
+        return light.colour.r != light.colour.g || light.colour.g != light.colour.b;
+      });
+  const auto make = coloured ? (model == Highlight::kBlinn ? &calls_for<Highlight::kBlinn, true>
+                                                           : &calls_for<Highlight::kPhong, true>)
+                             : (model == Highlight::kBlinn ? &calls_for<Highlight::kBlinn, false>
+                                                           : &calls_for<Highlight::kPhong, false>);
+  return make(material, lights, to_eye);
+}
+
+}  // namespace arcspan::tools

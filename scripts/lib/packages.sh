@@ -20,4 +20,4 @@ install_packages() {
 npm_packages() { command -v npm >/dev/null && command -v node >/dev/null || echo nodejs npm; }
 
 # What a build of the tools takes. zlib1g-dev: libassimp-dev's CMake file links libz.so without depending on it.
-build_packages() { echo cmake ninja-build g++ libassimp-dev zlib1g-dev libcli11-dev libmeshoptimizer-dev libgif-dev libstb-dev nlohmann-json3-dev libgpiod-dev libdrm-dev catch2; }
+build_packages() { echo cmake ninja-build g++ libassimp-dev zlib1g-dev libcli11-dev libmeshoptimizer-dev libgif-dev libimagequant-dev libstb-dev nlohmann-json3-dev libgpiod-dev libdrm-dev catch2; }

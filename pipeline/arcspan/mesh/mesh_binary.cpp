@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/mesh/crc32.hpp>
 #include <arcspan/mesh/mesh_binary.hpp>
+#include <arcspan/numbers/little_endian.hpp>
 
 #include <bit>
 
@@ -17,17 +18,10 @@ static_assert(sizeof(FacePlane) == 4 && alignof(FacePlane) == 1);
 
 constexpr std::uint32_t kMostTriangles = std::uint32_t{1} << 26;
 
-std::uint16_t u16_at(const std::uint8_t* bytes, std::size_t at) {
-  return static_cast<std::uint16_t>(bytes[at] | (bytes[at + 1] << 8));
-}
-
-std::uint32_t u32_at(const std::uint8_t* bytes, std::size_t at) {
-  return u16_at(bytes, at) | (std::uint32_t{u16_at(bytes, at + 2)} << 16);
-}
-
 ObjectPosition position_at(const std::uint8_t* bytes, std::size_t at) {
-  return {static_cast<std::int16_t>(u16_at(bytes, at)), static_cast<std::int16_t>(u16_at(bytes, at + 2)),
-          static_cast<std::int16_t>(u16_at(bytes, at + 4))};
+  return {static_cast<std::int16_t>(little_u16(bytes + at)),
+          static_cast<std::int16_t>(little_u16(bytes + at + 2)),
+          static_cast<std::int16_t>(little_u16(bytes + at + 4))};
 }
 
 struct Header {
@@ -43,13 +37,13 @@ Status read_header(std::span<const std::uint8_t> bytes, Header& header) {
   if (std::endian::native != std::endian::little) return Status::kUnsupported;
   const std::uint8_t* at = bytes.data();
   if ((reinterpret_cast<std::uintptr_t>(at) & 1u) != 0) return Status::kInvalidArgument;
-  if (bytes.size() >= kVersionAt && u32_at(at, kMagicAt) != kMagic) return Status::kUnsupported;
+  if (bytes.size() >= kVersionAt && little_u32(at + kMagicAt) != kMagic) return Status::kUnsupported;
   if (bytes.size() < kHeaderBytes + kChecksumBytes) return Status::kTruncated;
-  const std::uint16_t version = u16_at(at, kVersionAt);
+  const std::uint16_t version = little_u16(at + kVersionAt);
   if (version != kVersion && version != kVersionOfPlanes) return Status::kUnsupported;
-  const std::uint16_t flags = u16_at(at, kFlagsAt);
-  header = {u32_at(at, kSizeAt), u32_at(at, kVerticesAt), u32_at(at, kTrianglesAt), (flags & kIndices8) != 0,
-            (flags & kPlanes) != 0};
+  const std::uint16_t flags = little_u16(at + kFlagsAt);
+  header = {little_u32(at + kSizeAt), little_u32(at + kVerticesAt), little_u32(at + kTrianglesAt),
+            (flags & kIndices8) != 0, (flags & kPlanes) != 0};
   if (flags >= (version == kVersion ? kPlanes : 2 * kPlanes) || header.vertices > MeshView::kMaxVertices ||
       header.triangles > kMostTriangles ||
       header.size != mesh_binary::bytes(header.vertices, header.triangles, header.indices8, header.planes)) {
@@ -57,7 +51,7 @@ Status read_header(std::span<const std::uint8_t> bytes, Header& header) {
   }
   if (bytes.size() < header.size) return Status::kTruncated;
   const std::size_t covered = static_cast<std::size_t>(header.size) - kChecksumBytes;
-  return crc32(bytes.first(covered)) == u32_at(at, covered) ? Status::kOk : Status::kCorrupted;
+  return crc32(bytes.first(covered)) == little_u32(at + covered) ? Status::kOk : Status::kCorrupted;
 }
 
 /// Attaches the planes at the end of a checked binary, if it has any.
@@ -68,7 +62,7 @@ Status attach_planes(std::span<const std::uint8_t> bytes, const Header& header, 
   const std::uint8_t* const scale = bytes.data() + planes_at - kScaleBytes;
   const void* const planes = bytes.data() + planes_at;
   const Status status = view.attach(std::span(static_cast<const FacePlane*>(planes), triangles),
-                                    {static_cast<std::int8_t>(scale[0]), scale[1], u16_at(scale, 2)});
+                                    {static_cast<std::int8_t>(scale[0]), scale[1], little_u16(scale + 2)});
   return ok(status) ? status : Status::kCorrupted;
 }
 

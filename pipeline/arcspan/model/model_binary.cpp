@@ -2,6 +2,7 @@
 #include <arcspan/mesh/crc32.hpp>
 #include <arcspan/mesh/mesh_binary.hpp>
 #include <arcspan/model/model_binary.hpp>
+#include <arcspan/numbers/little_endian.hpp>
 
 #include <bit>
 
@@ -11,18 +12,12 @@ namespace {
 
 namespace layout = model_binary;
 
-std::uint16_t number16(const std::uint8_t* at) { return static_cast<std::uint16_t>(at[0] | (at[1] << 8)); }
-
-std::uint32_t number32(const std::uint8_t* at) {
-  return number16(at) | (std::uint32_t{number16(at + 2)} << 16);
-}
-
 /// Reads one value per channel; false if one is above 1.
 bool read_channels(const std::uint8_t* at, ChannelCoefficients& channels) {
   constexpr std::uint16_t kWhole = 1u << Coefficient::kFraction;
-  if (number16(at) > kWhole || number16(at + 2) > kWhole || number16(at + 4) > kWhole) return false;
-  channels = {Coefficient::from_raw(number16(at)), Coefficient::from_raw(number16(at + 2)),
-              Coefficient::from_raw(number16(at + 4))};
+  if (little_u16(at) > kWhole || little_u16(at + 2) > kWhole || little_u16(at + 4) > kWhole) return false;
+  channels = {Coefficient::from_raw(little_u16(at)), Coefficient::from_raw(little_u16(at + 2)),
+              Coefficient::from_raw(little_u16(at + 4))};
   return true;
 }
 
@@ -31,28 +26,28 @@ Status read_header(std::span<const std::uint8_t> bytes, std::size_t& count) {
   if (std::endian::native != std::endian::little) return Status::kUnsupported;
   const std::uint8_t* at = bytes.data();
   if ((reinterpret_cast<std::uintptr_t>(at) & 1u) != 0) return Status::kInvalidArgument;
-  if (bytes.size() >= layout::kVersionAt && number32(at + layout::kMagicAt) != layout::kMagic)
+  if (bytes.size() >= layout::kVersionAt && little_u32(at + layout::kMagicAt) != layout::kMagic)
     return Status::kUnsupported;
   if (bytes.size() < layout::kHeaderBytes) return Status::kTruncated;
-  if (number16(at + layout::kVersionAt) != layout::kVersion) return Status::kUnsupported;
-  const std::size_t parts = number16(at + layout::kPartsAt);
+  if (little_u16(at + layout::kVersionAt) != layout::kVersion) return Status::kUnsupported;
+  const std::size_t parts = little_u16(at + layout::kPartsAt);
   const auto covered =  // below 2^22, for which std::size_t may be too short
       static_cast<std::uint32_t>(layout::kHeaderBytes) +
       static_cast<std::uint32_t>(parts) * static_cast<std::uint32_t>(layout::kPartBytes);
-  const std::uint32_t size = number32(at + layout::kSizeAt);
+  const std::uint32_t size = little_u32(at + layout::kSizeAt);
   if (size < covered + layout::kChecksumBytes) return Status::kCorrupted;
   if (bytes.size() < size) return Status::kTruncated;
-  if (crc32(bytes.first(static_cast<std::size_t>(covered))) != number32(at + covered))
+  if (crc32(bytes.first(static_cast<std::size_t>(covered))) != little_u32(at + covered))
     return Status::kCorrupted;
   count = parts;
   return Status::kOk;
 }
 
 Status read_part(std::span<const std::uint8_t> binary, const std::uint8_t* entry, ModelPart& part) {
-  const std::uint32_t begin = number32(entry + layout::kMeshAt);
-  const std::uint32_t size = number32(entry + layout::kMeshBytesAt);
-  const std::uint16_t shininess = number16(entry + layout::kShininessAt);
-  const std::uint16_t flags = number16(entry + layout::kFlagsAt);
+  const std::uint32_t begin = little_u32(entry + layout::kMeshAt);
+  const std::uint32_t size = little_u32(entry + layout::kMeshBytesAt);
+  const std::uint16_t shininess = little_u16(entry + layout::kShininessAt);
+  const std::uint16_t flags = little_u16(entry + layout::kFlagsAt);
   Material material;
   const bool is_right = begin % 2 == 0 && begin <= binary.size() && size <= binary.size() - begin &&
                         read_channels(entry + layout::kAmbientAt, material.ambient) &&
@@ -85,7 +80,7 @@ Status view_model_binary(std::span<const std::uint8_t> bytes, std::span<ModelPar
   count = found;
   if (found > parts.size()) return Status::kBufferTooSmall;
   const std::span<const std::uint8_t> binary =
-      bytes.first(static_cast<std::size_t>(number32(bytes.data() + layout::kSizeAt)));
+      bytes.first(static_cast<std::size_t>(little_u32(bytes.data() + layout::kSizeAt)));
   for (std::size_t i = 0; i < found; ++i) {
     const std::uint8_t* entry = bytes.data() + layout::kHeaderBytes + i * layout::kPartBytes;
     const Status read = read_part(binary, entry, parts[i]);

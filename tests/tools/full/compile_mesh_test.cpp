@@ -168,7 +168,7 @@ TEST_CASE("the library reads the binary that was written") {
   if (planes) mesh = with_planes(std::move(mesh), name);
   const std::string bytes = mesh_binary_file(mesh, figures_of(mesh));
   REQUIRE(bytes.size() ==
-          mesh_bytes(MeshOutput::kBinary, mesh.positions.size(), mesh.indices.size() / 3, planes));
+          mesh_bytes(CompiledOutput::kBinary, mesh.positions.size(), mesh.indices.size() / 3, planes));
   const std::vector<std::uint8_t> file(bytes.begin(), bytes.end());
   MeshView view;
   MeshBounds bounds;

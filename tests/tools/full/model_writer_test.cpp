@@ -92,7 +92,7 @@ TEST_CASE("materials in a firmware: the file's, with the shares of light of a pi
 TEST_CASE("the library reads the model binary that was written") {
   const FixedModel model = lamp_model();
   const std::string text = model_binary_file(model);
-  CHECK(text.size() == model_bytes(MeshOutput::kBinary, model, false));
+  CHECK(text.size() == model_bytes(CompiledOutput::kBinary, model, false));
   const std::vector<std::uint8_t> bytes = bytes_of(text);
   arcspan::ModelPart parts[2];
   std::size_t count = 0;

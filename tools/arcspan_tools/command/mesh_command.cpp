@@ -37,7 +37,7 @@ struct Made {
   FixedModel model;
 };
 
-Made make(const MeshArguments& arguments, MeshOutput output) {
+Made make(const MeshArguments& arguments, CompiledOutput output) {
   Model data = load_model(arguments.model);
   if (!arguments.group.empty()) data = select_parts(std::move(data), arguments.group, arguments.model);
   const BytesOf bytes_of = [output, &arguments](const FixedModel& model) {
@@ -84,14 +84,14 @@ std::string name_of(const MeshArguments& arguments) {
 }
 
 void run_mesh(const MeshArguments& arguments) {
-  const MeshOutput output = mesh_output(arguments.output);
+  const CompiledOutput output = compiled_output(arguments.output, "mesh");
   check_results({arguments.output, arguments.picture, arguments.stats}, {arguments.model});
   std::FILE* const report_to = report_stream({arguments.output, arguments.picture, arguments.stats});
   if (!arguments.picture.empty()) (void)image_format(arguments.picture);
   const Made made = make(arguments, output);
   const MeshReport& report = made.report;
   const FixedModel& model = report.compiled.model;
-  const std::string file = output == MeshOutput::kBinary
+  const std::string file = output == CompiledOutput::kBinary
                                ? model_binary_file(model)
                                : model_header(model, name_of(arguments),
                                               std::filesystem::path(arguments.model).filename().string());

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/mesh/crc32.hpp>
-
 #include <arcspan_tools/image/image.hpp>
 #include <arcspan_tools/image/netpbm.hpp>
+#include <arcspan_tools/image/picture_checks.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 #include <stb/stb_image.h>
@@ -14,8 +13,6 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
-
 std::string png(const Image& image) {
   static_assert(sizeof(Rgb8) == 3);
   std::string out;
@@ -26,36 +23,8 @@ std::string png(const Image& image) {
   return out;
 }
 
-bool is_png(std::string_view bytes) { return bytes.starts_with("\x89PNG\r\n\x1a\n"); }
-
-std::uint32_t big_u32(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) value = (value << 8) | static_cast<unsigned char>(bytes[at + i]);
-  return value;
-}
-
-// The library does not compare checksums and takes damaged chunks for good ones.
-void check_chunks(std::string_view bytes, const std::string& subject) {
-  constexpr std::size_t kSignatureBytes = 8;
-  constexpr std::size_t kAroundData = 12;  // length, type, checksum
-  for (std::size_t at = kSignatureBytes; at < bytes.size();) {
-    const std::size_t left = bytes.size() - at;
-    if (left < kAroundData || big_u32(bytes, at) > left - kAroundData)
-      throw Failure(subject, "a truncated PNG picture");
-    const std::size_t size = big_u32(bytes, at);
-    const auto* checked = reinterpret_cast<const std::uint8_t*>(bytes.data()) + at + 4;
-    if (crc32({checked, size + 4}) != big_u32(bytes, at + 8 + size)) {
-      throw Failure(subject, "a damaged PNG picture (the checksum at byte " + std::to_string(at + 8 + size) +
-                                 " is wrong)");
-    }
-    if (bytes.substr(at + 4, 4) == "IEND") return;
-    at += kAroundData + size;
-  }
-  throw Failure(subject, "a truncated PNG picture");
-}
-
 Image read_png(std::string_view bytes, const std::string& subject) {
-  check_chunks(bytes, subject);
+  check_png(bytes, subject);
   int width = 0;
   int height = 0;
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
@@ -99,7 +68,7 @@ void write_image(const Image& image, const std::filesystem::path& path) {
 }
 
 Image read_image(const std::filesystem::path& path) {
-  const std::string bytes = read_whole_file(path, kMaxFileBytes);
+  const std::string bytes = read_whole_file(path, kMostPictureBytes);
   if (is_netpbm(bytes)) return read_netpbm(bytes, path.string());
   if (is_png(bytes)) return read_png(bytes, path.string());
   throw Failure(path.string(), "not a PNG, PPM (P6) or PGM (P5) picture");

@@ -13,20 +13,21 @@
 
 namespace arcspan::tools {
 
-/// The form in which a compiled mesh is written: a header of constexpr arrays, or a binary that is used in
-/// place.
-enum class MeshOutput { kHeader, kBinary };
+/// The form in which a compiled mesh or texture is written: a header of constexpr arrays, or a binary that is
+/// used in place.
+enum class CompiledOutput { kHeader, kBinary };
 
-/// By the extension: .hpp or .h, .bin. On standard output a header; `bin:-` is the other. Throws Failure.
-[[nodiscard]] MeshOutput mesh_output(const std::filesystem::path& path);
+/// By the extension: .hpp or .h, .bin. On standard output a header; `bin:-` is the other. Throws a Failure
+/// about a compiled `kind`.
+[[nodiscard]] CompiledOutput compiled_output(const std::filesystem::path& path, const std::string& kind);
 
 /// Bytes that the mesh takes in a firmware, with its `planes` or without: the arrays, and in a binary what is
 /// around them.
-[[nodiscard]] std::size_t mesh_bytes(MeshOutput output, std::size_t vertices, std::size_t triangles,
+[[nodiscard]] std::size_t mesh_bytes(CompiledOutput output, std::size_t vertices, std::size_t triangles,
                                      bool planes);
 
 /// Bytes that the model takes in a firmware, materials included.
-[[nodiscard]] std::size_t model_bytes(MeshOutput output, const FixedModel& model, bool planes);
+[[nodiscard]] std::size_t model_bytes(CompiledOutput output, const FixedModel& model, bool planes);
 
 /// Whether the model is a single mesh without a material, which is written as a mesh.
 [[nodiscard]] bool is_plain_mesh(const FixedModel& model);

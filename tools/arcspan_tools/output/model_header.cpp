@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/output/array_text.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 
 #include <algorithm>
@@ -9,26 +10,6 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr std::size_t kColumns = 108;
-
-/// An array's elements, as many in a line as fit.
-class ArrayText {
- public:
-  void add(const std::string& element) {
-    if (column_ + element.size() + 2 > kColumns) {
-      text_ += "\n   ";
-      column_ = 3;
-    }
-    text_ += " " + element + ",";
-    column_ += element.size() + 2;
-  }
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-  std::size_t column_ = kColumns;
-};
-
 std::string braced(std::initializer_list<int> values) {
   std::string text = "{";
   for (const int value : values) text += (text.size() > 1 ? ", " : "") + std::to_string(value);
@@ -37,15 +18,11 @@ std::string braced(std::initializer_list<int> values) {
 
 std::string triple(const ObjectPosition& p) { return braced({p.x, p.y, p.z}); }
 
-std::string array(const std::string& type, const std::string& name, const ArrayText& rows) {
-  return "inline constexpr " + type + " " + name + "[] = {" + rows.text() + "\n};\n\n";
-}
-
 std::string plane_arrays(const FixedMesh& mesh) {
   ArrayText planes;
   for (const FacePlane& p : mesh.planes) planes.add(braced({p.x, p.y, p.z, p.offset}));
   const PlaneScale& scale = mesh.plane_scale;
-  return array("arcspan::FacePlane", "kPlanes", planes) + "inline constexpr arcspan::PlaneScale kPlaneScale" +
+  return planes.array("arcspan::FacePlane", "kPlanes") + "inline constexpr arcspan::PlaneScale kPlaneScale" +
          braced({scale.normal_bits, scale.offset_bits, scale.radius}) + ";\n\n";
 }
 
@@ -55,21 +32,13 @@ std::string number(double value) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
-// A comment must not end in a backslash, nor hold a line's end.
-std::string harmless(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\\') c = '?';
-  }
-  return text;
-}
-
 std::string comment(const FixedModel& model, const std::string& origin) {
   const MeshFigures figures = figures_of(model);
   const bool planes = !model.meshes[0].planes.empty();
   std::string text = "// Made by `arcspan mesh` from " + harmless(origin) + ".\n//\n";
   text += "// " + std::to_string(model.vertex_count()) + " vertices, " +
           std::to_string(model.triangle_count()) + " triangles, " +
-          std::to_string(model_bytes(MeshOutput::kHeader, model, planes)) + " bytes. Positions " +
+          std::to_string(model_bytes(CompiledOutput::kHeader, model, planes)) + " bytes. Positions " +
           triple(figures.bounds.low) + " ... " + triple(figures.bounds.high) + ".\n";
   if (model.meshes.size() > 1) text += "// " + std::to_string(model.meshes.size()) + " parts.\n";
   return text;
@@ -93,8 +62,8 @@ std::string mesh_text(const FixedMesh& mesh) {
   for (const std::uint16_t index : mesh.indices) indices.add(std::to_string(index));
   const bool planes = !mesh.planes.empty();
   const std::string index_type = fits_indices8(mesh.positions.size()) ? "std::uint8_t" : "std::uint16_t";
-  return array("arcspan::ObjectPosition", "kPositions", positions) +
-         array("arcspan::PackedNormal", "kNormals", normals) + array(index_type, "kIndices", indices) +
+  return positions.array("arcspan::ObjectPosition", "kPositions") +
+         normals.array("arcspan::PackedNormal", "kNormals") + indices.array(index_type, "kIndices") +
          (planes ? plane_arrays(mesh) : "") +
          "/// A view of the mesh; kOk unless the arrays were edited.\n"
          "inline arcspan::Status make_view(arcspan::MeshView& view) {\n" +

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/mesh/crc32.hpp>
 #include <arcspan/model/model_binary.hpp>
 
 #include <arcspan_tools/fixed_point/material.hpp>
+#include <arcspan_tools/output/bytes.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/text.hpp>
@@ -16,15 +16,11 @@ namespace {
 
 namespace layout = arcspan::model_binary;
 
-/// Appends the lowest bytes of a number, the least significant one first.
-void append(std::string& out, std::uint64_t value, int bytes) {
-  for (int i = 0; i < bytes; ++i) out.push_back(static_cast<char>((value >> (8 * i)) & 0xFFu));
-}
-
-void append(std::string& out, double value) { append(out, std::bit_cast<std::uint64_t>(value), 8); }
+void append(std::string& out, double value) { append_number(out, std::bit_cast<std::uint64_t>(value), 8); }
 
 void append(std::string& out, const ChannelCoefficients& c) {
-  for (const Coefficient channel : {c.r, c.g, c.b}) append(out, static_cast<std::uint64_t>(channel.raw()), 2);
+  for (const Coefficient channel : {c.r, c.g, c.b})
+    append_number(out, static_cast<std::uint64_t>(channel.raw()), 2);
 }
 
 /// The bytes around the mesh binaries.
@@ -35,12 +31,12 @@ std::size_t bytes_around(std::size_t parts) {
 void append_entry(std::string& out, const PartLook& look, std::string name, std::size_t begin,
                   std::size_t bytes) {
   const Material material = material_of(look);
-  append(out, begin, 4);
-  append(out, bytes, 4);
+  append_number(out, begin, 4);
+  append_number(out, bytes, 4);
   for (const ChannelCoefficients& c : {material.ambient, material.diffuse, material.specular}) append(out, c);
-  append(out, static_cast<std::uint64_t>(material.shininess), 2);
-  append(out, std::uint64_t{look.material.two_sided ? layout::kTwoSided : std::uint16_t{0}}, 2);
-  append(out, std::uint64_t{0}, 2);
+  append_number(out, static_cast<std::uint64_t>(material.shininess), 2);
+  append_number(out, std::uint64_t{look.material.two_sided ? layout::kTwoSided : std::uint16_t{0}}, 2);
+  append_number(out, std::uint64_t{0}, 2);
   name.resize(layout::kNameBytes - 1);
   out += name + '\0';
 }
@@ -76,14 +72,14 @@ std::vector<std::string> part_names(const FixedModel& model) {
   return names;
 }
 
-std::size_t model_bytes(MeshOutput output, const FixedModel& model, bool planes) {
+std::size_t model_bytes(CompiledOutput output, const FixedModel& model, bool planes) {
   std::size_t sum = 0;
   for (const FixedMesh& mesh : model.meshes) {
     sum += mesh_bytes(output, mesh.positions.size(), mesh.indices.size() / 3, planes);
   }
   if (is_plain_mesh(model)) return sum;
   const std::size_t parts = model.meshes.size();
-  return sum + (output == MeshOutput::kBinary ? bytes_around(parts) : parts * sizeof(Material));
+  return sum + (output == CompiledOutput::kBinary ? bytes_around(parts) : parts * sizeof(Material));
 }
 
 std::string model_binary_file(const FixedModel& model) {
@@ -103,16 +99,15 @@ std::string model_binary_file(const FixedModel& model) {
     most = std::max(most, mesh.positions.size());
   }
   std::string out;
-  append(out, layout::kMagic, 4);
-  append(out, layout::kVersion, 2);
-  append(out, names.size(), 2);
-  append(out, bytes_around(names.size()) + meshes.size(), 4);
-  append(out, most, 4);
+  append_number(out, layout::kMagic, 4);
+  append_number(out, layout::kVersion, 2);
+  append_number(out, names.size(), 2);
+  append_number(out, bytes_around(names.size()) + meshes.size(), 4);
+  append_number(out, most, 4);
   const FixedMesh& first = model.meshes[0];
   for (const double value : {first.unit, first.centre.x, first.centre.y, first.centre.z}) append(out, value);
   out += entries;
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(out.data());
-  append(out, crc32({bytes, out.size()}), 4);
+  append_checksum(out);
   return out + meshes;
 }
 

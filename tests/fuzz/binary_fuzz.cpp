@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Arbitrary bytes as a mesh, a texture and a model binary. If the first byte is odd, its next two bits choose
+// a kind whose magic number, version, size and checksum are made right, so that what lies behind them is
+// reached. A binary is either refused or all of it can be read; the bytes lie in memory of exactly their
+// size, so that the address sanitizer sees one read too many.
+#include <arcspan/mesh/crc32.hpp>
+#include <arcspan/mesh/mesh_binary.hpp>
+#include <arcspan/model/model_binary.hpp>
+#include <arcspan/numbers/little_endian.hpp>
+#include <arcspan/texture/texture_binary.hpp>
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <span>
+
+using namespace arcspan;
+
+namespace {
+
+using Bytes = std::span<std::uint8_t>;
+
+void require(bool promise) {
+  if (!promise) std::abort();
+}
+
+void put_u32(std::uint8_t* at, std::uint32_t value) {
+  for (int i = 0; i < 4; ++i) at[i] = static_cast<std::uint8_t>(value >> (8 * i));
+}
+
+/// Makes magic number, version (1 or, if `versions` is 2, that one), size and checksum right. All three kinds
+/// have version and size at the same offsets. The checksum is at the end unless `covered` says where.
+void close(Bytes bytes, const char* magic, unsigned versions, std::size_t covered) {
+  std::memcpy(bytes.data(), magic, 4);
+  bytes[4] = static_cast<std::uint8_t>(1 + bytes[4] % versions);
+  bytes[5] = 0;
+  put_u32(bytes.data() + mesh_binary::kSizeAt, static_cast<std::uint32_t>(bytes.size()));
+  put_u32(bytes.data() + covered, crc32(bytes.first(covered)));
+}
+
+void close_mesh(Bytes bytes) {
+  if (bytes.size() >= mesh_binary::kHeaderBytes + 4) close(bytes, "ARCM", 2, bytes.size() - 4);
+}
+
+void close_texture(Bytes bytes) {
+  if (bytes.size() >= texture_binary::kHeaderBytes + 4) close(bytes, "ARCT", 1, bytes.size() - 4);
+}
+
+/// A model of one part.
+void close_model(Bytes bytes) {
+  constexpr std::size_t kCovered = model_binary::kHeaderBytes + model_binary::kPartBytes;
+  if (bytes.size() < kCovered + 4) return;
+  bytes[model_binary::kPartsAt] = 1;
+  bytes[model_binary::kPartsAt + 1] = 0;
+  const std::uint8_t* const part = bytes.data() + model_binary::kHeaderBytes;
+  const std::uint32_t begin = little_u32(part + model_binary::kMeshAt);
+  const std::uint32_t size = little_u32(part + model_binary::kMeshBytesAt);
+  if (begin >= kCovered + 4 && begin <= bytes.size() && size <= bytes.size() - begin) {
+    close_mesh(bytes.subspan(begin, size));
+  }
+  close(bytes, "ARCP", 1, kCovered);
+}
+
+volatile std::int32_t kept;  // the reads must stay
+
+void read_all(const MeshView& mesh) {
+  std::int32_t sum = 0;
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    sum += mesh.position(i).x + mesh.position(i).z + mesh.normal(i).u + mesh.normal(i).v;
+    sum += mesh.texture_point(i).u + mesh.texture_point(i).v;
+  }
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    if (mesh.planes() != nullptr) sum += mesh.planes()[i].x + mesh.planes()[i].offset;
+    const TriangleIndices t = mesh.triangle(i);
+    require(t.a < mesh.vertex_count() && t.b < mesh.vertex_count() && t.c < mesh.vertex_count());
+  }
+  kept = sum;
+}
+
+template <TexelFormat Texels>
+void read_as(const StoredTexture& stored) {
+  Texture<Texels> texture;
+  const Status status = view_texture(stored, texture);
+  require(ok(status) == has_format<Texels>(stored));
+  if (!ok(status)) return;
+  std::int32_t sum = 0;
+  for (std::uint32_t i = 0; i < texture.size().texels(texture.size().levels); ++i) {
+    sum += Texels::stored(texture.at(0), texture.palette(), i);
+  }
+  kept = sum;
+}
+
+void read_all(const StoredTexture& stored) {
+  require(stored.size.valid());
+  read_as<DirectTexels<>>(stored);
+  read_as<DirectTexels<Alpha4Colour>>(stored);
+  read_as<Palette8Texels<>>(stored);
+  read_as<Palette4Texels<>>(stored);
+  read_as<Palette4Texels<Alpha1Colour>>(stored);
+  read_as<GrayTexels>(stored);
+}
+
+void read_model(std::span<const std::uint8_t> bytes) {
+  ModelPart parts[2];
+  std::size_t count = 0;
+  if (!ok(view_model_binary(bytes, parts, count))) return;
+  require(count <= std::size(parts));
+  for (const ModelPart& part : std::span(parts).first(count)) {
+    read_all(part.mesh);
+    require(std::strlen(part.name) < model_binary::kNameBytes);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 1) return 0;
+  const std::size_t length = size - 1;
+  const std::unique_ptr<std::uint8_t, decltype(&std::free)> memory(
+      static_cast<std::uint8_t*>(std::malloc(length)), &std::free);
+  if (length > 0) std::memcpy(memory.get(), data + 1, length);
+  const Bytes bytes(memory.get(), length);
+  const unsigned kind = (data[0] >> 1) % 3;
+  if ((data[0] & 1u) != 0) {
+    if (kind == 0) close_mesh(bytes);
+    if (kind == 1) close_texture(bytes);
+    if (kind == 2) close_model(bytes);
+  }
+  MeshView mesh;
+  if (ok(view_mesh_binary(bytes, mesh))) {
+    read_all(mesh);
+  } else {
+    require(mesh == MeshView());
+  }
+  StoredTexture texture;
+  if (ok(view_texture_binary(bytes, texture))) {
+    read_all(texture);
+  } else {
+    require(texture.texels.empty());
+  }
+  read_model(bytes);
+  return 0;
+}

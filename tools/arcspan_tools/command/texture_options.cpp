@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/texture_options.hpp>
+#include <arcspan_tools/command/typed_options.hpp>
+#include <arcspan_tools/support/text.hpp>
+
+#include <vector>
+
+namespace arcspan::tools {
+namespace {
+
+std::string format_names() {
+  std::vector<std::string> names;
+  for (const TextureFormat& format : texture_formats()) names.emplace_back(format.name);
+  return joined(names, "|");
+}
+
+std::optional<Size> parse_sides(const std::string& text) {
+  return parse_size(text.find('x') == std::string::npos ? text + "x" + text : text);
+}
+
+std::optional<std::int32_t> parse_levels(const std::string& text) {
+  constexpr std::int64_t kMost = TextureSize::kMostBits + 1;
+  if (text == "all") return 0;
+  const std::optional<std::int64_t> value = parse_integer(text);
+  if (!value || *value < 1 || *value > kMost) return std::nullopt;
+  return static_cast<std::int32_t>(*value);
+}
+
+}  // namespace
+
+TextureOptions default_texture_options() { return {texture_formats().front()}; }
+
+void add_texture_format(CLI::App& app, const std::string& name, TextureFormat& format) {
+  const std::string names = format_names();
+  add_parsed<TextureFormat>(
+      app, name, names, std::string("the format of texels (default: ") + format.name + ")", names,
+      [](const std::string& text) { return find_texture_format(text); },
+      [&format](const TextureFormat& f) { format = f; });
+}
+
+void add_texture_size(CLI::App& app, const std::string& name, std::optional<Size>& size) {
+  add_parsed<Size>(
+      app, name, "N or WIDTHxHEIGHT",
+      "sides in texels, powers of two from 8 to 1024 (default: the ones nearest to the picture's)",
+      "sides such as 128 or 128x64", parse_sides, [&size](const Size& s) { size = s; });
+}
+
+void add_texture_levels(CLI::App& app, const std::string& name, std::int32_t& levels) {
+  add_parsed<std::int32_t>(app, name, "N or all", "mip levels with the picture itself (default: 1)",
+                           "an integer 1...11 or 'all'", parse_levels,
+                           [&levels](const std::int32_t& n) { levels = n; });
+}
+
+}  // namespace arcspan::tools

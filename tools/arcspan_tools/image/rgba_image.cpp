@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/image/netpbm.hpp>
+#include <arcspan_tools/image/picture_checks.hpp>
+#include <arcspan_tools/image/rgba_image.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/output_file.hpp>
+#include <stb/stb_image.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <memory>
+
+namespace arcspan::tools {
+namespace {
+
+/// TGA has no magic number.
+bool is_named_tga(const std::string& name) {
+  std::string end = name.size() < 4 ? std::string() : name.substr(name.size() - 4);
+  std::transform(end.begin(), end.end(), end.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return end == ".tga";
+}
+
+RgbaImage decode_stb(std::string_view bytes, const char* kind, const std::string& subject) {
+  int width = 0;
+  int height = 0;
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> decoded(
+      stbi_load_from_memory(data, static_cast<int>(bytes.size()), &width, &height, nullptr, 4),
+      &stbi_image_free);
+  if (decoded == nullptr) {
+    throw Failure(subject,
+                  std::string("a ") + kind + " picture that cannot be read (" + stbi_failure_reason() + ")");
+  }
+  static_assert(sizeof(Rgba8) == 4);
+  RgbaImage image(width, height);
+  std::memcpy(static_cast<void*>(image.pixels.data()), decoded.get(), 4 * image.pixels.size());
+  return image;
+}
+
+}  // namespace
+
+RgbaImage decode_rgba(std::string_view bytes, const std::string& subject) {
+  if (is_netpbm(bytes)) {
+    const Image opaque = read_netpbm(bytes, subject);
+    RgbaImage image(opaque.width, opaque.height);
+    std::transform(opaque.pixels.begin(), opaque.pixels.end(), image.pixels.begin(), [](Rgb8 c) {
+      return Rgba8{c.r, c.g, c.b, 255};
+    });
+    return image;
+  }
+  if (is_png(bytes)) {
+    check_png(bytes, subject);
+    return decode_stb(bytes, "PNG", subject);
+  }
+  if (is_jpeg(bytes)) {
+    check_jpeg(bytes, subject);
+    return decode_stb(bytes, "JPEG", subject);
+  }
+  if (is_bmp(bytes)) {
+    check_bmp(bytes, subject);
+    return decode_stb(bytes, "BMP", subject);
+  }
+  if (!is_named_tga(subject)) {
+    throw Failure(subject, "not a PNG, JPEG, BMP, TGA, PPM (P6) or PGM (P5) picture");
+  }
+  check_tga(bytes, subject);
+  return decode_stb(bytes, "TGA", subject);
+}
+
+RgbaImage read_rgba(const std::filesystem::path& path) {
+  return decode_rgba(read_whole_file(path, kMostPictureBytes), path.string());
+}
+
+Image on_squares(const RgbaImage& image) {
+  constexpr unsigned kLight = 200;
+  constexpr unsigned kDark = 120;
+  Image out(image.width, image.height);
+  for (std::int32_t y = 0; y < image.height; ++y) {
+    for (std::int32_t x = 0; x < image.width; ++x) {
+      const unsigned behind = ((x ^ y) & 8) != 0 ? kLight : kDark;
+      const Rgba8 c = image.at(x, y);
+      const auto mixed = [&](unsigned channel) {
+        return static_cast<std::uint8_t>((channel * c.a + behind * (255u - c.a) + 127) / 255);
+      };
+      out.at(x, y) = {mixed(c.r), mixed(c.g), mixed(c.b)};
+    }
+  }
+  return out;
+}
+
+}  // namespace arcspan::tools

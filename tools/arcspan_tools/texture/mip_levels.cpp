@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/texture/mip_levels.hpp>
+#include <stb/stb_image_resize.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <new>
+
+namespace arcspan::tools {
+namespace {
+
+constexpr std::int32_t kLeastSide = 1 << TextureSize::kLeastBits;
+constexpr std::int32_t kMostSide = 1 << TextureSize::kMostBits;
+
+std::uint8_t bits_of(std::int32_t side, const std::string& subject) {
+  if (side >= kLeastSide && side <= kMostSide && std::has_single_bit(static_cast<std::uint32_t>(side))) {
+    return static_cast<std::uint8_t>(std::countr_zero(static_cast<std::uint32_t>(side)));
+  }
+  throw Failure(subject,
+                "a texture's side must be a power of two from 8 to 1024, not " + std::to_string(side));
+}
+
+std::int32_t nearest_side(std::int32_t side) {
+  const auto bits = std::lround(std::log2(static_cast<double>(side)));
+  return std::clamp(std::int32_t{1} << bits, kLeastSide, kMostSide);
+}
+
+RgbaImage resized(const RgbaImage& from, std::int32_t width, std::int32_t height, stbir_filter filter,
+                  PictureEdges edges) {
+  RgbaImage to(width, height);
+  const stbir_edge edge = edges == PictureEdges::kRepeat ? STBIR_EDGE_WRAP : STBIR_EDGE_CLAMP;
+  constexpr int kAlphaAt = 3;
+  const int done =
+      stbir_resize_uint8_generic(&from.pixels[0].r, from.width, from.height, 0, &to.pixels[0].r, width,
+                                 height, 0, 4, kAlphaAt, 0, edge, filter, STBIR_COLORSPACE_SRGB, nullptr);
+  if (done == 0) throw std::bad_alloc();  // nothing else can go wrong in it
+  return to;
+}
+
+}  // namespace
+
+TextureSize texture_size(const RgbaImage& picture, const std::optional<Size>& wanted, std::int32_t levels,
+                         const std::string& subject) {
+  const Size sides = wanted.value_or(Size{nearest_side(picture.width), nearest_side(picture.height)});
+  TextureSize size{bits_of(sides.width, subject), bits_of(sides.height, subject), 1};
+  const std::int32_t most = std::min(size.width_bits, size.height_bits) + 1;
+  if (levels > most) {
+    throw Failure(subject, "a texture of " + std::to_string(sides.width) + "x" +
+                               std::to_string(sides.height) + " has at most " + std::to_string(most) +
+                               " levels, not " + std::to_string(levels));
+  }
+  size.levels = static_cast<std::uint8_t>(levels == 0 ? most : levels);
+  return size;
+}
+
+std::vector<RgbaImage> mip_levels(const RgbaImage& picture, const TextureSize& size, PictureEdges edges) {
+  const std::int32_t width = 1 << size.width_bits;
+  const std::int32_t height = 1 << size.height_bits;
+  std::vector<RgbaImage> levels;
+  const bool fits = picture.width == width && picture.height == height;
+  levels.push_back(fits ? picture : resized(picture, width, height, STBIR_FILTER_DEFAULT, edges));
+  // Each is made of the largest, so that it is rounded once.
+  for (unsigned i = 1; i < size.levels; ++i) {
+    levels.push_back(resized(levels[0], width >> i, height >> i, STBIR_FILTER_BOX, edges));
+  }
+  return levels;
+}
+
+}  // namespace arcspan::tools

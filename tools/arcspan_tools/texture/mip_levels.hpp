@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/texture/texture.hpp>
+
+#include <arcspan_tools/image/rgba_image.hpp>
+#include <arcspan_tools/support/parse.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace arcspan::tools {
+
+/// What lies beyond the edges of a picture when it is filtered: the opposite edge, for textures that repeat,
+/// or the edge itself.
+enum class PictureEdges { kRepeat, kClamp };
+
+/// The size of a texture that is asked for, or the one nearest to the picture's. `levels` is their number, 0
+/// for all. Throws a Failure about `subject` for sides that are no powers of two from 8 to 1024, and for more
+/// levels than there are.
+[[nodiscard]] TextureSize texture_size(const RgbaImage& picture, const std::optional<Size>& wanted,
+                                       std::int32_t levels, const std::string& subject);
+
+/// The levels of a texture: the picture at its size, and its halves. Pixels are averaged in linear light,
+/// weighted by their opacity.
+[[nodiscard]] std::vector<RgbaImage> mip_levels(const RgbaImage& picture, const TextureSize& size,
+                                                PictureEdges edges);
+
+}  // namespace arcspan::tools

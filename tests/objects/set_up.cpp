@@ -5,6 +5,7 @@
 #include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
+#include <arcspan/texture/texture_binary.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
 namespace arcspan {
@@ -44,6 +45,10 @@ Status make_planes(std::span<FacePlane> memory, MeshView& mesh) {
   PlaneScale scale;
   const Status made = make_face_planes(mesh, memory, scale);
   return ok(made) ? mesh.attach(memory, scale) : made;
+}
+
+Status make_texture(std::span<const std::uint8_t> binary, Texture<Palette4Texels<Alpha1Colour>>& texture) {
+  return view_texture_binary(binary, texture);
 }
 
 }  // namespace arcspan

@@ -10,7 +10,7 @@
 namespace arcspan::tools {
 namespace {
 
-using Levels = std::vector<RgbaImage>;
+using MipLevels = std::vector<RgbaImage>;
 
 /// Bayer's matrix of 8x8 thresholds, 0...63: the bits of x ^ y and y, interleaved from the lowest on.
 int threshold(std::int32_t x, std::int32_t y) {
@@ -34,7 +34,7 @@ Rgba8 dithered(Rgba8 c, unsigned alpha_bits, int threshold) {
           c.a};
 }
 
-void store_colours(const Levels& levels, bool dither, MadeTexture& texture) {
+void store_colours(const MipLevels& levels, bool dither, MadeTexture& texture) {
   const unsigned alpha_bits = texture.format.alpha_bits;
   for (const RgbaImage& level : levels) {
     for (std::int32_t y = 0; y < level.height; ++y) {
@@ -47,7 +47,7 @@ void store_colours(const Levels& levels, bool dither, MadeTexture& texture) {
   }
 }
 
-void store_greys(const Levels& levels, bool dither, MadeTexture& texture) {
+void store_greys(const MipLevels& levels, bool dither, MadeTexture& texture) {
   for (const RgbaImage& level : levels) {
     for (std::int32_t y = 0; y < level.height; ++y) {
       for (std::int32_t x = 0; x < level.width; ++x) {
@@ -61,7 +61,7 @@ void store_greys(const Levels& levels, bool dither, MadeTexture& texture) {
 
 /// Makes the palette of all colours, as the format stores them, unless they are more than it holds, or
 /// dithering could mix one that it does not have. Returns their number.
-std::size_t store_all_colours(const Levels& levels, bool dither, MadeTexture& texture) {
+std::size_t store_all_colours(const MipLevels& levels, bool dither, MadeTexture& texture) {
   const unsigned alpha_bits = texture.format.alpha_bits;
   const std::size_t most = texture_binary::palette_size(texture.format.layout);
   std::map<std::uint16_t, std::uint16_t> index_of;
@@ -86,7 +86,7 @@ std::size_t store_all_colours(const Levels& levels, bool dither, MadeTexture& te
   return index_of.size();
 }
 
-void store_indices(const Levels& levels, const TextureOptions& options, MadeTexture& texture,
+void store_indices(const MipLevels& levels, const TextureOptions& options, MadeTexture& texture,
                    const std::string& subject) {
   const std::size_t most = texture_binary::palette_size(texture.format.layout);
   const std::size_t colours = store_all_colours(levels, options.dither, texture);

@@ -140,6 +140,14 @@ class PreparedMaterial : public SceneMaterial {
 
   [[nodiscard]] constexpr const Lighting& lighting() const { return lighting_; }
 
+  /// A copy with another texture (Textured), or with other parameters of an operation (WithOperation).
+  template <class Part>
+  [[nodiscard]] constexpr PreparedMaterial with(const Part& part) const {
+    PreparedMaterial copy = *this;
+    copy.lighting_.set(part);
+    return copy;
+  }
+
   /// @cond for draw_mesh() and draw_scene(), not in the reference
   /// Sets `lighting` to this material under the lights of one object. Returns kLightChanged as Use states.
   [[nodiscard]] constexpr Status light(const detail::ObjectLights& seen, Lighting& lighting) const;
@@ -220,7 +228,13 @@ constexpr Status PreparedMaterial<M>::light(const detail::ObjectLights& seen, Li
       if constexpr (Used::kChangingLight) {
         Illumination illumination;
         const Status status = Illumination::make(single_.material, lights, seen.to_eye, illumination);
-        if (ok(status)) lighting = Lighting(illumination);
+        if (!ok(status)) return status;
+        if constexpr (requires { lighting.relight(illumination); }) {
+          copy_words(lighting_, lighting);
+          lighting.relight(illumination);
+        } else {
+          lighting = Lighting(illumination);
+        }
         return status;
       }
       return Status::kLightChanged;

@@ -49,6 +49,20 @@ struct WithOperation : Method {
     template <class L>
     requires std::constructible_from<Base, const L&>
     constexpr explicit Lighting(const L& light, const Operation& op = {}) : Base(light), operation(op) {}
+    /// Changes the operation, or another part of the material (PreparedMaterial::with).
+    constexpr void set(const Operation& op) { operation = op; }
+    template <class Part>
+    requires requires(Base& base, const Part& part) { {base.set(part)}; }
+    constexpr void set(const Part& part) { Base::set(part); }
+    /// Changes the light and keeps the rest.
+    template <class L>
+    constexpr void relight(const L& light) {
+      if constexpr (requires(Base & base) { base.relight(light); }) {
+        Base::relight(light);
+      } else {
+        static_cast<Base&>(*this) = Base(light);
+      }
+    }
     Operation operation;
   };
   static constexpr bool kUsesEncodedColours = false;

@@ -142,6 +142,13 @@ struct Textured : Light {
     requires std::constructible_from<typename Light::Lighting, const L&>
     constexpr explicit Lighting(const L& light, const Texture<Texels>& picture = {})
         : Light::Lighting(light), texture(picture) {}
+    /// Changes the texture (PreparedMaterial::with).
+    constexpr void set(const Texture<Texels>& picture) { texture = picture; }
+    /// Changes the light and keeps the texture.
+    template <class L>
+    constexpr void relight(const L& light) {
+      static_cast<typename Light::Lighting&>(*this) = typename Light::Lighting(light);
+    }
     Texture<Texels> texture;
   };
   using typename Light::Face;

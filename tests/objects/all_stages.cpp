@@ -2,6 +2,7 @@
 // Every stage of the pipeline for every method: the object that must need nothing from outside.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/pixel/fog.hpp>
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
@@ -9,6 +10,7 @@
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/grey_gouraud.hpp>
 #include <arcspan/shading/literature/arc_vector.hpp>
 #include <arcspan/shading/literature/dichotomy.hpp>
 #include <arcspan/shading/literature/duff.hpp>
@@ -21,6 +23,11 @@
 #include <arcspan/shading/literature/reflection_map.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 #include <arcspan/shading/segment/segment.hpp>
+#include <arcspan/shading/textured/environment_map.hpp>
+#include <arcspan/shading/textured/textured.hpp>
+#include <arcspan/shading/vertex_coloured.hpp>
+#include <arcspan/shading/with_operation.hpp>
+#include <arcspan/span/depth_mode.hpp>
 
 namespace arcspan {
 
@@ -29,11 +36,28 @@ using Blinn4 = Illumination<4, Highlight::kBlinn>;
 using Phong1 = Illumination<1, Highlight::kPhong>;
 using Phong4 = Illumination<4, Highlight::kPhong>;
 
+using Window =
+    WithOperation<WithOperation<Textured<Adaptive<Phong1>, Palette8Texels<Alpha4Colour>>, Fogged>, Opacity<>>;
+using Sign = Textured<Unlit, Palette4Texels<Alpha1Colour>>;
+using Wall = Textured<GreyGouraud<Blinn4>, DirectTexels<>>;
+using Stage = Textured<Gouraud<Blinn1>, GrayTexels, TexelLight::kColoured>;
+using Chrome = Arc<EnvironmentMap<DirectTexels<>>>;
+using Glass = WithOperation<VertexColoured<Blinn1>, Opacity<Blend::kMultiply>>;
+using Ghost = WithOperation<UnlitVertexColoured, ScreenDoor>;
+
 #define ARCSPAN_INSTANTIATE(METHOD, FORMAT, DEPTH)                                               \
   template DrawResult draw_mesh<METHOD, DrawFeatures{}, hal::Framebuffer<FORMAT>, DEPTH>(        \
       const MeshView&, const ClipTransform&, const METHOD::Lighting&, hal::Framebuffer<FORMAT>&, \
       const DEPTH&, std::span<CachedVertex<METHOD>>, const DrawOptions&)
 
+ARCSPAN_INSTANTIATE(Window, Rgb565, ReadOnlyDepth);
+ARCSPAN_INSTANTIATE(Window, Rgb888, ReadOnlyDepth);
+ARCSPAN_INSTANTIATE(Sign, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Wall, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Stage, Rgb888, NoDepth);
+ARCSPAN_INSTANTIATE(Chrome, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Glass, Rgb565, ReadOnlyDepth);
+ARCSPAN_INSTANTIATE(Ghost, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);

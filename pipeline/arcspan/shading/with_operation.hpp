@@ -6,20 +6,34 @@
 #include <arcspan/target.hpp>
 
 #include <concepts>
+#include <cstdint>
 #include <type_traits>
 
 namespace arcspan {
 
 namespace detail {
 
-/// The run of a method, with an operation on its colours.
-template <class Run>
-struct OperationRun : Run {
-  ARCSPAN_INLINE constexpr explicit OperationRun(const Run& run) : Run(run) {}
+/// The run of a method, with an operation on its colours. An aggregate, so that the inner run is made in
+/// place: small cores would copy it by memcpy.
+template <class Inner>
+struct OperationRun {
+  Inner inner;
+
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
-    return lighting.operation(Run::colour(static_cast<const typename Lighting::Base&>(lighting)));
+    return lighting.operation(inner.colour(static_cast<const typename Lighting::Base&>(lighting)));
   }
+  ARCSPAN_INLINE constexpr void next() { inner.next(); }
+  template <class Lighting>
+  requires BeginsWithLighting<Inner, typename Lighting::Base> ARCSPAN_INLINE constexpr void begin(
+      const Lighting& lighting) {
+    inner.begin(static_cast<const typename Lighting::Base&>(lighting));
+  }
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) requires requires {
+    inner.enter(left);
+  }
+  { return inner.enter(left); }
+  [[nodiscard]] constexpr std::int32_t length() const requires LimitedRun<Inner> { return inner.length(); }
 };
 
 /// The walker of a method, whose runs have an operation.
@@ -28,7 +42,7 @@ struct OperationWalker : Walker {
   using Run = OperationRun<typename Walker::Run>;
   constexpr explicit OperationWalker(const Walker& walker) : Walker(walker) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
-    return Run(Walker::row(start));
+    return Run{Walker::row(start)};
   }
 };
 

@@ -20,27 +20,30 @@ namespace arcspan {
 
 /// The pixels of a row of a textured triangle (PixelRun, or PiecewiseRun in perspective). `LightRun` is the
 /// run of the method that lights them; `Mapping` is LinearTexture or PerspectiveTexture.
+/// An aggregate, so that its parts are made in place: small cores would copy them by memcpy.
 template <class Lit, class Mapping, TexelFormat Texels, TexelLight Colours>
-class TexturedRun {
- public:
-  ARCSPAN_INLINE constexpr TexturedRun(const Lit& light, const TextureTriangle& triangle, const RowStart& row)
-      : light_(light), texture_(triangle, row), first_(triangle.first) {}
+struct TexturedRun {
+  Lit light_run;
+  Mapping mapping;
+  std::uint32_t first;  ///< texel of the mip level
+  const typename Texels::Word* words = nullptr;
+  const std::uint16_t* palette = nullptr;
 
   /// Called before the first pixel (BeginsWithLighting).
   template <class Lighting>
   ARCSPAN_INLINE constexpr void begin(const Lighting& lighting) {
-    words_ = lighting.texture.at(first_);
-    hide_value(words_);  // otherwise the first texel is added for every pixel
-    palette_ = lighting.texture.palette();
+    words = lighting.texture.at(first);
+    hide_value(words);  // otherwise the first texel is added for every pixel
+    palette = lighting.texture.palette();
   }
 
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(
       std::int32_t left) requires std::same_as<Mapping, PerspectiveTexture> {
-    return texture_.enter(left);
+    return mapping.enter(left);
   }
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
-    const std::uint16_t stored = Texels::stored(words_, palette_, texture_.steps().index());
+    const std::uint16_t stored = Texels::stored(words, palette, mapping.steps().index());
     if constexpr (Texels::ColourFormat::kAlphaBits == 0) {
       return lit(lighting, stored);
     } else {
@@ -49,13 +52,12 @@ class TexturedRun {
     }
   }
   ARCSPAN_INLINE constexpr void next() {
-    texture_.next();
-    if constexpr (Colours != TexelLight::kNone) light_.next();
+    mapping.next();
+    if constexpr (Colours != TexelLight::kNone) light_run.next();
   }
-  [[nodiscard]] constexpr const TexelSteps& steps() const { return texture_.steps(); }
-  [[nodiscard]] constexpr std::int32_t length() const requires LimitedRun<Lit> { return light_.length(); }
+  [[nodiscard]] constexpr const TexelSteps& steps() const { return mapping.steps(); }
+  [[nodiscard]] constexpr std::int32_t length() const requires LimitedRun<Lit> { return light_run.length(); }
 
- private:
   /// A texel under the current pixel's light.
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto lit(const Lighting& lighting, std::uint16_t stored) const {
@@ -64,8 +66,8 @@ class TexturedRun {
       return UnlitTexel{texel};
     } else {
       const PixelLight reflected = light(lighting);
-      if constexpr (requires { light_.grey_level(); }) {
-        return LitTexel<Colours>{texel, reflected, light_.grey_level()};
+      if constexpr (requires { light_run.grey_level(); }) {
+        return LitTexel<Colours>{texel, reflected, light_run.grey_level()};
       } else {
         return LitTexel<Colours>{texel, reflected, grey_level(reflected.diffuse)};
       }
@@ -74,19 +76,13 @@ class TexturedRun {
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
     if constexpr (LightRun<Lit, Lighting>) {
-      return light_.light(lighting);
-    } else if constexpr (requires { light_.colour(lighting).packed(); }) {
-      return {light_.colour(lighting).packed(), {}};
+      return light_run.light(lighting);
+    } else if constexpr (requires { light_run.colour(lighting).packed(); }) {
+      return {light_run.colour(lighting).packed(), {}};
     } else {
-      return {light_.colour(lighting), {}};
+      return {light_run.colour(lighting), {}};
     }
   }
-
-  Lit light_;
-  Mapping texture_;
-  std::uint32_t first_;
-  const typename Texels::Word* words_ = nullptr;
-  const std::uint16_t* palette_ = nullptr;
 };
 
 /// Steps a textured triangle from row to row (RowWalker), with the walker of its light. Rows in perspective
@@ -104,7 +100,7 @@ class TexturedWalker {
       : light_(light), triangle_(&triangle) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
-    return Run(light_.row(start), *triangle_, start);
+    return Run{light_.row(start), Mapping(*triangle_, start), triangle_->first};
   }
   ARCSPAN_INLINE constexpr void next_row() {
     light_.next_row();

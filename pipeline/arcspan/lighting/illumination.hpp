@@ -90,12 +90,12 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
       const PackedRgb ramp = diffuse_colour(scalars[0]);
       const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
       if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return ramp;
-      return with_highlight(ramp, fade()(power_(half_distance), scalars[0]));
+      return ramp.plus(highlight(fade()(power_(half_distance), scalars[0])));
     } else if constexpr (kHasRamp) {
       GreySums sums;
       add_grey_lights(scalars, sums, std::make_index_sequence<Lights>{});
       const PackedRgb ramp = diffuse_colour(Cosine::from_raw(static_cast<std::int32_t>(sums.diffuse)));
-      return sums.power == 0 ? ramp : with_highlight(ramp, sums.power);
+      return sums.power == 0 ? ramp : ramp.plus(highlight(sums.power));
     } else {
       const LightSums sums = light_sums(scalars);
       return PackedRgb::of(level(0, sums), level(1, sums), level(2, sums));
@@ -150,7 +150,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
     if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return table[scalars[0]];
     const std::uint32_t power = fade()(power_(half_distance), scalars[0]);
-    return Format::encode(with_highlight(diffuse_colour(scalars[0]), power));
+    return Format::encode(diffuse_colour(scalars[0]).plus(highlight(power)));
   }
 
   /// False if no normal of a triangle has a highlight. `a`, `b` and `c` are the scalars of its vertices;
@@ -240,10 +240,6 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     };
     if (white_specular_ != 0) return PackedRgb::grey(share(white_specular_));
     return PackedRgb::of(share(specular_[0]), share(specular_[1]), share(specular_[2]));
-  }
-  /// A colour of the ramp plus the highlight, each channel clamped.
-  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb with_highlight(PackedRgb ramp, std::uint32_t power) const {
-    return ramp.plus(highlight(power));
   }
 
   /// `scalar` clamped to 0...1, 15 fraction bits.

@@ -53,6 +53,7 @@ template <class Command, class Walker, class Target>
                              linear_at(command.depth, start)};
     draw_pixels(place, span, run, target, command.depth.dx);
   } else {
+    static_assert(RowWalker<Walker, typename Target::Lighting>);
     PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span),
                              linear_at(command.depth, start)};
     if constexpr (SegmentedRun<typename Walker::Run>) {
@@ -185,7 +186,6 @@ struct RowDrawer {
 
   template <class Walker>
   [[nodiscard]] constexpr Status operator()(Walker walker) const {
-    static_assert(RowWalker<Walker, typename Target::Lighting>);
     if constexpr (kOutlineRows<Walker>) {
       // One row loop serves both kinds of columns, because these rows take much longer than the test.
       return RowDrawer<ScissorColumns::kCrossing, Command, Target>::draw_outlined(command, origin, walker,

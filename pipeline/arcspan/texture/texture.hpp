@@ -36,6 +36,12 @@ struct TextureSize {
   }
 };
 
+/// Which texels a pixel shows.
+enum class TextureFilter : std::uint8_t {
+  kNearest,   ///< the nearest one
+  kBilinear,  ///< the four nearest ones, mixed by their distances in 32nds; three times the instructions
+};
+
 /// A picture that is mapped onto triangles, in the caller's memory, usually flash, which must outlive it.
 /// Nothing is copied. The levels follow each other, each row by row from the top left texel on.
 template <TexelFormat Texels>

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Texels under light against double precision, for every channel and every level of light.
 #include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/textured/bilinear.hpp>
 #include <arcspan/shading/textured/texel_light.hpp>
+#include <arcspan/shading/textured/texture_row.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/random.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -80,6 +84,40 @@ TEST_CASE("full light keeps every texel, no light leaves nothing, highlights are
     REQUIRE((shining >> 5 & 63) == std::min<std::uint32_t>(63, (value >> 5 & 63) + 32));
     REQUIRE((shining & 31) == std::min<std::uint32_t>(31, (value & 31) + 16));
   }
+}
+
+TEST_CASE("four texels are mixed by their distances, across the borders of the texture too", "[textures]") {
+  test::Random random(31);
+  std::array<std::uint16_t, 64> words{};
+  for (std::uint16_t& word : words) word = static_cast<std::uint16_t>(random.bits());
+  TextureTriangle triangle{};
+  triangle.width_bits = 3;
+  triangle.height_bits = 3;
+  triangle.mask = 63;
+  TexelSteps steps(triangle);
+  Errors errors;
+  for (int i = 0; i < 20000; ++i) {
+    const auto u = static_cast<std::uint32_t>(random.bits());
+    const auto v = static_cast<std::uint32_t>(random.bits());
+    steps.start(u, v);
+    const double x = std::ldexp(u, -29);  // in texels, of which this method shows four
+    const double y = std::ldexp(v, -29);
+    const auto column = static_cast<std::uint32_t>(x);
+    const auto row = static_cast<std::uint32_t>(y);
+    const auto green = [&](std::uint32_t right, std::uint32_t down) {
+      return words[((row + down) & 7) * 8 + ((column + right) & 7)] >> 5 & 63;
+    };
+    const double to_right = x - column;
+    const double down = y - row;
+    const double upper = green(0, 0) * (1 - to_right) + green(1, 0) * to_right;
+    const double lower = green(0, 1) * (1 - to_right) + green(1, 1) * to_right;
+    const ShownTexel shown = bilinear_texel<DirectTexels<>>(words.data(), nullptr, steps);
+    errors.add((shown.rgb565 >> 5 & 63) - (upper * (1 - down) + lower * down));
+    REQUIRE(shown.opacity == 16);
+  }
+  // A 32nd is cut off each fraction, and three mixtures are rounded.
+  CHECK(errors.worst <= 4);
+  CHECK(std::abs(errors.mean()) <= 0.3);
 }
 
 TEST_CASE("coloured light tints texels", "[textures]") {

@@ -46,6 +46,23 @@ class TexelSteps {
     return std::rotl(static_cast<std::uint32_t>(at_ >> 32), rotation_) & mask_;
   }
   ARCSPAN_INLINE constexpr void next() { at_ += step_; }
+
+  /// The index of the texel to the right of `texel`, and of the one below it; both wrap.
+  [[nodiscard]] constexpr std::uint32_t right_of(std::uint32_t texel) const {
+    const std::uint32_t columns = (std::uint32_t{1} << rotation_) - 1;
+    return (texel & ~columns) | ((texel + 1) & columns);
+  }
+  [[nodiscard]] constexpr std::uint32_t below(std::uint32_t texel) const {
+    return (texel + (std::uint32_t{1} << rotation_)) & mask_;
+  }
+  /// Where the current pixel lies between the current texel and these two, 0...31.
+  [[nodiscard]] constexpr std::uint32_t fraction_right() const {
+    return (static_cast<std::uint32_t>(at_ >> 32) << rotation_) >> 27;
+  }
+  [[nodiscard]] constexpr std::uint32_t fraction_below() const {
+    return static_cast<std::uint32_t>(at_) >> 27;
+  }
+
   /// u and v of the current pixel, fractions of a repetition in 32 bits. The last height_bits of u are 0.
   [[nodiscard]] constexpr std::uint32_t u() const {
     return static_cast<std::uint32_t>(at_ >> 32) >> height_bits_ << height_bits_;

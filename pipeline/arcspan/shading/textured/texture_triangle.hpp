@@ -244,7 +244,7 @@ template <class Frame>
 }  // namespace detail
 
 /// Prepares the texture of a triangle. `corners` are those of the frame's vertices.
-template <class Frame>
+template <TextureFilter Filter, class Frame>
 constexpr void prepare_texture(const Frame& frame, const TextureSize& size,
                                const detail::TextureCorners& corners, TextureTriangle& t) {
   const detail::Extent u(corners.at[0].u, corners.at[1].u, corners.at[2].u);
@@ -256,6 +256,11 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size,
   t.mask = (std::uint32_t{1} << (t.width_bits + t.height_bits)) - 1;
   t.u_origin = static_cast<std::uint32_t>(u.least) << 16;
   t.v_origin = static_cast<std::uint32_t>(v.least) << 16;
+  if constexpr (Filter == TextureFilter::kBilinear) {
+    // A texel's colour is that of its middle.
+    t.u_origin -= std::uint32_t{1} << (31 - t.width_bits);
+    t.v_origin -= std::uint32_t{1} << (31 - t.height_bits);
+  }
   t.middle_left = frame.middle_left;
   // Relative values as 16 bits of 2^-(16 - shift) repetitions.
   const std::uint32_t range = u.range() > v.range() ? u.range() : v.range();

@@ -4,6 +4,7 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/shading/method.hpp>
+#include <arcspan/shading/textured/bilinear.hpp>
 #include <arcspan/shading/textured/texel_light.hpp>
 #include <arcspan/shading/textured/texture_row.hpp>
 #include <arcspan/shading/textured/texture_triangle.hpp>
@@ -21,7 +22,7 @@ namespace arcspan {
 /// The pixels of a row of a textured triangle (PixelRun, or PiecewiseRun in perspective). `LightRun` is the
 /// run of the method that lights them; `Mapping` is LinearTexture or PerspectiveTexture.
 /// An aggregate, so that its parts are made in place: small cores would copy them by memcpy.
-template <class Lit, class Mapping, TexelFormat Texels, TexelLight Colours>
+template <class Lit, class Mapping, TexelFormat Texels, TexelLight Colours, TextureFilter Filter>
 struct TexturedRun {
   Lit light_run;
   Mapping mapping;
@@ -43,12 +44,14 @@ struct TexturedRun {
   }
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
-    const std::uint16_t stored = Texels::stored(words, palette, mapping.steps().index());
+    const ShownTexel shown = Filter == TextureFilter::kBilinear
+                                 ? bilinear_texel<Texels>(words, palette, mapping.steps())
+                                 : nearest_texel<Texels>(words, palette, mapping.steps());
     if constexpr (Texels::ColourFormat::kAlphaBits == 0) {
-      return lit(lighting, stored);
+      return lit(lighting, shown.rgb565);
     } else {
-      using Lit565 = decltype(lit(lighting, stored));
-      return AlphaTexel<Lit565>{lit(lighting, stored), Texels::ColourFormat::alpha(stored)};
+      using Opaque = decltype(lit(lighting, shown.rgb565));
+      return AlphaTexel<Opaque>{lit(lighting, shown.rgb565), shown.opacity};
     }
   }
   ARCSPAN_INLINE constexpr void next() {
@@ -60,8 +63,7 @@ struct TexturedRun {
 
   /// A texel under the current pixel's light.
   template <class Lighting>
-  [[nodiscard]] ARCSPAN_INLINE constexpr auto lit(const Lighting& lighting, std::uint16_t stored) const {
-    const std::uint16_t texel = Texels::ColourFormat::rgb565(stored);
+  [[nodiscard]] ARCSPAN_INLINE constexpr auto lit(const Lighting& lighting, std::uint16_t texel) const {
     if constexpr (Colours == TexelLight::kNone) {
       return UnlitTexel{texel};
     } else {
@@ -87,10 +89,10 @@ struct TexturedRun {
 
 /// Steps a textured triangle from row to row (RowWalker), with the walker of its light. Rows in perspective
 /// are functions of their own, because pieces take many registers.
-template <class LightWalker, class Mapping, TexelFormat Texels, TexelLight Colours>
+template <class LightWalker, class Mapping, TexelFormat Texels, TexelLight Colours, TextureFilter Filter>
 class TexturedWalker {
  public:
-  using Run = TexturedRun<typename LightWalker::Run, Mapping, Texels, Colours>;
+  using Run = TexturedRun<typename LightWalker::Run, Mapping, Texels, Colours, Filter>;
   static constexpr bool kOutlined = [] {
     if constexpr (OutlinedWalker<LightWalker>) return true;
     return std::same_as<Mapping, PerspectiveTexture>;
@@ -124,11 +126,12 @@ class TexturedWalker {
 /// Gouraud, Arc, Adaptive) computes for it. Phong's highlights are added afterwards; those of Gouraud and
 /// Flat are part of the light. The diffuse coefficients of a textured material are usually 1 (white).
 ///
-/// The nearest texel is shown, of the mip level whose texels are about as large as the triangle's pixels.
+/// Texels are shown of the mip level whose texels are about as large as the triangle's pixels.
 /// Perspective is correct within half a texel: a triangle is mapped linearly where that is exact enough,
 /// elsewhere in the longest pieces of a row that are.
 template <class Light, TexelFormat Texels,
-          TexelLight Colours = std::same_as<Light, Unlit> ? TexelLight::kNone : TexelLight::kGrey>
+          TexelLight Colours = std::same_as<Light, Unlit> ? TexelLight::kNone : TexelLight::kGrey,
+          TextureFilter Filter = TextureFilter::kNearest>
 struct Textured : Light {
   /// The illumination of `Light` with the texture.
   struct Lighting : Light::Lighting {
@@ -181,7 +184,7 @@ struct Textured : Light {
     Light::prepare(lighting, frame, face, prepared.light);
     // Segments would have colours without texels.
     if constexpr (requires { prepared.light.segment_bits; }) prepared.light.segment_bits = 0;
-    prepare_texture(
+    prepare_texture<Filter>(
         frame, lighting.texture.size(),
         {{frame.top->shade.point, frame.middle->shade.point, frame.bottom->shade.point},
          {frame.top->near_over_w.value, frame.middle->near_over_w.value, frame.bottom->near_over_w.value}},
@@ -196,10 +199,11 @@ struct Textured : Light {
         return Status::kOk;  // prepare() has left them out
       } else {
         if (prepared.texture.piece == 0) {
-          return draw(TexturedWalker<LightWalker, LinearTexture, Texels, Colours>(walker, prepared.texture));
+          return draw(
+              TexturedWalker<LightWalker, LinearTexture, Texels, Colours, Filter>(walker, prepared.texture));
         }
-        return draw(
-            TexturedWalker<LightWalker, PerspectiveTexture, Texels, Colours>(walker, prepared.texture));
+        return draw(TexturedWalker<LightWalker, PerspectiveTexture, Texels, Colours, Filter>(
+            walker, prepared.texture));
       }
     });
   }

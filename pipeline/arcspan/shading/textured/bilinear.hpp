@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/spread_rgb565.hpp>
+#include <arcspan/shading/textured/texture_row.hpp>
+#include <arcspan/target.hpp>
+#include <arcspan/texture/texel_formats.hpp>
+
+#include <cstdint>
+
+namespace arcspan {
+
+/// What a pixel shows of a texture: a 5-6-5 colour, and an opacity of 0...16.
+struct ShownTexel {
+  std::uint16_t rgb565;
+  std::uint32_t opacity;
+};
+
+/// The nearest texel.
+template <TexelFormat Texels>
+[[nodiscard]] ARCSPAN_INLINE constexpr ShownTexel nearest_texel(const typename Texels::Word* words,
+                                                                const std::uint16_t* palette,
+                                                                const TexelSteps& steps) {
+  const std::uint16_t stored = Texels::stored(words, palette, steps.index());
+  return {Texels::ColourFormat::rgb565(stored), Texels::ColourFormat::alpha(stored)};
+}
+
+/// The four nearest texels, mixed.
+template <TexelFormat Texels>
+[[nodiscard]] constexpr ShownTexel bilinear_texel(const typename Texels::Word* words,
+                                                  const std::uint16_t* palette, const TexelSteps& steps) {
+  using ColourFormat = typename Texels::ColourFormat;
+  const std::uint32_t here = steps.index();
+  const std::uint32_t below = steps.below(here);
+  const std::uint32_t right = steps.fraction_right();
+  const std::uint32_t down = steps.fraction_below();
+  const auto row = [&](std::uint32_t texel, std::uint32_t& opacity) {
+    const std::uint16_t a = Texels::stored(words, palette, texel);
+    const std::uint16_t b = Texels::stored(words, palette, steps.right_of(texel));
+    opacity = (ColourFormat::alpha(a) * (32 - right) + ColourFormat::alpha(b) * right + 16) >> 5;
+    return detail::mixed_spread(detail::spread(ColourFormat::rgb565(a)),
+                                detail::spread(ColourFormat::rgb565(b)), right);
+  };
+  std::uint32_t upper_opacity = 0;
+  std::uint32_t lower_opacity = 0;
+  const std::uint32_t upper = row(here, upper_opacity);
+  const std::uint32_t lower = row(below, lower_opacity);
+  return {detail::joined(detail::mixed_spread(upper, lower, down)),
+          (upper_opacity * (32 - down) + lower_opacity * down + 16) >> 5};
+}
+
+}  // namespace arcspan

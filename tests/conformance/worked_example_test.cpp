@@ -35,9 +35,8 @@ constexpr double kExactPhong = 4.488482;
 constexpr double kExactArc = 4.488443;
 constexpr double kTolerance = 0.002;
 
-// The second light is dark: several lights are multiplied out, one alone comes from a ramp of 256 colours.
-/// With coloured lights, because grey ones are summed in a ramp, whose 512 steps are wider than kTolerance.
-using Lit = Illumination<2, Highlight::kPhong, IlluminationFeatures{.coloured_lights = true}>;
+// The second light is dark. The strength of the first changes the entry of the ramp in which its N·L lies.
+using Lit = Illumination<2, Highlight::kPhong>;
 
 // The planes' normals; a vertex has the sum of those around it.
 const Vec3 kPlane1{0, 0, 2};
@@ -52,22 +51,31 @@ const Vec3 kC = normalised(kPlane3 + kPlane4);
 const Vec3 kTowardsLight{0, 0, 1};
 const Vec3 kTowardsEye = normalised(Vec3{1, 1, 1});
 
-// I = Ia ka + Il [kd N·L + ks (R·V)^2] = 0.15 + 1.5 N·L + 8 (R·V)^2, an eighth of which is within 0...1.
-constexpr double kScale = 8;
+// I = Ia ka + Il [kd N·L + ks (R·V)^2] = 0.15 + 1.5 N·L + 8 (R·V)^2, a sixteenth of which is within 0...1
+// even for coefficients that make up for a strength of a half.
+constexpr double kScale = 16;
 
-/// The printed illumination, an eighth of it, brighter by `lift` in 2^-15.
-Lit printed_illumination(std::int32_t lift) {
-  const auto grey = [](std::int32_t raw) {
-    const Coefficient c = Coefficient::from_raw(raw);
+/// Small changes of the illumination, by which roundings average out.
+struct Variation {
+  std::int32_t ambient;   ///< more ambient light, in 2^-15
+  double strength;        ///< of the light, 0.6...1; the coefficients are larger by as much
+  std::int32_t specular;  ///< more of the highlight, in 2^-15
+};
+
+/// The printed illumination, a sixteenth of it.
+Lit printed_illumination(const Variation& by) {
+  const auto grey = [](double value, std::int32_t more) {
+    const Coefficient c = Coefficient::from_raw(static_cast<std::int32_t>(std::lround(value * 32768)) + more);
     return ChannelCoefficients{c, c, c};
   };
   Material material;
-  material.ambient = grey(static_cast<std::int32_t>(std::lround(0.15 / kScale * 32768)) + lift);
-  material.diffuse = grey(static_cast<std::int32_t>(std::lround(1.5 / kScale * 32768)));
-  material.specular = grey(32768);
+  material.ambient = grey(0.15 / kScale, by.ambient);
+  material.diffuse = grey(1.5 / kScale / by.strength, 0);
+  material.specular = grey(8 / kScale / by.strength, by.specular);
   material.shininess = 2;
   std::array<DirectionalLight, 2> lights;
   lights[0].towards = to_direction(kTowardsLight);
+  lights[0].strength = Coefficient::from_raw(static_cast<std::int32_t>(std::lround(by.strength * 32768)));
   lights[1].towards = to_direction(kTowardsLight);
   lights[1].strength = Coefficient{};
   Lit lit;
@@ -79,7 +87,7 @@ Lit printed_illumination(std::int32_t lift) {
 /// BC as S1 has it: Q = 0.4 A + 0.6 B, R = 0.7 B + 0.3 C, P half-way between; all three weights are exact.
 template <class Method>
 int level_at_p(const Lit& lit) {
-  constexpr std::int32_t kSize = 128;
+  constexpr std::int32_t kSize = 96;
   std::vector<Rgb888::Word> memory(hal::Framebuffer<Rgb888>::words(kSize, kSize));
   hal::Framebuffer<Rgb888> frame(memory, kSize, kSize);
   RasterStage<Method, hal::Framebuffer<Rgb888>> stage(frame, kSize, kSize, lit);
@@ -93,14 +101,18 @@ int level_at_p(const Lit& lit) {
   return frame.pixel(kSize / 2 + 2, kSize / 2 + 12).g;
 }
 
-/// The intensity at P finer than a pixel's 8 bits: the mean over pictures whose ambient light differs by a
-/// fraction of a step: a step is 2^15 / 255 = 128.5 units, so 257 of them are two steps exactly.
+/// The intensity at P finer than a pixel's 8 bits, an entry of the ramp and the quarters of a step in which
+/// highlights are added: the mean over pictures that differ by fractions of each. A step is 2^15 / 255 =
+/// 128.5 units of the ambient light, so that 1028 of them are eight steps exactly. The other two vary in
+/// other orders.
 template <class Method>
 double intensity_at_p() {
-  constexpr int kPictures = 257;
+  constexpr int kPictures = 1028;
   double sum = 0;
-  for (int lift = 0; lift < kPictures; ++lift) {
-    sum += level_at_p<Method>(printed_illumination(lift)) - lift * 255.0 / 32768;
+  for (int i = 0; i < kPictures; ++i) {
+    const Variation by{i, 0.6 + 0.4 * (i * 101 % kPictures) / kPictures,
+                       (i * 619 % kPictures - kPictures / 2) * 2};
+    sum += level_at_p<Method>(printed_illumination(by)) - by.ambient * 255.0 / 32768;
   }
   return sum / kPictures / 255 * kScale;
 }

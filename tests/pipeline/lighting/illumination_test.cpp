@@ -144,14 +144,37 @@ TEMPLATE_TEST_CASE_SIG("coloured lights and fading highlights are those of doubl
 
 namespace {
 
-/// The largest difference of a channel between two colours.
-int apart(const Rgb8& a, const Rgb8& b) {
-  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+using Channels = std::array<std::int32_t, 3>;
+
+/// The channels as PackedRgb has them: quarters of an 8-bit step, half a step added.
+Channels quarters(PackedRgb c) {
+  const std::uint32_t of_channel[] = {c.lanes >> 11 & 1023u, c.lanes >> 22, c.lanes & 1023u};
+  return {static_cast<std::int32_t>(of_channel[0]), static_cast<std::int32_t>(of_channel[1]),
+          static_cast<std::int32_t>(of_channel[2])};
+}
+Channels channels(const DeepColour& c) { return {c.r, c.g, c.b}; }
+
+/// Whether the light at a normal with these scalars may be in the first entry of the ramp.
+template <class Lit, std::size_t Lights>
+bool in_first_entry(const Lit& lit, const std::array<DirectionalLight, Lights>& lights,
+                    const typename Lit::Scalars& scalars) {
+  double light = 0;
+  for (std::size_t i = 0; i < Lights; ++i) {
+    light += to_double(lights[i].strength) * std::max(0.0, arcspan::test::to_double(scalars[i]));
+  }
+  return light * lit.most_diffuse() * static_cast<double>(lit.ramp().size()) <= 1.05 * lit.most_ramp();
+}
+
+/// Half of the light that an entry of the ramp stands for, by its effect on a channel in 256ths of an 8-bit
+/// step, with what the rounding of the lights' shares moves its ends.
+template <class Lit>
+double half_entry(const Lit& lit, double share_of_most) {
+  const double entry = lit.most_ramp() * 8.0 / static_cast<double>(lit.ramp().size());
+  return entry * share_of_most * (0.5 + static_cast<double>(Lit::kLights) / 32);
 }
 
 }  // namespace
 
-// The diffuse part of white lights is read from a ramp, whose entries are a step apart.
 TEMPLATE_TEST_CASE_SIG("each channel is that of white lights as strong as the channel", "",
                        ((Highlight Model, std::size_t Lights), Model, Lights), (Highlight::kBlinn, 2),
                        (Highlight::kPhong, 4)) {
@@ -160,28 +183,84 @@ TEMPLATE_TEST_CASE_SIG("each channel is that of white lights as strong as the ch
   for (int i = 0; i < share_of(300); ++i) {
     Scene<Lights> scene(random);
     scene.material.highlight_fade = {};
+    if (i % 4 == 0) scene.material.diffuse = {};  // highlights alone
     Coloured<Lights, Model> coloured;
     REQUIRE(ok(Coloured<Lights, Model>::make(scene.material, scene.lights, scene.to_eye, coloured)));
-    std::array<White, 3> channels;
+    std::array<White, 3> white;
+    std::array<std::array<DirectionalLight, Lights>, 3> white_lights;
     for (std::size_t c = 0; c < 3; ++c) {
-      auto lights = scene.lights;
+      auto& lights = white_lights[c] = scene.lights;
       for (DirectionalLight& light : lights) {
         const std::array<Coefficient, 3> colour{light.colour.r, light.colour.g, light.colour.b};
         light.strength = Coefficient::from_raw(
             static_cast<std::int32_t>(std::lround(light.strength.raw() * to_double(colour[c]))));
         light.colour = DirectionalLight{}.colour;
       }
-      REQUIRE(ok(White::make(scene.material, lights, scene.to_eye, channels[c])));
+      REQUIRE(ok(White::make(scene.material, lights, scene.to_eye, white[c])));
     }
+    const Levels diffuse = to_levels(scene.material.diffuse);
+    const double most_diffuse = std::max({diffuse[0], diffuse[1], diffuse[2], 1e-9});
     for (int k = 0; k < 40; ++k) {
       const auto scalars = coloured.scalars(to_direction(random_unit(random)));
-      const Rgb8 colour = coloured.colour(scalars).rgb8();
-      REQUIRE(apart(colour, {channels[0].colour(scalars).rgb8().r, channels[1].colour(scalars).rgb8().g,
-                             channels[2].colour(scalars).rgb8().b}) <= 2);
-      const DeepColour deep = coloured.deep_colour(scalars);
-      REQUIRE(deep.r == channels[0].deep_colour(scalars).r);
-      REQUIRE(deep.g == channels[1].deep_colour(scalars).g);
-      REQUIRE(deep.b == channels[2].deep_colour(scalars).b);
+      const Channels colour = quarters(coloured.colour(scalars));
+      const Channels deep = channels(coloured.deep_colour(scalars));
+      for (std::size_t c = 0; c < 3; ++c) {
+        REQUIRE(deep[c] == channels(white[c].deep_colour(scalars))[c]);
+        // Coloured lights are summed and cut off to quarters of a step.
+        if (deep[c] < 65280) REQUIRE(std::abs(64 * colour[c] + 32 - (deep[c] + 128)) <= 33);
+        // The diffuse part of white lights is that of the middle of the ramp's entry, rounded to a quarter;
+        // in the first entry it is 0. The highlight is cut off to a quarter.
+        const double half = half_entry(white[c], diffuse[c] / most_diffuse);
+        const std::int32_t level = std::min(64 * quarters(white[c].colour(scalars))[c] - 128, 65280);
+        REQUIRE(level - deep[c] <= half + 33);
+        REQUIRE(deep[c] - level <= 2 * half + 33 + 64);
+        if (!in_first_entry(white[c], white_lights[c], scalars)) REQUIRE(deep[c] - level <= half + 33 + 64);
+      }
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE_SIG("the ramp of several lights has the colours of the middles of its entries", "",
+                       ((Highlight Model, std::size_t Lights), Model, Lights), (Highlight::kBlinn, 2),
+                       (Highlight::kPhong, 4)) {
+  using White = Illumination<Lights, Model>;
+  Random random(196);
+  for (int i = 0; i < share_of(40); ++i) {
+    Scene<Lights> scene(random);
+    scene.material.highlight_fade = {};
+    scene.material.specular = {};
+    for (DirectionalLight& light : scene.lights) light = {light.towards};
+    White lit;
+    REQUIRE(ok(White::make(scene.material, scene.lights, scene.to_eye, lit)));
+    // Scalars of a sum of N·L, 15 fraction bits.
+    const auto at = [](std::int32_t sum) {
+      typename White::Scalars scalars{};
+      for (std::size_t k = 0; k < Lights; ++k) {
+        const std::int32_t part = std::min(sum, 32768);
+        scalars[k] = Cosine::from_raw(part << 15);
+        sum -= part;
+      }
+      return scalars;
+    };
+    // The ramp ends at three quarters of the full light if every channel is saturated there.
+    constexpr auto kFull = static_cast<std::int32_t>(Lights) << 15;
+    const Channels late = channels(lit.deep_colour(at(kFull / 4 * 3)));
+    const std::int32_t range = late == Channels{65280, 65280, 65280} ? kFull / 4 * 3 : kFull;
+    const auto size = static_cast<std::int32_t>(lit.ramp().size());
+    for (std::int32_t entry = 0; entry < size; ++entry) {
+      const std::int32_t middle =
+          static_cast<std::int32_t>(std::int64_t{range} * (2 * entry + 1) / (2 * size));
+      const Channels found = quarters(lit.colour(at(middle)));
+      REQUIRE(found == quarters(lit.ramp()[static_cast<std::size_t>(entry)]));
+      const Channels deep = channels(lit.deep_colour(at(entry == 0 ? 0 : middle)));
+      for (std::size_t c = 0; c < 3; ++c) {
+        // Rounded to a quarter; a tie may fall to either side, because deep colours are rounded themselves.
+        const std::int32_t nearest = deep[c] + 128 + 32;
+        const bool is_exact = found[c] == nearest / 64 || (nearest % 64 == 0 && found[c] == nearest / 64 - 1);
+        const bool is_saturated = deep[c] == 65280 && found[c] >= 1022;
+        CAPTURE(entry, c, deep[c], found[c]);
+        REQUIRE((is_exact || is_saturated));
+      }
     }
   }
 }

@@ -22,12 +22,12 @@ using Lit = Illumination<1, Highlight::kPhong>;
 
 /// Writes down the N·L of every pixel that has no highlight.
 struct Recorder : Lit {
-  std::vector<Cosine>* lights = nullptr;
+  std::vector<Cosine>* recorded = nullptr;
 
   Recorder() = default;
-  Recorder(const Lit& lit, std::vector<Cosine>& to) : Lit(lit), lights(&to) {}
+  Recorder(const Lit& lit, std::vector<Cosine>& to) : Lit(lit), recorded(&to) {}
   [[nodiscard]] PackedRgb diffuse_colour(Cosine light) const {
-    lights->push_back(light);
+    recorded->push_back(light);
     return Lit::diffuse_colour(light);
   }
 };

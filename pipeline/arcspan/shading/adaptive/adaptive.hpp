@@ -130,7 +130,7 @@ struct Adaptive : Arc<Illumination> {
         if (prepared.highlight_patch) return;
       }
     }
-    Base::prepare_path(lighting, frame, fits_patch ? Path::kPatch : Path::kWide, 0, prepared);
+    Base::prepare_path(lighting, frame, fits_patch ? Path::kPatch : Path::kWide, prepared);
   }
 
   /// A small triangle (DrawsSmallTriangles): linear light, or as Arc draws it without highlights below half
@@ -254,7 +254,7 @@ struct Adaptive : Arc<Illumination> {
         return;
       }
     }
-    Base::prepare_path(lighting, frame, Base::diffuse_path(patch_fits(frame), widest), lit, prepared);
+    Base::prepare_path(lighting, frame, Base::diffuse_path(patch_fits(frame), widest), prepared);
   }
 
   /// Prepares the diffuse scalar and the scaled distance of a highlight as patches; `light` is that of

@@ -68,9 +68,7 @@ struct ArcUpTo {
   /// method's `Vertex` as their shade.
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
-    std::uint32_t lit = 0;
-    const Path path = choose_path(lighting, frame, lit);
-    prepare_path(lighting, frame, path, lit, prepared);
+    prepare_path(lighting, frame, choose_path(lighting, frame, frame.chords.widest()), prepared);
   }
 
   /// Calls `draw` with the walker of the command's path.
@@ -115,11 +113,9 @@ struct ArcUpTo {
   /// Rows in pieces without highlight are a matter of time only: carrying all scalars gives the same colours.
   static constexpr bool kHasDiffuseWide = Illumination::kLights == 1 && !kOptimisedForSize;
 
-  /// Prepares the triangle for `path`, which its normals and its size must allow; `lit` is that of
-  /// lit_throughout() if the path has no highlight.
+  /// Prepares the triangle for `path`, which its normals and its size must allow.
   template <class Frame>
-  static constexpr void prepare_path(const Lighting& lighting, Frame& frame, Path path,
-                                     [[maybe_unused]] std::uint32_t lit, Prepared& prepared) {
+  static constexpr void prepare_path(const Lighting& lighting, Frame& frame, Path path, Prepared& prepared) {
     prepared.middle_left = frame.middle_left;
     prepared.path = path;
     const std::size_t count = path == Path::kDiffusePatch || path == Path::kDiffuseWide ? 1 : kScalars;
@@ -133,6 +129,8 @@ struct ArcUpTo {
                                              sagitta_factor(chords.middle_bottom)};
     if constexpr (kHasDiffusePath && Illumination::kLights > 1) {
       if (path == Path::kDiffusePatch) {
+        std::uint32_t lit = 0;
+        (void)lit_throughout(lighting, frame, lit);
         make_patch_scalar(frame, sagitta_factors, diffuse_scalars(lighting, frame, lit), prepared.patch[0]);
         return;
       }
@@ -167,14 +165,14 @@ struct ArcUpTo {
     return kHasDiffuseWide ? Path::kDiffuseWide : Path::kWide;
   }
 
-  /// Returns the path of a triangle, and sets `lit` for paths without highlight.
+  /// Returns the path of a triangle; `widest` is its widest squared chord, 28 fraction bits.
   template <class Frame>
   [[nodiscard]] static constexpr Path choose_path(const Lighting& lighting, const Frame& frame,
-                                                  [[maybe_unused]] std::uint32_t& lit) {
-    const std::uint32_t widest = frame.chords.widest();
+                                                  std::uint32_t widest) {
     if (widest > kWidestArc) return Path::kWide;
     const bool fits = patch_fits(frame);
     if constexpr (kHasDiffusePath) {
+      std::uint32_t lit = 0;
       if (!lighting.may_shine(frame.top->shade.scalars, frame.middle->shade.scalars,
                               frame.bottom->shade.scalars, arc_headroom(widest)) &&
           lit_throughout(lighting, frame, lit)) {

@@ -46,11 +46,10 @@ struct Segment : Arc<Illumination> {
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
     prepared.bits = lighting.bits;
-    std::uint32_t lit = 0;
-    const Path path = Base::choose_path(lighting, frame, lit);
+    const Path path = Base::choose_path(lighting, frame, frame.chords.widest());
     // The last segment may end beyond the row. A highlight can be within reach there, which kDiffuseWide
     // omits and kWide, its replacement where code is optimised for size, does not.
-    Base::prepare_path(lighting, frame, path == Path::kDiffuseWide ? Path::kWide : path, lit, prepared);
+    Base::prepare_path(lighting, frame, path == Path::kDiffuseWide ? Path::kWide : path, prepared);
   }
 
   template <class Draw>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/hal/panel/ili9341.hpp>
 #include <arcspan/hal/spi_bus.hpp>
 
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace arcspan::example {
 class CheckedSpi final : public hal::SpiBus {
  public:
   /// Bytes go on to `next`, unless it is null.
-  explicit CheckedSpi(hal::SpiBus* next = nullptr) : next_(next) {}
+  explicit CheckedSpi(hal::SpiBus* next) : next_(next) {}
 
   [[nodiscard]] std::uint32_t bytes() const { return bytes_; }
   [[nodiscard]] std::uint32_t hash() const { return hash_; }
@@ -27,6 +28,25 @@ class CheckedSpi final : public hal::SpiBus {
   hal::SpiBus* next_;
   std::uint32_t bytes_ = 0;
   std::uint32_t hash_ = 2166136261u;
+};
+
+/// The board of an example: an ILI9341 on `Devices`, which have `bus` and `reset` (pointers that may be
+/// null), `data_or_command` and `clock`, and print a summary at the end.
+template <class Devices>
+class CheckedBoard {
+ public:
+  CheckedBoard() = default;
+  CheckedBoard(const CheckedBoard&) = delete;
+  CheckedBoard& operator=(const CheckedBoard&) = delete;
+  ~CheckedBoard() { devices_.report(bus_.bytes(), bus_.hash()); }
+
+  Status start() { return panel_.start(); }
+  [[nodiscard]] hal::Ili9341& panel() { return panel_; }
+
+ private:
+  Devices devices_;
+  CheckedSpi bus_{devices_.bus};
+  hal::Ili9341 panel_{bus_, devices_.data_or_command, devices_.reset, devices_.clock};
 };
 
 }  // namespace arcspan::example

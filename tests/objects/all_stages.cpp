@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Every stage of the pipeline for every method: the object that must need nothing from outside.
+// Every stage of the pipeline: the object that must need nothing from outside. The methods for products, and
+// those that span_stage.cpp does not hold because they divide there, as whole calls of draw_mesh(). Of the
+// others, and of Arc and Adaptive with other illuminations, only the functions of the protocol of
+// shading/method.hpp that come before the span stage: the stages around them are the same.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/fog.hpp>
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/prepare/prepare_triangle.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
@@ -51,37 +54,59 @@ using Ghost = WithOperation<UnlitVertexColoured, ScreenDoor>;
       const DEPTH&, std::span<CachedVertex<METHOD>>, const DrawOptions&)
 
 ARCSPAN_INSTANTIATE(Window, Rgb565, ReadOnlyDepth);
-ARCSPAN_INSTANTIATE(Window, Rgb888, ReadOnlyDepth);
-ARCSPAN_INSTANTIATE(Sign, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Wall, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Stage, Rgb888, NoDepth);
 ARCSPAN_INSTANTIATE(Chrome, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Glass, Rgb565, ReadOnlyDepth);
-ARCSPAN_INSTANTIATE(Ghost, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Adaptive<Phong1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Adaptive<Blinn4>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(ArcVector<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Duff<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(DichotomyLinear<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(DichotomyQuadratic<Phong4>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(DichotomyCubic<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(DichotomyPrintedLinear<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(DichotomyPrintedQuadratic<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(KuijkBlake<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Lyon<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Phong<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(PhongReciprocal<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(PhongSegment<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Recurrence<Phong1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(RecurrenceFour<Phong1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(ReflectionMap<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Segment<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Slerp<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Arc<Phong1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Arc<Blinn4>, Rgb888, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Phong4>, Gray8, NoDepth);
+
+/// Vertices are made, an edge is cut, and the triangle is prepared as a large one and as a small one.
+template <class Method>
+bool prepare(const MeshView& mesh, const typename Method::Lighting& lighting, const Direction& face,
+             const RowRange& rows, SmallTriangle& small, TriangleCommand<Method>& command) {
+  RasterVertex<Method> v[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    v[i].position = {mesh.position(i).x, mesh.position(i).y, 0};
+    v[i].shade = Method::shade_vertex(lighting, unpack_normal(mesh.normal(i)));
+    if constexpr (TakesVertexData<Method>) Method::set_vertex_data(mesh, i, v[i].shade);
+  }
+  v[2].shade = Method::between(v[1].shade, v[2].shade, Factor::from_raw(face.x.raw()));
+  if constexpr (DrawsSmallTriangles<Method>) {
+    typename Method::Small part;
+    if (Method::prepare_small(lighting, v[0], v[1], v[2], small, part)) return true;
+  }
+  return prepare_triangle(lighting, v[0], v[1], v[2], Method::shade_face(lighting, face), rows, command);
+}
+
+#define ARCSPAN_PREPARE_INSTANTIATE(METHOD)                                                          \
+  template bool prepare(const MeshView&, const METHOD::Lighting&, const Direction&, const RowRange&, \
+                        SmallTriangle&, TriangleCommand<METHOD>&)
+
+ARCSPAN_PREPARE_INSTANTIATE(Sign);
+ARCSPAN_PREPARE_INSTANTIATE(Wall);
+ARCSPAN_PREPARE_INSTANTIATE(Stage);
+ARCSPAN_PREPARE_INSTANTIATE(Ghost);
+ARCSPAN_PREPARE_INSTANTIATE(Arc<Phong1>);
+ARCSPAN_PREPARE_INSTANTIATE(Arc<Blinn4>);
+ARCSPAN_PREPARE_INSTANTIATE(Adaptive<Blinn4>);
+ARCSPAN_PREPARE_INSTANTIATE(ArcVector<Blinn1>);
+ARCSPAN_PREPARE_INSTANTIATE(DichotomyLinear<Blinn1>);
+ARCSPAN_PREPARE_INSTANTIATE(DichotomyQuadratic<Phong4>);
+ARCSPAN_PREPARE_INSTANTIATE(DichotomyCubic<Blinn1>);
+ARCSPAN_PREPARE_INSTANTIATE(DichotomyPrintedLinear<Blinn1>);
+ARCSPAN_PREPARE_INSTANTIATE(DichotomyPrintedQuadratic<Blinn1>);
+ARCSPAN_PREPARE_INSTANTIATE(KuijkBlake<Blinn1>);
+ARCSPAN_PREPARE_INSTANTIATE(Lyon<Blinn1>);
+ARCSPAN_PREPARE_INSTANTIATE(PhongReciprocal<Blinn1>);
+ARCSPAN_PREPARE_INSTANTIATE(Recurrence<Phong1>);
+ARCSPAN_PREPARE_INSTANTIATE(RecurrenceFour<Phong1>);
+ARCSPAN_PREPARE_INSTANTIATE(ReflectionMap<Blinn1>);
+ARCSPAN_PREPARE_INSTANTIATE(Slerp<Blinn1>);
 
 }  // namespace arcspan

@@ -74,6 +74,10 @@ TEST_CASE("every shading and format draws the sphere where it is, over the backg
   const std::string format = GENERATE(from_range(format_names()));
   const bool dithers = GENERATE(false, true);
   CAPTURE(shading, format, dithers);
+#ifdef ARCSPAN_SANITIZED
+  // Methods and formats meet in virtual calls: every method into two formats and every format by one method.
+  if (shading != "arc" && (format != "rgb565" || dithers) && (format != "mono" || !dithers)) return;
+#endif
   Scene scene = small_scene();
   scene.background = {0, 0, 0};
   const RenderResult result = render(scene, sphere, shading.c_str(), format.c_str(), dithers);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <vector>
 
 using namespace arcspan;
 using namespace arcspan::tools;
@@ -113,7 +114,12 @@ TEST_CASE("bands drawn in parallel are the picture drawn at once") {
   const Built built(sphere);
   const Image whole = drawn(built.job, "arc");
   CHECK(whole != Image(320, 240));
-  for (const std::uint32_t threads : {1u, 2u, 3u, 7u, 64u}) {
+#ifdef ARCSPAN_SANITIZED
+  const std::vector<std::uint32_t> counts{1, 3, 64};
+#else
+  const std::vector<std::uint32_t> counts{1, 2, 3, 7, 64};
+#endif
+  for (const std::uint32_t threads : counts) {
     CAPTURE(threads);
     ParallelBands bands(built.job, threads);
     const ParallelBands::FrameTime time = bands.draw(3);

@@ -45,8 +45,8 @@ bool measure(const char* name, const MeshView& mesh, const ClipTransform& transf
   return ok(drawn.status);
 }
 
-/// Draws a square whose ends have the distances 4 and 4 * ratio / 4 of half its width, in rows of many
-/// pixels.
+/// Draws a square of 200x200 pixels that is turned about the vertical axis: its left and right side are
+/// nearer and farther by `depth`, the distance of its middle being 24000.
 bool measure_square(const char* name, std::int32_t depth, const Method::Lighting& lighting) {
   const auto z = static_cast<std::int16_t>(depth);
   const auto minus = static_cast<std::int16_t>(-depth);

@@ -30,7 +30,7 @@ def make_initrd(arguments, work):
     """The guest's files, as the archive that the kernel unpacks."""
     root = work / "root"
     shutil.rmtree(root, ignore_errors=True)
-    for folder in ("bin", "modules", "programs"):
+    for folder in ("bin", "modules", "programs", "models"):
         (root / folder).mkdir(parents=True)
     shutil.copy("/bin/busybox", root / "bin")
     shutil.copy(HERE / "init", root / "init")
@@ -43,6 +43,8 @@ def make_initrd(arguments, work):
             target = root / library.lstrip("/")
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(library, target)
+    for model in arguments.model:
+        shutil.copy(model, root / "models")
     files = "\n".join(str(path.relative_to(root)) for path in sorted(root.rglob("*")))
     initrd = work / "initrd"
     with open(initrd, "wb") as out:
@@ -207,6 +209,7 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, required=True, help="folder for what is made here")
     parser.add_argument("--scenario", required=True)
     parser.add_argument("--program", required=True, nargs="+", help="what the scenario runs")
+    parser.add_argument("--model", default=[], nargs="+", help="files that are put into the guest's folder /models")
     parser.add_argument("--vga", nargs=2, metavar=("BITS", "CARD"),
                         help="bits per pixel of the firmware's mode, and QEMU's name of the graphics card")
     parser.add_argument("--gpiod", default="1", help="major version of libgpiod that the program must have")

@@ -29,7 +29,7 @@ void put_u32(std::uint8_t* at, std::uint32_t value) {
   for (int i = 0; i < 4; ++i) at[i] = static_cast<std::uint8_t>(value >> (8 * i));
 }
 
-/// Makes magic number, version (1 or, if `versions` is 2, that one), size and checksum right. All three kinds
+/// Makes magic number, version (1 to `versions`), size and checksum right. All three kinds
 /// have version and size at the same offsets. The checksum is at the end unless `covered` says where.
 void close(Bytes bytes, const char* magic, unsigned versions, std::size_t covered) {
   std::memcpy(bytes.data(), magic, 4);
@@ -40,26 +40,33 @@ void close(Bytes bytes, const char* magic, unsigned versions, std::size_t covere
 }
 
 void close_mesh(Bytes bytes) {
-  if (bytes.size() >= mesh_binary::kHeaderBytes + 4) close(bytes, "ARCM", 2, bytes.size() - 4);
+  if (bytes.size() >= mesh_binary::kHeaderBytes + 4) close(bytes, "ARCM", 3, bytes.size() - 4);
 }
 
 void close_texture(Bytes bytes) {
   if (bytes.size() >= texture_binary::kHeaderBytes + 4) close(bytes, "ARCT", 1, bytes.size() - 4);
 }
 
+/// The bytes that offset and size at `at` name, or none.
+Bytes range_at(Bytes bytes, const std::uint8_t* at) {
+  const std::uint32_t begin = little_u32(at);
+  const std::uint32_t size = little_u32(at + 4);
+  return begin <= bytes.size() && size <= bytes.size() - begin ? bytes.subspan(begin, size) : Bytes();
+}
+
 /// A model of one part.
 void close_model(Bytes bytes) {
-  constexpr std::size_t kCovered = model_binary::kHeaderBytes + model_binary::kPartBytes;
-  if (bytes.size() < kCovered + 4) return;
+  constexpr std::size_t kLargest = model_binary::kHeaderBytes + model_binary::kTexturedPartBytes;
+  if (bytes.size() < kLargest + 4) return;
+  const bool textured = bytes[4] % 2 == 1;  // close() makes it version 2
+  const std::size_t covered =
+      model_binary::kHeaderBytes + (textured ? model_binary::kTexturedPartBytes : model_binary::kPartBytes);
   bytes[model_binary::kPartsAt] = 1;
   bytes[model_binary::kPartsAt + 1] = 0;
   const std::uint8_t* const part = bytes.data() + model_binary::kHeaderBytes;
-  const std::uint32_t begin = little_u32(part + model_binary::kMeshAt);
-  const std::uint32_t size = little_u32(part + model_binary::kMeshBytesAt);
-  if (begin >= kCovered + 4 && begin <= bytes.size() && size <= bytes.size() - begin) {
-    close_mesh(bytes.subspan(begin, size));
-  }
-  close(bytes, "ARCP", 1, kCovered);
+  close_mesh(range_at(bytes, part + model_binary::kMeshAt));
+  if (textured) close_texture(range_at(bytes, part + model_binary::kTextureAt));
+  close(bytes, "ARCP", 2, covered);
 }
 
 volatile std::int32_t kept;  // the reads must stay
@@ -109,6 +116,7 @@ void read_model(std::span<const std::uint8_t> bytes) {
   for (const ModelPart& part : std::span(parts).first(count)) {
     read_all(part.mesh);
     require(std::strlen(part.name) < model_binary::kNameBytes);
+    if (!part.texture.texels.empty()) read_all(part.texture);
   }
 }
 

@@ -15,6 +15,7 @@ using namespace mesh_binary;
 static_assert(sizeof(ObjectPosition) == 6 && alignof(ObjectPosition) <= 2);
 static_assert(sizeof(PackedNormal) == 4 && alignof(PackedNormal) <= 2);
 static_assert(sizeof(FacePlane) == 4 && alignof(FacePlane) == 1);
+static_assert(sizeof(TexturePoint) == 4 && alignof(TexturePoint) <= 2);
 
 constexpr std::uint32_t kMostTriangles = std::uint32_t{1} << 26;
 
@@ -30,6 +31,7 @@ struct Header {
   std::uint32_t triangles;
   bool indices8;
   bool planes;
+  bool texture_points;
 };
 
 /// Reads and checks all of a binary except the contents of its arrays.
@@ -40,13 +42,15 @@ Status read_header(std::span<const std::uint8_t> bytes, Header& header) {
   if (bytes.size() >= kVersionAt && little_u32(at + kMagicAt) != kMagic) return Status::kUnsupported;
   if (bytes.size() < kHeaderBytes + kChecksumBytes) return Status::kTruncated;
   const std::uint16_t version = little_u16(at + kVersionAt);
-  if (version != kVersion && version != kVersionOfPlanes) return Status::kUnsupported;
+  if (version < kVersion || version > kVersionOfTexturePoints) return Status::kUnsupported;
   const std::uint16_t flags = little_u16(at + kFlagsAt);
   header = {little_u32(at + kSizeAt), little_u32(at + kVerticesAt), little_u32(at + kTrianglesAt),
-            (flags & kIndices8) != 0, (flags & kPlanes) != 0};
-  if (flags >= (version == kVersion ? kPlanes : 2 * kPlanes) || header.vertices > MeshView::kMaxVertices ||
+            (flags & kIndices8) != 0, (flags & kPlanes) != 0,       (flags & kTexturePoints) != 0};
+  // Each version has one flag more.
+  if (flags >= (1u << version) || header.vertices > MeshView::kMaxVertices ||
       header.triangles > kMostTriangles ||
-      header.size != mesh_binary::bytes(header.vertices, header.triangles, header.indices8, header.planes)) {
+      header.size != mesh_binary::bytes(header.vertices, header.triangles, header.indices8, header.planes,
+                                        header.texture_points)) {
     return Status::kCorrupted;
   }
   if (bytes.size() < header.size) return Status::kTruncated;
@@ -54,15 +58,30 @@ Status read_header(std::span<const std::uint8_t> bytes, Header& header) {
   return crc32(bytes.first(covered)) == little_u32(at + covered) ? Status::kOk : Status::kCorrupted;
 }
 
-/// Attaches the planes at the end of a checked binary, if it has any.
-Status attach_planes(std::span<const std::uint8_t> bytes, const Header& header, MeshView& view) {
+/// Attaches the planes of a checked binary, which begin at offset `at`, if it has any, and moves `at` to
+/// their end.
+Status attach_planes(std::span<const std::uint8_t> bytes, const Header& header, std::size_t& at,
+                     MeshView& view) {
   if (!header.planes) return Status::kOk;
   const auto triangles = static_cast<std::size_t>(header.triangles);
-  const std::size_t planes_at = static_cast<std::size_t>(header.size) - kChecksumBytes - 4 * triangles;
-  const std::uint8_t* const scale = bytes.data() + planes_at - kScaleBytes;
-  const void* const planes = bytes.data() + planes_at;
+  const std::uint8_t* const scale = bytes.data() + at;
+  const void* const planes = scale + kScaleBytes;
+  at += kScaleBytes + sizeof(FacePlane) * triangles;
   const Status status = view.attach(std::span(static_cast<const FacePlane*>(planes), triangles),
                                     {static_cast<std::int8_t>(scale[0]), scale[1], little_u16(scale + 2)});
+  return ok(status) ? status : Status::kCorrupted;
+}
+
+/// Attaches the texture points at offset `at`, if there are any.
+Status attach_texture_points(std::span<const std::uint8_t> bytes, const Header& header, std::size_t at,
+                             MeshView& view) {
+  if (!header.texture_points) return Status::kOk;
+  const std::uint8_t* const scale = bytes.data() + at;
+  const void* const points = scale + kTextureScaleBytes;
+  if (little_u32(scale) > 0xFF) return Status::kCorrupted;
+  const Status status = view.attach(
+      std::span(static_cast<const TexturePoint*>(points), static_cast<std::size_t>(header.vertices)),
+      {scale[0]});
   return ok(status) ? status : Status::kCorrupted;
 }
 
@@ -87,7 +106,11 @@ Status view_mesh_binary(std::span<const std::uint8_t> bytes, MeshView& view, Mes
                     : MeshView::make(
                           positions, normals,
                           std::span(static_cast<const std::uint16_t*>(array_at(indices_at)), indices), found);
-  if (ok(made)) made = attach_planes(bytes, header, found);
+  const auto index_bytes = static_cast<std::size_t>(header.indices8 ? indices : 2 * indices);
+  std::size_t at = indices_at + index_bytes;
+  at += (0 - (at - kHeaderBytes)) & 3u;
+  if (ok(made)) made = attach_planes(bytes, header, at, found);
+  if (ok(made)) made = attach_texture_points(bytes, header, at, found);
   if (!ok(made)) return made;
   view = found;
   if (bounds != nullptr) {

@@ -4,6 +4,7 @@
 #include <arcspan/lighting/material.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/status.hpp>
+#include <arcspan/texture/texture_binary.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -12,11 +13,15 @@
 namespace arcspan {
 
 /// The layout of a model binary (docs/model-binary.md): little-endian, offsets in bytes. A header, an entry
-/// for each part, a checksum of both, and a mesh binary for each part.
+/// for each part, a checksum of both, and a mesh binary for each part. Version 2 has texture binaries, too.
 namespace model_binary {
 inline constexpr std::uint32_t kMagic = 0x50435241;  ///< "ARCP"
-inline constexpr std::uint16_t kVersion = 1;
-inline constexpr std::uint16_t kTwoSided = 1;  ///< flag of a part: back faces are drawn too
+inline constexpr std::uint16_t kVersion = 1;         ///< without textures
+inline constexpr std::uint16_t kVersionOfTextures = 2;
+// Flags of a part.
+inline constexpr std::uint16_t kTwoSided = 1;  ///< back faces are drawn too
+inline constexpr std::uint16_t kMasked = 2;    ///< texels whose alpha is 0 are not drawn; version 2 only
+inline constexpr std::uint16_t kBlended = 4;   ///< by the alpha of texels; version 2 only
 
 inline constexpr std::size_t kMagicAt = 0;      ///< u32
 inline constexpr std::size_t kVersionAt = 4;    ///< u16
@@ -37,15 +42,28 @@ inline constexpr std::size_t kFlagsAt = 28;      ///< u16
 inline constexpr std::size_t kNameAt = 32;       ///< text, filled up with zeros
 inline constexpr std::size_t kNameBytes = 32;    ///< the last one is zero
 inline constexpr std::size_t kPartBytes = 64;
-inline constexpr std::size_t kChecksumBytes = 4;  ///< u32, crc32() of the header and the entries
+inline constexpr std::size_t kTextureAt =
+    64;  ///< u32, where its texture binary begins; 0: none. Version 2 only
+inline constexpr std::size_t kTextureBytesAt = 68;     ///< u32, its size
+inline constexpr std::size_t kTexturedPartBytes = 72;  ///< of an entry in version 2
+inline constexpr std::size_t kChecksumBytes = 4;       ///< u32, crc32() of the header and the entries
 }  // namespace model_binary
+
+/// How the alpha of a part's texture is meant.
+enum class PartAlpha : std::uint8_t {
+  kOpaque,  ///< not at all
+  kMasked,  ///< texels whose alpha is 0 are not drawn
+  kBlended  ///< it is the opacity
+};
 
 /// A part of a model: a mesh with its material. All parts of a model have the same unit and origin.
 struct ModelPart {
   MeshView mesh;
   Material material;
   bool two_sided = false;
-  const char* name = "";  ///< within the binary
+  const char* name = "";    ///< within the binary
+  StoredTexture texture{};  ///< its texels are empty if there is none; see view_texture()
+  PartAlpha alpha = PartAlpha::kOpaque;
 };
 
 /// Makes views of the parts of a model binary that `arcspan mesh -o NAME.bin` has written. Nothing is copied,

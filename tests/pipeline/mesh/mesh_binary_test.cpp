@@ -37,6 +37,17 @@ const std::vector<std::uint8_t> kTriangleWithPlane = [] {
   return bytes;
 }();
 
+// That with texture points of 12 fraction bits, version 3.
+const std::vector<std::uint8_t> kTriangleWithTexturePoints = [] {
+  std::vector<std::uint8_t> bytes = kTriangleWithPlane;
+  bytes[4] = 3;
+  bytes[6] = 7;
+  bytes[8] = 96;
+  const std::uint8_t points[] = {12, 0, 0, 0, 0, 0x10, 1, 0, 0xFF, 0xFF, 2, 0, 0, 0x80, 0xFF, 0x7F};
+  bytes.insert(bytes.end(), std::begin(points), std::end(points));
+  return bytes;
+}();
+
 // Bytes at an even address, with a right checksum.
 class Binary {
  public:
@@ -115,6 +126,34 @@ TEST_CASE("a mesh binary may have planes") {
   CHECK(mesh.plane_scale() == PlaneScale{-5, 14, 32786});  // left alone
 }
 
+TEST_CASE("a mesh binary may have texture points") {
+  const Binary binary(kTriangleWithTexturePoints);
+  MeshView mesh;
+  REQUIRE(ok(binary.view(mesh)));
+  CHECK(mesh.texture_scale() == TextureScale{12});
+  CHECK(mesh.texture_point(0) == TexturePoint{0x1000, 1});
+  CHECK(mesh.texture_point(1) == TexturePoint{-1, 2});
+  CHECK(mesh.texture_point(2) == TexturePoint{-32768, 32767});
+  REQUIRE(mesh.planes() != nullptr);
+  CHECK(mesh.planes()[0] == FacePlane{-127, 2, 127, -1});
+
+  const std::size_t scale_at = kTriangleWithPlane.size();
+  CHECK(changed(scale_at, 3, kTriangleWithTexturePoints).status() == Status::kCorrupted);
+  CHECK(changed(scale_at, 16, kTriangleWithTexturePoints).status() == Status::kCorrupted);
+  CHECK(changed(scale_at + 1, 1, kTriangleWithTexturePoints).status() == Status::kCorrupted);
+  CHECK(changed(6, 3, kTriangleWithTexturePoints).status() == Status::kCorrupted);  // too long without them
+  CHECK(changed(6, 15, kTriangleWithTexturePoints).status() == Status::kCorrupted);
+  CHECK(changed(4, 2, kTriangleWithTexturePoints).status() == Status::kCorrupted);
+  std::vector<std::uint8_t> without_planes = kTriangleWithTexturePoints;
+  without_planes.erase(without_planes.begin() + static_cast<std::ptrdiff_t>(kTriangle.size()),
+                       without_planes.begin() + static_cast<std::ptrdiff_t>(kTriangleWithPlane.size()));
+  without_planes[6] = 5;
+  without_planes[8] = 88;
+  REQUIRE(ok(Binary(without_planes).view(mesh)));
+  CHECK(mesh.planes() == nullptr);
+  CHECK(mesh.texture_point(1) == TexturePoint{-1, 2});
+}
+
 TEST_CASE("a mesh binary may be followed by anything") {
   Binary binary(kTriangle);
   binary.bytes().resize(4096, 0xFF);
@@ -122,7 +161,7 @@ TEST_CASE("a mesh binary may be followed by anything") {
 }
 
 TEST_CASE("every changed bit of a mesh binary is found") {
-  const std::vector<std::uint8_t> bytes = GENERATE(false, true) ? kTriangleWithPlane : kTriangle;
+  const std::vector<std::uint8_t> bytes = GENERATE(kTriangle, kTriangleWithPlane, kTriangleWithTexturePoints);
   for (std::size_t bit = 0; bit < 8 * (bytes.size() + 4); ++bit) {
     CAPTURE(bit);
     Binary binary(bytes);
@@ -132,7 +171,7 @@ TEST_CASE("every changed bit of a mesh binary is found") {
 }
 
 TEST_CASE("every truncation of a mesh binary is found") {
-  const std::vector<std::uint8_t> bytes = GENERATE(false, true) ? kTriangleWithPlane : kTriangle;
+  const std::vector<std::uint8_t> bytes = GENERATE(kTriangle, kTriangleWithPlane, kTriangleWithTexturePoints);
   const Binary whole(bytes);
   for (std::size_t size = 0; size < bytes.size() + 4; ++size) {
     CAPTURE(size);
@@ -145,7 +184,7 @@ TEST_CASE("every truncation of a mesh binary is found") {
 TEST_CASE("a malformed mesh binary gives the status that names its mistake, and the view keeps its value") {
   CHECK(changed(0, 'B').status() == Status::kUnsupported);
   CHECK(changed(4, 0).status() == Status::kUnsupported);
-  CHECK(changed(4, 3).status() == Status::kUnsupported);
+  CHECK(changed(4, 4).status() == Status::kUnsupported);
   CHECK(changed(6, 2).status() == Status::kCorrupted);      // planes in version 1
   CHECK(changed(8, 76).status() == Status::kCorrupted);     // size
   CHECK(changed(12, 4).status() == Status::kCorrupted);     // vertices

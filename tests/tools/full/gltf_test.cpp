@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numbers>
 
 using namespace arcspan::tools;
 using namespace arcspan::test;
@@ -234,7 +235,7 @@ TEST_CASE("glTF: unlit, two-sided and glowing materials") {
 
 TEST_CASE("glTF: what is not drawn is named once") {
   json gltf = square();
-  gltf["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  gltf["materials"][0]["normalTexture"] = {{"index", 0}};
   gltf["materials"][0]["alphaMode"] = "BLEND";
   gltf["materials"][0]["extensions"] = {{"KHR_materials_clearcoat", json::object()}};
   gltf["animations"] = json::array({json::object()});
@@ -243,7 +244,58 @@ TEST_CASE("glTF: what is not drawn is named once") {
   CHECK(
       loaded(gltf).warnings ==
       Lines{
-          "not drawn: KHR_materials_clearcoat, animations, points and lines, skins, textures, transparency"});
+          "not drawn: KHR_materials_clearcoat, animations, points and lines, skins, textures other than the "
+          "base colour's, transparency"});
+}
+
+TEST_CASE("glTF: the texture of the base colour, beside the file or within it") {
+  // A picture of one grey pixel, and texture coordinates in place of the colours.
+  const std::string picture = std::string("P5\n1 1\n255\n") + '\x80';
+  json gltf = square();
+  gltf["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}, {"texCoord", 1}};
+  gltf["materials"][0]["alphaMode"] = "MASK";
+  gltf["materials"][0]["alphaCutoff"] = 0.25;
+  gltf["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = 3;
+  gltf["accessors"].push_back({{"bufferView", 2}, {"componentType", 5126}, {"count", 4}, {"type", "VEC2"}});
+  gltf["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 108}, {"byteLength", 32}});
+  gltf["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 140}, {"byteLength", picture.size()}});
+  gltf["buffers"][0]["byteLength"] = 140 + picture.size();
+  gltf["textures"] = json::array({{{"source", 0}}});
+  gltf["images"] = json::array({{{"uri", "grey.pgm"}}});
+  const std::string bin = buffer() + bytes_of<float>({0, 0, 1, 0, 1, 0.5, 0, 0.5}) + picture;
+  const TemporaryFolder folder;
+  (void)folder.file("a b.bin", bin);
+  (void)folder.file("grey.pgm", picture);
+  const auto check = [](const Model& model) {
+    CHECK(model.warnings.empty());
+    const FileMaterial& material = model.parts[0].look.material;
+    REQUIRE(material.texture != nullptr);
+    CHECK(material.texture->picture.at(0, 0) == Rgba8{128, 128, 128, 255});
+    CHECK(material.alpha_mode == AlphaMode::kMask);
+    CHECK(material.alpha_cutoff == 0.25);
+    REQUIRE(model.parts[0].mesh.texture_points.size() == 4);
+    CHECK(model.parts[0].mesh.texture_points[2] == Uv{1, 0.5});
+  };
+  check(load_model_file(folder.file("beside.gltf", gltf.dump())));
+  gltf["images"][0] = {{"bufferView", 3}, {"mimeType", "image/png"}};
+  check(load_model_file(folder.file("within.gltf", gltf.dump())));
+  gltf["images"][0] = {{"uri", "data:image/png;base64,UDUKMSAxCjI1NQqA"}};
+  check(load_model_file(folder.file("data.gltf", gltf.dump())));
+
+  json& info = gltf["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+  info["extensions"]["KHR_texture_transform"] = {
+      {"offset", {0.5, 0.25}}, {"scale", {2, 4}}, {"rotation", std::numbers::pi / 2}};
+  const Uv moved = load_model_file(folder.file("moved.gltf", gltf.dump())).parts[0].mesh.texture_points[2];
+  CHECK(moved.u == Approx(0.5 + 4 * 0.5));
+  CHECK(moved.v == Approx(0.25 - 2 * 1));
+
+  gltf["images"][0] = {{"uri", "none.png"}};
+  const Model without = load_model_file(folder.file("none.gltf", gltf.dump()));
+  CHECK(without.warnings ==
+        Lines{"not drawn: textures that cannot be read from the model's folder, transparency"});
+  CHECK(without.parts[0].mesh.texture_points.empty());
+  gltf["images"][0] = {{"uri", "data:,P5"}};
+  CHECK(complaint(gltf.dump(), bin).find("is not data in base64") != std::string::npos);
 }
 
 TEST_CASE("glTF 1.0: lists by name, Phong's materials as they are") {
@@ -330,7 +382,7 @@ TEST_CASE("glTF: models of the loader's own collection") {
   const Model truck = load_model_file(folder + "glTF/CesiumMilkTruck/CesiumMilkTruck.gltf");
   REQUIRE(truck.parts.size() == 5);
   CHECK(truck.triangle_count() == 3624);
-  CHECK(truck.warnings == Lines{"not drawn: animations, textures"});
+  CHECK(truck.warnings == Lines{"not drawn: animations"});
   const Model engine = load_model_file(folder + "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb");
   CHECK(engine.parts.size() > 29);
   CHECK(engine.triangle_count() == 110'336);

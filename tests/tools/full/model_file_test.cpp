@@ -103,8 +103,8 @@ TEST_CASE("MTL: what is not drawn gets a warning, once") {
         .warnings;
   };
   CHECK(warnings("Kd 1 0 0\nNi 1.5\nTf 1 1 1\nd 1\nillum 2\n").empty());
-  CHECK(warnings("map_Kd wood.png\nbump b.png\nillum 3\n") ==
-        Lines{"not drawn of its materials: bump, illum 3, map_Kd"});
+  CHECK(warnings("map_Ks wood.png\nbump b.png\nillum 3\n") ==
+        Lines{"not drawn of its materials: bump, illum 3, map_Ks"});
   const Lines transparent = {"transparent materials (d, Tr) are drawn opaque"};
   CHECK(warnings("d 0.5\n") == transparent);
   CHECK(warnings("d -halo 0.5\n") == transparent);

@@ -2,8 +2,8 @@
 // Textures made of pictures, and the pictures that they are made of.
 #include <arcspan_tools/output/texture_writer.hpp>
 #include <arcspan_tools/support/failure.hpp>
-#include <arcspan_tools/texture/make_texture.hpp>
-#include <arcspan_tools/texture/texture_error.hpp>
+#include <arcspan_tools/texture/compile/make_texture.hpp>
+#include <arcspan_tools/texture/compile/texture_error.hpp>
 #include <catch2/catch.hpp>
 #include <stb/stb_image_write.h>
 #include <tests/tools/temporary_folder.hpp>

@@ -152,7 +152,9 @@ void run_compare(const CompareArguments& arguments) {
   std::vector<std::filesystem::path> written(arguments.tables.begin(), arguments.tables.end());
   written.emplace_back(arguments.output);
   check_results(written, {options.mesh});
-  const FixedModel model = to_fixed(load_model(options.mesh, options.crease_degrees));
+  Model loaded = load_model(options.mesh, options.crease_degrees, options.texture);
+  if (remove_textures(loaded)) warn(options.mesh, "textures are not compared");
+  const FixedModel model = to_fixed(loaded);
   const RenderJob job = make_job(options.scene, model, options.mesh);
   if (!arguments.draw_only.empty()) {
     (void)drawn_pixels(arguments.draw_only, job);

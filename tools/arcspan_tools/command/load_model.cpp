@@ -2,16 +2,67 @@
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/mesh/plain/crease.hpp>
+#include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/printable.hpp>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <memory>
 
 namespace arcspan::tools {
 
-Model load_model(const std::string& name, const std::optional<double>& crease_degrees) {
-  Model model = load_model_file(name);
+namespace {
+
+/// Gives all parts with texture points this picture.
+void put_texture(const std::string& picture, const std::string& name, Model& model) {
+  const auto texture = std::make_shared<FileTexture>(
+      FileTexture{std::filesystem::path(picture).filename().string(), read_rgba(picture)});
+  bool is_used = false;
+  for (ModelPart& part : model.parts) {
+    if (part.mesh.texture_points.empty()) continue;
+    is_used = true;
+    part.look.material.texture = texture;
+    part.look.material.alpha_mode = alpha_mode_of(texture->picture);
+    part.look.material.alpha_cutoff = 0.5;
+  }
+  if (!is_used) throw Failure(name, "has no texture coordinates for --texture");
+}
+
+}  // namespace
+
+Model load_model(const std::string& name, const std::optional<double>& crease_degrees,
+                 const std::string& texture) {
+  Model model =
+      load_model_file(name, texture.empty() ? TexturePointsOf::kTexturedParts : TexturePointsOf::kAllParts);
+  if (!texture.empty()) put_texture(texture, name, model);
   for (const std::string& warning : model.warnings) warn(name, warning);
   return crease_degrees ? with_crease(model, *crease_degrees, name) : model;
+}
+
+Model load_drawn_model(const RenderOptions& options) {
+  Model model = load_model(options.mesh, options.crease_degrees, options.texture);
+  if (!shading_draws_textures(options.shading)) {
+    if (remove_textures(model)) warn(options.mesh, "textures are not drawn by --shading " + options.shading);
+    return model;
+  }
+  const auto shows_through = [](const ModelPart& part) {
+    return part.look.material.texture != nullptr && part.look.material.alpha_mode != AlphaMode::kOpaque;
+  };
+  if (std::any_of(model.parts.begin(), model.parts.end(), shows_through)) {
+    warn(options.mesh, "transparent textures are drawn opaque");
+  }
+  return model;
+}
+
+bool remove_textures(Model& model) {
+  bool any = false;
+  for (ModelPart& part : model.parts) {
+    any = any || part.look.material.texture != nullptr;
+    part.look.material.texture.reset();
+    part.mesh.texture_points.clear();
+  }
+  return any;
 }
 
 void warn(const std::string& subject, const std::string& text) {

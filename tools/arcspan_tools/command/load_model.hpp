@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/mesh/plain/model.hpp>
 
 #include <optional>
@@ -9,8 +10,16 @@
 namespace arcspan::tools {
 
 /// load_model_file(), and its warnings on standard error. With `crease_degrees` the normals are made anew:
-/// see with_crease().
-[[nodiscard]] Model load_model(const std::string& name, const std::optional<double>& crease_degrees = {});
+/// see with_crease(). `texture`, unless it is empty, is a picture file that replaces the textures of all
+/// parts that have texture points.
+[[nodiscard]] Model load_model(const std::string& name, const std::optional<double>& crease_degrees = {},
+                               const std::string& texture = {});
+
+/// The model that options ask for. Textures that the shading does not draw are removed, with a warning.
+[[nodiscard]] Model load_drawn_model(const RenderOptions& options);
+
+/// Removes the textures and the texture points of all parts. Returns whether there were any.
+bool remove_textures(Model& model);
 
 /// Prints the line `arcspan: warning: SUBJECT: TEXT` on standard error.
 void warn(const std::string& subject, const std::string& text);

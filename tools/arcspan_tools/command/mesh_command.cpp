@@ -4,6 +4,7 @@
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/mesh_report.hpp>
 #include <arcspan_tools/command/render_options.hpp>
+#include <arcspan_tools/command/texture_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/image/side_by_side.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
@@ -29,21 +30,27 @@ struct MeshArguments {
   std::string stats;
   std::string group;
   bool planes = false;
+  bool textures = true;
+  std::string texture;  ///< a picture for all parts, or none
+  TextureOptions texture_options = default_model_texture_options();
   MeshLimits limits;
 };
 
 struct Made {
   MeshReport report;
   FixedModel model;
+  ModelTextures textures;
 };
 
 Made make(const MeshArguments& arguments, CompiledOutput output) {
-  Model data = load_model(arguments.model);
+  Model data = load_model(arguments.model, {}, arguments.texture);
+  if (!arguments.textures) remove_textures(data);
   if (!arguments.group.empty()) data = select_parts(std::move(data), arguments.group, arguments.model);
-  const BytesOf bytes_of = [output, &arguments](const FixedModel& model) {
-    return model_bytes(output, model, arguments.planes);
+  Made made{{}, to_fixed(data), {}};
+  made.textures = make_textures(made.model, arguments.texture_options);
+  const BytesOf bytes_of = [output, &arguments, &made](const FixedModel& model) {
+    return model_bytes(output, model, arguments.planes, made.textures);
   };
-  Made made{{}, to_fixed(data)};
   MeshReport& report = made.report;
   report.model = arguments.model;
   report.output = arguments.output;
@@ -58,7 +65,10 @@ Made make(const MeshArguments& arguments, CompiledOutput output) {
   for (FixedMesh& mesh : report.compiled.model.meshes) {
     if (arguments.planes) mesh = with_planes(std::move(mesh), arguments.model);
   }
+  // Simplification may have left out parts.
+  made.textures = make_textures(report.compiled.model, arguments.texture_options);
   report.bytes = bytes_of(report.compiled.model);
+  report.textures = made.textures.textures;
   report.figures = figures_of(report.compiled.model);
   return made;
 }
@@ -85,16 +95,17 @@ std::string name_of(const MeshArguments& arguments) {
 
 void run_mesh(const MeshArguments& arguments) {
   const CompiledOutput output = compiled_output(arguments.output, "mesh");
-  check_results({arguments.output, arguments.picture, arguments.stats}, {arguments.model});
+  check_results({arguments.output, arguments.picture, arguments.stats}, {arguments.model, arguments.texture});
   std::FILE* const report_to = report_stream({arguments.output, arguments.picture, arguments.stats});
   if (!arguments.picture.empty()) (void)image_format(arguments.picture);
   const Made made = make(arguments, output);
   const MeshReport& report = made.report;
   const FixedModel& model = report.compiled.model;
-  const std::string file = output == CompiledOutput::kBinary
-                               ? model_binary_file(model)
-                               : model_header(model, name_of(arguments),
-                                              std::filesystem::path(arguments.model).filename().string());
+  const std::string file =
+      output == CompiledOutput::kBinary
+          ? model_binary_file(model, made.textures)
+          : model_header(model, name_of(arguments),
+                         std::filesystem::path(arguments.model).filename().string(), made.textures);
   std::vector<ResultFile> results = {{arguments.output, file}};
   if (!arguments.picture.empty()) {
     const Image picture = before_and_after(made, arguments.model);
@@ -144,6 +155,12 @@ void add_mesh_command(CLI::App& app) {
   mesh->add_flag(
       "--planes", arguments->planes,
       "the triangles' planes too, 4 bytes each: backs are then culled before they are transformed");
+  add_texture(*mesh, arguments->texture);
+  add_texture_format(*mesh, "--texture-format", arguments->texture_options.format);
+  add_texture_size(*mesh, "--texture-size", arguments->texture_options.size);
+  add_texture_levels(*mesh, "--texture-levels", arguments->texture_options.levels);
+  mesh->add_flag_callback(
+      "--no-textures", [arguments] { arguments->textures = false; }, "leave out textures and texture points");
   mesh->add_option("--picture", arguments->picture, "draw the model before and after, side by side");
   mesh->add_option("--stats", arguments->stats, "write the printed figures as JSON");
   mesh->footer(
@@ -151,6 +168,7 @@ void add_mesh_command(CLI::App& app) {
       "  arcspan mesh bunny.obj -o bunny.hpp --max-bytes 16384 --picture bunny.png\n"
       "  arcspan mesh part.stl -o part.bin --crease 40 --max-triangles 800\n"
       "  arcspan mesh car.glb -o wheels.hpp --group wheels\n"
+      "  arcspan mesh spider.obj -o spider.bin --texture-format pal4 --texture-size 64\n"
       "  arcspan mesh torus:24x12 -o bin:- | xxd -i > torus.inc");
   mesh->callback([arguments] { run_mesh(*arguments); });
 }

@@ -55,6 +55,29 @@ std::string parts_text(const MeshReport& r) {
   return text;
 }
 
+std::string textures_text(const MeshReport& r) {
+  std::string text;
+  for (std::size_t i = 0; i < r.textures.size(); ++i) {
+    const MadeTexture& texture = r.textures[i];
+    text += formatted("  texture %zu: %ux%u texels, %s, levels: %d, %zu bytes\n", i + 1,
+                      1u << texture.size.width_bits, 1u << texture.size.height_bits, texture.format.name,
+                      texture.size.levels, texture.bytes());
+  }
+  return text;
+}
+
+nlohmann::ordered_json textures_json(const MeshReport& r) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const MadeTexture& texture : r.textures) {
+    all.push_back({{"width", 1u << texture.size.width_bits},
+                   {"height", 1u << texture.size.height_bits},
+                   {"format", texture.format.name},
+                   {"levels", texture.size.levels},
+                   {"bytes", texture.bytes()}});
+  }
+  return all;
+}
+
 nlohmann::ordered_json json_channels(const ChannelCoefficients& c) {
   return {c.r.raw(), c.g.raw(), c.b.raw()};
 }
@@ -89,7 +112,7 @@ std::string to_text(const MeshReport& r) {
           formatted(": %zu vertices, %zu triangles, %zu bytes, %s%s", model.vertex_count(), triangles(r),
                     r.bytes, index_text(r).c_str(), has_planes(r) ? ", planes" : "");
   if (model.meshes.size() > 1) text += formatted(", %zu parts", model.meshes.size());
-  text += "\n" + parts_text(r);
+  text += "\n" + parts_text(r) + textures_text(r);
   text += std::string("simplification: ") + to_string(r.compiled.how);
   if (r.compiled.how != Simplification::kNone) {
     text += formatted(", surface moved by about %.3g (%.2f %% of the extent)", r.compiled.error,
@@ -125,6 +148,7 @@ std::string to_json(const MeshReport& r) {
         {"unit", mesh.unit},
         {"centre", {mesh.centre.x, mesh.centre.y, mesh.centre.z}}}},
       {"parts", parts_json(r.compiled.model)},
+      {"textures", textures_json(r)},
       {"simplification", {{"method", to_string(r.compiled.how)}, {"error", r.compiled.error}}},
       {"cache_misses_per_triangle",
        {{"before", r.compiled.cache_misses_before}, {"after", r.compiled.cache_misses}}},

@@ -3,8 +3,10 @@
 
 #include <arcspan_tools/mesh/compile/compile_mesh.hpp>
 #include <arcspan_tools/mesh/compile/mesh_figures.hpp>
+#include <arcspan_tools/texture/plain/made_texture.hpp>
 
 #include <string>
+#include <vector>
 
 namespace arcspan::tools {
 
@@ -19,6 +21,7 @@ struct MeshReport {
   std::size_t dropped_faces = 0;
   std::size_t bytes = 0;
   CompiledModel compiled;
+  std::vector<MadeTexture> textures{};
   MeshFigures figures;
 };
 

@@ -28,7 +28,7 @@ struct Loaded {
 
 Loaded load(const RenderArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  const Model model = load_model(arguments.options.mesh, arguments.options.crease_degrees);
+  const Model model = load_drawn_model(arguments.options);
   Loaded loaded{to_fixed(model), {}};
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   RenderReport& report = loaded.report;
@@ -47,7 +47,7 @@ Loaded load(const RenderArguments& arguments) {
 void run_render(const RenderArguments& arguments) {
   const RenderOptions& options = arguments.options;
   const ImageFormat format = image_format(arguments.output);
-  check_results({arguments.output, arguments.stats}, {options.mesh});
+  check_results({arguments.output, arguments.stats}, {options.mesh, options.texture});
   std::FILE* const report = report_stream({arguments.output, arguments.stats});
   Loaded loaded = load(arguments);
   const RenderJob job = make_job(options.scene, loaded.model, options.mesh);
@@ -80,6 +80,7 @@ void add_render_command(CLI::App& app) {
       "Examples:\n"
       "  arcspan render bunny.obj -o bunny.png --size 640x480\n"
       "  arcspan render torus:48x24 -o torus.png --shading gouraud --light 1,1,1 --light -1,0,0.5\n"
+      "  arcspan render part.obj -o part.png --texture wood.jpg\n"
       "  arcspan render part.stl -o - --format mono --size 128x64 | display");
   render->callback([arguments] { run_render(*arguments); });
 }

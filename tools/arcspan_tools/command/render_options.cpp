@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/command/render_options.hpp>
+#include <arcspan_tools/command/texture_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/render/render.hpp>
 
@@ -113,6 +114,7 @@ void add_surface_options(CLI::App& app, RenderOptions& o) {
   add_integer(app, "--shininess", "1...256", "exponent of the highlight, in place of the file's (default 40)",
               1, 256, surface.shininess);
   add_crease(app, o.crease_degrees);
+  add_texture(app, o.texture);
 }
 
 void add_shading_options(CLI::App& app, RenderOptions& o) {

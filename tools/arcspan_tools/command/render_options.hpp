@@ -26,6 +26,7 @@ struct RenderOptions {
   bool segment_given = false;
   bool tolerance_given = false;
   std::optional<double> crease_degrees;  ///< make normals anew; the model's otherwise
+  std::string texture;                   ///< a picture in place of the model's textures, or none
   Scene scene;
   /// Those given; the scene's own stays if there are none.
   std::vector<SceneLight> lights;

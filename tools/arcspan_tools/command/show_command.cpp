@@ -169,7 +169,7 @@ int show_until_stopped(ShowArguments& arguments, const FixedModel& model) {
 
 void run_show(ShowArguments arguments) {
   // If the mesh cannot be loaded, the display is not opened.
-  const FixedModel model = to_fixed(load_model(arguments.options.mesh, arguments.options.crease_degrees));
+  const FixedModel model = to_fixed(load_drawn_model(arguments.options));
   const int signal = show_until_stopped(arguments, model);
   if (signal == 0) return;
   (void)std::raise(signal);  // ends as others do, so that a shell or a service manager sees why

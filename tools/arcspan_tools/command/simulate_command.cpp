@@ -94,7 +94,7 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   RenderOptions options = arguments.options;
   options.scene.size = display.size();
   options.scene.band_rows = options_of(arguments).band_rows;
-  const FixedModel model = to_fixed(load_model(options.mesh, options.crease_degrees));
+  const FixedModel model = to_fixed(load_drawn_model(options));
   const Renderer& renderer = find_renderer(options.shading, display.format(), options.dither);
   const auto frames = static_cast<std::size_t>(arguments.frames);
   const Turntable turntable(options.scene, model, frames);

@@ -9,8 +9,8 @@
 #include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/support/result_files.hpp>
 #include <arcspan_tools/support/text.hpp>
-#include <arcspan_tools/texture/texture_error.hpp>
-#include <arcspan_tools/texture/texture_picture.hpp>
+#include <arcspan_tools/texture/compile/texture_error.hpp>
+#include <arcspan_tools/texture/compile/texture_picture.hpp>
 
 #include <algorithm>
 #include <cmath>

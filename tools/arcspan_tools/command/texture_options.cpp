@@ -30,6 +30,19 @@ std::optional<std::int32_t> parse_levels(const std::string& text) {
 
 TextureOptions default_texture_options() { return {texture_formats().front()}; }
 
+TextureOptions default_model_texture_options() {
+  TextureOptions options{find_texture_format("pal8").value()};
+  options.most_side = 128;
+  return options;
+}
+
+void add_texture(CLI::App& app, std::string& picture) {
+  app.add_option(
+      "--texture", picture,
+      "a PNG, JPEG, BMP, TGA, PPM or PGM file in place of the textures of the model, which must have "
+      "texture coordinates");
+}
+
 void add_texture_format(CLI::App& app, const std::string& name, TextureFormat& format) {
   const std::string names = format_names();
   add_parsed<TextureFormat>(

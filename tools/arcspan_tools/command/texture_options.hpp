@@ -2,7 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <arcspan_tools/texture/make_texture.hpp>
+#include <arcspan_tools/texture/compile/make_texture.hpp>
 
 #include <optional>
 #include <string>
@@ -11,6 +11,12 @@ namespace arcspan::tools {
 
 /// rgb565, one level, the size nearest to the picture's.
 [[nodiscard]] TextureOptions default_texture_options();
+
+/// Of textures in models: pal8, at most 128x128 texels, one level.
+[[nodiscard]] TextureOptions default_model_texture_options();
+
+/// Adds --texture, a picture for all parts of a model.
+void add_texture(CLI::App& app, std::string& picture);
 
 /// Adds the option `name` that takes the name of a texel format.
 void add_texture_format(CLI::App& app, const std::string& name, TextureFormat& format);

@@ -40,7 +40,7 @@ void run_turntable(const TurntableArguments& arguments) {
   const FrameFormat format = format_of(arguments);
   check_results({arguments.output}, {options.mesh});
   const std::unique_ptr<FrameOutput> output = make_frame_output(arguments.output, format);
-  const FixedModel model = to_fixed(load_model(options.mesh, options.crease_degrees));
+  const FixedModel model = to_fixed(load_drawn_model(options));
   const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);
   const Turntable turntable(options.scene, model, format.frames);
   Progress progress("drawing", format.frames);

@@ -7,6 +7,7 @@
 #include <arcspan_tools/support/failure.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace arcspan::tools {
 namespace {
@@ -33,6 +34,34 @@ PackedNormal packed(Vec3 normal) {
   return pack_normal(component(normal.x), component(normal.y), component(normal.z));
 }
 
+/// The texture point in the middle of all, rounded down.
+Uv middle_of(const std::vector<Uv>& points) {
+  Uv low = points[0];
+  Uv high = points[0];
+  for (const Uv& p : points) {
+    low = {std::min(low.u, p.u), std::min(low.v, p.v)};
+    high = {std::max(high.u, p.u), std::max(high.v, p.v)};
+  }
+  return {std::floor((low.u + high.u) / 2), std::floor((low.v + high.v) / 2)};
+}
+
+void set_texture_points(const std::vector<Uv>& points, FixedMesh& fixed) {
+  if (points.empty()) return;
+  const Uv middle = middle_of(points);
+  double farthest = 0;
+  for (const Uv& p : points) {
+    farthest = std::max({farthest, std::abs(p.u - middle.u), std::abs(p.v - middle.v)});
+  }
+  constexpr double kMost = 32767;
+  int bits = TextureScale::kMostBits;
+  while (bits > TextureScale::kLeastBits && std::ldexp(farthest, bits) > kMost) --bits;
+  fixed.texture_scale.fraction_bits = static_cast<std::uint8_t>(bits);
+  for (const Uv& p : points) {
+    fixed.texture_points.push_back({static_cast<std::int16_t>(rounded(std::ldexp(p.u - middle.u, bits))),
+                                    static_cast<std::int16_t>(rounded(std::ldexp(p.v - middle.v, bits)))});
+  }
+}
+
 FixedMesh fixed_within(const Box& box, const MeshData& mesh) {
   constexpr double kSteps = 65534;  // -32767...32767
   const Vec3 extent = box.high - box.low;
@@ -48,6 +77,7 @@ FixedMesh fixed_within(const Box& box, const MeshData& mesh) {
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t index : triangle) fixed.indices.push_back(static_cast<std::uint16_t>(index));
   }
+  set_texture_points(mesh.texture_points, fixed);
   return fixed;
 }
 
@@ -93,6 +123,7 @@ MeshView FixedMesh::view(const std::string& subject) const {
   MeshView view;
   Status status = MeshView::make(positions, normals, std::span(indices), view);
   if (ok(status) && !planes.empty()) status = view.attach(planes, plane_scale);
+  if (ok(status) && !texture_points.empty()) status = view.attach(texture_points, texture_scale);
   if (!ok(status))
     throw Failure(subject, std::string("not a mesh for the pipeline (") + to_string(status) + ")");
   return view;

@@ -20,12 +20,15 @@ struct FixedMesh {
   std::vector<std::uint16_t> indices;
   std::vector<FacePlane> planes;  ///< none, or one for each triangle
   PlaneScale plane_scale;
+  std::vector<TexturePoint> texture_points;  ///< none, or one for each vertex
+  TextureScale texture_scale;
   double unit = 1;
   Vec3 centre;
 
   [[nodiscard]] std::size_t bytes() const {
     return positions.size() * sizeof(ObjectPosition) + normals.size() * sizeof(PackedNormal) +
-           indices.size() * sizeof(std::uint16_t) + planes.size() * sizeof(FacePlane);
+           indices.size() * sizeof(std::uint16_t) + planes.size() * sizeof(FacePlane) +
+           texture_points.size() * sizeof(TexturePoint);
   }
   /// Valid as long as this object is; throws Failure if the pipeline does not take it.
   [[nodiscard]] MeshView view(const std::string& subject) const;
@@ -52,7 +55,9 @@ class FixedMeshes : public std::span<const FixedMesh> {
   [[nodiscard]] const Vec3& centre() const { return front().centre; }
 };
 
-/// Centres and scales `mesh` so that its largest extent fills 16 bits, and rounds.
+/// Centres and scales `mesh` so that its largest extent fills 16 bits, and rounds. Texture points are moved
+/// by whole widths and heights of the texture, which repeats, so that they have as many fraction bits as
+/// possible. They must be finite and at most kMostTextures apart.
 [[nodiscard]] FixedMesh to_fixed(const MeshData& mesh);
 
 /// Centres and scales all parts of `model` alike, so that its largest extent fills 16 bits, and rounds.

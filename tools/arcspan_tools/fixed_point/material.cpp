@@ -27,6 +27,8 @@ Surface with_material(Surface surface, const FileMaterial& material, const Surfa
   if (!chosen.colour && material.colour) {
     surface.colour = *material.colour;
     surface.ambient_colour = material.ambient_colour;
+  } else if (!chosen.colour && material.texture != nullptr) {
+    surface.colour = {1, 1, 1};
   }
   if (!chosen.specular && material.specular) surface.specular = *material.specular;
   if (!chosen.shininess && material.shininess) surface.shininess = *material.shininess;

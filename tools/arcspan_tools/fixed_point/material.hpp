@@ -43,7 +43,7 @@ struct SurfaceChoice {
 };
 
 /// `surface` with what the file says of its material, except for what the user has chosen. A surface that is
-/// unlit keeps a share of light only where the user has chosen one.
+/// unlit keeps a share of light only where the user has chosen one. A textured one without a colour is white.
 [[nodiscard]] Surface with_material(Surface surface, const FileMaterial& material,
                                     const SurfaceChoice& chosen);
 

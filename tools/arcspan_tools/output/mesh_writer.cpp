@@ -23,6 +23,11 @@ void put_planes(std::string& out, const FixedMesh& mesh) {
   }
 }
 
+void put_texture_points(std::string& out, const FixedMesh& mesh) {
+  append_number(out, mesh.texture_scale.fraction_bits, 4);
+  for (const TexturePoint& p : mesh.texture_points) put_i16(out, {p.u, p.v});
+}
+
 }  // namespace
 
 CompiledOutput compiled_output(const std::filesystem::path& path, const std::string& kind) {
@@ -32,12 +37,14 @@ CompiledOutput compiled_output(const std::filesystem::path& path, const std::str
   throw Failure(path.string(), "a compiled " + kind + "'s name must end in .hpp, .h or .bin");
 }
 
-std::size_t mesh_bytes(CompiledOutput output, std::size_t vertices, std::size_t triangles, bool planes) {
+std::size_t mesh_bytes(CompiledOutput output, std::size_t vertices, std::size_t triangles, bool planes,
+                       bool texture_points) {
   if (output == CompiledOutput::kHeader) {
     return array_bytes(vertices, triangles) +
-           (planes ? sizeof(PlaneScale) + triangles * sizeof(FacePlane) : 0);
+           (planes ? sizeof(PlaneScale) + triangles * sizeof(FacePlane) : 0) +
+           (texture_points ? sizeof(TextureScale) + vertices * sizeof(TexturePoint) : 0);
   }
-  return mesh_binary::bytes(vertices, triangles, fits_indices8(vertices), planes);
+  return mesh_binary::bytes(vertices, triangles, fits_indices8(vertices), planes, texture_points);
 }
 
 std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures) {
@@ -45,11 +52,19 @@ std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures) 
   const std::size_t triangles = mesh.indices.size() / 3;
   const bool indices8 = fits_indices8(vertices);
   const bool planes = !mesh.planes.empty();
-  const std::size_t size = mesh_binary::bytes(vertices, triangles, indices8, planes);
+  const bool points = !mesh.texture_points.empty();
+  const std::size_t size = mesh_binary::bytes(vertices, triangles, indices8, planes, points);
   std::string out;
   append_number(out, mesh_binary::kMagic, 4);
-  append_number(out, planes ? mesh_binary::kVersionOfPlanes : mesh_binary::kVersion, 2);
-  append_number(out, (indices8 ? mesh_binary::kIndices8 : 0u) | (planes ? mesh_binary::kPlanes : 0u), 2);
+  append_number(out,
+                points   ? mesh_binary::kVersionOfTexturePoints
+                : planes ? mesh_binary::kVersionOfPlanes
+                         : mesh_binary::kVersion,
+                2);
+  append_number(out,
+                (indices8 ? mesh_binary::kIndices8 : 0u) | (planes ? mesh_binary::kPlanes : 0u) |
+                    (points ? mesh_binary::kTexturePoints : 0u),
+                2);
   append_number(out, static_cast<std::uint32_t>(size), 4);
   append_number(out, static_cast<std::uint32_t>(vertices), 4);
   append_number(out, static_cast<std::uint32_t>(triangles), 4);
@@ -59,6 +74,7 @@ std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures) 
   for (const std::uint16_t index : mesh.indices) append_number(out, index, indices8 ? 1 : 2);
   out.resize(mesh_binary::bytes(vertices, triangles, indices8) - mesh_binary::kChecksumBytes, '\0');
   if (planes) put_planes(out, mesh);
+  if (points) put_texture_points(out, mesh);
   append_checksum(out);
   return out;
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <arcspan/lighting/material.hpp>
+#include <arcspan/model/model_binary.hpp>
 
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/compile/mesh_figures.hpp>
+#include <arcspan_tools/texture/compile/model_textures.hpp>
 
 #include <filesystem>
 #include <string>
@@ -21,29 +23,33 @@ enum class CompiledOutput { kHeader, kBinary };
 /// about a compiled `kind`.
 [[nodiscard]] CompiledOutput compiled_output(const std::filesystem::path& path, const std::string& kind);
 
-/// Bytes that the mesh takes in a firmware, with its `planes` or without: the arrays, and in a binary what is
-/// around them.
+/// Bytes that the mesh takes in a firmware, with planes and texture points or without: the arrays, and in a
+/// binary what is around them.
 [[nodiscard]] std::size_t mesh_bytes(CompiledOutput output, std::size_t vertices, std::size_t triangles,
-                                     bool planes);
+                                     bool planes, bool texture_points = false);
 
-/// Bytes that the model takes in a firmware, materials included.
-[[nodiscard]] std::size_t model_bytes(CompiledOutput output, const FixedModel& model, bool planes);
+/// Bytes that the model takes in a firmware, materials and textures included.
+[[nodiscard]] std::size_t model_bytes(CompiledOutput output, const FixedModel& model, bool planes,
+                                      const ModelTextures& textures = {});
 
 /// Whether the model is a single mesh without a material, which is written as a mesh.
 [[nodiscard]] bool is_plain_mesh(const FixedModel& model);
+
+/// How the library is told that a part is masked or blended.
+[[nodiscard]] PartAlpha part_alpha(const FileMaterial& material);
 
 /// The header. A single mesh: its arrays and `make_view` in namespace `name`, which must be an identifier
 /// (see identifier()), and its material if it has one. Several parts: each in a namespace of its own within
 /// `name`, and `kParts`, the list of them. Unit and origin are constants. `origin` says in a comment what it
 /// was made from.
 [[nodiscard]] std::string model_header(const FixedModel& model, const std::string& name,
-                                       const std::string& origin);
+                                       const std::string& origin, const ModelTextures& textures = {});
 
 /// The binary of docs/mesh-binary.md.
 [[nodiscard]] std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures);
 
 /// The binary of docs/model-binary.md, or of a plain mesh that of docs/mesh-binary.md.
-[[nodiscard]] std::string model_binary_file(const FixedModel& model);
+[[nodiscard]] std::string model_binary_file(const FixedModel& model, const ModelTextures& textures = {});
 
 /// Names of the parts for people, no two alike.
 [[nodiscard]] std::vector<std::string> part_names(const FixedModel& model);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/output/array_text.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
+#include <arcspan_tools/output/texture_writer.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -26,20 +27,28 @@ std::string plane_arrays(const FixedMesh& mesh) {
          braced({scale.normal_bits, scale.offset_bits, scale.radius}) + ";\n\n";
 }
 
+std::string texture_point_arrays(const FixedMesh& mesh) {
+  ArrayText points;
+  for (const TexturePoint& p : mesh.texture_points) points.add(braced({p.u, p.v}));
+  return points.array("arcspan::TexturePoint", "kTexturePoints") +
+         "inline constexpr arcspan::TextureScale kTextureScale" + braced({mesh.texture_scale.fraction_bits}) +
+         ";\n\n";
+}
+
 // Enough digits that the same number is read back; the shortest such text.
 std::string number(double value) {
   char digits[32];
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
-std::string comment(const FixedModel& model, const std::string& origin) {
+std::string comment(const FixedModel& model, const std::string& origin, const ModelTextures& textures) {
   const MeshFigures figures = figures_of(model);
   const bool planes = !model.meshes[0].planes.empty();
   std::string text = "// Made by `arcspan mesh` from " + harmless(origin) + ".\n//\n";
   text += "// " + std::to_string(model.vertex_count()) + " vertices, " +
           std::to_string(model.triangle_count()) + " triangles, " +
-          std::to_string(model_bytes(CompiledOutput::kHeader, model, planes)) + " bytes. Positions " +
-          triple(figures.bounds.low) + " ... " + triple(figures.bounds.high) + ".\n";
+          std::to_string(model_bytes(CompiledOutput::kHeader, model, planes, textures)) +
+          " bytes. Positions " + triple(figures.bounds.low) + " ... " + triple(figures.bounds.high) + ".\n";
   if (model.meshes.size() > 1) text += "// " + std::to_string(model.meshes.size()) + " parts.\n";
   return text;
 }
@@ -52,6 +61,16 @@ std::string unit_and_origin(const FixedMesh& mesh) {
          number(mesh.centre.y) + ", " + number(mesh.centre.z) + "};\n\n";
 }
 
+/// The body of make_view().
+std::string view_text(bool planes, bool points) {
+  const std::string make = "arcspan::MeshView::make(kPositions, kNormals, std::span(kIndices), view);\n";
+  if (!planes && !points) return "  return " + make;
+  std::string text = "  arcspan::Status status =\n      " + make;
+  if (planes) text += "  if (ok(status)) status = view.attach(kPlanes, kPlaneScale);\n";
+  if (points) text += "  if (ok(status)) status = view.attach(kTexturePoints, kTextureScale);\n";
+  return text + "  return status;\n";
+}
+
 /// The arrays and make_view().
 std::string mesh_text(const FixedMesh& mesh) {
   ArrayText positions;
@@ -61,17 +80,14 @@ std::string mesh_text(const FixedMesh& mesh) {
   for (const PackedNormal& n : mesh.normals) normals.add(braced({n.u, n.v}));
   for (const std::uint16_t index : mesh.indices) indices.add(std::to_string(index));
   const bool planes = !mesh.planes.empty();
+  const bool points = !mesh.texture_points.empty();
   const std::string index_type = fits_indices8(mesh.positions.size()) ? "std::uint8_t" : "std::uint16_t";
   return positions.array("arcspan::ObjectPosition", "kPositions") +
          normals.array("arcspan::PackedNormal", "kNormals") + indices.array(index_type, "kIndices") +
-         (planes ? plane_arrays(mesh) : "") +
+         (planes ? plane_arrays(mesh) : "") + (points ? texture_point_arrays(mesh) : "") +
          "/// A view of the mesh; kOk unless the arrays were edited.\n"
          "inline arcspan::Status make_view(arcspan::MeshView& view) {\n" +
-         (planes ? "  const arcspan::Status status =\n"
-                   "      arcspan::MeshView::make(kPositions, kNormals, std::span(kIndices), view);\n"
-                   "  return ok(status) ? view.attach(kPlanes, kPlaneScale) : status;\n"
-                 : "  return arcspan::MeshView::make(kPositions, kNormals, std::span(kIndices), view);\n") +
-         "}\n\n";
+         view_text(planes, points) + "}\n\n";
 }
 
 std::string channels(const ChannelCoefficients& c) {
@@ -92,10 +108,13 @@ std::string material_text(const PartLook& look) {
          "};\ninline constexpr bool kTwoSided = " + (look.material.two_sided ? "true" : "false") + ";\n\n";
 }
 
+std::string texture_namespace(std::size_t number) { return "texture_" + std::to_string(number + 1); }
+
 /// Namespaces of the parts, no two alike.
-std::vector<std::string> namespaces_of(const FixedModel& model) {
+std::vector<std::string> namespaces_of(const FixedModel& model, std::size_t textures) {
   std::vector<std::string> names;
   std::set<std::string> taken{"Part", "kParts", "kUnit", "kOrigin", "kMostVertices"};
+  for (std::size_t i = 0; i < textures; ++i) taken.insert(texture_namespace(i));
   for (const std::string& wanted : part_names(model)) {
     std::string name = identifier(wanted);
     for (int i = 2; !taken.insert(name).second; ++i) name = identifier(wanted) + "_" + std::to_string(i);
@@ -104,16 +123,42 @@ std::vector<std::string> namespaces_of(const FixedModel& model) {
   return names;
 }
 
-std::string parts_text(const FixedModel& model) {
-  const std::vector<std::string> names = namespaces_of(model);
-  const std::vector<std::string> titles = part_names(model);
+/// The textures of several parts, each in a namespace of its own.
+std::string textures_text(const ModelTextures& textures) {
   std::string text;
+  for (std::size_t i = 0; i < textures.textures.size(); ++i) {
+    const std::string name = texture_namespace(i);
+    text += "namespace " + name + " {\n\n" + texture_arrays(textures.textures[i]) + "}  // namespace " +
+            name + "\n\n";
+  }
+  return text;
+}
+
+std::string alpha_text(PartAlpha alpha) {
+  return std::string("arcspan::PartAlpha::") + (alpha == PartAlpha::kMasked    ? "kMasked"
+                                                : alpha == PartAlpha::kBlended ? "kBlended"
+                                                                               : "kOpaque");
+}
+
+/// The members of the list of parts that textures add for part `i`.
+std::string texture_members(const FixedModel& model, const ModelTextures& textures, std::size_t i) {
+  if (textures.textures.empty()) return {};
+  const std::optional<std::size_t> number = textures.of_part[i];
+  return ", " + (number ? "&" + texture_namespace(*number) + "::kTexture" : "nullptr") + ", " +
+         alpha_text(part_alpha(model.looks[i].material));
+}
+
+std::string parts_text(const FixedModel& model, const ModelTextures& textures) {
+  const std::vector<std::string> names = namespaces_of(model, textures.textures.size());
+  const std::vector<std::string> titles = part_names(model);
+  std::string text = textures_text(textures);
   std::string list;
   std::size_t most = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
     text += "/// " + harmless(titles[i]) + "\nnamespace " + names[i] + " {\n\n" + mesh_text(model.meshes[i]) +
             material_text(model.looks[i]) + "}  // namespace " + names[i] + "\n\n";
-    list += "    {" + names[i] + "::make_view, &" + names[i] + "::kMaterial, " + names[i] + "::kTwoSided},\n";
+    list += "    {" + names[i] + "::make_view, &" + names[i] + "::kMaterial, " + names[i] + "::kTwoSided" +
+            texture_members(model, textures, i) + "},\n";
     most = std::max(most, model.meshes[i].positions.size());
   }
   return text +
@@ -121,7 +166,11 @@ std::string parts_text(const FixedModel& model) {
          "struct Part {\n"
          "  arcspan::Status (*make_view)(arcspan::MeshView& view);\n"
          "  const arcspan::Material* material;\n"
-         "  bool two_sided;\n"
+         "  bool two_sided;\n" +
+         (textures.textures.empty()
+              ? ""
+              : "  const arcspan::Texture<" + type_of(textures.textures[0].format) +
+                    ">* texture;  ///< null if it has none\n  arcspan::PartAlpha alpha;\n") +
          "};\n"
          "inline constexpr Part kParts[] = {\n" +
          list +
@@ -131,18 +180,34 @@ std::string parts_text(const FixedModel& model) {
          std::to_string(most) + ";\n\n";
 }
 
+std::string includes(const FixedModel& model, const ModelTextures& textures) {
+  const bool single = model.meshes.size() == 1;
+  std::string text;
+  if (!is_plain_mesh(model)) text += "#include <arcspan/lighting/material.hpp>\n";
+  text += "#include <arcspan/mesh/mesh_view.hpp>\n";
+  if (!textures.textures.empty()) {
+    text += "#include <arcspan/model/model_binary.hpp>\n#include <arcspan/texture/texture.hpp>\n";
+  }
+  return text + "\n" + (single ? "" : "#include <cstddef>\n") + "#include <cstdint>\n#include <span>\n\n";
+}
+
+/// A model of one part.
+std::string single_text(const FixedModel& model, const ModelTextures& textures) {
+  std::string text = mesh_text(model.meshes[0]);
+  if (!is_plain_mesh(model)) text += material_text(model.looks[0]);
+  if (textures.textures.empty()) return text;
+  return text + texture_arrays(textures.textures[0]) +
+         "inline constexpr arcspan::PartAlpha kAlpha = " + alpha_text(part_alpha(model.looks[0].material)) +
+         ";\n\n";
+}
+
 }  // namespace
 
-std::string model_header(const FixedModel& model, const std::string& name, const std::string& origin) {
-  const bool plain = is_plain_mesh(model);
-  const bool single = model.meshes.size() == 1;
-  return comment(model, origin) + "#pragma once\n\n" +
-         (plain ? "" : "#include <arcspan/lighting/material.hpp>\n") +
-         "#include <arcspan/mesh/mesh_view.hpp>\n\n" + (single ? "" : "#include <cstddef>\n") +
-         "#include <cstdint>\n#include <span>\n\nnamespace " + name + " {\n\n" +
-         unit_and_origin(model.meshes[0]) +
-         (single ? mesh_text(model.meshes[0]) + (plain ? "" : material_text(model.looks[0]))
-                 : parts_text(model)) +
+std::string model_header(const FixedModel& model, const std::string& name, const std::string& origin,
+                         const ModelTextures& textures) {
+  return comment(model, origin, textures) + "#pragma once\n\n" + includes(model, textures) + "namespace " +
+         name + " {\n\n" + unit_and_origin(model.meshes[0]) +
+         (model.meshes.size() == 1 ? single_text(model, textures) : parts_text(model, textures)) +
          "}  // namespace " + name + "\n";
 }
 

@@ -32,6 +32,9 @@ class CallsOf final : public IlluminationCalls {
   [[nodiscard]] PackedRgb colour(const AnyScalars& scalars) const override {
     return wrapped_.colour(few_of(scalars));
   }
+  [[nodiscard]] PixelLight light(const AnyScalars& scalars) const override {
+    return wrapped_.light(few_of(scalars));
+  }
   [[nodiscard]] DeepColour deep_colour(const AnyScalars& scalars) const override {
     return wrapped_.deep_colour(few_of(scalars));
   }

@@ -27,6 +27,7 @@ class IlluminationCalls {
   [[nodiscard]] virtual Highlight model() const = 0;
   [[nodiscard]] virtual AnyScalars scalars(const Direction& normal) const = 0;
   [[nodiscard]] virtual PackedRgb colour(const AnyScalars& scalars) const = 0;
+  [[nodiscard]] virtual PixelLight light(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual DeepColour deep_colour(const AnyScalars& scalars) const = 0;
   /// The next four are for an illumination that has a ramp.
   [[nodiscard]] virtual Cosine diffuse_scalar(const AnyScalars& scalars, std::uint32_t lit) const = 0;
@@ -76,6 +77,7 @@ class AnyIllumination {
   [[nodiscard]] Highlight model() const { return calls_->model(); }
   [[nodiscard]] Scalars scalars(const Direction& normal) const { return calls_->scalars(normal); }
   [[nodiscard]] PackedRgb colour(const Scalars& scalars) const { return calls_->colour(scalars); }
+  [[nodiscard]] PixelLight light(const Scalars& scalars) const { return calls_->light(scalars); }
   [[nodiscard]] DeepColour deep_colour(const Scalars& scalars) const { return calls_->deep_colour(scalars); }
   [[nodiscard]] Cosine diffuse_scalar(const Scalars& scalars, std::uint32_t lit) const requires HasRamp {
     return calls_->diffuse_scalar(scalars, lit);

@@ -7,11 +7,13 @@
 
 #include <arcspan_tools/image/image.hpp>
 #include <arcspan_tools/render/pixel_choice.hpp>
+#include <arcspan_tools/texture/plain/surface_texture.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +26,7 @@ struct RenderPart {
   MeshView mesh;
   Material material;
   bool two_sided = false;
+  std::shared_ptr<const SurfaceTexture> texture{};  ///< multiplies the light on it; null if there is none
 };
 
 /// One picture for the pipeline: everything is fixed point or integer already.
@@ -48,6 +51,9 @@ struct RenderJob {
   for (const RenderPart& part : job.parts) most = std::max(most, part.mesh.vertex_count());
   return most;
 }
+
+/// Whether the shading of this name draws the textures of parts.
+[[nodiscard]] bool shading_draws_textures(std::string_view shading);
 
 struct RenderStats {
   std::uint32_t triangles = 0;  ///< of the picture; of the fullest band unless RenderJob::counts

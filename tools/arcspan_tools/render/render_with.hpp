@@ -4,6 +4,7 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/textured/textured.hpp>
 
 #include <arcspan_tools/render/any_format.hpp>
 #include <arcspan_tools/render/any_illumination.hpp>
@@ -224,6 +225,13 @@ std::size_t cached_vertex_bytes(std::size_t lights) {
   return kBytes[lights - 1];
 }
 
+template <template <class> class Method>
+std::size_t cached_vertex_bytes_of(const RenderJob& job) {
+  return job.highlight == Highlight::kBlinn
+             ? cached_vertex_bytes<Method, Highlight::kBlinn>(job.lights.size())
+             : cached_vertex_bytes<Method, Highlight::kPhong>(job.lights.size());
+}
+
 template <template <class> class Method, class Lit>
 RenderResult render_any(const RenderJob& job, const std::vector<std::unique_ptr<IlluminationCalls>>& calls,
                         const PixelChoice& pixels, const RowsDone& rows_done) {
@@ -242,11 +250,30 @@ RenderResult render_any(const RenderJob& job, const std::vector<std::unique_ptr<
     }
   }
   if (!is_drawn) result = render_bands<Method<Lit>, AnyBand>(job, pixels, lightings, rows_done);
-  result.stats.cache_bytes =
-      most_vertices(job) * (job.highlight == Highlight::kBlinn
-                                ? cached_vertex_bytes<Method, Highlight::kBlinn>(job.lights.size())
-                                : cached_vertex_bytes<Method, Highlight::kPhong>(job.lights.size()));
+  result.stats.cache_bytes = most_vertices(job) * cached_vertex_bytes_of<Method>(job);
   if (job.counts) count_spans<Method<Lit>>(job, lightings, result.stats);
+  return result;
+}
+
+/// Renders parts with textures and others. Those have a white texture, which changes no pixel.
+template <template <class> class Method, class Lit>
+RenderResult render_textured(const RenderJob& job,
+                             const std::vector<std::unique_ptr<IlluminationCalls>>& calls,
+                             const PixelChoice& pixels, const RowsDone& rows_done) {
+  using Drawn = Textured<Method<Lit>, DirectTexels<>, TexelLight::kColoured>;
+  const std::vector<std::uint16_t> white(64, 0xFFFF);
+  Texture<DirectTexels<>> white_texture;
+  static_cast<void>(Texture<DirectTexels<>>::make(white, {3, 3, 1}, white_texture));
+  PartLightings<Drawn> lightings;
+  PartLightings<Method<Lit>> counted;
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    const std::shared_ptr<const SurfaceTexture>& texture = job.parts[i].texture;
+    counted.push_back(lighting_of<Method<Lit>>(job, Lit(*calls[i])));
+    lightings.emplace_back(counted.back(), texture == nullptr ? white_texture : texture->view);
+  }
+  RenderResult result = render_bands<Drawn, AnyBand>(job, pixels, lightings, rows_done);
+  result.stats.cache_bytes = most_vertices(job) * (cached_vertex_bytes_of<Method>(job) + sizeof(MappedPoint));
+  if (job.counts) count_spans<Method<Lit>>(job, counted, result.stats);
   return result;
 }
 
@@ -255,12 +282,23 @@ RenderResult render_any(const RenderJob& job, const std::vector<std::unique_ptr<
 namespace arcspan::tools {
 
 /// Renders with the shading `Method`; the rest of the job picks among the instantiations made here.
-/// `kAsksForRamp` is false for methods that do not ask whether an illumination has a ramp.
-template <template <class> class Method, bool kAsksForRamp>
+/// `kAsksForRamp` is false for methods that do not ask whether an illumination has a ramp. Without
+/// `kDrawsTextures` textures are left out.
+template <template <class> class Method, bool kAsksForRamp, bool kDrawsTextures>
 RenderResult render_with(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   std::vector<std::unique_ptr<IlluminationCalls>> calls;
   for (const RenderPart& part : job.parts) {
     calls.push_back(make_any_illumination(part.material, job.lights, job.to_eye, job.highlight));
+  }
+  if constexpr (kDrawsTextures) {
+    const auto is_textured = [](const RenderPart& part) { return part.texture != nullptr; };
+    if (std::any_of(job.parts.begin(), job.parts.end(), is_textured)) {
+      if constexpr (kAsksForRamp) {
+        if (!calls.front()->has_ramp())
+          return detail::render_textured<Method, AnyIllumination<false>>(job, calls, pixels, rows_done);
+      }
+      return detail::render_textured<Method, AnyIllumination<true>>(job, calls, pixels, rows_done);
+    }
   }
   if constexpr (kAsksForRamp) {
     if (!calls.front()->has_ramp())

@@ -46,6 +46,12 @@ const Renderer& find_renderer(std::string_view shading, std::string_view format,
   return *plain;
 }
 
+bool shading_draws_textures(std::string_view shading) {
+#define ARCSPAN_COMPARE_NAME(name, Class, header) (shading == (name) && draws_textures(#Class)) ||
+  return ARCSPAN_FOR_EACH_PRODUCT_METHOD(ARCSPAN_COMPARE_NAME) false;
+#undef ARCSPAN_COMPARE_NAME
+}
+
 std::vector<std::string> shading_names() {
   std::vector<std::string> names;
   for (const ShadingRenderer& method : shading_renderers()) names.emplace_back(method.shading);

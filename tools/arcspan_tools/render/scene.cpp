@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/render/scene.hpp>
 
+#include <map>
+#include <memory>
+
 namespace arcspan::tools {
 namespace {
 
@@ -30,11 +33,18 @@ RenderJob make_job(const Scene& scene, const FixedMesh& mesh, const std::string&
 
 RenderJob make_job(const Scene& scene, const FixedModel& model, const std::string& subject) {
   RenderJob job = job_without_parts(scene, model);
+  std::map<const FileTexture*, std::shared_ptr<const SurfaceTexture>> textures;  // parts may share one
+  const auto texture_of = [&textures](const FileMaterial& material) -> std::shared_ptr<const SurfaceTexture> {
+    if (material.texture == nullptr) return nullptr;
+    std::shared_ptr<const SurfaceTexture>& known = textures[material.texture.get()];
+    if (known == nullptr) known = surface_texture(material.texture->picture);
+    return known;
+  };
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
     const FileMaterial& material = model.looks[i].material;
     job.parts.push_back({model.meshes[i].view(subject),
                          to_fixed(with_material(scene.surface, material, scene.chosen)),
-                         scene.two_sided || material.two_sided});
+                         scene.two_sided || material.two_sided, texture_of(material)});
   }
   return job;
 }

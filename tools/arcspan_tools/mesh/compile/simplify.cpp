@@ -5,6 +5,9 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace arcspan::tools {
@@ -84,6 +87,7 @@ MeshData without_unused(const MeshData& mesh, const std::vector<unsigned>& indic
     now[i] = static_cast<std::uint32_t>(out.positions.size());
     out.positions.push_back(mesh.positions[i]);
     out.normals.push_back(mesh.normals[i]);
+    if (!mesh.texture_points.empty()) out.texture_points.push_back(mesh.texture_points[i]);
   }
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
     out.triangles.push_back({now[indices[i]], now[indices[i + 1]], now[indices[i + 2]]});
@@ -133,16 +137,47 @@ Simplified with_normals(const Model& model, std::size_t triangles) {
   return {reduced(model, library, left), error * library.scale};
 }
 
-/// `model` with one vertex for each position of a part; the normals are none.
+/// `mesh` with one vertex for each position; the normals are none.
+MeshData joined_by_position(const MeshData& mesh) {
+  Positions positions = positions_of(mesh.positions);
+  MeshData joined = mesh;
+  joined.normals.assign(positions.points.size(), Vec3{});
+  joined.positions = std::move(positions.points);
+  for (auto& t : joined.triangles) {
+    for (std::uint32_t& vertex : t) vertex = positions.ids[vertex];
+  }
+  return joined;
+}
+
+/// `mesh` with one vertex for each position and texture point; the normals are none.
+MeshData joined_by_texture_point(const MeshData& mesh) {
+  std::map<std::tuple<double, double, double, double, double>, std::uint32_t> known;
+  MeshData joined;
+  joined.dropped_faces = mesh.dropped_faces;
+  joined.triangles = mesh.triangles;
+  for (auto& t : joined.triangles) {
+    for (std::uint32_t& vertex : t) {
+      const Vec3& p = mesh.positions[vertex];
+      const Uv& point = mesh.texture_points[vertex];
+      const auto next = static_cast<std::uint32_t>(joined.positions.size());
+      const auto [at, is_new] = known.try_emplace({p.x, p.y, p.z, point.u, point.v}, next);
+      if (is_new) {
+        joined.positions.push_back(p);
+        joined.normals.emplace_back();
+        joined.texture_points.push_back(point);
+      }
+      vertex = at->second;
+    }
+  }
+  return joined;
+}
+
+/// `model` with as few vertices as its positions and texture points need; the normals are none.
 Model without_normals(const Model& model) {
   Model joined = model;
   for (ModelPart& part : joined.parts) {
-    Positions positions = positions_of(part.mesh.positions);
-    part.mesh.normals.assign(positions.points.size(), Vec3{});
-    part.mesh.positions = std::move(positions.points);
-    for (auto& t : part.mesh.triangles) {
-      for (std::uint32_t& vertex : t) vertex = positions.ids[vertex];
-    }
+    part.mesh =
+        part.mesh.texture_points.empty() ? joined_by_position(part.mesh) : joined_by_texture_point(part.mesh);
   }
   return joined;
 }

@@ -4,13 +4,13 @@
 
 #include <array>
 #include <map>
-#include <tuple>
 #include <vector>
 
 namespace arcspan::tools {
 namespace {
 
-using Vertex = std::tuple<std::int16_t, std::int16_t, std::int16_t, std::int16_t, std::int16_t>;
+/// Position, normal and texture point.
+using Vertex = std::array<std::int16_t, 7>;
 
 bool has_area(const ObjectPosition& a, const ObjectPosition& b, const ObjectPosition& c) {
   const std::int64_t ux = b.x - a.x;
@@ -26,6 +26,7 @@ FixedMesh without_arrays(const FixedMesh& mesh) {
   FixedMesh out;
   out.unit = mesh.unit;
   out.centre = mesh.centre;
+  out.texture_scale = mesh.texture_scale;
   return out;
 }
 
@@ -41,11 +42,14 @@ FixedMesh compacted(const FixedMesh& mesh) {
   const auto vertex = [&](std::size_t i) {
     const ObjectPosition& p = mesh.positions[i];
     const PackedNormal& n = mesh.normals[i];
+    const bool textured = !mesh.texture_points.empty();
+    const TexturePoint t = textured ? mesh.texture_points[i] : TexturePoint{};
     const auto next = static_cast<std::uint16_t>(out.positions.size());
-    const auto [at, is_new] = known.try_emplace({p.x, p.y, p.z, n.u, n.v}, next);
+    const auto [at, is_new] = known.try_emplace(Vertex{p.x, p.y, p.z, n.u, n.v, t.u, t.v}, next);
     if (is_new) {
       out.positions.push_back(p);
       out.normals.push_back(n);
+      if (textured) out.texture_points.push_back(t);
     }
     return at->second;
   };
@@ -67,10 +71,12 @@ FixedMesh ordered(const FixedMesh& mesh) {
   const std::size_t used = meshopt_optimizeVertexFetchRemap(place.data(), to.data(), to.size(), vertices);
   out.positions.resize(used);
   out.normals.resize(used);
+  if (!mesh.texture_points.empty()) out.texture_points.resize(used);
   for (std::size_t i = 0; i < vertices; ++i) {
     if (place[i] >= used) continue;  // nothing uses it
     out.positions[place[i]] = mesh.positions[i];
     out.normals[place[i]] = mesh.normals[i];
+    if (!mesh.texture_points.empty()) out.texture_points[place[i]] = mesh.texture_points[i];
   }
   for (const unsigned index : to) out.indices.push_back(static_cast<std::uint16_t>(place[index]));
   return out;

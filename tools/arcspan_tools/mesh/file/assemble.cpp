@@ -35,9 +35,14 @@ RawModel assembled(ImportedMesh mesh, ScreenedMesh file, const std::string& subj
     const TriangleSource& source = mesh.sources[i];
     const bool known = source.face < file.faces.size();
     if (!known) throw Failure(subject, "the loader made up a face");
-    for (const std::uint32_t vertex : source.vertices) {
-      if (!file.vertex_colours.empty() && vertex >= file.vertex_colours.size()) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = source.vertices[k];
+      if ((!file.vertex_colours.empty() && vertex >= file.vertex_colours.size()) ||
+          (!file.texture_points.empty() && vertex >= file.texture_points.size())) {
         throw Failure(subject, "the loader made up a vertex");
+      }
+      if (!file.texture_points.empty()) {
+        model.mesh.triangles[i][k].texture_point = file.texture_points[vertex];
       }
     }
     const FaceTag& tag = file.faces[source.face];

@@ -11,7 +11,7 @@
 
 namespace arcspan::tools {
 
-/// Where a triangle comes from: the tag of its face and of its corners (see TaggedObj).
+/// Where a triangle comes from: the numbers of its face and of its corners (see TaggedObj).
 struct TriangleSource {
   std::uint32_t face = 0;
   std::array<std::uint32_t, 3> vertices{};

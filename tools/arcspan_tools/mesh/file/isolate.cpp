@@ -13,11 +13,12 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <type_traits>
 
 namespace arcspan::tools {
 namespace {
 
-static_assert(sizeof(RawMesh::Corner) == 6 * sizeof(double), "corners travel as plain bytes");
+static_assert(std::is_trivially_copyable_v<RawMesh::Corner>, "corners travel as plain bytes");
 using Triangle = std::array<RawMesh::Corner, 3>;
 static_assert(sizeof(TriangleSource) == 4 * sizeof(std::uint32_t));
 

@@ -71,9 +71,9 @@ Model load_model_from_memory(std::string_view bytes, MeshFormat format, const st
   return weld_parts(assembled(std::move(mesh), std::move(file), subject), subject);
 }
 
-Model load_model_file(const std::string& name) {
+Model load_model_file(const std::string& name, TexturePointsOf points) {
   if (std::optional<Model> model = own_model(name)) return std::move(*model);
-  return weld_parts(load_raw(name, require_format(name)), name);
+  return weld_parts(load_raw(name, require_format(name)), name, points);
 }
 
 MeshData load_mesh(const std::string& name) {

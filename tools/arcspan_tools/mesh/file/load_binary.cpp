@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <map>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -24,11 +26,16 @@ Vec3 to_vec3(const Direction& d) {
   return normalised(Vec3{component(d.x), component(d.y), component(d.z)});
 }
 
-MeshData to_data(const MeshView& view) {
+/// `textured`: with texture points.
+MeshData to_data(const MeshView& view, bool textured) {
   MeshData mesh;
   for (std::size_t i = 0; i < view.vertex_count(); ++i) {
     mesh.positions.push_back(to_vec3(view.position(i)));
     mesh.normals.push_back(to_vec3(unpack_normal(view.normal(i))));
+    if (!textured) continue;
+    const TexturePoint p = view.texture_point(i);
+    const int bits = -view.texture_scale().fraction_bits;
+    mesh.texture_points.push_back({std::ldexp(p.u, bits), std::ldexp(p.v, bits)});
   }
   for (std::size_t i = 0; i < view.triangle_count(); ++i) {
     const TriangleIndices t = view.triangle(i);
@@ -53,6 +60,42 @@ double double_at(std::span<const std::uint8_t> bytes, std::size_t at) {
   return value;
 }
 
+/// The first level of a texture.
+template <TexelFormat Texels>
+void read_picture(const StoredTexture& stored, RgbaImage& picture) {
+  Texture<Texels> texture;
+  if (!ok(view_texture(stored, texture))) return;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    const std::uint16_t texel =
+        Texels::stored(texture.at(0), texture.palette(), static_cast<std::uint32_t>(i));
+    const unsigned c = Texels::ColourFormat::rgb565(texel);
+    const unsigned green = (c >> 5) & 63u;
+    picture.pixels[i] = {static_cast<std::uint8_t>(((c >> 8) & 0xF8u) | (c >> 13)),
+                         static_cast<std::uint8_t>((green << 2) | (green >> 4)),
+                         static_cast<std::uint8_t>(((c << 3) & 0xF8u) | ((c >> 2) & 7u)),
+                         static_cast<std::uint8_t>((Texels::ColourFormat::alpha(texel) * 255u + 8) / 16)};
+  }
+}
+
+template <TexelColour C>
+void read_coloured_picture(const StoredTexture& stored, RgbaImage& picture) {
+  read_picture<DirectTexels<C>>(stored, picture);
+  read_picture<Palette8Texels<C>>(stored, picture);
+  read_picture<Palette4Texels<C>>(stored, picture);
+}
+
+std::shared_ptr<const FileTexture> texture_of(const arcspan::ModelPart& part) {
+  if (part.texture.texels.empty()) return nullptr;
+  const TextureSize& size = part.texture.size;
+  auto texture = std::make_shared<FileTexture>(
+      FileTexture{part.name, RgbaImage(1 << size.width_bits, 1 << size.height_bits)});
+  read_coloured_picture<OpaqueColour>(part.texture, texture->picture);
+  read_coloured_picture<Alpha1Colour>(part.texture, texture->picture);
+  read_coloured_picture<Alpha4Colour>(part.texture, texture->picture);
+  read_picture<GrayTexels>(part.texture, texture->picture);
+  return texture;
+}
+
 /// The material of a part without the shares of light, which are the scene's.
 FileMaterial file_material(const arcspan::ModelPart& part) {
   const auto share = [](const ChannelCoefficients& c, double whole) {
@@ -69,6 +112,9 @@ FileMaterial file_material(const arcspan::ModelPart& part) {
   material.specular = share(part.material.specular, 1);
   material.shininess = part.material.shininess;
   material.two_sided = part.two_sided;
+  material.alpha_mode = part.alpha == PartAlpha::kMasked    ? AlphaMode::kMask
+                        : part.alpha == PartAlpha::kBlended ? AlphaMode::kBlend
+                                                            : AlphaMode::kOpaque;
   return material;
 }
 
@@ -80,17 +126,22 @@ Model model_of_parts(std::span<const std::uint8_t> bytes, const std::string& sub
     parts.resize(count);
     status = view_model_binary(bytes, parts, count);
   }
-  if (status == Status::kUnsupported) throw Failure(subject, "not a model binary of version 1");
+  if (status == Status::kUnsupported) throw Failure(subject, "not a model binary of version 1 or 2");
   if (!ok(status)) refuse_damaged(subject, "model", status);
   const double unit = double_at(bytes, model_binary::kUnitAt);
   const Vec3 origin{double_at(bytes, model_binary::kOriginAt), double_at(bytes, model_binary::kOriginAt + 8),
                     double_at(bytes, model_binary::kOriginAt + 16)};
   if (!(unit > 0 && unit < 1e30) || !finite(origin)) refuse_damaged(subject, "model", Status::kCorrupted);
   Model model;
+  std::map<const std::uint8_t*, std::shared_ptr<const FileTexture>> textures;  // parts may share one
   for (const arcspan::ModelPart& part : parts) {
-    MeshData mesh = to_data(part.mesh);
+    MeshData mesh = to_data(part.mesh, !part.texture.texels.empty());
     for (Vec3& p : mesh.positions) p = origin + p * unit;
-    model.parts.push_back({{{part.name}, file_material(part)}, std::move(mesh)});
+    FileMaterial material = file_material(part);
+    std::shared_ptr<const FileTexture>& texture = textures[part.texture.texels.data()];
+    if (texture == nullptr) texture = texture_of(part);
+    material.texture = texture;
+    model.parts.push_back({{{part.name}, std::move(material)}, std::move(mesh)});
   }
   std::erase_if(model.parts, [](const tools::ModelPart& part) { return part.mesh.triangles.empty(); });
   require_triangles(model.triangle_count(), subject);
@@ -108,10 +159,10 @@ Model model_from_binary(std::string_view bytes, const std::string& subject) {
   if (bytes.starts_with("ARCP")) return model_of_parts(binary, subject);
   MeshView view;
   const Status status = view_mesh_binary(binary, view);
-  if (status == Status::kUnsupported) throw Failure(subject, "not a mesh binary of version 1 or 2");
+  if (status == Status::kUnsupported) throw Failure(subject, "not a mesh binary of version 1, 2 or 3");
   if (!ok(status)) refuse_damaged(subject, "mesh", status);
   require_triangles(view.triangle_count(), subject);
-  return to_model(to_data(view));
+  return to_model(to_data(view, false));
 }
 
 }  // namespace arcspan::tools

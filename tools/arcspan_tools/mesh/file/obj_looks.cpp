@@ -41,6 +41,50 @@ std::string quoted_list(const std::set<std::string>& names) {
   return joined(shown, ", ");
 }
 
+/// Reads the pictures of materials, each once.
+class ObjTextures {
+ public:
+  ObjTextures(const SideFiles& files, const MtlMaterials& materials) : files_(files), materials_(materials) {}
+
+  /// Adds the texture of a material, if it has one.
+  void add_to(FileMaterial& material) {
+    const auto wanted = materials_.textures.find(material.name);
+    if (wanted == materials_.textures.end() || wanted->second.colour.empty()) return;
+    material.texture = picture(wanted->second.colour);
+    if (material.texture == nullptr) return;
+    if (material.colour == Vec3{}) material.colour = Vec3{1, 1, 1};
+    const std::string& opacity = wanted->second.opacity;
+    if (opacity == wanted->second.colour) material.alpha_mode = alpha_mode_of(material.texture->picture);
+    if (!opacity.empty() && opacity != wanted->second.colour) other_opacity_ = true;
+  }
+
+  void warn_of(std::vector<std::string>& warnings) const {
+    if (!missing_.empty()) {
+      warnings.push_back("cannot read the textures " + quoted_list(missing_) +
+                         " from the model's folder; the parts are drawn without them");
+    }
+    if (other_opacity_) warnings.emplace_back("opacity from another picture (map_d) is not drawn");
+  }
+
+ private:
+  std::shared_ptr<const FileTexture> picture(const std::string& name) {
+    const auto [at, is_new] = known_.try_emplace(name);
+    if (!is_new) return at->second;
+    if (const std::optional<ReferredFile> file = files_(name)) {
+      at->second = std::make_shared<FileTexture>(FileTexture{name, decode_rgba(file->bytes, file->subject)});
+    } else {
+      missing_.insert(name);
+    }
+    return at->second;
+  }
+
+  const SideFiles& files_;
+  const MtlMaterials& materials_;
+  std::map<std::string, std::shared_ptr<const FileTexture>> known_;
+  std::set<std::string> missing_;
+  bool other_opacity_ = false;
+};
+
 }  // namespace
 
 void ObjLooks::note(const TextLines& lines) {
@@ -79,6 +123,7 @@ std::vector<PartLook> ObjLooks::finish(const SideFiles& files, std::vector<std::
   MtlMaterials materials;
   std::set<std::string> missing;
   for (const std::string& library : libraries_) read_library(library, files, materials, missing);
+  ObjTextures textures(files, materials);
   std::set<std::string> undefined;
   std::vector<PartLook> looks(numbers_.size());
   for (const auto& [key, number] : numbers_) {
@@ -87,6 +132,7 @@ std::vector<PartLook> ObjLooks::finish(const SideFiles& files, std::vector<std::
     const auto known = materials.by_name.find(key.second);
     looks[number].material = known == materials.by_name.end() ? FileMaterial{key.second} : known->second;
     if (known == materials.by_name.end()) undefined.insert(key.second);
+    textures.add_to(looks[number].material);
   }
   if (!undefined.empty() && !missing.empty()) {
     warnings.push_back("cannot read " + quoted_list(missing) +
@@ -96,6 +142,7 @@ std::vector<PartLook> ObjLooks::finish(const SideFiles& files, std::vector<std::
                        quoted_list(undefined));
   }
   for (std::string& warning : warnings_of(materials)) warnings.push_back(std::move(warning));
+  textures.warn_of(warnings);
   return looks;
 }
 

@@ -46,6 +46,10 @@ class MtlReader {
       illum_ = lines_.integer_at(1, 0, 10, "illumination model");
       if (illum_ > 2) materials_.not_drawn.insert("illum " + std::to_string(illum_));
       set_highlight();
+    } else if (keyword == "map_Kd") {
+      textures().colour = file_name();
+    } else if (keyword == "map_d") {
+      textures().opacity = file_name();
     } else if (keyword == "d") {
       opacity(lines_.number_at(lines_.words().size() - 1));
     } else if (keyword == "Tr") {
@@ -62,6 +66,28 @@ class MtlReader {
     specular_.reset();
     illum_ = 2;
   }
+
+  MtlTexture& textures() { return materials_.textures[material_->name]; }
+
+  /// The name at the end of a map statement, which may have blanks. Options before it, and what they say, are
+  /// left out.
+  std::string file_name() {
+    const std::vector<std::string_view>& words = lines_.words();
+    std::size_t at = 1;
+    while (at < words.size() && words[at].starts_with("-")) {
+      materials_.not_drawn.insert(std::string(words[0]) + " " + std::string(words[at]));
+      at += 1 + arguments_of(words[at]);
+      // -o, -s and -t have one to three numbers.
+      while (at + 1 < words.size() && at > 1 && parse_number(words[at])) ++at;
+    }
+    std::string name;
+    for (; at < words.size(); ++at) name += (name.empty() ? "" : " ") + std::string(words[at]);
+    if (name.empty()) lines_.fail(in_quotes(words[0]) + " names no file");
+    return name;
+  }
+
+  /// The least number of words after an option of a map.
+  static std::size_t arguments_of(std::string_view option) { return option == "-mm" ? 2 : 1; }
 
   // illum may stand before Ks or after it.
   void set_highlight() {

@@ -7,8 +7,8 @@
 namespace arcspan::tools {
 
 /// OBJ text for the loader library, in which every corner can have a tag: texture coordinates that are the
-/// number of its face and of its vertex, from 0. The library passes them on, so that triangles can be traced
-/// to the faces that they are made of. Both numbers are exact in floats up to 2^24.
+/// number of its face, from 0, and a number of the caller's. The library passes them on, so that triangles
+/// can be traced to the faces that they are made of. Both numbers are exact in floats up to 2^24.
 class TaggedObj {
  public:
   explicit TaggedObj(bool tagged) : tagged_(tagged) {}
@@ -17,10 +17,10 @@ class TaggedObj {
   void line(const std::string& text) { (text_ += text) += '\n'; }
 
   /// A corner of the current face: indices from 1, `normal` 0 if it has none.
-  void corner(std::int64_t vertex, std::int64_t normal) {
+  void corner(std::int64_t vertex, std::int64_t normal, std::int64_t tag) {
     face_ += ' ' + std::to_string(vertex);
     if (tagged_) {
-      line("vt " + std::to_string(faces_) + ' ' + std::to_string(vertex - 1));
+      line("vt " + std::to_string(faces_) + ' ' + std::to_string(tag));
       face_ += '/' + std::to_string(++tags_);
     }
     if (normal != 0) face_ += (tagged_ ? "/" : "//") + std::to_string(normal);

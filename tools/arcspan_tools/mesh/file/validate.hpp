@@ -30,10 +30,12 @@ struct ScreenedMesh {
   std::vector<std::string> warnings{};   ///< as in Model
   std::vector<PartLook> looks{1};
   /// Empty if all faces are alike; otherwise `text` is an OBJ whose corners have texture coordinates: the
-  /// number of the face, from 0, and that of the vertex.
+  /// number of the face, from 0, and a number that is an index of both lists below.
   std::vector<FaceTag> faces{};
-  /// Empty, or the colour of each vertex, display values.
+  /// Empty, or colours of corners, display values.
   std::vector<std::optional<Vec3>> vertex_colours{};
+  /// Empty, or texture points of corners.
+  std::vector<std::optional<Uv>> texture_points{};
 };
 
 /// Counts the triangles that faces become, before the loader library has to make them.

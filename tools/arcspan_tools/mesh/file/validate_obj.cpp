@@ -45,7 +45,8 @@ Overview overview_of(std::string_view text, const std::string& subject) {
     const std::string_view keyword = lines.words()[0];
     count(overview.total, keyword);
     const bool coloured = keyword == "v" && lines.words().size() >= kWordsOfColouredVertex;
-    const bool divides = keyword == "o" || keyword == "g" || keyword == "s" || keyword == "usemtl";
+    const bool divides =
+        keyword == "o" || keyword == "g" || keyword == "s" || keyword == "usemtl" || keyword == "vt";
     overview.tagged = overview.tagged || coloured || divides;
   }
   return overview;
@@ -73,6 +74,9 @@ struct ObjScreen {
   ObjLooks looks{};
   std::vector<FaceTag> faces{};
   std::vector<std::optional<Vec3>> colours{};
+  std::vector<Uv> texture_points{};
+  /// Numbers of the pairs of a vertex and a texture point that corners have, both from 1; 0 is no point.
+  std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t> pairs{};
   std::uint32_t smoothing = RawMesh::kSmooth;
   std::map<std::string, std::uint32_t, std::less<>> smoothing_groups{};
   bool surfaces = false;  ///< whether there are any
@@ -81,6 +85,7 @@ struct ObjScreen {
     looks.note(lines);
     if (keyword == "v" || keyword == "vn") numbers(keyword);
     if (keyword == "v" && out.tagged()) colours.push_back(vertex_colour());
+    if (keyword == "vt") texture_points.push_back(texture_point());
     if (keyword == "s") smoothing = smoothing_group();
     if (keyword == "curv" || keyword == "curv2" || keyword == "surf") surfaces = true;
     if (keyword == "f") face();
@@ -100,6 +105,11 @@ struct ObjScreen {
     return Vec3{lines.number_at(4), lines.number_at(5), lines.number_at(6)};
   }
 
+  // A single number is a point of a texture with one row. OBJ's v is up.
+  [[nodiscard]] Uv texture_point() const {
+    return {lines.number_at(1), lines.words().size() > 2 ? 1 - lines.number_at(2) : 0};
+  }
+
   // "s off" and "s 0" are flat. Faces before the first statement are a group of their own.
   std::uint32_t smoothing_group() {
     const std::string_view name = lines.words().size() > 1 ? lines.words()[1] : "off";
@@ -108,7 +118,7 @@ struct ObjScreen {
     return smoothing_groups.try_emplace(std::string(name), next).first->second;
   }
 
-  // One corner of a face: v, v/t, v//n or v/t/n; texture coordinates are checked and left out.
+  // One corner of a face: v, v/t, v//n or v/t/n.
   void corner(std::string_view word) {
     std::string_view part[3];
     std::size_t parts = 0;
@@ -120,10 +130,28 @@ struct ObjScreen {
       rest.remove_prefix(slash + 1);
     }
     const std::int64_t vertex = resolve(lines, part[0], so_far.vertices, total.vertices, "vertex");
-    if (!part[1].empty()) (void)resolve(lines, part[1], so_far.texture, total.texture, "texture");
+    const std::int64_t point =
+        part[1].empty() ? 0 : resolve(lines, part[1], so_far.texture, total.texture, "texture");
     const std::int64_t normal =
         part[2].empty() ? 0 : resolve(lines, part[2], so_far.normals, total.normals, "normal");
-    out.corner(vertex, normal);
+    const auto next = static_cast<std::int64_t>(pairs.size());
+    out.corner(vertex, normal, out.tagged() ? pairs.try_emplace({vertex, point}, next).first->second : 0);
+  }
+
+  /// The colours and texture points of the pairs, by their numbers.
+  void finish(ScreenedMesh& result) {
+    const std::vector<std::optional<Vec3>> of_vertices = scaled_colours(std::move(colours));
+    if (!of_vertices.empty()) result.vertex_colours.resize(pairs.size());
+    if (!texture_points.empty()) result.texture_points.resize(pairs.size());
+    for (const auto& [pair, number] : pairs) {
+      const auto at = static_cast<std::size_t>(number);
+      if (!of_vertices.empty()) {
+        result.vertex_colours[at] = of_vertices[static_cast<std::size_t>(pair.first - 1)];
+      }
+      if (pair.second > 0) {
+        result.texture_points[at] = texture_points[static_cast<std::size_t>(pair.second - 1)];
+      }
+    }
   }
 
   void face() {
@@ -167,7 +195,7 @@ ScreenedMesh screened_obj(std::string_view bytes, const std::string& subject, co
   if (!screen.out.tagged()) return result;
   result.looks = screen.looks.finish(files, result.warnings);
   result.faces = std::move(screen.faces);
-  result.vertex_colours = scaled_colours(std::move(screen.colours));
+  screen.finish(result);
   return result;
 }
 

@@ -186,6 +186,17 @@ class ColourProperties {
   bool has_colour_ = false;
 };
 
+/// The properties of an element that are its texture coordinates, under any of the names in use. `v` is up.
+std::optional<std::array<std::size_t, 2>> texture_properties(const PlyElement& element) {
+  static constexpr const char* kNames[][2] = {
+      {"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
+  for (const auto& names : kNames) {
+    const std::array<std::size_t, 2> at{property_index(element, names[0]), property_index(element, names[1])};
+    if (at[0] < element.properties.size() && at[1] < element.properties.size()) return at;
+  }
+  return std::nullopt;
+}
+
 struct PlyScreen {
   const PlyHeader& header;
   PlyBody body;
@@ -194,6 +205,7 @@ struct PlyScreen {
   TaggedObj faces;
   std::string vertices{};
   std::vector<PlyColour> vertex_colours{};
+  std::vector<std::optional<Uv>> texture_points{};
   std::vector<PlyColour> face_colours{};
   bool has_normals = false;
 
@@ -217,6 +229,9 @@ struct PlyScreen {
       }
       write_vertex(values, at);
       if (colours.any()) vertex_colours.push_back(colours.colour(values));
+      if (const std::optional<std::array<std::size_t, 2>> point = texture_properties(element)) {
+        texture_points.emplace_back(Uv{values[(*point)[0]], 1 - values[(*point)[1]]});
+      }
     }
   }
 
@@ -235,7 +250,9 @@ struct PlyScreen {
 
   void add_face(const std::vector<std::int64_t>& corners) {
     triangles.add_face(static_cast<std::int64_t>(corners.size()));
-    for (const std::int64_t corner : corners) faces.corner(corner + 1, has_normals ? corner + 1 : 0);
+    for (const std::int64_t corner : corners) {
+      faces.corner(corner + 1, has_normals ? corner + 1 : 0, corner);
+    }
     faces.end_face();
   }
 
@@ -300,6 +317,7 @@ struct PlyScreen {
     ScreenedMesh out{vertices + faces.text(), MeshFormat::kObj};
     if (!faces.tagged()) return out;
     out.vertex_colours = scaled_colours(std::move(vertex_colours));
+    out.texture_points = std::move(texture_points);
     for (const PlyColour& colour : scaled_colours(std::move(face_colours))) {
       out.faces.push_back({0, RawMesh::kSmooth, colour});
     }
@@ -308,9 +326,12 @@ struct PlyScreen {
   }
 };
 
-bool has_colours(const PlyHeader& header) {
-  return std::any_of(header.elements.begin(), header.elements.end(),
-                     [](const PlyElement& element) { return ColourProperties(element).any(); });
+/// Whether an element has colours, or vertices have texture coordinates.
+bool needs_tags(const PlyHeader& header) {
+  return std::any_of(header.elements.begin(), header.elements.end(), [](const PlyElement& element) {
+    return ColourProperties(element).any() ||
+           (element.name == "vertex" && texture_properties(element).has_value());
+  });
 }
 
 /// How many vertices the header announces.
@@ -336,7 +357,7 @@ ScreenedMesh screened_ply(std::string_view bytes, const std::string& subject) {
   const PlyHeader header = read_ply_header(lines);
   const std::int64_t vertices = vertex_count_of(header, subject);
   PlyScreen screen{header, PlyBody(lines, header), TriangleCount(subject), vertices,
-                   TaggedObj(has_colours(header))};
+                   TaggedObj(needs_tags(header))};
   for (const PlyElement& element : header.elements) {
     // Nothing in the file would stop the count of an element without properties.
     if (element.properties.empty() && element.count > 0)

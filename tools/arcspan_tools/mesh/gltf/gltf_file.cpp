@@ -135,7 +135,7 @@ JsonView GltfFile::element(const char* list, const JsonView& id) const {
   return all->element(static_cast<std::size_t>(index));
 }
 
-std::string GltfFile::read_uri(const JsonView& uri) const {
+std::optional<std::string> GltfFile::find_uri(const JsonView& uri) const {
   const std::string text = uri.text();
   if (text.starts_with("data:")) {
     const std::size_t comma = text.find(";base64,");
@@ -144,9 +144,20 @@ std::string GltfFile::read_uri(const JsonView& uri) const {
     if (!bytes) uri.fail("is not data in base64");
     return *bytes;
   }
-  const std::string name = percent_decoded(text);
-  if (std::optional<ReferredFile> file = files_(name)) return std::move(file->bytes);
-  uri.fail("cannot read '" + name + "' in the model's folder");
+  if (std::optional<ReferredFile> file = files_(percent_decoded(text))) return std::move(file->bytes);
+  return std::nullopt;
+}
+
+std::string GltfFile::read_uri(const JsonView& uri) const {
+  if (std::optional<std::string> bytes = find_uri(uri)) return std::move(*bytes);
+  uri.fail("cannot read '" + percent_decoded(uri.text()) + "' in the model's folder");
+}
+
+std::optional<std::string> GltfFile::image_bytes(const JsonView& image) {
+  if (const std::optional<JsonView> view = image.find("bufferView")) {
+    return std::string(view_bytes(element("bufferViews", *view), 0));
+  }
+  return find_uri(image.at("uri"));
 }
 
 const std::string& GltfFile::buffer(const JsonView& id) {

@@ -5,6 +5,7 @@
 #include <arcspan_tools/mesh/gltf/json_view.hpp>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,12 +28,15 @@ class GltfFile {
   [[nodiscard]] JsonView element(const char* list, const JsonView& id) const;
   /// Bytes of a buffer view, from `offset` on.
   [[nodiscard]] std::string_view view_bytes(const JsonView& view, std::size_t offset);
+  /// Bytes of an element of `images`; nothing if it is in a file that cannot be read.
+  [[nodiscard]] std::optional<std::string> image_bytes(const JsonView& image);
 
  private:
   void read_binary(std::string_view bytes);
   void parse(std::string_view text);
   void check_extensions() const;
   const std::string& buffer(const JsonView& id);
+  [[nodiscard]] std::optional<std::string> find_uri(const JsonView& uri) const;
   [[nodiscard]] std::string read_uri(const JsonView& uri) const;
 
   std::string subject_;

@@ -8,6 +8,7 @@
 namespace arcspan::tools {
 namespace {
 
+constexpr const char* kOtherTextures = "textures other than the base colour's";
 constexpr double kDielectric = 0.04;  ///< reflectance of a surface that is no metal, seen from the front
 
 /// Red, green and blue of a member of three or four numbers, each 0...1.
@@ -50,7 +51,8 @@ GltfMaterial from_metallic_roughness(const JsonView& material) {
 }
 
 /// Materials of 1.0 are Phong's already; their colours are display values.
-GltfMaterial from_version_1(const JsonView& json, std::set<std::string>& not_drawn) {
+GltfMaterial from_version_1(GltfFile& file, const JsonView& json, GltfTextures& textures,
+                            std::set<std::string>& not_drawn) {
   GltfMaterial result;
   result.material.colour = Vec3{1, 1, 1};
   const std::optional<JsonView> values = json.find("values");
@@ -58,11 +60,13 @@ GltfMaterial from_version_1(const JsonView& json, std::set<std::string>& not_dra
   const auto colour = [&](const char* key) -> std::optional<Vec3> {
     const std::optional<JsonView> member = values->find(key);
     if (!member) return std::nullopt;
-    if (member->is_text()) {
-      not_drawn.insert("textures");
-      return std::nullopt;
+    if (!member->is_text()) return colour_or(*values, key, {});
+    if (std::string(key) == "diffuse") {
+      result.material.texture = textures.read(file, *member, not_drawn);
+    } else {
+      not_drawn.insert(kOtherTextures);
     }
-    return colour_or(*values, key, {});
+    return std::nullopt;
   };
   result.material.colour = colour("diffuse").value_or(Vec3{1, 1, 1});
   result.material.specular = colour("specular").value_or(Vec3{});
@@ -71,17 +75,36 @@ GltfMaterial from_version_1(const JsonView& json, std::set<std::string>& not_dra
   return result;
 }
 
-bool has_texture(const JsonView& json) {
+bool has_other_texture(const JsonView& json) {
   for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
     if (json.find(key)) return true;
   }
   const std::optional<JsonView> metallic = json.find("pbrMetallicRoughness");
-  return metallic && (metallic->find("baseColorTexture") || metallic->find("metallicRoughnessTexture"));
+  return metallic && metallic->find("metallicRoughnessTexture");
+}
+
+/// Reads the texture that multiplies the colour: `key` of `json`, a set of factors.
+void read_texture(GltfFile& file, const std::optional<JsonView>& json, const char* key,
+                  GltfTextures& textures, std::set<std::string>& not_drawn, GltfMaterial& result) {
+  const std::optional<JsonView> info = json ? json->find(key) : std::nullopt;
+  if (!info) return;
+  result.material.texture = textures.read(file, info->at("index"), not_drawn);
+  result.mapping = read_gltf_mapping(*info);
+}
+
+void read_alpha(const JsonView& json, std::set<std::string>& not_drawn, FileMaterial& material) {
+  const std::string mode = json.text_or("alphaMode", "OPAQUE");
+  if (mode == "OPAQUE") return;
+  if (material.texture == nullptr) {
+    not_drawn.insert("transparency");
+    return;
+  }
+  material.alpha_mode = mode == "MASK" ? AlphaMode::kMask : AlphaMode::kBlend;
+  material.alpha_cutoff = factor_or(json, "alphaCutoff", 0.5);
 }
 
 void note_what_is_left_out(const JsonView& json, std::set<std::string>& not_drawn) {
-  if (has_texture(json)) not_drawn.insert("textures");
-  if (json.text_or("alphaMode", "OPAQUE") != "OPAQUE") not_drawn.insert("transparency");
+  if (has_other_texture(json)) not_drawn.insert(kOtherTextures);
   const std::optional<JsonView> extensions = json.find("extensions");
   for (std::size_t i = 0; extensions && i < extensions->size(); ++i) {
     const std::string place = extensions->element(i).place();
@@ -103,10 +126,11 @@ GltfMaterial phong_of(Vec3 base, double metallic, double roughness) {
   return result;
 }
 
-GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json, std::set<std::string>& not_drawn) {
+GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json, GltfTextures& textures,
+                                std::set<std::string>& not_drawn) {
   const std::string name = json.text_or("name", "");
   if (file.version() == 1) {
-    GltfMaterial result = from_version_1(json, not_drawn);
+    GltfMaterial result = from_version_1(file, json, textures, not_drawn);
     result.material.name = name;
     return result;
   }
@@ -114,9 +138,13 @@ GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json, std::set<s
   const std::optional<JsonView> glossiness =
       extensions ? extensions->find("KHR_materials_pbrSpecularGlossiness") : std::nullopt;
   GltfMaterial result = glossiness ? from_glossiness(*glossiness) : from_metallic_roughness(json);
-  if (glossiness && (glossiness->find("diffuseTexture") || glossiness->find("specularGlossinessTexture"))) {
-    not_drawn.insert("textures");
+  if (glossiness) {
+    read_texture(file, glossiness, "diffuseTexture", textures, not_drawn, result);
+    if (glossiness->find("specularGlossinessTexture")) not_drawn.insert(kOtherTextures);
+  } else {
+    read_texture(file, json.find("pbrMetallicRoughness"), "baseColorTexture", textures, not_drawn, result);
   }
+  read_alpha(json, not_drawn, result.material);
   result.material.name = name;
   result.material.emission = to_srgb(colour_or(json, "emissiveFactor", {}));
   const std::optional<JsonView> two_sided = json.find("doubleSided");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/mesh/gltf/gltf_file.hpp>
+#include <arcspan_tools/mesh/gltf/gltf_texture.hpp>
 #include <arcspan_tools/mesh/plain/model.hpp>
 
 #include <set>
@@ -14,6 +14,7 @@ struct GltfMaterial {
   FileMaterial material;
   /// Linear factor of a vertex's linear colour; the display value of the product replaces `material.colour`.
   Vec3 base{1, 1, 1};
+  GltfMapping mapping{};  ///< of `material.texture`
 };
 
 /// Phong's model of a surface of linear base colour `base`, 0...1, with metallic and roughness factors 0...1:
@@ -25,8 +26,9 @@ struct GltfMaterial {
 /// colour and specular as display values of sRGB.
 [[nodiscard]] GltfMaterial phong_of(Vec3 base, double metallic, double roughness);
 
-/// The material of the file, an element of `materials`. Adds to `not_drawn` what is left out.
-[[nodiscard]] GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json,
+/// The material of the file, an element of `materials`, with the texture of its base colour. Adds to
+/// `not_drawn` what is left out.
+[[nodiscard]] GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json, GltfTextures& textures,
                                               std::set<std::string>& not_drawn);
 
 }  // namespace arcspan::tools

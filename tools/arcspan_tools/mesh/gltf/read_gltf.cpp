@@ -23,6 +23,7 @@ struct Primitive {
   AccessorData positions;
   std::optional<AccessorData> normals;
   std::optional<AccessorData> colours;
+  std::optional<AccessorData> texture_points;
   std::vector<std::size_t> indices;
 };
 
@@ -160,30 +161,32 @@ class GltfReader {
     }
     if (json.find("targets")) not_drawn_.insert("morph targets");
     const GltfMaterial material = material_of(json);
-    const Primitive primitive = read_corners(json, mode);
+    const Primitive primitive = read_corners(json, mode, material.mapping.set);
     const std::uint32_t look = look_of(names, material.material);
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
       count_.add_face(3);
       std::array<std::size_t, 3> corners{primitive.indices[i], primitive.indices[i + 1],
                                          primitive.indices[i + 2]};
       if (transform.mirrors()) std::swap(corners[1], corners[2]);
-      add_triangle(json, primitive, corners, transform, look, material.base);
+      add_triangle(json, primitive, corners, transform, look, material);
     }
   }
 
-  Primitive read_corners(const JsonView& json, std::int64_t mode) {
+  Primitive read_corners(const JsonView& json, std::int64_t mode, std::int64_t texture_set) {
     const JsonView attributes = json.at("attributes");
-    Primitive primitive{read_accessor(file_, attributes.at("POSITION"), 3, 3), {}, {}, {}};
+    Primitive primitive{read_accessor(file_, attributes.at("POSITION"), 3, 3), {}, {}, {}, {}};
     const std::size_t vertices = primitive.positions.count();
-    const auto attribute = [&](const char* key, std::size_t most) -> std::optional<AccessorData> {
+    const auto attribute = [&](const std::string& key, std::size_t least,
+                               std::size_t most) -> std::optional<AccessorData> {
       const std::optional<JsonView> id = attributes.find(key);
       if (!id) return std::nullopt;
-      AccessorData data = read_accessor(file_, *id, 3, most);
+      AccessorData data = read_accessor(file_, *id, least, most);
       if (data.count() < vertices) id->fail("has fewer elements than there are positions");
       return data;
     };
-    primitive.normals = attribute("NORMAL", 3);
-    primitive.colours = attribute("COLOR_0", 4);
+    primitive.normals = attribute("NORMAL", 3, 3);
+    primitive.colours = attribute("COLOR_0", 3, 4);
+    primitive.texture_points = attribute("TEXCOORD_" + std::to_string(texture_set), 2, 2);
     std::vector<std::size_t> corners;
     if (const std::optional<JsonView> id = json.find("indices")) {
       for (const double index : read_accessor(file_, *id, 1, 1).values) {
@@ -201,7 +204,7 @@ class GltfReader {
 
   void add_triangle(const JsonView& json, const Primitive& primitive,
                     const std::array<std::size_t, 3>& corners, const Affine& transform, std::uint32_t look,
-                    Vec3 base) {
+                    const GltfMaterial& material) {
     std::array<RawMesh::Corner, 3> triangle;
     TriangleColour colour{primitive.colours.has_value(), {}};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -214,7 +217,12 @@ class GltfReader {
         const Vec3 normal = transform.normal(vec3(*primitive.normals, corners[i]));
         if (finite(normal)) corner.normal = normal;
       }
+      if (primitive.texture_points) {
+        const double* point = primitive.texture_points->element(corners[i]);
+        corner.texture_point = material.mapping({point[0], point[1]});
+      }
       if (primitive.colours) {
+        const Vec3& base = material.base;
         const Vec3 c = vec3(*primitive.colours, corners[i]);
         colour.corners[i] = to_srgb(Vec3{c.x * base.x, c.y * base.y, c.z * base.z});
       }
@@ -231,7 +239,7 @@ class GltfReader {
     if (!id) return {};
     const JsonView json = file_.element("materials", *id);
     const auto [at, is_new] = materials_.try_emplace(json.place());
-    if (is_new) at->second = read_gltf_material(file_, json, not_drawn_);
+    if (is_new) at->second = read_gltf_material(file_, json, textures_, not_drawn_);
     return at->second;
   }
 
@@ -257,6 +265,7 @@ class GltfReader {
   RawModel model_;
   std::vector<TriangleColour> colours_;            ///< of each triangle
   std::map<std::string, GltfMaterial> materials_;  ///< by place
+  GltfTextures textures_;
   std::set<std::string> not_drawn_;
 };
 

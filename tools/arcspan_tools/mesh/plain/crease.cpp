@@ -72,7 +72,7 @@ void crease(RawMesh& mesh, double degrees) {
 Model with_crease(const Model& model, double degrees, const std::string& subject) {
   RawModel raw = to_raw(model);
   crease(raw.mesh, degrees);
-  Model creased = weld_parts(raw, subject);
+  Model creased = weld_parts(raw, subject, TexturePointsOf::kAllParts);
   creased.dropped_faces += model.dropped_faces;
   return creased;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,25 @@ inline constexpr std::size_t kMaxVertices = 65'536;
 /// Most triangles of a mesh: twice what a closed surface of kMaxVertices has.
 inline constexpr std::size_t kMaxTriangles = 262'144;
 
-/// A triangle mesh in doubles: position i and normal i (unit length) belong together; triangles are
-/// counter-clockwise seen from the front.
+/// How far the texture points of a mesh may be apart in each direction, in widths or heights of the texture:
+/// the pipeline's have 16 bits, of which 4 are fraction bits at least.
+inline constexpr double kMostTextures = 4000;
+
+/// A point of a texture in its widths and heights. `u` runs to the right and `v` down from the top left
+/// corner.
+struct Uv {
+  double u = 0;
+  double v = 0;
+
+  friend constexpr bool operator==(const Uv&, const Uv&) = default;
+};
+
+/// A triangle mesh in doubles: position i, normal i (unit length) and texture point i belong together;
+/// triangles are counter-clockwise seen from the front.
 struct MeshData {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;
+  std::vector<Uv> texture_points{};  ///< empty, or one for each vertex
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// Faces of the file that have no area, left out of `triangles`.
   std::size_t dropped_faces = 0;
@@ -32,6 +47,7 @@ struct RawMesh {
     Vec3 position;
     /// Zero where the file gives no normal.
     Vec3 normal;
+    std::optional<Uv> texture_point{};
   };
   /// The smoothing group of triangles whose corners without a normal get that of their own triangle.
   static constexpr std::uint32_t kFlat = 0;
@@ -42,10 +58,10 @@ struct RawMesh {
   std::vector<std::uint32_t> smoothing{};
 };
 
-/// Joins corners of equal position and normal into vertices. Corners without a normal get the area-weighted
-/// average over all triangles of their smoothing group that share the position. Triangles without area are
-/// dropped and counted. `subject` names the mesh in the Failure that is thrown if a limit is passed or
-/// nothing is left.
+/// Joins corners of equal position and normal into vertices, without texture points. Corners without a normal
+/// get the area-weighted average over all triangles of their smoothing group that share the position.
+/// Triangles without area are dropped and counted. `subject` names the mesh in the Failure that is thrown if
+/// a limit is passed or nothing is left.
 [[nodiscard]] MeshData weld(const RawMesh& raw, const std::string& subject);
 
 }  // namespace arcspan::tools

@@ -20,6 +20,16 @@ std::size_t Model::triangle_count() const {
   return count;
 }
 
+AlphaMode alpha_mode_of(const RgbaImage& picture) {
+  AlphaMode mode = AlphaMode::kOpaque;
+  for (const Rgba8 c : picture.pixels) {
+    if (c.a == 255) continue;
+    if (c.a > 0) return AlphaMode::kBlend;
+    mode = AlphaMode::kMask;
+  }
+  return mode;
+}
+
 Model to_model(MeshData mesh) {
   Model model;
   model.dropped_faces = std::exchange(mesh.dropped_faces, 0);
@@ -33,7 +43,9 @@ RawModel to_raw(const Model& model) {
     const MeshData& mesh = part.mesh;
     for (const auto& t : mesh.triangles) {
       const auto corner = [&mesh](std::uint32_t i) {
-        return RawMesh::Corner{mesh.positions[i], mesh.normals[i]};
+        RawMesh::Corner c{mesh.positions[i], mesh.normals[i]};
+        if (!mesh.texture_points.empty()) c.texture_point = mesh.texture_points[i];
+        return c;
       };
       raw.mesh.triangles.push_back({corner(t[0]), corner(t[1]), corner(t[2])});
       raw.look_of.push_back(static_cast<std::uint32_t>(raw.looks.size()));

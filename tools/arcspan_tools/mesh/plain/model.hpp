@@ -1,30 +1,52 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan_tools/image/rgba_image.hpp>
 #include <arcspan_tools/mesh/plain/mesh_data.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace arcspan::tools {
 
+/// How the opacity of a texture is meant.
+enum class AlphaMode : std::uint8_t {
+  kOpaque,  ///< not at all
+  kMask,    ///< texels below FileMaterial::alpha_cutoff are not drawn
+  kBlend    ///< as the share of the surface in what is seen
+};
+
+/// A picture that a model file maps onto its surfaces.
+struct FileTexture {
+  std::string name{};  ///< of its file, or of the file that it is in
+  RgbaImage picture{};
+};
+
 /// The look of a surface as a model file states it. Colours are display values 0...1 per channel, 1 being a
 /// channel of 255 (docs/conventions.md). Unset members are left to the options of the command.
 struct FileMaterial {
   std::string name{};
-  std::optional<Vec3> colour{};             ///< of diffuse light
-  std::optional<Vec3> ambient_colour{};     ///< of ambient light; `colour` if unset
-  std::optional<Vec3> specular{};           ///< of the highlight; black means none
-  std::optional<std::int32_t> shininess{};  ///< exponent of the highlight, 1...256
-  Vec3 emission{};                          ///< added to every pixel
-  bool unlit = false;                       ///< the colour is shown as it is, without light
-  bool two_sided = false;                   ///< back faces are drawn too
+  std::optional<Vec3> colour{};                  ///< of diffuse light
+  std::optional<Vec3> ambient_colour{};          ///< of ambient light; `colour` if unset
+  std::optional<Vec3> specular{};                ///< of the highlight; black means none
+  std::optional<std::int32_t> shininess{};       ///< exponent of the highlight, 1...256
+  Vec3 emission{};                               ///< added to every pixel
+  bool unlit = false;                            ///< the colour is shown as it is, without light
+  bool two_sided = false;                        ///< back faces are drawn too
+  std::shared_ptr<const FileTexture> texture{};  ///< multiplies `colour`; null if there is none
+  AlphaMode alpha_mode = AlphaMode::kOpaque;
+  double alpha_cutoff = 0.5;
 
   friend bool operator==(const FileMaterial&, const FileMaterial&) = default;
 };
+
+/// kOpaque for a picture without transparent pixels, kMask if all are opaque or fully transparent, else
+/// kBlend.
+[[nodiscard]] AlphaMode alpha_mode_of(const RgbaImage& picture);
 
 /// What the triangles of a part have in common.
 struct PartLook {
@@ -62,9 +84,16 @@ struct RawModel {
   std::vector<std::string> warnings{};
 };
 
-/// weld() of each part; normals are averaged across parts. Parts without triangles are left out. The limit of
-/// vertices holds for each part, that of triangles for the model.
-[[nodiscard]] Model weld_parts(const RawModel& raw, const std::string& subject);
+/// Which parts of a model keep their texture points. Vertices are split where these differ.
+enum class TexturePointsOf : std::uint8_t { kTexturedParts, kAllParts };
+
+/// Joins corners into vertices as weld() does, part by part and with texture points; normals are averaged
+/// across parts. Parts without triangles are left out. The limit of vertices holds for each part, that of
+/// triangles for the model. The texture of a part that has no texture point is left out, with a warning.
+/// Throws a Failure about `subject` also for texture points that are not finite or more than kMostTextures
+/// apart.
+[[nodiscard]] Model weld_parts(const RawModel& raw, const std::string& subject,
+                               TexturePointsOf points = TexturePointsOf::kTexturedParts);
 
 /// The model of a mesh without materials.
 [[nodiscard]] Model to_model(MeshData mesh);

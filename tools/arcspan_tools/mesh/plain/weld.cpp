@@ -3,8 +3,11 @@
 #include <arcspan_tools/mesh/plain/model.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <unordered_map>
+#include <utility>
 
 namespace arcspan::tools {
 namespace {
@@ -17,17 +20,27 @@ struct VertexHash {
   static std::uint64_t mix(std::uint64_t seed, const Vec3& v) { return mix(mix(mix(seed, v.x), v.y), v.z); }
   static std::size_t folded(std::uint64_t hash) { return static_cast<std::size_t>(hash ^ (hash >> 32)); }
   std::size_t operator()(const Vec3& v) const { return folded(mix(0, v)); }
-  std::size_t operator()(const RawMesh::Corner& c) const { return folded(mix(mix(0, c.position), c.normal)); }
 };
 
-struct SameVertex {
-  bool operator()(const RawMesh::Corner& a, const RawMesh::Corner& b) const {
-    return a.position == b.position && a.normal == b.normal;
+/// A vertex as it is joined with others.
+struct Vertex {
+  Vec3 position;
+  Vec3 normal;
+  Uv texture_point;
+
+  friend bool operator==(const Vertex&, const Vertex&) = default;
+};
+struct JoinHash {
+  std::size_t operator()(const Vertex& v) const {
+    const std::uint64_t of_vectors = VertexHash::mix(VertexHash::mix(0, v.position), v.normal);
+    return VertexHash::folded(
+        VertexHash::mix(VertexHash::mix(of_vectors, v.texture_point.u), v.texture_point.v));
   }
 };
 
 // Adding +0 turns -0 into +0, so that equal vectors have equal bits.
 Vec3 canonical(Vec3 v) { return v + Vec3{}; }
+Uv canonical(Uv p) { return {p.u + 0.0, p.v + 0.0}; }
 
 Vec3 area_vector(const std::array<RawMesh::Corner, 3>& t) {
   return cross(t[1].position - t[0].position, t[2].position - t[0].position);
@@ -81,14 +94,16 @@ void check_limit(const std::string& subject, const char* what, std::size_t count
 /// Makes vertices of the corners of one mesh.
 class Welder {
  public:
-  explicit Welder(const NormalAt& averaged) : averaged_(averaged) {}
+  Welder(const NormalAt& averaged, bool with_points) : averaged_(averaged), with_points_(with_points) {}
 
   void add(const std::array<RawMesh::Corner, 3>& triangle, std::uint32_t group, const std::string& subject) {
     std::array<std::uint32_t, 3> indices{};
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 position = canonical(triangle[i].position);
       const Vec3 own = canonical(normalised(triangle[i].normal));
-      indices[i] = vertex(position, own == Vec3{} ? missing_normal(triangle, position, group) : own);
+      const Vec3 normal = own == Vec3{} ? missing_normal(triangle, position, group) : own;
+      const Uv point = with_points_ ? canonical(triangle[i].texture_point.value_or(Uv{})) : Uv{};
+      indices[i] = index_of({position, normal, point});
     }
     check_limit(subject, "vertices", mesh_.positions.size(), kMaxVertices);
     mesh_.triangles.push_back(indices);
@@ -102,25 +117,55 @@ class Welder {
                                              : averaged_.at({position, group}));
   }
 
-  std::uint32_t vertex(const Vec3& position, const Vec3& normal) {
+  std::uint32_t index_of(const Vertex& vertex) {
     const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
-    const auto [at, is_new] = known_.try_emplace({position, normal}, next);
+    const auto [at, is_new] = known_.try_emplace(vertex, next);
     if (is_new) {
-      mesh_.positions.push_back(position);
-      mesh_.normals.push_back(normal);
+      mesh_.positions.push_back(vertex.position);
+      mesh_.normals.push_back(vertex.normal);
+      if (with_points_) mesh_.texture_points.push_back(vertex.texture_point);
     }
     return at->second;
   }
 
   MeshData mesh_;
   const NormalAt& averaged_;
-  std::unordered_map<RawMesh::Corner, std::uint32_t, VertexHash, SameVertex> known_;
+  bool with_points_;
+  std::unordered_map<Vertex, std::uint32_t, JoinHash> known_;
 };
 
 void require_faces(const std::string& subject, bool any, std::size_t dropped) {
   if (any) return;
   throw Failure(
       subject, dropped == 0 ? "no faces" : "no faces with an area (" + std::to_string(dropped) + " dropped)");
+}
+
+void require_texture_range(const std::vector<Uv>& points, const std::string& subject) {
+  if (points.empty()) return;
+  Uv low = points[0];
+  Uv high = points[0];
+  for (const Uv& p : points) {
+    if (!std::isfinite(p.u) || !std::isfinite(p.v)) {
+      throw Failure(subject, "a texture coordinate is not a finite number");
+    }
+    low = {std::min(low.u, p.u), std::min(low.v, p.v)};
+    high = {std::max(high.u, p.u), std::max(high.v, p.v)};
+  }
+  if (high.u - low.u <= kMostTextures && high.v - low.v <= kMostTextures) return;
+  throw Failure(subject, "texture coordinates of a part are more than 4000 apart (from " +
+                             std::to_string(low.u) + ", " + std::to_string(low.v) + " to " +
+                             std::to_string(high.u) + ", " + std::to_string(high.v) + ")");
+}
+
+/// For each look, whether a corner of its triangles has a texture point.
+std::vector<bool> looks_with_points(const RawModel& raw) {
+  std::vector<bool> has_points(raw.looks.size());
+  for (std::size_t i = 0; i < raw.mesh.triangles.size(); ++i) {
+    for (const RawMesh::Corner& corner : raw.mesh.triangles[i]) {
+      if (corner.texture_point) has_points[raw.look_of[i]] = true;
+    }
+  }
+  return has_points;
 }
 
 }  // namespace
@@ -131,10 +176,15 @@ MeshData weld(const RawMesh& raw, const std::string& subject) {
   return std::move(model.parts[0].mesh);
 }
 
-Model weld_parts(const RawModel& raw, const std::string& subject) {
+Model weld_parts(const RawModel& raw, const std::string& subject, TexturePointsOf points) {
   check_limit(subject, "triangles", raw.mesh.triangles.size(), kMaxTriangles);
   const NormalAt averaged = averaged_normals(raw.mesh);
-  std::vector<Welder> welders(raw.looks.size(), Welder(averaged));
+  const std::vector<bool> has_points = looks_with_points(raw);
+  std::vector<Welder> welders;
+  for (std::size_t i = 0; i < raw.looks.size(); ++i) {
+    const bool wanted = points == TexturePointsOf::kAllParts || raw.looks[i].material.texture != nullptr;
+    welders.emplace_back(averaged, wanted && has_points[i]);
+  }
   Model model;
   for (std::size_t i = 0; i < raw.mesh.triangles.size(); ++i) {
     const auto& triangle = raw.mesh.triangles[i];
@@ -144,12 +194,21 @@ Model weld_parts(const RawModel& raw, const std::string& subject) {
     }
     welders[raw.look_of[i]].add(triangle, smoothing_of(raw.mesh, i), subject);
   }
+  std::size_t without_points = 0;
   for (std::size_t i = 0; i < welders.size(); ++i) {
     if (welders[i].mesh().triangles.empty()) continue;
+    require_texture_range(welders[i].mesh().texture_points, subject);
     model.parts.push_back({raw.looks[i], std::move(welders[i].mesh())});
+    if (!has_points[i] && std::exchange(model.parts.back().look.material.texture, nullptr) != nullptr) {
+      ++without_points;
+    }
   }
   require_faces(subject, !model.parts.empty(), model.dropped_faces);
   model.warnings = raw.warnings;
+  if (without_points > 0) {
+    model.warnings.push_back("parts with a texture but without texture coordinates are drawn without it (" +
+                             std::to_string(without_points) + ")");
+  }
   return model;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/texture/made_texture.hpp>
+#include <arcspan_tools/texture/plain/made_texture.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/image/label.hpp>
-#include <arcspan_tools/texture/texture_picture.hpp>
+#include <arcspan_tools/texture/compile/texture_picture.hpp>
 
 #include <algorithm>
 

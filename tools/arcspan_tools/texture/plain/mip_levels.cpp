@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/support/failure.hpp>
-#include <arcspan_tools/texture/mip_levels.hpp>
+#include <arcspan_tools/texture/plain/mip_levels.hpp>
 #include <stb/stb_image_resize.h>
 
 #include <algorithm>
@@ -22,11 +22,6 @@ std::uint8_t bits_of(std::int32_t side, const std::string& subject) {
                 "a texture's side must be a power of two from 8 to 1024, not " + std::to_string(side));
 }
 
-std::int32_t nearest_side(std::int32_t side) {
-  const auto bits = std::lround(std::log2(static_cast<double>(side)));
-  return std::clamp(std::int32_t{1} << bits, kLeastSide, kMostSide);
-}
-
 RgbaImage resized(const RgbaImage& from, std::int32_t width, std::int32_t height, stbir_filter filter,
                   PictureEdges edges) {
   RgbaImage to(width, height);
@@ -41,9 +36,12 @@ RgbaImage resized(const RgbaImage& from, std::int32_t width, std::int32_t height
 
 }  // namespace
 
-TextureSize texture_size(const RgbaImage& picture, const std::optional<Size>& wanted, std::int32_t levels,
-                         const std::string& subject) {
-  const Size sides = wanted.value_or(Size{nearest_side(picture.width), nearest_side(picture.height)});
+std::int32_t nearest_side(std::int32_t side) {
+  const auto bits = std::lround(std::log2(static_cast<double>(side)));
+  return std::clamp(std::int32_t{1} << bits, kLeastSide, kMostSide);
+}
+
+TextureSize texture_size(const Size& sides, std::int32_t levels, const std::string& subject) {
   TextureSize size{bits_of(sides.width, subject), bits_of(sides.height, subject), 1};
   const std::int32_t most = std::min(size.width_bits, size.height_bits) + 1;
   if (levels > most) {

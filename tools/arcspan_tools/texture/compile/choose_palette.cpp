@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/texture/choose_palette.hpp>
+#include <arcspan_tools/texture/compile/choose_palette.hpp>
 #include <libimagequant.h>
 
 #include <algorithm>

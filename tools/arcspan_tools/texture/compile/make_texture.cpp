@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/support/failure.hpp>
-#include <arcspan_tools/texture/choose_palette.hpp>
-#include <arcspan_tools/texture/make_texture.hpp>
+#include <arcspan_tools/texture/compile/choose_palette.hpp>
+#include <arcspan_tools/texture/compile/make_texture.hpp>
 
 #include <algorithm>
 #include <array>
@@ -98,13 +98,19 @@ void store_indices(const MipLevels& levels, const TextureOptions& options, MadeT
   texture.palette.resize(most, texture.palette.back());
 }
 
+Size wanted_size(const RgbaImage& picture, const TextureOptions& options) {
+  if (options.size) return *options.size;
+  return {std::min(nearest_side(picture.width), options.most_side),
+          std::min(nearest_side(picture.height), options.most_side)};
+}
+
 bool is_opaque(Rgba8 c) { return c.a == 255; }
 
 }  // namespace
 
 TextureAndLevels make_texture(const RgbaImage& picture, const TextureOptions& options,
                               const std::string& subject) {
-  const TextureSize size = texture_size(picture, options.size, options.levels, subject);
+  const TextureSize size = texture_size(wanted_size(picture, options), options.levels, subject);
   if (options.exact && (picture.width != 1 << size.width_bits || picture.height != 1 << size.height_bits)) {
     throw Failure(subject, "is " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
                                " and would have to be resized");

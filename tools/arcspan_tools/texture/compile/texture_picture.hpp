@@ -2,7 +2,7 @@
 #pragma once
 
 #include <arcspan_tools/image/image.hpp>
-#include <arcspan_tools/texture/make_texture.hpp>
+#include <arcspan_tools/texture/compile/make_texture.hpp>
 
 namespace arcspan::tools {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/texture/made_texture.hpp>
-#include <arcspan_tools/texture/mip_levels.hpp>
+#include <arcspan_tools/texture/plain/made_texture.hpp>
+#include <arcspan_tools/texture/plain/mip_levels.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -14,8 +14,9 @@ namespace arcspan::tools {
 /// How a texture is to be made of a picture.
 struct TextureOptions {
   TextureFormat format;
-  std::optional<Size> size{};  ///< the nearest powers of two if unset
-  std::int32_t levels = 1;     ///< 0 means all
+  std::optional<Size> size{};  ///< the nearest powers of two, at most `most_side`, if unset
+  std::int32_t most_side = 1 << TextureSize::kMostBits;
+  std::int32_t levels = 1;  ///< 0 means all
   PictureEdges edges = PictureEdges::kRepeat;
   bool dither = false;  ///< mixes colours that the format lacks of neighbouring texels
   bool exact = false;   ///< refuses pictures whose colours would have to be reduced

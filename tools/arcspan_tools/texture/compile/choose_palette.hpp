@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/texture/made_texture.hpp>
+#include <arcspan_tools/texture/plain/made_texture.hpp>
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/texture/texture_error.hpp>
+#include <arcspan_tools/texture/compile/texture_error.hpp>
 
 #include <algorithm>
 #include <cmath>

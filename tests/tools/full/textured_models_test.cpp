@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Textures of model files, and what `arcspan mesh` and `arcspan render` make of them.
+#include <arcspan/model/model_binary.hpp>
+
+#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/mesh/compile/simplify.hpp>
+#include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/output/mesh_writer.hpp>
+#include <arcspan_tools/output/texture_writer.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <catch2/catch.hpp>
+#include <sign.hpp>  // made by the build from models/sign.obj
+#include <tests/tools/command_run.hpp>
+#include <tests/tools/temporary_folder.hpp>
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+using namespace arcspan;
+using namespace arcspan::tools;
+using namespace arcspan::test;
+
+namespace {
+
+const std::string kSign = ARCSPAN_MODELS "/sign.obj";
+const std::string kTiles = ARCSPAN_MODELS "/tiles.ppm";
+
+/// A square of two faces, the second with a texture coordinate of its own, and its material.
+const std::string kSquare =
+    "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 3 0.25\n"
+    "usemtl m\nf 1/1 2/2 3/3\nf 1/5 3/3 4/4\n";
+
+Model loaded(const std::string& obj, const std::string& mtl,
+             TexturePointsOf points = TexturePointsOf::kTexturedParts) {
+  const TemporaryFolder folder;
+  (void)folder.file("a.mtl", mtl);
+  (void)folder.file("tiles.ppm", contents(kTiles));
+  return load_model_file(folder.file("a.obj", obj), points);
+}
+
+std::string complaint(const std::string& obj, const std::string& mtl) {
+  return message_of<Failure>([&] { (void)loaded(obj, mtl); });
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("an OBJ with a texture: its picture, points with v down, vertices split at seams") {
+  const Model model = loaded(kSquare, "newmtl m\nKd 0.5 0.5 0.5\nmap_Kd tiles.ppm\n");
+  CHECK(model.warnings.empty());
+  REQUIRE(model.parts.size() == 1);
+  const FileMaterial& material = model.parts[0].look.material;
+  REQUIRE(material.texture != nullptr);
+  CHECK(material.texture->picture.width == 16);
+  CHECK(material.colour == Vec3{0.5, 0.5, 0.5});
+  CHECK(material.alpha_mode == AlphaMode::kOpaque);
+  const MeshData& mesh = model.parts[0].mesh;
+  REQUIRE(mesh.positions.size() == 5);  // the corner at the origin has two texture points
+  REQUIRE(mesh.texture_points.size() == 5);
+  CHECK(mesh.texture_points[mesh.triangles[0][0]] == Uv{0, 1});
+  CHECK(mesh.texture_points[mesh.triangles[0][2]] == Uv{1, 0});
+  CHECK(mesh.texture_points[mesh.triangles[1][0]] == Uv{3, 0.75});
+}
+
+TEST_CASE("texture coordinates that nothing uses split no vertex") {
+  const Model model = loaded(kSquare, "newmtl m\n");
+  CHECK(model.parts[0].mesh.positions.size() == 4);
+  CHECK(model.parts[0].mesh.texture_points.empty());
+  const Model all = loaded(kSquare, "newmtl m\n", TexturePointsOf::kAllParts);
+  CHECK(all.parts[0].mesh.positions.size() == 5);
+}
+
+TEST_CASE("what is wrong with textures is a warning, or an error that names its place") {
+  CHECK(loaded(kSquare, "newmtl m\nmap_Kd none.png\n").warnings ==
+        std::vector<std::string>{"cannot read the textures 'none.png' from the model's folder; the parts are "
+                                 "drawn without them"});
+  const Model options = loaded(kSquare, "newmtl m\nKd 0 0 0\nmap_Kd -s 2 2 1 -clamp on tiles.ppm\n");
+  CHECK(options.warnings == std::vector<std::string>{"not drawn of its materials: map_Kd -clamp, map_Kd -s"});
+  CHECK(options.parts[0].look.material.texture != nullptr);
+  CHECK(options.parts[0].look.material.colour == Vec3{1, 1, 1});  // black would hide it
+  const Model bare =
+      loaded("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl m\nf 1 2 3\n", "newmtl m\nmap_Kd tiles.ppm\n");
+  CHECK(bare.parts[0].look.material.texture == nullptr);
+  CHECK(bare.warnings ==
+        std::vector<std::string>{
+            "parts with a texture but without texture coordinates are drawn without it (1)"});
+  CHECK(ends_with(complaint(kSquare, "newmtl m\nmap_Kd\n"), "a.mtl: line 2: 'map_Kd' names no file"));
+  CHECK(ends_with(complaint("vt nan 0\n" + kSquare, "newmtl m\n"), "line 1: 'nan' is not a finite number"));
+  CHECK(complaint("vt 5000 0\n" + kSquare + "f 1/1 2/2 3/3\n", "newmtl m\nmap_Kd tiles.ppm\n")
+            .find("texture coordinates of a part are more than 4000 apart") != std::string::npos);
+  const TemporaryFolder folder;
+  (void)folder.file("a.mtl", "newmtl m\nmap_Kd tiles.ppm\n");
+  (void)folder.file("tiles.ppm", contents(kTiles).substr(0, 100));
+  const std::string path = folder.file("a.obj", kSquare);
+  CHECK(message_of<Failure>([&] { (void)load_model_file(path); }).starts_with(folder / "tiles.ppm"));
+}
+
+TEST_CASE("texture points have as many fraction bits as their range leaves, wherever they lie") {
+  const auto scaled = [](double offset, double factor) {
+    Model model = loaded(kSquare, "newmtl m\nmap_Kd tiles.ppm\n");
+    for (Uv& p : model.parts[0].mesh.texture_points) p = {offset + factor * p.u, factor * p.v};
+    return to_fixed(model).meshes[0];
+  };
+  CHECK(scaled(0, 0.3).texture_scale.fraction_bits == 15);
+  CHECK(scaled(0, 1).texture_scale.fraction_bits == 13);  // 0...3, moved to -1...2
+  const FixedMesh far = scaled(1000, 1);
+  CHECK(far.texture_scale.fraction_bits == 13);
+  CHECK(far.texture_points == scaled(0, 1).texture_points);
+  CHECK(scaled(0, 1300).texture_scale.fraction_bits == 4);
+}
+
+TEST_CASE("a PLY has texture coordinates of its vertices") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file(
+      "a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float s\nproperty float t\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "end_header\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 0.75\n3 0 1 2\n");
+  const Model model = load_model_file(path, TexturePointsOf::kAllParts);
+  REQUIRE(model.parts[0].mesh.texture_points.size() == 3);
+  CHECK(model.parts[0].mesh.texture_points[2] == Uv{0, 0.25});
+  CHECK(run("render " + path + " -o " + (folder / "a.png") + " --texture " + kTiles).status == 0);
+}
+
+TEST_CASE("simplification keeps the seams of a texture, in each of its ways") {
+  Model model = load_model_file("sphere:32x16");
+  MeshData& mesh = model.parts[0].mesh;
+  for (const Vec3& p : mesh.positions) mesh.texture_points.push_back({p.x > 0 ? 1 - p.y : p.y, p.y});
+  for (const Simplification how :
+       {Simplification::kWithNormals, Simplification::kByPosition, Simplification::kByCells}) {
+    const Simplified few = simplify(model, how, 400, 60, "test");
+    const MeshData& left = few.model.parts[0].mesh;
+    CHECK(left.triangles.size() <= 400);
+    REQUIRE(left.texture_points.size() == left.positions.size());
+    for (std::size_t i = 0; i < left.positions.size(); ++i) {
+      CHECK(left.texture_points[i].v == Approx(left.positions[i].y));  // moved with its vertex
+    }
+  }
+}
+
+TEST_CASE("the header of a model has its texture points and its textures") {
+  REQUIRE(std::size(sign::kParts) == 2);
+  MeshView board;
+  REQUIRE(ok(sign::kParts[0].make_view(board)));
+  CHECK(board.planes() != nullptr);
+  CHECK(board.texture_scale().fraction_bits == 14);
+  const FixedModel model = to_fixed(load_model_file(kSign));
+  REQUIRE(board.vertex_count() == model.meshes[0].positions.size());
+  CHECK(sign::kParts[0].texture == &sign::texture_1::kTexture);
+  CHECK(sign::kParts[1].texture == nullptr);
+  CHECK(sign::kParts[0].alpha == PartAlpha::kOpaque);
+  STATIC_REQUIRE(sign::texture_1::kTexture.size() == TextureSize{4, 3, 4});
+  MeshView post;
+  REQUIRE(ok(sign::kParts[1].make_view(post)));
+  CHECK(post.texture_point(0) == TexturePoint{});
+}
+
+TEST_CASE("the library reads the textures of the model binary that was written") {
+  const FixedModel model = to_fixed(load_model_file(kSign));
+  const ModelTextures textures = make_textures(model, {find_texture_format("pal4").value()});
+  REQUIRE(textures.textures.size() == 1);
+  const std::string text = model_binary_file(model, textures);
+  CHECK(text.size() == model_bytes(CompiledOutput::kBinary, model, false, textures));
+  const std::vector<std::uint8_t> good(text.begin(), text.end());
+  arcspan::ModelPart parts[2];
+  std::size_t count = 0;
+  REQUIRE(ok(view_model_binary(good, parts, count)));
+  REQUIRE(count == 2);
+  Texture<Palette4Texels<>> texture;
+  REQUIRE(ok(view_texture(parts[0].texture, texture)));
+  CHECK(texture.size() == TextureSize{4, 3, 1});
+  CHECK(parts[1].texture.texels.empty());
+  for (std::size_t i = 0; i < parts[0].mesh.vertex_count(); ++i) {
+    CHECK(parts[0].mesh.texture_point(i) == model.meshes[0].texture_points[i]);
+  }
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    std::vector<std::uint8_t> wrong = good;
+    wrong[at] ^= 0x10;
+    CHECK_FALSE(ok(view_model_binary(wrong, parts, count)));
+    wrong.resize(at);
+    CHECK_FALSE(ok(view_model_binary(wrong, parts, count)));
+  }
+}
+
+TEST_CASE("mesh: textures in both forms, in any format, and left out") {
+  const TemporaryFolder folder;
+  const std::string bin = folder / "sign.bin";
+  const CommandRun made = run("mesh " + kSign + " -o " + bin + " --stats " + (folder / "s.json"));
+  CHECK(made.err.empty());
+  CHECK(made.out.find("  texture 1: 16x8 texels, pal8, levels: 1, 640 bytes\n") != std::string::npos);
+  CHECK(contents(folder / "s.json").find("\"format\": \"pal8\"") != std::string::npos);
+  REQUIRE(run("mesh " + bin + " -o " + (folder / "again.bin")).status == 0);
+  CHECK(contents(folder / "again.bin") == contents(bin));
+  REQUIRE(run("mesh " + kSign + " -o " + (folder / "big.bin") +
+              " --texture-format rgb565 --texture-size 64x32 --texture-levels all")
+              .status == 0);
+  CHECK(contents(folder / "big.bin").size() > contents(bin).size() + 2 * 64 * 32);
+  REQUIRE(run("mesh " + kSign + " -o " + (folder / "none.hpp") + " --no-textures").status == 0);
+  CHECK(contents(folder / "none.hpp").find("Texture") == std::string::npos);
+  CHECK(run("mesh torus:8x6 -o " + (folder / "t.hpp") + " --texture " + kTiles).err ==
+        "arcspan: torus:8x6: has no texture coordinates for --texture\n");
+}
+
+TEST_CASE("render: the texels are where the texture points say") {
+  const TemporaryFolder folder;
+  const std::string camera =
+      " --size 200x200 --eye 0,2,9 --target 0,2,0 --fov 40 --light 0,0,1 --specular 0 --format rgb888 ";
+  const auto drawn = [&](const std::string& model, const std::string& shading) {
+    const CommandRun made = run("render " + model + camera + "-o " + (folder / "a.ppm") + shading);
+    INFO(made.err);
+    REQUIRE(made.status == 0);
+    return read_image(folder / "a.ppm");
+  };
+  const std::string shading = GENERATE("flat", "gouraud", "arc", "adaptive");
+  const Image image = drawn(kSign, " --shading " + shading);
+  // The left half of the board shows the columns 0 to 7 of tiles.ppm, the right half 8 to 15: four tiles of
+  // one unit, 30.5 pixels wide. Their upper half is coloured, the lower one black.
+  const auto tile = [&image](int number, int row) { return image.at(100 - 46 + 30 * number, row); };
+  CHECK((tile(0, 90).r > 180 && tile(0, 90).g < 40 && tile(0, 90).b < 40));
+  CHECK((tile(1, 90).g > 180 && tile(1, 90).r < 40));
+  CHECK((tile(2, 90).b > 180 && tile(2, 90).r < 40));
+  CHECK((tile(3, 90).r > 180 && tile(3, 90).g > 180 && tile(3, 90).b > 180));
+  for (int i = 0; i < 4; ++i) CHECK(tile(i, 120).g < 40);
+  const Rgb8 post = image.at(100, 170);  // has no texture
+  CHECK((post.r > post.g && post.g > post.b && post.b > 40));
+  if (shading != "arc") return;
+  // So do the binary, and a picture in place of the file's.
+  REQUIRE(run("mesh " + kSign + " -o " + (folder / "s.bin")).status == 0);
+  CHECK(drawn(folder / "s.bin", "").at(54, 90).r > 180);
+  const std::string grey = folder.file("grey.pgm", "P5\n8 8\n255\n" + std::string(64, '\x80'));
+  const Rgb8 replaced = drawn(kSign, " --texture " + grey).at(54, 90);
+  CHECK(std::abs(replaced.r - replaced.g) <= 4);  // 5-6-5
+  CHECK(run("render " + kSign + " -o " + (folder / "b.png") + " --shading phong").err ==
+        "arcspan: warning: " + kSign + ": textures are not drawn by --shading phong\n");
+}

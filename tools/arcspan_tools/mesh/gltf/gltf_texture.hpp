@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/mesh/gltf/gltf_file.hpp>
+#include <arcspan_tools/mesh/plain/model.hpp>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+namespace arcspan::tools {
+
+/// How a material of glTF maps a texture: which coordinates it takes, and the transform of them that
+/// KHR_texture_transform states.
+struct GltfMapping {
+  std::int64_t set = 0;  ///< TEXCOORD_0, TEXCOORD_1 ...
+  Uv offset{};
+  double rotation = 0;  ///< counter-clockwise, in radians
+  Uv scale{1, 1};
+
+  [[nodiscard]] Uv operator()(Uv point) const;
+  friend bool operator==(const GltfMapping&, const GltfMapping&) = default;
+};
+
+/// Reads the mapping of a texture info, which is a member of a material such as baseColorTexture.
+[[nodiscard]] GltfMapping read_gltf_mapping(const JsonView& info);
+
+/// The textures of a glTF file, each picture once.
+class GltfTextures {
+ public:
+  /// The texture that `id`, an index or a name, refers to; null if its picture cannot be read, which is then
+  /// added to `not_drawn`. Throws a Failure for a damaged picture.
+  [[nodiscard]] std::shared_ptr<const FileTexture> read(GltfFile& file, const JsonView& id,
+                                                        std::set<std::string>& not_drawn);
+
+ private:
+  std::map<std::string, std::shared_ptr<const FileTexture>> known_;  ///< by place of the image
+};
+
+}  // namespace arcspan::tools

@@ -11,11 +11,11 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr std::int32_t kLeastSide = 1 << TextureSize::kLeastBits;
-constexpr std::int32_t kMostSide = 1 << TextureSize::kMostBits;
+constexpr std::int32_t kLeastTexels = 1 << TextureSize::kLeastBits;
+constexpr std::int32_t kMostTexels = 1 << TextureSize::kMostBits;
 
 std::uint8_t bits_of(std::int32_t side, const std::string& subject) {
-  if (side >= kLeastSide && side <= kMostSide && std::has_single_bit(static_cast<std::uint32_t>(side))) {
+  if (side >= kLeastTexels && side <= kMostTexels && std::has_single_bit(static_cast<std::uint32_t>(side))) {
     return static_cast<std::uint8_t>(std::countr_zero(static_cast<std::uint32_t>(side)));
   }
   throw Failure(subject,
@@ -38,7 +38,7 @@ RgbaImage resized(const RgbaImage& from, std::int32_t width, std::int32_t height
 
 std::int32_t nearest_side(std::int32_t side) {
   const auto bits = std::lround(std::log2(static_cast<double>(side)));
-  return std::clamp(std::int32_t{1} << bits, kLeastSide, kMostSide);
+  return std::clamp(std::int32_t{1} << bits, kLeastTexels, kMostTexels);
 }
 
 TextureSize texture_size(const Size& sides, std::int32_t levels, const std::string& subject) {

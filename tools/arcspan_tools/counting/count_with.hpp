@@ -102,7 +102,7 @@ template <template <class> class Method, std::size_t Lights, counted::Highlight 
 CountedDraw count_lit(const CountJob& job) {
   using Lit = counted::Illumination<Lights, Model>;
   const auto given = copied<counted::DirectionalLight>(job.lights);
-  // Missing lights are added as dark ones, as render_with.hpp does; they are drawn, so they are counted.
+  // Missing lights are added as dark ones, which saves instantiations; they are counted.
   arcspan_counted_std::array<counted::DirectionalLight, Lights> lights;
   for (std::size_t i = 0; i < Lights; ++i) {
     lights[i] = i < given.size() ? given[i] : counted::DirectionalLight{given[0].towards, {}};

@@ -19,6 +19,10 @@ template <class Inner>
 struct OperationRun {
   Inner inner;
 
+  /// Starts a row.
+  template <class Walker>
+  ARCSPAN_INLINE constexpr OperationRun(const Walker& walker, const RowStart& row) : inner(walker.row(row)) {}
+
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
     return lighting.operation(inner.colour(static_cast<const typename Lighting::Base&>(lighting)));
@@ -41,8 +45,10 @@ template <class Walker>
 struct OperationWalker : Walker {
   using Run = OperationRun<typename Walker::Run>;
   constexpr explicit OperationWalker(const Walker& walker) : Walker(walker) {}
+  // Not trivial, because compilers call memcpy for the whole on small cores.
+  ARCSPAN_INLINE constexpr OperationWalker(const OperationWalker& other) : Walker(other) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
-    return Run{Walker::row(start)};
+    return Run(static_cast<const Walker&>(*this), start);
   }
 };
 

@@ -63,6 +63,12 @@ struct LitTexel {
   PixelLight light;
   std::uint32_t level;  ///< of grey light, 0...32
 
+  ARCSPAN_INLINE constexpr LitTexel(std::uint16_t shown, const PixelLight& reflected, std::uint32_t grey)
+      : texel(shown), light{reflected.diffuse, reflected.highlight}, level(grey) {}
+  // Member by member, because small cores would copy colours within operations by memcpy.
+  ARCSPAN_INLINE constexpr LitTexel(const LitTexel& other)
+      : LitTexel(other.texel, other.light, other.level) {}
+
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
     std::uint32_t lit;
     if constexpr (Colours == TexelLight::kGrey) {

@@ -4,6 +4,8 @@
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/prepare/row_start.hpp>
+#include <arcspan/shading/textured/joined_point.hpp>
+#include <arcspan/shading/textured/piece_length.hpp>
 #include <arcspan/shading/textured/texture_triangle.hpp>
 #include <arcspan/target.hpp>
 
@@ -17,8 +19,8 @@ namespace arcspan {
 namespace detail {
 
 /// Entry n is 2^30 / n, rounded down; entry 0 is not used.
-consteval std::array<std::int32_t, TextureTriangle::kLongestPiece + 1> make_piece_inverses() {
-  std::array<std::int32_t, TextureTriangle::kLongestPiece + 1> table{};
+consteval std::array<std::int32_t, kLongestPiece + 1> make_piece_inverses() {
+  std::array<std::int32_t, kLongestPiece + 1> table{};
   for (std::size_t n = 1; n < table.size(); ++n) table[n] = static_cast<std::int32_t>((1u << 30) / n);
   return table;
 }
@@ -142,7 +144,7 @@ class PerspectiveTexture {
     const std::int32_t fall = triangle_->q.dx.raw() < 0 ? triangle_->q.dx.raw() : 0;
     std::int32_t length = triangle_->piece;
     auto threshold = static_cast<std::uint32_t>(triangle_->piece_q);
-    while (length < left && 2 * length <= TextureTriangle::kLongestPiece) {
+    while (length < left && 2 * length <= kLongestPiece) {
       const std::int32_t longer = 2 * length;
       threshold += (threshold >> 1) + (threshold >> 4) + (threshold >> 5);  // times 2^(2/3), a bit more
       const std::int32_t end = wrap_add(q_, wrap_mul(fall, longer < left ? longer : left));
@@ -170,7 +172,8 @@ class PerspectiveTexture {
       return wrap_shl(multiply_high(wrap_shl(wrap_sub(to, from), 2), inverse), triangle_->word_shift);
     };
     steps_.set_step(step(at_.u, end.u), step(at_.v, end.v));
-    at_ = end;
+    at_.u = end.u;
+    at_.v = end.v;
     return last ? left : length;
   }
 

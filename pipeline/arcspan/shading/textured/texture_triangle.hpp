@@ -5,6 +5,8 @@
 #include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/precise_plane.hpp>
 #include <arcspan/prepare/triangle.hpp>
+#include <arcspan/shading/textured/joined_point.hpp>
+#include <arcspan/shading/textured/piece_length.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/texture/texture.hpp>
 
@@ -25,9 +27,6 @@ struct MappedPoint {
 /// In the plane of the screen u and v are linear only where all vertices are equally far away. Otherwise u/w,
 /// v/w and 1/w are linear, and u and v are their quotients (Blinn, "Hyperbolic Interpolation", 1992).
 struct TextureTriangle {
-  /// Pixels of the longest piece that is linear. The table of their reciprocals has as many entries.
-  static constexpr std::int32_t kLongestPiece = 128;
-
   /// If `piece` is 0, u and v; their edges are fractions of a repetition in 32 bits, which wrap. Otherwise (u
   /// - u_origin)/w and (v - v_origin)/w, in units in which 1 is the triangle's largest range of u or v, or up
   /// to twice that.
@@ -64,29 +63,6 @@ struct TextureTriangle {
   }
 };
 
-/// u and v in one word of 64 bits, so that one addition steps both. From the top: the column of the texel in
-/// `width_bits`, its fraction, the row of the texel in `height_bits`, its fraction of 32 bits. Both repeat by
-/// wrapping; a carry of v changes the last fraction bit of u.
-struct JoinedPoint {
-  /// u and v as fractions of a repetition in 32 bits.
-  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint64_t of(std::uint32_t u, std::uint32_t v,
-                                                                 unsigned height_bits) {
-    const std::uint32_t unit = std::uint32_t{1} << height_bits;
-    const std::uint64_t upper = std::uint64_t{u & (0u - unit)} << 32;
-    // A product takes one instruction where a shift of two words takes five.
-    return upper + (kHasLongMultiply && !kHasWideRegisters ? std::uint64_t{v} * unit
-                                                           : std::uint64_t{v} << height_bits);
-  }
-  /// Signed changes of u and v.
-  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint64_t step(std::int32_t u, std::int32_t v,
-                                                                   unsigned height_bits) {
-    // Rounded to what is left of u beside v.
-    const std::uint32_t upper = static_cast<std::uint32_t>(u) + ((std::uint32_t{1} << height_bits) >> 1);
-    return (std::uint64_t{upper >> height_bits << height_bits} << 32) +
-           (static_cast<std::uint64_t>(std::int64_t{v}) << height_bits);
-  }
-};
-
 namespace detail {
 
 /// The least and the largest of three values.
@@ -100,14 +76,6 @@ struct Extent {
     return static_cast<std::uint32_t>(wrap_sub(most, least));
   }
 };
-
-/// Returns a lower bound of the binary logarithm of v > 0, 8 fraction bits; it is too low by at most
-/// kLogError.
-[[nodiscard]] constexpr std::int32_t low_log2(std::uint32_t v) {
-  const int zeros = std::countl_zero(v | 1u);
-  return (31 - zeros) * 256 + static_cast<std::int32_t>(((v << zeros) >> 23) & 0xFFu);
-}
-inline constexpr std::int32_t kLogError = 24;  // log2(1 + m) - m is at most 0.0861, and 1/256 is cut off
 
 /// Returns the mip level of a triangle whose texels are about as large as pixels, or the last. `texels` is
 /// the triangle's doubled area in texels of level 0, `pixels` that in pixels, both with 8 fraction bits.
@@ -123,47 +91,6 @@ inline constexpr std::int32_t kLogError = 24;  // log2(1 + m) - m is at most 0.0
 
 /// 1/w of a vertex is at least this, as Linear: so far away that a ratio of distances of 65536 is left.
 inline constexpr std::int32_t kLeastQ = 1 << 12;
-
-/// The largest |s' - f q'| q of a triangle's vertices, where f = s/q: the change of f along a row times q^2,
-/// with the fraction bits of 2 Linear less 28. Along a row it is constant, over the triangle linear.
-struct PerspectiveSlope {
-  std::int32_t ds;  ///< raw gradients
-  std::int32_t dq;
-  std::uint32_t most = 0;
-
-  /// Adds a vertex: f with 28 fraction bits, q as Linear.
-  constexpr void add(std::int32_t f, std::int32_t q) {
-    const std::int32_t part = multiply_high(dq, wrap_shl(f, 2)) * 4;
-    const std::int32_t slope = wrap_sub(ds, part);
-    const std::uint32_t magnitude = static_cast<std::uint32_t>(slope < 0 ? -slope : slope) + 4;
-    const std::uint32_t product = multiply_high(magnitude, static_cast<std::uint32_t>(q) << 4) + 1;
-    if (product > most) most = product;
-  }
-};
-
-/// Returns the pixels of a piece over which u and v may be linear at the least q of a triangle, 0 if less
-/// than one: the error, n^2/4 |q'| |s' q - s q'| / q^3 texels, stays below 0.45. `u` and `v` are the slopes;
-/// `u_bits` and `v_bits` the binary logarithms of the texels that a relative u or v of 1 has.
-[[nodiscard]] constexpr std::uint8_t piece_length(std::int32_t least_q, const PerspectiveSlope& u,
-                                                  const PerspectiveSlope& v, int u_bits, int v_bits) {
-  const std::uint32_t dq = static_cast<std::uint32_t>(u.dq < 0 ? -u.dq : u.dq);
-  if (dq == 0) return static_cast<std::uint8_t>(TextureTriangle::kLongestPiece);
-  const std::int32_t along_u = low_log2(u.most) + 256 * u_bits;
-  const std::int32_t along_v = low_log2(v.most) + 256 * v_bits;
-  const std::int32_t slope = (along_u > along_v ? along_u : along_v) + kLogError;
-  constexpr std::int32_t kLimit = 217;  // of 1.8
-  // All as Linear; the product of the slope is 2^-28 of what it stands for.
-  const std::int32_t square = kLimit + 3 * low_log2(static_cast<std::uint32_t>(least_q)) - 256 * 28 -
-                              (low_log2(dq) + kLogError) - slope;
-  const std::int32_t log = square >> 1;
-  if (log < 0) return 0;
-  if (log >= 7 * 256) return static_cast<std::uint8_t>(TextureTriangle::kLongestPiece);
-  // 2^m is at least 1 + m ln 2, and at least 1 + m - 0.0861.
-  const std::int32_t m = log & 255;
-  const std::int32_t tangent = (m * 177) >> 8;
-  const std::int32_t chord = m - kLogError;
-  return static_cast<std::uint8_t>((256 + (tangent > chord ? tangent : chord)) << (log >> 8) >> 8);
-}
 
 /// The vertices of a triangle for its texture, in the order top, middle, bottom.
 struct TextureCorners {
@@ -192,6 +119,26 @@ constexpr void become_words(LinearPlane& plane, std::uint32_t origin, int shift)
   };
   edge(plane.left);
   edge(plane.lower);
+}
+
+/// Prepares a triangle whose u and v are linear, with relative values that are shifted by `shift`.
+template <class Frame>
+constexpr void prepare_linearly(const Frame& frame, const TextureCorners& corners, const MappedPoint& least,
+                                int shift, TextureTriangle& t) {
+  t.word_shift = static_cast<std::uint8_t>(4 - shift);
+  t.piece = 0;
+  const auto prepare = [&](std::int32_t MappedPoint::*part, std::uint32_t origin, LinearPlane& plane) {
+    const auto relative = [&](int i) {
+      const std::int32_t distance = wrap_sub(corners.at[i].*part, least.*part);
+      return shift >= 0 ? distance << shift : distance >> -shift;
+    };
+    make_linear_plane(frame, relative(0), relative(1), relative(2), plane);
+    become_words(plane, origin, t.word_shift);
+  };
+  prepare(&MappedPoint::u, t.u_origin, t.u);
+  prepare(&MappedPoint::v, t.v_origin, t.v);
+  t.step = JoinedPoint::step(wrap_shl(t.u.dx.raw(), t.word_shift), wrap_shl(t.v.dx.raw(), t.word_shift),
+                             t.height_bits);
 }
 
 /// Prepares a triangle whose u and v are not linear. `shift` makes the range of u and v fit 16 bits, `narrow`
@@ -234,11 +181,39 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
   t.piece_q = length == 0 ? INT32_MAX >> 2 : t.least_q;  // where each pixel is a piece, all are
 }
 
+/// Chooses the mip level of a triangle. `corners` are those of the frame's vertices.
 template <class Frame>
 [[nodiscard]] ARCSPAN_OUTLINE constexpr unsigned level_of(const Frame& frame, const TextureSize& size,
                                                           const TextureCorners& corners) {
   const std::int32_t area = doubled_area(frame.top->position, frame.middle->position, frame.bottom->position);
   return mip_level(size, texel_area(corners, size), static_cast<std::uint32_t>(area < 0 ? -area : area));
+}
+
+/// Sets the mip level, and u_origin and v_origin to the least u and v.
+template <TextureFilter Filter>
+constexpr void place_texture(const TextureSize& size, unsigned level, const MappedPoint& least,
+                             TextureTriangle& t) {
+  t.first = size.texels(level);
+  t.width_bits = static_cast<std::uint8_t>(size.width_bits - level);
+  t.height_bits = static_cast<std::uint8_t>(size.height_bits - level);
+  t.mask = (std::uint32_t{1} << (t.width_bits + t.height_bits)) - 1;
+  t.u_origin = static_cast<std::uint32_t>(least.u) << 16;
+  t.v_origin = static_cast<std::uint32_t>(least.v) << 16;
+  if constexpr (Filter == TextureFilter::kBilinear) {
+    // A texel's colour is that of its middle.
+    t.u_origin -= std::uint32_t{1} << (31 - t.width_bits);
+    t.v_origin -= std::uint32_t{1} << (31 - t.height_bits);
+  }
+}
+
+/// True if linear mapping is exact enough: it is wrong by at most d (sqrt(r) - 1) / (sqrt(r) + 1), which is
+/// less than d (r - 1) / 4 texels, if d is the range in texels and r the ratio of the distances.
+[[nodiscard]] constexpr bool is_nearly_linear(const TextureTriangle& t, std::uint32_t range_u,
+                                              std::uint32_t range_v, const Extent& near_over_w) {
+  const std::uint32_t d_u = range_u >> (12 - t.width_bits);  // 4 fraction bits
+  const std::uint32_t d_v = range_v >> (12 - t.height_bits);
+  const std::uint64_t texels = (d_u > d_v ? d_u : d_v) + 1;
+  return texels * near_over_w.range() <= std::uint64_t{28} * static_cast<std::uint32_t>(near_over_w.least);
 }
 
 }  // namespace detail
@@ -249,51 +224,22 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size,
                                const detail::TextureCorners& corners, TextureTriangle& t) {
   const detail::Extent u(corners.at[0].u, corners.at[1].u, corners.at[2].u);
   const detail::Extent v(corners.at[0].v, corners.at[1].v, corners.at[2].v);
+  const detail::Extent w(corners.near_over_w[0], corners.near_over_w[1], corners.near_over_w[2]);
   const unsigned level = size.levels == 1 ? 0 : detail::level_of(frame, size, corners);
-  t.first = size.texels(level);
-  t.width_bits = static_cast<std::uint8_t>(size.width_bits - level);
-  t.height_bits = static_cast<std::uint8_t>(size.height_bits - level);
-  t.mask = (std::uint32_t{1} << (t.width_bits + t.height_bits)) - 1;
-  t.u_origin = static_cast<std::uint32_t>(u.least) << 16;
-  t.v_origin = static_cast<std::uint32_t>(v.least) << 16;
-  if constexpr (Filter == TextureFilter::kBilinear) {
-    // A texel's colour is that of its middle.
-    t.u_origin -= std::uint32_t{1} << (31 - t.width_bits);
-    t.v_origin -= std::uint32_t{1} << (31 - t.height_bits);
-  }
+  const MappedPoint least{u.least, v.least};
+  detail::place_texture<Filter>(size, level, least, t);
   t.middle_left = frame.middle_left;
-  // Relative values as 16 bits of 2^-(16 - shift) repetitions.
+  // Shifted by this, the larger range fits 16 bits.
   const std::uint32_t range = u.range() > v.range() ? u.range() : v.range();
   const int fits = std::countl_zero(range | 0xFFFu) - 16;
-  // In a triangle narrower than a pixel gradients are larger than ranges, but must not be larger than 16
-  // bits.
+  const int shift = fits < 4 ? fits : 4;
+  // In a triangle narrower than a pixel gradients are larger than ranges, by so many bits.
   const int narrow = frame.width < 0x10000u ? std::countl_zero(frame.width) - 15 : 0;
-  const detail::Extent w(corners.near_over_w[0], corners.near_over_w[1], corners.near_over_w[2]);
-  // Affine mapping is wrong by at most d (sqrt(r) - 1) / (sqrt(r) + 1) < d (r - 1) / 4 texels, if d is the
-  // range in texels and r the ratio of the distances.
-  const std::uint32_t d_u = u.range() >> (12 - t.width_bits);
-  const std::uint32_t d_v = v.range() >> (12 - t.height_bits);
-  const std::uint64_t texels = (d_u > d_v ? d_u : d_v) + 1;  // 4 fraction bits
-  if (texels * w.range() <= std::uint64_t{28} * static_cast<std::uint32_t>(w.least)) {
-    const int shift = (fits < 4 ? fits : 4) - narrow;
-    t.word_shift = static_cast<std::uint8_t>(4 - shift);
-    t.piece = 0;
-    const auto linear = [&](std::int32_t MappedPoint::*part, std::int32_t least, std::uint32_t origin,
-                            LinearPlane& plane) {
-      const auto relative = [&](int i) {
-        const std::int32_t distance = wrap_sub(corners.at[i].*part, least);
-        return shift >= 0 ? distance << shift : shift > -32 ? distance >> -shift : 0;
-      };
-      make_linear_plane(frame, relative(0), relative(1), relative(2), plane);
-      detail::become_words(plane, origin, t.word_shift);
-    };
-    linear(&MappedPoint::u, u.least, t.u_origin, t.u);
-    linear(&MappedPoint::v, v.least, t.v_origin, t.v);
-    t.step = JoinedPoint::step(wrap_shl(t.u.dx.raw(), t.word_shift), wrap_shl(t.v.dx.raw(), t.word_shift),
-                               t.height_bits);
-    return;
+  if (detail::is_nearly_linear(t, u.range(), v.range(), w)) {
+    detail::prepare_linearly(frame, corners, least, shift - narrow < -27 ? -27 : shift - narrow, t);
+  } else {
+    detail::prepare_in_perspective(frame, corners, least, shift, narrow, w, t);
   }
-  detail::prepare_in_perspective(frame, corners, {u.least, v.least}, fits < 4 ? fits : 4, narrow, w, t);
 }
 
 }  // namespace arcspan

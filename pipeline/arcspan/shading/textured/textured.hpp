@@ -21,7 +21,6 @@ namespace arcspan {
 
 /// The pixels of a row of a textured triangle (PixelRun, or PiecewiseRun in perspective). `LightRun` is the
 /// run of the method that lights them; `Mapping` is LinearTexture or PerspectiveTexture.
-/// An aggregate, so that its parts are made in place: small cores would copy them by memcpy.
 template <class Lit, class Mapping, TexelFormat Texels, TexelLight Colours, TextureFilter Filter>
 struct TexturedRun {
   Lit light_run;
@@ -29,6 +28,12 @@ struct TexturedRun {
   std::uint32_t first;  ///< texel of the mip level
   const typename Texels::Word* words = nullptr;
   const std::uint16_t* palette = nullptr;
+
+  /// Starts a row.
+  template <class LightWalker>
+  ARCSPAN_INLINE constexpr TexturedRun(const LightWalker& light, const TextureTriangle& triangle,
+                                       const RowStart& row)
+      : light_run(light.row(row)), mapping(triangle, row), first(triangle.first) {}
 
   /// Called before the first pixel (BeginsWithLighting).
   template <class Lighting>
@@ -100,9 +105,12 @@ class TexturedWalker {
 
   constexpr TexturedWalker(const LightWalker& light, TextureTriangle& triangle)
       : light_(light), triangle_(&triangle) {}
+  // Member by member, because compilers call memcpy for the whole on small cores.
+  ARCSPAN_INLINE constexpr TexturedWalker(const TexturedWalker& other)
+      : light_(other.light_), triangle_(other.triangle_) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
-    return Run{light_.row(start), Mapping(*triangle_, start), triangle_->first};
+    return Run(light_, *triangle_, start);
   }
   ARCSPAN_INLINE constexpr void next_row() {
     light_.next_row();

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/integer.hpp>
+#include <arcspan/target.hpp>
+
+#include <bit>
+#include <cstdint>
+
+/// How many pixels of a row in perspective may be linear (decision 29).
+namespace arcspan {
+
+/// Pixels of the longest piece. The table of their reciprocals has as many entries.
+inline constexpr std::int32_t kLongestPiece = 128;
+
+namespace detail {
+
+/// Returns a lower bound of the binary logarithm of v > 0, 8 fraction bits; it is too low by at most
+/// kLogError.
+[[nodiscard]] constexpr std::int32_t low_log2(std::uint32_t v) {
+  const int zeros = std::countl_zero(v | 1u);
+  return (31 - zeros) * 256 + static_cast<std::int32_t>(((v << zeros) >> 23) & 0xFFu);
+}
+inline constexpr std::int32_t kLogError = 24;  // log2(1 + m) - m is at most 0.0861, and 1/256 is cut off
+
+/// The largest |s' - f q'| q of a triangle's vertices, where f = s/q: the change of f along a row times q^2,
+/// with the fraction bits of 2 Linear less 28. Along a row it is constant, over the triangle linear.
+struct PerspectiveSlope {
+  std::int32_t ds;  ///< raw gradients
+  std::int32_t dq;
+  std::uint32_t most = 0;
+
+  /// Adds a vertex: f with 28 fraction bits, q as Linear.
+  constexpr void add(std::int32_t f, std::int32_t q) {
+    const std::int32_t part = multiply_high(dq, wrap_shl(f, 2)) * 4;
+    const std::int32_t slope = wrap_sub(ds, part);
+    const std::uint32_t magnitude = static_cast<std::uint32_t>(slope < 0 ? -slope : slope) + 4;
+    const std::uint32_t product = multiply_high(magnitude, static_cast<std::uint32_t>(q) << 4) + 1;
+    if (product > most) most = product;
+  }
+};
+
+/// Returns the pixels of a piece over which u and v may be linear at the least q of a triangle, 0 if less
+/// than one: the error, n^2/4 |q'| |s' q - s q'| / q^3 texels, stays below 0.45. `u` and `v` are the slopes;
+/// `u_bits` and `v_bits` the binary logarithms of the texels that a relative u or v of 1 has.
+[[nodiscard]] constexpr std::uint8_t piece_length(std::int32_t least_q, const PerspectiveSlope& u,
+                                                  const PerspectiveSlope& v, int u_bits, int v_bits) {
+  const std::uint32_t dq = static_cast<std::uint32_t>(u.dq < 0 ? -u.dq : u.dq);
+  if (dq == 0) return static_cast<std::uint8_t>(kLongestPiece);
+  const std::int32_t along_u = low_log2(u.most) + 256 * u_bits;
+  const std::int32_t along_v = low_log2(v.most) + 256 * v_bits;
+  const std::int32_t slope = (along_u > along_v ? along_u : along_v) + kLogError;
+  constexpr std::int32_t kLimit = 217;  // of 1.8
+  // All as Linear; the product of the slope is 2^-28 of what it stands for.
+  const std::int32_t square = kLimit + 3 * low_log2(static_cast<std::uint32_t>(least_q)) - 256 * 28 -
+                              (low_log2(dq) + kLogError) - slope;
+  const std::int32_t log = square >> 1;
+  if (log < 0) return 0;
+  if (log >= 7 * 256) return static_cast<std::uint8_t>(kLongestPiece);
+  // 2^m is at least 1 + m ln 2, and at least 1 + m - 0.0861.
+  const std::int32_t m = log & 255;
+  const std::int32_t tangent = (m * 177) >> 8;
+  const std::int32_t chord = m - kLogError;
+  return static_cast<std::uint8_t>((256 + (tangent > chord ? tangent : chord)) << (log >> 8) >> 8);
+}
+
+}  // namespace detail
+}  // namespace arcspan

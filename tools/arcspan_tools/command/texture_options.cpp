@@ -8,7 +8,7 @@
 namespace arcspan::tools {
 namespace {
 
-std::string format_names() {
+std::string texel_format_names() {
   std::vector<std::string> names;
   for (const TextureFormat& format : texture_formats()) names.emplace_back(format.name);
   return joined(names, "|");
@@ -44,7 +44,7 @@ void add_texture(CLI::App& app, std::string& picture) {
 }
 
 void add_texture_format(CLI::App& app, const std::string& name, TextureFormat& format) {
-  const std::string names = format_names();
+  const std::string names = texel_format_names();
   add_parsed<TextureFormat>(
       app, name, names, std::string("the format of texels (default: ") + format.name + ")", names,
       [](const std::string& text) { return find_texture_format(text); },

@@ -6,13 +6,11 @@
 namespace arcspan::tools {
 namespace {
 
-/// Draws into rgb565 with a depth test, with one light and Blinn's highlight, whatever the job asks for.
+/// Draws into rgb565 with a depth test, with the first light and Blinn's highlight, whatever the job asks
+/// for.
 template <template <class> class Method>
 RenderResult render_variant(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
-  using Lit = Illumination<1, Highlight::kBlinn>;
-  using Shading = Method<Lit>;
-  const auto lightings = detail::lightings_of<Shading>(job, detail::illuminations_of<Lit>(job));
-  return detail::render_bands<Shading, detail::DirectBand>(job, pixels, lightings, rows_done);
+  return detail::render_directly<Method, Highlight::kBlinn>(job, pixels, rows_done);
 }
 
 }  // namespace

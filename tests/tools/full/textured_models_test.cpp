@@ -13,7 +13,9 @@
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/temporary_folder.hpp>
 
+#include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -201,8 +203,9 @@ TEST_CASE("mesh: textures in both forms, in any format, and left out") {
   CHECK(contents(folder / "big.bin").size() > contents(bin).size() + 2 * 64 * 32);
   REQUIRE(run("mesh " + kSign + " -o " + (folder / "none.hpp") + " --no-textures").status == 0);
   CHECK(contents(folder / "none.hpp").find("Texture") == std::string::npos);
-  CHECK(run("mesh torus:8x6 -o " + (folder / "t.hpp") + " --texture " + kTiles).err ==
-        "arcspan: torus:8x6: has no texture coordinates for --texture\n");
+  const std::string lamp = ARCSPAN_MODELS "/lamp.obj";
+  CHECK(run("mesh " + lamp + " -o " + (folder / "t.hpp") + " --texture " + kTiles).err ==
+        "arcspan: " + lamp + ": has no texture coordinates for --texture\n");
 }
 
 TEST_CASE("render: the texels are where the texture points say") {
@@ -236,4 +239,53 @@ TEST_CASE("render: the texels are where the texture points say") {
   CHECK(std::abs(replaced.r - replaced.g) <= 4);  // 5-6-5
   CHECK(run("render " + kSign + " -o " + (folder / "b.png") + " --shading phong").err ==
         "arcspan: warning: " + kSign + ": textures are not drawn by --shading phong\n");
+}
+
+TEST_CASE("a picture is wrapped around generated meshes, with a seam that no triangle crosses") {
+  const std::string name = GENERATE("sphere:16x8", "torus:16x8");
+  const Model model = load_model_file(name, TexturePointsOf::kAllParts);
+  const MeshData& mesh = model.parts[0].mesh;
+  CHECK(model.triangle_count() == load_model_file(name).triangle_count());
+  REQUIRE(mesh.texture_points.size() == mesh.positions.size());
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Uv a = mesh.texture_points[t[i]];
+      const Uv b = mesh.texture_points[t[(i + 1) % 3]];
+      CHECK(std::abs(a.u - b.u) <= 1.0 / 16 + 1e-9);
+      CHECK(std::abs(a.v - b.v) <= 1.0 / 8 + 1e-9);
+    }
+  }
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3& p = mesh.positions[i];
+    if (p.z > 0.9 && std::abs(p.y) < 0.1) {
+      CHECK(mesh.texture_points[i].u == Approx(0.5 + std::asin(p.x / std::hypot(p.x, p.z)) / 6.2831853));
+    }
+  }
+}
+
+TEST_CASE("Collada and 3DS: nodes, materials and textures as the loader reads them") {
+  const std::string folder = "/usr/share/assimp/models/";
+  if (!std::filesystem::exists(folder)) return;
+  const Model duck = load_model_file(folder + "Collada/duck.dae");
+  CHECK(duck.warnings.empty());
+  REQUIRE(duck.parts.size() == 1);
+  CHECK(duck.triangle_count() == 4212);
+  const FileMaterial& material = duck.parts[0].look.material;
+  REQUIRE(material.texture != nullptr);
+  CHECK(material.texture->picture.width == 512);
+  CHECK(material.colour == Vec3{1, 1, 1});
+  REQUIRE(duck.parts[0].mesh.texture_points.size() == duck.vertex_count());
+  const Model cube = load_model_file(folder + "3DS/cube_with_diffuse_texture.3DS");
+  CHECK(cube.triangle_count() == 12);
+  REQUIRE(cube.parts[0].look.material.texture != nullptr);
+  CHECK_FALSE(cube.parts[0].mesh.texture_points.empty());
+  const TemporaryFolder files;
+  const std::string text = contents(folder + "Collada/duck.dae");
+  const std::string lone = files.file("duck.dae", text);
+  CHECK(
+      load_model_file(lone).warnings ==
+      std::vector<std::string>{"cannot read the texture 'duckCM.tga' from the model's folder; its parts are "
+                               "drawn without it"});
+  const std::string cut = files.file("cut.dae", text.substr(0, text.size() / 2));
+  CHECK(message_of<Failure>([&] { (void)load_model_file(cut); }).starts_with(cut + ": cannot be read: "));
 }

@@ -230,9 +230,9 @@ std::vector<std::string> shading_choices() {
 }
 
 void add_render_options(CLI::App& app, RenderOptions& options) {
-  app.add_option(
-         "MESH", options.mesh,
-         "an .obj, .gltf, .glb, .ply, .stl, .off or .bin (mesh binary) file, or sphere:32x16, torus:48x24")
+  app.add_option("MESH", options.mesh,
+                 "an .obj, .gltf, .glb, .dae, .3ds, .ply, .stl, .off or .bin (mesh binary) file, or "
+                 "sphere:32x16, torus:48x24")
       ->required();
   add_picture_options(app, options);
   add_shading_options(app, options);

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -24,9 +25,10 @@ static_assert(sizeof(TriangleSource) == 4 * sizeof(std::uint32_t));
 
 constexpr rlim_t kMostSeconds = 120;
 
-// The first byte of what the child sends: triangles follow, without or with their sources, or the text of
-// what went wrong.
-enum class Answer : char { kMesh = 'm', kTaggedMesh = 't', kFailure = 'f' };
+// The first byte of what the child sends. The numbers of triangles and of sources follow, triangles, sources
+// and looks; or the text of what went wrong.
+enum class Answer : char { kMesh = 'm', kFailure = 'f' };
+using Counts = std::array<std::uint64_t, 2>;
 
 bool send(int pipe, const void* data, std::size_t size) {
   const char* at = static_cast<const char*>(data);
@@ -63,10 +65,11 @@ void answer(int pipe, Answer kind, const void* data, std::size_t size) {
   std::string failure;
   try {
     const ImportedMesh mesh = import();
-    const bool tagged = !mesh.sources.empty();
-    answer(pipe, tagged ? Answer::kTaggedMesh : Answer::kMesh, mesh.triangles.data(),
-           mesh.triangles.size() * sizeof(Triangle));
-    if (tagged) (void)send(pipe, mesh.sources.data(), mesh.sources.size() * sizeof(TriangleSource));
+    const Counts counts{mesh.triangles.size(), mesh.sources.size()};
+    answer(pipe, Answer::kMesh, counts.data(), sizeof counts);
+    (void)send(pipe, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
+    (void)send(pipe, mesh.sources.data(), mesh.sources.size() * sizeof(TriangleSource));
+    (void)send(pipe, mesh.looks.data(), mesh.looks.size());
     ::_exit(0);
   } catch (const std::bad_alloc&) {
     failure = subject + ": the mesh loader needs more memory than it may have";
@@ -114,11 +117,17 @@ ImportedMesh decode(const std::string& bytes, const std::string& subject) {
     const std::string prefix = subject + ": ";
     throw Failure(subject, std::string(body.starts_with(prefix) ? body.substr(prefix.size()) : body));
   }
-  const bool tagged = bytes[0] == static_cast<char>(Answer::kTaggedMesh);
-  const std::size_t count = body.size() / (sizeof(Triangle) + (tagged ? sizeof(TriangleSource) : 0));
+  Counts counts{};
+  if (body.size() < sizeof counts) throw Failure(subject, "the mesh loader was interrupted");
+  std::memcpy(counts.data(), body.data(), sizeof counts);
+  body.remove_prefix(sizeof counts);
+  if (body.size() < counts[0] * sizeof(Triangle) + counts[1] * sizeof(TriangleSource)) {
+    throw Failure(subject, "the mesh loader was interrupted");
+  }
   ImportedMesh mesh;
-  take(body, mesh.triangles, count);
-  if (tagged) take(body, mesh.sources, count);
+  take(body, mesh.triangles, counts[0]);
+  take(body, mesh.sources, counts[1]);
+  mesh.looks = body;
   return mesh;
 }
 

@@ -3,6 +3,7 @@
 #include <arcspan_tools/mesh/file/import.hpp>
 #include <arcspan_tools/mesh/file/isolate.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/mesh/file/scene_looks.hpp>
 #include <arcspan_tools/mesh/file/validate.hpp>
 #include <arcspan_tools/mesh/gltf/read_gltf.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
@@ -18,32 +19,36 @@
 namespace arcspan::tools {
 namespace {
 
-ImportedMesh import_isolated(const ScreenedMesh& file, const std::string& subject) {
+ImportedMesh import_isolated(std::string_view text, MeshFormat format, const std::string& subject) {
   Progress progress("reading " + printable(subject), 0);
   return run_isolated(
-      subject, [&] { return import_mesh(file.text, file.format, subject); },
+      subject, [&] { return import_mesh(text, format, subject); },
       [&](std::size_t received) { progress.show(received); });
 }
 
 RawModel load_raw(const std::string& name, MeshFormat format) {
   const std::string bytes = read_whole_file(name, kMostFileBytes);
   if (format == MeshFormat::kGltf) return read_gltf(bytes, name, side_files_of(name));
+  if (is_scene(format)) return scene_model(import_isolated(bytes, format, name), name, side_files_of(name));
   ScreenedMesh file = screened(bytes, format, name, side_files_of(name));
-  ImportedMesh mesh = import_isolated(file, name);
+  ImportedMesh mesh = import_isolated(file.text, file.format, name);
   return assembled(std::move(mesh), std::move(file), name);
 }
 
 MeshFormat require_format(const std::string& name) {
   if (const std::optional<MeshFormat> format = mesh_format(name)) return *format;
-  throw Failure(
-      name,
-      "not a mesh that can be read (.obj, .ply, .stl, .off, .gltf, .glb, .bin, sphere:32x16, torus:48x24)");
+  throw Failure(name,
+                "not a mesh that can be read (.obj, .ply, .stl, .off, .gltf, .glb, .dae, .3ds, .bin, "
+                "sphere:32x16, torus:48x24)");
 }
 
 /// The model of a name that stands for no model file of other programs.
-std::optional<Model> own_model(const std::string& name) {
-  if (const std::optional<GeneratedMesh> wanted = parse_generated_mesh(name))
-    return to_model(generate(*wanted));
+std::optional<Model> own_model(const std::string& name,
+                               TexturePointsOf points = TexturePointsOf::kTexturedParts) {
+  if (const std::optional<GeneratedMesh> wanted = parse_generated_mesh(name)) {
+    if (points == TexturePointsOf::kTexturedParts) return to_model(generate(*wanted));
+    return weld_parts(generate_with_texture_points(*wanted), name, points);
+  }
   if (output_kind(name, "") == "bin") return model_from_binary(read_whole_file(name, kMostFileBytes), name);
   return std::nullopt;
 }
@@ -59,6 +64,8 @@ std::optional<MeshFormat> mesh_format(const std::filesystem::path& path) {
   if (extension == ".stl") return MeshFormat::kStl;
   if (extension == ".off") return MeshFormat::kOff;
   if (extension == ".gltf" || extension == ".glb") return MeshFormat::kGltf;
+  if (extension == ".dae") return MeshFormat::kCollada;
+  if (extension == ".3ds") return MeshFormat::k3ds;
   return std::nullopt;
 }
 
@@ -66,13 +73,16 @@ Model load_model_from_memory(std::string_view bytes, MeshFormat format, const st
   if (format == MeshFormat::kGltf) {
     return weld_parts(read_gltf(bytes, subject, no_side_files()), subject);
   }
+  if (is_scene(format)) {
+    return weld_parts(scene_model(import_mesh(bytes, format, subject), subject, no_side_files()), subject);
+  }
   ScreenedMesh file = screened(bytes, format, subject, no_side_files());
   ImportedMesh mesh = import_mesh(file.text, file.format, subject);
   return weld_parts(assembled(std::move(mesh), std::move(file), subject), subject);
 }
 
 Model load_model_file(const std::string& name, TexturePointsOf points) {
-  if (std::optional<Model> model = own_model(name)) return std::move(*model);
+  if (std::optional<Model> model = own_model(name, points)) return std::move(*model);
   return weld_parts(load_raw(name, require_format(name)), name, points);
 }
 

@@ -26,6 +26,8 @@ ScreenedMesh screened(std::string_view bytes, MeshFormat format, const std::stri
     case MeshFormat::kOff:
       return screened_off(bytes, subject);
     case MeshFormat::kGltf:
+    case MeshFormat::kCollada:
+    case MeshFormat::k3ds:
       break;
   }
   throw Failure(subject, "unknown format");

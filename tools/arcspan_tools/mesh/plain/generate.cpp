@@ -3,6 +3,7 @@
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/parse.hpp>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -87,7 +88,40 @@ MeshData torus(std::int32_t around, std::int32_t tube) {
   return mesh;
 }
 
+double turns(double sine, double cosine) { return std::atan2(sine, cosine) / (2 * std::numbers::pi); }
+
+/// The texture point of a vertex; u may be any at a pole.
+Uv texture_point(GeneratedMesh::Kind kind, const Vec3& p) {
+  const double from_axis = std::hypot(p.x, p.z);
+  const double u = 0.5 + turns(p.x, p.z);
+  if (kind == GeneratedMesh::Kind::kSphere) return {u, 2 * turns(from_axis, p.y)};
+  return {u, 0.5 - turns(p.y, from_axis - 1)};
+}
+
+/// `value` plus the whole number that brings it nearest to `other`: seams end within no triangle.
+double nearest_turn(double value, double other) { return value + std::round(other - value); }
+
 }  // namespace
+
+RawModel generate_with_texture_points(const GeneratedMesh& wanted) {
+  RawModel raw = to_raw(to_model(generate(wanted)));
+  for (std::array<RawMesh::Corner, 3>& corners : raw.mesh.triangles) {
+    const auto is_pole = [](const RawMesh::Corner& c) { return c.position.x == 0 && c.position.z == 0; };
+    const std::size_t first = is_pole(corners[0]) ? 1 : 0;
+    const Uv anchor = texture_point(wanted.kind, corners[first].position);
+    double sum = 0;
+    for (RawMesh::Corner& corner : corners) {
+      const Uv own = texture_point(wanted.kind, corner.position);
+      corner.texture_point = Uv{nearest_turn(own.u, anchor.u), nearest_turn(own.v, anchor.v)};
+      if (!is_pole(corner)) sum += corner.texture_point->u;
+    }
+    // A pole lies between the other two corners of each of its triangles.
+    for (RawMesh::Corner& corner : corners) {
+      if (is_pole(corner)) corner.texture_point->u = sum / 2;
+    }
+  }
+  return raw;
+}
 
 std::optional<GeneratedMesh> parse_generated_mesh(const std::string& name) {
   const std::size_t colon = name.find(':');

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/mesh/plain/mesh_data.hpp>
+#include <arcspan_tools/mesh/plain/model.hpp>
 
 #include <optional>
 #include <string>
@@ -24,5 +24,9 @@ struct GeneratedMesh {
 
 /// The unit sphere, or the torus of radius 1 with a tube of radius 0.4, each with exact normals.
 [[nodiscard]] MeshData generate(const GeneratedMesh& wanted);
+
+/// The triangles of generate() with texture points. A picture is wrapped once around the axis, its middle
+/// column at +z and its columns to the right; on a sphere from pole to pole, on a torus once around the tube.
+[[nodiscard]] RawModel generate_with_texture_points(const GeneratedMesh& wanted);
 
 }  // namespace arcspan::tools

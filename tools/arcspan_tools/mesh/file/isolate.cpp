@@ -28,7 +28,7 @@ constexpr rlim_t kMostSeconds = 120;
 // The first byte of what the child sends. The numbers of triangles and of sources follow, triangles, sources
 // and looks; or the text of what went wrong.
 enum class Answer : char { kMesh = 'm', kFailure = 'f' };
-using Counts = std::array<std::uint64_t, 2>;
+using SentCounts = std::array<std::uint64_t, 2>;
 
 bool send(int pipe, const void* data, std::size_t size) {
   const char* at = static_cast<const char*>(data);
@@ -65,7 +65,7 @@ void answer(int pipe, Answer kind, const void* data, std::size_t size) {
   std::string failure;
   try {
     const ImportedMesh mesh = import();
-    const Counts counts{mesh.triangles.size(), mesh.sources.size()};
+    const SentCounts counts{mesh.triangles.size(), mesh.sources.size()};
     answer(pipe, Answer::kMesh, counts.data(), sizeof counts);
     (void)send(pipe, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
     (void)send(pipe, mesh.sources.data(), mesh.sources.size() * sizeof(TriangleSource));
@@ -117,7 +117,7 @@ ImportedMesh decode(const std::string& bytes, const std::string& subject) {
     const std::string prefix = subject + ": ";
     throw Failure(subject, std::string(body.starts_with(prefix) ? body.substr(prefix.size()) : body));
   }
-  Counts counts{};
+  SentCounts counts{};
   if (body.size() < sizeof counts) throw Failure(subject, "the mesh loader was interrupted");
   std::memcpy(counts.data(), body.data(), sizeof counts);
   body.remove_prefix(sizeof counts);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/mesh/file/side_files.hpp>
+#include <arcspan_tools/mesh/file/text_lines.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 
 #include <algorithm>
@@ -16,6 +17,25 @@ bool stays_inside(const std::filesystem::path& path) {
          std::find(path.begin(), path.end(), "..") == path.end();
 }
 
+/// The regular file that `path` names. If there is none, the one whose name differs in upper and lower case
+/// only, because old formats were written where that does not matter; the first in alphabetical order.
+std::optional<std::filesystem::path> find_file(const std::filesystem::path& path) {
+  std::error_code failed;
+  if (std::filesystem::is_regular_file(path, failed)) return path;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  std::optional<std::filesystem::path> found;
+  for (std::filesystem::directory_iterator at(folder, failed), end; !failed && at != end;
+       at.increment(failed)) {
+    const std::filesystem::path& other = at->path();
+    std::error_code unreadable;
+    if (same_letters(other.filename().string(), path.filename().string()) &&
+        at->is_regular_file(unreadable) && (!found || other < *found)) {
+      found = other;
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 SideFiles side_files_of(const std::string& model) {
@@ -23,9 +43,9 @@ SideFiles side_files_of(const std::string& model) {
   return [folder](std::string name) -> std::optional<ReferredFile> {
     std::replace(name.begin(), name.end(), '\\', '/');
     const std::filesystem::path path = folder / name;
-    std::error_code failed;
-    if (!stays_inside(name) || !std::filesystem::is_regular_file(path, failed)) return std::nullopt;
-    return ReferredFile{path.string(), read_whole_file(path.string(), kMostFileBytes)};
+    const std::optional<std::filesystem::path> file = stays_inside(name) ? find_file(path) : std::nullopt;
+    if (!file) return std::nullopt;
+    return ReferredFile{file->string(), read_whole_file(*file, kMostFileBytes)};
   };
 }
 

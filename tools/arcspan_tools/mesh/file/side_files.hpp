@@ -17,7 +17,8 @@ struct ReferredFile {
 using SideFiles = std::function<std::optional<ReferredFile>(const std::string& name)>;
 
 /// Reads from the folder of the model file and below only: names that lead out of it, and absolute ones, give
-/// nothing. Backslashes count as slashes.
+/// nothing. Backslashes count as slashes. If there is no file of a name, one is read whose name differs in
+/// upper and lower case only.
 [[nodiscard]] SideFiles side_files_of(const std::string& model);
 
 /// Reads nothing.

@@ -12,7 +12,7 @@ std::vector<std::uint16_t> words_of(const MadeTexture& texture) {
   std::vector<std::uint16_t> words;
   for (std::size_t i = 0; i < texture.texels.size(); i += 2) {
     const unsigned right = i + 1 < texture.texels.size() ? texture.texels[i + 1] : 0u;
-    words.push_back(static_cast<std::uint16_t>((texture.texels[i] << 4u) | right));
+    words.push_back(static_cast<std::uint16_t>((static_cast<unsigned>(texture.texels[i]) << 4u) | right));
   }
   return words;
 }

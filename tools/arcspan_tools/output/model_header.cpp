@@ -127,9 +127,10 @@ std::vector<std::string> namespaces_of(const FixedModel& model, std::size_t text
 std::string textures_text(const ModelTextures& textures) {
   std::string text;
   for (std::size_t i = 0; i < textures.textures.size(); ++i) {
-    const std::string name = texture_namespace(i);
-    text += "namespace " + name + " {\n\n" + texture_arrays(textures.textures[i]) + "}  // namespace " +
-            name + "\n\n";
+    const std::string name = "namespace " + texture_namespace(i);
+    text += name + " {\n\n";
+    text += texture_arrays(textures.textures[i]);
+    text += "}  // " + name + "\n\n";
   }
   return text;
 }

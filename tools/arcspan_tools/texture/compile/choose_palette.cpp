@@ -40,6 +40,7 @@ T* require(T* object) {
 /// The library's form of the levels, which must outlive it.
 std::vector<LibraryImage> to_library(const liq_attr* attributes, const std::vector<RgbaImage>& levels) {
   std::vector<LibraryImage> images;
+  images.reserve(levels.size());
   for (const RgbaImage& level : levels) {
     images.emplace_back(
         require(liq_image_create_rgba(attributes, level.pixels.data(), level.width, level.height, kGamma)));

@@ -52,11 +52,11 @@ std::array<std::uint16_t, 256> nearest_levels(unsigned shift, unsigned bits, std
 template <TexelColour C, unsigned red, unsigned green, unsigned blue>
 std::uint16_t nearest(Rgba8 c) {
   constexpr unsigned kBits = C::kAlphaBits == 4 ? 4 : 5;
-  static const auto reds = nearest_levels<C>(red, kBits, &Rgba8::r);
-  static const auto greens = nearest_levels<C>(green, C::kAlphaBits == 0 ? 6 : kBits, &Rgba8::g);
-  static const auto blues = nearest_levels<C>(blue, kBits, &Rgba8::b);
-  static const auto alphas = nearest_levels<C>(0, C::kAlphaBits, &Rgba8::a);
-  return static_cast<std::uint16_t>(reds[c.r] | greens[c.g] | blues[c.b] | alphas[c.a]);
+  static const auto kReds = nearest_levels<C>(red, kBits, &Rgba8::r);
+  static const auto kGreens = nearest_levels<C>(green, C::kAlphaBits == 0 ? 6 : kBits, &Rgba8::g);
+  static const auto kBlues = nearest_levels<C>(blue, kBits, &Rgba8::b);
+  static const auto kAlphas = nearest_levels<C>(0, C::kAlphaBits, &Rgba8::a);
+  return static_cast<std::uint16_t>(kReds[c.r] | kGreens[c.g] | kBlues[c.b] | kAlphas[c.a]);
 }
 
 }  // namespace

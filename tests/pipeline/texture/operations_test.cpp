@@ -414,6 +414,15 @@ TEST_CASE("textures in bands are the picture drawn at once", "[textures]") {
   CHECK(bands.depths == whole.depths);
 }
 
+TEST_CASE("fog grows linearly with the distance of what is drawn", "[textures]") {
+  const ClipTransform transform = camera();
+  for (double w = kNear; w <= kFar; w += 61) {
+    const auto near_over_w = static_cast<std::int32_t>(std::lround(std::ldexp(kNear / w, 29)));
+    const double share = fog().share(transform.depth(near_over_w)) / 256.0;
+    REQUIRE(std::abs(share - std::clamp((w - kFogStart) / (kFogEnd - kFogStart), 0.0, 1.0)) <= 0.008);
+  }
+}
+
 TEST_CASE("fog refuses ranges that make no sense, and keeps what it was") {
   Fog made = fog();
   for (const FogRange range :

@@ -74,6 +74,8 @@ struct TexturedSpace {
   std::uint16_t colours[kPixels];
   std::uint16_t depths[kPixels];
   std::array<TexturePoint, 114> points;
+  // Bytes, because default values would be initialised data.
+  alignas(8) unsigned char stage[sizeof(StageSet)];
   alignas(8) unsigned char lighting[sizeof(BallMethod::Lighting)];
 };
 
@@ -111,7 +113,7 @@ void textured_frames(TexturedSpace<Rows>& space, const Report& report) {
   }();
 
   MeshView ball;
-  StageSet stage;
+  StageSet& stage = *::new (space.stage) StageSet;
   Status status = kSmallSphere.view(ball);
   if (ok(status)) status = set_stage({kWidth, kHeight}, kFrameRadius, Turn{3000}, stage);
   for (std::size_t i = 0; i < ball.vertex_count(); ++i) {
@@ -144,8 +146,9 @@ void textured_frames(TexturedSpace<Rows>& space, const Report& report) {
   frame("bubble", [&](auto& band, const auto& depth) {
     const Status drawn = draw_floor(band, depth);
     if (!ok(drawn)) return drawn;
-    auto* const lighting =
-        ::new (space.lighting) Bubble::Lighting(BubbleSurface::Lighting(stage.light, kSheer), Opacity<>{24});
+    // In place, because a copy on the stack would stay there while the frame is drawn.
+    auto* const lighting = ::new (space.lighting) Bubble::Lighting(stage.light, Opacity<>{24});
+    lighting->set(kSheer);
     return draw_mesh<Bubble>(ball, stage.transform, *lighting, band, ReadOnlyDepth(depth)).status;
   });
   frame("chrome", [&](auto& band, const auto& depth) {

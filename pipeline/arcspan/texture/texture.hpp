@@ -54,9 +54,9 @@ class Texture {
   constexpr Texture() = default;
 
   /// The words that the levels of a texture take.
-  [[nodiscard]] static constexpr std::size_t words(const TextureSize& size) {
-    constexpr std::size_t kWordBits = 8 * sizeof(Word);
-    return (std::size_t{size.texels(size.levels)} * Texels::kBits + kWordBits - 1) / kWordBits;
+  [[nodiscard]] static constexpr std::uint32_t words(const TextureSize& size) {
+    constexpr std::uint32_t kWordBits = 8 * sizeof(Word);
+    return (size.texels(size.levels) * Texels::kBits + kWordBits - 1) / kWordBits;
   }
 
   /// Makes a texture of `words`, and of a palette if the format has one. Returns:

@@ -83,8 +83,9 @@ class Fog {
 struct Fogged {
   const Fog* fog = nullptr;
 
+  /// A colour in fog whose depth is not known yet (DepthColour).
   template <class C>
-  struct Result : detail::WrappedColour<C> {
+  struct Result : WrappedColour<C> {
     const Fog* fog;
 
     [[nodiscard]] constexpr std::uint32_t alpha() const requires AlphaColour<C> {
@@ -92,7 +93,7 @@ struct Fogged {
     }
 
     /// The colour in fog of a known depth.
-    struct InFog : detail::WrappedColour<C> {
+    struct InFog : WrappedColour<C> {
       const Fog* fog;
       std::uint32_t share;  ///< 0...256
 

@@ -69,6 +69,8 @@ template <class Function>
                        function(a.lanes >> 22, b.lanes >> 22), function(a.lanes & 1023u, b.lanes & 1023u));
 }
 
+}  // namespace detail
+
 /// What a colour passes on when an operation wraps it.
 template <class C>
 struct WrappedColour {
@@ -78,8 +80,6 @@ struct WrappedColour {
     return colour.covers(x, y);
   }
 };
-
-}  // namespace detail
 
 /// How a transparent surface covers what is there: by its opacity; or its light is added; or what is there is
 /// seen through it, multiplied by its colour, as through coloured glass.
@@ -91,8 +91,9 @@ template <Blend Mode = Blend::kAlpha>
 struct Opacity {
   std::uint8_t opacity = 32;  ///< 0...32
 
+  /// A colour that is blended (BlendedColour).
   template <class C>
-  struct Result : detail::WrappedColour<C> {
+  struct Result : WrappedColour<C> {
     std::uint32_t opacity;  ///< 0...32
 
     [[nodiscard]] constexpr bool covers(std::int32_t x, std::int32_t y) const
@@ -154,8 +155,9 @@ struct Opacity {
 struct ScreenDoor {
   std::uint8_t opacity = 8;  ///< of 8 pixels
 
+  /// A colour that is drawn in a share of the pixels (MaskedColour).
   template <class C>
-  struct Result : detail::WrappedColour<C> {
+  struct Result : WrappedColour<C> {
     std::uint32_t opacity;
 
     [[nodiscard]] constexpr bool covers(std::int32_t x, std::int32_t y) const {

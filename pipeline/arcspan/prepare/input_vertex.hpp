@@ -24,6 +24,7 @@ struct RasterVertex {
   RasterPosition position;
   typename Method::Vertex shade;
 };
+/// RasterVertex of a method that NeedsNearOverW.
 template <NeedsNearOverW Method>
 struct RasterVertex<Method> {
   RasterPosition position;

@@ -63,6 +63,7 @@ struct OperationWalker : Walker {
 /// colours are used.
 template <class Method, class Operation>
 struct WithOperation : Method {
+  /// The lighting of `Method` with the parameters of the operation.
   struct Lighting : Method::Lighting {
     using Base = typename Method::Lighting;
     constexpr Lighting() = default;

@@ -22,6 +22,12 @@ struct MappedPoint {
   std::int32_t v;
 };
 
+/// The vertices of a triangle for its texture, in the order top, middle, bottom.
+struct TextureCorners {
+  MappedPoint at[3];
+  std::int32_t near_over_w[3];
+};
+
 /// How a texture lies on a triangle: the part of the command that the texture adds.
 ///
 /// In the plane of the screen u and v are linear only where all vertices are equally far away. Otherwise u/w,
@@ -91,12 +97,6 @@ struct Extent {
 
 /// 1/w of a vertex is at least this, as Linear: so far away that a ratio of distances of 65536 is left.
 inline constexpr std::int32_t kLeastQ = 1 << 12;
-
-/// The vertices of a triangle for its texture, in the order top, middle, bottom.
-struct TextureCorners {
-  MappedPoint at[3];
-  std::int32_t near_over_w[3];
-};
 
 /// Twice the area of the corners in texels of a texture, 8 fraction bits.
 [[nodiscard]] constexpr std::uint64_t texel_area(const TextureCorners& c, const TextureSize& size) {
@@ -220,8 +220,8 @@ constexpr void place_texture(const TextureSize& size, unsigned level, const Mapp
 
 /// Prepares the texture of a triangle. `corners` are those of the frame's vertices.
 template <TextureFilter Filter, class Frame>
-constexpr void prepare_texture(const Frame& frame, const TextureSize& size,
-                               const detail::TextureCorners& corners, TextureTriangle& t) {
+constexpr void prepare_texture(const Frame& frame, const TextureSize& size, const TextureCorners& corners,
+                               TextureTriangle& t) {
   const detail::Extent u(corners.at[0].u, corners.at[1].u, corners.at[2].u);
   const detail::Extent v(corners.at[0].v, corners.at[1].v, corners.at[2].v);
   const detail::Extent w(corners.near_over_w[0], corners.near_over_w[1], corners.near_over_w[2]);

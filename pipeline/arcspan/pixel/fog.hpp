@@ -41,7 +41,7 @@ class Fog {
       return Status::kInvalidArgument;
     }
     for (std::size_t i = 0; i <= kEntries; ++i)
-      fog.shares_[i] = share_at(range, static_cast<std::int32_t>(i << 8));
+      fog.shares_[i] = share_at(range, static_cast<std::int32_t>(i) * 256);
     fog.colour_ = PackedRgb::of(4u * colour.r + 2, 4u * colour.g + 2, 4u * colour.b + 2);
     fog.spread_ = detail::spread(detail::colour565(fog.colour_));
     return Status::kOk;

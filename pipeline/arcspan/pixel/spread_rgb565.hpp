@@ -37,13 +37,13 @@ inline constexpr std::uint32_t kSpreadMask = 0x07E0F81F;
 /// spread * factor, rounded; factor is 0...32 and stands for 0...1.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t scaled_spread(std::uint32_t spread,
                                                                    std::uint32_t factor) {
-  constexpr std::uint32_t kHalf = (16u << 21) | (16u << 11) | 16u;
+  constexpr std::uint32_t kHalf = 0x02008010;
   return ((spread * factor + kHalf) >> 5) & kSpreadMask;
 }
 /// a + (b - a) * factor, rounded; factor is 0...32.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t mixed_spread(std::uint32_t a, std::uint32_t b,
                                                                   std::uint32_t factor) {
-  constexpr std::uint32_t kHalf = (16u << 21) | (16u << 11) | 16u;
+  constexpr std::uint32_t kHalf = 0x02008010;
   return ((a * (32 - factor) + b * factor + kHalf) >> 5) & kSpreadMask;
 }
 

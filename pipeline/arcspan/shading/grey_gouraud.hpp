@@ -62,7 +62,7 @@ struct GreyGouraud {
    private:
     /// The level as a channel of PackedRgb: with half an 8-bit step instead of half a grey_level().
     [[nodiscard]] constexpr std::uint32_t packed_level() const {
-      return (at_ - static_cast<std::uint32_t>(kHalf.raw()) + (1u << 22)) >> 21;
+      return (at_ - static_cast<std::uint32_t>(kHalf.raw()) + (std::uint32_t{1} << 22)) >> 21;
     }
     std::uint32_t at_;  ///< 8-bit steps with 23 fraction bits, and half a grey_level()
     std::uint32_t step_;
@@ -89,7 +89,7 @@ struct GreyGouraud {
   }
 
  private:
-  static constexpr FullLinear kHalf = FullLinear::from_raw(1 << 25);  ///< half of a 32nd of 256
+  static constexpr FullLinear kHalf = FullLinear::from_raw(std::int32_t{1} << 25);  ///< half of a 32nd of 256
 };
 
 }  // namespace arcspan

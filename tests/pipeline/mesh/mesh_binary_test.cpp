@@ -149,7 +149,8 @@ TEST_CASE("a mesh binary may have texture points") {
                        without_planes.begin() + static_cast<std::ptrdiff_t>(kTriangleWithPlane.size()));
   without_planes[6] = 5;
   without_planes[8] = 88;
-  REQUIRE(ok(Binary(without_planes).view(mesh)));
+  const Binary shorter(without_planes);
+  REQUIRE(ok(shorter.view(mesh)));
   CHECK(mesh.planes() == nullptr);
   CHECK(mesh.texture_point(1) == TexturePoint{-1, 2});
 }

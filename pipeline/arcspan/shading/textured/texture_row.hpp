@@ -21,7 +21,8 @@ namespace detail {
 /// Entry n is 2^30 / n, rounded down; entry 0 is not used.
 consteval std::array<std::int32_t, kLongestPiece + 1> make_piece_inverses() {
   std::array<std::int32_t, kLongestPiece + 1> table{};
-  for (std::size_t n = 1; n < table.size(); ++n) table[n] = static_cast<std::int32_t>((1u << 30) / n);
+  for (std::size_t n = 1; n < table.size(); ++n)
+    table[n] = static_cast<std::int32_t>((std::uint32_t{1} << 30) / n);
   return table;
 }
 inline constexpr auto kPieceInverses = make_piece_inverses();

@@ -116,9 +116,10 @@ template <class List, std::size_t Objects, std::size_t Vertices>
 }
 
 /// Draws the scene of the last prepare_scene() into `sink`: the whole picture, or a band of it. Objects whose
-/// bounding sphere lies outside of it are skipped. With a DepthBuffer the nearest object is drawn first,
-/// which saves pixels; with NoDepth the farthest, so that nearer ones cover it. The nearer object is the one
-/// whose bounding sphere has the nearer middle. Returns as status that of prepare_scene(), or:
+/// bounding sphere lies outside of it are skipped. With a depth target that writes, the nearest object is
+/// drawn first, which saves pixels. With NoDepth or ReadOnlyDepth the farthest is, so that nearer ones cover
+/// it or are blended with it. The nearer object is the one whose bounding sphere has the nearer middle.
+/// Returns as status that of prepare_scene(), or:
 ///
 ///   kDepthMismatch   `depth` does not cover the common bounds of the picture and the sink
 ///   kLightChanged    see Use
@@ -126,6 +127,7 @@ template <class List, std::size_t Objects, std::size_t Vertices>
 template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] SceneResult draw_prepared_scene(SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory,
                                               Sink& sink, const Depth& depth) {
+  constexpr bool kNearestFirst = Depth::kTests && Depth::kWrites;
   const detail::SceneFrame frame = memory.frame();
   SceneResult result{frame.header.camera == nullptr ? Status::kNotReady : frame.header.status};
   if (!ok(result.status)) return result;
@@ -135,7 +137,7 @@ template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink
   result.status = detail::check_target(sink, depth, rect);
   const std::size_t count = frame.header.in_view;
   for (std::size_t i = 0; i < count && ok(result.status); ++i) {
-    detail::SceneSlot& slot = frame.slots[frame.order[Depth::kTests ? i : count - 1 - i]];
+    detail::SceneSlot& slot = frame.slots[frame.order[kNearestFirst ? i : count - 1 - i]];
     if (rect != whole && detail::is_outside(slot, rect)) continue;
     ++result.objects;
     if (!frame.header.keeps_vertices) slot.held = nullptr;
@@ -145,7 +147,8 @@ template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink
       const MeshView mesh = slot.object->mesh().part(part.first, part.count);
       const DrawResult drawn = detail::draw_part<Vertices != 0>(
           MethodList<typename detail::UseOf<Methods>::Type...>{},
-          detail::PartCall<Sink, Depth>{slot, mesh, *part.material, lights, sink, depth, memory.lighting()});
+          detail::PartCall<Sink, Depth>{slot, mesh, *part.material, lights, frame.header.camera->rotation(),
+                                        sink, depth, memory.lighting()});
       result.status = drawn.status;
       result.triangles += drawn.triangles;
       result.left_out += drawn.left_out;

@@ -5,15 +5,11 @@
 // shading/method.hpp that come before the span stage: the stages around them are the same.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/pixel/fog.hpp>
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/prepare/prepare_triangle.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
-#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/grey_gouraud.hpp>
 #include <arcspan/shading/literature/arc_vector.hpp>
 #include <arcspan/shading/literature/dichotomy.hpp>
 #include <arcspan/shading/literature/duff.hpp>
@@ -26,27 +22,11 @@
 #include <arcspan/shading/literature/reflection_map.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 #include <arcspan/shading/segment/segment.hpp>
-#include <arcspan/shading/textured/environment_map.hpp>
-#include <arcspan/shading/textured/textured.hpp>
-#include <arcspan/shading/vertex_coloured.hpp>
-#include <arcspan/shading/with_operation.hpp>
 #include <arcspan/span/depth_mode.hpp>
 
+#include <tests/objects/surface_list.hpp>
+
 namespace arcspan {
-
-using Blinn1 = Illumination<1, Highlight::kBlinn>;
-using Blinn4 = Illumination<4, Highlight::kBlinn>;
-using Phong1 = Illumination<1, Highlight::kPhong>;
-using Phong4 = Illumination<4, Highlight::kPhong>;
-
-using Window =
-    WithOperation<WithOperation<Textured<Adaptive<Phong1>, Palette8Texels<Alpha4Colour>>, Fogged>, Opacity<>>;
-using Sign = Textured<Unlit, Palette4Texels<Alpha1Colour>>;
-using Wall = Textured<GreyGouraud<Blinn4>, DirectTexels<>>;
-using Stage = Textured<Gouraud<Blinn1>, GrayTexels, TexelLight::kColoured>;
-using Chrome = Arc<EnvironmentMap<DirectTexels<>>>;
-using Glass = WithOperation<VertexColoured<Blinn1>, Opacity<Blend::kMultiply>>;
-using Ghost = WithOperation<UnlitVertexColoured, ScreenDoor>;
 
 #define ARCSPAN_INSTANTIATE(METHOD, FORMAT, DEPTH)                                               \
   template DrawResult draw_mesh<METHOD, DrawFeatures{}, hal::Framebuffer<FORMAT>, DEPTH>(        \

@@ -2,17 +2,13 @@
 // The span stage and nothing else, for every format and every method but those that divide by definition
 // (phong, phong-segment, duff): the object that must hold no division.
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/pixel/fog.hpp>
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/pixel/mono.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
-#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/grey_gouraud.hpp>
 #include <arcspan/shading/literature/arc_vector.hpp>
 #include <arcspan/shading/literature/dichotomy.hpp>
 #include <arcspan/shading/literature/kuijk_blake.hpp>
@@ -23,29 +19,13 @@
 #include <arcspan/shading/literature/reflection_map.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 #include <arcspan/shading/segment/segment.hpp>
-#include <arcspan/shading/textured/environment_map.hpp>
-#include <arcspan/shading/textured/textured.hpp>
-#include <arcspan/shading/vertex_coloured.hpp>
-#include <arcspan/shading/with_operation.hpp>
 #include <arcspan/span/depth_mode.hpp>
 #include <arcspan/span/draw_command.hpp>
 #include <arcspan/span/draw_small.hpp>
 
+#include <tests/objects/surface_list.hpp>
+
 namespace arcspan {
-
-using Blinn1 = Illumination<1, Highlight::kBlinn>;
-using Blinn4 = Illumination<4, Highlight::kBlinn>;
-using Phong1 = Illumination<1, Highlight::kPhong>;
-using Phong4 = Illumination<4, Highlight::kPhong>;
-
-using Window =
-    WithOperation<WithOperation<Textured<Adaptive<Phong1>, Palette8Texels<Alpha4Colour>>, Fogged>, Opacity<>>;
-using Sign = Textured<Unlit, Palette4Texels<Alpha1Colour>>;
-using Wall = Textured<GreyGouraud<Blinn4>, DirectTexels<>>;
-using Stage = Textured<Gouraud<Blinn1>, GrayTexels, TexelLight::kColoured>;
-using Chrome = Arc<EnvironmentMap<DirectTexels<>>>;
-using Glass = WithOperation<VertexColoured<Blinn1>, Opacity<Blend::kMultiply>>;
-using Ghost = WithOperation<UnlitVertexColoured, ScreenDoor>;
 
 #define ARCSPAN_INSTANTIATE(METHOD, FORMAT, DEPTH)                                         \
   template Status draw_command<METHOD, hal::Framebuffer<FORMAT>, DEPTH>(                   \

@@ -320,7 +320,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
 }  // namespace arcspan
 
 #include <arcspan/lighting/illumination_bounds.hpp>
+#include <arcspan/lighting/illumination_light.hpp>
 #include <arcspan/lighting/make_illumination.hpp>
-#include <arcspan/lighting/pixel_light_of.hpp>
 #include <arcspan/lighting/several_lights.hpp>
 #include <arcspan/target.hpp>

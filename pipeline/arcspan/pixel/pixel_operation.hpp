@@ -12,8 +12,8 @@
 #include <type_traits>
 
 /// What happens to the colour of a pixel before it is stored: fog, then transparency. Each operation is a
-/// function object that takes a colour and returns one that knows more. shading/with_operation.hpp adds an
-/// operation to a shading method.
+/// function object that takes a colour and returns a colour of another type, with one more of the members
+/// below. shading/with_operation.hpp adds an operation to a shading method.
 namespace arcspan {
 
 /// Optional part of a colour: covers(x, y) is false where the pixel is not drawn, and its depth neither.
@@ -71,7 +71,7 @@ template <class Function>
 
 }  // namespace detail
 
-/// What a colour passes on when an operation wraps it.
+/// A colour within the result of an operation: its optional members are those of the result too.
 template <class C>
 struct WrappedColour {
   C colour;

@@ -5,9 +5,11 @@
 #include <arcspan/draw/kept_vertices.hpp>
 #include <arcspan/draw/triangle_drawer.hpp>
 #include <arcspan/draw/vertex_source.hpp>
+#include <arcspan/numbers/copy_words.hpp>
 #include <arcspan/scene/scene_frame.hpp>
 #include <arcspan/scene/scene_material.hpp>
 #include <arcspan/target.hpp>
+#include <arcspan/vertex/rotation.hpp>
 
 #include <cstddef>
 
@@ -26,9 +28,10 @@ struct PartCall {
   const MeshView& mesh;
   const SceneMaterial& material;
   const ObjectLights& lights;
+  const Rotation& camera;  ///< from world to view space
   Sink& sink;
   const Depth& depth;
-  void* lighting;  ///< memory for the material under these lights
+  void* lighting;  ///< memory for the material as it is seen here
 };
 
 /// Makes the vertices of a slot ready for a part that `use` draws. They stay from part to part and from band
@@ -84,6 +87,11 @@ DrawResult draw_part_by(const PartCall<Sink, Depth>& part) {
     auto& lighting = *static_cast<Lighting*>(part.lighting);
     const Status status = material.light(part.lights, lighting);
     if (!ok(status)) return {status};
+    return draw_lit_part<Used, KeepsVertices>(part, lighting);
+  } else if constexpr (FollowsView<Lighting>) {
+    auto& lighting = *static_cast<Lighting*>(part.lighting);
+    copy_words(material.lighting(), lighting);
+    lighting.set_rotation(part.camera * part.slot.object->rotation);
     return draw_lit_part<Used, KeepsVertices>(part, lighting);
   } else {
     return draw_lit_part<Used, KeepsVertices>(part, material.lighting());

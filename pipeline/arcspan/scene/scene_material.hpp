@@ -10,6 +10,7 @@
 #include <arcspan/shading/method.hpp>
 #include <arcspan/shading/unlit.hpp>
 #include <arcspan/status.hpp>
+#include <arcspan/vertex/rotation.hpp>
 
 #include <array>
 #include <cstddef>
@@ -48,20 +49,27 @@ struct UseOf<Use<M, F, C>> {
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 Illumination<Lights, Model, Features> illumination_in(const Illumination<Lights, Model, Features>&);
 
-/// The Illumination that a lit method's Lighting is or derives from.
+/// A Lighting that is or derives from an Illumination.
 template <class Lighting>
+concept Lit = requires(const Lighting& lighting) {
+  illumination_in(lighting);
+};
+
+template <Lit Lighting>
 using IlluminationOf = decltype(illumination_in(std::declval<Lighting>()));
+
+/// A Lighting that depends on how the camera sees the object: set_rotation() gets the rotation from object to
+/// view space.
+template <class Lighting>
+concept FollowsView = requires(Lighting& lighting, const Rotation& rotation) {
+  lighting.set_rotation(rotation);
+};
 
 /// The facts of a Use that the code for all of them needs. Its address tells which use a material is for.
 struct UseFacts {
   std::uint16_t vertex_bytes;  ///< of a cached vertex
   std::uint8_t lights;         ///< that the method takes; 0 for none
   bool needs_grey_lights;      ///< several lights must not be coloured
-};
-
-template <class Lighting>
-concept Lit = requires {
-  Lighting::kLights;
 };
 
 template <class U>
@@ -113,6 +121,7 @@ class PreparedMaterial : public SceneMaterial {
  public:
   /// @cond for draw_mesh() and draw_scene(), not in the reference
   using Used = typename detail::UseOf<M>::Type;
+  static constexpr bool kIsLit = detail::Lit<typename Used::Method::Lighting>;
   /// @endcond
   using Method = typename Used::Method;
   using Lighting = typename Method::Lighting;
@@ -124,10 +133,7 @@ class PreparedMaterial : public SceneMaterial {
 
   /// make() as a constant. Arguments that make() rejects do not compile.
   [[nodiscard]] static consteval PreparedMaterial of(const Material& material, const LightList& lights,
-                                                     const DrawOptions& options = {}) requires requires {
-    Lighting::kLights;
-  }
-  {
+                                                     const DrawOptions& options = {}) requires(kIsLit) {
     PreparedMaterial prepared;
     if (!ok(make(material, lights, options, prepared))) detail::constant_refused();
     return prepared;

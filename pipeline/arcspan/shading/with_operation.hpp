@@ -3,6 +3,7 @@
 
 #include <arcspan/pixel/pixel_operation.hpp>
 #include <arcspan/shading/method.hpp>
+#include <arcspan/shading/pixel_by_pixel.hpp>
 #include <arcspan/target.hpp>
 
 #include <concepts>
@@ -61,9 +62,10 @@ struct OperationWalker : Walker {
 ///
 /// Colours that are blended or masked are computed pixel by pixel: neither segments nor tables of encoded
 /// colours are used.
-template <class Method, class Operation>
-struct WithOperation : Method {
-  /// The lighting of `Method` with the parameters of the operation.
+template <class Coloured, class Operation>
+struct WithOperation : PixelByPixel<Coloured> {
+  using Method = PixelByPixel<Coloured>;
+  /// The lighting of the method with the parameters of the operation.
   struct Lighting : Method::Lighting {
     using Base = typename Method::Lighting;
     constexpr Lighting() = default;
@@ -88,22 +90,13 @@ struct WithOperation : Method {
   };
   static constexpr bool kUsesEncodedColours = false;
 
-  template <class Frame>
-  static constexpr void prepare(const Lighting& lighting, Frame& frame, const typename Method::Face& face,
-                                typename Method::Prepared& prepared) {
-    Method::prepare(lighting, frame, face, prepared);
-    if constexpr (requires { prepared.segment_bits; }) prepared.segment_bits = 0;
-  }
   template <class Draw>
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(typename Method::Prepared& prepared,
                                                             Draw&& draw) {
     return Method::walk(prepared, [&](auto walker) {
       using Walker = decltype(walker);
-      if constexpr (SegmentedRun<typename Walker::Run>) {
-        return Status::kOk;  // prepare() has left them out
-      } else {
-        return draw(detail::OperationWalker<Walker>(walker));
-      }
+      detail::require_pixels<Walker>();
+      return draw(detail::OperationWalker<Walker>(walker));
     });
   }
 };

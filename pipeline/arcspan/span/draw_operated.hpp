@@ -50,7 +50,8 @@ ARCSPAN_INLINE constexpr void draw_operated(const Shade& colour, typename Target
   if constexpr (MaskedColour<Shade>) {
     if (!colour.covers(x, y)) return;
   }
-  if constexpr (Target::Depth::kTests && DepthColour<Shade>) {
+  if constexpr (DepthColour<Shade>) {
+    static_assert(Target::Depth::kTests, "fog needs the depth of each pixel: draw with a depth target");
     const auto in_depth = colour.at_depth(depth);
     if constexpr (Target::Depth::kWrites) *stored = depth;
     cursor.write(operated<Format>(in_depth, cursor.read(), x, y));

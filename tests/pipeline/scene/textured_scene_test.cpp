@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/pixel/fog.hpp>
 #include <arcspan/shading/grey_gouraud.hpp>
+#include <arcspan/shading/textured/environment_map.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/shading/with_operation.hpp>
+#include <arcspan/span/depth_mode.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/frames/integer_shapes.hpp>
 #include <tests/pipeline/scene/scene_support.hpp>
 
 #include <array>
@@ -50,14 +53,22 @@ constexpr PreparedMaterial<Wall> kPainted = PreparedMaterial<Wall>::of(kWhitePai
 
 SceneMemory<MethodList<Wall>, 2, 8> memory_of_walls;
 
+using Pane = WithOperation<Unlit, Opacity<>>;
+SceneMemory<MethodList<Pane>, 2, 8> memory_of_panes;
+
+using Chrome = Arc<EnvironmentMap<DirectTexels<>>>;
+SceneMemory<MethodList<Chrome>, 2, 200> memory_of_chrome;
+
+Camera camera_at(const WorldPoint& eye) {
+  Camera camera;
+  REQUIRE(ok(Camera::make({eye, {}}, kLens, kScreen, camera)));
+  return camera;
+}
+
 }  // namespace
 
 TEST_CASE("a textured material in flash is drawn by scenes as by draw_mesh, however its light changes") {
-  const Camera camera = [] {
-    Camera made;
-    REQUIRE(ok(Camera::make({WorldPoint::of(0, 0, 6), {}}, kLens, {Canvas::kWidth, Canvas::kHeight}, made)));
-    return made;
-  }();
+  const Camera camera = camera_at(WorldPoint::of(0, 0, 6));
   std::array<Object, 2> walls{Object(kWall, kPainted, WorldPoint::of(-1, 0, 0)),
                               Object(kWall, kPainted, WorldPoint::of(2, 1, -4))};
   for (Object& wall : walls) wall.scale = WorldLength::of(2);
@@ -95,4 +106,53 @@ TEST_CASE("a textured material in flash is drawn by scenes as by draw_mesh, howe
   CHECK(contrast(14, 45) > 30);
   CHECK(contrast(60, 70) > 10);
   CHECK(2 * contrast(14, 45) > 3 * contrast(60, 70));
+}
+
+TEST_CASE("transparent objects are drawn from far to near where depth is only read") {
+  const Camera camera = camera_at(WorldPoint::of(0, 0, 6));
+  const PreparedMaterial<Pane> red(Pane::Lighting(Unlit::lighting({240, 0, 0}), Opacity<>{16}));
+  const PreparedMaterial<Pane> blue(Pane::Lighting(Unlit::lighting({0, 0, 240}), Opacity<>{16}));
+  const std::array<Object, 2> near_first{Object(kWall, red, WorldPoint::of(0, 0, 1)),
+                                         Object(kWall, blue, WorldPoint::of(0, 0, -1))};
+  const std::array<Object, 2> far_first{near_first[1], near_first[0]};
+  for (const auto* panes : {&near_first, &far_first}) {
+    Canvas canvas;
+    canvas.picture.clear({});
+    const Scene scene{camera, kLampLight, *panes};
+    const SceneResult drawn = draw_scene(scene, canvas.picture, ReadOnlyDepth(canvas.depth), memory_of_panes);
+    REQUIRE(drawn.status == Status::kOk);
+    REQUIRE(drawn.triangles == 4);
+    const Rgb8 middle = canvas.picture.pixel(Canvas::kWidth / 2, Canvas::kHeight / 2);
+    CHECK(middle.r > 110);
+    CHECK(middle.b > 50);
+    CHECK(middle.b < 70);
+  }
+}
+
+TEST_CASE("an environment map follows the camera and the rotation of each object") {
+  static const auto kBall = scenes::make_sphere<8, 4>();
+  MeshView ball;
+  REQUIRE(ok(kBall.view(ball)));
+  const PreparedMaterial<Chrome> chrome(
+      EnvironmentMap<DirectTexels<>>(Texture<DirectTexels<>>::of(kChequers, {3, 3, 1})));
+  std::array<Object, 2> balls{Object(ball, chrome, WorldPoint::of(-1, 0, 0)),
+                              Object(ball, chrome, WorldPoint::of(1.2, 0.5, -2))};
+  balls[0].rotation = Rotation::about_x({9000}) * Rotation::about_y({20000});
+  balls[1].rotation = Rotation::about_z({30000});
+  for (Object& one : balls) one.scale = WorldLength::of(2);
+  const Camera camera = camera_at(WorldPoint::of(3, 2, 5));
+  Canvas of_scene;
+  const Scene scene{camera, kLampLight, balls};
+  REQUIRE(draw_scene(scene, of_scene.picture, of_scene.depth, memory_of_chrome).status == Status::kOk);
+
+  Canvas of_meshes;
+  for (const Object& one : balls) {
+    ClipTransform transform;
+    REQUIRE(camera.place(one.position, one.rotation, one.scale, transform));
+    const EnvironmentMap<DirectTexels<>> seen(Texture<DirectTexels<>>::of(kChequers, {3, 3, 1}),
+                                              camera.rotation() * one.rotation);
+    REQUIRE(draw_mesh<Chrome>(ball, transform, seen, of_meshes.picture, of_meshes.depth).status ==
+            Status::kOk);
+  }
+  CHECK(of_scene.pixels == of_meshes.pixels);
 }

@@ -92,7 +92,7 @@ const Fog& fog() {
   return kFog;
 }
 
-/// What is drawn over.
+/// The colour that a pixel has before the surface is drawn.
 Rgb8 background(std::int32_t x, std::int32_t y) {
   return {static_cast<std::uint8_t>(x * 2), static_cast<std::uint8_t>(y * 3),
           static_cast<std::uint8_t>(160 - x)};

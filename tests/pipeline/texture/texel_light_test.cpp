@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Texels under light against double precision, for every channel and every level of light.
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/textured/bilinear.hpp>
 #include <arcspan/shading/textured/texel_light.hpp>
+#include <arcspan/shading/textured/texel_sampling.hpp>
 #include <arcspan/shading/textured/texture_row.hpp>
 
 #include <catch2/catch.hpp>
@@ -111,7 +111,7 @@ TEST_CASE("four texels are mixed by their distances, across the borders of the t
     const double down = y - row;
     const double upper = green(0, 0) * (1 - to_right) + green(1, 0) * to_right;
     const double lower = green(0, 1) * (1 - to_right) + green(1, 1) * to_right;
-    const ShownTexel shown = bilinear_texel<DirectTexels<>>(words.data(), nullptr, steps);
+    const SampledTexel shown = bilinear_texel<DirectTexels<>>(words.data(), nullptr, steps);
     errors.add((shown.rgb565 >> 5 & 63) - (upper * (1 - down) + lower * down));
     REQUIRE(shown.opacity == 16);
   }

@@ -12,7 +12,7 @@ namespace arcspan::tools {
 /// rgb565, one level, the size nearest to the picture's.
 [[nodiscard]] TextureOptions default_texture_options();
 
-/// Of textures in models: pal8, at most 128x128 texels, one level.
+/// The defaults for textures that are embedded in models: pal8, at most 128x128 texels, one level.
 [[nodiscard]] TextureOptions default_model_texture_options();
 
 /// Adds --texture, a picture for all parts of a model.

@@ -35,7 +35,7 @@ enum class CompiledOutput { kHeader, kBinary };
 /// Whether the model is a single mesh without a material, which is written as a mesh.
 [[nodiscard]] bool is_plain_mesh(const FixedModel& model);
 
-/// How the library is told that a part is masked or blended.
+/// Whether a part with this material is opaque, masked or blended.
 [[nodiscard]] PartAlpha part_alpha(const FileMaterial& material);
 
 /// The header. A single mesh: its arrays and `make_view` in namespace `name`, which must be an identifier

@@ -3,69 +3,14 @@
 
 #include <arcspan/lighting/highlight_table.hpp>
 #include <arcspan/shading/adaptive/adaptive_illumination.hpp>
+#include <arcspan/shading/adaptive/highlight_patch.hpp>
+#include <arcspan/shading/adaptive/linear_levels.hpp>
 #include <arcspan/shading/adaptive/linear_light.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/segment/segment.hpp>
 #include <arcspan/target.hpp>
 
 namespace arcspan {
-
-/// The pixels of a row (PixelRun) with the highlight of one light. Second differences step both
-/// diffuse_scalar() and the highlight's scaled distance (HighlightTable), so no product is computed per pixel
-/// (decision 7).
-template <class Lighting>
-class HighlightPatchRun : public SecondDifferenceRun<2> {
- public:
-  static constexpr std::size_t kUsed = 2;
-
-  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
-    return lighting.colour_with_highlight_at(scalars()[0], scalars()[1].raw(), weight());
-  }
-  /// Returns the parts of colour() (LightRun).
-  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
-    return lighting.light_with_highlight_at(scalars()[0], scalars()[1].raw(), weight());
-  }
-  /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
-  template <class Format, class Colours>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
-                                                                          const Colours& encoded) const {
-    if constexpr (Colours::kForHighlights) {
-      return lighting.template encoded_with_highlight_at<Format>(scalars()[0], scalars()[1].raw(), weight(),
-                                                                 encoded);
-    } else {
-      return Format::encode(colour(lighting));
-    }
-  }
-  constexpr void set_weight(std::uint32_t weight) {
-    if constexpr (Lighting::kLights > 1) weight_[0] = weight;
-  }
-
- private:
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t weight() const {
-    if constexpr (Lighting::kLights > 1) return weight_[0];
-    return std::uint32_t{1} << 15;
-  }
-  std::array<std::uint32_t, Lighting::kLights == 1 ? 0 : 1> weight_;  ///< highlight_weight() of its light
-};
-
-/// Steps a highlight patch (RowWalker).
-template <class Lighting, std::size_t Count>
-class HighlightPatchWalker : public PatchWalker<HighlightPatchRun<Lighting>, Count> {
- public:
-  using Base = PatchWalker<HighlightPatchRun<Lighting>, Count>;
-  using typename Base::Run;
-
-  constexpr HighlightPatchWalker(Patch<Count>& patch, bool middle_left, std::uint32_t weight)
-      : Base(patch, middle_left), weight_(weight) {}
-  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
-    Run run = Base::row(start);
-    run.set_weight(weight_);
-    return run;
-  }
-
- private:
-  std::uint32_t weight_;
-};
 
 /// Arc with the cheapest path per triangle whose predicted error is within a tolerance (decisions 6 and 7).
 /// The paths are tried in this order; those without highlight and the highlight patch need a ramp, and that
@@ -78,14 +23,14 @@ class HighlightPatchWalker : public PatchWalker<HighlightPatchRun<Lighting>, Cou
 /// 3. Segments of 4...16 pixels (S3): wide rows whose colours have small second derivatives, away
 ///    from the terminator.
 /// 4. A patch of N·L and of a highlight's distance: small triangles whose vertices are all lit, within reach
-/// of the
-///    highlight of one light.
+///    of the highlight of one light.
 /// 5. The paths of Arc: a patch of every scalar, or arcs.
-template <class Illumination>
-struct Adaptive : Arc<Illumination> {
+///
+/// `Segments` false leaves out path 3.
+template <class Illumination, bool Segments>
+struct AdaptivePaths : Arc<Illumination> {
   using Base = Arc<Illumination>;
   using Lighting = AdaptiveIllumination<Illumination>;
-  using DrawsSmallTrianglesAs = Adaptive;
   using typename Base::Face;
   using typename Base::Path;
   using typename Base::Vertex;
@@ -118,10 +63,12 @@ struct Adaptive : Arc<Illumination> {
       }
     }
     const bool fits_patch = widest <= lighting.widest_patch() && patch_fits(frame);
-    if (is_arc && frame.width >> 16 >= kLeastWidth) {
-      if constexpr (!Base::kHasDiffusePath) nearest = nearest_highlight(lighting, frame);
-      prepared.segment_bits =
-          segment_bits(lighting, frame, nearest.distance < lighting.half_tolerance_reach());
+    if constexpr (Segments) {
+      if (is_arc && frame.width >> 16 >= kLeastWidth) {
+        if constexpr (!Base::kHasDiffusePath) nearest = nearest_highlight(lighting, frame);
+        prepared.segment_bits =
+            segment_bits(lighting, frame, nearest.distance < lighting.half_tolerance_reach());
+      }
     }
     if constexpr (kHasHighlightPatch) {
       if (fits_patch && prepared.segment_bits == 0 && widest <= kWidestBounded &&
@@ -189,10 +136,14 @@ struct Adaptive : Arc<Illumination> {
                                                                    prepared.highlight_weight));
       }
     }
-    if (prepared.segment_bits == 0) return Base::walk(prepared, draw);
-    return Base::walk(prepared, [&](auto walker) {
-      return draw(SegmentWalker<decltype(walker)>(walker, prepared.segment_bits));
-    });
+    if constexpr (Segments) {
+      if (prepared.segment_bits != 0) {
+        return Base::walk(prepared, [&](auto walker) {
+          return draw(SegmentWalker<decltype(walker)>(walker, prepared.segment_bits));
+        });
+      }
+    }
+    return Base::walk(prepared, draw);
   }
 
  private:
@@ -209,8 +160,8 @@ struct Adaptive : Arc<Illumination> {
   /// The highlights of a triangle.
   struct NearestHighlight {
     std::int32_t distance;  ///< a lower bound of the half distance: (1 - c) / 2 of the highlight's cosine c
-    /// Of several lights, the one whose highlight is above half the tolerance and within reach; kLights if
-    /// there are none or several such lights.
+    /// The only light whose highlight is above half the tolerance and within reach; kLights if no light or
+    /// several have such a highlight.
     std::size_t light;
   };
   template <class Frame>
@@ -308,55 +259,6 @@ struct Adaptive : Arc<Illumination> {
     return true;
   }
 
-  /// N·L at the vertices of a triangle whose normals are at most 16 degrees apart, and what follows for
-  /// linear light.
-  struct LinearLevels {
-    std::int32_t a;  ///< LinearLight::level()
-    std::int32_t b;
-    std::int32_t c;
-    std::uint32_t radius2;  ///< squared_radius() of the normals
-
-    constexpr LinearLevels(const TriangleChords& chords, Cosine at_a, Cosine at_b, Cosine at_c)
-        : a(LinearLight::level(at_a)),
-          b(LinearLight::level(at_b)),
-          c(LinearLight::level(at_c)),
-          radius2(squared_radius(chords)) {}
-
-    [[nodiscard]] constexpr std::int32_t most() const {
-      const std::int32_t upper = a > b ? a : b;
-      return upper > c ? upper : c;
-    }
-    [[nodiscard]] constexpr std::uint32_t range() const {
-      const std::int32_t lower = a < b ? a : b;
-      return static_cast<std::uint32_t>(most() - (lower < c ? lower : c));
-    }
-    /// Returns a bound of four times the error of linear light, 28 fraction bits: R^2 N·L with the largest
-    /// N·L. Where N·L is positive, it is above the plane through its vertices by at most R^2/2 of itself and
-    /// never below; lifting the plane by R^2/4 leaves R^2/4 either way.
-    [[nodiscard]] constexpr std::uint32_t quadruple_error() const {
-      if (most() <= 0) return 0;
-      return (radius2 >> 9) * ((static_cast<std::uint32_t>(most()) >> 6) + 1);
-    }
-    /// Returns a level of the lifted plane.
-    [[nodiscard]] constexpr std::int32_t lifted(std::int32_t level) const {
-      const auto lift = static_cast<std::int32_t>(radius2 >> (28 - LinearLight::kFraction + 2));
-      return level + (wrap_mul(level, lift) >> LinearLight::kFraction);
-    }
-  };
-
-  /// Returns an upper bound of the squared radius of the smallest circle around the three normals, which are
-  /// at most 16 degrees apart; 28 fraction bits, of which 25 are used. The circle passes through all three,
-  /// or has the widest edge as its diameter if the triangle of the normals is obtuse.
-  ///
-  /// With c the longest chord and e = max(0, a^2 + b^2 - c^2), the squared radius is at most c^2/4 + e/12.
-  [[nodiscard]] static constexpr std::uint32_t squared_radius(const TriangleChords& chords) {
-    const std::uint32_t widest = chords.widest();
-    const std::uint32_t others = chords.top_middle + chords.top_bottom + chords.middle_bottom - widest;
-    const std::uint32_t excess = others > widest ? others - widest : 0;
-    // The last term, about 4%, covers the higher terms at 16 degrees.
-    return (widest >> 2) + (excess >> 3) - (excess >> 5) + (widest >> 6);
-  }
-
   /// Returns true if every N·L keeps its sign over the triangle and stays out of the fade of the highlights,
   /// by a margin whose square is `margin2` (28 fraction bits). At a change of sign, colours have a kink and
   /// highlights end abruptly or fade. The margin is needed because a segment may end up to a quarter of a row
@@ -401,6 +303,13 @@ struct Adaptive : Arc<Illumination> {
     }
     return 0;
   }
+};
+
+/// Phong shading by the cheapest path whose error is invisible: see AdaptivePaths.
+template <class Illumination>
+struct Adaptive : AdaptivePaths<Illumination, true> {
+  using DrawsSmallTrianglesAs = Adaptive;
+  using PixelByPixel = AdaptivePaths<Illumination, false>;
 };
 
 }  // namespace arcspan

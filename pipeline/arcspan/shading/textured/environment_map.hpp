@@ -33,13 +33,20 @@ class EnvironmentMap {
   using Scalars = std::array<Cosine, kScalars>;
 
   constexpr EnvironmentMap() = default;
-  /// `rotation` is from object to view space, orthonormal: the rotation of the Placement.
-  constexpr EnvironmentMap(const Texture<Texels>& picture, const Rotation& rotation)
-      : axes_{rotation.to_object(normalised(1, 0, 0)), rotation.to_object(normalised(0, -1, 0))},
-        words_(picture.at(0)),
+  /// `rotation`: see set_rotation(). draw_scene() sets it for each object.
+  constexpr explicit EnvironmentMap(const Texture<Texels>& picture,
+                                    const Rotation& rotation = Rotation::identity())
+      : words_(picture.at(0)),
         palette_(picture.palette()),
         width_bits_(picture.size().width_bits),
-        height_bits_(picture.size().height_bits) {}
+        height_bits_(picture.size().height_bits) {
+    set_rotation(rotation);
+  }
+
+  /// `rotation` is from object to view space, orthonormal: the rotation of the Placement.
+  constexpr void set_rotation(const Rotation& rotation) {
+    axes_ = {rotation.to_object(normalised(1, 0, 0)), rotation.to_object(normalised(0, -1, 0))};
+  }
 
   /// The view-space x and -y of a unit normal.
   [[nodiscard]] constexpr Scalars scalars(const Direction& normal) const {

@@ -4,8 +4,9 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/shading/method.hpp>
-#include <arcspan/shading/textured/bilinear.hpp>
+#include <arcspan/shading/pixel_by_pixel.hpp>
 #include <arcspan/shading/textured/texel_light.hpp>
+#include <arcspan/shading/textured/texel_sampling.hpp>
 #include <arcspan/shading/textured/texture_row.hpp>
 #include <arcspan/shading/textured/texture_triangle.hpp>
 #include <arcspan/shading/unlit.hpp>
@@ -49,9 +50,9 @@ struct TexturedRun {
   }
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
-    const ShownTexel shown = Filter == TextureFilter::kBilinear
-                                 ? bilinear_texel<Texels>(words, palette, mapping.steps())
-                                 : nearest_texel<Texels>(words, palette, mapping.steps());
+    const SampledTexel shown = Filter == TextureFilter::kBilinear
+                                   ? bilinear_texel<Texels>(words, palette, mapping.steps())
+                                   : nearest_texel<Texels>(words, palette, mapping.steps());
     if constexpr (Texels::ColourFormat::kAlphaBits == 0) {
       return lit(lighting, shown.rgb565);
     } else {
@@ -130,21 +131,23 @@ class TexturedWalker {
   TextureTriangle* triangle_;
 };
 
-/// A shading method with a texture: each pixel shows a texel, times the light that `Light` (Unlit, Flat,
-/// Gouraud, Arc, Adaptive) computes for it. Phong's highlights are added afterwards; those of Gouraud and
-/// Flat are part of the light. The diffuse coefficients of a textured material are usually 1 (white).
+/// A shading method with a texture: each pixel shows a texel, times the light that `Method` (Unlit, Flat,
+/// Gouraud, Arc, Adaptive, VertexColoured) computes for it. Phong's highlights are added afterwards; those of
+/// Gouraud and Flat are part of the light. The diffuse coefficients of a textured material are usually 1
+/// (white).
 ///
 /// Texels are shown of the mip level whose texels are about as large as the triangle's pixels.
 /// Perspective is correct within half a texel: a triangle is mapped linearly where that is exact enough,
 /// elsewhere in the longest pieces of a row that are.
-template <class Light, TexelFormat Texels,
-          TexelLight Colours = std::same_as<Light, Unlit> ? TexelLight::kNone : TexelLight::kGrey,
+template <class Method, TexelFormat Texels,
+          TexelLight Colours = std::same_as<Method, Unlit> ? TexelLight::kNone : TexelLight::kGrey,
           TextureFilter Filter = TextureFilter::kNearest>
-struct Textured : Light {
-  /// The illumination of `Light` with the texture.
+struct Textured : PixelByPixel<Method> {
+  using Light = PixelByPixel<Method>;
+  /// The illumination of `Method` with the texture.
   struct Lighting : Light::Lighting {
     constexpr Lighting() = default;
-    /// `light`: what Light::Lighting is made of, usually an Illumination.
+    /// `light`: what Method::Lighting is made of, usually an Illumination.
     template <class L>
     requires std::constructible_from<typename Light::Lighting, const L&>
     constexpr explicit Lighting(const L& light, const Texture<Texels>& picture = {})
@@ -174,6 +177,7 @@ struct Textured : Light {
   }
   /// Sets what a vertex has in the mesh besides its normal (TakesVertexData).
   static constexpr void set_vertex_data(const MeshView& mesh, std::size_t i, Vertex& vertex) {
+    if constexpr (TakesVertexData<Light>) Light::set_vertex_data(mesh, i, vertex);
     const TexturePoint point = mesh.texture_point(i);
     const int shift = 16 - mesh.texture_scale().fraction_bits;
     vertex.point = {wrap_shl(point.u, shift), wrap_shl(point.v, shift)};
@@ -190,8 +194,6 @@ struct Textured : Light {
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face& face,
                                 Prepared& prepared) {
     Light::prepare(lighting, frame, face, prepared.light);
-    // Segments would have colours without texels.
-    if constexpr (requires { prepared.light.segment_bits; }) prepared.light.segment_bits = 0;
     prepare_texture<Filter>(
         frame, lighting.texture.size(),
         {{frame.top->shade.point, frame.middle->shade.point, frame.bottom->shade.point},
@@ -203,16 +205,13 @@ struct Textured : Light {
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     return Light::walk(prepared.light, [&](auto walker) {
       using LightWalker = decltype(walker);
-      if constexpr (SegmentedRun<typename LightWalker::Run>) {
-        return Status::kOk;  // prepare() has left them out
-      } else {
-        if (prepared.texture.piece == 0) {
-          return draw(
-              TexturedWalker<LightWalker, LinearTexture, Texels, Colours, Filter>(walker, prepared.texture));
-        }
-        return draw(TexturedWalker<LightWalker, PerspectiveTexture, Texels, Colours, Filter>(
-            walker, prepared.texture));
+      detail::require_pixels<LightWalker>();
+      if (prepared.texture.piece == 0) {
+        return draw(
+            TexturedWalker<LightWalker, LinearTexture, Texels, Colours, Filter>(walker, prepared.texture));
       }
+      return draw(
+          TexturedWalker<LightWalker, PerspectiveTexture, Texels, Colours, Filter>(walker, prepared.texture));
     });
   }
 };

@@ -92,7 +92,7 @@ void append(ImportedMesh& out, const aiMesh& mesh, MeshFormat format, const std:
   }
 }
 
-/// What the library says of a mesh's material.
+/// The names and the material of a mesh, as the importing library describes them.
 nlohmann::json look_of(const aiMesh& mesh, const aiNode& node, const aiScene& scene) {
   nlohmann::json look{{"names", nlohmann::json::array()}, {"material", ""}, {"two_sided", false}};
   for (const aiString& name : {mesh.mName, node.mName}) {

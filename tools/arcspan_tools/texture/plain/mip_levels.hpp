@@ -11,8 +11,8 @@
 
 namespace arcspan::tools {
 
-/// What lies beyond the edges of a picture when it is filtered: the opposite edge, for textures that repeat,
-/// or the edge itself.
+/// Which pixels a filter uses beyond the edges of a picture: those at the opposite edge (kRepeat, for
+/// textures that repeat), or the nearest one at the edge (kClamp).
 enum class PictureEdges { kRepeat, kClamp };
 
 /// The power of two from 8 to 1024 that is nearest to a side of a picture.

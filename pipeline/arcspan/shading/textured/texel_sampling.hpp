@@ -10,25 +10,25 @@
 
 namespace arcspan {
 
-/// What a pixel shows of a texture: a 5-6-5 colour, and an opacity of 0...16.
-struct ShownTexel {
+/// A sample of a texture: a 5-6-5 colour, and an opacity of 0...16.
+struct SampledTexel {
   std::uint16_t rgb565;
   std::uint32_t opacity;
 };
 
 /// The nearest texel.
 template <TexelFormat Texels>
-[[nodiscard]] ARCSPAN_INLINE constexpr ShownTexel nearest_texel(const typename Texels::Word* words,
-                                                                const std::uint16_t* palette,
-                                                                const TexelSteps& steps) {
+[[nodiscard]] ARCSPAN_INLINE constexpr SampledTexel nearest_texel(const typename Texels::Word* words,
+                                                                  const std::uint16_t* palette,
+                                                                  const TexelSteps& steps) {
   const std::uint16_t stored = Texels::stored(words, palette, steps.index());
   return {Texels::ColourFormat::rgb565(stored), Texels::ColourFormat::alpha(stored)};
 }
 
 /// The four nearest texels, mixed.
 template <TexelFormat Texels>
-[[nodiscard]] constexpr ShownTexel bilinear_texel(const typename Texels::Word* words,
-                                                  const std::uint16_t* palette, const TexelSteps& steps) {
+[[nodiscard]] constexpr SampledTexel bilinear_texel(const typename Texels::Word* words,
+                                                    const std::uint16_t* palette, const TexelSteps& steps) {
   using ColourFormat = typename Texels::ColourFormat;
   const std::uint32_t here = steps.index();
   const std::uint32_t below = steps.below(here);

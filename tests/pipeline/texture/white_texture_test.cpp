@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/draw.hpp>
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
+#include <arcspan/shading/flat.hpp>
+#include <arcspan/shading/textured/textured.hpp>
+#include <arcspan/shading/vertex_coloured.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/frames/integer_shapes.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <initializer_list>
+#include <vector>
+
+using namespace arcspan;
+using hal::Framebuffer;
+
+namespace {
+
+constexpr std::int32_t kSize = 200;
+// The textured methods have no path for small triangles, whose colours differ by a step.
+constexpr DrawFeatures kFeatures{
+    .clips = false, .two_sided = false, .caches = false, .planes = false, .small_triangles = false};
+
+using OneLight = Illumination<1, Highlight::kBlinn>;
+using TwoLights = Illumination<2, Highlight::kPhong, IlluminationFeatures{.coloured_lights = true}>;
+
+constexpr std::array<std::uint16_t, 64> kWhiteTexels = [] {
+  std::array<std::uint16_t, 64> texels{};
+  for (std::uint16_t& texel : texels) texel = 0xFFFF;
+  return texels;
+}();
+constexpr auto kWhiteTexture = Texture<DirectTexels<>>::of(kWhiteTexels, {3, 3, 1});
+
+template <class Lit>
+Lit illumination() {
+  constexpr auto kTenth = Coefficient::of(0.1);
+  const Material copper{{kTenth, kTenth, kTenth},
+                        {Coefficient::of(0.7), Coefficient::of(0.4), Coefficient::of(0.2)},
+                        {Coefficient::of(0.5), Coefficient::of(0.5), Coefficient::of(0.5)},
+                        24};
+  std::array<DirectionalLight, Lit::kLights> lights{};
+  lights[0] = {normalised(2, 3, 4), Coefficient::of(0.9)};
+  if constexpr (Lit::kLights == 2) {
+    lights[1] = {
+        normalised(-3, 1, 2), Coefficient::of(0.6), {kTenth, Coefficient::of(0.5), Coefficient::of(0.9)}};
+  }
+  Lit lit;
+  REQUIRE(ok(Lit::make(copper, lights, normalised(0, 0, 1), lit)));
+  return lit;
+}
+
+/// A mesh with texture points and a colour per vertex.
+template <class Shape>
+class Decorated {
+ public:
+  explicit Decorated(const Shape& shape) {
+    REQUIRE(ok(shape.view(mesh)));
+    for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+      points_.push_back({static_cast<std::int16_t>(mesh.position(i).x >> 1),
+                         static_cast<std::int16_t>(mesh.position(i).y >> 1)});
+      colours_.push_back({static_cast<std::uint8_t>(40 * i), static_cast<std::uint8_t>(255 - 8 * i), 200});
+    }
+    REQUIRE(ok(mesh.attach(points_, TextureScale{12})));
+    REQUIRE(ok(mesh.attach(colours_)));
+  }
+  MeshView mesh;
+
+ private:
+  std::vector<TexturePoint> points_;
+  std::vector<Rgb8> colours_;
+};
+
+template <class Method>
+std::vector<Rgb8> drawn(const MeshView& mesh, const typename Method::Lighting& lighting) {
+  std::vector<Rgb8> words(Framebuffer<Rgb888>::words(kSize, kSize));
+  Framebuffer<Rgb888> frame(words, kSize, kSize);
+  frame.clear({1, 2, 3});
+  Placement placement{Rotation::about_x({3000}), {}};
+  placement.translation[2] = ObjectLength::of(-2.5 * scenes::kRadius);
+  ClipTransform transform;
+  REQUIRE(ok(ClipTransform::make(placement,
+                                 {PixelLength::of(200.0), ObjectLength::of(1.0 * scenes::kRadius),
+                                  ObjectLength::of(6.0 * scenes::kRadius)},
+                                 {kSize, kSize}, transform)));
+  const DrawResult result = draw_mesh<Method, kFeatures>(mesh, transform, lighting, frame, NoDepth{});
+  REQUIRE(result.status == Status::kOk);
+  REQUIRE(result.triangles > 10);
+  return words;
+}
+
+/// The largest difference that a white texture makes to the pictures of a method, in steps of 8 bits. The
+/// triangles span 22 to 45 degrees, so that all paths of Adaptive draw some of them, and the largest rows
+/// have segments.
+template <class Method, class Lit>
+int largest_difference() {
+  static constexpr auto kBall = scenes::make_sphere<16, 8>();
+  static constexpr auto kCoarseBall = scenes::make_sphere<8, 4>();
+  using White = Textured<Method, DirectTexels<>, TexelLight::kColoured>;
+  const typename Method::Lighting plain(illumination<Lit>());
+  const typename White::Lighting textured(illumination<Lit>(), kWhiteTexture);
+  int worst = 0;
+  const auto compare = [&](const MeshView& mesh) {
+    const std::vector<Rgb8> a = drawn<Method>(mesh, plain);
+    const std::vector<Rgb8> b = drawn<White>(mesh, textured);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      worst =
+          std::max({worst, std::abs(a[i].r - b[i].r), std::abs(a[i].g - b[i].g), std::abs(a[i].b - b[i].b)});
+    }
+  };
+  compare(Decorated(kBall).mesh);
+  compare(Decorated(kCoarseBall).mesh);
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("a white texture leaves the colours of every method as they are") {
+  CHECK(largest_difference<Flat<OneLight>, OneLight>() <= 1);
+  CHECK(largest_difference<Gouraud<TwoLights>, TwoLights>() <= 1);
+  CHECK(largest_difference<VertexColoured<OneLight>, OneLight>() <= 1);
+  CHECK(largest_difference<Arc<OneLight>, OneLight>() <= 1);
+  CHECK(largest_difference<Arc<TwoLights>, TwoLights>() <= 1);
+  CHECK(largest_difference<AdaptivePaths<OneLight, false>, OneLight>() <= 1);
+  CHECK(largest_difference<Adaptive<TwoLights>, TwoLights>() <= 3);  // segments are within a tolerance of 2
+}

@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kSpreadMask = 0x07E0F81F;
   return static_cast<std::uint16_t>(spread | (spread >> 16));
 }
 /// The sum of two spread pixels, saturated.
-[[nodiscard]] constexpr std::uint32_t saturated_sum(std::uint32_t a, std::uint32_t b) {
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t saturated_sum(std::uint32_t a, std::uint32_t b) {
   constexpr std::uint32_t kRedBlueCarries = 0x00010020;
   constexpr std::uint32_t kGreenCarry = 0x08000000;
   const std::uint32_t sum = a + b;
@@ -28,11 +28,12 @@ inline constexpr std::uint32_t kSpreadMask = 0x07E0F81F;
   return (sum | (red_blue - (red_blue >> 5)) | (green - (green >> 6))) & kSpreadMask;
 }
 /// A PackedRgb without half step as a spread pixel, rounded.
-[[nodiscard]] constexpr std::uint32_t spread(PackedRgb c) {
-  const auto five = [](std::uint32_t v) { return v > 1007 ? 31u : (v + 16) >> 5; };
-  const std::uint32_t green = c.lanes >> 22;
-  return ((green > 1015 ? 63u : (green + 8) >> 4) << 21) | (five((c.lanes >> 11) & 1023u) << 11) |
-         five(c.lanes & 1023u);
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t spread(PackedRgb c) {
+  // 31/32 of red and blue and 63/64 of green, plus half a step of the result, do not overflow.
+  constexpr std::uint32_t kHalves = (std::uint32_t{8} << 22) | (std::uint32_t{16} << 11) | 16;
+  const std::uint32_t red_blue = (c.lanes >> 5) & 0x0000F81F;
+  const std::uint32_t green = (c.lanes >> 28) << 22;
+  return ((c.lanes - red_blue - green + kHalves) >> 5) & kSpreadMask;
 }
 /// spread * factor, rounded; factor is 0...32 and stands for 0...1.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t scaled_spread(std::uint32_t spread,

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/prepare/gradient_across.hpp>
 #include <arcspan/prepare/input_vertex.hpp>
 #include <arcspan/prepare/linear.hpp>
+#include <arcspan/prepare/long_walk.hpp>
 #include <arcspan/prepare/triangle_command.hpp>
 #include <arcspan/target.hpp>
 
@@ -54,6 +56,7 @@ struct TriangleFrame {
   Factor middle_fraction;    ///< fraction of the long edge at the middle vertex's height
   std::uint32_t width;       ///< width in pixels at that height, 16 fraction bits, raw value at least 1
   Reciprocal inverse_width;  ///< reciprocal of `width`
+  [[no_unique_address]] LongWalk<Method> long_walk;  ///< set if the method is one that NeedsNearOverW
 };
 
 /// Sets the reciprocals of the short edges, for methods that interpolate along both edges of a row.
@@ -68,11 +71,7 @@ constexpr void make_short_inverses(TriangleFrame<Method>& frame) {
 template <class Value, class Method>
 constexpr void make_linear_plane(const TriangleFrame<Method>& frame, std::int32_t top, std::int32_t middle,
                                  std::int32_t bottom, BasicLinearPlane<Value>& plane) {
-  constexpr int kBits = kFractionBits<Value>;
-  const std::int32_t fraction = frame.middle_fraction.raw() >> (Factor::kFraction - kBits);
-  const std::int32_t along = round_shift(wrap_mul(bottom - top, fraction), kBits);
-  const std::int32_t across = middle - (top + along);
-  plane.dx = gradient<Value>(frame.middle_left ? -across : across, frame.inverse_width, 16);
+  plane.dx = gradient_across<Value>(frame, top, middle, bottom);
   // Edges without rows are zeroed, so that commands compare equal.
   if (!frame.middle_left) {
     make_linear_edge(frame.long_edge, top, bottom, plane.left);
@@ -129,6 +128,7 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   EdgeWalk& long_walk = frame.middle_left ? command.right : command.left;
   make_edge_setup(top, bottom, command.first_row, true, frame.long_edge);
   make_edge_walk(frame.long_edge, bottom, long_walk);
+  if constexpr (NeedsNearOverW<Method>) frame.long_walk.set(long_walk);
   if (frame.has_upper) {
     make_edge_setup(top, middle, command.first_row, frame.middle_left, frame.upper_edge);
     make_edge_walk(frame.upper_edge, middle, frame.middle_left ? command.left : command.right);

@@ -9,6 +9,12 @@
 
 namespace arcspan {
 
+/// Optional part of a method's Prepared, for what depends on a pixel's column in the picture.
+template <class P>
+concept MovesColumns = requires(P prepared, std::int32_t pixels) {
+  {prepared.move_columns(pixels)};
+};
+
 /// The command that preparation passes to the span stage. It consists of integers without pointers and is all
 /// that passes between the two, so the span stage may be another core or hardware.
 /// docs/triangle-command.md describes its layout.
@@ -32,12 +38,13 @@ struct TriangleCommand {
   [[nodiscard]] constexpr bool has_rows_in(std::int32_t top, std::int32_t bottom, std::int32_t origin) const {
     return end_row + origin > top && first_row + origin < bottom;
   }
-  /// Moves every edge by `pixels` columns.
+  /// Moves everything by `pixels` columns.
   ARCSPAN_INLINE constexpr void move_columns(std::int32_t pixels) {
     const auto shift = static_cast<std::int64_t>(static_cast<std::uint64_t>(pixels) << 32);
     left.x += shift;
     right.x += shift;
     lower.x += shift;
+    if constexpr (MovesColumns<typename Method::Prepared>) shade.move_columns(pixels);
   }
 };
 

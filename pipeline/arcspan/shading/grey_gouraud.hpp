@@ -25,6 +25,7 @@ struct GreyGouraud {
     bool middle_left;
   };
   static constexpr bool kNeedsFaceNormal = false;
+  static constexpr bool kHasLinearLevel = true;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
     return {lighting.deep_colour(lighting.scalars(normal)).g};

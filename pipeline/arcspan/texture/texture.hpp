@@ -87,7 +87,8 @@ class Texture {
   [[nodiscard]] constexpr const TextureSize& size() const { return size_; }
   /// The words that begin with texel `first`, an even number in formats of 4 bits.
   [[nodiscard]] constexpr const Word* at(std::uint32_t first) const {
-    return words_ + first * Texels::kBits / (8 * sizeof(Word));
+    constexpr std::uint32_t kTexelsPerWord = 8 * sizeof(Word) / Texels::kBits;
+    return words_ + first / kTexelsPerWord;
   }
   [[nodiscard]] constexpr const std::uint16_t* palette() const { return palette_; }
 

@@ -112,7 +112,9 @@ class WideWalker {
 
  private:
   /// Sets `run` to one of several pieces of a row.
-  ARCSPAN_OUTLINE constexpr void set_piece(RowStart start, Run& run) const {
+  ARCSPAN_OUTLINE constexpr void set_piece(const RowStart& of_row, Run& run) const {
+    // Member by member, because small cores would copy the whole by memcpy.
+    RowStart start{of_row.fraction, of_row.skipped, of_row.inside, of_row.width, of_row.bits, of_row.column};
     RowEnds<Count> ends;
     std::int32_t length = INT32_MAX;
     if (is_very_wide()) {

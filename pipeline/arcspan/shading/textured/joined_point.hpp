@@ -7,6 +7,20 @@
 
 namespace arcspan {
 
+/// A level of light below v in a JoinedPoint: 0...32 with 12 fraction bits, in the 18 lowest bits. It is
+/// added with its half, so that it is rounded when it is cut off, and rounding errors leave it positive.
+struct JoinedLevel {
+  static constexpr unsigned kBits = 18;
+  static constexpr unsigned kFraction = 12;
+  static constexpr unsigned kRoundedBits = 14;  ///< of a level with 26 fraction bits, in 32 bits
+  static constexpr std::uint32_t kHalf = std::uint32_t{1} << (kFraction - 1);
+
+  /// A change with 26 fraction bits, as one with 12.
+  [[nodiscard]] static constexpr std::int32_t rounded(std::int32_t change) {
+    return ((change >> (kRoundedBits - 1)) + 1) >> 1;
+  }
+};
+
 /// u and v in one word of 64 bits, so that one addition steps both. From the top: the column of the texel in
 /// `width_bits`, its fraction, the row of the texel in `height_bits`, its fraction of 32 bits. Both repeat by
 /// wrapping; a carry of v changes the last fraction bit of u.
@@ -16,18 +30,25 @@ struct JoinedPoint {
                                                                  unsigned height_bits) {
     const std::uint32_t unit = std::uint32_t{1} << height_bits;
     const std::uint64_t upper = std::uint64_t{u & (0u - unit)} << 32;
-    // A product takes one instruction where a shift of two words takes five.
-    return upper + (kHasLongMultiply && !kHasWideRegisters ? std::uint64_t{v} * unit
-                                                           : std::uint64_t{v} << height_bits);
+    return upper + (kMultiplies ? std::uint64_t{v} * unit : std::uint64_t{v} << height_bits);
   }
-  /// Signed changes of u and v.
+  /// A change of u, rounded to what is left of u beside v.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::int32_t rounded(std::int32_t u, unsigned height_bits) {
+    const std::uint32_t unit = std::uint32_t{1} << height_bits;
+    return static_cast<std::int32_t>((static_cast<std::uint32_t>(u) + (unit >> 1)) & (0u - unit));
+  }
+  /// Signed changes of u and v; that of u is rounded().
   [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint64_t step(std::int32_t u, std::int32_t v,
                                                                    unsigned height_bits) {
-    // Rounded to what is left of u beside v.
-    const std::uint32_t upper = static_cast<std::uint32_t>(u) + ((std::uint32_t{1} << height_bits) >> 1);
-    return (std::uint64_t{upper >> height_bits << height_bits} << 32) +
-           (static_cast<std::uint64_t>(std::int64_t{v}) << height_bits);
+    const std::uint64_t lower =
+        kMultiplies ? static_cast<std::uint64_t>(std::int64_t{v} * (std::int32_t{1} << height_bits))
+                    : static_cast<std::uint64_t>(std::int64_t{v}) << height_bits;
+    return (std::uint64_t{static_cast<std::uint32_t>(u)} << 32) + lower;
   }
+
+ private:
+  /// A product takes one instruction where a shift of two words takes five or more.
+  static constexpr bool kMultiplies = kHasLongMultiply && !kHasWideRegisters;
 };
 
 }  // namespace arcspan

@@ -34,33 +34,47 @@ inline constexpr auto kPieceInverses = make_piece_inverses();
 class TexelSteps {
  public:
   ARCSPAN_INLINE constexpr explicit TexelSteps(const TextureTriangle& t)
-      : height_bits_(t.height_bits), rotation_(t.width_bits), mask_(t.mask) {}
+      : height_bits_(t.height_bits), fraction_bits_(32u - t.width_bits), mask_(t.mask) {}
 
   /// Starts at u and v, fractions of a repetition in 32 bits.
   ARCSPAN_INLINE constexpr void start(std::uint32_t u, std::uint32_t v) {
     at_ = JoinedPoint::of(u, v, height_bits_);
   }
+  ARCSPAN_INLINE constexpr void start_at(std::uint64_t joined) { at_ = joined; }
   ARCSPAN_INLINE constexpr void set_step(std::uint64_t step) { step_ = step; }
   ARCSPAN_INLINE constexpr void set_step(std::int32_t u, std::int32_t v) {
-    step_ = JoinedPoint::step(u, v, height_bits_);
+    step_ = JoinedPoint::step(JoinedPoint::rounded(u, height_bits_), v, height_bits_);
   }
   /// The index of the current texel in its level.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t index() const {
-    return std::rotl(static_cast<std::uint32_t>(at_ >> 32), rotation_) & mask_;
+    const auto upper = static_cast<std::uint32_t>(at_ >> 32);
+    return ((upper >> fraction_bits_) | (upper << (32 - fraction_bits_))) & mask_;
   }
   ARCSPAN_INLINE constexpr void next() { at_ += step_; }
 
+  /// The level of light beside u and v (JoinedLevel), 0...32.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t level() const {
+    return (static_cast<std::uint32_t>(at_) >> JoinedLevel::kFraction) &
+           ((1u << (JoinedLevel::kBits - JoinedLevel::kFraction)) - 1);
+  }
+  /// The level as a channel of PackedRgb.
+  [[nodiscard]] constexpr std::uint32_t packed_level() const {
+    const std::uint32_t raised =
+        (static_cast<std::uint32_t>(at_) & ((std::uint32_t{1} << JoinedLevel::kBits) - 1)) + 256;
+    return raised < JoinedLevel::kHalf ? 0 : (raised - JoinedLevel::kHalf) >> 7;
+  }
+
   /// The index of the texel to the right of `texel`, and of the one below it; both wrap.
   [[nodiscard]] constexpr std::uint32_t right_of(std::uint32_t texel) const {
-    const std::uint32_t columns = (std::uint32_t{1} << rotation_) - 1;
+    const std::uint32_t columns = ~std::uint32_t{0} >> fraction_bits_;
     return (texel & ~columns) | ((texel + 1) & columns);
   }
   [[nodiscard]] constexpr std::uint32_t below(std::uint32_t texel) const {
-    return (texel + (std::uint32_t{1} << rotation_)) & mask_;
+    return (texel + (std::uint32_t{1} << (32 - fraction_bits_))) & mask_;
   }
   /// Where the current pixel lies between the current texel and these two, 0...31.
   [[nodiscard]] constexpr std::uint32_t fraction_right() const {
-    return (static_cast<std::uint32_t>(at_ >> 32) << rotation_) >> 27;
+    return (static_cast<std::uint32_t>(at_ >> 32) << (32 - fraction_bits_)) >> 27;
   }
   [[nodiscard]] constexpr std::uint32_t fraction_below() const {
     return static_cast<std::uint32_t>(at_) >> 27;
@@ -76,30 +90,25 @@ class TexelSteps {
   std::uint64_t at_;
   std::uint64_t step_;
   unsigned height_bits_;
-  int rotation_;
+  unsigned fraction_bits_;  ///< of u in the upper half and the bits below it: 22...29
   std::uint32_t mask_;
 };
 
-/// u and v along a row, linear in the whole row.
+/// u and v along a row, linear in the whole row; with `HasLevel` also the level of light.
+template <bool HasLevel>
 class LinearTexture {
  public:
+  static constexpr bool kInPerspective = false;
+  static constexpr bool kHasLevel = HasLevel;
+
   ARCSPAN_INLINE constexpr LinearTexture(const TextureTriangle& t, const RowStart& row) : steps_(t) {
-    steps_.start(word_at(t.u, row, t.word_shift), word_at(t.v, row, t.word_shift));
-    steps_.set_step(t.step);
+    steps_.start_at(t.grid.at_column(row.column));
+    steps_.set_step(t.grid.step);
   }
   [[nodiscard]] ARCSPAN_INLINE constexpr const TexelSteps& steps() const { return steps_; }
   ARCSPAN_INLINE constexpr void next() { steps_.next(); }
 
  private:
-  /// A fraction of a repetition at a row's first pixel.
-  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t word_at(const LinearPlane& plane,
-                                                                      const RowStart& row, int shift) {
-    const std::int32_t dx = plane.dx.raw();
-    const std::int32_t across =
-        wrap_add(times_fraction(plane.dx, row.fraction).raw(), wrap_mul(dx, row.skipped));
-    return static_cast<std::uint32_t>(wrap_add(plane.left.at.raw(), wrap_shl(across, shift)));
-  }
-
   TexelSteps steps_;
 };
 
@@ -107,6 +116,9 @@ class LinearTexture {
 /// below half a texel. At the ends of pieces u = (u/w) / (1/w), by a table of reciprocals.
 class PerspectiveTexture {
  public:
+  static constexpr bool kInPerspective = true;
+  static constexpr bool kHasLevel = false;
+
   ARCSPAN_INLINE constexpr PerspectiveTexture(const TextureTriangle& t, const RowStart& row)
       : steps_(t),
         triangle_(&t),

@@ -7,10 +7,12 @@
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/textured/joined_point.hpp>
 #include <arcspan/shading/textured/piece_length.hpp>
+#include <arcspan/shading/textured/texture_grid.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/texture/texture.hpp>
 
 #include <bit>
+#include <concepts>
 #include <cstdint>
 
 namespace arcspan {
@@ -33,13 +35,12 @@ struct TextureCorners {
 /// In the plane of the screen u and v are linear only where all vertices are equally far away. Otherwise u/w,
 /// v/w and 1/w are linear, and u and v are their quotients (Blinn, "Hyperbolic Interpolation", 1992).
 struct TextureTriangle {
-  /// If `piece` is 0, u and v; their edges are fractions of a repetition in 32 bits, which wrap. Otherwise (u
-  /// - u_origin)/w and (v - v_origin)/w, in units in which 1 is the triangle's largest range of u or v, or up
-  /// to twice that.
+  TextureGrid grid;  ///< set if `piece` is 0; otherwise the planes are
+  /// (u - u_origin)/w and (v - v_origin)/w, in units in which 1 is the triangle's largest range of u or v, or
+  /// up to twice that.
   LinearPlane u;
   LinearPlane v;
-  LinearPlane q;            ///< 1/w, relative to the nearest vertex; unset if `piece` is 0
-  std::uint64_t step;       ///< of TexelSteps per pixel; unset unless `piece` is 0
+  LinearPlane q;            ///< 1/w, relative to the nearest vertex
   std::uint32_t u_origin;   ///< least u, the fraction of a repetition in 32 bits
   std::uint32_t v_origin;   ///< least v
   std::int32_t least_q;     ///< least 1/w of the vertices
@@ -52,20 +53,37 @@ struct TextureTriangle {
   std::uint8_t piece;       ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
   bool middle_left;
 
+  /// `InPerspective` is true if `piece` is not 0.
+  template <bool InPerspective>
   constexpr void next_row() {
-    u.next_row();
-    v.next_row();
-    if (piece != 0) q.next_row();
+    if constexpr (!InPerspective) {
+      grid.next_row();
+    } else {
+      u.next_row();
+      v.next_row();
+      q.next_row();
+    }
   }
+  template <bool InPerspective>
   constexpr void skip_rows(std::int32_t rows) {
-    u.skip_rows(rows);
-    v.skip_rows(rows);
-    if (piece != 0) q.skip_rows(rows);
+    if constexpr (!InPerspective) {
+      grid.skip_rows(rows);
+    } else {
+      u.skip_rows(rows);
+      v.skip_rows(rows);
+      q.skip_rows(rows);
+    }
   }
+  template <bool InPerspective>
   constexpr void enter_lower() {
-    u.enter_lower(middle_left);
-    v.enter_lower(middle_left);
-    if (piece != 0) q.enter_lower(middle_left);
+    if constexpr (InPerspective) {
+      u.enter_lower(middle_left);
+      v.enter_lower(middle_left);
+      q.enter_lower(middle_left);
+    }
+  }
+  constexpr void move_columns(std::int32_t pixels) {
+    if (piece == 0) grid.move_columns(pixels);
   }
 };
 
@@ -108,37 +126,77 @@ inline constexpr std::int32_t kLeastQ = 1 << 12;
   return (magnitude >> 24) << (size.width_bits + size.height_bits);
 }
 
-/// Changes the edges of a plane of relative values to fractions of a repetition in 32 bits. The gradient
-/// keeps its format, because it may be larger than a repetition in a narrow triangle.
-constexpr void become_words(LinearPlane& plane, std::uint32_t origin, int shift) {
-  const auto word = [shift](Linear& value) { value = Linear::from_raw(wrap_shl(value.raw(), shift)); };
-  const auto edge = [&](BasicLinearEdge<Linear>& line) {
-    word(line.at);
-    word(line.step);
-    line.at += Linear::from_raw(static_cast<std::int32_t>(origin));
-  };
-  edge(plane.left);
-  edge(plane.lower);
+/// Sets u or v of a triangle on the grid. `corners` are its relative values at the vertices, 16 bits;
+/// `origin` is what they are relative to, and `word_shift` makes fractions of a repetition in 32 bits of
+/// Linear. Returns false if it changes by a quarter of a repetition per column or more.
+template <class Frame>
+[[nodiscard]] constexpr bool make_grid_coordinate(const Frame& frame, const std::int32_t (&corners)[3],
+                                                  std::uint32_t origin, int word_shift, unsigned rounded_bits,
+                                                  GridCoordinate& coordinate) {
+  const Linear across = gradient_across<Linear>(frame, corners[0], corners[1], corners[2]);
+  if (word_shift > 29 || across.raw() >> (30 - word_shift) != across.raw() >> 31) return false;
+  BasicLinearEdge<Linear> along;
+  make_linear_edge(frame.long_edge, corners[0], corners[2], along);
+  const auto word = [word_shift](Linear value) { return wrap_shl(value.raw(), word_shift); };
+  coordinate = GridCoordinate(origin + static_cast<std::uint32_t>(word(along.at)), word(along.step),
+                              JoinedPoint::rounded(word(across), rounded_bits), frame.long_walk);
+  return true;
 }
 
-/// Prepares a triangle whose u and v are linear, with relative values that are shifted by `shift`.
-template <class Frame>
-constexpr void prepare_linearly(const Frame& frame, const TextureCorners& corners, const MappedPoint& least,
-                                int shift, TextureTriangle& t) {
+/// The levels of light at the vertices of a triangle, 0...65280, in the order of TextureCorners; empty if the
+/// light is not linear on the screen.
+struct NoLevels {};
+struct CornerLevels {
+  std::int32_t at[3];
+};
+
+/// Prepares a triangle whose u and v are linear, with relative values that are shifted by `shift`. Returns
+/// false if the grid is too coarse for it.
+template <class Levels, class Frame>
+[[nodiscard]] constexpr bool prepare_linearly(const Frame& frame, const TextureCorners& corners,
+                                              const Levels& levels, const MappedPoint& least, int shift,
+                                              TextureTriangle& t) {
+  constexpr bool kHasLevels = std::same_as<Levels, CornerLevels>;
+  // Each step rounds u by half of 2^(height_bits - 32) at most, all together by 1/32 of a texel; beside a
+  // level v is rounded by half of 2^-14 texels.
+  const std::uint32_t steps =
+      (frame.width >> 16) + 2 * (static_cast<std::uint32_t>(frame.long_edge.dy) >> 4) + 1;
+  const unsigned most_bits = 28u - t.width_bits - t.height_bits;
+  if (steps >> (kHasLevels && most_bits > 10 ? 10 : most_bits) != 0) return false;
   t.word_shift = static_cast<std::uint8_t>(4 - shift);
   t.piece = 0;
-  const auto prepare = [&](std::int32_t MappedPoint::*part, std::uint32_t origin, LinearPlane& plane) {
-    const auto relative = [&](int i) {
+  const auto make = [&](std::int32_t MappedPoint::*part, std::uint32_t origin, unsigned rounded_bits,
+                        GridCoordinate& coordinate) {
+    std::int32_t relative[3];
+    for (int i = 0; i < 3; ++i) {
       const std::int32_t distance = wrap_sub(corners.at[i].*part, least.*part);
-      return shift >= 0 ? distance << shift : distance >> -shift;
-    };
-    make_linear_plane(frame, relative(0), relative(1), relative(2), plane);
-    become_words(plane, origin, t.word_shift);
+      relative[i] = shift >= 0 ? distance << shift : distance >> -shift;
+    }
+    return make_grid_coordinate(frame, relative, origin, t.word_shift, rounded_bits, coordinate);
   };
-  prepare(&MappedPoint::u, t.u_origin, t.u);
-  prepare(&MappedPoint::v, t.v_origin, t.v);
-  t.step = JoinedPoint::step(wrap_shl(t.u.dx.raw(), t.word_shift), wrap_shl(t.v.dx.raw(), t.word_shift),
-                             t.height_bits);
+  const unsigned rounded_bits_of_v = kHasLevels ? JoinedLevel::kBits - t.height_bits : 0;
+  GridCoordinate u;
+  GridCoordinate v;
+  if (!make(&MappedPoint::u, t.u_origin, t.height_bits, u) ||
+      !make(&MappedPoint::v, t.v_origin, rounded_bits_of_v, v)) {
+    return false;
+  }
+  if constexpr (kHasLevels) {
+    GridCoordinate level;
+    constexpr int kWordShift = 3;  // from 12 fraction bits of 256ths of 8-bit steps to 26 of 32nds
+    if (!make_grid_coordinate(frame, levels.at, JoinedLevel::kHalf << JoinedLevel::kRoundedBits, kWordShift,
+                              JoinedLevel::kRoundedBits, level)) {
+      return false;
+    }
+    v.at =
+        static_cast<std::uint32_t>(JoinedPoint::rounded(static_cast<std::int32_t>(v.at), rounded_bits_of_v));
+    v.step_down = JoinedPoint::rounded(v.step_down, rounded_bits_of_v);
+    t.grid.make(u, v, t.height_bits);
+    t.grid.add_level(level);
+  } else {
+    t.grid.make(u, v, t.height_bits);
+  }
+  return true;
 }
 
 /// Prepares a triangle whose u and v are not linear. `shift` makes the range of u and v fit 16 bits, `narrow`
@@ -218,10 +276,11 @@ constexpr void place_texture(const TextureSize& size, unsigned level, const Mapp
 
 }  // namespace detail
 
-/// Prepares the texture of a triangle. `corners` are those of the frame's vertices.
-template <TextureFilter Filter, class Frame>
+/// Prepares the texture of a triangle, and its light if `levels` has some and `piece` becomes 0. `corners`
+/// are those of the frame's vertices.
+template <TextureFilter Filter, class Levels, class Frame>
 constexpr void prepare_texture(const Frame& frame, const TextureSize& size, const TextureCorners& corners,
-                               TextureTriangle& t) {
+                               const Levels& levels, TextureTriangle& t) {
   const detail::Extent u(corners.at[0].u, corners.at[1].u, corners.at[2].u);
   const detail::Extent v(corners.at[0].v, corners.at[1].v, corners.at[2].v);
   const detail::Extent w(corners.near_over_w[0], corners.near_over_w[1], corners.near_over_w[2]);
@@ -235,9 +294,9 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size, cons
   const int shift = fits < 4 ? fits : 4;
   // In a triangle narrower than a pixel gradients are larger than ranges, by so many bits.
   const int narrow = frame.width < 0x10000u ? std::countl_zero(frame.width) - 15 : 0;
-  if (detail::is_nearly_linear(t, u.range(), v.range(), w)) {
-    detail::prepare_linearly(frame, corners, least, shift - narrow < -27 ? -27 : shift - narrow, t);
-  } else {
+  if (!detail::is_nearly_linear(t, u.range(), v.range(), w) ||
+      !detail::prepare_linearly(frame, corners, levels, least, shift - narrow < -27 ? -27 : shift - narrow,
+                                t)) {
     detail::prepare_in_perspective(frame, corners, least, shift, narrow, w, t);
   }
 }

@@ -62,7 +62,7 @@ struct TexturedRun {
   }
   ARCSPAN_INLINE constexpr void next() {
     mapping.next();
-    if constexpr (Colours != TexelLight::kNone) light_run.next();
+    if constexpr (Colours != TexelLight::kNone && !Mapping::kHasLevel) light_run.next();
   }
   [[nodiscard]] constexpr const TexelSteps& steps() const { return mapping.steps(); }
   [[nodiscard]] constexpr std::int32_t length() const requires LimitedRun<Lit> { return light_run.length(); }
@@ -72,6 +72,8 @@ struct TexturedRun {
   [[nodiscard]] ARCSPAN_INLINE constexpr auto lit(const Lighting& lighting, std::uint16_t texel) const {
     if constexpr (Colours == TexelLight::kNone) {
       return UnlitTexel{texel};
+    } else if constexpr (Mapping::kHasLevel) {
+      return LitTexel<Colours>{texel, {PackedRgb::grey(steps().packed_level()), {}}, steps().level()};
     } else {
       const PixelLight reflected = light(lighting);
       if constexpr (requires { light_run.grey_level(); }) {
@@ -91,6 +93,15 @@ struct TexturedRun {
       return {light_run.colour(lighting), {}};
     }
   }
+};
+
+/// The walker of a light whose level LinearTexture holds.
+struct LevelWalker {
+  struct Run {};
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart&) const { return {}; }
+  constexpr void next_row() {}
+  constexpr void skip_rows(std::int32_t) {}
+  constexpr void enter_lower() {}
 };
 
 /// Steps a textured triangle from row to row (RowWalker), with the walker of its light. Rows in perspective
@@ -115,21 +126,26 @@ class TexturedWalker {
   }
   ARCSPAN_INLINE constexpr void next_row() {
     light_.next_row();
-    triangle_->next_row();
+    triangle_->template next_row<Mapping::kInPerspective>();
   }
   constexpr void skip_rows(std::int32_t rows) requires SkipsRows<LightWalker> {
     light_.skip_rows(rows);
-    triangle_->skip_rows(rows);
+    triangle_->template skip_rows<Mapping::kInPerspective>(rows);
   }
   constexpr void enter_lower() {
     light_.enter_lower();
-    triangle_->enter_lower();
+    triangle_->template enter_lower<Mapping::kInPerspective>();
   }
 
  private:
   LightWalker light_;
   TextureTriangle* triangle_;
 };
+
+/// Optional part of a method (`kHasLinearLevel`): its whole light is Vertex::level, 0...65280, linear on the
+/// screen.
+template <class M>
+concept HasLinearLevel = bool{M::kHasLinearLevel};
 
 /// A shading method with a texture: each pixel shows a texel, times the light that `Method` (Unlit, Flat,
 /// Gouraud, Arc, Adaptive, VertexColoured) computes for it. Phong's highlights are added afterwards; those of
@@ -168,8 +184,11 @@ struct Textured : PixelByPixel<Method> {
   struct Prepared {
     typename Light::Prepared light;
     TextureTriangle texture;
+
+    constexpr void move_columns(std::int32_t pixels) { texture.move_columns(pixels); }
   };
   static constexpr bool kNeedsNearOverW = true;
+  static constexpr bool kJoinsLevel = Colours == TexelLight::kGrey && HasLinearLevel<Light>;
   static constexpr bool kUsesEncodedColours = false;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
@@ -193,22 +212,36 @@ struct Textured : PixelByPixel<Method> {
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face& face,
                                 Prepared& prepared) {
-    Light::prepare(lighting, frame, face, prepared.light);
-    prepare_texture<Filter>(
-        frame, lighting.texture.size(),
-        {{frame.top->shade.point, frame.middle->shade.point, frame.bottom->shade.point},
-         {frame.top->near_over_w.value, frame.middle->near_over_w.value, frame.bottom->near_over_w.value}},
-        prepared.texture);
+    const TextureCorners corners{
+        {frame.top->shade.point, frame.middle->shade.point, frame.bottom->shade.point},
+        {frame.top->near_over_w.value, frame.middle->near_over_w.value, frame.bottom->near_over_w.value}};
+    if constexpr (kJoinsLevel) {
+      const detail::CornerLevels levels{
+          {frame.top->shade.level, frame.middle->shade.level, frame.bottom->shade.level}};
+      prepare_texture<Filter>(frame, lighting.texture.size(), corners, levels, prepared.texture);
+      if (prepared.texture.piece != 0) Light::prepare(lighting, frame, face, prepared.light);
+    } else {
+      Light::prepare(lighting, frame, face, prepared.light);
+      prepare_texture<Filter>(frame, lighting.texture.size(), corners, detail::NoLevels{}, prepared.texture);
+    }
   }
 
   template <class Draw>
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    if constexpr (kJoinsLevel) {
+      if (prepared.texture.piece == 0) {
+        return draw(
+            TexturedWalker<LevelWalker, LinearTexture<true>, Texels, Colours, Filter>({}, prepared.texture));
+      }
+    }
     return Light::walk(prepared.light, [&](auto walker) {
       using LightWalker = decltype(walker);
       detail::require_pixels<LightWalker>();
-      if (prepared.texture.piece == 0) {
-        return draw(
-            TexturedWalker<LightWalker, LinearTexture, Texels, Colours, Filter>(walker, prepared.texture));
+      if constexpr (!kJoinsLevel) {
+        if (prepared.texture.piece == 0) {
+          return draw(TexturedWalker<LightWalker, LinearTexture<false>, Texels, Colours, Filter>(
+              walker, prepared.texture));
+        }
       }
       return draw(
           TexturedWalker<LightWalker, PerspectiveTexture, Texels, Colours, Filter>(walker, prepared.texture));

@@ -4,6 +4,8 @@
 // others, and of Arc and Adaptive with other illuminations, only the functions of the protocol of
 // shading/method.hpp that come before the span stage: the stages around them are the same.
 #include <arcspan/draw.hpp>
+#include <arcspan/draw_billboards.hpp>
+#include <arcspan/draw_lines.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/pixel/rgb565.hpp>
@@ -22,6 +24,7 @@
 #include <arcspan/shading/literature/reflection_map.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 #include <arcspan/shading/segment/segment.hpp>
+#include <arcspan/shading/wireframe.hpp>
 #include <arcspan/span/depth_mode.hpp>
 
 #include <tests/objects/surface_list.hpp>
@@ -45,6 +48,22 @@ ARCSPAN_INSTANTIATE(Phong<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(PhongSegment<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Segment<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Arc<Phong4>, Gray8, NoDepth);
+ARCSPAN_INSTANTIATE(Wireframe<>, Rgb565, DepthBuffer);
+
+using Frame565 = hal::Framebuffer<Rgb565>;
+template Status draw_lines<Unlit, Frame565, DepthBuffer>(std::span<const ObjectLine>, const ClipTransform&,
+                                                         const PackedRgb&, Frame565&, const DepthBuffer&,
+                                                         DepthBias);
+template Status draw_points<Unlit, Frame565, DepthBuffer>(std::span<const ObjectPosition>, std::uint8_t,
+                                                          const ClipTransform&, const PackedRgb&, Frame565&,
+                                                          const DepthBuffer&, DepthBias);
+template Status draw_screen_line<Unlit, Frame565, NoDepth>(const RasterPosition&, const RasterPosition&,
+                                                           const Viewport&, const PackedRgb&, Frame565&,
+                                                           const NoDepth&, DepthBias);
+template Status draw_billboards<Sign, Frame565, DepthBuffer>(std::span<const ObjectPosition>,
+                                                             const BillboardSize&, const ClipTransform&,
+                                                             const Sign::Lighting&, Frame565&,
+                                                             const DepthBuffer&);
 
 /// Vertices are made, an edge is cut, and the triangle is prepared as a large one and as a small one.
 template <class Method>

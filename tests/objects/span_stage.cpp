@@ -19,9 +19,11 @@
 #include <arcspan/shading/literature/reflection_map.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
 #include <arcspan/shading/segment/segment.hpp>
+#include <arcspan/shading/wireframe.hpp>
 #include <arcspan/span/depth_mode.hpp>
 #include <arcspan/span/draw_command.hpp>
 #include <arcspan/span/draw_small.hpp>
+#include <arcspan/span/rectangle_rows.hpp>
 
 #include <tests/objects/surface_list.hpp>
 
@@ -83,5 +85,24 @@ ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallArc<Phong1, 1>);
 ARCSPAN_INSTANTIATE_SMALL(Blinn4, Rgb565, DepthBuffer, SmallArc<Blinn4, 8>);
 ARCSPAN_INSTANTIATE_SMALL(AdaptiveIllumination<Phong1>, Rgb565, DepthBuffer,
                           SmallLinearLight<AdaptiveIllumination<Phong1>>);
+
+// Lines and points.
+template <class Method, class Format, class Depth>
+Status draw_strokes(
+    const LineCommand& line, const RasterOrigin& origin, const Rect& rect,
+    const detail::RowTarget<typename Method::Lighting, hal::Framebuffer<Format>, Depth>& target) {
+  const Status status = detail::draw_line_command<Method>(line, origin, target);
+  return ok(status) ? detail::draw_rectangle<Method>(rect, 500, target) : status;
+}
+#define ARCSPAN_INSTANTIATE_STROKES(METHOD, FORMAT, DEPTH)  \
+  template Status draw_strokes<METHOD>(                     \
+      const LineCommand&, const RasterOrigin&, const Rect&, \
+      const detail::RowTarget<METHOD::Lighting, hal::Framebuffer<FORMAT>, DEPTH>&)
+
+using Haze = WithOperation<WithOperation<Unlit, Fogged>, Opacity<>>;
+ARCSPAN_INSTANTIATE_STROKES(Unlit, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE_STROKES(Unlit, Dithered<Mono>, NoDepth);
+ARCSPAN_INSTANTIATE_STROKES(Haze, Rgb888, ReadOnlyDepth);
+ARCSPAN_INSTANTIATE_STROKES(Wireframe<>, Gray4, DepthBuffer);
 
 }  // namespace arcspan

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/draw/clip_triangle.hpp>
+#include <arcspan/draw/check_target.hpp>
 #include <arcspan/draw/draw_options.hpp>
+#include <arcspan/draw/edge_drawer.hpp>
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/draw/visible_triangles.hpp>
@@ -33,7 +34,8 @@ class TriangleDrawer {
         encoded_(lighting),
         depth_(depth),
         options_(options) {
-    result_.status = check();
+    const bool supported = Features.two_sided || !options_.two_sided;
+    result_.status = supported ? check_target(scissor_, sink_, depth_) : Status::kUnsupported;
   }
 
   /// True if there is something to draw into and nothing has failed.
@@ -45,7 +47,9 @@ class TriangleDrawer {
   /// The triangles that may be visible, as far as planes say.
   [[nodiscard]] VisibleTriangles visible_triangles() const {
     if constexpr (Features.planes) {
-      if (!two_sided()) return VisibleTriangles(stage_.mesh(), stage_.transform(), scissor_);
+      // Triangles without a pixel centre in the band may have edges there.
+      const bool in_band = scissor_.is_band() && !DrawsEdges<Method>;
+      if (!two_sided()) return VisibleTriangles(stage_.mesh(), stage_.transform(), scissor_, in_band);
     }
     return VisibleTriangles(stage_.mesh());
   }
@@ -76,19 +80,6 @@ class TriangleDrawer {
   }
 
  private:
-  /// Returns the reason why nothing can be drawn, or kOk.
-  [[nodiscard]] Status check() const {
-    if (!Features.two_sided && options_.two_sided) return Status::kUnsupported;
-    if constexpr (ChecksItself<Sink>) {
-      if (!ok(sink_.status())) return sink_.status();
-    }
-    if constexpr (Depth::kTests) {
-      if (!ok(depth_.status())) return depth_.status();
-      if (!scissor_.is_within(depth_.bounds())) return Status::kDepthMismatch;
-    }
-    return Status::kOk;
-  }
-
   using Raster = RasterVertex<Method>;
   using Face = typename Method::Face;
   using Colours = EncodedColoursFor<Method, Sink>;
@@ -105,7 +96,7 @@ class TriangleDrawer {
     } else {
       if ((a.outcode | b.outcode | c.outcode) != 0) return (a.outcode & b.outcode & c.outcode) != 0;
       const std::int32_t doubled = doubled_area(a.raster.position, b.raster.position, c.raster.position);
-      return doubled >= 0 && (doubled == 0 || !two_sided());
+      return doubled >= 0 && ((doubled == 0 && !DrawsEdges<Method>) || !two_sided());
     }
   }
 
@@ -115,7 +106,11 @@ class TriangleDrawer {
     const RasterPosition& q = b.raster.position;
     const RasterPosition& r = c.raster.position;
     counted_ = false;
-    if ((a.outcode | b.outcode | c.outcode) != 0) {
+    if constexpr (DrawsEdges<Method>) {
+      const Target target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_};
+      const EdgeDrawer<Method, Target> edges{stage_, scissor_, target, two_sided(), result_, counted_};
+      edges.template draw<Features.clips>(t, a, b, c);
+    } else if ((a.outcode | b.outcode | c.outcode) != 0) {
       draw_clipped(t);
     } else if (is_within_scissor(p, q, r)) {
       if (two_sided() && doubled_area(p, q, r) > 0) {

@@ -4,7 +4,9 @@
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/prepare/edge.hpp>
+#include <arcspan/prepare/line_command.hpp>
 #include <arcspan/prepare/triangle.hpp>
+#include <arcspan/shading/method.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/back_faces.hpp>
 
@@ -36,11 +38,17 @@ template <class Method>
   const RasterPosition& q = b.raster.position;
   const RasterPosition& r = c.raster.position;
   const std::int32_t area = doubled_area(p, q, r);
-  if (area >= 0 && (area == 0 || !two_sided)) return kNoTriangleRows;
+  if (DrawsEdges<Method> ? area >= 0 && !two_sided : area >= 0 && (area == 0 || !two_sided)) {
+    return kNoTriangleRows;
+  }
   const std::int32_t upper = p.y < q.y ? p.y : q.y;
   const std::int32_t lower = p.y > q.y ? p.y : q.y;
-  const std::int32_t top = first_row_at(upper < r.y ? upper : r.y) + (height >> 1);
-  const std::int32_t end = first_row_at(lower > r.y ? lower : r.y) + (height >> 1);
+  const std::int32_t uppermost = upper < r.y ? upper : r.y;
+  const std::int32_t lowest = lower > r.y ? lower : r.y;
+  // A line has pixels wherever it runs, a triangle where it covers their centres.
+  const std::int32_t top =
+      (DrawsEdges<Method> ? pixel_of(uppermost) : first_row_at(uppermost)) + (height >> 1);
+  const std::int32_t end = (DrawsEdges<Method> ? pixel_of(lowest) + 1 : first_row_at(lowest)) + (height >> 1);
   if (top >= end || end <= 0 || top >= height) return kNoTriangleRows;
   const auto group = [](std::int32_t row) {
     return static_cast<std::uint8_t>(row >> TriangleRows::kGroupBits);

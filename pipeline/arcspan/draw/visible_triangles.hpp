@@ -17,9 +17,10 @@ class VisibleTriangles {
  public:
   /// Not known(): every triangle may be visible.
   constexpr explicit VisibleTriangles(const MeshView& mesh) : mesh_(mesh) {}
-  VisibleTriangles(const MeshView& mesh, const ClipTransform& transform, const Scissor& scissor)
+  /// `in_band` is true if triangles without a pixel centre in the scissor's rows are excluded.
+  VisibleTriangles(const MeshView& mesh, const ClipTransform& transform, const Scissor& scissor, bool in_band)
       : mesh_(mesh), back_faces_(mesh, transform) {
-    if (!back_faces_.known() || !scissor.is_band()) return;
+    if (!back_faces_.known() || !in_band) return;
     band_.set(transform, scissor.rect().top, scissor.rect().bottom, mesh.plane_scale().radius);
   }
 

@@ -131,6 +131,11 @@ concept TakesVertexData = requires(const MeshView& mesh, std::size_t i, typename
 template <class M>
 concept DrawsSmallTriangles = std::same_as<typename M::DrawsSmallTrianglesAs, M>;
 
+/// Optional part of a method (`kDrawsEdges`): the edges of triangles are drawn as lines, not their areas
+/// (Wireframe). Its Lighting has a `bias` (DepthBias).
+template <class M>
+concept DrawsEdges = bool{M::kDrawsEdges};
+
 /// Optional part of a run, for methods that use encoded colours: `encoded<Format>(lighting, colours)` returns
 /// the current pixel's colour encoded in `Format`, equal to Format::encode(colour(lighting)).
 template <class R, class Format, class Lighting, class Colours>

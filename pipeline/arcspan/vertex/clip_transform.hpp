@@ -96,6 +96,8 @@ class ClipTransform {
   /// Upper bounds of the clip-space lengths, in w and in x or y, of an object-space length of at most 56756.
   [[nodiscard]] constexpr std::int32_t length_ahead(std::uint32_t length) const;
   [[nodiscard]] constexpr std::int32_t length_across(std::uint32_t length) const;
+  /// The length itself in x or y, rounded down.
+  [[nodiscard]] constexpr std::int32_t scaled_across(std::uint32_t length) const;
 
   /// The depth of a vertex: 16 bits, nearer is smaller, linear on the screen. `near_over_w` is near_w() / w
   /// with 29 fraction bits. The result is clamped to kDepthMargin ... 65535 - kDepthMargin, so that steps

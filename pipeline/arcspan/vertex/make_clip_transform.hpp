@@ -136,6 +136,10 @@ constexpr std::int32_t ClipTransform::length_ahead(std::uint32_t length) const {
   return detail::clip_length(length, std::int64_t{1} << detail::kGuardBits, w_bits_ - detail::kGuardBits);
 }
 
+constexpr std::int32_t ClipTransform::scaled_across(std::uint32_t length) const {
+  return detail::rescaled(length, focal_.raw(), w_bits_ + focal_bits_ - detail::kGuardBits);
+}
+
 constexpr std::int32_t ClipTransform::length_across(std::uint32_t length) const {
   return detail::clip_length(length, focal_.raw(), w_bits_ + focal_bits_ - detail::kGuardBits);
 }

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/prepare/line_command.hpp>
+#include <arcspan/shading/one_colour.hpp>
+#include <arcspan/span/draw_command.hpp>
+#include <arcspan/span/draw_pixels.hpp>
+#include <arcspan/span/row_memory.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstdint>
+
+namespace arcspan {
+
+namespace detail {
+
+/// Draws a run of a method of one colour; `z` is the depth of its first pixel, `dz` its gradient.
+template <class Walker, class Target>
+[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_span(const Span& span, const Walker& walker, Linear z,
+                                                        Linear dz, const Target& target,
+                                                        const RowMemory<Target>& memory) {
+  typename Walker::Run run = walker.row({});
+  if constexpr (BeginsWithLighting<typename Walker::Run, typename Target::Lighting>) {
+    run.begin(target.lighting);
+  }
+  if constexpr (IndexedRows<Target>) {
+    PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span), z};
+    draw_pixels(place, span, run, target, dz);
+  } else {
+    PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span), z};
+    draw_pixels(place, span, run, target, dz);
+  }
+  return target.sink.close(span);
+}
+
+/// Draws the rows of a line that lie within the scissor, of which there is at least one.
+template <class Target>
+class LineDrawer {
+ public:
+  constexpr LineDrawer(const LineCommand& line, const RasterOrigin& origin, const Target& target)
+      : line_(line), target_(target), left_(line.left + origin.x), right_(line.right + origin.x) {
+    const std::int32_t top = line.first_row + origin.y;
+    const std::int32_t end = line.end_row + origin.y;
+    y_ = top < target.scissor.top ? target.scissor.top : top;
+    stop_ = end < target.scissor.bottom ? end : target.scissor.bottom;
+    last_ = end - 1;
+    skipped_ = y_ - top;
+    edge_.x = line.edge.x + static_cast<std::int64_t>(static_cast<std::uint64_t>(origin.x) << 32);
+    edge_.step = line.edge.step;
+  }
+
+  template <class Walker>
+  [[nodiscard]] constexpr Status operator()(const Walker& walker) const {
+    return line_.flat ? draw_flat(walker, target_) : draw_tall(walker, target_);
+  }
+
+ private:
+  /// One run of pixels per row.
+  template <class Walker>
+  [[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_flat(const Walker walker, const Target target) const {
+    const bool leftwards = line_.leftwards;
+    const Linear step = line_.step;
+    EdgeWalk edge = edge_;
+    std::int32_t from = leftwards ? right_ : left_;
+    if (skipped_ > 0) {
+      edge.advance(skipped_ - 1);
+      from = edge.column();
+      edge.advance();
+    }
+    RowMemory<Target> memory(target, y_);
+    for (std::int32_t y = y_; y < stop_; ++y, edge.advance(), memory.next()) {
+      const std::int32_t to = y != last_ ? edge.column() : leftwards ? left_ : right_;
+      std::int32_t first = leftwards ? to : from;
+      std::int32_t end = leftwards ? from : to;
+      from = to;
+      if (first < target.scissor.left) first = target.scissor.left;
+      if (end > target.scissor.right) end = target.scissor.right;
+      if (first >= end) continue;
+      const Linear z = line_.depth + Linear::from_raw(wrap_mul(step.raw(), first - left_));
+      const Status status = draw_span({y, first, end - first}, walker, z, step, target, memory);
+      if (!ok(status)) return status;
+    }
+    return Status::kOk;
+  }
+
+  /// One pixel per row.
+  template <class Walker>
+  [[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_tall(const Walker walker, const Target target) const {
+    const Linear step = line_.step;
+    EdgeWalk edge = edge_;
+    edge.advance(skipped_);
+    Linear z = line_.depth + Linear::from_raw(wrap_mul(step.raw(), skipped_));
+    RowMemory<Target> memory(target, y_);
+    for (std::int32_t y = y_; y < stop_; ++y, edge.advance(), z += step, memory.next()) {
+      std::int32_t x = edge.column();
+      if (x < left_) x = left_;
+      if (x >= right_) x = right_ - 1;
+      if (x < target.scissor.left || x >= target.scissor.right) continue;
+      const Status status = draw_span({y, x, 1}, walker, z, {}, target, memory);
+      if (!ok(status)) return status;
+    }
+    return Status::kOk;
+  }
+
+  const LineCommand& line_;
+  const Target& target_;
+  std::int32_t left_;  ///< columns of the line in the picture
+  std::int32_t right_;
+  std::int32_t y_;        ///< first row to be drawn
+  std::int32_t stop_;     ///< row after the last one to be drawn
+  std::int32_t last_;     ///< last row of the line
+  std::int32_t skipped_;  ///< rows above y_
+  EdgeWalk edge_;
+};
+
+/// Draws a line command into the scissor of `target`, within which it has a row.
+template <OneColour Method, class Target>
+[[nodiscard]] constexpr Status draw_line_command(const LineCommand& line, const RasterOrigin& origin,
+                                                 const Target& target) {
+  typename Method::Prepared nothing{};
+  return Method::walk(nothing, LineDrawer<Target>(line, origin, target));
+}
+
+}  // namespace detail
+
+}  // namespace arcspan

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <arcspan/draw.hpp>
+#include <arcspan/draw_billboards.hpp>
+#include <arcspan/draw_lines.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/fog.hpp>
 #include <arcspan/pixel/rgb565.hpp>
@@ -9,6 +11,7 @@
 #include <arcspan/shading/grey_gouraud.hpp>
 #include <arcspan/shading/textured/environment_map.hpp>
 #include <arcspan/shading/textured/textured.hpp>
+#include <arcspan/shading/wireframe.hpp>
 #include <arcspan/shading/with_operation.hpp>
 #include <arcspan/span/depth_mode.hpp>
 
@@ -57,6 +60,18 @@ inline constexpr std::array<PackedNormal, 4> kFloorNormals{};
 inline constexpr std::array<std::uint8_t, 6> kFloorTriangles{0, 1, 2, 0, 2, 3};
 inline constexpr std::array<TexturePoint, 4> kFloorPoints{
     {{-8192, 8192}, {8192, 8192}, {8192, -8192}, {-8192, -8192}}};
+
+/// Lines that end before the camera, behind it and beyond the guard band, and places of points and
+/// billboards.
+inline constexpr std::array<ObjectLine, 4> kStrokes{{{{-30000, 9000, -30000}, {30000, -9000, 12000}},
+                                                     {{-20000, -6000, -30000}, {-3000, 30000, -9000}},
+                                                     {{32000, 0, -8000}, {-32000, 1000, -7000}},
+                                                     {{0, -9000, -32000}, {300, -9000, -2000}}}};
+inline constexpr std::array<ObjectPosition, 5> kPlaces{{{-9000, 0, -20000},
+                                                        {9000, 2000, -12000},
+                                                        {3500, -1500, -6000},
+                                                        {1000, 9000, -30000},
+                                                        {-1700, -700, -1500}}};
 
 using GridTexels = Palette8Texels<Alpha4Colour>;
 inline constexpr auto kOpaque = Texture<Palette8Texels<>>::of(kGrid, kGridSize, kGridColours);
@@ -150,6 +165,21 @@ void textured_frames(TexturedSpace<Rows>& space, const Report& report) {
     auto* const lighting = ::new (space.lighting) Bubble::Lighting(stage.light, Opacity<>{24});
     lighting->set(kSheer);
     return draw_mesh<Bubble>(ball, stage.transform, *lighting, band, ReadOnlyDepth(depth)).status;
+  });
+  frame("strokes", [&](auto& band, const auto& depth) {
+    const Floor::Lighting lighting(FloorSurface::Lighting(PackedRgb{}, kOpaque), Fogged{&kMist});
+    Status drawn = draw_floor(band, depth);
+    if (ok(drawn)) {
+      drawn = draw_mesh<Wireframe<>>(ball, stage.transform,
+                                     Wireframe<>::Lighting(Unlit::lighting({255, 255, 255})), band, depth)
+                  .status;
+    }
+    if (ok(drawn)) drawn = draw_billboards<Floor>(kPlaces, {1600, 2400}, ahead, lighting, band, depth);
+    if (ok(drawn)) drawn = draw_lines(kStrokes, ahead, Unlit::lighting({255, 200, 0}), band, depth);
+    if (ok(drawn)) {
+      drawn = draw_points(kPlaces, 5, ahead, Unlit::lighting({0, 255, 80}), band, depth, DepthBias{4});
+    }
+    return drawn;
   });
   frame("chrome", [&](auto& band, const auto& depth) {
     const EnvironmentMap<Palette8Texels<>> lighting(kOpaque, Rotation::about_x(Turn{4551}));

@@ -30,12 +30,11 @@ bool is_beyond(const ClipSphere& sphere, const Extent& extent, std::int32_t edge
   return distance > reach + kRounding * (2 * kGuardBand + slope);
 }
 
-/// True if a sphere lies wholly outside of `begin` ... `end`, columns or rows of a picture of `size` pixels,
-/// by half a pixel, because ends of lines snap to the nearest sixteenth of one.
+/// True if a sphere lies wholly outside of `begin` ... `end`, columns or rows of a picture of `size` pixels.
+/// The ends of lines snap to the nearest sixteenth of a pixel, so `begin` has half a pixel to spare.
 bool is_outside_range(const ClipSphere& sphere, const Extent& extent, std::int32_t size, std::int32_t begin,
                       std::int32_t end) {
-  return is_beyond(sphere, extent, 2 * begin - size - 1, -1) ||
-         is_beyond(sphere, extent, 2 * end - size + 1, 1);
+  return is_beyond(sphere, extent, 2 * begin - size - 1, -1) || is_beyond(sphere, extent, 2 * end - size, 1);
 }
 
 [[nodiscard]] ClipSphere clip_sphere(const ClipTransform& transform, const BoundingSphere& sphere) {

@@ -35,6 +35,33 @@ template <class Walker, class Target>
   return target.sink.close(span);
 }
 
+/// Draws one pixel of a method of one colour: draw_span() without its loop, which takes 9 instructions on a
+/// Cortex-M3. With few registers the loop happens to be cheaper.
+template <class Walker, class Target>
+[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_pixel(const Span& at, const Walker& walker, Linear z,
+                                                         const Target& target,
+                                                         const RowMemory<Target>& memory) {
+  using Format = typename Target::Format;
+  if constexpr (!kHasManyRegisters) return draw_span(at, walker, z, {}, target, memory);
+  typename Walker::Run run = walker.row({});
+  if constexpr (BeginsWithLighting<typename Walker::Run, typename Target::Lighting>) {
+    run.begin(target.lighting);
+  }
+  const std::uint16_t depth = depth_of(z);
+  std::uint16_t* const stored = memory.depths.at(at);
+  typename Format::Cursor cursor = memory.pixels.open(at);
+  if (!Target::Depth::kTests || Target::Depth::passes(depth, *stored)) {
+    const auto colour = run.colour(target.lighting);
+    if constexpr (kHasOperation<Target, typename Walker::Run>) {
+      draw_operated<Target>(colour, cursor, stored, depth, at.x, at.y);
+    } else {
+      if constexpr (Target::Depth::kTests && Target::Depth::kWrites) *stored = depth;
+      cursor.write(encode_at<Format>(colour, at.x, at.y));
+    }
+  }
+  return target.sink.close(at);
+}
+
 /// Draws the rows of a line that lie within the scissor, of which there is at least one.
 template <class Target>
 class LineDrawer {
@@ -98,7 +125,7 @@ class LineDrawer {
       if (x < left_) x = left_;
       if (x >= right_) x = right_ - 1;
       if (x < target.scissor.left || x >= target.scissor.right) continue;
-      const Status status = draw_span({y, x, 1}, walker, z, {}, target, memory);
+      const Status status = draw_pixel({y, x, 1}, walker, z, target, memory);
       if (!ok(status)) return status;
     }
     return Status::kOk;

@@ -14,6 +14,7 @@ namespace arcspan {
 enum class DepthCompare : std::uint8_t {
   kNearer,         ///< those nearer than what is there, as a DepthBuffer itself
   kNearerOrEqual,  ///< also those as near: a second layer on the same surface
+  kEqual,          ///< those as near, no others: a second pass over triangles that were drawn before
   kFarther,        ///< those behind what is there: outlines of hidden parts
   kAlways,         ///< all
 };
@@ -29,6 +30,7 @@ class DepthMode {
   [[nodiscard]] ARCSPAN_INLINE static constexpr bool passes(std::uint16_t depth, std::uint16_t stored) {
     if constexpr (Compare == DepthCompare::kNearer) return depth < stored;
     if constexpr (Compare == DepthCompare::kNearerOrEqual) return depth <= stored;
+    if constexpr (Compare == DepthCompare::kEqual) return depth == stored;
     if constexpr (Compare == DepthCompare::kFarther) return depth > stored;
     return true;
   }

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/status.hpp>
+
+#include <cstdint>
+#include <type_traits>
+
+namespace arcspan {
+
+/// A rectangle of another sink: a scissor. What is drawn into it changes no pixel outside of the rectangle,
+/// and the same pixels inside of it that drawing into the whole sink changes, but for the last bits of rows
+/// that the left side cuts (draw_mesh()). For split screens, insets and repainting parts of a picture:
+///
+///     SinkPart inset(frame, {200, 8, 312, 92});
+///     draw_mesh<Method>(mesh, transform, lighting, inset, depth);
+///
+/// It refers to the sink, which must outlive it and may be moved to other bands.
+template <PixelSink Sink>
+class SinkPart {
+ public:
+  using Format = typename Sink::Format;
+  /// Rows lie in memory if those of the sink do.
+  using RowsInMemory = std::conditional_t<SinkInMemory<Sink>, SinkPart, void>;
+
+  constexpr SinkPart(Sink& sink, const Rect& rect) : sink_(sink), rect_(rect) {}
+
+  [[nodiscard]] constexpr Rect bounds() const {
+    const Rect whole = sink_.bounds();
+    return {whole.left > rect_.left ? whole.left : rect_.left, whole.top > rect_.top ? whole.top : rect_.top,
+            whole.right < rect_.right ? whole.right : rect_.right,
+            whole.bottom < rect_.bottom ? whole.bottom : rect_.bottom};
+  }
+  [[nodiscard]] constexpr typename Format::Cursor open(const Span& run) { return sink_.open(run); }
+  [[nodiscard]] constexpr Status close(const Span& run) { return sink_.close(run); }
+  [[nodiscard]] constexpr Status status() const {
+    if constexpr (ChecksItself<Sink>) return sink_.status();
+    return Status::kOk;
+  }
+  [[nodiscard]] constexpr auto* row(std::int32_t y) const requires SinkInMemory<Sink> { return sink_.row(y); }
+  [[nodiscard]] constexpr std::int32_t stride() const requires SinkInMemory<Sink> { return sink_.stride(); }
+
+ private:
+  Sink& sink_;
+  Rect rect_;
+};
+
+}  // namespace arcspan

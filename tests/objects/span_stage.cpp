@@ -37,6 +37,7 @@ namespace arcspan {
 ARCSPAN_INSTANTIATE(Window, Rgb565, ReadOnlyDepth);
 ARCSPAN_INSTANTIATE(Window, Rgb888, ReadOnlyDepth);
 ARCSPAN_INSTANTIATE(Sign, Rgb565, DepthBuffer);
+ARCSPAN_INSTANTIATE(Poster, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Wall, Rgb565, DepthBuffer);
 ARCSPAN_INSTANTIATE(Stage, Rgb888, NoDepth);
 ARCSPAN_INSTANTIATE(Chrome, Rgb565, DepthBuffer);

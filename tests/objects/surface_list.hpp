@@ -21,6 +21,8 @@ using Phong4 = Illumination<4, Highlight::kPhong>;
 using Window =
     WithOperation<WithOperation<Textured<Adaptive<Phong1>, Palette8Texels<Alpha4Colour>>, Fogged>, Opacity<>>;
 using Sign = Textured<Unlit, Palette4Texels<Alpha1Colour>>;
+using Poster =
+    Textured<Unlit, DirectTexels<>, TexelLight::kNone, TextureFilter::kBilinear, TextureWrap::kClamp>;
 using Wall = Textured<GreyGouraud<Blinn4>, DirectTexels<>>;
 using Stage = Textured<Gouraud<Blinn1>, GrayTexels, TexelLight::kColoured>;
 using Chrome = Arc<EnvironmentMap<DirectTexels<>>>;

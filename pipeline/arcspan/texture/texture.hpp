@@ -42,6 +42,12 @@ enum class TextureFilter : std::uint8_t {
   kBilinear,  ///< the four nearest ones, mixed by their distances in 32nds; three times the instructions
 };
 
+/// What a texture shows beyond its borders.
+enum class TextureWrap : std::uint8_t {
+  kRepeat,  ///< the texture again
+  kClamp,   ///< the texels along the border; 10 instructions more per pixel on a Cortex-M3
+};
+
 /// A picture that is mapped onto triangles, in the caller's memory, usually flash, which must outlive it.
 /// Nothing is copied. The levels follow each other, each row by row from the top left texel on.
 template <TexelFormat Texels>

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Where texels are shown: against double precision, over random triangles.
-#include <arcspan/prepare/prepare_triangle.hpp>
 #include <arcspan/shading/grey_gouraud.hpp>
-#include <arcspan/shading/textured/textured.hpp>
 
 #include <catch2/catch.hpp>
-#include <tests/support/random.hpp>
+#include <tests/pipeline/texture/mapped_triangle.hpp>
 #include <tests/support/test_share.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -18,103 +15,11 @@
 #include <vector>
 
 using namespace arcspan;
-using arcspan::test::Random;
+using namespace arcspan::test;
 using Plain = Textured<Unlit, DirectTexels<>>;
 using Lit = Textured<GreyGouraud<Illumination<1, Highlight::kBlinn>>, DirectTexels<>>;  // one word for all
 
 namespace {
-
-/// A triangle on the screen with texture points and distances, and the same in double precision.
-template <class Method>
-struct MappedTriangle {
-  std::array<RasterVertex<Method>, 3> vertices{};
-
-  struct Point {
-    double u;
-    double v;
-    double level;  ///< of light, linear on the screen
-  };
-  /// u, v and the level at the centre of a pixel, as the vertices determine them.
-  [[nodiscard]] Point at(std::int32_t column, std::int32_t row) const {
-    const auto x = [this](std::size_t i) { return double{vertices[i].position.x * 1.0}; };
-    const auto y = [this](std::size_t i) { return double{vertices[i].position.y * 1.0}; };
-    const double px = column * 16 + 8;
-    const double py = row * 16 + 8;
-    const double area = (x(1) - x(0)) * (y(2) - y(0)) - (x(2) - x(0)) * (y(1) - y(0));
-    const double b = ((px - x(0)) * (y(2) - y(0)) - (x(2) - x(0)) * (py - y(0))) / area;
-    const double c = ((x(1) - x(0)) * (py - y(0)) - (px - x(0)) * (y(1) - y(0))) / area;
-    const std::array<double, 3> weight{1 - b - c, b, c};
-    double over = 0;
-    Point sum{0, 0, 0};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double w = weight[i] * vertices[i].near_over_w.value;
-      over += w;
-      sum.u += w * vertices[i].shade.point.u / 65536;
-      sum.v += w * vertices[i].shade.point.v / 65536;
-      if constexpr (HasLinearLevel<Method>) sum.level += weight[i] * vertices[i].shade.level / 2048;
-    }
-    return {sum.u / over, sum.v / over, sum.level};
-  }
-};
-
-/// A triangle of a picture of `size` pixels whose nearest vertex is at most `ratio` times as near as its
-/// farthest, and that shows up to `range` repetitions.
-template <class Method>
-MappedTriangle<Method> random_triangle(Random& random, std::int32_t size, double ratio, double range) {
-  MappedTriangle<Method> triangle;
-  const double farthest = 1 / random.decades(1, ratio);
-  std::array<double, 3> nearness{1, farthest, random.decades(farthest, 1)};
-  std::swap(nearness[0], nearness[static_cast<std::size_t>(random.integer(0, 2))]);
-  const double scale = random.decades(1e5, 5e8);
-  const double u = random.real(-4, 4);
-  const double v = random.real(-4, 4);
-  for (std::size_t i = 0; i < 3; ++i) {
-    RasterVertex<Method>& vertex = triangle.vertices[i];
-    vertex.position = {static_cast<std::int16_t>(random.integer(-8 * size, 8 * size)),
-                       static_cast<std::int16_t>(random.integer(-8 * size, 8 * size)), 1000};
-    vertex.shade.point = {static_cast<std::int32_t>((u + random.real(-range, range) / 2) * 65536),
-                          static_cast<std::int32_t>((v + random.real(-range, range) / 2) * 65536)};
-    vertex.near_over_w.value = static_cast<std::int32_t>(nearness[i] * scale);
-    if constexpr (HasLinearLevel<Method>) {
-      // Black and white are the levels that rounding errors might leave.
-      vertex.shade.level = std::clamp(random.integer(-30000, 95280), 0, 65280);
-    }
-  }
-  return triangle;
-}
-
-/// Calls `visit(column, row, run)` for every pixel of a triangle.
-template <class Method, class Visit>
-void for_each_pixel(const MappedTriangle<Method>& triangle, const typename Method::Lighting& lighting,
-                    std::int32_t size, Visit visit) {
-  TriangleCommand<Method> command;
-  const auto& [a, b, c] = triangle.vertices;
-  if (!prepare_triangle<Method>(lighting, a, b, c, {}, RowRange{-size, size}, command)) return;
-  command.move_columns(size);  // columns of a picture are not negative
-  const Status status = Method::walk(command.shade, [&](auto walker) {
-    for (std::int32_t row = command.first_row; row < command.end_row; ++row) {
-      if (row == command.middle_row) {
-        (command.middle_left ? command.left : command.right) = command.lower;
-        walker.enter_lower();
-      }
-      const std::int32_t end = command.right.column();
-      std::int32_t column = command.left.column();
-      if (column < end) {
-        auto run = walker.row(row_start(command.left, command.right, 0));
-        while (column < end) {
-          std::int32_t count = end - column;
-          if constexpr (requires { run.enter(count); }) count = run.enter(count);
-          for (; count > 0; --count, ++column, run.next()) visit(column - size, row, run);
-        }
-      }
-      command.left.advance();
-      command.right.advance();
-      walker.next_row();
-    }
-    return Status::kOk;
-  });
-  REQUIRE(status == Status::kOk);
-}
 
 template <class Method>
 typename Method::Lighting lighting_of(unsigned width_bits, unsigned height_bits, std::uint8_t levels = 1) {
@@ -151,7 +56,8 @@ Errors largest_errors(std::uint64_t seed, int count, std::int32_t size, double r
       const TexelSteps& steps = run.steps();
       worst.texels =
           std::max({worst.texels, texels_off(steps.u(), u, width), texels_off(steps.v(), v, height)});
-      if constexpr (std::same_as<std::remove_cvref_t<decltype(run.mapping)>, LinearTexture<true>>) {
+      if constexpr (std::same_as<std::remove_cvref_t<decltype(run.mapping)>,
+                                 LinearTexture<TexelSteps, true>>) {
         worst.levels = std::max(worst.levels, std::abs(steps.level() - level));
       }
     });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>
@@ -26,8 +27,8 @@ struct JoinedLevel {
 /// wrapping; a carry of v changes the last fraction bit of u.
 struct JoinedPoint {
   /// u and v as fractions of a repetition in 32 bits.
-  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint64_t of(std::uint32_t u, std::uint32_t v,
-                                                                 unsigned height_bits) {
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint64_t joined(std::uint32_t u, std::uint32_t v,
+                                                                     unsigned height_bits) {
     const std::uint32_t unit = std::uint32_t{1} << height_bits;
     const std::uint64_t upper = std::uint64_t{u & (0u - unit)} << 32;
     return upper + (kMultiplies ? std::uint64_t{v} * unit : std::uint64_t{v} << height_bits);
@@ -44,6 +45,20 @@ struct JoinedPoint {
         kMultiplies ? static_cast<std::uint64_t>(std::int64_t{v} * (std::int32_t{1} << height_bits))
                     : static_cast<std::uint64_t>(std::int64_t{v}) << height_bits;
     return (std::uint64_t{static_cast<std::uint32_t>(u)} << 32) + lower;
+  }
+
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint64_t sum(std::uint64_t a, std::uint64_t b) {
+    return a + b;
+  }
+  [[nodiscard]] static constexpr std::uint64_t negative(std::uint64_t a) { return 0 - a; }
+  /// step * factor, which wraps; factor < 2^16.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint64_t times(std::uint64_t step,
+                                                                    std::uint32_t factor) {
+    if constexpr (kHasLongMultiply) {
+      return step * factor;
+    } else {
+      return static_cast<std::uint64_t>(detail::short_scaled(static_cast<std::int64_t>(step), factor));
+    }
   }
 
  private:

@@ -17,18 +17,18 @@ struct SampledTexel {
 };
 
 /// The nearest texel.
-template <TexelFormat Texels>
+template <TexelFormat Texels, class Steps>
 [[nodiscard]] ARCSPAN_INLINE constexpr SampledTexel nearest_texel(const typename Texels::Word* words,
                                                                   const std::uint16_t* palette,
-                                                                  const TexelSteps& steps) {
+                                                                  const Steps& steps) {
   const std::uint16_t stored = Texels::stored(words, palette, steps.index());
   return {Texels::ColourFormat::rgb565(stored), Texels::ColourFormat::alpha(stored)};
 }
 
 /// The four nearest texels, mixed.
-template <TexelFormat Texels>
+template <TexelFormat Texels, class Steps>
 [[nodiscard]] constexpr SampledTexel bilinear_texel(const typename Texels::Word* words,
-                                                    const std::uint16_t* palette, const TexelSteps& steps) {
+                                                    const std::uint16_t* palette, const Steps& steps) {
   using ColourFormat = typename Texels::ColourFormat;
   const std::uint32_t here = steps.index();
   const std::uint32_t below = steps.below(here);

@@ -35,17 +35,19 @@ struct GridCoordinate {
   }
 };
 
-/// u and v of a triangle where they are linear on the screen, on the grid of its pixels: JoinedPoint with a
-/// step per column and a step per row. All wraps, so that neither the edges nor the cuts of a picture matter.
+/// u and v of a triangle where they are linear on the screen, on the grid of its pixels: a word of 64 bits
+/// with a step per column and a step per row. All wraps, so that neither the edges nor the cuts of a picture
+/// matter. `Steps` says what the word holds: TexelSteps or ClampedSteps.
 struct TextureGrid {
   std::uint64_t at;         ///< at the centre of column 0 of the picture, in the current row
   std::uint64_t step_down;  ///< per row
   std::uint64_t step;       ///< per column
 
+  template <class Steps>
   constexpr void make(const GridCoordinate& u, const GridCoordinate& v, unsigned height_bits) {
-    at = JoinedPoint::of(u.at, v.at, height_bits);
-    step_down = JoinedPoint::step(JoinedPoint::rounded(u.step_down, height_bits), v.step_down, height_bits);
-    step = JoinedPoint::step(u.step, v.step, height_bits);
+    at = Steps::joined(u.at, v.at, height_bits);
+    step_down = Steps::step(Steps::rounded(u.step_down, height_bits), v.step_down, height_bits);
+    step = Steps::step(u.step, v.step, height_bits);
   }
   /// Adds a level in JoinedLevel::kBits to a grid whose v leaves room for it.
   constexpr void add_level(const GridCoordinate& level) {
@@ -54,27 +56,24 @@ struct TextureGrid {
     step += static_cast<std::uint64_t>(std::int64_t{level.step >> JoinedLevel::kRoundedBits});
   }
   /// At the centre of a column of the current row.
+  template <class Steps>
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint64_t at_column(std::uint32_t column) const {
-    return at + times(step, column);
+    return Steps::sum(at, Steps::times(step, column));
   }
-  ARCSPAN_INLINE constexpr void next_row() { at += step_down; }
-  constexpr void skip_rows(std::int32_t rows) { at += times(step_down, static_cast<std::uint32_t>(rows)); }
-  /// Moves the grid to the right.
+  template <class Steps>
+  ARCSPAN_INLINE constexpr void next_row() {
+    at = Steps::sum(at, step_down);
+  }
+  template <class Steps>
+  constexpr void skip_rows(std::int32_t rows) {
+    at = Steps::sum(at, Steps::times(step_down, static_cast<std::uint32_t>(rows)));
+  }
+  /// Moves the grid to the right; |pixels| < 2^16.
+  template <class Steps>
   constexpr void move_columns(std::int32_t pixels) {
-    const auto distance = static_cast<std::uint32_t>(pixels < 0 ? -pixels : pixels);
-    const std::uint64_t change = times(step, distance);
-    at = pixels < 0 ? at + change : at - change;
-  }
-
- private:
-  /// value * factor, which wraps; factor < 2^16.
-  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint64_t times(std::uint64_t value,
-                                                                    std::uint32_t factor) {
-    if constexpr (kHasLongMultiply) {
-      return value * factor;
-    } else {
-      return static_cast<std::uint64_t>(detail::short_scaled(static_cast<std::int64_t>(value), factor));
-    }
+    const std::uint64_t change =
+        Steps::times(step, static_cast<std::uint32_t>(pixels < 0 ? -pixels : pixels));
+    at = Steps::sum(at, pixels < 0 ? change : Steps::negative(change));
   }
 };
 

@@ -31,19 +31,19 @@ inline constexpr auto kPieceInverses = make_piece_inverses();
 
 /// The texels of a row's pixels, stepped as a JoinedPoint. A rotation of its upper half brings row and column
 /// together as the index of the texel.
-class TexelSteps {
+class TexelSteps : public JoinedPoint {
  public:
+  static constexpr bool kClamps = false;
+
   ARCSPAN_INLINE constexpr explicit TexelSteps(const TextureTriangle& t)
       : height_bits_(t.height_bits), fraction_bits_(32u - t.width_bits), mask_(t.mask) {}
 
   /// Starts at u and v, fractions of a repetition in 32 bits.
-  ARCSPAN_INLINE constexpr void start(std::uint32_t u, std::uint32_t v) {
-    at_ = JoinedPoint::of(u, v, height_bits_);
-  }
+  ARCSPAN_INLINE constexpr void start(std::uint32_t u, std::uint32_t v) { at_ = joined(u, v, height_bits_); }
   ARCSPAN_INLINE constexpr void start_at(std::uint64_t joined) { at_ = joined; }
   ARCSPAN_INLINE constexpr void set_step(std::uint64_t step) { step_ = step; }
   ARCSPAN_INLINE constexpr void set_step(std::int32_t u, std::int32_t v) {
-    step_ = JoinedPoint::step(JoinedPoint::rounded(u, height_bits_), v, height_bits_);
+    step_ = step(rounded(u, height_bits_), v, height_bits_);
   }
   /// The index of the current texel in its level.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t index() const {
@@ -94,28 +94,32 @@ class TexelSteps {
   std::uint32_t mask_;
 };
 
-/// u and v along a row, linear in the whole row; with `HasLevel` also the level of light.
-template <bool HasLevel>
+/// u and v along a row, linear in the whole row; with `HasLevel` also the level of light. `StepsType` is
+/// TexelSteps or ClampedSteps.
+template <class StepsType, bool HasLevel>
 class LinearTexture {
  public:
+  using Steps = StepsType;
   static constexpr bool kInPerspective = false;
   static constexpr bool kHasLevel = HasLevel;
 
   ARCSPAN_INLINE constexpr LinearTexture(const TextureTriangle& t, const RowStart& row) : steps_(t) {
-    steps_.start_at(t.grid.at_column(row.column));
+    steps_.start_at(t.grid.at_column<Steps>(row.column));
     steps_.set_step(t.grid.step);
   }
-  [[nodiscard]] ARCSPAN_INLINE constexpr const TexelSteps& steps() const { return steps_; }
+  [[nodiscard]] ARCSPAN_INLINE constexpr const Steps& steps() const { return steps_; }
   ARCSPAN_INLINE constexpr void next() { steps_.next(); }
 
  private:
-  TexelSteps steps_;
+  Steps steps_;
 };
 
 /// u and v along a row, in pieces over which they are linear: as many pixels as keep the error of perspective
 /// below half a texel. At the ends of pieces u = (u/w) / (1/w), by a table of reciprocals.
+template <class StepsType>
 class PerspectiveTexture {
  public:
+  using Steps = StepsType;
   static constexpr bool kInPerspective = true;
   static constexpr bool kHasLevel = false;
 
@@ -126,7 +130,7 @@ class PerspectiveTexture {
         v_(linear_at(t.v, row).raw()),
         q_(linear_at(t.q, row).raw()),
         at_(divided()) {}
-  [[nodiscard]] ARCSPAN_INLINE constexpr const TexelSteps& steps() const { return steps_; }
+  [[nodiscard]] ARCSPAN_INLINE constexpr const Steps& steps() const { return steps_; }
   ARCSPAN_INLINE constexpr void next() { steps_.next(); }
   /// Begins the next piece of a row of which `left` pixels are left, at least 1. Returns its length.
   ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) { return enter_outlined(left); }
@@ -140,7 +144,7 @@ class PerspectiveTexture {
 
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t word(std::uint32_t origin,
                                                             std::int32_t relative) const {
-    return origin + static_cast<std::uint32_t>(wrap_shl(relative, triangle_->word_shift));
+    return origin + static_cast<std::uint32_t>(detail::to_word<Steps>(relative, triangle_->word_shift));
   }
   /// u and v at the current pixel, by division.
   [[nodiscard]] ARCSPAN_INLINE constexpr Relative divided() const {
@@ -182,7 +186,8 @@ class PerspectiveTexture {
     const Relative end = divided();
     const std::int32_t inverse = detail::kPieceInverses[static_cast<std::size_t>(steps)];
     const auto step = [&](std::int32_t from, std::int32_t to) {
-      return wrap_shl(multiply_high(wrap_shl(wrap_sub(to, from), 2), inverse), triangle_->word_shift);
+      return detail::to_word<Steps>(multiply_high(wrap_shl(wrap_sub(to, from), 2), inverse),
+                                    triangle_->word_shift);
     };
     steps_.set_step(step(at_.u, end.u), step(at_.v, end.v));
     at_.u = end.u;
@@ -190,7 +195,7 @@ class PerspectiveTexture {
     return last ? left : length;
   }
 
-  TexelSteps steps_;
+  Steps steps_;
   const TextureTriangle* triangle_;
   std::int32_t u_;  ///< u, or u/w, at the end of the current piece, as Linear
   std::int32_t v_;

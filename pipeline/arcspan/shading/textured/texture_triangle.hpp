@@ -34,6 +34,9 @@ struct TextureCorners {
 ///
 /// In the plane of the screen u and v are linear only where all vertices are equally far away. Otherwise u/w,
 /// v/w and 1/w are linear, and u and v are their quotients (Blinn, "Hyperbolic Interpolation", 1992).
+///
+/// Fractions of a repetition in 32 bits wrap. With TextureWrap::kClamp they are fractions of 2^spare_bits
+/// repetitions, signed, so that they do not, and word_shift is signed.
 struct TextureTriangle {
   TextureGrid grid;  ///< set if `piece` is 0; otherwise the planes are
   /// (u - u_origin)/w and (v - v_origin)/w, in units in which 1 is the triangle's largest range of u or v, or
@@ -52,42 +55,60 @@ struct TextureTriangle {
   std::uint8_t word_shift;  ///< from a relative u with 28 fraction bits to the fraction of a repetition
   std::uint8_t piece;       ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
   bool middle_left;
+  std::uint8_t spare_bits;  ///< with TextureWrap::kClamp, 2 or more; otherwise unset
 
-  /// `InPerspective` is true if `piece` is not 0.
-  template <bool InPerspective>
+  /// `Mapping` is PerspectiveTexture if `piece` is not 0.
+  template <class Mapping>
   constexpr void next_row() {
-    if constexpr (!InPerspective) {
-      grid.next_row();
+    if constexpr (!Mapping::kInPerspective) {
+      grid.next_row<typename Mapping::Steps>();
     } else {
       u.next_row();
       v.next_row();
       q.next_row();
     }
   }
-  template <bool InPerspective>
+  template <class Mapping>
   constexpr void skip_rows(std::int32_t rows) {
-    if constexpr (!InPerspective) {
-      grid.skip_rows(rows);
+    if constexpr (!Mapping::kInPerspective) {
+      grid.skip_rows<typename Mapping::Steps>(rows);
     } else {
       u.skip_rows(rows);
       v.skip_rows(rows);
       q.skip_rows(rows);
     }
   }
-  template <bool InPerspective>
+  template <class Mapping>
   constexpr void enter_lower() {
-    if constexpr (InPerspective) {
+    if constexpr (Mapping::kInPerspective) {
       u.enter_lower(middle_left);
       v.enter_lower(middle_left);
       q.enter_lower(middle_left);
     }
   }
+  template <class Steps>
   constexpr void move_columns(std::int32_t pixels) {
-    if (piece == 0) grid.move_columns(pixels);
+    if (piece == 0) grid.move_columns<Steps>(pixels);
   }
 };
 
 namespace detail {
+
+/// A relative u or v as a fraction of a repetition. With TextureWrap::kClamp the shift may be negative.
+template <class Steps>
+[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t to_word(std::int32_t relative, int word_shift) {
+  if constexpr (Steps::kClamps) {
+    const int bits = static_cast<std::int8_t>(word_shift);
+    if (bits < 0) return relative >> -bits;
+  }
+  return wrap_shl(relative, word_shift);
+}
+
+/// The word_shift of relative values that are shifted by `shift`.
+template <class Steps>
+[[nodiscard]] constexpr std::uint8_t word_shift_of(int shift, const TextureTriangle& t) {
+  return static_cast<std::uint8_t>(Steps::kClamps ? 4 - shift - t.spare_bits : 4 - shift);
+}
 
 /// The least and the largest of three values.
 struct Extent {
@@ -129,15 +150,16 @@ inline constexpr std::int32_t kLeastQ = 1 << 12;
 /// Sets u or v of a triangle on the grid. `corners` are its relative values at the vertices, 16 bits;
 /// `origin` is what they are relative to, and `word_shift` makes fractions of a repetition in 32 bits of
 /// Linear. Returns false if it changes by a quarter of a repetition per column or more.
-template <class Frame>
+template <class Steps, class Frame>
 [[nodiscard]] constexpr bool make_grid_coordinate(const Frame& frame, const std::int32_t (&corners)[3],
                                                   std::uint32_t origin, int word_shift, unsigned rounded_bits,
                                                   GridCoordinate& coordinate) {
   const Linear across = gradient_across<Linear>(frame, corners[0], corners[1], corners[2]);
-  if (word_shift > 29 || across.raw() >> (30 - word_shift) != across.raw() >> 31) return false;
+  const int bits = Steps::kClamps ? static_cast<std::int8_t>(word_shift) : word_shift;
+  if (bits > 29 || (bits > 0 && across.raw() >> (30 - bits) != across.raw() >> 31)) return false;
   BasicLinearEdge<Linear> along;
   make_linear_edge(frame.long_edge, corners[0], corners[2], along);
-  const auto word = [word_shift](Linear value) { return wrap_shl(value.raw(), word_shift); };
+  const auto word = [word_shift](Linear value) { return to_word<Steps>(value.raw(), word_shift); };
   coordinate = GridCoordinate(origin + static_cast<std::uint32_t>(word(along.at)), word(along.step),
                               JoinedPoint::rounded(word(across), rounded_bits), frame.long_walk);
   return true;
@@ -150,9 +172,21 @@ struct CornerLevels {
   std::int32_t at[3];
 };
 
+/// The logarithm of the steps along columns and rows by which all rounding errors are 1/32 of a texel. Each
+/// step rounds u by half of 2^(height_bits - 32), beside a level v by half of 2^-14 texels, and with
+/// ClampedSteps both by 2^(spare_bits - 32).
+template <class Steps, bool HasLevel>
+[[nodiscard]] constexpr unsigned most_step_bits(const TextureTriangle& t) {
+  if constexpr (Steps::kClamps) {
+    return 27u - t.spare_bits - (t.width_bits > t.height_bits ? t.width_bits : t.height_bits);
+  }
+  const unsigned bits = 28u - t.width_bits - t.height_bits;
+  return HasLevel && bits > 10 ? 10 : bits;
+}
+
 /// Prepares a triangle whose u and v are linear, with relative values that are shifted by `shift`. Returns
 /// false if the grid is too coarse for it.
-template <class Levels, class Frame>
+template <class Steps, class Levels, class Frame>
 [[nodiscard]] constexpr bool prepare_linearly(const Frame& frame, const TextureCorners& corners,
                                               const Levels& levels, const MappedPoint& least, int shift,
                                               TextureTriangle& t) {
@@ -161,9 +195,8 @@ template <class Levels, class Frame>
   // level v is rounded by half of 2^-14 texels.
   const std::uint32_t steps =
       (frame.width >> 16) + 2 * (static_cast<std::uint32_t>(frame.long_edge.dy) >> 4) + 1;
-  const unsigned most_bits = 28u - t.width_bits - t.height_bits;
-  if (steps >> (kHasLevels && most_bits > 10 ? 10 : most_bits) != 0) return false;
-  t.word_shift = static_cast<std::uint8_t>(4 - shift);
+  if (steps >> most_step_bits<Steps, kHasLevels>(t) != 0) return false;
+  t.word_shift = word_shift_of<Steps>(shift, t);
   t.piece = 0;
   const auto make = [&](std::int32_t MappedPoint::*part, std::uint32_t origin, unsigned rounded_bits,
                         GridCoordinate& coordinate) {
@@ -172,7 +205,7 @@ template <class Levels, class Frame>
       const std::int32_t distance = wrap_sub(corners.at[i].*part, least.*part);
       relative[i] = shift >= 0 ? distance << shift : distance >> -shift;
     }
-    return make_grid_coordinate(frame, relative, origin, t.word_shift, rounded_bits, coordinate);
+    return make_grid_coordinate<Steps>(frame, relative, origin, t.word_shift, rounded_bits, coordinate);
   };
   const unsigned rounded_bits_of_v = kHasLevels ? JoinedLevel::kBits - t.height_bits : 0;
   GridCoordinate u;
@@ -184,28 +217,28 @@ template <class Levels, class Frame>
   if constexpr (kHasLevels) {
     GridCoordinate level;
     constexpr int kWordShift = 3;  // from 12 fraction bits of 256ths of 8-bit steps to 26 of 32nds
-    if (!make_grid_coordinate(frame, levels.at, JoinedLevel::kHalf << JoinedLevel::kRoundedBits, kWordShift,
-                              JoinedLevel::kRoundedBits, level)) {
+    if (!make_grid_coordinate<Steps>(frame, levels.at, JoinedLevel::kHalf << JoinedLevel::kRoundedBits,
+                                     kWordShift, JoinedLevel::kRoundedBits, level)) {
       return false;
     }
     v.at =
         static_cast<std::uint32_t>(JoinedPoint::rounded(static_cast<std::int32_t>(v.at), rounded_bits_of_v));
     v.step_down = JoinedPoint::rounded(v.step_down, rounded_bits_of_v);
-    t.grid.make(u, v, t.height_bits);
+    t.grid.make<Steps>(u, v, t.height_bits);
     t.grid.add_level(level);
   } else {
-    t.grid.make(u, v, t.height_bits);
+    t.grid.make<Steps>(u, v, t.height_bits);
   }
   return true;
 }
 
 /// Prepares a triangle whose u and v are not linear. `shift` makes the range of u and v fit 16 bits, `narrow`
 /// is by how many bits gradients exceed ranges.
-template <class Frame>
+template <class Steps, class Frame>
 constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& corners,
                                       const MappedPoint& least, int shift, int narrow, const Extent& w,
                                       TextureTriangle& t) {
-  t.word_shift = static_cast<std::uint8_t>(4 - shift);
+  t.word_shift = word_shift_of<Steps>(shift, t);
   // All values as Linear, of which all 28 bits are used.
   const int up = std::countl_zero(static_cast<std::uint32_t>(w.most) | 1u) - 4;
   std::int32_t q[3];
@@ -247,20 +280,35 @@ template <class Frame>
   return mip_level(size, texel_area(corners, size), static_cast<std::uint32_t>(area < 0 ? -area : area));
 }
 
-/// Sets the mip level, and u_origin and v_origin to the least u and v.
-template <TextureFilter Filter>
+/// The spare bits of a triangle with these u and v: one for the sign, one for errors of rounding.
+[[nodiscard]] constexpr std::uint8_t spare_bits_of(const Extent& u, const Extent& v) {
+  // A set of bits at least as high as every magnitude.
+  const std::int32_t all = (u.least ^ (u.least >> 31)) | (u.most ^ (u.most >> 31)) |
+                           (v.least ^ (v.least >> 31)) | (v.most ^ (v.most >> 31));
+  return static_cast<std::uint8_t>(std::bit_width(static_cast<std::uint32_t>(all) >> 16) + 2);
+}
+
+/// Sets the mip level, and u_origin and v_origin to the least u and v. `spare_bits` are set.
+template <TextureFilter Filter, class Steps>
 constexpr void place_texture(const TextureSize& size, unsigned level, const MappedPoint& least,
                              TextureTriangle& t) {
   t.first = size.texels(level);
   t.width_bits = static_cast<std::uint8_t>(size.width_bits - level);
   t.height_bits = static_cast<std::uint8_t>(size.height_bits - level);
   t.mask = (std::uint32_t{1} << (t.width_bits + t.height_bits)) - 1;
-  t.u_origin = static_cast<std::uint32_t>(least.u) << 16;
-  t.v_origin = static_cast<std::uint32_t>(least.v) << 16;
+  const auto origin = [&](std::int32_t first) {
+    const std::uint32_t word = static_cast<std::uint32_t>(first) << 16;
+    if constexpr (!Steps::kClamps) return word;
+    const int bits = 16 - t.spare_bits;  // 3 at least
+    return static_cast<std::uint32_t>(wrap_shl(first, bits));
+  };
+  t.u_origin = origin(least.u);
+  t.v_origin = origin(least.v);
   if constexpr (Filter == TextureFilter::kBilinear) {
     // A texel's colour is that of its middle.
-    t.u_origin -= std::uint32_t{1} << (31 - t.width_bits);
-    t.v_origin -= std::uint32_t{1} << (31 - t.height_bits);
+    const int spare = Steps::kClamps ? t.spare_bits : 0;
+    t.u_origin -= std::uint32_t{1} << (31 - spare - t.width_bits);
+    t.v_origin -= std::uint32_t{1} << (31 - spare - t.height_bits);
   }
 }
 
@@ -278,7 +326,8 @@ constexpr void place_texture(const TextureSize& size, unsigned level, const Mapp
 
 /// Prepares the texture of a triangle, and its light if `levels` has some and `piece` becomes 0. `corners`
 /// are those of the frame's vertices.
-template <TextureFilter Filter, class Levels, class Frame>
+/// `Steps` is TexelSteps, or ClampedSteps with TextureWrap::kClamp.
+template <TextureFilter Filter, class Steps, class Levels, class Frame>
 constexpr void prepare_texture(const Frame& frame, const TextureSize& size, const TextureCorners& corners,
                                const Levels& levels, TextureTriangle& t) {
   const detail::Extent u(corners.at[0].u, corners.at[1].u, corners.at[2].u);
@@ -286,7 +335,8 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size, cons
   const detail::Extent w(corners.near_over_w[0], corners.near_over_w[1], corners.near_over_w[2]);
   const unsigned level = size.levels == 1 ? 0 : detail::level_of(frame, size, corners);
   const MappedPoint least{u.least, v.least};
-  detail::place_texture<Filter>(size, level, least, t);
+  if constexpr (Steps::kClamps) t.spare_bits = detail::spare_bits_of(u, v);
+  detail::place_texture<Filter, Steps>(size, level, least, t);
   t.middle_left = frame.middle_left;
   // Shifted by this, the larger range fits 16 bits.
   const std::uint32_t range = u.range() > v.range() ? u.range() : v.range();
@@ -295,9 +345,9 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size, cons
   // In a triangle narrower than a pixel gradients are larger than ranges, by so many bits.
   const int narrow = frame.width < 0x10000u ? std::countl_zero(frame.width) - 15 : 0;
   if (!detail::is_nearly_linear(t, u.range(), v.range(), w) ||
-      !detail::prepare_linearly(frame, corners, levels, least, shift - narrow < -27 ? -27 : shift - narrow,
-                                t)) {
-    detail::prepare_in_perspective(frame, corners, least, shift, narrow, w, t);
+      !detail::prepare_linearly<Steps>(frame, corners, levels, least,
+                                       shift - narrow < -27 ? -27 : shift - narrow, t)) {
+    detail::prepare_in_perspective<Steps>(frame, corners, least, shift, narrow, w, t);
   }
 }
 

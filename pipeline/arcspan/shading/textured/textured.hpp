@@ -5,6 +5,7 @@
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/shading/pixel_by_pixel.hpp>
+#include <arcspan/shading/textured/clamped_steps.hpp>
 #include <arcspan/shading/textured/texel_light.hpp>
 #include <arcspan/shading/textured/texel_sampling.hpp>
 #include <arcspan/shading/textured/texture_row.hpp>
@@ -16,6 +17,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace arcspan {
@@ -44,8 +46,8 @@ struct TexturedRun {
     palette = lighting.texture.palette();
   }
 
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(
-      std::int32_t left) requires std::same_as<Mapping, PerspectiveTexture> {
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) requires(
+      Mapping::kInPerspective) {
     return mapping.enter(left);
   }
   template <class Lighting>
@@ -64,7 +66,7 @@ struct TexturedRun {
     mapping.next();
     if constexpr (Colours != TexelLight::kNone && !Mapping::kHasLevel) light_run.next();
   }
-  [[nodiscard]] constexpr const TexelSteps& steps() const { return mapping.steps(); }
+  [[nodiscard]] constexpr const auto& steps() const { return mapping.steps(); }
   [[nodiscard]] constexpr std::int32_t length() const requires LimitedRun<Lit> { return light_run.length(); }
 
   /// A texel under the current pixel's light.
@@ -112,7 +114,7 @@ class TexturedWalker {
   using Run = TexturedRun<typename LightWalker::Run, Mapping, Texels, Colours, Filter>;
   static constexpr bool kOutlined = [] {
     if constexpr (OutlinedWalker<LightWalker>) return true;
-    return std::same_as<Mapping, PerspectiveTexture>;
+    return Mapping::kInPerspective;
   }();
 
   constexpr TexturedWalker(const LightWalker& light, TextureTriangle& triangle)
@@ -126,15 +128,15 @@ class TexturedWalker {
   }
   ARCSPAN_INLINE constexpr void next_row() {
     light_.next_row();
-    triangle_->template next_row<Mapping::kInPerspective>();
+    triangle_->template next_row<Mapping>();
   }
   constexpr void skip_rows(std::int32_t rows) requires SkipsRows<LightWalker> {
     light_.skip_rows(rows);
-    triangle_->template skip_rows<Mapping::kInPerspective>(rows);
+    triangle_->template skip_rows<Mapping>(rows);
   }
   constexpr void enter_lower() {
     light_.enter_lower();
-    triangle_->template enter_lower<Mapping::kInPerspective>();
+    triangle_->template enter_lower<Mapping>();
   }
 
  private:
@@ -157,7 +159,7 @@ concept HasLinearLevel = bool{M::kHasLinearLevel};
 /// elsewhere in the longest pieces of a row that are.
 template <class Method, TexelFormat Texels,
           TexelLight Colours = std::same_as<Method, Unlit> ? TexelLight::kNone : TexelLight::kGrey,
-          TextureFilter Filter = TextureFilter::kNearest>
+          TextureFilter Filter = TextureFilter::kNearest, TextureWrap Wrap = TextureWrap::kRepeat>
 struct Textured : PixelByPixel<Method> {
   using Light = PixelByPixel<Method>;
   /// The illumination of `Method` with the texture.
@@ -177,6 +179,7 @@ struct Textured : PixelByPixel<Method> {
     }
     Texture<Texels> texture;
   };
+  using Steps = std::conditional_t<Wrap == TextureWrap::kClamp, ClampedSteps, TexelSteps>;
   using typename Light::Face;
   struct Vertex : Light::Vertex {
     MappedPoint point;
@@ -185,10 +188,11 @@ struct Textured : PixelByPixel<Method> {
     typename Light::Prepared light;
     TextureTriangle texture;
 
-    constexpr void move_columns(std::int32_t pixels) { texture.move_columns(pixels); }
+    constexpr void move_columns(std::int32_t pixels) { texture.move_columns<Steps>(pixels); }
   };
   static constexpr bool kNeedsNearOverW = true;
-  static constexpr bool kJoinsLevel = Colours == TexelLight::kGrey && HasLinearLevel<Light>;
+  static constexpr bool kJoinsLevel =
+      Colours == TexelLight::kGrey && HasLinearLevel<Light> && !Steps::kClamps;
   static constexpr bool kUsesEncodedColours = false;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
@@ -218,11 +222,12 @@ struct Textured : PixelByPixel<Method> {
     if constexpr (kJoinsLevel) {
       const detail::CornerLevels levels{
           {frame.top->shade.level, frame.middle->shade.level, frame.bottom->shade.level}};
-      prepare_texture<Filter>(frame, lighting.texture.size(), corners, levels, prepared.texture);
+      prepare_texture<Filter, Steps>(frame, lighting.texture.size(), corners, levels, prepared.texture);
       if (prepared.texture.piece != 0) Light::prepare(lighting, frame, face, prepared.light);
     } else {
       Light::prepare(lighting, frame, face, prepared.light);
-      prepare_texture<Filter>(frame, lighting.texture.size(), corners, detail::NoLevels{}, prepared.texture);
+      prepare_texture<Filter, Steps>(frame, lighting.texture.size(), corners, detail::NoLevels{},
+                                     prepared.texture);
     }
   }
 
@@ -230,8 +235,8 @@ struct Textured : PixelByPixel<Method> {
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     if constexpr (kJoinsLevel) {
       if (prepared.texture.piece == 0) {
-        return draw(
-            TexturedWalker<LevelWalker, LinearTexture<true>, Texels, Colours, Filter>({}, prepared.texture));
+        return draw(TexturedWalker<LevelWalker, LinearTexture<Steps, true>, Texels, Colours, Filter>(
+            {}, prepared.texture));
       }
     }
     return Light::walk(prepared.light, [&](auto walker) {
@@ -239,12 +244,12 @@ struct Textured : PixelByPixel<Method> {
       detail::require_pixels<LightWalker>();
       if constexpr (!kJoinsLevel) {
         if (prepared.texture.piece == 0) {
-          return draw(TexturedWalker<LightWalker, LinearTexture<false>, Texels, Colours, Filter>(
+          return draw(TexturedWalker<LightWalker, LinearTexture<Steps, false>, Texels, Colours, Filter>(
               walker, prepared.texture));
         }
       }
-      return draw(
-          TexturedWalker<LightWalker, PerspectiveTexture, Texels, Colours, Filter>(walker, prepared.texture));
+      return draw(TexturedWalker<LightWalker, PerspectiveTexture<Steps>, Texels, Colours, Filter>(
+          walker, prepared.texture));
     });
   }
 };

@@ -59,9 +59,9 @@ namespace arcspan::tools {
 #undef ARCSPAN_COMPARE_CLASS
 }
 
-/// Whether the tools draw textures by the class of this name. Segment has its colours at every 2^j-th pixel
-/// only.
-[[nodiscard]] constexpr bool draws_textures(std::string_view class_name) {
+/// Whether the tools draw textures, vertex colours, transparency and fog with the class of this name. Segment
+/// has its colours at every 2^j-th pixel only.
+[[nodiscard]] constexpr bool draws_effects(std::string_view class_name) {
   return class_name == "Flat" || class_name == "Gouraud" || class_name == "Arc" || class_name == "Adaptive";
 }
 

@@ -110,7 +110,7 @@ concept TexelFormat = TexelColour<typename T::ColourFormat> &&
     requires(const typename T::Word* words, const std::uint16_t* palette, std::uint32_t index) {
   { T::kBits } -> std::convertible_to<unsigned>;
   { T::kPaletteSize } -> std::convertible_to<std::size_t>;
-  { T::stored(words, palette, index) } -> std::same_as<std::uint16_t>;
+  { T::ColourFormat::rgb565(T::stored(words, palette, index)) } -> std::same_as<std::uint16_t>;
 };
 
 static_assert(TexelFormat<DirectTexels<>> && TexelFormat<Palette8Texels<>> && TexelFormat<Palette4Texels<>>);

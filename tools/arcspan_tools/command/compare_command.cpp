@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/effect_options.hpp>
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/compare/instructions.hpp>
@@ -154,6 +155,7 @@ void run_compare(const CompareArguments& arguments) {
   check_results(written, {options.mesh});
   Model loaded = load_model(options.mesh, options.crease_degrees, options.texture);
   if (remove_textures(loaded)) warn(options.mesh, "textures are not compared");
+  if (make_opaque(loaded)) warn(options.mesh, "transparent materials are compared opaque");
   const FixedModel model = to_fixed(loaded);
   const RenderJob job = make_job(options.scene, model, options.mesh);
   if (!arguments.draw_only.empty()) {
@@ -182,6 +184,7 @@ void add_options(CLI::App& app, CompareArguments& a) {
   app.remove_option(app.get_option("--shading"));
   app.remove_option(app.get_option("--format"));
   app.remove_option(app.get_option("--dither"));
+  for (const char* effect : kEffectOptions) app.remove_option(app.get_option(effect));
   app.add_option("-o,--output", a.output, "the contact sheet: .png, .ppm or .pgm")->required();
   app.add_option("--table", a.tables, "write the printed figures as .md, .csv or .json; may be repeated")
       ->type_name("FILE")

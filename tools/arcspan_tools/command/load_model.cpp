@@ -4,11 +4,12 @@
 #include <arcspan_tools/mesh/plain/crease.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/printable.hpp>
+#include <arcspan_tools/texture/plain/surface_texture.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace arcspan::tools {
 
@@ -32,26 +33,25 @@ void put_texture(const std::string& picture, const std::string& name, Model& mod
 }  // namespace
 
 Model load_model(const std::string& name, const std::optional<double>& crease_degrees,
-                 const std::string& texture) {
-  Model model =
-      load_model_file(name, texture.empty() ? TexturePointsOf::kTexturedParts : TexturePointsOf::kAllParts);
+                 const std::string& texture, VertexColours colours) {
+  Model model = load_model_file(
+      name, texture.empty() ? TexturePointsOf::kTexturedParts : TexturePointsOf::kAllParts, colours);
   if (!texture.empty()) put_texture(texture, name, model);
   for (const std::string& warning : model.warnings) warn(name, warning);
   return crease_degrees ? with_crease(model, *crease_degrees, name) : model;
 }
 
-Model load_drawn_model(const RenderOptions& options) {
-  Model model = load_model(options.mesh, options.crease_degrees, options.texture);
-  if (!shading_draws_textures(options.shading)) {
-    if (remove_textures(model)) warn(options.mesh, "textures are not drawn by --shading " + options.shading);
-    return model;
+Model load_drawn_model(RenderOptions& options) {
+  if (!options.matcap.empty()) {
+    options.scene.matcap = surface_texture(read_rgba(options.matcap), 0, PictureEdges::kClamp);
   }
-  const auto shows_through = [](const ModelPart& part) {
-    return part.look.material.texture != nullptr && part.look.material.alpha_mode != AlphaMode::kOpaque;
-  };
-  if (std::any_of(model.parts.begin(), model.parts.end(), shows_through)) {
-    warn(options.mesh, "transparent textures are drawn opaque");
-  }
+  const bool kept = options.vertex_colours.value_or(!options.shading_given || options.shading == "gouraud");
+  Model model = load_model(options.mesh, options.crease_degrees, options.texture,
+                           kept ? VertexColours::kKept : VertexColours::kMean);
+  if (shading_draws_effects(options.shading)) return model;
+  const std::string by = " by --shading " + options.shading;
+  if (remove_textures(model)) warn(options.mesh, "textures are not drawn" + by);
+  if (make_opaque(model)) warn(options.mesh, "transparent materials are drawn opaque" + by);
   return model;
 }
 
@@ -62,6 +62,12 @@ bool remove_textures(Model& model) {
     part.look.material.texture.reset();
     part.mesh.texture_points.clear();
   }
+  return any;
+}
+
+bool make_opaque(Model& model) {
+  bool any = false;
+  for (ModelPart& part : model.parts) any = std::exchange(part.look.material.opacity, 1.0) < 1 || any;
   return any;
 }
 

@@ -13,13 +13,17 @@ namespace arcspan::tools {
 /// see with_crease(). `texture`, unless it is empty, is a picture file that replaces the textures of all
 /// parts that have texture points.
 [[nodiscard]] Model load_model(const std::string& name, const std::optional<double>& crease_degrees = {},
-                               const std::string& texture = {});
+                               const std::string& texture = {}, VertexColours colours = VertexColours::kMean);
 
-/// The model that options ask for. Textures that the shading does not draw are removed, with a warning.
-[[nodiscard]] Model load_drawn_model(const RenderOptions& options);
+/// The model that options ask for; reads the picture of --matcap into their scene. What the shading does not
+/// draw is removed, with a warning.
+[[nodiscard]] Model load_drawn_model(RenderOptions& options);
 
 /// Removes the textures and the texture points of all parts. Returns whether there were any.
 bool remove_textures(Model& model);
+
+/// Makes the materials of all parts opaque. Returns whether there were others.
+bool make_opaque(Model& model);
 
 /// Prints the line `arcspan: warning: SUBJECT: TEXT` on standard error.
 void warn(const std::string& subject, const std::string& text);

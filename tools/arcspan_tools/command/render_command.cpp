@@ -26,7 +26,7 @@ struct Loaded {
   RenderReport report;
 };
 
-Loaded load(const RenderArguments& arguments) {
+Loaded load(RenderArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const Model model = load_drawn_model(arguments.options);
   Loaded loaded{to_fixed(model), {}};
@@ -44,10 +44,10 @@ Loaded load(const RenderArguments& arguments) {
   return loaded;
 }
 
-void run_render(const RenderArguments& arguments) {
+void run_render(RenderArguments& arguments) {
   const RenderOptions& options = arguments.options;
   const ImageFormat format = image_format(arguments.output);
-  check_results({arguments.output, arguments.stats}, {options.mesh, options.texture});
+  check_results({arguments.output, arguments.stats}, {options.mesh, options.texture, options.matcap});
   std::FILE* const report = report_stream({arguments.output, arguments.stats});
   Loaded loaded = load(arguments);
   const RenderJob job = make_job(options.scene, loaded.model, options.mesh);
@@ -81,6 +81,7 @@ void add_render_command(CLI::App& app) {
       "  arcspan render bunny.obj -o bunny.png --size 640x480\n"
       "  arcspan render torus:48x24 -o torus.png --shading gouraud --light 1,1,1 --light -1,0,0.5\n"
       "  arcspan render part.obj -o part.png --texture wood.jpg\n"
+      "  arcspan render bunny.obj -o bunny.png --matcap gold.png --fog 2,4#0.6,0.7,0.8\n"
       "  arcspan render part.stl -o - --format mono --size 128x64 | display");
   render->callback([arguments] { run_render(*arguments); });
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/effect_options.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/texture_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
@@ -11,6 +12,13 @@
 #include <optional>
 
 namespace arcspan::tools {
+
+std::optional<Vec3> parse_colour(const std::string& text) {
+  const std::optional<Vec3> v = parse_triple(text);
+  const auto fits = [](double c) { return c >= 0 && c <= 1; };
+  return v && fits(v->x) && fits(v->y) && fits(v->z) ? v : std::nullopt;
+}
+
 namespace {
 
 constexpr std::size_t kMostLights = 4;
@@ -22,12 +30,6 @@ constexpr const char* kUsualPolynomial = "quadratic";
 std::optional<Vec3> parse_direction(const std::string& text) {
   const std::optional<Vec3> v = parse_triple(text);
   return v && length(*v) > 0 ? v : std::nullopt;
-}
-
-std::optional<Vec3> parse_colour(const std::string& text) {
-  const std::optional<Vec3> v = parse_triple(text);
-  const auto fits = [](double c) { return c >= 0 && c <= 1; };
-  return v && fits(v->x) && fits(v->y) && fits(v->z) ? v : std::nullopt;
 }
 
 // `X,Y,Z[@D][#R,G,B]`.
@@ -115,6 +117,7 @@ void add_surface_options(CLI::App& app, RenderOptions& o) {
               1, 256, surface.shininess);
   add_crease(app, o.crease_degrees);
   add_texture(app, o.texture);
+  add_effects(app, o);
 }
 
 void add_shading_options(CLI::App& app, RenderOptions& o) {
@@ -135,6 +138,7 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
   app.parse_complete_callback([&app, &o] {
     note_settings(app, o);
     choose_renderer(o);
+    check_effects(app, o);
   });
   add_parsed<Highlight>(
       app, "--illumination", "blinn|phong", "illumination model (default blinn)", "blinn or phong",
@@ -201,6 +205,8 @@ void add_crease(CLI::App& app, std::optional<double>& degrees) {
 }
 
 void note_settings(const CLI::App& app, RenderOptions& options) {
+  const CLI::Option* const shading = app.get_option_no_throw("--shading");
+  options.shading_given = shading != nullptr && shading->count() != 0;
   options.segment_given = app.count("--segment") != 0;
   options.tolerance_given = app.count("--tolerance") != 0;
   options.scene.camera.fov_given = app.count("--fov") != 0;

@@ -27,10 +27,16 @@ struct RenderOptions {
   bool tolerance_given = false;
   std::optional<double> crease_degrees;  ///< make normals anew; the model's otherwise
   std::string texture;                   ///< a picture in place of the model's textures, or none
+  std::string matcap;                    ///< a picture in place of light, or none
+  std::optional<bool> vertex_colours;    ///< whether they are interpolated; by default as the shading wants
+  bool shading_given = false;
   Scene scene;
   /// Those given; the scene's own stays if there are none.
   std::vector<SceneLight> lights;
 };
+
+/// A colour of three channels, each 0...1.
+[[nodiscard]] std::optional<Vec3> parse_colour(const std::string& text);
 
 /// The name under which the polynomials of dichotomy are offered.
 inline constexpr const char* kDichotomy = "dichotomy";

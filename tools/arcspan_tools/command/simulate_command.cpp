@@ -151,7 +151,8 @@ void report(const SimulateArguments& arguments, const SimulatedDisplay& display,
 }
 
 void run_simulate(const SimulateArguments& arguments) {
-  check_results({arguments.output}, {arguments.options.mesh});
+  const RenderOptions& given = arguments.options;
+  check_results({arguments.output}, {given.mesh, given.texture, given.matcap});
   const std::unique_ptr<SimulatedDisplay> display = make_display(options_of(arguments));
   GlassOutput output(arguments.output, arguments.frames, display->picture());
   const Totals totals = show_all(arguments, *display, output);

@@ -35,10 +35,10 @@ FrameFormat format_of(const TurntableArguments& arguments) {
   return format;
 }
 
-void run_turntable(const TurntableArguments& arguments) {
-  const RenderOptions& options = arguments.options;
+void run_turntable(TurntableArguments& arguments) {
+  RenderOptions& options = arguments.options;
   const FrameFormat format = format_of(arguments);
-  check_results({arguments.output}, {options.mesh});
+  check_results({arguments.output}, {options.mesh, options.texture, options.matcap});
   const std::unique_ptr<FrameOutput> output = make_frame_output(arguments.output, format);
   const FixedModel model = to_fixed(load_drawn_model(options));
   const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/mesh/bounding_sphere.hpp>
+
 #include <arcspan_tools/fixed_point/camera.hpp>
 #include <arcspan_tools/fixed_point/rounding.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -167,11 +169,22 @@ FixedCamera to_fixed(const Camera& camera, const FixedMeshes& meshes, Size size)
                               object_length(near_plane), object_length(far_plane)};
   FixedCamera fixed;
   fixed.to_eye = to_direction(backwards);
-  const Status status = ClipTransform::make(placement_of(camera.eye, axes, meshes), projection,
-                                            {size.width, size.height}, fixed.transform);
+  fixed.placement = placement_of(camera.eye, axes, meshes);
+  fixed.projection = projection;
+  const Status status =
+      ClipTransform::make(fixed.placement, projection, {size.width, size.height}, fixed.transform);
   if (!ok(status))
     throw Failure("camera", std::string("cannot look at this mesh (") + to_string(status) + ")");
   return fixed;
+}
+
+double distance_of(const MeshView& mesh, const Placement& placement) {
+  const ObjectPosition middle = bounding_sphere(mesh).middle;
+  const auto entry = [&placement](std::size_t i) {
+    return std::ldexp(placement.rotation.m[2][i].raw(), -RotationEntry::kFraction);
+  };
+  return -(entry(0) * middle.x + entry(1) * middle.y + entry(2) * middle.z +
+           std::ldexp(placement.translation[2].raw(), -ObjectLength::kFraction));
 }
 
 Direction to_direction(Vec3 v) {

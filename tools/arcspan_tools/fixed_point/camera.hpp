@@ -39,10 +39,15 @@ struct Camera {
 struct FixedCamera {
   ClipTransform transform;
   Direction to_eye;
+  Placement placement;    ///< of the model before the camera
+  Projection projection;  ///< its near and far plane
 };
 
 /// Throws Failure for a camera that the pipeline's numbers do not hold, or that looks nowhere.
 [[nodiscard]] FixedCamera to_fixed(const Camera& camera, const FixedMeshes& meshes, Size size);
+
+/// How far before the camera the middle of a mesh is, that of its bounding sphere, in object units.
+[[nodiscard]] double distance_of(const MeshView& mesh, const Placement& placement);
 
 /// The unit vector along `v`, which must not be zero.
 [[nodiscard]] Direction to_direction(Vec3 v);

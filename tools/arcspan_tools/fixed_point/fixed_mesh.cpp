@@ -78,6 +78,7 @@ FixedMesh fixed_within(const Box& box, const MeshData& mesh) {
     for (const std::uint32_t index : triangle) fixed.indices.push_back(static_cast<std::uint16_t>(index));
   }
   set_texture_points(mesh.texture_points, fixed);
+  fixed.colours = mesh.colours;
   return fixed;
 }
 
@@ -124,6 +125,7 @@ MeshView FixedMesh::view(const std::string& subject) const {
   Status status = MeshView::make(positions, normals, std::span(indices), view);
   if (ok(status) && !planes.empty()) status = view.attach(planes, plane_scale);
   if (ok(status) && !texture_points.empty()) status = view.attach(texture_points, texture_scale);
+  if (ok(status) && !colours.empty()) status = view.attach(colours);
   if (!ok(status))
     throw Failure(subject, std::string("not a mesh for the pipeline (") + to_string(status) + ")");
   return view;

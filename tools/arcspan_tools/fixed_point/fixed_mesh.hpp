@@ -22,13 +22,14 @@ struct FixedMesh {
   PlaneScale plane_scale;
   std::vector<TexturePoint> texture_points;  ///< none, or one for each vertex
   TextureScale texture_scale;
+  std::vector<Rgb8> colours;  ///< none, or one for each vertex
   double unit = 1;
   Vec3 centre;
 
   [[nodiscard]] std::size_t bytes() const {
     return positions.size() * sizeof(ObjectPosition) + normals.size() * sizeof(PackedNormal) +
            indices.size() * sizeof(std::uint16_t) + planes.size() * sizeof(FacePlane) +
-           texture_points.size() * sizeof(TexturePoint);
+           texture_points.size() * sizeof(TexturePoint) + colours.size() * sizeof(Rgb8);
   }
   /// Valid as long as this object is; throws Failure if the pipeline does not take it.
   [[nodiscard]] MeshView view(const std::string& subject) const;

@@ -19,6 +19,10 @@ class FormatStore final : public PixelStore {
   void write(std::int32_t x, std::int32_t y, PackedRgb colour) override {
     frame_.open({y, x, 1}).write(encode_at<Format>(colour, x, y));
   }
+  void write(std::int32_t x, std::int32_t y, const SurfacePixel& surface) override {
+    auto cursor = frame_.open({y, x, 1});
+    cursor.write(operated_pixel<Format>(surface, cursor.read(), x, y));
+  }
   [[nodiscard]] Rgb8 pixel(std::int32_t x, std::int32_t y) const override { return frame_.pixel(x, y); }
   void move_to(std::int32_t first_row) override { frame_.move_to(first_row); }
   void clear(Rgb8 colour) override { frame_.clear(colour); }

@@ -5,6 +5,7 @@
 #include <arcspan/span/depth.hpp>
 
 #include <arcspan_tools/render/pixel_choice.hpp>
+#include <arcspan_tools/render/surface_operation.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -17,6 +18,7 @@ class PixelStore {
  public:
   virtual ~PixelStore() = default;
   virtual void write(std::int32_t x, std::int32_t y, PackedRgb colour) = 0;
+  virtual void write(std::int32_t x, std::int32_t y, const SurfacePixel& surface) = 0;
   [[nodiscard]] virtual Rgb8 pixel(std::int32_t x, std::int32_t y) const = 0;
   virtual void move_to(std::int32_t first_row) = 0;
   virtual void clear(Rgb8 colour) = 0;
@@ -34,6 +36,7 @@ class NoPixels final : public PixelStore {
   explicit NoPixels(const Rect& bounds) : bounds_(bounds) {}
 
   void write(std::int32_t, std::int32_t, PackedRgb) override {}
+  void write(std::int32_t, std::int32_t, const SurfacePixel&) override {}
   [[nodiscard]] Rgb8 pixel(std::int32_t, std::int32_t) const override { return {}; }
   void move_to(std::int32_t first_row) override {
     bounds_ = {bounds_.left, first_row, bounds_.right, first_row + bounds_.height()};

@@ -3,10 +3,13 @@
 
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/pixel/fog.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
+#include <arcspan/vertex/rotation.hpp>
 
 #include <arcspan_tools/image/image.hpp>
 #include <arcspan_tools/render/pixel_choice.hpp>
+#include <arcspan_tools/render/surface_operation.hpp>
 #include <arcspan_tools/texture/plain/surface_texture.hpp>
 
 #include <algorithm>
@@ -27,6 +30,9 @@ struct RenderPart {
   Material material;
   bool two_sided = false;
   std::shared_ptr<const SurfaceTexture> texture{};  ///< multiplies the light on it; null if there is none
+  bool vertex_colours = false;  ///< those of the mesh multiply the light of Gouraud shading; without texture
+  Transparency transparency = Transparency::kNone;
+  std::uint8_t opacity = 32;  ///< of transparency: 0...32, of kScreenDoor 0...8
 };
 
 /// One picture for the pipeline: everything is fixed point or integer already.
@@ -42,7 +48,10 @@ struct RenderJob {
   Rgb8 background;
   std::int32_t band_rows = 0;  ///< rows per band, 1 or more; the picture's height or more is a full frame
   std::int32_t repeats = 1;    ///< draws of every band, 1 or more, for measuring; the picture is the same
-  bool counts = true;          ///< count spans and pixels, by drawing once more
+  std::shared_ptr<const Fog> fog{};                ///< null if there is none
+  std::shared_ptr<const SurfaceTexture> matcap{};  ///< environment map in place of all light, or null
+  Rotation rotation{};                             ///< from object to view space, for `matcap`
+  bool counts = true;                              ///< count spans and pixels, by drawing once more
 };
 
 /// The number of vertices of the largest part, which is what a vertex cache has to hold.
@@ -52,8 +61,8 @@ struct RenderJob {
   return most;
 }
 
-/// Whether the shading of this name draws the textures of parts.
-[[nodiscard]] bool shading_draws_textures(std::string_view shading);
+/// Whether the shading of this name draws textures, vertex colours, transparency, fog and environment maps.
+[[nodiscard]] bool shading_draws_effects(std::string_view shading);
 
 struct RenderStats {
   std::uint32_t triangles = 0;  ///< of the picture; of the fullest band unless RenderJob::counts

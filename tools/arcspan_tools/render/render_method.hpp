@@ -17,7 +17,7 @@ RenderResult ARCSPAN_METHOD_FUNCTION(render, ARCSPAN_METHOD)(const RenderJob& jo
                                                              const RowsDone& rows_done) {
   constexpr std::string_view kName = ARCSPAN_NAME_OF(ARCSPAN_METHOD);
   constexpr bool kAsksForRamp = kName != "Flat" && kName != "Gouraud" && !is_literature_method(kName);
-  return render_with<ARCSPAN_METHOD, kAsksForRamp, draws_textures(kName)>(job, pixels, rows_done);
+  return render_with<ARCSPAN_METHOD, kAsksForRamp, draws_effects(kName)>(job, pixels, rows_done);
 }
 
 }  // namespace arcspan::tools

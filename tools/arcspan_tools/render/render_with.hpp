@@ -8,20 +8,24 @@
 
 #include <arcspan_tools/render/any_format.hpp>
 #include <arcspan_tools/render/any_illumination.hpp>
+#include <arcspan_tools/render/band_depth.hpp>
 #include <arcspan_tools/render/pixel_format_name.hpp>
 #include <arcspan_tools/render/render.hpp>
+#include <arcspan_tools/render/surface_drawer.hpp>
 #include <arcspan_tools/shading_method_list.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/processor_time.hpp>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <type_traits>
 #include <vector>
 
 // Every shading method is instantiated with two kinds of targets: a framebuffer of rgb565 with a depth buffer
 // and one light, drawn exactly as firmware draws it, whose times mean something; and any pixel format and any
-// lights behind virtual calls, with a depth test or without. Both draw the pixels that firmware draws.
+// lights behind virtual calls, with a depth test or without. Methods that take textures have a third one, for
+// all textures and pixel operations (surface_operation.hpp). All draw the pixels that firmware draws.
 //
 // ARCSPAN_ALWAYS_VIRTUAL leaves the first kind out: the same pictures, drawn slower and compiled faster.
 namespace arcspan::tools::detail {
@@ -75,32 +79,6 @@ class AnyBand {
   std::unique_ptr<PixelStore> store_;
   AnySink sink_;
 };
-
-/// A depth buffer with its memory.
-class BandDepth {
- public:
-  BandDepth(std::int32_t width, std::int32_t rows)
-      : memory_(DepthBuffer::words(width, rows), DepthBuffer::kFarthest), buffer_(memory_, width, rows) {}
-
-  [[nodiscard]] const DepthBuffer& buffer() const { return buffer_; }
-  void start(std::int32_t first_row) {
-    buffer_.move_to(first_row);
-    buffer_.clear();
-  }
-  [[nodiscard]] std::size_t bytes() const { return memory_.size() * sizeof(std::uint16_t); }
-
- private:
-  std::vector<std::uint16_t> memory_;
-  DepthBuffer buffer_;
-};
-
-template <class Band>
-void copy_rows(const Band& band, std::int32_t first, std::int32_t rows, Image& image) {
-  const std::int32_t end = std::min(first + rows, image.height);
-  for (std::int32_t y = first; y < end; ++y) {
-    for (std::int32_t x = 0; x < image.width; ++x) image.at(x, y) = band.pixel(x, y);
-  }
-}
 
 /// A method's lighting for each part of a job.
 template <class Method>
@@ -255,26 +233,30 @@ RenderResult render_any(const RenderJob& job, const std::vector<std::unique_ptr<
   return result;
 }
 
-/// Renders parts with textures and others. Those have a white texture, which changes no pixel.
-template <template <class> class Method, class Lit>
-RenderResult render_textured(const RenderJob& job,
-                             const std::vector<std::unique_ptr<IlluminationCalls>>& calls,
-                             const PixelChoice& pixels, const RowsDone& rows_done) {
-  using Drawn = Textured<Method<Lit>, DirectTexels<>, TexelLight::kColoured>;
-  const std::vector<std::uint16_t> white(64, 0xFFFF);
-  Texture<DirectTexels<>> white_texture;
-  static_cast<void>(Texture<DirectTexels<>>::make(white, {3, 3, 1}, white_texture));
-  PartLightings<Drawn> lightings;
-  PartLightings<Method<Lit>> counted;
-  for (std::size_t i = 0; i < job.parts.size(); ++i) {
-    const std::shared_ptr<const SurfaceTexture>& texture = job.parts[i].texture;
-    counted.push_back(lighting_of<Method<Lit>>(job, Lit(*calls[i])));
-    lightings.emplace_back(counted.back(), texture == nullptr ? white_texture : texture->view);
+/// Makes the drawer of a part with a texture or without. That has a white one, which changes no pixel.
+template <template <class> class Method, bool kAsksForRamp>
+std::unique_ptr<SurfaceDrawer> make_surface_drawer(const RenderJob& job, const RenderPart& part,
+                                                   const IlluminationCalls& calls,
+                                                   const SurfaceOperation& operation) {
+  const auto make = [&]<class Lit>(const Lit& illumination) -> std::unique_ptr<SurfaceDrawer> {
+    using Drawn = Textured<Method<Lit>, SurfaceTexels, TexelLight::kColoured>;
+    static constexpr auto kWhite = [] {
+      std::array<std::uint32_t, 64> texels{};
+      texels.fill(0x10FFFF);
+      return texels;
+    }();
+    static constexpr auto kWhiteTexture = Texture<SurfaceTexels>::of(kWhite, {3, 3, 1});
+    const bool textured = part.texture != nullptr;
+    const typename Drawn::Lighting lighting(lighting_of<Method<Lit>>(job, illumination),
+                                            textured ? part.texture->view : kWhiteTexture);
+    return std::make_unique<SurfaceDrawerOf<Drawn>>(
+        job, part, lighting, operation,
+        cached_vertex_bytes_of<Method>(job) + (textured ? sizeof(MappedPoint) : 0));
+  };
+  if constexpr (kAsksForRamp) {
+    if (!calls.has_ramp()) return make(AnyIllumination<false>(calls));
   }
-  RenderResult result = render_bands<Drawn, AnyBand>(job, pixels, lightings, rows_done);
-  result.stats.cache_bytes = most_vertices(job) * (cached_vertex_bytes_of<Method>(job) + sizeof(MappedPoint));
-  if (job.counts) count_spans<Method<Lit>>(job, counted, result.stats);
-  return result;
+  return make(AnyIllumination<true>(calls));
 }
 
 }  // namespace arcspan::tools::detail
@@ -283,21 +265,17 @@ namespace arcspan::tools {
 
 /// Renders with the shading `Method`; the rest of the job picks among the instantiations made here.
 /// `kAsksForRamp` is false for methods that do not ask whether an illumination has a ramp. Without
-/// `kDrawsTextures` textures are left out.
-template <template <class> class Method, bool kAsksForRamp, bool kDrawsTextures>
+/// `kDrawsEffects` textures, vertex colours, transparency, fog and environment maps are left out.
+template <template <class> class Method, bool kAsksForRamp, bool kDrawsEffects>
 RenderResult render_with(const RenderJob& job, const PixelChoice& pixels, const RowsDone& rows_done) {
   std::vector<std::unique_ptr<IlluminationCalls>> calls;
   for (const RenderPart& part : job.parts) {
     calls.push_back(make_any_illumination(part.material, job.lights, job.to_eye, job.highlight));
   }
-  if constexpr (kDrawsTextures) {
-    const auto is_textured = [](const RenderPart& part) { return part.texture != nullptr; };
-    if (std::any_of(job.parts.begin(), job.parts.end(), is_textured)) {
-      if constexpr (kAsksForRamp) {
-        if (!calls.front()->has_ramp())
-          return detail::render_textured<Method, AnyIllumination<false>>(job, calls, pixels, rows_done);
-      }
-      return detail::render_textured<Method, AnyIllumination<true>>(job, calls, pixels, rows_done);
+  if constexpr (kDrawsEffects) {
+    if (has_surfaces(job)) {
+      return render_surfaces(job, calls, pixels, rows_done,
+                             detail::make_surface_drawer<Method, kAsksForRamp>);
     }
   }
   if constexpr (kAsksForRamp) {

@@ -46,8 +46,8 @@ const Renderer& find_renderer(std::string_view shading, std::string_view format,
   return *plain;
 }
 
-bool shading_draws_textures(std::string_view shading) {
-#define ARCSPAN_COMPARE_NAME(name, Class, header) (shading == (name) && draws_textures(#Class)) ||
+bool shading_draws_effects(std::string_view shading) {
+#define ARCSPAN_COMPARE_NAME(name, Class, header) (shading == (name) && draws_effects(#Class)) ||
   return ARCSPAN_FOR_EACH_PRODUCT_METHOD(ARCSPAN_COMPARE_NAME) false;
 #undef ARCSPAN_COMPARE_NAME
 }

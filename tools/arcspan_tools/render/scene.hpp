@@ -5,10 +5,19 @@
 #include <arcspan_tools/fixed_point/material.hpp>
 #include <arcspan_tools/render/render.hpp>
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace arcspan::tools {
+
+/// Fog between two distances before the camera, in the model's units, near < far.
+struct SceneFog {
+  double near_distance = 0;      ///< where it begins
+  double far_distance = 1;       ///< where it hides everything
+  std::optional<Vec3> colour{};  ///< that of the background if unset
+};
 
 /// The contents of a picture in doubles, before the conversion to fixed point.
 struct Scene {
@@ -25,12 +34,18 @@ struct Scene {
   bool two_sided = false;
   std::int32_t segment_bits = 2;  ///< of `segment`: segments have 2^bits pixels
   std::int32_t tolerance = 1;     ///< of `adaptive`, in 8-bit steps
+  std::optional<double> alpha;    ///< multiplies the opacity of all surfaces, 0...1
+  /// Of surfaces that are not opaque, and of all if there is `alpha`. kNone draws blended ones opaque.
+  Transparency transparency = Transparency::kAlpha;
+  std::optional<SceneFog> fog;
+  std::shared_ptr<const SurfaceTexture> matcap;  ///< a picture of a shiny sphere in place of all light
 };
 
 /// `scene` with `mesh`, in fixed point. The mesh must outlive the job; `subject` names it in a Failure.
 [[nodiscard]] RenderJob make_job(const Scene& scene, const FixedMesh& mesh, const std::string& subject);
 
-/// The same for a model, with its materials.
+/// The same for a model, with its materials. Parts that are blended come last, the farthest first: the one
+/// whose bounding sphere has the farthest middle, as draw_scene() orders objects.
 [[nodiscard]] RenderJob make_job(const Scene& scene, const FixedModel& model, const std::string& subject);
 
 }  // namespace arcspan::tools

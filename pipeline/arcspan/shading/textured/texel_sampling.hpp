@@ -21,7 +21,7 @@ template <TexelFormat Texels, class Steps>
 [[nodiscard]] ARCSPAN_INLINE constexpr SampledTexel nearest_texel(const typename Texels::Word* words,
                                                                   const std::uint16_t* palette,
                                                                   const Steps& steps) {
-  const std::uint16_t stored = Texels::stored(words, palette, steps.index());
+  const auto stored = Texels::stored(words, palette, steps.index());
   return {Texels::ColourFormat::rgb565(stored), Texels::ColourFormat::alpha(stored)};
 }
 
@@ -35,8 +35,8 @@ template <TexelFormat Texels, class Steps>
   const std::uint32_t right = steps.fraction_right();
   const std::uint32_t down = steps.fraction_below();
   const auto row = [&](std::uint32_t texel, std::uint32_t& opacity) {
-    const std::uint16_t a = Texels::stored(words, palette, texel);
-    const std::uint16_t b = Texels::stored(words, palette, steps.right_of(texel));
+    const auto a = Texels::stored(words, palette, texel);
+    const auto b = Texels::stored(words, palette, steps.right_of(texel));
     opacity = (ColourFormat::alpha(a) * (32 - right) + ColourFormat::alpha(b) * right + 16) >> 5;
     return detail::mixed_spread(detail::spread(ColourFormat::rgb565(a)),
                                 detail::spread(ColourFormat::rgb565(b)), right);

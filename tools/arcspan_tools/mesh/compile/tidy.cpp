@@ -9,8 +9,8 @@
 namespace arcspan::tools {
 namespace {
 
-/// Position, normal and texture point.
-using Vertex = std::array<std::int16_t, 7>;
+/// Position, normal, texture point and colour.
+using Vertex = std::array<std::int16_t, 10>;
 
 bool has_area(const ObjectPosition& a, const ObjectPosition& b, const ObjectPosition& c) {
   const std::int64_t ux = b.x - a.x;
@@ -45,11 +45,15 @@ FixedMesh compacted(const FixedMesh& mesh) {
     const bool textured = !mesh.texture_points.empty();
     const TexturePoint t = textured ? mesh.texture_points[i] : TexturePoint{};
     const auto next = static_cast<std::uint16_t>(out.positions.size());
-    const auto [at, is_new] = known.try_emplace(Vertex{p.x, p.y, p.z, n.u, n.v, t.u, t.v}, next);
+    const bool coloured = !mesh.colours.empty();
+    const Rgb8 c = coloured ? mesh.colours[i] : Rgb8{};
+    const auto [at, is_new] =
+        known.try_emplace(Vertex{p.x, p.y, p.z, n.u, n.v, t.u, t.v, c.r, c.g, c.b}, next);
     if (is_new) {
       out.positions.push_back(p);
       out.normals.push_back(n);
       if (textured) out.texture_points.push_back(t);
+      if (coloured) out.colours.push_back(c);
     }
     return at->second;
   };
@@ -72,11 +76,13 @@ FixedMesh ordered(const FixedMesh& mesh) {
   out.positions.resize(used);
   out.normals.resize(used);
   if (!mesh.texture_points.empty()) out.texture_points.resize(used);
+  if (!mesh.colours.empty()) out.colours.resize(used);
   for (std::size_t i = 0; i < vertices; ++i) {
     if (place[i] >= used) continue;  // nothing uses it
     out.positions[place[i]] = mesh.positions[i];
     out.normals[place[i]] = mesh.normals[i];
     if (!mesh.texture_points.empty()) out.texture_points[place[i]] = mesh.texture_points[i];
+    if (!mesh.colours.empty()) out.colours[place[i]] = mesh.colours[i];
   }
   for (const unsigned index : to) out.indices.push_back(static_cast<std::uint16_t>(place[index]));
   return out;

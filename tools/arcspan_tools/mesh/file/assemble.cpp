@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/file/assemble.hpp>
-#include <arcspan_tools/mesh/file/triangle_colours.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <utility>
@@ -30,7 +29,6 @@ RawModel assembled(ImportedMesh mesh, ScreenedMesh file, const std::string& subj
   model.look_of.resize(model.mesh.triangles.size());
   if (file.faces.empty()) return model;
   if (mesh.sources.size() != model.mesh.triangles.size()) throw Failure(subject, "the loader lost its faces");
-  std::vector<TriangleColour> colours;
   for (std::size_t i = 0; i < mesh.sources.size(); ++i) {
     const TriangleSource& source = mesh.sources[i];
     const bool known = source.face < file.faces.size();
@@ -48,9 +46,8 @@ RawModel assembled(ImportedMesh mesh, ScreenedMesh file, const std::string& subj
     const FaceTag& tag = file.faces[source.face];
     model.look_of[i] = tag.look;
     model.mesh.smoothing.push_back(tag.smoothing);
-    colours.push_back(colour_of(source, tag, file));
+    model.colours.push_back(colour_of(source, tag, file));
   }
-  apply_colours(model, colours);
   return model;
 }
 

@@ -4,6 +4,7 @@
 #include <arcspan_tools/mesh/file/isolate.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/mesh/file/scene_looks.hpp>
+#include <arcspan_tools/mesh/file/triangle_colours.hpp>
 #include <arcspan_tools/mesh/file/validate.hpp>
 #include <arcspan_tools/mesh/gltf/read_gltf.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
@@ -26,13 +27,27 @@ ImportedMesh import_isolated(std::string_view text, MeshFormat format, const std
       [&](std::size_t received) { progress.show(received); });
 }
 
-RawModel load_raw(const std::string& name, MeshFormat format) {
+RawModel read_raw(const std::string& name, MeshFormat format) {
   const std::string bytes = read_whole_file(name, kMostFileBytes);
   if (format == MeshFormat::kGltf) return read_gltf(bytes, name, side_files_of(name));
   if (is_scene(format)) return scene_model(import_isolated(bytes, format, name), name, side_files_of(name));
   ScreenedMesh file = screened(bytes, format, name, side_files_of(name));
   ImportedMesh mesh = import_isolated(file.text, file.format, name);
   return assembled(std::move(mesh), std::move(file), name);
+}
+
+RawModel load_raw(const std::string& name, MeshFormat format, VertexColours colours) {
+  RawModel raw = read_raw(name, format);
+  apply_colours(raw, colours);
+  return raw;
+}
+
+RawModel read_raw_from_memory(std::string_view bytes, MeshFormat format, const std::string& subject) {
+  if (format == MeshFormat::kGltf) return read_gltf(bytes, subject, no_side_files());
+  if (is_scene(format)) return scene_model(import_mesh(bytes, format, subject), subject, no_side_files());
+  ScreenedMesh file = screened(bytes, format, subject, no_side_files());
+  ImportedMesh mesh = import_mesh(file.text, file.format, subject);
+  return assembled(std::move(mesh), std::move(file), subject);
 }
 
 MeshFormat require_format(const std::string& name) {
@@ -70,27 +85,21 @@ std::optional<MeshFormat> mesh_format(const std::filesystem::path& path) {
 }
 
 Model load_model_from_memory(std::string_view bytes, MeshFormat format, const std::string& subject) {
-  if (format == MeshFormat::kGltf) {
-    return weld_parts(read_gltf(bytes, subject, no_side_files()), subject);
-  }
-  if (is_scene(format)) {
-    return weld_parts(scene_model(import_mesh(bytes, format, subject), subject, no_side_files()), subject);
-  }
-  ScreenedMesh file = screened(bytes, format, subject, no_side_files());
-  ImportedMesh mesh = import_mesh(file.text, file.format, subject);
-  return weld_parts(assembled(std::move(mesh), std::move(file), subject), subject);
+  RawModel raw = read_raw_from_memory(bytes, format, subject);
+  apply_colours(raw, VertexColours::kMean);
+  return weld_parts(raw, subject);
 }
 
-Model load_model_file(const std::string& name, TexturePointsOf points) {
+Model load_model_file(const std::string& name, TexturePointsOf points, VertexColours colours) {
   if (std::optional<Model> model = own_model(name, points)) return std::move(*model);
-  return weld_parts(load_raw(name, require_format(name)), name, points);
+  return weld_parts(load_raw(name, require_format(name), colours), name, points);
 }
 
 MeshData load_mesh(const std::string& name) {
   if (std::optional<Model> model = own_model(name)) {
     return model->parts.size() == 1 ? std::move(model->parts[0].mesh) : weld(to_raw(*model).mesh, name);
   }
-  return weld(load_raw(name, require_format(name)).mesh, name);
+  return weld(load_raw(name, require_format(name), VertexColours::kMean).mesh, name);
 }
 
 }  // namespace arcspan::tools

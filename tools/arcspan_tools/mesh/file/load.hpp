@@ -22,7 +22,8 @@ enum class MeshFormat { kObj, kPly, kStl, kOff, kGltf, kCollada, k3ds };
 /// binary), or generates one (`sphere:32x16`, `torus:48x24`; see generate.hpp). Throws Failure for everything
 /// that is wrong with it.
 [[nodiscard]] Model load_model_file(const std::string& name,
-                                    TexturePointsOf points = TexturePointsOf::kTexturedParts);
+                                    TexturePointsOf points = TexturePointsOf::kTexturedParts,
+                                    VertexColours colours = VertexColours::kMean);
 
 /// The same for the bytes of a file that was already read; `subject` names it in messages, and files that it
 /// refers to are missing. The loader library runs in this very process, so its crashes are the caller's.

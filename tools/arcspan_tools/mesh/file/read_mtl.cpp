@@ -10,8 +10,8 @@
 namespace arcspan::tools {
 namespace {
 
-/// Statements without an effect on an opaque surface that reflects nothing: they need no warning.
-constexpr std::string_view kSilent[] = {"Ni", "Tf", "sharpness", "Tr", "d", "Km"};
+/// Statements without an effect on a surface that neither reflects nor refracts: they need no warning.
+constexpr std::string_view kSilent[] = {"Ni", "Tf", "sharpness", "Km"};
 
 class MtlReader {
  public:
@@ -95,7 +95,11 @@ class MtlReader {
     material_->specular = illum_ == 1 ? Vec3{} : specular_;
   }
 
-  void opacity(double value) { materials_.transparent = materials_.transparent || value < 1; }
+  // A material that cannot be seen is one of the exporters that write d or Tr the other way round.
+  void opacity(double value) {
+    materials_.invisible = materials_.invisible || value <= 0;
+    material_->opacity = value <= 0 ? 1 : std::min(value, 1.0);
+  }
 
   static bool is_grey(const std::optional<Vec3>& c) { return c && c->x == c->y && c->y == c->z; }
 
@@ -139,7 +143,7 @@ std::vector<std::string> warnings_of(const MtlMaterials& materials) {
     const std::vector<std::string> names(materials.not_drawn.begin(), materials.not_drawn.end());
     all.push_back("not drawn of its materials: " + joined(names, ", "));
   }
-  if (materials.transparent) all.emplace_back("transparent materials (d, Tr) are drawn opaque");
+  if (materials.invisible) all.emplace_back("fully transparent materials (d 0, Tr 1) are drawn opaque");
   if (materials.too_bright) all.emplace_back("colours of materials above 1 are drawn as 1");
   return all;
 }

@@ -24,6 +24,33 @@ bool differs(const TriangleColour& colour) {
 
 Vec3 to_vec3(Rgb8 c) { return Vec3{double(c.r), double(c.g), double(c.b)} * (1.0 / 255); }
 
+/// Gives triangles that have different colours in their corners, and others of their look, corners with
+/// colours in place of RawModel::colours.
+void keep_colours(RawModel& model) {
+  std::set<std::uint32_t> differing;
+  for (std::size_t i = 0; i < model.colours.size(); ++i) {
+    const bool textured = model.looks[model.look_of[i]].material.texture != nullptr;
+    if (model.colours[i].known && !textured && differs(model.colours[i])) differing.insert(model.look_of[i]);
+  }
+  std::map<std::uint32_t, std::uint32_t> white;  // looks in place of others
+  for (std::size_t i = 0; i < model.colours.size(); ++i) {
+    const std::uint32_t old = model.look_of[i];
+    if (!model.colours[i].known || differing.count(old) == 0) continue;
+    model.colours[i].known = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      model.mesh.triangles[i][k].colour = to_rgb8(model.colours[i].corners[k]);
+    }
+    const auto [at, is_new] = white.try_emplace(old, static_cast<std::uint32_t>(model.looks.size()));
+    if (is_new) {
+      PartLook look = model.looks[old];
+      look.material.colour = Vec3{1, 1, 1};
+      look.material.ambient_colour.reset();
+      model.looks.push_back(std::move(look));
+    }
+    model.look_of[i] = at->second;
+  }
+}
+
 /// The means of all triangles as a picture of one row, which is what a palette is made for.
 Image means(const std::vector<TriangleColour>& colours) {
   Image row;
@@ -56,7 +83,10 @@ void warn_of(RawModel& model, const std::vector<TriangleColour>& colours, const 
 
 }  // namespace
 
-void apply_colours(RawModel& model, const std::vector<TriangleColour>& colours) {
+void apply_colours(RawModel& model, VertexColours choice) {
+  if (choice == VertexColours::kKept) keep_colours(model);
+  const std::vector<TriangleColour> colours = std::move(model.colours);
+  model.colours.clear();
   const Image row = means(colours);
   if (row.pixels.empty()) return;
   Palette palette(std::span(&row, 1));

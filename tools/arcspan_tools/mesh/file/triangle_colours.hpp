@@ -3,20 +3,13 @@
 
 #include <arcspan_tools/mesh/plain/model.hpp>
 
-#include <array>
-#include <vector>
-
 namespace arcspan::tools {
 
-/// The colours of a triangle's corners, display values 0...1.
-struct TriangleColour {
-  bool known = false;
-  std::array<Vec3, 3> corners{};
-};
-
-/// Gives every triangle that has colours the mean of those of its corners, in place of its material's: its
-/// part is divided by colour, into 256 colours of the model at most. `colours` has an entry for each
-/// triangle. Adds a warning if colours differ within triangles, or if there were more than 256.
-void apply_colours(RawModel& model, const std::vector<TriangleColour>& colours);
+/// Moves RawModel::colours into meshes and looks. Where colours are kept, the triangles of a look that have
+/// colours become a look of their own, white, whose corners have colours; but only if they differ within one
+/// of its triangles. Elsewhere every triangle gets the mean of its corners, in place of its material's
+/// colour: its part is divided by colour, into 256 colours of the model at most. Adds a warning if means are
+/// taken of different colours, or if there were more than 256.
+void apply_colours(RawModel& model, VertexColours choice);
 
 }  // namespace arcspan::tools

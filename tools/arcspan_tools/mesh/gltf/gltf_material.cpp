@@ -92,15 +92,29 @@ void read_texture(GltfFile& file, const std::optional<JsonView>& json, const cha
   result.mapping = read_gltf_mapping(*info);
 }
 
-void read_alpha(const JsonView& json, std::set<std::string>& not_drawn, FileMaterial& material) {
+/// The fourth number of a colour, 1 if there is none.
+double alpha_or_one(const std::optional<JsonView>& json, const char* key) {
+  const std::optional<JsonView> member = json ? json->find(key) : std::nullopt;
+  if (!member) return 1;
+  const std::vector<double> v = member->numbers(3, 4);
+  return v.size() < 4 ? 1 : std::clamp(v[3], 0.0, 1.0);
+}
+
+/// `factor`: the alpha of the base colour, by which that of the texture is multiplied.
+void read_alpha(const JsonView& json, double factor, FileMaterial& material) {
   const std::string mode = json.text_or("alphaMode", "OPAQUE");
   if (mode == "OPAQUE") return;
-  if (material.texture == nullptr) {
-    not_drawn.insert("transparency");
+  material.alpha_mode = mode == "MASK" ? AlphaMode::kMask : AlphaMode::kBlend;
+  if (mode != "MASK") {
+    material.opacity = factor;
     return;
   }
-  material.alpha_mode = mode == "MASK" ? AlphaMode::kMask : AlphaMode::kBlend;
   material.alpha_cutoff = factor_or(json, "alphaCutoff", 0.5);
+  if (material.texture == nullptr) {
+    material.opacity = factor < material.alpha_cutoff ? 0 : 1;
+  } else if (factor > 0) {
+    material.alpha_cutoff /= factor;
+  }
 }
 
 void note_what_is_left_out(const JsonView& json, std::set<std::string>& not_drawn) {
@@ -144,7 +158,10 @@ GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json, GltfTextur
   } else {
     read_texture(file, json.find("pbrMetallicRoughness"), "baseColorTexture", textures, not_drawn, result);
   }
-  read_alpha(json, not_drawn, result.material);
+  read_alpha(json,
+             glossiness ? alpha_or_one(glossiness, "diffuseFactor")
+                        : alpha_or_one(json.find("pbrMetallicRoughness"), "baseColorFactor"),
+             result.material);
   result.material.name = name;
   result.material.emission = to_srgb(colour_or(json, "emissiveFactor", {}));
   const std::optional<JsonView> two_sided = json.find("doubleSided");

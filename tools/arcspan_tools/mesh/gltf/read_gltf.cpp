@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/file/text_lines.hpp>
-#include <arcspan_tools/mesh/file/triangle_colours.hpp>
 #include <arcspan_tools/mesh/file/validate.hpp>
 #include <arcspan_tools/mesh/gltf/accessor.hpp>
 #include <arcspan_tools/mesh/gltf/affine.hpp>
@@ -94,7 +93,6 @@ class GltfReader {
       }
     }
     note_the_rest();
-    apply_colours(model_, colours_);
     if (!not_drawn_.empty()) {
       const std::vector<std::string> names(not_drawn_.begin(), not_drawn_.end());
       model_.warnings.push_back("not drawn: " + joined(names, ", "));
@@ -231,7 +229,7 @@ class GltfReader {
     // Without normals a surface is flat, says the specification.
     model_.mesh.smoothing.push_back(primitive.normals ? RawMesh::kSmooth : RawMesh::kFlat);
     model_.look_of.push_back(look);
-    colours_.push_back(colour);
+    model_.colours.push_back(colour);
   }
 
   GltfMaterial material_of(const JsonView& primitive) {
@@ -263,7 +261,6 @@ class GltfReader {
   GltfFile file_;
   TriangleCount count_;
   RawModel model_;
-  std::vector<TriangleColour> colours_;            ///< of each triangle
   std::map<std::string, GltfMaterial> materials_;  ///< by place
   GltfTextures textures_;
   std::set<std::string> not_drawn_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/pixel/colour.hpp>
+
 #include <arcspan_tools/support/vec3.hpp>
 
 #include <array>
@@ -36,6 +38,7 @@ struct MeshData {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;
   std::vector<Uv> texture_points{};  ///< empty, or one for each vertex
+  std::vector<Rgb8> colours{};       ///< empty, or one for each vertex
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// Faces of the file that have no area, left out of `triangles`.
   std::size_t dropped_faces = 0;
@@ -48,6 +51,7 @@ struct RawMesh {
     /// Zero where the file gives no normal.
     Vec3 normal;
     std::optional<Uv> texture_point{};
+    std::optional<Rgb8> colour{};  ///< all corners of a part have one, or none
   };
   /// The smoothing group of triangles whose corners without a normal get that of their own triangle.
   static constexpr std::uint32_t kFlat = 0;

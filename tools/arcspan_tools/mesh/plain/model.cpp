@@ -45,6 +45,7 @@ RawModel to_raw(const Model& model) {
       const auto corner = [&mesh](std::uint32_t i) {
         RawMesh::Corner c{mesh.positions[i], mesh.normals[i]};
         if (!mesh.texture_points.empty()) c.texture_point = mesh.texture_points[i];
+        if (!mesh.colours.empty()) c.colour = mesh.colours[i];
         return c;
       };
       raw.mesh.triangles.push_back({corner(t[0]), corner(t[1]), corner(t[2])});

@@ -4,6 +4,7 @@
 #include <arcspan_tools/image/rgba_image.hpp>
 #include <arcspan_tools/mesh/plain/mesh_data.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -38,8 +39,9 @@ struct FileMaterial {
   bool unlit = false;                            ///< the colour is shown as it is, without light
   bool two_sided = false;                        ///< back faces are drawn too
   std::shared_ptr<const FileTexture> texture{};  ///< multiplies `colour`; null if there is none
-  AlphaMode alpha_mode = AlphaMode::kOpaque;
+  AlphaMode alpha_mode = AlphaMode::kOpaque;     ///< of the texture
   double alpha_cutoff = 0.5;
+  double opacity = 1;  ///< of the whole surface, 0...1
 
   friend bool operator==(const FileMaterial&, const FileMaterial&) = default;
 };
@@ -75,6 +77,12 @@ struct Model {
   [[nodiscard]] std::size_t triangle_count() const;
 };
 
+/// The colours of a triangle's corners, display values 0...1.
+struct TriangleColour {
+  bool known = false;
+  std::array<Vec3, 3> corners{};
+};
+
 /// The triangles of a model as loaders give them.
 struct RawModel {
   RawMesh mesh{};
@@ -82,10 +90,16 @@ struct RawModel {
   /// For each triangle an index into `looks`.
   std::vector<std::uint32_t> look_of{};
   std::vector<std::string> warnings{};
+  /// Empty, or the colours of each triangle; not yet part of mesh or looks.
+  std::vector<TriangleColour> colours{};
 };
 
 /// Which parts of a model keep their texture points. Vertices are split where these differ.
 enum class TexturePointsOf : std::uint8_t { kTexturedParts, kAllParts };
+
+/// What becomes of vertex colours that differ within a triangle: it gets their mean, or they are kept, to be
+/// interpolated. Textured parts get means anyway.
+enum class VertexColours : std::uint8_t { kMean, kKept };
 
 /// Joins corners into vertices as weld() does, part by part and with texture points; normals are averaged
 /// across parts. Parts without triangles are left out. The limit of vertices holds for each part, that of

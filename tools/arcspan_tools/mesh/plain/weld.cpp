@@ -27,14 +27,17 @@ struct Vertex {
   Vec3 position;
   Vec3 normal;
   Uv texture_point;
+  Rgb8 colour;
 
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 struct JoinHash {
   std::size_t operator()(const Vertex& v) const {
     const std::uint64_t of_vectors = VertexHash::mix(VertexHash::mix(0, v.position), v.normal);
+    const std::uint64_t of_point =
+        VertexHash::mix(VertexHash::mix(of_vectors, v.texture_point.u), v.texture_point.v);
     return VertexHash::folded(
-        VertexHash::mix(VertexHash::mix(of_vectors, v.texture_point.u), v.texture_point.v));
+        VertexHash::mix(of_point, v.colour.r * 65536.0 + v.colour.g * 256.0 + v.colour.b));
   }
 };
 
@@ -94,7 +97,8 @@ void check_limit(const std::string& subject, const char* what, std::size_t count
 /// Makes vertices of the corners of one mesh.
 class Welder {
  public:
-  Welder(const NormalAt& averaged, bool with_points) : averaged_(averaged), with_points_(with_points) {}
+  Welder(const NormalAt& averaged, bool with_points, bool with_colours)
+      : averaged_(averaged), with_points_(with_points), with_colours_(with_colours) {}
 
   void add(const std::array<RawMesh::Corner, 3>& triangle, std::uint32_t group, const std::string& subject) {
     std::array<std::uint32_t, 3> indices{};
@@ -103,7 +107,8 @@ class Welder {
       const Vec3 own = canonical(normalised(triangle[i].normal));
       const Vec3 normal = own == Vec3{} ? missing_normal(triangle, position, group) : own;
       const Uv point = with_points_ ? canonical(triangle[i].texture_point.value_or(Uv{})) : Uv{};
-      indices[i] = index_of({position, normal, point});
+      const Rgb8 colour = triangle[i].colour.value_or(Rgb8{});
+      indices[i] = index_of({position, normal, point, colour});
     }
     check_limit(subject, "vertices", mesh_.positions.size(), kMaxVertices);
     mesh_.triangles.push_back(indices);
@@ -124,6 +129,7 @@ class Welder {
       mesh_.positions.push_back(vertex.position);
       mesh_.normals.push_back(vertex.normal);
       if (with_points_) mesh_.texture_points.push_back(vertex.texture_point);
+      if (with_colours_) mesh_.colours.push_back(vertex.colour);
     }
     return at->second;
   }
@@ -131,6 +137,7 @@ class Welder {
   MeshData mesh_;
   const NormalAt& averaged_;
   bool with_points_;
+  bool with_colours_;
   std::unordered_map<Vertex, std::uint32_t, JoinHash> known_;
 };
 
@@ -157,15 +164,16 @@ void require_texture_range(const std::vector<Uv>& points, const std::string& sub
                              std::to_string(high.u) + ", " + std::to_string(high.v) + ")");
 }
 
-/// For each look, whether a corner of its triangles has a texture point.
-std::vector<bool> looks_with_points(const RawModel& raw) {
-  std::vector<bool> has_points(raw.looks.size());
+/// For each look, whether a corner of its triangles has what `has` asks for.
+template <class Has>
+std::vector<bool> looks_with(const RawModel& raw, const Has& has) {
+  std::vector<bool> found(raw.looks.size());
   for (std::size_t i = 0; i < raw.mesh.triangles.size(); ++i) {
     for (const RawMesh::Corner& corner : raw.mesh.triangles[i]) {
-      if (corner.texture_point) has_points[raw.look_of[i]] = true;
+      if (has(corner)) found[raw.look_of[i]] = true;
     }
   }
-  return has_points;
+  return found;
 }
 
 }  // namespace
@@ -179,11 +187,14 @@ MeshData weld(const RawMesh& raw, const std::string& subject) {
 Model weld_parts(const RawModel& raw, const std::string& subject, TexturePointsOf points) {
   check_limit(subject, "triangles", raw.mesh.triangles.size(), kMaxTriangles);
   const NormalAt averaged = averaged_normals(raw.mesh);
-  const std::vector<bool> has_points = looks_with_points(raw);
+  const std::vector<bool> has_points =
+      looks_with(raw, [](const RawMesh::Corner& corner) { return corner.texture_point.has_value(); });
+  const std::vector<bool> has_colours =
+      looks_with(raw, [](const RawMesh::Corner& corner) { return corner.colour.has_value(); });
   std::vector<Welder> welders;
   for (std::size_t i = 0; i < raw.looks.size(); ++i) {
     const bool wanted = points == TexturePointsOf::kAllParts || raw.looks[i].material.texture != nullptr;
-    welders.emplace_back(averaged, wanted && has_points[i]);
+    welders.emplace_back(averaged, wanted && has_points[i], has_colours[i]);
   }
   Model model;
   for (std::size_t i = 0; i < raw.mesh.triangles.size(); ++i) {

@@ -7,11 +7,24 @@
 #include <cmath>
 
 namespace arcspan::tools {
+namespace {
+
+template <TexelColour C>
+std::uint32_t shown_as(std::uint16_t stored) {
+  return C::rgb565(stored) | C::alpha(stored) << 16;
+}
+
+/// A stored colour as SurfaceTexels have it.
+std::uint32_t shown(std::uint16_t stored, unsigned alpha_bits) {
+  if (alpha_bits == 0) return shown_as<OpaqueColour>(stored);
+  return alpha_bits == 1 ? shown_as<Alpha1Colour>(stored) : shown_as<Alpha4Colour>(stored);
+}
+
+}  // namespace
 
 RgbaImage picture_of(const FileMaterial& material) {
   RgbaImage picture = material.texture->picture;
-  const auto least =
-      static_cast<std::uint8_t>(std::lround(std::clamp(material.alpha_cutoff, 0.0, 1.0) * 255));
+  const auto least = std::lround(std::clamp(material.alpha_cutoff, 0.0, 2.0) * 255);
   for (Rgba8& c : picture.pixels) {
     if (material.alpha_mode == AlphaMode::kOpaque) c.a = 255;
     if (material.alpha_mode == AlphaMode::kMask) c.a = c.a >= least ? 255 : 0;
@@ -19,14 +32,16 @@ RgbaImage picture_of(const FileMaterial& material) {
   return picture;
 }
 
-std::shared_ptr<const SurfaceTexture> surface_texture(const RgbaImage& picture) {
+std::shared_ptr<const SurfaceTexture> surface_texture(const RgbaImage& picture, unsigned alpha_bits,
+                                                      PictureEdges edges) {
   const Size sides{nearest_side(picture.width), nearest_side(picture.height)};
   const TextureSize size = texture_size(sides, 0, "texture");
   auto texture = std::make_shared<SurfaceTexture>();
-  for (const RgbaImage& level : mip_levels(picture, size, PictureEdges::kRepeat)) {
-    for (const Rgba8 c : level.pixels) texture->texels.push_back(stored_colour(c, 0));
+  for (const RgbaImage& level : mip_levels(picture, size, edges)) {
+    for (const Rgba8 c : level.pixels)
+      texture->texels.push_back(shown(stored_colour(c, alpha_bits), alpha_bits));
   }
-  static_cast<void>(Texture<DirectTexels<>>::make(texture->texels, size, texture->view));  // there are all
+  static_cast<void>(Texture<SurfaceTexels>::make(texture->texels, size, texture->view));  // there are all
   return texture;
 }
 

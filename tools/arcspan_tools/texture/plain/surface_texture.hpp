@@ -4,6 +4,7 @@
 #include <arcspan/texture/texture.hpp>
 
 #include <arcspan_tools/mesh/plain/model.hpp>
+#include <arcspan_tools/texture/plain/mip_levels.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -15,13 +16,35 @@ namespace arcspan::tools {
 /// pixels are opaque or fully transparent.
 [[nodiscard]] RgbaImage picture_of(const FileMaterial& material);
 
-/// A texture for drawing on this machine, in rgb565 with all mip levels.
-struct SurfaceTexture {
-  std::vector<std::uint16_t> texels;
-  Texture<DirectTexels<>> view;  ///< of `texels`
+/// Texels for drawing on this machine: what the library shows of a stored texel, whatever its format. Thus
+/// one instantiation draws textures with any alpha.
+struct SurfaceTexels {
+  /// The 5-6-5 pixel in the lower half, the opacity of 0...16 in the upper one.
+  struct ColourFormat {
+    static constexpr unsigned kAlphaBits = 4;
+    [[nodiscard]] static constexpr std::uint16_t rgb565(std::uint32_t stored) {
+      return static_cast<std::uint16_t>(stored & 0xFFFFu);
+    }
+    [[nodiscard]] static constexpr std::uint32_t alpha(std::uint32_t stored) { return stored >> 16; }
+  };
+  using Word = std::uint32_t;
+  static constexpr unsigned kBits = 32;
+  static constexpr std::size_t kPaletteSize = 0;
+  [[nodiscard]] static constexpr std::uint32_t stored(const Word* words, const std::uint16_t*,
+                                                      std::uint32_t index) {
+    return words[index];
+  }
 };
 
-/// The texture of a picture, in the size that is nearest to it.
-[[nodiscard]] std::shared_ptr<const SurfaceTexture> surface_texture(const RgbaImage& picture);
+/// A texture for drawing on this machine.
+struct SurfaceTexture {
+  std::vector<std::uint32_t> texels;
+  Texture<SurfaceTexels> view;  ///< of `texels`
+};
+
+/// The texture that `arcspan mesh` makes of a picture with direct texels and `alpha_bits` (0, 1 or 4), in the
+/// size that is nearest to it, with all mip levels.
+[[nodiscard]] std::shared_ptr<const SurfaceTexture> surface_texture(
+    const RgbaImage& picture, unsigned alpha_bits, PictureEdges edges = PictureEdges::kRepeat);
 
 }  // namespace arcspan::tools

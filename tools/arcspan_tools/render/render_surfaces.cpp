@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/textured/environment_map.hpp>
+#include <arcspan/shading/vertex_coloured.hpp>
+
+#include <arcspan_tools/render/band_depth.hpp>
+#include <arcspan_tools/render/surface_drawer.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/processor_time.hpp>
+
+#include <algorithm>
+
+namespace arcspan::tools {
+namespace {
+
+using Drawers = std::vector<std::unique_ptr<SurfaceDrawer>>;
+
+bool is_grey(const ChannelCoefficients& c) { return c.r == c.g && c.g == c.b; }
+
+/// Whether the light on a part, highlights apart, has equal channels.
+bool has_grey_light(const RenderJob& job, const RenderPart& part) {
+  return is_grey(part.material.ambient) && is_grey(part.material.diffuse) &&
+         std::all_of(job.lights.begin(), job.lights.end(),
+                     [](const DirectionalLight& light) { return is_grey(light.colour); });
+}
+
+Drawers make_drawers(const RenderJob& job, const std::vector<std::unique_ptr<IlluminationCalls>>& calls,
+                     MakeSurfaceDrawer& make) {
+  using Chrome = Arc<EnvironmentMap<SurfaceTexels>>;
+  using Coloured = VertexColoured<AnyIllumination<true>>;
+  Drawers drawers;
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    const RenderPart& part = job.parts[i];
+    const SurfaceOperation operation{job.fog.get(), part.transparency, part.opacity, part.texture != nullptr,
+                                     has_grey_light(job, part)};
+    if (job.matcap != nullptr) {
+      drawers.push_back(std::make_unique<SurfaceDrawerOf<Chrome>>(
+          job, part, EnvironmentMap<SurfaceTexels>(job.matcap->view, job.rotation), operation,
+          sizeof(CachedVertex<Chrome>)));
+    } else if (part.vertex_colours) {
+      drawers.push_back(std::make_unique<SurfaceDrawerOf<Coloured>>(
+          job, part, AnyIllumination<true>(*calls[i]), operation, sizeof(CachedVertex<Coloured>)));
+    } else {
+      drawers.push_back(make(job, part, *calls[i], operation));
+    }
+  }
+  return drawers;
+}
+
+/// Draws all parts once; returns the triangles.
+std::uint32_t draw_parts(const Drawers& drawers, SurfaceSink& sink, const DepthBuffer& depth) {
+  std::uint32_t triangles = 0;
+  for (const std::unique_ptr<SurfaceDrawer>& drawer : drawers) {
+    const DrawResult drawn = drawer->draw(sink, ReadOnlyDepth(depth));
+    if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
+    triangles += drawn.triangles;
+  }
+  return triangles;
+}
+
+/// Counts by drawing into nothing.
+void count_spans(const RenderJob& job, const Drawers& drawers, RenderStats& stats) {
+  const Viewport& size = job.transform.viewport();
+  NoPixels nothing({0, 0, size.width, size.height});
+  const BandDepth depth(size.width, size.height);
+  SurfaceSink sink(nothing, depth.buffer(), false);
+  stats.triangles = draw_parts(drawers, sink, depth.buffer());
+  stats.spans = sink.spans();
+  stats.pixels = sink.pixels();
+}
+
+}  // namespace
+
+bool has_surfaces(const RenderJob& job) {
+  return job.fog != nullptr || job.matcap != nullptr ||
+         std::any_of(job.parts.begin(), job.parts.end(), [](const RenderPart& part) {
+           return part.texture != nullptr || part.vertex_colours || part.transparency != Transparency::kNone;
+         });
+}
+
+RenderResult render_surfaces(const RenderJob& job,
+                             const std::vector<std::unique_ptr<IlluminationCalls>>& calls,
+                             const PixelChoice& pixels, const RowsDone& rows_done, MakeSurfaceDrawer& make) {
+  const Drawers drawers = make_drawers(job, calls, make);
+  const Viewport& size = job.transform.viewport();
+  const std::int32_t rows = std::clamp(job.band_rows, 1, size.height);
+  RenderResult result;
+  result.image = Image(size.width, size.height);
+  BandDepth depth(size.width, rows);
+  const std::unique_ptr<PixelStore> store = make_pixel_store(pixels, size.width, rows);
+  result.stats.frame_bytes = store->bytes();
+  result.stats.depth_bytes = job.depth ? depth.bytes() : 0;
+  for (const std::unique_ptr<SurfaceDrawer>& drawer : drawers) {
+    result.stats.cache_bytes =
+        std::max(result.stats.cache_bytes, most_vertices(job) * drawer->vertex_bytes());
+  }
+  SurfaceSink sink(*store, depth.buffer(), !job.depth);
+  for (std::int32_t first = 0; first < size.height; first += rows) {
+    double milliseconds = 0;
+    for (std::int32_t repeat = 0; repeat < job.repeats; ++repeat) {
+      store->move_to(first);
+      store->clear(job.background);
+      depth.start(first);
+      const double start = processor_milliseconds();
+      result.stats.triangles = std::max(result.stats.triangles, draw_parts(drawers, sink, depth.buffer()));
+      milliseconds += processor_milliseconds() - start;
+    }
+    result.stats.draw_milliseconds += milliseconds / job.repeats;
+    copy_rows(*store, first, rows, result.image);
+    ++result.stats.bands;
+    rows_done(static_cast<std::size_t>(first + rows));
+  }
+  if (job.counts) count_spans(job, drawers, result.stats);
+  return result;
+}
+
+}  // namespace arcspan::tools

@@ -169,6 +169,43 @@ TEST_CASE("a cube with vertex colours is drawn in them") {
   }
 }
 
+TEST_CASE("vertex colours are interpolated, unless another shading is chosen or they are turned off") {
+  const Files files;
+  const std::string triangle = "v -1 -1 0 1 0 0\nv 1 -1 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n";
+  const std::string front = "--eye 0,0,3 --target 0,0,0 --ambient 1 --diffuse 0 --specular 0 --size 120x120 ";
+  const auto colours = [&](const std::string& options) {
+    const std::string model = files.folder.file("t.obj", triangle);
+    REQUIRE(run("render " + model + " -o " + (files.folder / "t.png") + " --format rgb888 " + front + options)
+                .status == 0);
+    const Image picture = read_image(files.folder / "t.png");
+    std::set<int> reds;
+    for (int x = 0; x < 120; ++x) reds.insert(picture.at(x, 80).r);
+    return reds.size();
+  };
+  CHECK(colours("") > 40);
+  CHECK(colours("--shading gouraud") > 40);
+  CHECK(colours("--shading adaptive --vertex-colours") > 40);
+  CHECK(colours("--shading adaptive") == 2);  // the mean and the background
+  CHECK(colours("--no-vertex-colours") == 2);
+  CHECK(colours("--colour 0,1,0") == 2);
+  // At the centre of a pixel the colours are those of its barycentric coordinates.
+  const Image picture = files.render("t.obj", triangle, front);
+  const double focal = 60 / std::tan(std::acos(-1.0) / 9);
+  for (int y = 40; y < 90; y += 7) {
+    for (int x = 50; x < 70; x += 3) {
+      const double px = (x + 0.5 - 60) * 3 / focal;
+      const double py = -(y + 0.5 - 60) * 3 / focal;
+      const double blue = (py + 1) / 2;
+      const double green = (px + 1 - blue) / 2;
+      const Rgb8 c = picture.at(x, y);
+      CAPTURE(x, y);
+      CHECK(std::abs(c.r - 255 * (1 - blue - green)) <= 2);
+      CHECK(std::abs(c.g - 255 * green) <= 2);
+      CHECK(std::abs(c.b - 255 * blue) <= 2);
+    }
+  }
+}
+
 TEST_CASE("unlit materials show their colour as it is, emission is added, highlights have their own colour") {
   const Files files;
   const std::string square = "mtllib m.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nusemtl m\nf 1 2 3 4\n";

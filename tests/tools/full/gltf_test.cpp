@@ -233,6 +233,22 @@ TEST_CASE("glTF: unlit, two-sided and glowing materials") {
         Vec3{0, to_srgb(0.5), 0});
 }
 
+TEST_CASE("glTF: alpha modes of materials with a texture and without") {
+  const auto material = [](const json& base, const json& changes) {
+    json gltf = square();
+    gltf["materials"][0].merge_patch(changes);
+    gltf["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = base;
+    return loaded(gltf).parts[0].look.material;
+  };
+  const json quarter = {1, 1, 1, 0.25};
+  CHECK(material(quarter, json::object()).opacity == 1);
+  CHECK(material(quarter, {{"alphaMode", "BLEND"}}).opacity == 0.25);
+  CHECK(material({1, 1, 1}, {{"alphaMode", "BLEND"}}).opacity == 1);
+  CHECK(material(quarter, {{"alphaMode", "MASK"}}).opacity == 0);
+  CHECK(material(quarter, {{"alphaMode", "MASK"}, {"alphaCutoff", 0.2}}).opacity == 1);
+  CHECK(material(quarter, {{"alphaMode", "BLEND"}}).alpha_mode == AlphaMode::kBlend);
+}
+
 TEST_CASE("glTF: what is not drawn is named once") {
   json gltf = square();
   gltf["materials"][0]["normalTexture"] = {{"index", 0}};
@@ -245,7 +261,7 @@ TEST_CASE("glTF: what is not drawn is named once") {
       loaded(gltf).warnings ==
       Lines{
           "not drawn: KHR_materials_clearcoat, animations, points and lines, skins, textures other than the "
-          "base colour's, transparency"});
+          "base colour's"});
 }
 
 TEST_CASE("glTF: the texture of the base colour, beside the file or within it") {
@@ -291,8 +307,7 @@ TEST_CASE("glTF: the texture of the base colour, beside the file or within it") 
 
   gltf["images"][0] = {{"uri", "none.png"}};
   const Model without = load_model_file(folder.file("none.gltf", gltf.dump()));
-  CHECK(without.warnings ==
-        Lines{"not drawn: textures that cannot be read from the model's folder, transparency"});
+  CHECK(without.warnings == Lines{"not drawn: textures that cannot be read from the model's folder"});
   CHECK(without.parts[0].mesh.texture_points.empty());
   gltf["images"][0] = {{"uri", "data:,P5"}};
   CHECK(complaint(gltf.dump(), bin).find("is not data in base64") != std::string::npos);

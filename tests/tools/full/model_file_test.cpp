@@ -94,6 +94,12 @@ TEST_CASE("MTL: statements of a material") {
   CHECK(material("Ks 1 1 1\nillum 1\n").specular == Vec3{0, 0, 0});
   CHECK(material("illum 1\nKs 1 1 1\n").specular == Vec3{0, 0, 0});
   CHECK(material("illum 2\nKs 1 1 1\n").specular == Vec3{1, 1, 1});
+  CHECK(material("Kd 1 1 1\n").opacity == 1);
+  CHECK(material("d 0.5\n").opacity == 0.5);
+  CHECK(material("d -halo 0.25\n").opacity == 0.25);
+  CHECK(material("Tr 0.25\n").opacity == 0.75);
+  CHECK(material("d 2\n").opacity == 1);
+  CHECK(material("d 0\n").opacity == 1);
 }
 
 TEST_CASE("MTL: what is not drawn gets a warning, once") {
@@ -105,10 +111,10 @@ TEST_CASE("MTL: what is not drawn gets a warning, once") {
   CHECK(warnings("Kd 1 0 0\nNi 1.5\nTf 1 1 1\nd 1\nillum 2\n").empty());
   CHECK(warnings("map_Ks wood.png\nbump b.png\nillum 3\n") ==
         Lines{"not drawn of its materials: bump, illum 3, map_Ks"});
-  const Lines transparent = {"transparent materials (d, Tr) are drawn opaque"};
-  CHECK(warnings("d 0.5\n") == transparent);
-  CHECK(warnings("d -halo 0.5\n") == transparent);
-  CHECK(warnings("Tr 0.5\n") == transparent);
+  const Lines invisible = {"fully transparent materials (d 0, Tr 1) are drawn opaque"};
+  CHECK(warnings("d 0\n") == invisible);
+  CHECK(warnings("Tr 1\n") == invisible);
+  CHECK(warnings("d 0.01\n").empty());
   CHECK(warnings("Kd 2 0 0\n") == Lines{"colours of materials above 1 are drawn as 1"});
   CHECK(warnings("Kd spectral a.rfl\n") == Lines{"not drawn of its materials: Kd spectral"});
 }
@@ -189,6 +195,33 @@ TEST_CASE("OBJ: vertex colours, 0...1 or 0...255") {
   CHECK_FALSE(loaded(square + "\nf 1 3 4\n").parts[0].look.material.colour);
   CHECK(message_of<Failure>([] { (void)loaded("v 0 0 0 1 x 0\nf 1 1 1\n"); }).find("line 1: 'x' is not") !=
         std::string::npos);
+}
+
+TEST_CASE("vertex colours are kept where they differ within triangles, if that is asked for") {
+  const TemporaryFolder folder;
+  const auto kept = [&folder](const std::string& obj) {
+    return load_model_file(folder.file("a.obj", obj), TexturePointsOf::kTexturedParts, VertexColours::kKept);
+  };
+  const std::string square = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 0 1 0 0 0.2 1\n";
+  const Model mixed = kept(square + "f 1 2 3\nf 1 3 4\n");
+  REQUIRE(mixed.parts.size() == 1);
+  CHECK(mixed.warnings.empty());
+  CHECK(mixed.parts[0].look.material.colour == Vec3{1, 1, 1});
+  REQUIRE(mixed.parts[0].mesh.colours.size() == 4);
+  CHECK(std::count(mixed.parts[0].mesh.colours.begin(), mixed.parts[0].mesh.colours.end(),
+                   arcspan::Rgb8{255, 0, 0}) == 3);
+  CHECK(std::count(mixed.parts[0].mesh.colours.begin(), mixed.parts[0].mesh.colours.end(),
+                   arcspan::Rgb8{0, 51, 255}) == 1);
+  // One position in two colours is two vertices. A triangle without colours stays in its material.
+  const Model split = kept(square + "v 1 0 0 0 1 0\nv 1 0 2\nf 1 2 4\nf 5 3 4\nf 1 2 6\n");
+  REQUIRE(split.parts.size() == 2);
+  CHECK(split.parts[0].mesh.colours.empty());
+  CHECK(split.parts[0].mesh.triangles.size() == 1);
+  CHECK(split.parts[1].mesh.positions.size() == 5);
+  // Faces of one colour each need no interpolation, and may have any shading.
+  const Model faces = kept(square + "f 1 2 3\n");
+  CHECK(faces.parts[0].mesh.colours.empty());
+  CHECK(faces.parts[0].look.material.colour == Vec3{1, 0, 0});
 }
 
 TEST_CASE("more vertex colours than 256 are drawn with the nearest ones") {

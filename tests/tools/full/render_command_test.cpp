@@ -75,6 +75,12 @@ TEST_CASE("every option is taken, and has an effect") {
                              "--specular 0",
                              "--shininess 5",
                              "--background 1,0,0",
+                             "--alpha 0.5",
+                             "--alpha 1 --blend add",
+                             "--alpha 1 --blend multiply",
+                             "--alpha 0.5 --blend screen-door",
+                             "--fog 2,4",
+                             "--fog 2,4#1,0,0",
                              "--no-depth --eye 3,0.3,0"}) {
     CAPTURE(option);
     const CommandRun drawn = run(base + (folder / "b.ppm") + " " + option);
@@ -82,14 +88,36 @@ TEST_CASE("every option is taken, and has an effect") {
     CHECK(drawn.status == 0);
     CHECK(contents(folder / "b.ppm") != plain);
   }
-  for (const char* option : {"--band 1", "--band 7", "--band 48", "--dither", "--depth", "--two-sided",
-                             "--light 0.4,0.7,0.6", "--light 0.4,0.7,0.6@0", "--attenuation 1",
-                             "--light 0.4,0.7,0.6#1,1,1", "--light 0.4,0.7,0.6@0#1,1,1", "--highlight-fade 0",
-                             "--specular 0.45,0.45,0.45", "--format rgb565", "--fov 40", "--shininess 40"}) {
+  for (const char* option : {"--alpha 1",
+                             "--alpha 0.5 --blend none",
+                             "--blend add",
+                             "--vertex-colours",
+                             "--no-vertex-colours",
+                             "--fog 50,60",
+                             "--band 1",
+                             "--band 7",
+                             "--band 48",
+                             "--dither",
+                             "--depth",
+                             "--two-sided",
+                             "--light 0.4,0.7,0.6",
+                             "--light 0.4,0.7,0.6@0",
+                             "--attenuation 1",
+                             "--light 0.4,0.7,0.6#1,1,1",
+                             "--light 0.4,0.7,0.6@0#1,1,1",
+                             "--highlight-fade 0",
+                             "--specular 0.45,0.45,0.45",
+                             "--format rgb565",
+                             "--fov 40",
+                             "--shininess 40"}) {
     CAPTURE(option);
     CHECK(run(base + (folder / "b.ppm") + " " + option).status == 0);
     CHECK(contents(folder / "b.ppm") == plain);
   }
+  const CommandRun clear = run(base + (folder / "b.ppm") + " --fog 50,60");
+  CHECK(clear.err.find("arcspan: warning: --fog: begins behind the model, which is 2.") == 0);
+  const CommandRun hidden = run(base + (folder / "b.ppm") + " --fog 0.1,0.2");
+  CHECK(hidden.err.find("arcspan: warning: --fog: hides all of the model, which is 2.") == 0);
 }
 
 TEST_CASE("dichotomy halves by the polynomial that is asked for, quadratic if none is") {
@@ -164,6 +192,23 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
       {"--shininess 0", "--shininess: expected an integer 1...256, not '0'"},
       {"--shininess 257", "--shininess: expected an integer 1...256, not '257'"},
       {"--band 0", "--band: expected an integer 1...2048, not '0'"},
+      {"--alpha 1.5", "--alpha: expected a number 0...1, not '1.5'"},
+      {"--blend over", "--blend: expected alpha|add|multiply|screen-door|none, not 'over'"},
+      {"--fog 2", "--fog: expected NEAR,FAR[#R,G,B] with NEAR below FAR and each of R,G,B 0...1, not '2'"},
+      {"--fog 4,2",
+       "--fog: expected NEAR,FAR[#R,G,B] with NEAR below FAR and each of R,G,B 0...1, not '4,2'"},
+      {"--fog 1,inf",
+       "--fog: expected NEAR,FAR[#R,G,B] with NEAR below FAR and each of R,G,B 0...1, not '1,inf'"},
+      {"--fog 1,2#2,0,0",
+       "--fog: expected NEAR,FAR[#R,G,B] with NEAR below FAR and each of R,G,B 0...1, not '1,2#2,0,0'"},
+      {"--fog 1,2 --no-depth", "--fog: needs the depth buffer (not --no-depth)"},
+      {"--fog 1,2 --shading phong",
+       "--fog: only --shading flat, gouraud, arc and adaptive have it, not phong"},
+      {"--alpha 0.5 --shading segment",
+       "--alpha: only --shading flat, gouraud, arc and adaptive have it, not segment"},
+      {"--vertex-colours --shading lyon",
+       "--vertex-colours: only --shading flat, gouraud, arc and adaptive have it, not lyon"},
+      {"--matcap a.png --shading flat", "--matcap: is drawn by --shading arc, not flat"},
       {"--polish", "The following argument was not expected: --polish"},
   }));
   CAPTURE(wrong.arguments);
@@ -193,6 +238,12 @@ TEST_CASE("what is wrong with files: one line, status 1, nothing left behind") {
   check("sphere:8x4 -o " + (folder / "no/out.png"),
         (folder / "no/out.png") + ": cannot write (No such file or directory)");
   check("sphere:8x4 -o " + out + " --eye 0,0,0", "--eye: is where the target is");
+  check("sphere:8x4 -o " + out + " --fog 1,1.0000000001",
+        "--fog: both distances are one for a model of this size");
+  check("sphere:8x4 -o " + out + " --matcap " + bad,
+        bad + ": not a PNG, JPEG, BMP, TGA, PPM (P6) or PGM (P5) picture");
+  check("sphere:8x4 -o " + bad + " --matcap " + bad,
+        bad + ": a picture's name must end in .png, .ppm or .pgm");
   check("sphere:99999x9 -o " + out, "sphere:99999x9: too many vertices (799994; the limit is 65536)");
   CHECK(folder.size() == 1);
 }

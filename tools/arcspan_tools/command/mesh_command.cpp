@@ -45,6 +45,7 @@ struct Made {
 Made make(const MeshArguments& arguments, CompiledOutput output) {
   Model data = load_model(arguments.model, {}, arguments.texture);
   if (!arguments.textures) remove_textures(data);
+  if (make_opaque(data)) warn(arguments.model, "the opacity of materials is not written");
   if (!arguments.group.empty()) data = select_parts(std::move(data), arguments.group, arguments.model);
   Made made{{}, to_fixed(data), {}};
   made.textures = make_textures(made.model, arguments.texture_options);

@@ -7,6 +7,7 @@
 #include <arcspan_tools/support/output_file.hpp>
 #include <arcspan_tools/support/progress.hpp>
 #include <arcspan_tools/support/result_files.hpp>
+#include <arcspan_tools/support/text.hpp>
 
 #include <chrono>
 #include <cstdio>
@@ -44,6 +45,16 @@ Loaded load(RenderArguments& arguments) {
   return loaded;
 }
 
+/// Says where the model is if the fog hides all of it or nothing.
+void warn_of_fog(const RenderOptions& options, const RenderJob& job) {
+  const std::optional<SceneFog>& fog = options.scene.fog;
+  if (!fog) return;
+  const std::string place =
+      formatted("the model, which is %g...%g from the camera", job.nearest, job.farthest);
+  if (fog->near_distance >= job.farthest) warn("--fog", "begins behind " + place);
+  if (fog->far_distance <= job.nearest) warn("--fog", "hides all of " + place);
+}
+
 void run_render(RenderArguments& arguments) {
   const RenderOptions& options = arguments.options;
   const ImageFormat format = image_format(arguments.output);
@@ -51,6 +62,7 @@ void run_render(RenderArguments& arguments) {
   std::FILE* const report = report_stream({arguments.output, arguments.stats});
   Loaded loaded = load(arguments);
   const RenderJob job = make_job(options.scene, loaded.model, options.mesh);
+  warn_of_fog(options, job);
   const Size size = options.scene.size;
   Progress progress("drawing", static_cast<std::size_t>(size.height));
   const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);

@@ -171,6 +171,8 @@ FixedCamera to_fixed(const Camera& camera, const FixedMeshes& meshes, Size size)
   fixed.to_eye = to_direction(backwards);
   fixed.placement = placement_of(camera.eye, axes, meshes);
   fixed.projection = projection;
+  fixed.nearest = depth.nearest * meshes.unit();
+  fixed.farthest = depth.farthest * meshes.unit();
   const Status status =
       ClipTransform::make(fixed.placement, projection, {size.width, size.height}, fixed.transform);
   if (!ok(status))

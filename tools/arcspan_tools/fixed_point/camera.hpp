@@ -39,8 +39,10 @@ struct Camera {
 struct FixedCamera {
   ClipTransform transform;
   Direction to_eye;
-  Placement placement;    ///< of the model before the camera
-  Projection projection;  ///< its near and far plane
+  Placement placement;  ///< of the model before the camera
+  Projection projection;
+  double nearest = 0;   ///< vertex, its distance before the camera in the model's units; negative behind it
+  double farthest = 0;  ///< vertex
 };
 
 /// Throws Failure for a camera that the pipeline's numbers do not hold, or that looks nowhere.

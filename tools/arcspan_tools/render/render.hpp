@@ -51,7 +51,9 @@ struct RenderJob {
   std::shared_ptr<const Fog> fog{};                ///< null if there is none
   std::shared_ptr<const SurfaceTexture> matcap{};  ///< environment map in place of all light, or null
   Rotation rotation{};                             ///< from object to view space, for `matcap`
-  bool counts = true;                              ///< count spans and pixels, by drawing once more
+  double nearest = 0;   ///< vertex, its distance before the camera in the model's units; for messages
+  double farthest = 0;  ///< vertex
+  bool counts = true;   ///< count spans and pixels, by drawing once more
 };
 
 /// The number of vertices of the largest part, which is what a vertex cache has to hold.

@@ -54,6 +54,8 @@ Placed job_without_parts(const Scene& scene, const FixedMeshes& meshes) {
   job.band_rows = scene.band_rows > 0 ? scene.band_rows : scene.size.height;
   job.fog = make_fog(scene, meshes, camera.projection);
   job.matcap = scene.matcap;
+  job.nearest = camera.nearest;
+  job.farthest = camera.farthest;
   return placed;
 }
 
@@ -120,7 +122,7 @@ RenderJob make_job(const Scene& scene, const FixedModel& model, const std::strin
                     scene.two_sided || material.two_sided};
     set_transparency(scene, material, part);
     part.texture = textures.of(material, part.transparency);
-    part.vertex_colours = part.texture == nullptr && !model.meshes[i].colours.empty();
+    part.vertex_colours = part.texture == nullptr && !model.meshes[i].colours.empty() && !scene.chosen.colour;
     placed.job.parts.push_back(std::move(part));
   }
   order_parts(placed.job, placed.camera.placement);

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: MIT
+// Pictures whose every pixel is known: rays are cast in double precision, from the meshes before they are
+// converted.
+#include <arcspan_tools/mesh/plain/generate.hpp>
+#include <arcspan_tools/render/scene.hpp>
+#include <arcspan_tools/render/turntable.hpp>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <vector>
+
+using namespace arcspan;
+using namespace arcspan::tools;
+
+namespace {
+
+constexpr int kColumns = 64;
+constexpr int kRows = 32;
+
+/// A texture of 64×32 that says where it is: red is the mip level, green the column, blue the row.
+std::shared_ptr<const SurfaceTexture> places() {
+  auto texture = std::make_shared<SurfaceTexture>();
+  const TextureSize size{6, 5, 6};
+  for (unsigned level = 0; level < size.levels; ++level) {
+    for (std::uint32_t row = 0; row < (32u >> level); ++row) {
+      for (std::uint32_t column = 0; column < (64u >> level); ++column) {
+        texture->texels.push_back(0x100000 | (level + 1) << 11 | column << 5 | row);
+      }
+    }
+  }
+  REQUIRE(ok(Texture<SurfaceTexels>::make(texture->texels, size, texture->view)));
+  return texture;
+}
+
+/// What a pixel in rgb565 shows of places(); nothing if it is the background.
+struct Shown {
+  int level;
+  int column;
+  int row;
+};
+std::optional<Shown> shown(Rgb8 c) {
+  if (c.r < 8) return std::nullopt;
+  return Shown{(c.r >> 3) - 1, c.g >> 2, c.b >> 3};
+}
+
+/// How far a point is from what is shown, in texels of the level, in the direction in which it is farthest.
+double texels_away(const Shown& shown, const Uv& point) {
+  const auto away = [&shown](double at, int count, int index) {
+    const double texels = std::ldexp(at * count, -shown.level);
+    const double whole = std::ldexp(count, -shown.level);
+    return std::max(std::abs(std::remainder(texels - index - 0.5, whole)) - 0.5, 0.0);
+  };
+  return std::max(away(point.u, kColumns, shown.column), away(point.v, kRows, shown.row));
+}
+
+/// The rays of a camera. Distances along a ray are those before the camera.
+class Rays {
+ public:
+  Rays(const Camera& camera, Size size)
+      : eye_(camera.eye),
+        size_(size),
+        focal_(size.height / (2 * std::tan(camera.fov_degrees * std::acos(-1.0) / 360))) {
+    z_ = normalised(camera.eye - camera.target);
+    x_ = normalised(cross(camera.up, z_));
+    y_ = cross(z_, x_);
+  }
+  [[nodiscard]] const Vec3& eye() const { return eye_; }
+  [[nodiscard]] Vec3 direction(int x, int y) const {
+    return x_ * ((x + 0.5 - size_.width / 2.0) / focal_) + y_ * ((size_.height / 2.0 - y - 0.5) / focal_) -
+           z_;
+  }
+  /// x and y of a normal as the camera sees it.
+  [[nodiscard]] Vec3 seen(const Vec3& normal) const { return {dot(normal, x_), dot(normal, y_), 0}; }
+
+ private:
+  Vec3 eye_;
+  Vec3 x_;
+  Vec3 y_;
+  Vec3 z_;
+  Size size_;
+  double focal_;
+};
+
+/// A scene whose surfaces show their colours as they are.
+Scene unlit_scene(Size size) {
+  Scene scene;
+  scene.size = size;
+  scene.background = {0, 0, 0};
+  scene.surface.colour = {1, 1, 1};
+  scene.surface.ambient = 1;
+  scene.surface.diffuse = 0;
+  scene.surface.specular = 0;
+  return scene;
+}
+
+Image drawn(const RenderJob& job, const char* format = "rgb565") {
+  return find_renderer("gouraud", format, false).render(job, [](std::size_t) {}).image;
+}
+
+constexpr double kFloor = 100;  ///< half its side
+constexpr int kTiles = 40;      ///< along a side, two triangles each
+constexpr double kTexture = 8;  ///< side of a repetition
+constexpr double kHalfTile = kFloor / kTiles;
+
+/// A floor at y = 0, with u along x and v along z.
+FixedModel floor_of_tiles() {
+  MeshData mesh;
+  for (int j = 0; j <= kTiles; ++j) {
+    for (int i = 0; i <= kTiles; ++i) {
+      const Vec3 p{2 * kHalfTile * i - kFloor, 0, 2 * kHalfTile * j - kFloor};
+      mesh.positions.push_back(p);
+      mesh.normals.push_back({0, 1, 0});
+      mesh.texture_points.push_back({p.x / kTexture, p.z / kTexture});
+    }
+  }
+  for (std::uint32_t j = 0; j < kTiles; ++j) {
+    for (std::uint32_t i = 0; i < kTiles; ++i) {
+      const std::uint32_t a = j * (kTiles + 1) + i;
+      const std::uint32_t b = a + kTiles + 1;
+      mesh.triangles.push_back({a, b, b + 1});
+      mesh.triangles.push_back({a, b + 1, a + 1});
+    }
+  }
+  return to_fixed(to_model(mesh));
+}
+
+Scene floor_scene() {
+  Scene scene = unlit_scene({240, 160});
+  scene.camera.eye = Vec3{3, 4, 0.5};
+  scene.camera.target = Vec3{13, 2, -30};
+  scene.camera.fov_degrees = 60;
+  return scene;
+}
+
+/// Where a ray meets the floor, as a multiple of its direction; nothing if it does not.
+std::optional<double> meets_floor(const Rays& rays, const Vec3& direction) {
+  if (direction.y >= 0) return std::nullopt;
+  const double t = -rays.eye().y / direction.y;
+  const Vec3 p = rays.eye() + direction * t;
+  if (std::abs(p.x) > kFloor || std::abs(p.z) > kFloor) return std::nullopt;
+  return t;
+}
+
+/// The mip level of the triangle of the floor that a point lies in, from its areas in texels and in pixels;
+/// nothing if it is behind the camera in part.
+std::optional<double> level_of_tile(const Vec3& p, const Rays& rays, Size size) {
+  const double i = std::floor((p.x + kFloor) / (2 * kHalfTile));
+  const double j = std::floor((p.z + kFloor) / (2 * kHalfTile));
+  const auto corner = [&](double di, double dj) {
+    return Vec3{2 * kHalfTile * (i + di) - kFloor, 0, 2 * kHalfTile * (j + dj) - kFloor};
+  };
+  const bool lower = p.z - corner(0, 0).z > p.x - corner(0, 0).x;
+  const std::array<Vec3, 3> corners{corner(0, 0), corner(1, 1), lower ? corner(0, 1) : corner(1, 0)};
+  const Vec3 forward = rays.direction(size.width / 2, size.height / 2);
+  std::array<Vec3, 3> screen;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 from_eye = corners[k] - rays.eye();
+    const double distance = dot(from_eye, forward);
+    if (distance < 2) return std::nullopt;
+    const Vec3 seen = rays.seen(from_eye);
+    const double focal = size.height / (2 * std::tan(std::acos(-1.0) / 6));
+    screen[k] = {seen.x / distance * focal, seen.y / distance * focal, 0};
+  }
+  const double pixels = std::abs(cross(screen[1] - screen[0], screen[2] - screen[0]).z);
+  const double texels = std::pow(2 * kHalfTile / kTexture, 2) * kColumns * kRows;
+  return std::clamp(std::log2(texels / pixels) / 2, 0.0, 5.0);
+}
+
+}  // namespace
+
+TEST_CASE("a floor up to the horizon shows the texels and mip levels of every pixel", "[textures]") {
+  const FixedModel floor = floor_of_tiles();
+  const Scene scene = floor_scene();
+  RenderJob job = make_job(scene, floor, "floor");
+  job.parts[0].texture = places();
+  const Image image = drawn(job);
+  const Rays rays(place_camera(scene.camera, floor, scene.size), scene.size);
+  std::array<int, 6> levels{};
+  int covered = 0;
+  int unequal = 0;
+  for (int y = 0; y < scene.size.height; ++y) {
+    for (int x = 0; x < scene.size.width; ++x) {
+      CAPTURE(x, y);
+      const Vec3 direction = rays.direction(x, y);
+      const std::optional<double> t = meets_floor(rays, direction);
+      const std::optional<Shown> pixel = shown(image.at(x, y));
+      if (!t) {
+        // The far border is a row of pixels at most from where it should be.
+        if (pixel) CHECK(meets_floor(rays, rays.direction(x, y + 1)));
+        continue;
+      }
+      if (!pixel) {
+        CHECK_FALSE(meets_floor(rays, rays.direction(x, y - 1)));
+        continue;
+      }
+      ++covered;
+      const Vec3 p = rays.eye() + direction * *t;
+      // Half a texel, and what 16 bits of positions and texture points are off.
+      REQUIRE(texels_away(*pixel, {p.x / kTexture, p.z / kTexture}) <= 0.7);
+      ++levels[static_cast<std::size_t>(pixel->level)];
+      const std::optional<double> level = level_of_tile(p, rays, scene.size);
+      if (level && std::abs(pixel->level - *level) > 0.6) ++unequal;
+    }
+  }
+  CHECK(covered > 19000);
+  for (const int count : levels) CHECK(count > 30);
+  // Tiles at their borders are those of their neighbours for a pixel.
+  CHECK(unequal < covered / 100);
+}
+
+TEST_CASE("fog on a floor is linear in the distance before the camera", "[textures]") {
+  const FixedModel floor = floor_of_tiles();
+  Scene scene = floor_scene();
+  scene.fog = SceneFog{5, 60, Vec3{0.2, 0, 0.4}};
+  const Image image = drawn(make_job(scene, floor, "floor"), "rgb888");
+  const Rays rays(place_camera(scene.camera, floor, scene.size), scene.size);
+  const double near_plane = 256 * floor.meshes[0].unit;
+  int in_fog = 0;
+  for (int y = 0; y < scene.size.height; ++y) {
+    for (int x = 0; x < scene.size.width; ++x) {
+      const std::optional<double> t = meets_floor(rays, rays.direction(x, y));
+      if (!t || !meets_floor(rays, rays.direction(x, y - 1))) continue;
+      CAPTURE(x, y, *t);
+      const double share = std::clamp((*t - 5) / 55, 0.0, 1.0);
+      if (share > 0 && share < 1) ++in_fog;
+      // Shares are interpolated between 256 depths, which are far apart at a distance: a quarter of that is
+      // the most that a bend of the share is cut by.
+      const double apart = *t * *t / near_plane * 256 / 65023;
+      const double slack = 3 + 255 * apart / 4 / 55;
+      REQUIRE(std::abs(image.at(x, y).r - (255 + (51 - 255) * share)) <= slack);
+      REQUIRE(std::abs(image.at(x, y).g - 255 * (1 - share)) <= slack);
+      REQUIRE(std::abs(image.at(x, y).b - (255 + (102 - 255) * share)) <= slack);
+    }
+  }
+  CHECK(in_fog > 8000);
+}
+
+namespace {
+
+/// A cube of side 2 whose faces each show the whole texture.
+FixedModel cube() {
+  MeshData mesh;
+  for (const double side : {-1.0, 1.0}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+      for (const Uv& p : std::initializer_list<Uv>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+        const std::array<double, 3> at{side, 2 * p.u - 1, 2 * p.v - 1};
+        const auto turned = [&](int i) { return at[static_cast<std::size_t>((i + 3 - axis) % 3)]; };
+        mesh.positions.push_back({turned(0), turned(1), turned(2)});
+        mesh.normals.push_back(Vec3{axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0});
+        mesh.texture_points.push_back(p);
+      }
+      const std::uint32_t b = side > 0 ? 1 : 3;
+      mesh.triangles.push_back({first, first + b, first + 2});
+      mesh.triangles.push_back({first, first + 2, first + 4 - b});
+    }
+  }
+  return to_fixed(to_model(mesh));
+}
+
+/// Where a ray meets the cube first: the point of its face, and how near to an edge that is.
+struct CubeHit {
+  Uv point;
+  double from_edge;
+};
+std::optional<CubeHit> meets_cube(const Vec3& eye, const Vec3& direction) {
+  const std::array<double, 3> from{eye.x, eye.y, eye.z};
+  const std::array<double, 3> along{direction.x, direction.y, direction.z};
+  std::optional<CubeHit> hit;
+  double nearest = INFINITY;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double t = ((along[axis] < 0 ? 1 : -1) - from[axis]) / along[axis];
+    const double a = from[(axis + 1) % 3] + along[(axis + 1) % 3] * t;
+    const double b = from[(axis + 2) % 3] + along[(axis + 2) % 3] * t;
+    if (!(t > 0) || t >= nearest || std::abs(a) > 1 || std::abs(b) > 1) continue;
+    nearest = t;
+    hit = CubeHit{{(a + 1) / 2, (b + 1) / 2}, 1 - std::max(std::abs(a), std::abs(b))};
+  }
+  return hit;
+}
+
+}  // namespace
+
+TEST_CASE("a grid on a cube stays in its place through a whole turn, without gaps at edges", "[textures]") {
+  const FixedModel model = cube();
+  Scene scene = unlit_scene({96, 72});
+  scene.camera.fov_degrees = 55;
+  scene.camera.eye = Vec3{0.3, 1.9, 2.4};
+  constexpr std::size_t kFrames = 36;
+  const Turntable turntable(scene, model, kFrames);
+  for (std::size_t frame = 0; frame < kFrames; ++frame) {
+    const Scene turned = turntable.scene(frame);
+    RenderJob job = make_job(turned, model, "cube");
+    job.parts[0].texture = places();
+    const Image image = drawn(job);
+    const Rays rays(place_camera(turned.camera, model, scene.size), scene.size);
+    int compared = 0;
+    for (int y = 1; y < scene.size.height - 1; ++y) {
+      for (int x = 1; x < scene.size.width - 1; ++x) {
+        CAPTURE(frame, x, y);
+        const std::optional<CubeHit> hit = meets_cube(rays.eye(), rays.direction(x, y));
+        const std::optional<Shown> pixel = shown(image.at(x, y));
+        const auto around = [&](int dx, int dy) {
+          return meets_cube(rays.eye(), rays.direction(x + dx, y + dy)).has_value();
+        };
+        const int inside = around(-1, 0) + around(1, 0) + around(0, -1) + around(0, 1);
+        if (hit && inside == 4) REQUIRE(pixel);
+        if (!hit && inside == 0) REQUIRE_FALSE(pixel);
+        if (!hit || !pixel || hit->from_edge < 0.03) continue;
+        REQUIRE(texels_away(*pixel, hit->point) <= 0.55);
+        ++compared;
+      }
+    }
+    CHECK(compared > 1200);
+  }
+}
+
+TEST_CASE("transparent squares are drawn from the farthest to the nearest, from both sides", "[textures]") {
+  struct Square {
+    double z;
+    Vec3 colour;
+    double opacity;
+  };
+  // In no order of the file; the third is opaque.
+  const std::vector<Square> squares = {
+      {0.5, {1, 0, 0}, 0.5}, {-1, {0, 1, 0}, 0.25}, {-0.25, {0.9, 0.9, 0.2}, 1}, {1, {0, 0.2, 1}, 0.75}};
+  Model model;
+  for (const Square& square : squares) {
+    ModelPart part;
+    part.look.material.colour = square.colour;
+    part.look.material.opacity = square.opacity;
+    for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+      part.mesh.positions.push_back({x, y, square.z});
+      part.mesh.normals.push_back({0, 0, 1});
+    }
+    part.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    model.parts.push_back(part);
+  }
+  const FixedModel fixed = to_fixed(model);
+  Scene scene = unlit_scene({40, 40});
+  scene.two_sided = true;
+  scene.background = {0.4, 0.4, 0.4};
+  for (const double side : {1.0, -1.0}) {
+    scene.camera.eye = Vec3{0, 0, 4 * side};
+    scene.camera.target = Vec3{0, 0, 0};
+    std::vector<Square> sorted = squares;
+    std::sort(sorted.begin(), sorted.end(),
+              [side](const Square& a, const Square& b) { return a.z * side < b.z * side; });
+    Vec3 wanted = scene.background;
+    for (const Square& square : sorted)
+      wanted = wanted * (1 - square.opacity) + square.colour * square.opacity;
+    const Rgb8 c = drawn(make_job(scene, fixed, "squares"), "rgb888").at(20, 20);
+    CAPTURE(side);
+    CHECK(std::abs(c.r - 255 * wanted.x) <= 2);
+    CHECK(std::abs(c.g - 255 * wanted.y) <= 2);
+    CHECK(std::abs(c.b - 255 * wanted.z) <= 2);
+  }
+}
+
+TEST_CASE("a chrome ball shows its picture where the camera sees its normals point", "[textures]") {
+  const FixedModel ball = to_fixed(to_model(generate(parse_generated_mesh("sphere:64x32").value())));
+  Scene scene = unlit_scene({120, 90});
+  scene.matcap = places();
+  for (const Vec3& view : {Vec3{0, 0, 1}, Vec3{1, 2, -1}}) {
+    scene.camera.view = view;
+    const RenderJob job = make_job(scene, ball, "ball");
+    const Image image = find_renderer("arc", "rgb565", false).render(job, [](std::size_t) {}).image;
+    const Rays rays(place_camera(scene.camera, ball, scene.size), scene.size);
+    int compared = 0;
+    for (int y = 0; y < scene.size.height; ++y) {
+      for (int x = 0; x < scene.size.width; ++x) {
+        const Vec3 d = rays.direction(x, y);
+        const double b = dot(rays.eye(), d) / dot(d, d);
+        const double root = b * b - (dot(rays.eye(), rays.eye()) - 1) / dot(d, d);
+        if (root < 0.02) continue;  // near the outline, where the mesh has corners
+        const Vec3 normal = rays.eye() + d * (-b - std::sqrt(root));
+        const Vec3 seen = rays.seen(normal);
+        const std::optional<Shown> pixel = shown(image.at(x, y));
+        CAPTURE(x, y, view.x);
+        REQUIRE(pixel);
+        REQUIRE(texels_away(*pixel, {(seen.x + 1) / 2, (1 - seen.y) / 2}) <= 1);
+        ++compared;
+      }
+    }
+    CHECK(compared > 3500);
+  }
+}

@@ -16,6 +16,7 @@ static_assert(sizeof(ObjectPosition) == 6 && alignof(ObjectPosition) <= 2);
 static_assert(sizeof(PackedNormal) == 4 && alignof(PackedNormal) <= 2);
 static_assert(sizeof(FacePlane) == 4 && alignof(FacePlane) == 1);
 static_assert(sizeof(TexturePoint) == 4 && alignof(TexturePoint) <= 2);
+static_assert(sizeof(Rgb8) == 3 && alignof(Rgb8) == 1);
 
 constexpr std::uint32_t kMostTriangles = std::uint32_t{1} << 26;
 
@@ -32,6 +33,7 @@ struct Header {
   bool indices8;
   bool planes;
   bool texture_points;
+  bool colours;
 };
 
 /// Reads and checks all of a binary except the contents of its arrays.
@@ -42,15 +44,16 @@ Status read_header(std::span<const std::uint8_t> bytes, Header& header) {
   if (bytes.size() >= kVersionAt && little_u32(at + kMagicAt) != kMagic) return Status::kUnsupported;
   if (bytes.size() < kHeaderBytes + kChecksumBytes) return Status::kTruncated;
   const std::uint16_t version = little_u16(at + kVersionAt);
-  if (version < kVersion || version > kVersionOfTexturePoints) return Status::kUnsupported;
+  if (version < kVersion || version > kVersionOfColours) return Status::kUnsupported;
   const std::uint16_t flags = little_u16(at + kFlagsAt);
   header = {little_u32(at + kSizeAt), little_u32(at + kVerticesAt), little_u32(at + kTrianglesAt),
-            (flags & kIndices8) != 0, (flags & kPlanes) != 0,       (flags & kTexturePoints) != 0};
+            (flags & kIndices8) != 0, (flags & kPlanes) != 0,       (flags & kTexturePoints) != 0,
+            (flags & kColours) != 0};
   // Each version has one flag more.
   if (flags >= (1u << version) || header.vertices > MeshView::kMaxVertices ||
       header.triangles > kMostTriangles ||
       header.size != mesh_binary::bytes(header.vertices, header.triangles, header.indices8, header.planes,
-                                        header.texture_points)) {
+                                        header.texture_points, header.colours)) {
     return Status::kCorrupted;
   }
   if (bytes.size() < header.size) return Status::kTruncated;
@@ -72,12 +75,13 @@ Status attach_planes(std::span<const std::uint8_t> bytes, const Header& header, 
   return ok(status) ? status : Status::kCorrupted;
 }
 
-/// Attaches the texture points at offset `at`, if there are any.
-Status attach_texture_points(std::span<const std::uint8_t> bytes, const Header& header, std::size_t at,
+/// Attaches the texture points at offset `at`, if there are any, and moves `at` to their end.
+Status attach_texture_points(std::span<const std::uint8_t> bytes, const Header& header, std::size_t& at,
                              MeshView& view) {
   if (!header.texture_points) return Status::kOk;
   const std::uint8_t* const scale = bytes.data() + at;
   const void* const points = scale + kTextureScaleBytes;
+  at += kTextureScaleBytes + sizeof(TexturePoint) * static_cast<std::size_t>(header.vertices);
   if (little_u32(scale) > 0xFF) return Status::kCorrupted;
   const Status status = view.attach(
       std::span(static_cast<const TexturePoint*>(points), static_cast<std::size_t>(header.vertices)),
@@ -111,6 +115,9 @@ Status view_mesh_binary(std::span<const std::uint8_t> bytes, MeshView& view, Mes
   at += (0 - (at - kHeaderBytes)) & 3u;
   if (ok(made)) made = attach_planes(bytes, header, at, found);
   if (ok(made)) made = attach_texture_points(bytes, header, at, found);
+  if (ok(made) && header.colours) {
+    made = found.attach(std::span(static_cast<const Rgb8*>(array_at(at)), vertices));
+  }
   if (!ok(made)) return made;
   view = found;
   if (bounds != nullptr) {

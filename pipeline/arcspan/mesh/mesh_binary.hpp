@@ -11,15 +11,18 @@
 namespace arcspan {
 
 /// The layout of a mesh binary (docs/mesh-binary.md): little-endian, offsets in bytes. Version 2 is version 1
-/// with optional planes, version 3 is version 2 with optional texture points.
+/// with optional planes, version 3 is version 2 with optional texture points, version 4 is version 3 with
+/// optional colours.
 namespace mesh_binary {
 inline constexpr std::uint32_t kMagic = 0x4D435241;  ///< "ARCM"
 inline constexpr std::uint16_t kVersion = 1;         ///< without planes
 inline constexpr std::uint16_t kVersionOfPlanes = 2;
 inline constexpr std::uint16_t kVersionOfTexturePoints = 3;
+inline constexpr std::uint16_t kVersionOfColours = 4;
 inline constexpr std::uint16_t kIndices8 = 1;       ///< flag: indices have 8 bits instead of 16
 inline constexpr std::uint16_t kPlanes = 2;         ///< flag: has planes; from version 2 on
 inline constexpr std::uint16_t kTexturePoints = 4;  ///< flag: has texture points; from version 3 on
+inline constexpr std::uint16_t kColours = 8;        ///< flag: has colours; from version 4 on
 
 inline constexpr std::size_t kMagicAt = 0;       ///< u32
 inline constexpr std::size_t kVersionAt = 4;     ///< u16
@@ -37,12 +40,13 @@ inline constexpr std::size_t kChecksumBytes = 4;      ///< u32, crc32() of all b
 /// Size of a whole binary in bytes. It fits 32 bits for at most 65,536 vertices and 2^26 triangles.
 template <class Count>
 [[nodiscard]] constexpr Count bytes(Count vertices, Count triangles, bool indices8, bool planes = false,
-                                    bool texture_points = false) {
+                                    bool texture_points = false, bool colours = false) {
   constexpr auto kAround = static_cast<Count>(kHeaderBytes + kChecksumBytes);
   const Count arrays = 10 * vertices + triangles * (indices8 ? 3 : 6);
   const Count of_planes = planes ? static_cast<Count>(kScaleBytes) + 4 * triangles : 0;
   const Count of_points = texture_points ? static_cast<Count>(kTextureScaleBytes) + 4 * vertices : 0;
-  return ((arrays + 3) & ~Count{3}) + of_planes + of_points + kAround;
+  const Count of_colours = colours ? (3 * vertices + 3) & ~Count{3} : 0;
+  return ((arrays + 3) & ~Count{3}) + of_planes + of_points + of_colours + kAround;
 }
 }  // namespace mesh_binary
 

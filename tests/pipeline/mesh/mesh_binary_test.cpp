@@ -48,6 +48,17 @@ const std::vector<std::uint8_t> kTriangleWithTexturePoints = [] {
   return bytes;
 }();
 
+// That with colours, version 4.
+const std::vector<std::uint8_t> kTriangleWithColours = [] {
+  std::vector<std::uint8_t> bytes = kTriangleWithTexturePoints;
+  bytes[4] = 4;
+  bytes[6] = 15;
+  bytes[8] = 108;
+  const std::uint8_t colours[] = {255, 1, 2, 3, 254, 4, 0, 5, 128, 0, 0, 0};
+  bytes.insert(bytes.end(), std::begin(colours), std::end(colours));
+  return bytes;
+}();
+
 // Bytes at an even address, with a right checksum.
 class Binary {
  public:
@@ -155,6 +166,27 @@ TEST_CASE("a mesh binary may have texture points") {
   CHECK(mesh.texture_point(1) == TexturePoint{-1, 2});
 }
 
+TEST_CASE("a mesh binary may have colours") {
+  MeshView mesh;
+  REQUIRE(ok(Binary(kTriangleWithColours).view(mesh)));
+  CHECK(mesh.colour(0) == Rgb8{255, 1, 2});
+  CHECK(mesh.colour(1) == Rgb8{3, 254, 4});
+  CHECK(mesh.colour(2) == Rgb8{0, 5, 128});
+  CHECK(mesh.texture_point(2) == TexturePoint{-32768, 32767});
+  CHECK(changed(6, 7, kTriangleWithColours).status() == Status::kCorrupted);  // too long without them
+  CHECK(changed(6, 31, kTriangleWithColours).status() == Status::kCorrupted);
+  CHECK(changed(4, 3, kTriangleWithColours).status() == Status::kCorrupted);
+  // Without planes and texture points.
+  std::vector<std::uint8_t> bare = kTriangleWithColours;
+  bare.erase(bare.begin() + static_cast<std::ptrdiff_t>(kTriangle.size()),
+             bare.begin() + static_cast<std::ptrdiff_t>(kTriangleWithTexturePoints.size()));
+  bare[6] = 9;
+  bare[8] = 84;
+  REQUIRE(ok(Binary(bare).view(mesh)));
+  CHECK(mesh.colour(1) == Rgb8{3, 254, 4});
+  CHECK(mesh.texture_point(2) == TexturePoint{});
+}
+
 TEST_CASE("a mesh binary may be followed by anything") {
   Binary binary(kTriangle);
   binary.bytes().resize(4096, 0xFF);
@@ -185,7 +217,7 @@ TEST_CASE("every truncation of a mesh binary is found") {
 TEST_CASE("a malformed mesh binary gives the status that names its mistake, and the view keeps its value") {
   CHECK(changed(0, 'B').status() == Status::kUnsupported);
   CHECK(changed(4, 0).status() == Status::kUnsupported);
-  CHECK(changed(4, 4).status() == Status::kUnsupported);
+  CHECK(changed(4, 5).status() == Status::kUnsupported);
   CHECK(changed(6, 2).status() == Status::kCorrupted);      // planes in version 1
   CHECK(changed(8, 76).status() == Status::kCorrupted);     // size
   CHECK(changed(12, 4).status() == Status::kCorrupted);     // vertices

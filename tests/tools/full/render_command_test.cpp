@@ -88,8 +88,7 @@ TEST_CASE("every option is taken, and has an effect") {
     CHECK(drawn.status == 0);
     CHECK(contents(folder / "b.ppm") != plain);
   }
-  for (const char* option : {"--alpha 1",
-                             "--alpha 0.5 --blend none",
+  for (const char* option : {"--alpha 0.5 --blend none",
                              "--blend add",
                              "--vertex-colours",
                              "--no-vertex-colours",

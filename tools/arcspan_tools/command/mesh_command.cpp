@@ -32,6 +32,7 @@ struct MeshArguments {
   bool planes = false;
   bool textures = true;
   std::string texture;  ///< a picture for all parts, or none
+  VertexColours colours = VertexColours::kMean;
   TextureOptions texture_options = default_model_texture_options();
   MeshLimits limits;
 };
@@ -43,7 +44,7 @@ struct Made {
 };
 
 Made make(const MeshArguments& arguments, CompiledOutput output) {
-  Model data = load_model(arguments.model, {}, arguments.texture);
+  Model data = load_model(arguments.model, {}, arguments.texture, arguments.colours);
   if (!arguments.textures) remove_textures(data);
   if (make_opaque(data)) warn(arguments.model, "the opacity of materials is not written");
   if (!arguments.group.empty()) data = select_parts(std::move(data), arguments.group, arguments.model);
@@ -163,6 +164,10 @@ void add_mesh_command(CLI::App& app) {
   add_texture_levels(*mesh, "--texture-levels", arguments->texture_options.levels);
   mesh->add_flag_callback(
       "--no-textures", [arguments] { arguments->textures = false; }, "leave out textures and texture points");
+  mesh->add_flag_callback(
+      "--vertex-colours", [arguments] { arguments->colours = VertexColours::kKept; },
+      "write vertex colours, 3 bytes each, for VertexColoured (default: parts in the triangles' mean "
+      "colours)");
   mesh->add_option("--picture", arguments->picture, "draw the model before and after, side by side");
   mesh->add_option("--stats", arguments->stats, "write the printed figures as JSON");
   mesh->footer(

@@ -38,13 +38,14 @@ CompiledOutput compiled_output(const std::filesystem::path& path, const std::str
 }
 
 std::size_t mesh_bytes(CompiledOutput output, std::size_t vertices, std::size_t triangles, bool planes,
-                       bool texture_points) {
+                       bool texture_points, bool colours) {
   if (output == CompiledOutput::kHeader) {
     return array_bytes(vertices, triangles) +
            (planes ? sizeof(PlaneScale) + triangles * sizeof(FacePlane) : 0) +
-           (texture_points ? sizeof(TextureScale) + vertices * sizeof(TexturePoint) : 0);
+           (texture_points ? sizeof(TextureScale) + vertices * sizeof(TexturePoint) : 0) +
+           (colours ? vertices * sizeof(Rgb8) : 0);
   }
-  return mesh_binary::bytes(vertices, triangles, fits_indices8(vertices), planes, texture_points);
+  return mesh_binary::bytes(vertices, triangles, fits_indices8(vertices), planes, texture_points, colours);
 }
 
 std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures) {
@@ -53,17 +54,19 @@ std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures) 
   const bool indices8 = fits_indices8(vertices);
   const bool planes = !mesh.planes.empty();
   const bool points = !mesh.texture_points.empty();
-  const std::size_t size = mesh_binary::bytes(vertices, triangles, indices8, planes, points);
+  const bool colours = !mesh.colours.empty();
+  const std::size_t size = mesh_binary::bytes(vertices, triangles, indices8, planes, points, colours);
   std::string out;
   append_number(out, mesh_binary::kMagic, 4);
   append_number(out,
-                points   ? mesh_binary::kVersionOfTexturePoints
+                colours  ? mesh_binary::kVersionOfColours
+                : points ? mesh_binary::kVersionOfTexturePoints
                 : planes ? mesh_binary::kVersionOfPlanes
                          : mesh_binary::kVersion,
                 2);
   append_number(out,
                 (indices8 ? mesh_binary::kIndices8 : 0u) | (planes ? mesh_binary::kPlanes : 0u) |
-                    (points ? mesh_binary::kTexturePoints : 0u),
+                    (points ? mesh_binary::kTexturePoints : 0u) | (colours ? mesh_binary::kColours : 0u),
                 2);
   append_number(out, static_cast<std::uint32_t>(size), 4);
   append_number(out, static_cast<std::uint32_t>(vertices), 4);
@@ -75,6 +78,10 @@ std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures) 
   out.resize(mesh_binary::bytes(vertices, triangles, indices8) - mesh_binary::kChecksumBytes, '\0');
   if (planes) put_planes(out, mesh);
   if (points) put_texture_points(out, mesh);
+  for (const Rgb8& c : mesh.colours) {
+    for (const std::uint8_t channel : {c.r, c.g, c.b}) append_number(out, channel, 1);
+  }
+  out.resize(size - mesh_binary::kChecksumBytes, '\0');
   append_checksum(out);
   return out;
 }

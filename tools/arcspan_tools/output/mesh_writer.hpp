@@ -23,10 +23,10 @@ enum class CompiledOutput { kHeader, kBinary };
 /// about a compiled `kind`.
 [[nodiscard]] CompiledOutput compiled_output(const std::filesystem::path& path, const std::string& kind);
 
-/// Bytes that the mesh takes in a firmware, with planes and texture points or without: the arrays, and in a
-/// binary what is around them.
+/// Bytes that the mesh takes in a firmware, with planes, texture points and colours or without: the arrays,
+/// and in a binary what is around them.
 [[nodiscard]] std::size_t mesh_bytes(CompiledOutput output, std::size_t vertices, std::size_t triangles,
-                                     bool planes, bool texture_points = false);
+                                     bool planes, bool texture_points = false, bool colours = false);
 
 /// Bytes that the model takes in a firmware, materials and textures included.
 [[nodiscard]] std::size_t model_bytes(CompiledOutput output, const FixedModel& model, bool planes,

@@ -35,6 +35,12 @@ std::string texture_point_arrays(const FixedMesh& mesh) {
          ";\n\n";
 }
 
+std::string colour_array(const FixedMesh& mesh) {
+  ArrayText colours;
+  for (const Rgb8& c : mesh.colours) colours.add(braced({c.r, c.g, c.b}));
+  return colours.array("arcspan::Rgb8", "kColours");
+}
+
 // Enough digits that the same number is read back; the shortest such text.
 std::string number(double value) {
   char digits[32];
@@ -62,12 +68,13 @@ std::string unit_and_origin(const FixedMesh& mesh) {
 }
 
 /// The body of make_view().
-std::string view_text(bool planes, bool points) {
+std::string view_text(bool planes, bool points, bool colours) {
   const std::string make = "arcspan::MeshView::make(kPositions, kNormals, std::span(kIndices), view);\n";
-  if (!planes && !points) return "  return " + make;
+  if (!planes && !points && !colours) return "  return " + make;
   std::string text = "  arcspan::Status status =\n      " + make;
   if (planes) text += "  if (ok(status)) status = view.attach(kPlanes, kPlaneScale);\n";
   if (points) text += "  if (ok(status)) status = view.attach(kTexturePoints, kTextureScale);\n";
+  if (colours) text += "  if (ok(status)) status = view.attach(kColours);\n";
   return text + "  return status;\n";
 }
 
@@ -81,13 +88,15 @@ std::string mesh_text(const FixedMesh& mesh) {
   for (const std::uint16_t index : mesh.indices) indices.add(std::to_string(index));
   const bool planes = !mesh.planes.empty();
   const bool points = !mesh.texture_points.empty();
+  const bool colours = !mesh.colours.empty();
   const std::string index_type = fits_indices8(mesh.positions.size()) ? "std::uint8_t" : "std::uint16_t";
   return positions.array("arcspan::ObjectPosition", "kPositions") +
          normals.array("arcspan::PackedNormal", "kNormals") + indices.array(index_type, "kIndices") +
          (planes ? plane_arrays(mesh) : "") + (points ? texture_point_arrays(mesh) : "") +
+         (colours ? colour_array(mesh) : "") +
          "/// A view of the mesh; kOk unless the arrays were edited.\n"
          "inline arcspan::Status make_view(arcspan::MeshView& view) {\n" +
-         view_text(planes, points) + "}\n\n";
+         view_text(planes, points, colours) + "}\n\n";
 }
 
 std::string channels(const ChannelCoefficients& c) {

@@ -98,7 +98,7 @@ std::size_t model_bytes(CompiledOutput output, const FixedModel& model, bool pla
   std::size_t sum = 0;
   for (const FixedMesh& mesh : model.meshes) {
     sum += mesh_bytes(output, mesh.positions.size(), mesh.indices.size() / 3, planes,
-                      !mesh.texture_points.empty());
+                      !mesh.texture_points.empty(), !mesh.colours.empty());
   }
   if (is_plain_mesh(model)) return sum;
   const std::size_t parts = model.meshes.size();

@@ -88,6 +88,7 @@ MeshData without_unused(const MeshData& mesh, const std::vector<unsigned>& indic
     out.positions.push_back(mesh.positions[i]);
     out.normals.push_back(mesh.normals[i]);
     if (!mesh.texture_points.empty()) out.texture_points.push_back(mesh.texture_points[i]);
+    if (!mesh.colours.empty()) out.colours.push_back(mesh.colours[i]);
   }
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
     out.triangles.push_back({now[indices[i]], now[indices[i + 1]], now[indices[i + 2]]});
@@ -149,22 +150,26 @@ MeshData joined_by_position(const MeshData& mesh) {
   return joined;
 }
 
-/// `mesh` with one vertex for each position and texture point; the normals are none.
-MeshData joined_by_texture_point(const MeshData& mesh) {
-  std::map<std::tuple<double, double, double, double, double>, std::uint32_t> known;
+/// `mesh` with one vertex for each position, texture point and colour; the normals are none.
+MeshData joined_by_surface(const MeshData& mesh) {
+  using Colour = std::tuple<std::uint8_t, std::uint8_t, std::uint8_t>;
+  std::map<std::tuple<double, double, double, double, double, Colour>, std::uint32_t> known;
   MeshData joined;
   joined.dropped_faces = mesh.dropped_faces;
   joined.triangles = mesh.triangles;
   for (auto& t : joined.triangles) {
     for (std::uint32_t& vertex : t) {
       const Vec3& p = mesh.positions[vertex];
-      const Uv& point = mesh.texture_points[vertex];
+      const Uv point = mesh.texture_points.empty() ? Uv{} : mesh.texture_points[vertex];
+      const Rgb8 c = mesh.colours.empty() ? Rgb8{} : mesh.colours[vertex];
       const auto next = static_cast<std::uint32_t>(joined.positions.size());
-      const auto [at, is_new] = known.try_emplace({p.x, p.y, p.z, point.u, point.v}, next);
+      const auto [at, is_new] =
+          known.try_emplace({p.x, p.y, p.z, point.u, point.v, Colour{c.r, c.g, c.b}}, next);
       if (is_new) {
         joined.positions.push_back(p);
         joined.normals.emplace_back();
-        joined.texture_points.push_back(point);
+        if (!mesh.texture_points.empty()) joined.texture_points.push_back(point);
+        if (!mesh.colours.empty()) joined.colours.push_back(c);
       }
       vertex = at->second;
     }
@@ -172,12 +177,12 @@ MeshData joined_by_texture_point(const MeshData& mesh) {
   return joined;
 }
 
-/// `model` with as few vertices as its positions and texture points need; the normals are none.
+/// `model` with as few vertices as its positions, texture points and colours need; the normals are none.
 Model without_normals(const Model& model) {
   Model joined = model;
   for (ModelPart& part : joined.parts) {
-    part.mesh =
-        part.mesh.texture_points.empty() ? joined_by_position(part.mesh) : joined_by_texture_point(part.mesh);
+    const bool bare = part.mesh.texture_points.empty() && part.mesh.colours.empty();
+    part.mesh = bare ? joined_by_position(part.mesh) : joined_by_surface(part.mesh);
   }
   return joined;
 }

@@ -68,6 +68,23 @@ std::optional<Model> own_model(const std::string& name,
   return std::nullopt;
 }
 
+/// Replaces the colours of vertices, if a part has some, by means of triangles.
+Model with_mean_colours(Model model, const std::string& subject) {
+  const auto has_colours = [](const ModelPart& part) { return !part.mesh.colours.empty(); };
+  if (std::none_of(model.parts.begin(), model.parts.end(), has_colours)) return model;
+  RawModel raw = to_raw(model);
+  for (std::array<RawMesh::Corner, 3>& corners : raw.mesh.triangles) {
+    TriangleColour colour{corners[0].colour.has_value(), {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Rgb8 c = std::exchange(corners[i].colour, std::nullopt).value_or(Rgb8{});
+      colour.corners[i] = Vec3{double(c.r), double(c.g), double(c.b)} * (1.0 / 255);
+    }
+    raw.colours.push_back(colour);
+  }
+  apply_colours(raw, VertexColours::kMean);
+  return weld_parts(raw, subject);
+}
+
 }  // namespace
 
 std::optional<MeshFormat> mesh_format(const std::filesystem::path& path) {
@@ -91,7 +108,9 @@ Model load_model_from_memory(std::string_view bytes, MeshFormat format, const st
 }
 
 Model load_model_file(const std::string& name, TexturePointsOf points, VertexColours colours) {
-  if (std::optional<Model> model = own_model(name, points)) return std::move(*model);
+  if (std::optional<Model> model = own_model(name, points)) {
+    return colours == VertexColours::kKept ? std::move(*model) : with_mean_colours(std::move(*model), name);
+  }
   return weld_parts(load_raw(name, require_format(name), colours), name, points);
 }
 

@@ -6,6 +6,7 @@
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -37,6 +38,10 @@ MeshData to_data(const MeshView& view, bool textured) {
     const int bits = -view.texture_scale().fraction_bits;
     mesh.texture_points.push_back({std::ldexp(p.u, bits), std::ldexp(p.v, bits)});
   }
+  // Without colours all are white.
+  for (std::size_t i = 0; i < view.vertex_count(); ++i) mesh.colours.push_back(view.colour(i));
+  const auto is_white = [](Rgb8 c) { return c == Rgb8{255, 255, 255}; };
+  if (std::all_of(mesh.colours.begin(), mesh.colours.end(), is_white)) mesh.colours.clear();
   for (std::size_t i = 0; i < view.triangle_count(); ++i) {
     const TriangleIndices t = view.triangle(i);
     mesh.triangles.push_back({t.a, t.b, t.c});
@@ -159,7 +164,7 @@ Model model_from_binary(std::string_view bytes, const std::string& subject) {
   if (bytes.starts_with("ARCP")) return model_of_parts(binary, subject);
   MeshView view;
   const Status status = view_mesh_binary(binary, view);
-  if (status == Status::kUnsupported) throw Failure(subject, "not a mesh binary of version 1, 2 or 3");
+  if (status == Status::kUnsupported) throw Failure(subject, "not a mesh binary of version 1 to 4");
   if (!ok(status)) refuse_damaged(subject, "mesh", status);
   require_triangles(view.triangle_count(), subject);
   return to_model(to_data(view, false));

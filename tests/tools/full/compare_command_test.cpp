@@ -49,6 +49,28 @@ TEST_CASE("compare takes a choice of shadings, in that order") {
   CHECK(json["methods"][0]["time_per_gouraud"].get<double>() > 0);  // though gouraud is not shown
 }
 
+TEST_CASE("compare has errors of textures, for the shadings that draw them") {
+  const TemporaryFolder folder;
+  const CommandRun done = run("compare sphere:12x6 --texture " ARCSPAN_MODELS
+                              "/tiles.ppm --size 96x72 --no-instructions "
+                              "--shading flat,gouraud,arc,phong -o " +
+                              (folder / "a.ppm") + " --table " + (folder / "a.json"));
+  REQUIRE(done.status == 0);
+  CHECK(done.err.empty());
+  CHECK(done.out.find("| max, textured | RMS, textured | PSNR, textured |") != std::string::npos);
+  const auto methods = nlohmann::json::parse(contents(folder / "a.json"))["methods"];
+  CHECK(methods[3]["textured_rms_error"].is_null());  // phong
+  const auto rms = [&methods](std::size_t i) { return methods[i]["textured_rms_error"].get<double>(); };
+  CHECK(rms(2) > 0.1);
+  CHECK(rms(2) < 0.6);
+  CHECK(rms(0) > rms(1));
+  CHECK(rms(1) > 2 * rms(2));
+  REQUIRE(run("compare sphere:8x4 --size 48x32 --no-instructions --shading arc -o " + (folder / "a.ppm") +
+              " --table " + (folder / "b.csv"))
+              .status == 0);
+  CHECK(contents(folder / "b.csv").find("textured") == std::string::npos);
+}
+
 TEST_CASE("compare draws dichotomy by one polynomial or by all") {
   const TemporaryFolder folder;
   const std::string base = "compare sphere:12x6 --size 48x32 --no-instructions -o " + (folder / "a.ppm") +

@@ -127,7 +127,7 @@ MethodFigures figures_of(const std::string& shading, const RenderJob& job, const
 }
 
 Comparison compare(const CompareArguments& arguments, const RenderJob& job, const FixedMeshes& meshes,
-                   const ReferencePicture& reference) {
+                   const ReferencePicture& reference, const std::optional<TexturedScene>& textured) {
   std::vector<std::string> measured = arguments.shadings;
   const std::size_t shown = measured.size();
   for (const char* name : kYardsticks) {
@@ -137,10 +137,11 @@ Comparison compare(const CompareArguments& arguments, const RenderJob& job, cons
   Progress progress("comparing", measured.size());
   for (std::size_t i = 0; i < measured.size(); ++i) {
     progress.show(i);
-    const MethodFigures figures = figures_of(measured[i], job, meshes, reference, arguments.instructions);
+    MethodFigures figures = figures_of(measured[i], job, meshes, reference, arguments.instructions);
     if (std::find(std::begin(kYardsticks), std::end(kYardsticks), measured[i]) != std::end(kYardsticks)) {
       comparison.yardsticks.push_back({measured[i], figures.nanoseconds, figures.instructions});
     }
+    if (textured) figures.textured = textured_error(measured[i], *textured);
     if (i < shown) comparison.methods.push_back(figures);
   }
   return comparison;
@@ -154,8 +155,9 @@ void run_compare(const CompareArguments& arguments) {
   written.emplace_back(arguments.output);
   check_results(written, {options.mesh});
   Model loaded = load_model(options.mesh, options.crease_degrees, options.texture);
-  if (remove_textures(loaded)) warn(options.mesh, "textures are not compared");
-  if (make_opaque(loaded)) warn(options.mesh, "transparent materials are compared opaque");
+  if (make_opaque(loaded)) warn(options.mesh, "transparent surfaces are compared opaque");
+  const FixedModel skinned = to_fixed(loaded);
+  const bool has_textures = remove_textures(loaded);
   const FixedModel model = to_fixed(loaded);
   const RenderJob job = make_job(options.scene, model, options.mesh);
   if (!arguments.draw_only.empty()) {
@@ -163,7 +165,11 @@ void run_compare(const CompareArguments& arguments) {
     return;
   }
   const ReferencePicture reference = draw_reference(job, arguments.reference);
-  Comparison comparison = compare(arguments, job, model, reference);
+  std::optional<TexturedScene> textured;
+  if (has_textures) {
+    textured = textured_scene(make_job(options.scene, skinned, options.mesh), arguments.reference);
+  }
+  Comparison comparison = compare(arguments, job, model, reference, textured);
   comparison.mesh_name = printable(options.mesh);
   comparison.mesh_triangles = model.triangle_count();
   comparison.width = reference.width;
@@ -224,7 +230,9 @@ void add_compare_command(CLI::App& app) {
       "Two or three lights are drawn, timed and counted as four, of which the others are dark. Several "
       "lights\n"
       "are drawn through virtual calls, and the methods of the papers reach them by further ones; so are\n"
-      "highlights that fade. Operations are counted as of white lights and of highlights that do not fade.\n"
+      "highlights that fade. Textures have errors of their own: against the texels that are shown, times "
+      "light in\n"
+      "doubles. Operations are counted as of white lights and of highlights that do not fade.\n"
       "Examples:\n"
       "  arcspan compare bunny.obj -o sheet.png\n"
       "  arcspan compare sphere:32x16 -o sheet.png --shading gouraud,phong,arc --table costs.md");

@@ -67,7 +67,13 @@ bool remove_textures(Model& model) {
 
 bool make_opaque(Model& model) {
   bool any = false;
-  for (ModelPart& part : model.parts) any = std::exchange(part.look.material.opacity, 1.0) < 1 || any;
+  for (ModelPart& part : model.parts) {
+    FileMaterial& material = part.look.material;
+    any = std::exchange(material.opacity, 1.0) < 1 || any;
+    any = (std::exchange(material.alpha_mode, AlphaMode::kOpaque) != AlphaMode::kOpaque &&
+           material.texture != nullptr) ||
+          any;
+  }
   return any;
 }
 

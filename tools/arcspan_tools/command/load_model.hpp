@@ -22,7 +22,7 @@ namespace arcspan::tools {
 /// Removes the textures and the texture points of all parts. Returns whether there were any.
 bool remove_textures(Model& model);
 
-/// Makes the materials of all parts opaque. Returns whether there were others.
+/// Makes the materials and the textures of all parts opaque. Returns whether there were others.
 bool make_opaque(Model& model);
 
 /// Prints the line `arcspan: warning: SUBJECT: TEXT` on standard error.

@@ -46,7 +46,10 @@ struct Made {
 Made make(const MeshArguments& arguments, CompiledOutput output) {
   Model data = load_model(arguments.model, {}, arguments.texture, arguments.colours);
   if (!arguments.textures) remove_textures(data);
-  if (make_opaque(data)) warn(arguments.model, "the opacity of materials is not written");
+  const auto is_glass = [](const ModelPart& part) { return part.look.material.opacity < 1; };
+  if (std::any_of(data.parts.begin(), data.parts.end(), is_glass)) {
+    warn(arguments.model, "the opacity of materials is not written");
+  }
   if (!arguments.group.empty()) data = select_parts(std::move(data), arguments.group, arguments.model);
   Made made{{}, to_fixed(data), {}};
   made.textures = make_textures(made.model, arguments.texture_options);

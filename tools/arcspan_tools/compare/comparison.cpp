@@ -131,4 +131,18 @@ MethodFigures measure_method(const MeasuredMethod& method, const RenderJob& job,
   return figures;
 }
 
+TexturedScene textured_scene(const RenderJob& job, ReferenceKind kind) {
+  RenderJob unlit = job;
+  constexpr Coefficient kOne = Coefficient::of(1.0);
+  for (RenderPart& part : unlit.parts) part.material = {{kOne, kOne, kOne}, {}, {}, 1, {}};
+  const Image texels = find_renderer("flat", "rgb888", false).render(unlit, [](std::size_t) {}).image;
+  return {job, with_texels(draw_reference(job, kind), texels)};
+}
+
+std::optional<PictureError> textured_error(const std::string& shading, const TexturedScene& scene) {
+  if (!shading_draws_effects(shading)) return std::nullopt;
+  const Image picture = find_renderer(shading, "rgb888", false).render(scene.job, [](std::size_t) {}).image;
+  return picture_error(picture, scene.reference, scene.job.background);
+}
+
 }  // namespace arcspan::tools

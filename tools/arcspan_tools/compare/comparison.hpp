@@ -19,6 +19,7 @@ struct MethodFigures {
   std::string shading;
   Image picture;
   PictureError error;
+  std::optional<PictureError> textured;  ///< error with the model's textures, if it has some
   /// Of the pixels alone; what the span loop itself counts (that is, flat shading) is taken off.
   OperationRates per_pixel{};
   /// All kinds together, spent on vertices, preparation and row starts, per pixel.
@@ -52,6 +53,17 @@ enum class Timing : std::uint8_t { kMeasured, kLeftOut };
                                            Timing timing = Timing::kMeasured);
 [[nodiscard]] MethodFigures measure_method(const std::string& shading, const RenderJob& job,
                                            const FixedMeshes& meshes, const ReferencePicture& reference);
+
+/// A job with textures, and its reference.
+struct TexturedScene {
+  RenderJob job;
+  ReferencePicture reference;
+};
+/// The scene of a job whose parts have textures.
+[[nodiscard]] TexturedScene textured_scene(const RenderJob& job, ReferenceKind kind);
+/// The error of a method's picture of it; nothing if the method draws no textures.
+[[nodiscard]] std::optional<PictureError> textured_error(const std::string& shading,
+                                                         const TexturedScene& scene);
 
 /// Processor time of drawing a job into rgb565, in milliseconds: the best of several runs.
 [[nodiscard]] double best_draw_milliseconds(const RenderJob& job, RenderFunction& render);

@@ -77,8 +77,8 @@ ReferenceIllumination::ReferenceIllumination(const RenderJob& job, const Materia
   }
 }
 
-ChannelLevels ReferenceIllumination::levels(Vec3 normal) const {
-  ChannelLevels result = ambient;
+LightLevels ReferenceIllumination::light(Vec3 normal) const {
+  LightLevels result{ambient, {}};
   for (const auto& [light, weights] : lights) {
     const double normal_light = dot(normal, light);
     if (normal_light <= 0) continue;
@@ -87,10 +87,10 @@ ChannelLevels ReferenceIllumination::levels(Vec3 normal) const {
     const double fade = normal_light < highlight_fade ? normal_light / highlight_fade : 1;
     const double shine = fade * std::pow(std::max(cosine, 0.0), shininess);
     for (std::size_t c = 0; c < 3; ++c) {
-      result[c] += weights[c] * (diffuse[c] * normal_light + specular[c] * shine);
+      result.diffuse[c] += weights[c] * diffuse[c] * normal_light;
+      result.highlight[c] += weights[c] * specular[c] * shine;
     }
   }
-  for (double& level : result) level = std::clamp(level, 0.0, 255.0);
   return result;
 }
 
@@ -130,6 +130,24 @@ ReferencePicture draw_reference(const RenderJob& job, ReferenceKind kind) {
     if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
   }
   return picture;
+}
+
+ReferencePicture with_texels(const ReferencePicture& reference, const Image& texels) {
+  ReferencePicture textured = reference;
+  textured.samples.clear();
+  for (std::int32_t y = 0; y < reference.height; ++y) {
+    for (std::int32_t x = 0; x < reference.width; ++x) {
+      const ReferenceSample* const plain = reference.at(x, y);
+      if (plain == nullptr) continue;
+      const Rgb8 texel = texels.at(x, y);
+      ReferenceSample sample = *plain;
+      sample.levels = plain->light.reflected({texel.r / 255.0, texel.g / 255.0, texel.b / 255.0});
+      textured.samples.push_back(sample);
+      textured.numbers[static_cast<std::size_t>(y) * static_cast<std::size_t>(reference.width) +
+                       static_cast<std::size_t>(x)] = static_cast<std::uint32_t>(textured.samples.size());
+    }
+  }
+  return textured;
 }
 
 }  // namespace arcspan::tools

@@ -5,6 +5,7 @@
 #include <arcspan_tools/render/render.hpp>
 #include <arcspan_tools/support/vec3.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -17,6 +18,21 @@ enum class ReferenceKind : std::uint8_t { kPhong, kSlerp };
 
 /// Red, green, blue in 8-bit steps, 0...255, not rounded.
 using ChannelLevels = std::array<double, 3>;
+
+/// Ambient and diffuse light, and highlights, which textures leave as they are; not clamped.
+struct LightLevels {
+  ChannelLevels diffuse{};
+  ChannelLevels highlight{};
+
+  /// What is reflected of them by a surface that reflects these shares of diffuse light; clamped.
+  [[nodiscard]] ChannelLevels reflected(const std::array<double, 3>& shares = {1, 1, 1}) const {
+    ChannelLevels sum;
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum[c] = std::clamp(std::min(diffuse[c], 255.0) * shares[c] + highlight[c], 0.0, 255.0);
+    }
+    return sum;
+  }
+};
 
 /// S0 eq. 1 or 12 in doubles.
 struct ReferenceIllumination {
@@ -36,12 +52,14 @@ struct ReferenceIllumination {
   ReferenceIllumination() = default;
   /// The illumination of one part of a job, which has `material`.
   ReferenceIllumination(const RenderJob& job, const Material& material);
-  [[nodiscard]] ChannelLevels levels(Vec3 normal) const;
+  [[nodiscard]] LightLevels light(Vec3 normal) const;
+  [[nodiscard]] ChannelLevels levels(Vec3 normal) const { return light(normal).reflected(); }
 };
 
 struct ReferenceSample {
   Vec3 normal;  ///< unit length
   ChannelLevels levels{};
+  LightLevels light{};  ///< of which `levels` is the clamped sum
 };
 
 /// A picture in doubles.
@@ -65,6 +83,10 @@ struct ReferencePicture {
 /// Draws the job in doubles: the pipeline's own geometry, coverage and depth, from the same 16-bit positions
 /// and packed normals, and the same directions and coefficients.
 [[nodiscard]] ReferencePicture draw_reference(const RenderJob& job, ReferenceKind kind);
+
+/// The same with textures: `texels` is the picture of the job in full light, and multiplies ambient and
+/// diffuse light; highlights are added.
+[[nodiscard]] ReferencePicture with_texels(const ReferencePicture& reference, const Image& texels);
 
 [[nodiscard]] Vec3 to_vec3(const Direction& direction);
 

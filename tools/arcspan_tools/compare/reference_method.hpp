@@ -76,7 +76,8 @@ struct ReferenceMethod {
     [[nodiscard]] PackedRgb colour(const Lighting& lighting) const {
       const double t = std::clamp(at_, 0.0, 1.0);
       const Vec3 normal = normalised(between_normals(kind_, left_, right_, t));
-      lighting.samples->push_back({normal, lighting.illumination.levels(normal)});
+      const LightLevels light = lighting.illumination.light(normal);
+      lighting.samples->push_back({normal, light.reflected(), light});
       return {static_cast<std::uint32_t>(lighting.samples->size())};
     }
     void next() { at_ += step_; }

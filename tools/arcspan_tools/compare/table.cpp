@@ -4,6 +4,7 @@
 #include <arcspan_tools/support/text.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -51,11 +52,25 @@ void add_error_columns(std::vector<Column>& columns) {
   columns.push_back({"ssim", "SSIM", 5, [](const MethodFigures& m) { return m.error.ssim; }});
 }
 
+void add_textured_columns(std::vector<Column>& columns, const Comparison& comparison) {
+  const auto has_error = [](const MethodFigures& m) { return m.textured.has_value(); };
+  if (std::none_of(comparison.methods.begin(), comparison.methods.end(), has_error)) return;
+  const auto of = [](double PictureError::*figure) {
+    return [figure](const MethodFigures& m) {
+      return m.textured ? std::optional(*m.textured.*figure) : std::nullopt;
+    };
+  };
+  columns.push_back({"textured_max_error", "max, textured", 2, of(&PictureError::max)});
+  columns.push_back({"textured_rms_error", "RMS, textured", 3, of(&PictureError::rms)});
+  columns.push_back({"textured_psnr", "PSNR, textured", 1, of(&PictureError::psnr)});
+}
+
 std::vector<Column> all_columns(const Comparison& comparison) {
   std::vector<Column> columns;
   add_operation_columns(columns);
   add_cost_columns(columns, comparison);
   add_error_columns(columns);
+  add_textured_columns(columns, comparison);
   return columns;
 }
 

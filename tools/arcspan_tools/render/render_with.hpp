@@ -17,7 +17,6 @@
 #include <arcspan_tools/support/processor_time.hpp>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -240,15 +239,9 @@ std::unique_ptr<SurfaceDrawer> make_surface_drawer(const RenderJob& job, const R
                                                    const SurfaceOperation& operation) {
   const auto make = [&]<class Lit>(const Lit& illumination) -> std::unique_ptr<SurfaceDrawer> {
     using Drawn = Textured<Method<Lit>, SurfaceTexels, TexelLight::kColoured>;
-    static constexpr auto kWhite = [] {
-      std::array<std::uint32_t, 64> texels{};
-      texels.fill(0x10FFFF);
-      return texels;
-    }();
-    static constexpr auto kWhiteTexture = Texture<SurfaceTexels>::of(kWhite, {3, 3, 1});
     const bool textured = part.texture != nullptr;
     const typename Drawn::Lighting lighting(lighting_of<Method<Lit>>(job, illumination),
-                                            textured ? part.texture->view : kWhiteTexture);
+                                            textured ? part.texture->view : white_texture());
     return std::make_unique<SurfaceDrawerOf<Drawn>>(
         job, part, lighting, operation,
         cached_vertex_bytes_of<Method>(job) + (textured ? sizeof(MappedPoint) : 0));

@@ -152,8 +152,8 @@ MeshData joined_by_position(const MeshData& mesh) {
 
 /// `mesh` with one vertex for each position, texture point and colour; the normals are none.
 MeshData joined_by_surface(const MeshData& mesh) {
-  using Colour = std::tuple<std::uint8_t, std::uint8_t, std::uint8_t>;
-  std::map<std::tuple<double, double, double, double, double, Colour>, std::uint32_t> known;
+  using RgbKey = std::tuple<std::uint8_t, std::uint8_t, std::uint8_t>;
+  std::map<std::tuple<double, double, double, double, double, RgbKey>, std::uint32_t> known;
   MeshData joined;
   joined.dropped_faces = mesh.dropped_faces;
   joined.triangles = mesh.triangles;
@@ -164,7 +164,7 @@ MeshData joined_by_surface(const MeshData& mesh) {
       const Rgb8 c = mesh.colours.empty() ? Rgb8{} : mesh.colours[vertex];
       const auto next = static_cast<std::uint32_t>(joined.positions.size());
       const auto [at, is_new] =
-          known.try_emplace({p.x, p.y, p.z, point.u, point.v, Colour{c.r, c.g, c.b}}, next);
+          known.try_emplace({p.x, p.y, p.z, point.u, point.v, RgbKey{c.r, c.g, c.b}}, next);
       if (is_new) {
         joined.positions.push_back(p);
         joined.normals.emplace_back();

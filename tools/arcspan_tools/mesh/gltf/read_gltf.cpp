@@ -222,6 +222,7 @@ class GltfReader {
       if (primitive.colours) {
         const Vec3& base = material.base;
         const Vec3 c = vec3(*primitive.colours, corners[i]);
+        if (!finite(c)) json.at("attributes").at("COLOR_0").fail("a colour is not a finite number");
         colour.corners[i] = to_srgb(Vec3{c.x * base.x, c.y * base.y, c.z * base.z});
       }
     }

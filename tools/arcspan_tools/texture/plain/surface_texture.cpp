@@ -45,4 +45,15 @@ std::shared_ptr<const SurfaceTexture> surface_texture(const RgbaImage& picture, 
   return texture;
 }
 
+const Texture<SurfaceTexels>& white_texture() {
+  static const std::shared_ptr<const SurfaceTexture> kWhite = surface_texture(
+      [] {
+        RgbaImage white(8, 8);
+        std::fill(white.pixels.begin(), white.pixels.end(), Rgba8{255, 255, 255, 255});
+        return white;
+      }(),
+      0);
+  return kWhite->view;
+}
+
 }  // namespace arcspan::tools

@@ -47,4 +47,7 @@ struct SurfaceTexture {
 [[nodiscard]] std::shared_ptr<const SurfaceTexture> surface_texture(
     const RgbaImage& picture, unsigned alpha_bits, PictureEdges edges = PictureEdges::kRepeat);
 
+/// A texture whose texels are white and opaque.
+[[nodiscard]] const Texture<SurfaceTexels>& white_texture();
+
 }  // namespace arcspan::tools

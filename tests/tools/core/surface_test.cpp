@@ -182,6 +182,22 @@ TEST_CASE("vertex colours that are multiplied with what is behind are those of f
         firmware<Glass, Dithered<Rgb332>, ReadOnlyDepth>(job, light));
 }
 
+TEST_CASE("textures times vertex colours are those of firmware", "[textures]") {
+  Model model = coloured_sphere();
+  model.parts[0].look.material.texture = std::make_shared<FileTexture>(FileTexture{"p", picture()});
+  const Scene scene = small_scene();
+  const FixedModel fixed = to_fixed(model);
+  const RenderJob job = make_job(scene, fixed, "m");
+  using Surface = Textured<VertexColoured<Lit>, DirectTexels<>, TexelLight::kColoured>;
+  const TextureSize size{5, 4, 5};
+  const auto words =
+      stored_levels<OpaqueColour>(picture_of(model.parts[0].look.material), size, PictureEdges::kRepeat);
+  Texture<DirectTexels<>> texture;
+  REQUIRE(ok(Texture<DirectTexels<>>::make(words, size, texture)));
+  CHECK(drawn(job, "arc", {"rgb565", false}) ==
+        firmware<Surface, Rgb565>(job, Surface::Lighting(light_of(job), texture)));
+}
+
 TEST_CASE("an environment map whose light is added is that of firmware", "[textures]") {
   Scene scene = small_scene();
   scene.transparency = Transparency::kAdd;

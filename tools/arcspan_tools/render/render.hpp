@@ -30,7 +30,7 @@ struct RenderPart {
   Material material;
   bool two_sided = false;
   std::shared_ptr<const SurfaceTexture> texture{};  ///< multiplies the light on it; null if there is none
-  bool vertex_colours = false;  ///< those of the mesh multiply the light of Gouraud shading; without texture
+  bool vertex_colours = false;  ///< those of the mesh multiply the light, which is that of Gouraud shading
   Transparency transparency = Transparency::kNone;
   std::uint8_t opacity = 32;  ///< of transparency: 0...32, of kScreenDoor 0...8
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/textured/environment_map.hpp>
+#include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/shading/vertex_coloured.hpp>
 
 #include <arcspan_tools/render/band_depth.hpp>
@@ -27,19 +28,21 @@ bool has_grey_light(const RenderJob& job, const RenderPart& part) {
 Drawers make_drawers(const RenderJob& job, const std::vector<std::unique_ptr<IlluminationCalls>>& calls,
                      MakeSurfaceDrawer& make) {
   using Chrome = Arc<EnvironmentMap<SurfaceTexels>>;
-  using Coloured = VertexColoured<AnyIllumination<true>>;
+  using Painted = VertexColoured<AnyIllumination<true>>;
+  using Coloured = Textured<Painted, SurfaceTexels, TexelLight::kColoured>;
   Drawers drawers;
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
     const RenderPart& part = job.parts[i];
     const SurfaceOperation operation{job.fog.get(), part.transparency, part.opacity, part.texture != nullptr,
-                                     has_grey_light(job, part)};
+                                     !part.vertex_colours && has_grey_light(job, part)};
     if (job.matcap != nullptr) {
       drawers.push_back(std::make_unique<SurfaceDrawerOf<Chrome>>(
           job, part, EnvironmentMap<SurfaceTexels>(job.matcap->view, job.rotation), operation,
           sizeof(CachedVertex<Chrome>)));
     } else if (part.vertex_colours) {
       drawers.push_back(std::make_unique<SurfaceDrawerOf<Coloured>>(
-          job, part, AnyIllumination<true>(*calls[i]), operation, sizeof(CachedVertex<Coloured>)));
+          job, part, Coloured::Lighting(AnyIllumination<true>(*calls[i]), texture_of(part)), operation,
+          part.texture == nullptr ? sizeof(CachedVertex<Painted>) : sizeof(CachedVertex<Coloured>)));
     } else {
       drawers.push_back(make(job, part, *calls[i], operation));
     }

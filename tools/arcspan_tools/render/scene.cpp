@@ -122,7 +122,7 @@ RenderJob make_job(const Scene& scene, const FixedModel& model, const std::strin
                     scene.two_sided || material.two_sided};
     set_transparency(scene, material, part);
     part.texture = textures.of(material, part.transparency);
-    part.vertex_colours = part.texture == nullptr && !model.meshes[i].colours.empty() && !scene.chosen.colour;
+    part.vertex_colours = !model.meshes[i].colours.empty() && !scene.chosen.colour;
     placed.job.parts.push_back(std::move(part));
   }
   order_parts(placed.job, placed.camera.placement);

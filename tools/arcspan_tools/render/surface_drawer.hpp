@@ -58,6 +58,11 @@ using MakeSurfaceDrawer = std::unique_ptr<SurfaceDrawer>(const RenderJob& job, c
                                                          const IlluminationCalls& illumination,
                                                          const SurfaceOperation& operation);
 
+/// The texture of a part; a white one, which changes no pixel, if it has none.
+[[nodiscard]] inline const Texture<SurfaceTexels>& texture_of(const RenderPart& part) {
+  return part.texture == nullptr ? white_texture() : part.texture->view;
+}
+
 /// Whether a part has a texture, vertex colours or transparency, or the job fog or an environment map.
 [[nodiscard]] bool has_surfaces(const RenderJob& job);
 

@@ -29,8 +29,7 @@ Vec3 to_vec3(Rgb8 c) { return Vec3{double(c.r), double(c.g), double(c.b)} * (1.0
 void keep_colours(RawModel& model) {
   std::set<std::uint32_t> differing;
   for (std::size_t i = 0; i < model.colours.size(); ++i) {
-    const bool textured = model.looks[model.look_of[i]].material.texture != nullptr;
-    if (model.colours[i].known && !textured && differs(model.colours[i])) differing.insert(model.look_of[i]);
+    if (model.colours[i].known && differs(model.colours[i])) differing.insert(model.look_of[i]);
   }
   std::map<std::uint32_t, std::uint32_t> white;  // looks in place of others
   for (std::size_t i = 0; i < model.colours.size(); ++i) {

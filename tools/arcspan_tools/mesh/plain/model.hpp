@@ -98,7 +98,7 @@ struct RawModel {
 enum class TexturePointsOf : std::uint8_t { kTexturedParts, kAllParts };
 
 /// What becomes of vertex colours that differ within a triangle: it gets their mean, or they are kept, to be
-/// interpolated. Textured parts get means anyway.
+/// interpolated.
 enum class VertexColours : std::uint8_t { kMean, kKept };
 
 /// Joins corners into vertices as weld() does, part by part and with texture points; normals are averaged

@@ -152,6 +152,8 @@ class BillboardStage {
 ///     using Tree = Textured<Unlit, Palette8Texels<Alpha1Colour>>;
 ///     draw_billboards<Tree>(places, {900, 1400}, transform, Tree::Lighting({}, texture), frame, depth);
 ///
+/// With TextureFilter::kBilinear take TextureWrap::kClamp too, or opposite borders of the texture are mixed.
+///
 /// `middles` are in object space; a whole billboard disappears when its middle passes the near plane. Returns
 /// a status as draw_lines() does.
 template <BillboardMethod Method, PixelSink Sink, DepthTarget Depth>

@@ -30,6 +30,7 @@ template <OneColour Colour = Unlit>
 struct Wireframe : Colour {
   static constexpr bool kDrawsEdges = true;
 
+  /// The lighting of `Colour` with the bias.
   struct Lighting : Colour::Lighting {
     using Base = typename Colour::Lighting;
     constexpr Lighting() = default;

@@ -22,6 +22,8 @@ constexpr Viewport kView{83, 58};
 constexpr std::size_t kPixels = static_cast<std::size_t>(kView.width * kView.height);
 constexpr std::uint16_t kEmpty = 0xFFFF;
 using Sign = Textured<Unlit, DirectTexels<Alpha1Colour>>;
+using Poster = Textured<Unlit, DirectTexels<Alpha1Colour>, TexelLight::kNone, TextureFilter::kBilinear,
+                        TextureWrap::kClamp>;
 
 /// 8×16 texels, each of which tells its place, all opaque but those of column 5.
 constexpr auto kTexels = [] {
@@ -48,16 +50,17 @@ TestCamera camera_at(Vec3 translation, double focal) {
 }
 
 /// Draws a billboard at the origin in bands of `rows` rows.
+template <class Method = Sign>
 Picture drawn(const ClipTransform& transform, const BillboardSize& size, std::int32_t rows) {
   Picture picture;
-  const Sign::Lighting lighting(PackedRgb{}, kTexture);
+  const typename Method::Lighting lighting(PackedRgb{}, kTexture);
   const ObjectPosition origin{};
   for (std::int32_t top = 0; top < kView.height; top += rows) {
     const std::int32_t count = std::min(rows, kView.height - top);
     const auto begin = static_cast<std::size_t>(top * kView.width);
     hal::Framebuffer<Rgb565> band(std::span(picture.pixels).subspan(begin), kView.width, count, top);
     DepthBuffer depth(std::span(picture.depths).subspan(begin), kView.width, count, top);
-    REQUIRE(ok(draw_billboards<Sign>({&origin, 1}, size, transform, lighting, band, depth)));
+    REQUIRE(ok(draw_billboards<Method>({&origin, 1}, size, transform, lighting, band, depth)));
   }
   return picture;
 }
@@ -144,6 +147,19 @@ TEST_CASE("a billboard has the depth of its middle") {
     }
   }
   CHECK(pixels == 30 * 26);  // a column of texels is transparent
+}
+
+TEST_CASE("a clamped texture mixes no texels of opposite borders") {
+  const ClipTransform transform = camera_at({0, 0, -8000}, 60).transform();
+  const Picture picture = drawn<Poster>(transform, {40, 40, BillboardSize::Unit::kPixel}, kView.height);
+  const auto pixel = [&](std::int32_t x, std::int32_t y) {
+    return picture.pixels[static_cast<std::size_t>(y * kView.width + x)];
+  };
+  // The corners of columns 21...60 and rows 9...48.
+  CHECK(pixel(21, 9) == Alpha1Colour::rgb565(kTexels[0]));
+  CHECK(pixel(60, 9) == Alpha1Colour::rgb565(kTexels[7]));
+  CHECK(pixel(21, 48) == Alpha1Colour::rgb565(kTexels[120]));
+  CHECK(pixel(60, 48) == Alpha1Colour::rgb565(kTexels[127]));
 }
 
 TEST_CASE("a billboard is hidden by what is nearer") {

@@ -238,6 +238,32 @@ TEST_CASE("render makes normals anew by --crease") {
   CHECK(faces("") > 20);
 }
 
+TEST_CASE("turntable and simulate have fog, transparency and environment maps too") {
+  const Files files;
+  const std::string chrome = files.folder.file("m.ppm", "P6\n1 1\n255\n" + std::string("\x20\x80\xF8", 3));
+  const auto drawn = [&](const std::string& options) {
+    const CommandRun done = run("simulate sphere:16x8 -o " + (files.folder / "s.png") + " " + options);
+    CHECK(done.err.empty());
+    REQUIRE(done.status == 0);
+    const Image picture = read_image(files.folder / "s.png");
+    return picture.at(picture.width / 2, picture.height / 2);
+  };
+  const Rgb8 plain = drawn("");
+  CHECK(hue(plain) != Hue::kBlue);
+  const Rgb8 map = drawn("--matcap " + chrome);  // one colour everywhere
+  CHECK((std::abs(map.r - 0x20) <= 8 && std::abs(map.g - 0x80) <= 4 && std::abs(map.b - 0xF8) <= 8));
+  const Rgb8 fog = drawn("--fog 0.5,1.5#0,0,1");
+  CHECK((fog.r < 8 && fog.g < 8 && fog.b > 240));
+  const Rgb8 half = drawn("--alpha 0.5 --background 0,0,1");
+  CHECK((half.b > 120 && half.r < plain.r));
+  const std::string frames = files.folder / "frames";
+  REQUIRE(run("turntable sphere:16x8 --frames 2 --size 32x32 --matcap " + chrome + " -o " + frames).status ==
+          0);
+  for (const auto& entry : std::filesystem::directory_iterator(frames)) {
+    CHECK(read_image(entry.path()).at(16, 16).b > 240);
+  }
+}
+
 TEST_CASE("turntable, simulate and compare draw materials too") {
   const Files files;
   const std::string model = files.folder.file("ball.obj", ball());

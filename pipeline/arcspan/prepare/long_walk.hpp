@@ -10,6 +10,7 @@ namespace arcspan {
 /// The long edge of a triangle at its first row, for methods that NeedsNearOverW; empty for others.
 template <class Method>
 struct LongWalk {};
+/// The long edge of a method that NeedsNearOverW.
 template <NeedsNearOverW Method>
 struct LongWalk<Method> : EdgeWalk {
   // Member by member, because small cores would copy the whole by memcpy.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The span stage and nothing else, for every format and every method but those that divide by definition
-// (phong, phong-segment, duff): the object that must hold no division.
-#include <arcspan/hal/framebuffer.hpp>
+// The span stage and nothing else, for every format and every method for products: the object that must hold
+// no division.
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/pixel/mono.hpp>
@@ -9,65 +8,36 @@
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/literature/arc_vector.hpp>
-#include <arcspan/shading/literature/dichotomy.hpp>
-#include <arcspan/shading/literature/kuijk_blake.hpp>
-#include <arcspan/shading/literature/lyon.hpp>
-#include <arcspan/shading/literature/phong.hpp>
-#include <arcspan/shading/literature/recurrence_four.hpp>
-#include <arcspan/shading/literature/recurrence_method.hpp>
-#include <arcspan/shading/literature/reflection_map.hpp>
-#include <arcspan/shading/literature/slerp.hpp>
 #include <arcspan/shading/segment/segment.hpp>
 #include <arcspan/shading/wireframe.hpp>
 #include <arcspan/span/depth_mode.hpp>
-#include <arcspan/span/draw_command.hpp>
 #include <arcspan/span/draw_small.hpp>
 #include <arcspan/span/rectangle_rows.hpp>
 
+#include <tests/objects/instances.hpp>
 #include <tests/objects/surface_list.hpp>
 
 namespace arcspan {
 
-#define ARCSPAN_INSTANTIATE(METHOD, FORMAT, DEPTH)                                         \
-  template Status draw_command<METHOD, hal::Framebuffer<FORMAT>, DEPTH>(                   \
-      TriangleCommand<METHOD>&, const RasterOrigin&, const Rect&, const METHOD::Lighting&, \
-      hal::Framebuffer<FORMAT>&, const DEPTH&)
-
-ARCSPAN_INSTANTIATE(Window, Rgb565, ReadOnlyDepth);
-ARCSPAN_INSTANTIATE(Window, Rgb888, ReadOnlyDepth);
-ARCSPAN_INSTANTIATE(Sign, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Poster, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Wall, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Stage, Rgb888, NoDepth);
-ARCSPAN_INSTANTIATE(Chrome, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Glass, Rgb565, ReadOnlyDepth);
-ARCSPAN_INSTANTIATE(Ghost, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Adaptive<Phong1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Adaptive<Blinn4>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(ArcVector<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(DichotomyLinear<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(DichotomyQuadratic<Phong4>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(DichotomyCubic<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(DichotomyPrintedLinear<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(DichotomyPrintedQuadratic<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(KuijkBlake<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Lyon<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(PhongReciprocal<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Recurrence<Phong1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(RecurrenceFour<Phong1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(ReflectionMap<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Segment<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Slerp<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Arc<Phong1>, Rgb565, DepthBuffer);
-ARCSPAN_INSTANTIATE(Arc<Blinn4>, Rgb888, DepthBuffer);
-ARCSPAN_INSTANTIATE(Arc<Phong4>, Gray8, NoDepth);
-ARCSPAN_INSTANTIATE(Arc<Phong1>, Gray4, NoDepth);
-ARCSPAN_INSTANTIATE(Arc<Phong1>, Dithered<Mono>, NoDepth);
-ARCSPAN_INSTANTIATE(Arc<Phong1>, Dithered<Rgb565>, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Window, Rgb565, ReadOnlyDepth);
+ARCSPAN_SPAN_INSTANTIATE(Sign, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Poster, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Wall, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Stage, Rgb888, NoDepth);
+ARCSPAN_SPAN_INSTANTIATE(Chrome, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Glass, Rgb565, ReadOnlyDepth);
+ARCSPAN_SPAN_INSTANTIATE(Ghost, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Adaptive<Phong1>, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Segment<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn4>, Rgb888, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Phong4>, Gray8, NoDepth);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Gray4, NoDepth);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Dithered<Mono>, NoDepth);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Dithered<Rgb565>, DepthBuffer);
 
 // The runs of small triangles, by the shading method's surfaces.
 template <class Surface, class Lighting, class Format, class Depth>

@@ -230,8 +230,8 @@ void print_artefacts() {
 
 int main(int argc, char** argv) {
   try {
-    if (argc == 5 && std::string(argv[1]) == "--draw") {
-      draw_once(argv[2], argv[3], std::atoi(argv[4]));
+    if (argc > 3 && std::string(argv[1]) == "--draw") {
+      for (int i = 3; i + 1 < argc; i += 2) draw_once(argv[i], argv[2], std::atoi(argv[i + 1]));
       return 0;
     }
     const bool untimed = argc == 2 && std::string(argv[1]) == "--untimed";

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/compare/comparison.hpp>
-#include <arcspan_tools/compare/instructions.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
 #include <arcspan_tools/render/scene.hpp>
+#include <arcspan_tools/support/child_process.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <tests/artefacts/normal_operations.hpp>
 #include <tests/artefacts/speed_claims.hpp>
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <map>
 #include <string>
 #include <utility>
@@ -44,17 +45,64 @@ RenderJob make_claim_job(const FixedMesh& mesh, const std::string& name, int seg
   return make_job(scene, mesh, name);
 }
 
+/// A shading and the length of its segments.
+using Drawn = std::pair<std::string, int>;
+
+/// The number behind `summary: ` in a callgrind profile (its manual, section "File Format"); 0 if there is
+/// none.
+double summary(const std::string& path) {
+  std::ifstream profile(path);
+  for (std::string line; std::getline(profile, line);) {
+    if (line.rfind("summary: ", 0) == 0) return std::atof(line.c_str() + 9);
+  }
+  return 0;
+}
+
+/// Instructions that the program `self` spends in functions named draw_into for each of `drawn`. One run of
+/// valgrind, which takes longer to start than to count: it writes a profile after each call of
+/// picture_drawn().
+std::map<Drawn, double> drawing_instructions(const std::string& self, const std::string& mesh,
+                                             const std::vector<Drawn>& drawn) {
+  ScratchFolder folder;
+  const std::string profile = folder.file("profile").path();
+  std::vector<std::string> arguments = {"--tool=callgrind",
+                                        "--vgdb=no",
+                                        "--toggle-collect=*draw_into*",
+                                        "--dump-after=*picture_drawn*",
+                                        "--callgrind-out-file=" + profile,
+                                        self,
+                                        "--draw",
+                                        mesh};
+  std::vector<std::string> profiles;
+  for (const auto& [shading, segment_bits] : drawn) {
+    arguments.insert(arguments.end(), {shading, std::to_string(segment_bits)});
+    profiles.push_back(folder.file("profile." + std::to_string(profiles.size() + 1)).path());
+  }
+  const std::optional<ChildEnd> end = run_child("valgrind", arguments);
+  if (!end) throw Failure("valgrind", "not found; it counts the instructions");
+  if (end->status != 0) throw Failure("valgrind", "failed with status " + std::to_string(end->status));
+  std::map<Drawn, double> counts;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    counts[drawn[i]] = summary(profiles[i]);
+    if (counts[drawn[i]] == 0) throw Failure(drawn[i].first, "valgrind counted nothing");
+  }
+  return counts;
+}
+
 /// Cost of a whole picture, per drawn pixel.
 struct Cost {
   double nanoseconds = 0;
   double instructions = 0;
 };
 
-/// Measures methods on one mesh.
+/// Measures methods on one mesh: those of `drawn`.
 class Bench {
  public:
-  Bench(std::string self, std::string mesh_name, Timing timing)
-      : self_(std::move(self)), name_(std::move(mesh_name)), timing_(timing), mesh_(make_mesh(name_)) {
+  Bench(const std::string& self, std::string mesh_name, Timing timing, const std::vector<Drawn>& drawn)
+      : name_(std::move(mesh_name)),
+        timing_(timing),
+        mesh_(make_mesh(name_)),
+        instructions_(drawing_instructions(self, name_, drawn)) {
     const auto stats = find_any("flat")(job(kUsualSegment), {"rgb565"}, [](std::size_t) {}).stats;
     pixels_ = static_cast<double>(stats.pixels);  // every method draws the same pixels
   }
@@ -77,25 +125,23 @@ class Bench {
   Cost cost(const std::string& shading, int segment_bits = kUsualSegment) {
     RenderFunction* const render = find_any(shading);
     if (render == nullptr) throw Failure(shading, "no such shading");
-    const std::pair<std::string, int> key{shading, segment_bits};
+    const Drawn key{shading, segment_bits};
     const auto known = known_.find(key);
     if (known != known_.end()) return known->second;
-    const auto count = drawing_instructions({self_, "--draw", shading, name_, std::to_string(segment_bits)});
-    if (!count) throw Failure("valgrind", "not found; it counts the instructions");
     const double milliseconds =
         timing_ == Timing::kLeftOut ? 0 : best_draw_milliseconds(job(segment_bits), *render);
-    return known_[key] = {milliseconds * 1e6 / pixels_, static_cast<double>(*count) / pixels_};
+    return known_[key] = {milliseconds * 1e6 / pixels_, instructions_.at(key) / pixels_};
   }
 
  private:
   [[nodiscard]] RenderJob job(int segment_bits) const { return make_claim_job(mesh_, name_, segment_bits); }
 
-  std::string self_;
   std::string name_;
   Timing timing_;
   FixedMesh mesh_;
+  std::map<Drawn, double> instructions_;
   double pixels_ = 0;
-  std::map<std::pair<std::string, int>, Cost> known_;
+  std::map<Drawn, Cost> known_;
 };
 
 /// A method, and the length of its segments if it has any.
@@ -267,6 +313,23 @@ constexpr Claim kClaims[] = {
     {"`segment` of 8 pixels, whose ends are those of arcs: gain over `arc`", "-", {"arc"}, {"segment", 3}},
 };
 
+/// What a table of operations draws, and if `has_claims` the claims too.
+std::vector<Drawn> all_drawn(bool has_claims) {
+  std::vector<Drawn> drawn;
+  const auto add = [&drawn](const std::string& shading, int segment_bits) {
+    const Drawn one{shading, segment_bits};
+    if (std::find(drawn.begin(), drawn.end(), one) == drawn.end()) drawn.push_back(one);
+  };
+  for (const std::string& shading : shading_names()) add(shading, kUsualSegment);
+  if (!has_claims) return drawn;
+  for (const Claim& claim : kClaims) {
+    for (const Contender& c : {claim.slower, claim.faster, claim.modern_slower, claim.modern_faster}) {
+      if (c.shading != nullptr) add(c.shading, c.segment_bits);
+    }
+  }
+  return drawn;
+}
+
 void print_claims(Bench& coarse) {
   std::puts(
       "## Speed\n\n"
@@ -359,6 +422,11 @@ void print_operation_claims() {
   std::puts("");
 }
 
+/// Marks the end of a picture for valgrind.
+[[gnu::noinline]] void picture_drawn() {
+  asm volatile("");  // not left out
+}
+
 }  // namespace
 
 void draw_once(const std::string& shading, const std::string& mesh_name, int segment_bits) {
@@ -366,13 +434,14 @@ void draw_once(const std::string& shading, const std::string& mesh_name, int seg
   if (render == nullptr) throw Failure(shading, "no such shading");
   const FixedMesh mesh = make_mesh(mesh_name);
   (void)render(make_claim_job(mesh, mesh_name, segment_bits), {"rgb565"}, [](std::size_t) {});
+  picture_drawn();
 }
 
 void print_speed(const std::string& self, Timing timing) {
-  Bench coarse(self, kMeshes[0], timing);
-  print_claims(coarse);
   for (const char* mesh : kMeshes) {
-    Bench bench(self, mesh, timing);
+    const bool is_first = mesh == kMeshes[0];
+    Bench bench(self, mesh, timing, all_drawn(is_first));
+    if (is_first) print_claims(bench);
     print_operations(bench, mesh);
   }
   print_operation_claims();

@@ -13,9 +13,9 @@ struct MeasuredVariant {
 };
 std::vector<MeasuredVariant> measured_variants();
 
-/// Measures what the papers say of speed and prints it; `self` is this program, which is run once more under
-/// valgrind for each figure, as `self --draw SHADING MESH SEGMENT_BITS`. Where times are left out it prints
-/// "untimed" for them.
+/// Measures what the papers say of speed and prints it; `self` is this program, which is run under valgrind
+/// for each mesh, as `self --draw MESH SHADING SEGMENT_BITS [SHADING SEGMENT_BITS]...`. Where times are left
+/// out it prints "untimed" for them.
 void print_speed(const std::string& self, arcspan::tools::Timing timing);
 
 /// Draws once, for valgrind.

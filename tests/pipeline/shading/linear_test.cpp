@@ -138,7 +138,7 @@ TEST_CASE("Gouraud's colours and the depth are the plane through the corners") {
   const Figures f = measure(Shape::kAny, share_of(4000), 71, 256);
   INFO("colour " << f.colour << ", depth " << f.depth << "; narrow: " << f.colour_outside << ", "
                  << f.depth_outside);
-  CHECK(f.pixels > static_cast<std::uint64_t>(share_of(1000000)));
+  CHECK(f.pixels > static_cast<std::uint64_t>(share_of(700000)));
   CHECK(f.colour < 0.6);
   CHECK(f.depth < 12);
 }

@@ -9,6 +9,8 @@ prints JSON: a list of {"name", "instructions", "functions"}. Instructions befor
 """
 
 import argparse
+import atexit
+import functools
 import json
 import pathlib
 import re
@@ -20,8 +22,12 @@ HERE = pathlib.Path(__file__).resolve().parent
 MARK = "arcspan_mark"
 
 
-def build_plugin(folder):
-    plugin = folder / "instruction_count.so"
+@functools.cache
+def build_plugin():
+    """The plugin of QEMU, built once per process."""
+    folder = tempfile.TemporaryDirectory()
+    atexit.register(folder.cleanup)
+    plugin = pathlib.Path(folder.name, "instruction_count.so")
     subprocess.run(["cc", "-O2", "-Wall", "-Wextra", "-Werror", "-fPIC", "-shared", "-fvisibility=hidden",
                     HERE / "instruction_count.c", "-o", plugin], check=True)
     return plugin
@@ -66,7 +72,7 @@ def count(image, emulator, prefix="arm-none-eabi-", timeout=120, ranges=None):
         of_functions, mark = functions(image, prefix)
         ranges = ranges or of_functions
         (folder / "ranges").write_text("".join(f"{first:x} {size:x} {name[:500]}\n" for first, size, name in ranges))
-        plugin = f"{build_plugin(folder)},ranges={folder}/ranges,mark={mark:x},out={folder}/report"
+        plugin = f"{build_plugin()},ranges={folder}/ranges,mark={mark:x},out={folder}/report"
         done = subprocess.run([HERE / "run-firmware", "--timeout", str(timeout), "--plugin", plugin, image, "--",
                                *emulator], capture_output=True, text=True)
         if done.returncode != 0:

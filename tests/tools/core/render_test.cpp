@@ -32,10 +32,10 @@ Scene small_scene() {
   return scene;
 }
 
-// The shadings that a test draws by. With sanitizers few of them, because methods, formats and illuminations
+// The shadings that a test draws by. In slow builds few of them, because methods, formats and illuminations
 // meet in virtual calls: every method is drawn by the test of shadings and formats.
 std::vector<std::string> drawing_shadings() {
-#ifdef ARCSPAN_SANITIZED
+#ifdef ARCSPAN_FEW_DRAWINGS
   return {"flat", "gouraud", "adaptive", "phong"};
 #else
   return shading_names();
@@ -60,7 +60,7 @@ TEST_CASE("every band height gives the same picture and the same figures") {
   scene.depth = depth;
   const RenderResult whole = render(scene, torus, shading.c_str(), "rgb565", true);
   CHECK(whole.stats.bands == 1);
-#ifdef ARCSPAN_SANITIZED
+#ifdef ARCSPAN_FEW_DRAWINGS
   const std::vector<std::int32_t> heights{7, 71, 2048};
 #else
   const std::vector<std::int32_t> heights{1, 2, 7, 16, 71, 72, 2048};
@@ -84,7 +84,7 @@ TEST_CASE("every shading and format draws the sphere where it is, over the backg
   const std::string format = GENERATE(from_range(format_names()));
   const bool dithers = GENERATE(false, true);
   CAPTURE(shading, format, dithers);
-#ifdef ARCSPAN_SANITIZED
+#ifdef ARCSPAN_FEW_DRAWINGS
   // Methods and formats meet in virtual calls: every method into two formats and every format by one method.
   if (shading != "arc" && (format != "rgb565" || dithers) && (format != "mono" || !dithers)) return;
 #endif

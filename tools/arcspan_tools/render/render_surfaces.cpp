@@ -111,7 +111,7 @@ RenderResult render_surfaces(const RenderJob& job,
     result.stats.draw_milliseconds += milliseconds / job.repeats;
     copy_rows(*store, first, rows, result.image);
     ++result.stats.bands;
-    rows_done(static_cast<std::size_t>(first + rows));
+    rows_done(static_cast<std::size_t>(first) + static_cast<std::size_t>(rows));
   }
   if (job.counts) count_spans(job, drawers, result.stats);
   return result;

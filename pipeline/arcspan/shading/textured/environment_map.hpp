@@ -45,7 +45,9 @@ class EnvironmentMap {
 
   /// `rotation` is from object to view space, orthonormal: the rotation of the Placement.
   constexpr void set_rotation(const Rotation& rotation) {
-    axes_ = {rotation.to_object(normalised(1, 0, 0)), rotation.to_object(normalised(0, -1, 0))};
+    constexpr Direction kRight = normalised(1, 0, 0);
+    constexpr Direction kDown = normalised(0, -1, 0);
+    axes_ = {rotation.to_object(kRight), rotation.to_object(kDown)};
   }
 
   /// The view-space x and -y of a unit normal.

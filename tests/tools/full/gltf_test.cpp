@@ -233,6 +233,15 @@ TEST_CASE("glTF: unlit, two-sided and glowing materials") {
         Vec3{0, to_srgb(0.5), 0});
 }
 
+TEST_CASE("glTF: a colour of a vertex that is not finite is refused") {
+  json gltf = square();
+  gltf["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 2;
+  std::string bin = buffer();
+  bin.replace(48 + 16, 4, bytes_of<float>({std::numeric_limits<float>::quiet_NaN()}));
+  CHECK(complaint(gltf.dump(), bin) ==
+        "meshes[0].primitives[0].attributes.COLOR_0: a colour is not a finite number");
+}
+
 TEST_CASE("glTF: alpha modes of materials with a texture and without") {
   const auto material = [](const json& base, const json& changes) {
     json gltf = square();

@@ -45,8 +45,6 @@ class EnvironmentMap {
 
   /// `rotation` is from object to view space, orthonormal: the rotation of the Placement.
   constexpr void set_rotation(const Rotation& rotation) {
-    constexpr Direction kRight = normalised(1, 0, 0);
-    constexpr Direction kDown = normalised(0, -1, 0);
     axes_ = {rotation.to_object(kRight), rotation.to_object(kDown)};
   }
 
@@ -74,6 +72,8 @@ class EnvironmentMap {
     return (static_cast<std::uint32_t>(inside) + (std::uint32_t{1} << 30)) >> (31 - bits);
   }
 
+  static constexpr Direction kRight = normalised(1, 0, 0);
+  static constexpr Direction kDown = normalised(0, -1, 0);
   std::array<Direction, 2> axes_{};
   const typename Texels::Word* words_ = Texture<Texels>().at(0);
   const std::uint16_t* palette_ = Texture<Texels>().palette();

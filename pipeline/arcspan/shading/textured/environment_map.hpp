@@ -22,8 +22,9 @@ namespace arcspan {
 ///
 ///     using Chrome = Arc<EnvironmentMap<DirectTexels<>>>;
 ///
-/// The sphere fills the picture; what is outside of it is not shown. As the eye is taken to be far away, a
-/// plane surface has one colour.
+/// The sphere fills the picture. Of what is outside of it, interpolated normals show a texel or two beyond
+/// the rim, so the surround should continue the sphere's colours. As the eye is taken to be far away, a plane
+/// surface has one colour.
 template <TexelFormat Texels>
 class EnvironmentMap {
  public:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The span stages of the methods of the literature, but for those that divide by definition (phong,
-// phong-segment, duff), and of a method for products with four lights.
+// phong-segment, duff), of a method for products with four lights, and of operations in another format.
 #include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/shading/literature/arc_vector.hpp>
 #include <arcspan/shading/literature/dichotomy.hpp>
 #include <arcspan/shading/literature/kuijk_blake.hpp>
@@ -19,6 +20,7 @@
 namespace arcspan {
 
 ARCSPAN_SPAN_INSTANTIATE(Adaptive<Blinn4>, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Window, Rgb888, ReadOnlyDepth);
 ARCSPAN_SPAN_INSTANTIATE(ArcVector<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(DichotomyLinear<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(DichotomyQuadratic<Phong4>, Rgb565, DepthBuffer);

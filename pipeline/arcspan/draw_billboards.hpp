@@ -150,7 +150,8 @@ class BillboardStage {
 /// smoke:
 ///
 ///     using Tree = Textured<Unlit, Palette8Texels<Alpha1Colour>>;
-///     draw_billboards<Tree>(places, {900, 1400}, transform, Tree::Lighting({}, texture), frame, depth);
+///     draw_billboards<Tree>(places, {900, 1400}, transform, Tree::Lighting(PackedRgb{}, texture), frame,
+///     depth);
 ///
 /// With TextureFilter::kBilinear take TextureWrap::kClamp too, or opposite borders of the texture are mixed.
 ///

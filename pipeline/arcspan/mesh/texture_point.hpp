@@ -8,7 +8,8 @@
 namespace arcspan {
 
 /// A point of a texture. `u` runs to the right and `v` down from the top left corner, in widths and heights
-/// of the texture with TextureScale::fraction_bits fraction bits. Points outside 0...1 repeat the texture.
+/// of the texture with TextureScale::fraction_bits fraction bits. Outside 0...1 TextureWrap says what is
+/// shown.
 struct TexturePoint {
   std::int16_t u = 0;
   std::int16_t v = 0;

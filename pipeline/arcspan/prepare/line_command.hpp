@@ -15,10 +15,11 @@ namespace arcspan {
 /// What draws a line: passed from preparation to the span stage, as TriangleCommand is for a triangle. All
 /// coordinates are pixels relative to the raster origin.
 ///
-/// A line has one pixel in each column if it is wider than high (`flat`), else one in each row. It is the
-/// pixel that contains the line at the centre of that column or row. Before the first centre and behind the
-/// last one it stays within the rectangle of the pixels that contain the ends. The depth is that of the line
-/// at this centre; where it changes by more than 480 per pixel, it is spread evenly over the pixels.
+/// A line has one pixel in each column if it is at least as wide as high (`flat`), else one in each row. It
+/// is the pixel that contains the line at the centre of that column or row. Before the first centre and
+/// behind the last one it stays within the rectangle of the pixels that contain the ends. The depth is that
+/// of the line at this centre; where it changes by more than 480 per pixel, it is spread evenly over the
+/// pixels.
 struct LineCommand {
   std::int16_t first_row;
   std::int16_t end_row;  ///< row after the last

@@ -19,7 +19,7 @@ struct RowStart {
   std::uint32_t inside;  ///< distance in pixels from the left edge to the first pixel, `bits` fraction bits
   std::uint32_t width;   ///< length of the whole row in pixels, `bits` fraction bits; raw value at least 1
   int bits;              ///< 16, or 32 for rows shorter than a pixel
-  std::uint32_t column;  ///< of the first pixel, in the picture
+  std::uint32_t column;  ///< of the first pixel, in the picture; scissors are not left of it
 };
 
 /// Returns the start of the row between two edges, `skipped` columns after its first column.

@@ -113,16 +113,31 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a mip level of one texel is its own neighbour") {
+  TextureTriangle triangle{};
+  for (std::uint8_t height_bits = 0; height_bits <= 2; ++height_bits) {
+    triangle.height_bits = height_bits;
+    triangle.mask = (1u << height_bits) - 1;
+    TexelSteps steps(triangle);
+    steps.start(0x12345678, 0x87654321);
+    const std::uint32_t row = 0x87654321u >> 16 >> (16 - height_bits);
+    CHECK(steps.index() == row);
+    CHECK(steps.right_of(row) == row);
+    CHECK(steps.below(row) == ((row + 1) & triangle.mask));
+  }
+}
+
 TEST_CASE("a triangle shows the mip level whose texels are nearest to its pixels in size") {
   using Method = Plain;
   const Method::Lighting lighting = lighting_of<Method>(8, 8, 6);
-  // A right angle of 64 pixels at the same distance everywhere, `repetitions` of 256 texels long.
-  const auto level = [&](double repetitions) {
+  // A right angle of some pixels at the same distance everywhere, `repetitions` of 256 texels long.
+  const auto level = [&](double repetitions, std::int16_t pixels = 64) {
     MappedTriangle<Method> triangle;
     const auto length = static_cast<std::int32_t>(repetitions * 65536);
-    triangle.vertices = {RasterVertex<Method>{{0, 0, 0}, {{}, {0, 0}}, {1 << 28}},
-                         RasterVertex<Method>{{0, 1024, 0}, {{}, {0, length}}, {1 << 28}},
-                         RasterVertex<Method>{{1024, 0, 0}, {{}, {length, 0}}, {1 << 28}}};
+    triangle.vertices = {
+        RasterVertex<Method>{{0, 0, 0}, {{}, {0, 0}}, {1 << 28}},
+        RasterVertex<Method>{{0, static_cast<std::int16_t>(16 * pixels), 0}, {{}, {0, length}}, {1 << 28}},
+        RasterVertex<Method>{{static_cast<std::int16_t>(16 * pixels), 0, 0}, {{}, {length, 0}}, {1 << 28}}};
     TriangleCommand<Method> command;
     REQUIRE(prepare_triangle<Method>(lighting, triangle.vertices[0], triangle.vertices[1],
                                      triangle.vertices[2], {}, RowRange{-100, 100}, command));
@@ -137,5 +152,7 @@ TEST_CASE("a triangle shows the mip level whose texels are nearest to its pixels
   CHECK(level(0.5) == 1);
   CHECK(level(1) == 2);
   CHECK(level(4) == 4);
-  CHECK(level(100) == 5);  // there is no smaller one
+  CHECK(level(100) == 5);      // there is no smaller one
+  CHECK(level(0.04, 4) == 1);  // 2.6 texels, on a triangle as small as those of fine meshes
+  CHECK(level(0.01, 1) == 1);
 }

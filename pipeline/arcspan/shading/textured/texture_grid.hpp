@@ -27,7 +27,7 @@ struct GridCoordinate {
         step(across) {}
 
  private:
-  /// distance * change, for a distance in columns with 32 fraction bits; wraps, and is off by less than 2.
+  /// distance * change, for a distance in columns with 32 fraction bits; wraps, and is off by less than 3.
   [[nodiscard]] static constexpr std::int32_t product(std::int64_t distance, std::int32_t change) {
     const auto whole = static_cast<std::int32_t>(distance >> 32);
     const auto half_fraction = static_cast<std::int32_t>(static_cast<std::uint32_t>(distance) >> 1);
@@ -49,7 +49,8 @@ struct TextureGrid {
     step_down = Steps::step(Steps::rounded(u.step_down, height_bits), v.step_down, height_bits);
     step = Steps::step(u.step, v.step, height_bits);
   }
-  /// Adds a level in JoinedLevel::kBits to a grid whose v leaves room for it.
+  /// Adds a level in JoinedLevel::kBits to a grid whose v leaves room for it. At column 0 the level may have
+  /// wrapped; by each time v is off by 2^-14 texels, 1/32 at most.
   constexpr void add_level(const GridCoordinate& level) {
     at += level.at >> JoinedLevel::kRoundedBits;
     step_down += static_cast<std::uint64_t>(std::int64_t{JoinedLevel::rounded(level.step_down)});

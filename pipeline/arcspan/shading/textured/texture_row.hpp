@@ -36,7 +36,7 @@ class TexelSteps : public JoinedPoint {
   static constexpr bool kClamps = false;
 
   ARCSPAN_INLINE constexpr explicit TexelSteps(const TextureTriangle& t)
-      : height_bits_(t.height_bits), fraction_bits_(32u - t.width_bits), mask_(t.mask) {}
+      : height_bits_(t.height_bits), fraction_bits_(32 - t.width_bits), mask_(t.mask) {}
 
   /// Starts at u and v, fractions of a repetition in 32 bits.
   ARCSPAN_INLINE constexpr void start(std::uint32_t u, std::uint32_t v) { at_ = joined(u, v, height_bits_); }
@@ -47,8 +47,7 @@ class TexelSteps : public JoinedPoint {
   }
   /// The index of the current texel in its level.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t index() const {
-    const auto upper = static_cast<std::uint32_t>(at_ >> 32);
-    return ((upper >> fraction_bits_) | (upper << (32 - fraction_bits_))) & mask_;
+    return std::rotr(static_cast<std::uint32_t>(at_ >> 32), fraction_bits_) & mask_;
   }
   ARCSPAN_INLINE constexpr void next() { at_ += step_; }
 
@@ -66,7 +65,7 @@ class TexelSteps : public JoinedPoint {
 
   /// The index of the texel to the right of `texel`, and of the one below it; both wrap.
   [[nodiscard]] constexpr std::uint32_t right_of(std::uint32_t texel) const {
-    const std::uint32_t columns = ~std::uint32_t{0} >> fraction_bits_;
+    const std::uint32_t columns = (std::uint32_t{1} << (32 - fraction_bits_)) - 1;
     return (texel & ~columns) | ((texel + 1) & columns);
   }
   [[nodiscard]] constexpr std::uint32_t below(std::uint32_t texel) const {
@@ -90,7 +89,7 @@ class TexelSteps : public JoinedPoint {
   std::uint64_t at_;
   std::uint64_t step_;
   unsigned height_bits_;
-  unsigned fraction_bits_;  ///< of u in the upper half and the bits below it: 22...29
+  int fraction_bits_;  ///< of u in the upper half and the bits below it: 22...32
   std::uint32_t mask_;
 };
 

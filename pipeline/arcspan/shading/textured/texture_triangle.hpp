@@ -143,8 +143,8 @@ inline constexpr std::int32_t kLeastQ = 1 << 12;
   const std::int64_t area = part(c.at[0].u, c.at[1].u) * part(c.at[0].v, c.at[2].v) -
                             part(c.at[0].u, c.at[2].u) * part(c.at[0].v, c.at[1].v);
   const auto magnitude = static_cast<std::uint64_t>(area < 0 ? -area : area);
-  // 32 fraction bits of repetitions; at most 58 bits, and at most 20 of size.
-  return (magnitude >> 24) << (size.width_bits + size.height_bits);
+  // 32 fraction bits of repetitions, 58 bits at most; the size has 6 to 20.
+  return magnitude >> (24 - size.width_bits - size.height_bits);
 }
 
 /// Sets u or v of a triangle on the grid. `corners` are its relative values at the vertices, 16 bits;
@@ -161,7 +161,7 @@ template <class Steps, class Frame>
   make_linear_edge(frame.long_edge, corners[0], corners[2], along);
   const auto word = [word_shift](Linear value) { return to_word<Steps>(value.raw(), word_shift); };
   coordinate = GridCoordinate(origin + static_cast<std::uint32_t>(word(along.at)), word(along.step),
-                              JoinedPoint::rounded(word(across), rounded_bits), frame.long_walk);
+                              Steps::rounded(word(across), rounded_bits), frame.long_walk);
   return true;
 }
 
@@ -172,8 +172,8 @@ struct CornerLevels {
   std::int32_t at[3];
 };
 
-/// The logarithm of the steps along columns and rows by which all rounding errors are 1/32 of a texel. Each
-/// step rounds u by half of 2^(height_bits - 32), beside a level v by half of 2^-14 texels, and with
+/// log2 of the most steps along columns and rows whose summed rounding errors stay within 1/32 of a texel.
+/// Each step rounds u by half of 2^(height_bits - 32), beside a level v by half of 2^-14 texels, and with
 /// ClampedSteps both by 2^(spare_bits - 32).
 template <class Steps, bool HasLevel>
 [[nodiscard]] constexpr unsigned most_step_bits(const TextureTriangle& t) {

@@ -19,14 +19,13 @@ struct RowStart {
   std::uint32_t inside;  ///< distance in pixels from the left edge to the first pixel, `bits` fraction bits
   std::uint32_t width;   ///< length of the whole row in pixels, `bits` fraction bits; raw value at least 1
   int bits;              ///< 16, or 32 for rows shorter than a pixel
-  std::uint32_t column;  ///< of the first pixel, in the picture; scissors are not left of it
+  std::int32_t column;   ///< of the first pixel, in the picture; not negative
 };
 
-/// Returns the start of the row between two edges, `skipped` columns after its first column.
+/// Returns the start of the row between two edges at `column`, `skipped` columns after its first column.
 [[nodiscard]] ARCSPAN_INLINE constexpr RowStart row_start(const EdgeWalk& left, const EdgeWalk& right,
-                                                          std::int32_t skipped) {
+                                                          std::int32_t skipped, std::int32_t column) {
   const std::uint32_t fraction = left.fraction();
-  const auto column = static_cast<std::uint32_t>(left.column() + skipped);
   const std::int64_t width = right.x - left.x;
   if ((width >> 32) != 0) {
     return {fraction,

@@ -39,7 +39,7 @@ template <class Command, class Walker, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_run(const Command& command, const Walker& walker,
                                                        Span& span, std::int32_t begin, const Target& target,
                                                        const RowMemory<Target>& memory) {
-  const RowStart start = row_start(command.left, command.right, span.x - begin);
+  const RowStart start = row_start(command.left, command.right, span.x - begin, span.x);
   typename Walker::Run run = walker.row(start);
   if constexpr (BeginsWithLighting<typename Walker::Run, typename Target::Lighting>) {
     run.begin(target.lighting);

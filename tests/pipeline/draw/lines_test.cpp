@@ -230,8 +230,8 @@ TEST_CASE("lines are clipped where they leave the view") {
       REQUIRE(count == 1);
     }
   }
-  CHECK(drawn > 1000);
-  CHECK(cut > 20);
+  CHECK(drawn > static_cast<std::size_t>(share_of(20000)));
+  CHECK(cut > static_cast<std::size_t>(share_of(20)));
 }
 
 TEST_CASE("lines are hidden by what is nearer, with a bias less so") {

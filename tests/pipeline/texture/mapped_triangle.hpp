@@ -91,7 +91,7 @@ void for_each_pixel(const MappedTriangle<Method>& triangle, const typename Metho
       const std::int32_t end = command.right.column();
       std::int32_t column = command.left.column();
       if (column < end) {
-        auto run = walker.row(row_start(command.left, command.right, 0));
+        auto run = walker.row(row_start(command.left, command.right, 0, column));
         while (column < end) {
           std::int32_t count = end - column;
           if constexpr (requires { run.enter(count); }) count = run.enter(count);

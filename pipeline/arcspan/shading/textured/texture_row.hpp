@@ -103,7 +103,7 @@ class LinearTexture {
   static constexpr bool kHasLevel = HasLevel;
 
   ARCSPAN_INLINE constexpr LinearTexture(const TextureTriangle& t, const RowStart& row) : steps_(t) {
-    steps_.start_at(t.grid.at_column<Steps>(row.column));
+    steps_.start_at(t.grid.at_column<Steps>(static_cast<std::uint32_t>(row.column)));
     steps_.set_step(t.grid.step);
   }
   [[nodiscard]] ARCSPAN_INLINE constexpr const Steps& steps() const { return steps_; }

@@ -91,9 +91,7 @@ TEST_CASE("four texels are mixed by their distances, across the borders of the t
   std::array<std::uint16_t, 64> words{};
   for (std::uint16_t& word : words) word = static_cast<std::uint16_t>(random.bits());
   TextureTriangle triangle{};
-  triangle.width_bits = 3;
-  triangle.height_bits = 3;
-  triangle.mask = 63;
+  triangle.set_size(3, 3);
   TexelSteps steps(triangle);
   Errors errors;
   for (int i = 0; i < 20000; ++i) {

@@ -36,7 +36,7 @@ class TexelSteps : public JoinedPoint {
   static constexpr bool kClamps = false;
 
   ARCSPAN_INLINE constexpr explicit TexelSteps(const TextureTriangle& t)
-      : height_bits_(t.height_bits), fraction_bits_(32 - t.width_bits), mask_(t.mask) {}
+      : height_bits_(t.height_bits), width_bits_(t.width_bits), rotation_(t.rotation), mask_(t.mask) {}
 
   /// Starts at u and v, fractions of a repetition in 32 bits.
   ARCSPAN_INLINE constexpr void start(std::uint32_t u, std::uint32_t v) { at_ = joined(u, v, height_bits_); }
@@ -47,7 +47,8 @@ class TexelSteps : public JoinedPoint {
   }
   /// The index of the current texel in its level.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t index() const {
-    return std::rotr(static_cast<std::uint32_t>(at_ >> 32), fraction_bits_) & mask_;
+    const auto upper = static_cast<std::uint32_t>(at_ >> 32);
+    return ((upper >> rotation_) | (upper << (-rotation_ & 31u))) & mask_;
   }
   ARCSPAN_INLINE constexpr void next() { at_ += step_; }
 
@@ -65,15 +66,15 @@ class TexelSteps : public JoinedPoint {
 
   /// The index of the texel to the right of `texel`, and of the one below it; both wrap.
   [[nodiscard]] constexpr std::uint32_t right_of(std::uint32_t texel) const {
-    const std::uint32_t columns = (std::uint32_t{1} << (32 - fraction_bits_)) - 1;
+    const std::uint32_t columns = (std::uint32_t{1} << width_bits_) - 1;
     return (texel & ~columns) | ((texel + 1) & columns);
   }
   [[nodiscard]] constexpr std::uint32_t below(std::uint32_t texel) const {
-    return (texel + (std::uint32_t{1} << (32 - fraction_bits_))) & mask_;
+    return (texel + (std::uint32_t{1} << width_bits_)) & mask_;
   }
   /// Where the current pixel lies between the current texel and these two, 0...31.
   [[nodiscard]] constexpr std::uint32_t fraction_right() const {
-    return (static_cast<std::uint32_t>(at_ >> 32) << (32 - fraction_bits_)) >> 27;
+    return (static_cast<std::uint32_t>(at_ >> 32) << width_bits_) >> 27;
   }
   [[nodiscard]] constexpr std::uint32_t fraction_below() const {
     return static_cast<std::uint32_t>(at_) >> 27;
@@ -89,7 +90,8 @@ class TexelSteps : public JoinedPoint {
   std::uint64_t at_;
   std::uint64_t step_;
   unsigned height_bits_;
-  int fraction_bits_;  ///< of u in the upper half and the bits below it: 22...32
+  unsigned width_bits_;
+  unsigned rotation_;  ///< to the right: 22...31, or 0 for a single column
   std::uint32_t mask_;
 };
 

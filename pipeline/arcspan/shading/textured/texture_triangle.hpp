@@ -52,11 +52,19 @@ struct TextureTriangle {
   std::uint32_t mask;       ///< of a texel's index in the level
   std::uint8_t width_bits;  ///< size of the mip level
   std::uint8_t height_bits;
+  std::uint8_t rotation;    ///< (32 - width_bits) mod 32: brings row and column together in a JoinedPoint
   std::uint8_t word_shift;  ///< from a relative u with 28 fraction bits to the fraction of a repetition
   std::uint8_t piece;       ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
   bool middle_left;
   std::uint8_t spare_bits;  ///< with TextureWrap::kClamp, 2 or more; otherwise unset
 
+  /// Sets the size of the mip level.
+  constexpr void set_size(int width, int height) {
+    width_bits = static_cast<std::uint8_t>(width);
+    height_bits = static_cast<std::uint8_t>(height);
+    rotation = static_cast<std::uint8_t>((32 - width) & 31);
+    mask = (std::uint32_t{1} << (width + height)) - 1;
+  }
   /// `Mapping` is PerspectiveTexture if `piece` is not 0.
   template <class Mapping>
   constexpr void next_row() {
@@ -293,9 +301,7 @@ template <TextureFilter Filter, class Steps>
 constexpr void place_texture(const TextureSize& size, unsigned level, const MappedPoint& least,
                              TextureTriangle& t) {
   t.first = size.texels(level);
-  t.width_bits = static_cast<std::uint8_t>(size.width_bits - level);
-  t.height_bits = static_cast<std::uint8_t>(size.height_bits - level);
-  t.mask = (std::uint32_t{1} << (t.width_bits + t.height_bits)) - 1;
+  t.set_size(size.width_bits - static_cast<int>(level), size.height_bits - static_cast<int>(level));
   const auto origin = [&](std::int32_t first) {
     const std::uint32_t word = static_cast<std::uint32_t>(first) << 16;
     if constexpr (!Steps::kClamps) return word;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Colours of a word a channel: every format gives them the code of their 8-bit levels.
+#include <arcspan/pixel/fine_rgb.hpp>
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/pixel/mono.hpp>

@@ -29,7 +29,7 @@ struct ObjectLine {
 
 namespace detail {
 
-/// What lines and points of one call are drawn with and into.
+/// Draws the lines and points of one call into the part of a sink and a depth buffer that both cover.
 template <OneColour Method, PixelSink Sink, DepthTarget Depth>
 class LineStage {
  public:

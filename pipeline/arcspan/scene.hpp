@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/draw.hpp>
+#include <arcspan/draw/check_target.hpp>
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/scene/camera.hpp>
 #include <arcspan/scene/draw_part.hpp>
@@ -78,24 +79,6 @@ struct SceneResult {
   std::uint32_t left_out = 0;   ///< as in DrawResult
 };
 
-namespace detail {
-
-/// Returns the reason why nothing can be drawn into a target, or kOk.
-template <class Sink, class Depth>
-[[nodiscard]] Status check_target(const Sink& sink, const Depth& depth, const Rect& rect) {
-  if constexpr (ChecksItself<Sink>) {
-    if (!ok(sink.status())) return sink.status();
-  }
-  if constexpr (Depth::kTests) {
-    if (!ok(depth.status())) return depth.status();
-    const Rect& covered = depth.bounds();
-    if (!rect.empty() && intersection(rect, covered) != rect) return Status::kDepthMismatch;
-  }
-  return Status::kOk;
-}
-
-}  // namespace detail
-
 /// Sets up a frame of `scene` in `memory`: the transforms of the objects in view and their order. Once per
 /// frame, before draw_prepared_scene(); whatever `scene` refers to must stay until the last band is drawn.
 /// Returns kOk, or draws nothing until the next call and returns:
@@ -134,7 +117,7 @@ template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink
   const Viewport& viewport = frame.header.camera->viewport();
   const Rect whole{0, 0, viewport.width, viewport.height};
   const Rect rect = detail::intersection(whole, sink.bounds());
-  result.status = detail::check_target(sink, depth, rect);
+  result.status = detail::check_target(detail::Scissor(viewport, sink.bounds()), sink, depth);
   const std::size_t count = frame.header.in_view;
   for (std::size_t i = 0; i < count && ok(result.status); ++i) {
     detail::SceneSlot& slot = frame.slots[frame.order[kNearestFirst ? i : count - 1 - i]];

@@ -313,7 +313,7 @@ constexpr Claim kClaims[] = {
     {"`segment` of 8 pixels, whose ends are those of arcs: gain over `arc`", "-", {"arc"}, {"segment", 3}},
 };
 
-/// What a table of operations draws, and if `has_claims` the claims too.
+/// The pictures that a table of operations needs, and if `has_claims` those of the claims too.
 std::vector<Drawn> all_drawn(bool has_claims) {
   std::vector<Drawn> drawn;
   const auto add = [&drawn](const std::string& shading, int segment_bits) {

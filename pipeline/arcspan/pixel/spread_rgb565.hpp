@@ -36,10 +36,17 @@ inline constexpr std::uint32_t kSpreadMask = 0x07E0F81F;
   return ((c.lanes - red_blue - green + kHalves) >> 5) & kSpreadMask;
 }
 /// spread * factor, rounded; factor is 0...32 and stands for 0...1.
-[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t scaled_spread(std::uint32_t spread,
-                                                                   std::uint32_t factor) {
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t scaled_spread(std::uint32_t spread, std::uint32_t factor,
+                                                                   std::uint32_t mask = kSpreadMask) {
   constexpr std::uint32_t kHalf = 0x02008010;
-  return ((spread * factor + kHalf) >> 5) & kSpreadMask;
+  return ((spread * factor + kHalf) >> 5) & mask;
+}
+/// scaled_spread() of a 5-6-5 pixel.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t scaled_pixel(std::uint32_t rgb565,
+                                                                  std::uint32_t factor) {
+  std::uint32_t mask = kSpreadMask;
+  hide_value(mask);  // otherwise compilers spend three instructions on one of its two uses
+  return scaled_spread((rgb565 * 0x10001u) & mask, factor, mask);
 }
 /// a + (b - a) * factor, rounded; factor is 0...32.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t mixed_spread(std::uint32_t a, std::uint32_t b,

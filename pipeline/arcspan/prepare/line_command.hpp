@@ -12,8 +12,8 @@
 
 namespace arcspan {
 
-/// What draws a line: passed from preparation to the span stage, as TriangleCommand is for a triangle. All
-/// coordinates are pixels relative to the raster origin.
+/// The command that draws a line: preparation passes it to the span stage, as it passes a TriangleCommand.
+/// All coordinates are pixels relative to the raster origin.
 ///
 /// A line has one pixel in each column if it is at least as wide as high (`flat`), else one in each row. It
 /// is the pixel that contains the line at the centre of that column or row. Before the first centre and

@@ -42,7 +42,7 @@ enum class TextureFilter : std::uint8_t {
   kBilinear,  ///< the four nearest ones, mixed by their distances in 32nds; three times the instructions
 };
 
-/// What a texture shows beyond its borders.
+/// Which texels a texture shows beyond its borders.
 enum class TextureWrap : std::uint8_t {
   kRepeat,  ///< the texture again
   kClamp,   ///< the texels along the border; 10 instructions more per pixel on a Cortex-M3

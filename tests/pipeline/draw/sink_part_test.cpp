@@ -101,7 +101,7 @@ TEST_CASE("depth modes draw what they say, and write depths if they say so") {
       CHECK(depths == std::vector<std::uint16_t>(kPixels, drawn && writes ? surface : stored));
     }
   };
-  // What is there is nearer, as near, farther.
+  // Whether a pixel is drawn where the stored depth is nearer, equal, farther.
   using enum DepthCompare;
   check([](const DepthBuffer& d) { return d; }, {false, false, true}, true);
   check([](const DepthBuffer& d) { return DepthMode<kNearerOrEqual, true>(d); }, {false, true, true}, true);

@@ -38,7 +38,7 @@ std::shared_ptr<const SurfaceTexture> places() {
   return texture;
 }
 
-/// What a pixel in rgb565 shows of places(); nothing if it is the background.
+/// The texel of places() that a pixel in rgb565 shows.
 struct Shown {
   int level;
   int column;

@@ -24,7 +24,8 @@ struct LightLevels {
   ChannelLevels diffuse{};
   ChannelLevels highlight{};
 
-  /// What is reflected of them by a surface that reflects these shares of diffuse light; clamped.
+  /// The light that a surface reflects which reflects these shares of diffuse light and all of the highlight;
+  /// clamped to 0...255.
   [[nodiscard]] ChannelLevels reflected(const std::array<double, 3>& shares = {1, 1, 1}) const {
     ChannelLevels sum;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -84,8 +85,8 @@ struct ReferencePicture {
 /// and packed normals, and the same directions and coefficients.
 [[nodiscard]] ReferencePicture draw_reference(const RenderJob& job, ReferenceKind kind);
 
-/// The same with textures: `texels` is the picture of the job in full light, and multiplies ambient and
-/// diffuse light; highlights are added.
+/// The reference picture of a textured job. `texels` is the picture of the job in full light: it multiplies
+/// ambient and diffuse light, and highlights are added.
 [[nodiscard]] ReferencePicture with_texels(const ReferencePicture& reference, const Image& texels);
 
 [[nodiscard]] Vec3 to_vec3(const Direction& direction);

@@ -5,6 +5,7 @@
 #include <arcspan/span/depth.hpp>
 
 #include <arcspan_tools/render/pixel_choice.hpp>
+#include <arcspan_tools/render/span_counter.hpp>
 #include <arcspan_tools/render/surface_operation.hpp>
 
 #include <algorithm>
@@ -80,7 +81,7 @@ struct AnyFormat {
 /// The sink over such a store; counts the spans and their pixels. It is always drawn with a depth buffer:
 /// without a depth test (painter's order) the depths under every span are reset before it is drawn, so that
 /// all its pixels pass, and no second instantiation is needed.
-class AnySink {
+class AnySink : public SpanCounter {
  public:
   using Format = AnyFormat;
 
@@ -94,20 +95,10 @@ class AnySink {
     }
     return {store_, run.x, run.y};
   }
-  [[nodiscard]] Status close(const Span& run) {
-    ++spans_;
-    pixels_ += static_cast<std::uint64_t>(run.count);
-    return Status::kOk;
-  }
-
-  [[nodiscard]] std::uint64_t spans() const { return spans_; }
-  [[nodiscard]] std::uint64_t pixels() const { return pixels_; }
 
  private:
   PixelStore* store_;
   const DepthBuffer* painted_over_;
-  std::uint64_t spans_ = 0;
-  std::uint64_t pixels_ = 0;
 };
 
 static_assert(PixelSink<AnySink>);

@@ -35,7 +35,7 @@ struct Scene {
   std::int32_t segment_bits = 2;  ///< of `segment`: segments have 2^bits pixels
   std::int32_t tolerance = 1;     ///< of `adaptive`, in 8-bit steps
   std::optional<double> alpha;    ///< multiplies the opacity of all surfaces, 0...1
-  /// Of surfaces that are not opaque, and of all if there is `alpha`. kNone draws blended ones opaque.
+  /// How surfaces that are not opaque are blended; with `alpha`, how all are. kNone draws them opaque.
   Transparency transparency = Transparency::kAlpha;
   std::optional<SceneFog> fog;
   std::shared_ptr<const SurfaceTexture> matcap;  ///< a picture of a shiny sphere in place of all light

@@ -4,6 +4,7 @@
 #include <arcspan/span/depth.hpp>
 
 #include <arcspan_tools/render/any_format.hpp>
+#include <arcspan_tools/render/span_counter.hpp>
 #include <arcspan_tools/render/surface_operation.hpp>
 
 #include <algorithm>
@@ -50,7 +51,7 @@ struct SurfaceFormat {
 
 /// The sink of methods with SurfaceOperation; counts the spans and their pixels. It writes depths itself, so
 /// the depth target is a ReadOnlyDepth of the same buffer, whether surfaces are blended or not.
-class SurfaceSink {
+class SurfaceSink : public SpanCounter {
  public:
   using Format = SurfaceFormat;
 
@@ -62,20 +63,10 @@ class SurfaceSink {
     if (paints_over_) std::fill_n(memory_.depth->row(run.y) + run.x, run.count, DepthBuffer::kFarthest);
     return {&memory_, run.x, run.y};
   }
-  [[nodiscard]] Status close(const Span& run) {
-    ++spans_;
-    pixels_ += static_cast<std::uint64_t>(run.count);
-    return Status::kOk;
-  }
-
-  [[nodiscard]] std::uint64_t spans() const { return spans_; }
-  [[nodiscard]] std::uint64_t pixels() const { return pixels_; }
 
  private:
   SurfaceMemory memory_;
   bool paints_over_;
-  std::uint64_t spans_ = 0;
-  std::uint64_t pixels_ = 0;
 };
 
 static_assert(PixelSink<SurfaceSink>);

@@ -72,10 +72,7 @@ struct LitTexel {
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
     std::uint32_t lit;
     if constexpr (Colours == TexelLight::kGrey) {
-      std::uint32_t mask = detail::kSpreadMask;
-      hide_value(mask);  // otherwise compilers spend three instructions on one of its two uses
-      const std::uint32_t spread = (std::uint32_t{texel} * 0x10001u) & mask;
-      lit = ((spread * level + 0x02008010) >> 5) & mask;
+      lit = detail::scaled_pixel(texel, level);
     } else {
       // 0...1022 of the light becomes 0...1025, so that full light keeps the texel.
       const auto whole = [](std::uint32_t v) { return v + (v >> 8); };

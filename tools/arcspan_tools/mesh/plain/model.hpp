@@ -97,8 +97,8 @@ struct RawModel {
 /// Which parts of a model keep their texture points. Vertices are split where these differ.
 enum class TexturePointsOf : std::uint8_t { kTexturedParts, kAllParts };
 
-/// What becomes of vertex colours that differ within a triangle: it gets their mean, or they are kept, to be
-/// interpolated.
+/// How a triangle whose vertices differ in colour is drawn: in the mean of the colours (kMean), or with the
+/// colours interpolated (kKept).
 enum class VertexColours : std::uint8_t { kMean, kKept };
 
 /// Joins corners into vertices as weld() does, part by part and with texture points; normals are averaged

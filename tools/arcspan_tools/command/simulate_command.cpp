@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 namespace arcspan::tools {
 namespace {
@@ -30,10 +31,12 @@ struct SimulateArguments {
   double i2c_khz = 400;
   double cpu_mhz = 50;
   std::int32_t frames = 1;
+  bool planes = false;
 };
 
 /// Sums over all frames.
 struct Totals {
+  double instructions = 0;
   std::uint64_t draw_ns = 0;
   std::uint64_t frame_ns = 0;
   hal::sim::BusCount bus;
@@ -94,7 +97,10 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   RenderOptions options = arguments.options;
   options.scene.size = display.size();
   options.scene.band_rows = options_of(arguments).band_rows;
-  const FixedModel model = to_fixed(load_drawn_model(options));
+  FixedModel model = to_fixed(load_drawn_model(options));
+  if (arguments.planes) {
+    for (FixedMesh& mesh : model.meshes) mesh = with_planes(std::move(mesh), options.mesh);
+  }
   const Renderer& renderer = find_renderer(options.shading, display.format(), options.dither);
   const auto frames = static_cast<std::size_t>(arguments.frames);
   const Turntable turntable(options.scene, model, frames);
@@ -105,12 +111,12 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
     const Scene scene = frames == 1 ? options.scene : turntable.scene(i);
     const RenderJob job = make_job(scene, model, options.mesh);
     const RenderResult drawn = renderer.render(job, [](std::size_t) {});
-    const std::optional<double> instructions =
-        draw_instructions(options.shading, drawn.stats, model.vertex_count());
+    const std::optional<double> instructions = draw_instructions(options.shading, job, model, drawn.stats);
     totals.draw_known = totals.draw_known && instructions.has_value();
     const auto draw_ns = static_cast<std::uint64_t>(instructions.value_or(0) * 1000 / arguments.cpu_mhz);
     const std::uint64_t before = display.now_ns();
     display.show(drawn.image, job.background, draw_ns);
+    totals.instructions += instructions.value_or(0);
     totals.draw_ns += draw_ns;
     totals.frame_ns += display.now_ns() - before;
     output.add(display.picture());
@@ -138,12 +144,14 @@ void report(const SimulateArguments& arguments, const SimulatedDisplay& display,
   std::fprintf(out, "bus: %.3f ms a frame; allows %.1f frames a second\n", bus_ms, 1000 / bus_ms);
   if (totals.draw_known) {
     const double frame_ms = static_cast<double>(totals.frame_ns) / 1e6 / frames;
-    std::fprintf(out, "drawing: %.3f ms a frame on a Cortex-M3 at %g MHz (an estimate, without clearing)\n",
-                 draw_ms, arguments.cpu_mhz);
+    std::fprintf(out,
+                 "drawing: %.0f instructions and %.3f ms a frame on a Cortex-M3 at %g MHz (an estimate, "
+                 "without clearing)\n",
+                 totals.instructions / frames, draw_ms, arguments.cpu_mhz);
     std::fprintf(out, "both, overlapped: %.3f ms, %.1f frames a second; bottleneck: %s\n", frame_ms,
                  1000 / frame_ms, draw_ms > bus_ms ? "shading" : "the bus");
   } else {
-    std::fprintf(out, "drawing: no figures of %s shading on a Cortex-M3\n",
+    std::fprintf(out, "drawing: no figures of %s shading with these lights and surfaces on a Cortex-M3\n",
                  arguments.options.shading.c_str());
   }
   std::fprintf(out, "RAM for buffers: %zu bytes; a whole frame would take %zu\n", display.buffer_bytes(),
@@ -172,6 +180,7 @@ void add_panel_options(CLI::App& app, SimulateArguments& a) {
   add_number(app, "--i2c-khz", "clock of the I2C bus", 1, 5000, a.i2c_khz);
   add_number(app, "--cpu-mhz", "million instructions a second of the processor that draws", 0.1, 10000,
              a.cpu_mhz);
+  app.add_flag("--planes", a.planes, "estimate for a mesh with planes, as `arcspan mesh --planes` makes it");
   add_integer(app, "--turntable", "N", "frames of a turn, 1...3600 (default 1: a still picture)", 1, 3600,
               a.frames);
 }

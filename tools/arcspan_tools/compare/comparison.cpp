@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/compare/comparison.hpp>
-#include <arcspan_tools/counting/counters.hpp>
+#include <arcspan_tools/counting/count_operations.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <algorithm>
@@ -15,15 +15,6 @@ using arcspan_counting::CountedDraw;
 constexpr int kFewestRuns = 5;
 constexpr std::chrono::milliseconds kMeasuringTime{150};
 
-template <class T>
-std::span<const std::byte> bytes_of(const std::vector<T>& values) {
-  return std::as_bytes(std::span(values));
-}
-template <class T>
-std::span<const std::byte> bytes_of_one(const T& value) {
-  return std::as_bytes(std::span(&value, 1));
-}
-
 OperationRates rates(const arcspan_counting::OperationCounts& counts, std::uint64_t pixels) {
   OperationRates result{};
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -32,19 +23,12 @@ OperationRates rates(const arcspan_counting::OperationCounts& counts, std::uint6
   return result;
 }
 
-void add(CountedDraw& sum, const CountedDraw& draw) {
-  for (std::size_t i = 0; i < draw.in_spans.of.size(); ++i) {
-    sum.in_spans.of[i] += draw.in_spans.of[i];
-    sum.around.of[i] += draw.around.of[i];
-  }
-  sum.pixels += draw.pixels;
-  sum.spans += draw.spans;
-}
-
 void rate_operations(const MeasuredMethod& method, const RenderJob& job, const FixedMeshes& meshes,
                      MethodFigures& figures) {
-  const CountedDraw draw = count_operations(method, job, meshes);
-  const CountedDraw loop = count_operations("flat", job, meshes);
+  RenderJob all_pixels = job;
+  all_pixels.depth = false;  // otherwise hidden pixels would count as cheap ones
+  const CountedDraw draw = count_operations(*method.count, all_pixels, meshes);
+  const CountedDraw loop = count_operations("flat", all_pixels, meshes);
   figures.per_pixel = rates(draw.in_spans, draw.pixels);
   const OperationRates bare = rates(loop.in_spans, loop.pixels);
   for (std::size_t i = 0; i < bare.size(); ++i) {
@@ -74,44 +58,8 @@ double best_draw_milliseconds(const RenderJob& job, RenderFunction& render) {
 }
 
 MeasuredMethod find_method(const std::string& shading) {
-  for (const arcspan_counting::Counter& counter : arcspan_counting::counters()) {
-    if (counter.shading == shading) {
-      return {shading, find_renderer(shading, "rgb888", false).function, counter.function};
-    }
-  }
-  throw Failure(shading, "no such shading to count");
-}
-
-CountedDraw count_operations(const std::string& shading, const RenderJob& job, const FixedMeshes& meshes) {
-  return count_operations(find_method(shading), job, meshes);
-}
-
-CountedDraw count_operations(const MeasuredMethod& method, const RenderJob& job, const FixedMeshes& meshes) {
-  // Counted with plain illuminations only, because each instantiation takes seconds to compile: several
-  // lights as white ones, and highlights that do not fade. A single light's colour is part of the material.
-  std::vector<DirectionalLight> lights = job.lights;
-  if (lights.size() > 1) {
-    for (DirectionalLight& light : lights) light.colour = DirectionalLight{}.colour;
-  }
-  CountedDraw sum;
-  for (std::size_t i = 0; i < job.parts.size(); ++i) {
-    Material material = job.parts[i].material;
-    material.highlight_fade = {};
-    arcspan_counting::CountJob bytes;
-    bytes.positions = bytes_of(meshes[i].positions);
-    bytes.normals = bytes_of(meshes[i].normals);
-    bytes.indices = bytes_of(meshes[i].indices);
-    bytes.transform = bytes_of_one(job.transform);
-    bytes.material = bytes_of_one(material);
-    bytes.lights = bytes_of(lights);
-    bytes.to_eye = bytes_of_one(job.to_eye);
-    bytes.phong_highlight = job.highlight == Highlight::kPhong;
-    bytes.two_sided = job.parts[i].two_sided;
-    bytes.segment_bits = job.segment_bits;
-    bytes.tolerance = job.tolerance;
-    add(sum, method.count(bytes));
-  }
-  return sum;
+  arcspan_counting::CountFunction* const count = find_counter(shading);
+  return {shading, find_renderer(shading, "rgb888", false).function, count};
 }
 
 MethodFigures measure_method(const std::string& shading, const RenderJob& job, const FixedMeshes& meshes,

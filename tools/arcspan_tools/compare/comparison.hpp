@@ -37,12 +37,6 @@ struct MeasuredMethod {
 /// One of those that the commands offer; throws Failure if there is none of that name.
 [[nodiscard]] MeasuredMethod find_method(const std::string& shading);
 
-/// Draws with one method in the pipeline that counts, without depth test. `meshes` are those of the job.
-[[nodiscard]] arcspan_counting::CountedDraw count_operations(const MeasuredMethod& method,
-                                                             const RenderJob& job, const FixedMeshes& meshes);
-[[nodiscard]] arcspan_counting::CountedDraw count_operations(const std::string& shading, const RenderJob& job,
-                                                             const FixedMeshes& meshes);
-
 /// Whether the time of drawing is measured too: the one figure that is another one in every run.
 enum class Timing : std::uint8_t { kMeasured, kLeftOut };
 

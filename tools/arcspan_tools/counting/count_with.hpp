@@ -4,6 +4,7 @@
 
 #include <arcspan_tools/counting/count_job.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <type_traits>
@@ -40,13 +41,17 @@ class CountingSink {
     [[nodiscard]] static counted::Rgb8 decode(Encoded) { return {}; }
   };
 
-  CountingSink(CountedDraw& draw, const counted::Viewport& size) : draw_(&draw) {
-    bounds_.right = size.width;
-    bounds_.bottom = size.height;
-  }
+  /// The band that `depth` covers. Unless `tests_depth`, the depths under a run are reset when it is opened,
+  /// so that all its pixels pass.
+  CountingSink(CountedDraw& draw, const counted::DepthBuffer& depth, bool tests_depth)
+      : draw_(&draw), depth_(&depth), tests_depth_(tests_depth) {}
 
-  [[nodiscard]] counted::Rect bounds() const { return bounds_; }
+  [[nodiscard]] counted::Rect bounds() const { return depth_->bounds(); }
   [[nodiscard]] Format::Cursor open(const counted::Span& run) {
+    operation_target = nullptr;
+    if (!tests_depth_) {
+      std::fill_n(depth_->row(run.y) + run.x, static_cast<int>(run.count), counted::DepthBuffer::kFarthest);
+    }
     ++draw_->spans;
     draw_->pixels += static_cast<std::uint64_t>(run.count);
     operation_target = &draw_->in_spans;
@@ -59,7 +64,8 @@ class CountingSink {
 
  private:
   CountedDraw* draw_;
-  counted::Rect bounds_{};
+  const counted::DepthBuffer* depth_;
+  bool tests_depth_;
 };
 
 /// Values of the plain pipeline as values of the pipeline that counts.
@@ -88,13 +94,27 @@ CountedDraw count_draw(const CountJob& job, const typename Method::Lighting& lig
   if (counted::MeshView::make(positions, normals, std::span(indices), mesh) != counted::Status::kOk) {
     throw std::logic_error("the counting pipeline rejects the mesh");
   }
+  const auto planes = copied<counted::FacePlane>(job.planes);
+  if (!planes.empty() &&
+      mesh.attach(planes, one<counted::PlaneScale>(job.plane_scale)) != counted::Status::kOk) {
+    throw std::logic_error("the counting pipeline rejects the planes");
+  }
   CountedDraw draw;
-  CountingSink sink(draw, transform.viewport());
-  std::vector<counted::CachedVertex<Method>> cache(mesh.vertex_count());
-  operation_target = &draw.around;
-  (void)counted::draw_mesh<Method>(mesh, transform, lighting, sink, counted::NoDepth{}, std::span(cache),
-                                   {job.two_sided});
-  operation_target = nullptr;
+  const int width = static_cast<int>(transform.viewport().width);
+  const int height = static_cast<int>(transform.viewport().height);
+  for (int first = 0; first < height; first += job.band_rows) {
+    const int rows = std::min(job.band_rows, height - first);
+    std::vector<Counted<std::uint16_t>> depths(counted::DepthBuffer::words(width, rows));
+    counted::DepthBuffer depth(depths, width, rows, first);
+    depth.clear();
+    CountingSink sink(draw, depth, job.depth);
+    std::vector<counted::CachedVertex<Method>> cache(mesh.vertex_count());
+    operation_target = &draw.around;
+    const counted::DrawResult drawn =
+        counted::draw_mesh<Method>(mesh, transform, lighting, sink, depth, std::span(cache), {job.two_sided});
+    operation_target = nullptr;
+    draw.triangles += static_cast<std::uint64_t>(drawn.triangles);
+  }
   return draw;
 }
 

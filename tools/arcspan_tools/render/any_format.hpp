@@ -31,13 +31,14 @@ class PixelStore {
 [[nodiscard]] std::unique_ptr<PixelStore> make_pixel_store(const PixelChoice& pixels, std::int32_t width,
                                                            std::int32_t rows);
 
-/// Keeps nothing: for counting what would be drawn.
+/// Keeps nothing, and counts what is written.
 class NoPixels final : public PixelStore {
  public:
   explicit NoPixels(const Rect& bounds) : bounds_(bounds) {}
 
-  void write(std::int32_t, std::int32_t, PackedRgb) override {}
-  void write(std::int32_t, std::int32_t, const SurfacePixel&) override {}
+  void write(std::int32_t, std::int32_t, PackedRgb) override { ++written_; }
+  void write(std::int32_t, std::int32_t, const SurfacePixel&) override { ++written_; }
+  [[nodiscard]] std::uint64_t written() const { return written_; }
   [[nodiscard]] Rgb8 pixel(std::int32_t, std::int32_t) const override { return {}; }
   void move_to(std::int32_t first_row) override {
     bounds_ = {bounds_.left, first_row, bounds_.right, first_row + bounds_.height()};
@@ -48,6 +49,7 @@ class NoPixels final : public PixelStore {
 
  private:
   Rect bounds_;
+  std::uint64_t written_ = 0;
 };
 
 /// The pipeline's view of such a store. One instantiation of a shading method with it serves every format. It

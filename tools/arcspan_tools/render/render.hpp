@@ -70,6 +70,7 @@ struct RenderStats {
   std::uint32_t triangles = 0;  ///< of the picture; of the fullest band unless RenderJob::counts
   std::uint64_t spans = 0;      ///< 0 unless RenderJob::counts
   std::uint64_t pixels = 0;     ///< of the spans, hidden ones included; 0 unless RenderJob::counts
+  std::uint64_t written = 0;    ///< pixels that a depth test lets pass; 0 unless RenderJob::counts
   std::uint64_t bands = 0;
   double draw_milliseconds = 0;  ///< processor time of drawing one frame, without clearing
   std::size_t frame_bytes = 0;

@@ -70,6 +70,7 @@ void count_spans(const RenderJob& job, const Drawers& drawers, RenderStats& stat
   stats.triangles = draw_parts(drawers, sink, depth.buffer());
   stats.spans = sink.spans();
   stats.pixels = sink.pixels();
+  stats.written = nothing.written();
 }
 
 }  // namespace

@@ -150,6 +150,7 @@ void count_spans(const RenderJob& job, const PartLightings<Method>& lightings, R
   }
   stats.spans = sink.spans();
   stats.pixels = sink.pixels();
+  stats.written = nothing.written();
 }
 
 /// The method's lighting by an illumination, with the job's settings of the method if it has any.

@@ -1,24 +1,55 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/simulate/costs_json.hpp>
+#include <arcspan_tools/counting/count_operations.hpp>
+#include <arcspan_tools/render/surface_drawer.hpp>
+#include <arcspan_tools/simulate/estimates_json.hpp>
 #include <arcspan_tools/simulate/processor_cost.hpp>
 #include <nlohmann/json.hpp>
 
-#include <string>
+#include <cstdint>
 
 namespace arcspan::tools {
 
-std::optional<double> draw_instructions(std::string_view shading, const RenderStats& stats,
-                                        std::size_t vertices) {
-  static const nlohmann::json kMarginal = nlohmann::json::parse(kCostsJson).at("marginal").at("mps2-an385");
-  const auto found = kMarginal.find(std::string(shading));
-  if (found == kMarginal.end()) return std::nullopt;
-  const auto cost = [&found](const char* what) { return found->at(what).get<double>(); };
+std::vector<CostTerm> cost_terms(std::string_view shading, const RenderJob& job, const FixedMeshes& meshes,
+                                 const RenderStats& stats) {
+  const arcspan_counting::CountedDraw draw = count_operations(shading, job, meshes);
+  const auto share = [](std::uint64_t part, std::uint64_t of) {
+    return of == 0 ? 0 : static_cast<double>(part) / static_cast<double>(of);
+  };
+  const double passed = job.depth ? share(stats.written, stats.pixels) : 1;
+  std::vector<CostTerm> terms;
+  for (std::size_t i = 0; i < arcspan_counting::kOperationKinds; ++i) {
+    const std::string name(arcspan_counting::kOperationNames[i]);
+    terms.push_back({name, static_cast<double>(draw.around.of[i])});
+    terms.push_back({"pixel's " + name, static_cast<double>(draw.in_spans.of[i])});
+  }
+  double vertices = 0;
+  double triangles = 0;
+  for (const FixedMesh& mesh : meshes) {
+    vertices += static_cast<double>(mesh.positions.size());
+    triangles += static_cast<double>(mesh.indices.size()) / 3;
+  }
   const auto bands = static_cast<double>(stats.bands);
-  // A triangle includes its share of transforming the vertices once; every further band transforms them
-  // again.
-  return cost("triangle_without_planes") * stats.triangles +
-         cost("vertex") * static_cast<double>(vertices) * (bands - 1) +
-         cost("span") * static_cast<double>(stats.spans) + cost("pixel") * static_cast<double>(stats.pixels);
+  const auto pixels = static_cast<double>(draw.pixels);
+  terms.push_back({"vertex of the mesh", vertices * bands});
+  terms.push_back({"triangle of the mesh", triangles * bands});
+  terms.push_back({"triangle", static_cast<double>(draw.triangles)});
+  terms.push_back({"span", static_cast<double>(draw.spans)});
+  terms.push_back({"pixel", pixels});
+  terms.push_back({"written pixel", pixels * passed});
+  terms.push_back({"call", bands * static_cast<double>(meshes.size())});
+  return terms;
+}
+
+std::optional<double> draw_instructions(std::string_view shading, const RenderJob& job,
+                                        const FixedMeshes& meshes, const RenderStats& stats) {
+  static const nlohmann::json kWeights = nlohmann::json::parse(kEstimatesJson).at("mps2-an385");
+  const auto weights = kWeights.find(std::string(shading));
+  if (weights == kWeights.end() || job.lights.size() != 1 || has_surfaces(job)) return std::nullopt;
+  double instructions = 0;
+  for (const CostTerm& term : cost_terms(shading, job, meshes, stats)) {
+    instructions += weights->value(term.name, 0.0) * term.amount;
+  }
+  return instructions;
 }
 
 }  // namespace arcspan::tools

@@ -1,18 +1,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/render/render.hpp>
 
-#include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace arcspan::tools {
 
-/// Instructions that a Cortex-M3 takes to draw what `stats` says, by the marginal costs of docs/costs.json,
-/// which were counted in a frame with one light; in bands, vertices cost once for each. Nothing for a
-/// shading method that has no figures there.
-[[nodiscard]] std::optional<double> draw_instructions(std::string_view shading, const RenderStats& stats,
-                                                      std::size_t vertices);
+/// An amount on which the instructions of a drawing depend, such as its multiplications or its spans.
+struct CostTerm {
+  std::string name;  ///< the key of its weight in docs/estimates.json
+  double amount = 0;
+};
+
+/// The terms of drawing a job's bands: the operations that the counting pipeline counts, those of pixels in
+/// the share that `stats` says passed the depth test; vertices and triangles of the meshes; and triangles,
+/// spans and pixels that were drawn. `stats` are those of rendering the job, with counts.
+[[nodiscard]] std::vector<CostTerm> cost_terms(std::string_view shading, const RenderJob& job,
+                                               const FixedMeshes& meshes, const RenderStats& stats);
+
+/// Instructions that a Cortex-M3 takes to draw a job: the terms by the weights of docs/estimates.json, which
+/// scripts/simulate-estimates fits to drawings on an emulated board. Nothing for a method without weights
+/// there.
+[[nodiscard]] std::optional<double> draw_instructions(std::string_view shading, const RenderJob& job,
+                                                      const FixedMeshes& meshes, const RenderStats& stats);
 
 }  // namespace arcspan::tools

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The bytes that tests/artefacts/drawing_jobs.cpp writes for cost_jobs.cpp: jobs one after the other, the
+// last of them without vertices. A job is a head and the arrays of the pipeline's own types, which have the
+// same layout on both machines.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan {
+
+/// Where the emulator loads the jobs: the second half of the board's PSRAM.
+inline constexpr std::uint32_t kJobsAddress = 0x21800000;
+
+struct JobHead {
+  std::uint32_t vertices = 0;
+  std::uint32_t indices = 0;
+  std::uint32_t planes = 0;
+  std::uint32_t is_phong = 0;  ///< R·V instead of N·H
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::uint32_t band_rows = 0;
+  std::uint32_t unused = 0;  ///< the size is a multiple of 8
+};
+
+/// The bytes of an array, so that the next one is aligned.
+constexpr std::size_t padded(std::size_t bytes) { return (bytes + 7) / 8 * 8; }
+
+}  // namespace arcspan

@@ -181,7 +181,11 @@ TEST_CASE("settings out of range are refused and change nothing") {
 
 TEST_CASE("adaptive stays within its tolerance of arc") {
   // One step more for rounding: colours of arc come in steps too, up to one of its ramp's 256.
+#ifdef ARCSPAN_SANITIZED
+  const std::int32_t tolerance = GENERATE(0, 2, 64);
+#else
   const std::int32_t tolerance = GENERATE(0, 1, 2, 5, 20, 64);
+#endif
   CAPTURE(tolerance);
   const auto seed = static_cast<std::uint64_t>(10 + tolerance);
   CHECK(most_beyond_tolerance<Illumination<1, Highlight::kBlinn>>(seed, 6000, tolerance) <= 1);

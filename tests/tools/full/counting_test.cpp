@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/compare/comparison.hpp>
+#include <arcspan_tools/counting/count_operations.hpp>
 #include <arcspan_tools/counting/counted_integer.hpp>
 #include <arcspan_tools/counting/counters.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
@@ -112,6 +113,26 @@ TEST_CASE("the counting pipeline draws the pipeline's own pixels") {
     CHECK(draw.pixels == stats.pixels);
     CHECK(draw.spans == stats.spans);
   }
+}
+
+TEST_CASE("the counting pipeline draws in bands, and pixels that are hidden cost less") {
+  const FixedMesh mesh = to_fixed(generate(*parse_generated_mesh("torus:24x16")));
+  Scene scene;
+  scene.size = {160, 120};
+  scene.camera.view = {0, 0.1, 1};  // one side of the ring hides the other
+  const CountedDraw whole = count_operations("arc", make_job(scene, mesh, "torus"), mesh);
+  scene.band_rows = 16;
+  const CountedDraw bands = count_operations("arc", make_job(scene, mesh, "torus"), mesh);
+  CHECK(bands.pixels == whole.pixels);
+  CHECK(bands.spans == whole.spans);
+  CHECK(bands.in_spans.sum() == whole.in_spans.sum());
+  CHECK(bands.triangles > whole.triangles);
+  CHECK(bands.around.sum() > whole.around.sum());
+  scene.band_rows = 0;
+  scene.depth = false;
+  const CountedDraw all = count_operations("arc", make_job(scene, mesh, "torus"), mesh);
+  CHECK(all.pixels == whole.pixels);
+  CHECK(all.in_spans[Operation::kLookUp] > whole.in_spans[Operation::kLookUp]);
 }
 
 TEST_CASE("counted operations are the methods' own") {

@@ -66,6 +66,29 @@ TEST_CASE("sending changes only gives the same turn with fewer bytes") {
   CHECK(bytes(whole) > 1024);
 }
 
+TEST_CASE(
+    "simulate estimates instructions, fewer with planes and more in bands, or says that it has no figures") {
+  const TemporaryFolder folder;
+  const auto instructions = [&folder](const std::string& options) {
+    const CommandRun r = run("simulate torus:24x12 " + options + " -o " + (folder / "panel.png"));
+    REQUIRE(r.status == 0);
+    const std::size_t at = r.out.find("drawing: ");
+    REQUIRE(at != std::string::npos);
+    return std::atof(r.out.c_str() + at + 9);  // 0 for "no figures"
+  };
+  for (const char* shading : {"flat", "gouraud", "segment", "arc", "adaptive"}) {
+    CAPTURE(shading);
+    const std::string method = std::string("--shading ") + shading;
+    const double whole = instructions(method + " --band 320");
+    CHECK(whole > 100000);
+    CHECK(instructions(method + " --band 320 --planes") < whole);
+    CHECK(instructions(method + " --band 16") > whole);
+  }
+  CHECK(instructions("--shading phong") == 0);
+  CHECK(instructions("--light 1,0,0 --light 0,1,0") == 0);
+  CHECK(instructions("--fog 1,9") == 0);
+}
+
 TEST_CASE("simulate says in one line what is wrong, and writes nothing") {
   const TemporaryFolder folder;
   const struct {

@@ -35,7 +35,7 @@ union LightingMemory {
 
 /// One light of full strength, or two grey ones of 0.7 and 0.5.
 Status make_light(Light& light) {
-  const Rotation rotation = scenes::stage_placement({}).rotation;
+  const Rotation rotation = scenes::stage_rotation({});
   std::array<DirectionalLight, ARCSPAN_LIGHTS> lights{};
   lights[0].towards = rotation.to_object(normalised(5000, 6000, 6245));
   if constexpr (ARCSPAN_LIGHTS == 2) {

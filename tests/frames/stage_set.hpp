@@ -18,13 +18,11 @@ struct StageSet {
   Light light;
 };
 
-[[nodiscard]] inline Placement stage_placement(Turn turn) {
+/// The rotation of the measured scene; `turn` about the object's own y axis.
+[[nodiscard]] inline Rotation stage_rotation(Turn turn) {
   constexpr Turn kTilt{4551};  // 25 degrees
   constexpr Turn kLean{2731};  // 15 degrees
-  constexpr ObjectLength kEye = ObjectLength::of(-4.0 * kRadius);
-  Placement placement{Rotation::about_z(kLean) * Rotation::about_x(kTilt) * Rotation::about_y(turn), {}};
-  placement.translation[2] = kEye;
-  return placement;
+  return Rotation::about_z(kLean) * Rotation::about_x(kTilt) * Rotation::about_y(turn);
 }
 
 [[nodiscard]] inline Material stage_material() {
@@ -38,19 +36,34 @@ struct StageSet {
   return material;
 }
 
-/// `radius`: of the silhouette of a sphere, in pixels (1...1024); `turn` about the object's own y axis.
-[[nodiscard]] inline Status set_stage(const Viewport& viewport, std::int32_t radius, Turn turn,
-                                      StageSet& stage) {
-  const Placement placement = stage_placement(turn);
-  // sqrt(15) = 3.873 radii: the tangent cone of a sphere four radii away.
-  const Projection projection{PixelLength::from_raw(7932 * radius), ObjectLength::of(2.0 * kRadius),
-                              ObjectLength::of(6.0 * kRadius)};
+/// Sets camera and light for an object within a sphere of radius kRadius, `eye` such radii before the camera.
+[[nodiscard]] inline Status set_stage(const Viewport& viewport, PixelLength focal, std::int32_t eye,
+                                      const Rotation& rotation, StageSet& stage) {
+  static constexpr ObjectLength kOne = ObjectLength::of(1.0 * kRadius);
+  const auto radii = [](std::int32_t count) { return ObjectLength::from_raw(kOne.raw() * count); };
+  Placement placement{rotation, {}};
+  placement.translation[2] = radii(-eye);
+  const Projection projection{focal, radii(eye - 2), radii(eye + 2)};
   const Status placed = ClipTransform::make(placement, projection, viewport, stage.transform);
   if (!ok(placed)) return placed;
 
-  const Direction towards = placement.rotation.to_object(normalised(5000, 6000, 6245));
-  const Direction to_eye = placement.rotation.to_object(normalised(0, 0, 1));
+  const Direction towards = rotation.to_object(normalised(5000, 6000, 6245));
+  const Direction to_eye = rotation.to_object(normalised(0, 0, 1));
   return Light::make(stage_material(), {DirectionalLight{towards}}, to_eye, stage.light);
+}
+
+/// `radius`: of the silhouette of a sphere, in pixels (1...1024); `turn` about the object's own y axis.
+[[nodiscard]] inline Status set_stage(const Viewport& viewport, std::int32_t radius, Turn turn,
+                                      StageSet& stage) {
+  // sqrt(15) = 3.873 radii: the tangent cone of a sphere four radii away.
+  return set_stage(viewport, PixelLength::from_raw(7932 * radius), 4, stage_rotation(turn), stage);
+}
+
+/// The stage of a standing figure within a sphere of radius kRadius, turned by 30 degrees, five radii away.
+[[nodiscard]] inline Status set_character_stage(const Viewport& viewport, StageSet& stage) {
+  constexpr Turn kYaw{5461};
+  constexpr PixelLength kFocal = PixelLength::from_raw(7932 * 219);
+  return set_stage(viewport, kFocal, 5, Rotation::about_y(kYaw), stage);
 }
 
 }  // namespace arcspan::scenes

@@ -62,7 +62,7 @@ struct StageSet {
 /// The stage of a standing figure within a sphere of radius kRadius, turned by 30 degrees, five radii away.
 [[nodiscard]] inline Status set_character_stage(const Viewport& viewport, StageSet& stage) {
   constexpr Turn kYaw{5461};
-  constexpr PixelLength kFocal = PixelLength::from_raw(7932 * 219);
+  constexpr PixelLength kFocal = PixelLength::from_raw(std::int32_t{7932} * 219);
   return set_stage(viewport, kFocal, 5, Rotation::about_y(kYaw), stage);
 }
 

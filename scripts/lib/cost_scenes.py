@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+"""What scripts/firmware-costs measures: targets, methods and scenes, under the names that the programs print and
+docs/costs.json has."""
+
+TARGETS = [  # preset, machine, title
+    ("mps2-an385", "mps2-an385", "Cortex-M3"),
+    ("mps2-an385-armv6m", "mps2-an385", "Armv6-M code"),
+    ("mps2-an386", "mps2-an386", "Cortex-M4F, FPU off"),
+]
+SPHERES = ("16x8", "32x16", "64x32")
+RADII = (36, 72, 108)
+HEADLINE = "32x16 72"
+EXTREMES = {"8x4 110": "normals up to 60° apart, cut by the picture", "8x4 1400": "the same, cut by the guard band",
+            "16x8 12": "small and coarse", "64x32 20": "triangles of a pixel"}
+OWN_SINK = "-own-sink"  # ends the names of programs that draw into a sink of their own
+CLASSIC = ("phong", "phong-reciprocal")  # the two classic Phong methods
+RISCV = ("riscv-virt", "RV32IMAC")  # preset, title; only the frames of few methods are measured
+FEW = ("flat", "gouraud", "arc", "adaptive")  # methods for products
+# In the coarsest sphere normals are more than 16 degrees apart, where these methods take another path.
+FINE_ONLY = ("arc", "segment", "segment-8", "segment-16", "adaptive", "recurrence", "recurrence-four", "arc-vector")
+BANDS = {"whole, cache": "whole frame, vertex cache", "whole, no cache": "whole frame, no cache",  # sections of cost_bands.cpp
+         "bands, cache": "bands, vertex cache", "bands, no cache": "bands, no cache",
+         "bands, kept": "bands, `BandCache`", "bands, kept with rows": "bands, `BandCache` with rows"}
+TEXTURED = {"unlit": "none", "greygouraud": "`GreyGouraud`", "adaptive": "`Adaptive`"}  # cost_textures.cpp, by light
+LINES = {"level": ("line, level", "short", "long"), "flat": ("line, wider than high", "short", "long"),  # of cost_lines.cpp
+         "tall": ("line, higher than wide", "short", "long"), "points": ("point", "small", "large"),
+         "sprites": ("billboard", "small", "large")}
+OTHER = {  # sections of cost_lights.cpp and cost_scene.cpp, by program and section: what is drawn
+    ("lights-{}-blinn-1", "draw"): "benchmark frame, (N·H)¹⁶ instead of (R·V)¹⁶", ("lights-{}-blinn-1", "make"): "its illumination",
+    ("lights-{}-phong-2", "draw"): "benchmark frame, two lights", ("lights-{}-phong-2", "make"): "its illumination",
+    ("scene-{}", "draw twenty"): "20 spheres of 16×8 with 20 materials", ("scene-{}", "prepare twenty"): "preparing them",
+    ("character-{}", "draw character"): "figure of 4,620 small triangles without planes (`tests/frames/figure.hpp`)"}

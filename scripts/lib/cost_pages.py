@@ -75,8 +75,8 @@ def markdown(costs):
     lines += ["### Other light, several objects, -Os", ""]
     lines += prose("Grey lights share a ramp ([decision 28](decisions/0028-several-grey-lights.md)); two of them have 0.7 and 0.5 of the "
                    "strength of one. Materials and lights that are constants are prepared by the compiler, so that a scene costs only what "
-                   "directions need ([decision 24](decisions/0024-scenes.md)). Illuminations that are made at run time take what the rows "
-                   "below tell. Clearing is not included.")
+                   "directions need ([decision 24](decisions/0024-scenes.md)). An illumination that is made at run "
+                   "time takes what the row below its frame says. Clearing is not included.")
     targets = [*((preset, title) for preset, _, title in TARGETS), RISCV]
     lines += table(["", *(f"{title}, {method}" for _, title in targets for method in ("arc", "adaptive"))],
                    [[about, *(f"{costs['others'][preset][method][f'{program.format(method)} {section}']:,}"

@@ -22,6 +22,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 using namespace arcspan;
 using namespace arcspan::tools;
@@ -101,10 +102,10 @@ void write_job(std::ostream& out, const RenderJob& job, const FixedMesh& mesh) {
 
 nlohmann::json figures(const RenderJob& job, const FixedModel& model, const std::string& method) {
   const RenderStats stats = find_renderer(method, "rgb565", false).render(job, [](std::size_t) {}).stats;
-  nlohmann::json terms;
-  for (const CostTerm& term : cost_terms(method, job, model, stats)) terms[term.name] = term.amount;
-  nlohmann::json result = {{"terms", std::move(terms)}};
-  if (const auto estimate = draw_instructions(method, job, model, stats)) result["estimate"] = *estimate;
+  const std::vector<CostTerm> terms = cost_terms(method, job, model, stats);
+  nlohmann::json result;
+  for (const CostTerm& term : terms) result["terms"][term.name] = term.amount;
+  if (const auto estimate = weighted_sum(method, terms)) result["estimate"] = *estimate;
   return result;
 }
 

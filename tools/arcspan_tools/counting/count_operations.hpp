@@ -14,11 +14,11 @@ namespace arcspan::tools {
 [[nodiscard]] arcspan_counting::CountedDraw count_operations(arcspan_counting::CountFunction& count,
                                                              const RenderJob& job, const FixedMeshes& meshes);
 
-/// The same with the method of a name; throws Failure if there is none.
+/// Counts with the shading method that --shading calls `shading`; throws Failure if there is none.
 [[nodiscard]] arcspan_counting::CountedDraw count_operations(std::string_view shading, const RenderJob& job,
                                                              const FixedMeshes& meshes);
 
-/// The counting pipeline's method of a name; throws Failure if there is none.
+/// The function that counts with this shading method; throws Failure if there is none.
 [[nodiscard]] arcspan_counting::CountFunction* find_counter(std::string_view shading);
 
 }  // namespace arcspan::tools

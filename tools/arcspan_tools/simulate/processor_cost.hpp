@@ -23,6 +23,11 @@ struct CostTerm {
 [[nodiscard]] std::vector<CostTerm> cost_terms(std::string_view shading, const RenderJob& job,
                                                const FixedMeshes& meshes, const RenderStats& stats);
 
+/// The terms by the weights of docs/estimates.json, summed: instructions. Nothing for a method without
+/// weights.
+[[nodiscard]] std::optional<double> weighted_sum(std::string_view shading,
+                                                 const std::vector<CostTerm>& terms);
+
 /// Instructions that a Cortex-M3 takes to draw a job: the terms by the weights of docs/estimates.json, which
 /// scripts/simulate-estimates fits to drawings on an emulated board. Nothing for a method without weights
 /// there.

@@ -91,7 +91,7 @@ struct AdaptivePaths : Arc<Illumination> {
   };
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
-                                                    const Raster& b, const Raster& c,
+                                                    const Raster& b, const Raster& c, bool arcs_only,
                                                     const SmallTriangle& triangle, Small& small) {
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
     const SmallCorners corners{a, b, c};
@@ -103,7 +103,7 @@ struct AdaptivePaths : Arc<Illumination> {
                                                               c.shade.scalars, arc_headroom(chords.widest()));
       shines = nearest < lighting.half_tolerance_reach();
       diffuse = Base::Small::diffuse_of(lighting, corners, chords.widest(), shines);
-      if (diffuse.suffices && chords.widest() <= kWidestBounded) {
+      if (diffuse.suffices && !arcs_only && chords.widest() <= kWidestBounded) {
         const LinearLevels levels(chords, diffuse.a, diffuse.b, diffuse.c);
         if (levels.quadruple_error() <= lighting.linear_limit(nearest)) {
           small.linear_light = true;
@@ -113,7 +113,7 @@ struct AdaptivePaths : Arc<Illumination> {
         }
       }
     }
-    return small.arc.prepare(lighting, corners, chords, shines, diffuse, triangle);
+    return small.arc.prepare(lighting, corners, chords, shines, diffuse, arcs_only, triangle);
   }
   /// Calls `draw` with the surface of a small triangle.
   template <class Draw>

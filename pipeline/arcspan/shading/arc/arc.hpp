@@ -91,7 +91,7 @@ struct ArcUpTo {
   /// Prepares a small triangle (DrawsSmallTriangles).
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
-                                                    const Raster& b, const Raster& c,
+                                                    const Raster& b, const Raster& c, bool arcs_only,
                                                     const SmallTriangle& triangle, Small& small) {
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
     const SmallCorners corners{a, b, c};
@@ -101,7 +101,14 @@ struct ArcUpTo {
                                   arc_headroom(chords.widest()));
     }
     const auto diffuse = Small::diffuse_of(lighting, corners, chords.widest(), shines);
-    return small.prepare(lighting, corners, chords, shines, diffuse, triangle);
+    return small.prepare(lighting, corners, chords, shines, diffuse, arcs_only, triangle);
+  }
+  /// Returns true if a triangle with these squared chords may consist of arcs, so that prepare_small() may
+  /// take it although it is not small (is_small_for_arcs()).
+  [[nodiscard]] static constexpr bool may_be_small_arc(const Lighting& lighting,
+                                                       const TriangleChords& chords) {
+    const std::uint32_t widest = chords.widest();
+    return widest > lighting.widest_patch() && widest <= kWidestArc;
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {

@@ -11,12 +11,12 @@
 
 namespace arcspan {
 
-/// Returns the squared chords of a triangle's edges: ab as top_middle, ca as top_bottom, bc as middle_bottom.
+/// Returns the squared chords of the edges of a triangle a, b, c whose vertices are sorted by height.
 [[nodiscard]] constexpr TriangleChords chords_between(const Normal& a, const Normal& b, const Normal& c) {
-  return {squared_chord(a, b), squared_chord(c, a), squared_chord(b, c)};
+  return {squared_chord(a, b), squared_chord(a, c), squared_chord(b, c)};
 }
 
-/// The three vertices of a small triangle.
+/// The three vertices of a small triangle, sorted by height.
 template <class Raster>
 struct SmallCorners {
   const Raster& a;
@@ -55,22 +55,22 @@ class SmallShading {
   }
 
   /// Prepares the triangle; `shines` is true if a highlight is within reach. Returns false if the normals are
-  /// more than 60 degrees apart.
+  /// more than 60 degrees apart, or if it is no triangle of arcs and `arcs_only` is true.
   template <class Raster>
   [[nodiscard]] constexpr bool prepare(const Lighting& lighting, const SmallCorners<Raster>& at,
                                        const TriangleChords& chords, bool shines, const Diffuse& diffuse,
-                                       const SmallTriangle& triangle) {
+                                       bool arcs_only, const SmallTriangle& triangle) {
     const std::uint32_t widest = chords.widest();
     if (widest > kWidestArc) return false;
     const auto& a = at.a.shade.scalars;
     const auto& b = at.b.shade.scalars;
     const auto& c = at.c.shade.scalars;
     const auto prepare_arc = [&](auto& arc) {
-      arc.prepare({&at.a.position, &at.b.position, &at.c.position}, {&a, &b, &c},
-                  {chords.middle_bottom, chords.top_bottom, chords.top_middle}, triangle);
+      arc.prepare({&at.a.position, &at.b.position, &at.c.position}, {&a, &b, &c}, chords, triangle);
     };
     if constexpr (Lighting::kHasRamp) {
       if (diffuse.suffices) {
+        if (arcs_only) return false;
         path_ = Path::kDiffusePatch;
         const auto scalar = [](Cosine value) { return std::array<Cosine, 1>{value}; };
         diffuse_patch_.prepare(scalar(diffuse.a), scalar(diffuse.b), scalar(diffuse.c), chords, triangle);
@@ -86,6 +86,7 @@ class SmallShading {
     }
     path_ = widest <= lighting.widest_patch() ? Path::kPatch : Path::kArc;
     if (path_ == Path::kPatch) {
+      if (arcs_only) return false;
       patch_.prepare(a, b, c, chords, triangle);
     } else {
       prepare_arc(arc_);

@@ -55,6 +55,11 @@ struct EdgeFunction {
   std::int32_t at;  ///< at the centre of column 0 in the first row
   std::int32_t dx;  ///< change per pixel
   std::int32_t dy;  ///< change per row
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t operator()(std::int32_t column,
+                                                                 std::int32_t row) const {
+    return at + column * dx + row * dy;
+  }
 };
 
 /// The pixels of a small triangle in a row: columns first ... first + count - 1, relative to the raster
@@ -133,18 +138,20 @@ class EdgeColumn {
   std::int32_t per_row_;
 };
 
-/// Finds the pixels of the rows between two edges from `span` to `end`. Returns true if there are any.
-[[nodiscard]] ARCSPAN_INLINE constexpr bool find_spans(EdgeColumn& p, EdgeColumn q, SmallSpan* span,
-                                                       const SmallSpan* end) {
+/// Finds the pixels of the rows from `span` to `end`, at least one, between two edges. Leaves the edges at
+/// the last row. Returns 0 if there are none.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t find_spans(EdgeColumn& left, EdgeColumn& right,
+                                                               SmallSpan* span, const SmallSpan* end) {
   std::int32_t found = 0;
-  for (; span != end; ++span, p.advance(), q.advance()) {
-    const std::int32_t first = p.column() < q.column() ? p.column() : q.column();
-    const std::int32_t count = p.column() + q.column() - 2 * first;
-    span->first = static_cast<std::int16_t>(first);
+  while (true) {
+    const std::int32_t count = right.column() - left.column();
+    span->first = static_cast<std::int16_t>(left.column());
     span->count = static_cast<std::int16_t>(count);
     found |= count;
+    if (++span == end) return found;
+    left.advance();
+    right.advance();
   }
-  return found != 0;
 }
 
 }  // namespace detail
@@ -157,12 +164,13 @@ struct SmallLimits {
   std::int32_t bottom;
 };
 
-/// Finds the pixels of a small triangle in the rows of `limits`. The vertices are sorted by height. Returns
-/// false, with `triangle` partly set, if there are none. The same pixels are found as by TriangleCommand.
+/// Finds the pixels of a small triangle in the rows of `limits`. The vertices are sorted by height, and the
+/// middle one is on the left of the long edge where `middle_left` is true. Returns false, with `triangle`
+/// partly set, if there are none. The same pixels are found as by TriangleCommand.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr bool cover_small_triangle(const RasterPosition& top,
                                                                   const RasterPosition& middle,
                                                                   const RasterPosition& bottom,
-                                                                  const SmallLimits& limits,
+                                                                  bool middle_left, const SmallLimits& limits,
                                                                   SmallTriangle& triangle) {
   triangle.first_row = first_row_at(top.y);
   triangle.end_row = first_row_at(bottom.y);
@@ -172,21 +180,28 @@ struct SmallLimits {
   triangle.rows = end - first;
   if (first >= end) return false;
   const std::int32_t half = first_row_at(middle.y);
-  const std::int32_t half_end = half < end ? half : end;
-  detail::EdgeColumn long_edge(top, bottom, first * 16 + 8);
+  const bool has_upper = first < half;
+  const std::int32_t y = first * 16 + 8;
+  const RasterPosition& short_top = has_upper ? top : middle;
+  const RasterPosition& short_bottom = has_upper ? middle : bottom;
+  detail::EdgeColumn left(middle_left ? short_top : top, middle_left ? short_bottom : bottom, y);
+  detail::EdgeColumn right(middle_left ? top : short_top, middle_left ? bottom : short_bottom, y);
   SmallSpan* span = triangle.spans;
-  bool found = false;
-  if (first < half_end) {
-    found = detail::find_spans(long_edge, detail::EdgeColumn(top, middle, first * 16 + 8), span,
-                               span + (half_end - first));
-    span += half_end - first;
+  const SmallSpan* const last = span + triangle.rows;
+  std::int32_t found = 0;
+  if (has_upper && half < end) {
+    found = detail::find_spans(left, right, span, span + (half - first));
+    span += half - first;
+    const detail::EdgeColumn lower(middle, bottom, half * 16 + 8);
+    if (middle_left) {
+      left = lower;
+      right.advance();
+    } else {
+      left.advance();
+      right = lower;
+    }
   }
-  const std::int32_t lower = first < half ? half : first;
-  if (lower < end) {
-    found |= detail::find_spans(long_edge, detail::EdgeColumn(middle, bottom, lower * 16 + 8), span,
-                                triangle.spans + triangle.rows);
-  }
-  return found;
+  return (found | detail::find_spans(left, right, span, last)) != 0;
 }
 
 /// Cuts the spans of a triangle at the left and right limit. Returns false if no pixel is left.

@@ -20,16 +20,13 @@ template <class Surface, class Target>
                                                                  const RasterOrigin& origin,
                                                                  const Target& all) {
   const Target target = all;  // a copy, because the members of a reference would be loaded for every pixel
-  std::int32_t at_b = triangle.of_middle.at;
-  std::int32_t at_c = triangle.of_bottom.at;
   RowMemory<Target> memory(target, triangle.row + origin.y);
-  for (std::int32_t row = 0; row < triangle.rows;
-       ++row, at_b += triangle.of_middle.dy, at_c += triangle.of_bottom.dy, memory.next()) {
+  for (std::int32_t row = 0; row < triangle.rows; ++row, memory.next()) {
     const SmallSpan found = triangle.spans[row];
     if (found.count == 0) continue;
     const Span span{triangle.row + row + origin.y, found.first + origin.x, found.count};
-    const std::int32_t b = triangle.coordinate(at_b + found.first * triangle.of_middle.dx);
-    const std::int32_t c = triangle.coordinate(at_c + found.first * triangle.of_bottom.dx);
+    const std::int32_t b = triangle.coordinate(triangle.of_middle(found.first, row));
+    const std::int32_t c = triangle.coordinate(triangle.of_bottom(found.first, row));
     auto run = surface.row((triangle.row + row) * 16 + 8, b, c);
     if constexpr (IndexedRows<Target>) {
       PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span), triangle.depth(b, c)};
@@ -72,14 +69,16 @@ template <class Method, class Target>
   const Rect& scissor = target.scissor;
   const SmallLimits limits{scissor.left - origin.x, scissor.right - origin.x, scissor.top - origin.y,
                            scissor.bottom - origin.y};
+  const std::int32_t area = doubled_area(p, q, r);
   SmallTriangle triangle;
-  if (!cover_small_triangle(p, q, r, limits, triangle) || (crosses && !cut_columns(limits, triangle))) {
+  if (!cover_small_triangle(p, q, r, area < 0, limits, triangle) ||
+      (crosses && !cut_columns(limits, triangle))) {
     const std::int32_t first = triangle.first_row > rows.first ? triangle.first_row : rows.first;
     const std::int32_t end = triangle.end_row < rows.end ? triangle.end_row : rows.end;
     status = Status::kOk;
     return first < end ? SmallResult::kDone : SmallResult::kOutOfView;
   }
-  prepare_small_triangle(p, q, r, doubled_area(p, q, r), triangle);
+  prepare_small_triangle(p, q, r, area, triangle);
   typename Method::Small small;
   if (!Method::prepare_small(target.lighting, *top, *middle, *bottom, arcs_only, triangle, small)) {
     return SmallResult::kRefused;

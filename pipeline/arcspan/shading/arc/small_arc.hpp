@@ -14,19 +14,28 @@
 
 namespace arcspan {
 
-/// Points of an arc from A to B. With M the mean of A and B, D their difference, t the fraction of the arc, p =
-/// t (1 - t) and s the squared chord, S0 eq. 2 is
+/// Points of an arc from A to B. With M the mean of A and B, D their difference, t the fraction of the arc, p
+/// = t (1 - t) and s the squared chord, S0 eq. 2 is
 ///
 ///     A + t D + q (3 M + 15/16 (t - 1/2) D),     q = p (rise + bend p),
 ///
 /// with rise and bend fitted in s so that points lie on the circle: within 6e-6 up to 60 degrees, because a
-/// sharp highlight shows the length of a normal. Along the circle the error is below 6e-5 up to 30 degrees and
-/// 2e-4 up to 60.
+/// sharp highlight shows the length of a normal. Along the circle the error is below 6e-5 up to 30 degrees
+/// and 2e-4 up to 60.
+///
+/// Without highlight bend is left out (`kForHighlights` false), and points are within 2e-4 of the circle up
+/// to 45 degrees and 7e-4 at 60.
+template <bool kForHighlights>
 class ArcSeries {
  public:
   ArcSeries() = default;  // without values, so that a union may hold one
   /// `s`: 15 fraction bits, 0...1.
   ARCSPAN_OUTLINE_IF_SMALL constexpr explicit ArcSeries(std::int32_t s) {
+    if constexpr (!kForHighlights) {
+      // s (0.166848 + 0.029203 s + 0.009282 s^2)
+      rise_ = (s * (43738 + ((s * (7656 + ((s * 2433) >> 15))) >> 15))) >> 15;
+      return;
+    }
     // s (0.166652 + 0.027965 s + 0.00488 s^2 + 0.002008 s^3), s^2 (0.01397 + 0.003448 s + 0.001599 s^2)
     const std::int32_t inner = 7331 + ((s * (1279 + ((s * 526) >> 15))) >> 15);
     rise_ = (s * (43687 + ((s * inner) >> 15)) + (1 << 14)) >> 15;
@@ -36,6 +45,7 @@ class ArcSeries {
   /// Returns q with 20 fraction bits. `t` has 13; it may be outside of 0...1 by a rounding error.
   [[nodiscard]] ARCSPAN_INLINE_UNLESS_SMALL constexpr std::int32_t operator()(std::int32_t t) const {
     const std::int32_t p = (t * (8192 - t)) >> 10;  // 16 fraction bits, at most 1/4
+    if constexpr (!kForHighlights) return (p * rise_) >> 14;
     return (p * (rise_ + ((bend_ * p) >> 16))) >> 14;
   }
 
@@ -62,7 +72,8 @@ struct ArcPoint {
   std::int32_t t;  ///< 13 fraction bits
   std::int32_t q;  ///< 20 fraction bits
 
-  ARCSPAN_INLINE constexpr ArcPoint(const ArcSeries& series, std::int32_t fraction)
+  template <class Series>
+  ARCSPAN_INLINE constexpr ArcPoint(const Series& series, std::int32_t fraction)
       : t(fraction), q(series(fraction)) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Cosine on(const ScalarOfArc& scalar) const {
@@ -74,7 +85,9 @@ struct ArcPoint {
   [[nodiscard]] constexpr std::int32_t weight_from() const {
     return 32768 - 4 * t + ((q * (16384 - 256 - t + (t >> 4))) >> 18);
   }
-  [[nodiscard]] constexpr std::int32_t weight_to() const { return 4 * t + ((q * (8192 + 256 + t - (t >> 4))) >> 18); }
+  [[nodiscard]] constexpr std::int32_t weight_to() const {
+    return 4 * t + ((q * (8192 + 256 + t - (t >> 4))) >> 18);
+  }
 };
 
 /// The scalars of a triangle whose normals are up to 60 degrees apart: bilinear SLERP at every pixel, along
@@ -83,6 +96,7 @@ template <class Lighting, std::size_t Used>
 class SmallArc {
  public:
   using Scalars = std::array<Cosine, Lighting::kScalars>;
+  using Series = ArcSeries<Used == Lighting::kScalars>;
 
   /// The pixels of a row (PixelRun).
   class Run {
@@ -112,12 +126,12 @@ class SmallArc {
 
     std::int32_t u_;  ///< fraction of the row from the long edge, 13 + kMoreBits fraction bits
     std::int32_t du_;
-    ArcSeries series_;
+    Series series_;
     std::array<ScalarOfArc, Used> scalars_;
   };
 
-  /// Prepares the first `Used` scalars of the vertices, which are sorted by height. The squared chords have 28
-  /// fraction bits.
+  /// Prepares the first `Used` scalars of the vertices, which are sorted by height. The squared chords have
+  /// 28 fraction bits.
   constexpr void prepare(const std::array<const RasterPosition*, 3>& positions,
                          const std::array<const Scalars*, 3>& scalars, const TriangleChords& chords,
                          const SmallTriangle& triangle) {
@@ -130,7 +144,7 @@ class SmallArc {
     middle_y_ = positions[1]->y;
     d_middle_ = triangle.d_middle;
     long_inverse_ = inverse_of(bottom_y - top_y);
-    long_edge_ = ArcSeries(top_bottom);
+    long_edge_ = Series(top_bottom);
     const std::int32_t first_y = triangle.row * 16 + 8;
     if (first_y < middle_y_) {
       upper_.prepare(top_y, middle_y_ - top_y, {top_middle, top_bottom, middle_bottom},
@@ -153,7 +167,7 @@ class SmallArc {
     unrolled<Used>([&](auto i) {
       run.scalars_[i] = ScalarOfArc(on_long.on(half.to_far[i]), on_short.on(half.to_middle[i]));
     });
-    run.series_ = ArcSeries(half.row_chord(on_long, on_short));
+    run.series_ = Series(half.row_chord(on_long, on_short));
     // The length of the middle row divided by that of this row: 15 fraction bits.
     const Inverse inverse = inverse_of(away);
     const std::int32_t stretch = fraction(half.height, {inverse.mantissa, inverse.down - 2});
@@ -187,7 +201,7 @@ class SmallArc {
     std::int32_t height;
     Inverse inverse;  ///< of the height
     HalfChords chords;
-    ArcSeries short_edge;
+    Series short_edge;
     std::array<ScalarOfArc, Used> to_far;  ///< along the long edge
     std::array<ScalarOfArc, Used> to_middle;
 
@@ -198,15 +212,15 @@ class SmallArc {
       height = rows;
       inverse = inverse_of(rows);
       chords = squared;
-      short_edge = ArcSeries(squared.corner_middle);
+      short_edge = Series(squared.corner_middle);
       for (std::size_t i = 0; i < Used; ++i) {
         to_far[i] = ScalarOfArc((*of[0])[i], (*of[2])[i]);
         to_middle[i] = ScalarOfArc((*of[0])[i], (*of[1])[i]);
       }
     }
 
-    /// Returns the squared chord between the normals at both ends of a row, 15 fraction bits. For unit vectors
-    /// |sum k_i N_i|^2 = (sum k_i)^2 - sum k_i k_j |N_i - N_j|^2.
+    /// Returns the squared chord between the normals at both ends of a row, 15 fraction bits. For unit
+    /// vectors |sum k_i N_i|^2 = (sum k_i)^2 - sum k_i k_j |N_i - N_j|^2.
     [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t row_chord(const ArcPoint& on_long,
                                                                   const ArcPoint& on_short) const {
       const std::int32_t corner = on_long.weight_from() - on_short.weight_from();
@@ -233,7 +247,7 @@ class SmallArc {
   std::int32_t middle_y_;  ///< 4 fraction bits
   std::int32_t d_middle_;  ///< change of its coordinate per pixel, 16 fraction bits
   Inverse long_inverse_;
-  ArcSeries long_edge_;
+  Series long_edge_;
   Half upper_;  ///< set if the triangle has such rows
   Half lower_;
 };

@@ -81,11 +81,8 @@ struct ArcPoint {
     const std::int32_t lifted = wrap_mul(scalar.lift + (moved >> 17) - (moved >> 21), q) >> 3;
     return Cosine::from_raw(wrap_add(wrap_add(scalar.from.raw(), moved), lifted));
   }
-  /// Returns the weights of both ends, 15 fraction bits.
-  [[nodiscard]] constexpr std::int32_t weight_from() const {
-    return 32768 - 4 * t + ((q * (16384 - 256 - t + (t >> 4))) >> 18);
-  }
-  [[nodiscard]] constexpr std::int32_t weight_to() const {
+  /// Returns the weight of the end at t = 1, 15 fraction bits. The sum of both weights is 1 + 3 q.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t weight() const {
     return 4 * t + ((q * (8192 + 256 + t - (t >> 4))) >> 18);
   }
 };
@@ -223,16 +220,13 @@ class SmallArc {
     /// vectors |sum k_i N_i|^2 = (sum k_i)^2 - sum k_i k_j |N_i - N_j|^2.
     [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t row_chord(const ArcPoint& on_long,
                                                                   const ArcPoint& on_short) const {
-      const std::int32_t corner = on_long.weight_from() - on_short.weight_from();
-      const std::int32_t far = on_long.weight_to();
-      const std::int32_t middle = -on_short.weight_to();
-      const std::int32_t sum = corner + far + middle;
-      const auto pair = [](std::int32_t p, std::int32_t q, std::int32_t squared) {
-        return wrap_mul((p * q) >> 15, squared);
-      };
+      const std::int32_t far = on_long.weight();
+      const std::int32_t middle = -on_short.weight();
+      const std::int32_t sum = (3 * (on_long.q - on_short.q)) >> 5;
+      const std::int32_t corner = sum - far - middle;
+      const std::int32_t of_corner = (middle * chords.corner_middle + far * chords.corner_far) >> 15;
       const std::int32_t apart =
-          wrap_add(wrap_add(pair(corner, middle, chords.corner_middle), pair(corner, far, chords.corner_far)),
-                   pair(middle, far, chords.middle_far));
+          wrap_add(wrap_mul(corner, of_corner), wrap_mul((middle * far) >> 15, chords.middle_far));
       const std::int32_t chord = wrap_sub(sum * sum, apart) >> 15;
       return chord < 0 ? 0 : chord > 32768 ? 32768 : chord;
     }

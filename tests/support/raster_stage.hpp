@@ -52,12 +52,18 @@ class RasterStage {
   std::optional<bool> draw_small(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                                  const RasterVertex<Method>& c) {
     const RasterPosition& p = a.position;
-    if (!draws_small_ || !in_guard_band(p) || !is_small_for_arcs(p, b.position, c.position)) return std::nullopt;
+    if (!draws_small_ || !in_guard_band(p)) return std::nullopt;
+    const bool arcs_only = !is_small(p, b.position, c.position);
+    if (arcs_only) {
+      TriangleFrame<Method> frame;
+      arcspan::detail::place_vertices(a, b, c, frame);
+      const std::int32_t limit = Method::largest_small_arc(lighting_, frame);
+      if (!is_small_for_arcs(p, b.position, c.position, limit)) return std::nullopt;
+    }
     if (doubled_area(p, b.position, c.position) == 0 || clip_.empty()) return false;
     const NoEncodedColours encoded(lighting_);
     const arcspan::detail::RowTarget<typename Method::Lighting, Sink, Depth> target{clip_, lighting_, sink_,
                                                                                     depth_, encoded};
-    const bool arcs_only = !is_small(p, b.position, c.position);
     Status status = Status::kOk;
     switch (arcspan::detail::draw_small_triangle<Method>(a, b, c, arcs_only, true, rows_, origin_, target,
                                                          status)) {

@@ -213,8 +213,9 @@ class TriangleDrawer {
     TriangleFrame<Method> frame;
     place_vertices(a, b, c, frame);
     if constexpr (kDrawsSmall) {
-      if (Method::may_be_small_arc(stage_.lighting(), frame.chords) &&
-          is_small_for_arcs(a.position, b.position, c.position) && draw_small_side(a, b, c, true)) {
+      const std::int32_t limit = Method::largest_small_arc(stage_.lighting(), frame);
+      if (limit != 0 && is_small_for_arcs(a.position, b.position, c.position, limit) &&
+          draw_small_side(a, b, c, true)) {
         return;
       }
     }

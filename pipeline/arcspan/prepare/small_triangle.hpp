@@ -41,12 +41,12 @@ namespace detail {
                                       const RasterPosition& c) {
   return detail::are_within(kSmallSize, a, b, c);
 }
-/// Returns true if the triangle may be drawn as a small one where it consists of arcs.
+/// Returns true if a triangle of arcs may be drawn as a small one: if its doubled_area() is below `limit`, at
+/// most kSmallArcArea.
 [[nodiscard]] constexpr bool is_small_for_arcs(const RasterPosition& a, const RasterPosition& b,
-                                               const RasterPosition& c) {
-  if (!detail::are_within(kSmallArcSize, a, b, c)) return false;
+                                               const RasterPosition& c, std::int32_t limit) {
   const std::int32_t area = doubled_area(a, b, c);
-  return area > -kSmallArcArea && area < kSmallArcArea;
+  return area > -limit && area < limit && detail::are_within(kSmallArcSize, a, b, c);
 }
 
 /// The edge function of an edge: twice the area of the triangle between the edge and a point, in 256ths of a

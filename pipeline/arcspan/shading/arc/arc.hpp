@@ -103,12 +103,21 @@ struct ArcUpTo {
     const auto diffuse = Small::diffuse_of(lighting, corners, chords.widest(), shines);
     return small.prepare(lighting, corners, chords, shines, diffuse, arcs_only, triangle);
   }
-  /// Returns true if a triangle with these squared chords may consist of arcs, so that prepare_small() may
-  /// take it although it is not small (is_small_for_arcs()).
-  [[nodiscard]] static constexpr bool may_be_small_arc(const Lighting& lighting,
-                                                       const TriangleChords& chords) {
-    const std::uint32_t widest = chords.widest();
-    return widest > lighting.widest_patch() && widest <= kWidestArc;
+  /// Returns the doubled_area() below which prepare_small() takes a triangle of arcs although it is not
+  /// small; 0 if it may be a patch, or is beyond 60 degrees. `Frame` is a TriangleFrame.
+  template <class Frame>
+  [[nodiscard]] static constexpr std::int32_t largest_small_arc(const Lighting& lighting,
+                                                                const Frame& frame) {
+    const std::uint32_t widest = frame.chords.widest();
+    if (widest <= lighting.widest_patch() || widest > kWidestArc) return 0;
+    if constexpr (kHasDiffusePath) {
+      if (widest <= kWidestDiffusePatch &&
+          !lighting.may_shine(frame.top->shade.scalars, frame.middle->shade.scalars,
+                              frame.bottom->shade.scalars, arc_headroom(widest))) {
+        return 0;
+      }
+    }
+    return kSmallArcArea;
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {

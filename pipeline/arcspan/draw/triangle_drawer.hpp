@@ -196,13 +196,13 @@ class TriangleDrawer {
     draw_large_side(t, a, b, c, facing);
   }
 
-  /// Draws one side of a small triangle. Returns false if the method cannot, or if `arcs_only` is true and the
-  /// triangle does not consist of arcs.
+  /// Draws one side of a small triangle. Returns false if the method cannot, or if `arcs_only` is true and
+  /// the triangle does not consist of arcs.
   ARCSPAN_OUTLINE bool draw_small_side(const Raster& a, const Raster& b, const Raster& c, bool arcs_only) {
     const Target target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_};
-    const SmallResult result = draw_small_triangle<Method>(
-        a, b, c, arcs_only, columns_ == ScissorColumns::kCrossing, scissor_.viewport_rows(),
-        scissor_.origin(), target, result_.status);
+    const SmallResult result =
+        draw_small_triangle<Method>(a, b, c, arcs_only, columns_ == ScissorColumns::kCrossing,
+                                    scissor_.viewport_rows(), scissor_.origin(), target, result_.status);
     counted_ = counted_ || result == SmallResult::kDone;
     return result != SmallResult::kRefused;
   }
@@ -210,17 +210,21 @@ class TriangleDrawer {
   ARCSPAN_OUTLINE void draw_large_side(const TriangleIndices& t, const Raster& a, const Raster& b,
                                        const Raster& c, Facing facing) {
     const Face face = shaded_face(t, facing);
-    TriangleFrame<Method> frame;
-    place_vertices(a, b, c, frame);
+    TriangleCommand<Method> command;
     if constexpr (kDrawsSmall) {
+      TriangleFrame<Method> frame;
+      place_vertices(a, b, c, frame);
       const std::int32_t limit = Method::largest_small_arc(stage_.lighting(), frame);
       if (limit != 0 && is_small_for_arcs(a.position, b.position, c.position, limit) &&
           draw_small_side(a, b, c, true)) {
         return;
       }
-    }
-    TriangleCommand<Method> command;
-    if (!prepare_frame<Depth::kTests>(stage_.lighting(), frame, face, scissor_.viewport_rows(), command)) {
+      if (!prepare_inside<Method, Depth::kTests>(stage_.lighting(), frame, face, scissor_.viewport_rows(),
+                                                 command)) {
+        return;
+      }
+    } else if (!prepare_inside<Method, Depth::kTests>(stage_.lighting(), a, b, c, face,
+                                                      scissor_.viewport_rows(), command)) {
       return;
     }
     const RasterOrigin& origin = scissor_.origin();

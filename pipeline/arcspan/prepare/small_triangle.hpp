@@ -50,7 +50,8 @@ namespace detail {
 }
 
 /// The edge function of an edge: twice the area of the triangle between the edge and a point, in 256ths of a
-/// square pixel, positive inside. All values are exact, and those inside of the triangle below 2^16.
+/// square pixel, of the sign of doubled_area() inside. All values are exact, and those inside of the triangle
+/// below 2^16 in magnitude.
 struct EdgeFunction {
   std::int32_t at;  ///< at the centre of column 0 in the first row
   std::int32_t dx;  ///< change per pixel
@@ -79,8 +80,9 @@ struct SmallTriangle {
   std::int32_t end_row;
   EdgeFunction of_middle;  ///< of the edge opposite to the middle vertex
   EdgeFunction of_bottom;
-  /// 2^16 / (twice the area in 256ths of a square pixel) = inverse * 2^-shift, rounded down.
-  std::uint32_t inverse;
+  /// 2^16 / (twice the area in 256ths of a square pixel) = inverse * 2^-shift, rounded down; negative like
+  /// the edge functions where the middle vertex is on the left.
+  std::int32_t inverse;
   int shift;
   std::int32_t d_middle;  ///< change of the middle vertex's coordinate per pixel, 16 fraction bits
   std::int32_t d_bottom;
@@ -93,7 +95,8 @@ struct SmallTriangle {
   /// Returns a barycentric coordinate from its edge function at a point inside: 16 fraction bits, rounded
   /// down, so that the sum of all three is at most 1.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t coordinate(std::int32_t value) const {
-    return static_cast<std::int32_t>((static_cast<std::uint32_t>(value) * inverse) >> shift);
+    return static_cast<std::int32_t>(
+        (static_cast<std::uint32_t>(value) * static_cast<std::uint32_t>(inverse)) >> shift);
   }
   /// Returns the depth at the coordinates of the middle and of the bottom vertex. It is within 7 of the plane
   /// through the vertices and never outside of their depths.
@@ -223,34 +226,33 @@ struct SmallLimits {
 constexpr void prepare_small_triangle(const RasterPosition& top, const RasterPosition& middle,
                                       const RasterPosition& bottom, std::int32_t area,
                                       SmallTriangle& triangle) {
-  // Positive inside: the middle vertex is on the left of the long edge where the area is negative.
-  const std::int32_t sign = area < 0 ? -1 : 1;
-  const auto edge_function = [&](const RasterPosition& end, std::int32_t side) {
-    const std::int32_t dx = (end.x - top.x) * side;
-    const std::int32_t dy = (end.y - top.y) * side;
-    return EdgeFunction{dy * (8 - top.x) - dx * (triangle.row * 16 + 8 - top.y), dy * 16, dx * -16};
+  const std::int32_t left = 8 - top.x;
+  const std::int32_t above = triangle.row * 16 + 8 - top.y;
+  const auto edge_function = [&](std::int32_t dx, std::int32_t dy) {
+    return EdgeFunction{dy * left - dx * above, dy * 16, dx * -16};
   };
-  triangle.of_middle = edge_function(bottom, sign);
-  triangle.of_bottom = edge_function(middle, -sign);
+  triangle.of_middle = edge_function(bottom.x - top.x, bottom.y - top.y);
+  triangle.of_bottom = edge_function(top.x - middle.x, top.y - middle.y);
   const auto size = static_cast<std::uint32_t>(area < 0 ? -area : area);  // below 2^16
   const int zeros = std::countl_zero(size | 1u);
-  const std::uint32_t inverse = detail::wide_reciprocal_mantissa(size << zeros);
+  const std::uint32_t wide = detail::wide_reciprocal_mantissa(size << zeros);
   // Reduced by more than its error, so that no product with an edge function exceeds 1.
-  triangle.inverse = (inverse - 16u) >> 15;
+  const auto narrow = static_cast<std::int32_t>((wide - 16u) >> 15);
+  const auto inverse = static_cast<std::int32_t>(wide - (wide >> 31));
+  triangle.inverse = area < 0 ? -narrow : narrow;
   triangle.shift = 31 - zeros;
   triangle.z = top.z;
   triangle.z_middle = std::int32_t{middle.z} - top.z;
   triangle.z_bottom = std::int32_t{bottom.z} - top.z;
   // Steps are only used where two pixels of a row are inside. There no coordinate changes by more than 1 and
   // the depth by no more than 2^16 per pixel; elsewhere they may wrap.
-  const auto step = static_cast<std::int32_t>(triangle.inverse);
   const std::int32_t half = (std::int32_t{1} << triangle.shift) >> 1;
-  triangle.d_middle = wrap_add(wrap_mul(triangle.of_middle.dx, step), half) >> triangle.shift;
-  triangle.d_bottom = wrap_add(wrap_mul(triangle.of_bottom.dx, step), half) >> triangle.shift;
+  triangle.d_middle = wrap_add(wrap_mul(triangle.of_middle.dx, triangle.inverse), half) >> triangle.shift;
+  triangle.d_bottom = wrap_add(wrap_mul(triangle.of_bottom.dx, triangle.inverse), half) >> triangle.shift;
   const std::int32_t across =
       triangle.z_middle * triangle.of_middle.dx + triangle.z_bottom * triangle.of_bottom.dx;  // 16 times
   triangle.dz = Linear::from_raw(multiply_high(wrap_shl(across >> 2, Linear::kFraction + 3 - triangle.shift),
-                                               static_cast<std::int32_t>(inverse - (inverse >> 31))));
+                                               area < 0 ? -inverse : inverse));
 }
 
 }  // namespace arcspan

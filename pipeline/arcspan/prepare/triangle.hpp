@@ -191,14 +191,6 @@ template <bool WithDepth, class Method>
 
 }  // namespace detail
 
-/// Makes the command of a frame whose vertices are placed, see the other prepare_inside().
-template <class Method, bool WithDepth>
-ARCSPAN_OUTLINE_IF_SMALL [[nodiscard]] constexpr bool prepare_inside(
-    const typename Method::Lighting& lighting, TriangleFrame<Method>& frame,
-    const typename Method::Face& face, const RowRange& rows, TriangleCommand<Method>& command) {
-  return detail::prepare_frame<WithDepth>(lighting, frame, face, rows, command);
-}
-
 /// Makes the command that draws a triangle of either winding, as prepare_triangle() (prepare_triangle.hpp)
 /// does; its vertices are known to be inside the guard band, as those from project() are. `WithDepth` is
 /// false where depth is not tested; the depth plane is then zero.

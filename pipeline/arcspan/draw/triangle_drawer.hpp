@@ -208,17 +208,15 @@ class TriangleDrawer {
   }
 
   /// Makes the command of a triangle that is not small. Returns false if there is nothing to draw by it, also
-  /// because the triangle consists of arcs and has been drawn as a small one.
+  /// because the triangle has been drawn as a small one.
   ARCSPAN_OUTLINE_IF_SMALL bool prepare_large(const Raster& a, const Raster& b, const Raster& c,
                                               const Face& face, TriangleCommand<Method>& command) {
     TriangleFrame<Method> frame;
     place_vertices(a, b, c, frame);
-    if constexpr (kDrawsSmall) {
-      const std::int32_t limit = Method::largest_small_arc(stage_.lighting(), frame);
-      if (limit != 0 && is_small_for_arcs(a.position, b.position, c.position, limit) &&
-          draw_small_side(a, b, c, true)) {
-        return false;
-      }
+    const std::int32_t limit = Method::largest_small_arc(stage_.lighting(), frame);
+    if (limit != 0 && is_small_for_arcs(a.position, b.position, c.position, limit) &&
+        draw_small_side(a, b, c, true)) {
+      return false;
     }
     return prepare_frame<Depth::kTests>(stage_.lighting(), frame, face, scissor_.viewport_rows(), command);
   }
@@ -227,7 +225,12 @@ class TriangleDrawer {
                                        const Raster& c, Facing facing) {
     const Face face = shaded_face(t, facing);
     TriangleCommand<Method> command;
-    if (!prepare_large(a, b, c, face, command)) return;
+    if constexpr (kDrawsSmall) {
+      if (!prepare_large(a, b, c, face, command)) return;
+    } else if (!prepare_inside<Method, Depth::kTests>(stage_.lighting(), a, b, c, face,
+                                                      scissor_.viewport_rows(), command)) {
+      return;
+    }
     const RasterOrigin& origin = scissor_.origin();
     const Rect& rect = scissor_.rect();
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;

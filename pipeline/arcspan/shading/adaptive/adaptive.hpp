@@ -93,9 +93,13 @@ struct AdaptivePaths : Arc<Illumination> {
   [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
                                                     const Raster& b, const Raster& c, bool arcs_only,
                                                     const SmallTriangle& triangle, Small& small) {
+    small.linear_light = false;
+    if (Base::Small::is_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) {
+      small.arc.prepare_dark();
+      return true;
+    }
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
     const SmallCorners corners{a, b, c};
-    small.linear_light = false;
     bool shines = true;
     typename Base::Small::Diffuse diffuse{};
     if constexpr (Base::kHasDiffusePath) {

@@ -26,7 +26,18 @@ struct SmallCorners {
 template <class Raster>
 SmallCorners(const Raster&, const Raster&, const Raster&) -> SmallCorners<Raster>;
 
-/// The part of `Arc` of a small triangle: a patch or arcs, of all scalars or of N·L alone.
+/// The scalars of a triangle that no light reaches: N·L = 0.
+template <class Lighting>
+struct SmallDark {
+  using Run = PatchRun<Lighting, 1>;
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t, std::int32_t) const {
+    Run run;
+    run.start_at(0, {});
+    return run;
+  }
+};
+
+/// The part of `Arc` of a small triangle: darkness, a patch or arcs, of all scalars or of N·L alone.
 template <class Lighting>
 class SmallShading {
  public:
@@ -37,6 +48,24 @@ class SmallShading {
     Cosine b;
     Cosine c;
   };
+  /// Returns true if no light reaches a triangle with these scalars at its vertices. With all N·L of one sign
+  /// at the vertices, they have it everywhere.
+  template <class Scalars>
+  [[nodiscard]] static constexpr bool is_dark([[maybe_unused]] const Scalars& a,
+                                              [[maybe_unused]] const Scalars& b,
+                                              [[maybe_unused]] const Scalars& c) {
+    if constexpr (!Lighting::kHasRamp) {
+      return false;
+    } else {
+      for (std::size_t i = 0; i < Lighting::kLights; ++i) {
+        if (a[i].raw() > 0 || b[i].raw() > 0 || c[i].raw() > 0) return false;
+      }
+      return true;
+    }
+  }
+  /// Prepares a triangle that is_dark().
+  constexpr void prepare_dark() { path_ = Path::kDark; }
+
   /// `widest`: the widest squared chord; `shines`: true if a highlight is within reach.
   template <class Raster>
   [[nodiscard]] static constexpr Diffuse diffuse_of(const Lighting& lighting, const SmallCorners<Raster>& at,
@@ -99,6 +128,7 @@ class SmallShading {
   [[nodiscard]] constexpr Status walk(Draw&& draw) const {
     if constexpr (Lighting::kHasRamp) {
       if (path_ == Path::kDiffusePatch) return draw(diffuse_patch_);
+      if (path_ == Path::kDark) return draw(SmallDark<Lighting>{});
     }
     if constexpr (Lighting::kHasRamp && Lighting::kLights == 1) {
       if (path_ == Path::kDiffuseArc) return draw(diffuse_arc_);
@@ -107,7 +137,7 @@ class SmallShading {
   }
 
  private:
-  enum class Path : std::uint8_t { kPatch, kDiffusePatch, kArc, kDiffuseArc };
+  enum class Path : std::uint8_t { kPatch, kDiffusePatch, kArc, kDiffuseArc, kDark };
 
   union {
     SmallPatch<Lighting, 1, 15> diffuse_patch_;

@@ -15,7 +15,7 @@
 namespace arcspan {
 
 /// A triangle is small if its vertices are at most this many pixels apart, along x and along y.
-inline constexpr std::int32_t kSmallSize = 7;
+inline constexpr std::int32_t kSmallSize = 12;
 /// Triangles of arcs are drawn as small ones if their vertices are at most this many pixels apart and their
 /// doubled_area() is below kSmallArcArea, so that edge functions inside fit 16 bits.
 inline constexpr std::int32_t kSmallArcSize = 31;

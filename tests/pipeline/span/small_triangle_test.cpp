@@ -135,11 +135,12 @@ TEST_CASE("small triangles cover exactly the pixels of the top-left rule") {
     const auto point = [](const RasterVertex<Method>& v) { return Point{v.position.x, v.position.y}; };
     const CoverageReference reference(point(t[0]), point(t[1]), point(t[2]));
     const RasterOrigin origin = stage.origin();
-    const std::int32_t left = std::max((t[0].position.x >> 4) - 9 + origin.x, 0);
-    const std::int32_t top = std::max((t[0].position.y >> 4) - 9 + origin.y, 0);
+    constexpr std::int32_t kAround = kSmallSize + 2;
+    const std::int32_t left = std::max((t[0].position.x >> 4) - kAround + origin.x, 0);
+    const std::int32_t top = std::max((t[0].position.y >> 4) - kAround + origin.y, 0);
     std::uint64_t inside = 0;
-    for (std::int32_t y = top; y < std::min(top + 19, kHeight); ++y) {
-      for (std::int32_t x = left; x < std::min(left + 19, kWidth); ++x) {
+    for (std::int32_t y = top; y < std::min(top + 2 * kAround + 1, kHeight); ++y) {
+      for (std::int32_t x = left; x < std::min(left + 2 * kAround + 1, kWidth); ++x) {
         const bool drawn = sink.cell(x, y).count != 0;
         wrong += drawn != reference(x - origin.x, y - origin.y) ? 1u : 0u;
         inside += drawn ? 1u : 0u;

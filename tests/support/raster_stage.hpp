@@ -53,19 +53,20 @@ class RasterStage {
                                  const RasterVertex<Method>& c) {
     const RasterPosition& p = a.position;
     if (!draws_small_ || !in_guard_band(p)) return std::nullopt;
-    const bool arcs_only = !is_small(p, b.position, c.position);
-    if (arcs_only) {
+    const bool is_medium = !is_small(p, b.position, c.position);
+    if (is_medium) {
       TriangleFrame<Method> frame;
       arcspan::detail::place_vertices(a, b, c, frame);
-      const std::int32_t limit = Method::largest_small_arc(lighting_, frame);
-      if (!is_small_for_arcs(p, b.position, c.position, limit)) return std::nullopt;
+      if (!Method::is_dark_or_arcs(lighting_, frame) || !is_up_to_medium(p, b.position, c.position)) {
+        return std::nullopt;
+      }
     }
     if (doubled_area(p, b.position, c.position) == 0 || clip_.empty()) return false;
     const NoEncodedColours encoded(lighting_);
     const arcspan::detail::RowTarget<typename Method::Lighting, Sink, Depth> target{clip_, lighting_, sink_,
                                                                                     depth_, encoded};
     Status status = Status::kOk;
-    switch (arcspan::detail::draw_small_triangle<Method>(a, b, c, arcs_only, true, rows_, origin_, target,
+    switch (arcspan::detail::draw_small_triangle<Method>(a, b, c, is_medium, true, rows_, origin_, target,
                                                          status)) {
       case arcspan::detail::SmallResult::kDone:
         return ok(status);

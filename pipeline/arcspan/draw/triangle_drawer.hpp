@@ -196,26 +196,23 @@ class TriangleDrawer {
     draw_large_side(t, a, b, c, facing);
   }
 
-  /// Draws one side of a small triangle. Returns false if the method cannot, or if `arcs_only` is true and
-  /// the triangle does not consist of arcs.
-  ARCSPAN_OUTLINE bool draw_small_side(const Raster& a, const Raster& b, const Raster& c, bool arcs_only) {
+  /// Draws one side of a small triangle, or of a medium one. Returns false if the method cannot.
+  ARCSPAN_OUTLINE bool draw_small_side(const Raster& a, const Raster& b, const Raster& c, bool is_medium) {
     const Target target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_};
     const SmallResult result =
-        draw_small_triangle<Method>(a, b, c, arcs_only, columns_ == ScissorColumns::kCrossing,
+        draw_small_triangle<Method>(a, b, c, is_medium, columns_ == ScissorColumns::kCrossing,
                                     scissor_.viewport_rows(), scissor_.origin(), target, result_.status);
     counted_ = counted_ || result == SmallResult::kDone;
     return result != SmallResult::kRefused;
   }
 
-  /// Makes the command of a triangle that is not small. Returns false if there is nothing to draw by it, also
-  /// because the triangle has been drawn as a small one.
+  /// Makes the command of a triangle that is not small, or draws it as a small one and returns false.
   ARCSPAN_OUTLINE_IF_SMALL bool prepare_large(const Raster& a, const Raster& b, const Raster& c,
                                               const Face& face, TriangleCommand<Method>& command) {
     TriangleFrame<Method> frame;
     place_vertices(a, b, c, frame);
-    const std::int32_t limit = Method::largest_small_arc(stage_.lighting(), frame);
-    if (limit != 0 && is_small_for_arcs(a.position, b.position, c.position, limit) &&
-        draw_small_side(a, b, c, true)) {
+    if (Method::is_dark_or_arcs(stage_.lighting(), frame) &&
+        is_up_to_medium(a.position, b.position, c.position) && draw_small_side(a, b, c, true)) {
       return false;
     }
     return prepare_frame<Depth::kTests>(stage_.lighting(), frame, face, scissor_.viewport_rows(), command);

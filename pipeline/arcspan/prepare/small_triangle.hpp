@@ -16,10 +16,11 @@ namespace arcspan {
 
 /// A triangle is small if its vertices are at most this many pixels apart, along x and along y.
 inline constexpr std::int32_t kSmallSize = 12;
-/// Triangles of arcs are drawn as small ones if their vertices are at most this many pixels apart and their
-/// doubled_area() is below kSmallArcArea, so that edge functions inside fit 16 bits.
-inline constexpr std::int32_t kSmallArcSize = 31;
-inline constexpr std::int32_t kSmallArcArea = std::int32_t{1} << 16;
+/// A triangle is medium if it is not small, its vertices are at most this many pixels apart, and its
+/// doubled_area() is below kMediumArea, so that edge functions inside fit 16 bits. Medium triangles are drawn
+/// as small ones if they are dark or consist of arcs.
+inline constexpr std::int32_t kMediumSize = 31;
+inline constexpr std::int32_t kMediumArea = std::int32_t{1} << 16;
 
 namespace detail {
 
@@ -41,12 +42,11 @@ namespace detail {
                                       const RasterPosition& c) {
   return detail::are_within(kSmallSize, a, b, c);
 }
-/// Returns true if a triangle of arcs may be drawn as a small one: if its doubled_area() is below `limit`, at
-/// most kSmallArcArea.
-[[nodiscard]] constexpr bool is_small_for_arcs(const RasterPosition& a, const RasterPosition& b,
-                                               const RasterPosition& c, std::int32_t limit) {
+/// Returns true if a triangle is small or medium.
+[[nodiscard]] constexpr bool is_up_to_medium(const RasterPosition& a, const RasterPosition& b,
+                                             const RasterPosition& c) {
   const std::int32_t area = doubled_area(a, b, c);
-  return area > -limit && area < limit && detail::are_within(kSmallArcSize, a, b, c);
+  return area > -kMediumArea && area < kMediumArea && detail::are_within(kMediumSize, a, b, c);
 }
 
 /// The edge function of an edge: twice the area of the triangle between the edge and a point, in 256ths of a
@@ -90,7 +90,7 @@ struct SmallTriangle {
   std::int32_t z_middle;  ///< what the middle vertex is deeper
   std::int32_t z_bottom;
   Linear dz;  ///< change of the depth per pixel
-  SmallSpan spans[kSmallArcSize];
+  SmallSpan spans[kMediumSize];
 
   /// Returns a barycentric coordinate from its edge function at a point inside: 16 fraction bits, rounded
   /// down, so that the sum of all three is at most 1.

@@ -48,14 +48,14 @@ enum class SmallResult : std::uint8_t {
   kRefused     ///< nothing is drawn, because the method needs a TriangleCommand for its normals
 };
 
-/// Draws a small triangle (is_small()) whose doubled_area() is not 0, of either winding. `rows` are those of
-/// the viewport. Sets `status` if the result is kDone. With `arcs_only` it may be as large as
-/// is_small_for_arcs() allows, and is refused unless it consists of arcs. `crosses` is false if the triangle
-/// is known to lie between the left and the right side of the scissor.
+/// Draws a small triangle (is_small()), or a medium one if `is_medium` is true, whose doubled_area() is not
+/// 0, of either winding. A medium one is refused if it is a patch. `rows` are those of the viewport;
+/// `crosses` is false if the triangle is known to lie between the left and the right side of the scissor.
+/// Sets `status` if the result is kDone.
 template <class Method, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(
     const RasterVertex<Method>& a, const RasterVertex<Method>& b, const RasterVertex<Method>& c,
-    bool arcs_only, bool crosses, const RowRange& rows, const RasterOrigin& origin, const Target& target,
+    bool is_medium, bool crosses, const RowRange& rows, const RasterOrigin& origin, const Target& target,
     Status& status) {
   const RasterVertex<Method>* top = &a;
   const RasterVertex<Method>* middle = &b;
@@ -80,7 +80,7 @@ template <class Method, class Target>
   }
   prepare_small_triangle(p, q, r, area, triangle);
   typename Method::Small small;
-  if (!Method::prepare_small(target.lighting, *top, *middle, *bottom, arcs_only, triangle, small)) {
+  if (!Method::prepare_small(target.lighting, *top, *middle, *bottom, is_medium, triangle, small)) {
     return SmallResult::kRefused;
   }
   status = Method::walk_small(

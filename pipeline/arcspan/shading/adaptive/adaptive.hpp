@@ -91,13 +91,10 @@ struct AdaptivePaths : Arc<Illumination> {
   };
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
-                                                    const Raster& b, const Raster& c, bool arcs_only,
+                                                    const Raster& b, const Raster& c, bool is_medium,
                                                     const SmallTriangle& triangle, Small& small) {
     small.linear_light = false;
-    if (Base::Small::is_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) {
-      small.arc.prepare_dark();
-      return true;
-    }
+    if (small.arc.prepare_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) return true;
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
     const SmallCorners corners{a, b, c};
     bool shines = true;
@@ -107,7 +104,7 @@ struct AdaptivePaths : Arc<Illumination> {
                                                               c.shade.scalars, arc_headroom(chords.widest()));
       shines = nearest < lighting.half_tolerance_reach();
       diffuse = Base::Small::diffuse_of(lighting, corners, chords.widest(), shines);
-      if (diffuse.suffices && !arcs_only && chords.widest() <= kWidestBounded) {
+      if (diffuse.suffices && !is_medium && chords.widest() <= kWidestBounded) {
         const LinearLevels levels(chords, diffuse.a, diffuse.b, diffuse.c);
         if (levels.quadruple_error() <= lighting.linear_limit(nearest)) {
           small.linear_light = true;
@@ -117,7 +114,7 @@ struct AdaptivePaths : Arc<Illumination> {
         }
       }
     }
-    return small.arc.prepare(lighting, corners, chords, shines, diffuse, arcs_only, triangle);
+    return small.arc.prepare(lighting, corners, chords, shines, diffuse, is_medium, triangle);
   }
   /// Calls `draw` with the surface of a small triangle.
   template <class Draw>

@@ -91,12 +91,9 @@ struct ArcUpTo {
   /// Prepares a small triangle (DrawsSmallTriangles).
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
-                                                    const Raster& b, const Raster& c, bool arcs_only,
+                                                    const Raster& b, const Raster& c, bool is_medium,
                                                     const SmallTriangle& triangle, Small& small) {
-    if (Small::is_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) {
-      small.prepare_dark();
-      return true;
-    }
+    if (small.prepare_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) return true;
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
     const SmallCorners corners{a, b, c};
     bool shines = true;
@@ -105,25 +102,10 @@ struct ArcUpTo {
                                   arc_headroom(chords.widest()));
     }
     const auto diffuse = Small::diffuse_of(lighting, corners, chords.widest(), shines);
-    return small.prepare(lighting, corners, chords, shines, diffuse, arcs_only, triangle);
+    return small.prepare(lighting, corners, chords, shines, diffuse, is_medium, triangle);
   }
-  /// Returns the doubled_area() below which prepare_small() takes a triangle although it is not small:
-  /// triangles that are dark or consist of arcs; 0 if it may be a patch, or is beyond 60 degrees. `Frame` is
-  /// a TriangleFrame.
-  template <class Frame>
-  [[nodiscard]] static constexpr std::int32_t largest_small_arc(const Lighting& lighting,
-                                                                const Frame& frame) {
-    const auto& top = frame.top->shade.scalars;
-    const auto& middle = frame.middle->shade.scalars;
-    const auto& bottom = frame.bottom->shade.scalars;
-    if (Small::is_dark(top, middle, bottom)) return kSmallArcArea;
-    const std::uint32_t widest = frame.chords.widest();
-    if (widest <= lighting.widest_patch() || widest > kWidestArc) return 0;
-    if constexpr (kHasDiffusePath) {
-      if (widest <= kWidestDiffusePatch && !lighting.may_shine(top, middle, bottom, arc_headroom(widest)))
-        return 0;
-    }
-    return kSmallArcArea;
+  [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const auto& frame) {
+    return Small::is_dark_or_arcs(lighting, frame);
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {

@@ -63,8 +63,28 @@ class SmallShading {
       return true;
     }
   }
-  /// Prepares a triangle that is_dark().
-  constexpr void prepare_dark() { path_ = Path::kDark; }
+  /// Returns true if a triangle may be drawn as a small one although it is medium: if it is dark or consists
+  /// of arcs. `Frame` is a TriangleFrame.
+  template <class Frame>
+  [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const Frame& frame) {
+    const auto& top = frame.top->shade.scalars;
+    const auto& middle = frame.middle->shade.scalars;
+    const auto& bottom = frame.bottom->shade.scalars;
+    if (is_dark(top, middle, bottom)) return true;
+    const std::uint32_t widest = frame.chords.widest();
+    if (widest <= lighting.widest_patch() || widest > kWidestArc) return false;
+    if constexpr (Lighting::kHasRamp) {
+      if (widest <= kWidestDiffusePatch && !lighting.may_shine(top, middle, bottom, arc_headroom(widest)))
+        return false;
+    }
+    return true;
+  }
+  /// Prepares a triangle that is_dark(). Returns false if it is not.
+  template <class Scalars>
+  [[nodiscard]] constexpr bool prepare_dark(const Scalars& a, const Scalars& b, const Scalars& c) {
+    path_ = Path::kDark;
+    return is_dark(a, b, c);
+  }
 
   /// `widest`: the widest squared chord; `shines`: true if a highlight is within reach.
   template <class Raster>
@@ -84,11 +104,11 @@ class SmallShading {
   }
 
   /// Prepares the triangle; `shines` is true if a highlight is within reach. Returns false if the normals are
-  /// more than 60 degrees apart, or if it is no triangle of arcs and `arcs_only` is true.
+  /// more than 60 degrees apart, or if it `is_medium` and a patch.
   template <class Raster>
   [[nodiscard]] constexpr bool prepare(const Lighting& lighting, const SmallCorners<Raster>& at,
                                        const TriangleChords& chords, bool shines, const Diffuse& diffuse,
-                                       bool arcs_only, const SmallTriangle& triangle) {
+                                       bool is_medium, const SmallTriangle& triangle) {
     const std::uint32_t widest = chords.widest();
     if (widest > kWidestArc) return false;
     const auto& a = at.a.shade.scalars;
@@ -99,7 +119,7 @@ class SmallShading {
     };
     if constexpr (Lighting::kHasRamp) {
       if (diffuse.suffices) {
-        if (arcs_only) return false;
+        if (is_medium) return false;
         path_ = Path::kDiffusePatch;
         const auto scalar = [](Cosine value) { return std::array<Cosine, 1>{value}; };
         diffuse_patch_.prepare(scalar(diffuse.a), scalar(diffuse.b), scalar(diffuse.c), chords, triangle);
@@ -115,7 +135,7 @@ class SmallShading {
     }
     path_ = widest <= lighting.widest_patch() ? Path::kPatch : Path::kArc;
     if (path_ == Path::kPatch) {
-      if (arcs_only) return false;
+      if (is_medium) return false;
       patch_.prepare(a, b, c, chords, triangle);
     } else {
       prepare_arc(arc_);

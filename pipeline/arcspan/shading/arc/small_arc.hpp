@@ -38,7 +38,7 @@ class ArcSeries {
     }
     // s (0.166652 + 0.027965 s + 0.00488 s^2 + 0.002008 s^3), s^2 (0.01397 + 0.003448 s + 0.001599 s^2)
     const std::int32_t inner = 7331 + ((s * (1279 + ((s * 526) >> 15))) >> 15);
-    rise_ = (s * (43687 + ((s * inner) >> 15)) + (1 << 14)) >> 15;
+    rise_ = (s * (43687 + ((s * inner) >> 15)) + (std::int32_t{1} << 14)) >> 15;
     bend_ = (((s * s) >> 15) * (3662 + ((s * (904 + ((s * 419) >> 15))) >> 15))) >> 15;
   }
 
@@ -64,7 +64,7 @@ struct ScalarOfArc {
   ARCSPAN_INLINE constexpr ScalarOfArc(Cosine a, Cosine b)
       : from(a),
         change(round_shift(wrap_sub(b.raw(), a.raw()), 13)),
-        lift((wrap_add(wrap_add(a.raw(), b.raw() >> 1), 1 << 15) >> 16) + (change >> 9)) {}
+        lift((wrap_add(wrap_add(a.raw(), b.raw() >> 1), std::int32_t{1} << 15) >> 16) + (change >> 9)) {}
 };
 
 /// A point of an arc. Its t is rounded down to 13 bits, which moves it along the circle by at most 1.3e-4.

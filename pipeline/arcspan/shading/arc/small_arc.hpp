@@ -14,6 +14,16 @@
 
 namespace arcspan {
 
+/// The three vertices of a small triangle, sorted by height.
+template <class Raster>
+struct SmallCorners {
+  const Raster& a;
+  const Raster& b;
+  const Raster& c;
+};
+template <class Raster>
+SmallCorners(const Raster&, const Raster&, const Raster&) -> SmallCorners<Raster>;
+
 /// Points of an arc from A to B. With M the mean of A and B, D their difference, t the fraction of the arc, p
 /// = t (1 - t) and s the squared chord, S0 eq. 2 is
 ///
@@ -129,27 +139,27 @@ class SmallArc {
 
   /// Prepares the first `Used` scalars of the vertices, which are sorted by height. The squared chords have
   /// 28 fraction bits.
-  constexpr void prepare(const std::array<const RasterPosition*, 3>& positions,
-                         const std::array<const Scalars*, 3>& scalars, const TriangleChords& chords,
+  template <class Raster>
+  constexpr void prepare(const SmallCorners<Raster>& at, const TriangleChords& chords,
                          const SmallTriangle& triangle) {
     const auto scaled = [](std::uint32_t chord) { return static_cast<std::int32_t>((chord + 4096u) >> 13); };
     const std::int32_t top_middle = scaled(chords.top_middle);
     const std::int32_t top_bottom = scaled(chords.top_bottom);
     const std::int32_t middle_bottom = scaled(chords.middle_bottom);
-    const std::int32_t top_y = positions[0]->y;
-    const std::int32_t bottom_y = positions[2]->y;
-    middle_y_ = positions[1]->y;
+    const std::int32_t top_y = at.a.position.y;
+    const std::int32_t bottom_y = at.c.position.y;
+    middle_y_ = at.b.position.y;
     d_middle_ = triangle.d_middle;
     long_inverse_ = inverse_of(bottom_y - top_y);
     long_edge_ = Series(top_bottom);
     const std::int32_t first_y = triangle.row * 16 + 8;
     if (first_y < middle_y_) {
-      upper_.prepare(top_y, middle_y_ - top_y, {top_middle, top_bottom, middle_bottom},
-                     {scalars[0], scalars[1], scalars[2]});
+      upper_.prepare(top_y, middle_y_ - top_y, {top_middle, top_bottom, middle_bottom}, at.a.shade.scalars,
+                     at.b.shade.scalars, at.c.shade.scalars);
     }
     if (first_y + (triangle.rows - 1) * 16 >= middle_y_) {
       lower_.prepare(bottom_y, bottom_y - middle_y_, {middle_bottom, top_bottom, top_middle},
-                     {scalars[2], scalars[1], scalars[0]});
+                     at.c.shade.scalars, at.b.shade.scalars, at.a.shade.scalars);
     }
   }
 
@@ -202,17 +212,18 @@ class SmallArc {
     std::array<ScalarOfArc, Used> to_far;  ///< along the long edge
     std::array<ScalarOfArc, Used> to_middle;
 
-    /// `of` are the scalars of the corner, of the middle vertex and of the other corner.
+    /// `corner`, `middle` and `far` are the scalars of the corner, of the middle vertex and of the other
+    /// corner.
     ARCSPAN_OUTLINE constexpr void prepare(std::int32_t y, std::int32_t rows, const HalfChords& squared,
-                                           const std::array<const Scalars*, 3>& of) {
+                                           const Scalars& corner, const Scalars& middle, const Scalars& far) {
       corner_y = y;
       height = rows;
       inverse = inverse_of(rows);
       chords = squared;
       short_edge = Series(squared.corner_middle);
       for (std::size_t i = 0; i < Used; ++i) {
-        to_far[i] = ScalarOfArc((*of[0])[i], (*of[2])[i]);
-        to_middle[i] = ScalarOfArc((*of[0])[i], (*of[1])[i]);
+        to_far[i] = ScalarOfArc(corner[i], far[i]);
+        to_middle[i] = ScalarOfArc(corner[i], middle[i]);
       }
     }
 

@@ -16,16 +16,6 @@ namespace arcspan {
   return {squared_chord(a, b), squared_chord(a, c), squared_chord(b, c)};
 }
 
-/// The three vertices of a small triangle, sorted by height.
-template <class Raster>
-struct SmallCorners {
-  const Raster& a;
-  const Raster& b;
-  const Raster& c;
-};
-template <class Raster>
-SmallCorners(const Raster&, const Raster&, const Raster&) -> SmallCorners<Raster>;
-
 /// The scalars of a triangle that no light reaches: N·L = 0.
 template <class Lighting>
 struct SmallDark {
@@ -111,12 +101,6 @@ class SmallShading {
                                        bool is_medium, const SmallTriangle& triangle) {
     const std::uint32_t widest = chords.widest();
     if (widest > kWidestArc) return false;
-    const auto& a = at.a.shade.scalars;
-    const auto& b = at.b.shade.scalars;
-    const auto& c = at.c.shade.scalars;
-    const auto prepare_arc = [&](auto& arc) {
-      arc.prepare({&at.a.position, &at.b.position, &at.c.position}, {&a, &b, &c}, chords, triangle);
-    };
     if constexpr (Lighting::kHasRamp) {
       if (diffuse.suffices) {
         if (is_medium) return false;
@@ -129,16 +113,16 @@ class SmallShading {
     if constexpr (Lighting::kHasRamp && Lighting::kLights == 1) {
       if (!shines) {
         path_ = Path::kDiffuseArc;
-        prepare_arc(diffuse_arc_);
+        diffuse_arc_.prepare(at, chords, triangle);
         return true;
       }
     }
     path_ = widest <= lighting.widest_patch() ? Path::kPatch : Path::kArc;
     if (path_ == Path::kPatch) {
       if (is_medium) return false;
-      patch_.prepare(a, b, c, chords, triangle);
+      patch_.prepare(at.a.shade.scalars, at.b.shade.scalars, at.c.shade.scalars, chords, triangle);
     } else {
-      prepare_arc(arc_);
+      arc_.prepare(at, chords, triangle);
     }
     return true;
   }

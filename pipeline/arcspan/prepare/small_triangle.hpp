@@ -170,7 +170,7 @@ struct SmallLimits {
 /// Finds the pixels of a small triangle in the rows of `limits`. The vertices are sorted by height, and the
 /// middle one is on the left of the long edge where `middle_left` is true. Returns false, with `triangle`
 /// partly set, if there are none. The same pixels are found as by TriangleCommand.
-[[nodiscard]] ARCSPAN_OUTLINE constexpr bool cover_small_triangle(const RasterPosition& top,
+[[nodiscard]] ARCSPAN_INLINE constexpr bool cover_small_triangle(const RasterPosition& top,
                                                                   const RasterPosition& middle,
                                                                   const RasterPosition& bottom,
                                                                   bool middle_left, const SmallLimits& limits,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/numbers/unroll.hpp>
 #include <arcspan/prepare/row_start.hpp>
-#include <arcspan/shading/arc/squared_angle.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
 #include <arcspan/target.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/shading/arc/arc_edge.hpp>
 #include <arcspan/shading/arc/arc_vertex.hpp>
 #include <arcspan/shading/arc/row_angles.hpp>
 #include <arcspan/shading/arc/row_pieces.hpp>
@@ -68,8 +69,7 @@ struct VeryWideTriangle {
       if (part.length < length) length = part.length;
       chord = half.chord();
     }
-    const SquaredAngle angle2 = angle_of_chord(scaled_chord(chord, AngleFormat::kWide), AngleFormat::kWide);
-    ends.angle2 = Factor::from_raw(angle2.raw());
+    ends.angle2 = Factor::from_raw(static_cast<std::int32_t>(detail::squared_angle(chord >> 12) >> 1));
     return length;
   }
 };

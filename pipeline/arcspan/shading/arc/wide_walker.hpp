@@ -79,13 +79,16 @@ class WideWalker {
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
     Run run;  // one object on all ways, which small cores would otherwise copy by memcpy
     if (kHasFastRow && !is_very_wide()) {
-      const Factor angle2 = rows_->squared();
+      const Factor angle2 = rows_->squared(short_->fraction.factor());
       if (is_one_piece(angle2, triangle_->widest_piece, start)) {
         const PieceSteps steps = steps_of_row(start, angle2);
         const ArcEdge<Count>& left = triangle_->middle_left ? *short_ : triangle_->wide.long_edge;
         const ArcEdge<Count>& right = triangle_->middle_left ? triangle_->wide.long_edge : *short_;
-        unrolled<kUsed>(
-            [&](auto i) { run.start_at(i, parabola_of(steps, left.scalars[i].x, right.scalars[i].x)); });
+        const std::int32_t left_excess = left.excess();
+        const std::int32_t right_excess = right.excess();
+        unrolled<kUsed>([&](auto i) {
+          run.start_at(i, parabola_of(steps, left.at(i, left_excess), right.at(i, right_excess)));
+        });
         if (start.skipped != 0) run.skip(start.skipped);
         return run;
       }
@@ -103,7 +106,6 @@ class WideWalker {
     }
     triangle_->wide.long_edge.template advance<kUsed>();
     short_->template advance<kUsed>();
-    rows_->t.advance();
   }
   constexpr void enter_lower() {
     short_ = &triangle_->wide.lower_edge;
@@ -122,13 +124,16 @@ class WideWalker {
         length = triangle_->very_wide.row(in_lower(), triangle_->middle_left, start, ends);
       }
     } else {
+      const ArcEdge<Count>& long_edge = triangle_->wide.long_edge;
+      const std::int32_t short_excess = short_->excess();
+      const std::int32_t long_excess = long_edge.excess();
       for (std::size_t i = 0; i < kUsed; ++i) {
-        const Cosine at_short = short_->scalars[i].x;
-        const Cosine at_long = triangle_->wide.long_edge.scalars[i].x;
+        const Cosine at_short = short_->at(i, short_excess);
+        const Cosine at_long = long_edge.at(i, long_excess);
         ends.left[i] = triangle_->middle_left ? at_short : at_long;
         ends.right[i] = triangle_->middle_left ? at_long : at_short;
       }
-      ends.angle2 = rows_->squared();
+      ends.angle2 = rows_->squared(short_->fraction.factor());
     }
     const RowPiece piece = piece_of_row(start, halvings_of(ends.angle2, triangle_->widest_piece, start));
     narrow_to<kUsed>(piece, ends);

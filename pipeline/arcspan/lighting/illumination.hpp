@@ -159,6 +159,12 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
                                          Cosine headroom) const {
     return nearest_highlight(a, b, c, headroom) < power_.half_reach();
   }
+  /// False if no normal on the arc between two normals has a highlight; `a` and `b` are their scalars and
+  /// `angle2` the squared angle between them, 15 fraction bits. One light only.
+  [[nodiscard]] constexpr bool may_shine_between(const Scalars& a, const Scalars& b, Factor angle2) const
+      requires(Lights == 1) {
+    return nearest_between(a, b, angle2) < power_.half_reach();
+  }
   /// A lower bound of the half distance (PowerTable) of all normals of a triangle, arguments as for
   /// may_shine(). INT32_MAX if no light reaches it.
   [[nodiscard]] constexpr std::int32_t nearest_highlight(const Scalars& a, const Scalars& b, const Scalars& c,
@@ -212,6 +218,11 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     const LightSums sums = light_sums(scalars);
     return {deep_level(0, sums), deep_level(1, sums), deep_level(2, sums)};
   }
+
+ protected:
+  /// A lower bound of the half distance on the arc between two normals; arguments as for may_shine_between().
+  [[nodiscard]] constexpr std::int32_t nearest_between(const Scalars& a, const Scalars& b,
+                                                       Factor angle2) const requires(Lights == 1);
 
  private:
   /// An entry of the ramp stands for 1/256 of one light's diffuse part.

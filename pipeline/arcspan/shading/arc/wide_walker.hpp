@@ -72,29 +72,34 @@ class WideWalker {
   using Prepared = WideOrVeryWide<Count, kWidest>;
   static constexpr std::size_t kUsed = Pixels::kUsed;
   static constexpr bool kOutlined = true;
+  /// Programs that are optimised for size have one loop for pixels with and without highlights.
+  template <class Lighting>
+  static constexpr bool kMayBeDull = !kOptimisedForSize && kUsed > 1 &&
+                                     requires(const Lighting& lighting,
+                                              const typename Lighting::Scalars& scalars) {
+    lighting.may_shine_between(scalars, scalars, Factor{});
+    typename Pixels::Diffuse;
+  };
 
   constexpr explicit WideWalker(Prepared& triangle)
       : triangle_(&triangle), short_(&triangle.wide.upper_edge), rows_(&triangle.wide.upper_rows) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
-    Run run;  // one object on all ways, which small cores would otherwise copy by memcpy
-    if (kHasFastRow && !is_very_wide()) {
-      const Factor angle2 = rows_->squared(short_->fraction.factor());
-      if (is_one_piece(angle2, triangle_->widest_piece, start)) {
-        const PieceSteps steps = steps_of_row(start, angle2);
-        const ArcEdge<Count>& left = triangle_->middle_left ? *short_ : triangle_->wide.long_edge;
-        const ArcEdge<Count>& right = triangle_->middle_left ? triangle_->wide.long_edge : *short_;
-        const std::int32_t left_excess = left.excess();
-        const std::int32_t right_excess = right.excess();
-        unrolled<kUsed>([&](auto i) {
-          run.start_at(i, parabola_of(steps, left.at(i, left_excess), right.at(i, right_excess)));
-        });
-        if (start.skipped != 0) run.skip(start.skipped);
-        return run;
-      }
+    return run_of<Run>(piece_at(start));
+  }
+
+  /// Calls `draw` with the run of the row's next piece: with N·L alone where no highlight is within reach,
+  /// which gives the same colours (ChoosesRuns).
+  template <class Lighting, class Draw>
+  [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(
+      const RowStart& start, const Lighting& lighting, const Draw& draw) const requires kMayBeDull<Lighting> {
+    const Piece piece = piece_at(start);
+    if (lighting.may_shine_between(piece.ends.left, piece.ends.right, piece.ends.angle2)) {
+      Run run = run_of<Run>(piece);
+      return draw(run);
     }
-    set_piece(start, run);
-    return run;
+    PieceRun<typename Pixels::Diffuse> run = run_of<PieceRun<typename Pixels::Diffuse>>(piece);
+    return draw(run);
   }
 
   constexpr void next_row() {
@@ -113,34 +118,82 @@ class WideWalker {
   }
 
  private:
-  /// Sets `run` to one of several pieces of a row.
-  ARCSPAN_OUTLINE constexpr void set_piece(const RowStart& of_row, Run& run) const {
+  /// A piece of a row, from one of its pixels on.
+  struct Piece {
+    RowEnds<Count> ends;
+    PieceSteps steps;
+    std::int32_t skipped;  ///< pixels of the piece that are not drawn
+    std::int32_t length;   ///< pixels up to its end
+  };
+
+  /// Returns the run that begins at a pixel of a piece.
+  template <class RunType>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr RunType run_of(const Piece& piece) {
+    RunType run;
+    unrolled<RunType::kUsed>(
+        [&](auto i) { run.start_at(i, parabola_of(piece.steps, piece.ends.left[i], piece.ends.right[i])); });
+    if (piece.skipped != 0) run.skip(piece.skipped);
+    run.set_length(piece.length);
+    return run;
+  }
+
+  /// Returns the piece in which a pixel lies.
+  [[nodiscard]] ARCSPAN_INLINE constexpr Piece piece_at(const RowStart& start) const {
+    Piece piece;
+    if (kHasFastRow && !is_very_wide()) {
+      piece.ends.angle2 = rows_->squared(short_->fraction.factor());
+      if (is_one_piece(piece.ends.angle2, triangle_->widest_piece, start)) {
+        set_ends(piece.ends);
+        piece.steps = steps_of_row(start, piece.ends.angle2);
+        piece.skipped = start.skipped;
+        piece.length = INT32_MAX;
+        return piece;
+      }
+    }
+    Piece one_of_several;  // The address of `piece` is not passed on, so that it can be in registers.
+    set_piece(start, one_of_several);
+    unrolled<kUsed>([&](auto i) {
+      piece.ends.left[i] = one_of_several.ends.left[i];
+      piece.ends.right[i] = one_of_several.ends.right[i];
+    });
+    piece.ends.angle2 = one_of_several.ends.angle2;
+    piece.steps = one_of_several.steps;
+    piece.skipped = one_of_several.skipped;
+    piece.length = one_of_several.length;
+    return piece;
+  }
+
+  /// Sets the scalars at both ends of the current row.
+  ARCSPAN_INLINE constexpr void set_ends(RowEnds<Count>& ends) const {
+    const ArcEdge<Count>& left = triangle_->middle_left ? *short_ : triangle_->wide.long_edge;
+    const ArcEdge<Count>& right = triangle_->middle_left ? triangle_->wide.long_edge : *short_;
+    const std::int32_t left_excess = left.excess();
+    const std::int32_t right_excess = right.excess();
+    unrolled<kUsed>([&](auto i) {
+      ends.left[i] = left.at(i, left_excess);
+      ends.right[i] = right.at(i, right_excess);
+    });
+  }
+
+  /// Sets `piece` to one of several pieces of a row.
+  ARCSPAN_OUTLINE constexpr void set_piece(const RowStart& of_row, Piece& piece) const {
     // Member by member, because small cores would copy the whole by memcpy.
     RowStart start{of_row.fraction, of_row.skipped, of_row.inside, of_row.width, of_row.bits, of_row.column};
-    RowEnds<Count> ends;
-    std::int32_t length = INT32_MAX;
+    RowEnds<Count>& ends = piece.ends;
+    piece.length = INT32_MAX;
     if (is_very_wide()) {
       if constexpr (Prepared::kHasVeryWide) {
-        length = triangle_->very_wide.row(in_lower(), triangle_->middle_left, start, ends);
+        piece.length = triangle_->very_wide.row(in_lower(), triangle_->middle_left, start, ends);
       }
     } else {
-      const ArcEdge<Count>& long_edge = triangle_->wide.long_edge;
-      const std::int32_t short_excess = short_->excess();
-      const std::int32_t long_excess = long_edge.excess();
-      for (std::size_t i = 0; i < kUsed; ++i) {
-        const Cosine at_short = short_->at(i, short_excess);
-        const Cosine at_long = long_edge.at(i, long_excess);
-        ends.left[i] = triangle_->middle_left ? at_short : at_long;
-        ends.right[i] = triangle_->middle_left ? at_long : at_short;
-      }
       ends.angle2 = rows_->squared(short_->fraction.factor());
+      set_ends(ends);
     }
-    const RowPiece piece = piece_of_row(start, halvings_of(ends.angle2, triangle_->widest_piece, start));
-    narrow_to<kUsed>(piece, ends);
-    const PieceSteps steps = steps_of_piece(piece, ends.angle2);
-    run.set_length(length < piece.length ? length : piece.length);
-    for (std::size_t i = 0; i < kUsed; ++i) run.start_at(i, parabola_of(steps, ends.left[i], ends.right[i]));
-    run.skip(static_cast<std::int32_t>(piece.inside >> piece.bits));
+    const RowPiece part = piece_of_row(start, halvings_of(ends.angle2, triangle_->widest_piece, start));
+    narrow_to<kUsed>(part, ends);
+    piece.steps = steps_of_piece(part, ends.angle2);
+    if (part.length < piece.length) piece.length = part.length;
+    piece.skipped = static_cast<std::int32_t>(part.inside >> part.bits);
   }
 
   /// True in the lower half. No member of its own: small cores would copy a larger walker by memcpy.

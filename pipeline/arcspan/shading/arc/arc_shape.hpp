@@ -57,6 +57,14 @@ class ArcShape {
     return on_chord + Cosine::from_raw(wrap_mul(excess, height) >> 3);
   }
 
+  /// Returns the scalar at the fraction t of the arc from a to b; `excess` is excess(t).
+  [[nodiscard]] ARCSPAN_INLINE_UNLESS_SMALL constexpr Cosine between(Cosine a, Cosine b, Factor t,
+                                                                     std::int32_t excess) const {
+    const std::int32_t along =
+        scaled_down(wrap_sub(b.raw(), a.raw()), static_cast<std::uint32_t>(t.raw()), 15);
+    return on_arc(a + Cosine::from_raw(along), base(a, b), excess);
+  }
+
  private:
   std::uint16_t rise_;    ///< 16 fraction bits
   std::uint16_t bend_;    ///< 16 fraction bits

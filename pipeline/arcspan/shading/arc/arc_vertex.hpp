@@ -5,7 +5,6 @@
 #include <arcspan/numbers/root.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/arc/arc_shape.hpp>
-#include <arcspan/shading/patch/inverse_length.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -82,10 +81,7 @@ template <std::size_t Count>
                                                                     const ArcVertex<Count>& b, Factor t) {
   const ArcShape shape(squared_chord(a.normal, b.normal));
   const std::int32_t excess = shape.excess(t);
-  const auto between = [&](Cosine p, Cosine q) {
-    const Cosine on_chord = p + detail::part(q - p, t);
-    return shape.on_arc(on_chord, shape.base(p, q), excess);
-  };
+  const auto between = [&](Cosine p, Cosine q) { return shape.between(p, q, t, excess); };
   const auto component = [&](NormalComponent p, NormalComponent q) {
     constexpr int kUp = Cosine::kFraction - NormalComponent::kFraction;
     const auto widened = [](NormalComponent v) { return Cosine::from_raw(wrap_shl(v.raw(), kUp)); };

@@ -38,11 +38,12 @@ struct ArcWeights {
   std::uint32_t a;       ///< 15 fraction bits
   std::uint32_t c;       ///< 15 fraction bits; both sum to 1 + excess
 
-  constexpr ArcWeights(const ArcShape& shape, Factor t) {
+  constexpr ArcWeights(const ArcShape& shape, Factor t) : ArcWeights(shape, t, shape.excess(t)) {}
+  /// `above` is shape.excess(t).
+  constexpr ArcWeights(const ArcShape& shape, Factor t, std::int32_t above) {
     constexpr Cosine kOne = Cosine::from_raw(std::int32_t{1} << 30);
-    const std::int32_t above = shape.excess(t);
-    const Cosine towards_a = kOne - Cosine::from_raw(wrap_shl(t.raw(), 15));
-    a = static_cast<std::uint32_t>(shape.on_arc(towards_a, shape.base(kOne, {}), above).raw()) >> 15;
+    const Cosine on_chord = kOne - Cosine::from_raw(wrap_shl(t.raw(), 15));
+    a = static_cast<std::uint32_t>(shape.on_arc(on_chord, shape.base(kOne, {}), above).raw()) >> 15;
     excess = static_cast<std::uint32_t>(above) >> 2;
     c = 32768u + (excess >> 1) - a;
   }

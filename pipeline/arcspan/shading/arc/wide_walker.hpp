@@ -105,7 +105,7 @@ class WideWalker {
   constexpr void next_row() {
     if constexpr (Prepared::kHasVeryWide) {
       if (triangle_->is_very_wide) {
-        triangle_->very_wide.next_row(in_lower());
+        triangle_->very_wide.next_row();
         return;
       }
     }
@@ -113,6 +113,9 @@ class WideWalker {
     short_->template advance<kUsed>();
   }
   constexpr void enter_lower() {
+    if constexpr (Prepared::kHasVeryWide) {
+      if (triangle_->is_very_wide) triangle_->very_wide.enter_lower();
+    }
     short_ = &triangle_->wide.lower_edge;
     rows_ = &triangle_->wide.lower_rows;
   }
@@ -183,7 +186,8 @@ class WideWalker {
     piece.length = INT32_MAX;
     if (is_very_wide()) {
       if constexpr (Prepared::kHasVeryWide) {
-        piece.length = triangle_->very_wide.row(in_lower(), triangle_->middle_left, start, ends);
+        piece.length =
+            triangle_->very_wide.template row<kUsed>(in_lower(), triangle_->middle_left, start, ends);
       }
     } else {
       ends.angle2 = rows_->squared(short_->fraction.factor());

@@ -163,7 +163,8 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// `angle2` the squared angle between them, 15 fraction bits. One light only.
   [[nodiscard]] constexpr bool may_shine_between(const Scalars& a, const Scalars& b, Factor angle2) const
       requires(Lights == 1) {
-    return nearest_between(a, b, angle2) < power_.half_reach();
+    return nearest_between(highlight_distance(a[0], a[1], 0), highlight_distance(b[0], b[1], 0), angle2) <
+           power_.half_reach();
   }
   /// A lower bound of the half distance (PowerTable) of all normals of a triangle, arguments as for
   /// may_shine(). INT32_MAX if no light reaches it.
@@ -220,9 +221,10 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   }
 
  protected:
-  /// A lower bound of the half distance on the arc between two normals; arguments as for may_shine_between().
-  [[nodiscard]] constexpr std::int32_t nearest_between(const Scalars& a, const Scalars& b,
-                                                       Factor angle2) const requires(Lights == 1);
+  /// A lower bound of the half distance on the arc between two normals, from those at both; `angle2` as for
+  /// may_shine_between().
+  [[nodiscard]] static constexpr std::int32_t nearest_between(std::int32_t at_a, std::int32_t at_b,
+                                                              Factor angle2);
 
  private:
   /// An entry of the ramp stands for 1/256 of one light's diffuse part.

@@ -51,15 +51,12 @@ constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight_
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_between(const Scalars& a,
-                                                                              const Scalars& b,
-                                                                              Factor angle2) const
-    requires(Lights == 1) {
+constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_between(std::int32_t at_a,
+                                                                              std::int32_t at_b,
+                                                                              Factor angle2) {
   // On an arc of the angle psi the half distance is a cosine of 2 psi with the amplitude 1/2 at most (R·V;
   // N·H: less), hence nowhere below both ends by more than psi^2 / 4. 2^-9 is for the error of the parabola
   // that is drawn.
-  const std::int32_t at_a = highlight_distance(a[0], highlight_scalar(a, 0), 0);
-  const std::int32_t at_b = highlight_distance(b[0], highlight_scalar(b, 0), 0);
   const std::int32_t fall = wrap_shl(angle2.raw(), 13) + (std::int32_t{1} << 21);
   return wrap_sub(at_a < at_b ? at_a : at_b, fall);
 }

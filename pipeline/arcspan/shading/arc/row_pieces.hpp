@@ -145,24 +145,36 @@ struct PieceSteps {
   return piece_steps(start.fraction, start.width, inverse, inverse.exponent - 16, angle2);
 }
 
-/// Returns the parabola of a scalar at the first column of a piece from `p` to `q`:
-///
-///     f(v) = p + v (q - p + s) - v^2 s,     v = 0...1 along the piece, s the quadruple sagitta.
-[[nodiscard]] ARCSPAN_INLINE constexpr Parabola parabola_of(const PieceSteps& steps, Cosine p, Cosine q) {
+/// Returns the quadruple sagitta of a scalar's arc from `p` to `q`: 30 fraction bits, below 0.3.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t quadruple_sagitta_of(const PieceSteps& steps, Cosine p,
+                                                                         Cosine q) {
   const std::int32_t mean = wrap_add(p.raw() >> 1, q.raw() >> 1) >> 15;  // 15 fraction bits
-  const std::int32_t s = wrap_mul(mean, steps.sagitta4) >> 2;            // below 0.3
+  return wrap_mul(mean, steps.sagitta4) >> 2;
+}
+
+/// Returns the parabola at the first column of a piece from `p` to `q` with the quadruple sagitta s:
+///
+///     f(v) = p + v (q - p + s) - v^2 s,     v = 0...1 along the piece.
+///
+/// `drop` is the number of low bits that slopes along the piece lose before they are multiplied.
+[[nodiscard]] ARCSPAN_INLINE constexpr Parabola parabola_through(const PieceSteps& steps, int drop, Cosine p,
+                                                                 Cosine q, std::int32_t s) {
   const std::int32_t s_by_v = wrap_mul(s >> 13, steps.at.raw()) >> 2;
   const std::int32_t chord = wrap_add(wrap_sub(q.raw(), p.raw()), wrap_sub(s, s_by_v));  // below 1
   const std::int32_t slope = wrap_sub(chord, s_by_v);
   const std::int32_t change =  // of the first difference per pixel
       -round_shift(wrap_mul(s >> 14, steps.square), 2 * steps.exponent - 31);
   Parabola f;
-  f.x = p + Cosine::from_raw(wrap_mul(round_shift(chord, steps.drop), steps.at.raw()) >> (15 - steps.drop));
+  f.x = p + Cosine::from_raw(wrap_mul(round_shift(chord, drop), steps.at.raw()) >> (15 - drop));
   f.d = Cosine::from_raw(
-      wrap_add(wrap_mul(round_shift(slope, steps.drop), steps.mantissa) >> (steps.exponent - steps.drop),
-               change >> 1));
+      wrap_add(wrap_mul(round_shift(slope, drop), steps.mantissa) >> (steps.exponent - drop), change >> 1));
   f.second_difference = Cosine::from_raw(change);
   return f;
+}
+
+/// Returns the parabola of a scalar that follows the arc of a piece from `p` to `q`.
+[[nodiscard]] ARCSPAN_INLINE constexpr Parabola parabola_of(const PieceSteps& steps, Cosine p, Cosine q) {
+  return parabola_through(steps, steps.drop, p, q, quadruple_sagitta_of(steps, p, q));
 }
 
 /// Replaces the ends of a row by those of one of its pieces.

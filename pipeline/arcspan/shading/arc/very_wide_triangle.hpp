@@ -91,6 +91,10 @@ struct VeryWideTriangle {
     long_edge.fraction.advance();
     short_edge.fraction.advance();
   }
+  constexpr void skip_rows(std::int32_t rows) {
+    long_edge.fraction.advance(rows);
+    short_edge.fraction.advance(rows);
+  }
   constexpr void enter_lower() { short_edge.start(lower_edge); }
 
   /// Sets `ends` to the first `Used` scalars of the current row and to its squared angle. A row of more than

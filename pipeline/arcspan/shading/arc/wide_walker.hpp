@@ -7,6 +7,7 @@
 #include <arcspan/shading/patch/patch_walker.hpp>
 #include <arcspan/target.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -63,6 +64,14 @@ class PieceRun : public Pixels {
   std::int32_t length_ = INT32_MAX;
 };
 
+/// Optional part of a lighting: start_highlight() starts a HighlightRun, which steps the highlight itself and
+/// not the scalars that it follows from; it returns false where that is not accurate enough.
+template <class Lighting>
+concept StepsHighlight = requires(const Lighting& lighting, const typename Lighting::Scalars& ends,
+                                  const PieceSteps& steps, typename Lighting::HighlightRun& run) {
+  { lighting.start_highlight(ends, ends, steps, Factor{}, run) } -> std::same_as<bool>;
+};
+
 /// Steps the scalars of both edges from row to row (RowWalker), and draws rows in pieces. It changes the
 /// prepared triangle in place. `Pixels` uses the first Pixels::kUsed of its `Count` scalars.
 template <class Pixels, std::size_t Count, WidestNormals kWidest = WidestNormals::kAny>
@@ -95,6 +104,14 @@ class WideWalker {
       const RowStart& start, const Lighting& lighting, const Draw& draw) const requires kMayBeDull<Lighting> {
     const Piece piece = piece_at(start);
     if (lighting.may_shine_between(piece.ends.left, piece.ends.right, piece.ends.angle2)) {
+      if constexpr (StepsHighlight<Lighting>) {
+        PieceRun<typename Lighting::HighlightRun> run;
+        if (lighting.start_highlight(piece.ends.left, piece.ends.right, piece.steps, piece.ends.angle2,
+                                     run)) {
+          start_in_piece(piece, run);
+          return draw(run);
+        }
+      }
       Run run = run_of<Run>(piece);
       return draw(run);
     }
@@ -111,6 +128,16 @@ class WideWalker {
     }
     triangle_->wide.long_edge.template advance<kUsed>();
     short_->template advance<kUsed>();
+  }
+  ARCSPAN_OUTLINE constexpr void skip_rows(std::int32_t rows) {
+    if constexpr (Prepared::kHasVeryWide) {
+      if (triangle_->is_very_wide) {
+        triangle_->very_wide.skip_rows(rows);
+        return;
+      }
+    }
+    triangle_->wide.long_edge.template advance<kUsed>(rows);
+    short_->template advance<kUsed>(rows);
   }
   constexpr void enter_lower() {
     if constexpr (Prepared::kHasVeryWide) {
@@ -135,9 +162,14 @@ class WideWalker {
     RunType run;
     unrolled<RunType::kUsed>(
         [&](auto i) { run.start_at(i, parabola_of(piece.steps, piece.ends.left[i], piece.ends.right[i])); });
+    start_in_piece(piece, run);
+    return run;
+  }
+  /// Steps a run from the first pixel of a piece to the one where it begins.
+  template <class RunType>
+  ARCSPAN_INLINE static constexpr void start_in_piece(const Piece& piece, RunType& run) {
     if (piece.skipped != 0) run.skip(piece.skipped);
     run.set_length(piece.length);
-    return run;
   }
 
   /// Returns the piece in which a pixel lies.

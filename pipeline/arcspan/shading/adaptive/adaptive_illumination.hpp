@@ -50,6 +50,7 @@ class AdaptiveIllumination : public Illumination {
     segment_limit_with_highlight_ = segment_limit_of(tolerance, true);
     segment_limit_without_highlight_ = segment_limit_of(tolerance - tolerance / 2, false);
     highlight_patch_limit_ = highlight_patch_limit_of(tolerance);
+    highlight_row_limit_ = highlight_row_limit_of(highlight_patch_limit_);
     return Status::kOk;
   }
 
@@ -83,9 +84,7 @@ class AdaptiveIllumination : public Illumination {
                                                               SecondDifferenceRun<2>& run) const
       requires(Illumination::kLights == 1) {
     constexpr int kLeastExponent = 18;  // 4 pixels: shorter pieces cost less by their scalars
-    if (steps.exponent < kLeastExponent ||
-        static_cast<std::uint32_t>(angle2.raw()) > highlight_patch_limit_ >> 13)
-      return false;
+    if (steps.exponent < kLeastExponent || angle2 > highlight_row_limit_) return false;
     const std::int32_t lit_from = Illumination::fade_end().raw() + (std::int32_t{1} << 20);
     if (a[0].raw() < lit_from || b[0].raw() < lit_from) return false;
     std::array<std::int32_t, 2> sagitta4;
@@ -237,6 +236,16 @@ class AdaptiveIllumination : public Illumination {
     return (inside * inside) >> 4;
   }
 
+  /// Returns the largest squared angle of a piece of a row over which the highlight's distance may be a
+  /// parabola. With the squared angle s the parabola's error is 1 + 1.9 s times that of
+  /// highlight_patch_limit_of(), which grows with s^(3/2).
+  [[nodiscard]] static constexpr Factor highlight_row_limit_of(std::uint32_t patch_limit) {
+    const auto limit = static_cast<std::int32_t>(patch_limit >> 13);
+    if (Illumination::model() == Highlight::kBlinn) return Factor::from_raw(limit);
+    const std::int32_t square = wrap_mul(limit, limit) >> 15;
+    return Factor::from_raw(limit - square - (square >> 2));
+  }
+
   HighlightTable highlight_table_{};
   std::int32_t half_tolerance_reach_ = 0;
   std::int32_t eighth_tolerance_reach_ = 0;
@@ -245,6 +254,7 @@ class AdaptiveIllumination : public Illumination {
   std::uint32_t segment_limit_with_highlight_ = 0;
   std::uint32_t segment_limit_without_highlight_ = 0;
   std::uint32_t highlight_patch_limit_ = 0;
+  Factor highlight_row_limit_{};
   std::array<PackedRgb, kLitEntries> lit_colours_{};
 };
 

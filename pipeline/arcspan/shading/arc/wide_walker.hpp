@@ -185,8 +185,10 @@ class WideWalker {
         return piece;
       }
     }
-    Piece one_of_several;  // The address of `piece` is not passed on, so that it can be in registers.
-    set_piece(start, one_of_several);
+    // Neither the address of `start` nor that of `piece` is passed on, so that both can be in registers.
+    RowStart of_row{start.fraction, start.skipped, start.inside, start.width, start.bits, start.column};
+    Piece one_of_several;
+    set_piece(of_row, one_of_several);
     unrolled<kUsed>([&](auto i) {
       piece.ends.left[i] = one_of_several.ends.left[i];
       piece.ends.right[i] = one_of_several.ends.right[i];
@@ -210,10 +212,8 @@ class WideWalker {
     });
   }
 
-  /// Sets `piece` to one of several pieces of a row.
-  ARCSPAN_OUTLINE constexpr void set_piece(const RowStart& of_row, Piece& piece) const {
-    // Member by member, because small cores would copy the whole by memcpy.
-    RowStart start{of_row.fraction, of_row.skipped, of_row.inside, of_row.width, of_row.bits, of_row.column};
+  /// Sets `piece` to the one of several pieces of a row in which `start` lies; it changes `start`.
+  ARCSPAN_OUTLINE constexpr void set_piece(RowStart& start, Piece& piece) const {
     RowEnds<Count>& ends = piece.ends;
     piece.length = INT32_MAX;
     if (is_very_wide()) {

@@ -163,8 +163,11 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// `angle2` the squared angle between them, 15 fraction bits. One light only.
   [[nodiscard]] constexpr bool may_shine_between(const Scalars& a, const Scalars& b, Factor angle2) const
       requires(Lights == 1) {
-    return nearest_between(highlight_distance(a[0], a[1], 0), highlight_distance(b[0], b[1], 0), angle2) <
-           power_.half_reach();
+    const auto rough = [this](const Scalars& at) {  // factors rounded down, which costs less than rounding
+      if constexpr (Model == Highlight::kBlinn) return highlight_distance(at[0], at[1], 0);
+      return wrap_sub(half_one_plus_light_eye_[0], wrap_mul(at[0].raw() >> 15, at[1].raw() >> 15));
+    };
+    return nearest_between(rough(a), rough(b), angle2) < power_.half_reach();
   }
   /// A lower bound of the half distance (PowerTable) of all normals of a triangle, arguments as for
   /// may_shine(). INT32_MAX if no light reaches it.

@@ -36,13 +36,18 @@ struct EdgeFraction {
   return {static_cast<std::int32_t>(kOne - below_top), -static_cast<std::int32_t>(step)};
 }
 
+/// A scalar on the chord of an edge.
+struct ChordScalar {
+  Cosine x;     ///< at the current row
+  Cosine step;  ///< its change per row
+};
+
 /// `Count` scalars along the arc of one edge. The edge's chord is stepped from row to row; the arc is
 /// computed from it where a row is drawn.
 template <std::size_t Count>
 struct ArcEdge {
-  EdgeFraction fraction;                 ///< from the upper end
-  std::array<Cosine, Count> on_chord;    ///< at the current row
-  std::array<Cosine, Count> step;        ///< change of on_chord per row
+  EdgeFraction fraction;  ///< from the upper end
+  std::array<ChordScalar, Count> on_chord;
   std::array<std::int16_t, Count> base;  ///< ArcShape::base()
   ArcShape shape;
 
@@ -50,19 +55,20 @@ struct ArcEdge {
   [[nodiscard]] constexpr std::int32_t excess() const { return shape.excess(fraction.factor()); }
   /// Returns scalar i at the current row.
   [[nodiscard]] ARCSPAN_INLINE constexpr Cosine at(std::size_t i, std::int32_t excess) const {
-    return shape.on_arc(on_chord[i], base[i], excess);
+    return shape.on_arc(on_chord[i].x, base[i], excess);
   }
   /// Steps the first `Used` scalars to the next row.
   template <std::size_t Used>
   constexpr void advance() {
     fraction.advance();
-    unrolled<Used>([this](auto i) { on_chord[i] += step[i]; });
+    unrolled<Used>([this](auto i) { on_chord[i].x += on_chord[i].step; });
   }
   /// Steps `rows` rows at once; the result is that of `rows` calls of advance().
   template <std::size_t Used>
   constexpr void advance(std::int32_t rows) {
     fraction.advance(rows);
-    unrolled<Used>([&](auto i) { on_chord[i] += Cosine::from_raw(wrap_mul(step[i].raw(), rows)); });
+    unrolled<Used>(
+        [&](auto i) { on_chord[i].x += Cosine::from_raw(wrap_mul(on_chord[i].step.raw(), rows)); });
   }
 };
 
@@ -80,8 +86,8 @@ ARCSPAN_OUTLINE constexpr void make_arc_edge(const EdgeSetup& edge, std::uint32_
   const int down = edge.dy < 16 ? 31 : edge.inverse.exponent - 20;
   for (std::size_t i = 0; i < used; ++i) {
     const std::int32_t along = wrap_sub(to[i].raw(), from[i].raw());
-    arc.on_chord[i] = from[i] + Cosine::from_raw(scaled_down(along, start, 16));
-    arc.step[i] = Cosine::from_raw(scaled_down(along, edge.inverse.mantissa, 16) >> down);
+    arc.on_chord[i].x = from[i] + Cosine::from_raw(scaled_down(along, start, 16));
+    arc.on_chord[i].step = Cosine::from_raw(scaled_down(along, edge.inverse.mantissa, 16) >> down);
     arc.base[i] = arc.shape.base(from[i], to[i]);
   }
 }

@@ -127,7 +127,8 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
                                               std::uint32_t& lit) const;
 
   /// colour() without a highlight, by the scalar of diffuse_scalar().
-  [[nodiscard]] constexpr PackedRgb diffuse_colour(Cosine normal_light) const requires kHasRamp {
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb diffuse_colour(
+      Cosine normal_light) const requires kHasRamp {
     constexpr std::int32_t kLast = (std::int32_t{1} << kRampBits) - 1;
     const std::int32_t entry = normal_light.raw() >> (Cosine::kFraction - kRampBits);
     const std::uint32_t index = Lights == 1 ? clamped_byte(entry)

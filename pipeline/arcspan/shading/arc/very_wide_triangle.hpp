@@ -17,47 +17,48 @@ namespace arcspan {
 /// a half or a quarter, whichever is narrow enough for ArcShape.
 template <std::size_t Count>
 struct DividedEdge {
-  EdgeFraction fraction;  ///< of the whole edge, from its upper end
-  std::int32_t begin;     ///< of the part, as fraction.t
-  std::int32_t size;      ///< of the part, 2^30 or less; 0 if no part is set
-  int halvings;
-  ArcVertex<Count> from;  ///< upper end of the part
-  ArcVertex<Count> to;
-  ArcShape shape;
+  static constexpr int kBits = 30;  ///< of fraction.t
+
+  EdgeFraction fraction;           ///< of the whole edge, from its upper end
+  std::array<Cosine, Count> from;  ///< scalars at the part's upper end
+  std::array<Cosine, Count> to;    ///< scalars at its lower end
+  ArcShape shape;                  ///< of the part
+  std::uint8_t halvings;           ///< the edge has 2^halvings parts of this size
+  std::uint8_t index;              ///< of the part, from the upper end; kNone if no part is set
+  static constexpr std::uint8_t kNone = 255;
 
   constexpr void start(const EdgeFraction& at) {
     fraction.t = at.t;
     fraction.dt = at.dt;
-    begin = -1;
-    size = 0;
+    halvings = 0;
+    index = kNone;
   }
   /// Returns false if the current row is not on the part. The part's end belongs to the next one, so that a
   /// row has the same part whether or not the rows above were drawn.
-  [[nodiscard]] constexpr bool is_on_part() const {
-    return static_cast<std::uint32_t>(wrap_sub(fraction.t, begin)) < static_cast<std::uint32_t>(size);
-  }
-  /// Sets the part that holds the current row, of the edge from `top` to `bottom`.
-  ARCSPAN_COLD_OUTLINE constexpr void find_part(const ArcVertex<Count>& top, const ArcVertex<Count>& bottom) {
-    from = top;
-    to = bottom;
-    begin = 0;
-    size = std::int32_t{1} << 30;
-    for (halvings = 0; halvings < 2 && squared_chord(from.normal, to.normal) > kWidestArc; ++halvings) {
-      size >>= 1;
-      const ArcVertex<Count> middle = half_way(from, to);
-      if (wrap_sub(fraction.t, begin) < size) {
-        to = middle;
-      } else {
-        from = middle;
-        begin += size;
-      }
+  [[nodiscard]] constexpr bool is_on_part() const { return part_of_row() == index; }
+  /// Sets the part that holds the current row, of the edge between the vertices `upper` and `lower`, which
+  /// become the part's ends.
+  constexpr void find_part(ArcVertex<Count>& upper, ArcVertex<Count>& lower) {
+    for (halvings = 0; halvings < 2 && squared_chord(upper.normal, lower.normal) > kWidestArc;) {
+      ++halvings;
+      const bool is_second = (part_of_row() & 1) != 0;
+      (is_second ? upper : lower) = half_way(upper, lower);
     }
-    const std::uint32_t chord = squared_chord(from.normal, to.normal);
+    index = static_cast<std::uint8_t>(part_of_row());
+    from = upper.scalars;
+    to = lower.scalars;
+    const std::uint32_t chord = squared_chord(upper.normal, lower.normal);
     shape = ArcShape(chord < kWidestArc ? chord : kWidestArc);
+  }
+  /// Returns the index of the part that holds the current row; the edge's lower end belongs to the last part.
+  [[nodiscard]] constexpr std::int32_t part_of_row() const {
+    constexpr std::int32_t kLast = (std::int32_t{1} << kBits) - 1;
+    return (fraction.t < kLast ? fraction.t : kLast) >> (kBits - halvings);
   }
   /// Returns the fraction of the part at the current row.
   [[nodiscard]] constexpr Factor on_part() const {
-    return Factor::from_raw(wrap_shl(wrap_sub(fraction.t, begin), halvings) >> 15);
+    const std::int32_t begin = wrap_shl(index, kBits - halvings);
+    return Factor::from_raw(wrap_shl(wrap_sub(fraction.t, begin), halvings) >> (kBits - Factor::kFraction));
   }
 };
 
@@ -101,7 +102,7 @@ struct VeryWideTriangle {
   /// 60 degrees is halved; the ends are then those of the part in which `start` lies, and `start` becomes
   /// relative to it. Returns the pixels from there to the end of the part, INT32_MAX in the last one.
   template <std::size_t Used>
-  [[nodiscard]] ARCSPAN_OUTLINE constexpr std::int32_t row(bool in_lower, bool middle_left, RowStart& start,
+  [[nodiscard]] ARCSPAN_OUTLINE constexpr std::int32_t row(bool in_lower, bool middle_left, RowPixel& start,
                                                            RowEnds<Count>& ends) {
     if (!long_edge.is_on_part() || !short_edge.is_on_part()) find_parts(in_lower);
     const Factor on_long = long_edge.on_part();
@@ -111,10 +112,8 @@ struct VeryWideTriangle {
     std::array<Cosine, Count>& at_long = middle_left ? ends.right : ends.left;
     std::array<Cosine, Count>& at_short = middle_left ? ends.left : ends.right;
     unrolled<Used>([&](auto i) {
-      at_long[i] =
-          long_edge.shape.between(long_edge.from.scalars[i], long_edge.to.scalars[i], on_long, long_excess);
-      at_short[i] = short_edge.shape.between(short_edge.from.scalars[i], short_edge.to.scalars[i], on_short,
-                                             short_excess);
+      at_long[i] = long_edge.shape.between(long_edge.from[i], long_edge.to[i], on_long, long_excess);
+      at_short[i] = short_edge.shape.between(short_edge.from[i], short_edge.to[i], on_short, short_excess);
     });
     const std::uint32_t chord =
         row_chord({long_edge.shape, on_long, long_excess}, {short_edge.shape, on_short, short_excess});
@@ -123,15 +122,14 @@ struct VeryWideTriangle {
 
  private:
   ARCSPAN_COLD_OUTLINE constexpr void find_parts(bool in_lower) {
-    if (!long_edge.is_on_part()) long_edge.find_part(top, bottom);
-    if (!short_edge.is_on_part()) {
-      short_edge.find_part(in_lower ? middle : top, in_lower ? bottom : middle);
+    std::array<ArcVertex<Count>, 4> ends{top, bottom, in_lower ? middle : top, in_lower ? bottom : middle};
+    for (std::size_t i = 0; i < 2; ++i) {  // a loop, so that find_part() becomes a part of this function
+      (i == 0 ? long_edge : short_edge).find_part(ends[2 * i], ends[2 * i + 1]);
     }
-    const auto product = [](const ArcVertex<Count>& a, const ArcVertex<Count>& b) {
-      return 32768 - static_cast<std::int32_t>(squared_chord(a.normal, b.normal) >> 14);
-    };
-    products = {product(long_edge.from, short_edge.from), product(long_edge.from, short_edge.to),
-                product(long_edge.to, short_edge.from), product(long_edge.to, short_edge.to)};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::uint32_t chord = squared_chord(ends[i >> 1].normal, ends[2 + (i & 1)].normal);
+      products[i] = 32768 - static_cast<std::int32_t>(chord >> 14);
+    }
   }
 
   /// Returns the squared chord of a row between points of both parts, 28 fraction bits.
@@ -151,7 +149,7 @@ struct VeryWideTriangle {
 
   /// Halves a row until it is at most 60 degrees wide, and sets the squared angle of `ends`.
   template <std::size_t Used>
-  [[nodiscard]] constexpr std::int32_t halve(std::uint32_t chord, RowStart& start,
+  [[nodiscard]] constexpr std::int32_t halve(std::uint32_t chord, RowPixel& start,
                                              RowEnds<Count>& ends) const {
     std::int32_t length = INT32_MAX;
     while (chord > kWidestArc) {

@@ -94,7 +94,8 @@ class WideWalker {
       : triangle_(&triangle), short_(&triangle.wide.upper_edge), rows_(&triangle.wide.upper_rows) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
-    return run_of<Run>(piece_at(start));
+    const Piece piece = piece_at(start);
+    return run_of<Run>(piece, piece_steps(piece.column, piece.ends.angle2));
   }
 
   /// Calls `draw` with the run of the row's next piece: with N·L alone where no highlight is within reach,
@@ -103,19 +104,19 @@ class WideWalker {
   [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(
       const RowStart& start, const Lighting& lighting, const Draw& draw) const requires kMayBeDull<Lighting> {
     const Piece piece = piece_at(start);
+    const PieceSteps steps = piece_steps(piece.column, piece.ends.angle2);
     if (lighting.may_shine_between(piece.ends.left, piece.ends.right, piece.ends.angle2)) {
       if constexpr (StepsHighlight<Lighting>) {
         PieceRun<typename Lighting::HighlightRun> run;
-        if (lighting.start_highlight(piece.ends.left, piece.ends.right, piece.steps, piece.ends.angle2,
-                                     run)) {
+        if (lighting.start_highlight(piece.ends.left, piece.ends.right, steps, piece.ends.angle2, run)) {
           start_in_piece(piece, run);
           return draw(run);
         }
       }
-      Run run = run_of<Run>(piece);
+      Run run = run_of<Run>(piece, steps);
       return draw(run);
     }
-    PieceRun<typename Pixels::Diffuse> run = run_of<PieceRun<typename Pixels::Diffuse>>(piece);
+    PieceRun<typename Pixels::Diffuse> run = run_of<PieceRun<typename Pixels::Diffuse>>(piece, steps);
     return draw(run);
   }
 
@@ -151,17 +152,17 @@ class WideWalker {
   /// A piece of a row, from one of its pixels on.
   struct Piece {
     RowEnds<Count> ends;
-    PieceSteps steps;
+    PieceColumn column;
     std::int32_t skipped;  ///< pixels of the piece that are not drawn
     std::int32_t length;   ///< pixels up to its end
   };
 
   /// Returns the run that begins at a pixel of a piece.
   template <class RunType>
-  [[nodiscard]] ARCSPAN_INLINE static constexpr RunType run_of(const Piece& piece) {
+  [[nodiscard]] ARCSPAN_INLINE static constexpr RunType run_of(const Piece& piece, const PieceSteps& steps) {
     RunType run;
     unrolled<RunType::kUsed>(
-        [&](auto i) { run.start_at(i, parabola_of(piece.steps, piece.ends.left[i], piece.ends.right[i])); });
+        [&](auto i) { run.start_at(i, parabola_of(steps, piece.ends.left[i], piece.ends.right[i])); });
     start_in_piece(piece, run);
     return run;
   }
@@ -179,22 +180,22 @@ class WideWalker {
       piece.ends.angle2 = rows_->squared(short_->fraction.factor());
       if (is_one_piece(piece.ends.angle2, triangle_->widest_piece, start)) {
         set_ends(piece.ends);
-        piece.steps = steps_of_row(start, piece.ends.angle2);
+        piece.column = {start.fraction, start.width, 16};
         piece.skipped = start.skipped;
         piece.length = INT32_MAX;
         return piece;
       }
     }
-    // Neither the address of `start` nor that of `piece` is passed on, so that both can be in registers.
-    RowStart of_row{start.fraction, start.skipped, start.inside, start.width, start.bits, start.column};
+    // The address of `piece` is not passed on, so that it can be in registers.
+    RowPixel pixel{start.inside, start.width, start.bits};
     Piece one_of_several;
-    set_piece(of_row, one_of_several);
+    set_piece(pixel, one_of_several);
     unrolled<kUsed>([&](auto i) {
       piece.ends.left[i] = one_of_several.ends.left[i];
       piece.ends.right[i] = one_of_several.ends.right[i];
     });
     piece.ends.angle2 = one_of_several.ends.angle2;
-    piece.steps = one_of_several.steps;
+    piece.column = one_of_several.column;
     piece.skipped = one_of_several.skipped;
     piece.length = one_of_several.length;
     return piece;
@@ -213,7 +214,7 @@ class WideWalker {
   }
 
   /// Sets `piece` to the one of several pieces of a row in which `start` lies; it changes `start`.
-  ARCSPAN_OUTLINE constexpr void set_piece(RowStart& start, Piece& piece) const {
+  ARCSPAN_OUTLINE constexpr void set_piece(RowPixel& start, Piece& piece) const {
     RowEnds<Count>& ends = piece.ends;
     piece.length = INT32_MAX;
     if (is_very_wide()) {
@@ -227,7 +228,7 @@ class WideWalker {
     }
     const RowPiece part = piece_of_row(start, halvings_of(ends.angle2, triangle_->widest_piece, start));
     narrow_to<kUsed>(part, ends);
-    piece.steps = steps_of_piece(part, ends.angle2);
+    piece.column = column_of(part);
     if (part.length < piece.length) piece.length = part.length;
     piece.skipped = static_cast<std::int32_t>(part.inside >> part.bits);
   }

@@ -157,6 +157,13 @@ concept LightRun = requires(const R& run, const Lighting& lighting) {
 template <class W>
 concept OutlinedWalker = bool{W::kOutlined};
 
+/// Optional part of a walker: with_run(start, lighting, draw) calls `draw` with the run of the current row
+/// and returns its status. It is used instead of row() if the type of the run depends on the row.
+template <class W, class Lighting>
+concept ChoosesRuns = requires(const W walker, const RowStart& row, const Lighting& lighting) {
+  walker.with_run(row, lighting, [](auto&) { return Status::kOk; });
+};
+
 /// Optional part of a walker, for pictures in bands: skip_rows(rows) steps down `rows` rows at once,
 /// 0...2047. The result must be bit-identical to that of `rows` calls of next_row(). Other walkers are
 /// stepped.

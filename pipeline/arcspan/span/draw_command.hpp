@@ -6,9 +6,8 @@
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/depth.hpp>
-#include <arcspan/span/draw_pieces.hpp>
-#include <arcspan/span/draw_pixels.hpp>
 #include <arcspan/span/row_memory.hpp>
+#include <arcspan/span/run_drawer.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
@@ -39,32 +38,15 @@ template <class Command, class Walker, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_run(const Command& command, const Walker& walker,
                                                        Span& span, std::int32_t begin, const Target& target,
                                                        const RowMemory<Target>& memory) {
+  static_assert(RowWalker<Walker, typename Target::Lighting>);
   const RowStart start = row_start(command.left, command.right, span.x - begin, span.x);
-  typename Walker::Run run = walker.row(start);
-  if constexpr (BeginsWithLighting<typename Walker::Run, typename Target::Lighting>) {
-    run.begin(target.lighting);
-  }
-  if constexpr (LimitedRun<typename Walker::Run>) {
-    if (span.count > run.length()) span.count = run.length();
-  }
-  if constexpr (IndexedRows<Target> && !SegmentedRun<typename Walker::Run> &&
-                !PiecewiseRun<typename Walker::Run, typename Target::Lighting>) {
-    PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span),
-                             linear_at(command.depth, start)};
-    draw_pixels(place, span, run, target, command.depth.dx);
+  const RunDrawer<Command, Target> draw{command, start, span, target, memory};
+  if constexpr (ChoosesRuns<Walker, typename Target::Lighting>) {
+    return walker.with_run(start, target.lighting, draw);
   } else {
-    static_assert(RowWalker<Walker, typename Target::Lighting>);
-    PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span),
-                             linear_at(command.depth, start)};
-    if constexpr (SegmentedRun<typename Walker::Run>) {
-      draw_segments(place, span, run, target, command.depth.dx);
-    } else if constexpr (PiecewiseRun<typename Walker::Run, typename Target::Lighting>) {
-      draw_pieces(place, span, run, target, command.depth.dx);
-    } else {
-      draw_pixels(place, span, run, target, command.depth.dx);
-    }
+    typename Walker::Run run = walker.row(start);
+    return draw(run);
   }
-  return target.sink.close(span);
 }
 
 /// draw_run() in a function of its own, for runs that need many registers.

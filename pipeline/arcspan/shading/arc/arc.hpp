@@ -17,10 +17,10 @@ namespace arcspan {
 ///
 /// - Normals within 7.5 to 33 degrees, depending on the highlight (widest_patch()): a quadratic surface
 ///   through the arcs' ends and middles, which second differences step without a multiply (decision 5).
-/// - Wider: the recurrence of S0 eq. 14 down the edges (ArcScalar), and each row in pieces of at most 1.3
-///   times that angle (widest_piece()), which are parabolas through the arc's ends and middle (decision 23).
+/// - Wider: great circles down the edges (ArcEdge), and each row in pieces of at most 1.3 times that angle
+///   (widest_piece()), which are parabolas through the arc's ends and middle (decision 23).
 ///
-/// literature/recurrence_method.hpp has eq. 14 for every pixel.
+/// literature/recurrence_method.hpp has the recurrence of S0 eq. 14 for edges and pixels.
 template <class Illumination, WidestNormals kWidest>
 struct ArcUpTo {
   static constexpr std::size_t kScalars = Illumination::kScalars;

@@ -140,9 +140,11 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   const auto height = static_cast<std::uint32_t>(middle.y - top.y);
   frame.middle_fraction = Factor::from_raw(static_cast<std::int32_t>(
       (height * frame.long_edge.inverse.mantissa) >> (frame.long_edge.inverse.exponent - Factor::kFraction)));
-  const std::int64_t across = (std::int64_t{middle.x - top.x} << 28) - (scaled(long_walk.step, height) >> 4);
-  const std::int64_t width = (across < 0 ? -across : across) >> 16;
-  frame.width = width < 1 ? 1u : static_cast<std::uint32_t>(width);
+  // In 16ths of a pixel with 32 fraction bits; the product rounded down to whole pixels with 32.
+  const std::int64_t across =
+      (std::int64_t{middle.x - top.x} << 32) - (scaled(long_walk.step, height) & ~std::int64_t{15});
+  const auto width = static_cast<std::uint32_t>((across < 0 ? -across : across) >> 20);
+  frame.width = width < 1 ? 1u : width;
   frame.inverse_width = nonzero_reciprocal(frame.width);
 }
 

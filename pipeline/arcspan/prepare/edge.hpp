@@ -36,7 +36,11 @@ struct EdgeWalk {
     return biased < 4096u ? 0u : biased - 4096u;
   }
 
-  ARCSPAN_INLINE constexpr void advance() { x += step; }
+  ARCSPAN_INLINE constexpr void advance() {
+    std::int64_t per_row = step;
+    if constexpr (!kHasWideRegisters) hide_value(per_row);
+    x += per_row;
+  }
   /// Steps `rows` rows at once, 0...2^15 - 1; the result is that of `rows` calls of advance().
   constexpr void advance(std::int32_t rows) { x += scaled(step, static_cast<std::uint32_t>(rows)); }
 };

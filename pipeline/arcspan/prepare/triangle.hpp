@@ -105,12 +105,17 @@ constexpr void order_by_height(const Vertex*& upper, const Vertex*& lower) {
 template <class Method>
 [[nodiscard]] constexpr bool place_rows(const TriangleFrame<Method>& frame, const RowRange& rows,
                                         TriangleCommand<Method>& command) {
-  const auto clamped = [&rows](std::int32_t row) {
-    return row < rows.first ? rows.first : row > rows.end ? rows.end : row;
-  };
-  const std::int32_t first = clamped(first_row_at(frame.top->position.y));
-  const std::int32_t middle = clamped(first_row_at(frame.middle->position.y));
-  const std::int32_t end = clamped(first_row_at(frame.bottom->position.y));
+  std::int32_t first = first_row_at(frame.top->position.y);
+  std::int32_t middle = first_row_at(frame.middle->position.y);
+  std::int32_t end = first_row_at(frame.bottom->position.y);
+  if (first < rows.first || end > rows.end) [[unlikely]] {
+    const auto clamped = [&rows](std::int32_t row) {
+      return row < rows.first ? rows.first : row > rows.end ? rows.end : row;
+    };
+    first = clamped(first);
+    middle = clamped(middle);
+    end = clamped(end);
+  }
   command.first_row = static_cast<std::int16_t>(first);
   command.middle_row = static_cast<std::int16_t>(middle);
   command.end_row = static_cast<std::int16_t>(end);

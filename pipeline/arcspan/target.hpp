@@ -113,6 +113,13 @@ inline constexpr bool kHasManyRegisters = false;
 inline constexpr bool kHasManyRegisters = true;
 #endif
 
+/// True if loads and stores scale an index by the size of an element (not on RISC-V).
+#if defined(__riscv)
+inline constexpr bool kScalesIndices = false;
+#else
+inline constexpr bool kScalesIndices = true;
+#endif
+
 /// True if one instruction saturates to a range (Arm: USAT).
 #if defined(__ARM_FEATURE_SAT)
 inline constexpr bool kHasSaturate = true;

@@ -231,6 +231,9 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
                                                               Factor angle2);
 
  private:
+  template <class Lighting>
+  friend class OneHighlightRun;
+
   /// An entry of the ramp stands for 1/256 of one light's diffuse part.
   static constexpr int kRampBits = Lights == 1 ? 8 : Lights == 2 ? 9 : 10;
   [[nodiscard]] static constexpr Cosine highlight_scalar(const Scalars& scalars, std::size_t light) {
@@ -269,13 +272,17 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// (Phong). Phong's c is R·V = 2 (N·L)(N·V) - L·V, so that the result is (1 + L·V) / 2 - (N·L)(N·V).
   [[nodiscard]] constexpr std::int32_t highlight_distance(Cosine normal_light, Cosine other,
                                                           std::size_t light) const {
+    return highlight_distance_from(half_one_plus_light_eye_[light], normal_light, other);
+  }
+  [[nodiscard]] static constexpr std::int32_t highlight_distance_from(std::int32_t half_one_plus_light_eye,
+                                                                      Cosine normal_light, Cosine other) {
     if constexpr (Model == Highlight::kBlinn) {
       return (std::int32_t{1} << (Cosine::kFraction - 1)) - (other.raw() >> 1);
     } else {
       // Rounded to 15 bits; truncation would change a highlight of n = 64 by up to two 8-bit steps.
       const std::int32_t product =
           wrap_mul(round_shift(normal_light.raw(), 15), round_shift(other.raw(), 15));
-      return wrap_sub(half_one_plus_light_eye_[light], product);
+      return wrap_sub(half_one_plus_light_eye, product);
     }
   }
 

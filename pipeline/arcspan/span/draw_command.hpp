@@ -197,7 +197,16 @@ struct RowDrawer {
     const std::int32_t middle = command.middle_row + origin.y;
     std::int32_t half_end = middle < stop ? middle : stop;
     std::int32_t y = command.first_row + origin.y;
-    if (y < scissor.top) step_to_row<Target>(command, walker, y, scissor.top, half_end, stop);
+    if (y < scissor.top) {
+      // Copies, because compilers keep variables in memory whose addresses a call has.
+      Walker stepped = walker;
+      std::int32_t row = y;
+      std::int32_t row_end = half_end;
+      step_to_row<Target>(command, stepped, row, scissor.top, row_end, stop);
+      walker = stepped;
+      y = row;
+      half_end = row_end;
+    }
     for (RowMemory<Target> memory(target, y);; y = half_end, half_end = stop) {
       // Counts down, because few sinks need y and the counter then is its own test.
       for (std::int32_t left = half_end - y; left > 0;

@@ -139,12 +139,12 @@ struct AdaptivePaths : Arc<Illumination> {
     }
     if constexpr (Segments) {
       if (prepared.segment_bits != 0) {
-        return Base::walk(prepared, [&](auto walker) {
+        return Base::walk_path(prepared, [&](auto walker) {
           return draw(SegmentWalker<decltype(walker)>(walker, prepared.segment_bits));
         });
       }
     }
-    return Base::walk(prepared, draw);
+    return Base::walk_path(prepared, draw);
   }
 
  private:
@@ -215,7 +215,6 @@ struct AdaptivePaths : Arc<Illumination> {
   template <class Frame>
   [[nodiscard]] static constexpr bool prepare_highlight_patch(const Lighting& lighting, const Frame& frame,
                                                               std::size_t light, Prepared& prepared) {
-    const TriangleChords& chords = frame.chords;
     std::uint32_t lit = 0;
     if (light == Illumination::kLights || !Base::lit_throughout(lighting, frame, lit)) return false;
     prepared.highlight_weight = lighting.highlight_weight(light);
@@ -239,8 +238,7 @@ struct AdaptivePaths : Arc<Illumination> {
       };
       return distance(middle_of(light), middle_of(other));
     };
-    const EdgeSagittaFactors factors{sagitta_factor(chords.top_middle), sagitta_factor(chords.top_bottom),
-                                     sagitta_factor(chords.middle_bottom)};
+    const EdgeSagittaFactors factors = sagitta_factors_of(frame.chords);
     const std::int32_t top_middle = half_way(top, middle, factors.top_middle);
     const std::int32_t top_bottom = half_way(top, bottom, factors.top_bottom);
     const std::int32_t middle_bottom = half_way(middle, bottom, factors.middle_bottom);

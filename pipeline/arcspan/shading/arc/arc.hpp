@@ -4,10 +4,12 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/shading/arc/small_shading.hpp>
 #include <arcspan/shading/arc/wide_walker.hpp>
+#include <arcspan/shading/patch/one_highlight.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
+#include <type_traits>
 
 namespace arcspan {
 
@@ -31,10 +33,13 @@ struct ArcUpTo {
   enum class Path : std::uint8_t {
     kPatch,         ///< a patch of every scalar
     kDiffusePatch,  ///< a patch of N·L only; no highlight is within reach
+    kOneHighlight,  ///< a patch for OneHighlightRun; the highlight of one of several lights is within reach
     kWide,          ///< rows in pieces: normals too far apart for a patch, slivers, triangles larger than
                     ///< kLargestPatch
     kDiffuseWide,   ///< rows in pieces, N·L only
   };
+  /// Several grey lights.
+  static constexpr bool kHasOneHighlight = Illumination::kHasRamp && Illumination::kLights > 1;
   struct Prepared {
     union {
       WideOrVeryWide<kScalars, kWidest> wide;
@@ -42,6 +47,7 @@ struct ArcUpTo {
     };
     Path path;
     bool middle_left;
+    [[no_unique_address]] std::conditional_t<kHasOneHighlight, OneHighlight, NoOneHighlight> highlight;
   };
   using Small = SmallShading<Lighting>;
   static constexpr bool kNeedsFaceNormal = false;
@@ -68,24 +74,28 @@ struct ArcUpTo {
   /// method's `Vertex` as their shade.
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
-    prepare_path(lighting, frame, choose_path(lighting, frame, frame.chords.widest()), prepared);
+    const Path path = choose_path(lighting, frame, frame.chords.widest());
+    if constexpr (kHasOneHighlight) {
+      if (path == Path::kPatch &&
+          prepare_one_highlight(lighting, frame, prepared.patch, prepared.highlight)) {
+        prepared.middle_left = frame.middle_left;
+        prepared.path = Path::kOneHighlight;
+        return;
+      }
+    }
+    prepare_path(lighting, frame, path, prepared);
   }
 
   /// Calls `draw` with the walker of the command's path.
   template <class Draw>
-  [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    if (prepared.path == Path::kWide)
-      return draw(WideWalker<PatchRun<Lighting, kScalars>, kScalars, kWidest>(prepared.wide));
-    if constexpr (kHasDiffusePath) {
-      if constexpr (kHasDiffuseWide) {
-        if (prepared.path == Path::kDiffuseWide)
-          return draw(WideWalker<PatchRun<Lighting, 1>, kScalars, kWidest>(prepared.wide));
-      }
-      if (prepared.path == Path::kDiffusePatch) {
-        return draw(PatchWalker<PatchRun<Lighting, 1>, kScalars>(prepared.patch, prepared.middle_left));
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    if constexpr (kHasOneHighlight) {
+      if (prepared.path == Path::kOneHighlight) {
+        return draw(
+            OneHighlightWalker<Lighting, kScalars>(prepared.patch, prepared.middle_left, prepared.highlight));
       }
     }
-    return draw(PatchWalker<PatchRun<Lighting, kScalars>, kScalars>(prepared.patch, prepared.middle_left));
+    return walk_path(prepared, draw);
   }
 
   /// Prepares a small triangle (DrawsSmallTriangles).
@@ -128,9 +138,7 @@ struct ArcUpTo {
       prepare_wide(frame, count, widest_piece(lighting.widest_patch()), prepared.wide);
       return;
     }
-    const EdgeSagittaFactors sagitta_factors{sagitta_factor(chords.top_middle),
-                                             sagitta_factor(chords.top_bottom),
-                                             sagitta_factor(chords.middle_bottom)};
+    const EdgeSagittaFactors sagitta_factors = sagitta_factors_of(chords);
     if constexpr (kHasDiffusePath && Illumination::kLights > 1) {
       if (path == Path::kDiffusePatch) {
         std::uint32_t lit = 0;
@@ -145,6 +153,23 @@ struct ArcUpTo {
           {frame.top->shade.scalars[i], frame.middle->shade.scalars[i], frame.bottom->shade.scalars[i]},
           prepared.patch[i]);
     }
+  }
+
+  /// Calls `draw` with the walker of a path that prepare_path() has prepared.
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk_path(Prepared& prepared, Draw&& draw) {
+    if (prepared.path == Path::kWide)
+      return draw(WideWalker<PatchRun<Lighting, kScalars>, kScalars, kWidest>(prepared.wide));
+    if constexpr (kHasDiffusePath) {
+      if constexpr (kHasDiffuseWide) {
+        if (prepared.path == Path::kDiffuseWide)
+          return draw(WideWalker<PatchRun<Lighting, 1>, kScalars, kWidest>(prepared.wide));
+      }
+      if (prepared.path == Path::kDiffusePatch) {
+        return draw(PatchWalker<PatchRun<Lighting, 1>, kScalars>(prepared.patch, prepared.middle_left));
+      }
+    }
+    return draw(PatchWalker<PatchRun<Lighting, kScalars>, kScalars>(prepared.patch, prepared.middle_left));
   }
 
   /// Returns the diffuse_scalar() of the vertices of a TriangleFrame.

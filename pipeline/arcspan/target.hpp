@@ -90,6 +90,13 @@ inline constexpr bool kHasLongMultiply = false;
 inline constexpr bool kHasLongMultiply = true;
 #endif
 
+/// True if a 64-bit sum of 32-bit products is cheaper than two sums of 32 bits (Armv7-M: SMLAL).
+#if defined(__thumb2__) || (defined(__SIZEOF_POINTER__) && __SIZEOF_POINTER__ >= 8)
+inline constexpr bool kHasLongSums = true;
+#else
+inline constexpr bool kHasLongSums = false;
+#endif
+
 /// True if 64 bits fit one register. Where they need two, two 32-bit products are cheaper than one 64-bit
 /// product.
 #if defined(__SIZEOF_POINTER__) && __SIZEOF_POINTER__ >= 8
@@ -104,6 +111,13 @@ inline constexpr bool kHasWideRegisters = false;
 inline constexpr bool kHasManyRegisters = false;
 #else
 inline constexpr bool kHasManyRegisters = true;
+#endif
+
+/// True if loads and stores scale an index by the size of an element (not on RISC-V).
+#if defined(__riscv)
+inline constexpr bool kScalesIndices = false;
+#else
+inline constexpr bool kScalesIndices = true;
 #endif
 
 /// True if one instruction saturates to a range (Arm: USAT).

@@ -53,6 +53,8 @@ ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallPatch<Phong1, 1, 15>
 ARCSPAN_INSTANTIATE_SMALL(Phong1, Gray4, NoDepth, SmallPatch<Phong1, 2, 16>);
 ARCSPAN_INSTANTIATE_SMALL(Blinn4, Rgb888, DepthBuffer, SmallPatch<Blinn4, 8, 16>);
 ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallArc<Phong1, 1>);
+ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallArc<Phong1, 2>);
+ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallDark<Phong1>);
 ARCSPAN_INSTANTIATE_SMALL(Blinn4, Rgb565, DepthBuffer, SmallArc<Blinn4, 8>);
 ARCSPAN_INSTANTIATE_SMALL(AdaptiveIllumination<Phong1>, Rgb565, DepthBuffer,
                           SmallLinearLight<AdaptiveIllumination<Phong1>>);

@@ -191,26 +191,41 @@ class TriangleDrawer {
   ARCSPAN_INLINE void draw_side(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c,
                                 Facing facing) {
     if constexpr (kDrawsSmall) {
-      if (is_small(a.position, b.position, c.position) && draw_small_side(a, b, c)) return;
+      if (is_small(a.position, b.position, c.position) && draw_small_side(a, b, c, false)) return;
     }
     draw_large_side(t, a, b, c, facing);
   }
 
-  /// Draws one side of a small triangle. Returns false if the method cannot.
-  ARCSPAN_OUTLINE bool draw_small_side(const Raster& a, const Raster& b, const Raster& c) {
+  /// Draws one side of a small triangle, or of a medium one. Returns false if the method cannot.
+  ARCSPAN_OUTLINE bool draw_small_side(const Raster& a, const Raster& b, const Raster& c, bool is_medium) {
     const Target target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_};
-    const SmallResult result = draw_small_triangle<Method>(a, b, c, scissor_.viewport_rows(),
-                                                           scissor_.origin(), target, result_.status);
+    const SmallResult result =
+        draw_small_triangle<Method>(a, b, c, is_medium, columns_ == ScissorColumns::kCrossing,
+                                    scissor_.viewport_rows(), scissor_.origin(), target, result_.status);
     counted_ = counted_ || result == SmallResult::kDone;
     return result != SmallResult::kRefused;
+  }
+
+  /// Makes the command of a triangle that is not small, or draws it as a small one and returns false.
+  ARCSPAN_OUTLINE_IF_SMALL bool prepare_large(const Raster& a, const Raster& b, const Raster& c,
+                                              const Face& face, TriangleCommand<Method>& command) {
+    TriangleFrame<Method> frame;
+    place_vertices(a, b, c, frame);
+    if (Method::is_dark_or_arcs(stage_.lighting(), frame) &&
+        is_up_to_medium(a.position, b.position, c.position) && draw_small_side(a, b, c, true)) {
+      return false;
+    }
+    return prepare_frame<Depth::kTests>(stage_.lighting(), frame, face, scissor_.viewport_rows(), command);
   }
 
   ARCSPAN_OUTLINE void draw_large_side(const TriangleIndices& t, const Raster& a, const Raster& b,
                                        const Raster& c, Facing facing) {
     const Face face = shaded_face(t, facing);
     TriangleCommand<Method> command;
-    if (!prepare_inside<Method, Depth::kTests>(stage_.lighting(), a, b, c, face, scissor_.viewport_rows(),
-                                               command)) {
+    if constexpr (kDrawsSmall) {
+      if (!prepare_large(a, b, c, face, command)) return;
+    } else if (!prepare_inside<Method, Depth::kTests>(stage_.lighting(), a, b, c, face,
+                                                      scissor_.viewport_rows(), command)) {
       return;
     }
     const RasterOrigin& origin = scissor_.origin();

@@ -127,7 +127,8 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
                                               std::uint32_t& lit) const;
 
   /// colour() without a highlight, by the scalar of diffuse_scalar().
-  [[nodiscard]] constexpr PackedRgb diffuse_colour(Cosine normal_light) const requires kHasRamp {
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb diffuse_colour(
+      Cosine normal_light) const requires kHasRamp {
     constexpr std::int32_t kLast = (std::int32_t{1} << kRampBits) - 1;
     const std::int32_t entry = normal_light.raw() >> (Cosine::kFraction - kRampBits);
     const std::uint32_t index = Lights == 1 ? clamped_byte(entry)
@@ -158,6 +159,16 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   [[nodiscard]] constexpr bool may_shine(const Scalars& a, const Scalars& b, const Scalars& c,
                                          Cosine headroom) const {
     return nearest_highlight(a, b, c, headroom) < power_.half_reach();
+  }
+  /// False if no normal on the arc between two normals has a highlight; `a` and `b` are their scalars and
+  /// `angle2` the squared angle between them, 15 fraction bits. One light only.
+  [[nodiscard]] constexpr bool may_shine_between(const Scalars& a, const Scalars& b, Factor angle2) const
+      requires(Lights == 1) {
+    const auto rough = [this](const Scalars& at) {  // factors rounded down, which costs less than rounding
+      if constexpr (Model == Highlight::kBlinn) return highlight_distance(at[0], at[1], 0);
+      return wrap_sub(half_one_plus_light_eye_[0], wrap_mul(at[0].raw() >> 15, at[1].raw() >> 15));
+    };
+    return nearest_between(rough(a), rough(b), angle2) < power_.half_reach();
   }
   /// A lower bound of the half distance (PowerTable) of all normals of a triangle, arguments as for
   /// may_shine(). INT32_MAX if no light reaches it.
@@ -213,7 +224,16 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     return {deep_level(0, sums), deep_level(1, sums), deep_level(2, sums)};
   }
 
+ protected:
+  /// A lower bound of the half distance on the arc between two normals, from those at both; `angle2` as for
+  /// may_shine_between().
+  [[nodiscard]] static constexpr std::int32_t nearest_between(std::int32_t at_a, std::int32_t at_b,
+                                                              Factor angle2);
+
  private:
+  template <class Lighting>
+  friend class OneHighlightRun;
+
   /// An entry of the ramp stands for 1/256 of one light's diffuse part.
   static constexpr int kRampBits = Lights == 1 ? 8 : Lights == 2 ? 9 : 10;
   [[nodiscard]] static constexpr Cosine highlight_scalar(const Scalars& scalars, std::size_t light) {
@@ -252,13 +272,17 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// (Phong). Phong's c is R·V = 2 (N·L)(N·V) - L·V, so that the result is (1 + L·V) / 2 - (N·L)(N·V).
   [[nodiscard]] constexpr std::int32_t highlight_distance(Cosine normal_light, Cosine other,
                                                           std::size_t light) const {
+    return highlight_distance_from(half_one_plus_light_eye_[light], normal_light, other);
+  }
+  [[nodiscard]] static constexpr std::int32_t highlight_distance_from(std::int32_t half_one_plus_light_eye,
+                                                                      Cosine normal_light, Cosine other) {
     if constexpr (Model == Highlight::kBlinn) {
       return (std::int32_t{1} << (Cosine::kFraction - 1)) - (other.raw() >> 1);
     } else {
       // Rounded to 15 bits; truncation would change a highlight of n = 64 by up to two 8-bit steps.
       const std::int32_t product =
           wrap_mul(round_shift(normal_light.raw(), 15), round_shift(other.raw(), 15));
-      return wrap_sub(half_one_plus_light_eye_[light], product);
+      return wrap_sub(half_one_plus_light_eye, product);
     }
   }
 

@@ -11,8 +11,8 @@ namespace arcspan {
 
 /// A reciprocal 1/v = mantissa * 2^-exponent, mantissa in [2^15, 2^16].
 struct Reciprocal {
-  std::uint32_t mantissa = 0;
-  int exponent = 0;
+  std::uint32_t mantissa;
+  int exponent;  ///< 16...47
 };
 
 /// A reciprocal 1/v = mantissa * 2^-exponent, mantissa in [2^30, 2^31].

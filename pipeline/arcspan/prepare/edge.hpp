@@ -36,7 +36,11 @@ struct EdgeWalk {
     return biased < 4096u ? 0u : biased - 4096u;
   }
 
-  ARCSPAN_INLINE constexpr void advance() { x += step; }
+  ARCSPAN_INLINE constexpr void advance() {
+    std::int64_t per_row = step;
+    if constexpr (!kHasWideRegisters) hide_value(per_row);
+    x += per_row;
+  }
   /// Steps `rows` rows at once, 0...2^15 - 1; the result is that of `rows` calls of advance().
   constexpr void advance(std::int32_t rows) { x += scaled(step, static_cast<std::uint32_t>(rows)); }
 };
@@ -76,16 +80,13 @@ constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& 
 /// Sets `walk` to the edge at its first row; `bottom` is the lower end that `edge` was set up with.
 constexpr void make_edge_walk(const EdgeSetup& edge, const RasterPosition& bottom, EdgeWalk& walk) {
   const std::int32_t dx = bottom.x - edge.top->x;
-  const auto magnitude = static_cast<std::uint32_t>(dx < 0 ? -dx : dx);
-  const auto height = static_cast<std::uint32_t>(edge.dy);
-  const detail::Quotient quotient = kHasLongMultiply
-                                        ? detail::divide(magnitude, height)
-                                        : detail::divide_by_reciprocal(magnitude, height, edge.inverse);
-  const auto step = static_cast<std::int64_t>((std::uint64_t{quotient.upper} << 16) | quotient.lower);
-  walk.step = dx < 0 ? -step - !quotient.exact : step;
-  constexpr std::int64_t kBias = (std::int64_t{1} << 31) - (1 << 12);  // 1/2 - 2^-20
-  walk.x = static_cast<std::int64_t>(static_cast<std::uint64_t>(edge.top->x) << 28) +
-           (scaled(walk.step, static_cast<std::uint32_t>(edge.offset)) >> 4) + kBias;
+  walk.step = kHasLongMultiply ? detail::divide(dx, edge.dy)
+                               : detail::divide_by_reciprocal(dx, edge.dy, edge.inverse);
+  // 1/2 - 2^-20 in 16ths of a pixel, as all terms of the sum are.
+  constexpr std::int64_t kBias = (std::int64_t{1} << 35) - (std::int64_t{1} << 16);
+  walk.x = (scaled(walk.step, static_cast<std::uint32_t>(edge.offset)) + (std::int64_t{edge.top->x} << 32) +
+            kBias) >>
+           4;
 }
 
 }  // namespace arcspan

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/prepare/gradient.hpp>
 #include <arcspan/prepare/row_start.hpp>
 #include <arcspan/target.hpp>
 
@@ -37,14 +38,6 @@ struct BasicLinearPlane {
 using LinearPlane = BasicLinearPlane<Linear>;
 using FullLinearPlane = BasicLinearPlane<FullLinear>;
 
-/// Raw value of the largest gradient, 2^16 per pixel or row. A steeper one only occurs in triangles narrower
-/// than a pixel, whose spans have one pixel and do not step. For FullLinear it is 32 less, so that the
-/// gradient still fits after FineRgb has rounded it to a multiple of 32.
-template <class Value>
-inline constexpr std::int32_t kMaxGradient = static_cast<std::int32_t>((std::int64_t{1}
-                                                                        << (16 + Value::kFraction)) -
-                                                                       (Value::kFraction < 15 ? 0 : 32));
-
 /// The fraction bits that a factor may have so that its product with a difference of two values fits 32 bits.
 template <class Value>
 inline constexpr int kFractionBits = Value::kFraction < 15 ? 14 : 15;
@@ -53,29 +46,6 @@ inline constexpr int kFractionBits = Value::kFraction < 15 ? 14 : 15;
 /// 0...1; the magnitude of the raw value is at most 2^29.
 [[nodiscard]] constexpr Linear times_fraction(Linear value, std::uint32_t fraction) {
   return Linear::from_raw(scaled_down(value.raw(), fraction, 16));
-}
-
-/// Returns difference / distance, a gradient per pixel or row, saturated at +-kMaxGradient. `difference` is
-/// that of two 16-bit attributes, |difference| < 2^16; `inverse` is the reciprocal of the distance, which has
-/// `bits` fraction bits.
-template <class Value>
-[[nodiscard]] constexpr Value gradient(std::int32_t difference, const Reciprocal& inverse, int bits) {
-  // 1/distance = mantissa * 2^(bits - exponent); the product with a 15-bit mantissa fits 32 bits.
-  constexpr std::int32_t kMax = kMaxGradient<Value>;
-  const std::int32_t product = wrap_mul(difference, static_cast<std::int32_t>(inverse.mantissa >> 1));
-  const int shift = inverse.exponent - 1 - bits - Value::kFraction;
-  if (shift >= 31) return Value{};
-  if (shift >= 1) {
-    const std::int32_t slope = ((product >> (shift - 1)) + 1) >> 1;  // rounds without overflow
-    if (slope > kMax || slope < -kMax) [[unlikely]] {
-      return Value::from_raw(slope < 0 ? -kMax : kMax);
-    }
-    return Value::from_raw(slope);
-  }
-  const std::int32_t limit = shift < -28 ? 0 : kMax >> -shift;
-  if (product > limit) return Value::from_raw(kMax);
-  if (product < -limit) return Value::from_raw(-kMax);
-  return Value::from_raw(wrap_shl(product, -shift < 31 ? -shift : 0));
 }
 
 /// Returns difference * fraction in the format of `Value`; `fraction` is in 0...1.

@@ -15,124 +15,146 @@
 namespace arcspan {
 
 /// A triangle is small if its vertices are at most this many pixels apart, along x and along y.
-inline constexpr std::int32_t kSmallSize = 7;
+inline constexpr std::int32_t kSmallSize = 12;
+/// A triangle is medium if it is not small, its vertices are at most this many pixels apart, and its
+/// doubled_area() is below kMediumArea, so that edge functions inside fit 16 bits. Medium triangles are drawn
+/// as small ones if they are dark or consist of arcs.
+inline constexpr std::int32_t kMediumSize = 31;
+inline constexpr std::int32_t kMediumArea = std::int32_t{1} << 16;
 
-/// Returns true if the triangle is small.
-[[nodiscard]] constexpr bool is_small(const RasterPosition& a, const RasterPosition& b,
-                                      const RasterPosition& c) {
-  const auto apart = [](std::int32_t p, std::int32_t q) {
-    constexpr std::int32_t kMost = kSmallSize << Subpixel::kFraction;
-    return static_cast<std::uint32_t>(p - q + kMost) > 2 * static_cast<std::uint32_t>(kMost);
+namespace detail {
+
+/// Returns true if the vertices are at most `size` pixels apart, along x and along y.
+[[nodiscard]] constexpr bool are_within(std::int32_t size, const RasterPosition& a, const RasterPosition& b,
+                                        const RasterPosition& c) {
+  const std::int32_t most = size << Subpixel::kFraction;
+  const auto apart = [most](std::int32_t p, std::int32_t q) {
+    return static_cast<std::uint32_t>(p - q + most) > 2 * static_cast<std::uint32_t>(most);
   };
   if (apart(a.x, b.x) || apart(a.y, b.y)) return false;
   return !(apart(a.x, c.x) || apart(b.x, c.x) || apart(a.y, c.y) || apart(b.y, c.y));
 }
 
+}  // namespace detail
+
+/// Returns true if the triangle is small.
+[[nodiscard]] constexpr bool is_small(const RasterPosition& a, const RasterPosition& b,
+                                      const RasterPosition& c) {
+  return detail::are_within(kSmallSize, a, b, c);
+}
+/// Returns true if a triangle is small or medium.
+[[nodiscard]] constexpr bool is_up_to_medium(const RasterPosition& a, const RasterPosition& b,
+                                             const RasterPosition& c) {
+  const std::int32_t area = doubled_area(a, b, c);
+  return area > -kMediumArea && area < kMediumArea && detail::are_within(kMediumSize, a, b, c);
+}
+
 /// The edge function of an edge: twice the area of the triangle between the edge and a point, in 256ths of a
-/// square pixel, positive inside. All values are exact, and below 2^16 in magnitude within the box of a small
-/// triangle.
+/// square pixel, of the sign of doubled_area() inside. All values are exact, and those inside of the triangle
+/// below 2^16 in magnitude.
 struct EdgeFunction {
-  std::int32_t at;  ///< at the centre of the box's first pixel
+  std::int32_t at;  ///< at the centre of column 0 in the first row
   std::int32_t dx;  ///< change per pixel
   std::int32_t dy;  ///< change per row
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t operator()(std::int32_t column,
+                                                                 std::int32_t row) const {
+    return at + column * dx + row * dy;
+  }
 };
 
-/// The pixels of a small triangle in a row: columns first ... first + count - 1 of the box.
+/// The pixels of a small triangle in a row: columns first ... first + count - 1, relative to the raster
+/// origin.
 struct SmallSpan {
-  std::uint8_t first;
-  std::uint8_t count;
+  std::int16_t first;
+  std::int16_t count;
 };
 
 /// The command of a small triangle for the span stage, without its shading. It consists of integers, like a
-/// TriangleCommand; docs/triangle-command.md describes both.
+/// TriangleCommand; docs/triangle-command.md describes both. Its vertices are sorted by height.
 struct SmallTriangle {
-  /// Pixels: the box's first column and row, relative to the raster origin, and its size.
-  std::int32_t column;
-  std::int32_t row;
-  std::int32_t columns;
+  std::int32_t row;  ///< the first row to be drawn, relative to the raster origin
   std::int32_t rows;
   /// The rows of the triangle, end_row excluded, beyond the limits too.
   std::int32_t first_row;
   std::int32_t end_row;
-  EdgeFunction ab;
-  EdgeFunction ca;
-  /// 2^16 / (twice the area in 256ths of a square pixel) = inverse * 2^-shift, rounded down.
-  std::uint32_t inverse;
+  EdgeFunction of_middle;  ///< of the edge opposite to the middle vertex
+  EdgeFunction of_bottom;
+  /// 2^16 / (twice the area in 256ths of a square pixel) = inverse * 2^-shift, rounded down; negative like
+  /// the edge functions where the middle vertex is on the left.
+  std::int32_t inverse;
   int shift;
-  std::int32_t db;  ///< change of the barycentric coordinate of vertex b per pixel, 16 fraction bits
-  std::int32_t dc;
-  std::int32_t z;   ///< depth of vertex a
-  std::int32_t zb;  ///< what vertex b is deeper
-  std::int32_t zc;
+  std::int32_t d_middle;  ///< change of the middle vertex's coordinate per pixel, 16 fraction bits
+  std::int32_t d_bottom;
+  std::int32_t z;         ///< depth of the top vertex
+  std::int32_t z_middle;  ///< what the middle vertex is deeper
+  std::int32_t z_bottom;
   Linear dz;  ///< change of the depth per pixel
-  SmallSpan spans[kSmallSize];
+  SmallSpan spans[kMediumSize];
 
   /// Returns a barycentric coordinate from its edge function at a point inside: 16 fraction bits, rounded
   /// down, so that the sum of all three is at most 1.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t coordinate(std::int32_t value) const {
-    return static_cast<std::int32_t>((static_cast<std::uint32_t>(value) * inverse) >> shift);
+    return static_cast<std::int32_t>(
+        (static_cast<std::uint32_t>(value) * static_cast<std::uint32_t>(inverse)) >> shift);
   }
-  /// Returns the depth at the barycentric coordinates b and c. It is within 7 of the plane through the
-  /// vertices and never outside of their depths.
-  [[nodiscard]] ARCSPAN_INLINE constexpr Linear depth(std::int32_t b, std::int32_t c) const {
-    const std::int32_t part = wrap_add(wrap_mul(zb, b >> 1), wrap_mul(zc, c >> 1));  // 15 fraction bits
+  /// Returns the depth at the coordinates of the middle and of the bottom vertex. It is within 7 of the plane
+  /// through the vertices and never outside of their depths.
+  [[nodiscard]] ARCSPAN_INLINE constexpr Linear depth(std::int32_t middle, std::int32_t bottom) const {
+    const std::int32_t part =
+        wrap_add(wrap_mul(z_middle, middle >> 1), wrap_mul(z_bottom, bottom >> 1));  // 15 fraction bits
     return Linear::from_raw((z << Linear::kFraction) + (part >> (15 - Linear::kFraction)));
   }
 };
 
 namespace detail {
 
-/// Makes the edge function of the edge from p to q, inside being on the left as seen on the screen (y down).
-/// Returns 0 if a point on the edge is inside, as it is on a left edge or on a top edge, otherwise -1.
-[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t make_edge_function(const RasterPosition& p,
-                                                                       const RasterPosition& q,
-                                                                       const SmallTriangle& triangle,
-                                                                       EdgeFunction& edge) {
-  const std::int32_t dx = q.x - p.x;
-  const std::int32_t dy = q.y - p.y;
-  edge.at = dy * (triangle.column * 16 + 8 - p.x) - dx * (triangle.row * 16 + 8 - p.y);
-  edge.dx = dy * 16;
-  edge.dy = dx * -16;
-  return dy > 0 || (dy == 0 && dx < 0) ? 0 : -1;
-}
-
-/// The three edge functions at a pixel, less 1 where a point on the edge is outside.
-struct EdgeValues {
-  std::int32_t ab;
-  std::int32_t bc;
-  std::int32_t ca;
-
-  [[nodiscard]] ARCSPAN_INLINE constexpr bool inside() const { return (ab | bc | ca) >= 0; }
-  ARCSPAN_INLINE constexpr void add(const EdgeValues& step) {
-    ab += step.ab;
-    bc += step.bc;
-    ca += step.ca;
+/// The first column right of an edge, or with its centre on it, from row to row: the first pixel of a row if
+/// the edge is on the left, and the one behind the last if it is on the right (top-left rule). It is exact.
+class EdgeColumn {
+ public:
+  /// The edge from p down to q, at the row whose centre line is at `y` (28.4).
+  ARCSPAN_INLINE constexpr EdgeColumn(const RasterPosition& p, const RasterPosition& q, std::int32_t y)
+      : column_((p.x + 7) >> Subpixel::kFraction) {
+    const std::int32_t dx = q.x - p.x;
+    const std::int32_t dy = q.y - p.y;
+    value_ = (column_ * 16 + 8 - p.x) * dy - (y - p.y) * dx;
+    per_column_ = dy * 16;
+    per_row_ = dx * 16;
+    settle();
   }
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t column() const { return column_; }
+  ARCSPAN_INLINE constexpr void advance() {
+    value_ -= per_row_;
+    settle();
+  }
+
+ private:
+  ARCSPAN_INLINE constexpr void settle() {
+    for (; value_ < 0; value_ += per_column_) ++column_;
+    for (; value_ >= per_column_; value_ -= per_column_) --column_;
+  }
+
+  std::int32_t column_;
+  std::int32_t value_;  ///< edge function at the column's centre, at least 0, less than per_column_
+  std::int32_t per_column_;
+  std::int32_t per_row_;
 };
 
-/// Finds the pixels of every row. Returns false if there are none.
-[[nodiscard]] ARCSPAN_INLINE constexpr bool find_spans(SmallTriangle& triangle, EdgeValues first,
-                                                       const EdgeValues& per_pixel,
-                                                       const EdgeValues& per_row) {
-  const std::int32_t columns = triangle.columns;
-  SmallSpan* span = triangle.spans;
-  SmallSpan* const end = span + triangle.rows;
+/// Finds the pixels of the rows from `span` to `end`, at least one, between two edges. Leaves the edges at
+/// the last row. Returns 0 if there are none.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t find_spans(EdgeColumn& left, EdgeColumn& right,
+                                                               SmallSpan* span, const SmallSpan* end) {
   std::int32_t found = 0;
-  for (; span != end; ++span, first.add(per_row)) {
-    EdgeValues at = first;
-    std::int32_t column = 0;
-    while (!at.inside() && ++column != columns) at.add(per_pixel);
-    span->first = static_cast<std::uint8_t>(column);
-    const std::int32_t begin = column;
-    if (column != columns) {
-      do {
-        at.add(per_pixel);
-      } while (++column != columns && at.inside());
-    }
-    span->count = static_cast<std::uint8_t>(column - begin);
-    found |= column - begin;
+  while (true) {
+    const std::int32_t count = right.column() - left.column();
+    span->first = static_cast<std::int16_t>(left.column());
+    span->count = static_cast<std::int16_t>(count);
+    found |= count;
+    if (++span == end) return found;
+    left.advance();
+    right.advance();
   }
-  return found != 0;
 }
 
 }  // namespace detail
@@ -145,61 +167,92 @@ struct SmallLimits {
   std::int32_t bottom;
 };
 
-/// Finds the pixels of a small triangle within `limits`. `a`, `b`, `c` must be a small triangle with
-/// doubled_area() < 0. Returns false, with `triangle` partly set, if there are none. The same pixels are
-/// found as by TriangleCommand, whatever the limits are.
-[[nodiscard]] ARCSPAN_OUTLINE constexpr bool cover_small_triangle(const RasterPosition& a,
-                                                                  const RasterPosition& b,
-                                                                  const RasterPosition& c,
-                                                                  const SmallLimits& limits,
+/// Finds the pixels of a small triangle in the rows of `limits`. The vertices are sorted by height, and the
+/// middle one is on the left of the long edge where `middle_left` is true. Returns false, with `triangle`
+/// partly set, if there are none. The same pixels are found as by TriangleCommand.
+[[nodiscard]] ARCSPAN_INLINE constexpr bool cover_small_triangle(const RasterPosition& top,
+                                                                  const RasterPosition& middle,
+                                                                  const RasterPosition& bottom,
+                                                                  bool middle_left, const SmallLimits& limits,
                                                                   SmallTriangle& triangle) {
-  const auto least = [](std::int32_t p, std::int32_t q, std::int32_t r) {
-    const std::int32_t less = p < q ? p : q;
-    return less < r ? less : r;
-  };
-  const auto most = [](std::int32_t p, std::int32_t q, std::int32_t r) {
-    const std::int32_t more = p > q ? p : q;
-    return more > r ? more : r;
-  };
-  const std::int32_t left = first_row_at(least(a.x, b.x, c.x));
-  const std::int32_t right = first_row_at(most(a.x, b.x, c.x));
-  const std::int32_t top = first_row_at(least(a.y, b.y, c.y));
-  const std::int32_t bottom = first_row_at(most(a.y, b.y, c.y));
-  triangle.first_row = top;
-  triangle.end_row = bottom;
-  triangle.column = left > limits.left ? left : limits.left;
-  triangle.row = top > limits.top ? top : limits.top;
-  triangle.columns = (right < limits.right ? right : limits.right) - triangle.column;
-  triangle.rows = (bottom < limits.bottom ? bottom : limits.bottom) - triangle.row;
-  if (triangle.columns <= 0 || triangle.rows <= 0) return false;
-  EdgeFunction bc;
-  const std::int32_t ab_tie = detail::make_edge_function(a, b, triangle, triangle.ab);
-  const std::int32_t bc_tie = detail::make_edge_function(b, c, triangle, bc);
-  const std::int32_t ca_tie = detail::make_edge_function(c, a, triangle, triangle.ca);
-  return detail::find_spans(triangle, {triangle.ab.at + ab_tie, bc.at + bc_tie, triangle.ca.at + ca_tie},
-                            {triangle.ab.dx, bc.dx, triangle.ca.dx}, {triangle.ab.dy, bc.dy, triangle.ca.dy});
+  triangle.first_row = first_row_at(top.y);
+  triangle.end_row = first_row_at(bottom.y);
+  const std::int32_t first = triangle.first_row > limits.top ? triangle.first_row : limits.top;
+  const std::int32_t end = triangle.end_row < limits.bottom ? triangle.end_row : limits.bottom;
+  triangle.row = first;
+  triangle.rows = end - first;
+  if (first >= end) return false;
+  const std::int32_t half = first_row_at(middle.y);
+  const bool has_upper = first < half;
+  const std::int32_t y = first * 16 + 8;
+  const RasterPosition& short_top = has_upper ? top : middle;
+  const RasterPosition& short_bottom = has_upper ? middle : bottom;
+  detail::EdgeColumn left(middle_left ? short_top : top, middle_left ? short_bottom : bottom, y);
+  detail::EdgeColumn right(middle_left ? top : short_top, middle_left ? bottom : short_bottom, y);
+  SmallSpan* span = triangle.spans;
+  const SmallSpan* const last = span + triangle.rows;
+  std::int32_t found = 0;
+  if (has_upper && half < end) {
+    found = detail::find_spans(left, right, span, span + (half - first));
+    span += half - first;
+    const detail::EdgeColumn lower(middle, bottom, half * 16 + 8);
+    if (middle_left) {
+      left = lower;
+      right.advance();
+    } else {
+      left.advance();
+      right = lower;
+    }
+  }
+  return (found | detail::find_spans(left, right, span, last)) != 0;
 }
 
-/// Prepares the barycentric coordinates and the depth of a small triangle with pixels.
-constexpr void prepare_small_triangle(const RasterPosition& a, const RasterPosition& b,
-                                      const RasterPosition& c, SmallTriangle& triangle) {
-  const auto area = static_cast<std::uint32_t>(-doubled_area(a, b, c));  // below 2^15
-  const int zeros = std::countl_zero(area | 1u);
-  const std::uint32_t inverse = detail::wide_reciprocal_mantissa(area << zeros);
+/// Cuts the spans of a triangle at the left and right limit. Returns false if no pixel is left.
+[[nodiscard]] constexpr bool cut_columns(const SmallLimits& limits, SmallTriangle& triangle) {
+  std::int32_t found = 0;
+  for (SmallSpan* span = triangle.spans; span != triangle.spans + triangle.rows; ++span) {
+    const std::int32_t end = span->first + span->count;
+    const std::int32_t first = span->first > limits.left ? span->first : limits.left;
+    const std::int32_t count = (end < limits.right ? end : limits.right) - first;
+    span->first = static_cast<std::int16_t>(first);
+    span->count = static_cast<std::int16_t>(count > 0 ? count : 0);
+    found |= span->count;
+  }
+  return found != 0;
+}
+
+/// Prepares the barycentric coordinates and the depth of a small triangle with pixels. `area` is the
+/// doubled_area() of the vertices, which are sorted by height.
+constexpr void prepare_small_triangle(const RasterPosition& top, const RasterPosition& middle,
+                                      const RasterPosition& bottom, std::int32_t area,
+                                      SmallTriangle& triangle) {
+  const std::int32_t left = 8 - top.x;
+  const std::int32_t above = triangle.row * 16 + 8 - top.y;
+  const auto edge_function = [&](std::int32_t dx, std::int32_t dy) {
+    return EdgeFunction{dy * left - dx * above, dy * 16, dx * -16};
+  };
+  triangle.of_middle = edge_function(bottom.x - top.x, bottom.y - top.y);
+  triangle.of_bottom = edge_function(top.x - middle.x, top.y - middle.y);
+  const auto size = static_cast<std::uint32_t>(area < 0 ? -area : area);  // below 2^16
+  const int zeros = std::countl_zero(size | 1u);
+  const std::uint32_t wide = detail::wide_reciprocal_mantissa(size << zeros);
   // Reduced by more than its error, so that no product with an edge function exceeds 1.
-  triangle.inverse = (inverse - 16u) >> 15;
+  const auto narrow = static_cast<std::int32_t>((wide - 16u) >> 15);
+  const auto inverse = static_cast<std::int32_t>(wide - (wide >> 31));
+  triangle.inverse = area < 0 ? -narrow : narrow;
   triangle.shift = 31 - zeros;
-  triangle.z = a.z;
-  triangle.zb = std::int32_t{b.z} - a.z;
-  triangle.zc = std::int32_t{c.z} - a.z;
+  triangle.z = top.z;
+  triangle.z_middle = std::int32_t{middle.z} - top.z;
+  triangle.z_bottom = std::int32_t{bottom.z} - top.z;
   // Steps are only used where two pixels of a row are inside. There no coordinate changes by more than 1 and
   // the depth by no more than 2^16 per pixel; elsewhere they may wrap.
-  const auto step = static_cast<std::int32_t>(triangle.inverse);
-  triangle.db = wrap_mul(triangle.ca.dx, step) >> triangle.shift;
-  triangle.dc = wrap_mul(triangle.ab.dx, step) >> triangle.shift;
-  const std::int32_t across = triangle.zb * triangle.ca.dx + triangle.zc * triangle.ab.dx;
-  triangle.dz = Linear::from_raw(multiply_high(wrap_shl(across >> 1, Linear::kFraction + 2 - triangle.shift),
-                                               static_cast<std::int32_t>(inverse - (inverse >> 31))));
+  const std::int32_t half = (std::int32_t{1} << triangle.shift) >> 1;
+  triangle.d_middle = wrap_add(wrap_mul(triangle.of_middle.dx, triangle.inverse), half) >> triangle.shift;
+  triangle.d_bottom = wrap_add(wrap_mul(triangle.of_bottom.dx, triangle.inverse), half) >> triangle.shift;
+  const std::int32_t across =
+      triangle.z_middle * triangle.of_middle.dx + triangle.z_bottom * triangle.of_bottom.dx;  // 16 times
+  triangle.dz = Linear::from_raw(multiply_high(wrap_shl(across >> 2, Linear::kFraction + 3 - triangle.shift),
+                                               area < 0 ? -inverse : inverse));
 }
 
 }  // namespace arcspan

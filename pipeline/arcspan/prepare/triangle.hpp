@@ -105,12 +105,17 @@ constexpr void order_by_height(const Vertex*& upper, const Vertex*& lower) {
 template <class Method>
 [[nodiscard]] constexpr bool place_rows(const TriangleFrame<Method>& frame, const RowRange& rows,
                                         TriangleCommand<Method>& command) {
-  const auto clamped = [&rows](std::int32_t row) {
-    return row < rows.first ? rows.first : row > rows.end ? rows.end : row;
-  };
-  const std::int32_t first = clamped(first_row_at(frame.top->position.y));
-  const std::int32_t middle = clamped(first_row_at(frame.middle->position.y));
-  const std::int32_t end = clamped(first_row_at(frame.bottom->position.y));
+  std::int32_t first = first_row_at(frame.top->position.y);
+  std::int32_t middle = first_row_at(frame.middle->position.y);
+  std::int32_t end = first_row_at(frame.bottom->position.y);
+  if (first < rows.first || end > rows.end) [[unlikely]] {
+    const auto clamped = [&rows](std::int32_t row) {
+      return row < rows.first ? rows.first : row > rows.end ? rows.end : row;
+    };
+    first = clamped(first);
+    middle = clamped(middle);
+    end = clamped(end);
+  }
   command.first_row = static_cast<std::int16_t>(first);
   command.middle_row = static_cast<std::int16_t>(middle);
   command.end_row = static_cast<std::int16_t>(end);
@@ -140,9 +145,11 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   const auto height = static_cast<std::uint32_t>(middle.y - top.y);
   frame.middle_fraction = Factor::from_raw(static_cast<std::int32_t>(
       (height * frame.long_edge.inverse.mantissa) >> (frame.long_edge.inverse.exponent - Factor::kFraction)));
-  const std::int64_t across = (std::int64_t{middle.x - top.x} << 28) - (scaled(long_walk.step, height) >> 4);
-  const std::int64_t width = (across < 0 ? -across : across) >> 16;
-  frame.width = width < 1 ? 1u : static_cast<std::uint32_t>(width);
+  // In 16ths of a pixel with 32 fraction bits; the product rounded down to whole pixels with 32.
+  const std::int64_t across =
+      (std::int64_t{middle.x - top.x} << 32) - (scaled(long_walk.step, height) & ~std::int64_t{15});
+  const auto width = static_cast<std::uint32_t>((across < 0 ? -across : across) >> 20);
+  frame.width = width < 1 ? 1u : width;
   frame.inverse_width = nonzero_reciprocal(frame.width);
 }
 

@@ -123,11 +123,13 @@ concept TakesVertexData = requires(const MeshView& mesh, std::size_t i, typename
 /// coordinates. A method declares that by `using DrawsSmallTrianglesAs =` its own name; methods derived from
 /// it do not draw them, unless they declare it as well.
 ///
-/// `Small` is the method's part of a small triangle. prepare_small(lighting, a, b, c, triangle, small) makes
-/// it from three RasterVertex and the SmallTriangle; it returns false if the triangle has to be drawn by a
-/// TriangleCommand. walk_small(small, draw) calls `draw` with a surface and returns its status. The surface's
-/// row(y, b, c) returns the run (PixelRun) of a row: `y` is the row's centre line (28.4), b and c are the
-/// barycentric coordinates of its first pixel, 16 fraction bits.
+/// `Small` is the method's part of a small triangle. prepare_small(lighting, top, middle, bottom, is_medium,
+/// triangle, small) makes it from three RasterVertex, sorted by height, and the SmallTriangle; it returns
+/// false if the triangle has to be drawn by a TriangleCommand. is_dark_or_arcs(lighting, frame) tells of a
+/// TriangleFrame whether prepare_small() may take it as a medium triangle. walk_small(small, draw) calls
+/// `draw` with a surface and returns its status. The surface's row(y, middle, bottom) returns the run
+/// (PixelRun) of a row: `y` is the row's centre line (28.4), `middle` and `bottom` are the barycentric
+/// coordinates of its first pixel, 16 fraction bits.
 template <class M>
 concept DrawsSmallTriangles = std::same_as<typename M::DrawsSmallTrianglesAs, M>;
 
@@ -154,6 +156,13 @@ concept LightRun = requires(const R& run, const Lighting& lighting) {
 /// rows and its runs become functions of their own.
 template <class W>
 concept OutlinedWalker = bool{W::kOutlined};
+
+/// Optional part of a walker: with_run(start, lighting, draw) calls `draw` with the run of the current row
+/// and returns its status. It is used instead of row() if the type of the run depends on the row.
+template <class W, class Lighting>
+concept ChoosesRuns = requires(const W walker, const RowStart& row, const Lighting& lighting) {
+  walker.with_run(row, lighting, [](auto&) { return Status::kOk; });
+};
 
 /// Optional part of a walker, for pictures in bands: skip_rows(rows) steps down `rows` rows at once,
 /// 0...2047. The result must be bit-identical to that of `rows` calls of next_row(). Other walkers are

@@ -6,9 +6,8 @@
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/depth.hpp>
-#include <arcspan/span/draw_pieces.hpp>
-#include <arcspan/span/draw_pixels.hpp>
 #include <arcspan/span/row_memory.hpp>
+#include <arcspan/span/run_drawer.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
@@ -39,32 +38,15 @@ template <class Command, class Walker, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_run(const Command& command, const Walker& walker,
                                                        Span& span, std::int32_t begin, const Target& target,
                                                        const RowMemory<Target>& memory) {
+  static_assert(RowWalker<Walker, typename Target::Lighting>);
   const RowStart start = row_start(command.left, command.right, span.x - begin, span.x);
-  typename Walker::Run run = walker.row(start);
-  if constexpr (BeginsWithLighting<typename Walker::Run, typename Target::Lighting>) {
-    run.begin(target.lighting);
-  }
-  if constexpr (LimitedRun<typename Walker::Run>) {
-    if (span.count > run.length()) span.count = run.length();
-  }
-  if constexpr (IndexedRows<Target> && !SegmentedRun<typename Walker::Run> &&
-                !PiecewiseRun<typename Walker::Run, typename Target::Lighting>) {
-    PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span),
-                             linear_at(command.depth, start)};
-    draw_pixels(place, span, run, target, command.depth.dx);
+  const RunDrawer<Command, Target> draw{command, start, span, target, memory};
+  if constexpr (ChoosesRuns<Walker, typename Target::Lighting>) {
+    return walker.with_run(start, target.lighting, draw);
   } else {
-    static_assert(RowWalker<Walker, typename Target::Lighting>);
-    PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span),
-                             linear_at(command.depth, start)};
-    if constexpr (SegmentedRun<typename Walker::Run>) {
-      draw_segments(place, span, run, target, command.depth.dx);
-    } else if constexpr (PiecewiseRun<typename Walker::Run, typename Target::Lighting>) {
-      draw_pieces(place, span, run, target, command.depth.dx);
-    } else {
-      draw_pixels(place, span, run, target, command.depth.dx);
-    }
+    typename Walker::Run run = walker.row(start);
+    return draw(run);
   }
-  return target.sink.close(span);
 }
 
 /// draw_run() in a function of its own, for runs that need many registers.
@@ -215,7 +197,16 @@ struct RowDrawer {
     const std::int32_t middle = command.middle_row + origin.y;
     std::int32_t half_end = middle < stop ? middle : stop;
     std::int32_t y = command.first_row + origin.y;
-    if (y < scissor.top) step_to_row<Target>(command, walker, y, scissor.top, half_end, stop);
+    if (y < scissor.top) {
+      // Copies, because compilers keep variables in memory whose addresses a call has.
+      Walker stepped = walker;
+      std::int32_t row = y;
+      std::int32_t row_end = half_end;
+      step_to_row<Target>(command, stepped, row, scissor.top, row_end, stop);
+      walker = stepped;
+      y = row;
+      half_end = row_end;
+    }
     for (RowMemory<Target> memory(target, y);; y = half_end, half_end = stop) {
       // Counts down, because few sinks need y and the counter then is its own test.
       for (std::int32_t left = half_end - y; left > 0;

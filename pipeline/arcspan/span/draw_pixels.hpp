@@ -8,6 +8,7 @@
 #include <arcspan/span/depth.hpp>
 #include <arcspan/span/draw_operated.hpp>
 #include <arcspan/span/encoded_colours.hpp>
+#include <arcspan/span/indexed_rows.hpp>
 #include <arcspan/target.hpp>
 
 #include <concepts>
@@ -40,13 +41,6 @@ struct PixelPlace {
   Linear z;
 };
 
-/// True if the pixels and the depths of a row are arrays that one index can serve.
-template <class Target>
-concept IndexedRows = kHasManyRegisters && bool{Target::Depth::kTests} &&
-                      requires(typename Target::Format::Cursor cursor) {
-  cursor.pixels();
-};
-
 /// True if the pixels of `Run` are looked up in a table of encoded colours. Segments have no N·L to look up.
 template <class Target, class Run>
 inline constexpr bool kLooksUpColours =
@@ -72,19 +66,21 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
     hide_value(depths);
   }
   const auto count = static_cast<std::ptrdiff_t>(span.count);
+  constexpr int kShift = kIndexed ? kIndexShift<Format, Run> : 0;
   const std::ptrdiff_t last = kIndexed ? 0 : count;
   // A test at the end, which -Os would not move there.
-  std::ptrdiff_t i = kIndexed ? -count : 0;
+  std::ptrdiff_t i = kIndexed ? -count * (1 << kShift) : 0;
   do {
     if constexpr (kIndexed && !kHasWideRegisters) hide_value(i);
     const std::uint16_t depth = depth_of(place.z);
-    std::uint16_t* const stored = kIndexed ? depths + i : place.depths;
+    std::uint16_t* const stored = kIndexed ? at_index<kShift>(depths, i) : place.depths;
     if (!kTests || Target::Depth::passes(depth, *stored)) [[likely]] {
       if constexpr (kHasOperation<Target, Run>) {
-        const std::int32_t x = origin + static_cast<std::int32_t>(i);
+        const std::int32_t x = origin + static_cast<std::int32_t>(i >> kShift);
         const auto colour = run.colour(target.lighting);
         if constexpr (kIndexed) {
-          draw_operated<Target>(colour, typename Format::Cursor(pixels + i, 0), stored, depth, x, span.y);
+          draw_operated<Target>(colour, typename Format::Cursor(at_index<kShift>(pixels, i), 0), stored,
+                                depth, x, span.y);
         } else {
           draw_operated<Target>(colour, place.cursor, stored, depth, x, span.y);
         }
@@ -94,11 +90,11 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
         if constexpr (kLooksUpColours<Target, Run>) {
           encoded = run.template encoded<Format>(target.lighting, target.encoded);
         } else {
-          encoded =
-              encode_at<Format>(run.colour(target.lighting), origin + static_cast<std::int32_t>(i), span.y);
+          encoded = encode_at<Format>(run.colour(target.lighting),
+                                      origin + static_cast<std::int32_t>(i >> kShift), span.y);
         }
         if constexpr (kIndexed) {
-          pixels[i] = encoded;
+          *at_index<kShift>(pixels, i) = encoded;
         } else {
           place.cursor.write(encoded);
         }
@@ -108,7 +104,7 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
     if constexpr (kTests) place.z += dz;
     if constexpr (!kIndexed) place.cursor.next();
     run.next();
-  } while (++i != last);
+  } while ((i += 1 << kShift) != last);
 }
 
 }  // namespace arcspan::detail

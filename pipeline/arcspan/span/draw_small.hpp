@@ -20,16 +20,13 @@ template <class Surface, class Target>
                                                                  const RasterOrigin& origin,
                                                                  const Target& all) {
   const Target target = all;  // a copy, because the members of a reference would be loaded for every pixel
-  std::int32_t at_b = triangle.ca.at;
-  std::int32_t at_c = triangle.ab.at;
   RowMemory<Target> memory(target, triangle.row + origin.y);
-  for (std::int32_t row = 0; row < triangle.rows;
-       ++row, at_b += triangle.ca.dy, at_c += triangle.ab.dy, memory.next()) {
+  for (std::int32_t row = 0; row < triangle.rows; ++row, memory.next()) {
     const SmallSpan found = triangle.spans[row];
     if (found.count == 0) continue;
-    const Span span{triangle.row + row + origin.y, triangle.column + found.first + origin.x, found.count};
-    const std::int32_t b = triangle.coordinate(at_b + found.first * triangle.ca.dx);
-    const std::int32_t c = triangle.coordinate(at_c + found.first * triangle.ab.dx);
+    const Span span{triangle.row + row + origin.y, found.first + origin.x, found.count};
+    const std::int32_t b = triangle.coordinate(triangle.of_middle(found.first, row));
+    const std::int32_t c = triangle.coordinate(triangle.of_bottom(found.first, row));
     auto run = surface.row((triangle.row + row) * 16 + 8, b, c);
     if constexpr (IndexedRows<Target>) {
       PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span), triangle.depth(b, c)};
@@ -51,30 +48,41 @@ enum class SmallResult : std::uint8_t {
   kRefused     ///< nothing is drawn, because the method needs a TriangleCommand for its normals
 };
 
-/// Draws a small triangle (is_small()) whose doubled_area() is not 0, of either winding. `rows` are those of
-/// the viewport. Sets `status` if the result is kDone.
+/// Draws a small triangle (is_small()), or a medium one if `is_medium` is true, whose doubled_area() is not
+/// 0, of either winding. A medium one is refused if it is a patch. `rows` are those of the viewport;
+/// `crosses` is false if the triangle is known to lie between the left and the right side of the scissor.
+/// Sets `status` if the result is kDone.
 template <class Method, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(
-    const RasterVertex<Method>& a, const RasterVertex<Method>& second, const RasterVertex<Method>& third,
-    const RowRange& rows, const RasterOrigin& origin, const Target& target, Status& status) {
-  const bool clockwise = doubled_area(a.position, second.position, third.position) > 0;
-  const RasterVertex<Method>& b = clockwise ? third : second;
-  const RasterVertex<Method>& c = clockwise ? second : third;
+    const RasterVertex<Method>& a, const RasterVertex<Method>& b, const RasterVertex<Method>& c,
+    bool is_medium, bool crosses, const RowRange& rows, const RasterOrigin& origin, const Target& target,
+    Status& status) {
+  const RasterVertex<Method>* top = &a;
+  const RasterVertex<Method>* middle = &b;
+  const RasterVertex<Method>* bottom = &c;
+  order_by_height(top, middle);
+  order_by_height(middle, bottom);
+  order_by_height(top, middle);
+  const RasterPosition& p = top->position;
+  const RasterPosition& q = middle->position;
+  const RasterPosition& r = bottom->position;
   const Rect& scissor = target.scissor;
+  const SmallLimits limits{scissor.left - origin.x, scissor.right - origin.x, scissor.top - origin.y,
+                           scissor.bottom - origin.y};
+  const std::int32_t area = doubled_area(p, q, r);
   SmallTriangle triangle;
-  const bool covers = cover_small_triangle(
-      a.position, b.position, c.position,
-      {scissor.left - origin.x, scissor.right - origin.x, scissor.top - origin.y, scissor.bottom - origin.y},
-      triangle);
-  if (!covers) {
+  if (!cover_small_triangle(p, q, r, area < 0, limits, triangle) ||
+      (crosses && !cut_columns(limits, triangle))) {
     const std::int32_t first = triangle.first_row > rows.first ? triangle.first_row : rows.first;
     const std::int32_t end = triangle.end_row < rows.end ? triangle.end_row : rows.end;
     status = Status::kOk;
     return first < end ? SmallResult::kDone : SmallResult::kOutOfView;
   }
-  prepare_small_triangle(a.position, b.position, c.position, triangle);
+  prepare_small_triangle(p, q, r, area, triangle);
   typename Method::Small small;
-  if (!Method::prepare_small(target.lighting, a, b, c, triangle, small)) return SmallResult::kRefused;
+  if (!Method::prepare_small(target.lighting, *top, *middle, *bottom, is_medium, triangle, small)) {
+    return SmallResult::kRefused;
+  }
   status = Method::walk_small(
       small, [&](const auto& surface) { return draw_small_pixels(triangle, surface, origin, target); });
   return SmallResult::kDone;

@@ -5,6 +5,7 @@
 #include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
+#include <arcspan/vertex/matrix_entry.hpp>
 #include <arcspan/vertex/placement.hpp>
 
 #include <cstddef>
@@ -67,7 +68,8 @@ class ClipTransform {
 
   /// The clip-space position of a vertex.
   [[nodiscard]] constexpr ClipPosition operator()(ObjectPosition p) const {
-    return {row(0, p), row(1, p), row(2, p)};
+    const auto row = [&](int i) { return wrap_add(detail::scaled_sum(matrix_[i], p), offset_[i]); };
+    return {row(0), row(1), row(2)};
   }
 
   /// w of the near plane, at least 1.
@@ -82,7 +84,7 @@ class ClipTransform {
   /// The factor of coordinate j (0, 1, 2) in row i of the matrix, for x, y or w (i = 0, 1, 2): below 2^28 in
   /// magnitude, 14 fraction bits more than clip space.
   [[nodiscard]] constexpr std::int64_t entry(std::size_t i, std::size_t j) const {
-    return std::int64_t{matrix_[i][j].high} * (1 << 14) + matrix_[i][j].low;
+    return matrix_[i][j].value();
   }
   /// The clip-space coordinate x, y or w (i = 0, 1, 2) of the object's origin.
   [[nodiscard]] constexpr std::int64_t offset(std::size_t i) const { return offset_[i]; }
@@ -112,24 +114,7 @@ class ClipTransform {
   static constexpr std::int32_t kDepthMargin = 256;
 
  private:
-  /// An entry of the matrix, high * 2^14 + low, |entry| < 2^28: `high` has 15 bits with the sign and `low`
-  /// 14, so that sums of three products with 16-bit positions fit 32 bits.
-  struct Entry {
-    std::int32_t high;
-    std::int32_t low;
-
-    friend constexpr bool operator==(const Entry&, const Entry&) = default;
-  };
-
-  [[nodiscard]] constexpr std::int32_t row(int i, ObjectPosition p) const {
-    const Entry* const m = matrix_[i];
-    const std::int32_t high =
-        wrap_add(wrap_add(wrap_mul(m[0].high, p.x), wrap_mul(m[1].high, p.y)), wrap_mul(m[2].high, p.z));
-    const std::int32_t low = m[0].low * p.x + m[1].low * p.y + m[2].low * p.z;
-    return wrap_add(wrap_add(high, offset_[i]), low >> 14);
-  }
-
-  Entry matrix_[3][3] = {};
+  detail::MatrixEntry matrix_[3][3] = {};
   std::int32_t offset_[3] = {};
   std::int32_t near_w_ = 1;
   std::int32_t depth_range_ = 0;  ///< times 2^-(depth_shift_ - 3)

@@ -106,7 +106,7 @@ constexpr void ClipTransform::set_placement(const WidePlacement& placement) {
       const std::int32_t entry =
           detail::rescaled(sign * placement.rotation.m[i][j].raw(), factor,
                            w_bits_ + factor_bits + 14 - RotationEntry::kFraction - detail::kGuardBits);
-      matrix_[i][j] = {entry >> 14, entry & 0x3FFF};
+      matrix_[i][j] = detail::MatrixEntry(entry);
     }
     offset_[i] = detail::rescaled(sign * placement.translation[i], factor,
                                   bits + factor_bits - ObjectLength::kFraction - detail::kGuardBits);

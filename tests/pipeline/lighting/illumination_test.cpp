@@ -343,6 +343,44 @@ TEST_CASE("a highlight fades to nothing at the terminator and is whole from the 
   }
 }
 
+template <Highlight Model>
+void check_dull_arcs(Random& random) {
+  using Light = Illumination<1, Model, kAll>;
+  int dull = 0;
+  int found = 0;
+  int lit = 0;
+  for (int i = 0; i < share_of(20000); ++i) {
+    const Scene<1> scene(random);
+    Light light;
+    REQUIRE(ok(Light::make(scene.material, scene.lights, scene.to_eye, light)));
+    const Vec3 n = random_unit(random);
+    const double psi = random.real(0, 1);  // 57 degrees
+    const Vec3 m = tilted(random, n, psi);
+    const auto at = [&](double t) {
+      const Vec3 between = normalised((std::sin((1 - t) * psi)) * n + std::sin(t * psi) * m);
+      return light.scalars(to_direction(between));
+    };
+    const auto angle2 = Factor::from_raw(static_cast<std::int32_t>(std::lround(psi * psi * 32768)));
+    const bool may_shine = light.may_shine_between(at(0), at(1), angle2);
+    bool shines = false;
+    for (int k = 0; k <= 32; ++k) {
+      const auto scalars = at(k / 32.0);
+      shines = shines || light.half_distance(scalars[0], scalars[1], 0) < light.power().half_reach();
+    }
+    dull += shines ? 0 : 1;
+    found += may_shine ? 0 : 1;
+    lit += shines && !may_shine ? 1 : 0;
+  }
+  CHECK(lit == 0);
+  CHECK(found > dull * 3 / 4);
+}
+
+TEST_CASE("an arc of which no highlight is said to be within reach has none, and most such arcs are found") {
+  Random random(17);
+  check_dull_arcs<Highlight::kPhong>(random);
+  check_dull_arcs<Highlight::kBlinn>(random);
+}
+
 TEST_CASE("lights and fades that an illumination cannot have are refused, and it stays as it was") {
   using Plain2 = Illumination<2, Highlight::kBlinn>;
   using Coloured2 = Coloured<2, Highlight::kBlinn>;

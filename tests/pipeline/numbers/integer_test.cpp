@@ -40,20 +40,24 @@ TEST_CASE("a byte is clamped at both ends") {
 }
 
 TEST_CASE("the quotient of an edge without a divide is the exact one") {
-  const auto same = [](std::uint32_t dividend, std::uint32_t divisor) {
-    const detail::Quotient a = detail::divide(dividend, divisor);
-    const detail::Quotient b = detail::divide_by_reciprocal(dividend, divisor, nonzero_reciprocal(divisor));
-    return a.upper == b.upper && a.lower == b.lower && a.exact == b.exact;
+  const auto exact = [](std::int32_t dividend, std::int32_t divisor) {
+    const std::int64_t whole = std::int64_t{dividend} << 32;
+    const std::int64_t quotient = detail::divide(dividend, divisor);
+    const Reciprocal reciprocal = nonzero_reciprocal(static_cast<std::uint32_t>(divisor));
+    return quotient * divisor <= whole && (quotient + 1) * divisor > whole &&
+           detail::divide_in_halves(dividend, divisor) == quotient &&
+           detail::divide_by_reciprocal(dividend, divisor, reciprocal) == quotient;
   };
   int wrong = 0;
-  for (std::uint32_t divisor = 1; divisor < 1u << 15; divisor += divisor < 300 ? 1 : 61) {
-    for (std::uint32_t dividend = 0; dividend < 1u << 15; dividend += dividend < 300 ? 1 : 59) {
-      wrong += same(dividend, divisor) ? 0 : 1;
+  for (std::int32_t divisor = 1; divisor < 1 << 15; divisor += divisor < 300 ? 1 : 61) {
+    for (std::int32_t dividend = 0; dividend < 1 << 15; dividend += dividend < 300 ? 1 : 59) {
+      wrong += exact(dividend, divisor) && exact(-dividend, divisor) ? 0 : 1;
     }
   }
   CHECK(wrong == 0);
-  CHECK(same(32767, 32767));
-  CHECK(same(32766, 32767));
+  for (const std::int32_t divisor : {1, 32766, 32767}) {
+    for (const std::int32_t dividend : {-32767, -32766, -1, 1, 32766, 32767}) CHECK(exact(dividend, divisor));
+  }
 }
 
 TEST_CASE("a value scaled down is rounded down to the last bit, in one product or in two halves") {

@@ -43,9 +43,10 @@ const ArcEdge<3>* edge_between(const Vertex& p, const Vertex& q, const Vertex* c
 
 bool same(const ArcEdge<3>& a, const ArcEdge<3>& b) {
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!(a.scalars[i].x == b.scalars[i].x && a.scalars[i].d == b.scalars[i].d)) return false;
+    if (a.on_chord[i].x != b.on_chord[i].x || a.on_chord[i].step != b.on_chord[i].step) return false;
   }
-  return a.step.mantissa == b.step.mantissa && a.step.shift == b.step.shift;
+  return a.base == b.base && a.fraction.t == b.fraction.t && a.fraction.dt == b.fraction.dt &&
+         a.shape.excess(Factor::of(0.5)) == b.shape.excess(Factor::of(0.5));
 }
 
 }  // namespace

@@ -91,11 +91,12 @@ struct AdaptivePaths : Arc<Illumination> {
   };
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
-                                                    const Raster& b, const Raster& c,
+                                                    const Raster& b, const Raster& c, bool is_medium,
                                                     const SmallTriangle& triangle, Small& small) {
+    small.linear_light = false;
+    if (small.arc.prepare_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) return true;
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
     const SmallCorners corners{a, b, c};
-    small.linear_light = false;
     bool shines = true;
     typename Base::Small::Diffuse diffuse{};
     if constexpr (Base::kHasDiffusePath) {
@@ -103,7 +104,7 @@ struct AdaptivePaths : Arc<Illumination> {
                                                               c.shade.scalars, arc_headroom(chords.widest()));
       shines = nearest < lighting.half_tolerance_reach();
       diffuse = Base::Small::diffuse_of(lighting, corners, chords.widest(), shines);
-      if (diffuse.suffices && chords.widest() <= kWidestBounded) {
+      if (diffuse.suffices && !is_medium && chords.widest() <= kWidestBounded) {
         const LinearLevels levels(chords, diffuse.a, diffuse.b, diffuse.c);
         if (levels.quadruple_error() <= lighting.linear_limit(nearest)) {
           small.linear_light = true;
@@ -113,7 +114,7 @@ struct AdaptivePaths : Arc<Illumination> {
         }
       }
     }
-    return small.arc.prepare(lighting, corners, chords, shines, diffuse, triangle);
+    return small.arc.prepare(lighting, corners, chords, shines, diffuse, is_medium, triangle);
   }
   /// Calls `draw` with the surface of a small triangle.
   template <class Draw>
@@ -138,12 +139,12 @@ struct AdaptivePaths : Arc<Illumination> {
     }
     if constexpr (Segments) {
       if (prepared.segment_bits != 0) {
-        return Base::walk(prepared, [&](auto walker) {
+        return Base::walk_path(prepared, [&](auto walker) {
           return draw(SegmentWalker<decltype(walker)>(walker, prepared.segment_bits));
         });
       }
     }
-    return Base::walk(prepared, draw);
+    return Base::walk_path(prepared, draw);
   }
 
  private:
@@ -214,7 +215,6 @@ struct AdaptivePaths : Arc<Illumination> {
   template <class Frame>
   [[nodiscard]] static constexpr bool prepare_highlight_patch(const Lighting& lighting, const Frame& frame,
                                                               std::size_t light, Prepared& prepared) {
-    const TriangleChords& chords = frame.chords;
     std::uint32_t lit = 0;
     if (light == Illumination::kLights || !Base::lit_throughout(lighting, frame, lit)) return false;
     prepared.highlight_weight = lighting.highlight_weight(light);
@@ -238,8 +238,7 @@ struct AdaptivePaths : Arc<Illumination> {
       };
       return distance(middle_of(light), middle_of(other));
     };
-    const EdgeSagittaFactors factors{sagitta_factor(chords.top_middle), sagitta_factor(chords.top_bottom),
-                                     sagitta_factor(chords.middle_bottom)};
+    const EdgeSagittaFactors factors = sagitta_factors_of(frame.chords);
     const std::int32_t top_middle = half_way(top, middle, factors.top_middle);
     const std::int32_t top_bottom = half_way(top, bottom, factors.top_bottom);
     const std::int32_t middle_bottom = half_way(middle, bottom, factors.middle_bottom);

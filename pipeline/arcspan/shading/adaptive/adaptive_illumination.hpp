@@ -5,6 +5,8 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/colour.hpp>
+#include <arcspan/shading/adaptive/highlight_patch.hpp>
+#include <arcspan/shading/arc/row_pieces.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
@@ -48,6 +50,7 @@ class AdaptiveIllumination : public Illumination {
     segment_limit_with_highlight_ = segment_limit_of(tolerance, true);
     segment_limit_without_highlight_ = segment_limit_of(tolerance - tolerance / 2, false);
     highlight_patch_limit_ = highlight_patch_limit_of(tolerance);
+    highlight_row_limit_ = highlight_row_limit_of(highlight_patch_limit_);
     return Status::kOk;
   }
 
@@ -65,6 +68,43 @@ class AdaptiveIllumination : public Illumination {
   /// a patch, 28 fraction bits.
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit() const { return highlight_patch_limit_; }
   [[nodiscard]] constexpr const HighlightTable& highlight_table() const { return highlight_table_; }
+
+  /// Illumination::may_shine_between() of highlights above half the tolerance.
+  [[nodiscard]] constexpr bool may_shine_between(const typename Illumination::Scalars& a,
+                                                 const typename Illumination::Scalars& b, Factor angle2) const
+      requires(Illumination::kLights == 1) {
+    return Illumination::nearest_between(half_distance_of(a), half_distance_of(b), angle2) <
+           half_tolerance_reach_;
+  }
+  /// Starts a run that steps N·L and the highlight's scaled distance over a piece of a row, from a to b.
+  /// Returns false if the piece is too wide for that, or not lit throughout (StepsHighlight).
+  [[nodiscard]] ARCSPAN_INLINE constexpr bool start_highlight(const typename Illumination::Scalars& a,
+                                                              const typename Illumination::Scalars& b,
+                                                              const PieceSteps& steps, Factor angle2,
+                                                              SecondDifferenceRun<2>& run) const
+      requires(Illumination::kLights == 1) {
+    constexpr int kLeastExponent = 18;  // 4 pixels: shorter pieces cost less by their scalars
+    if (steps.exponent < kLeastExponent || angle2 > highlight_row_limit_) return false;
+    const std::int32_t lit_from = Illumination::fade_end().raw() + (std::int32_t{1} << 20);
+    if (a[0].raw() < lit_from || b[0].raw() < lit_from) return false;
+    std::array<std::int32_t, 2> sagitta4;
+    typename Illumination::Scalars middle;
+    unrolled<2>([&](auto i) {
+      sagitta4[i] = quadruple_sagitta_of(steps, a[i], b[i]);
+      middle[i] = Cosine::from_raw((a[i].raw() >> 1) + (b[i].raw() >> 1) + (sagitta4[i] >> 2));
+    });
+    const std::int32_t at_a = half_distance_of(a);
+    const std::int32_t at_b = half_distance_of(b);
+    if (!highlight_table_.fits(at_a) || !highlight_table_.fits(at_b)) return false;
+    const std::int32_t from = highlight_table_.scaled(at_a);
+    const std::int32_t to = highlight_table_.scaled(at_b);
+    const std::int32_t half_way = highlight_table_.scaled(half_distance_of(middle));
+    run.start_at(0, parabola_through(steps, steps.drop, a[0], b[0], sagitta4[0]));
+    run.start_at(1, parabola_through(steps, 15, Cosine::from_raw(from), Cosine::from_raw(to),
+                                     wrap_shl(wrap_sub(wrap_shl(half_way, 1), wrap_add(from, to)), 1)));
+    return true;
+  }
+  using HighlightRun = HighlightPatchRun<AdaptiveIllumination>;
 
   /// Returns true if a scaled distance is beyond the highlight. is_white() comes first because the look-up in
   /// highlight_table_ begins with it too, so the compiler tests it once.
@@ -105,6 +145,11 @@ class AdaptiveIllumination : public Illumination {
   }
 
  private:
+  /// Returns the half distance of the only light's highlight.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t half_distance_of(
+      const typename Illumination::Scalars& scalars) const {
+    return Illumination::half_distance(scalars[0], scalars[Illumination::highlight_index(0)], 0);
+  }
   static constexpr int kStepBits = 5;  ///< fraction bits of tolerances and colours, in 8-bit steps
   static constexpr int kLitShift = 22;
   static constexpr std::size_t kLitEntries = kHasWideRegisters && Illumination::kLights == 1 ? 1024 : 0;
@@ -191,6 +236,16 @@ class AdaptiveIllumination : public Illumination {
     return (inside * inside) >> 4;
   }
 
+  /// Returns the largest squared angle of a piece of a row over which the highlight's distance may be a
+  /// parabola. With the squared angle s the parabola's error is 1 + 1.9 s times that of
+  /// highlight_patch_limit_of(), which grows with s^(3/2).
+  [[nodiscard]] static constexpr Factor highlight_row_limit_of(std::uint32_t patch_limit) {
+    const auto limit = static_cast<std::int32_t>(patch_limit >> 13);
+    if (Illumination::model() == Highlight::kBlinn) return Factor::from_raw(limit);
+    const std::int32_t square = wrap_mul(limit, limit) >> 15;
+    return Factor::from_raw(limit - square - (square >> 2));
+  }
+
   HighlightTable highlight_table_{};
   std::int32_t half_tolerance_reach_ = 0;
   std::int32_t eighth_tolerance_reach_ = 0;
@@ -199,6 +254,7 @@ class AdaptiveIllumination : public Illumination {
   std::uint32_t segment_limit_with_highlight_ = 0;
   std::uint32_t segment_limit_without_highlight_ = 0;
   std::uint32_t highlight_patch_limit_ = 0;
+  Factor highlight_row_limit_{};
   std::array<PackedRgb, kLitEntries> lit_colours_{};
 };
 

@@ -65,7 +65,7 @@ class SmallLinearLight {
     c_ = c - a;
     // Where two pixels of a row are inside, no coordinate changes by more than 1; elsewhere the step may
     // wrap.
-    step_ = at_coordinates(0, triangle.db, triangle.dc);
+    step_ = at_coordinates(0, triangle.d_middle, triangle.d_bottom);
   }
   /// Returns the run that begins at the barycentric coordinates l_b and l_c, 16 fraction bits.
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t b, std::int32_t c) const {

@@ -4,10 +4,12 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/shading/arc/small_shading.hpp>
 #include <arcspan/shading/arc/wide_walker.hpp>
+#include <arcspan/shading/patch/one_highlight.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
+#include <type_traits>
 
 namespace arcspan {
 
@@ -17,10 +19,10 @@ namespace arcspan {
 ///
 /// - Normals within 7.5 to 33 degrees, depending on the highlight (widest_patch()): a quadratic surface
 ///   through the arcs' ends and middles, which second differences step without a multiply (decision 5).
-/// - Wider: the recurrence of S0 eq. 14 down the edges (ArcScalar), and each row in pieces of at most 1.3
-///   times that angle (widest_piece()), which are parabolas through the arc's ends and middle (decision 23).
+/// - Wider: great circles down the edges (ArcEdge), and each row in pieces of at most 1.3 times that angle
+///   (widest_piece()), which are parabolas through the arc's ends and middle (decision 23).
 ///
-/// literature/recurrence_method.hpp has eq. 14 for every pixel.
+/// literature/recurrence_method.hpp has the recurrence of S0 eq. 14 for edges and pixels.
 template <class Illumination, WidestNormals kWidest>
 struct ArcUpTo {
   static constexpr std::size_t kScalars = Illumination::kScalars;
@@ -31,10 +33,13 @@ struct ArcUpTo {
   enum class Path : std::uint8_t {
     kPatch,         ///< a patch of every scalar
     kDiffusePatch,  ///< a patch of N·L only; no highlight is within reach
+    kOneHighlight,  ///< a patch for OneHighlightRun; the highlight of one of several lights is within reach
     kWide,          ///< rows in pieces: normals too far apart for a patch, slivers, triangles larger than
                     ///< kLargestPatch
     kDiffuseWide,   ///< rows in pieces, N·L only
   };
+  /// Several grey lights.
+  static constexpr bool kHasOneHighlight = Illumination::kHasRamp && Illumination::kLights > 1;
   struct Prepared {
     union {
       WideOrVeryWide<kScalars, kWidest> wide;
@@ -42,6 +47,7 @@ struct ArcUpTo {
     };
     Path path;
     bool middle_left;
+    [[no_unique_address]] std::conditional_t<kHasOneHighlight, OneHighlight, NoOneHighlight> highlight;
   };
   using Small = SmallShading<Lighting>;
   static constexpr bool kNeedsFaceNormal = false;
@@ -68,31 +74,36 @@ struct ArcUpTo {
   /// method's `Vertex` as their shade.
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
-    prepare_path(lighting, frame, choose_path(lighting, frame, frame.chords.widest()), prepared);
+    const Path path = choose_path(lighting, frame, frame.chords.widest());
+    if constexpr (kHasOneHighlight) {
+      if (path == Path::kPatch &&
+          prepare_one_highlight(lighting, frame, prepared.patch, prepared.highlight)) {
+        prepared.middle_left = frame.middle_left;
+        prepared.path = Path::kOneHighlight;
+        return;
+      }
+    }
+    prepare_path(lighting, frame, path, prepared);
   }
 
   /// Calls `draw` with the walker of the command's path.
   template <class Draw>
-  [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    if (prepared.path == Path::kWide)
-      return draw(WideWalker<PatchRun<Lighting, kScalars>, kScalars, kWidest>(prepared.wide));
-    if constexpr (kHasDiffusePath) {
-      if constexpr (kHasDiffuseWide) {
-        if (prepared.path == Path::kDiffuseWide)
-          return draw(WideWalker<PatchRun<Lighting, 1>, kScalars, kWidest>(prepared.wide));
-      }
-      if (prepared.path == Path::kDiffusePatch) {
-        return draw(PatchWalker<PatchRun<Lighting, 1>, kScalars>(prepared.patch, prepared.middle_left));
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    if constexpr (kHasOneHighlight) {
+      if (prepared.path == Path::kOneHighlight) {
+        return draw(
+            OneHighlightWalker<Lighting, kScalars>(prepared.patch, prepared.middle_left, prepared.highlight));
       }
     }
-    return draw(PatchWalker<PatchRun<Lighting, kScalars>, kScalars>(prepared.patch, prepared.middle_left));
+    return walk_path(prepared, draw);
   }
 
   /// Prepares a small triangle (DrawsSmallTriangles).
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
-                                                    const Raster& b, const Raster& c,
+                                                    const Raster& b, const Raster& c, bool is_medium,
                                                     const SmallTriangle& triangle, Small& small) {
+    if (small.prepare_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) return true;
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
     const SmallCorners corners{a, b, c};
     bool shines = true;
@@ -101,7 +112,10 @@ struct ArcUpTo {
                                   arc_headroom(chords.widest()));
     }
     const auto diffuse = Small::diffuse_of(lighting, corners, chords.widest(), shines);
-    return small.prepare(lighting, corners, chords, shines, diffuse, triangle);
+    return small.prepare(lighting, corners, chords, shines, diffuse, is_medium, triangle);
+  }
+  [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const auto& frame) {
+    return Small::is_dark_or_arcs(lighting, frame);
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
@@ -124,9 +138,7 @@ struct ArcUpTo {
       prepare_wide(frame, count, widest_piece(lighting.widest_patch()), prepared.wide);
       return;
     }
-    const EdgeSagittaFactors sagitta_factors{sagitta_factor(chords.top_middle),
-                                             sagitta_factor(chords.top_bottom),
-                                             sagitta_factor(chords.middle_bottom)};
+    const EdgeSagittaFactors sagitta_factors = sagitta_factors_of(chords);
     if constexpr (kHasDiffusePath && Illumination::kLights > 1) {
       if (path == Path::kDiffusePatch) {
         std::uint32_t lit = 0;
@@ -141,6 +153,23 @@ struct ArcUpTo {
           {frame.top->shade.scalars[i], frame.middle->shade.scalars[i], frame.bottom->shade.scalars[i]},
           prepared.patch[i]);
     }
+  }
+
+  /// Calls `draw` with the walker of a path that prepare_path() has prepared.
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk_path(Prepared& prepared, Draw&& draw) {
+    if (prepared.path == Path::kWide)
+      return draw(WideWalker<PatchRun<Lighting, kScalars>, kScalars, kWidest>(prepared.wide));
+    if constexpr (kHasDiffusePath) {
+      if constexpr (kHasDiffuseWide) {
+        if (prepared.path == Path::kDiffuseWide)
+          return draw(WideWalker<PatchRun<Lighting, 1>, kScalars, kWidest>(prepared.wide));
+      }
+      if (prepared.path == Path::kDiffusePatch) {
+        return draw(PatchWalker<PatchRun<Lighting, 1>, kScalars>(prepared.patch, prepared.middle_left));
+      }
+    }
+    return draw(PatchWalker<PatchRun<Lighting, kScalars>, kScalars>(prepared.patch, prepared.middle_left));
   }
 
   /// Returns the diffuse_scalar() of the vertices of a TriangleFrame.

@@ -1,88 +1,76 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/numbers/unroll.hpp>
 #include <arcspan/prepare/edge.hpp>
-#include <arcspan/shading/arc/arc_angle.hpp>
-#include <arcspan/shading/arc/recurrence.hpp>
+#include <arcspan/shading/arc/arc_shape.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace arcspan {
 
-/// `Count` scalars that are stepped along the arc of one edge; they share the factor of the recurrence.
+/// The fraction of an edge at the current row, 30 fraction bits, counted from one of its ends.
+struct EdgeFraction {
+  std::int32_t t;   ///< 0...1
+  std::int32_t dt;  ///< change per row
+
+  [[nodiscard]] constexpr Factor factor() const { return Factor::from_raw(t >> 15); }
+  constexpr void advance() { t = wrap_add(t, dt); }
+  constexpr void advance(std::int32_t rows) { t = wrap_add(t, wrap_mul(dt, rows)); }
+};
+
+/// Returns the fraction at the first row of an edge that has its reciprocal, counted from its upper end if
+/// `from_top`, otherwise from its lower end.
+[[nodiscard]] constexpr EdgeFraction edge_fraction(const EdgeSetup& edge, bool from_top) {
+  constexpr std::uint32_t kOne = std::uint32_t{1} << 30;
+  const int up = 30 - edge.inverse.exponent;
+  const auto scaled = [up](std::uint32_t v) { return up >= 0 ? v << up : v >> -up; };
+  const std::uint32_t step = edge.dy < 16 ? kOne : scaled(16 * edge.inverse.mantissa);
+  const std::uint32_t start = scaled(static_cast<std::uint32_t>(edge.offset) * edge.inverse.mantissa);
+  const std::uint32_t below_top = start > kOne ? kOne : start;
+  if (from_top) return {static_cast<std::int32_t>(below_top), static_cast<std::int32_t>(step)};
+  return {static_cast<std::int32_t>(kOne - below_top), -static_cast<std::int32_t>(step)};
+}
+
+/// A scalar on the chord of an edge.
+struct ChordScalar {
+  Cosine x;     ///< at the current row
+  Cosine step;  ///< its change per row
+};
+
+/// `Count` scalars along the arc of one edge. The edge's chord is stepped from row to row; the arc is
+/// computed from it where a row is drawn.
 template <std::size_t Count>
 struct ArcEdge {
-  std::array<ArcScalar, Count> scalars;
-  ArcStep step;
+  EdgeFraction fraction;  ///< from the upper end
+  std::array<ChordScalar, Count> on_chord;
+  std::array<std::int16_t, Count> base;  ///< ArcShape::base()
+  ArcShape shape;
 
-  /// Steps the first `Used` scalars to the next row. The function is not inlined, because its registers do
-  /// not fit beside those of the row loop.
+  /// Returns the excess of the arc at the current row.
+  [[nodiscard]] constexpr std::int32_t excess() const { return shape.excess(fraction.factor()); }
+  /// Returns scalar i at the current row.
+  [[nodiscard]] ARCSPAN_INLINE constexpr Cosine at(std::size_t i, std::int32_t excess) const {
+    return shape.on_arc(on_chord[i].x, base[i], excess);
+  }
+  /// Steps the first `Used` scalars to the next row.
   template <std::size_t Used>
-  ARCSPAN_OUTLINE constexpr void advance() {
-    unrolled<Used>([this](auto i) { scalars[i].fine_step(step); });
+  constexpr void advance() {
+    fraction.advance();
+    unrolled<Used>([this](auto i) { on_chord[i].x += on_chord[i].step; });
+  }
+  /// Steps `rows` rows at once; the result is that of `rows` calls of advance().
+  template <std::size_t Used>
+  constexpr void advance(std::int32_t rows) {
+    fraction.advance(rows);
+    unrolled<Used>(
+        [&](auto i) { on_chord[i].x += Cosine::from_raw(wrap_mul(on_chord[i].step.raw(), rows)); });
   }
 };
-
-/// One step as a fraction of an arc: mantissa * 2^-exponent, at most 1, mantissa in [2^15, 2^16].
-struct ArcFraction {
-  std::uint32_t mantissa = std::uint32_t{1} << 16;
-  int exponent = 16;
-
-  [[nodiscard]] constexpr Factor factor() const {
-    return Factor::from_raw(static_cast<std::int32_t>(mantissa >> ((exponent - Factor::kFraction) & 31)));
-  }
-};
-
-/// Returns 1 / length, where `inverse` is the reciprocal of the length in pixels or rows with `bits` fraction
-/// bits. A length below one step counts as one, since there is no second pixel or row to step to.
-[[nodiscard]] ARCSPAN_INLINE constexpr ArcFraction arc_fraction(const Reciprocal& inverse, int bits) {
-  const int exponent = inverse.exponent - bits;
-  if (exponent < 16) return {};
-  return {inverse.mantissa, exponent};
-}
-
-/// Returns the number of bits that a Q1.30 slope over an arc must lose before it is multiplied by the 16-bit
-/// mantissa of an ArcFraction: 14, 15 or 16. Slopes are below 1/2 for near arcs, below 1 up to a squared
-/// chord of 1/3, and below 2 for wider arcs. `chord` is the squared chord with 28 fraction bits.
-[[nodiscard]] constexpr int slope_drop(std::uint32_t chord) {
-  return chord > (std::uint32_t{1} << 28) / 3 ? 16 : angle_format(chord) == AngleFormat::kNear ? 14 : 15;
-}
-
-/// Converts a slope over a whole arc to one per step: ((slope >> drop) * mantissa) >> down.
-struct SlopeScale {
-  std::int32_t mantissa;
-  int drop;
-  int down;
-};
-
-/// Returns the scale for steps of the fraction `a` and differences with 30 + fine fraction bits; fine is at
-/// most a.exponent - 16.
-[[nodiscard]] constexpr SlopeScale slope_scale(const ArcFraction& a, int drop, int fine) {
-  const int down = a.exponent - drop - fine;
-  return {static_cast<std::int32_t>(a.mantissa), drop, down > 31 ? 31 : down};
-}
-
-/// Returns a scalar and its first difference at the start of an arc from the value `from` to the value `to`
-/// (see ArcStart), by five 16-bit multiplies. `format` is that of `start`.
-[[nodiscard]] constexpr ArcScalar start_scalar(const ArcStart& start, AngleFormat format,
-                                               const SlopeScale& scale, Cosine from, Cosine to) {
-  const std::int32_t middle30 = wrap_add(from.raw() >> 1, to.raw() >> 1);
-  const Factor middle = Factor::from_raw(round_shift(middle30, 15));
-  const Factor difference = Factor::from_raw(round_shift(wrap_sub(to.raw(), from.raw()), 15));
-  const int drop = fraction_bits(format) + Factor::kFraction - Cosine::kFraction;
-  const auto times_middle = [middle, drop](SquaredAngle factor) {
-    return Cosine::from_raw(wrap_mul(factor.raw(), middle.raw()) >> drop);
-  };
-  ArcScalar scalar;
-  scalar.x = Cosine::from_raw(middle30) + times_middle(start.even) + multiply<Cosine>(start.odd, difference);
-  const Cosine slope = multiply<Cosine>(start.slope_odd, difference) + times_middle(start.slope_even);
-  // d is rounded down: half a unit of 2^-30 per step is negligible over the longest row.
-  scalar.d = Cosine::from_raw(wrap_mul(round_shift(slope.raw(), scale.drop), scale.mantissa) >> scale.down);
-  return scalar;
-}
 
 /// Sets up the first `used` scalars of an edge at its first row. `from` are their values at its top, `to`
 /// those at its bottom; `chord` is the squared chord between the normals there, 28 fraction bits.
@@ -91,18 +79,17 @@ ARCSPAN_OUTLINE constexpr void make_arc_edge(const EdgeSetup& edge, std::uint32_
                                              const std::array<Cosine, Count>& from,
                                              const std::array<Cosine, Count>& to, std::size_t used,
                                              ArcEdge<Count>& arc) {
-  const AngleFormat format = angle_format(chord);
-  const SquaredAngle angle2 = angle_of_chord(scaled_chord(chord, format), format);
-  const ArcFraction row = arc_fraction(edge.inverse, Subpixel::kFraction);
-  const ArcStart start = arc_start(angle2, format, start_fraction(edge), row.factor());
-  // A difference is a slope below 2 times `a`, which leaves its leading bits unused. The fine bits take all
-  // of them except two, which k needs.
-  const int fine = row.exponent > 18 ? row.exponent - 18 : 0;
-  const SlopeScale scale = slope_scale(row, slope_drop(chord), fine);
+  arc.shape = ArcShape(chord);
+  arc.fraction = edge_fraction(edge, true);
+  const auto start = static_cast<std::uint32_t>(arc.fraction.t >> 14);
+  // An edge of less than a row has no second one. Its exponent may be below 20.
+  const int down = edge.dy < 16 ? 31 : edge.inverse.exponent - 20;
   for (std::size_t i = 0; i < used; ++i) {
-    arc.scalars[i] = start_scalar(start, format, scale, from[i], to[i]);
+    const std::int32_t along = wrap_sub(to[i].raw(), from[i].raw());
+    arc.on_chord[i].x = from[i] + Cosine::from_raw(scaled_down(along, start, 16));
+    arc.on_chord[i].step = Cosine::from_raw(scaled_down(along, edge.inverse.mantissa, 16) >> down);
+    arc.base[i] = arc.shape.base(from[i], to[i]);
   }
-  arc.step = arc_step(angle2.raw(), fraction_bits(format), row.mantissa, row.exponent, fine);
 }
 
 }  // namespace arcspan

@@ -4,7 +4,7 @@
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/numbers/root.hpp>
 #include <arcspan/prepare/triangle.hpp>
-#include <arcspan/shading/arc/arc_edge.hpp>
+#include <arcspan/shading/arc/arc_shape.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -19,10 +19,6 @@ struct ArcVertex {
   Normal normal;
   std::array<Cosine, Count> scalars;
 };
-
-/// The squared chord of 60 degrees, 28 fraction bits: the widest arc for which the series of angle_of_chord()
-/// and arc_start() hold. Wider arcs are halved first.
-inline constexpr std::uint32_t kWidestArc = std::uint32_t{1} << 28;
 
 /// Returns the squared chords between the normals of a TriangleFrame whose vertices are ArcVertex.
 template <class Frame>
@@ -39,7 +35,7 @@ class HalfWay {
  public:
   /// `chord` has 28 fraction bits, 0...4. Opposite normals have nothing half-way; they give 0, which is dark.
   constexpr explicit HalfWay(std::uint32_t chord)
-      : square_(Factor::of(4.0).raw() - scaled_chord(chord, AngleFormat::kWide).raw()),
+      : square_(Factor::of(4.0).raw() - static_cast<std::int32_t>((chord + (1u << 12)) >> 13)),
         root_(reciprocal_root(static_cast<std::uint32_t>(square_))) {
     if (square_ <= 64) root_.mantissa = 0;
   }
@@ -83,24 +79,18 @@ template <std::size_t Count>
 template <std::size_t Count>
 [[nodiscard]] ARCSPAN_COLD constexpr ArcVertex<Count> on_narrow_arc(const ArcVertex<Count>& a,
                                                                     const ArcVertex<Count>& b, Factor t) {
-  constexpr AngleFormat kFormat = AngleFormat::kWide;
-  const SquaredAngle angle =
-      angle_of_chord(scaled_chord(squared_chord(a.normal, b.normal), kFormat), kFormat);
-  const ArcStart at = arc_start(angle, kFormat, t, Factor{});
-  const auto component = [&at](NormalComponent p, NormalComponent q) {
-    // The sum has 14 fraction bits, so the mean has 15.
-    const Factor middle = Factor::from_raw(std::int32_t{p.raw()} + q.raw());
-    const Factor difference = Factor::from_raw((std::int32_t{q.raw()} - p.raw()) * 2);
-    const Factor sum = middle + times_angle(middle, at.even, kFormat) + multiply<Factor>(at.odd, difference);
-    return NormalComponent::from_raw(static_cast<std::int16_t>(round_shift(sum.raw(), 1)));
+  const ArcShape shape(squared_chord(a.normal, b.normal));
+  const std::int32_t excess = shape.excess(t);
+  const auto between = [&](Cosine p, Cosine q) { return shape.between(p, q, t, excess); };
+  const auto component = [&](NormalComponent p, NormalComponent q) {
+    constexpr int kUp = Cosine::kFraction - NormalComponent::kFraction;
+    const auto widened = [](NormalComponent v) { return Cosine::from_raw(wrap_shl(v.raw(), kUp)); };
+    return convert<NormalComponent>(between(widened(p), widened(q)));
   };
-  constexpr SlopeScale kWholeArc = slope_scale(ArcFraction{}, 15, 0);  // d of start_scalar() is not used
   ArcVertex<Count> point;
   point.normal = {component(a.normal.x, b.normal.x), component(a.normal.y, b.normal.y),
                   component(a.normal.z, b.normal.z)};
-  for (std::size_t i = 0; i < Count; ++i) {
-    point.scalars[i] = start_scalar(at, kFormat, kWholeArc, a.scalars[i], b.scalars[i]).x;
-  }
+  for (std::size_t i = 0; i < Count; ++i) point.scalars[i] = between(a.scalars[i], b.scalars[i]);
   return point;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/numbers/unroll.hpp>
 #include <arcspan/prepare/row_start.hpp>
-#include <arcspan/shading/arc/squared_angle.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
 #include <arcspan/target.hpp>
 
@@ -41,6 +41,13 @@ struct RowEnds {
   Factor angle2;  ///< squared angle of the row in rad^2, at most 1.1
 };
 
+/// A pixel of a row.
+struct RowPixel {
+  std::uint32_t inside;  ///< distance in pixels from the row's left end, `bits` fraction bits
+  std::uint32_t width;   ///< of the row in pixels, `bits` fraction bits
+  int bits;              ///< 16, or 32 for rows shorter than a pixel
+};
+
 /// A piece of a row: its place among the pieces, and its first pixel.
 struct RowPiece {
   std::uint32_t index;  ///< among 2^halvings pieces, from the left
@@ -54,7 +61,7 @@ struct RowPiece {
 };
 
 /// Returns the one of 2^halvings pieces of a row in which `start` lies.
-[[nodiscard]] constexpr RowPiece piece_of_row(const RowStart& start, int halvings) {
+[[nodiscard]] constexpr RowPiece piece_of_row(const RowPixel& start, int halvings) {
   // A row narrower than a pixel gives up fraction bits, so that products with the index fit.
   const int spare = start.bits == 16 ? 0 : 4;
   const std::uint32_t width =
@@ -77,7 +84,7 @@ struct RowPiece {
 
 /// Returns the number of times that a row must be halved, so that the squared angle of its pieces is at most
 /// `widest`, which is above 0.
-[[nodiscard]] constexpr int halvings_of(Factor angle2, Factor widest, const RowStart& start) {
+[[nodiscard]] constexpr int halvings_of(Factor angle2, Factor widest, const RowPixel& start) {
   int halvings = 0;
   for (std::int32_t narrowed = angle2.raw(); narrowed > widest.raw(); narrowed >>= 2) ++halvings;
   if (start.bits == 16) {
@@ -106,19 +113,25 @@ struct PieceSteps {
   int drop;               ///< low bits that slopes along the piece lose before they are multiplied
 };
 
-/// Returns the steps along a piece with the squared angle `angle2`. Its first column is `distance` right of
-/// its left end and `width` is its width, both with the same fraction bits; `exponent` is that of the
-/// reciprocal `inverse` of the width in pixels.
-[[nodiscard]] ARCSPAN_INLINE constexpr PieceSteps piece_steps(std::uint32_t distance, std::uint32_t width,
-                                                              const Reciprocal& inverse, int exponent,
-                                                              Factor angle2) {
-  const std::uint32_t clamped = distance < width ? distance : width;
+/// The first column of a piece.
+struct PieceColumn {
+  std::uint32_t distance;  ///< from the piece's left end, in the unit of `width`
+  std::uint32_t width;     ///< of the piece; width * 2^-bits pixels
+  int bits;
+};
+
+/// Returns the steps along a piece with the squared angle `angle2`.
+[[nodiscard]] ARCSPAN_INLINE constexpr PieceSteps piece_steps(const PieceColumn& column, Factor angle2) {
+  const Reciprocal inverse = nonzero_reciprocal(column.width);
+  const std::uint32_t clamped = column.distance < column.width ? column.distance : column.width;
   const std::uint32_t normalised = clamped
                                    << (47 - inverse.exponent);  // the shift that moves the width to bit 31
   PieceSteps steps;
   steps.at = Factor::from_raw(static_cast<std::int32_t>(((normalised >> 16) * inverse.mantissa) >> 16));
   steps.mantissa = static_cast<std::int32_t>(inverse.mantissa);
-  steps.exponent = exponent;
+  // A piece shorter than a pixel has one pixel and takes no step; any exponent in range will do.
+  const int exponent = inverse.exponent - column.bits;
+  steps.exponent = exponent < 16 ? 16 : exponent;
   steps.square = ((steps.mantissa >> 1) * (steps.mantissa >> 1)) >> 14;
   steps.sagitta4 = quadruple_relative_sagitta(angle2);
   // Up to 11 degrees slopes are below 1/4, otherwise below 1. Sharp highlights show what a slope loses.
@@ -126,43 +139,47 @@ struct PieceSteps {
   return steps;
 }
 
-/// Returns the steps along a piece with the squared angle `angle2`.
-[[nodiscard]] constexpr PieceSteps steps_of_piece(const RowPiece& piece, Factor angle2) {
-  const Reciprocal inverse = nonzero_reciprocal(piece.width);
+/// Returns the first column of `piece`.
+[[nodiscard]] constexpr PieceColumn column_of(const RowPiece& piece) {
   const std::uint32_t distance = (piece.inside & ((std::uint32_t{1} << piece.bits) - 1)) << piece.halvings;
-  const int exponent = inverse.exponent - piece.bits - piece.halvings;
-  // A piece shorter than a pixel has one pixel and takes no step; any exponent in range will do.
-  return piece_steps(distance, piece.width, inverse, exponent < 16 ? 16 : exponent, angle2);
+  return {distance, piece.width, piece.bits + piece.halvings};
 }
 
 /// Returns true if a row needs no halving and is at least a pixel wide, as most rows are.
 [[nodiscard]] constexpr bool is_one_piece(Factor angle2, Factor widest, const RowStart& start) {
   return angle2 <= widest && start.bits == 16 && (start.width >> (16 + kLongestPieceBits)) == 0;
 }
-/// Returns the steps along such a row.
-[[nodiscard]] ARCSPAN_INLINE constexpr PieceSteps steps_of_row(const RowStart& start, Factor angle2) {
-  const Reciprocal inverse = nonzero_reciprocal(start.width);
-  return piece_steps(start.fraction, start.width, inverse, inverse.exponent - 16, angle2);
+
+/// Returns the quadruple sagitta of a scalar's arc from `p` to `q`: 30 fraction bits, below 0.3.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t quadruple_sagitta_of(const PieceSteps& steps, Cosine p,
+                                                                         Cosine q) {
+  const std::int32_t mean = wrap_add(p.raw() >> 1, q.raw() >> 1) >> 15;  // 15 fraction bits
+  return wrap_mul(mean, steps.sagitta4) >> 2;
 }
 
-/// Returns the parabola of a scalar at the first column of a piece from `p` to `q`:
+/// Returns the parabola at the first column of a piece from `p` to `q` with the quadruple sagitta s:
 ///
-///     f(v) = p + v (q - p + s) - v^2 s,     v = 0...1 along the piece, s the quadruple sagitta.
-[[nodiscard]] ARCSPAN_INLINE constexpr Parabola parabola_of(const PieceSteps& steps, Cosine p, Cosine q) {
-  const std::int32_t mean = wrap_add(p.raw() >> 1, q.raw() >> 1) >> 15;  // 15 fraction bits
-  const std::int32_t s = wrap_mul(mean, steps.sagitta4) >> 2;            // below 0.3
+///     f(v) = p + v (q - p + s) - v^2 s,     v = 0...1 along the piece.
+///
+/// `drop` is the number of low bits that slopes along the piece lose before they are multiplied.
+[[nodiscard]] ARCSPAN_INLINE constexpr Parabola parabola_through(const PieceSteps& steps, int drop, Cosine p,
+                                                                 Cosine q, std::int32_t s) {
   const std::int32_t s_by_v = wrap_mul(s >> 13, steps.at.raw()) >> 2;
   const std::int32_t chord = wrap_add(wrap_sub(q.raw(), p.raw()), wrap_sub(s, s_by_v));  // below 1
   const std::int32_t slope = wrap_sub(chord, s_by_v);
   const std::int32_t change =  // of the first difference per pixel
       -round_shift(wrap_mul(s >> 14, steps.square), 2 * steps.exponent - 31);
   Parabola f;
-  f.x = p + Cosine::from_raw(wrap_mul(round_shift(chord, steps.drop), steps.at.raw()) >> (15 - steps.drop));
+  f.x = p + Cosine::from_raw(wrap_mul(round_shift(chord, drop), steps.at.raw()) >> (15 - drop));
   f.d = Cosine::from_raw(
-      wrap_add(wrap_mul(round_shift(slope, steps.drop), steps.mantissa) >> (steps.exponent - steps.drop),
-               change >> 1));
+      wrap_add(wrap_mul(round_shift(slope, drop), steps.mantissa) >> (steps.exponent - drop), change >> 1));
   f.second_difference = Cosine::from_raw(change);
   return f;
+}
+
+/// Returns the parabola of a scalar that follows the arc of a piece from `p` to `q`.
+[[nodiscard]] ARCSPAN_INLINE constexpr Parabola parabola_of(const PieceSteps& steps, Cosine p, Cosine q) {
+  return parabola_through(steps, steps.drop, p, q, quadruple_sagitta_of(steps, p, q));
 }
 
 /// Replaces the ends of a row by those of one of its pieces.

@@ -14,63 +14,97 @@
 
 namespace arcspan {
 
-/// The differences between the weights of an arc's two ends and those of its chord. The point at the fraction
-/// t of an arc of the angle psi is (S0 eq. 2)
+/// The three vertices of a small triangle, sorted by height.
+template <class Raster>
+struct SmallCorners {
+  const Raster& a;
+  const Raster& b;
+  const Raster& c;
+};
+template <class Raster>
+SmallCorners(const Raster&, const Raster&, const Raster&) -> SmallCorners<Raster>;
+
+/// Points of an arc from A to B. With M the mean of A and B, D their difference, t the fraction of the arc, p
+/// = t (1 - t) and s the squared chord, S0 eq. 2 is
 ///
-///     sin((1 - t) psi) / sin(psi) A + sin(t psi) / sin(psi) B,
-///     sin(t psi) / sin(psi) = t + t (1 - t^2) (rise - bend t^2)
+///     A + t D + q (3 M + 15/16 (t - 1/2) D),     q = p (rise + bend p),
 ///
-/// with series in the squared chord s. The error is below 2^-16 up to 30 degrees and 2^-13 up to 60.
-class ArcExcess {
+/// with rise and bend fitted in s so that points lie on the circle: within 6e-6 up to 60 degrees, because a
+/// sharp highlight shows the length of a normal. Along the circle the error is below 6e-5 up to 30 degrees
+/// and 2e-4 up to 60.
+///
+/// Without highlight bend is left out (`kForHighlights` false), and points are within 2e-4 of the circle up
+/// to 45 degrees and 7e-4 at 60.
+template <bool kForHighlights>
+class ArcSeries {
  public:
-  ArcExcess() = default;  // without values, so that a union may hold one
-  /// `s`: the squared chord, 15 fraction bits, 0...1.
-  ARCSPAN_OUTLINE_IF_SMALL constexpr explicit ArcExcess(std::int32_t s) {
-    // 1/6, 1/30, 1/140, 1/630 and more; 1/120 and 13/5040, 17 fraction bits.
-    const std::int32_t inner = 4369 + ((s * (936 + ((s * 275) >> 15))) >> 15);
-    rise_ = (s * (21845 + ((s * inner) >> 15))) >> 15;
-    bend_ = (((s * s) >> 15) * (1092 + ((s * 338) >> 15))) >> 15;
+  ArcSeries() = default;  // without values, so that a union may hold one
+  /// `s`: 15 fraction bits, 0...1.
+  ARCSPAN_OUTLINE_IF_SMALL constexpr explicit ArcSeries(std::int32_t s) {
+    if constexpr (!kForHighlights) {
+      // s (0.166848 + 0.029203 s + 0.009282 s^2)
+      rise_ = (s * (43738 + ((s * (7656 + ((s * 2433) >> 15))) >> 15))) >> 15;
+      return;
+    }
+    // s (0.166652 + 0.027965 s + 0.00488 s^2 + 0.002008 s^3), s^2 (0.01397 + 0.003448 s + 0.001599 s^2)
+    const std::int32_t inner = 7331 + ((s * (1279 + ((s * 526) >> 15))) >> 15);
+    rise_ = (s * (43687 + ((s * inner) >> 15)) + (std::int32_t{1} << 14)) >> 15;
+    bend_ = (((s * s) >> 15) * (3662 + ((s * (904 + ((s * 419) >> 15))) >> 15))) >> 15;
   }
 
-  /// Returns the excess of the end that is reached at t = 1: 18 fraction bits. `t` has 15.
+  /// Returns q with 20 fraction bits. `t` has 13; it may be outside of 0...1 by a rounding error.
   [[nodiscard]] ARCSPAN_INLINE_UNLESS_SMALL constexpr std::int32_t operator()(std::int32_t t) const {
-    const std::int32_t t2 = (t * t) >> 15;
-    const std::int32_t cubic = (t * (32768 - t2)) >> 13;  // 17 fraction bits, below 0.385
-    return (cubic * (rise_ - ((bend_ * t2) >> 15))) >> 16;
+    const std::int32_t p = (t * (8192 - t)) >> 10;  // 16 fraction bits, at most 1/4
+    if constexpr (!kForHighlights) return (p * rise_) >> 14;
+    return (p * (rise_ + ((bend_ * p) >> 16))) >> 14;
   }
 
  private:
-  std::int32_t rise_;  ///< 17 fraction bits
+  std::int32_t rise_;  ///< 18 fraction bits
   std::int32_t bend_;
 };
 
-/// A point of an arc: the fraction t and the excesses of both ends.
-struct ArcPoint {
-  std::int32_t t;     ///< 15 fraction bits
-  std::int32_t from;  ///< excess of the end at t = 0, 18 fraction bits
-  std::int32_t to;
+/// A scalar along an arc.
+struct ScalarOfArc {
+  Cosine from;          ///< A
+  std::int32_t change;  ///< D, 17 fraction bits
+  std::int32_t lift;    ///< 3 M - 15/32 D, 13 fraction bits
 
-  ARCSPAN_INLINE_UNLESS_SMALL constexpr ArcPoint(const ArcExcess& excess, std::int32_t fraction)
-      : t(fraction), from(excess(32768 - fraction)), to(excess(fraction)) {}
-
-  /// Returns a scalar at this point from its values at the ends.
-  [[nodiscard]] ARCSPAN_INLINE_UNLESS_SMALL constexpr Cosine between(Cosine a, Cosine b) const {
-    const std::int32_t straight =
-        wrap_add(a.raw(), scaled_down(wrap_sub(b.raw(), a.raw()), static_cast<std::uint32_t>(t), 15));
-    const std::int32_t above =
-        wrap_add(wrap_mul(from, round_shift(a.raw(), 15)), wrap_mul(to, round_shift(b.raw(), 15)));
-    return Cosine::from_raw(wrap_add(straight, above >> 3));
-  }
-  /// Returns the weights of both ends, 15 fraction bits.
-  [[nodiscard]] constexpr std::int32_t weight_from() const { return 32768 - t + (from >> 3); }
-  [[nodiscard]] constexpr std::int32_t weight_to() const { return t + (to >> 3); }
+  ScalarOfArc() = default;
+  ARCSPAN_INLINE constexpr ScalarOfArc(Cosine a, Cosine b)
+      : from(a),
+        change(round_shift(wrap_sub(b.raw(), a.raw()), 13)),
+        lift((wrap_add(wrap_add(a.raw(), b.raw() >> 1), std::int32_t{1} << 15) >> 16) + (change >> 9)) {}
 };
 
-/// The scalars of a small triangle whose normals are up to 60 degrees apart: bilinear SLERP at every pixel,
-/// along the two edges of a row and then along the row, as wide triangles are drawn (decision 23).
+/// A point of an arc. Its t is rounded down to 13 bits, which moves it along the circle by at most 1.3e-4.
+struct ArcPoint {
+  std::int32_t t;  ///< 13 fraction bits
+  std::int32_t q;  ///< 20 fraction bits
+
+  template <class Series>
+  ARCSPAN_INLINE constexpr ArcPoint(const Series& series, std::int32_t fraction)
+      : t(fraction), q(series(fraction)) {}
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr Cosine on(const ScalarOfArc& scalar) const {
+    const std::int32_t moved = wrap_mul(t, scalar.change);  // at most 1
+    const std::int32_t lifted = wrap_mul(scalar.lift + (moved >> 17) - (moved >> 21), q) >> 3;
+    return Cosine::from_raw(wrap_add(wrap_add(scalar.from.raw(), moved), lifted));
+  }
+  /// Returns the weight of the end at t = 1, 15 fraction bits. The sum of both weights is 1 + 3 q.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t weight() const {
+    return 4 * t + ((q * (8192 + 256 + t - (t >> 4))) >> 18);
+  }
+};
+
+/// The scalars of a triangle whose normals are up to 60 degrees apart: bilinear SLERP at every pixel, along
+/// the two edges of a row and then along the row, as wide triangles are drawn (decision 23).
 template <class Lighting, std::size_t Used>
 class SmallArc {
  public:
+  using Scalars = std::array<Cosine, Lighting::kScalars>;
+  using Series = ArcSeries<Used == Lighting::kScalars>;
+
   /// The pixels of a row (PixelRun).
   class Run {
    public:
@@ -91,124 +125,136 @@ class SmallArc {
     friend class SmallArc;
 
     [[nodiscard]] ARCSPAN_INLINE constexpr PatchRun<Lighting, Used> pixel() const {
-      const std::int32_t u = u_ >> kMoreBits;
-      const ArcPoint point(excess_, u < 0 ? 0 : u > 32768 ? 32768 : u);
+      const ArcPoint point(series_, u_ >> kMoreBits);
       PatchRun<Lighting, Used> pixel;
-      unrolled<Used>([&](auto i) { pixel.start_at(i, {point.between(on_long_[i], on_short_[i]), {}, {}}); });
+      unrolled<Used>([&](auto i) { pixel.start_at(i, {point.on(scalars_[i]), {}, {}}); });
       return pixel;
     }
 
-    std::int32_t u_;  ///< fraction of the row from the long edge, 15 + kMoreBits fraction bits
+    std::int32_t u_;  ///< fraction of the row from the long edge, 13 + kMoreBits fraction bits
     std::int32_t du_;
-    ArcExcess excess_;
-    std::array<Cosine, Used> on_long_;
-    std::array<Cosine, Used> on_short_;
+    Series series_;
+    std::array<ScalarOfArc, Used> scalars_;
   };
 
-  /// Prepares the first `Used` scalars. The squared chords have 28 fraction bits.
-  constexpr void prepare(const std::array<const RasterPosition*, 3>& positions,
-                         const std::array<const std::array<Cosine, Lighting::kScalars>*, 3>& scalars,
-                         const std::array<std::uint32_t, 3>& opposite_chords, const SmallTriangle& triangle) {
-    std::size_t top = positions[1]->y < positions[0]->y ? 1 : 0;
-    std::size_t bottom = 1 - top;
-    if (positions[2]->y < positions[top]->y) {
-      top = 2;
-    } else if (positions[2]->y >= positions[bottom]->y) {
-      bottom = 2;
-    }
-    const std::size_t middle = 3 - top - bottom;
-    // The coordinate of the middle vertex is base + of_b l_b + of_c l_c.
-    base_ = middle == 0 ? 65536 : 0;
-    of_b_ = middle == 0 ? -1 : middle == 1 ? 1 : 0;
-    of_c_ = middle == 0 ? -1 : middle == 2 ? 1 : 0;
-    d_middle_ = of_b_ * triangle.db + of_c_ * triangle.dc;
-    top_y_ = positions[top]->y;
-    middle_y_ = positions[middle]->y;
-    bottom_y_ = positions[bottom]->y;
+  /// Prepares the first `Used` scalars of the vertices, which are sorted by height. The squared chords have
+  /// 28 fraction bits.
+  template <class Raster>
+  constexpr void prepare(const SmallCorners<Raster>& at, const TriangleChords& chords,
+                         const SmallTriangle& triangle) {
     const auto scaled = [](std::uint32_t chord) { return static_cast<std::int32_t>((chord + 4096u) >> 13); };
-    top_middle_ = scaled(opposite_chords[bottom]);
-    top_bottom_ = scaled(opposite_chords[middle]);
-    middle_bottom_ = scaled(opposite_chords[top]);
-    long_edge_ = ArcExcess(top_bottom_);
-    upper_edge_ = ArcExcess(top_middle_);
-    lower_edge_ = ArcExcess(middle_bottom_);
-    for (std::size_t i = 0; i < Used; ++i) {
-      top_[i] = (*scalars[top])[i];
-      middle_[i] = (*scalars[middle])[i];
-      bottom_[i] = (*scalars[bottom])[i];
+    const std::int32_t top_middle = scaled(chords.top_middle);
+    const std::int32_t top_bottom = scaled(chords.top_bottom);
+    const std::int32_t middle_bottom = scaled(chords.middle_bottom);
+    const std::int32_t top_y = at.a.position.y;
+    const std::int32_t bottom_y = at.c.position.y;
+    middle_y_ = at.b.position.y;
+    d_middle_ = triangle.d_middle;
+    long_inverse_ = inverse_of(bottom_y - top_y);
+    long_edge_ = Series(top_bottom);
+    const std::int32_t first_y = triangle.row * 16 + 8;
+    if (first_y < middle_y_) {
+      upper_.prepare(top_y, middle_y_ - top_y, {top_middle, top_bottom, middle_bottom}, at.a.shade.scalars,
+                     at.b.shade.scalars, at.c.shade.scalars);
+    }
+    if (first_y + (triangle.rows - 1) * 16 >= middle_y_) {
+      lower_.prepare(bottom_y, bottom_y - middle_y_, {middle_bottom, top_bottom, top_middle},
+                     at.c.shade.scalars, at.b.shade.scalars, at.a.shade.scalars);
     }
   }
 
-  /// Returns the run of the row whose centre line is at `y` (28.4). It begins at the barycentric coordinates
-  /// l_b and l_c, 16 fraction bits, which are inside the triangle.
-  [[nodiscard]] constexpr Run row(std::int32_t y, std::int32_t b, std::int32_t c) const {
-    const ArcPoint on_long(long_edge_, fraction(y - top_y_, bottom_y_ - top_y_));
-    const bool is_upper = y < middle_y_;
-    const std::int32_t from_corner = is_upper ? y - top_y_ : bottom_y_ - y;
-    const std::int32_t height = is_upper ? middle_y_ - top_y_ : bottom_y_ - middle_y_;
-    const std::int32_t t = fraction(is_upper ? from_corner : height - from_corner, height);
-    const ArcPoint on_short(is_upper ? upper_edge_ : lower_edge_, t);
-    const std::array<Cosine, Used>& upper_end = is_upper ? top_ : middle_;
-    const std::array<Cosine, Used>& lower_end = is_upper ? middle_ : bottom_;
+  /// Returns the run of the row whose centre line is at `y` (28.4). It begins where the coordinate of the
+  /// middle vertex is `middle`, 16 fraction bits.
+  [[nodiscard]] constexpr Run row(std::int32_t y, std::int32_t middle, std::int32_t) const {
+    const Half& half = y < middle_y_ ? upper_ : lower_;
+    const std::int32_t away = y < half.corner_y ? half.corner_y - y : y - half.corner_y;
+    const ArcPoint on_long(long_edge_, fraction(away, long_inverse_));
+    const ArcPoint on_short(half.short_edge, fraction(away, half.inverse));
     Run run;
     unrolled<Used>([&](auto i) {
-      run.on_long_[i] = on_long.between(top_[i], bottom_[i]);
-      run.on_short_[i] = on_short.between(upper_end[i], lower_end[i]);
+      run.scalars_[i] = ScalarOfArc(on_long.on(half.to_far[i]), on_short.on(half.to_middle[i]));
     });
-    run.excess_ = ArcExcess(row_chord(on_long, on_short, is_upper));
+    run.series_ = Series(half.row_chord(on_long, on_short));
     // The length of the middle row divided by that of this row: 15 fraction bits.
-    const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(from_corner));
-    const std::uint32_t stretch =
-        (static_cast<std::uint32_t>(height) * inverse.mantissa) >> (inverse.exponent - 15);
-    const auto middle = static_cast<std::uint32_t>(base_ + of_b_ * b + of_c_ * c);
-    run.u_ = static_cast<std::int32_t>((middle * stretch) >> (16 - kMoreBits));
-    run.du_ = wrap_mul(d_middle_, static_cast<std::int32_t>(stretch)) >> (16 - kMoreBits);
+    const Inverse inverse = inverse_of(away);
+    const std::int32_t stretch = fraction(half.height, {inverse.mantissa, inverse.down - 2});
+    run.u_ = static_cast<std::int32_t>(
+        (static_cast<std::uint32_t>(middle) * static_cast<std::uint32_t>(stretch)) >> 3);
+    run.du_ = wrap_mul(d_middle_, stretch) >> 3;
     return run;
   }
 
  private:
-  static constexpr int kMoreBits = 13;
+  static constexpr int kMoreBits = 15;
 
-  /// Returns part / whole, 15 fraction bits; 0 <= part <= whole <= 128 pixels.
-  [[nodiscard]] static constexpr std::int32_t fraction(std::int32_t part, std::int32_t whole) {
-    const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(whole));
-    return static_cast<std::int32_t>((static_cast<std::uint32_t>(part) * inverse.mantissa) >>
-                                     (inverse.exponent - 15));
+  /// A reciprocal with 13 fraction bits more than its argument: mantissa * 2^-down.
+  struct Inverse {
+    std::uint32_t mantissa;
+    int down;
+  };
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Inverse inverse_of(std::int32_t length) {
+    const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(length));
+    return {inverse.mantissa, inverse.exponent - 13};
+  }
+  /// Squared chords, 15 fraction bits.
+  struct HalfChords {
+    std::int32_t corner_middle;
+    std::int32_t corner_far;
+    std::int32_t middle_far;
+  };
+  /// The rows between the middle vertex and the upper or the lower corner, from which arcs are measured.
+  struct Half {
+    std::int32_t corner_y;  ///< 4 fraction bits
+    std::int32_t height;
+    Inverse inverse;  ///< of the height
+    HalfChords chords;
+    Series short_edge;
+    std::array<ScalarOfArc, Used> to_far;  ///< along the long edge
+    std::array<ScalarOfArc, Used> to_middle;
+
+    /// `corner`, `middle` and `far` are the scalars of the corner, of the middle vertex and of the other
+    /// corner.
+    ARCSPAN_OUTLINE constexpr void prepare(std::int32_t y, std::int32_t rows, const HalfChords& squared,
+                                           const Scalars& corner, const Scalars& middle, const Scalars& far) {
+      corner_y = y;
+      height = rows;
+      inverse = inverse_of(rows);
+      chords = squared;
+      short_edge = Series(squared.corner_middle);
+      for (std::size_t i = 0; i < Used; ++i) {
+        to_far[i] = ScalarOfArc(corner[i], far[i]);
+        to_middle[i] = ScalarOfArc(corner[i], middle[i]);
+      }
+    }
+
+    /// Returns the squared chord between the normals at both ends of a row, 15 fraction bits. For unit
+    /// vectors |sum k_i N_i|^2 = (sum k_i)^2 - sum k_i k_j |N_i - N_j|^2.
+    [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t row_chord(const ArcPoint& on_long,
+                                                                  const ArcPoint& on_short) const {
+      const std::int32_t far = on_long.weight();
+      const std::int32_t middle = -on_short.weight();
+      const std::int32_t sum = (3 * (on_long.q - on_short.q)) >> 5;
+      const std::int32_t corner = sum - far - middle;
+      const std::int32_t of_corner = (middle * chords.corner_middle + far * chords.corner_far) >> 15;
+      const std::int32_t apart =
+          wrap_add(wrap_mul(corner, of_corner), wrap_mul((middle * far) >> 15, chords.middle_far));
+      const std::int32_t chord = wrap_sub(sum * sum, apart) >> 15;
+      return chord < 0 ? 0 : chord > 32768 ? 32768 : chord;
+    }
+  };
+
+  /// Returns part / whole, 13 fraction bits; the lengths are at most 32 pixels.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::int32_t fraction(std::int32_t part,
+                                                                      const Inverse& whole) {
+    return static_cast<std::int32_t>((static_cast<std::uint32_t>(part) * whole.mantissa) >> whole.down);
   }
 
-  /// Returns the squared chord between the normals at both ends of a row, 15 fraction bits. For unit vectors
-  /// |sum k_i N_i|^2 = (sum k_i)^2 - sum k_i k_j |N_i - N_j|^2.
-  [[nodiscard]] constexpr std::int32_t row_chord(const ArcPoint& on_long, const ArcPoint& on_short,
-                                                 bool is_upper) const {
-    const std::int32_t from = on_short.weight_from();
-    const std::int32_t to = on_short.weight_to();
-    const std::int32_t top = on_long.weight_from() - (is_upper ? from : 0);
-    const std::int32_t middle = is_upper ? -to : -from;
-    const std::int32_t bottom = on_long.weight_to() - (is_upper ? 0 : to);
-    const std::int32_t sum = top + middle + bottom;
-    const auto product = [](std::int32_t p, std::int32_t q) { return (p * q) >> 15; };
-    const std::int32_t chord = product(sum, sum) - product(product(top, middle), top_middle_) -
-                               product(product(top, bottom), top_bottom_) -
-                               product(product(middle, bottom), middle_bottom_);
-    return chord < 0 ? 0 : chord > 32768 ? 32768 : chord;
-  }
-
-  std::int32_t base_;
-  std::int32_t of_b_;
-  std::int32_t of_c_;
-  std::int32_t d_middle_;  ///< its change per pixel, 16 fraction bits
-  std::int32_t top_y_;     ///< of the vertices, 4 fraction bits
-  std::int32_t middle_y_;
-  std::int32_t bottom_y_;
-  std::int32_t top_middle_;  ///< squared chords, 15 fraction bits
-  std::int32_t top_bottom_;
-  std::int32_t middle_bottom_;
-  ArcExcess long_edge_;
-  ArcExcess upper_edge_;
-  ArcExcess lower_edge_;
-  std::array<Cosine, Used> top_;
-  std::array<Cosine, Used> middle_;
-  std::array<Cosine, Used> bottom_;
+  std::int32_t middle_y_;  ///< 4 fraction bits
+  std::int32_t d_middle_;  ///< change of its coordinate per pixel, 16 fraction bits
+  Inverse long_inverse_;
+  Series long_edge_;
+  Half upper_;  ///< set if the triangle has such rows
+  Half lower_;
 };
 
 }  // namespace arcspan

@@ -11,22 +11,23 @@
 
 namespace arcspan {
 
-/// Returns the squared chords of a triangle's edges: ab as top_middle, ca as top_bottom, bc as middle_bottom.
+/// Returns the squared chords of the edges of a triangle a, b, c whose vertices are sorted by height.
 [[nodiscard]] constexpr TriangleChords chords_between(const Normal& a, const Normal& b, const Normal& c) {
-  return {squared_chord(a, b), squared_chord(c, a), squared_chord(b, c)};
+  return {squared_chord(a, b), squared_chord(a, c), squared_chord(b, c)};
 }
 
-/// The three vertices of a small triangle.
-template <class Raster>
-struct SmallCorners {
-  const Raster& a;
-  const Raster& b;
-  const Raster& c;
+/// The scalars of a triangle that no light reaches: N·L = 0.
+template <class Lighting>
+struct SmallDark {
+  using Run = PatchRun<Lighting, 1>;
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t, std::int32_t) const {
+    Run run;
+    run.start_at(0, {});
+    return run;
+  }
 };
-template <class Raster>
-SmallCorners(const Raster&, const Raster&, const Raster&) -> SmallCorners<Raster>;
 
-/// The part of `Arc` of a small triangle: a patch or arcs, of all scalars or of N·L alone.
+/// The part of `Arc` of a small triangle: darkness, a patch or arcs, of all scalars or of N·L alone.
 template <class Lighting>
 class SmallShading {
  public:
@@ -37,6 +38,44 @@ class SmallShading {
     Cosine b;
     Cosine c;
   };
+  /// Returns true if no light reaches a triangle with these scalars at its vertices. With all N·L of one sign
+  /// at the vertices, they have it everywhere.
+  template <class Scalars>
+  [[nodiscard]] static constexpr bool is_dark([[maybe_unused]] const Scalars& a,
+                                              [[maybe_unused]] const Scalars& b,
+                                              [[maybe_unused]] const Scalars& c) {
+    if constexpr (!Lighting::kHasRamp) {
+      return false;
+    } else {
+      for (std::size_t i = 0; i < Lighting::kLights; ++i) {
+        if (a[i].raw() > 0 || b[i].raw() > 0 || c[i].raw() > 0) return false;
+      }
+      return true;
+    }
+  }
+  /// Returns true if a triangle may be drawn as a small one although it is medium: if it is dark or consists
+  /// of arcs. `Frame` is a TriangleFrame.
+  template <class Frame>
+  [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const Frame& frame) {
+    const auto& top = frame.top->shade.scalars;
+    const auto& middle = frame.middle->shade.scalars;
+    const auto& bottom = frame.bottom->shade.scalars;
+    if (is_dark(top, middle, bottom)) return true;
+    const std::uint32_t widest = frame.chords.widest();
+    if (widest <= lighting.widest_patch() || widest > kWidestArc) return false;
+    if constexpr (Lighting::kHasRamp) {
+      if (widest <= kWidestDiffusePatch && !lighting.may_shine(top, middle, bottom, arc_headroom(widest)))
+        return false;
+    }
+    return true;
+  }
+  /// Prepares a triangle that is_dark(). Returns false if it is not.
+  template <class Scalars>
+  [[nodiscard]] constexpr bool prepare_dark(const Scalars& a, const Scalars& b, const Scalars& c) {
+    path_ = Path::kDark;
+    return is_dark(a, b, c);
+  }
+
   /// `widest`: the widest squared chord; `shines`: true if a highlight is within reach.
   template <class Raster>
   [[nodiscard]] static constexpr Diffuse diffuse_of(const Lighting& lighting, const SmallCorners<Raster>& at,
@@ -55,22 +94,16 @@ class SmallShading {
   }
 
   /// Prepares the triangle; `shines` is true if a highlight is within reach. Returns false if the normals are
-  /// more than 60 degrees apart.
+  /// more than 60 degrees apart, or if it `is_medium` and a patch.
   template <class Raster>
   [[nodiscard]] constexpr bool prepare(const Lighting& lighting, const SmallCorners<Raster>& at,
                                        const TriangleChords& chords, bool shines, const Diffuse& diffuse,
-                                       const SmallTriangle& triangle) {
+                                       bool is_medium, const SmallTriangle& triangle) {
     const std::uint32_t widest = chords.widest();
     if (widest > kWidestArc) return false;
-    const auto& a = at.a.shade.scalars;
-    const auto& b = at.b.shade.scalars;
-    const auto& c = at.c.shade.scalars;
-    const auto prepare_arc = [&](auto& arc) {
-      arc.prepare({&at.a.position, &at.b.position, &at.c.position}, {&a, &b, &c},
-                  {chords.middle_bottom, chords.top_bottom, chords.top_middle}, triangle);
-    };
     if constexpr (Lighting::kHasRamp) {
       if (diffuse.suffices) {
+        if (is_medium) return false;
         path_ = Path::kDiffusePatch;
         const auto scalar = [](Cosine value) { return std::array<Cosine, 1>{value}; };
         diffuse_patch_.prepare(scalar(diffuse.a), scalar(diffuse.b), scalar(diffuse.c), chords, triangle);
@@ -80,15 +113,16 @@ class SmallShading {
     if constexpr (Lighting::kHasRamp && Lighting::kLights == 1) {
       if (!shines) {
         path_ = Path::kDiffuseArc;
-        prepare_arc(diffuse_arc_);
+        diffuse_arc_.prepare(at, chords, triangle);
         return true;
       }
     }
     path_ = widest <= lighting.widest_patch() ? Path::kPatch : Path::kArc;
     if (path_ == Path::kPatch) {
-      patch_.prepare(a, b, c, chords, triangle);
+      if (is_medium) return false;
+      patch_.prepare(at.a.shade.scalars, at.b.shade.scalars, at.c.shade.scalars, chords, triangle);
     } else {
-      prepare_arc(arc_);
+      arc_.prepare(at, chords, triangle);
     }
     return true;
   }
@@ -98,6 +132,7 @@ class SmallShading {
   [[nodiscard]] constexpr Status walk(Draw&& draw) const {
     if constexpr (Lighting::kHasRamp) {
       if (path_ == Path::kDiffusePatch) return draw(diffuse_patch_);
+      if (path_ == Path::kDark) return draw(SmallDark<Lighting>{});
     }
     if constexpr (Lighting::kHasRamp && Lighting::kLights == 1) {
       if (path_ == Path::kDiffuseArc) return draw(diffuse_arc_);
@@ -106,7 +141,7 @@ class SmallShading {
   }
 
  private:
-  enum class Path : std::uint8_t { kPatch, kDiffusePatch, kArc, kDiffuseArc };
+  enum class Path : std::uint8_t { kPatch, kDiffusePatch, kArc, kDiffuseArc, kDark };
 
   union {
     SmallPatch<Lighting, 1, 15> diffuse_patch_;

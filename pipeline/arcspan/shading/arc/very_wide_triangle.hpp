@@ -1,27 +1,81 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/shading/arc/arc_edge.hpp>
 #include <arcspan/shading/arc/arc_vertex.hpp>
 #include <arcspan/shading/arc/row_angles.hpp>
 #include <arcspan/shading/arc/row_pieces.hpp>
 #include <arcspan/target.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace arcspan {
 
-/// A triangle with normals more than 60 degrees apart. Both ends of each row are found from its vertices,
-/// because the series of WideTriangle do not hold there. Such triangles are rare in meshes; a row takes some
-/// thousand instructions.
+/// An edge that may be wider than 60 degrees, and the part of it that holds the current row: the whole edge,
+/// a half or a quarter, whichever is narrow enough for ArcShape.
+template <std::size_t Count>
+struct DividedEdge {
+  static constexpr int kBits = 30;  ///< of fraction.t
+
+  EdgeFraction fraction;           ///< of the whole edge, from its upper end
+  std::array<Cosine, Count> from;  ///< scalars at the part's upper end
+  std::array<Cosine, Count> to;    ///< scalars at its lower end
+  ArcShape shape;                  ///< of the part
+  std::uint8_t halvings;           ///< the edge has 2^halvings parts of this size
+  std::uint8_t index;              ///< of the part, from the upper end; kNone if no part is set
+  static constexpr std::uint8_t kNone = 255;
+
+  constexpr void start(const EdgeFraction& at) {
+    fraction.t = at.t;
+    fraction.dt = at.dt;
+    halvings = 0;
+    index = kNone;
+  }
+  /// Returns false if the current row is not on the part. The part's end belongs to the next one, so that a
+  /// row has the same part whether or not the rows above were drawn.
+  [[nodiscard]] constexpr bool is_on_part() const { return part_of_row() == index; }
+  /// Sets the part that holds the current row, of the edge between the vertices `upper` and `lower`, which
+  /// become the part's ends.
+  constexpr void find_part(ArcVertex<Count>& upper, ArcVertex<Count>& lower) {
+    for (halvings = 0; halvings < 2 && squared_chord(upper.normal, lower.normal) > kWidestArc;) {
+      ++halvings;
+      const bool is_second = (part_of_row() & 1) != 0;
+      (is_second ? upper : lower) = half_way(upper, lower);
+    }
+    index = static_cast<std::uint8_t>(part_of_row());
+    from = upper.scalars;
+    to = lower.scalars;
+    const std::uint32_t chord = squared_chord(upper.normal, lower.normal);
+    shape = ArcShape(chord < kWidestArc ? chord : kWidestArc);
+  }
+  /// Returns the index of the part that holds the current row; the edge's lower end belongs to the last part.
+  [[nodiscard]] constexpr std::int32_t part_of_row() const {
+    constexpr std::int32_t kLast = (std::int32_t{1} << kBits) - 1;
+    return (fraction.t < kLast ? fraction.t : kLast) >> (kBits - halvings);
+  }
+  /// Returns the fraction of the part at the current row.
+  [[nodiscard]] constexpr Factor on_part() const {
+    const std::int32_t begin = wrap_shl(index, kBits - halvings);
+    return Factor::from_raw(wrap_shl(wrap_sub(fraction.t, begin), halvings) >> (kBits - Factor::kFraction));
+  }
+};
+
+/// A triangle with normals more than 60 degrees apart, for which neither ArcShape nor RowAngles hold. Its
+/// edges are divided into parts of at most 60 degrees, and the angle of a row follows from the normals at the
+/// ends of the two parts.
 template <std::size_t Count>
 struct VeryWideTriangle {
   ArcVertex<Count> top;
   ArcVertex<Count> middle;
   ArcVertex<Count> bottom;
-  EdgeFraction long_edge;  ///< from the upper end, as the others
-  EdgeFraction upper_edge;
-  EdgeFraction lower_edge;
+  EdgeFraction lower_edge;  ///< from its upper end
+  DividedEdge<Count> long_edge;
+  DividedEdge<Count> short_edge;  ///< of the current half
+  std::array<std::int32_t, 4>
+      products;  ///< of the normals at the ends of the parts, 15 fraction bits: from·from,
+                 ///< from·to, to·from and to·to, that of the long edge first
 
   template <class Frame>
   ARCSPAN_COLD_OUTLINE constexpr void prepare(Frame& frame) {
@@ -29,37 +83,80 @@ struct VeryWideTriangle {
     top = frame.top->shade;
     middle = frame.middle->shade;
     bottom = frame.bottom->shade;
-    long_edge = edge_fraction(frame.long_edge, true);
-    if (frame.has_upper) upper_edge = edge_fraction(frame.upper_edge, true);
+    long_edge.start(edge_fraction(frame.long_edge, true));
+    if (frame.has_upper) short_edge.start(edge_fraction(frame.upper_edge, true));
     if (frame.has_lower) lower_edge = edge_fraction(frame.lower_edge, true);
   }
 
-  constexpr void next_row(bool in_lower) {
-    long_edge.advance();
-    (in_lower ? lower_edge : upper_edge).advance();
+  constexpr void next_row() {
+    long_edge.fraction.advance();
+    short_edge.fraction.advance();
+  }
+  constexpr void skip_rows(std::int32_t rows) {
+    long_edge.fraction.advance(rows);
+    short_edge.fraction.advance(rows);
+  }
+  constexpr void enter_lower() { short_edge.start(lower_edge); }
+
+  /// Sets `ends` to the first `Used` scalars of the current row and to its squared angle. A row of more than
+  /// 60 degrees is halved; the ends are then those of the part in which `start` lies, and `start` becomes
+  /// relative to it. Returns the pixels from there to the end of the part, INT32_MAX in the last one.
+  template <std::size_t Used>
+  [[nodiscard]] ARCSPAN_OUTLINE constexpr std::int32_t row(bool in_lower, bool middle_left, RowPixel& start,
+                                                           RowEnds<Count>& ends) {
+    if (!long_edge.is_on_part() || !short_edge.is_on_part()) find_parts(in_lower);
+    const Factor on_long = long_edge.on_part();
+    const Factor on_short = short_edge.on_part();
+    const std::int32_t long_excess = long_edge.shape.excess(on_long);
+    const std::int32_t short_excess = short_edge.shape.excess(on_short);
+    std::array<Cosine, Count>& at_long = middle_left ? ends.right : ends.left;
+    std::array<Cosine, Count>& at_short = middle_left ? ends.left : ends.right;
+    unrolled<Used>([&](auto i) {
+      at_long[i] = long_edge.shape.between(long_edge.from[i], long_edge.to[i], on_long, long_excess);
+      at_short[i] = short_edge.shape.between(short_edge.from[i], short_edge.to[i], on_short, short_excess);
+    });
+    const std::uint32_t chord =
+        row_chord({long_edge.shape, on_long, long_excess}, {short_edge.shape, on_short, short_excess});
+    return halve<Used>(chord, start, ends);
   }
 
-  /// Returns the ends of the current row. A row of more than 60 degrees is halved; the ends are then those of
-  /// the part in which `start` lies, and `start` becomes relative to it. Returns the pixels from there to the
-  /// end of the part, INT32_MAX in the last one.
-  [[nodiscard]] ARCSPAN_COLD_OUTLINE constexpr std::int32_t row(bool in_lower, bool middle_left,
-                                                                RowStart& start, RowEnds<Count>& ends) const {
-    const ArcVertex<Count> at_long = on_arc(top, bottom, long_edge.factor());
-    const ArcVertex<Count> at_short =
-        in_lower ? on_arc(middle, bottom, lower_edge.factor()) : on_arc(top, middle, upper_edge.factor());
-    const ArcVertex<Count>& left = middle_left ? at_short : at_long;
-    const ArcVertex<Count>& right = middle_left ? at_long : at_short;
-    unrolled<Count>([&](auto i) {  // a copy of the whole would be a call of memcpy
-      ends.left[i] = left.scalars[i];
-      ends.right[i] = right.scalars[i];
-    });
-    std::uint32_t chord = squared_chord(at_long.normal, at_short.normal);
+ private:
+  ARCSPAN_COLD_OUTLINE constexpr void find_parts(bool in_lower) {
+    std::array<ArcVertex<Count>, 4> ends{top, bottom, in_lower ? middle : top, in_lower ? bottom : middle};
+    for (std::size_t i = 0; i < 2; ++i) {  // a loop, so that find_part() becomes a part of this function
+      (i == 0 ? long_edge : short_edge).find_part(ends[2 * i], ends[2 * i + 1]);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::uint32_t chord = squared_chord(ends[i >> 1].normal, ends[2 + (i & 1)].normal);
+      products[i] = 32768 - static_cast<std::int32_t>(chord >> 14);
+    }
+  }
+
+  /// Returns the squared chord of a row between points of both parts, 28 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t row_chord(const detail::ArcWeights& on_long,
+                                                  const detail::ArcWeights& on_short) const {
+    const auto mixed = [&](std::int32_t with_a, std::int32_t with_c) {
+      return wrap_add(wrap_mul(static_cast<std::int32_t>(on_short.a), with_a),
+                      wrap_mul(static_cast<std::int32_t>(on_short.c), with_c)) >>
+             15;
+    };
+    const std::int32_t product =  // of both normals, 30 fraction bits
+        wrap_add(wrap_mul(static_cast<std::int32_t>(on_long.a), mixed(products[0], products[1])),
+                 wrap_mul(static_cast<std::int32_t>(on_long.c), mixed(products[2], products[3])));
+    const std::int32_t chord = 65536 - (product >> 14);  // 15 fraction bits
+    return chord <= 0 ? 0u : static_cast<std::uint32_t>(chord) << 13;
+  }
+
+  /// Halves a row until it is at most 60 degrees wide, and sets the squared angle of `ends`.
+  template <std::size_t Used>
+  [[nodiscard]] constexpr std::int32_t halve(std::uint32_t chord, RowPixel& start,
+                                             RowEnds<Count>& ends) const {
     std::int32_t length = INT32_MAX;
     while (chord > kWidestArc) {
       const HalfWay half(chord);
       const RowPiece part = piece_of_row(start, 1);
       auto& replaced = part.index != 0 ? ends.left : ends.right;
-      for (std::size_t i = 0; i < Count; ++i) {
+      for (std::size_t i = 0; i < Used; ++i) {
         replaced[i] = Cosine::from_raw(half.of(std::int64_t{ends.left[i].raw()} + ends.right[i].raw()));
       }
       start.inside = part.inside;
@@ -68,8 +165,7 @@ struct VeryWideTriangle {
       if (part.length < length) length = part.length;
       chord = half.chord();
     }
-    const SquaredAngle angle2 = angle_of_chord(scaled_chord(chord, AngleFormat::kWide), AngleFormat::kWide);
-    ends.angle2 = Factor::from_raw(angle2.raw());
+    ends.angle2 = Factor::from_raw(static_cast<std::int32_t>(detail::squared_angle(chord >> 12) >> 1));
     return length;
   }
 };

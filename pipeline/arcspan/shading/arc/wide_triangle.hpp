@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/shading/arc/arc_edge.hpp>
 #include <arcspan/shading/arc/row_angles.hpp>
 #include <arcspan/target.hpp>
 
@@ -39,21 +40,18 @@ struct WideTriangle {
   /// Sets up the rows of both halves.
   template <class Frame>
   constexpr void prepare_rows(const Frame& frame) {
-    constexpr AngleFormat kFormat = AngleFormat::kWide;
-    const SquaredAngle top_middle = scaled_chord(frame.chords.top_middle, kFormat);
-    const SquaredAngle top_bottom = scaled_chord(frame.chords.top_bottom, kFormat);
-    const SquaredAngle middle_bottom = scaled_chord(frame.chords.middle_bottom, kFormat);
-    const CornerChords at_top{top_middle, top_bottom, middle_bottom};
-    const SquaredAngle at_middle = row_angle_at_middle(at_top, kFormat, frame.middle_fraction);
+    const auto rounded = [](std::uint32_t chord) { return (chord + (1u << 11)) >> 12; };
+    const HalfChords at_top{rounded(frame.chords.top_middle), rounded(frame.chords.top_bottom),
+                            rounded(frame.chords.middle_bottom)};
+    const std::uint32_t at_middle = middle_row_angle(at_top, long_edge.shape, frame.middle_fraction);
     if (frame.has_upper) {
-      const SquaredAngle corner = row_angle_at_corner(at_top, kFormat, frame.middle_fraction);
-      make_row_angles(corner, at_middle, frame.upper_edge, true, upper_rows);
+      make_row_angles(at_top, upper_edge.shape, long_edge.shape, frame.middle_fraction, at_middle, true,
+                      upper_rows);
     }
     if (frame.has_lower) {
-      const CornerChords at_bottom{middle_bottom, top_bottom, top_middle};
-      const SquaredAngle corner =
-          row_angle_at_corner(at_bottom, kFormat, Factor::of(1.0) - frame.middle_fraction);
-      make_row_angles(corner, at_middle, frame.lower_edge, false, lower_rows);
+      const HalfChords at_bottom{at_top.bc, at_top.ac, at_top.ab};
+      make_row_angles(at_bottom, lower_edge.shape, long_edge.shape, Factor::of(1.0) - frame.middle_fraction,
+                      at_middle, false, lower_rows);
     }
   }
 };

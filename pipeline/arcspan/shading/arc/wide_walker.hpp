@@ -7,6 +7,7 @@
 #include <arcspan/shading/patch/patch_walker.hpp>
 #include <arcspan/target.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -63,6 +64,14 @@ class PieceRun : public Pixels {
   std::int32_t length_ = INT32_MAX;
 };
 
+/// Optional part of a lighting: start_highlight() starts a HighlightRun, which steps the highlight itself and
+/// not the scalars that it follows from; it returns false where that is not accurate enough.
+template <class Lighting>
+concept StepsHighlight = requires(const Lighting& lighting, const typename Lighting::Scalars& ends,
+                                  const PieceSteps& steps, typename Lighting::HighlightRun& run) {
+  { lighting.start_highlight(ends, ends, steps, Factor{}, run) } -> std::same_as<bool>;
+};
+
 /// Steps the scalars of both edges from row to row (RowWalker), and draws rows in pieces. It changes the
 /// prepared triangle in place. `Pixels` uses the first Pixels::kUsed of its `Count` scalars.
 template <class Pixels, std::size_t Count, WidestNormals kWidest = WidestNormals::kAny>
@@ -72,70 +81,156 @@ class WideWalker {
   using Prepared = WideOrVeryWide<Count, kWidest>;
   static constexpr std::size_t kUsed = Pixels::kUsed;
   static constexpr bool kOutlined = true;
+  /// Programs that are optimised for size have one loop for pixels with and without highlights.
+  template <class Lighting>
+  static constexpr bool kMayBeDull = !kOptimisedForSize && kUsed > 1 &&
+                                     requires(const Lighting& lighting,
+                                              const typename Lighting::Scalars& scalars) {
+    lighting.may_shine_between(scalars, scalars, Factor{});
+    typename Pixels::Diffuse;
+  };
 
   constexpr explicit WideWalker(Prepared& triangle)
       : triangle_(&triangle), short_(&triangle.wide.upper_edge), rows_(&triangle.wide.upper_rows) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
-    Run run;  // one object on all ways, which small cores would otherwise copy by memcpy
-    if (kHasFastRow && !is_very_wide()) {
-      const Factor angle2 = rows_->squared();
-      if (is_one_piece(angle2, triangle_->widest_piece, start)) {
-        const PieceSteps steps = steps_of_row(start, angle2);
-        const ArcEdge<Count>& left = triangle_->middle_left ? *short_ : triangle_->wide.long_edge;
-        const ArcEdge<Count>& right = triangle_->middle_left ? triangle_->wide.long_edge : *short_;
-        unrolled<kUsed>(
-            [&](auto i) { run.start_at(i, parabola_of(steps, left.scalars[i].x, right.scalars[i].x)); });
-        if (start.skipped != 0) run.skip(start.skipped);
-        return run;
+    const Piece piece = piece_at(start);
+    return run_of<Run>(piece, piece_steps(piece.column, piece.ends.angle2));
+  }
+
+  /// Calls `draw` with the run of the row's next piece: with N·L alone where no highlight is within reach,
+  /// which gives the same colours (ChoosesRuns).
+  template <class Lighting, class Draw>
+  [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(
+      const RowStart& start, const Lighting& lighting, const Draw& draw) const requires kMayBeDull<Lighting> {
+    const Piece piece = piece_at(start);
+    const PieceSteps steps = piece_steps(piece.column, piece.ends.angle2);
+    if (lighting.may_shine_between(piece.ends.left, piece.ends.right, piece.ends.angle2)) {
+      if constexpr (StepsHighlight<Lighting>) {
+        PieceRun<typename Lighting::HighlightRun> run;
+        if (lighting.start_highlight(piece.ends.left, piece.ends.right, steps, piece.ends.angle2, run)) {
+          start_in_piece(piece, run);
+          return draw(run);
+        }
       }
+      Run run = run_of<Run>(piece, steps);
+      return draw(run);
     }
-    set_piece(start, run);
-    return run;
+    PieceRun<typename Pixels::Diffuse> run = run_of<PieceRun<typename Pixels::Diffuse>>(piece, steps);
+    return draw(run);
   }
 
   constexpr void next_row() {
     if constexpr (Prepared::kHasVeryWide) {
       if (triangle_->is_very_wide) {
-        triangle_->very_wide.next_row(in_lower());
+        triangle_->very_wide.next_row();
         return;
       }
     }
     triangle_->wide.long_edge.template advance<kUsed>();
     short_->template advance<kUsed>();
-    rows_->t.advance();
+  }
+  ARCSPAN_OUTLINE constexpr void skip_rows(std::int32_t rows) {
+    if constexpr (Prepared::kHasVeryWide) {
+      if (triangle_->is_very_wide) {
+        triangle_->very_wide.skip_rows(rows);
+        return;
+      }
+    }
+    triangle_->wide.long_edge.template advance<kUsed>(rows);
+    short_->template advance<kUsed>(rows);
   }
   constexpr void enter_lower() {
+    if constexpr (Prepared::kHasVeryWide) {
+      if (triangle_->is_very_wide) triangle_->very_wide.enter_lower();
+    }
     short_ = &triangle_->wide.lower_edge;
     rows_ = &triangle_->wide.lower_rows;
   }
 
  private:
-  /// Sets `run` to one of several pieces of a row.
-  ARCSPAN_OUTLINE constexpr void set_piece(const RowStart& of_row, Run& run) const {
-    // Member by member, because small cores would copy the whole by memcpy.
-    RowStart start{of_row.fraction, of_row.skipped, of_row.inside, of_row.width, of_row.bits, of_row.column};
+  /// A piece of a row, from one of its pixels on.
+  struct Piece {
     RowEnds<Count> ends;
-    std::int32_t length = INT32_MAX;
+    PieceColumn column;
+    std::int32_t skipped;  ///< pixels of the piece that are not drawn
+    std::int32_t length;   ///< pixels up to its end
+  };
+
+  /// Returns the run that begins at a pixel of a piece.
+  template <class RunType>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr RunType run_of(const Piece& piece, const PieceSteps& steps) {
+    RunType run;
+    unrolled<RunType::kUsed>(
+        [&](auto i) { run.start_at(i, parabola_of(steps, piece.ends.left[i], piece.ends.right[i])); });
+    start_in_piece(piece, run);
+    return run;
+  }
+  /// Steps a run from the first pixel of a piece to the one where it begins.
+  template <class RunType>
+  ARCSPAN_INLINE static constexpr void start_in_piece(const Piece& piece, RunType& run) {
+    if (piece.skipped != 0) run.skip(piece.skipped);
+    run.set_length(piece.length);
+  }
+
+  /// Returns the piece in which a pixel lies.
+  [[nodiscard]] ARCSPAN_INLINE constexpr Piece piece_at(const RowStart& start) const {
+    Piece piece;
+    if (kHasFastRow && !is_very_wide()) {
+      piece.ends.angle2 = rows_->squared(short_->fraction.factor());
+      if (is_one_piece(piece.ends.angle2, triangle_->widest_piece, start)) {
+        set_ends(piece.ends);
+        piece.column = {start.fraction, start.width, 16};
+        piece.skipped = start.skipped;
+        piece.length = INT32_MAX;
+        return piece;
+      }
+    }
+    // The address of `piece` is not passed on, so that it can be in registers.
+    RowPixel pixel{start.inside, start.width, start.bits};
+    Piece one_of_several;
+    set_piece(pixel, one_of_several);
+    unrolled<kUsed>([&](auto i) {
+      piece.ends.left[i] = one_of_several.ends.left[i];
+      piece.ends.right[i] = one_of_several.ends.right[i];
+    });
+    piece.ends.angle2 = one_of_several.ends.angle2;
+    piece.column = one_of_several.column;
+    piece.skipped = one_of_several.skipped;
+    piece.length = one_of_several.length;
+    return piece;
+  }
+
+  /// Sets the scalars at both ends of the current row.
+  ARCSPAN_INLINE constexpr void set_ends(RowEnds<Count>& ends) const {
+    const ArcEdge<Count>& left = triangle_->middle_left ? *short_ : triangle_->wide.long_edge;
+    const ArcEdge<Count>& right = triangle_->middle_left ? triangle_->wide.long_edge : *short_;
+    const std::int32_t left_excess = left.excess();
+    const std::int32_t right_excess = right.excess();
+    unrolled<kUsed>([&](auto i) {
+      ends.left[i] = left.at(i, left_excess);
+      ends.right[i] = right.at(i, right_excess);
+    });
+  }
+
+  /// Sets `piece` to the one of several pieces of a row in which `start` lies; it changes `start`.
+  ARCSPAN_OUTLINE constexpr void set_piece(RowPixel& start, Piece& piece) const {
+    RowEnds<Count>& ends = piece.ends;
+    piece.length = INT32_MAX;
     if (is_very_wide()) {
       if constexpr (Prepared::kHasVeryWide) {
-        length = triangle_->very_wide.row(in_lower(), triangle_->middle_left, start, ends);
+        piece.length =
+            triangle_->very_wide.template row<kUsed>(in_lower(), triangle_->middle_left, start, ends);
       }
     } else {
-      for (std::size_t i = 0; i < kUsed; ++i) {
-        const Cosine at_short = short_->scalars[i].x;
-        const Cosine at_long = triangle_->wide.long_edge.scalars[i].x;
-        ends.left[i] = triangle_->middle_left ? at_short : at_long;
-        ends.right[i] = triangle_->middle_left ? at_long : at_short;
-      }
-      ends.angle2 = rows_->squared();
+      ends.angle2 = rows_->squared(short_->fraction.factor());
+      set_ends(ends);
     }
-    const RowPiece piece = piece_of_row(start, halvings_of(ends.angle2, triangle_->widest_piece, start));
-    narrow_to<kUsed>(piece, ends);
-    const PieceSteps steps = steps_of_piece(piece, ends.angle2);
-    run.set_length(length < piece.length ? length : piece.length);
-    for (std::size_t i = 0; i < kUsed; ++i) run.start_at(i, parabola_of(steps, ends.left[i], ends.right[i]));
-    run.skip(static_cast<std::int32_t>(piece.inside >> piece.bits));
+    const RowPiece part = piece_of_row(start, halvings_of(ends.angle2, triangle_->widest_piece, start));
+    narrow_to<kUsed>(part, ends);
+    piece.column = column_of(part);
+    if (part.length < piece.length) piece.length = part.length;
+    piece.skipped = static_cast<std::int32_t>(part.inside >> part.bits);
   }
 
   /// True in the lower half. No member of its own: small cores would copy a larger walker by memcpy.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/arc/row_angles.hpp>
+#include <arcspan/shading/arc/arc_edge.hpp>
+#include <arcspan/shading/literature/recurrence_edge.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>

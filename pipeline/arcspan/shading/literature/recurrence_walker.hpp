@@ -14,9 +14,9 @@ namespace arcspan {
 /// the rows of the upper and the lower half. An edge or a half without rows to draw is not set.
 template <std::size_t Count>
 struct ArcTriangle {
-  ArcEdge<Count> long_edge;
-  ArcEdge<Count> upper_edge;
-  ArcEdge<Count> lower_edge;
+  RecurrenceEdge<Count> long_edge;
+  RecurrenceEdge<Count> upper_edge;
+  RecurrenceEdge<Count> lower_edge;
   ArcRows upper_rows;
   ArcRows lower_rows;
   std::uint8_t slope_drop;  ///< slope_drop() of the rows
@@ -59,12 +59,12 @@ ARCSPAN_OUTLINE constexpr void prepare_arcs(Frame& frame, ArcTriangle<Count>& ar
   const auto& top = frame.top->shade.scalars;
   const auto& middle = frame.middle->shade.scalars;
   const auto& bottom = frame.bottom->shade.scalars;
-  make_arc_edge(frame.long_edge, chords.top_bottom, top, bottom, Count, arcs.long_edge);
+  make_recurrence_edge(frame.long_edge, chords.top_bottom, top, bottom, Count, arcs.long_edge);
   make_short_inverses(frame);
   if (frame.has_upper)
-    make_arc_edge(frame.upper_edge, chords.top_middle, top, middle, Count, arcs.upper_edge);
+    make_recurrence_edge(frame.upper_edge, chords.top_middle, top, middle, Count, arcs.upper_edge);
   if (frame.has_lower)
-    make_arc_edge(frame.lower_edge, chords.middle_bottom, middle, bottom, Count, arcs.lower_edge);
+    make_recurrence_edge(frame.lower_edge, chords.middle_bottom, middle, bottom, Count, arcs.lower_edge);
   const std::uint32_t widest = chords.widest();
   arcs.slope_drop = static_cast<std::uint8_t>(slope_drop(widest));
   arcs.rows = angle_format(widest);
@@ -137,8 +137,8 @@ class ArcWalker {
     const ArcStart arc = arc_start(angle2, arcs_->rows, fraction_of_row(start, inverse), pixel.factor());
     const SlopeScale scale = slope_scale(pixel, arcs_->slope_drop, 0);
 
-    const ArcEdge<kScalars>& left = arcs_->middle_left ? *short_ : arcs_->long_edge;
-    const ArcEdge<kScalars>& right = arcs_->middle_left ? arcs_->long_edge : *short_;
+    const RecurrenceEdge<kScalars>& left = arcs_->middle_left ? *short_ : arcs_->long_edge;
+    const RecurrenceEdge<kScalars>& right = arcs_->middle_left ? arcs_->long_edge : *short_;
     Run run(mantissa, rows_->k_shift);
     unrolled<kScalars>([&](auto i) {
       run.scalar(i) = start_scalar(arc, arcs_->rows, scale, left.scalars[i].x, right.scalars[i].x);
@@ -166,7 +166,7 @@ class ArcWalker {
   }
 
   ArcTriangle<kScalars>* arcs_;
-  ArcEdge<kScalars>* short_;
+  RecurrenceEdge<kScalars>* short_;
   ArcRows* rows_;
 };
 

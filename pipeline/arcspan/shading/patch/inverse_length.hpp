@@ -42,8 +42,9 @@ struct InverseLength {
 [[nodiscard]] constexpr Cosine divide_by_both_lengths(Cosine v, const InverseLength& one,
                                                       const InverseLength& other) {
   const Cosine product = part(part(v, one.fraction), other.fraction);
-  const int down = one.down + other.down;
-  return down == 0 ? product : Cosine::from_raw(round_shift(product.raw(), down > 31 ? 31 : down));
+  const int down = one.down + other.down;  // of a patch at most 14, because it is at most kLargestPatch
+  const std::int32_t half = (std::int32_t{1} << down) >> 1;
+  return Cosine::from_raw(wrap_add(product.raw(), half) >> down);
 }
 
 }  // namespace arcspan::detail

@@ -5,6 +5,7 @@
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/patch/inverse_length.hpp>
 #include <arcspan/shading/patch/patch_limits.hpp>
+#include <arcspan/shading/patch/sagitta_factor.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -64,25 +65,6 @@ struct PatchScalar {
 /// The patch of a triangle: `Count` scalars.
 template <std::size_t Count>
 using Patch = std::array<PatchScalar, Count>;
-
-/// The quadruple sagitta of an edge divided by the mean of its two values: 4 (1 / cos(psi/2) - 1).
-using SagittaFactor = Fixed<std::int32_t, 18>;
-
-/// Returns the factor of an edge with the squared chord s = `chord` (28 fraction bits) by the series
-/// s/2 + 3/32 s^2 + 5/256 s^3. s is at most 0.33 (33 degrees), where the factor is below 0.18.
-[[nodiscard]] constexpr SagittaFactor sagitta_factor(std::uint32_t chord) {
-  const std::uint32_t s = chord >> 13;                       // 15 fraction bits
-  const std::uint32_t inner = 3072u + ((s * 5u + 4u) >> 3);  // 3/32 + 5/256 s, 15 fraction bits
-  return SagittaFactor::from_raw(
-      static_cast<std::int32_t>(((chord + 1024) >> 11) + (((s * s) >> 12) * inner >> 15)));
-}
-
-/// The sagitta factors of a triangle's edges; all its scalars share them.
-struct EdgeSagittaFactors {
-  SagittaFactor top_middle;
-  SagittaFactor top_bottom;
-  SagittaFactor middle_bottom;
-};
 
 /// The values of a scalar at the vertices.
 struct PatchValues {

@@ -88,6 +88,7 @@ template <class Lighting, std::size_t Used>
 class PatchRun : public SecondDifferenceRun<Used> {
  public:
   static constexpr std::size_t kUsed = Used;
+  using Diffuse = PatchRun<Lighting, 1>;  ///< the pixels without highlight
 
   /// The lighting's type of colours.
   using Shade = decltype(std::declval<const Lighting&>().colour(

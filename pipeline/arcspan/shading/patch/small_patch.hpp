@@ -41,8 +41,8 @@ class SmallPatch {
   template <class Scalars>
   constexpr void prepare(const Scalars& a, const Scalars& b, const Scalars& c, const TriangleChords& chords,
                          const SmallTriangle& triangle) {
-    db_ = triangle.db >> kDropped;
-    dc_ = triangle.dc >> kDropped;
+    db_ = triangle.d_middle >> kDropped;
+    dc_ = triangle.d_bottom >> kDropped;
     const std::int32_t of_ab = sagitta_factor(chords.top_middle).raw();
     const std::int32_t of_bc = sagitta_factor(chords.middle_bottom).raw();
     const std::int32_t of_ca = sagitta_factor(chords.top_bottom).raw();

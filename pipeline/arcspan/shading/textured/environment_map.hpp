@@ -2,7 +2,6 @@
 #pragma once
 
 #include <arcspan/numbers/direction.hpp>
-#include <arcspan/shading/arc/squared_angle.hpp>
 #include <arcspan/shading/patch/patch_limits.hpp>
 #include <arcspan/shading/textured/texel_light.hpp>
 #include <arcspan/target.hpp>

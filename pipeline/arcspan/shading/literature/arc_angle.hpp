@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/arc/arc_start.hpp>
-#include <arcspan/shading/arc/recurrence.hpp>
+#include <arcspan/shading/literature/arc_start.hpp>
+#include <arcspan/shading/literature/recurrence.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/lighting/illumination.hpp>
+#include <arcspan/lighting/pixel_light.hpp>
+#include <arcspan/pixel/colour.hpp>
+#include <arcspan/prepare/row_start.hpp>
+#include <arcspan/shading/patch/patch_limits.hpp>
+#include <arcspan/shading/patch/patch_walker.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+/// Patches of triangles that the highlight of one of several grey lights may reach (decision 28).
+namespace arcspan {
+
+/// What that highlight depends on besides its scalars.
+struct OneHighlight {
+  std::int32_t half_one_plus_light_eye;  ///< (1 + L·V) / 2, 30 fraction bits
+  std::uint32_t weight;                  ///< highlight_weight()
+};
+/// Of illuminations without such patches.
+struct NoOneHighlight {};
+
+/// The pixels of a row (PixelRun). Their scalars are the diffuse_scalar() of all lights, N·L of the light and
+/// the scalar that its highlight depends on besides.
+template <class Lighting>
+class OneHighlightRun : public SecondDifferenceRun<3> {
+ public:
+  static constexpr std::size_t kUsed = 3;
+
+  [[nodiscard]] static constexpr OneHighlight highlight_of(const Lighting& lighting, std::size_t light) {
+    return {lighting.half_one_plus_light_eye_[light], lighting.highlight_weight(light)};
+  }
+  constexpr void set_highlight(const OneHighlight& highlight) { highlight_ = highlight; }
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
+    const std::uint32_t power = this->power(lighting);
+    const PackedRgb diffuse = lighting.diffuse_colour(scalars()[0]);
+    return power == 0 ? diffuse : diffuse.plus(lighting.highlight(power));
+  }
+  /// Returns the parts of colour() (LightRun).
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
+    const std::uint32_t power = this->power(lighting);
+    return {lighting.diffuse_colour(scalars()[0]), power == 0 ? PackedRgb{} : lighting.highlight(power)};
+  }
+
+ private:
+  /// Returns the weighted power of the highlight, 15 fraction bits.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t power(const Lighting& lighting) const {
+    const Cosine normal_light = scalars()[1];
+    const std::int32_t half_distance =
+        Lighting::highlight_distance_from(highlight_.half_one_plus_light_eye, normal_light, scalars()[2]);
+    if (half_distance >= lighting.power_.half_reach() || Lighting::clamped(normal_light) == 0) return 0;
+    const std::uint32_t power = lighting.fade()(lighting.power_(half_distance), normal_light);
+    return (power * highlight_.weight + (1u << 14)) >> 15;
+  }
+
+  OneHighlight highlight_;
+};
+
+/// Steps a patch of the scalars of a OneHighlightRun (RowWalker).
+template <class Lighting, std::size_t Count>
+class OneHighlightWalker : public PatchWalker<OneHighlightRun<Lighting>, Count> {
+ public:
+  using Base = PatchWalker<OneHighlightRun<Lighting>, Count>;
+  using typename Base::Run;
+
+  constexpr OneHighlightWalker(Patch<Count>& patch, bool middle_left, const OneHighlight& highlight)
+      : Base(patch, middle_left), highlight_(highlight) {}
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
+    Run run = Base::row(start);
+    run.set_highlight(highlight_);
+    return run;
+  }
+
+ private:
+  OneHighlight highlight_;
+};
+
+/// Prepares the patch and the highlight of a OneHighlightWalker for a TriangleFrame. Returns false if several
+/// highlights are within reach, or if one of the lights reaches only a part of the triangle.
+template <class Lighting, class Frame, std::size_t Count>
+[[nodiscard]] constexpr bool prepare_one_highlight(const Lighting& lighting, const Frame& frame,
+                                                   Patch<Count>& patch, OneHighlight& highlight) {
+  const auto& top = frame.top->shade.scalars;
+  const auto& middle = frame.middle->shade.scalars;
+  const auto& bottom = frame.bottom->shade.scalars;
+  const Cosine headroom = arc_headroom(frame.chords.widest());
+  std::size_t light = Lighting::kLights;
+  for (std::size_t i = 0; i < Lighting::kLights; ++i) {
+    if (lighting.nearest_highlight_of(i, top, middle, bottom, headroom) >= lighting.power().half_reach())
+      continue;
+    if (light != Lighting::kLights) return false;
+    light = i;
+  }
+  std::uint32_t lit = 0;
+  if (light == Lighting::kLights || !lighting.lit_throughout(top, middle, bottom, lit)) return false;
+  highlight = OneHighlightRun<Lighting>::highlight_of(lighting, light);
+  const std::size_t other = Lighting::highlight_index(light);
+  const EdgeSagittaFactors factors = sagitta_factors_of(frame.chords);
+  const PatchValues diffuse{lighting.diffuse_scalar(top, lit), lighting.diffuse_scalar(middle, lit),
+                            lighting.diffuse_scalar(bottom, lit)};
+  make_patch_scalar(frame, factors, diffuse, patch[0]);
+  make_patch_scalar(frame, factors, {top[light], middle[light], bottom[light]}, patch[1]);
+  make_patch_scalar(frame, factors, {top[other], middle[other], bottom[other]}, patch[2]);
+  return true;
+}
+
+}  // namespace arcspan

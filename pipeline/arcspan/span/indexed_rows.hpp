@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+/// One index for the pixels and the depths of a row.
+namespace arcspan::detail {
+
+/// True if the pixels and the depths of a row are arrays that one index can serve.
+template <class Target>
+concept IndexedRows = kHasManyRegisters && bool{Target::Depth::kTests} &&
+                      requires(typename Target::Format::Cursor cursor) {
+  cursor.pixels();
+};
+
+/// True if the pixels of `Run` have several scalars, and so a highlight.
+template <class Run>
+concept HasSeveralScalars = requires {
+  requires(Run::kUsed > 1);
+};
+
+/// The bits that the index of indexed rows has below the number of a pixel: 1 if it counts bytes, which
+/// pixels as large as depths allow. It costs a shift per row. That pays where an index has to be scaled for
+/// every pixel, and in runs of several scalars: gcc keeps the scaled index in a register, which these lack.
+template <class Format, class Run>
+inline constexpr int kIndexShift = sizeof(typename Format::Encoded) == sizeof(std::uint16_t) &&
+                                           (!kScalesIndices || HasSeveralScalars<Run>)
+                                       ? 1
+                                       : 0;
+
+/// Returns the address of base[index >> Shift].
+template <int Shift, class T>
+[[nodiscard]] ARCSPAN_INLINE constexpr T* at_index(T* base, std::ptrdiff_t index) {
+  if constexpr (Shift == 0) {
+    return base + index;
+  } else {
+    static_assert(sizeof(T) == 1 << Shift);
+    return static_cast<T*>(static_cast<void*>(static_cast<char*>(static_cast<void*>(base)) + index));
+  }
+}
+
+}  // namespace arcspan::detail

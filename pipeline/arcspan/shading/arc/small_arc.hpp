@@ -176,25 +176,26 @@ class SmallArc {
     });
     run.series_ = Series(half.row_chord(on_long, on_short));
     // The length of the middle row divided by that of this row: 15 fraction bits.
-    const Inverse inverse = inverse_of(away);
-    const std::int32_t stretch = fraction(half.height, {inverse.mantissa, inverse.down - 2});
-    run.u_ = static_cast<std::int32_t>(
-        (static_cast<std::uint32_t>(middle) * static_cast<std::uint32_t>(stretch)) >> 3);
-    run.du_ = wrap_mul(d_middle_, stretch) >> 3;
+    const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(away));
+    const std::uint32_t stretch =
+        (static_cast<std::uint32_t>(half.height) * inverse.mantissa) >> (inverse.exponent - 15);
+    run.u_ = static_cast<std::int32_t>((static_cast<std::uint32_t>(middle) * stretch) >> 3);
+    run.du_ = wrap_mul(d_middle_, static_cast<std::int32_t>(stretch)) >> 3;
     return run;
   }
 
  private:
   static constexpr int kMoreBits = 15;
 
-  /// A reciprocal with 13 fraction bits more than its argument: mantissa * 2^-down.
-  struct Inverse {
-    std::uint32_t mantissa;
-    int down;
-  };
-  [[nodiscard]] ARCSPAN_INLINE static constexpr Inverse inverse_of(std::int32_t length) {
+  /// Returns 2^31 / length; the length is at most 32 pixels.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t inverse_of(std::int32_t length) {
     const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(length));
-    return {inverse.mantissa, inverse.exponent - 13};
+    return inverse.mantissa << (31 - inverse.exponent);
+  }
+  /// Returns part / whole, at most 1, with 13 fraction bits.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::int32_t fraction(std::int32_t part,
+                                                                      std::uint32_t inverse_of_whole) {
+    return static_cast<std::int32_t>((static_cast<std::uint32_t>(part) * inverse_of_whole) >> 18);
   }
   /// Squared chords, 15 fraction bits.
   struct HalfChords {
@@ -206,7 +207,7 @@ class SmallArc {
   struct Half {
     std::int32_t corner_y;  ///< 4 fraction bits
     std::int32_t height;
-    Inverse inverse;  ///< of the height
+    std::uint32_t inverse;  ///< of the height
     HalfChords chords;
     Series short_edge;
     std::array<ScalarOfArc, Used> to_far;  ///< along the long edge
@@ -243,15 +244,9 @@ class SmallArc {
     }
   };
 
-  /// Returns part / whole, 13 fraction bits; the lengths are at most 32 pixels.
-  [[nodiscard]] ARCSPAN_INLINE static constexpr std::int32_t fraction(std::int32_t part,
-                                                                      const Inverse& whole) {
-    return static_cast<std::int32_t>((static_cast<std::uint32_t>(part) * whole.mantissa) >> whole.down);
-  }
-
   std::int32_t middle_y_;  ///< 4 fraction bits
   std::int32_t d_middle_;  ///< change of its coordinate per pixel, 16 fraction bits
-  Inverse long_inverse_;
+  std::uint32_t long_inverse_;
   Series long_edge_;
   Half upper_;  ///< set if the triangle has such rows
   Half lower_;

@@ -166,8 +166,9 @@ class SmallArc {
   /// Returns the run of the row whose centre line is at `y` (28.4). It begins where the coordinate of the
   /// middle vertex is `middle`, 16 fraction bits.
   [[nodiscard]] constexpr Run row(std::int32_t y, std::int32_t middle, std::int32_t) const {
-    const Half& half = y < middle_y_ ? upper_ : lower_;
-    const std::int32_t away = y < half.corner_y ? half.corner_y - y : y - half.corner_y;
+    const bool is_upper = y < middle_y_;
+    const Half& half = is_upper ? upper_ : lower_;
+    const std::int32_t away = is_upper ? y - half.corner_y : half.corner_y - y;
     const ArcPoint on_long(long_edge_, fraction(away, long_inverse_));
     const ArcPoint on_short(half.short_edge, fraction(away, half.inverse));
     Run run;

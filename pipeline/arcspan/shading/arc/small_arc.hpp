@@ -166,8 +166,9 @@ class SmallArc {
   /// Returns the run of the row whose centre line is at `y` (28.4). It begins where the coordinate of the
   /// middle vertex is `middle`, 16 fraction bits.
   [[nodiscard]] constexpr Run row(std::int32_t y, std::int32_t middle, std::int32_t) const {
-    const Half& half = y < middle_y_ ? upper_ : lower_;
-    const std::int32_t away = y < half.corner_y ? half.corner_y - y : y - half.corner_y;
+    const bool is_upper = y < middle_y_;
+    const Half& half = is_upper ? upper_ : lower_;
+    const std::int32_t away = is_upper ? y - half.corner_y : half.corner_y - y;
     const ArcPoint on_long(long_edge_, fraction(away, long_inverse_));
     const ArcPoint on_short(half.short_edge, fraction(away, half.inverse));
     Run run;
@@ -176,25 +177,26 @@ class SmallArc {
     });
     run.series_ = Series(half.row_chord(on_long, on_short));
     // The length of the middle row divided by that of this row: 15 fraction bits.
-    const Inverse inverse = inverse_of(away);
-    const std::int32_t stretch = fraction(half.height, {inverse.mantissa, inverse.down - 2});
-    run.u_ = static_cast<std::int32_t>(
-        (static_cast<std::uint32_t>(middle) * static_cast<std::uint32_t>(stretch)) >> 3);
-    run.du_ = wrap_mul(d_middle_, stretch) >> 3;
+    const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(away));
+    const std::uint32_t stretch =
+        (static_cast<std::uint32_t>(half.height) * inverse.mantissa) >> (inverse.exponent - 15);
+    run.u_ = static_cast<std::int32_t>((static_cast<std::uint32_t>(middle) * stretch) >> 3);
+    run.du_ = wrap_mul(d_middle_, static_cast<std::int32_t>(stretch)) >> 3;
     return run;
   }
 
  private:
   static constexpr int kMoreBits = 15;
 
-  /// A reciprocal with 13 fraction bits more than its argument: mantissa * 2^-down.
-  struct Inverse {
-    std::uint32_t mantissa;
-    int down;
-  };
-  [[nodiscard]] ARCSPAN_INLINE static constexpr Inverse inverse_of(std::int32_t length) {
+  /// Returns 2^31 / length; the length is at most 32 pixels.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t inverse_of(std::int32_t length) {
     const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(length));
-    return {inverse.mantissa, inverse.exponent - 13};
+    return inverse.mantissa << (31 - inverse.exponent);
+  }
+  /// Returns part / whole, at most 1, with 13 fraction bits.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::int32_t fraction(std::int32_t part,
+                                                                      std::uint32_t inverse_of_whole) {
+    return static_cast<std::int32_t>((static_cast<std::uint32_t>(part) * inverse_of_whole) >> 18);
   }
   /// Squared chords, 15 fraction bits.
   struct HalfChords {
@@ -206,7 +208,7 @@ class SmallArc {
   struct Half {
     std::int32_t corner_y;  ///< 4 fraction bits
     std::int32_t height;
-    Inverse inverse;  ///< of the height
+    std::uint32_t inverse;  ///< of the height
     HalfChords chords;
     Series short_edge;
     std::array<ScalarOfArc, Used> to_far;  ///< along the long edge
@@ -243,15 +245,9 @@ class SmallArc {
     }
   };
 
-  /// Returns part / whole, 13 fraction bits; the lengths are at most 32 pixels.
-  [[nodiscard]] ARCSPAN_INLINE static constexpr std::int32_t fraction(std::int32_t part,
-                                                                      const Inverse& whole) {
-    return static_cast<std::int32_t>((static_cast<std::uint32_t>(part) * whole.mantissa) >> whole.down);
-  }
-
   std::int32_t middle_y_;  ///< 4 fraction bits
   std::int32_t d_middle_;  ///< change of its coordinate per pixel, 16 fraction bits
-  Inverse long_inverse_;
+  std::uint32_t long_inverse_;
   Series long_edge_;
   Half upper_;  ///< set if the triangle has such rows
   Half lower_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/lighting/arc_bound.hpp>
 #include <arcspan/lighting/directional_light.hpp>
 #include <arcspan/lighting/highlight_fade.hpp>
 #include <arcspan/lighting/illumination_features.hpp>
@@ -168,7 +169,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
       if constexpr (Model == Highlight::kBlinn) return highlight_distance(at[0], at[1], 0);
       return wrap_sub(half_one_plus_light_eye_[0], wrap_mul(at[0].raw() >> 15, at[1].raw() >> 15));
     };
-    return nearest_between(rough(a), rough(b), angle2) < power_.half_reach();
+    return detail::nearest_between(rough(a), rough(b), angle2) < power_.half_reach();
   }
   /// A lower bound of the half distance (PowerTable) of all normals of a triangle, arguments as for
   /// may_shine(). INT32_MAX if no light reaches it.
@@ -223,12 +224,6 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     const LightSums sums = light_sums(scalars);
     return {deep_level(0, sums), deep_level(1, sums), deep_level(2, sums)};
   }
-
- protected:
-  /// A lower bound of the half distance on the arc between two normals, from those at both; `angle2` as for
-  /// may_shine_between().
-  [[nodiscard]] static constexpr std::int32_t nearest_between(std::int32_t at_a, std::int32_t at_b,
-                                                              Factor angle2);
 
  private:
   template <class Lighting>

@@ -51,6 +51,8 @@ struct OperationWalker : Walker {
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
     return Run(static_cast<const Walker&>(*this), start);
   }
+  /// Hides that of the walker, whose runs have no operation.
+  void with_run() const = delete;
 };
 
 }  // namespace detail

@@ -3,12 +3,15 @@
 
 #include <arcspan/lighting/highlight_table.hpp>
 #include <arcspan/shading/adaptive/adaptive_illumination.hpp>
+#include <arcspan/shading/adaptive/adaptive_rows.hpp>
 #include <arcspan/shading/adaptive/highlight_patch.hpp>
 #include <arcspan/shading/adaptive/linear_levels.hpp>
 #include <arcspan/shading/adaptive/linear_light.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/segment/segment.hpp>
 #include <arcspan/target.hpp>
+
+#include <type_traits>
 
 namespace arcspan {
 
@@ -144,11 +147,23 @@ struct AdaptivePaths : Arc<Illumination> {
         });
       }
     }
-    return Base::walk_path(prepared, draw);
+    if constexpr (kAdaptsWideRows) {
+      if (prepared.path == Path::kWide) {
+        return draw(AdaptiveWideWalker<Lighting, PatchRun<Illumination, Base::kScalars>, Base::kScalars>(
+            prepared.wide));
+      }
+      return Base::walk_others(prepared, draw);
+    } else {
+      return Base::walk_path(prepared, draw);
+    }
   }
 
  private:
   static constexpr bool kHasHighlightPatch = Base::kHasDiffusePath;
+  /// True if there may be one light only; an illumination may know their number at run time only.
+  static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath && (Illumination::kLights == 1 || !requires {
+                                            std::integral_constant<std::size_t, Illumination::lights()>{};
+                                          });
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the errors of linear light and of
   /// highlight patches are bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;

@@ -5,7 +5,6 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/colour.hpp>
-#include <arcspan/shading/adaptive/highlight_patch.hpp>
 #include <arcspan/shading/arc/row_pieces.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
@@ -21,6 +20,7 @@ template <class Illumination>
 class AdaptiveIllumination : public Illumination {
  public:
   static constexpr std::int32_t kMostTolerance = 64;
+  using typename Illumination::Scalars;
 
   constexpr AdaptiveIllumination() = default;
   constexpr AdaptiveIllumination(const Illumination& illumination)
@@ -69,42 +69,41 @@ class AdaptiveIllumination : public Illumination {
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit() const { return highlight_patch_limit_; }
   [[nodiscard]] constexpr const HighlightTable& highlight_table() const { return highlight_table_; }
 
-  /// Illumination::may_shine_between() of highlights above half the tolerance.
-  [[nodiscard]] constexpr bool may_shine_between(const typename Illumination::Scalars& a,
-                                                 const typename Illumination::Scalars& b, Factor angle2) const
-      requires(Illumination::kLights == 1) {
-    return Illumination::nearest_between(half_distance_of(a), half_distance_of(b), angle2) <
-           half_tolerance_reach_;
+  /// Returns false if no normal on the arc between two normals has a highlight above half the tolerance, for
+  /// illuminations by one light. `a` and `b` are their scalars.
+  [[nodiscard]] ARCSPAN_INLINE constexpr bool may_shine_between(const Scalars& a, const Scalars& b,
+                                                                Factor angle2) const {
+    return detail::nearest_between(half_distance_of(a), half_distance_of(b), angle2) < half_tolerance_reach_;
   }
-  /// Starts a run that steps N·L and the highlight's scaled distance over a piece of a row, from a to b.
-  /// Returns false if the piece is too wide for that, or not lit throughout (StepsHighlight).
-  [[nodiscard]] ARCSPAN_INLINE constexpr bool start_highlight(const typename Illumination::Scalars& a,
-                                                              const typename Illumination::Scalars& b,
+  /// Starts N·L and the highlight's scaled distance over a piece of a row, from a to b, as the scalars 0 and
+  /// highlight_index(0) of `run`; for illuminations by one light. Returns false if the piece is too short or
+  /// too wide for that, or not lit throughout.
+  template <class Run>
+  [[nodiscard]] ARCSPAN_INLINE constexpr bool start_highlight(const Scalars& a, const Scalars& b,
                                                               const PieceSteps& steps, Factor angle2,
-                                                              SecondDifferenceRun<2>& run) const
-      requires(Illumination::kLights == 1) {
+                                                              Run& run) const {
+    constexpr std::size_t kOther = Illumination::highlight_index(0);
     constexpr int kLeastExponent = 18;  // 4 pixels: shorter pieces cost less by their scalars
     if (steps.exponent < kLeastExponent || angle2 > highlight_row_limit_) return false;
     const std::int32_t lit_from = Illumination::fade_end().raw() + (std::int32_t{1} << 20);
     if (a[0].raw() < lit_from || b[0].raw() < lit_from) return false;
-    std::array<std::int32_t, 2> sagitta4;
-    typename Illumination::Scalars middle;
-    unrolled<2>([&](auto i) {
-      sagitta4[i] = quadruple_sagitta_of(steps, a[i], b[i]);
-      middle[i] = Cosine::from_raw((a[i].raw() >> 1) + (b[i].raw() >> 1) + (sagitta4[i] >> 2));
-    });
     const std::int32_t at_a = half_distance_of(a);
     const std::int32_t at_b = half_distance_of(b);
     if (!highlight_table_.fits(at_a) || !highlight_table_.fits(at_b)) return false;
+    const std::int32_t light4 = quadruple_sagitta_of(steps, a[0], b[0]);
+    const std::int32_t other4 = quadruple_sagitta_of(steps, a[kOther], b[kOther]);
+    const auto middle = [](Cosine p, Cosine q, std::int32_t sagitta4) {
+      return Cosine::from_raw((p.raw() >> 1) + (q.raw() >> 1) + (sagitta4 >> 2));
+    };
     const std::int32_t from = highlight_table_.scaled(at_a);
     const std::int32_t to = highlight_table_.scaled(at_b);
-    const std::int32_t half_way = highlight_table_.scaled(half_distance_of(middle));
-    run.start_at(0, parabola_through(steps, steps.drop, a[0], b[0], sagitta4[0]));
-    run.start_at(1, parabola_through(steps, 15, Cosine::from_raw(from), Cosine::from_raw(to),
-                                     wrap_shl(wrap_sub(wrap_shl(half_way, 1), wrap_add(from, to)), 1)));
+    const std::int32_t half_way = highlight_table_.scaled(
+        Illumination::half_distance(middle(a[0], b[0], light4), middle(a[kOther], b[kOther], other4), 0));
+    run.start_at(0, parabola_through(steps, steps.drop, a[0], b[0], light4));
+    run.start_at(kOther, parabola_through(steps, 15, Cosine::from_raw(from), Cosine::from_raw(to),
+                                          wrap_shl(wrap_sub(wrap_shl(half_way, 1), wrap_add(from, to)), 1)));
     return true;
   }
-  using HighlightRun = HighlightPatchRun<AdaptiveIllumination>;
 
   /// Returns true if a scaled distance is beyond the highlight. is_white() comes first because the look-up in
   /// highlight_table_ begins with it too, so the compiler tests it once.
@@ -146,8 +145,7 @@ class AdaptiveIllumination : public Illumination {
 
  private:
   /// Returns the half distance of the only light's highlight.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t half_distance_of(
-      const typename Illumination::Scalars& scalars) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t half_distance_of(const Scalars& scalars) const {
     return Illumination::half_distance(scalars[0], scalars[Illumination::highlight_index(0)], 0);
   }
   static constexpr int kStepBits = 5;  ///< fraction bits of tolerances and colours, in 8-bit steps
@@ -239,7 +237,7 @@ class AdaptiveIllumination : public Illumination {
   /// Returns the largest squared angle of a piece of a row over which the highlight's distance may be a
   /// parabola. With the squared angle s the parabola's error is 1 + 1.9 s times that of
   /// highlight_patch_limit_of(), which grows with s^(3/2).
-  [[nodiscard]] static constexpr Factor highlight_row_limit_of(std::uint32_t patch_limit) {
+  [[nodiscard]] constexpr Factor highlight_row_limit_of(std::uint32_t patch_limit) const {
     const auto limit = static_cast<std::int32_t>(patch_limit >> 13);
     if (Illumination::model() == Highlight::kBlinn) return Factor::from_raw(limit);
     const std::int32_t square = wrap_mul(limit, limit) >> 15;

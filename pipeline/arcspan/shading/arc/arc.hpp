@@ -160,6 +160,11 @@ struct ArcUpTo {
   [[nodiscard]] static constexpr Status walk_path(Prepared& prepared, Draw&& draw) {
     if (prepared.path == Path::kWide)
       return draw(WideWalker<PatchRun<Lighting, kScalars>, kScalars, kWidest>(prepared.wide));
+    return walk_others(prepared, draw);
+  }
+  /// walk_path() of the other paths than kWide.
+  template <class Draw>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk_others(Prepared& prepared, Draw&& draw) {
     if constexpr (kHasDiffusePath) {
       if constexpr (kHasDiffuseWide) {
         if (prepared.path == Path::kDiffuseWide)

@@ -7,7 +7,6 @@
 #include <arcspan/shading/patch/patch_walker.hpp>
 #include <arcspan/target.hpp>
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -64,12 +63,21 @@ class PieceRun : public Pixels {
   std::int32_t length_ = INT32_MAX;
 };
 
-/// Optional part of a lighting: start_highlight() starts a HighlightRun, which steps the highlight itself and
-/// not the scalars that it follows from; it returns false where that is not accurate enough.
-template <class Lighting>
-concept StepsHighlight = requires(const Lighting& lighting, const typename Lighting::Scalars& ends,
-                                  const PieceSteps& steps, typename Lighting::HighlightRun& run) {
-  { lighting.start_highlight(ends, ends, steps, Factor{}, run) } -> std::same_as<bool>;
+/// A piece of a row, from one of its pixels on.
+template <std::size_t Count>
+struct WidePiece {
+  RowEnds<Count> ends;
+  PieceColumn column;
+  std::int32_t skipped;  ///< pixels of the piece that are not drawn
+  std::int32_t length;   ///< pixels up to its end
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr PieceSteps steps() const { return piece_steps(column, ends.angle2); }
+  /// Starts all scalars of `run` at the first pixel.
+  template <class Run>
+  ARCSPAN_INLINE constexpr void start(const PieceSteps& steps, Run& run) const {
+    unrolled<Run::kUsed>([&](auto i) { run.start_at(i, parabola_of(steps, ends.left[i], ends.right[i])); });
+    if (skipped != 0) run.skip(skipped);
+  }
 };
 
 /// Steps the scalars of both edges from row to row (RowWalker), and draws rows in pieces. It changes the
@@ -83,7 +91,7 @@ class WideWalker {
   static constexpr bool kOutlined = true;
   /// Programs that are optimised for size have one loop for pixels with and without highlights.
   template <class Lighting>
-  static constexpr bool kMayBeDull = !kOptimisedForSize && kUsed > 1 &&
+  static constexpr bool kMayBeDull = !kOptimisedForSize && kUsed > 1 && Lighting::kLights == 1 &&
                                      requires(const Lighting& lighting,
                                               const typename Lighting::Scalars& scalars) {
     lighting.may_shine_between(scalars, scalars, Factor{});
@@ -95,7 +103,7 @@ class WideWalker {
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
     const Piece piece = piece_at(start);
-    return run_of<Run>(piece, piece_steps(piece.column, piece.ends.angle2));
+    return run_of<Run>(piece, piece.steps());
   }
 
   /// Calls `draw` with the run of the row's next piece: with N·L alone where no highlight is within reach,
@@ -104,19 +112,12 @@ class WideWalker {
   [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(
       const RowStart& start, const Lighting& lighting, const Draw& draw) const requires kMayBeDull<Lighting> {
     const Piece piece = piece_at(start);
-    const PieceSteps steps = piece_steps(piece.column, piece.ends.angle2);
-    if (lighting.may_shine_between(piece.ends.left, piece.ends.right, piece.ends.angle2)) {
-      if constexpr (StepsHighlight<Lighting>) {
-        PieceRun<typename Lighting::HighlightRun> run;
-        if (lighting.start_highlight(piece.ends.left, piece.ends.right, steps, piece.ends.angle2, run)) {
-          start_in_piece(piece, run);
-          return draw(run);
-        }
-      }
-      Run run = run_of<Run>(piece, steps);
+    const PieceSteps steps = piece.steps();
+    if (!lighting.may_shine_between(piece.ends.left, piece.ends.right, piece.ends.angle2)) {
+      auto run = run_of<PieceRun<typename Pixels::Diffuse>>(piece, steps);
       return draw(run);
     }
-    PieceRun<typename Pixels::Diffuse> run = run_of<PieceRun<typename Pixels::Diffuse>>(piece, steps);
+    Run run = run_of<Run>(piece, steps);
     return draw(run);
   }
 
@@ -148,29 +149,16 @@ class WideWalker {
     rows_ = &triangle_->wide.lower_rows;
   }
 
- private:
-  /// A piece of a row, from one of its pixels on.
-  struct Piece {
-    RowEnds<Count> ends;
-    PieceColumn column;
-    std::int32_t skipped;  ///< pixels of the piece that are not drawn
-    std::int32_t length;   ///< pixels up to its end
-  };
+ protected:
+  using Piece = WidePiece<Count>;
 
   /// Returns the run that begins at a pixel of a piece.
   template <class RunType>
   [[nodiscard]] ARCSPAN_INLINE static constexpr RunType run_of(const Piece& piece, const PieceSteps& steps) {
     RunType run;
-    unrolled<RunType::kUsed>(
-        [&](auto i) { run.start_at(i, parabola_of(steps, piece.ends.left[i], piece.ends.right[i])); });
-    start_in_piece(piece, run);
-    return run;
-  }
-  /// Steps a run from the first pixel of a piece to the one where it begins.
-  template <class RunType>
-  ARCSPAN_INLINE static constexpr void start_in_piece(const Piece& piece, RunType& run) {
-    if (piece.skipped != 0) run.skip(piece.skipped);
+    piece.start(steps, run);
     run.set_length(piece.length);
+    return run;
   }
 
   /// Returns the piece in which a pixel lies.
@@ -201,6 +189,7 @@ class WideWalker {
     return piece;
   }
 
+ private:
   /// Sets the scalars at both ends of the current row.
   ARCSPAN_INLINE constexpr void set_ends(RowEnds<Count>& ends) const {
     const ArcEdge<Count>& left = triangle_->middle_left ? *short_ : triangle_->wide.long_edge;

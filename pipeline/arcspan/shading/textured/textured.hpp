@@ -41,6 +41,7 @@ struct TexturedRun {
   /// Called before the first pixel (BeginsWithLighting).
   template <class Lighting>
   ARCSPAN_INLINE constexpr void begin(const Lighting& lighting) {
+    if constexpr (BeginsWithLighting<Lit, Lighting>) light_run.begin(lighting);
     words = lighting.texture.at(first);
     hide_value(words);  // otherwise the first texel is added for every pixel
     palette = lighting.texture.palette();

@@ -215,7 +215,9 @@ struct RowDrawer {
     const std::int32_t middle = command.middle_row + origin.y;
     std::int32_t half_end = middle < stop ? middle : stop;
     std::int32_t y = command.first_row + origin.y;
-    if (y < scissor.top) {
+    if (kOptimisedForSize && y < scissor.top) {
+      step_to_row<Target>(command, walker, y, scissor.top, half_end, stop);
+    } else if (y < scissor.top) {
       // Copies, because compilers keep variables in memory whose addresses a call has.
       Walker stepped = walker;
       std::int32_t row = y;

@@ -12,6 +12,7 @@
 #include <arcspan/target.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 /// The span stage: walks down the rows of a triangle command and along each row. Per row and per pixel it
 /// only multiplies, shifts, adds, compares and looks up; scripts/check-objects proves that nothing here
@@ -198,14 +199,18 @@ struct RowDrawer {
     std::int32_t half_end = middle < stop ? middle : stop;
     std::int32_t y = command.first_row + origin.y;
     if (y < scissor.top) {
-      // Copies, because compilers keep variables in memory whose addresses a call has.
-      Walker stepped = walker;
-      std::int32_t row = y;
-      std::int32_t row_end = half_end;
-      step_to_row<Target>(command, stepped, row, scissor.top, row_end, stop);
-      walker = stepped;
-      y = row;
-      half_end = row_end;
+      if constexpr (kOptimisedForSize || !std::is_trivially_copyable_v<Walker>) {
+        step_to_row<Target>(command, walker, y, scissor.top, half_end, stop);
+      } else {
+        // Copies, because compilers keep variables in memory whose addresses a call has.
+        Walker stepped = walker;
+        std::int32_t row = y;
+        std::int32_t row_end = half_end;
+        step_to_row<Target>(command, stepped, row, scissor.top, row_end, stop);
+        walker = stepped;
+        y = row;
+        half_end = row_end;
+      }
     }
     for (RowMemory<Target> memory(target, y);; y = half_end, half_end = stop) {
       // Counts down, because few sinks need y and the counter then is its own test.

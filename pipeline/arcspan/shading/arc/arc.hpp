@@ -38,8 +38,10 @@ struct ArcUpTo {
                     ///< kLargestPatch
     kDiffuseWide,   ///< rows in pieces, N·L only
   };
-  /// Several grey lights.
-  static constexpr bool kHasOneHighlight = Illumination::kHasRamp && Illumination::kLights > 1;
+  /// Several grey lights, with R·V. For N·H the path would gain as much, but 1.3 kB more of code at -Os do
+  /// not fit the budget of examples/scene.cpp.
+  static constexpr bool kHasOneHighlight =
+      Illumination::kHasRamp && Illumination::kLights > 1 && kScalars == Illumination::kLights + 1;
   struct Prepared {
     union {
       WideOrVeryWide<kScalars, kWidest> wide;
@@ -141,9 +143,7 @@ struct ArcUpTo {
     const EdgeSagittaFactors sagitta_factors = sagitta_factors_of(chords);
     if constexpr (kHasDiffusePath && Illumination::kLights > 1) {
       if (path == Path::kDiffusePatch) {
-        std::uint32_t lit = 0;
-        (void)lit_throughout(lighting, frame, lit);
-        make_patch_scalar(frame, sagitta_factors, diffuse_scalars(lighting, frame, lit), prepared.patch[0]);
+        (void)make_diffuse_patch(lighting, frame, sagitta_factors, prepared.patch[0]);
         return;
       }
     }

@@ -79,6 +79,24 @@ class OneHighlightWalker : public PatchWalker<OneHighlightRun<Lighting>, Count> 
   OneHighlight highlight_;
 };
 
+/// Makes the patch of the diffuse_scalar() of several lights. Returns false if one of the lights reaches only
+/// a part of the triangle.
+template <class Lighting, class Frame>
+ARCSPAN_OUTLINE_IF_SMALL constexpr bool make_diffuse_patch(const Lighting& lighting, const Frame& frame,
+                                                           const EdgeSagittaFactors& factors,
+                                                           PatchScalar& scalar) {
+  const auto& top = frame.top->shade.scalars;
+  const auto& middle = frame.middle->shade.scalars;
+  const auto& bottom = frame.bottom->shade.scalars;
+  std::uint32_t lit = 0;
+  if (!lighting.lit_throughout(top, middle, bottom, lit)) return false;
+  make_patch_scalar(frame, factors,
+                    {lighting.diffuse_scalar(top, lit), lighting.diffuse_scalar(middle, lit),
+                     lighting.diffuse_scalar(bottom, lit)},
+                    scalar);
+  return true;
+}
+
 /// Prepares the patch and the highlight of a OneHighlightWalker for a TriangleFrame. Returns false if several
 /// highlights are within reach, or if one of the lights reaches only a part of the triangle.
 template <class Lighting, class Frame, std::size_t Count>
@@ -95,16 +113,15 @@ template <class Lighting, class Frame, std::size_t Count>
     if (light != Lighting::kLights) return false;
     light = i;
   }
-  std::uint32_t lit = 0;
-  if (light == Lighting::kLights || !lighting.lit_throughout(top, middle, bottom, lit)) return false;
-  highlight = OneHighlightRun<Lighting>::highlight_of(lighting, light);
-  const std::size_t other = Lighting::highlight_index(light);
+  if (light == Lighting::kLights) return false;
   const EdgeSagittaFactors factors = sagitta_factors_of(frame.chords);
-  const PatchValues diffuse{lighting.diffuse_scalar(top, lit), lighting.diffuse_scalar(middle, lit),
-                            lighting.diffuse_scalar(bottom, lit)};
-  make_patch_scalar(frame, factors, diffuse, patch[0]);
-  make_patch_scalar(frame, factors, {top[light], middle[light], bottom[light]}, patch[1]);
-  make_patch_scalar(frame, factors, {top[other], middle[other], bottom[other]}, patch[2]);
+  if (!make_diffuse_patch(lighting, frame, factors, patch[0])) return false;
+  highlight = OneHighlightRun<Lighting>::highlight_of(lighting, light);
+  std::size_t i = light;
+  for (PatchScalar* scalar : {&patch[1], &patch[2]}) {
+    make_patch_scalar(frame, factors, {top[i], middle[i], bottom[i]}, *scalar);
+    i = Lighting::highlight_index(light);
+  }
   return true;
 }
 

@@ -100,8 +100,9 @@ struct PatchEnd {
 
 /// Sets up a scalar along an edge at the edge's first row. `from` is its upper end, `to` its lower end,
 /// `sagitta4` its quadruple sagitta, and `pixel` the inverse width of the widest row in pixels.
-constexpr void make_patch_edge(const EdgeSetup& edge, const InverseLength& pixel, const PatchEnd& from,
-                               const PatchEnd& to, Cosine sagitta4, PatchEdge& e) {
+ARCSPAN_INLINE_UNLESS_SMALL constexpr void make_patch_edge(const EdgeSetup& edge, const InverseLength& pixel,
+                                                           const PatchEnd& from, const PatchEnd& to,
+                                                           Cosine sagitta4, PatchEdge& e) {
   // f(t) = from + t (to - from + sagitta4) - t^2 sagitta4, t = 0...1 along the edge.
   const Factor t = start_fraction(edge);
   const Cosine slope_at_top = to.value - from.value + sagitta4;

@@ -171,10 +171,10 @@ struct SmallLimits {
 /// middle one is on the left of the long edge where `middle_left` is true. Returns false, with `triangle`
 /// partly set, if there are none. The same pixels are found as by TriangleCommand.
 [[nodiscard]] ARCSPAN_INLINE constexpr bool cover_small_triangle(const RasterPosition& top,
-                                                                  const RasterPosition& middle,
-                                                                  const RasterPosition& bottom,
-                                                                  bool middle_left, const SmallLimits& limits,
-                                                                  SmallTriangle& triangle) {
+                                                                 const RasterPosition& middle,
+                                                                 const RasterPosition& bottom,
+                                                                 bool middle_left, const SmallLimits& limits,
+                                                                 SmallTriangle& triangle) {
   triangle.first_row = first_row_at(top.y);
   triangle.end_row = first_row_at(bottom.y);
   const std::int32_t first = triangle.first_row > limits.top ? triangle.first_row : limits.top;

@@ -22,6 +22,12 @@
 
 namespace arcspan {
 
+/// What the highlight of one of several grey lights depends on besides its scalars.
+struct OneHighlight {
+  std::int32_t half_one_plus_light_eye;  ///< (1 + L·V) / 2, 30 fraction bits
+  std::uint32_t weight;                  ///< highlight_weight()
+};
+
 /// A colour as Gouraud shading interpolates it: per channel 0...65280, in 256ths of an 8-bit step.
 struct DeepColour {
   std::int32_t r;
@@ -225,10 +231,34 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     return {deep_level(0, sums), deep_level(1, sums), deep_level(2, sums)};
   }
 
- private:
-  template <class Lighting>
-  friend class OneHighlightRun;
+  /// True if triangles within reach of a single light's highlight are drawn by one_highlight(): for several
+  /// grey lights, with R·V. For N·H the path would gain as much, but 1.3 kB more of code at -Os do not fit
+  /// the budget of examples/scene.cpp.
+  static constexpr bool kDrawsOneHighlight = kHasRamp && Lights > 1 && Model == Highlight::kPhong;
+  [[nodiscard]] static constexpr bool draws_one_highlight() { return kDrawsOneHighlight; }
+  [[nodiscard]] constexpr OneHighlight one_highlight(std::size_t light) const requires kHasRamp {
+    return {half_one_plus_light_eye_[light], highlight_weight(light)};
+  }
+  /// The weighted power of that highlight, 15 fraction bits, `other` as for half_distance().
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t highlight_power(const OneHighlight& of,
+                                                                       Cosine normal_light,
+                                                                       Cosine other) const {
+    const std::int32_t half_distance =
+        highlight_distance_from(of.half_one_plus_light_eye, normal_light, other);
+    if (half_distance >= power_.half_reach() || clamped(normal_light) == 0) return 0;
+    return (fade()(power_(half_distance), normal_light) * of.weight + (1u << 14)) >> 15;
+  }
+  /// A highlight, each channel clamped; `power` is c^n with 15 fraction bits.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::uint32_t power) const {
+    const auto share = [power](std::uint32_t coefficient) {
+      const std::uint32_t level = (coefficient * power) >> 18;
+      return Lights == 1 || level < 1023 ? level : 1023u;  // several highlights may coincide
+    };
+    if (white_specular_ != 0) return PackedRgb::grey(share(white_specular_));
+    return PackedRgb::of(share(specular_[0]), share(specular_[1]), share(specular_[2]));
+  }
 
+ private:
   /// An entry of the ramp stands for 1/256 of one light's diffuse part.
   static constexpr int kRampBits = Lights == 1 ? 8 : Lights == 2 ? 9 : 10;
   [[nodiscard]] static constexpr Cosine highlight_scalar(const Scalars& scalars, std::size_t light) {
@@ -246,16 +276,6 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     Weights diffuse{};
     Weights specular{};
   };
-
-  /// A highlight, each channel clamped; `power` is c^n with 15 fraction bits.
-  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::uint32_t power) const {
-    const auto share = [power](std::uint32_t coefficient) {
-      const std::uint32_t level = (coefficient * power) >> 18;
-      return Lights == 1 || level < 1023 ? level : 1023u;  // several highlights may coincide
-    };
-    if (white_specular_ != 0) return PackedRgb::grey(share(white_specular_));
-    return PackedRgb::of(share(specular_[0]), share(specular_[1]), share(specular_[2]));
-  }
 
   /// `scalar` clamped to 0...1, 15 fraction bits.
   [[nodiscard]] static constexpr std::uint32_t clamped(Cosine scalar) {

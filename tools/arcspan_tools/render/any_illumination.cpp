@@ -50,6 +50,17 @@ class CallsOf final : public IlluminationCalls {
     if constexpr (Wrapped::kHasRamp) return wrapped_.highlight_weight(light);
     return 0;
   }
+  [[nodiscard]] bool draws_one_highlight() const override { return Wrapped::draws_one_highlight(); }
+  [[nodiscard]] OneHighlight one_highlight(std::size_t light) const override {
+    if constexpr (Wrapped::kHasRamp) return wrapped_.one_highlight(light);
+    return {};
+  }
+  [[nodiscard]] std::uint32_t highlight_power(const OneHighlight& of, Cosine normal_light,
+                                              Cosine other) const override {
+    if constexpr (Wrapped::kHasRamp) return wrapped_.highlight_power(of, normal_light, other);
+    return 0;
+  }
+  [[nodiscard]] PackedRgb highlight(std::uint32_t power) const override { return wrapped_.highlight(power); }
   [[nodiscard]] std::uint32_t most_ramp() const override {
     if constexpr (Wrapped::kHasRamp) return wrapped_.most_ramp();
     return 0;

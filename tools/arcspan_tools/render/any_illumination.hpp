@@ -29,10 +29,15 @@ class IlluminationCalls {
   [[nodiscard]] virtual PackedRgb colour(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual PixelLight light(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual DeepColour deep_colour(const AnyScalars& scalars) const = 0;
-  /// The next four are for an illumination that has a ramp.
+  /// The next eight are for an illumination that has a ramp.
   [[nodiscard]] virtual Cosine diffuse_scalar(const AnyScalars& scalars, std::uint32_t lit) const = 0;
   [[nodiscard]] virtual PackedRgb diffuse_colour(Cosine normal_light) const = 0;
   [[nodiscard]] virtual std::uint32_t highlight_weight(std::size_t light) const = 0;
+  [[nodiscard]] virtual bool draws_one_highlight() const = 0;
+  [[nodiscard]] virtual OneHighlight one_highlight(std::size_t light) const = 0;
+  [[nodiscard]] virtual std::uint32_t highlight_power(const OneHighlight& of, Cosine normal_light,
+                                                      Cosine other) const = 0;
+  [[nodiscard]] virtual PackedRgb highlight(std::uint32_t power) const = 0;
   [[nodiscard]] virtual std::uint32_t most_ramp() const = 0;
   [[nodiscard]] virtual bool lit_throughout(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
                                             std::uint32_t& lit) const = 0;
@@ -88,6 +93,14 @@ class AnyIllumination {
   [[nodiscard]] std::uint32_t highlight_weight(std::size_t light) const requires HasRamp {
     return calls_->highlight_weight(light);
   }
+  static constexpr bool kDrawsOneHighlight = HasRamp;
+  [[nodiscard]] bool draws_one_highlight() const { return calls_->draws_one_highlight(); }
+  [[nodiscard]] OneHighlight one_highlight(std::size_t light) const { return calls_->one_highlight(light); }
+  [[nodiscard]] std::uint32_t highlight_power(const OneHighlight& of, Cosine normal_light,
+                                              Cosine other) const {
+    return calls_->highlight_power(of, normal_light, other);
+  }
+  [[nodiscard]] PackedRgb highlight(std::uint32_t power) const { return calls_->highlight(power); }
   [[nodiscard]] std::uint32_t most_ramp() const requires HasRamp { return calls_->most_ramp(); }
   [[nodiscard]] bool lit_throughout(const Scalars& a, const Scalars& b, const Scalars& c,
                                     std::uint32_t& lit) const {

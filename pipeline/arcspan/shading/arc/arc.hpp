@@ -38,10 +38,10 @@ struct ArcUpTo {
                     ///< kLargestPatch
     kDiffuseWide,   ///< rows in pieces, N·L only
   };
-  /// Several grey lights, with R·V. For N·H the path would gain as much, but 1.3 kB more of code at -Os do
-  /// not fit the budget of examples/scene.cpp.
-  static constexpr bool kHasOneHighlight =
-      Illumination::kHasRamp && Illumination::kLights > 1 && kScalars == Illumination::kLights + 1;
+  static constexpr bool kHasOneHighlight = [] {
+    if constexpr (Illumination::kHasRamp) return Illumination::kDrawsOneHighlight;
+    return false;
+  }();
   struct Prepared {
     union {
       WideOrVeryWide<kScalars, kWidest> wide;

@@ -15,12 +15,7 @@
 /// Patches of triangles that the highlight of one of several grey lights may reach (decision 28).
 namespace arcspan {
 
-/// What that highlight depends on besides its scalars.
-struct OneHighlight {
-  std::int32_t half_one_plus_light_eye;  ///< (1 + L·V) / 2, 30 fraction bits
-  std::uint32_t weight;                  ///< highlight_weight()
-};
-/// Of illuminations without such patches.
+/// Stands for a OneHighlight where illuminations have no such patches.
 struct NoOneHighlight {};
 
 /// The pixels of a row (PixelRun). Their scalars are the diffuse_scalar() of all lights, N·L of the light and
@@ -30,9 +25,6 @@ class OneHighlightRun : public SecondDifferenceRun<3> {
  public:
   static constexpr std::size_t kUsed = 3;
 
-  [[nodiscard]] static constexpr OneHighlight highlight_of(const Lighting& lighting, std::size_t light) {
-    return {lighting.half_one_plus_light_eye_[light], lighting.highlight_weight(light)};
-  }
   constexpr void set_highlight(const OneHighlight& highlight) { highlight_ = highlight; }
 
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
@@ -47,14 +39,8 @@ class OneHighlightRun : public SecondDifferenceRun<3> {
   }
 
  private:
-  /// Returns the weighted power of the highlight, 15 fraction bits.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t power(const Lighting& lighting) const {
-    const Cosine normal_light = scalars()[1];
-    const std::int32_t half_distance =
-        Lighting::highlight_distance_from(highlight_.half_one_plus_light_eye, normal_light, scalars()[2]);
-    if (half_distance >= lighting.power_.half_reach() || Lighting::clamped(normal_light) == 0) return 0;
-    const std::uint32_t power = lighting.fade()(lighting.power_(half_distance), normal_light);
-    return (power * highlight_.weight + (1u << 14)) >> 15;
+    return lighting.highlight_power(highlight_, scalars()[1], scalars()[2]);
   }
 
   OneHighlight highlight_;
@@ -102,6 +88,7 @@ ARCSPAN_OUTLINE_IF_SMALL constexpr bool make_diffuse_patch(const Lighting& light
 template <class Lighting, class Frame, std::size_t Count>
 [[nodiscard]] constexpr bool prepare_one_highlight(const Lighting& lighting, const Frame& frame,
                                                    Patch<Count>& patch, OneHighlight& highlight) {
+  if (!lighting.draws_one_highlight()) return false;
   const auto& top = frame.top->shade.scalars;
   const auto& middle = frame.middle->shade.scalars;
   const auto& bottom = frame.bottom->shade.scalars;
@@ -116,7 +103,7 @@ template <class Lighting, class Frame, std::size_t Count>
   if (light == Lighting::kLights) return false;
   const EdgeSagittaFactors factors = sagitta_factors_of(frame.chords);
   if (!make_diffuse_patch(lighting, frame, factors, patch[0])) return false;
-  highlight = OneHighlightRun<Lighting>::highlight_of(lighting, light);
+  highlight = lighting.one_highlight(light);
   std::size_t i = light;
   for (PatchScalar* scalar : {&patch[1], &patch[2]}) {
     make_patch_scalar(frame, factors, {top[i], middle[i], bottom[i]}, *scalar);

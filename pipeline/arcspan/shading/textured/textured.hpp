@@ -123,11 +123,6 @@ class TexturedWalker {
   // Member by member, because compilers call memcpy for the whole on small cores.
   ARCSPAN_INLINE constexpr TexturedWalker(const TexturedWalker& other)
       : light_(other.light_), triangle_(other.triangle_) {}
-  ARCSPAN_INLINE constexpr TexturedWalker& operator=(const TexturedWalker& other) {
-    light_ = other.light_;
-    triangle_ = other.triangle_;
-    return *this;
-  }
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
     return Run(light_, *triangle_, start);

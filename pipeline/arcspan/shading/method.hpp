@@ -19,8 +19,8 @@
 /// A method is chosen at compile time and has one file; a firmware contains only the methods that it names.
 /// The required part is ShadingMethod with RowWalker and PixelRun (or SegmentedRun). The optional parts are
 /// named concepts too: MeasuresChords (prepare/triangle.hpp), UsesEncodedColours with EncodingRun,
-/// OutlinedWalker, SkipsRows, StridedRun, MixesSegments (pixel_by_pixel.hpp), and ChoosesEncodedColours for
-/// sinks. docs/add-a-shading-method.md has an example.
+/// OutlinedWalker, ChoosesRuns, SkipsRows, StridedRun, MixesSegments (pixel_by_pixel.hpp), and
+/// ChoosesEncodedColours for sinks. docs/add-a-shading-method.md has an example.
 namespace arcspan {
 
 /// The type of a colour that a run hands to the pixel format.

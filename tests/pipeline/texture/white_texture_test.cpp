@@ -6,6 +6,7 @@
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/shading/vertex_coloured.hpp>
+#include <arcspan/shading/with_operation.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/frames/integer_shapes.hpp>
@@ -119,6 +120,34 @@ int largest_difference() {
   return worst;
 }
 
+/// An operation that makes every pixel dark grey.
+struct Darkened {
+  template <class Colour>
+  [[nodiscard]] constexpr PackedRgb operator()(const Colour&) const {
+    return PackedRgb::grey(200);
+  }
+};
+
+/// The number of pixels of a method's pictures that differ in more than the operation, which is on all of
+/// them.
+template <class Method>
+std::size_t pixels_without_operation() {
+  static constexpr auto kBall = scenes::make_sphere<16, 8>();
+  static constexpr auto kCoarseBall = scenes::make_sphere<8, 4>();
+  using Dark = WithOperation<Method, Darkened>;
+  const typename Dark::Lighting dark(typename Method::Lighting(illumination<OneLight>()));
+  const Rgb8 background{1, 2, 3};
+  const Rgb8 grey{50, 50, 50};
+  std::size_t others = 0;
+  const auto count = [&](const MeshView& mesh) {
+    for (const Rgb8& pixel : drawn<Dark>(mesh, dark))
+      others += pixel == background || pixel == grey ? 0u : 1u;
+  };
+  count(Decorated(kBall).mesh);
+  count(Decorated(kCoarseBall).mesh);
+  return others;
+}
+
 }  // namespace
 
 TEST_CASE("a white texture leaves the colours of every method as they are") {
@@ -129,4 +158,9 @@ TEST_CASE("a white texture leaves the colours of every method as they are") {
   CHECK(largest_difference<Arc<TwoLights>, TwoLights>() <= 1);
   CHECK(largest_difference<AdaptivePaths<OneLight, false>, OneLight>() <= 1);
   CHECK(largest_difference<Adaptive<TwoLights>, TwoLights>() <= 3);  // segments are within a tolerance of 2
+}
+
+TEST_CASE("an operation is on every pixel of triangles whose rows have runs of several types") {
+  CHECK(pixels_without_operation<Arc<OneLight>>() == 0);
+  CHECK(pixels_without_operation<Adaptive<OneLight>>() == 0);
 }

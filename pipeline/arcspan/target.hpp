@@ -120,6 +120,21 @@ inline constexpr bool kScalesIndices = false;
 inline constexpr bool kScalesIndices = true;
 #endif
 
+/// True if one instruction loads two words into any two registers (Armv7-M: LDRD).
+#if defined(__thumb2__)
+inline constexpr bool kLoadsPairs = true;
+#else
+inline constexpr bool kLoadsPairs = false;
+#endif
+
+/// True if a rare call in a loop's function gets copies of the loop's variables, because compilers keep those
+/// in memory whose addresses a call has. Copies take code, and on RISC-V Gouraud's pixels get another spill.
+#if defined(__riscv)
+inline constexpr bool kCopiesForCalls = false;
+#else
+inline constexpr bool kCopiesForCalls = !kOptimisedForSize;
+#endif
+
 /// True if one instruction saturates to a range (Arm: USAT).
 #if defined(__ARM_FEATURE_SAT)
 inline constexpr bool kHasSaturate = true;

@@ -37,9 +37,11 @@ struct EdgeWalk {
   }
 
   ARCSPAN_INLINE constexpr void advance() {
+    std::int64_t at = x;
     std::int64_t per_row = step;
-    if constexpr (!kHasWideRegisters) hide_value(per_row);
-    x += per_row;
+    if constexpr (kLoadsPairs && !kOptimisedForSize) hide_value(at);  // otherwise loaded word by word
+    if constexpr (kLoadsPairs) hide_value(per_row);
+    x = at + per_row;
   }
   /// Steps `rows` rows at once, 0...2^15 - 1; the result is that of `rows` calls of advance().
   constexpr void advance(std::int32_t rows) { x += scaled(step, static_cast<std::uint32_t>(rows)); }

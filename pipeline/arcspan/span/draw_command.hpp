@@ -199,10 +199,9 @@ struct RowDrawer {
     std::int32_t half_end = middle < stop ? middle : stop;
     std::int32_t y = command.first_row + origin.y;
     if (y < scissor.top) {
-      if constexpr (kOptimisedForSize || !std::is_trivially_copyable_v<Walker>) {
+      if constexpr (!kCopiesForCalls || !std::is_trivially_copyable_v<Walker>) {
         step_to_row<Target>(command, walker, y, scissor.top, half_end, stop);
       } else {
-        // Copies, because compilers keep variables in memory whose addresses a call has.
         Walker stepped = walker;
         std::int32_t row = y;
         std::int32_t row_end = half_end;

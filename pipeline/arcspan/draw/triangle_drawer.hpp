@@ -192,8 +192,10 @@ class TriangleDrawer {
                                 Facing facing) {
     if constexpr (kDrawsSmall) {
       if (is_small(a.position, b.position, c.position) && draw_small_side(a, b, c, false)) return;
+      // Not within draw_large_side(), whose frame would stay on the stack.
+      if (!draw_large_side(t, a, b, c, facing, true) || draw_small_side(a, b, c, true)) return;
     }
-    draw_large_side(t, a, b, c, facing);
+    (void)draw_large_side(t, a, b, c, facing, false);
   }
 
   /// Draws one side of a small triangle, or of a medium one. Returns false if the method cannot.
@@ -206,28 +208,40 @@ class TriangleDrawer {
     return result != SmallResult::kRefused;
   }
 
-  /// Makes the command of a triangle that is not small, or draws it as a small one and returns false.
-  ARCSPAN_OUTLINE_IF_SMALL bool prepare_large(const Raster& a, const Raster& b, const Raster& c,
-                                              const Face& face, TriangleCommand<Method>& command) {
+  /// Draws one side of a triangle by rows. Returns true, without drawing, if it is to be drawn as a small one
+  /// although it is medium; it never is unless it `may_be_medium`.
+  ARCSPAN_OUTLINE bool draw_large_side(const TriangleIndices& t, const Raster& a, const Raster& b,
+                                       const Raster& c, Facing facing, bool may_be_medium) {
+    TriangleCommand<Method> command;
+    switch (prepare_large(t, a, b, c, facing, may_be_medium, command)) {
+      case Large::kMedium:
+        return true;
+      case Large::kNothing:
+        return false;
+      case Large::kCommand:
+        break;
+    }
+    draw_rows(command);
+    return false;
+  }
+  enum class Large : std::uint8_t { kNothing, kMedium, kCommand };
+  ARCSPAN_OUTLINE_IF_SMALL Large prepare_large(const TriangleIndices& t, const Raster& a, const Raster& b,
+                                               const Raster& c, Facing facing, bool may_be_medium,
+                                               TriangleCommand<Method>& command) {
+    const Face face = shaded_face(t, facing);
     TriangleFrame<Method> frame;
     place_vertices(a, b, c, frame);
-    if (Method::is_dark_or_arcs(stage_.lighting(), frame) &&
-        is_up_to_medium(a.position, b.position, c.position) && draw_small_side(a, b, c, true)) {
-      return false;
-    }
-    return prepare_frame<Depth::kTests>(stage_.lighting(), frame, face, scissor_.viewport_rows(), command);
-  }
-
-  ARCSPAN_OUTLINE void draw_large_side(const TriangleIndices& t, const Raster& a, const Raster& b,
-                                       const Raster& c, Facing facing) {
-    const Face face = shaded_face(t, facing);
-    TriangleCommand<Method> command;
     if constexpr (kDrawsSmall) {
-      if (!prepare_large(a, b, c, face, command)) return;
-    } else if (!prepare_inside<Method, Depth::kTests>(stage_.lighting(), a, b, c, face,
-                                                      scissor_.viewport_rows(), command)) {
-      return;
+      if (may_be_medium && Method::is_dark_or_arcs(stage_.lighting(), frame) &&
+          is_up_to_medium(a.position, b.position, c.position)) {
+        return Large::kMedium;
+      }
     }
+    return prepare_frame<Depth::kTests>(stage_.lighting(), frame, face, scissor_.viewport_rows(), command)
+               ? Large::kCommand
+               : Large::kNothing;
+  }
+  ARCSPAN_INLINE void draw_rows(TriangleCommand<Method>& command) {
     const RasterOrigin& origin = scissor_.origin();
     const Rect& rect = scissor_.rect();
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;

@@ -356,6 +356,12 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   std::uint32_t white_specular_ = 0;  ///< specular_[0] if all channels are equal, else 0
 };
 
+/// True if an illumination has one light or may have: some know the number at run time only.
+template <class Lighting>
+inline constexpr bool kMayHaveOneLight = Lighting::kLights == 1 || !requires {
+  std::integral_constant<std::size_t, Lighting::lights()>{};
+};
+
 }  // namespace arcspan
 
 #include <arcspan/lighting/illumination_bounds.hpp>

@@ -4,5 +4,6 @@
 #undef wide_reciprocal
 #undef integer_root
 #undef reciprocal_root
+#undef ARCSPAN_LONG_SUMS
 #undef arcspan
 #undef std

@@ -160,10 +160,7 @@ struct AdaptivePaths : Arc<Illumination> {
 
  private:
   static constexpr bool kHasHighlightPatch = Base::kHasDiffusePath;
-  /// True if there may be one light only; an illumination may know their number at run time only.
-  static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath && (Illumination::kLights == 1 || !requires {
-                                            std::integral_constant<std::size_t, Illumination::lights()>{};
-                                          });
+  static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath && kMayHaveOneLight<Illumination>;
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the errors of linear light and of
   /// highlight patches are bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;

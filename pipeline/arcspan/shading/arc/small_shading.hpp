@@ -110,8 +110,8 @@ class SmallShading {
         return true;
       }
     }
-    if constexpr (Lighting::kHasRamp && Lighting::kLights == 1) {
-      if (!shines) {
+    if constexpr (kHasDiffuseArc) {
+      if (!shines && lighting.lights() == 1) {
         path_ = Path::kDiffuseArc;
         diffuse_arc_.prepare(at, chords, triangle);
         return true;
@@ -134,13 +134,17 @@ class SmallShading {
       if (path_ == Path::kDiffusePatch) return draw(diffuse_patch_);
       if (path_ == Path::kDark) return draw(SmallDark<Lighting>{});
     }
-    if constexpr (Lighting::kHasRamp && Lighting::kLights == 1) {
+    if constexpr (kHasDiffuseArc) {
       if (path_ == Path::kDiffuseArc) return draw(diffuse_arc_);
     }
     return path_ == Path::kPatch ? draw(patch_) : draw(arc_);
   }
 
  private:
+  static constexpr bool kHasDiffuseArc = [] {
+    if constexpr (Lighting::kHasRamp) return kMayHaveOneLight<Lighting>;
+    return false;
+  }();
   enum class Path : std::uint8_t { kPatch, kDiffusePatch, kArc, kDiffuseArc, kDark };
 
   union {

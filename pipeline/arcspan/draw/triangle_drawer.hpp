@@ -213,16 +213,9 @@ class TriangleDrawer {
   ARCSPAN_OUTLINE bool draw_large_side(const TriangleIndices& t, const Raster& a, const Raster& b,
                                        const Raster& c, Facing facing, bool may_be_medium) {
     TriangleCommand<Method> command;
-    switch (prepare_large(t, a, b, c, facing, may_be_medium, command)) {
-      case Large::kMedium:
-        return true;
-      case Large::kNothing:
-        return false;
-      case Large::kCommand:
-        break;
-    }
-    draw_rows(command);
-    return false;
+    const Large large = prepare_large(t, a, b, c, facing, may_be_medium, command);
+    if (large == Large::kCommand) draw_rows(command);
+    return large == Large::kMedium;
   }
   enum class Large : std::uint8_t { kNothing, kMedium, kCommand };
   ARCSPAN_OUTLINE_IF_SMALL Large prepare_large(const TriangleIndices& t, const Raster& a, const Raster& b,

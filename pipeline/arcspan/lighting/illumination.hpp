@@ -22,12 +22,7 @@
 
 namespace arcspan {
 
-/// What the highlight of one of several grey lights depends on besides its scalars.
-struct OneHighlight {
-  std::int32_t half_one_plus_light_eye;  ///< (1 + L·V) / 2, 30 fraction bits
-  std::uint32_t weight;                  ///< highlight_weight()
-};
-
+struct OneHighlight;
 /// A colour as Gouraud shading interpolates it: per channel 0...65280, in 256ths of an 8-bit step.
 struct DeepColour {
   std::int32_t r;
@@ -170,13 +165,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// False if no normal on the arc between two normals has a highlight; `a` and `b` are their scalars and
   /// `angle2` the squared angle between them, 15 fraction bits. One light only.
   [[nodiscard]] constexpr bool may_shine_between(const Scalars& a, const Scalars& b, Factor angle2) const
-      requires(Lights == 1) {
-    const auto rough = [this](const Scalars& at) {  // factors rounded down, which costs less than rounding
-      if constexpr (Model == Highlight::kBlinn) return highlight_distance(at[0], at[1], 0);
-      return wrap_sub(half_one_plus_light_eye_[0], wrap_mul(at[0].raw() >> 15, at[1].raw() >> 15));
-    };
-    return detail::nearest_between(rough(a), rough(b), angle2) < power_.half_reach();
-  }
+      requires(Lights == 1);
   /// A lower bound of the half distance (PowerTable) of all normals of a triangle, arguments as for
   /// may_shine(). INT32_MAX if no light reaches it.
   [[nodiscard]] constexpr std::int32_t nearest_highlight(const Scalars& a, const Scalars& b, const Scalars& c,
@@ -231,32 +220,16 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     return {deep_level(0, sums), deep_level(1, sums), deep_level(2, sums)};
   }
 
-  /// True if triangles within reach of a single light's highlight are drawn by one_highlight(): for several
-  /// grey lights, with R·V. For N·H the path would gain as much, but 1.3 kB more of code at -Os do not fit
-  /// the budget of examples/scene.cpp.
+  /// True if triangles that one of several highlights may reach are drawn by one_highlight() (decision 28).
   static constexpr bool kDrawsOneHighlight = kHasRamp && Lights > 1 && Model == Highlight::kPhong;
   [[nodiscard]] static constexpr bool draws_one_highlight() { return kDrawsOneHighlight; }
-  [[nodiscard]] constexpr OneHighlight one_highlight(std::size_t light) const requires kHasRamp {
-    return {half_one_plus_light_eye_[light], highlight_weight(light)};
-  }
+  [[nodiscard]] constexpr OneHighlight one_highlight(std::size_t light) const;
   /// The weighted power of that highlight, 15 fraction bits, `other` as for half_distance().
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t highlight_power(const OneHighlight& of,
                                                                        Cosine normal_light,
-                                                                       Cosine other) const {
-    const std::int32_t half_distance =
-        highlight_distance_from(of.half_one_plus_light_eye, normal_light, other);
-    if (half_distance >= power_.half_reach() || clamped(normal_light) == 0) return 0;
-    return (fade()(power_(half_distance), normal_light) * of.weight + (1u << 14)) >> 15;
-  }
+                                                                       Cosine other) const;
   /// A highlight, each channel clamped; `power` is c^n with 15 fraction bits.
-  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::uint32_t power) const {
-    const auto share = [power](std::uint32_t coefficient) {
-      const std::uint32_t level = (coefficient * power) >> 18;
-      return Lights == 1 || level < 1023 ? level : 1023u;  // several highlights may coincide
-    };
-    if (white_specular_ != 0) return PackedRgb::grey(share(white_specular_));
-    return PackedRgb::of(share(specular_[0]), share(specular_[1]), share(specular_[2]));
-  }
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::uint32_t power) const;
 
  private:
   /// An entry of the ramp stands for 1/256 of one light's diffuse part.
@@ -354,12 +327,6 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   std::uint32_t most_curvature_ = 0;
   std::uint32_t shininess_ = 1;
   std::uint32_t white_specular_ = 0;  ///< specular_[0] if all channels are equal, else 0
-};
-
-/// True if an illumination has one light or may have: some know the number at run time only.
-template <class Lighting>
-inline constexpr bool kMayHaveOneLight = Lighting::kLights == 1 || !requires {
-  std::integral_constant<std::size_t, Lighting::lights()>{};
 };
 
 }  // namespace arcspan

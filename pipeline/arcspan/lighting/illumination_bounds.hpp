@@ -51,6 +51,17 @@ constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight_
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr bool Illumination<Lights, Model, Features>::may_shine_between(const Scalars& a, const Scalars& b,
+                                                                        Factor angle2) const
+    requires(Lights == 1) {
+  const auto rough = [this](const Scalars& at) {  // factors rounded down, which costs less than rounding
+    if constexpr (Model == Highlight::kBlinn) return highlight_distance(at[0], at[1], 0);
+    return wrap_sub(half_one_plus_light_eye_[0], wrap_mul(at[0].raw() >> 15, at[1].raw() >> 15));
+  };
+  return detail::nearest_between(rough(a), rough(b), angle2) < power_.half_reach();
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr std::int32_t Illumination<Lights, Model, Features>::half_distance(Cosine normal_light, Cosine other,
                                                                             std::size_t light) const {
   if constexpr (Model == Highlight::kBlinn) {

@@ -12,6 +12,17 @@
 namespace arcspan {
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+ARCSPAN_INLINE constexpr PackedRgb Illumination<Lights, Model, Features>::highlight(
+    std::uint32_t power) const {
+  const auto share = [power](std::uint32_t coefficient) {
+    const std::uint32_t level = (coefficient * power) >> 18;
+    return Lights == 1 || level < 1023 ? level : 1023u;  // several highlights may coincide
+  };
+  if (white_specular_ != 0) return PackedRgb::grey(share(white_specular_));
+  return PackedRgb::of(share(specular_[0]), share(specular_[1]), share(specular_[2]));
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 ARCSPAN_INLINE constexpr PixelLight Illumination<Lights, Model, Features>::light(
     const Scalars& scalars) const {
   if constexpr (Lights == 1) {

@@ -6,9 +6,38 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 /// The sums of Illumination over its lights. A single light's colour comes from the ramp instead.
 namespace arcspan {
+
+/// True if an illumination has one light or may have: some know the number at run time only.
+template <class Lighting>
+inline constexpr bool kMayHaveOneLight = Lighting::kLights == 1 || !requires {
+  std::integral_constant<std::size_t, Lighting::lights()>{};
+};
+
+/// What the highlight of one of several grey lights depends on besides its scalars.
+struct OneHighlight {
+  std::int32_t half_one_plus_light_eye;  ///< (1 + L·V) / 2, 30 fraction bits
+  std::uint32_t weight;                  ///< highlight_weight()
+};
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr OneHighlight Illumination<Lights, Model, Features>::one_highlight(std::size_t light) const {
+  if constexpr (!kHasRamp)
+    return {};
+  else
+    return {half_one_plus_light_eye_[light], highlight_weight(light)};
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+ARCSPAN_INLINE constexpr std::uint32_t Illumination<Lights, Model, Features>::highlight_power(
+    const OneHighlight& of, Cosine normal_light, Cosine other) const {
+  const std::int32_t half_distance = highlight_distance_from(of.half_one_plus_light_eye, normal_light, other);
+  if (half_distance >= power_.half_reach() || clamped(normal_light) == 0) return 0;
+  return (fade()(power_(half_distance), normal_light) * of.weight + (1u << 14)) >> 15;
+}
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr void Illumination<Lights, Model, Features>::add_weighted(std::uint32_t value,

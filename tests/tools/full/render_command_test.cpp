@@ -92,7 +92,6 @@ TEST_CASE("every option is taken, and has an effect") {
                              "--blend add",
                              "--vertex-colours",
                              "--no-vertex-colours",
-                             "--fog 50,60",
                              "--band 1",
                              "--band 7",
                              "--band 48",
@@ -113,7 +112,10 @@ TEST_CASE("every option is taken, and has an effect") {
     CHECK(run(base + (folder / "b.ppm") + " " + option).status == 0);
     CHECK(contents(folder / "b.ppm") == plain);
   }
-  const CommandRun clear = run(base + (folder / "b.ppm") + " --fog 50,60");
+  // By gouraud, because arc draws small triangles in another way without fog, which may differ by a step.
+  REQUIRE(run(base + (folder / "a.ppm") + " --shading gouraud").status == 0);
+  const CommandRun clear = run(base + (folder / "b.ppm") + " --shading gouraud --fog 50,60");
+  CHECK(contents(folder / "b.ppm") == contents(folder / "a.ppm"));
   CHECK(clear.err.find("arcspan: warning: --fog: begins behind the model, which is 2.") == 0);
   const CommandRun hidden = run(base + (folder / "b.ppm") + " --fog 0.1,0.2");
   CHECK(hidden.err.find("arcspan: warning: --fog: hides all of the model, which is 2.") == 0);

@@ -3,7 +3,8 @@
 // that count what is done to them, in the namespace arcspan_counted. No #pragma once: these are brackets.
 #include <arcspan_tools/counting/counted_std.hpp>
 
-// Operations of small machines are counted, on whatever host: those of a Cortex-M3, which has 64-bit sums of products.
+// Operations of small machines are counted, on whatever host: those of a Cortex-M3, which has 64-bit sums of
+// products.
 #undef __SIZEOF_POINTER__
 #define __SIZEOF_POINTER__ 4
 #define ARCSPAN_LONG_SUMS

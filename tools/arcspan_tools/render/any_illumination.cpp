@@ -52,13 +52,11 @@ class CallsOf final : public IlluminationCalls {
   }
   [[nodiscard]] bool draws_one_highlight() const override { return Wrapped::draws_one_highlight(); }
   [[nodiscard]] OneHighlight one_highlight(std::size_t light) const override {
-    if constexpr (Wrapped::kHasRamp) return wrapped_.one_highlight(light);
-    return {};
+    return wrapped_.one_highlight(light);
   }
   [[nodiscard]] std::uint32_t highlight_power(const OneHighlight& of, Cosine normal_light,
                                               Cosine other) const override {
-    if constexpr (Wrapped::kHasRamp) return wrapped_.highlight_power(of, normal_light, other);
-    return 0;
+    return wrapped_.highlight_power(of, normal_light, other);
   }
   [[nodiscard]] PackedRgb highlight(std::uint32_t power) const override { return wrapped_.highlight(power); }
   [[nodiscard]] std::uint32_t most_ramp() const override {

@@ -38,10 +38,7 @@ struct ArcUpTo {
                     ///< kLargestPatch
     kDiffuseWide,   ///< rows in pieces, N·L only
   };
-  static constexpr bool kHasOneHighlight = [] {
-    if constexpr (Illumination::kHasRamp) return Illumination::kDrawsOneHighlight;
-    return false;
-  }();
+  static constexpr bool kHasOneHighlight = requires { requires Illumination::kDrawsOneHighlight; };
   struct Prepared {
     union {
       WideOrVeryWide<kScalars, kWidest> wide;

@@ -60,8 +60,10 @@ class SmallPatch {
       scalar.twist = sagitta(b[i], c[i], of_bc) - scalar.ab - scalar.ac;
       scalar.to_b = rounded(wrap_sub(b[i].raw(), a[i].raw())) + scalar.ab;
       scalar.to_c = rounded(wrap_sub(c[i].raw(), a[i].raw())) + scalar.ac;
-      const std::int32_t along_b = wrap_sub(times(scalar.twist, dc_), times(scalar.ab, db_));
-      const std::int32_t along_c = times(scalar.ac, dc_);
+      // Rounded, because their errors grow with the square of a run's length.
+      const std::int32_t along_b =
+          round_shift(wrap_sub(wrap_mul(scalar.twist, dc_), wrap_mul(scalar.ab, db_)), Bits);
+      const std::int32_t along_c = round_shift(wrap_mul(scalar.ac, dc_), Bits);
       scalar.second_difference = product(wrap_sub(wrap_mul(along_b, db_), wrap_mul(along_c, dc_)), -1);
     }
   }

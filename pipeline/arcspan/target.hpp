@@ -129,12 +129,15 @@ inline constexpr bool kLoadsPairs = true;
 inline constexpr bool kLoadsPairs = false;
 #endif
 
-/// True if a rare call in a loop's function gets copies of the loop's variables, because compilers keep those
-/// in memory whose addresses a call has. Copies take code, and on RISC-V Gouraud's pixels get another spill.
+/// True if a rare call in a loop's function gets a copy of the loop's variable of type T, because compilers
+/// keep those in memory whose addresses a call has. Copies take code, on Armv6-M they are calls of memcpy,
+/// and on RISC-V Gouraud's pixels get another spill.
+template <class T>
 #if defined(__riscv)
 inline constexpr bool kCopiesForCalls = false;
 #else
-inline constexpr bool kCopiesForCalls = !kOptimisedForSize;
+inline constexpr bool kCopiesForCalls =
+    !kOptimisedForSize && kHasLongMultiply && std::is_trivially_copyable_v<T>;
 #endif
 
 /// True if one instruction saturates to a range (Arm: USAT).

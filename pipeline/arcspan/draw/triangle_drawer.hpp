@@ -192,7 +192,6 @@ class TriangleDrawer {
                                 Facing facing) {
     if constexpr (kDrawsSmall) {
       if (is_small(a.position, b.position, c.position) && draw_small_side(a, b, c, false)) return;
-      // Not within draw_large_side(), whose frame would stay on the stack.
       if (!draw_large_side(t, a, b, c, facing, true) || draw_small_side(a, b, c, true)) return;
     }
     (void)draw_large_side(t, a, b, c, facing, false);
@@ -209,7 +208,7 @@ class TriangleDrawer {
   }
 
   /// Draws one side of a triangle by rows. Returns true, without drawing, if it is to be drawn as a small one
-  /// although it is medium; it never is unless it `may_be_medium`.
+  /// although it is medium (not here: this frame would stay on the stack), never unless it `may_be_medium`.
   ARCSPAN_OUTLINE bool draw_large_side(const TriangleIndices& t, const Raster& a, const Raster& b,
                                        const Raster& c, Facing facing, bool may_be_medium) {
     TriangleCommand<Method> command;

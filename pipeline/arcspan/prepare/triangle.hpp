@@ -134,6 +134,7 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   make_edge_setup(top, bottom, command.first_row, true, frame.long_edge);
   make_edge_walk(frame.long_edge, bottom, long_walk);
   if constexpr (NeedsNearOverW<Method>) frame.long_walk.set(long_walk);
+  frame.upper_edge.offset = frame.lower_edge.offset = 0;  // otherwise gcc takes them for used
   if (frame.has_upper) {
     make_edge_setup(top, middle, command.first_row, frame.middle_left, frame.upper_edge);
     make_edge_walk(frame.upper_edge, middle, frame.middle_left ? command.left : command.right);

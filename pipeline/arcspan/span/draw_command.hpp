@@ -199,7 +199,7 @@ struct RowDrawer {
     std::int32_t half_end = middle < stop ? middle : stop;
     std::int32_t y = command.first_row + origin.y;
     if (y < scissor.top) {
-      if constexpr (!kCopiesForCalls || !std::is_trivially_copyable_v<Walker>) {
+      if constexpr (!kCopiesForCalls<Walker>) {
         step_to_row<Target>(command, walker, y, scissor.top, half_end, stop);
       } else {
         Walker stepped = walker;

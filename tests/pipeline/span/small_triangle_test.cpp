@@ -215,7 +215,7 @@ TEST_CASE("triangles that no light reaches have the colour of darkness, however 
     }
   }
   CHECK(faults == 0);
-  CHECK(drawn > static_cast<std::uint64_t>(share_of(500)));
+  CHECK(drawn > static_cast<std::uint64_t>(share_of(100)));
 }
 
 TEST_CASE("the pixels of small triangles do not depend on the rows of the scissor") {

@@ -13,6 +13,17 @@
 
 namespace arcspan {
 
+namespace detail {
+
+/// Assigns a vertex member by member, because compilers call memcpy for the whole on small cores.
+template <std::size_t Count>
+ARCSPAN_INLINE constexpr void assign(ArcVertex<Count>& to, const ArcVertex<Count>& from) {
+  to.normal = from.normal;
+  unrolled<Count>([&](auto i) { to.scalars[i] = from.scalars[i]; });
+}
+
+}  // namespace detail
+
 /// An edge that may be wider than 60 degrees, and the part of it that holds the current row: the whole edge,
 /// a half or a quarter, whichever is narrow enough for ArcShape.
 template <std::size_t Count>
@@ -42,11 +53,13 @@ struct DividedEdge {
     for (halvings = 0; halvings < 2 && squared_chord(upper.normal, lower.normal) > kWidestArc;) {
       ++halvings;
       const bool is_second = (part_of_row() & 1) != 0;
-      (is_second ? upper : lower) = half_way(upper, lower);
+      detail::assign(is_second ? upper : lower, half_way(upper, lower));
     }
     index = static_cast<std::uint8_t>(part_of_row());
-    from = upper.scalars;
-    to = lower.scalars;
+    unrolled<Count>([&](auto i) {
+      from[i] = upper.scalars[i];
+      to[i] = lower.scalars[i];
+    });
     const std::uint32_t chord = squared_chord(upper.normal, lower.normal);
     shape = ArcShape(chord < kWidestArc ? chord : kWidestArc);
   }
@@ -122,7 +135,11 @@ struct VeryWideTriangle {
 
  private:
   ARCSPAN_COLD_OUTLINE constexpr void find_parts(bool in_lower) {
-    std::array<ArcVertex<Count>, 4> ends{top, bottom, in_lower ? middle : top, in_lower ? bottom : middle};
+    std::array<ArcVertex<Count>, 4> ends;
+    detail::assign(ends[0], top);
+    detail::assign(ends[1], bottom);
+    detail::assign(ends[2], in_lower ? middle : top);
+    detail::assign(ends[3], in_lower ? bottom : middle);
     for (std::size_t i = 0; i < 2; ++i) {  // a loop, so that find_part() becomes a part of this function
       (i == 0 ? long_edge : short_edge).find_part(ends[2 * i], ends[2 * i + 1]);
     }

@@ -54,7 +54,10 @@ class OneHighlightWalker : public PatchWalker<OneHighlightRun<Lighting>, Count> 
   using typename Base::Run;
 
   constexpr OneHighlightWalker(Patch<Count>& patch, bool middle_left, const OneHighlight& highlight)
-      : Base(patch, middle_left), highlight_(highlight) {}
+      : Base(patch, middle_left), highlight_{highlight.half_one_plus_light_eye, highlight.weight} {}
+  // Member by member, because compilers call memcpy for the whole on small cores.
+  ARCSPAN_INLINE constexpr OneHighlightWalker(const OneHighlightWalker& other)
+      : Base(other), highlight_{other.highlight_.half_one_plus_light_eye, other.highlight_.weight} {}
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
     Run run = Base::row(start);
     run.set_highlight(highlight_);

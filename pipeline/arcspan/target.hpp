@@ -13,9 +13,16 @@
 
 // ---- Inlining policies
 
-/// For the code of one pixel or one row: always part of its caller, even at -O0, because the call would cost
-/// as much as the work.
+/// For the code of one pixel or one row: always part of its caller, because the call would cost as much as the
+/// work. Not without optimisation, where copies in every caller only take time to compile; define it empty to
+/// compile faster with optimisation, too.
+#ifndef ARCSPAN_INLINE
+#ifdef __OPTIMIZE__
 #define ARCSPAN_INLINE [[gnu::always_inline]]
+#else
+#define ARCSPAN_INLINE
+#endif
+#endif
 
 /// For a stage of a triangle: a function of its own, so that its registers are allocated independently of its
 /// caller's, and its code exists once.
@@ -26,7 +33,7 @@
 #if defined(__ARM_ARCH_6M__) || defined(__AVR__)
 #define ARCSPAN_INLINE_IF_MANY_REGISTERS
 #else
-#define ARCSPAN_INLINE_IF_MANY_REGISTERS [[gnu::always_inline]]
+#define ARCSPAN_INLINE_IF_MANY_REGISTERS ARCSPAN_INLINE
 #endif
 
 /// For paths that few triangles take: optimised for size and placed apart from the hot code.
@@ -45,7 +52,7 @@
 #ifdef __OPTIMIZE_SIZE__
 #define ARCSPAN_INLINE_UNLESS_SMALL [[gnu::noinline]]
 #else
-#define ARCSPAN_INLINE_UNLESS_SMALL [[gnu::always_inline]]
+#define ARCSPAN_INLINE_UNLESS_SMALL ARCSPAN_INLINE
 #endif
 
 // ---- Configuration

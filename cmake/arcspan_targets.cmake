@@ -16,6 +16,7 @@ target_compile_options(
             -Wundef
             -Wnon-virtual-dtor
             -Woverloaded-virtual
+            $<$<CXX_COMPILER_ID:Clang>:-Wreserved-identifier>
             # gcc 12 sees overlapping copies in "literal" + std::string where there are none (its bug 105651).
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
             $<$<BOOL:${ARCSPAN_WERROR}>:-Werror>)

@@ -23,6 +23,7 @@
 namespace arcspan {
 
 struct OneHighlight;
+
 /// A colour as Gouraud shading interpolates it: per channel 0...65280, in 256ths of an 8-bit step.
 struct DeepColour {
   std::int32_t r;

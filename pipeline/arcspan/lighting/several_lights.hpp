@@ -17,7 +17,7 @@ inline constexpr bool kMayHaveOneLight = Lighting::kLights == 1 || !requires {
   std::integral_constant<std::size_t, Lighting::lights()>{};
 };
 
-/// What the highlight of one of several grey lights depends on besides its scalars.
+/// The constants of the highlight of one of several grey lights.
 struct OneHighlight {
   std::int32_t half_one_plus_light_eye;  ///< (1 + L·V) / 2, 30 fraction bits
   std::uint32_t weight;                  ///< highlight_weight()

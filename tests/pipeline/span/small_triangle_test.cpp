@@ -203,7 +203,7 @@ TEST_CASE("triangles that no light reaches have the colour of darkness, however 
   const std::uint8_t dark = encode_at<Gray8>(light.diffuse_colour(Cosine{}), 0, 0);
   int faults = 0;
   std::uint64_t drawn = 0;
-  for (int i = 0; i < share_of(20000); ++i) {
+  for (int i = 0; i < share_of(100000); ++i) {
     const Triangle t = random_triangle(random, light, 100);
     if (std::any_of(t.begin(), t.end(), [](const auto& v) { return v.shade.scalars[0].raw() > 0; })) continue;
     picture.clear();
@@ -215,7 +215,7 @@ TEST_CASE("triangles that no light reaches have the colour of darkness, however 
     }
   }
   CHECK(faults == 0);
-  CHECK(drawn > static_cast<std::uint64_t>(share_of(100)));
+  CHECK(drawn > static_cast<std::uint64_t>(share_of(5000)));
 }
 
 TEST_CASE("the pixels of small triangles do not depend on the rows of the scissor") {

@@ -22,16 +22,8 @@ std::vector<CostTerm> cost_terms(std::string_view shading, const RenderJob& job,
     terms.push_back({name, static_cast<double>(draw.around.of[i])});
     terms.push_back({"pixel's " + name, static_cast<double>(draw.in_spans.of[i])});
   }
-  double vertices = 0;
-  double triangles = 0;
-  for (const FixedMesh& mesh : meshes) {
-    vertices += static_cast<double>(mesh.positions.size());
-    triangles += static_cast<double>(mesh.indices.size()) / 3;
-  }
   const auto bands = static_cast<double>(stats.bands);
   const auto pixels = static_cast<double>(draw.pixels);
-  terms.push_back({"vertex of the mesh", vertices * bands});
-  terms.push_back({"triangle of the mesh", triangles * bands});
   terms.push_back({"triangle", static_cast<double>(draw.triangles)});
   terms.push_back({"span", static_cast<double>(draw.spans)});
   terms.push_back({"pixel", pixels});

@@ -18,8 +18,8 @@ struct CostTerm {
 };
 
 /// The terms of drawing a job's bands: the operations that the counting pipeline counts, those of pixels in
-/// the share that `stats` says passed the depth test; vertices and triangles of the meshes; and triangles,
-/// spans and pixels that were drawn. `stats` are those of rendering the job, with counts.
+/// the share that `stats` says passed the depth test; triangles, spans and pixels that were drawn; and calls.
+/// `stats` are those of rendering the job, with counts.
 [[nodiscard]] std::vector<CostTerm> cost_terms(std::string_view shading, const RenderJob& job,
                                                const FixedMeshes& meshes, const RenderStats& stats);
 

@@ -11,7 +11,7 @@
 
 namespace arcspan {
 
-/// What is stepped over a piece of a row of a wide triangle.
+/// Which values are stepped from pixel to pixel in a piece of a row of a wide triangle.
 enum class PiecePath : std::uint8_t {
   kScalars,    ///< all scalars
   kHighlight,  ///< N·L and the highlight's scaled distance (decision 7)

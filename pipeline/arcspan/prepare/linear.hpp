@@ -65,7 +65,7 @@ template <class Value>
 constexpr void make_linear_edge(const EdgeSetup& edge, std::int32_t from, std::int32_t to,
                                 BasicLinearEdge<Value>& linear) {
   const std::int32_t difference = to - from;
-  const std::int32_t part = part_of<Value>(difference, start_fraction(edge));
+  const std::int32_t part = part_of<Value>(difference, edge.start);
   linear.at = Value::from_raw(wrap_add(wrap_shl(from, Value::kFraction), part));
   linear.step = gradient<Value>(difference, edge.inverse, Subpixel::kFraction);
 }

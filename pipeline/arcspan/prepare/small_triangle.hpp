@@ -169,6 +169,13 @@ struct SmallLimits {
   std::int32_t right;
   std::int32_t top;
   std::int32_t bottom;
+
+  /// Returns true if a vertex lies left or right of the limits.
+  [[nodiscard]] constexpr bool cut(const RasterPosition& a, const RasterPosition& b,
+                                   const RasterPosition& c) const {
+    const auto outside = [this](std::int32_t x) { return (x - left * 16) | (right * 16 - x); };
+    return (outside(a.x) | outside(b.x) | outside(c.x)) < 0;
+  }
 };
 
 /// Finds the pixels of a small triangle in the rows of `limits`. The vertices are sorted by height, and the

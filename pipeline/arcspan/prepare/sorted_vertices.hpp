@@ -22,6 +22,15 @@ struct TriangleChords {
   }
 };
 
+template <class Method>
+struct SortedVertices;
+
+/// Optional part of a method: chords_of() measures the chords between the normals once per triangle.
+template <class M>
+concept MeasuresChords = requires(const SortedVertices<M>& vertices) {
+  { M::chords_of(vertices) } -> std::same_as<TriangleChords>;
+};
+
 /// The vertices of a triangle with an area. Small and large triangles begin with them, so that a triangle is
 /// sorted and measured once however it is drawn.
 template <class Method>
@@ -31,12 +40,19 @@ struct SortedVertices {
   const RasterVertex<Method>* bottom;
   bool middle_left;       ///< the middle vertex is on the left of the long edge
   TriangleChords chords;  ///< set by measure_chords() if the method is one that MeasuresChords
-};
 
-/// Optional part of a method: chords_of() measures the chords between the normals once per triangle.
-template <class M>
-concept MeasuresChords = requires(const SortedVertices<M>& vertices) {
-  { M::chords_of(vertices) } -> std::same_as<TriangleChords>;
+  /// Assigns member by member, because a call of memcpy costs more on cores with few registers.
+  constexpr void become(const SortedVertices& other) {
+    top = other.top;
+    middle = other.middle;
+    bottom = other.bottom;
+    middle_left = other.middle_left;
+    if constexpr (MeasuresChords<Method>) {
+      chords.top_middle = other.chords.top_middle;
+      chords.top_bottom = other.chords.top_bottom;
+      chords.middle_bottom = other.chords.middle_bottom;
+    }
+  }
 };
 
 namespace detail {

@@ -136,7 +136,7 @@ ARCSPAN_OUTLINE_IF_SMALL [[nodiscard]] constexpr bool prepare_sorted(
     const typename Method::Lighting& lighting, const SortedVertices<Method>& vertices,
     const typename Method::Face& face, const RowRange& rows, TriangleCommand<Method>& command) {
   TriangleFrame<Method> frame;
-  static_cast<SortedVertices<Method>&>(frame) = vertices;
+  frame.become(vertices);
   if (!detail::place_rows(frame, rows, command)) return false;
   command.middle_left = frame.middle_left;
   detail::place_edges(frame, command);

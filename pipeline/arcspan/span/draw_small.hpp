@@ -65,7 +65,7 @@ template <class Method, class Target>
                            scissor.bottom - origin.y};
   SmallTriangle triangle;
   if (!cover_small_triangle(p, q, r, vertices.middle_left, limits, triangle) ||
-      (crosses && !cut_columns(limits, triangle))) {
+      (crosses && limits.cut(p, q, r) && !cut_columns(limits, triangle))) {
     const std::int32_t first = triangle.first_row > rows.first ? triangle.first_row : rows.first;
     const std::int32_t end = triangle.end_row < rows.end ? triangle.end_row : rows.end;
     status = Status::kOk;

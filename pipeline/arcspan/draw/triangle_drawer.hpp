@@ -105,11 +105,12 @@ class TriangleDrawer {
     const RasterPosition& p = a.raster.position;
     const RasterPosition& q = b.raster.position;
     const RasterPosition& r = c.raster.position;
-    counted_ = false;
     if constexpr (DrawsEdges<Method>) {
       const Target target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_};
-      const EdgeDrawer<Method, Target> edges{stage_, scissor_, target, two_sided(), result_, counted_};
+      bool drawn = false;
+      const EdgeDrawer<Method, Target> edges{stage_, scissor_, target, two_sided(), result_, drawn};
       edges.template draw<Features.clips>(t, a, b, c);
+      if (drawn) ++result_.triangles;
     } else if ((a.outcode | b.outcode | c.outcode) != 0) {
       draw_clipped(t);
     } else if (is_within_scissor(p, q, r)) {
@@ -124,7 +125,6 @@ class TriangleDrawer {
         draw_side(t, a.raster, b.raster, c.raster, Facing::kFront);
       }
     }
-    if (counted_) ++result_.triangles;
   }
   ARCSPAN_OUTLINE void draw_triangle_outlined(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
     draw_triangle(t, a, b, c);
@@ -145,8 +145,10 @@ class TriangleDrawer {
   /// Draws a triangle across the near plane or the guard band.
   void draw_clipped(const TriangleIndices& t) {
     if constexpr (Features.clips) {
+      const std::uint32_t before = result_.triangles;
       draw_clipped(t, Facing::kFront);
       if (two_sided()) draw_clipped(t, Facing::kBack);
+      if (result_.triangles > before) result_.triangles = before + 1;  // its parts are one triangle
     } else {
       ++result_.left_out;
     }
@@ -217,7 +219,7 @@ class TriangleDrawer {
     const SmallResult result =
         draw_small_triangle<Method>(vertices, is_medium, columns_ == ScissorColumns::kCrossing,
                                     scissor_.viewport_rows(), scissor_.origin(), target, result_.status);
-    counted_ = counted_ || result == SmallResult::kDone;
+    if (result == SmallResult::kDone) ++result_.triangles;
     return result != SmallResult::kRefused;
   }
 
@@ -233,7 +235,7 @@ class TriangleDrawer {
     const RasterOrigin& origin = scissor_.origin();
     const Rect& rect = scissor_.rect();
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;
-    counted_ = true;
+    ++result_.triangles;
     const Target target{rect, stage_.lighting(), sink_, depth_, encoded_};
     if constexpr (!kWholeRows) {
       result_.status = draw_crossing_rows(command, origin, target);
@@ -254,7 +256,6 @@ class TriangleDrawer {
   DrawResult result_{};
   const DrawOptions options_;
   ScissorColumns columns_ = ScissorColumns::kCrossing;  ///< of the current triangle
-  bool counted_ = false;  ///< the current triangle is to be counted in the result
 };
 
 }  // namespace arcspan::detail

@@ -44,7 +44,7 @@ inline constexpr int kFractionBits = Value::kFraction < 15 ? 14 : 15;
 
 /// Returns value * fraction, rounded down, with 32-bit multiplies. `fraction` has 16 fraction bits and is in
 /// 0...1; the magnitude of the raw value is at most 2^29.
-[[nodiscard]] ARCSPAN_INLINE constexpr Linear times_fraction(Linear value, std::uint32_t fraction) {
+[[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr Linear times_fraction(Linear value, std::uint32_t fraction) {
   return Linear::from_raw(scaled_down(value.raw(), fraction, 16));
 }
 

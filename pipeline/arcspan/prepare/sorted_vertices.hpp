@@ -59,8 +59,8 @@ namespace detail {
 
 /// Swaps two vertices if `lower` is the higher one. That turns the triangle over.
 template <class Method>
-ARCSPAN_INLINE constexpr void order_by_height(const RasterVertex<Method>*& upper,
-                                              const RasterVertex<Method>*& lower, bool& is_front) {
+ARCSPAN_INLINE_IF_SMALL constexpr void order_by_height(const RasterVertex<Method>*& upper,
+                                                       const RasterVertex<Method>*& lower, bool& is_front) {
   if (lower->position.y < upper->position.y) {
     const RasterVertex<Method>* const held = upper;
     upper = lower;

@@ -8,7 +8,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 namespace arcspan {
 
@@ -37,47 +36,6 @@ namespace detail {
   return reach + 1;
 }
 
-inline constexpr std::uint32_t kPowerIntervals = 128;
-
-/// Powers between the values of a table; a position in the table has 8 fraction bits.
-class ShortPowers {
- public:
-  constexpr void set(std::uint32_t interval, std::uint32_t here, std::uint32_t next) {
-    values_[interval] = static_cast<std::uint16_t>(here);
-    values_[interval + 1] = static_cast<std::uint16_t>(next);
-  }
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::uint32_t position) const {
-    const auto index = static_cast<std::size_t>(position >> 8);
-    const std::uint32_t here = values_[index];
-    const std::uint32_t next = values_[index + 1];
-    return here - (((here - next) * (position & 0xFFu) + 128u) >> 8);
-  }
-
- private:
-  std::array<std::uint16_t, kPowerIntervals + 2> values_{};
-};
-
-/// The same powers, to the last bit, by a line for every interval: more memory, and neither difference nor
-/// mask.
-class LongPowers {
- public:
-  constexpr void set(std::uint32_t interval, std::uint32_t here, std::uint32_t next) {
-    const std::uint32_t fall = here - next;
-    lines_[interval] = {(here << 8) + 127u + fall * (interval << 8), fall};
-  }
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::uint32_t position) const {
-    const Line& line = lines_[static_cast<std::size_t>(position >> 8)];
-    return (line.origin - line.fall * position) >> 8;
-  }
-
- private:
-  struct Line {
-    std::uint32_t origin;
-    std::uint32_t fall;
-  };
-  std::array<Line, kPowerIntervals + 1> lines_{};
-};
-
 }  // namespace detail
 
 /// The power c^n of the specular factor, from a table over 1 - c with linear interpolation. The table covers
@@ -85,7 +43,7 @@ class LongPowers {
 /// 0. The table is over 1 - c because highlights need many significant bits near c = 1.
 class PowerTable {
  public:
-  static constexpr std::uint32_t kIntervals = detail::kPowerIntervals;
+  static constexpr std::uint32_t kIntervals = 128;
   static constexpr std::int32_t kMaxExponent = 256;
 
   constexpr PowerTable() = default;
@@ -102,14 +60,17 @@ class PowerTable {
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::int32_t half_distance) const {
     const std::uint32_t inside = half_distance < 0 ? 0u : static_cast<std::uint32_t>(half_distance);
     const std::uint32_t position = ((inside >> drop_) * scale_) >> 16;  // 8 fraction bits
-    return powers_(position);
+    const auto index = static_cast<std::size_t>(position >> 8);
+    const std::uint32_t here = values_[index];
+    const std::uint32_t next = values_[index + 1];
+    return here - (((here - next) * (position & 0xFFu) + 128u) >> 8);
   }
 
  private:
   std::int32_t half_reach_ = 0;
   std::uint32_t drop_ = 0;   ///< shift that leaves 16 bits of a half distance below half_reach()
   std::uint32_t scale_ = 0;  ///< factor from those to a position in the table, 16 fraction bits
-  std::conditional_t<kHasWideRegisters, detail::LongPowers, detail::ShortPowers> powers_{};
+  std::array<std::uint16_t, kIntervals + 2> values_{};
 };
 
 constexpr PowerTable::PowerTable(std::int32_t exponent) {
@@ -119,17 +80,12 @@ constexpr PowerTable::PowerTable(std::int32_t exponent) {
   const auto bits = static_cast<std::uint32_t>(std::bit_width(reach));
   drop_ = bits > 16 ? bits - 16 : 0;
   scale_ = ((kIntervals << 8) << 16) / ((reach >> drop_) + 1);
-  const auto value = [&](std::uint32_t i) {
+  for (std::size_t i = 0; i < kIntervals + 2; ++i) {
     // 1 - c with 31 fraction bits: four times the half distance at position i << 8.
     const std::uint64_t distance = ((std::uint64_t{i} << (8 + 16 + 2)) << drop_) / scale_;
     const std::uint64_t base = distance < (std::uint64_t{1} << 31) ? (std::uint64_t{1} << 31) - distance : 0;
-    return (detail::power_of(static_cast<std::uint32_t>(base), n) + (1u << 15)) >> 16;
-  };
-  std::uint32_t here = value(0);
-  for (std::uint32_t i = 0; i < kIntervals + 1; ++i) {
-    const std::uint32_t next = value(i + 1);
-    powers_.set(i, here, next);
-    here = next;
+    values_[i] = static_cast<std::uint16_t>(
+        (detail::power_of(static_cast<std::uint32_t>(base), n) + (1u << 15)) >> 16);
   }
 }
 

@@ -51,11 +51,10 @@ template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSin
   if (!drawer.ready()) return drawer.result();
   const detail::VisibleTriangles visible = drawer.visible_triangles();
   if (visible.excludes_all()) return drawer.result();
-  const detail::UncachedVertices<Method> uncached(drawer.stage(), visible);
   if constexpr (!Features.caches) {
-    drawer.draw_triangles(uncached);
+    drawer.draw_triangles(detail::UncachedVertices<Method>(drawer.stage(), visible));
   } else if (cache.empty()) {
-    drawer.draw_triangles_outlined(uncached);
+    drawer.draw_triangles_outlined(detail::UncachedVertices<Method>(drawer.stage(), visible));
   } else if (visible.known()) {
     detail::forget_vertices(cache.data(), mesh.vertex_count());
     drawer.draw_triangles_outlined(detail::FrontVertices<Method>(drawer.stage(), cache.data(), visible));

@@ -55,6 +55,14 @@
 #define ARCSPAN_INLINE_UNLESS_SMALL ARCSPAN_INLINE
 #endif
 
+/// ARCSPAN_INLINE at -Os, where compilers call even a sum of a few words for every row. Elsewhere they choose
+/// better themselves.
+#ifdef __OPTIMIZE_SIZE__
+#define ARCSPAN_INLINE_IF_SMALL [[gnu::always_inline]]
+#else
+#define ARCSPAN_INLINE_IF_SMALL
+#endif
+
 // ---- Configuration
 
 /// Number of entries in the table of encoded colours that a draw call keeps on its stack

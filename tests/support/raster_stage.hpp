@@ -53,20 +53,22 @@ class RasterStage {
                                  const RasterVertex<Method>& c) {
     const RasterPosition& p = a.position;
     if (!draws_small_ || !in_guard_band(p)) return std::nullopt;
-    const bool is_medium = !is_small(p, b.position, c.position);
+    const std::int32_t area = doubled_area(p, b.position, c.position);
+    SortedVertices<Method> vertices{&a, &b, &c, area < 0, {}};
+    arcspan::detail::sort_by_height(vertices);
+    const bool is_medium = !is_small(vertices);
     if (is_medium) {
-      TriangleFrame<Method> frame;
-      arcspan::detail::place_vertices(a, b, c, frame);
-      if (!Method::is_dark_or_arcs(lighting_, frame) || !is_up_to_medium(p, b.position, c.position)) {
+      arcspan::detail::measure_chords(vertices);
+      if (!Method::is_dark_or_arcs(lighting_, vertices) || !is_up_to_medium(vertices)) {
         return std::nullopt;
       }
     }
-    if (doubled_area(p, b.position, c.position) == 0 || clip_.empty()) return false;
+    if (area == 0 || clip_.empty()) return false;
     const NoEncodedColours encoded(lighting_);
     const arcspan::detail::RowTarget<typename Method::Lighting, Sink, Depth> target{clip_, lighting_, sink_,
                                                                                     depth_, encoded};
     Status status = Status::kOk;
-    switch (arcspan::detail::draw_small_triangle<Method>(a, b, c, is_medium, true, rows_, origin_, target,
+    switch (arcspan::detail::draw_small_triangle<Method>(vertices, is_medium, true, rows_, origin_, target,
                                                          status)) {
       case arcspan::detail::SmallResult::kDone:
         return ok(status);

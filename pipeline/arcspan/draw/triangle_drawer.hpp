@@ -105,11 +105,12 @@ class TriangleDrawer {
     const RasterPosition& p = a.raster.position;
     const RasterPosition& q = b.raster.position;
     const RasterPosition& r = c.raster.position;
-    counted_ = false;
     if constexpr (DrawsEdges<Method>) {
       const Target target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_};
-      const EdgeDrawer<Method, Target> edges{stage_, scissor_, target, two_sided(), result_, counted_};
+      bool drawn = false;
+      const EdgeDrawer<Method, Target> edges{stage_, scissor_, target, two_sided(), result_, drawn};
       edges.template draw<Features.clips>(t, a, b, c);
+      if (drawn) ++result_.triangles;
     } else if ((a.outcode | b.outcode | c.outcode) != 0) {
       draw_clipped(t);
     } else if (is_within_scissor(p, q, r)) {
@@ -124,9 +125,8 @@ class TriangleDrawer {
         draw_side(t, a.raster, b.raster, c.raster, Facing::kFront);
       }
     }
-    if (counted_) ++result_.triangles;
   }
-  ARCSPAN_OUTLINE void draw_triangle_outlined(TriangleIndices t, Vertex& a, Vertex& b, Vertex& c) {
+  ARCSPAN_OUTLINE void draw_triangle_outlined(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
     draw_triangle(t, a, b, c);
   }
 
@@ -145,8 +145,10 @@ class TriangleDrawer {
   /// Draws a triangle across the near plane or the guard band.
   void draw_clipped(const TriangleIndices& t) {
     if constexpr (Features.clips) {
+      const std::uint32_t before = result_.triangles;
       draw_clipped(t, Facing::kFront);
       if (two_sided()) draw_clipped(t, Facing::kBack);
+      if (result_.triangles > before) result_.triangles = before + 1;  // its parts are one triangle
     } else {
       ++result_.left_out;
     }
@@ -190,54 +192,50 @@ class TriangleDrawer {
   /// Draws one side of a triangle whose vertices are shaded.
   ARCSPAN_INLINE void draw_side(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c,
                                 Facing facing) {
+    SortedVertices<Method> vertices;
+    vertices.top = &a;
+    vertices.middle = &b;
+    vertices.bottom = &c;
+    vertices.middle_left = facing == Facing::kFront;
+    sort_by_height(vertices);
     if constexpr (kDrawsSmall) {
-      if (is_small(a.position, b.position, c.position) && draw_small_side(a, b, c, false)) return;
-      if (!draw_large_side(t, a, b, c, facing, true) || draw_small_side(a, b, c, true)) return;
+      if (is_small(vertices) && draw_small_side(vertices, false)) return;
     }
-    (void)draw_large_side(t, a, b, c, facing, false);
+    measure_chords(vertices);
+    if constexpr (kDrawsSmall) {
+      if (is_medium(vertices) && draw_small_side(vertices, true)) return;
+    }
+    draw_large_side(t, vertices, facing);
+  }
+
+  /// Returns true if a triangle that is not small is to be drawn as a small one.
+  [[nodiscard]] ARCSPAN_OUTLINE_IF_SMALL bool is_medium(const SortedVertices<Method>& vertices) const {
+    return Method::is_dark_or_arcs(stage_.lighting(), vertices) && is_up_to_medium(vertices);
   }
 
   /// Draws one side of a small triangle, or of a medium one. Returns false if the method cannot.
-  ARCSPAN_OUTLINE bool draw_small_side(const Raster& a, const Raster& b, const Raster& c, bool is_medium) {
+  ARCSPAN_OUTLINE bool draw_small_side(const SortedVertices<Method>& vertices, bool is_medium) {
     const Target target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_};
     const SmallResult result =
-        draw_small_triangle<Method>(a, b, c, is_medium, columns_ == ScissorColumns::kCrossing,
+        draw_small_triangle<Method>(vertices, is_medium, columns_ == ScissorColumns::kCrossing,
                                     scissor_.viewport_rows(), scissor_.origin(), target, result_.status);
-    counted_ = counted_ || result == SmallResult::kDone;
+    if (result == SmallResult::kDone) ++result_.triangles;
     return result != SmallResult::kRefused;
   }
 
-  /// Draws one side of a triangle by rows. Returns true, without drawing, if it is to be drawn as a small one
-  /// although it is medium (not here: this frame would stay on the stack), never unless it `may_be_medium`.
-  ARCSPAN_OUTLINE bool draw_large_side(const TriangleIndices& t, const Raster& a, const Raster& b,
-                                       const Raster& c, Facing facing, bool may_be_medium) {
-    TriangleCommand<Method> command;
-    const Large large = prepare_large(t, a, b, c, facing, may_be_medium, command);
-    if (large == Large::kCommand) draw_rows(command);
-    return large == Large::kMedium;
-  }
-  enum class Large : std::uint8_t { kNothing, kMedium, kCommand };
-  ARCSPAN_OUTLINE_IF_SMALL Large prepare_large(const TriangleIndices& t, const Raster& a, const Raster& b,
-                                               const Raster& c, Facing facing, bool may_be_medium,
-                                               TriangleCommand<Method>& command) {
+  /// Draws one side of a triangle by rows.
+  ARCSPAN_OUTLINE void draw_large_side(const TriangleIndices& t, const SortedVertices<Method>& vertices,
+                                       Facing facing) {
     const Face face = shaded_face(t, facing);
-    TriangleFrame<Method> frame;
-    place_vertices(a, b, c, frame);
-    if constexpr (kDrawsSmall) {
-      if (may_be_medium && Method::is_dark_or_arcs(stage_.lighting(), frame) &&
-          is_up_to_medium(a.position, b.position, c.position)) {
-        return Large::kMedium;
-      }
+    TriangleCommand<Method> command;
+    if (!prepare_sorted<Method, Depth::kTests>(stage_.lighting(), vertices, face, scissor_.viewport_rows(),
+                                               command)) {
+      return;
     }
-    return prepare_frame<Depth::kTests>(stage_.lighting(), frame, face, scissor_.viewport_rows(), command)
-               ? Large::kCommand
-               : Large::kNothing;
-  }
-  ARCSPAN_INLINE void draw_rows(TriangleCommand<Method>& command) {
     const RasterOrigin& origin = scissor_.origin();
     const Rect& rect = scissor_.rect();
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;
-    counted_ = true;
+    ++result_.triangles;
     const Target target{rect, stage_.lighting(), sink_, depth_, encoded_};
     if constexpr (!kWholeRows) {
       result_.status = draw_crossing_rows(command, origin, target);
@@ -255,10 +253,9 @@ class TriangleDrawer {
   Sink& sink_;
   [[no_unique_address]] Colours encoded_;
   const Depth& depth_;
-  const DrawOptions options_;
   DrawResult result_{};
+  const DrawOptions options_;
   ScissorColumns columns_ = ScissorColumns::kCrossing;  ///< of the current triangle
-  bool counted_ = false;  ///< the current triangle is to be counted in the result
 };
 
 }  // namespace arcspan::detail

@@ -31,34 +31,25 @@ namespace detail {
 }
 
 /// Returns the quotient of divide() without a division instruction. `reciprocal` is nonzero_reciprocal() of
-/// the divisor. Each 16-bit digit is estimated with the refined reciprocal; the estimate is wrong by at most
-/// one, and the remainder corrects it.
+/// the divisor. Each digit of 10 or 11 bits is estimated with it by one 32-bit product. The estimate is wrong
+/// by at most 1, that of the whole part by at most 2, and the remainder corrects it.
 [[nodiscard]] constexpr std::int64_t divide_by_reciprocal(std::int32_t signed_dividend,
                                                           std::int32_t signed_divisor,
                                                           const Reciprocal& reciprocal) {
-  const auto dividend = static_cast<std::uint32_t>(signed_dividend < 0 ? -signed_dividend : signed_dividend);
   const auto divisor = static_cast<std::uint32_t>(signed_divisor);
-  const int zeros = 16 + 31 - reciprocal.exponent;
-  const std::uint32_t inverse = refined_mantissa(divisor << zeros, reciprocal.mantissa);
-  std::uint32_t rest = dividend;
-  const auto digit = [&](int up) {
-    // rest * 2^up / divisor = ((rest << (up + zeros - 16)) * inverse) >> 46; the last shift is in two parts.
-    const std::uint32_t scaled_rest = rest << up;
-    std::uint32_t quotient = multiply_high(scaled_rest << 1, inverse) >> (31 - zeros);
-    rest = scaled_rest - quotient * divisor;
-    if (static_cast<std::int32_t>(rest) < 0) {
-      --quotient;
-      rest += divisor;
-    } else if (rest >= divisor) {
-      ++quotient;
-      rest -= divisor;
-    }
+  auto rest = static_cast<std::uint32_t>(signed_dividend < 0 ? -signed_dividend : signed_dividend);
+  const auto digit = [&](int bits) {
+    std::uint32_t quotient = (rest * reciprocal.mantissa) >> (reciprocal.exponent - bits);
+    rest = (rest << bits) - quotient * divisor;
+    for (; static_cast<std::int32_t>(rest) < 0; rest += divisor) --quotient;
+    for (; rest >= divisor; rest -= divisor) ++quotient;
     return quotient;
   };
-  const std::uint32_t whole = dividend < divisor ? 0 : digit(0);
-  const std::uint32_t upper = (whole << 16) | digit(16);
-  const std::uint32_t lower = digit(16);
-  const auto quotient = static_cast<std::int64_t>((std::uint64_t{upper} << 16) | lower);
+  const std::uint32_t whole = rest < divisor ? 0 : digit(0);
+  std::uint32_t fraction = digit(11);
+  fraction = (fraction << 11) | digit(11);
+  fraction = (fraction << 10) | digit(10);
+  const auto quotient = static_cast<std::int64_t>((std::uint64_t{whole} << 32) | fraction);
   return signed_dividend < 0 ? -quotient - (rest != 0) : quotient;
 }
 

@@ -56,9 +56,17 @@ struct EdgeSetup {
   /// Reciprocal of dy. Unset on short right edges until make_inverse() is called, because only the arc path
   /// interpolates along them.
   Reciprocal inverse;
+  Factor start;  ///< start_fraction() of a left edge
 
   constexpr void make_inverse() { inverse = nonzero_reciprocal(static_cast<std::uint32_t>(dy)); }
 };
+
+/// Returns offset / dy, the fraction of the edge at the first row: rounded down, 0...1.
+[[nodiscard]] constexpr Factor start_fraction(const EdgeSetup& edge) {
+  const std::uint32_t product = static_cast<std::uint32_t>(edge.offset) * edge.inverse.mantissa;
+  const std::uint32_t fraction = product >> (edge.inverse.exponent - Factor::kFraction);
+  return Factor::from_raw(static_cast<std::int32_t>(fraction > 32768 ? 32768 : fraction));
+}
 
 /// Returns the first row whose centre is at or below y (28.4): ceil(y - 1/2).
 [[nodiscard]] constexpr std::int32_t first_row_at(std::int32_t y) { return (y + 7) >> 4; }
@@ -70,13 +78,7 @@ constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& 
   edge.dy = bottom.y - top.y;
   edge.offset = row * 16 + 8 - top.y;
   if (on_left || !kHasLongMultiply) edge.make_inverse();
-}
-
-/// Returns offset / dy, the fraction of the edge at the first row: rounded down, 0...1.
-[[nodiscard]] constexpr Factor start_fraction(const EdgeSetup& edge) {
-  const std::uint32_t product = static_cast<std::uint32_t>(edge.offset) * edge.inverse.mantissa;
-  const std::uint32_t fraction = product >> (edge.inverse.exponent - Factor::kFraction);
-  return Factor::from_raw(static_cast<std::int32_t>(fraction > 32768 ? 32768 : fraction));
+  if (on_left) edge.start = start_fraction(edge);
 }
 
 /// Sets `walk` to the edge at its first row; `bottom` is the lower end that `edge` was set up with.

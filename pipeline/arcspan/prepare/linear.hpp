@@ -44,7 +44,7 @@ inline constexpr int kFractionBits = Value::kFraction < 15 ? 14 : 15;
 
 /// Returns value * fraction, rounded down, with 32-bit multiplies. `fraction` has 16 fraction bits and is in
 /// 0...1; the magnitude of the raw value is at most 2^29.
-[[nodiscard]] constexpr Linear times_fraction(Linear value, std::uint32_t fraction) {
+[[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr Linear times_fraction(Linear value, std::uint32_t fraction) {
   return Linear::from_raw(scaled_down(value.raw(), fraction, 16));
 }
 
@@ -65,7 +65,7 @@ template <class Value>
 constexpr void make_linear_edge(const EdgeSetup& edge, std::int32_t from, std::int32_t to,
                                 BasicLinearEdge<Value>& linear) {
   const std::int32_t difference = to - from;
-  const std::int32_t part = part_of<Value>(difference, start_fraction(edge));
+  const std::int32_t part = part_of<Value>(difference, edge.start);
   linear.at = Value::from_raw(wrap_add(wrap_shl(from, Value::kFraction), part));
   linear.step = gradient<Value>(difference, edge.inverse, Subpixel::kFraction);
 }

@@ -23,9 +23,7 @@ template <class Method>
                                               const typename Method::Face& face, const RowRange& rows,
                                               TriangleCommand<Method>& command) {
   if (!in_guard_band(a.position) || !in_guard_band(b.position) || !in_guard_band(c.position)) return false;
-  TriangleFrame<Method> frame;
-  detail::place_vertices(a, b, c, frame);
-  return detail::prepare_frame<true>(lighting, frame, face, rows, command);
+  return prepare_inside(lighting, a, b, c, face, rows, command);
 }
 
 }  // namespace arcspan

@@ -25,28 +25,32 @@ inline constexpr std::int32_t kMediumArea = std::int32_t{1} << 16;
 namespace detail {
 
 /// Returns true if the vertices are at most `size` pixels apart, along x and along y.
-[[nodiscard]] constexpr bool are_within(std::int32_t size, const RasterPosition& a, const RasterPosition& b,
-                                        const RasterPosition& c) {
+template <class Method>
+[[nodiscard]] constexpr bool are_within(std::int32_t size, const SortedVertices<Method>& vertices) {
+  const RasterPosition& a = vertices.top->position;
+  const RasterPosition& b = vertices.middle->position;
+  const RasterPosition& c = vertices.bottom->position;
   const std::int32_t most = size << Subpixel::kFraction;
   const auto apart = [most](std::int32_t p, std::int32_t q) {
     return static_cast<std::uint32_t>(p - q + most) > 2 * static_cast<std::uint32_t>(most);
   };
-  if (apart(a.x, b.x) || apart(a.y, b.y)) return false;
-  return !(apart(a.x, c.x) || apart(b.x, c.x) || apart(a.y, c.y) || apart(b.y, c.y));
+  return c.y - a.y <= most && !apart(a.x, b.x) && !apart(a.x, c.x) && !apart(b.x, c.x);
 }
 
 }  // namespace detail
 
 /// Returns true if the triangle is small.
-[[nodiscard]] constexpr bool is_small(const RasterPosition& a, const RasterPosition& b,
-                                      const RasterPosition& c) {
-  return detail::are_within(kSmallSize, a, b, c);
+template <class Method>
+[[nodiscard]] constexpr bool is_small(const SortedVertices<Method>& vertices) {
+  return detail::are_within(kSmallSize, vertices);
 }
 /// Returns true if a triangle is small or medium.
-[[nodiscard]] constexpr bool is_up_to_medium(const RasterPosition& a, const RasterPosition& b,
-                                             const RasterPosition& c) {
-  const std::int32_t area = doubled_area(a, b, c);
-  return area > -kMediumArea && area < kMediumArea && detail::are_within(kMediumSize, a, b, c);
+template <class Method>
+[[nodiscard]] constexpr bool is_up_to_medium(const SortedVertices<Method>& vertices) {
+  if (!detail::are_within(kMediumSize, vertices)) return false;
+  const std::int32_t area =
+      doubled_area(vertices.top->position, vertices.middle->position, vertices.bottom->position);
+  return area > -kMediumArea && area < kMediumArea;
 }
 
 /// The edge function of an edge: twice the area of the triangle between the edge and a point, in 256ths of a
@@ -165,6 +169,13 @@ struct SmallLimits {
   std::int32_t right;
   std::int32_t top;
   std::int32_t bottom;
+
+  /// Returns true if a vertex lies left or right of the limits.
+  [[nodiscard]] constexpr bool cut(const RasterPosition& a, const RasterPosition& b,
+                                   const RasterPosition& c) const {
+    const auto outside = [this](std::int32_t x) { return (x - left * 16) | (right * 16 - x); };
+    return (outside(a.x) | outside(b.x) | outside(c.x)) < 0;
+  }
 };
 
 /// Finds the pixels of a small triangle in the rows of `limits`. The vertices are sorted by height, and the

@@ -5,10 +5,10 @@
 #include <arcspan/prepare/input_vertex.hpp>
 #include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/long_walk.hpp>
+#include <arcspan/prepare/sorted_vertices.hpp>
 #include <arcspan/prepare/triangle_command.hpp>
 #include <arcspan/target.hpp>
 
-#include <concepts>
 #include <cstdint>
 
 namespace arcspan {
@@ -27,32 +27,14 @@ struct RowRange {
   return wrap_sub(wrap_mul(b.x - a.x, c.y - a.y), wrap_mul(c.x - a.x, b.y - a.y));
 }
 
-/// Squared chords |Ni - Nj|^2 between the normals at the ends of a triangle's edges, 28 fraction bits.
-struct TriangleChords {
-  std::uint32_t top_middle;
-  std::uint32_t top_bottom;
-  std::uint32_t middle_bottom;
-
-  [[nodiscard]] constexpr std::uint32_t widest() const {
-    const std::uint32_t upper = top_middle > top_bottom ? top_middle : top_bottom;
-    return upper > middle_bottom ? upper : middle_bottom;
-  }
-};
-
-/// The geometry of a triangle from which preparation sets up attributes: the vertices sorted by height, and
-/// the three edges.
+/// The geometry of a triangle from which preparation sets up attributes: the vertices and the three edges.
 template <class Method>
-struct TriangleFrame {
-  const RasterVertex<Method>* top;
-  const RasterVertex<Method>* middle;
-  const RasterVertex<Method>* bottom;
+struct TriangleFrame : SortedVertices<Method> {
   EdgeSetup long_edge;
   EdgeSetup upper_edge;
   EdgeSetup lower_edge;
-  TriangleChords chords;     ///< set if the method is one that MeasuresChords
   bool has_upper;            ///< the upper half has rows to draw; otherwise upper_edge is unset
   bool has_lower;            ///< the lower half has rows to draw; otherwise lower_edge is unset
-  bool middle_left;          ///< the middle vertex is on the left of the long edge
   Factor middle_fraction;    ///< fraction of the long edge at the middle vertex's height
   std::uint32_t width;       ///< width in pixels at that height, 16 fraction bits, raw value at least 1
   Reciprocal inverse_width;  ///< reciprocal of `width`
@@ -91,15 +73,6 @@ constexpr void make_linear_plane(const TriangleFrame<Method>& frame, std::int32_
 }
 
 namespace detail {
-
-template <class Vertex>
-constexpr void order_by_height(const Vertex*& upper, const Vertex*& lower) {
-  if (lower->position.y < upper->position.y) {
-    const Vertex* const held = upper;
-    upper = lower;
-    lower = held;
-  }
-}
 
 /// Sets the rows of the command, clamped to `rows`. Returns false if there are none.
 template <class Method>
@@ -156,37 +129,17 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
 
 }  // namespace detail
 
-/// Optional part of a method: chords_of() measures the chords between the normals once per triangle.
-template <class M>
-concept MeasuresChords = requires(const TriangleFrame<M>& frame) {
-  { M::chords_of(frame) } -> std::same_as<TriangleChords>;
-};
-
-namespace detail {
-
-/// Sorts the vertices by height, and measures the chords between their normals if the method needs them.
-template <class Method>
-constexpr void place_vertices(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
-                              const RasterVertex<Method>& c, TriangleFrame<Method>& frame) {
-  frame.top = &a;
-  frame.middle = &b;
-  frame.bottom = &c;
-  order_by_height(frame.top, frame.middle);
-  order_by_height(frame.middle, frame.bottom);
-  order_by_height(frame.top, frame.middle);
-  if constexpr (MeasuresChords<Method>) frame.chords = Method::chords_of(frame);
-}
-
-/// Makes the command of a frame whose vertices are placed. Returns false if there is nothing to draw.
-template <bool WithDepth, class Method>
-[[nodiscard]] constexpr bool prepare_frame(const typename Method::Lighting& lighting,
-                                           TriangleFrame<Method>& frame, const typename Method::Face& face,
-                                           const RowRange& rows, TriangleCommand<Method>& command) {
-  const std::int32_t area = doubled_area(frame.top->position, frame.middle->position, frame.bottom->position);
-  if (area == 0 || !place_rows(frame, rows, command)) return false;
-  frame.middle_left = area < 0;
+/// Makes the command of a triangle whose vertices are sorted and, if the method needs it, measured. Returns
+/// false if it has no row among `rows`.
+template <class Method, bool WithDepth>
+ARCSPAN_OUTLINE_IF_SMALL [[nodiscard]] constexpr bool prepare_sorted(
+    const typename Method::Lighting& lighting, const SortedVertices<Method>& vertices,
+    const typename Method::Face& face, const RowRange& rows, TriangleCommand<Method>& command) {
+  TriangleFrame<Method> frame;
+  frame.become(vertices);
+  if (!detail::place_rows(frame, rows, command)) return false;
   command.middle_left = frame.middle_left;
-  place_edges(frame, command);
+  detail::place_edges(frame, command);
   if constexpr (WithDepth) {
     make_linear_plane(frame, frame.top->position.z, frame.middle->position.z, frame.bottom->position.z,
                       command.depth);
@@ -197,19 +150,20 @@ template <bool WithDepth, class Method>
   return true;
 }
 
-}  // namespace detail
-
 /// Makes the command that draws a triangle of either winding, as prepare_triangle() (prepare_triangle.hpp)
 /// does; its vertices are known to be inside the guard band, as those from project() are. `WithDepth` is
 /// false where depth is not tested; the depth plane is then zero.
 template <class Method, bool WithDepth = true>
-ARCSPAN_OUTLINE_IF_SMALL [[nodiscard]] constexpr bool prepare_inside(
-    const typename Method::Lighting& lighting, const RasterVertex<Method>& a, const RasterVertex<Method>& b,
-    const RasterVertex<Method>& c, const typename Method::Face& face, const RowRange& rows,
-    TriangleCommand<Method>& command) {
-  TriangleFrame<Method> frame;
-  detail::place_vertices(a, b, c, frame);
-  return detail::prepare_frame<WithDepth>(lighting, frame, face, rows, command);
+[[nodiscard]] constexpr bool prepare_inside(const typename Method::Lighting& lighting,
+                                            const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+                                            const RasterVertex<Method>& c, const typename Method::Face& face,
+                                            const RowRange& rows, TriangleCommand<Method>& command) {
+  const std::int32_t area = doubled_area(a.position, b.position, c.position);
+  if (area == 0) return false;
+  SortedVertices<Method> vertices{&a, &b, &c, area < 0, {}};
+  detail::sort_by_height(vertices);
+  detail::measure_chords(vertices);
+  return prepare_sorted<Method, WithDepth>(lighting, vertices, face, rows, command);
 }
 
 }  // namespace arcspan

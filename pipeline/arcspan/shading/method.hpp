@@ -18,7 +18,7 @@
 ///
 /// A method is chosen at compile time and has one file; a firmware contains only the methods that it names.
 /// The required part is ShadingMethod with RowWalker and PixelRun (or SegmentedRun). The optional parts are
-/// named concepts too: MeasuresChords (prepare/triangle.hpp), UsesEncodedColours with EncodingRun,
+/// named concepts too: MeasuresChords (prepare/sorted_vertices.hpp), UsesEncodedColours with EncodingRun,
 /// OutlinedWalker, ChoosesRuns, SkipsRows, StridedRun, MixesSegments (pixel_by_pixel.hpp), and
 /// ChoosesEncodedColours for sinks. docs/add-a-shading-method.md has an example.
 namespace arcspan {

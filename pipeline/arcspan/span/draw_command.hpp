@@ -183,8 +183,12 @@ struct RowDrawer {
                                                                       const RasterOrigin& origin,
                                                                       const Walker& walker,
                                                                       const Target& target) {
-    const Target local = target;
-    return draw(command, origin, walker, local);
+    if constexpr (OutlinedWalker<Walker>) {
+      return draw(command, origin, walker, target);  // draw_run_outlined() has a copy
+    } else {
+      const Target local = target;
+      return draw(command, origin, walker, local);
+    }
   }
 
  private:

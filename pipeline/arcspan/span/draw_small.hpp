@@ -48,39 +48,33 @@ enum class SmallResult : std::uint8_t {
   kRefused     ///< nothing is drawn, because the method needs a TriangleCommand for its normals
 };
 
-/// Draws a small triangle (is_small()), or a medium one if `is_medium` is true, whose doubled_area() is not
-/// 0, of either winding. A medium one is refused if it is a patch. `rows` are those of the viewport;
-/// `crosses` is false if the triangle is known to lie between the left and the right side of the scissor.
-/// Sets `status` if the result is kDone.
+/// Draws a small triangle (is_small()) of either winding, or a medium one if `is_medium` is true. A medium
+/// one is refused if it is a patch. `rows` are those of the viewport; `crosses` is false if the triangle is
+/// known to lie between the left and the right side of the scissor. Sets `status` if the result is kDone.
 template <class Method, class Target>
-[[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(
-    const RasterVertex<Method>& a, const RasterVertex<Method>& b, const RasterVertex<Method>& c,
-    bool is_medium, bool crosses, const RowRange& rows, const RasterOrigin& origin, const Target& target,
-    Status& status) {
-  const RasterVertex<Method>* top = &a;
-  const RasterVertex<Method>* middle = &b;
-  const RasterVertex<Method>* bottom = &c;
-  order_by_height(top, middle);
-  order_by_height(middle, bottom);
-  order_by_height(top, middle);
-  const RasterPosition& p = top->position;
-  const RasterPosition& q = middle->position;
-  const RasterPosition& r = bottom->position;
+[[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(const SortedVertices<Method>& vertices,
+                                                                       bool is_medium, bool crosses,
+                                                                       const RowRange& rows,
+                                                                       const RasterOrigin& origin,
+                                                                       const Target& target, Status& status) {
+  const RasterPosition& p = vertices.top->position;
+  const RasterPosition& q = vertices.middle->position;
+  const RasterPosition& r = vertices.bottom->position;
   const Rect& scissor = target.scissor;
   const SmallLimits limits{scissor.left - origin.x, scissor.right - origin.x, scissor.top - origin.y,
                            scissor.bottom - origin.y};
-  const std::int32_t area = doubled_area(p, q, r);
   SmallTriangle triangle;
-  if (!cover_small_triangle(p, q, r, area < 0, limits, triangle) ||
-      (crosses && !cut_columns(limits, triangle))) {
+  if (!cover_small_triangle(p, q, r, vertices.middle_left, limits, triangle) ||
+      (crosses && limits.cut(p, q, r) && !cut_columns(limits, triangle))) {
     const std::int32_t first = triangle.first_row > rows.first ? triangle.first_row : rows.first;
     const std::int32_t end = triangle.end_row < rows.end ? triangle.end_row : rows.end;
     status = Status::kOk;
     return first < end ? SmallResult::kDone : SmallResult::kOutOfView;
   }
-  prepare_small_triangle(p, q, r, area, triangle);
+  prepare_small_triangle(p, q, r, doubled_area(p, q, r), triangle);
   typename Method::Small small;
-  if (!Method::prepare_small(target.lighting, *top, *middle, *bottom, is_medium, triangle, small)) {
+  if (!Method::prepare_small(target.lighting, *vertices.top, *vertices.middle, *vertices.bottom, is_medium,
+                             triangle, small)) {
     return SmallResult::kRefused;
   }
   status = Method::walk_small(

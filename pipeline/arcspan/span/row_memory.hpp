@@ -14,16 +14,17 @@ template <class Sink>
 class PixelRows {
  public:
   constexpr PixelRows(Sink& sink, std::int32_t) : sink_(sink) {}
-  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& span) const {
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr typename Sink::Format::Cursor open(const Span& span) const {
     return sink_.open(span);
   }
   /// The cursor behind the span's last pixel.
-  [[nodiscard]] constexpr typename Sink::Format::Cursor behind(const Span& span) const {
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr typename Sink::Format::Cursor behind(
+      const Span& span) const {
     typename Sink::Format::Cursor cursor = sink_.open(span);
     cursor.skip(span.count);
     return cursor;
   }
-  constexpr void next() {}
+  ARCSPAN_INLINE_IF_SMALL constexpr void next() {}
 
  private:
   Sink& sink_;
@@ -34,13 +35,14 @@ template <SinkInMemory Sink>
 requires kHasManyRegisters class PixelRows<Sink> {
  public:
   constexpr PixelRows(Sink& sink, std::int32_t y) : row_(sink.row(y)), stride_(sink.stride()) {}
-  [[nodiscard]] constexpr typename Sink::Format::Cursor open(const Span& span) const {
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr typename Sink::Format::Cursor open(const Span& span) const {
     return typename Sink::Format::Cursor(row_, span.x);
   }
-  [[nodiscard]] constexpr typename Sink::Format::Cursor behind(const Span& span) const {
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr typename Sink::Format::Cursor behind(
+      const Span& span) const {
     return typename Sink::Format::Cursor(row_, span.x + span.count);
   }
-  constexpr void next() {
+  ARCSPAN_INLINE_IF_SMALL constexpr void next() {
     row_ += stride_;
     hide_value(row_);
   }
@@ -57,12 +59,14 @@ class DepthRows {
   constexpr DepthRows(const Depth& depth, std::int32_t y)
       : row_(depth.row(y)), stride_(depth.bounds().right) {}
   /// The depth of the span's first pixel.
-  [[nodiscard]] constexpr std::uint16_t* at(const Span& span) const { return row_ + span.x; }
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint16_t* at(const Span& span) const {
+    return row_ + span.x;
+  }
   /// The depth behind the span's last pixel.
-  [[nodiscard]] constexpr std::uint16_t* behind(const Span& span) const {
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint16_t* behind(const Span& span) const {
     return row_ + (span.x + span.count);
   }
-  constexpr void next() {
+  ARCSPAN_INLINE_IF_SMALL constexpr void next() {
     row_ += stride_;
     hide_value(row_);
   }
@@ -76,8 +80,10 @@ template <class Depth>
 class DepthRows<Depth, false> {
  public:
   constexpr DepthRows(const Depth& depth, std::int32_t) : depth_(depth) {}
-  [[nodiscard]] constexpr std::uint16_t* at(const Span& span) const { return depth_.row(span.y) + span.x; }
-  constexpr void next() {}
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint16_t* at(const Span& span) const {
+    return depth_.row(span.y) + span.x;
+  }
+  ARCSPAN_INLINE_IF_SMALL constexpr void next() {}
 
  private:
   const Depth& depth_;
@@ -87,8 +93,8 @@ class DepthRows<Depth, false> {
 class NoDepthRows {
  public:
   constexpr NoDepthRows(const NoDepth&, std::int32_t) {}
-  [[nodiscard]] constexpr std::uint16_t* at(const Span&) const { return nullptr; }
-  constexpr void next() {}
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint16_t* at(const Span&) const { return nullptr; }
+  ARCSPAN_INLINE_IF_SMALL constexpr void next() {}
 };
 template <>
 class DepthRows<NoDepth, true> : public NoDepthRows {
@@ -107,7 +113,7 @@ struct RowMemory {
 
   ARCSPAN_INLINE constexpr RowMemory(const Target& target, std::int32_t y)
       : pixels(target.sink, y), depths(target.depth, y) {}
-  constexpr void next() {
+  ARCSPAN_INLINE_IF_SMALL constexpr void next() {
     pixels.next();
     depths.next();
   }

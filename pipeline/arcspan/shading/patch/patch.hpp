@@ -104,7 +104,7 @@ ARCSPAN_INLINE_UNLESS_SMALL constexpr void make_patch_edge(const EdgeSetup& edge
                                                            const PatchEnd& from, const PatchEnd& to,
                                                            Cosine sagitta4, PatchEdge& e) {
   // f(t) = from + t (to - from + sagitta4) - t^2 sagitta4, t = 0...1 along the edge.
-  const Factor t = start_fraction(edge);
+  const Factor t = edge.start;
   const Cosine slope_at_top = to.value - from.value + sagitta4;
   const Cosine sagitta4_by_t = part(sagitta4, t);
   const Cosine slope_difference = to.slope - from.slope;

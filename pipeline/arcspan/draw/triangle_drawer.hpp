@@ -33,6 +33,7 @@ class TriangleDrawer {
         sink_(sink),
         encoded_(lighting),
         depth_(depth),
+        target_{scissor_.rect(), lighting, sink, depth, encoded_},
         options_(options) {
     const bool supported = Features.two_sided || !options_.two_sided;
     result_.status = supported ? check_target(scissor_, sink_, depth_) : Status::kUnsupported;
@@ -107,8 +108,7 @@ class TriangleDrawer {
     const RasterPosition& r = c.raster.position;
     counted_ = false;
     if constexpr (DrawsEdges<Method>) {
-      const Target target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_};
-      const EdgeDrawer<Method, Target> edges{stage_, scissor_, target, two_sided(), result_, counted_};
+      const EdgeDrawer<Method, Target> edges{stage_, scissor_, target_, two_sided(), result_, counted_};
       edges.template draw<Features.clips>(t, a, b, c);
     } else if ((a.outcode | b.outcode | c.outcode) != 0) {
       draw_clipped(t);
@@ -199,10 +199,9 @@ class TriangleDrawer {
 
   /// Draws one side of a small triangle, or of a medium one. Returns false if the method cannot.
   ARCSPAN_OUTLINE bool draw_small_side(const Raster& a, const Raster& b, const Raster& c, bool is_medium) {
-    const Target target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_};
     const SmallResult result =
         draw_small_triangle<Method>(a, b, c, is_medium, columns_ == ScissorColumns::kCrossing,
-                                    scissor_.viewport_rows(), scissor_.origin(), target, result_.status);
+                                    scissor_.viewport_rows(), scissor_.origin(), target_, result_.status);
     counted_ = counted_ || result == SmallResult::kDone;
     return result != SmallResult::kRefused;
   }
@@ -238,7 +237,7 @@ class TriangleDrawer {
     const Rect& rect = scissor_.rect();
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;
     counted_ = true;
-    const Target target{rect, stage_.lighting(), sink_, depth_, encoded_};
+    const Target target = target_;
     if constexpr (!kWholeRows) {
       result_.status = draw_crossing_rows(command, origin, target);
     } else if (columns_ == ScissorColumns::kCrossing) [[unlikely]] {
@@ -255,6 +254,7 @@ class TriangleDrawer {
   Sink& sink_;
   [[no_unique_address]] Colours encoded_;
   const Depth& depth_;
+  const Target target_;
   const DrawOptions options_;
   DrawResult result_{};
   ScissorColumns columns_ = ScissorColumns::kCrossing;  ///< of the current triangle

@@ -76,9 +76,6 @@ struct SmallSpan {
 struct SmallTriangle {
   std::int32_t row;  ///< the first row to be drawn, relative to the raster origin
   std::int32_t rows;
-  /// The rows of the triangle, end_row excluded, beyond the limits too.
-  std::int32_t first_row;
-  std::int32_t end_row;
   EdgeFunction of_middle;  ///< of the edge opposite to the middle vertex
   EdgeFunction of_bottom;
   /// 2^16 / (twice the area in 256ths of a square pixel) = inverse * 2^-shift, rounded down; negative like
@@ -181,26 +178,18 @@ using EdgeColumn = std::conditional_t<kHasLongMultiply, SteppedColumn, SettledCo
 
 }  // namespace detail
 
-/// Columns and rows relative to the raster origin, first ... end - 1 each.
-struct SmallLimits {
-  std::int32_t left;
-  std::int32_t right;
-  std::int32_t top;
-  std::int32_t bottom;
-};
-
 /// Finds the pixels of a small triangle in the rows of `limits`. The vertices are sorted by height, and the
 /// middle one is on the left of the long edge where `middle_left` is true. Returns false, with `triangle`
 /// partly set, if there are none. The same pixels are found as by TriangleCommand.
 [[nodiscard]] ARCSPAN_INLINE constexpr bool cover_small_triangle(const RasterPosition& top,
                                                                  const RasterPosition& middle,
                                                                  const RasterPosition& bottom,
-                                                                 bool middle_left, const SmallLimits& limits,
+                                                                 bool middle_left, const RowRange& limits,
                                                                  SmallTriangle& triangle) {
-  triangle.first_row = first_row_at(top.y);
-  triangle.end_row = first_row_at(bottom.y);
-  const std::int32_t first = triangle.first_row > limits.top ? triangle.first_row : limits.top;
-  const std::int32_t end = triangle.end_row < limits.bottom ? triangle.end_row : limits.bottom;
+  const std::int32_t first_row = first_row_at(top.y);
+  const std::int32_t end_row = first_row_at(bottom.y);
+  const std::int32_t first = first_row > limits.first ? first_row : limits.first;
+  const std::int32_t end = end_row < limits.end ? end_row : limits.end;
   triangle.row = first;
   triangle.rows = end - first;
   if (first >= end) return false;
@@ -229,13 +218,14 @@ struct SmallLimits {
   return (found | detail::find_spans(left, right, span, last)) != 0;
 }
 
-/// Cuts the spans of a triangle at the left and right limit. Returns false if no pixel is left.
-[[nodiscard]] constexpr bool cut_columns(const SmallLimits& limits, SmallTriangle& triangle) {
+/// Cuts the spans of a triangle to the columns left ... right - 1, relative to the raster origin. Returns
+/// false if no pixel is left.
+[[nodiscard]] constexpr bool cut_columns(std::int32_t left, std::int32_t right, SmallTriangle& triangle) {
   std::int32_t found = 0;
   for (SmallSpan* span = triangle.spans; span != triangle.spans + triangle.rows; ++span) {
     const std::int32_t end = span->first + span->count;
-    const std::int32_t first = span->first > limits.left ? span->first : limits.left;
-    const std::int32_t count = (end < limits.right ? end : limits.right) - first;
+    const std::int32_t first = span->first > left ? span->first : left;
+    const std::int32_t count = (end < right ? end : right) - first;
     span->first = static_cast<std::int16_t>(first);
     span->count = static_cast<std::int16_t>(count > 0 ? count : 0);
     found |= span->count;

@@ -30,13 +30,11 @@ class TriangleDrawer {
                  const DrawOptions& options)
       : stage_(mesh, transform, lighting),
         scissor_(transform.viewport(), sink.bounds()),
-        sink_(sink),
         encoded_(lighting),
-        depth_(depth),
         target_{scissor_.rect(), lighting, sink, depth, encoded_},
         options_(options) {
     const bool supported = Features.two_sided || !options_.two_sided;
-    result_.status = supported ? check_target(scissor_, sink_, depth_) : Status::kUnsupported;
+    result_.status = supported ? check_target(scissor_, sink, depth) : Status::kUnsupported;
   }
 
   /// True if there is something to draw into and nothing has failed.
@@ -251,9 +249,7 @@ class TriangleDrawer {
 
   const VertexStage<Method> stage_;
   const Scissor scissor_;
-  Sink& sink_;
   [[no_unique_address]] Colours encoded_;
-  const Depth& depth_;
   const Target target_;
   const DrawOptions options_;
   DrawResult result_{};

@@ -14,6 +14,12 @@ namespace arcspan {
   return project(p, transform, near_over_w);
 }
 
+/// Sets `position` to project(). A function of its own, whose arguments fit registers.
+ARCSPAN_OUTLINE inline void project_to(std::int32_t x, std::int32_t y, std::int32_t w,
+                                       const ClipTransform& transform, RasterPosition& position) {
+  position = project({x, y, w}, transform);
+}
+
 /// project() where it is, as a function of its own.
 [[nodiscard]] ARCSPAN_OUTLINE inline RasterPosition project_in_perspective(const ClipPosition& p,
                                                                            const ClipTransform& transform,

@@ -51,23 +51,26 @@ class RasterStage {
   /// Draws a small triangle and returns true if it has rows, or nothing if it has to be a TriangleCommand.
   std::optional<bool> draw_small(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                                  const RasterVertex<Method>& c) {
-    const RasterPosition& p = a.position;
-    if (!draws_small_ || !in_guard_band(p)) return std::nullopt;
-    const bool is_medium = !is_small(p, b.position, c.position);
+    if (!draws_small_ || !in_guard_band(a.position)) return std::nullopt;
+    const arcspan::detail::SortedVertices<RasterVertex<Method>> at(a, b, c);
+    const RasterPosition& p = at.top->position;
+    const RasterPosition& q = at.middle->position;
+    const RasterPosition& r = at.bottom->position;
+    const bool is_medium = !is_small(p, q, r);
     if (is_medium) {
       TriangleFrame<Method> frame;
       arcspan::detail::place_vertices(a, b, c, frame);
-      if (!Method::is_dark_or_arcs(lighting_, frame) || !is_up_to_medium(p, b.position, c.position)) {
+      if (!Method::is_dark_or_arcs(lighting_, frame) || !is_up_to_medium(p, q, r)) {
         return std::nullopt;
       }
     }
-    if (doubled_area(p, b.position, c.position) == 0 || clip_.empty()) return false;
+    if (doubled_area(p, q, r) == 0 || clip_.empty()) return false;
     const NoEncodedColours encoded(lighting_);
     const arcspan::detail::RowTarget<typename Method::Lighting, Sink, Depth> target{clip_, lighting_, sink_,
                                                                                     depth_, encoded};
     Status status = Status::kOk;
-    switch (arcspan::detail::draw_small_triangle<Method>(a, b, c, is_medium, true, rows_, origin_, target,
-                                                         status)) {
+    switch (arcspan::detail::draw_small_triangle<Method>(*at.top, *at.middle, *at.bottom, is_medium, true,
+                                                         rows_, origin_, target, status)) {
       case arcspan::detail::SmallResult::kDone:
         return ok(status);
       case arcspan::detail::SmallResult::kOutOfView:

@@ -65,7 +65,11 @@ class TriangleDrawer {
       auto&& c = vertices[t.c];
       if (is_culled<Source::kAllInside>(a, b, c)) continue;
       // With a cache there are several loops, which share one function.
-      if constexpr (Features.caches) {
+      if (!Source::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
+        counted_ = false;
+        draw_clipped(t);
+        if (counted_) ++result_.triangles;
+      } else if constexpr (Features.caches) {
         draw_triangle_outlined(t, a, b, c);
       } else {
         draw_triangle(t, a, b, c);
@@ -93,13 +97,17 @@ class TriangleDrawer {
     if constexpr (AllInside) {
       return doubled_area(a.raster.position, b.raster.position, c.raster.position) >= 0;
     } else {
-      if ((a.outcode | b.outcode | c.outcode) != 0) return (a.outcode & b.outcode & c.outcode) != 0;
+      if (!are_inside(a, b, c)) return (a.outcode & b.outcode & c.outcode) != 0;
       const std::int32_t doubled = doubled_area(a.raster.position, b.raster.position, c.raster.position);
       return doubled >= 0 && ((doubled == 0 && !DrawsEdges<Method>) || !two_sided());
     }
   }
 
-  /// Draws a triangle that is not culled, and counts it if a part of it is in view.
+  [[nodiscard]] static bool are_inside(const Vertex& a, const Vertex& b, const Vertex& c) {
+    return (a.outcode | b.outcode | c.outcode) == 0;
+  }
+
+  /// Draws a triangle that is not culled and not clipped, and counts it if a part of it is in view.
   ARCSPAN_INLINE void draw_triangle(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
     const RasterPosition& p = a.raster.position;
     const RasterPosition& q = b.raster.position;
@@ -108,8 +116,6 @@ class TriangleDrawer {
     if constexpr (DrawsEdges<Method>) {
       const EdgeDrawer<Method, Target> edges{stage_, scissor_, target_, two_sided(), result_, counted_};
       edges.template draw<Features.clips>(t, a, b, c);
-    } else if ((a.outcode | b.outcode | c.outcode) != 0) {
-      draw_clipped(t);
     } else if (is_within_scissor(p, q, r)) {
       if (two_sided() && doubled_area(p, q, r) > 0) {
         draw_back(t, a.raster, b.raster, c.raster);
@@ -189,16 +195,20 @@ class TriangleDrawer {
   ARCSPAN_INLINE void draw_side(const TriangleIndices& t, const Raster& a, const Raster& b, const Raster& c,
                                 Facing facing) {
     if constexpr (kDrawsSmall) {
-      if (is_small(a.position, b.position, c.position) && draw_small_side(a, b, c, false)) return;
-      if (!draw_large_side(t, a, b, c, facing, true) || draw_small_side(a, b, c, true)) return;
+      const SortedVertices<Raster> at(a, b, c);
+      const bool small = is_small(at.top->position, at.middle->position, at.bottom->position);
+      if (small && draw_small_side(*at.top, *at.middle, *at.bottom, false)) return;
+      if (!draw_large_side(t, *at.top, *at.middle, *at.bottom, facing, true)) return;
+      if (draw_small_side(*at.top, *at.middle, *at.bottom, true)) return;
     }
     (void)draw_large_side(t, a, b, c, facing, false);
   }
 
   /// Draws one side of a small triangle, or of a medium one. Returns false if the method cannot.
-  ARCSPAN_OUTLINE bool draw_small_side(const Raster& a, const Raster& b, const Raster& c, bool is_medium) {
+  ARCSPAN_OUTLINE bool draw_small_side(const Raster& top, const Raster& middle, const Raster& bottom,
+                                       bool is_medium) {
     const SmallResult result =
-        draw_small_triangle<Method>(a, b, c, is_medium, columns_ == ScissorColumns::kCrossing,
+        draw_small_triangle<Method>(top, middle, bottom, is_medium, columns_ == ScissorColumns::kCrossing,
                                     scissor_.viewport_rows(), scissor_.origin(), target_, result_.status);
     counted_ = counted_ || result == SmallResult::kDone;
     return result != SmallResult::kRefused;

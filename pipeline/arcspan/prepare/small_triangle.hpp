@@ -25,29 +25,29 @@ inline constexpr std::int32_t kMediumArea = std::int32_t{1} << 16;
 
 namespace detail {
 
-/// Returns true if the vertices are at most `size` pixels apart, along x and along y.
-[[nodiscard]] constexpr bool are_within(std::int32_t size, const RasterPosition& a, const RasterPosition& b,
-                                        const RasterPosition& c) {
+/// Returns true if the vertices, sorted by height, are at most `size` pixels apart, along x and along y.
+[[nodiscard]] constexpr bool are_within(std::int32_t size, const RasterPosition& top,
+                                        const RasterPosition& middle, const RasterPosition& bottom) {
   const std::int32_t most = size << Subpixel::kFraction;
   const auto apart = [most](std::int32_t p, std::int32_t q) {
     return static_cast<std::uint32_t>(p - q + most) > 2 * static_cast<std::uint32_t>(most);
   };
-  if (apart(a.x, b.x) || apart(a.y, b.y)) return false;
-  return !(apart(a.x, c.x) || apart(b.x, c.x) || apart(a.y, c.y) || apart(b.y, c.y));
+  return bottom.y - top.y <= most && !apart(top.x, middle.x) && !apart(top.x, bottom.x) &&
+         !apart(middle.x, bottom.x);
 }
 
 }  // namespace detail
 
-/// Returns true if the triangle is small.
-[[nodiscard]] constexpr bool is_small(const RasterPosition& a, const RasterPosition& b,
-                                      const RasterPosition& c) {
-  return detail::are_within(kSmallSize, a, b, c);
+/// Returns true if the triangle is small. Its vertices are sorted by height.
+[[nodiscard]] constexpr bool is_small(const RasterPosition& top, const RasterPosition& middle,
+                                      const RasterPosition& bottom) {
+  return detail::are_within(kSmallSize, top, middle, bottom);
 }
-/// Returns true if a triangle is small or medium.
-[[nodiscard]] constexpr bool is_up_to_medium(const RasterPosition& a, const RasterPosition& b,
-                                             const RasterPosition& c) {
-  const std::int32_t area = doubled_area(a, b, c);
-  return area > -kMediumArea && area < kMediumArea && detail::are_within(kMediumSize, a, b, c);
+/// Returns true if a triangle is small or medium. Its vertices are sorted by height.
+[[nodiscard]] constexpr bool is_up_to_medium(const RasterPosition& top, const RasterPosition& middle,
+                                             const RasterPosition& bottom) {
+  const std::int32_t area = doubled_area(top, middle, bottom);
+  return area > -kMediumArea && area < kMediumArea && detail::are_within(kMediumSize, top, middle, bottom);
 }
 
 /// The edge function of an edge: twice the area of the triangle between the edge and a point, in 256ths of a

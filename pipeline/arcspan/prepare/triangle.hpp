@@ -5,6 +5,7 @@
 #include <arcspan/prepare/input_vertex.hpp>
 #include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/long_walk.hpp>
+#include <arcspan/prepare/sorted_vertices.hpp>
 #include <arcspan/prepare/triangle_command.hpp>
 #include <arcspan/target.hpp>
 
@@ -92,15 +93,6 @@ constexpr void make_linear_plane(const TriangleFrame<Method>& frame, std::int32_
 
 namespace detail {
 
-template <class Vertex>
-constexpr void order_by_height(const Vertex*& upper, const Vertex*& lower) {
-  if (lower->position.y < upper->position.y) {
-    const Vertex* const held = upper;
-    upper = lower;
-    lower = held;
-  }
-}
-
 /// Sets the rows of the command, clamped to `rows`. Returns false if there are none.
 template <class Method>
 [[nodiscard]] constexpr bool place_rows(const TriangleFrame<Method>& frame, const RowRange& rows,
@@ -168,12 +160,10 @@ namespace detail {
 template <class Method>
 constexpr void place_vertices(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                               const RasterVertex<Method>& c, TriangleFrame<Method>& frame) {
-  frame.top = &a;
-  frame.middle = &b;
-  frame.bottom = &c;
-  order_by_height(frame.top, frame.middle);
-  order_by_height(frame.middle, frame.bottom);
-  order_by_height(frame.top, frame.middle);
+  const SortedVertices at(a, b, c);
+  frame.top = at.top;
+  frame.middle = at.middle;
+  frame.bottom = at.bottom;
   if constexpr (MeasuresChords<Method>) frame.chords = Method::chords_of(frame);
 }
 

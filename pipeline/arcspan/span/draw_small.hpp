@@ -49,23 +49,17 @@ enum class SmallResult : std::uint8_t {
 };
 
 /// Draws a small triangle (is_small()), or a medium one if `is_medium` is true, whose doubled_area() is not
-/// 0, of either winding. A medium one is refused if it is a patch. `rows` are those of the viewport;
-/// `crosses` is false if the triangle is known to lie between the left and the right side of the scissor.
-/// Sets `status` if the result is kDone.
+/// 0, of either winding, with vertices sorted by height. A medium one is refused if it is a patch. `rows` are
+/// those of the viewport; `crosses` is false if the triangle is known to lie between the left and the right
+/// side of the scissor. Sets `status` if the result is kDone.
 template <class Method, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(
-    const RasterVertex<Method>& a, const RasterVertex<Method>& b, const RasterVertex<Method>& c,
+    const RasterVertex<Method>& top, const RasterVertex<Method>& middle, const RasterVertex<Method>& bottom,
     bool is_medium, bool crosses, const RowRange& rows, const RasterOrigin& origin, const Target& target,
     Status& status) {
-  const RasterVertex<Method>* top = &a;
-  const RasterVertex<Method>* middle = &b;
-  const RasterVertex<Method>* bottom = &c;
-  order_by_height(top, middle);
-  order_by_height(middle, bottom);
-  order_by_height(top, middle);
-  const RasterPosition& p = top->position;
-  const RasterPosition& q = middle->position;
-  const RasterPosition& r = bottom->position;
+  const RasterPosition& p = top.position;
+  const RasterPosition& q = middle.position;
+  const RasterPosition& r = bottom.position;
   const Rect& scissor = target.scissor;
   const std::int32_t area = doubled_area(p, q, r);
   SmallTriangle triangle;
@@ -81,7 +75,7 @@ template <class Method, class Target>
   }
   prepare_small_triangle(p, q, r, area, triangle);
   typename Method::Small small;
-  if (!Method::prepare_small(target.lighting, *top, *middle, *bottom, is_medium, triangle, small)) {
+  if (!Method::prepare_small(target.lighting, top, middle, bottom, is_medium, triangle, small)) {
     return SmallResult::kRefused;
   }
   status = Method::walk_small(

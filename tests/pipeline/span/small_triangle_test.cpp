@@ -39,6 +39,15 @@ Light shiny() {
 
 using Triangle = std::array<RasterVertex<Method>, 3>;
 
+bool is_small(const Triangle& t) {
+  const arcspan::detail::SortedVertices<RasterVertex<Method>> at(t[0], t[1], t[2]);
+  return arcspan::is_small(at.top->position, at.middle->position, at.bottom->position);
+}
+bool is_up_to_medium(const Triangle& t) {
+  const arcspan::detail::SortedVertices<RasterVertex<Method>> at(t[0], t[1], t[2]);
+  return arcspan::is_up_to_medium(at.top->position, at.middle->position, at.bottom->position);
+}
+
 /// A triangle with area that is_small() or medium, anywhere about the picture. Many have corners
 /// on pixel centres and borders, horizontal or vertical edges, or are slivers. With a `widest` of 100 normals
 /// are up to 120 degrees apart.
@@ -71,10 +80,7 @@ Triangle random_triangle(Random& random, const Light& light, int widest) {
           static_cast<std::int16_t>((t[0].position.y + t[1].position.y) / 2 + random.integer(-1, 1));
     }
     if (doubled_area(t[0].position, t[1].position, t[2].position) == 0) continue;
-    if (largest == kSmallSize ? is_small(t[0].position, t[1].position, t[2].position)
-                              : is_up_to_medium(t[0].position, t[1].position, t[2].position)) {
-      return t;
-    }
+    if (largest == kSmallSize ? is_small(t) : is_up_to_medium(t)) return t;
   }
 }
 
@@ -172,7 +178,7 @@ TEST_CASE("the depth of small triangles is within 7 of 65536 of their plane, and
     small.draw(t);
     rows.draw(t);
     // Larger ones without arcs are drawn by rows.
-    const bool is_large = !is_small(t[0].position, t[1].position, t[2].position);
+    const bool is_large = !is_small(t);
     if (is_large && small.depths == rows.depths) continue;
     const std::int32_t area = doubled_area(t[0].position, t[1].position, t[2].position);
     for (std::size_t p = 0; p < small.depths.size(); ++p) {

@@ -140,6 +140,14 @@ inline constexpr bool kCopiesForCalls =
     !kOptimisedForSize && kHasLongMultiply && std::is_trivially_copyable_v<T>;
 #endif
 
+/// True if leading zeros are counted by one instruction (on RISC-V with Zbb only) or by a short routine
+/// (Armv6-M).
+#if defined(__riscv) && !defined(__riscv_zbb)
+inline constexpr bool kCountsLeadingZeros = false;
+#else
+inline constexpr bool kCountsLeadingZeros = true;
+#endif
+
 /// True if one instruction saturates to a range (Arm: USAT).
 #if defined(__ARM_FEATURE_SAT)
 inline constexpr bool kHasSaturate = true;

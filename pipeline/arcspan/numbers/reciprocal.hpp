@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/leading_zeros.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
-#include <bit>
 #include <cstdint>
 
 namespace arcspan {
@@ -49,7 +49,7 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
 /// The reciprocal of v > 0 from a table of 257 entries with linear interpolation. Relative error at most
 /// 3.8e-5 = 1.25 * 2^-15 (swept in the tests). For v = 0 the result is defined but meaningless.
 [[nodiscard]] constexpr Reciprocal nonzero_reciprocal(std::uint32_t v) {
-  const int zeros = std::countl_zero(v | 1u);
+  const int zeros = leading_zeros(v | 1u);
   // v = n * 2^(31 - zeros) with n in [1, 2), 1/n = mantissa * 2^-16.
   return {detail::reciprocal_mantissa(v << zeros), 16 + 31 - zeros};
 }
@@ -80,7 +80,7 @@ namespace detail {
 /// The reciprocal of v, refined by one Newton step. Relative error at most 2^-28 (swept in the tests). v = 0
 /// counts as 1.
 [[nodiscard]] constexpr WideReciprocal wide_reciprocal(std::uint32_t v) {
-  const int zeros = std::countl_zero(v | 1u);
+  const int zeros = leading_zeros(v | 1u);
   const std::uint32_t normalised = (v | static_cast<std::uint32_t>(v == 0)) << zeros;
   return {detail::wide_reciprocal_mantissa(normalised), 31 + 31 - zeros};
 }

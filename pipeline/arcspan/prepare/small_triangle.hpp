@@ -2,11 +2,11 @@
 #pragma once
 
 #include <arcspan/numbers/integer.hpp>
+#include <arcspan/numbers/leading_zeros.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/target.hpp>
 
-#include <bit>
 #include <cstdint>
 #include <type_traits>
 
@@ -246,7 +246,7 @@ constexpr void prepare_small_triangle(const RasterPosition& top, const RasterPos
   triangle.of_middle = edge_function(bottom.x - top.x, bottom.y - top.y);
   triangle.of_bottom = edge_function(top.x - middle.x, top.y - middle.y);
   const auto size = static_cast<std::uint32_t>(area < 0 ? -area : area);  // below 2^16
-  const int zeros = std::countl_zero(size | 1u);
+  const int zeros = leading_zeros(size | 1u);
   const std::uint32_t wide = detail::wide_reciprocal_mantissa(size << zeros);
   // Reduced by more than its error, so that no product with an edge function exceeds 1.
   const auto narrow = static_cast<std::int32_t>((wide - 16u) >> 15);

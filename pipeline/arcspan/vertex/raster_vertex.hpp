@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/leading_zeros.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
-#include <bit>
 #include <cstdint>
 
 namespace arcspan {
@@ -50,7 +50,7 @@ enum ClipOutcode : std::uint8_t {
                                                            std::int32_t& near_over_w) {
   // c / w = (c << zeros) / (w << zeros). `c` is shifted by one bit less, which keeps its sign.
   const auto w = static_cast<std::uint32_t>(p.w);
-  const int zeros = std::countl_zero(w | 1u);
+  const int zeros = leading_zeros(w | 1u);
   const std::uint32_t mantissa = detail::wide_reciprocal_mantissa(w << zeros);
   const auto inverse = static_cast<std::int32_t>(mantissa - (mantissa >> 31));  // at most 2^31 - 1
   const auto over_w = [=](std::int32_t c) { return multiply_high(wrap_shl(c, zeros - 1), inverse); };

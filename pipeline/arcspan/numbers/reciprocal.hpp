@@ -54,6 +54,12 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
   return {detail::reciprocal_mantissa(v << zeros), 16 + 31 - zeros};
 }
 
+/// nonzero_reciprocal() of v below 512, which needs no interpolation.
+[[nodiscard]] constexpr Reciprocal short_reciprocal(std::uint32_t v) {
+  const int zeros = leading_zeros(v | 1u);
+  return {(1u << 15) + detail::kReciprocalTable[((v << zeros) >> 23) & 0xFFu], 16 + 31 - zeros};
+}
+
 /// The reciprocal of v as nonzero_reciprocal(); v = 0 counts as 1.
 [[nodiscard]] constexpr Reciprocal reciprocal(std::uint32_t v) {
   return nonzero_reciprocal(v | static_cast<std::uint32_t>(v == 0));

@@ -185,7 +185,7 @@ class SmallArc {
     });
     run.series_ = Series(half.row_chord(on_long, on_short));
     // The length of the middle row divided by that of this row: 15 fraction bits.
-    const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(away));
+    const Reciprocal inverse = short_reciprocal(static_cast<std::uint32_t>(away));
     const std::uint32_t stretch =
         (static_cast<std::uint32_t>(half.height) * inverse.mantissa) >> (inverse.exponent - 15);
     run.u_ = static_cast<std::int32_t>((static_cast<std::uint32_t>(middle) * stretch) >> 3);
@@ -198,7 +198,7 @@ class SmallArc {
 
   /// Returns 2^31 / length; the length is at most 32 pixels.
   [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t inverse_of(std::int32_t length) {
-    const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(length));
+    const Reciprocal inverse = short_reciprocal(static_cast<std::uint32_t>(length));
     return inverse.mantissa << (31 - inverse.exponent);
   }
   /// Returns part / whole, at most 1, with 13 fraction bits.
@@ -253,7 +253,7 @@ class SmallArc {
       const std::int32_t apart =
           wrap_add(wrap_mul(corner, of_corner), wrap_mul((middle * far) >> 15, chords.middle_far));
       const std::int32_t chord = wrap_sub(sum * sum, apart) >> 15;
-      return chord < 0 ? 0 : chord > 32768 ? 32768 : chord;
+      return chord < 0 ? 0 : chord;  // up to 1, because the vertices' are, and rounding errors
     }
   };
 

@@ -39,8 +39,9 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
 [[nodiscard]] constexpr std::uint32_t reciprocal_mantissa(std::uint32_t normalised) {
   const std::size_t index = (normalised >> 23) & 0xFFu;
   const std::uint32_t fraction = (normalised >> 15) & 0xFFu;
-  const std::uint32_t above = kReciprocalTable[index];
-  const std::uint32_t below = kReciprocalTable[index + 1];
+  const std::uint16_t* const entry = &kReciprocalTable[index];
+  const std::uint32_t above = entry[0];
+  const std::uint32_t below = entry[1];
   return (1u << 15) + above - (((above - below) * fraction + 128u) >> 8);
 }
 

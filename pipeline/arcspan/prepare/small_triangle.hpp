@@ -168,6 +168,7 @@ using EdgeColumn = std::conditional_t<kHasLongMultiply, SteppedColumn, SettledCo
   while (true) {
     const std::int32_t count = right.column() - left.column();
     span->first = static_cast<std::int16_t>(left.column());
+    hide_value(span);  // otherwise gcc merges both stores on RISC-V, which takes five more instructions
     span->count = static_cast<std::int16_t>(count);
     found |= count;
     if (++span == end) return found;

@@ -58,7 +58,8 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
 /// nonzero_reciprocal() of v below 512, which needs no interpolation.
 [[nodiscard]] constexpr Reciprocal short_reciprocal(std::uint32_t v) {
   const int zeros = leading_zeros(v | 1u);
-  return {(1u << 15) + detail::kReciprocalTable[((v << zeros) >> 23) & 0xFFu], 16 + 31 - zeros};
+  const std::uint32_t entry = detail::kReciprocalTable[((v << zeros) >> 23) & 0xFFu];
+  return {(1u << 15) + entry, 16 + 31 - zeros};
 }
 
 /// The reciprocal of v as nonzero_reciprocal(); v = 0 counts as 1.

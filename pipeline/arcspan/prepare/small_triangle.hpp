@@ -116,13 +116,14 @@ class SteppedColumn {
  public:
   /// The edge from p down to q, at the row whose centre line is at `y` (28.4).
   ARCSPAN_INLINE constexpr SteppedColumn(const RasterPosition& p, const RasterPosition& q, std::int32_t y)
-      : step_(((q.x - p.x) * (1 << kFraction)) / (q.y - p.y) - 1),  // the quotient is rounded to 0
-        at_(p.x * (1 << (kFraction - 4)) + (((y - p.y) * step_) >> 4) + (1 << (kFraction - 1)) - 1) {}
+      : step_(((q.x - p.x) * kOne) / (q.y - p.y) - 1),  // the quotient is rounded to 0
+        at_((p.x + 8) * (kOne >> 4) + (((y - p.y) * step_) >> 4) - 1) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t column() const { return at_ >> kFraction; }
   ARCSPAN_INLINE constexpr void advance() { at_ += step_; }
 
  private:
   static constexpr int kFraction = 20;
+  static constexpr std::int32_t kOne = std::int32_t{1} << kFraction;
 
   std::int32_t step_;  ///< change per row in pixels
   std::int32_t at_;    ///< half a pixel right of the edge

@@ -26,7 +26,7 @@ inline constexpr std::array<std::uint8_t, 256> kByteLeadingZeros = [] {
 [[nodiscard]] ARCSPAN_INLINE constexpr int leading_zeros(std::uint32_t v) {
   if constexpr (kCountsLeadingZeros || kOptimisedForSize) return std::countl_zero(v);
   const int above = v < 0x10000u ? (v < 0x100u ? 0 : 8) : v < 0x1000000u ? 16 : 24;
-  return detail::kByteLeadingZeros[v >> above] - above;
+  return detail::kByteLeadingZeros[static_cast<std::size_t>(v >> above)] - above;
 }
 
 }  // namespace arcspan

@@ -122,6 +122,14 @@ inline constexpr bool kScalesIndices = false;
 inline constexpr bool kScalesIndices = true;
 #endif
 
+/// True if one instruction saves the registers of a function (not on RISC-V, where a call of a large one
+/// takes 25 more).
+#if defined(__riscv)
+inline constexpr bool kSavesRegistersAtOnce = false;
+#else
+inline constexpr bool kSavesRegistersAtOnce = true;
+#endif
+
 /// True if one instruction loads two words into any two registers (Armv7-M: LDRD).
 #if defined(__thumb2__)
 inline constexpr bool kLoadsPairs = true;

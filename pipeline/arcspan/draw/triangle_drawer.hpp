@@ -64,12 +64,12 @@ class TriangleDrawer {
       auto&& b = vertices[t.b];
       auto&& c = vertices[t.c];
       if (is_culled<Source::kAllInside>(a, b, c)) continue;
-      // With a cache there are several loops, which share one function.
       if (!Source::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
         counted_ = false;
         draw_clipped(t);
         if (counted_) ++result_.triangles;
-      } else if constexpr (Features.caches) {
+      } else if constexpr (Features.caches && (kSavesRegistersAtOnce || kOptimisedForSize)) {
+        // With a cache there are several loops, which share one function.
         draw_triangle_outlined(t, a, b, c);
       } else {
         draw_triangle(t, a, b, c);

@@ -137,6 +137,14 @@ inline constexpr bool kScalesIndices = false;
 inline constexpr bool kScalesIndices = true;
 #endif
 
+/// True if one instruction saves the registers of a function (not on RISC-V, where a call of a large one
+/// takes 25 more).
+#if defined(__riscv)
+inline constexpr bool kSavesRegistersAtOnce = false;
+#else
+inline constexpr bool kSavesRegistersAtOnce = true;
+#endif
+
 /// True if one instruction loads two words into any two registers (Armv7-M: LDRD).
 #if defined(__thumb2__)
 inline constexpr bool kLoadsPairs = true;
@@ -153,6 +161,14 @@ inline constexpr bool kCopiesForCalls = false;
 #else
 inline constexpr bool kCopiesForCalls =
     !kOptimisedForSize && kHasLongMultiply && std::is_trivially_copyable_v<T>;
+#endif
+
+/// True if leading zeros are counted by one instruction (on RISC-V with Zbb only) or by a short routine
+/// (Armv6-M).
+#if defined(__riscv) && !defined(__riscv_zbb)
+inline constexpr bool kCountsLeadingZeros = false;
+#else
+inline constexpr bool kCountsLeadingZeros = true;
 #endif
 
 /// True if one instruction saturates to a range (Arm: USAT).

@@ -30,12 +30,11 @@ class TriangleDrawer {
                  const DrawOptions& options)
       : stage_(mesh, transform, lighting),
         scissor_(transform.viewport(), sink.bounds()),
-        sink_(sink),
         encoded_(lighting),
-        depth_(depth),
+        target_{scissor_.rect(), lighting, sink, depth, encoded_},
         options_(options) {
     const bool supported = Features.two_sided || !options_.two_sided;
-    result_.status = supported ? check_target(scissor_, sink_, depth_) : Status::kUnsupported;
+    result_.status = supported ? check_target(scissor_, sink, depth) : Status::kUnsupported;
   }
 
   /// True if there is something to draw into and nothing has failed.
@@ -65,8 +64,10 @@ class TriangleDrawer {
       auto&& b = vertices[t.b];
       auto&& c = vertices[t.c];
       if (is_culled<Source::kAllInside>(a, b, c)) continue;
-      // With a cache there are several loops, which share one function.
-      if constexpr (Features.caches) {
+      if (!Source::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
+        draw_clipped(t);
+      } else if constexpr (Features.caches && (kSavesRegistersAtOnce || kOptimisedForSize)) {
+        // With a cache there are several loops, which share one function.
         draw_triangle_outlined(t, a, b, c);
       } else {
         draw_triangle(t, a, b, c);
@@ -94,25 +95,26 @@ class TriangleDrawer {
     if constexpr (AllInside) {
       return doubled_area(a.raster.position, b.raster.position, c.raster.position) >= 0;
     } else {
-      if ((a.outcode | b.outcode | c.outcode) != 0) return (a.outcode & b.outcode & c.outcode) != 0;
+      if (!are_inside(a, b, c)) return (a.outcode & b.outcode & c.outcode) != 0;
       const std::int32_t doubled = doubled_area(a.raster.position, b.raster.position, c.raster.position);
       return doubled >= 0 && ((doubled == 0 && !DrawsEdges<Method>) || !two_sided());
     }
   }
 
-  /// Draws a triangle that is not culled, and counts it if a part of it is in view.
+  [[nodiscard]] static bool are_inside(const Vertex& a, const Vertex& b, const Vertex& c) {
+    return (a.outcode | b.outcode | c.outcode) == 0;
+  }
+
+  /// Draws a triangle that is not culled and not clipped, and counts it if a part of it is in view.
   ARCSPAN_INLINE void draw_triangle(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
     const RasterPosition& p = a.raster.position;
     const RasterPosition& q = b.raster.position;
     const RasterPosition& r = c.raster.position;
     if constexpr (DrawsEdges<Method>) {
-      const Target target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_};
       bool drawn = false;
-      const EdgeDrawer<Method, Target> edges{stage_, scissor_, target, two_sided(), result_, drawn};
+      const EdgeDrawer<Method, Target> edges{stage_, scissor_, target_, two_sided(), result_, drawn};
       edges.template draw<Features.clips>(t, a, b, c);
       if (drawn) ++result_.triangles;
-    } else if ((a.outcode | b.outcode | c.outcode) != 0) {
-      draw_clipped(t);
     } else if (is_within_scissor(p, q, r)) {
       if (two_sided() && doubled_area(p, q, r) > 0) {
         draw_back(t, a.raster, b.raster, c.raster);
@@ -215,10 +217,9 @@ class TriangleDrawer {
 
   /// Draws one side of a small triangle, or of a medium one. Returns false if the method cannot.
   ARCSPAN_OUTLINE bool draw_small_side(const SortedVertices<Method>& vertices, bool is_medium) {
-    const Target target{scissor_.rect(), stage_.lighting(), sink_, depth_, encoded_};
     const SmallResult result =
         draw_small_triangle<Method>(vertices, is_medium, columns_ == ScissorColumns::kCrossing,
-                                    scissor_.viewport_rows(), scissor_.origin(), target, result_.status);
+                                    scissor_.viewport_rows(), scissor_.origin(), target_, result_.status);
     if (result == SmallResult::kDone) ++result_.triangles;
     return result != SmallResult::kRefused;
   }
@@ -236,7 +237,7 @@ class TriangleDrawer {
     const Rect& rect = scissor_.rect();
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;
     ++result_.triangles;
-    const Target target{rect, stage_.lighting(), sink_, depth_, encoded_};
+    const Target target = target_;
     if constexpr (!kWholeRows) {
       result_.status = draw_crossing_rows(command, origin, target);
     } else if (columns_ == ScissorColumns::kCrossing) [[unlikely]] {
@@ -250,9 +251,8 @@ class TriangleDrawer {
 
   const VertexStage<Method> stage_;
   const Scissor scissor_;
-  Sink& sink_;
   [[no_unique_address]] Colours encoded_;
-  const Depth& depth_;
+  const Target target_;
   DrawResult result_{};
   const DrawOptions options_;
   ScissorColumns columns_ = ScissorColumns::kCrossing;  ///< of the current triangle

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <arcspan/numbers/direction.hpp>
+#include <arcspan/numbers/root.hpp>
+#include <arcspan/target.hpp>
 
 #include <cstdint>
 
@@ -21,7 +23,39 @@ struct PackedNormal {
 /// packed as +z.
 [[nodiscard]] PackedNormal pack_normal(std::int32_t x, std::int32_t y, std::int32_t z);
 
+namespace detail {
+
+inline constexpr std::int32_t kOctahedralOne = 32767;
+
+[[nodiscard]] constexpr std::int32_t octahedral_magnitude(std::int32_t v) {
+  return v < 0 ? wrap_sub(0, v) : v;
+}
+
+/// Mirrors (u, v) at the line |u| + |v| = 1 of its quadrant, where the octahedral map keeps directions with
+/// z < 0. Twice is the identity.
+constexpr void octahedral_fold(std::int32_t& u, std::int32_t& v) {
+  const std::int32_t folded_u = kOctahedralOne - octahedral_magnitude(v);
+  const std::int32_t folded_v = kOctahedralOne - octahedral_magnitude(u);
+  u = u < 0 ? -folded_u : folded_u;
+  v = v < 0 ? -folded_v : folded_v;
+}
+
+}  // namespace detail
+
 /// The unit vector of a packed normal. Every bit pattern is valid; -32768 counts as -32767.
-[[nodiscard]] Direction unpack_normal(PackedNormal packed);
+[[nodiscard]] ARCSPAN_INLINE_UNLESS_SMALL inline Direction unpack_normal(PackedNormal packed) {
+  constexpr std::int32_t kOne = detail::kOctahedralOne;
+  std::int32_t x = packed.u < -kOne ? -kOne : packed.u;
+  std::int32_t y = packed.v < -kOne ? -kOne : packed.v;
+  const std::int32_t z = kOne - detail::octahedral_magnitude(x) - detail::octahedral_magnitude(y);
+  if (z < 0) detail::octahedral_fold(x, y);
+  // |x| + |y| + |z| = 1 implies 1/3 <= x^2 + y^2 + z^2 <= 1, so the root needs no scaling before.
+  const auto square = static_cast<std::uint32_t>(x * x + y * y + z * z);
+  const auto length = static_cast<std::int32_t>(detail::reciprocal_root_mantissa(square << 2));
+  const auto unit = [length](std::int32_t c) {
+    return DirectionComponent::from_raw(round_shift(c * length, 15));
+  };
+  return {unit(x), unit(y), unit(z)};
+}
 
 }  // namespace arcspan

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/leading_zeros.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
-#include <bit>
 #include <cstdint>
 
 namespace arcspan {
@@ -39,8 +39,9 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
 [[nodiscard]] constexpr std::uint32_t reciprocal_mantissa(std::uint32_t normalised) {
   const std::size_t index = (normalised >> 23) & 0xFFu;
   const std::uint32_t fraction = (normalised >> 15) & 0xFFu;
-  const std::uint32_t above = kReciprocalTable[index];
-  const std::uint32_t below = kReciprocalTable[index + 1];
+  const std::uint16_t* const entry = &kReciprocalTable[index];
+  const std::uint32_t above = entry[0];
+  const std::uint32_t below = entry[1];
   return (1u << 15) + above - (((above - below) * fraction + 128u) >> 8);
 }
 
@@ -49,9 +50,16 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
 /// The reciprocal of v > 0 from a table of 257 entries with linear interpolation. Relative error at most
 /// 3.8e-5 = 1.25 * 2^-15 (swept in the tests). For v = 0 the result is defined but meaningless.
 [[nodiscard]] constexpr Reciprocal nonzero_reciprocal(std::uint32_t v) {
-  const int zeros = std::countl_zero(v | 1u);
+  const int zeros = leading_zeros(v | 1u);
   // v = n * 2^(31 - zeros) with n in [1, 2), 1/n = mantissa * 2^-16.
   return {detail::reciprocal_mantissa(v << zeros), 16 + 31 - zeros};
+}
+
+/// nonzero_reciprocal() of v below 512, which needs no interpolation.
+[[nodiscard]] constexpr Reciprocal short_reciprocal(std::uint32_t v) {
+  const int zeros = leading_zeros(v | 1u);
+  const std::uint32_t entry = detail::kReciprocalTable[((v << zeros) >> 23) & 0xFFu];
+  return {(1u << 15) + entry, 16 + 31 - zeros};
 }
 
 /// The reciprocal of v as nonzero_reciprocal(); v = 0 counts as 1.
@@ -80,7 +88,7 @@ namespace detail {
 /// The reciprocal of v, refined by one Newton step. Relative error at most 2^-28 (swept in the tests). v = 0
 /// counts as 1.
 [[nodiscard]] constexpr WideReciprocal wide_reciprocal(std::uint32_t v) {
-  const int zeros = std::countl_zero(v | 1u);
+  const int zeros = leading_zeros(v | 1u);
   const std::uint32_t normalised = (v | static_cast<std::uint32_t>(v == 0)) << zeros;
   return {detail::wide_reciprocal_mantissa(normalised), 31 + 31 - zeros};
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <arcspan/numbers/fixed.hpp>
+#include <arcspan/numbers/leading_zeros.hpp>
 
-#include <bit>
 #include <cstdint>
 
 namespace arcspan {
@@ -67,7 +67,7 @@ namespace detail {
 
 /// The reciprocal root of v, relative error at most 2^-15 (swept in the tests). v = 0 counts as 1.
 [[nodiscard]] constexpr ReciprocalRoot reciprocal_root(std::uint32_t v) {
-  const int zeros = std::countl_zero(v | 1u) & ~1;
+  const int zeros = leading_zeros(v | 1u) & ~1;
   // v = n * 2^(32 - zeros) with n in [1/4, 1).
   const std::uint32_t n32 = (v | static_cast<std::uint32_t>(v == 0)) << zeros;
   return {detail::reciprocal_root_mantissa(n32), 15 + 16 - zeros / 2};

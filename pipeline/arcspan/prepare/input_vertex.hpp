@@ -41,7 +41,7 @@ ARCSPAN_INLINE inline void place_on_screen(const ClipPosition& position, const C
   if constexpr (NeedsNearOverW<Method>) {
     vertex.position = project_in_perspective(position, transform, vertex.near_over_w.value);
   } else {
-    vertex.position = project(position, transform);
+    project_to(position.x, position.y, position.w, transform, vertex.position);
   }
 }
 

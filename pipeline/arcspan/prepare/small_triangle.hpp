@@ -2,12 +2,13 @@
 #pragma once
 
 #include <arcspan/numbers/integer.hpp>
+#include <arcspan/numbers/leading_zeros.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/target.hpp>
 
-#include <bit>
 #include <cstdint>
+#include <type_traits>
 
 /// Triangles of a few pixels. Setting up edges, planes and rows for them would take most of their time, so
 /// their pixels are found by edge functions over their box, and everything that is interpolated follows from
@@ -79,9 +80,6 @@ struct SmallSpan {
 struct SmallTriangle {
   std::int32_t row;  ///< the first row to be drawn, relative to the raster origin
   std::int32_t rows;
-  /// The rows of the triangle, end_row excluded, beyond the limits too.
-  std::int32_t first_row;
-  std::int32_t end_row;
   EdgeFunction of_middle;  ///< of the edge opposite to the middle vertex
   EdgeFunction of_bottom;
   /// 2^16 / (twice the area in 256ths of a square pixel) = inverse * 2^-shift, rounded down; negative like
@@ -115,10 +113,30 @@ namespace detail {
 
 /// The first column right of an edge, or with its centre on it, from row to row: the first pixel of a row if
 /// the edge is on the left, and the one behind the last if it is on the right (top-left rule). It is exact.
-class EdgeColumn {
+///
+/// Where an edge meets a row's centre line is a multiple of 1 / (16 dy) of a pixel, at least 2^-13. What is
+/// computed is less by less than that, and then the next integer above is the same.
+class SteppedColumn {
  public:
   /// The edge from p down to q, at the row whose centre line is at `y` (28.4).
-  ARCSPAN_INLINE constexpr EdgeColumn(const RasterPosition& p, const RasterPosition& q, std::int32_t y)
+  ARCSPAN_INLINE constexpr SteppedColumn(const RasterPosition& p, const RasterPosition& q, std::int32_t y)
+      : step_(((q.x - p.x) * kOne) / (q.y - p.y) - 1),  // the quotient is rounded to 0
+        at_((p.x + 8) * (kOne >> 4) + (((y - p.y) * step_) >> 4) - 1) {}
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t column() const { return at_ >> kFraction; }
+  ARCSPAN_INLINE constexpr void advance() { at_ += step_; }
+
+ private:
+  static constexpr int kFraction = 20;
+  static constexpr std::int32_t kOne = std::int32_t{1} << kFraction;
+
+  std::int32_t step_;  ///< change per row in pixels
+  std::int32_t at_;    ///< half a pixel right of the edge
+};
+
+/// The same without a division.
+class SettledColumn {
+ public:
+  ARCSPAN_INLINE constexpr SettledColumn(const RasterPosition& p, const RasterPosition& q, std::int32_t y)
       : column_((p.x + 7) >> Subpixel::kFraction) {
     const std::int32_t dx = q.x - p.x;
     const std::int32_t dy = q.y - p.y;
@@ -145,6 +163,8 @@ class EdgeColumn {
   std::int32_t per_row_;
 };
 
+using EdgeColumn = std::conditional_t<kHasLongMultiply, SteppedColumn, SettledColumn>;
+
 /// Finds the pixels of the rows from `span` to `end`, at least one, between two edges. Leaves the edges at
 /// the last row. Returns 0 if there are none.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t find_spans(EdgeColumn& left, EdgeColumn& right,
@@ -153,6 +173,7 @@ class EdgeColumn {
   while (true) {
     const std::int32_t count = right.column() - left.column();
     span->first = static_cast<std::int16_t>(left.column());
+    hide_value(span);  // otherwise gcc merges both stores on RISC-V, which takes five more instructions
     span->count = static_cast<std::int16_t>(count);
     found |= count;
     if (++span == end) return found;
@@ -163,20 +184,13 @@ class EdgeColumn {
 
 }  // namespace detail
 
-/// Columns and rows relative to the raster origin, first ... end - 1 each.
-struct SmallLimits {
-  std::int32_t left;
-  std::int32_t right;
-  std::int32_t top;
-  std::int32_t bottom;
-
-  /// Returns true if a vertex lies left or right of the limits.
-  [[nodiscard]] constexpr bool cut(const RasterPosition& a, const RasterPosition& b,
-                                   const RasterPosition& c) const {
-    const auto outside = [this](std::int32_t x) { return (x - left * 16) | (right * 16 - x); };
-    return (outside(a.x) | outside(b.x) | outside(c.x)) < 0;
-  }
-};
+/// Returns true if a vertex lies left or right of the columns left ... right - 1, relative to the raster
+/// origin.
+[[nodiscard]] constexpr bool cuts(std::int32_t left, std::int32_t right, const RasterPosition& a,
+                                  const RasterPosition& b, const RasterPosition& c) {
+  const auto outside = [=](std::int32_t x) { return (x - left * 16) | (right * 16 - x); };
+  return (outside(a.x) | outside(b.x) | outside(c.x)) < 0;
+}
 
 /// Finds the pixels of a small triangle in the rows of `limits`. The vertices are sorted by height, and the
 /// middle one is on the left of the long edge where `middle_left` is true. Returns false, with `triangle`
@@ -184,12 +198,12 @@ struct SmallLimits {
 [[nodiscard]] ARCSPAN_INLINE constexpr bool cover_small_triangle(const RasterPosition& top,
                                                                  const RasterPosition& middle,
                                                                  const RasterPosition& bottom,
-                                                                 bool middle_left, const SmallLimits& limits,
+                                                                 bool middle_left, const RowRange& limits,
                                                                  SmallTriangle& triangle) {
-  triangle.first_row = first_row_at(top.y);
-  triangle.end_row = first_row_at(bottom.y);
-  const std::int32_t first = triangle.first_row > limits.top ? triangle.first_row : limits.top;
-  const std::int32_t end = triangle.end_row < limits.bottom ? triangle.end_row : limits.bottom;
+  const std::int32_t first_row = first_row_at(top.y);
+  const std::int32_t end_row = first_row_at(bottom.y);
+  const std::int32_t first = first_row > limits.first ? first_row : limits.first;
+  const std::int32_t end = end_row < limits.end ? end_row : limits.end;
   triangle.row = first;
   triangle.rows = end - first;
   if (first >= end) return false;
@@ -218,13 +232,14 @@ struct SmallLimits {
   return (found | detail::find_spans(left, right, span, last)) != 0;
 }
 
-/// Cuts the spans of a triangle at the left and right limit. Returns false if no pixel is left.
-[[nodiscard]] constexpr bool cut_columns(const SmallLimits& limits, SmallTriangle& triangle) {
+/// Cuts the spans of a triangle to the columns left ... right - 1, relative to the raster origin. Returns
+/// false if no pixel is left.
+[[nodiscard]] constexpr bool cut_columns(std::int32_t left, std::int32_t right, SmallTriangle& triangle) {
   std::int32_t found = 0;
   for (SmallSpan* span = triangle.spans; span != triangle.spans + triangle.rows; ++span) {
     const std::int32_t end = span->first + span->count;
-    const std::int32_t first = span->first > limits.left ? span->first : limits.left;
-    const std::int32_t count = (end < limits.right ? end : limits.right) - first;
+    const std::int32_t first = span->first > left ? span->first : left;
+    const std::int32_t count = (end < right ? end : right) - first;
     span->first = static_cast<std::int16_t>(first);
     span->count = static_cast<std::int16_t>(count > 0 ? count : 0);
     found |= span->count;
@@ -245,7 +260,7 @@ constexpr void prepare_small_triangle(const RasterPosition& top, const RasterPos
   triangle.of_middle = edge_function(bottom.x - top.x, bottom.y - top.y);
   triangle.of_bottom = edge_function(top.x - middle.x, top.y - middle.y);
   const auto size = static_cast<std::uint32_t>(area < 0 ? -area : area);  // below 2^16
-  const int zeros = std::countl_zero(size | 1u);
+  const int zeros = leading_zeros(size | 1u);
   const std::uint32_t wide = detail::wide_reciprocal_mantissa(size << zeros);
   // Reduced by more than its error, so that no product with an edge function exceeds 1.
   const auto narrow = static_cast<std::int32_t>((wide - 16u) >> 15);

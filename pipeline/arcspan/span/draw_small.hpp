@@ -61,15 +61,17 @@ template <class Method, class Target>
   const RasterPosition& q = vertices.middle->position;
   const RasterPosition& r = vertices.bottom->position;
   const Rect& scissor = target.scissor;
-  const SmallLimits limits{scissor.left - origin.x, scissor.right - origin.x, scissor.top - origin.y,
-                           scissor.bottom - origin.y};
   SmallTriangle triangle;
-  if (!cover_small_triangle(p, q, r, vertices.middle_left, limits, triangle) ||
-      (crosses && limits.cut(p, q, r) && !cut_columns(limits, triangle))) {
-    const std::int32_t first = triangle.first_row > rows.first ? triangle.first_row : rows.first;
-    const std::int32_t end = triangle.end_row < rows.end ? triangle.end_row : rows.end;
+  if (!cover_small_triangle(p, q, r, vertices.middle_left,
+                            {scissor.top - origin.y, scissor.bottom - origin.y}, triangle) ||
+      (crosses && cuts(scissor.left - origin.x, scissor.right - origin.x, p, q, r) &&
+       !cut_columns(scissor.left - origin.x, scissor.right - origin.x, triangle))) {
+    const std::int32_t first = first_row_at(p.y);
+    const std::int32_t end = first_row_at(r.y);
     status = Status::kOk;
-    return first < end ? SmallResult::kDone : SmallResult::kOutOfView;
+    return (first > rows.first ? first : rows.first) < (end < rows.end ? end : rows.end)
+               ? SmallResult::kDone
+               : SmallResult::kOutOfView;
   }
   prepare_small_triangle(p, q, r, doubled_area(p, q, r), triangle);
   typename Method::Small small;

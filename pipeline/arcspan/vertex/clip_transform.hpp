@@ -16,6 +16,7 @@ namespace arcspan {
 /// Half the width of the guard band in pixels: projected vertices are at most this far from the viewport's
 /// middle in x and in y.
 inline constexpr std::int32_t kGuardBand = 1024;
+inline constexpr int kGuardBits = 10 + Subpixel::kFraction;  ///< of kGuardBand in sixteenths of a pixel
 
 /// A vertex in clip space, before the division by w; y points down. It is inside the guard band if |x| <= w
 /// and |y| <= w, and in front of the near plane if w >= ClipTransform::near_w(). The three have the same
@@ -62,6 +63,8 @@ class ClipTransform {
   /// Takes the viewport and the depths of another transform.
   constexpr void set_lens(const ClipTransform& other) {
     viewport_ = other.viewport_;
+    rounding_[0] = other.rounding_[0];
+    rounding_[1] = other.rounding_[1];
     depth_range_ = other.depth_range_;
     depth_shift_ = other.depth_shift_;
   }
@@ -95,6 +98,8 @@ class ClipTransform {
     return sum;
   }
   [[nodiscard]] constexpr const Viewport& viewport() const { return viewport_; }
+  /// What x / w or y / w (29 fraction bits; i = 0, 1) is increased by, to be rounded down to a Subpixel.
+  [[nodiscard]] constexpr std::int32_t rounding(std::size_t i) const { return rounding_[i]; }
   /// Upper bounds of the clip-space lengths, in w and in x or y, of an object-space length of at most 56756.
   [[nodiscard]] constexpr std::int32_t length_ahead(std::uint32_t length) const;
   [[nodiscard]] constexpr std::int32_t length_across(std::uint32_t length) const;
@@ -119,6 +124,7 @@ class ClipTransform {
   std::int32_t near_w_ = 1;
   std::int32_t depth_range_ = 0;  ///< times 2^-(depth_shift_ - 3)
   std::int32_t depth_shift_ = 0;
+  std::int32_t rounding_[2] = {};
   Viewport viewport_{};
   ObjectPoint eye_{};
   PixelLength focal_{};

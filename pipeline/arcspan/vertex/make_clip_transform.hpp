@@ -90,6 +90,13 @@ constexpr Status ClipTransform::make(const Placement& placement, const Projectio
   transform.depth_range_ = static_cast<std::int32_t>(range32 << shift);
   transform.depth_shift_ = shift - 3;
   transform.viewport_ = viewport;
+  // The middle of a picture of odd size is the centre of its middle pixel, half a pixel from the raster
+  // origin.
+  const auto rounding = [](std::int32_t size) {
+    return ((size & 1) * 16 + 1) * (std::int32_t{1} << (28 - kGuardBits));
+  };
+  transform.rounding_[0] = rounding(viewport.width);
+  transform.rounding_[1] = rounding(viewport.height);
   return Status::kOk;
 }
 

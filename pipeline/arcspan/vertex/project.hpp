@@ -14,6 +14,13 @@ namespace arcspan {
   return project(p, transform, near_over_w);
 }
 
+/// Sets `position` to project(). At -Os a function whose arguments fit registers.
+ARCSPAN_INLINE_UNLESS_SMALL inline void project_to(std::int32_t x, std::int32_t y, std::int32_t w,
+                                                   const ClipTransform& transform, RasterPosition& position) {
+  std::int32_t near_over_w;
+  position = project({x, y, w}, transform, near_over_w);
+}
+
 /// project() where it is, as a function of its own.
 [[nodiscard]] ARCSPAN_OUTLINE inline RasterPosition project_in_perspective(const ClipPosition& p,
                                                                            const ClipTransform& transform,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/leading_zeros.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
-#include <bit>
 #include <cstdint>
 
 namespace arcspan {
@@ -50,22 +50,17 @@ enum ClipOutcode : std::uint8_t {
                                                            std::int32_t& near_over_w) {
   // c / w = (c << zeros) / (w << zeros). `c` is shifted by one bit less, which keeps its sign.
   const auto w = static_cast<std::uint32_t>(p.w);
-  const int zeros = std::countl_zero(w | 1u);
+  const int zeros = leading_zeros(w | 1u);
   const std::uint32_t mantissa = detail::wide_reciprocal_mantissa(w << zeros);
   const auto inverse = static_cast<std::int32_t>(mantissa - (mantissa >> 31));  // at most 2^31 - 1
   const auto over_w = [=](std::int32_t c) { return multiply_high(wrap_shl(c, zeros - 1), inverse); };
-  const auto screen = [&](std::int32_t c, std::int32_t half_pixel) {
-    constexpr int kBits = 10 + Subpixel::kFraction;  // x / w = 1 stands for kGuardBand pixels
-    const std::int32_t snapped = round_shift(over_w(c), 29 - kBits) + half_pixel;
-    constexpr std::int32_t kMax = (1 << kBits) - 1;
-    return static_cast<std::int16_t>(snapped < -kMax - 1 ? -kMax - 1 : snapped > kMax ? kMax : snapped);
+  const auto screen = [&](std::int32_t c, std::int32_t rounding) {
+    const std::int32_t snapped = wrap_add(over_w(c), rounding) >> (29 - kGuardBits);
+    return static_cast<std::int16_t>(clamped_to_bits<kGuardBits + 1>(snapped));
   };
-  // The middle of a picture of odd size is the centre of its middle pixel, half a pixel from the raster
-  // origin.
-  const std::int32_t odd_x = (transform.viewport().width & 1) * 8;
-  const std::int32_t odd_y = (transform.viewport().height & 1) * 8;
   near_over_w = over_w(transform.near_w());
-  return {screen(p.x, odd_x), screen(p.y, odd_y), transform.depth(near_over_w)};
+  return {screen(p.x, transform.rounding(0)), screen(p.y, transform.rounding(1)),
+          transform.depth(near_over_w)};
 }
 
 }  // namespace arcspan

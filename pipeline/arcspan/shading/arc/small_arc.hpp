@@ -24,10 +24,10 @@ struct SmallCorners {
 template <class Raster>
 SmallCorners(const Raster&, const Raster&, const Raster&) -> SmallCorners<Raster>;
 
-/// Points of an arc from A to B. With M the mean of A and B, D their difference, t the fraction of the arc, p
-/// = t (1 - t) and s the squared chord, S0 eq. 2 is
+/// Points of an arc from A to B. With D = B - A, t the fraction of the arc, p = t (1 - t) and s the squared
+/// chord, S0 eq. 2 is the sum of both ends with weights that exceed 1 together:
 ///
-///     A + t D + q (3 M + 15/16 (t - 1/2) D),     q = p (rise + bend p),
+///     A + w D + e A,     e = p (rise + bend p),     w = t + e (11/32 + 5/16 t),
 ///
 /// with rise and bend fitted in s so that points lie on the circle: within 6e-6 up to 60 degrees, because a
 /// sharp highlight shows the length of a normal. Along the circle the error is below 6e-5 up to 30 degrees
@@ -40,60 +40,66 @@ class ArcSeries {
  public:
   ArcSeries() = default;  // without values, so that a union may hold one
   /// `s`: 15 fraction bits, 0...1.
-  ARCSPAN_OUTLINE_IF_SMALL constexpr explicit ArcSeries(std::int32_t s) {
+  ARCSPAN_OUTLINE_IF_SMALL constexpr explicit ArcSeries(std::int32_t chord) {
+    const auto s = static_cast<std::uint32_t>(chord);
+    std::uint32_t rise = 0;
     if constexpr (!kForHighlights) {
-      // s (0.166848 + 0.029203 s + 0.009282 s^2)
-      rise_ = (s * (43738 + ((s * (7656 + ((s * 2433) >> 15))) >> 15))) >> 15;
-      return;
+      // s (0.500544 + 0.087609 s + 0.027846 s^2)
+      rise = (s * (65607u + ((s * (11483u + ((s * 3650u) >> 15))) >> 15))) >> 15;
+    } else {
+      // s (0.499956 + 0.083895 s + 0.01464 s^2 + 0.006024 s^3), s^2 (0.04191 + 0.010344 s + 0.004797 s^2)
+      const std::uint32_t inner = 10996u + ((s * (1919u + ((s * 790u) >> 15))) >> 15);
+      rise = (s * (65530u + ((s * inner) >> 15)) + (1u << 14)) >> 15;
+      bend_ = static_cast<std::int32_t>(
+          (((s * s) >> 15) * (5493u + ((s * (1356u + ((s * 629u) >> 15))) >> 15))) >> 15);
     }
-    // s (0.166652 + 0.027965 s + 0.00488 s^2 + 0.002008 s^3), s^2 (0.01397 + 0.003448 s + 0.001599 s^2)
-    const std::int32_t inner = 7331 + ((s * (1279 + ((s * 526) >> 15))) >> 15);
-    rise_ = (s * (43687 + ((s * inner) >> 15)) + (std::int32_t{1} << 14)) >> 15;
-    bend_ = (((s * s) >> 15) * (3662 + ((s * (904 + ((s * 419) >> 15))) >> 15))) >> 15;
+    rise_ = static_cast<std::int32_t>(rise);
   }
 
-  /// Returns q with 20 fraction bits. `t` has 13; it may be outside of 0...1 by a rounding error.
+  /// Returns e with 17 fraction bits. `t` has 13; it may be outside of 0...1 by a rounding error.
   [[nodiscard]] ARCSPAN_INLINE_UNLESS_SMALL constexpr std::int32_t operator()(std::int32_t t) const {
     const std::int32_t p = (t * (8192 - t)) >> 10;  // 16 fraction bits, at most 1/4
-    if constexpr (!kForHighlights) return (p * rise_) >> 14;
-    return (p * (rise_ + ((bend_ * p) >> 16))) >> 14;
+    if constexpr (!kForHighlights) return (p * rise_) >> 16;
+    return (p * (rise_ + ((bend_ * p) >> 16))) >> 16;
   }
 
  private:
-  std::int32_t rise_;  ///< 18 fraction bits
+  std::int32_t rise_;  ///< 17 fraction bits
   std::int32_t bend_;
-};
-
-/// A scalar along an arc.
-struct ScalarOfArc {
-  Cosine from;          ///< A
-  std::int32_t change;  ///< D, 17 fraction bits
-  std::int32_t lift;    ///< 3 M - 15/32 D, 13 fraction bits
-
-  ScalarOfArc() = default;
-  ARCSPAN_INLINE constexpr ScalarOfArc(Cosine a, Cosine b)
-      : from(a),
-        change(round_shift(wrap_sub(b.raw(), a.raw()), 13)),
-        lift((wrap_add(wrap_add(a.raw(), b.raw() >> 1), std::int32_t{1} << 15) >> 16) + (change >> 9)) {}
 };
 
 /// A point of an arc. Its t is rounded down to 13 bits, which moves it along the circle by at most 1.3e-4.
 struct ArcPoint {
-  std::int32_t t;  ///< 13 fraction bits
-  std::int32_t q;  ///< 20 fraction bits
+  std::int32_t excess;  ///< e, 17 fraction bits
+  std::int32_t weight;  ///< w, 15 fraction bits: of the end at t = 1
 
   template <class Series>
-  ARCSPAN_INLINE constexpr ArcPoint(const Series& series, std::int32_t fraction)
-      : t(fraction), q(series(fraction)) {}
+  ARCSPAN_INLINE constexpr ArcPoint(const Series& series, std::int32_t t)
+      : excess(series(t)), weight(4 * t + ((excess * (2816 + (t >> 2) + (t >> 4))) >> 15)) {}
 
-  [[nodiscard]] ARCSPAN_INLINE constexpr Cosine on(const ScalarOfArc& scalar) const {
-    const std::int32_t moved = wrap_mul(t, scalar.change);  // at most 1
-    const std::int32_t lifted = wrap_mul(scalar.lift + (moved >> 17) - (moved >> 21), q) >> 3;
-    return Cosine::from_raw(wrap_add(wrap_add(scalar.from.raw(), moved), lifted));
+  /// Returns a scalar, of which `from` is A, `coarse` the same with 13 fraction bits and `change` is D with
+  /// 15.
+  [[nodiscard]] ARCSPAN_INLINE constexpr Cosine on(Cosine from, std::int32_t coarse,
+                                                   std::int32_t change) const {
+    return Cosine::from_raw(
+        wrap_add(wrap_add(from.raw(), wrap_mul(weight, change)), wrap_mul(excess, coarse)));
   }
-  /// Returns the weight of the end at t = 1, 15 fraction bits. The sum of both weights is 1 + 3 q.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t weight() const {
-    return 4 * t + ((q * (8192 + 256 + t - (t >> 4))) >> 18);
+};
+
+/// A scalar along an arc.
+struct ScalarOfArc {
+  Cosine from;
+  std::int32_t coarse;
+  std::int32_t change;
+
+  ScalarOfArc() = default;
+  ARCSPAN_INLINE constexpr ScalarOfArc(Cosine a, Cosine b)
+      : from(a), coarse(a.raw() >> 17), change(change_between(a, b)) {}
+  [[nodiscard]] ARCSPAN_INLINE constexpr Cosine at(const ArcPoint& point) const {
+    return point.on(from, coarse, change);
+  }
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::int32_t change_between(Cosine a, Cosine b) {
+    return round_shift(wrap_sub(b.raw(), a.raw()), 15);
   }
 };
 
@@ -127,7 +133,7 @@ class SmallArc {
     [[nodiscard]] ARCSPAN_INLINE constexpr PatchRun<Lighting, Used> pixel() const {
       const ArcPoint point(series_, u_ >> kMoreBits);
       PatchRun<Lighting, Used> pixel;
-      unrolled<Used>([&](auto i) { pixel.start_at(i, {point.on(scalars_[i]), {}, {}}); });
+      unrolled<Used>([&](auto i) { pixel.start_at(i, {scalars_[i].at(point), {}, {}}); });
       return pixel;
     }
 
@@ -173,11 +179,13 @@ class SmallArc {
     const ArcPoint on_short(half.short_edge, fraction(away, half.inverse));
     Run run;
     unrolled<Used>([&](auto i) {
-      run.scalars_[i] = ScalarOfArc(on_long.on(half.to_far[i]), on_short.on(half.to_middle[i]));
+      const CornerScalar& scalar = half.scalars[i];
+      run.scalars_[i] = ScalarOfArc(scalar.to_far.at(on_long),
+                                    on_short.on(scalar.to_far.from, scalar.to_far.coarse, scalar.to_middle));
     });
     run.series_ = Series(half.row_chord(on_long, on_short));
     // The length of the middle row divided by that of this row: 15 fraction bits.
-    const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(away));
+    const Reciprocal inverse = short_reciprocal(static_cast<std::uint32_t>(away));
     const std::uint32_t stretch =
         (static_cast<std::uint32_t>(half.height) * inverse.mantissa) >> (inverse.exponent - 15);
     run.u_ = static_cast<std::int32_t>((static_cast<std::uint32_t>(middle) * stretch) >> 3);
@@ -190,7 +198,7 @@ class SmallArc {
 
   /// Returns 2^31 / length; the length is at most 32 pixels.
   [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t inverse_of(std::int32_t length) {
-    const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(length));
+    const Reciprocal inverse = short_reciprocal(static_cast<std::uint32_t>(length));
     return inverse.mantissa << (31 - inverse.exponent);
   }
   /// Returns part / whole, at most 1, with 13 fraction bits.
@@ -204,6 +212,11 @@ class SmallArc {
     std::int32_t corner_far;
     std::int32_t middle_far;
   };
+  /// A scalar along both edges of the rows.
+  struct CornerScalar {
+    ScalarOfArc to_far;      ///< along the long edge
+    std::int32_t to_middle;  ///< `change` along the short one
+  };
   /// The rows between the middle vertex and the upper or the lower corner, from which arcs are measured.
   struct Half {
     std::int32_t corner_y;  ///< 4 fraction bits
@@ -211,8 +224,7 @@ class SmallArc {
     std::uint32_t inverse;  ///< of the height
     HalfChords chords;
     Series short_edge;
-    std::array<ScalarOfArc, Used> to_far;  ///< along the long edge
-    std::array<ScalarOfArc, Used> to_middle;
+    std::array<CornerScalar, Used> scalars;
 
     /// `corner`, `middle` and `far` are the scalars of the corner, of the middle vertex and of the other
     /// corner.
@@ -224,8 +236,8 @@ class SmallArc {
       chords = squared;
       short_edge = Series(squared.corner_middle);
       for (std::size_t i = 0; i < Used; ++i) {
-        to_far[i] = ScalarOfArc(corner[i], far[i]);
-        to_middle[i] = ScalarOfArc(corner[i], middle[i]);
+        scalars[i].to_far = ScalarOfArc(corner[i], far[i]);
+        scalars[i].to_middle = ScalarOfArc::change_between(corner[i], middle[i]);
       }
     }
 
@@ -233,15 +245,15 @@ class SmallArc {
     /// vectors |sum k_i N_i|^2 = (sum k_i)^2 - sum k_i k_j |N_i - N_j|^2.
     [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t row_chord(const ArcPoint& on_long,
                                                                   const ArcPoint& on_short) const {
-      const std::int32_t far = on_long.weight();
-      const std::int32_t middle = -on_short.weight();
-      const std::int32_t sum = (3 * (on_long.q - on_short.q)) >> 5;
+      const std::int32_t far = on_long.weight;
+      const std::int32_t middle = -on_short.weight;
+      const std::int32_t sum = (on_long.excess - on_short.excess) >> 2;
       const std::int32_t corner = sum - far - middle;
       const std::int32_t of_corner = (middle * chords.corner_middle + far * chords.corner_far) >> 15;
       const std::int32_t apart =
           wrap_add(wrap_mul(corner, of_corner), wrap_mul((middle * far) >> 15, chords.middle_far));
       const std::int32_t chord = wrap_sub(sum * sum, apart) >> 15;
-      return chord < 0 ? 0 : chord > 32768 ? 32768 : chord;
+      return chord < 0 ? 0 : chord;  // up to 1, because the vertices' are, and rounding errors
     }
   };
 

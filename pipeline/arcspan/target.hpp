@@ -13,9 +13,9 @@
 
 // ---- Inlining policies
 
-/// For the code of one pixel or one row: always part of its caller, because the call would cost as much as the
-/// work. Not without optimisation, where copies in every caller only take time to compile; define it empty to
-/// compile faster with optimisation, too.
+/// For the code of one pixel or one row: always part of its caller, because the call would cost as much as
+/// the work. Not without optimisation, where copies in every caller only take time to compile; define it
+/// empty to compile faster with optimisation, too.
 #ifndef ARCSPAN_INLINE
 #ifdef __OPTIMIZE__
 #define ARCSPAN_INLINE [[gnu::always_inline]]

@@ -64,8 +64,9 @@ class Scissor {
   /// True if a vertex lies left or right of the scissor.
   [[nodiscard]] constexpr bool leaves_columns(const RasterPosition& a, const RasterPosition& b,
                                               const RasterPosition& c) const {
-    return ((a.x - left_) | (b.x - left_) | (c.x - left_) | (right_ - a.x) | (right_ - b.x) |
-            (right_ - c.x)) < 0;
+    const std::uint32_t width = static_cast<std::uint32_t>(wrap_sub(right_, left_));
+    const auto outside = [&](std::int32_t x) { return static_cast<std::uint32_t>(x - left_) > width; };
+    return outside(a.x) || outside(b.x) || outside(c.x);
   }
 
   /// True if all vertices lie on the same side of the scissor's columns.

@@ -48,14 +48,12 @@ struct PackedRgb {
       }
       return saturated(static_cast<std::uint32_t>(sum), (sum >> 32) != 0);
     } else {
-      const std::uint32_t sum = lanes + other.lanes;
+      std::uint32_t sum = lanes + other.lanes;
       const bool green_carry = sum < lanes;  // out of the word
-      if (!green_carry) {                    // a branch of its own, because processors have this in a flag
-        if ((sum & kCarries) == 0) [[likely]] {
-          return {sum};
-        }
+      if (green_carry || (sum & kCarries) != 0) [[unlikely]] {
+        sum = saturated(sum, green_carry).lanes;
       }
-      return saturated(sum, green_carry);
+      return {sum};
     }
   }
 
@@ -65,8 +63,8 @@ struct PackedRgb {
   /// `sum` with every channel that has carried set to 1023. The carries of red and blue are in `sum`.
   [[nodiscard]] static constexpr PackedRgb saturated(std::uint32_t sum, bool green_carry) {
     const std::uint32_t carries = sum & kCarries;
-    const std::uint32_t green = green_carry ? ~std::uint32_t{0} << 22 : sum;
-    return {(green & (~std::uint32_t{0} << 22)) | ((sum | (carries - (carries >> 10))) & 0x001FFBFF)};
+    const std::uint32_t rest = (sum - carries) | (carries - (carries >> 10));
+    return {green_carry ? rest | ~std::uint32_t{0} << 22 : rest};
   }
 };
 

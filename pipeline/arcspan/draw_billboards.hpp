@@ -130,7 +130,7 @@ class BillboardStage {
     const RasterPosition lower_right{upper_right.position.x, lower_left.position.y, 0};
     EdgeSetup side;
     make_edge_setup(upper_right.position, lower_right, command.first_row, true, side);
-    make_edge_walk(side, lower_right, command.lower);
+    make_edge_walk(side, upper_right.position, lower_right, command.lower);
     status_ = draw_crossing_rows(command, scissor_.origin(), target_);
   }
 

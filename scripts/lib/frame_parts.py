@@ -149,10 +149,9 @@ def mark_loops(function, flow, by_address):
                 break
     # Where both loops share entries, as on Armv6-M with its far jumps, the pixels are a loop among their own instructions.
     part, name = LOOPS[0]
-    if not any(by_address[address].part == part for address in flow):
-        for loop in strongly_connected({address for address in flow if by_address[address].is_inlined_from(name)}, flow):
-            for address in loop:
-                by_address[address].part = part
+    for loop in strongly_connected({address for address in flow if by_address[address].is_inlined_from(name)}, flow):
+        for address in loop:
+            by_address[address].part = part
 
 
 def callers(instructions, starts):

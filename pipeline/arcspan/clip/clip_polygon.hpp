@@ -48,13 +48,12 @@ namespace detail {
   return 0;
 }
 
-/// The vertex where the edge from `inside` to `outside` meets a plane, from their distances to it. Edges are
-/// always cut in this direction, so that the two triangles of an edge get the same vertex.
+/// Sets `vertex` to where the edge from `inside` to `outside` meets a plane, from their distances to it.
+/// Edges are always cut in this direction, so that the two triangles of an edge get the same vertex.
 template <class Method>
-[[nodiscard]] ARCSPAN_COLD_OUTLINE constexpr ClipVertex<Method> cut(const ClipVertex<Method>& inside,
-                                                                    const ClipVertex<Method>& outside,
-                                                                    std::int32_t inside_distance,
-                                                                    std::int32_t outside_distance) {
+ARCSPAN_COLD_OUTLINE constexpr void cut(const ClipVertex<Method>& inside, const ClipVertex<Method>& outside,
+                                        std::int32_t inside_distance, std::int32_t outside_distance,
+                                        ClipVertex<Method>& vertex) {
   // t = inside / (inside - outside), 30 fraction bits. The difference is below 2^32.
   const std::uint32_t whole =
       static_cast<std::uint32_t>(inside_distance) - static_cast<std::uint32_t>(outside_distance);
@@ -66,12 +65,10 @@ template <class Method>
     return static_cast<std::int32_t>(from +
                                      (((std::int64_t{to} - from) * t + (std::int32_t{1} << 29)) >> 30));
   };
-  ClipVertex<Method> vertex;
   vertex.position = {mix(inside.position.x, outside.position.x), mix(inside.position.y, outside.position.y),
                      mix(inside.position.w, outside.position.w)};
   vertex.shade =
       Method::between(inside.shade, outside.shade, Factor::from_raw(static_cast<std::int32_t>(t >> 15)));
-  return vertex;
 }
 
 /// Clips `in` to one plane, by Sutherland and Hodgman's algorithm; the result is written to `out`.
@@ -87,7 +84,12 @@ ARCSPAN_COLD constexpr void clip_to_plane(const ClipPolygon<Method>& in, ClipPol
     // A convex polygon gains at most one vertex per plane, so `out` is full only for inconsistent input.
     if (d0 >= 0 && out.count < ClipPolygon<Method>::kCapacity) out.vertices[out.count++] = here;
     if ((d0 >= 0) != (d1 >= 0) && out.count < ClipPolygon<Method>::kCapacity) {
-      out.vertices[out.count++] = d0 >= 0 ? cut(here, next, d0, d1) : cut(next, here, d1, d0);
+      ClipVertex<Method>& vertex = out.vertices[out.count++];
+      if (d0 >= 0) {
+        cut(here, next, d0, d1, vertex);
+      } else {
+        cut(next, here, d1, d0, vertex);
+      }
     }
   }
 }

@@ -50,8 +50,15 @@ template <OneColour Method, class Target>
     if (p_distance < 0 && q_distance < 0) return false;
     const ClipVertex<Unlit> from{p, {}};
     const ClipVertex<Unlit> to{q, {}};
-    if (p_distance < 0) p = cut(to, from, q_distance, p_distance).position;
-    if (q_distance < 0) q = cut(from, to, p_distance, q_distance).position;
+    ClipVertex<Unlit> crossing{};
+    if (p_distance < 0) {
+      cut(to, from, q_distance, p_distance, crossing);
+      p = crossing.position;
+    }
+    if (q_distance < 0) {
+      cut(from, to, p_distance, q_distance, crossing);
+      q = crossing.position;
+    }
   }
   a = project(p, transform);
   b = project(q, transform);

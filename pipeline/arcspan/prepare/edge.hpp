@@ -50,7 +50,6 @@ struct EdgeWalk {
 /// The set-up of an edge that runs from its upper end `top` down to its lower end. It depends on these two
 /// ends and on the first row to be drawn only, so the two triangles of an edge step down it identically.
 struct EdgeSetup {
-  const RasterPosition* top;
   std::int32_t dy;      ///< height in 16ths of a row, 1...2^15 - 1
   std::int32_t offset;  ///< depth of the first row's centre below the top in 16ths of a row, 0...2^15 - 1
   /// Reciprocal of dy. Unset on short right edges until make_inverse() is called, because only the arc path
@@ -74,21 +73,21 @@ struct EdgeSetup {
 /// Sets up the edge from `top` to `bottom`, where top.y < bottom.y; `row` is the first row to be drawn.
 constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& bottom, std::int32_t row,
                                bool on_left, EdgeSetup& edge) {
-  edge.top = &top;
   edge.dy = bottom.y - top.y;
   edge.offset = row * 16 + 8 - top.y;
   if (on_left || !kHasLongMultiply) edge.make_inverse();
   if (on_left) edge.start = start_fraction(edge);
 }
 
-/// Sets `walk` to the edge at its first row; `bottom` is the lower end that `edge` was set up with.
-constexpr void make_edge_walk(const EdgeSetup& edge, const RasterPosition& bottom, EdgeWalk& walk) {
-  const std::int32_t dx = bottom.x - edge.top->x;
+/// Sets `walk` to the edge at its first row; `top` and `bottom` are the ends that `edge` was set up with.
+constexpr void make_edge_walk(const EdgeSetup& edge, const RasterPosition& top, const RasterPosition& bottom,
+                              EdgeWalk& walk) {
+  const std::int32_t dx = bottom.x - top.x;
   walk.step = kHasLongMultiply ? detail::divide(dx, edge.dy)
                                : detail::divide_by_reciprocal(dx, edge.dy, edge.inverse);
   // 1/2 - 2^-20 in 16ths of a pixel, as all terms of the sum are.
   constexpr std::int64_t kBias = (std::int64_t{1} << 35) - (std::int64_t{1} << 16);
-  walk.x = (scaled(walk.step, static_cast<std::uint32_t>(edge.offset)) + (std::int64_t{edge.top->x} << 32) +
+  walk.x = (scaled(walk.step, static_cast<std::uint32_t>(edge.offset)) + (std::int64_t{top.x} << 32) +
             kBias) >>
            4;
 }

@@ -75,9 +75,9 @@ constexpr void place_line_edge(const RasterPosition& top, const RasterPosition& 
                                EdgeWalk& walk) {
   // An edge cannot begin above its top, so it begins a row further down.
   const bool above = offset < 0;
-  EdgeSetup edge{&top, bottom.y - top.y, above ? offset + 16 : offset, {}, {}};
+  EdgeSetup edge{bottom.y - top.y, above ? offset + 16 : offset, {}, {}};
   if constexpr (!kHasLongMultiply) edge.make_inverse();
-  make_edge_walk(edge, bottom, walk);
+  make_edge_walk(edge, top, bottom, walk);
   if (above) walk.x -= walk.step;
 }
 

@@ -105,16 +105,16 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   frame.has_lower = command.middle_row < command.end_row;
   EdgeWalk& long_walk = frame.middle_left ? command.right : command.left;
   make_edge_setup(top, bottom, command.first_row, true, frame.long_edge);
-  make_edge_walk(frame.long_edge, bottom, long_walk);
+  make_edge_walk(frame.long_edge, top, bottom, long_walk);
   if constexpr (NeedsNearOverW<Method>) frame.long_walk.set(long_walk);
   frame.upper_edge.offset = frame.lower_edge.offset = 0;  // otherwise gcc takes them for used
   if (frame.has_upper) {
     make_edge_setup(top, middle, command.first_row, frame.middle_left, frame.upper_edge);
-    make_edge_walk(frame.upper_edge, middle, frame.middle_left ? command.left : command.right);
+    make_edge_walk(frame.upper_edge, top, middle, frame.middle_left ? command.left : command.right);
   }
   if (frame.has_lower) {
     make_edge_setup(middle, bottom, command.middle_row, frame.middle_left, frame.lower_edge);
-    make_edge_walk(frame.lower_edge, bottom, command.lower);
+    make_edge_walk(frame.lower_edge, middle, bottom, command.lower);
   }
   const auto height = static_cast<std::uint32_t>(middle.y - top.y);
   frame.middle_fraction = Factor::from_raw(static_cast<std::int32_t>(

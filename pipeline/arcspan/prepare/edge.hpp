@@ -56,7 +56,7 @@ struct EdgeSetup {
   /// Reciprocal of dy. Unset on short right edges until make_inverse() is called, because only the arc path
   /// interpolates along them.
   Reciprocal inverse;
-  Factor start;  ///< start_fraction() of a left edge
+  Factor start;  ///< start_fraction(); unset on short right edges
 
   constexpr void make_inverse() { inverse = nonzero_reciprocal(static_cast<std::uint32_t>(dy)); }
 };
@@ -72,13 +72,14 @@ struct EdgeSetup {
 [[nodiscard]] constexpr std::int32_t first_row_at(std::int32_t y) { return (y + 7) >> 4; }
 
 /// Sets up the edge from `top` to `bottom`, where top.y < bottom.y; `row` is the first row to be drawn.
+/// `interpolates` is false on short right edges, along which only arcs may interpolate.
 constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& bottom, std::int32_t row,
-                               bool on_left, EdgeSetup& edge) {
+                               bool interpolates, EdgeSetup& edge) {
   edge.top = &top;
   edge.dy = bottom.y - top.y;
   edge.offset = row * 16 + 8 - top.y;
-  if (on_left || !kHasLongMultiply) edge.make_inverse();
-  if (on_left) edge.start = start_fraction(edge);
+  if (interpolates || !kHasLongMultiply) edge.make_inverse();
+  if (interpolates) edge.start = start_fraction(edge);
 }
 
 /// Sets `walk` to the edge at its first row; `bottom` is the lower end that `edge` was set up with.

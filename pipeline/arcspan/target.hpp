@@ -56,9 +56,9 @@
 #endif
 
 /// ARCSPAN_INLINE at -Os, where compilers call even a sum of a few words for every row. Elsewhere they choose
-/// better themselves.
+/// better themselves. SMALL means -Os here, on every core.
 #ifdef __OPTIMIZE_SIZE__
-#define ARCSPAN_INLINE_IF_SMALL [[gnu::always_inline]]
+#define ARCSPAN_INLINE_IF_SMALL ARCSPAN_INLINE
 #else
 #define ARCSPAN_INLINE_IF_SMALL
 #endif
@@ -98,7 +98,8 @@ inline constexpr bool kOptimisedForSize = false;
 #endif
 
 /// True if the core has a 32x32->64 multiply and a divide instruction. Armv6-M and AVR have neither;
-/// integer.hpp and edge.hpp compute the same bits from 32-bit products there.
+/// integer.hpp, quotient.hpp, edge.hpp and small_triangle.hpp (SettledColumn) compute the same bits from
+/// 32-bit products there.
 #if defined(__ARM_ARCH_6M__) || defined(__AVR__)
 inline constexpr bool kHasLongMultiply = false;
 #else
@@ -163,8 +164,8 @@ inline constexpr bool kCopiesForCalls =
     !kOptimisedForSize && kHasLongMultiply && std::is_trivially_copyable_v<T>;
 #endif
 
-/// True if leading zeros are counted by one instruction (on RISC-V with Zbb only) or by a short routine
-/// (Armv6-M).
+/// True if leading zeros are counted by one instruction or by a short routine (Armv6-M). False on RISC-V
+/// without Zbb, where it is a call of a long routine.
 #if defined(__riscv) && !defined(__riscv_zbb)
 inline constexpr bool kCountsLeadingZeros = false;
 #else

@@ -205,13 +205,13 @@ class TriangleDrawer {
     }
     measure_chords(vertices);
     if constexpr (kDrawsSmall) {
-      if (is_medium(vertices) && draw_small_side(vertices, true)) return;
+      if (draws_as_small(vertices) && draw_small_side(vertices, true)) return;
     }
     draw_large_side(t, vertices, facing);
   }
 
   /// Returns true if a triangle that is not small is to be drawn as a small one.
-  [[nodiscard]] ARCSPAN_OUTLINE_IF_SMALL bool is_medium(const SortedVertices<Method>& vertices) const {
+  [[nodiscard]] ARCSPAN_OUTLINE_IF_SMALL bool draws_as_small(const SortedVertices<Method>& vertices) const {
     return Method::is_dark_or_arcs(stage_.lighting(), vertices) && is_up_to_medium(vertices);
   }
 
@@ -237,7 +237,7 @@ class TriangleDrawer {
     const Rect& rect = scissor_.rect();
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;
     ++result_.triangles;
-    const Target target = target_;
+    const Target target = target_;  // a copy, because members would be loaded again for every row
     if constexpr (!kWholeRows) {
       result_.status = draw_crossing_rows(command, origin, target);
     } else if (columns_ == ScissorColumns::kCrossing) [[unlikely]] {

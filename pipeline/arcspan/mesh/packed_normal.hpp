@@ -2,6 +2,8 @@
 #pragma once
 
 #include <arcspan/numbers/direction.hpp>
+#include <arcspan/numbers/fixed.hpp>
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/numbers/root.hpp>
 #include <arcspan/target.hpp>
 

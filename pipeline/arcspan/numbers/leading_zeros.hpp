@@ -20,13 +20,20 @@ inline constexpr std::array<std::uint8_t, 256> kByteLeadingZeros = [] {
   return zeros;
 }();
 
+[[nodiscard]] ARCSPAN_INLINE constexpr int leading_zeros_by_table(std::uint32_t v) {
+  const int above = v < 0x10000u ? (v < 0x100u ? 0 : 8) : v < 0x1000000u ? 16 : 24;
+  return kByteLeadingZeros[static_cast<std::size_t>(v >> above)] - above;
+}
+
 }  // namespace detail
 
-/// std::countl_zero(v), from a table where that would call a function.
+/// std::countl_zero(v), from a table on RISC-V without Zbb unless optimised for size.
 [[nodiscard]] ARCSPAN_INLINE constexpr int leading_zeros(std::uint32_t v) {
-  if constexpr (kCountsLeadingZeros || kOptimisedForSize) return std::countl_zero(v);
-  const int above = v < 0x10000u ? (v < 0x100u ? 0 : 8) : v < 0x1000000u ? 16 : 24;
-  return detail::kByteLeadingZeros[static_cast<std::size_t>(v >> above)] - above;
+  if constexpr (kCountsLeadingZeros || kOptimisedForSize) {
+    return std::countl_zero(v);
+  } else {
+    return detail::leading_zeros_by_table(v);
+  }
 }
 
 }  // namespace arcspan

@@ -31,8 +31,9 @@ namespace detail {
 }
 
 /// Returns the quotient of divide() without a division instruction. `reciprocal` is nonzero_reciprocal() of
-/// the divisor. Each digit of 10 or 11 bits is estimated with it by one 32-bit product. The estimate is wrong
-/// by at most 1, that of the whole part by at most 2, and the remainder corrects it.
+/// the divisor. Each digit of 10 or 11 bits is estimated with it by one 32-bit product, which is below 2^31
+/// because dividend and divisor, and with them `rest`, are below 2^15. The estimate is wrong by at most 1,
+/// that of the whole part by at most 2, and the remainder corrects it.
 [[nodiscard]] constexpr std::int64_t divide_by_reciprocal(std::int32_t signed_dividend,
                                                           std::int32_t signed_divisor,
                                                           const Reciprocal& reciprocal) {

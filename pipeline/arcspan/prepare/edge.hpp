@@ -55,7 +55,7 @@ struct EdgeSetup {
   /// Reciprocal of dy. Unset on short right edges until make_inverse() is called, because only the arc path
   /// interpolates along them.
   Reciprocal inverse;
-  Factor start;  ///< start_fraction() of a left edge
+  Factor start;  ///< start_fraction(); unset on short right edges
 
   constexpr void make_inverse() { inverse = nonzero_reciprocal(static_cast<std::uint32_t>(dy)); }
 };
@@ -71,12 +71,13 @@ struct EdgeSetup {
 [[nodiscard]] constexpr std::int32_t first_row_at(std::int32_t y) { return (y + 7) >> 4; }
 
 /// Sets up the edge from `top` to `bottom`, where top.y < bottom.y; `row` is the first row to be drawn.
+/// `interpolates` is false on short right edges, along which only arcs may interpolate.
 constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& bottom, std::int32_t row,
-                               bool on_left, EdgeSetup& edge) {
+                               bool interpolates, EdgeSetup& edge) {
   edge.dy = bottom.y - top.y;
   edge.offset = row * 16 + 8 - top.y;
-  if (on_left || !kHasLongMultiply) edge.make_inverse();
-  if (on_left) edge.start = start_fraction(edge);
+  if (interpolates || !kHasLongMultiply) edge.make_inverse();
+  if (interpolates) edge.start = start_fraction(edge);
 }
 
 /// Sets `walk` to the edge at its first row; `top` and `bottom` are the ends that `edge` was set up with.
@@ -87,9 +88,8 @@ constexpr void make_edge_walk(const EdgeSetup& edge, const RasterPosition& top, 
                                : detail::divide_by_reciprocal(dx, edge.dy, edge.inverse);
   // 1/2 - 2^-20 in 16ths of a pixel, as all terms of the sum are.
   constexpr std::int64_t kBias = (std::int64_t{1} << 35) - (std::int64_t{1} << 16);
-  walk.x = (scaled(walk.step, static_cast<std::uint32_t>(edge.offset)) + (std::int64_t{top.x} << 32) +
-            kBias) >>
-           4;
+  walk.x =
+      (scaled(walk.step, static_cast<std::uint32_t>(edge.offset)) + (std::int64_t{top.x} << 32) + kBias) >> 4;
 }
 
 }  // namespace arcspan

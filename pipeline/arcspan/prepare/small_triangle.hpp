@@ -11,7 +11,7 @@
 #include <type_traits>
 
 /// Triangles of a few pixels. Setting up edges, planes and rows for them would take most of their time, so
-/// their pixels are found by edge functions over their box, and everything that is interpolated follows from
+/// the columns of a row are stepped down the edges, and everything that is interpolated follows from
 /// barycentric coordinates at each pixel (decision 26).
 namespace arcspan {
 
@@ -114,8 +114,8 @@ namespace detail {
 /// The first column right of an edge, or with its centre on it, from row to row: the first pixel of a row if
 /// the edge is on the left, and the one behind the last if it is on the right (top-left rule). It is exact.
 ///
-/// Where an edge meets a row's centre line is a multiple of 1 / (16 dy) of a pixel, at least 2^-13. What is
-/// computed is less by less than that, and then the next integer above is the same.
+/// Where an edge meets a row's centre line is a multiple of 1 / (16 dy) of a pixel, at least 2^-13. at_ is
+/// too small by more than 0 and by less than 2^-14, so its floor is exact.
 class SteppedColumn {
  public:
   /// The edge from p down to q, at the row whose centre line is at `y` (28.4).
@@ -129,8 +129,8 @@ class SteppedColumn {
   static constexpr int kFraction = 20;
   static constexpr std::int32_t kOne = std::int32_t{1} << kFraction;
 
-  std::int32_t step_;  ///< change per row in pixels
-  std::int32_t at_;    ///< half a pixel right of the edge
+  std::int32_t step_;  ///< change per row in pixels, 20 fraction bits
+  std::int32_t at_;    ///< half a pixel right of the edge, 20 fraction bits
 };
 
 /// The same without a division.

@@ -57,15 +57,16 @@ struct SortedVertices {
 
 namespace detail {
 
-/// Swaps two vertices if `lower` is the higher one. That turns the triangle over.
+/// Swaps two vertices if `lower` is the higher one. That turns the triangle over, and so `middle_left`.
 template <class Method>
 ARCSPAN_INLINE_IF_SMALL constexpr void order_by_height(const RasterVertex<Method>*& upper,
-                                                       const RasterVertex<Method>*& lower, bool& is_front) {
+                                                       const RasterVertex<Method>*& lower,
+                                                       bool& middle_left) {
   if (lower->position.y < upper->position.y) {
     const RasterVertex<Method>* const held = upper;
     upper = lower;
     lower = held;
-    is_front = !is_front;
+    middle_left = !middle_left;
   }
 }
 

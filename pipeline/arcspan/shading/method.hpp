@@ -125,11 +125,11 @@ concept TakesVertexData = requires(const MeshView& mesh, std::size_t i, typename
 ///
 /// `Small` is the method's part of a small triangle. prepare_small(lighting, top, middle, bottom, is_medium,
 /// triangle, small) makes it from three RasterVertex, sorted by height, and the SmallTriangle; it returns
-/// false if the triangle has to be drawn by a TriangleCommand. is_dark_or_arcs(lighting, frame) tells of a
-/// TriangleFrame whether prepare_small() may take it as a medium triangle. walk_small(small, draw) calls
-/// `draw` with a surface and returns its status. The surface's row(y, middle, bottom) returns the run
-/// (PixelRun) of a row: `y` is the row's centre line (28.4), `middle` and `bottom` are the barycentric
-/// coordinates of its first pixel, 16 fraction bits.
+/// false if the triangle has to be drawn by a TriangleCommand. is_dark_or_arcs(lighting, vertices)
+/// tells of measured SortedVertices whether prepare_small() may take them as a medium triangle.
+/// walk_small(small, draw) calls `draw` with a surface and returns its status. The surface's row(y, middle,
+/// bottom) returns the run (PixelRun) of a row: `y` is the row's centre line (28.4), `middle` and `bottom`
+/// are the barycentric coordinates of its first pixel, 16 fraction bits.
 template <class M>
 concept DrawsSmallTriangles = std::same_as<typename M::DrawsSmallTrianglesAs, M>;
 

@@ -184,7 +184,7 @@ struct RowDrawer {
                                                                       const Walker& walker,
                                                                       const Target& target) {
     if constexpr (OutlinedWalker<Walker>) {
-      return draw(command, origin, walker, target);  // draw_run_outlined() has a copy
+      return draw(command, origin, walker, target);  // no copy here: draw_run_outlined() makes one
     } else {
       const Target local = target;
       return draw(command, origin, walker, local);

@@ -51,7 +51,7 @@ bool view_sphere(std::int64_t radius, const ClipTransform& transform, SphereView
   // In clip space, x and y are multiplied by focal / kGuardBand.
   const std::int64_t focal = transform.focal().raw();
   const std::int64_t unit = std::int64_t{1} << (transform.w_bits() + kEntryBits);
-  const std::int64_t unit_across = (focal * unit) >> detail::kGuardBits;
+  const std::int64_t unit_across = (focal * unit) >> detail::kGuardLengthBits;
   if (!within(transform, 2, unit) || !within(transform, 0, unit_across) ||
       !within(transform, 1, unit_across)) {
     return false;
@@ -64,7 +64,7 @@ bool view_sphere(std::int64_t radius, const ClipTransform& transform, SphereView
   const std::int64_t down = detail::magnitude64(origin.y);
   const std::int64_t edge = (across > down ? across : down) + distance_along(radius, unit_across);
   if (edge > view.nearest) return false;
-  view.widest_slope = quotient(quotient(edge << 16, view.nearest) << detail::kGuardBits, focal);
+  view.widest_slope = quotient(quotient(edge << 16, view.nearest) << detail::kGuardLengthBits, focal);
   return true;
 }
 

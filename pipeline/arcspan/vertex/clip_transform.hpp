@@ -16,7 +16,8 @@ namespace arcspan {
 /// Half the width of the guard band in pixels: projected vertices are at most this far from the viewport's
 /// middle in x and in y.
 inline constexpr std::int32_t kGuardBand = 1024;
-inline constexpr int kGuardBits = 10 + Subpixel::kFraction;  ///< of kGuardBand in sixteenths of a pixel
+/// log2 of kGuardBand in sixteenths of a pixel.
+inline constexpr int kGuardSubpixelBits = 10 + Subpixel::kFraction;
 
 /// A vertex in clip space, before the division by w; y points down. It is inside the guard band if |x| <= w
 /// and |y| <= w, and in front of the near plane if w >= ClipTransform::near_w(). The three have the same
@@ -98,7 +99,8 @@ class ClipTransform {
     return sum;
   }
   [[nodiscard]] constexpr const Viewport& viewport() const { return viewport_; }
-  /// What x / w or y / w (29 fraction bits; i = 0, 1) is increased by, to be rounded down to a Subpixel.
+  /// The summand that rounds x / w (i = 0) or y / w (i = 1), 29 fraction bits, to a Subpixel when bits are
+  /// dropped; half a pixel more where the viewport's size is odd.
   [[nodiscard]] constexpr std::int32_t rounding(std::size_t i) const { return rounding_[i]; }
   /// Upper bounds of the clip-space lengths, in w and in x or y, of an object-space length of at most 56756.
   [[nodiscard]] constexpr std::int32_t length_ahead(std::uint32_t length) const;

@@ -13,7 +13,8 @@ namespace detail {
 
 /// The largest distance of a 16-bit position from the object's origin: 32768 * sqrt(3), rounded up.
 inline constexpr std::int64_t kObjectRadius = 56756;
-inline constexpr int kGuardBits = 10 + PixelLength::kFraction;  // division of a PixelLength by kGuardBand
+/// log2 of kGuardBand as a PixelLength.
+inline constexpr int kGuardLengthBits = 10 + PixelLength::kFraction;
 
 [[nodiscard]] constexpr std::int64_t magnitude64(std::int64_t v) { return v < 0 ? -v : v; }
 
@@ -40,7 +41,7 @@ inline constexpr int kGuardBits = 10 + PixelLength::kFraction;  // division of a
   const std::int64_t x = farthest(placement.translation[0]);
   const std::int64_t y = farthest(placement.translation[1]);
   const std::int64_t widest =
-      (((x > y ? x : y) * placement.focal) >> (kGuardBits - placement.focal_bits)) + 1;
+      (((x > y ? x : y) * placement.focal) >> (kGuardLengthBits - placement.focal_bits)) + 1;
   const std::int64_t w = farthest(placement.translation[2]);
   const std::int64_t largest = widest > w ? widest : w;
   return 29 - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(largest)));
@@ -93,7 +94,7 @@ constexpr Status ClipTransform::make(const Placement& placement, const Projectio
   // The middle of a picture of odd size is the centre of its middle pixel, half a pixel from the raster
   // origin.
   const auto rounding = [](std::int32_t size) {
-    return ((size & 1) * 16 + 1) * (std::int32_t{1} << (28 - kGuardBits));
+    return ((size & 1) * 16 + 1) * (std::int32_t{1} << (28 - kGuardSubpixelBits));
   };
   transform.rounding_[0] = rounding(viewport.width);
   transform.rounding_[1] = rounding(viewport.height);
@@ -107,21 +108,21 @@ constexpr void ClipTransform::set_placement(const WidePlacement& placement) {
   // the screen and the camera looks along -z.
   for (std::size_t i = 0; i < 3; ++i) {
     const std::int64_t sign = i == 0 ? 1 : -1;
-    const std::int64_t factor = i < 2 ? placement.focal : std::int64_t{1} << detail::kGuardBits;
+    const std::int64_t factor = i < 2 ? placement.focal : std::int64_t{1} << detail::kGuardLengthBits;
     const int factor_bits = i < 2 ? placement.focal_bits : 0;
     for (std::size_t j = 0; j < 3; ++j) {
       const std::int32_t entry =
           detail::rescaled(sign * placement.rotation.m[i][j].raw(), factor,
-                           w_bits_ + factor_bits + 14 - RotationEntry::kFraction - detail::kGuardBits);
+                           w_bits_ + factor_bits + 14 - RotationEntry::kFraction - detail::kGuardLengthBits);
       matrix_[i][j] = detail::MatrixEntry(entry);
     }
     offset_[i] = detail::rescaled(sign * placement.translation[i], factor,
-                                  bits + factor_bits - ObjectLength::kFraction - detail::kGuardBits);
+                                  bits + factor_bits - ObjectLength::kFraction - detail::kGuardLengthBits);
   }
   // A near plane beyond the range of w hides everything. It saturates, so as not to wrap to the front.
   constexpr std::int64_t kFarthest = (std::int64_t{1} << 30) - 1;
-  const std::int64_t near_w =
-      (placement.near_plane << detail::kGuardBits) >> (ObjectLength::kFraction + detail::kGuardBits - bits);
+  const std::int64_t near_w = (placement.near_plane << detail::kGuardLengthBits) >>
+                              (ObjectLength::kFraction + detail::kGuardLengthBits - bits);
   near_w_ = static_cast<std::int32_t>(near_w < 1 ? 1 : near_w > kFarthest ? kFarthest : near_w);
   eye_ = placement.unit_bits <= 0 ? detail::eye_of(placement) : ObjectPoint{std::int32_t{1} << 23, 0, 0};
   focal_ = PixelLength::from_raw(placement.focal);
@@ -140,15 +141,16 @@ namespace detail {
 }  // namespace detail
 
 constexpr std::int32_t ClipTransform::length_ahead(std::uint32_t length) const {
-  return detail::clip_length(length, std::int64_t{1} << detail::kGuardBits, w_bits_ - detail::kGuardBits);
+  return detail::clip_length(length, std::int64_t{1} << detail::kGuardLengthBits,
+                             w_bits_ - detail::kGuardLengthBits);
 }
 
 constexpr std::int32_t ClipTransform::scaled_across(std::uint32_t length) const {
-  return detail::rescaled(length, focal_.raw(), w_bits_ + focal_bits_ - detail::kGuardBits);
+  return detail::rescaled(length, focal_.raw(), w_bits_ + focal_bits_ - detail::kGuardLengthBits);
 }
 
 constexpr std::int32_t ClipTransform::length_across(std::uint32_t length) const {
-  return detail::clip_length(length, focal_.raw(), w_bits_ + focal_bits_ - detail::kGuardBits);
+  return detail::clip_length(length, focal_.raw(), w_bits_ + focal_bits_ - detail::kGuardLengthBits);
 }
 
 }  // namespace arcspan

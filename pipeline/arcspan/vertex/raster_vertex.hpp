@@ -55,8 +55,8 @@ enum ClipOutcode : std::uint8_t {
   const auto inverse = static_cast<std::int32_t>(mantissa - (mantissa >> 31));  // at most 2^31 - 1
   const auto over_w = [=](std::int32_t c) { return multiply_high(wrap_shl(c, zeros - 1), inverse); };
   const auto screen = [&](std::int32_t c, std::int32_t rounding) {
-    const std::int32_t snapped = wrap_add(over_w(c), rounding) >> (29 - kGuardBits);
-    return static_cast<std::int16_t>(clamped_to_bits<kGuardBits + 1>(snapped));
+    const std::int32_t snapped = wrap_add(over_w(c), rounding) >> (29 - kGuardSubpixelBits);
+    return static_cast<std::int16_t>(clamped_to_bits<kGuardSubpixelBits + 1>(snapped));
   };
   near_over_w = over_w(transform.near_w());
   return {screen(p.x, transform.rounding(0)), screen(p.y, transform.rounding(1)),

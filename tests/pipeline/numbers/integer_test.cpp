@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The short products that stand in for long ones, and the quotient without a divide, are exact.
+// The short products that stand in for long ones, the quotient without a divide, and leading zeros by a table
+// are exact.
 #include <arcspan/numbers/integer.hpp>
+#include <arcspan/numbers/leading_zeros.hpp>
 #include <arcspan/numbers/quotient.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
+
+#include <bit>
 
 using namespace arcspan;
 using namespace arcspan::test;
@@ -37,6 +41,30 @@ TEST_CASE("a byte is clamped at both ends") {
   for (std::int32_t v = 0; v < 256; ++v) CHECK(clamped_byte(v) == static_cast<std::uint32_t>(v));
   for (const std::int32_t v : {-1, -256, -65536, INT32_MIN}) CHECK(clamped_byte(v) == 0);
   for (const std::int32_t v : {256, 511, 65536, INT32_MAX}) CHECK(clamped_byte(v) == 255);
+}
+
+TEST_CASE("numbers are clamped to a range of bits at both ends") {
+  for (const std::int32_t v : {-16384, -16383, -1, 0, 16382, 16383}) CHECK(clamped_to_bits<15>(v) == v);
+  for (const std::int32_t v : {-16385, -32768, -65536, INT32_MIN}) CHECK(clamped_to_bits<15>(v) == -16384);
+  for (const std::int32_t v : {16384, 32767, 65536, INT32_MAX}) CHECK(clamped_to_bits<15>(v) == 16383);
+}
+
+TEST_CASE("leading zeros are counted by the table as by an instruction") {
+  int wrong = 0;
+  const auto check = [&wrong](std::uint32_t v) {
+    wrong += detail::leading_zeros_by_table(v) == std::countl_zero(v) ? 0 : 1;
+  };
+  check(0);
+  for (int bit = 0; bit < 32; ++bit) {
+    const std::uint32_t power = std::uint32_t{1} << bit;
+    check(power - 1);
+    check(power);
+    check(power + 1);
+  }
+  check(UINT32_MAX);
+  Random random(23);
+  for (int i = 0; i < 100000; ++i) check(static_cast<std::uint32_t>(random.bits() >> random.integer(32, 63)));
+  CHECK(wrong == 0);
 }
 
 TEST_CASE("the quotient of an edge without a divide is the exact one") {

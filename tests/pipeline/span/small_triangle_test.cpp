@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small triangles, drawn by edge functions and barycentric coordinates, against the exact rules and against
-// the rows of a TriangleCommand.
+// Small triangles, drawn by columns stepped down their edges and by barycentric coordinates, against the
+// exact rules and against the rows of a TriangleCommand.
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 
@@ -127,6 +127,34 @@ double plane_depth(const Triangle& t, std::int32_t x, std::int32_t y) {
 }
 
 }  // namespace
+
+TEST_CASE("columns of an edge are exact, with and without a division") {
+  Random random(6);
+  int wrong = 0;
+  for (int i = 0; i < share_of(100000); ++i) {
+    constexpr std::int32_t kLongest = kMediumSize * 16;
+    const std::int32_t dx = random.integer(-kLongest, kLongest);
+    const std::int32_t dy = random.chance(0.3) ? random.integer(1, 20) : random.integer(1, kLongest);
+    const std::int32_t x = random.integer(-16384 + kLongest, 16383 - kLongest);
+    const std::int32_t y = random.integer(-16384, 16383 - kLongest);
+    const RasterPosition p{static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), 0};
+    const RasterPosition q{static_cast<std::int16_t>(x + dx), static_cast<std::int16_t>(y + dy), 0};
+    const std::int32_t end = first_row_at(q.y);
+    std::int32_t row = first_row_at(p.y);
+    if (row < end && random.chance(0.5)) row = random.integer(row, end - 1);
+    arcspan::detail::SteppedColumn stepped(p, q, row * 16 + 8);
+    arcspan::detail::SettledColumn settled(p, q, row * 16 + 8);
+    for (; row < end; ++row) {
+      const std::int32_t column = stepped.column();
+      // Of the centre of this column: above 0 right of the edge.
+      const std::int32_t apart = (column * 16 + 8 - p.x) * dy - (row * 16 + 8 - p.y) * dx;
+      wrong += settled.column() == column && apart >= 0 && apart < 16 * dy ? 0 : 1;
+      stepped.advance();
+      settled.advance();
+    }
+  }
+  CHECK(wrong == 0);
+}
 
 TEST_CASE("small triangles cover exactly the pixels of the top-left rule") {
   Random random(1);

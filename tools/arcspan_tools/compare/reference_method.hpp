@@ -64,7 +64,7 @@ struct ReferenceMethod {
     prepared.top = corner(*frame.top);
     prepared.middle = corner(*frame.middle);
     prepared.bottom = corner(*frame.bottom);
-    prepared.first_y = (frame.long_edge.top->y + frame.long_edge.offset) / 16.0;
+    prepared.first_y = (frame.top->position.y + frame.long_edge.offset) / 16.0;
     prepared.kind = frame.top->shade.kind;
   }
 

@@ -63,10 +63,10 @@ struct ArcUpTo {
     return on_arc(a, b, t);
   }
 
-  /// Returns the squared chords between the normals of a TriangleFrame (MeasuresChords).
-  template <class Frame>
-  [[nodiscard]] static constexpr TriangleChords chords_of(const Frame& frame) {
-    return chords_of_normals(frame);
+  /// Returns the squared chords between the normals of SortedVertices (MeasuresChords).
+  template <class Vertices>
+  [[nodiscard]] static constexpr TriangleChords chords_of(const Vertices& vertices) {
+    return chords_of_normals(vertices);
   }
 
   /// Chooses the path of a triangle and prepares it. `Frame` is a TriangleFrame whose vertices have this
@@ -113,8 +113,8 @@ struct ArcUpTo {
     const auto diffuse = Small::diffuse_of(lighting, corners, chords.widest(), shines);
     return small.prepare(lighting, corners, chords, shines, diffuse, is_medium, triangle);
   }
-  [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const auto& frame) {
-    return Small::is_dark_or_arcs(lighting, frame);
+  [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const auto& vertices) {
+    return Small::is_dark_or_arcs(lighting, vertices);
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {

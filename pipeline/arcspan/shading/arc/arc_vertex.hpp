@@ -20,12 +20,12 @@ struct ArcVertex {
   std::array<Cosine, Count> scalars;
 };
 
-/// Returns the squared chords between the normals of a TriangleFrame whose vertices are ArcVertex.
-template <class Frame>
-[[nodiscard]] constexpr TriangleChords chords_of_normals(const Frame& frame) {
-  const Normal& top = frame.top->shade.normal;
-  const Normal& middle = frame.middle->shade.normal;
-  const Normal& bottom = frame.bottom->shade.normal;
+/// Returns the squared chords between the normals of SortedVertices whose shades are ArcVertex.
+template <class Vertices>
+[[nodiscard]] constexpr TriangleChords chords_of_normals(const Vertices& vertices) {
+  const Normal& top = vertices.top->shade.normal;
+  const Normal& middle = vertices.middle->shade.normal;
+  const Normal& bottom = vertices.bottom->shade.normal;
   return {squared_chord(top, middle), squared_chord(top, bottom), squared_chord(middle, bottom)};
 }
 

@@ -39,7 +39,7 @@ template <bool kForHighlights>
 class ArcSeries {
  public:
   ArcSeries() = default;  // without values, so that a union may hold one
-  /// `s`: 15 fraction bits, 0...1.
+  /// `chord`: the squared chord s, 15 fraction bits, 0...1.
   ARCSPAN_OUTLINE_IF_SMALL constexpr explicit ArcSeries(std::int32_t chord) {
     const auto s = static_cast<std::uint32_t>(chord);
     std::uint32_t rise = 0;
@@ -196,8 +196,10 @@ class SmallArc {
  private:
   static constexpr int kMoreBits = 15;
 
-  /// Returns 2^31 / length; the length is at most 32 pixels.
+  /// Returns 2^31 / length; the length is at most kMediumSize pixels, below 512 sixteenths, as
+  /// short_reciprocal() needs.
   [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t inverse_of(std::int32_t length) {
+    static_assert(kMediumSize * 16 < 512);
     const Reciprocal inverse = short_reciprocal(static_cast<std::uint32_t>(length));
     return inverse.mantissa << (31 - inverse.exponent);
   }
@@ -253,7 +255,7 @@ class SmallArc {
       const std::int32_t apart =
           wrap_add(wrap_mul(corner, of_corner), wrap_mul((middle * far) >> 15, chords.middle_far));
       const std::int32_t chord = wrap_sub(sum * sum, apart) >> 15;
-      return chord < 0 ? 0 : chord;  // up to 1, because the vertices' are, and rounding errors
+      return chord < 0 ? 0 : chord;  // may exceed 1 by rounding; ArcSeries bears up to 1.4
     }
   };
 

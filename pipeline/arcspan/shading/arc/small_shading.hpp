@@ -54,14 +54,14 @@ class SmallShading {
     }
   }
   /// Returns true if a triangle may be drawn as a small one although it is medium: if it is dark or consists
-  /// of arcs. `Frame` is a TriangleFrame.
-  template <class Frame>
-  [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const Frame& frame) {
-    const auto& top = frame.top->shade.scalars;
-    const auto& middle = frame.middle->shade.scalars;
-    const auto& bottom = frame.bottom->shade.scalars;
+  /// of arcs. `Vertices` are SortedVertices.
+  template <class Vertices>
+  [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const Vertices& vertices) {
+    const auto& top = vertices.top->shade.scalars;
+    const auto& middle = vertices.middle->shade.scalars;
+    const auto& bottom = vertices.bottom->shade.scalars;
     if (is_dark(top, middle, bottom)) return true;
-    const std::uint32_t widest = frame.chords.widest();
+    const std::uint32_t widest = vertices.chords.widest();
     if (widest <= lighting.widest_patch() || widest > kWidestArc) return false;
     if constexpr (Lighting::kHasRamp) {
       if (widest <= kWidestDiffusePatch && !lighting.may_shine(top, middle, bottom, arc_headroom(widest)))

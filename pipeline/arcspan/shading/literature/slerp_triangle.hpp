@@ -186,9 +186,9 @@ struct SlerpBase {
   [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
     return on_arc(a, b, t);
   }
-  template <class Frame>
-  [[nodiscard]] static constexpr TriangleChords chords_of(const Frame& frame) {
-    return chords_of_normals(frame);
+  template <class Vertices>
+  [[nodiscard]] static constexpr TriangleChords chords_of(const Vertices& vertices) {
+    return chords_of_normals(vertices);
   }
   template <class Frame>
   static constexpr void prepare(const Lighting&, Frame& frame, const Face&, Prepared& prepared) {

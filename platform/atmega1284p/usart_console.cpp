@@ -71,7 +71,6 @@ std::uint64_t ticks() {
 
 }  // namespace arcspan::bare
 
-#pragma clang diagnostic ignored "-Wreserved-identifier"  // the name that avr-libc's vector table has
 /// Timer/Counter1 overflow: vector 16 in the data sheet's table 11-1, 15 in names, which count from 0.
 extern "C" __attribute__((signal, used)) void __vector_15() {
   arcspan::bare::overflows = arcspan::bare::overflows + 1;

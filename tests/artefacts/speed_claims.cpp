@@ -255,7 +255,7 @@ constexpr Claim kClaims[] = {
      "S3: 1.3",
      {"phong-diffuse"},
      {"dichotomy-root4-diffuse"},
-     "S3's text can be read either way; this reading comes within 10 % of its figures. Every dichotomy "
+     "S3's text can be read either way; this reading comes nearer to its figures. Every dichotomy "
      "here divides the normals at the ends of a segment by a reciprocal root",
      {"phong-reciprocal-diffuse"},
      {"dichotomy-root4-diffuse"}},

@@ -54,21 +54,13 @@ class Scissor {
   template <bool MayBeInside>
   [[nodiscard]] constexpr ScissorTest test(const RasterPosition& a, const RasterPosition& b,
                                            const RasterPosition& c) const {
-    const bool crossing = !MayBeInside || leaves_columns(a, b, c);
+    const bool crossing = !MayBeInside || leaves_columns(left_, right_, a, b, c);
     if (crossing && is_outside_columns(a, b, c)) return ScissorTest::kOutside;
     if (is_band_ && has_no_row_in_band(a, b, c)) return ScissorTest::kOutside;
     return crossing ? ScissorTest::kCrossing : ScissorTest::kInside;
   }
 
  private:
-  /// True if a vertex lies left or right of the scissor.
-  [[nodiscard]] constexpr bool leaves_columns(const RasterPosition& a, const RasterPosition& b,
-                                              const RasterPosition& c) const {
-    const std::uint32_t width = static_cast<std::uint32_t>(wrap_sub(right_, left_));
-    const auto outside = [&](std::int32_t x) { return static_cast<std::uint32_t>(x - left_) > width; };
-    return outside(a.x) || outside(b.x) || outside(c.x);
-  }
-
   /// True if all vertices lie on the same side of the scissor's columns.
   [[nodiscard]] constexpr bool is_outside_columns(const RasterPosition& a, const RasterPosition& b,
                                                   const RasterPosition& c) const {

@@ -63,6 +63,7 @@ struct PackedRgb {
   /// `sum` with every channel that has carried set to 1023. The carries of red and blue are in `sum`.
   [[nodiscard]] static constexpr PackedRgb saturated(std::uint32_t sum, bool green_carry) {
     const std::uint32_t carries = sum & kCarries;
+    // A carry is the bit above its channel: it is cleared, and the ten bits below it are set.
     const std::uint32_t rest = (sum - carries) | (carries - (carries >> 10));
     return {green_carry ? rest | ~std::uint32_t{0} << 22 : rest};
   }

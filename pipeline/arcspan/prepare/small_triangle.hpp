@@ -133,7 +133,8 @@ class SteppedColumn {
   std::int32_t at_;    ///< half a pixel right of the edge, 20 fraction bits
 };
 
-/// The same without a division.
+/// SteppedColumn without a division: the edge function is kept at the centre of the column, and the column
+/// moves until the value is that of the first one right of the edge.
 class SettledColumn {
  public:
   ARCSPAN_INLINE constexpr SettledColumn(const RasterPosition& p, const RasterPosition& q, std::int32_t y)
@@ -183,14 +184,6 @@ using EdgeColumn = std::conditional_t<kHasLongMultiply, SteppedColumn, SettledCo
 }
 
 }  // namespace detail
-
-/// Returns true if a vertex lies left or right of the columns left ... right - 1, relative to the raster
-/// origin.
-[[nodiscard]] constexpr bool cuts(std::int32_t left, std::int32_t right, const RasterPosition& a,
-                                  const RasterPosition& b, const RasterPosition& c) {
-  const auto outside = [=](std::int32_t x) { return (x - left * 16) | (right * 16 - x); };
-  return (outside(a.x) | outside(b.x) | outside(c.x)) < 0;
-}
 
 /// Finds the pixels of a small triangle in the rows of `limits`. The vertices are sorted by height, and the
 /// middle one is on the left of the long edge where `middle_left` is true. Returns false, with `triangle`

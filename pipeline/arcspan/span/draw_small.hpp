@@ -64,7 +64,7 @@ template <class Method, class Target>
   SmallTriangle triangle;
   if (!cover_small_triangle(p, q, r, vertices.middle_left,
                             {scissor.top - origin.y, scissor.bottom - origin.y}, triangle) ||
-      (crosses && cuts(scissor.left - origin.x, scissor.right - origin.x, p, q, r) &&
+      (crosses && leaves_columns((scissor.left - origin.x) * 16, (scissor.right - origin.x) * 16, p, q, r) &&
        !cut_columns(scissor.left - origin.x, scissor.right - origin.x, triangle))) {
     const std::int32_t first = first_row_at(p.y);
     const std::int32_t end = first_row_at(r.y);

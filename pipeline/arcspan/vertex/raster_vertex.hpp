@@ -21,6 +21,15 @@ struct RasterPosition {
   friend constexpr bool operator==(const RasterPosition&, const RasterPosition&) = default;
 };
 
+/// Returns true if a vertex lies left of `left` or right of `right`, in sixteenths of a pixel from the raster
+/// origin; left <= right.
+[[nodiscard]] constexpr bool leaves_columns(std::int32_t left, std::int32_t right, const RasterPosition& a,
+                                            const RasterPosition& b, const RasterPosition& c) {
+  const std::uint32_t width = static_cast<std::uint32_t>(wrap_sub(right, left));
+  const auto outside = [=](std::int32_t x) { return static_cast<std::uint32_t>(wrap_sub(x, left)) > width; };
+  return outside(a.x) || outside(b.x) || outside(c.x);
+}
+
 /// One bit for each plane of the clip volume that a vertex is outside of.
 enum ClipOutcode : std::uint8_t {
   kInside = 0,

@@ -148,7 +148,7 @@ TEST_CASE("columns of an edge are exact, with and without a division") {
     arcspan::detail::SettledColumn settled(p, q, row * 16 + 8);
     while (true) {
       const std::int32_t column = stepped.column();
-      // Of the centre of this column: above 0 right of the edge.
+      // The edge function at the centre of this column; it is positive right of the edge.
       const std::int32_t apart = (column * 16 + 8 - p.x) * dy - (row * 16 + 8 - p.y) * dx;
       wrong += settled.column() == column && apart >= 0 && apart < 16 * dy ? 0 : 1;
       if (++row == end) break;  // below the edge's end its columns would not fit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Instantiates the templates of hal/ for every format, so that scripts/check-objects can inspect their code.
+// The templates of hal/ for every format: their code is inspected, too.
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/hal/framebuffer_window.hpp>
 #include <arcspan/hal/panel/ili9341.hpp>

@@ -7,9 +7,13 @@ alone() {
   flock "build/test-logs/$(basename "$1").lock" "${@:2}"
 }
 
+# configured PRESET [CMAKE_OPTION...]: configures, unless it is done and there are no options: a build looks for changes itself.
+configured() { [ $# -eq 1 ] && [ -e "build/$1/build.ninja" ] || cmake --preset "$@"; }
+export -f configured
+
 # build_preset PRESET [CMAKE_OPTION...]: configures and builds quietly; the last of the output if it fails.
 build_preset() {
   local log=build/test-logs/build-$1.log
   mkdir -p build/test-logs
-  alone "$1" bash -c 'cmake --preset "$@" && cmake --build --preset "$1"' - "$@" >"$log" 2>&1 || { tail -60 "$log"; return 1; }
+  alone "$1" bash -c 'configured "$@" && cmake --build --preset "$1"' - "$@" >"$log" 2>&1 || { tail -60 "$log"; return 1; }
 }

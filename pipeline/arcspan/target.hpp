@@ -5,6 +5,7 @@
 #error "arcspan needs C++20: compile with -std=c++20 or newer"
 #endif
 
+#include <cstdint>
 #include <type_traits>
 
 /// Everything in pipeline/ that depends on the compiler, on the processor core or on the optimisation level:
@@ -203,6 +204,21 @@ ARCSPAN_INLINE constexpr void hide_value(T& value) {
   if constexpr (kHasManyRegisters && std::is_scalar_v<T>) {
     if (!std::is_constant_evaluated()) asm("" : "+r"(value));
   }
+}
+
+/// Returns `v` clamped to the range of signed integers of `Bits` bits; only if kHasSaturate. gcc finds the
+/// instruction itself, but not in a loop, where it keeps the limits in registers.
+template <int Bits>
+[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t saturated(std::int32_t v) {
+  constexpr std::int32_t kMost = (std::int32_t{1} << (Bits - 1)) - 1;
+#if defined(__ARM_FEATURE_SAT)
+  if (!std::is_constant_evaluated()) {
+    std::int32_t result;
+    asm("ssat %0, %1, %2" : "=r"(result) : "I"(Bits), "r"(v));
+    return result;
+  }
+#endif
+  return v < -kMost - 1 ? -kMost - 1 : v > kMost ? kMost : v;
 }
 
 }  // namespace arcspan

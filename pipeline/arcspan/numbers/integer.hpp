@@ -32,10 +32,12 @@ namespace arcspan {
   return byte;
 }
 
-/// `v` clamped to the range of signed integers of `Bits` bits, by one comparison where nothing is clamped.
+/// `v` clamped to the range of signed integers of `Bits` bits. One instruction on processors that saturate;
+/// one comparison on others, where nothing is clamped.
 template <int Bits>
 [[nodiscard]] constexpr std::int32_t clamped_to_bits(std::int32_t v) {
   static_assert(Bits > 0 && Bits < 32);
+  if constexpr (kHasSaturate) return saturated<Bits>(v);
   constexpr std::uint32_t kHalf = std::uint32_t{1} << (Bits - 1);
   if (static_cast<std::uint32_t>(v) + kHalf < 2 * kHalf) return v;
   return v < 0 ? -static_cast<std::int32_t>(kHalf) : static_cast<std::int32_t>(kHalf - 1);

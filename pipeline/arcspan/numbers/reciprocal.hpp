@@ -73,7 +73,9 @@ namespace detail {
 /// is reciprocal_mantissa(normalised).
 [[nodiscard]] constexpr std::uint32_t refined_mantissa(std::uint32_t normalised, std::uint32_t r) {
   // n r - 1 with 31 fraction bits, below 81700 in magnitude: the leading 1 is 2^31 and drops out.
-  const std::uint32_t product = (normalised >> 16) * r + (((normalised & 0xFFFFu) * r) >> 16);
+  const std::uint32_t product = kHasLongMultiply
+                                    ? static_cast<std::uint32_t>((std::uint64_t{normalised} * r) >> 16)
+                                    : (normalised >> 16) * r + (((normalised & 0xFFFFu) * r) >> 16);
   const auto error = static_cast<std::int32_t>(product - (std::uint32_t{1} << 31));
   const std::int32_t correction = (error * static_cast<std::int32_t>(r >> 2)) >> 14;
   return (r << 15) - static_cast<std::uint32_t>(correction);

@@ -12,11 +12,12 @@ namespace arcspan::detail {
 
 /// An entry of a matrix, below 2^28 in magnitude, for cores whose 64-bit sums of products are cheap.
 struct WholeEntry {
-  std::int32_t whole;
+  std::int32_t raised;  ///< times 2^3, so that scaled_sum() needs the upper half of a sum only
 
   WholeEntry() = default;
-  constexpr explicit WholeEntry(std::int32_t entry) : whole(entry) {}
-  [[nodiscard]] constexpr std::int64_t value() const { return whole; }
+  constexpr explicit WholeEntry(std::int32_t entry) : raised(entry * (1 << kRaise)) {}
+  [[nodiscard]] constexpr std::int64_t value() const { return raised >> kRaise; }
+  static constexpr int kRaise = 3;
   friend constexpr bool operator==(const WholeEntry&, const WholeEntry&) = default;
 };
 
@@ -37,9 +38,11 @@ using MatrixEntry = std::conditional_t<kHasLongSums, WholeEntry, SplitEntry>;
 /// Returns the product of a row and a position, divided by 2^14 and rounded down, modulo 2^32. Both functions
 /// return the same bits.
 [[nodiscard]] constexpr std::int32_t scaled_sum(const WholeEntry (&row)[3], ObjectPosition p) {
-  const std::int64_t sum =
-      std::int64_t{row[0].whole} * p.x + std::int64_t{row[1].whole} * p.y + std::int64_t{row[2].whole} * p.z;
-  return static_cast<std::int32_t>(sum >> 14);
+  const auto product = [](const WholeEntry& entry, std::int32_t coordinate) {
+    return std::int64_t{entry.raised} * (coordinate * (1 << (32 - 14 - WholeEntry::kRaise)));  // up to 2^61
+  };
+  return static_cast<std::int32_t>((product(row[0], p.x) + product(row[1], p.y) + product(row[2], p.z)) >>
+                                   32);
 }
 [[nodiscard]] constexpr std::int32_t scaled_sum(const SplitEntry (&row)[3], ObjectPosition p) {
   const std::int32_t high =

@@ -171,6 +171,13 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// may_shine(). INT32_MAX if no light reaches it.
   [[nodiscard]] constexpr std::int32_t nearest_highlight(const Scalars& a, const Scalars& b, const Scalars& c,
                                                          Cosine headroom) const;
+  /// nearest_highlight() by a bound that is sharper where normals are far apart. `ab`, `ac` and `bc` are the
+  /// squared chords between them, 28 fraction bits. The bound is not sharp if it is below `reach`. Only for
+  /// R·V of one light, otherwise INT32_MIN.
+  [[nodiscard]] constexpr std::int32_t nearest_highlight_between(std::int32_t reach, const Scalars& a,
+                                                                 const Scalars& b, const Scalars& c,
+                                                                 std::uint32_t ab, std::uint32_t ac,
+                                                                 std::uint32_t bc) const;
   /// nearest_highlight() of one light.
   [[nodiscard]] constexpr std::int32_t nearest_highlight_of(std::size_t light, const Scalars& a,
                                                             const Scalars& b, const Scalars& c,

@@ -61,6 +61,53 @@ constexpr bool Illumination<Lights, Model, Features>::may_shine_between(const Sc
   return detail::nearest_between(rough(a), rough(b), angle2) < power_.half_reach();
 }
 
+/// With N = sum l_i N_i / w, w^2 = 1 - sum l_i l_j s_ij, s_ij = |N_i - N_j|^2, and K = (1 + L·V) / 2, the
+/// half distance K - (N·L)(N·V) exceeds r where
+///
+///     sum l_i (h_i - r) - sum l_i l_j (m_ij - r s_ij) > 0,   m_ij = K s_ij - ((N_i - N_j)·L) ((N_i - N_j)·V)
+///
+/// and h_i are the half distances of the vertices. With h the least of them the left side is at least
+/// h - r - sum l_i l_j (m_ij - r s_ij - h_i - h_j + 2h), and sum l_i l_j <= 1/3. So it is positive if r < h
+/// and r (3 - s_ij) < h_i + h_j + h - m_ij for all edges.
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight_between(
+    std::int32_t reach, const Scalars& a, const Scalars& b, const Scalars& c, std::uint32_t ab,
+    std::uint32_t ac, std::uint32_t bc) const {
+  if constexpr (Lights == 1 && Model == Highlight::kPhong) {
+    constexpr std::int32_t kRounding = std::int32_t{1} << (28 - 11);  // of factors with 14 fraction bits
+    const std::int32_t most = half_one_plus_light_eye_[0] >> 2;       // K, 28 fraction bits
+    struct Vertex {
+      std::int32_t light;
+      std::int32_t eye;
+      std::int32_t distance;  // 28 fraction bits
+    };
+    const auto vertex = [most](const Scalars& at) {
+      const std::int32_t light = at[0].raw() >> 16;
+      const std::int32_t eye = at[1].raw() >> 16;
+      return Vertex{light, eye, most - light * eye - kRounding};
+    };
+    const Vertex at_a = vertex(a);
+    const Vertex at_b = vertex(b);
+    const Vertex at_c = vertex(c);
+    const auto lesser = [](std::int32_t p, std::int32_t q) { return p < q ? p : q; };
+    const std::int32_t least = lesser(lesser(at_a.distance, at_b.distance), at_c.distance);
+    const auto along = [most, least](const Vertex& p, const Vertex& q, std::uint32_t chord) {
+      const auto s = static_cast<std::int32_t>(chord >> 14);
+      const std::int32_t room =
+          p.distance + q.distance + least + (p.light - q.light) * (p.eye - q.eye) - (most >> 14) * s;
+      return ((room >> 14) * (10923 + ((s * 7282) >> 15))) >> 1;  // (1 + s/3) / 3 < 1 / (3 - s)
+    };
+    // Most triangles that a highlight reaches are found by their vertices.
+    const std::int32_t within = reach >> 2;
+    std::int32_t nearest = least;
+    if (nearest > within) nearest = lesser(nearest, along(at_a, at_b, ab));
+    if (nearest > within) nearest = lesser(nearest, along(at_a, at_c, ac));
+    if (nearest > within) nearest = lesser(nearest, along(at_b, at_c, bc));
+    return wrap_shl(nearest, 2);
+  }
+  return INT32_MIN;
+}
+
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr std::int32_t Illumination<Lights, Model, Features>::half_distance(Cosine normal_light, Cosine other,
                                                                             std::size_t light) const {

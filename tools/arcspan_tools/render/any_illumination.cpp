@@ -72,6 +72,12 @@ class CallsOf final : public IlluminationCalls {
     if (light >= kLights) return INT32_MAX;
     return wrapped_.nearest_highlight_of(light, few_of(a), few_of(b), few_of(c), headroom);
   }
+  [[nodiscard]] std::int32_t nearest_highlight_between(std::int32_t reach, const AnyScalars& a,
+                                                       const AnyScalars& b, const AnyScalars& c,
+                                                       std::uint32_t ab, std::uint32_t ac,
+                                                       std::uint32_t bc) const override {
+    return wrapped_.nearest_highlight_between(reach, few_of(a), few_of(b), few_of(c), ab, ac, bc);
+  }
   [[nodiscard]] std::int32_t half_distance(Cosine normal_light, Cosine other,
                                            std::size_t light) const override {
     return wrapped_.half_distance(normal_light, other, light);

@@ -44,6 +44,10 @@ class IlluminationCalls {
   [[nodiscard]] virtual std::int32_t nearest_highlight_of(std::size_t light, const AnyScalars& a,
                                                           const AnyScalars& b, const AnyScalars& c,
                                                           Cosine headroom) const = 0;
+  [[nodiscard]] virtual std::int32_t nearest_highlight_between(std::int32_t reach, const AnyScalars& a,
+                                                               const AnyScalars& b, const AnyScalars& c,
+                                                               std::uint32_t ab, std::uint32_t ac,
+                                                               std::uint32_t bc) const = 0;
   [[nodiscard]] virtual std::int32_t half_distance(Cosine normal_light, Cosine other,
                                                    std::size_t light) const = 0;
   [[nodiscard]] virtual bool may_clamp(bool shines) const = 0;
@@ -120,6 +124,11 @@ class AnyIllumination {
   [[nodiscard]] std::int32_t nearest_highlight_of(std::size_t light, const Scalars& a, const Scalars& b,
                                                   const Scalars& c, Cosine headroom) const {
     return calls_->nearest_highlight_of(light, a, b, c, headroom);
+  }
+  [[nodiscard]] std::int32_t nearest_highlight_between(std::int32_t reach, const Scalars& a, const Scalars& b,
+                                                       const Scalars& c, std::uint32_t ab, std::uint32_t ac,
+                                                       std::uint32_t bc) const {
+    return calls_->nearest_highlight_between(reach, a, b, c, ab, ac, bc);
   }
   [[nodiscard]] std::int32_t half_distance(Cosine normal_light, Cosine other, std::size_t light) const {
     return calls_->half_distance(normal_light, other, light);

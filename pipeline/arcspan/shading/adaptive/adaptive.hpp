@@ -103,10 +103,15 @@ struct AdaptivePaths : Arc<Illumination> {
     bool shines = true;
     typename Base::Small::Diffuse diffuse{};
     if constexpr (Base::kHasDiffusePath) {
-      const std::int32_t nearest = lighting.nearest_highlight(a.shade.scalars, b.shade.scalars,
-                                                              c.shade.scalars, arc_headroom(chords.widest()));
+      const std::int32_t nearest = Base::Small::sharper_nearest(
+          lighting,
+          lighting.nearest_highlight(a.shade.scalars, b.shade.scalars, c.shade.scalars,
+                                     arc_headroom(chords.widest())),
+          lighting.half_tolerance_reach(), lighting.eighth_tolerance_reach(), corners, chords, is_medium);
       shines = nearest < lighting.half_tolerance_reach();
-      diffuse = Base::Small::diffuse_of(lighting, corners, chords.widest(), shines);
+      diffuse =
+          Base::Small::diffuse_of(lighting, corners, chords.widest(), shines,
+                                  is_medium ? kWidestDiffusePatch : lighting.diffuse_patch_limit(nearest));
       if (diffuse.suffices && !is_medium && chords.widest() <= kWidestBounded) {
         const LinearLevels levels(chords, diffuse.a, diffuse.b, diffuse.c);
         if (levels.quadruple_error() <= lighting.linear_limit(nearest)) {

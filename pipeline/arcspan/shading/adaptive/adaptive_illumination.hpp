@@ -47,6 +47,7 @@ class AdaptiveIllumination : public Illumination {
     eighth_tolerance_reach_ = reach_of(tolerance / (8 * highlights));
     linear_limit_ = linear_limit_of(tolerance - tolerance / 2);
     far_linear_limit_ = linear_limit_of(tolerance - tolerance / 8);
+    far_diffuse_patch_limit_ = diffuse_patch_limit_of(tolerance - tolerance / 8);
     segment_limit_with_highlight_ = segment_limit_of(tolerance, true);
     segment_limit_without_highlight_ = segment_limit_of(tolerance - tolerance / 2, false);
     highlight_patch_limit_ = highlight_patch_limit_of(tolerance);
@@ -57,11 +58,19 @@ class AdaptiveIllumination : public Illumination {
   /// Returns the half distance from which on highlights are omitted, because they are below half the
   /// tolerance: (1 - c) / 2 of the highlight's cosine c, 30 fraction bits.
   [[nodiscard]] constexpr std::int32_t half_tolerance_reach() const { return half_tolerance_reach_; }
+  /// The same for an eighth of the tolerance.
+  [[nodiscard]] constexpr std::int32_t eighth_tolerance_reach() const { return eighth_tolerance_reach_; }
 
   /// Returns the largest product of the normals' squared radius and N·L for which light may be linear, 28
   /// fraction bits, in a triangle whose half distance from the highlight is at least `half_distance`.
   [[nodiscard]] constexpr std::uint32_t linear_limit(std::int32_t half_distance) const {
     return half_distance >= eighth_tolerance_reach_ ? far_linear_limit_ : linear_limit_;
+  }
+
+  /// Returns the largest squared chord for which N·L may be a patch in a triangle like that of
+  /// linear_limit(), 28 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t diffuse_patch_limit(std::int32_t half_distance) const {
+    return half_distance >= eighth_tolerance_reach_ ? far_diffuse_patch_limit_ : kWidestDiffusePatch;
   }
 
   /// Returns the largest squared chord of a triangle's widest edge for which the highlight's distance may be
@@ -183,6 +192,32 @@ class AdaptiveIllumination : public Illumination {
     return 0;
   }
 
+  /// Returns diffuse_patch_limit() for a tolerance. N·L of a patch differs from that of arcs by at most 0.018
+  /// a^3, where a is the widest chord (decision 26). From 40 degrees on, factors of SmallPatch would
+  /// overflow.
+  [[nodiscard]] constexpr std::uint32_t diffuse_patch_limit_of(std::uint32_t tolerance) const {
+    if constexpr (Illumination::kHasRamp) {
+      constexpr std::uint32_t kWidest = 125601300u;  // 40 degrees
+      if (Illumination::lights() == 1) {
+        const std::uint32_t limit =
+            squared_chord_of(std::uint64_t{Illumination::most_ramp()} * 18, std::uint64_t{tolerance} * 1000);
+        return limit < kWidestDiffusePatch ? kWidestDiffusePatch : limit < kWidest ? limit : kWidest;
+      }
+    }
+    return kWidestDiffusePatch;
+  }
+
+  /// Returns the square of the largest chord below 1 whose cube times `height` is at most `most`, 28
+  /// fraction bits.
+  [[nodiscard]] static constexpr std::uint32_t squared_chord_of(std::uint64_t height, std::uint64_t most) {
+    std::uint32_t inside = 0;
+    for (std::uint32_t bit = 1u << 15; bit != 0; bit >>= 1) {  // of a chord, 16 fraction bits
+      const std::uint64_t chord = inside + bit;
+      if (((chord * chord * chord) >> 8) * height <= most << 40) inside += bit;
+    }
+    return (inside * inside) >> 4;
+  }
+
   /// Returns the half distance beyond which the highlight is below `steps`, found by bisection.
   [[nodiscard]] constexpr std::int32_t reach_of(std::uint32_t steps) const {
     std::int32_t inside = 0;
@@ -225,13 +260,9 @@ class AdaptiveIllumination : public Illumination {
     if (Illumination::shininess() > kSharpest) return 0;
     const std::uint64_t height =
         std::uint64_t{Illumination::most_specular()} * (Illumination::shininess() + 6);
-    const std::uint64_t most = (std::uint64_t{tolerance} * 108) << 40;  // 255 / 2.35, 40 fraction bits
-    std::uint32_t inside = 0;
-    for (std::uint32_t bit = 1u << 14; bit != 0; bit >>= 1) {  // of a chord, 16 fraction bits
-      const std::uint64_t chord = inside + bit;
-      if (((chord * chord * chord) >> 8) * height <= most) inside += bit;
-    }
-    return (inside * inside) >> 4;
+    const std::uint32_t limit = squared_chord_of(height, std::uint64_t{tolerance} * 108);  // 255 / 2.35
+    constexpr std::uint32_t kWidest = (1u << 26) - 1;  // of a chord of 1/2
+    return limit < kWidest ? limit : kWidest;
   }
 
   /// Returns the largest squared angle of a piece of a row over which the highlight's distance may be a
@@ -249,6 +280,7 @@ class AdaptiveIllumination : public Illumination {
   std::int32_t eighth_tolerance_reach_ = 0;
   std::uint32_t linear_limit_ = 0;
   std::uint32_t far_linear_limit_ = 0;
+  std::uint32_t far_diffuse_patch_limit_ = 0;
   std::uint32_t segment_limit_with_highlight_ = 0;
   std::uint32_t segment_limit_without_highlight_ = 0;
   std::uint32_t highlight_patch_limit_ = 0;

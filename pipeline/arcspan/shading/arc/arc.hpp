@@ -107,10 +107,12 @@ struct ArcUpTo {
     const SmallCorners corners{a, b, c};
     bool shines = true;
     if constexpr (kHasDiffusePath) {
-      shines = lighting.may_shine(a.shade.scalars, b.shade.scalars, c.shade.scalars,
-                                  arc_headroom(chords.widest()));
+      const std::int32_t reach = lighting.power().half_reach();
+      const std::int32_t nearest = lighting.nearest_highlight(a.shade.scalars, b.shade.scalars,
+                                                              c.shade.scalars, arc_headroom(chords.widest()));
+      shines = Small::sharper_nearest(lighting, nearest, reach, reach, corners, chords, is_medium) < reach;
     }
-    const auto diffuse = Small::diffuse_of(lighting, corners, chords.widest(), shines);
+    const auto diffuse = Small::diffuse_of(lighting, corners, chords.widest(), shines, kWidestDiffusePatch);
     return small.prepare(lighting, corners, chords, shines, diffuse, is_medium, triangle);
   }
   [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const auto& vertices) {

@@ -76,16 +76,33 @@ class SmallShading {
     return is_dark(a, b, c);
   }
 
-  /// `widest`: the widest squared chord; `shines`: true if a highlight is within reach.
+  /// Returns a sharper lower bound of the highlight's half distance if `nearest`, that of
+  /// nearest_highlight(), is below `far`. Whether it exceeds `reach` is what matters. Not of patches, which
+  /// gain less than the bound costs, nor of medium triangles that could be patches, which are refused.
+  template <class Raster>
+  [[nodiscard]] static constexpr std::int32_t sharper_nearest(const Lighting& lighting, std::int32_t nearest,
+                                                              std::int32_t reach, std::int32_t far,
+                                                              const SmallCorners<Raster>& at,
+                                                              const TriangleChords& chords, bool is_medium) {
+    const std::uint32_t widest_patch = is_medium ? kWidestDiffusePatch : lighting.widest_patch();
+    if (nearest >= far || chords.widest() <= widest_patch) return nearest;
+    const std::int32_t sharper =
+        lighting.nearest_highlight_between(reach, at.a.shade.scalars, at.b.shade.scalars, at.c.shade.scalars,
+                                           chords.top_middle, chords.top_bottom, chords.middle_bottom);
+    return sharper > nearest ? sharper : nearest;
+  }
+
+  /// `widest`: the widest squared chord; `shines`: true if a highlight is within reach; `limit`: the widest
+  /// squared chord of a patch of N·L.
   template <class Raster>
   [[nodiscard]] static constexpr Diffuse diffuse_of(const Lighting& lighting, const SmallCorners<Raster>& at,
-                                                    std::uint32_t widest, bool shines) {
+                                                    std::uint32_t widest, bool shines, std::uint32_t limit) {
     if constexpr (Lighting::kHasRamp) {
       const auto& a = at.a.shade.scalars;
       const auto& b = at.b.shade.scalars;
       const auto& c = at.c.shade.scalars;
       std::uint32_t lit = 0;
-      if (!shines && widest <= kWidestDiffusePatch && lighting.lit_throughout(a, b, c, lit)) {
+      if (!shines && widest <= limit && lighting.lit_throughout(a, b, c, lit)) {
         return {true, lighting.diffuse_scalar(a, lit), lighting.diffuse_scalar(b, lit),
                 lighting.diffuse_scalar(c, lit)};
       }

@@ -59,20 +59,21 @@ Lit random_light(Random& random, const Direction& near) {
   return lit;
 }
 
-/// The most that adaptive differs from arc, over the tolerance.
+/// The most that adaptive differs from arc, over the tolerance, in triangles of at most `size` pixels.
 template <class Lit>
-int most_beyond_tolerance(std::uint64_t seed, int triangles, std::int32_t tolerance) {
+int most_beyond_tolerance(std::uint64_t seed, int triangles, std::int32_t tolerance,
+                          std::int32_t size = kSize) {
   Random random(seed);
   int most = -256;
   for (int i = 0; i < share_of(triangles); ++i) {
     const bool wide = random.chance(0.5);
     const ScreenTriangle triangle =
-        random_screen_triangle(random, kSize, wide ? random.real(16, 120) : random.decades(0.5, 60));
+        random_screen_triangle(random, size, wide ? random.real(16, 120) : random.decades(0.5, 60));
     const Lit lit = random_light<Lit>(random, triangle.normals[0]);
     AdaptiveIllumination<Lit> lighting(lit);
     REQUIRE(ok(lighting.set_tolerance(tolerance)));
-    const TrianglePicture exact = picture_of<Arc<Lit>>(triangle, lit, kSize);
-    const TrianglePicture near = picture_of<Adaptive<Lit>>(triangle, lighting, kSize);
+    const TrianglePicture exact = picture_of<Arc<Lit>>(triangle, lit, size);
+    const TrianglePicture near = picture_of<Adaptive<Lit>>(triangle, lighting, size);
     const int beyond = most_different(exact, near) - tolerance;
     if (beyond > most) {
       most = beyond;
@@ -192,4 +193,32 @@ TEST_CASE("adaptive stays within its tolerance of arc") {
   CHECK(most_beyond_tolerance<Illumination<1, Highlight::kPhong>>(seed, 8000, tolerance) <= 1);
   CHECK(most_beyond_tolerance<Illumination<2, Highlight::kBlinn>>(seed, 2000, tolerance) <= 1);
   CHECK(most_beyond_tolerance<Illumination<3, Highlight::kPhong>>(seed, 2000, tolerance) <= 1);
+}
+
+TEST_CASE("adaptive stays within its tolerance of arc in small triangles") {
+  const std::int32_t tolerance = GENERATE(0, 1, 5);
+  CAPTURE(tolerance);
+  const auto seed = static_cast<std::uint64_t>(80 + tolerance);
+  CHECK(most_beyond_tolerance<Illumination<1, Highlight::kBlinn>>(seed, 20000, tolerance, kSmallSize) <= 1);
+  CHECK(most_beyond_tolerance<Illumination<1, Highlight::kPhong>>(seed, 20000, tolerance, kSmallSize) <= 1);
+  CHECK(most_beyond_tolerance<Illumination<2, Highlight::kPhong>>(seed, 4000, tolerance, kSmallSize) <= 1);
+}
+
+TEST_CASE("without a highlight small triangles are patches up to 0.018 a^3 of the tolerance") {
+  using Lit = Illumination<1, Highlight::kPhong>;
+  Material material;
+  material.diffuse.r = Coefficient::of(0.6);
+  material.shininess = 16;
+  Lit lit;
+  REQUIRE(ok(Lit::make(material, {DirectionalLight{to_direction(Vec3{0, 0, 1})}}, to_direction(Vec3{0, 0, 1}),
+                       lit)));
+  AdaptiveIllumination<Lit> lighting(lit);
+  const double chord = std::sqrt(lighting.diffuse_patch_limit(INT32_MAX) * 0x1p-28);
+  CHECK(255 * 0.6 * 0.018 * std::pow(chord, 3) == Approx(0.875).epsilon(0.002));
+  CHECK(lighting.diffuse_patch_limit(0) == kWidestDiffusePatch);
+  REQUIRE(ok(lighting.set_tolerance(0)));
+  CHECK(lighting.diffuse_patch_limit(INT32_MAX) == kWidestDiffusePatch);
+  REQUIRE(ok(lighting.set_tolerance(64)));
+  CHECK(std::sqrt(lighting.diffuse_patch_limit(INT32_MAX) * 0x1p-28) ==
+        Approx(2 * std::sin(20 * std::acos(-1.0) / 180)));
 }

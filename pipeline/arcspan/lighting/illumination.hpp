@@ -12,6 +12,7 @@
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/colour.hpp>
+#include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/status.hpp>
 
 #include <array>
@@ -154,7 +155,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
     if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return table[scalars[0]];
     const std::uint32_t power = fade()(power_(half_distance), scalars[0]);
-    return Format::encode(diffuse_colour(scalars[0]).plus(highlight(power)));
+    return encode_varying<Format>(diffuse_colour(scalars[0]).plus(highlight(power)));
   }
 
   /// False if no normal of a triangle has a highlight. `a`, `b` and `c` are the scalars of its vertices;

@@ -105,6 +105,22 @@ namespace detail {
   }
 }
 
+/// base + scaled_down(value, factor, 16). Where a product has two words, each of its halves is shifted by the
+/// addition that takes it.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t plus_scaled_down(std::int32_t base, std::int32_t value,
+                                                                     std::uint32_t factor) {
+  if constexpr (kHasWideRegisters || !kHasLongMultiply) {
+    return wrap_add(base, scaled_down(value, factor, 16));
+  } else {
+    auto signed_factor = static_cast<std::int32_t>(factor);
+    hide_value(signed_factor);  // gcc multiplies a signed by an unsigned number in three instructions
+    const auto product = static_cast<std::uint64_t>(std::int64_t{value} * signed_factor);
+    const std::uint32_t low = static_cast<std::uint32_t>(product) >> 16;
+    const std::uint32_t high = static_cast<std::uint32_t>(product >> 32) << 16;
+    return wrap_add(wrap_add(base, static_cast<std::int32_t>(low)), static_cast<std::int32_t>(high));
+  }
+}
+
 /// value * factor, for factor < 2^16. The result must fit 64 bits.
 [[nodiscard]] constexpr std::int64_t scaled(std::int64_t value, std::uint32_t factor) {
   if constexpr (kHasLongMultiply) {

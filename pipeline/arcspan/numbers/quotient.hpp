@@ -17,7 +17,11 @@ namespace detail {
   const std::int32_t rest = (dividend << 16) - upper * divisor;
   const std::int32_t below = rest >> 31;  // -1 if the upper half was rounded up
   const auto lower_rest = static_cast<std::uint32_t>(rest + (divisor & below)) << 16;
-  return (std::int64_t{upper + below} << 16) | (lower_rest / static_cast<std::uint32_t>(divisor));
+  const std::int32_t whole = upper + below;  // 16 fraction bits
+  const std::uint32_t low =
+      (static_cast<std::uint32_t>(whole) << 16) | (lower_rest / static_cast<std::uint32_t>(divisor));
+  return static_cast<std::int64_t>(
+      (static_cast<std::uint64_t>(static_cast<std::uint32_t>(whole >> 16)) << 32) | low);
 }
 
 /// Returns dividend / divisor with 32 fraction bits, rounded down. The divisor is above 0 and, like the

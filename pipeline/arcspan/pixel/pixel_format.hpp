@@ -3,6 +3,7 @@
 
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/dither.hpp>
+#include <arcspan/target.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -76,6 +77,16 @@ template <PixelFormat F>
     return F::encode(c);
   } else {
     return F::encode(c.rgb8());
+  }
+}
+
+/// F::encode(c) of a colour that differs from pixel to pixel.
+template <PixelFormat F>
+[[nodiscard]] ARCSPAN_INLINE constexpr typename F::Encoded encode_varying(PackedRgb c) {
+  if constexpr (requires { F::encode_varying(c); }) {
+    return F::encode_varying(c);
+  } else {
+    return F::encode(c);
   }
 }
 

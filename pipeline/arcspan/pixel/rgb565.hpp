@@ -6,6 +6,7 @@
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/target.hpp>
 
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -37,6 +38,22 @@ struct Rgb565 {
     // For processors where a shift is part of another instruction, but such a mask is not.
     return static_cast<Encoded>(((c.lanes >> 5) & ~0x07E0u) | ((c.lanes >> 26) << 5));
   }
+#if ARCSPAN_HAS_BIT_INSERT
+  /// encode(c) for colours that differ from pixel to pixel: by the bit-field insert instruction, which gcc
+  /// does not move out of a loop over pixels of one colour.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Encoded encode_varying(PackedRgb c) {
+    // gcc uses the instruction for assignments to bit-fields, but for no expression.
+    struct Bits {
+      std::uint32_t blue : 5;
+      std::uint32_t green : 6;
+      std::uint32_t above : 21;
+    };
+    auto bits = std::bit_cast<Bits>(c.lanes >> 5);
+    const std::uint32_t green = c.lanes >> 26;
+    bits.green = green & 63u;
+    return static_cast<Encoded>(std::bit_cast<std::uint32_t>(bits));
+  }
+#endif
   /// encode(c.packed()), directly from the words.
   [[nodiscard]] static constexpr Encoded encode(ColourSegment c) {
     const std::uint32_t levels = c.red_blue & 0x7C007C00u;  // one shift per channel; the other one falls out

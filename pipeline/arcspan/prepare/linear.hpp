@@ -42,12 +42,6 @@ using FullLinearPlane = BasicLinearPlane<FullLinear>;
 template <class Value>
 inline constexpr int kFractionBits = Value::kFraction < 15 ? 14 : 15;
 
-/// Returns value * fraction, rounded down, with 32-bit multiplies. `fraction` has 16 fraction bits and is in
-/// 0...1; the magnitude of the raw value is at most 2^29.
-[[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr Linear times_fraction(Linear value, std::uint32_t fraction) {
-  return Linear::from_raw(scaled_down(value.raw(), fraction, 16));
-}
-
 /// Returns difference * fraction in the format of `Value`; `fraction` is in 0...1.
 template <class Value>
 [[nodiscard]] constexpr std::int32_t part_of(std::int32_t difference, Factor fraction) {
@@ -73,7 +67,8 @@ constexpr void make_linear_edge(const EdgeSetup& edge, std::int32_t from, std::i
 /// Returns the attribute at a row's first pixel. Every skipped column adds exactly one gradient, so that
 /// starting a row later does not change its pixels.
 [[nodiscard]] ARCSPAN_INLINE constexpr Linear linear_at(const LinearPlane& plane, const RowStart& start) {
-  const Linear first = plane.left.at + times_fraction(plane.dx, start.fraction);
+  const Linear first =
+      Linear::from_raw(plus_scaled_down(plane.left.at.raw(), plane.dx.raw(), start.fraction));
   if (start.skipped == 0) [[likely]] {
     return first;
   }

@@ -22,6 +22,12 @@ concept HasSeveralScalars = requires {
   requires(Run::kUsed > 1);
 };
 
+/// True if the pixels of `Run` have scalars, so that their colours differ.
+template <class Run>
+concept HasScalars = requires {
+  requires(Run::kUsed > 0);
+};
+
 /// The bits that the index of indexed rows has below the number of a pixel: 1 if it counts bytes, which
 /// pixels as large as depths allow. It costs a shift per row. That pays where an index has to be scaled for
 /// every pixel, and in runs of several scalars: gcc keeps the scaled index in a register, which these lack.

@@ -5,6 +5,7 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/colour.hpp>
+#include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/shading/arc/row_pieces.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
@@ -140,10 +141,10 @@ class AdaptiveIllumination : public Illumination {
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded_with_highlight_at(
       Cosine diffuse, std::int32_t distance, std::uint32_t weight, const Colours& encoded) const {
     if (highlight_table_.is_white(distance)) [[likely]] {
-      return Format::encode(lit_colour(diffuse).plus(highlight(distance, weight)));
+      return encode_varying<Format>(lit_colour(diffuse).plus(highlight(distance, weight)));
     }
     if (distance >= HighlightTable::kReach) return encoded[diffuse];
-    return Format::encode(lit_colour(diffuse).plus(highlight(distance, weight)));
+    return encode_varying<Format>(lit_colour(diffuse).plus(highlight(distance, weight)));
   }
 
   /// Returns the largest squared angle of a segment within which colours may be linear, 28 fraction bits;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/lighting/pixel_light.hpp>
+#include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/shading/adaptive/highlight_patch.hpp>
 #include <arcspan/shading/arc/wide_walker.hpp>
 #include <arcspan/target.hpp>
@@ -71,7 +72,7 @@ class AdaptiveWideRun : public SecondDifferenceRun<Count> {
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
                                                                           const Colours& encoded) const {
     if (path_ == PiecePath::kDiffuse) return encoded[this->scalars()[0]];
-    return Format::encode(colour(lighting));
+    return encode_varying<Format>(colour(lighting));
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/pixel/colour.hpp>
+#include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/prepare/row_start.hpp>
 #include <arcspan/shading/patch/patch.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
@@ -37,7 +38,7 @@ class HighlightPatchRun : public SecondDifferenceRun<2> {
       return lighting.template encoded_with_highlight_at<Format>(scalars()[0], scalars()[1].raw(), weight(),
                                                                  encoded);
     } else {
-      return Format::encode(colour(lighting));
+      return encode_varying<Format>(colour(lighting));
     }
   }
   constexpr void set_weight(std::uint32_t weight) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/lighting/pixel_light.hpp>
+#include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/shading/patch/patch.hpp>
 #include <arcspan/target.hpp>
@@ -116,7 +117,7 @@ class PatchRun : public SecondDifferenceRun<Used> {
       if constexpr (Colours::kForHighlights && Lighting::kLights == 1) {
         return lighting.template encoded<Format>(this->scalars(), encoded);
       } else {
-        return Format::encode(colour(lighting));
+        return encode_varying<Format>(colour(lighting));
       }
     } else {
       return encoded[this->scalars()[0]];

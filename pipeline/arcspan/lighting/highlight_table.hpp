@@ -16,25 +16,24 @@ namespace arcspan {
 
 namespace detail {
 
-inline constexpr int kPositionBits = 8;  ///< fraction bits of a position in the table, in intervals
+inline constexpr int kPositionBits = 16;  ///< fraction bits of a position in the table, in intervals
 
-/// The line through an interval's two values, in 4 bytes.
+/// The line through an interval's two values, in 4 bytes: the value at its begin in the upper half, the
+/// decrease to its end in the lower, both in 8-bit steps with 8 fraction bits. As a part of the sum the lower
+/// half is below 2^-8 of a step.
 class ShortHighlightLine {
  public:
   constexpr ShortHighlightLine() = default;
-  /// `here` is the value at the interval's begin and `fall` the decrease to its end, in 8-bit steps with 8
-  /// fraction bits.
   constexpr ShortHighlightLine(std::uint32_t, std::uint32_t here, std::uint32_t fall)
-      : here_(static_cast<std::uint16_t>(here)), fall_(static_cast<std::uint16_t>(fall)) {}
-  /// The value at a position of the table within the interval, in 8-bit steps with 16 fraction bits.
+      : line_((here << kPositionBits) | fall) {}
+  /// The value at a position of the table within the interval, in 8-bit steps with 24 fraction bits.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::uint32_t position) const {
     const std::uint32_t fraction = position & ((1u << kPositionBits) - 1);
-    return (std::uint32_t{here_} << kPositionBits) - fall_ * fraction;
+    return line_ - (line_ & 0xFFFFu) * fraction;
   }
 
  private:
-  std::uint16_t here_ = 0;
-  std::uint16_t fall_ = 0;
+  std::uint32_t line_ = 0;
 };
 
 /// Like ShortHighlightLine, in 8 bytes: the line is extended to position 0 of the table, which saves a mask
@@ -43,14 +42,14 @@ class LongHighlightLine {
  public:
   constexpr LongHighlightLine() = default;
   constexpr LongHighlightLine(std::uint32_t interval, std::uint32_t here, std::uint32_t fall)
-      : origin_((here + fall * interval) << kPositionBits), rise_(0 - fall) {}
+      : origin_(((here + fall * interval) << kPositionBits) + fall), rise_(0 - fall) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::uint32_t position) const {
     return origin_ + rise_ * position;
   }
 
  private:
-  std::uint32_t origin_ = 0;
-  std::uint32_t rise_ = 0;  ///< minus the fall, modulo 2^32
+  std::uint32_t origin_ = 0;  ///< modulo 2^32, as is the sum
+  std::uint32_t rise_ = 0;    ///< minus the fall
 };
 
 }  // namespace detail
@@ -106,23 +105,23 @@ class HighlightTable {
   /// raised above 1, counts as 0.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb operator()(std::int32_t distance) const {
     if (is_white(distance)) [[likely]] {
-      return PackedRgb::grey(level(static_cast<std::uint32_t>(distance)) >> 14);
+      return PackedRgb::grey(level(static_cast<std::uint32_t>(distance)) >> 22);
     }
-    return in_shares(level(distance < 0 ? 0u : static_cast<std::uint32_t>(distance)) >> 8);
+    return in_shares(level(distance < 0 ? 0u : static_cast<std::uint32_t>(distance)) >> 16);
   }
   /// The highlight times `weight`, 0...1 with 15 fraction bits.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb operator()(std::int32_t distance,
                                                               std::uint32_t weight) const {
     if (is_white(distance)) [[likely]] {
-      return PackedRgb::grey(((level(static_cast<std::uint32_t>(distance)) >> 8) * weight) >> 21);
+      return PackedRgb::grey(((level(static_cast<std::uint32_t>(distance)) >> 16) * weight) >> 21);
     }
-    const std::uint32_t here = level(distance < 0 ? 0u : static_cast<std::uint32_t>(distance)) >> 8;
+    const std::uint32_t here = level(distance < 0 ? 0u : static_cast<std::uint32_t>(distance)) >> 16;
     return in_shares((here * weight) >> 15);
   }
 
  private:
   static constexpr std::uint32_t kIntervals = 128;
-  static constexpr int kPositionShift = 11;  // 2^11 = kReach / (kIntervals << kPositionBits)
+  static constexpr int kPositionShift = 3;  // 2^3 = kReach / (kIntervals << kPositionBits)
   using Line = std::conditional_t<kHasWideRegisters, detail::LongHighlightLine, detail::ShortHighlightLine>;
 
   /// The colour whose largest channel is `most`, in 8-bit steps with 8 fraction bits.
@@ -131,7 +130,7 @@ class HighlightTable {
     return PackedRgb::of(share(0), share(1), share(2));
   }
 
-  /// The largest channel of the highlight in 8-bit steps, 16 fraction bits; distance < kReach.
+  /// The largest channel of the highlight in 8-bit steps, 24 fraction bits; distance < kReach.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t level(std::uint32_t distance) const {
     return lines_[distance >> (kPositionShift + detail::kPositionBits)](distance >> kPositionShift);
   }

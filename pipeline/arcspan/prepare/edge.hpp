@@ -37,11 +37,9 @@ struct EdgeWalk {
   }
 
   ARCSPAN_INLINE constexpr void advance() {
-    std::int64_t at = x;
     std::int64_t per_row = step;
-    if constexpr (kLoadsPairs && !kOptimisedForSize) hide_value(at);  // otherwise loaded word by word
-    if constexpr (kLoadsPairs) hide_value(per_row);
-    x = at + per_row;
+    if constexpr (kLoadsPairs) hide_value(per_row);  // otherwise loaded word by word
+    x += per_row;
   }
   /// Steps `rows` rows at once, 0...2^15 - 1; the result is that of `rows` calls of advance().
   constexpr void advance(std::int32_t rows) { x += scaled(step, static_cast<std::uint32_t>(rows)); }

@@ -106,10 +106,10 @@ TEST_CASE("both forms of a ramp's line have the same values") {
     const auto fall = static_cast<std::uint32_t>(random.integer(0, static_cast<std::int32_t>(here)));
     const detail::ShortHighlightLine shorter(interval, here, fall);
     const detail::LongHighlightLine longer(interval, here, fall);
-    for (std::uint32_t fraction = 0; fraction < 256; ++fraction) {
+    for (std::uint32_t fraction = 0; fraction < 1u << detail::kPositionBits; fraction += 251) {
       const std::uint32_t position = interval << detail::kPositionBits | fraction;
-      different +=
-          shorter(position) == longer(position) && shorter(position) == (here << 8) - fall * fraction ? 0 : 1;
+      const std::uint32_t value = (here << detail::kPositionBits) + fall - fall * fraction;
+      different += shorter(position) == longer(position) && shorter(position) == value ? 0 : 1;
     }
   }
   CHECK(different == 0);

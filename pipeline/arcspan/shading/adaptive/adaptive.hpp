@@ -26,7 +26,7 @@ namespace arcspan {
 /// 3. Segments of 4...16 pixels (S3): wide rows whose colours have small second derivatives, away
 ///    from the terminator.
 /// 4. A patch of N·L and of a highlight's distance: small triangles whose vertices are all lit, within reach
-///    of the highlight of one light.
+///    of the highlight of one light. N·L is linear if both errors together are within the tolerance.
 /// 5. The paths of Arc: a patch of every scalar, or arcs.
 ///
 /// `Segments` false leaves out path 3.
@@ -42,6 +42,7 @@ struct AdaptivePaths : Arc<Illumination> {
     int segment_bits;      ///< path 3: segments have 2^segment_bits pixels; 0 for none
     bool linear_light;     ///< path 1: N·L alone, in `light`
     bool highlight_patch;  ///< path 4: the patch has the diffuse scalar and a highlight's scaled distance
+    bool linear_diffuse;   ///< path 4: the diffuse scalar is in `light`
     std::uint32_t highlight_weight;  ///< path 4: of the light
   };
 
@@ -141,6 +142,10 @@ struct AdaptivePaths : Arc<Illumination> {
     }
     if constexpr (kHasHighlightPatch) {
       if (prepared.highlight_patch) {
+        if (prepared.linear_diffuse) {
+          return draw(LinearHighlightWalker<Lighting>(prepared.light, prepared.patch[1], prepared.middle_left,
+                                                      prepared.highlight_weight));
+        }
         return draw(HighlightPatchWalker<Lighting, Base::kScalars>(prepared.patch, prepared.middle_left,
                                                                    prepared.highlight_weight));
       }
@@ -205,6 +210,19 @@ struct AdaptivePaths : Arc<Illumination> {
     }
   }
 
+  /// Makes the plane of a diffuse scalar, of a triangle of at most kWidestBounded, if its error is within
+  /// `linear_limit`; otherwise returns false.
+  template <class Frame>
+  [[nodiscard]] static constexpr bool make_linear_light(const Frame& frame, const PatchValues& light,
+                                                        std::uint32_t linear_limit, Prepared& prepared) {
+    const LinearLevels levels(frame.chords, light.top, light.middle, light.bottom);
+    // A gradient saturates at 2 per pixel, which a sliver may exceed.
+    if (levels.range() >= frame.width || levels.quadruple_error() > linear_limit) return false;
+    make_linear_plane(frame, levels.lifted(levels.a), levels.lifted(levels.b), levels.lifted(levels.c),
+                      prepared.light);
+    return true;
+  }
+
   /// Prepares N·L alone: linear if the error is within `linear_limit`, otherwise by Arc's paths. `lit` is
   /// that of lit_throughout().
   template <class Frame>
@@ -214,14 +232,8 @@ struct AdaptivePaths : Arc<Illumination> {
     const std::uint32_t widest = frame.chords.widest();
     if (widest <= kWidestBounded) {
       const PatchValues light = Base::diffuse_scalars(lighting, frame, lit);
-      const LinearLevels levels(frame.chords, light.top, light.middle, light.bottom);
-      // A gradient saturates at 2 per pixel, which a sliver may exceed.
-      if (levels.range() < frame.width && levels.quadruple_error() <= linear_limit) {
-        prepared.linear_light = true;
-        make_linear_plane(frame, levels.lifted(levels.a), levels.lifted(levels.b), levels.lifted(levels.c),
-                          prepared.light);
-        return;
-      }
+      prepared.linear_light = make_linear_light(frame, light, linear_limit, prepared);
+      if (prepared.linear_light) return;
     }
     Base::prepare_path(lighting, frame, Base::diffuse_path(patch_fits(frame), widest), prepared);
   }
@@ -264,7 +276,10 @@ struct AdaptivePaths : Arc<Illumination> {
     const std::int32_t at_bottom = distance(bottom[light], bottom[other]);
     const HighlightTable& table = lighting.highlight_table();
     if (!table.fits(farthest)) return false;
-    make_patch_scalar(frame, factors, Base::diffuse_scalars(lighting, frame, lit), prepared.patch[0]);
+    const PatchValues diffuse = Base::diffuse_scalars(lighting, frame, lit);
+    prepared.linear_diffuse = make_linear_light(
+        frame, diffuse, lighting.linear_limit_with_highlight(frame.chords.widest()), prepared);
+    if (!prepared.linear_diffuse) make_patch_scalar(frame, factors, diffuse, prepared.patch[0]);
     const auto scaled = [&table](std::int32_t half) { return Cosine::from_raw(table.scaled(half)); };
     const PatchValues at{scaled(at_top), scaled(at_middle), scaled(at_bottom)};
     const EdgeQuadrupleSagittas sagittas{

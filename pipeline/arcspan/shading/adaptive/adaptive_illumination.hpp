@@ -52,6 +52,14 @@ class AdaptiveIllumination : public Illumination {
     segment_limit_with_highlight_ = segment_limit_of(tolerance, true);
     segment_limit_without_highlight_ = segment_limit_of(tolerance - tolerance / 2, false);
     highlight_patch_limit_ = highlight_patch_limit_of(tolerance);
+    whole_linear_limit_ = linear_limit_of(tolerance);
+    // Of several lights, all but one may have a highlight that is omitted.
+    linear_share_ = (1u << 15) - (1u << 14) * (highlights - 1) / highlights;
+    patch_limit_inverse_ =
+        Illumination::model() == Highlight::kBlinn ? 0  // exact
+        : highlight_patch_limit_ < (1u << 16)
+            ? UINT32_MAX
+            : static_cast<std::uint32_t>((std::uint64_t{1} << 47) / highlight_patch_limit_);
     highlight_row_limit_ = highlight_row_limit_of(highlight_patch_limit_);
     return Status::kOk;
   }
@@ -72,6 +80,14 @@ class AdaptiveIllumination : public Illumination {
   /// linear_limit(), 28 fraction bits.
   [[nodiscard]] constexpr std::uint32_t diffuse_patch_limit(std::int32_t half_distance) const {
     return half_distance >= eighth_tolerance_reach_ ? far_diffuse_patch_limit_ : kWidestDiffusePatch;
+  }
+
+  /// linear_limit() of a triangle whose highlight's distance is a patch; `chord` is its widest squared chord,
+  /// at most highlight_patch_limit(). The patch's error grows with chord^(3/2), and x^(3/2) <= x (1 + x) / 2.
+  [[nodiscard]] constexpr std::uint32_t linear_limit_with_highlight(std::uint32_t chord) const {
+    const std::uint32_t x = multiply_high(chord, patch_limit_inverse_);  // 15 fraction bits
+    const std::uint32_t used = (x * ((1u << 15) + x)) >> 16;
+    return used < linear_share_ ? (whole_linear_limit_ >> 15) * (linear_share_ - used) : 0;
   }
 
   /// Returns the largest squared chord of a triangle's widest edge for which the highlight's distance may be
@@ -285,6 +301,9 @@ class AdaptiveIllumination : public Illumination {
   std::uint32_t segment_limit_with_highlight_ = 0;
   std::uint32_t segment_limit_without_highlight_ = 0;
   std::uint32_t highlight_patch_limit_ = 0;
+  std::uint32_t patch_limit_inverse_ = 0;  ///< 1 / highlight_patch_limit_, 47 - 28 fraction bits; 0 if exact
+  std::uint32_t whole_linear_limit_ = 0;   ///< linear_limit() for all of the tolerance
+  std::uint32_t linear_share_ = 0;         ///< of the tolerance beside omitted highlights, 15 fraction bits
   Factor highlight_row_limit_{};
   std::array<PackedRgb, kLitEntries> lit_colours_{};
 };

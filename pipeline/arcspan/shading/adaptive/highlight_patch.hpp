@@ -4,6 +4,7 @@
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
+#include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/row_start.hpp>
 #include <arcspan/shading/patch/patch.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
@@ -15,27 +16,57 @@
 
 namespace arcspan {
 
-/// The pixels of a row (PixelRun) with the highlight of one light. Second differences step both
-/// diffuse_scalar() and the highlight's scaled distance (HighlightTable), so no product is computed per pixel
-/// (decision 7).
-template <class Lighting>
-class HighlightPatchRun : public SecondDifferenceRun<2> {
+/// The diffuse_scalar() and the scaled distance of a highlight (HighlightTable), both stepped by second
+/// differences.
+class CurvedHighlight : public SecondDifferenceRun<2> {
+ public:
+  [[nodiscard]] constexpr Cosine diffuse() const { return scalars()[0]; }
+  [[nodiscard]] constexpr std::int32_t distance() const { return scalars()[1].raw(); }
+};
+
+/// Like CurvedHighlight, with a diffuse scalar that is linear on the screen.
+class LinearHighlight {
+ public:
+  ARCSPAN_INLINE constexpr void start(FullLinear light, FullLinear step, const PatchScalar& distance,
+                                      const RowStart& start) {
+    light_ = Cosine::from_raw(light.raw());
+    step_ = Cosine::from_raw(step.raw());
+    distance_.start(0, distance, start.fraction);
+    if (start.skipped != 0) distance_.skip(start.skipped);
+  }
+  ARCSPAN_INLINE constexpr void next() {
+    light_ += step_;
+    distance_.next();
+  }
+  [[nodiscard]] constexpr Cosine diffuse() const { return light_; }
+  [[nodiscard]] constexpr std::int32_t distance() const { return distance_.scalars()[0].raw(); }
+
+ private:
+  Cosine light_;
+  Cosine step_;
+  SecondDifferenceRun<1> distance_;
+};
+
+/// The pixels of a row (PixelRun) with the highlight of one light. `Steps` (CurvedHighlight, LinearHighlight)
+/// steps the diffuse scalar and the highlight's distance, so no product is computed per pixel (decision 7).
+template <class Lighting, class Steps>
+class SteppedHighlightRun : public Steps {
  public:
   static constexpr std::size_t kUsed = 2;
 
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
-    return lighting.colour_with_highlight_at(scalars()[0], scalars()[1].raw(), weight());
+    return lighting.colour_with_highlight_at(this->diffuse(), this->distance(), weight());
   }
   /// Returns the parts of colour() (LightRun).
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
-    return lighting.light_with_highlight_at(scalars()[0], scalars()[1].raw(), weight());
+    return lighting.light_with_highlight_at(this->diffuse(), this->distance(), weight());
   }
   /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
   template <class Format, class Colours>
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
                                                                           const Colours& encoded) const {
     if constexpr (Colours::kForHighlights) {
-      return lighting.template encoded_with_highlight_at<Format>(scalars()[0], scalars()[1].raw(), weight(),
+      return lighting.template encoded_with_highlight_at<Format>(this->diffuse(), this->distance(), weight(),
                                                                  encoded);
     } else {
       return encode_varying<Format>(colour(lighting));
@@ -53,6 +84,9 @@ class HighlightPatchRun : public SecondDifferenceRun<2> {
   std::array<std::uint32_t, Lighting::kLights == 1 ? 0 : 1> weight_;  ///< highlight_weight() of its light
 };
 
+template <class Lighting>
+using HighlightPatchRun = SteppedHighlightRun<Lighting, CurvedHighlight>;
+
 /// Steps a highlight patch (RowWalker).
 template <class Lighting, std::size_t Count>
 class HighlightPatchWalker : public PatchWalker<HighlightPatchRun<Lighting>, Count> {
@@ -69,6 +103,43 @@ class HighlightPatchWalker : public PatchWalker<HighlightPatchRun<Lighting>, Cou
   }
 
  private:
+  std::uint32_t weight_;
+};
+
+/// Steps a highlight patch whose diffuse scalar is linear on the screen (RowWalker): a plane and one scalar
+/// of a patch, which it changes in place.
+template <class Lighting>
+class LinearHighlightWalker {
+ public:
+  using Run = SteppedHighlightRun<Lighting, LinearHighlight>;
+
+  constexpr LinearHighlightWalker(FullLinearPlane& light, PatchScalar& distance, bool middle_left,
+                                  std::uint32_t weight)
+      : light_(&light), distance_(&distance), middle_left_(middle_left), weight_(weight) {}
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
+    Run run;
+    run.start(linear_at(*light_, start), light_->dx, *distance_, start);
+    run.set_weight(weight_);
+    return run;
+  }
+  constexpr void next_row() {
+    light_->next_row();
+    distance_->left.advance();
+  }
+  constexpr void skip_rows(std::int32_t rows) {
+    light_->skip_rows(rows);
+    distance_->left.advance(rows);
+  }
+  constexpr void enter_lower() {
+    light_->enter_lower(middle_left_);
+    if (middle_left_) distance_->left.become(distance_->lower);
+  }
+
+ private:
+  FullLinearPlane* light_;
+  PatchScalar* distance_;
+  bool middle_left_;
   std::uint32_t weight_;
 };
 

@@ -55,11 +55,18 @@ struct Triangle {
   }
 };
 
-bool takes_highlight_patch(const Lighting& lighting, const Triangle& t) {
+Method::Prepared prepared_shade(const Lighting& lighting, const Triangle& t) {
   TriangleCommand<Method> command;
   REQUIRE(
       prepare_triangle<Method>(lighting, t.corners[0], t.corners[1], t.corners[2], {}, {-80, 80}, command));
-  return command.shade.highlight_patch;
+  return command.shade;
+}
+
+bool takes_highlight_patch(const Lighting& lighting, const Triangle& t) {
+  return prepared_shade(lighting, t).highlight_patch;
+}
+bool takes_linear_diffuse(const Lighting& lighting, const Triangle& t) {
+  return takes_highlight_patch(lighting, t) && prepared_shade(lighting, t).linear_diffuse;
 }
 
 }  // namespace
@@ -80,6 +87,21 @@ TEST_CASE(
   // The light's horizon runs through the triangle.
   Lighting grazing(shiny_light(1, normalised(Vec3{1, 0, 0.02}), normalised(Vec3{-1, 0, 0.5})));
   CHECK_FALSE(takes_highlight_patch(grazing, Triangle(grazing, middle, 4)));
+}
+
+TEST_CASE("under a highlight N.L is linear if both errors together are within the tolerance") {
+  const Vec3 middle{0, 0, 1};
+  const Vec3 towards = normalised(Vec3{0.3, 0.1, 1});
+  Lighting lighting(shiny_light(16, towards, normalised(Vec3{-0.3, -0.1, 1})));
+  CHECK(takes_linear_diffuse(lighting, Triangle(lighting, middle, 4)));
+  CHECK(takes_highlight_patch(lighting, Triangle(lighting, middle, 9)));
+  CHECK_FALSE(takes_linear_diffuse(lighting, Triangle(lighting, middle, 9)));
+  // A patch as wide as its limit uses all of the tolerance.
+  const std::uint32_t limit = lighting.highlight_patch_limit();
+  CHECK(lighting.linear_limit_with_highlight(limit) <= lighting.linear_limit_with_highlight(0) >> 12);
+  CHECK(lighting.linear_limit_with_highlight(limit / 2) < lighting.linear_limit_with_highlight(limit / 4));
+  REQUIRE(ok(lighting.set_tolerance(0)));
+  CHECK(lighting.linear_limit_with_highlight(0) == 0);
 }
 
 TEST_CASE("the limit of a highlight's own distance falls with the exponent and grows with the tolerance") {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/numbers/fixed_formats.hpp>
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -59,14 +60,33 @@ class PowerTable {
   /// half_reach(); a negative one, of a cosine that rounding has raised above 1, counts as 0.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::int32_t half_distance) const {
     const std::uint32_t inside = half_distance < 0 ? 0u : static_cast<std::uint32_t>(half_distance);
-    const std::uint32_t position = ((inside >> drop_) * scale_) >> 16;  // 8 fraction bits
+    return at_position(((inside >> drop_) * scale_) >> 16);
+  }
+
+  /// Distances in the table's own scale, in which half_reach() is kReach for every exponent. The half
+  /// distance 1/2 then is below 2^31.
+  static constexpr std::int32_t kReach = std::int32_t{1} << 25;
+  /// The scaled distance of a half distance, or of a difference of two.
+  [[nodiscard]] constexpr std::int32_t scaled(std::int32_t half_distance) const {
+    return static_cast<std::int32_t>(arcspan::scaled(half_distance, scale_) >> (drop_ + 16 - kScaledBits));
+  }
+  /// c^n at a scaled distance below kReach, 15 fraction bits; a negative distance, of a cosine that rounding
+  /// has raised above 1, counts as 0.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t at_scaled(std::int32_t distance) const {
+    return at_position((distance < 0 ? 0u : static_cast<std::uint32_t>(distance)) >> kScaledBits);
+  }
+
+ private:
+  static constexpr int kScaledBits = 10;  ///< 2^10 = kReach / (kIntervals << 8)
+
+  /// The value at a position in the table, which has 8 fraction bits.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t at_position(std::uint32_t position) const {
     const auto index = static_cast<std::size_t>(position >> 8);
     const std::uint32_t here = values_[index];
     const std::uint32_t next = values_[index + 1];
     return here - (((here - next) * (position & 0xFFu) + 128u) >> 8);
   }
 
- private:
   std::int32_t half_reach_ = 0;
   std::uint32_t drop_ = 0;   ///< shift that leaves 16 bits of a half distance below half_reach()
   std::uint32_t scale_ = 0;  ///< factor from those to a position in the table, 16 fraction bits

@@ -6,6 +6,7 @@
 #include <arcspan/shading/arc/wide_walker.hpp>
 #include <arcspan/shading/patch/one_highlight.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
+#include <arcspan/shading/patch/stepped_distance.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -31,8 +32,9 @@ struct ArcUpTo {
   struct Face {};
   using Vertex = ArcVertex<kScalars>;
   enum class Path : std::uint8_t {
-    kPatch,         ///< a patch of every scalar
-    kDiffusePatch,  ///< a patch of N·L only; no highlight is within reach
+    kPatch,            ///< a patch of every scalar
+    kDiffusePatch,     ///< a patch of N·L only; no highlight is within reach
+    kSteppedDistance,  ///< a patch for SteppedDistanceRun; Blinn's highlight of one light is within reach
     kOneHighlight,  ///< a patch for OneHighlightRun; the highlight of one of several lights is within reach
     kWide,          ///< rows in pieces: normals too far apart for a patch, slivers, triangles larger than
                     ///< kLargestPatch
@@ -73,13 +75,24 @@ struct ArcUpTo {
   /// method's `Vertex` as their shade.
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
-    const Path path = choose_path(lighting, frame, frame.chords.widest());
+    Path path = choose_path(lighting, frame, frame.chords.widest());
     if constexpr (kHasOneHighlight) {
       if (path == Path::kPatch &&
           prepare_one_highlight(lighting, frame, prepared.patch, prepared.highlight)) {
         prepared.middle_left = frame.middle_left;
         prepared.path = Path::kOneHighlight;
         return;
+      }
+    }
+    if constexpr (kMayStepDistance<Lighting>) {
+      if (path == Path::kPatch && steps_distance(lighting)) {
+        if (is_out_of_fade(lighting, frame)) {
+          prepare_stepped_distance(lighting, frame, prepared.patch);
+          prepared.middle_left = frame.middle_left;
+          prepared.path = Path::kSteppedDistance;
+          return;
+        }
+        path = Path::kWide;
       }
     }
     prepare_path(lighting, frame, path, prepared);
@@ -94,7 +107,16 @@ struct ArcUpTo {
             OneHighlightWalker<Lighting, kScalars>(prepared.patch, prepared.middle_left, prepared.highlight));
       }
     }
-    return walk_path(prepared, draw);
+    if constexpr (kStepsDistance<Lighting>) {
+      return walk_path<SteppedDistanceRun<Lighting>>(prepared, draw);
+    } else {
+      if constexpr (kMayStepDistance<Lighting>) {
+        if (prepared.path == Path::kSteppedDistance)
+          return draw(
+              PatchWalker<SteppedDistanceRun<Lighting>, kScalars>(prepared.patch, prepared.middle_left));
+      }
+      return walk_path(prepared, draw);
+    }
   }
 
   /// Prepares a small triangle (DrawsSmallTriangles).
@@ -154,15 +176,16 @@ struct ArcUpTo {
     }
   }
 
-  /// Calls `draw` with the walker of a path that prepare_path() has prepared.
-  template <class Draw>
+  /// Calls `draw` with the walker of a path that prepare_path() has prepared. `Pixels` are the runs of a
+  /// patch of all scalars.
+  template <class Pixels = PatchRun<Lighting, kScalars>, class Draw>
   [[nodiscard]] static constexpr Status walk_path(Prepared& prepared, Draw&& draw) {
     if (prepared.path == Path::kWide)
       return draw(WideWalker<PatchRun<Lighting, kScalars>, kScalars, kWidest>(prepared.wide));
-    return walk_others(prepared, draw);
+    return walk_others<Pixels>(prepared, draw);
   }
   /// walk_path() of the other paths than kWide.
-  template <class Draw>
+  template <class Pixels = PatchRun<Lighting, kScalars>, class Draw>
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk_others(Prepared& prepared, Draw&& draw) {
     if constexpr (kHasDiffusePath) {
       if constexpr (kHasDiffuseWide) {
@@ -173,7 +196,7 @@ struct ArcUpTo {
         return draw(PatchWalker<PatchRun<Lighting, 1>, kScalars>(prepared.patch, prepared.middle_left));
       }
     }
-    return draw(PatchWalker<PatchRun<Lighting, kScalars>, kScalars>(prepared.patch, prepared.middle_left));
+    return draw(PatchWalker<Pixels, kScalars>(prepared.patch, prepared.middle_left));
   }
 
   /// Returns the diffuse_scalar() of the vertices of a TriangleFrame.

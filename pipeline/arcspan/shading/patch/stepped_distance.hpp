@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/lighting/illumination.hpp>
+#include <arcspan/lighting/pixel_light.hpp>
+#include <arcspan/pixel/colour.hpp>
+#include <arcspan/pixel/pixel_format.hpp>
+#include <arcspan/shading/patch/patch_walker.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+/// Patches with Blinn's highlight of one light. Its distance (1 - N·H) / 2 is linear in N·H, so that a patch
+/// can step it in the scale of the table of powers (PowerTable::scaled()) instead of N·H.
+namespace arcspan {
+
+/// True if `Lighting` is an illumination by one light with Blinn's highlight or may be: some know it at run
+/// time only.
+template <class Lighting>
+inline constexpr bool kMayStepDistance = kMayHaveOneLight<Lighting>&& requires(const Lighting& lighting) {
+  requires(Lighting::kHasRamp);
+  lighting.model();
+  lighting.power();
+}
+&&!requires { requires(Lighting::kModel == Highlight::kPhong); };
+/// True if `Lighting` is known to be such an illumination.
+template <class Lighting>
+inline constexpr bool kStepsDistance = kMayStepDistance<Lighting>&& requires {
+  requires(Lighting::kModel == Highlight::kBlinn);
+};
+template <class Lighting>
+[[nodiscard]] constexpr bool steps_distance(const Lighting& lighting) {
+  return lighting.lights() == 1 && lighting.model() == Highlight::kBlinn;
+}
+
+/// The pixels of a row (PixelRun): N·L and a scaled distance.
+template <class Lighting>
+class SteppedDistanceRun : public SecondDifferenceRun<2> {
+ public:
+  static constexpr std::size_t kUsed = 2;
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
+    const PackedRgb diffuse = lighting.diffuse_colour(scalars()[0]);
+    return misses() ? diffuse : diffuse.plus(highlight(lighting));
+  }
+  /// Returns the parts of colour() (LightRun).
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
+    return {lighting.diffuse_colour(scalars()[0]), misses() ? PackedRgb{} : highlight(lighting)};
+  }
+  /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
+  template <class Format, class Colours>
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
+                                                                          const Colours& encoded) const {
+    if constexpr (Colours::kForHighlights) {
+      if (misses()) return encoded[scalars()[0]];
+    }
+    return encode_varying<Format>(colour(lighting));
+  }
+
+ private:
+  [[nodiscard]] constexpr bool misses() const {
+    return scalars()[0].raw() <= 0 || scalars()[1].raw() >= PowerTable::kReach;
+  }
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(const Lighting& lighting) const {
+    return lighting.highlight(lighting.power().at_scaled(scalars()[1].raw()));
+  }
+};
+
+/// Returns true if the highlight does not fade in a triangle: it ends abruptly, or every vertex is out of the
+/// fade.
+template <class Lighting, class Frame>
+[[nodiscard]] constexpr bool is_out_of_fade(const Lighting& lighting, const Frame& frame) {
+  if (lighting.fade_end().raw() == 0) return true;
+  // Above the end of the fade by 2^-10, which is more than any rounding error.
+  const std::int32_t from = lighting.fade_end().raw() + (std::int32_t{1} << 20);
+  return frame.top->shade.scalars[0].raw() >= from && frame.middle->shade.scalars[0].raw() >= from &&
+         frame.bottom->shade.scalars[0].raw() >= from;
+}
+
+/// Prepares the patch of SteppedDistanceRun for a TriangleFrame that is_out_of_fade(). (1 - N·H) / 2 is a
+/// constant less a scalar that is linear in the normal, and the patch of that is raised by the constant.
+///
+/// A triangle within reach of the highlight and of at most widest_patch() is less than 10 times as far from
+/// it as the reach, so that slopes fit.
+template <class Lighting, class Frame, std::size_t Count>
+constexpr void prepare_stepped_distance(const Lighting& lighting, const Frame& frame, Patch<Count>& patch) {
+  constexpr std::size_t kOther = Lighting::highlight_index(0);
+  const auto& top = frame.top->shade.scalars;
+  const auto& middle = frame.middle->shade.scalars;
+  const auto& bottom = frame.bottom->shade.scalars;
+  const EdgeSagittaFactors factors = sagitta_factors_of(frame.chords);
+  make_patch_scalar(frame, factors, {top[0], middle[0], bottom[0]}, patch[0]);
+  const PowerTable& power = lighting.power();
+  const auto fall = [&power](Cosine other) { return Cosine::from_raw(power.scaled(-(other.raw() >> 1))); };
+  PatchScalar& distance = patch[1];
+  make_patch_scalar(frame, factors, {fall(top[kOther]), fall(middle[kOther]), fall(bottom[kOther])},
+                    distance);
+  const auto half = Cosine::from_raw(power.scaled(std::int32_t{1} << (Cosine::kFraction - 1)));
+  if (!frame.middle_left || frame.has_upper) distance.left.at += half;
+  if (frame.middle_left && frame.has_lower) distance.lower.at += half;
+}
+
+}  // namespace arcspan

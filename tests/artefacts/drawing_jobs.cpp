@@ -105,7 +105,7 @@ nlohmann::json figures(const RenderJob& job, const FixedModel& model, const std:
   const std::vector<CostTerm> terms = cost_terms(method, job, model, stats);
   nlohmann::json result;
   for (const CostTerm& term : terms) result["terms"][term.name] = term.amount;
-  if (const auto estimate = weighted_sum(method, terms)) result["estimate"] = *estimate;
+  if (const auto estimate = weighted_sum(method, job.highlight, terms)) result["estimate"] = *estimate;
   return result;
 }
 

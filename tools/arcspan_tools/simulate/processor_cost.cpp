@@ -32,9 +32,11 @@ std::vector<CostTerm> cost_terms(std::string_view shading, const RenderJob& job,
   return terms;
 }
 
-std::optional<double> weighted_sum(std::string_view shading, const std::vector<CostTerm>& terms) {
+std::optional<double> weighted_sum(std::string_view shading, Highlight highlight,
+                                   const std::vector<CostTerm>& terms) {
   static const nlohmann::json kWeights = nlohmann::json::parse(kEstimatesJson).at("mps2-an385");
-  const auto weights = kWeights.find(std::string(shading));
+  auto weights = kWeights.find(std::string(shading) + (highlight == Highlight::kBlinn ? " blinn" : " phong"));
+  if (weights == kWeights.end()) weights = kWeights.find(std::string(shading));
   if (weights == kWeights.end()) return std::nullopt;
   double instructions = 0;
   for (const CostTerm& term : terms) instructions += weights->value(term.name, 0.0) * term.amount;
@@ -44,7 +46,7 @@ std::optional<double> weighted_sum(std::string_view shading, const std::vector<C
 std::optional<double> draw_instructions(std::string_view shading, const RenderJob& job,
                                         const FixedMeshes& meshes, const RenderStats& stats) {
   if (job.lights.size() != 1 || has_surfaces(job)) return std::nullopt;
-  return weighted_sum(shading, cost_terms(shading, job, meshes, stats));
+  return weighted_sum(shading, job.highlight, cost_terms(shading, job, meshes, stats));
 }
 
 }  // namespace arcspan::tools

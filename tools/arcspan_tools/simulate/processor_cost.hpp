@@ -24,8 +24,8 @@ struct CostTerm {
                                                const FixedMeshes& meshes, const RenderStats& stats);
 
 /// The terms by the weights of docs/estimates.json, summed: instructions. Nothing for a method without
-/// weights.
-[[nodiscard]] std::optional<double> weighted_sum(std::string_view shading,
+/// weights. Methods whose pixels depend on the highlight have weights for each.
+[[nodiscard]] std::optional<double> weighted_sum(std::string_view shading, Highlight highlight,
                                                  const std::vector<CostTerm>& terms);
 
 /// Instructions that a Cortex-M3 takes to draw a job: the terms by the weights of docs/estimates.json, which

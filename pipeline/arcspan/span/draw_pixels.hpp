@@ -46,14 +46,6 @@ template <class Target, class Run>
 inline constexpr bool kLooksUpColours =
     !std::same_as<typename Target::Colours, NoEncodedColours> && !std::same_as<Run, SegmentPixels>;
 
-/// True if the pixels of `Run` are encoded by Format::encode_varying().
-template <class Format, class Run, class Lighting>
-inline constexpr bool kEncodesVarying = HasScalars<Run> && !Format::kDithers &&
-                                        requires(const Run& run, const Lighting& lighting, PackedRgb colour) {
-  { run.colour(lighting) } -> std::same_as<PackedRgb>;
-  Format::encode_varying(colour);
-};
-
 /// Draws span.count pixels, at least one, each only if it is_nearer() than the depth buffer where there is
 /// one. `dz` is the gradient of the depth per pixel.
 ///

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/pixel/colour.hpp>
 #include <arcspan/target.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -26,6 +28,14 @@ concept HasSeveralScalars = requires {
 template <class Run>
 concept HasScalars = requires {
   requires(Run::kUsed > 0);
+};
+
+/// True if the pixels of `Run` are encoded by Format::encode_varying().
+template <class Format, class Run, class Lighting>
+inline constexpr bool kEncodesVarying = HasScalars<Run> && !Format::kDithers &&
+                                        requires(const Run& run, const Lighting& lighting, PackedRgb colour) {
+  { run.colour(lighting) } -> std::same_as<PackedRgb>;
+  Format::encode_varying(colour);
 };
 
 /// The bits that the index of indexed rows has below the number of a pixel: 1 if it counts bytes, which

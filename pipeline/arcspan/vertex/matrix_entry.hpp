@@ -39,7 +39,8 @@ using MatrixEntry = std::conditional_t<kHasLongSums, WholeEntry, SplitEntry>;
 /// return the same bits.
 [[nodiscard]] constexpr std::int32_t scaled_sum(const WholeEntry (&row)[3], ObjectPosition p) {
   const auto product = [](const WholeEntry& entry, std::int32_t coordinate) {
-    return std::int64_t{entry.raised} * (coordinate * (1 << (32 - 14 - WholeEntry::kRaise)));  // up to 2^61
+    return std::int64_t{entry.raised} *
+           (coordinate * (std::int32_t{1} << (32 - 14 - WholeEntry::kRaise)));  // up to 2^61
   };
   return static_cast<std::int32_t>((product(row[0], p.x) + product(row[1], p.y) + product(row[2], p.z)) >>
                                    32);

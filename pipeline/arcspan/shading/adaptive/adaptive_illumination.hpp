@@ -57,7 +57,7 @@ class AdaptiveIllumination : public Illumination {
     linear_share_ = (1u << 15) - (1u << 14) * (highlights - 1) / highlights;
     patch_limit_inverse_ =
         Illumination::model() == Highlight::kBlinn ? 0  // exact
-        : highlight_patch_limit_ < (1u << 16)
+        : highlight_patch_limit_ < (std::uint32_t{1} << 16)
             ? UINT32_MAX
             : static_cast<std::uint32_t>((std::uint64_t{1} << 47) / highlight_patch_limit_);
     highlight_row_limit_ = highlight_row_limit_of(highlight_patch_limit_);
@@ -278,7 +278,7 @@ class AdaptiveIllumination : public Illumination {
     const std::uint64_t height =
         std::uint64_t{Illumination::most_specular()} * (Illumination::shininess() + 6);
     const std::uint32_t limit = squared_chord_of(height, std::uint64_t{tolerance} * 108);  // 255 / 2.35
-    constexpr std::uint32_t kWidest = (1u << 26) - 1;  // of a chord of 1/2
+    constexpr std::uint32_t kWidest = (std::uint32_t{1} << 26) - 1;  // of a chord of 1/2
     return limit < kWidest ? limit : kWidest;
   }
 

@@ -28,7 +28,7 @@ class ShortHighlightLine {
       : line_((here << kPositionBits) | fall) {}
   /// The value at a position of the table within the interval, in 8-bit steps with 24 fraction bits.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::uint32_t position) const {
-    const std::uint32_t fraction = position & ((std::uint32_t{1} << kPositionBits) - 1);
+    const std::uint32_t fraction = position & 0xFFFFu;
     return line_ - (line_ & 0xFFFFu) * fraction;
   }
 

@@ -42,7 +42,8 @@ struct Rgb565 {
   /// encode(c) for colours that differ from pixel to pixel: by the bit-field insert instruction, which gcc
   /// does not move out of a loop over pixels of one colour.
   [[nodiscard]] ARCSPAN_INLINE static constexpr Encoded encode_varying(PackedRgb c) {
-    // gcc uses the instruction for assignments to bit-fields, but for no expression.
+    // A bit-field, because gcc makes a bit-field insert (BFI) of an assignment to one, not of shifts and
+    // masks.
     struct Bits {
       std::uint32_t blue : 5;
       std::uint32_t green : 6;

@@ -53,7 +53,7 @@ class AdaptiveIllumination : public Illumination {
     segment_limit_without_highlight_ = segment_limit_of(tolerance - tolerance / 2, false);
     highlight_patch_limit_ = highlight_patch_limit_of(tolerance);
     whole_linear_limit_ = linear_limit_of(tolerance);
-    // Of several lights, all but one may have a highlight that is omitted.
+    // This path draws one highlight. Those of the other lights are left out and share half of the tolerance.
     linear_share_ = (1u << 15) - (1u << 14) * (highlights - 1) / highlights;
     patch_limit_inverse_ =
         Illumination::model() == Highlight::kBlinn ? 0  // exact
@@ -67,7 +67,8 @@ class AdaptiveIllumination : public Illumination {
   /// Returns the half distance from which on highlights are omitted, because they are below half the
   /// tolerance: (1 - c) / 2 of the highlight's cosine c, 30 fraction bits.
   [[nodiscard]] constexpr std::int32_t half_tolerance_reach() const { return half_tolerance_reach_; }
-  /// The same for an eighth of the tolerance.
+  /// Returns the half distance from which on a highlight is below an eighth of the tolerance, in the same
+  /// format.
   [[nodiscard]] constexpr std::int32_t eighth_tolerance_reach() const { return eighth_tolerance_reach_; }
 
   /// Returns the largest product of the normals' squared radius and N·L for which light may be linear, 28

@@ -4,6 +4,8 @@
 # Debian's riscv64-unknown-elf-g++ comes without C++ headers; those of libstdc++ go over the C headers of picolibc
 # (picolibc-riscv64-unknown-elf), of which nothing is linked either.
 set(CMAKE_SYSTEM_PROCESSOR riscv32)
+# Few instructions in a core that issues one at a time: docs/decisions/0008-compiler-flags.md.
+set(ARCSPAN_SPEED_FLAGS "-mtune=size -fno-schedule-insns -frename-registers")
 include(${CMAKE_CURRENT_LIST_DIR}/bare-metal.cmake)
 
 include(${CMAKE_CURRENT_LIST_DIR}/libstdcxx-headers.cmake)

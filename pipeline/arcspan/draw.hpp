@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/draw/band_cache.hpp>
+#include <arcspan/draw/band_vertices.hpp>
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/kept_vertices.hpp>
 #include <arcspan/draw/triangle_drawer.hpp>
@@ -55,6 +56,8 @@ template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSin
     drawer.draw_triangles(detail::UncachedVertices<Method>(drawer.stage(), visible));
   } else if (cache.empty()) {
     drawer.draw_triangles_outlined(detail::UncachedVertices<Method>(drawer.stage(), visible));
+  } else if (Features.planes && visible.in_band() && detail::BandVertices<Method>::suits(mesh)) {
+    drawer.draw_triangles_outlined(detail::BandVertices<Method>(drawer.stage(), cache.data(), visible));
   } else if (visible.known()) {
     detail::forget_vertices(cache.data(), mesh.vertex_count());
     drawer.draw_triangles_outlined(detail::FrontVertices<Method>(drawer.stage(), cache.data(), visible));
@@ -66,10 +69,8 @@ template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSin
 
 /// Draws a mesh as above, with vertices that `cache` keeps from band to band.
 ///
-/// Draws nothing and returns also:
-///
-///   kCacheTooSmall    the memory of `cache` is too small for the mesh
-///   kCacheMismatch    `cache` holds another object (BandCache)
+/// Draws nothing and returns also kCacheTooSmall if the memory of `cache` is too small for the mesh, and
+/// kCacheMismatch if `cache` holds another object (BandCache).
 template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth>
 requires(Features.caches) [[nodiscard]] ARCSPAN_OUTLINE DrawResult
     draw_mesh(const MeshView& mesh, const ClipTransform& transform, const typename Method::Lighting& lighting,
@@ -81,9 +82,8 @@ requires(Features.caches) [[nodiscard]] ARCSPAN_OUTLINE DrawResult
   if (!ok(held)) return {held};
   const detail::VisibleTriangles visible = drawer.visible_triangles();
   if (visible.excludes_all()) return drawer.result();
-  const Rect& rect = drawer.scissor().rect();
   drawer.draw_triangles_outlined(detail::KeptVertices<Method>(drawer.stage(), cache.vertices(), cache.rows(),
-                                                              visible, rect.top, rect.bottom));
+                                                              visible, drawer.scissor().rect()));
   return drawer.result();
 }
 

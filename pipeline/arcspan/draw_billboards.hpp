@@ -82,7 +82,6 @@ class BillboardStage {
       : transform_(transform),
         size_(size),
         scissor_(transform.viewport(), sink.bounds()),
-        encoded_(lighting),
         target_{scissor_.rect(), lighting, sink, depth, encoded_},
         status_(check_target(scissor_, sink, depth)) {}
 
@@ -137,7 +136,7 @@ class BillboardStage {
   const ClipTransform& transform_;
   const BillboardSize size_;
   const Scissor scissor_;
-  const NoEncodedColours encoded_;
+  const NoEncodedColours encoded_{};
   const Target target_;
   Status status_;
 };

@@ -38,7 +38,6 @@ class LineStage {
   LineStage(const Viewport& viewport, const typename Method::Lighting& colour, Sink& sink, const Depth& depth,
             DepthBias bias)
       : scissor_(viewport, sink.bounds()),
-        encoded_(colour),
         target_{scissor_.rect(), colour, sink, depth, encoded_},
         bias_(bias),
         status_(check_target(scissor_, sink, depth)) {}
@@ -79,7 +78,7 @@ class LineStage {
 
  private:
   const Scissor scissor_;
-  const NoEncodedColours encoded_;
+  const NoEncodedColours encoded_{};
   const Target target_;
   const DepthBias bias_;
   Status status_;

@@ -57,11 +57,20 @@
 #endif
 
 /// ARCSPAN_INLINE at -Os, where compilers call even a sum of a few words for every row. Elsewhere they choose
-/// better themselves. SMALL means -Os here, on every core.
-#ifdef __OPTIMIZE_SIZE__
+/// better themselves. SMALL means -Os here, on every core but AVR, where such a sum is longer than a call.
+#if defined(__OPTIMIZE_SIZE__) && !defined(__AVR__)
 #define ARCSPAN_INLINE_IF_SMALL ARCSPAN_INLINE
 #else
 #define ARCSPAN_INLINE_IF_SMALL
+#endif
+
+/// ARCSPAN_INLINE on machines with wide registers (kHasWideRegisters), for stages of a triangle that are
+/// called in one or two places: there a call saves up to six registers one by one. Elsewhere compilers
+/// choose.
+#if defined(__SIZEOF_POINTER__) && __SIZEOF_POINTER__ >= 8 && !defined(__OPTIMIZE_SIZE__)
+#define ARCSPAN_INLINE_IF_WIDE ARCSPAN_INLINE
+#else
+#define ARCSPAN_INLINE_IF_WIDE
 #endif
 
 // ---- Configuration
@@ -132,6 +141,11 @@ inline constexpr bool kHasManyRegisters = false;
 inline constexpr bool kHasManyRegisters = true;
 #endif
 
+/// A copy of a loop's parameter where registers are few: gcc would load the members of a reference again for
+/// every pixel. Elsewhere it keeps them in registers anyway, and a copy gets other spills.
+template <class T>
+using CopyIfFewRegisters = std::conditional_t<kHasManyRegisters, const T&, const T>;
+
 /// True if loads and stores scale an index by the size of an element (not on RISC-V).
 #if defined(__riscv)
 inline constexpr bool kScalesIndices = false;
@@ -141,7 +155,7 @@ inline constexpr bool kScalesIndices = true;
 
 /// True if one instruction saves the registers of a function (not on RISC-V, where a call of a large one
 /// takes 25 more).
-#if defined(__riscv)
+#if defined(__riscv) || defined(__x86_64__)
 inline constexpr bool kSavesRegistersAtOnce = false;
 #else
 inline constexpr bool kSavesRegistersAtOnce = true;
@@ -197,13 +211,19 @@ ARCSPAN_INLINE constexpr void reload_from_memory(T& value) {
 #endif
 }
 
-/// Hides from the compiler how `value` was computed. Without this, gcc replaces one shared index into two
-/// arrays by two pointers, which costs an addition per pixel.
+/// Hides how `value` was computed: gcc replaces one shared index into two arrays by two pointers otherwise.
 template <class T>
 ARCSPAN_INLINE constexpr void hide_value(T& value) {
   if constexpr (kHasManyRegisters && std::is_scalar_v<T>) {
     if (!std::is_constant_evaluated()) asm("" : "+r"(value));
   }
+}
+
+/// Returns `value` as hide_value() leaves it; members that are hidden in place stay in memory with gcc.
+template <class T>
+[[nodiscard]] ARCSPAN_INLINE constexpr T hidden(T value) {
+  hide_value(value);
+  return value;
 }
 
 /// Returns `v` clamped to the range of signed integers of `Bits` bits; only if kHasSaturate. gcc finds the
@@ -219,6 +239,26 @@ template <int Bits>
   }
 #endif
   return v < -kMost - 1 ? -kMost - 1 : v > kMost ? kMost : v;
+}
+
+/// Returns v >> Shift clamped to the range of unsigned integers of `Bits` bits; only if kHasSaturate. Up to 8
+/// bits, whose limit fits an instruction, gcc finds the instruction itself, even in a loop.
+template <int Bits, int Shift>
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t saturated_unsigned(std::int32_t v) {
+  constexpr auto kMost = static_cast<std::int32_t>((std::uint32_t{1} << Bits) - 1);
+#if defined(__ARM_FEATURE_SAT)
+  if (Bits > 8 && !std::is_constant_evaluated()) {
+    std::uint32_t result;
+    if constexpr (Shift == 0) {
+      asm("usat %0, %1, %2" : "=r"(result) : "I"(Bits), "r"(v));
+    } else {
+      asm("usat %0, %1, %2, asr %3" : "=r"(result) : "I"(Bits), "r"(v), "I"(Shift));
+    }
+    return result;
+  }
+#endif
+  const std::int32_t shifted = v >> Shift;
+  return static_cast<std::uint32_t>(shifted < 0 ? 0 : shifted > kMost ? kMost : shifted);
 }
 
 }  // namespace arcspan

@@ -102,7 +102,7 @@ def markdown(costs):
                    "`pixel/sink.hpp`). For a sink that has only `open()` and `close()` the pipeline calls both for every row, and gcc "
                    "gives out the registers of rows and pixels differently. The table of marginal costs shows which of them differ.")
     lines += table(["benchmark frame", *(title for *_, title in TARGETS)],
-                   [[method, *(f"{own['draw']:,} (+{100 * (own['draw'] / frames[preset][method][HEADLINE]['draw'] - 1):.1f} %)"
+                   [[method, *(f"{own['draw']:,} ({100 * (own['draw'] / frames[preset][method][HEADLINE]['draw'] - 1):+.1f} %)"
                                for preset, *_ in TARGETS for own in [frames[preset][method + OWN_SINK][HEADLINE]])]
                     for method in ("arc", "adaptive")])
     lines += ["### In bands", ""]

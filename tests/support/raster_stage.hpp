@@ -64,7 +64,7 @@ class RasterStage {
       }
     }
     if (area == 0 || clip_.empty()) return false;
-    const NoEncodedColours encoded(lighting_);
+    const NoEncodedColours encoded{};
     const arcspan::detail::RowTarget<typename Method::Lighting, Sink, Depth> target{clip_, lighting_, sink_,
                                                                                     depth_, encoded};
     Status status = Status::kOk;

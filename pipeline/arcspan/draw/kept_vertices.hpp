@@ -4,6 +4,7 @@
 #include <arcspan/draw/triangle_rows.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/draw/visible_triangles.hpp>
+#include <arcspan/pixel/sink.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstddef>
@@ -24,15 +25,15 @@ class KeptVertices {
  public:
   static constexpr bool kAllInside = false;
 
-  /// `rows` are the rows of the triangles, or null; the band has the rows `first` ... `end` - 1.
+  /// `rows` are the rows of the triangles, or null; `band` is the scissor's rectangle.
   KeptVertices(const VertexStage<Method>& stage, CachedVertex<Method>* cache, const TriangleRows* rows,
-               const VisibleTriangles& visible, std::int32_t first, std::int32_t end)
+               const VisibleTriangles& visible, const Rect& band)
       : stage_(stage),
         visible_(visible),
         cache_(cache),
         rows_(rows),
-        first_(first >> TriangleRows::kGroupBits),
-        last_((end - 1) >> TriangleRows::kGroupBits) {}
+        first_(band.top >> TriangleRows::kGroupBits),
+        last_((band.bottom - 1) >> TriangleRows::kGroupBits) {}
   [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
     if (rows_ == nullptr) return visible_.known() ? visible_.next(i, count) : i;
     while (i < count && (rows_[i].last < first_ || rows_[i].first > last_)) ++i;

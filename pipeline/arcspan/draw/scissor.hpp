@@ -36,6 +36,8 @@ class Scissor {
         // These wrap if the bounds are far outside the viewport; the rectangle is empty then.
         left_(wrap_shl(wrap_sub(rect_.left, origin_.x), 4)),
         right_(wrap_shl(wrap_sub(rect_.right, origin_.x), 4)),
+        upper_(static_cast<std::int16_t>(wrap_add(wrap_shl(wrap_sub(rect_.top, origin_.y), 4), 9))),
+        lower_(static_cast<std::int16_t>(wrap_sub(wrap_shl(wrap_sub(rect_.bottom, origin_.y), 4), 7))),
         is_band_(wrap_sub(rect_.bottom, rect_.top) < viewport.height) {}
 
   [[nodiscard]] constexpr const Rect& rect() const { return rect_; }
@@ -67,13 +69,11 @@ class Scissor {
     return (a.x < left_ && b.x < left_ && c.x < left_) || (a.x > right_ && b.x > right_ && c.x > right_);
   }
 
+  /// True if first_row_at() of all vertices is at most the band's first row, or at least the one behind it.
   [[nodiscard]] constexpr bool has_no_row_in_band(const RasterPosition& a, const RasterPosition& b,
                                                   const RasterPosition& c) const {
-    const std::int32_t upper = a.y < b.y ? a.y : b.y;
-    const std::int32_t lower = a.y > b.y ? a.y : b.y;
-    const std::int32_t first = first_row_at(upper < c.y ? upper : c.y);
-    const std::int32_t end = first_row_at(lower > c.y ? lower : c.y);
-    return first >= end || end + origin_.y <= rect_.top || first + origin_.y >= rect_.bottom;
+    return (a.y < upper_ && b.y < upper_ && c.y < upper_) ||
+           (a.y >= lower_ && b.y >= lower_ && c.y >= lower_);
   }
 
   Rect rect_;
@@ -81,6 +81,8 @@ class Scissor {
   RowRange rows_;
   std::int32_t left_;  ///< columns of the scissor in sixteenths of a pixel, relative to origin()
   std::int32_t right_;
+  std::int16_t upper_;  ///< rows of the scissor likewise
+  std::int16_t lower_;
   bool is_band_;  ///< rows of the viewport lie outside the scissor
 };
 

@@ -30,7 +30,6 @@ class TriangleDrawer {
                  const DrawOptions& options)
       : stage_(mesh, transform, lighting),
         scissor_(transform.viewport(), sink.bounds()),
-        encoded_(lighting),
         target_{scissor_.rect(), lighting, sink, depth, encoded_},
         options_(options) {
     const bool supported = Features.two_sided || !options_.two_sided;
@@ -55,7 +54,8 @@ class TriangleDrawer {
 
   /// Draws the mesh with the vertices of a source (vertex_source.hpp) until the sink fails.
   template <class Source>
-  ARCSPAN_INLINE void draw_triangles(const Source vertices) {
+  ARCSPAN_INLINE void draw_triangles(Source vertices) {
+    encoded_.set(stage_.lighting());
     const MeshView& mesh = stage_.mesh();
     const std::size_t count = mesh.triangle_count();
     for (std::size_t i = vertices.next(0, count); i < count; i = vertices.next(i + 1, count)) {
@@ -91,7 +91,8 @@ class TriangleDrawer {
   /// True if the triangle lies outside one plane of the clip volume, has no area, or shows its back and backs
   /// are not drawn: the case of half of all triangles, before anything is set up.
   template <bool AllInside>
-  [[nodiscard]] bool is_culled(const Vertex& a, const Vertex& b, const Vertex& c) const {
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL bool is_culled(const Vertex& a, const Vertex& b,
+                                                       const Vertex& c) const {
     if constexpr (AllInside) {
       return doubled_area(a.raster.position, b.raster.position, c.raster.position) >= 0;
     } else {
@@ -172,8 +173,9 @@ class TriangleDrawer {
   }
 
   /// Tests the triangle against the scissor, before it is shaded.
-  [[nodiscard]] bool is_within_scissor(const RasterPosition& a, const RasterPosition& b,
-                                       const RasterPosition& c) {
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL bool is_within_scissor(const RasterPosition& a,
+                                                               const RasterPosition& b,
+                                                               const RasterPosition& c) {
     const ScissorTest test = scissor_.template test<kWholeRows>(a, b, c);
     columns_ = test == ScissorTest::kInside ? ScissorColumns::kInside : ScissorColumns::kCrossing;
     return test != ScissorTest::kOutside;

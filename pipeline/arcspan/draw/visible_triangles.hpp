@@ -26,6 +26,10 @@ class VisibleTriangles {
 
   /// True if next() and excludes_all() may be called. Then all vertices are inside the clip volume.
   [[nodiscard]] constexpr bool known() const { return back_faces_.known(); }
+  /// True if back faces are known and the scissor is a band.
+  [[nodiscard]] constexpr bool in_band() const { return band_.known(); }
+  [[nodiscard]] constexpr const BackFaces& back_faces() const { return back_faces_; }
+  [[nodiscard]] constexpr const BandPlanes& band() const { return band_; }
   /// True if no triangle is visible.
   [[nodiscard]] constexpr bool excludes_all() const { return band_.excludes_all(); }
   /// Returns the first of the triangles i ... count - 1 that may be visible, or `count` if there is none.

@@ -16,47 +16,53 @@ namespace arcspan {
 
 namespace detail {
 
-inline constexpr int kPositionBits = 16;  ///< fraction bits of a position in the table, in intervals
-
-/// The line through an interval's two values, in 4 bytes: the value at its begin in the upper half, the
-/// decrease to its end in the lower, both in 8-bit steps with 8 fraction bits. As a part of the sum the lower
-/// half is below 2^-8 of a step.
-class ShortHighlightLine {
+/// The line through the two values of an interval of HighlightTable, as a function of the whole distance: in
+/// the lower half of the word its fall per distance, in 8-bit steps with 24 fraction bits, in the upper half
+/// its value at distance 0, modulo 2^16, with 8 fraction bits. As a part of the sum the lower half is below
+/// 2^-11 of a step.
+class HighlightLine {
  public:
-  constexpr ShortHighlightLine() = default;
-  constexpr ShortHighlightLine(std::uint32_t, std::uint32_t here, std::uint32_t fall)
-      : line_((here << kPositionBits) | fall) {}
-  /// The value at a position of the table within the interval, in 8-bit steps with 24 fraction bits.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::uint32_t position) const {
-    const std::uint32_t fraction = position & 0xFFFFu;
-    return line_ - (line_ & 0xFFFFu) * fraction;
+  static constexpr int kIntervalBits = 19;
+
+  constexpr HighlightLine() = default;
+  /// `here` and `next` are the values at both ends of an interval, in 8-bit steps with 8 fraction bits. The
+  /// fall is rounded down, so that the line ends at most 2^-5 of a step above `next` and never below, where a
+  /// value of 0 would wrap.
+  constexpr HighlightLine(std::uint32_t interval, std::uint32_t here, std::uint32_t next) {
+    const std::uint32_t fall = (here - next) >> (kIntervalBits - 16);
+    line_ = (here << 16) + fall * (interval << kIntervalBits) + fall;
+  }
+  /// The value at a distance within the interval, in 8-bit steps with 24 fraction bits.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::uint32_t distance) const {
+    return line_ - (line_ & 0xFFFFu) * distance;
   }
 
  private:
   std::uint32_t line_ = 0;
 };
 
-/// Like ShortHighlightLine, in 8 bytes: the line is extended to position 0 of the table, which saves a mask
-/// and a shift per value.
-class LongHighlightLine {
+/// HighlightLine in two words, one of which is its slope: an instruction less where words are not short of
+/// room. The values are the same.
+class WideHighlightLine {
  public:
-  constexpr LongHighlightLine() = default;
-  constexpr LongHighlightLine(std::uint32_t interval, std::uint32_t here, std::uint32_t fall)
-      : origin_(((here + fall * interval) << kPositionBits) + fall), rise_(0 - fall) {}
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::uint32_t position) const {
-    return origin_ + rise_ * position;
+  constexpr WideHighlightLine() = default;
+  constexpr WideHighlightLine(std::uint32_t interval, std::uint32_t here, std::uint32_t next)
+      : origin_(HighlightLine(interval, here, next)(0)),
+        slope_(HighlightLine(interval, here, next)(1) - origin_) {}
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::uint32_t distance) const {
+    return origin_ + slope_ * distance;
   }
 
  private:
-  std::uint32_t origin_ = 0;  ///< modulo 2^32, as is the sum
-  std::uint32_t rise_ = 0;    ///< minus the fall
+  std::uint32_t origin_ = 0;
+  std::uint32_t slope_ = 0;
 };
 
 }  // namespace detail
 
 /// The colour that a highlight adds to a pixel, specular * c^n, from a table over the cosine c's distance
 /// from 1 with linear interpolation. Distances are scaled so that PowerTable::half_reach() becomes kReach for
-/// every exponent: two shifts of a distance give the index and the fraction.
+/// every exponent: a shift of a distance gives the index of its line.
 class HighlightTable {
  public:
   static constexpr std::int32_t kReach = std::int32_t{1} << 26;  ///< least scaled distance without highlight
@@ -71,14 +77,13 @@ class HighlightTable {
     scale_ = static_cast<std::int32_t>(((std::uint64_t{1} << 58) - 1) / (std::uint64_t{reach} << up_));
     const std::uint32_t most = largest_channel(specular);
     const auto value = [&](std::uint32_t i) {  // in 8-bit steps, 8 fraction bits
-      const auto distance = static_cast<std::uint32_t>((std::uint64_t{i} * reach) / kIntervals);
-      const std::uint32_t inside = distance < reach ? distance : reach - 1;
-      return (most * power(static_cast<std::int32_t>(inside)) + (1u << 11)) >> 12;
+      const auto distance = static_cast<std::int32_t>((std::uint64_t{i} * reach) / kIntervals);
+      return (most * power(distance) + (1u << 11)) >> 12;
     };
     std::uint32_t here = value(0);
     for (std::uint32_t i = 0; i < kIntervals; ++i) {
-      const std::uint32_t next = value(i + 1);
-      lines_[static_cast<std::size_t>(i)] = Line(i, here, here - next);
+      const std::uint32_t next = i + 1 < kIntervals ? value(i + 1) : 0;
+      lines_[static_cast<std::size_t>(i)] = Line(i, here, next);
       here = next;
     }
     for (std::size_t c = 0; c < 3; ++c) share_[c] = most == 0 ? 0 : (specular[c] << 15) / most;
@@ -101,6 +106,15 @@ class HighlightTable {
     return static_cast<std::uint32_t>(distance) < white_reach_;
   }
 
+  /// True if highlights are equal in all channels.
+  [[nodiscard]] constexpr bool is_always_white() const { return white_reach_ != 0; }
+
+  /// The highlight of an is_always_white() table at any scaled distance, as a value of all channels
+  /// (PackedRgb): no comparison on processors that saturate.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t white(std::int32_t distance) const {
+    return level(clamped_unsigned<26, 0>(distance)) >> 22;
+  }
+
   /// The highlight at a scaled distance below kReach. A negative distance, of a cosine that rounding has
   /// raised above 1, counts as 0.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb operator()(std::int32_t distance) const {
@@ -121,8 +135,7 @@ class HighlightTable {
 
  private:
   static constexpr std::uint32_t kIntervals = 128;
-  static constexpr int kPositionShift = 3;  // 2^3 = kReach / (kIntervals << kPositionBits)
-  using Line = std::conditional_t<kHasWideRegisters, detail::LongHighlightLine, detail::ShortHighlightLine>;
+  static_assert(kReach == static_cast<std::int32_t>(kIntervals << detail::HighlightLine::kIntervalBits));
 
   /// The colour whose largest channel is `most`, in 8-bit steps with 8 fraction bits.
   [[nodiscard]] constexpr PackedRgb in_shares(std::uint32_t most) const {
@@ -132,9 +145,10 @@ class HighlightTable {
 
   /// The largest channel of the highlight in 8-bit steps, 24 fraction bits; distance < kReach.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t level(std::uint32_t distance) const {
-    return lines_[distance >> (kPositionShift + detail::kPositionBits)](distance >> kPositionShift);
+    return lines_[distance >> detail::HighlightLine::kIntervalBits](distance);
   }
 
+  using Line = std::conditional_t<kHasWideRegisters, detail::WideHighlightLine, detail::HighlightLine>;
   std::array<Line, kIntervals> lines_{};
   std::uint32_t white_reach_ = 0;         ///< kReach if all channels are equal, else 0
   std::array<std::uint32_t, 3> share_{};  ///< a channel's part of the largest one, 15 fraction bits

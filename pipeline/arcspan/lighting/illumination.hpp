@@ -6,6 +6,7 @@
 #include <arcspan/lighting/highlight_fade.hpp>
 #include <arcspan/lighting/illumination_features.hpp>
 #include <arcspan/lighting/material.hpp>
+#include <arcspan/lighting/phong_tables.hpp>
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/lighting/power_table.hpp>
 #include <arcspan/lighting/ramp_scale.hpp>
@@ -36,7 +37,9 @@ struct DeepColour {
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
 /// (Phong). Arcs can carry them because they are linear in N.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features = IlluminationFeatures{}>
-class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Features> {
+class Illumination : private FadeFor<Features>,
+                     private RampScaleFor<Lights, Features>,
+                     private PhongTablesFor<kHasWideRegisters && Lights == 1 && Model == Highlight::kPhong> {
  public:
   static_assert(Lights >= 1 && Lights <= 4);
   static constexpr std::size_t kLights = Lights;
@@ -113,16 +116,8 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// in `lit` (bit i) has N·L >= 0 and every other one N·L <= 0: N·L of one light, the mean of several by
   /// their weights. It is linear in the normal.
   [[nodiscard]] constexpr Cosine diffuse_scalar(const Scalars& scalars,
-                                                [[maybe_unused]] std::uint32_t lit) const requires kHasRamp {
-    if constexpr (Lights == 1) {
-      return scalars[0];
-    } else {
-      Cosine sum{};
-      for (std::size_t i = 0; i < Lights; ++i) {
-        if ((lit >> i & 1u) != 0) sum += Cosine::from_raw(scaled_down(scalars[i].raw(), this->shares[i], 15));
-      }
-      return sum;
-    }
+                                                std::uint32_t lit) const requires kHasRamp {
+    return mean_light(scalars, lit);
   }
   /// Sets `lit` to the lights that reach a triangle with these scalars at its vertices. Returns false if one
   /// of several reaches only a part of it, where diffuse_scalar() does not hold. With all N·L of one sign at
@@ -133,12 +128,8 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// colour() without a highlight, by the scalar of diffuse_scalar().
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb diffuse_colour(
       Cosine normal_light) const requires kHasRamp {
-    constexpr std::int32_t kLast = (std::int32_t{1} << kRampBits) - 1;
-    const std::int32_t entry = normal_light.raw() >> (Cosine::kFraction - kRampBits);
-    const std::uint32_t index = Lights == 1 ? clamped_byte(entry)
-                                            : static_cast<std::uint32_t>(entry < 0       ? 0
-                                                                         : entry > kLast ? kLast
-                                                                                         : entry);
+    const std::uint32_t index =
+        clamped_unsigned<kRampBits, Cosine::kFraction - kRampBits>(normal_light.raw());
     return ramp_[static_cast<std::size_t>(index)];
   }
 
@@ -152,11 +143,15 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Scalars& scalars,
                                                                           const Table& table) const
       requires(Lights == 1) {
-    const std::int32_t half_distance = highlight_distance(scalars[0], scalars[1], 0);
-    if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return table[scalars[0]];
-    const std::uint32_t power = fade()(power_(half_distance), scalars[0]);
-    return encode_varying<Format>(diffuse_colour(scalars[0]).plus(highlight(power)));
+    return encoded_at<Format>(scalars[0], highlight_distance(scalars[0], scalars[1], 0), table);
   }
+  /// True if there are PhongTables.
+  static constexpr bool kHasTables = kHasWideRegisters && Lights == 1 && Model == Highlight::kPhong;
+  /// encoded() of a pixel by PhongTables; `run` is a JoinedRun of N·L and N·V for their product.
+  template <class Format, class Run, class Table>
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded_by_tables(const Run& run,
+                                                                                    const Table& table) const
+      requires(kHasTables);
 
   /// False if no normal of a triangle has a highlight. `a`, `b` and `c` are the scalars of its vertices;
   /// `headroom` is the most by which a scalar inside may exceed them.
@@ -252,6 +247,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// A base class, because an empty one takes no bytes.
   using Fade = FadeFor<Features>;
   [[nodiscard]] constexpr const Fade& fade() const { return *this; }
+  [[nodiscard]] constexpr const PhongTablesFor<kHasTables>& tables() const { return *this; }
 
   /// The two sums of colour() over the lights per weight, 0...4 each, 15 fraction bits.
   struct LightSums {
@@ -283,6 +279,16 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     }
   }
 
+  /// encoded() by N·L and highlight_distance().
+  template <class Format, class Table>
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded_at(Cosine normal_light,
+                                                                             std::int32_t half_distance,
+                                                                             const Table& table) const
+      requires(Lights == 1);
+
+  /// diffuse_scalar().
+  [[nodiscard]] constexpr Cosine mean_light(const Scalars& scalars, std::uint32_t lit) const;
+
   /// The sums of colour() over several grey lights.
   struct GreySums {
     std::uint32_t diffuse = 0;  ///< diffuse_scalar(), 30 fraction bits
@@ -313,13 +319,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   constexpr void set_ramp_range();
   constexpr void set_widest_patch(const std::array<DirectionalLight, Lights>& lights);
   /// The weighted sum of N·L at the end of the ramp, 15 fraction bits.
-  [[nodiscard]] constexpr std::uint32_t ramp_range() const {
-    if constexpr (Lights == 1) {
-      return std::uint32_t{1} << 15;
-    } else {
-      return this->range;
-    }
-  }
+  [[nodiscard]] constexpr std::uint32_t ramp_range() const;
   constexpr void make_ramp();
 
   /// Entry i is ambient + diffuse * ramp_range() * (i + 1/2) / size; empty for coloured lights. The first

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/target.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -25,10 +26,8 @@ constexpr bool Illumination<Lights, Model, Features>::lit_throughout(const Scala
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight(const Scalars& a,
-                                                                                const Scalars& b,
-                                                                                const Scalars& c,
-                                                                                Cosine headroom) const {
+ARCSPAN_INLINE_IF_SMALL constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight(
+    const Scalars& a, const Scalars& b, const Scalars& c, Cosine headroom) const {
   std::int32_t nearest = INT32_MAX;
   for (std::size_t i = 0; i < Lights; ++i) {
     const std::int32_t distance = nearest_highlight_of(i, a, b, c, headroom);
@@ -81,7 +80,7 @@ constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight_
       std::int32_t eye;
       std::int32_t distance;  // 28 fraction bits
     };
-    const auto vertex = [most](const Scalars& at) {
+    const auto vertex = [&](const Scalars& at) {
       const std::int32_t light = at[0].raw() >> 16;
       const std::int32_t eye = at[1].raw() >> 16;
       return Vertex{light, eye, most - light * eye - kRounding};

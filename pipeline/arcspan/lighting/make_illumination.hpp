@@ -125,6 +125,8 @@ constexpr Status Illumination<Lights, Model, Features>::make(
       (illumination.most_diffuse() +
        illumination.most_specular() * static_cast<std::uint32_t>(material.shininess) * turns * turns);
   if constexpr (kHasRamp) illumination.make_ramp();
+  if constexpr (kHasTables)
+    illumination.make_tables(illumination.ramp_, illumination.power_, illumination.white_specular_ != 0);
   return Status::kOk;
 }
 

@@ -24,6 +24,29 @@ struct OneHighlight {
 };
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr Cosine Illumination<Lights, Model, Features>::mean_light(const Scalars& scalars,
+                                                                   [[maybe_unused]] std::uint32_t lit) const {
+  if constexpr (Lights == 1) {
+    return scalars[0];
+  } else {
+    Cosine sum{};
+    for (std::size_t i = 0; i < Lights; ++i) {
+      if ((lit >> i & 1u) != 0) sum += Cosine::from_raw(scaled_down(scalars[i].raw(), this->shares[i], 15));
+    }
+    return sum;
+  }
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr std::uint32_t Illumination<Lights, Model, Features>::ramp_range() const {
+  if constexpr (Lights == 1) {
+    return std::uint32_t{1} << 15;
+  } else {
+    return this->range;
+  }
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr OneHighlight Illumination<Lights, Model, Features>::one_highlight(std::size_t light) const {
   if constexpr (!kHasRamp)
     return {};

@@ -141,7 +141,7 @@ class MeshView {
   }
 
   /// The vertices of triangle `i`, which must be below triangle_count().
-  [[nodiscard]] constexpr TriangleIndices triangle(std::size_t i) const {
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr TriangleIndices triangle(std::size_t i) const {
     if (indices8_ != nullptr) {
       const std::uint8_t* at = indices8_ + 3 * i;
       return {at[0], at[1], at[2]};
@@ -149,6 +149,9 @@ class MeshView {
     const std::uint16_t* at = indices16_ + 3 * i;
     return {at[0], at[1], at[2]};
   }
+  /// The indices of all triangles; one of both is null.
+  [[nodiscard]] constexpr const std::uint8_t* indices8() const { return indices8_; }
+  [[nodiscard]] constexpr const std::uint16_t* indices16() const { return indices16_; }
 
  private:
   constexpr MeshView(std::span<const ObjectPosition> positions, std::span<const PackedNormal> normals,
@@ -174,3 +177,4 @@ class MeshView {
 }  // namespace arcspan
 
 #include <arcspan/mesh/make_mesh_view.hpp>
+#include <arcspan/target.hpp>

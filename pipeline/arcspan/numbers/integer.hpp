@@ -23,13 +23,16 @@ namespace arcspan {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) << bits);
 }
 
-/// `v` clamped to 0...255. One instruction on processors that saturate; one comparison on others, where
-/// nothing is clamped.
-[[nodiscard]] constexpr std::uint32_t clamped_byte(std::int32_t v) {
-  if constexpr (kHasSaturate) return static_cast<std::uint32_t>(v < 0 ? 0 : v > 255 ? 255 : v);
-  const auto byte = static_cast<std::uint32_t>(v);
-  if (byte > 255u) return v < 0 ? 0u : 255u;
-  return byte;
+/// v >> Shift clamped to the range of unsigned integers of `Bits` bits. One instruction on processors that
+/// saturate; one comparison on others, where nothing is clamped.
+template <int Bits, int Shift>
+[[nodiscard]] constexpr std::uint32_t clamped_unsigned(std::int32_t v) {
+  static_assert(Bits > 0 && Bits < 32 && Shift >= 0 && Shift < 32);
+  if constexpr (kHasSaturate) return saturated_unsigned<Bits, Shift>(v);
+  constexpr std::uint32_t kMost = (std::uint32_t{1} << Bits) - 1;
+  const auto shifted = static_cast<std::uint32_t>(v >> Shift);
+  if (shifted > kMost) return v < 0 ? 0u : kMost;
+  return shifted;
 }
 
 /// `v` clamped to the range of signed integers of `Bits` bits. One instruction on processors that saturate;

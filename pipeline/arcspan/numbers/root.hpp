@@ -70,7 +70,7 @@ namespace detail {
   const int zeros = leading_zeros(v | 1u) & ~1;
   // v = n * 2^(32 - zeros) with n in [1/4, 1).
   const std::uint32_t n32 = (v | static_cast<std::uint32_t>(v == 0)) << zeros;
-  return {detail::reciprocal_root_mantissa(n32), 15 + 16 - zeros / 2};
+  return {detail::reciprocal_root_mantissa(n32), 15 + 16 - (zeros >> 1)};
 }
 
 }  // namespace arcspan

@@ -38,15 +38,21 @@ struct PackedRgb {
   /// The same value, 0...1023, in every channel.
   [[nodiscard]] static constexpr PackedRgb grey(std::uint32_t v) { return {v * 0x00400801u}; }
 
+  /// True if no channel of the sum of two colours saturates.
+  [[nodiscard]] constexpr bool fits_plus(PackedRgb other) const {
+    const std::uint32_t sum = lanes + other.lanes;
+    return sum >= lanes && (sum & kCarries) == 0;
+  }
+  /// The sum of two colours of which fits_plus() is true.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb plus_fitting(PackedRgb other) const {
+    return {lanes + other.lanes};
+  }
   /// The sum of two colours per channel, saturated.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb plus(PackedRgb other) const {
     if constexpr (kHasWideRegisters) {
-      std::uint64_t sum = std::uint64_t{lanes} + other.lanes;
-      hide_value(sum);  // otherwise compilers compute it twice, once per width
-      if ((sum & (kCarries | std::uint64_t{1} << 32)) == 0) [[likely]] {
-        return {static_cast<std::uint32_t>(sum)};
-      }
-      return saturated(static_cast<std::uint32_t>(sum), (sum >> 32) != 0);
+      PackedRgb sum{};
+      (void)add_to(other, sum, [] { return true; });
+      return sum;
     } else {
       std::uint32_t sum = lanes + other.lanes;
       const bool green_carry = sum < lanes;  // out of the word
@@ -56,12 +62,32 @@ struct PackedRgb {
       return {sum};
     }
   }
+  /// Sets `sum` to plus(other). If it saturates, the result is that of `is_colour`: false if this is carry().
+  /// By branches, and what rarely happens computes again what they have tested.
+  template <class IsColour>
+  [[nodiscard]] ARCSPAN_INLINE constexpr bool add_to(PackedRgb other, PackedRgb& sum,
+                                                     const IsColour& is_colour) const {
+    sum.lanes = lanes + other.lanes;
+    if (sum.lanes < lanes) [[unlikely]] {
+      sum = saturated(sum.lanes, true);
+      return true;
+    }
+    hide_value(sum.lanes);
+    if ((sum.lanes & kCarries) == 0) [[likely]]
+      return true;
+    hide_value(sum.lanes);
+    sum = saturated(sum.lanes, false);
+    return is_colour();
+  }
+  /// Not a colour: each sum of it and a grey carries into bit 10.
+  [[nodiscard]] static constexpr PackedRgb carry() { return {0x00000400}; }
 
  private:
   static constexpr std::uint32_t kCarries = 0x00200400;
 
   /// `sum` with every channel that has carried set to 1023. The carries of red and blue are in `sum`.
-  [[nodiscard]] static constexpr PackedRgb saturated(std::uint32_t sum, bool green_carry) {
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL static constexpr PackedRgb saturated(std::uint32_t sum,
+                                                                             bool green_carry) {
     const std::uint32_t carries = sum & kCarries;
     // A carry is the bit above its channel: it is cleared, and the ten bits below it are set.
     const std::uint32_t rest = (sum - carries) | (carries - (carries >> 10));

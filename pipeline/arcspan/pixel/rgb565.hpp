@@ -54,6 +54,14 @@ struct Rgb565 {
     bits.green = green & 63u;
     return static_cast<Encoded>(std::bit_cast<std::uint32_t>(bits));
   }
+#else
+  /// encode(c) for colours that differ from pixel to pixel: one product does both shifts.
+  template <std::same_as<PackedRgb> C>
+  requires kHasWideRegisters [[nodiscard]] ARCSPAN_INLINE static constexpr Encoded encode_varying(C c) {
+    std::uint64_t both = 0x10001;
+    hide_value(both);  // otherwise compilers shift and add
+    return static_cast<Encoded>(((c.lanes & 0xFC1F03E0u) * both) >> 21);
+  }
 #endif
   /// encode(c.packed()), directly from the words.
   [[nodiscard]] static constexpr Encoded encode(ColourSegment c) {

@@ -55,13 +55,15 @@ struct EdgeSetup {
   Reciprocal inverse;
   Factor start;  ///< start_fraction(); unset on short right edges
 
-  constexpr void make_inverse() { inverse = nonzero_reciprocal(static_cast<std::uint32_t>(dy)); }
+  ARCSPAN_INLINE_IF_SMALL constexpr void make_inverse() {
+    inverse = distance_reciprocal(static_cast<std::uint32_t>(dy));
+  }
 };
 
 /// Returns offset / dy, the fraction of the edge at the first row: rounded down, 0...1.
 [[nodiscard]] constexpr Factor start_fraction(const EdgeSetup& edge) {
-  const std::uint32_t product = static_cast<std::uint32_t>(edge.offset) * edge.inverse.mantissa;
-  const std::uint32_t fraction = product >> (edge.inverse.exponent - Factor::kFraction);
+  const std::uint32_t fraction =
+      edge.inverse.times(static_cast<std::uint32_t>(edge.offset), Factor::kFraction);
   return Factor::from_raw(static_cast<std::int32_t>(fraction > 32768 ? 32768 : fraction));
 }
 
@@ -70,8 +72,8 @@ struct EdgeSetup {
 
 /// Sets up the edge from `top` to `bottom`, where top.y < bottom.y; `row` is the first row to be drawn.
 /// `interpolates` is false on short right edges, along which only arcs may interpolate.
-constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& bottom, std::int32_t row,
-                               bool interpolates, EdgeSetup& edge) {
+ARCSPAN_INLINE_IF_WIDE constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& bottom,
+                                                      std::int32_t row, bool interpolates, EdgeSetup& edge) {
   edge.dy = bottom.y - top.y;
   edge.offset = row * 16 + 8 - top.y;
   if (interpolates || !kHasLongMultiply) edge.make_inverse();
@@ -79,8 +81,8 @@ constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& 
 }
 
 /// Sets `walk` to the edge at its first row; `top` and `bottom` are the ends that `edge` was set up with.
-constexpr void make_edge_walk(const EdgeSetup& edge, const RasterPosition& top, const RasterPosition& bottom,
-                              EdgeWalk& walk) {
+ARCSPAN_INLINE_IF_WIDE constexpr void make_edge_walk(const EdgeSetup& edge, const RasterPosition& top,
+                                                     const RasterPosition& bottom, EdgeWalk& walk) {
   const std::int32_t dx = bottom.x - top.x;
   walk.step = kHasLongMultiply ? detail::divide(dx, edge.dy)
                                : detail::divide_by_reciprocal(dx, edge.dy, edge.inverse);

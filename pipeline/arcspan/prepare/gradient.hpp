@@ -31,11 +31,31 @@ ARCSPAN_COLD_OUTLINE [[nodiscard]] constexpr std::int32_t steep_gradient(std::in
 
 }  // namespace detail
 
+/// gradient() by one long product, which is shifted by a constant.
+template <class Value>
+[[nodiscard]] ARCSPAN_INLINE constexpr Value long_gradient(std::int32_t difference, const Reciprocal& inverse,
+                                                           int bits) {
+  constexpr std::int64_t kMost = kMaxGradient<Value>;
+  const auto factor =
+      static_cast<std::int64_t>(std::uint64_t{inverse.mantissa >> 1} << (47 - inverse.exponent));
+  const int down = 46 - bits - Value::kFraction;
+  const std::int64_t rounded = (difference * factor + (std::int64_t{1} << (down - 1))) >> down;
+  // One test of the upper bits: no gradient below a power of two up to kMost is too large.
+  constexpr int kFlatBits = Value::kFraction < 15 ? 16 + Value::kFraction : 30;
+  const auto above_least = static_cast<std::uint64_t>(rounded + (std::int64_t{1} << kFlatBits));
+  if ((above_least >> (kFlatBits + 1)) != 0) [[unlikely]] {
+    if (rounded > kMost) return Value::from_raw(static_cast<std::int32_t>(kMost));
+    if (rounded < -kMost) return Value::from_raw(static_cast<std::int32_t>(-kMost));
+  }
+  return Value::from_raw(static_cast<std::int32_t>(rounded));
+}
+
 /// Returns difference / distance, a gradient per pixel or row, saturated at +-kMaxGradient. `difference` is
 /// that of two 16-bit attributes, |difference| < 2^16; `inverse` is the reciprocal of the distance, which has
 /// `bits` fraction bits.
 template <class Value>
 [[nodiscard]] constexpr Value gradient(std::int32_t difference, const Reciprocal& inverse, int bits) {
+  if constexpr (kHasWideRegisters) return long_gradient<Value>(difference, inverse, bits);
   // 1/distance = mantissa * 2^(bits - exponent); the product with a 15-bit mantissa fits 32 bits. From the
   // shift kFlat on, which a distance of at least 1 has, no quotient exceeds the largest gradient.
   constexpr int kFlat = Value::kFraction < 15 ? 15 - Value::kFraction : 1;

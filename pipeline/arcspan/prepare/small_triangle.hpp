@@ -205,8 +205,13 @@ using EdgeColumn = std::conditional_t<kHasLongMultiply, SteppedColumn, SettledCo
   const std::int32_t y = first * 16 + 8;
   const RasterPosition& short_top = has_upper ? top : middle;
   const RasterPosition& short_bottom = has_upper ? middle : bottom;
-  detail::EdgeColumn left(middle_left ? short_top : top, middle_left ? short_bottom : bottom, y);
-  detail::EdgeColumn right(middle_left ? top : short_top, middle_left ? bottom : short_bottom, y);
+  detail::EdgeColumn left(top, bottom, y);
+  detail::EdgeColumn right(short_top, short_bottom, y);
+  if (middle_left) {
+    const detail::EdgeColumn long_edge = left;
+    left = right;
+    right = long_edge;
+  }
   SmallSpan* span = triangle.spans;
   const SmallSpan* const last = span + triangle.rows;
   std::int32_t found = 0;
@@ -240,18 +245,21 @@ using EdgeColumn = std::conditional_t<kHasLongMultiply, SteppedColumn, SettledCo
   return found != 0;
 }
 
-/// Prepares the barycentric coordinates and the depth of a small triangle with pixels. `area` is the
-/// doubled_area() of the vertices, which are sorted by height.
-constexpr void prepare_small_triangle(const RasterPosition& top, const RasterPosition& middle,
-                                      const RasterPosition& bottom, std::int32_t area,
-                                      SmallTriangle& triangle) {
+/// Prepares the barycentric coordinates and the depth of a small triangle with pixels. The vertices are
+/// sorted by height.
+ARCSPAN_INLINE_IF_WIDE constexpr void prepare_small_triangle(const RasterPosition& top,
+                                                             const RasterPosition& middle,
+                                                             const RasterPosition& bottom,
+                                                             SmallTriangle& triangle) {
   const std::int32_t left = 8 - top.x;
   const std::int32_t above = triangle.row * 16 + 8 - top.y;
-  const auto edge_function = [&](std::int32_t dx, std::int32_t dy) {
-    return EdgeFunction{dy * left - dx * above, dy * 16, dx * -16};
-  };
-  triangle.of_middle = edge_function(bottom.x - top.x, bottom.y - top.y);
-  triangle.of_bottom = edge_function(top.x - middle.x, top.y - middle.y);
+  const std::int32_t dx = bottom.x - top.x;
+  const std::int32_t dy = bottom.y - top.y;
+  const std::int32_t short_dx = middle.x - top.x;
+  const std::int32_t short_dy = middle.y - top.y;
+  const std::int32_t area = short_dx * dy - dx * short_dy;  // doubled_area()
+  triangle.of_middle = {dy * left - dx * above, dy * 16, dx * -16};
+  triangle.of_bottom = {short_dx * above - short_dy * left, short_dy * -16, short_dx * 16};
   const auto size = static_cast<std::uint32_t>(area < 0 ? -area : area);  // below 2^16
   const int zeros = leading_zeros(size | 1u);
   const std::uint32_t wide = detail::wide_reciprocal_mantissa(size << zeros);

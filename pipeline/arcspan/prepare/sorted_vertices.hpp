@@ -16,7 +16,7 @@ struct TriangleChords {
   std::uint32_t top_bottom;
   std::uint32_t middle_bottom;
 
-  [[nodiscard]] constexpr std::uint32_t widest() const {
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint32_t widest() const {
     const std::uint32_t upper = top_middle > top_bottom ? top_middle : top_bottom;
     return upper > middle_bottom ? upper : middle_bottom;
   }
@@ -74,9 +74,17 @@ ARCSPAN_INLINE_IF_SMALL constexpr void order_by_height(const RasterVertex<Method
 /// negative, which for sorted vertices is what its name says.
 template <class Method>
 ARCSPAN_OUTLINE_IF_SMALL constexpr void sort_by_height(SortedVertices<Method>& vertices) {
-  order_by_height<Method>(vertices.top, vertices.middle, vertices.middle_left);
-  order_by_height<Method>(vertices.middle, vertices.bottom, vertices.middle_left);
-  order_by_height<Method>(vertices.top, vertices.middle, vertices.middle_left);
+  const RasterVertex<Method>* top = vertices.top;
+  const RasterVertex<Method>* middle = vertices.middle;
+  const RasterVertex<Method>* bottom = vertices.bottom;
+  bool middle_left = vertices.middle_left;
+  order_by_height<Method>(top, middle, middle_left);
+  order_by_height<Method>(middle, bottom, middle_left);
+  order_by_height<Method>(top, middle, middle_left);
+  vertices.top = top;
+  vertices.middle = middle;
+  vertices.bottom = bottom;
+  vertices.middle_left = middle_left;
 }
 
 /// Measures the chords between the normals if the method needs them.

@@ -22,8 +22,9 @@ struct RowRange {
 /// Returns twice the signed area in 256ths of a square pixel. It is negative if a, b, c run counter-clockwise
 /// as seen on the screen (y down), as those of front faces do. The result is exact inside the guard band,
 /// where it fits 32 bits.
-[[nodiscard]] constexpr std::int32_t doubled_area(const RasterPosition& a, const RasterPosition& b,
-                                                  const RasterPosition& c) {
+[[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::int32_t doubled_area(const RasterPosition& a,
+                                                                          const RasterPosition& b,
+                                                                          const RasterPosition& c) {
   return wrap_sub(wrap_mul(b.x - a.x, c.y - a.y), wrap_mul(c.x - a.x, b.y - a.y));
 }
 
@@ -97,7 +98,8 @@ template <class Method>
 
 /// Sets up the edges that have rows to draw, and the width of the triangle at its middle vertex.
 template <class Method>
-constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>& command) {
+ARCSPAN_INLINE_IF_WIDE constexpr void place_edges(TriangleFrame<Method>& frame,
+                                                  TriangleCommand<Method>& command) {
   const RasterPosition& top = frame.top->position;
   const RasterPosition& middle = frame.middle->position;
   const RasterPosition& bottom = frame.bottom->position;
@@ -107,18 +109,25 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   make_edge_setup(top, bottom, command.first_row, true, frame.long_edge);
   make_edge_walk(frame.long_edge, top, bottom, long_walk);
   if constexpr (NeedsNearOverW<Method>) frame.long_walk.set(long_walk);
-  frame.upper_edge.offset = frame.lower_edge.offset = 0;  // otherwise gcc takes them for used
-  if (frame.has_upper) {
+  // Otherwise gcc takes them for used before they are set.
+  frame.upper_edge.offset = frame.lower_edge.offset = 0;
+  if constexpr (kHasWideRegisters) frame.upper_edge.inverse = frame.lower_edge.inverse = {};
+  // Edges are moved with the picture whether rows use them or not, so that one without rows is set, too.
+  if (frame.has_upper) [[likely]] {
     make_edge_setup(top, middle, command.first_row, frame.middle_left, frame.upper_edge);
     make_edge_walk(frame.upper_edge, top, middle, frame.middle_left ? command.left : command.right);
+  } else {
+    (frame.middle_left ? command.left : command.right).x = 0;
   }
-  if (frame.has_lower) {
+  if (frame.has_lower) [[likely]] {
     make_edge_setup(middle, bottom, command.middle_row, frame.middle_left, frame.lower_edge);
     make_edge_walk(frame.lower_edge, middle, bottom, command.lower);
+  } else {
+    command.lower.x = 0;
   }
   const auto height = static_cast<std::uint32_t>(middle.y - top.y);
-  frame.middle_fraction = Factor::from_raw(static_cast<std::int32_t>(
-      (height * frame.long_edge.inverse.mantissa) >> (frame.long_edge.inverse.exponent - Factor::kFraction)));
+  frame.middle_fraction =
+      Factor::from_raw(static_cast<std::int32_t>(frame.long_edge.inverse.times(height, Factor::kFraction)));
   // In 16ths of a pixel with 32 fraction bits; the product rounded down to whole pixels with 32.
   const std::int64_t across =
       (std::int64_t{middle.x - top.x} << 32) - (scaled(long_walk.step, height) & ~std::int64_t{15});

@@ -60,12 +60,11 @@ DrawResult draw_lit_part(const PartCall<Sink, Depth>& part, const typename Used:
     if (visible.excludes_all()) return drawer.result();
     auto* const vertices = static_cast<CachedVertex<Method>*>(static_cast<void*>(part.slot.vertices));
     hold_vertices<Method>(part.slot, kUseFacts<Used>, vertices);
-    const Rect& rect = drawer.scissor().rect();
     if (visible.known()) {
       drawer.draw_triangles_outlined(FrontVertices<Method>(drawer.stage(), vertices, visible));
     } else {
       drawer.draw_triangles_outlined(
-          KeptVertices<Method>(drawer.stage(), vertices, nullptr, visible, rect.top, rect.bottom));
+          KeptVertices<Method>(drawer.stage(), vertices, nullptr, visible, drawer.scissor().rect()));
     }
     return drawer.result();
   } else {

@@ -172,6 +172,19 @@ concept SkipsRows = requires(W walker, std::int32_t rows) {
   {walker.skip_rows(rows)};
 };
 
+/// Optional part of a run: it steps the depth together with its own values, and depth() is that of the
+/// present pixel.
+template <class R>
+concept CarriesDepth = requires(const R run) {
+  { run.depth() } -> std::same_as<Linear>;
+};
+/// Optional part of a walker, needed for runs that carry the depth: it gets the plane of the depth before the
+/// first row and steps it.
+template <class W>
+concept StepsDepth = requires(W walker, const LinearPlane& depth) {
+  {walker.take_depth(depth)};
+};
+
 /// Optional part of a run, needed inside segments: stride(bits) makes every following next() step 2^b pixels
 /// and returns b, at most `bits`.
 template <class R>

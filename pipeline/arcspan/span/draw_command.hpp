@@ -8,6 +8,7 @@
 #include <arcspan/span/depth.hpp>
 #include <arcspan/span/row_memory.hpp>
 #include <arcspan/span/run_drawer.hpp>
+#include <arcspan/span/step_rows.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
@@ -94,66 +95,6 @@ template <ScissorColumns kColumns, class Command, class Walker, class Target>
   }
 }
 
-/// Steps the edges, the depth and the shading of a command down by one row, in place.
-template <class Target, class Command, class Walker>
-ARCSPAN_INLINE constexpr void next_row(Command& command, Walker& walker) {
-  reload_from_memory(command.left);
-  reload_from_memory(command.right);
-  if constexpr (kHasManyRegisters) reload_from_memory(command.depth.left);
-  command.left.advance();
-  command.right.advance();
-  if constexpr (Target::Depth::kTests) command.depth.next_row();
-  walker.next_row();
-}
-
-/// Replaces the upper short edge by the lower one, on the side of the middle vertex.
-template <class Target, class Command, class Walker>
-ARCSPAN_INLINE constexpr void enter_lower(Command& command, Walker& walker) {
-  EdgeWalk& short_edge = command.middle_left ? command.left : command.right;
-  // Member by member, because compilers call memcpy for the whole struct on small cores.
-  short_edge.x = command.lower.x;
-  short_edge.step = command.lower.step;
-  if constexpr (Target::Depth::kTests) command.depth.enter_lower(command.middle_left);
-  walker.enter_lower();
-}
-
-/// Steps the edges and the depth of a command down by `rows` rows.
-template <bool WithDepth, class Command>
-ARCSPAN_OUTLINE constexpr void skip_rows_of_command(Command& command, std::int32_t rows) {
-  command.left.advance(rows);
-  command.right.advance(rows);
-  if constexpr (WithDepth) command.depth.skip_rows(rows);
-}
-
-/// Steps down `rows` rows of one half of the triangle without drawing. The rows that follow are exactly those
-/// that next_row() leads to.
-template <class Target, class Command, class Walker>
-constexpr void skip_rows(Command& command, Walker& walker, std::int32_t rows) {
-  if constexpr (SkipsRows<Walker> && !kOptimisedForSize) {
-    if (rows == 0) return;  // then the edges of this half may be unset
-    skip_rows_of_command<Target::Depth::kTests>(command, rows);
-    walker.skip_rows(rows);
-  } else {
-    for (; rows > 0; --rows) next_row<Target>(command, walker);
-  }
-}
-
-/// Steps a command down from row y to row `top` without drawing, so that a band's rows are exactly those of
-/// the whole picture. `half_end` is where the current half of the triangle ends; it becomes `end` if the
-/// lower half is entered.
-template <class Target, class Command, class Walker>
-constexpr void step_to_row(Command& command, Walker& walker, std::int32_t& y, std::int32_t top,
-                           std::int32_t& half_end, std::int32_t end) {
-  if (half_end < top) {
-    skip_rows<Target>(command, walker, half_end - y);
-    y = half_end;
-    enter_lower<Target>(command, walker);
-    half_end = end;
-  }
-  skip_rows<Target>(command, walker, top - y);
-  y = top;
-}
-
 /// True if the rows of a walker are functions of their own: their set-up takes more registers than are left
 /// beside other walkers.
 template <class Walker>
@@ -183,12 +124,9 @@ struct RowDrawer {
                                                                       const RasterOrigin& origin,
                                                                       const Walker& walker,
                                                                       const Target& target) {
-    if constexpr (OutlinedWalker<Walker>) {
-      return draw(command, origin, walker, target);  // no copy here: draw_run_outlined() makes one
-    } else {
-      const Target local = target;
-      return draw(command, origin, walker, local);
-    }
+    // No copy for draw_run_outlined(), which makes one.
+    std::conditional_t<OutlinedWalker<Walker>, const Target&, const Target> local = target;
+    return draw(command, origin, walker, local);
   }
 
  private:
@@ -197,6 +135,7 @@ struct RowDrawer {
                                              const Target& target) {
     const Rect& scissor = target.scissor;
     command.move_columns(origin.x);
+    if constexpr (StepsDepth<Walker>) walker.take_depth(command.depth);
     const std::int32_t end = command.end_row + origin.y;
     const std::int32_t stop = end < scissor.bottom ? end : scissor.bottom;
     const std::int32_t middle = command.middle_row + origin.y;
@@ -238,11 +177,16 @@ template <ShadingMethod Method, class Target>
   return Method::walk(command.shade, RowDrawer<ScissorColumns::kCrossing, TriangleCommand<Method>, Target>{
                                          command, origin, target});
 }
+/// Methods of arcs use a function per walker, so that frames add up to less stack.
 template <ShadingMethod Method, class Target>
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_crossing_rows_outlined(TriangleCommand<Method>& command,
                                                                            const RasterOrigin& origin,
                                                                            const Target& target) {
-  return draw_crossing_rows(command, origin, target);
+  if constexpr (!DrawsSmallTriangles<Method>) return draw_crossing_rows(command, origin, target);
+  using CrossingRows = RowDrawer<ScissorColumns::kCrossing, TriangleCommand<Method>, Target>;
+  return Method::walk(command.shade, [&](const auto& walker) {
+    return CrossingRows::draw_outlined(command, origin, walker, target);
+  });
 }
 
 }  // namespace detail
@@ -258,7 +202,7 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
                                             const Rect& scissor, const typename Method::Lighting& lighting,
                                             Sink& sink, const Depth& depth) {
   if (scissor.empty()) return Status::kOk;
-  const NoEncodedColours encoded(lighting);
+  const NoEncodedColours encoded{};
   const detail::RowTarget<typename Method::Lighting, Sink, Depth> target{scissor, lighting, sink, depth,
                                                                          encoded};
   if (!command.has_rows_in(scissor.top, scissor.bottom, origin.y)) return Status::kOk;

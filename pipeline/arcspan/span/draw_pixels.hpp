@@ -9,6 +9,7 @@
 #include <arcspan/span/draw_operated.hpp>
 #include <arcspan/span/encoded_colours.hpp>
 #include <arcspan/span/indexed_rows.hpp>
+#include <arcspan/span/row_memory.hpp>
 #include <arcspan/target.hpp>
 
 #include <concepts>
@@ -46,15 +47,24 @@ template <class Target, class Run>
 inline constexpr bool kLooksUpColours =
     !std::same_as<typename Target::Colours, NoEncodedColours> && !std::same_as<Run, SegmentPixels>;
 
+template <class Target, class Run>
+[[nodiscard]] ARCSPAN_INLINE constexpr Linear pixel_depth(const PixelPlace<Target>& place, const Run& run) {
+  if constexpr (CarriesDepth<Run>) return run.depth();
+  return place.z;
+}
+
 /// Draws span.count pixels, at least one, each only if it is_nearer() than the depth buffer where there is
 /// one. `dz` is the gradient of the depth per pixel.
 ///
-/// In indexed rows `place` is behind the last pixel, and the index runs up to 0: it is the loop counter too.
-/// Elsewhere `place` is at the first pixel, and is moved behind the last one.
+/// In indexed rows `place` is behind the last pixel, and the index runs from `first`, which is -span.count,
+/// up to 0: it is the loop counter too. Elsewhere `place` is at the first pixel, and is moved behind the last
+/// one.
 template <class Target, class Run>
-ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span& span, Run& run,
-                                          const Target& target, Linear dz) {
+ARCSPAN_INLINE constexpr void draw_pixels_from(PixelPlace<Target>& place, const Span& span,
+                                               std::ptrdiff_t first, Run& run, const Target& shared,
+                                               Linear dz) {
   using Format = typename Target::Format;
+  const CopyIfFewRegisters<Target> target = shared;
   constexpr bool kTests = Target::Depth::kTests;
   constexpr bool kIndexed = IndexedRows<Target>;
   const std::int32_t origin = kIndexed ? span.x + span.count : span.x;
@@ -65,14 +75,15 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
     hide_value(pixels);
     hide_value(depths);
   }
-  const auto count = static_cast<std::ptrdiff_t>(span.count);
   constexpr int kShift = kIndexed ? kIndexShift<Format, Run> : 0;
+  // Small cores compute the count here, where its register is free.
+  const std::ptrdiff_t count = kHasWideRegisters ? -first : static_cast<std::ptrdiff_t>(span.count);
   const std::ptrdiff_t last = kIndexed ? 0 : count;
   // A test at the end, which -Os would not move there.
   std::ptrdiff_t i = kIndexed ? -count * (1 << kShift) : 0;
   do {
     if constexpr (kIndexed && !kHasWideRegisters) hide_value(i);
-    const std::uint16_t depth = depth_of(place.z);
+    const std::uint16_t depth = depth_of(pixel_depth(place, run));
     std::uint16_t* const stored = kIndexed ? at_index<kShift>(depths, i) : place.depths;
     if (!kTests || Target::Depth::passes(depth, *stored)) [[likely]] {
       if constexpr (kHasOperation<Target, Run>) {
@@ -103,10 +114,17 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
       }
     }
     if constexpr (!kIndexed && kTests) ++place.depths;
-    if constexpr (kTests) place.z += dz;
+    if constexpr (kTests && !CarriesDepth<Run>) place.z += dz;
     if constexpr (!kIndexed) place.cursor.next();
     run.next();
   } while ((i += 1 << kShift) != last);
+}
+
+template <class Target, class Run>
+ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span& span, Run& run,
+                                          const Target& target, Linear dz) {
+  draw_pixels_from(place, span, kHasWideRegisters ? -static_cast<std::ptrdiff_t>(span.count) : 0, run, target,
+                   dz);
 }
 
 }  // namespace arcspan::detail

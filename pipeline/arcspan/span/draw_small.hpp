@@ -20,19 +20,30 @@ template <class Surface, class Target>
                                                                  const RasterOrigin& origin,
                                                                  const Target& all) {
   const Target target = all;  // a copy, because the members of a reference would be loaded for every pixel
-  RowMemory<Target> memory(target, triangle.row + origin.y);
-  for (std::int32_t row = 0; row < triangle.rows; ++row, memory.next()) {
+  const std::int32_t first_y = triangle.row + origin.y;
+  RowMemory<Target> memory(target, first_y);
+  const std::int32_t rows = triangle.rows;
+  const std::int32_t origin_x = origin.x;
+  const auto next_row = [&](std::int32_t& row) {
+    ++row;
+    if constexpr (kHasWideRegisters) memory.next();
+  };
+  for (std::int32_t row = 0; row < rows; next_row(row)) {
+    hide_value(row);
+    const std::int32_t below = kHasWideRegisters ? 0 : row;  // the current row of `memory`
     const SmallSpan found = triangle.spans[row];
     if (found.count == 0) continue;
-    const Span span{triangle.row + row + origin.y, found.first + origin.x, found.count};
+    const Span span{first_y + row, found.first + origin_x, found.count};
     const std::int32_t b = triangle.coordinate(triangle.of_middle(found.first, row));
     const std::int32_t c = triangle.coordinate(triangle.of_bottom(found.first, row));
     auto run = surface.row((triangle.row + row) * 16 + 8, b, c);
     if constexpr (IndexedRows<Target>) {
-      PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span), triangle.depth(b, c)};
+      PixelPlace<Target> place{memory.pixels.behind(span, below), memory.depths.behind(span, below),
+                               triangle.depth(b, c)};
       draw_pixels(place, span, run, target, triangle.dz);
     } else {
-      PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span), triangle.depth(b, c)};
+      PixelPlace<Target> place{memory.pixels.open(span, below), memory.depths.at(span, below),
+                               triangle.depth(b, c)};
       draw_pixels(place, span, run, target, triangle.dz);
     }
     const Status status = target.sink.close(span);
@@ -73,7 +84,7 @@ template <class Method, class Target>
                ? SmallResult::kDone
                : SmallResult::kOutOfView;
   }
-  prepare_small_triangle(p, q, r, doubled_area(p, q, r), triangle);
+  prepare_small_triangle(p, q, r, triangle);
   typename Method::Small small;
   if (!Method::prepare_small(target.lighting, *vertices.top, *vertices.middle, *vertices.bottom, is_medium,
                              triangle, small)) {

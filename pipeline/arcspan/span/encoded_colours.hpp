@@ -18,7 +18,7 @@ namespace arcspan {
 /// Used where pixels are encoded one by one.
 struct NoEncodedColours {
   template <class Lighting>
-  constexpr explicit NoEncodedColours(const Lighting&) {}
+  constexpr void set(const Lighting&) {}
 };
 
 /// The diffuse colours of an object by N·L, encoded in `Format` once per draw call, so that no pixel encodes
@@ -34,7 +34,7 @@ class EncodedColourTable {
   static constexpr bool kForHighlights = Size == 1024;
 
   template <class Lighting>
-  constexpr explicit EncodedColourTable(const Lighting& lighting) {
+  ARCSPAN_OUTLINE constexpr void set(const Lighting& lighting) {
     const auto& ramp = lighting.ramp();
     for (std::size_t i = 0; i < 256; ++i) colours_[i] = Format::encode(ramp[i]);
     for (std::size_t i = 256; i < Size / 2; ++i) colours_[i] = colours_[255];
@@ -43,7 +43,7 @@ class EncodedColourTable {
 
   [[nodiscard]] constexpr Encoded operator[](Cosine normal_light) const {
     if constexpr (Size == 256)
-      return colours_[static_cast<std::size_t>(clamped_byte(normal_light.raw() >> 22))];
+      return colours_[static_cast<std::size_t>(clamped_unsigned<8, 22>(normal_light.raw()))];
     return colours_[static_cast<std::uint32_t>(normal_light.raw()) >> 22];
   }
 

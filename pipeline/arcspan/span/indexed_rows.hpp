@@ -43,7 +43,7 @@ inline constexpr bool kEncodesVarying = HasScalars<Run> && !Format::kDithers &&
 /// every pixel, and in runs of several scalars: gcc keeps the scaled index in a register, which these lack.
 template <class Format, class Run>
 inline constexpr int kIndexShift = sizeof(typename Format::Encoded) == sizeof(std::uint16_t) &&
-                                           (!kScalesIndices || HasSeveralScalars<Run>)
+                                           (!kScalesIndices || (!kHasWideRegisters && HasSeveralScalars<Run>))
                                        ? 1
                                        : 0;
 

@@ -5,6 +5,7 @@
 #include <arcspan/prepare/line_command.hpp>
 #include <arcspan/shading/one_colour.hpp>
 #include <arcspan/span/draw_command.hpp>
+#include <arcspan/span/draw_indexed_run.hpp>
 #include <arcspan/span/draw_pixels.hpp>
 #include <arcspan/span/row_memory.hpp>
 #include <arcspan/status.hpp>
@@ -26,8 +27,7 @@ template <class Walker, class Target>
     run.begin(target.lighting);
   }
   if constexpr (IndexedRows<Target>) {
-    PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span), z};
-    draw_pixels(place, span, run, target, dz);
+    draw_indexed_run(memory, span, z, run, target, dz);
   } else {
     PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span), z};
     draw_pixels(place, span, run, target, dz);

@@ -5,21 +5,25 @@
 #include <arcspan/span/depth.hpp>
 #include <arcspan/target.hpp>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace arcspan::detail {
 
 /// The rows of a sink, from row y of the picture downwards: asks the sink for the memory of every run.
+///
+/// Instead of stepping by next(), a caller may tell how many `rows` a span is below the current row.
 template <class Sink>
 class PixelRows {
  public:
   constexpr PixelRows(Sink& sink, std::int32_t) : sink_(sink) {}
-  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr typename Sink::Format::Cursor open(const Span& span) const {
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr typename Sink::Format::Cursor open(const Span& span,
+                                                                                     std::int32_t = 0) const {
     return sink_.open(span);
   }
   /// The cursor behind the span's last pixel.
   [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr typename Sink::Format::Cursor behind(
-      const Span& span) const {
+      const Span& span, std::int32_t = 0) const {
     typename Sink::Format::Cursor cursor = sink_.open(span);
     cursor.skip(span.count);
     return cursor;
@@ -34,13 +38,19 @@ class PixelRows {
 template <SinkInMemory Sink>
 requires kHasManyRegisters class PixelRows<Sink> {
  public:
-  constexpr PixelRows(Sink& sink, std::int32_t y) : row_(sink.row(y)), stride_(sink.stride()) {}
-  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr typename Sink::Format::Cursor open(const Span& span) const {
-    return typename Sink::Format::Cursor(row_, span.x);
+  ARCSPAN_INLINE_IF_SMALL constexpr PixelRows(Sink& sink, std::int32_t y)
+      : row_(hidden(sink.row(y))), stride_(sink.stride()) {}
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr typename Sink::Format::Cursor open(
+      const Span& span, std::int32_t rows = 0) const {
+    return typename Sink::Format::Cursor(row_ + rows * stride_, span.x);
   }
   [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr typename Sink::Format::Cursor behind(
-      const Span& span) const {
-    return typename Sink::Format::Cursor(row_, span.x + span.count);
+      const Span& span, std::int32_t rows = 0) const {
+    return typename Sink::Format::Cursor(row_ + rows * stride_, span.x + span.count);
+  }
+  /// The cursor at a column of the current row, in formats of one word per pixel.
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Sink::Format::Cursor at_column(std::ptrdiff_t x) const {
+    return typename Sink::Format::Cursor(row_ + x, 0);
   }
   ARCSPAN_INLINE_IF_SMALL constexpr void next() {
     row_ += stride_;
@@ -56,16 +66,20 @@ requires kHasManyRegisters class PixelRows<Sink> {
 template <class Depth, bool Steps = kHasManyRegisters>
 class DepthRows {
  public:
-  constexpr DepthRows(const Depth& depth, std::int32_t y)
-      : row_(depth.row(y)), stride_(depth.bounds().right) {}
+  ARCSPAN_INLINE_IF_SMALL constexpr DepthRows(const Depth& depth, std::int32_t y)
+      : row_(hidden(depth.row(y))), stride_(depth.bounds().right) {}
   /// The depth of the span's first pixel.
-  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint16_t* at(const Span& span) const {
-    return row_ + span.x;
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint16_t* at(const Span& span,
+                                                                    std::int32_t rows = 0) const {
+    return row_ + (rows * stride_ + span.x);
   }
   /// The depth behind the span's last pixel.
-  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint16_t* behind(const Span& span) const {
-    return row_ + (span.x + span.count);
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint16_t* behind(const Span& span,
+                                                                        std::int32_t rows = 0) const {
+    return row_ + (rows * stride_ + (span.x + span.count));
   }
+  /// The depth at a column of the current row.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t* at_column(std::ptrdiff_t x) const { return row_ + x; }
   ARCSPAN_INLINE_IF_SMALL constexpr void next() {
     row_ += stride_;
     hide_value(row_);
@@ -80,7 +94,8 @@ template <class Depth>
 class DepthRows<Depth, false> {
  public:
   constexpr DepthRows(const Depth& depth, std::int32_t) : depth_(depth) {}
-  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint16_t* at(const Span& span) const {
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint16_t* at(const Span& span,
+                                                                    std::int32_t = 0) const {
     return depth_.row(span.y) + span.x;
   }
   ARCSPAN_INLINE_IF_SMALL constexpr void next() {}
@@ -93,7 +108,9 @@ class DepthRows<Depth, false> {
 class NoDepthRows {
  public:
   constexpr NoDepthRows(const NoDepth&, std::int32_t) {}
-  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint16_t* at(const Span&) const { return nullptr; }
+  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint16_t* at(const Span&, std::int32_t = 0) const {
+    return nullptr;
+  }
   ARCSPAN_INLINE_IF_SMALL constexpr void next() {}
 };
 template <>

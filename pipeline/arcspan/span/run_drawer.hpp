@@ -5,6 +5,7 @@
 #include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/row_start.hpp>
 #include <arcspan/shading/method.hpp>
+#include <arcspan/span/draw_indexed_run.hpp>
 #include <arcspan/span/draw_pieces.hpp>
 #include <arcspan/span/draw_pixels.hpp>
 #include <arcspan/span/row_memory.hpp>
@@ -31,9 +32,15 @@ struct RunDrawer {
       if (span.count > run.length()) span.count = run.length();
     }
     if constexpr (IndexedRows<Target> && !SegmentedRun<Run> && !PiecewiseRun<Run, Lighting>) {
-      PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span),
-                               linear_at(command.depth, start)};
-      draw_pixels(place, span, run, target, command.depth.dx);
+      if constexpr (kHasWideRegisters) {
+        Linear z{};
+        if constexpr (!CarriesDepth<Run>) z = linear_at(command.depth, start);
+        draw_indexed_run(memory, span, z, run, target, command.depth.dx);
+      } else {
+        PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span),
+                                 linear_at(command.depth, start)};
+        draw_pixels(place, span, run, target, command.depth.dx);
+      }
     } else {
       PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span),
                                linear_at(command.depth, start)};

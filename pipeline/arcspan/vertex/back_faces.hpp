@@ -31,17 +31,16 @@ class BackFaces {
   /// Requires known().
   [[nodiscard]] ARCSPAN_INLINE constexpr std::size_t next_front(std::size_t i, std::size_t count) const {
     const BackFaces held = *this;  // a copy, so that its members stay in registers
-    while (i < count && held.is_back(i)) ++i;
+    while (i < count && held.is_back(held.planes_[i])) ++i;
     return i;
   }
-
- private:
-  [[nodiscard]] ARCSPAN_INLINE constexpr bool is_back(std::size_t i) const {
+  /// True if the triangle with this plane is a back face. Requires known().
+  [[nodiscard]] ARCSPAN_INLINE constexpr bool is_back(const FacePlane& plane) const {
     // The sum is below 127 * 2^22 + 2^24 in magnitude.
-    const FacePlane& plane = planes_[i];
     return plane.x * eye_.x + plane.y * eye_.y + plane.z * eye_.z + plane.offset * offset_ < limit_;
   }
 
+ private:
   const FacePlane* planes_ = nullptr;
   ObjectPoint eye_{};
   std::int32_t offset_ = 0;

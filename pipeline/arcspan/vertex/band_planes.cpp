@@ -56,10 +56,12 @@ void BandPlanes::set(const ClipTransform& transform, std::int32_t first, std::in
   const std::int32_t odd = (viewport.height & 1) * 8;
   // A vertex at y sixteenths is above the band if y <= 16 first - 8, where first_row_at(y) <= first, and
   // below it if y >= 16 end - 7. One sixteenth more is for its rounding and its error.
-  above_ = form_beyond(transform, 16 * (first - middle) + 7 - odd, -1, radius);
-  below_ = form_beyond(transform, 16 * (end - middle) - 6 - odd, 1, radius);
+  const ObjectForm above = form_beyond(transform, 16 * (first - middle) + 7 - odd, -1, radius);
+  const ObjectForm below = form_beyond(transform, 16 * (end - middle) - 6 - odd, 1, radius);
+  likely_ = below.offset > above.offset ? below : above;
+  other_ = below.offset > above.offset ? above : below;
   known_ = true;
-  excludes_all_ = is_positive_within(radius, above_) || is_positive_within(radius, below_);
+  excludes_all_ = is_positive_within(radius, likely_) || is_positive_within(radius, other_);
 }
 
 }  // namespace arcspan

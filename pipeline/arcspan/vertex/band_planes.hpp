@@ -18,7 +18,7 @@ struct ObjectForm {
   std::int32_t offset = 0;
 
   [[nodiscard]] ARCSPAN_INLINE constexpr bool is_positive_at(const ObjectPosition& p) const {
-    return x * p.x + y * p.y + z * p.z + offset > 0;
+    return offset + x * p.x + y * p.y + z * p.z > 0;
   }
 };
 
@@ -39,20 +39,31 @@ class BandPlanes {
   /// True if no triangle has rows in the band.
   [[nodiscard]] constexpr bool excludes_all() const { return excludes_all_; }
 
+  /// The border that a vertex lies beyond.
+  static constexpr std::uint8_t kLikely = 1;
+  static constexpr std::uint8_t kOther = 2;
+  static constexpr std::uint8_t kBeyond = kLikely | kOther;
+  /// Returns `bits` with the border that `p` lies beyond, if any. A triangle has no row in the band if all
+  /// vertices lie beyond the same border. Requires known().
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint8_t beyond(const ObjectPosition& p,
+                                                             std::uint8_t bits) const {
+    if (likely_.is_positive_at(p)) return bits | kLikely;
+    return other_.is_positive_at(p) ? bits | kOther : bits;
+  }
   /// True if triangle i of `mesh` has no row in the band. Requires known().
   [[nodiscard]] ARCSPAN_INLINE constexpr bool excludes(const MeshView& mesh, std::size_t i) const {
     const TriangleIndices t = mesh.triangle(i);
     const ObjectPosition& a = mesh.position(t.a);
-    if (above_.is_positive_at(a)) {
-      return above_.is_positive_at(mesh.position(t.b)) && above_.is_positive_at(mesh.position(t.c));
+    if (likely_.is_positive_at(a)) {
+      return likely_.is_positive_at(mesh.position(t.b)) && likely_.is_positive_at(mesh.position(t.c));
     }
-    return below_.is_positive_at(a) && below_.is_positive_at(mesh.position(t.b)) &&
-           below_.is_positive_at(mesh.position(t.c));
+    return other_.is_positive_at(a) && other_.is_positive_at(mesh.position(t.b)) &&
+           other_.is_positive_at(mesh.position(t.c));
   }
 
  private:
-  ObjectForm above_;
-  ObjectForm below_;
+  ObjectForm likely_;  ///< beyond the border behind which more of the object lies, as far as its origin tells
+  ObjectForm other_;
   bool known_ = false;
   bool excludes_all_ = false;
 };

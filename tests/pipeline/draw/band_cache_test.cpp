@@ -136,6 +136,30 @@ TEMPLATE_TEST_CASE("a picture in bands with kept vertices is the picture drawn a
   CHECK(triangles > 0);
 }
 
+TEMPLATE_TEST_CASE("bands are found by indices of 8 bits and in parts of meshes, too", "", Gouraud<Light>) {
+  Random random(173);
+  const auto picture = [](auto& object, std::int32_t rows) {
+    return drawn(object, rows, all(object), false);
+  };
+  for (int round = 0; round < share_of(20); ++round) {
+    TestCamera camera = random_camera(random);
+    camera.translation = {0, 0, -9000};
+    Object<TestType> object(make_sphere(10, 14, 3000, 0.2, random), camera, true);
+    const Picture whole = picture(object, camera.height);
+    CHECK(whole.most_triangles > 0);
+    const std::vector<std::uint8_t> bytes(object.mesh.indices.begin(), object.mesh.indices.end());
+    const MeshView wide = object.view;
+    REQUIRE(ok(MeshView::make(object.mesh.positions, object.mesh.normals, bytes, object.view)));
+    REQUIRE(ok(object.view.attach(object.planes, wide.plane_scale())));
+    CHECK(picture(object, 8) == whole);
+    // The parts have more vertices than triangles, and none at all.
+    for (const std::size_t count : {std::size_t{40}, std::size_t{0}}) {
+      object.view = wide.part(object.planes.size() / 2, count);
+      CHECK(picture(object, 8) == picture(object, camera.height));
+    }
+  }
+}
+
 TEMPLATE_TEST_CASE("a filled cache is only read", "", Gouraud<Light>, Adaptive<Light>) {
   Random random(172);
   for (int round = 0; round < share_of(20); ++round) {

@@ -125,8 +125,10 @@ TEST_CASE(
     "its range") {
   const TestCamera camera;
   const auto light = make_light<1, Highlight::kBlinn>(camera);
-  const EncodedColourTable<Rgb565, 256> narrow(light);
-  const EncodedColourTable<Rgb565, 1024> wide(light);
+  EncodedColourTable<Rgb565, 256> narrow;
+  narrow.set(light);
+  EncodedColourTable<Rgb565, 1024> wide;
+  wide.set(light);
   int different = 0;
   const auto compare = [&](std::int64_t raw) {
     const Cosine value = Cosine::from_raw(static_cast<std::int32_t>(raw));

@@ -97,20 +97,35 @@ TEST_CASE("a specular ramp is full at no distance and at less, and black without
   }
 }
 
-TEST_CASE("both forms of a ramp's line have the same values") {
+TEST_CASE("a line of a ramp is at most 2^-5 above its values and never below, anywhere in the table") {
   Random random(141);
-  int different = 0;
+  int wrong = 0;
   for (int i = 0; i < 2000; ++i) {
     const auto interval = static_cast<std::uint32_t>(random.integer(0, 127));
     const auto here = static_cast<std::uint32_t>(random.integer(0, 65280));
-    const auto fall = static_cast<std::uint32_t>(random.integer(0, static_cast<std::int32_t>(here)));
-    const detail::ShortHighlightLine shorter(interval, here, fall);
-    const detail::LongHighlightLine longer(interval, here, fall);
-    for (std::uint32_t fraction = 0; fraction < 1u << detail::kPositionBits; fraction += 251) {
-      const std::uint32_t position = interval << detail::kPositionBits | fraction;
-      const std::uint32_t value = (here << detail::kPositionBits) + fall - fall * fraction;
-      different += shorter(position) == longer(position) && shorter(position) == value ? 0 : 1;
+    const auto next = static_cast<std::uint32_t>(random.integer(0, static_cast<std::int32_t>(here)));
+    const detail::HighlightLine line(interval, here, next);
+    const std::uint32_t length = 1u << detail::HighlightLine::kIntervalBits;
+    for (std::uint32_t inside = 0; inside < length; inside += 8191) {
+      const double value = here - (static_cast<double>(here) - next) * inside / length;
+      const double at = std::ldexp(line(interval * length + inside), -16);
+      wrong += at >= value - 1e-4 && at <= value + 8.2 ? 0 : 1;  // in 2^-8, with the fall's own bits
     }
   }
-  CHECK(different == 0);
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("a white ramp has the same values at any distance, clamped, and ends at 0") {
+  for (const std::int32_t n : {1, 2, 16, 255, 256}) {
+    const HighlightTable ramp(PowerTable(n), kWhite);
+    CHECK(ramp.is_always_white());
+    int wrong = 0;
+    for (std::int32_t distance = 0; distance < HighlightTable::kReach; distance += 4099)
+      wrong += PackedRgb::grey(ramp.white(distance)).lanes == ramp(distance).lanes ? 0 : 1;
+    CHECK(wrong == 0);
+    for (const std::int32_t distance : {-1, INT32_MIN}) CHECK(ramp.white(distance) == 1020);
+    for (const std::int32_t distance : {HighlightTable::kReach - 1, HighlightTable::kReach, INT32_MAX})
+      CHECK(ramp.white(distance) == 0);
+  }
+  CHECK(!HighlightTable(PowerTable(16), {1, 2, 1}).is_always_white());
 }

@@ -37,10 +37,19 @@ TEST_CASE("multiply_high of signed numbers rounds down") {
   CHECK(multiply_high(INT32_MIN, INT32_MAX) == -(1 << 30));
 }
 
-TEST_CASE("a byte is clamped at both ends") {
-  for (std::int32_t v = 0; v < 256; ++v) CHECK(clamped_byte(v) == static_cast<std::uint32_t>(v));
-  for (const std::int32_t v : {-1, -256, -65536, INT32_MIN}) CHECK(clamped_byte(v) == 0);
-  for (const std::int32_t v : {256, 511, 65536, INT32_MAX}) CHECK(clamped_byte(v) == 255);
+TEST_CASE("unsigned numbers are clamped at both ends") {
+  for (std::int32_t v = 0; v < 1024; ++v) {
+    CHECK(clamped_unsigned<8, 2>(v) == static_cast<std::uint32_t>(v) >> 2);
+    CHECK(clamped_unsigned<9, 1>(v) == static_cast<std::uint32_t>(v) >> 1);
+  }
+  for (const std::int32_t v : {-1, -4, -256, -65536, INT32_MIN}) {
+    CHECK(clamped_unsigned<8, 2>(v) == 0);
+    CHECK(clamped_unsigned<9, 1>(v) == 0);
+  }
+  for (const std::int32_t v : {1024, 1025, 65536, INT32_MAX}) {
+    CHECK(clamped_unsigned<8, 2>(v) == 255);
+    CHECK(clamped_unsigned<9, 1>(v) == 511);
+  }
 }
 
 TEST_CASE("numbers are clamped to a range of bits at both ends") {

@@ -76,6 +76,10 @@ TEST_CASE("band planes exclude no triangle with rows in the band, and nearly all
         const bool reaches = rows.first + middle < end && rows.end + middle > first && rows.first < rows.end;
         reached |= reaches;
         if (reaches) CHECK_FALSE(band.excludes(mesh, t));
+        const TriangleIndices corners = mesh.triangle(t);
+        const auto beyond = [&](std::size_t v) { return band.beyond(mesh.position(v), 128); };
+        CHECK((beyond(corners.a) & beyond(corners.b) & beyond(corners.c)) ==
+              (band.excludes(mesh, t) ? beyond(corners.a) : 128));
         // A row more on both sides, as triangles near the border may be left to the raster.
         if (rows.first + middle > end || rows.end + middle < first) {
           ++elsewhere;

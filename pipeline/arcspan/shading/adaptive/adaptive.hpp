@@ -4,6 +4,7 @@
 #include <arcspan/lighting/highlight_table.hpp>
 #include <arcspan/shading/adaptive/adaptive_illumination.hpp>
 #include <arcspan/shading/adaptive/adaptive_rows.hpp>
+#include <arcspan/shading/adaptive/highlight_distances.hpp>
 #include <arcspan/shading/adaptive/highlight_patch.hpp>
 #include <arcspan/shading/adaptive/linear_levels.hpp>
 #include <arcspan/shading/adaptive/linear_light.hpp>
@@ -39,11 +40,14 @@ struct AdaptivePaths : Arc<Illumination> {
   using typename Base::Vertex;
   struct Prepared : Base::Prepared {
     FullLinearPlane light;
-    int segment_bits;      ///< path 3: segments have 2^segment_bits pixels; 0 for none
-    bool linear_light;     ///< path 1: N·L alone, in `light`
-    bool highlight_patch;  ///< path 4: the patch has the diffuse scalar and a highlight's scaled distance
-    bool linear_diffuse;   ///< path 4: the diffuse scalar is in `light`
-    std::uint32_t highlight_weight;  ///< path 4: of the light
+    [[no_unique_address]] std::conditional_t<kHasWideRegisters, LightAndDepthPlane, NoLightAndDepthPlane>
+        light_and_depth;
+    int segment_bits;        ///< path 3: segments have 2^segment_bits pixels; 0 for none
+    bool linear_light;       ///< path 1: N·L alone, in `light`
+    bool highlight_patch;    ///< path 4: the patch has the diffuse scalar and a highlight's scaled distance
+    bool linear_diffuse;     ///< path 4: the diffuse scalar is in `light`
+    HighlightPixels pixels;  ///< path 4, linear_diffuse: the loop that suffices
+    std::uint32_t highlight_weight;  ///< path 4: of the light, if there are several
   };
 
   template <class Frame>
@@ -78,6 +82,10 @@ struct AdaptivePaths : Arc<Illumination> {
       if (fits_patch && prepared.segment_bits == 0 && widest <= kWidestBounded &&
           widest <= lighting.highlight_patch_limit()) {
         prepared.highlight_patch = prepare_highlight_patch(lighting, frame, nearest.light, prepared);
+        if constexpr (kHasWhiteLoops) {
+          if (prepared.highlight_patch && prepared.linear_diffuse)
+            prepared.pixels = highlight_pixels_of(lighting, frame, nearest.distance);
+        }
         if (prepared.highlight_patch) return;
       }
     }
@@ -94,9 +102,11 @@ struct AdaptivePaths : Arc<Illumination> {
     bool linear_light;
   };
   template <class Raster>
-  [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
-                                                    const Raster& b, const Raster& c, bool is_medium,
-                                                    const SmallTriangle& triangle, Small& small) {
+  [[nodiscard]] ARCSPAN_INLINE_IF_WIDE static constexpr bool prepare_small(const Lighting& lighting,
+                                                                           const Raster& a, const Raster& b,
+                                                                           const Raster& c, bool is_medium,
+                                                                           const SmallTriangle& triangle,
+                                                                           Small& small) {
     small.linear_light = false;
     if (small.arc.prepare_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) return true;
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
@@ -110,9 +120,10 @@ struct AdaptivePaths : Arc<Illumination> {
                                      arc_headroom(chords.widest())),
           lighting.half_tolerance_reach(), lighting.eighth_tolerance_reach(), corners, chords, is_medium);
       shines = nearest < lighting.half_tolerance_reach();
-      diffuse =
-          Base::Small::diffuse_of(lighting, corners, chords.widest(), shines,
-                                  is_medium ? kWidestDiffusePatch : lighting.diffuse_patch_limit(nearest));
+      const auto is_allowed = [&](std::uint32_t error) {
+        return error <= lighting.diffuse_patch_error(nearest);
+      };
+      diffuse = Base::Small::diffuse_of(lighting, corners, chords.widest(), shines, is_allowed);
       if (diffuse.suffices && !is_medium && chords.widest() <= kWidestBounded) {
         const LinearLevels levels(chords, diffuse.a, diffuse.b, diffuse.c);
         if (levels.quadruple_error() <= lighting.linear_limit(nearest)) {
@@ -137,17 +148,30 @@ struct AdaptivePaths : Arc<Illumination> {
   template <class Draw>
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     if constexpr (Base::kHasDiffusePath) {
-      if (prepared.linear_light)
-        return draw(LinearLightWalker<Lighting>(prepared.light, prepared.middle_left));
+      if (prepared.linear_light) {
+        if constexpr (kHasWideRegisters) {
+          return draw(
+              LightAndDepthWalker<Lighting>(prepared.light, prepared.light_and_depth, prepared.middle_left));
+        } else {
+          return draw(LinearLightWalker<Lighting>(prepared.light, prepared.middle_left));
+        }
+      }
     }
     if constexpr (kHasHighlightPatch) {
       if (prepared.highlight_patch) {
         if (prepared.linear_diffuse) {
-          return draw(LinearHighlightWalker<Lighting>(prepared.light, prepared.patch[1], prepared.middle_left,
-                                                      prepared.highlight_weight));
+          if constexpr (kHasWhiteLoops) {
+            if (prepared.pixels == HighlightPixels::kWhiteFitting)
+              return draw(linear_highlight_walker<HighlightPixels::kWhiteFitting>(prepared));
+            if constexpr (!kHasWideRegisters) {  // where that of any colour is as fast
+              if (prepared.pixels == HighlightPixels::kOnlyWhite)
+                return draw(linear_highlight_walker<HighlightPixels::kOnlyWhite>(prepared));
+            }
+          }
+          return draw(linear_highlight_walker<HighlightPixels::kAny>(prepared));
         }
         return draw(HighlightPatchWalker<Lighting, Base::kScalars>(prepared.patch, prepared.middle_left,
-                                                                   prepared.highlight_weight));
+                                                                   weight_of(prepared)));
       }
     }
     if constexpr (Segments) {
@@ -170,6 +194,17 @@ struct AdaptivePaths : Arc<Illumination> {
 
  private:
   static constexpr bool kHasHighlightPatch = Base::kHasDiffusePath;
+  [[nodiscard]] static constexpr std::uint32_t weight_of(const Prepared& prepared) {
+    if constexpr (Illumination::kLights == 1) return std::uint32_t{1} << 15;
+    return prepared.highlight_weight;
+  }
+  template <HighlightPixels kPixels>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr LinearHighlightWalker<Lighting, kPixels>
+  linear_highlight_walker(Prepared& prepared) {
+    return {prepared.light, prepared.patch[1], prepared.middle_left, weight_of(prepared)};
+  }
+  /// Loops of their own for white highlights are a matter of time only.
+  static constexpr bool kHasWhiteLoops = !kOptimisedForSize && Illumination::kLights == 1;
   static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath && kMayHaveOneLight<Illumination>;
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the errors of linear light and of
   /// highlight patches are bounded.
@@ -213,8 +248,10 @@ struct AdaptivePaths : Arc<Illumination> {
   /// Makes the plane of a diffuse scalar, of a triangle of at most kWidestBounded, if its error is within
   /// `linear_limit`; otherwise returns false.
   template <class Frame>
-  [[nodiscard]] static constexpr bool make_linear_light(const Frame& frame, const PatchValues& light,
-                                                        std::uint32_t linear_limit, Prepared& prepared) {
+  [[nodiscard]] ARCSPAN_INLINE_IF_WIDE static constexpr bool make_linear_light(const Frame& frame,
+                                                                               const PatchValues& light,
+                                                                               std::uint32_t linear_limit,
+                                                                               Prepared& prepared) {
     const LinearLevels levels(frame.chords, light.top, light.middle, light.bottom);
     // A gradient saturates at 2 per pixel, which a sliver may exceed.
     if (levels.range() >= frame.width || levels.quadruple_error() > linear_limit) return false;
@@ -238,55 +275,38 @@ struct AdaptivePaths : Arc<Illumination> {
     Base::prepare_path(lighting, frame, Base::diffuse_path(patch_fits(frame), widest), prepared);
   }
 
-  /// Prepares the diffuse scalar and the scaled distance of a highlight as patches; `light` is that of
-  /// NearestHighlight. Returns false if there are several highlights, if a vertex is not lit or its highlight
-  /// fades, or if HighlightTable cannot scale the largest distance.
+  /// Prepares the diffuse scalar and the scaled distance of the highlight of one light as patches. Returns
+  /// false if there are several highlights (`nearest_light` is kLights), if a vertex is not lit or its
+  /// highlight fades, or if HighlightTable cannot scale the largest distance.
   template <class Frame>
-  [[nodiscard]] static constexpr bool prepare_highlight_patch(const Lighting& lighting, const Frame& frame,
-                                                              std::size_t light, Prepared& prepared) {
+  [[nodiscard]] ARCSPAN_OUTLINE static constexpr bool prepare_highlight_patch(const Lighting& lighting,
+                                                                              const Frame& frame,
+                                                                              std::size_t nearest_light,
+                                                                              Prepared& prepared) {
+    const std::size_t light = Illumination::kLights == 1 ? 0 : nearest_light;
     std::uint32_t lit = 0;
     if (light == Illumination::kLights || !Base::lit_throughout(lighting, frame, lit)) return false;
-    prepared.highlight_weight = lighting.highlight_weight(light);
+    if constexpr (Illumination::kLights > 1) prepared.highlight_weight = lighting.highlight_weight(light);
     // Above 0 or the end of the fade by 2^-10, which is more than any rounding error.
     const std::int32_t lit_from = lighting.fade_end().raw() + (std::int32_t{1} << 20);
-    const std::size_t other = Illumination::highlight_index(light);
     const auto& top = frame.top->shade.scalars;
     const auto& middle = frame.middle->shade.scalars;
     const auto& bottom = frame.bottom->shade.scalars;
     if (top[light].raw() < lit_from || middle[light].raw() < lit_from || bottom[light].raw() < lit_from)
       return false;
-    std::int32_t farthest = 0;  // the largest half distance so far
-    const auto distance = [&](Cosine at_light, Cosine at_other) {
-      const std::int32_t half = lighting.half_distance(at_light, at_other, light);
-      if (half > farthest) farthest = half;
-      return half;
-    };
-    const auto half_way = [&](const auto& a, const auto& b, SagittaFactor factor) {
-      const auto middle_of = [&](std::size_t i) {
-        return detail::patch_middle(a[i], b[i], detail::quadruple_sagitta(a[i], b[i], factor));
-      };
-      return distance(middle_of(light), middle_of(other));
-    };
-    const EdgeSagittaFactors factors = sagitta_factors_of(frame.chords);
-    const std::int32_t top_middle = half_way(top, middle, factors.top_middle);
-    const std::int32_t top_bottom = half_way(top, bottom, factors.top_bottom);
-    const std::int32_t middle_bottom = half_way(middle, bottom, factors.middle_bottom);
-    const std::int32_t at_top = distance(top[light], top[other]);
-    const std::int32_t at_middle = distance(middle[light], middle[other]);
-    const std::int32_t at_bottom = distance(bottom[light], bottom[other]);
-    const HighlightTable& table = lighting.highlight_table();
-    if (!table.fits(farthest)) return false;
+    EdgeSagittaFactors factors{};
+    if (!has_linear_distance(lighting)) factors = sagitta_factors_of(frame.chords);
+    const HalfDistances half = half_distances_of(lighting, frame, light, factors);
+    if (!lighting.highlight_table().fits(half.farthest)) return false;
     const PatchValues diffuse = Base::diffuse_scalars(lighting, frame, lit);
     prepared.linear_diffuse = make_linear_light(
         frame, diffuse, lighting.linear_limit_with_highlight(frame.chords.widest()), prepared);
-    if (!prepared.linear_diffuse) make_patch_scalar(frame, factors, diffuse, prepared.patch[0]);
-    const auto scaled = [&table](std::int32_t half) { return Cosine::from_raw(table.scaled(half)); };
-    const PatchValues at{scaled(at_top), scaled(at_middle), scaled(at_bottom)};
-    const EdgeQuadrupleSagittas sagittas{
-        detail::quadruple_sagitta_through(at.top, at.middle, scaled(top_middle)),
-        detail::quadruple_sagitta_through(at.top, at.bottom, scaled(top_bottom)),
-        detail::quadruple_sagitta_through(at.middle, at.bottom, scaled(middle_bottom))};
-    make_patch_surface(frame, at, sagittas, prepared.patch[1]);
+    if (has_linear_distance(lighting)) factors = sagitta_factors_of(frame.chords);
+    if (!prepared.linear_diffuse) {
+      const EdgeSagittaFactors in_memory = factors;  // elsewhere they stay in registers
+      make_patch_scalar(frame, in_memory, diffuse, prepared.patch[0]);
+    }
+    make_distance_surface(lighting, frame, light, factors, half, prepared.patch[1]);
     return true;
   }
 

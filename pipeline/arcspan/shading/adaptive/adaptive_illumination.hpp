@@ -48,7 +48,9 @@ class AdaptiveIllumination : public Illumination {
     eighth_tolerance_reach_ = reach_of(tolerance / (8 * highlights));
     linear_limit_ = linear_limit_of(tolerance - tolerance / 2);
     far_linear_limit_ = linear_limit_of(tolerance - tolerance / 8);
-    far_diffuse_patch_limit_ = diffuse_patch_limit_of(tolerance - tolerance / 8);
+    const std::uint32_t rest = tolerance - tolerance / 8;
+    far_diffuse_patch_error_ = diffuse_patch_error_of(rest > kPatchError ? rest : kPatchError);
+    diffuse_patch_error_ = diffuse_patch_error_of(tolerance - tolerance / 2);
     segment_limit_with_highlight_ = segment_limit_of(tolerance, true);
     segment_limit_without_highlight_ = segment_limit_of(tolerance - tolerance / 2, false);
     highlight_patch_limit_ = highlight_patch_limit_of(tolerance);
@@ -61,6 +63,7 @@ class AdaptiveIllumination : public Illumination {
             ? UINT32_MAX
             : static_cast<std::uint32_t>((std::uint64_t{1} << 47) / highlight_patch_limit_);
     highlight_row_limit_ = highlight_row_limit_of(highlight_patch_limit_);
+    white_margin_ = (static_cast<std::uint32_t>(steps) + 2) << 2;
     return Status::kOk;
   }
 
@@ -77,10 +80,10 @@ class AdaptiveIllumination : public Illumination {
     return half_distance >= eighth_tolerance_reach_ ? far_linear_limit_ : linear_limit_;
   }
 
-  /// Returns the largest squared chord for which N·L may be a patch in a triangle like that of
-  /// linear_limit(), 28 fraction bits.
-  [[nodiscard]] constexpr std::uint32_t diffuse_patch_limit(std::int32_t half_distance) const {
-    return half_distance >= eighth_tolerance_reach_ ? far_diffuse_patch_limit_ : kWidestDiffusePatch;
+  /// Returns the error that N·L of a patch beyond kWidestDiffusePatch may have in a small triangle like that
+  /// of linear_limit(), 20 fraction bits. Far from highlights it is at least that of `Arc`.
+  [[nodiscard]] constexpr std::uint32_t diffuse_patch_error(std::int32_t half_distance) const {
+    return half_distance >= eighth_tolerance_reach_ ? far_diffuse_patch_error_ : diffuse_patch_error_;
   }
 
   /// linear_limit() of a triangle whose highlight's distance is a patch; `chord` is its widest squared chord,
@@ -164,6 +167,33 @@ class AdaptiveIllumination : public Illumination {
     return encode_varying<Format>(lit_colour(diffuse).plus(highlight(distance, weight)));
   }
 
+  /// Returns true if no pixel of a triangle with a white highlight saturates, whose N·L is at most `most` and
+  /// whose half distances are at least `nearest`; one light only.
+  [[nodiscard]] constexpr bool never_saturates(Cosine most, std::int32_t nearest) const {
+    const std::uint32_t highest =
+        highlight_table_.white(highlight_table_.scaled(nearest < 0 ? 0 : nearest)) + white_margin_;
+    return highest < 1024 && lit_colour(most).fits_plus(PackedRgb::grey(highest));
+  }
+  /// Returns colour_with_highlight_at() by a white highlight: nothing is asked about the reach.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour_with_white_at(Cosine diffuse,
+                                                                        std::int32_t distance) const {
+    std::uint32_t white = highlight_table_.white(distance);
+    hide_value(white);  // comes first, because the diffuse colour would take a register meanwhile
+    return lit_colour(diffuse).plus(PackedRgb::grey(white));
+  }
+  /// Returns colour_with_white_at() in a triangle that never_saturates(), without any comparison.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour_with_fitting_white_at(Cosine diffuse,
+                                                                                std::int32_t distance) const {
+    std::uint32_t white = highlight_table_.white(distance);
+    hide_value(white);
+    return lit_colour(diffuse).plus_fitting(PackedRgb::grey(white));
+  }
+  /// Returns the parts of that colour.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light_with_white_at(Cosine diffuse,
+                                                                        std::int32_t distance) const {
+    return {lit_colour(diffuse), PackedRgb::grey(highlight_table_.white(distance))};
+  }
+
   /// Returns the largest squared angle of a segment within which colours may be linear, 28 fraction bits;
   /// `shines` is true if a highlight is within reach.
   [[nodiscard]] constexpr std::uint32_t segment_limit(bool shines) const {
@@ -210,19 +240,13 @@ class AdaptiveIllumination : public Illumination {
     return 0;
   }
 
-  /// Returns diffuse_patch_limit() for a tolerance. N·L of a patch differs from that of arcs by at most 0.018
-  /// a^3, where a is the widest chord (decision 26). From 40 degrees on, factors of SmallPatch would
-  /// overflow.
-  [[nodiscard]] constexpr std::uint32_t diffuse_patch_limit_of(std::uint32_t tolerance) const {
+  /// Returns diffuse_patch_error() for a tolerance.
+  [[nodiscard]] constexpr std::uint32_t diffuse_patch_error_of(std::uint32_t tolerance) const {
     if constexpr (Illumination::kHasRamp) {
-      constexpr std::uint32_t kWidest = 125601300u;  // 40 degrees
-      if (Illumination::lights() == 1) {
-        const std::uint32_t limit =
-            squared_chord_of(std::uint64_t{Illumination::most_ramp()} * 18, std::uint64_t{tolerance} * 1000);
-        return limit < kWidestDiffusePatch ? kWidestDiffusePatch : limit < kWidest ? limit : kWidest;
-      }
+      const std::uint32_t ramp = Illumination::most_ramp();
+      return ramp == 0 ? UINT32_MAX : (tolerance << 20) / ramp;
     }
-    return kWidestDiffusePatch;
+    return 0;
   }
 
   /// Returns the square of the largest chord below 1 whose cube times `height` is at most `most`, 28
@@ -298,7 +322,8 @@ class AdaptiveIllumination : public Illumination {
   std::int32_t eighth_tolerance_reach_ = 0;
   std::uint32_t linear_limit_ = 0;
   std::uint32_t far_linear_limit_ = 0;
-  std::uint32_t far_diffuse_patch_limit_ = 0;
+  std::uint32_t diffuse_patch_error_ = 0;
+  std::uint32_t far_diffuse_patch_error_ = 0;
   std::uint32_t segment_limit_with_highlight_ = 0;
   std::uint32_t segment_limit_without_highlight_ = 0;
   std::uint32_t highlight_patch_limit_ = 0;
@@ -306,6 +331,7 @@ class AdaptiveIllumination : public Illumination {
   std::uint32_t whole_linear_limit_ = 0;   ///< linear_limit() for all of the tolerance
   std::uint32_t linear_share_ = 0;         ///< of the tolerance beside omitted highlights, 15 fraction bits
   Factor highlight_row_limit_{};
+  std::uint32_t white_margin_ = 0;  ///< the most by which errors may raise a pixel, as a value of PackedRgb
   std::array<PackedRgb, kLitEntries> lit_colours_{};
 };
 

@@ -7,6 +7,7 @@
 #include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/row_start.hpp>
 #include <arcspan/shading/patch/patch.hpp>
+#include <arcspan/shading/patch/patch_limits.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
 #include <arcspan/target.hpp>
 
@@ -16,9 +17,12 @@
 
 namespace arcspan {
 
+/// Two scalars stepped by second differences.
+using CurvedSteps = std::conditional_t<kHasWideRegisters, JoinedRun<0, false>, SecondDifferenceRun<2>>;
+
 /// The diffuse_scalar() and the scaled distance of a highlight (HighlightTable), both stepped by second
 /// differences.
-class CurvedHighlight : public SecondDifferenceRun<2> {
+class CurvedHighlight : public CurvedSteps {
  public:
   [[nodiscard]] constexpr Cosine diffuse() const { return scalars()[0]; }
   [[nodiscard]] constexpr std::int32_t distance() const { return scalars()[1].raw(); }
@@ -47,25 +51,39 @@ class LinearHighlight {
   SecondDifferenceRun<1> distance_;
 };
 
+/// The highlights that a SteppedHighlightRun can draw.
+enum class HighlightPixels : std::uint8_t {
+  kAny,           ///< of any colour
+  kOnlyWhite,     ///< white ones
+  kWhiteFitting,  ///< white ones in a triangle of which AdaptiveIllumination::never_saturates() is true
+};
+
 /// The pixels of a row (PixelRun) with the highlight of one light. `Steps` (CurvedHighlight, LinearHighlight)
 /// steps the diffuse scalar and the highlight's distance, so no product is computed per pixel (decision 7).
-template <class Lighting, class Steps>
+template <class Lighting, class Steps, HighlightPixels kPixels>
 class SteppedHighlightRun : public Steps {
  public:
   static constexpr std::size_t kUsed = 2;
 
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
+    if constexpr (kPixels == HighlightPixels::kOnlyWhite) {
+      return lighting.colour_with_white_at(this->diffuse(), this->distance());
+    } else if constexpr (kPixels == HighlightPixels::kWhiteFitting) {
+      return lighting.colour_with_fitting_white_at(this->diffuse(), this->distance());
+    }
     return lighting.colour_with_highlight_at(this->diffuse(), this->distance(), weight());
   }
   /// Returns the parts of colour() (LightRun).
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
+    if constexpr (kPixels != HighlightPixels::kAny)
+      return lighting.light_with_white_at(this->diffuse(), this->distance());
     return lighting.light_with_highlight_at(this->diffuse(), this->distance(), weight());
   }
   /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
   template <class Format, class Colours>
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
                                                                           const Colours& encoded) const {
-    if constexpr (Colours::kForHighlights) {
+    if constexpr (Colours::kForHighlights && kPixels == HighlightPixels::kAny) {
       return lighting.template encoded_with_highlight_at<Format>(this->diffuse(), this->distance(), weight(),
                                                                  encoded);
     } else {
@@ -85,7 +103,7 @@ class SteppedHighlightRun : public Steps {
 };
 
 template <class Lighting>
-using HighlightPatchRun = SteppedHighlightRun<Lighting, CurvedHighlight>;
+using HighlightPatchRun = SteppedHighlightRun<Lighting, CurvedHighlight, HighlightPixels::kAny>;
 
 /// Steps a highlight patch (RowWalker).
 template <class Lighting, std::size_t Count>
@@ -106,12 +124,26 @@ class HighlightPatchWalker : public PatchWalker<HighlightPatchRun<Lighting>, Cou
   std::uint32_t weight_;
 };
 
+/// Returns the HighlightPixels of a TriangleFrame by one light, whose half distance is at least `nearest`.
+template <class Lighting, class Frame>
+[[nodiscard]] constexpr HighlightPixels highlight_pixels_of(const Lighting& lighting, const Frame& frame,
+                                                            std::int32_t nearest) {
+  if (!lighting.highlight_table().is_always_white()) return HighlightPixels::kAny;
+  const Cosine top = frame.top->shade.scalars[0];
+  const Cosine middle = frame.middle->shade.scalars[0];
+  const Cosine bottom = frame.bottom->shade.scalars[0];
+  const Cosine upper = top > middle ? top : middle;
+  const Cosine highest = upper > bottom ? upper : bottom;
+  const bool fits = lighting.never_saturates(highest + arc_headroom(frame.chords.widest()), nearest);
+  return fits ? HighlightPixels::kWhiteFitting : HighlightPixels::kOnlyWhite;
+}
+
 /// Steps a highlight patch whose diffuse scalar is linear on the screen (RowWalker): a plane and one scalar
 /// of a patch, which it changes in place.
-template <class Lighting>
+template <class Lighting, HighlightPixels kPixels>
 class LinearHighlightWalker {
  public:
-  using Run = SteppedHighlightRun<Lighting, LinearHighlight>;
+  using Run = SteppedHighlightRun<Lighting, LinearHighlight, kPixels>;
 
   constexpr LinearHighlightWalker(FullLinearPlane& light, PatchScalar& distance, bool middle_left,
                                   std::uint32_t weight)

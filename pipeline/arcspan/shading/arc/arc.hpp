@@ -86,13 +86,16 @@ struct ArcUpTo {
     }
     if constexpr (kMayStepDistance<Lighting>) {
       if (path == Path::kPatch && steps_distance(lighting)) {
-        if (is_out_of_fade(lighting, frame)) {
+        if (!has_lit_vertex(frame)) {
+          path = Path::kDiffusePatch;
+        } else if (is_out_of_fade(lighting, frame)) {
           prepare_stepped_distance(lighting, frame, prepared.patch);
           prepared.middle_left = frame.middle_left;
           prepared.path = Path::kSteppedDistance;
           return;
+        } else {
+          path = Path::kWide;
         }
-        path = Path::kWide;
       }
     }
     prepare_path(lighting, frame, path, prepared);
@@ -121,9 +124,11 @@ struct ArcUpTo {
 
   /// Prepares a small triangle (DrawsSmallTriangles).
   template <class Raster>
-  [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
-                                                    const Raster& b, const Raster& c, bool is_medium,
-                                                    const SmallTriangle& triangle, Small& small) {
+  [[nodiscard]] ARCSPAN_INLINE_IF_WIDE static constexpr bool prepare_small(const Lighting& lighting,
+                                                                           const Raster& a, const Raster& b,
+                                                                           const Raster& c, bool is_medium,
+                                                                           const SmallTriangle& triangle,
+                                                                           Small& small) {
     if (small.prepare_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) return true;
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
     const SmallCorners corners{a, b, c};
@@ -134,7 +139,8 @@ struct ArcUpTo {
                                                               c.shade.scalars, arc_headroom(chords.widest()));
       shines = Small::sharper_nearest(lighting, nearest, reach, reach, corners, chords, is_medium) < reach;
     }
-    const auto diffuse = Small::diffuse_of(lighting, corners, chords.widest(), shines, kWidestDiffusePatch);
+    const auto diffuse =
+        Small::diffuse_of(lighting, corners, chords.widest(), shines, Small::within_patch_error(lighting));
     return small.prepare(lighting, corners, chords, shines, diffuse, is_medium, triangle);
   }
   [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const auto& vertices) {

@@ -35,18 +35,18 @@ struct DividedEdge {
   std::array<Cosine, Count> to;    ///< scalars at its lower end
   ArcShape shape;                  ///< of the part
   std::uint8_t halvings;           ///< the edge has 2^halvings parts of this size
-  std::uint8_t index;              ///< of the part, from the upper end; kNone if no part is set
-  static constexpr std::uint8_t kNone = 255;
+  std::uint8_t end;                ///< of the part, in quarters of the edge; + kLast if it is the last one
+  static constexpr std::uint8_t kLast = 8;
 
   constexpr void start(const EdgeFraction& at) {
     fraction.t = at.t;
     fraction.dt = at.dt;
     halvings = 0;
-    index = kNone;
+    end = 0;
   }
   /// Returns false if the current row is not on the part. The part's end belongs to the next one, so that a
   /// row has the same part whether or not the rows above were drawn.
-  [[nodiscard]] constexpr bool is_on_part() const { return part_of_row() == index; }
+  [[nodiscard]] constexpr bool is_on_part() const { return (fraction.t >> (kBits - 2)) < end; }
   /// Sets the part that holds the current row, of the edge between the vertices `upper` and `lower`, which
   /// become the part's ends.
   constexpr void find_part(ArcVertex<Count>& upper, ArcVertex<Count>& lower) {
@@ -55,7 +55,8 @@ struct DividedEdge {
       const bool is_second = (part_of_row() & 1) != 0;
       detail::assign(is_second ? upper : lower, half_way(upper, lower));
     }
-    index = static_cast<std::uint8_t>(part_of_row());
+    const std::int32_t quarters = (part_of_row() + 1) << (2 - halvings);
+    end = static_cast<std::uint8_t>(quarters == 4 ? 4 + kLast : quarters);
     unrolled<Count>([&](auto i) {
       from[i] = upper.scalars[i];
       to[i] = lower.scalars[i];
@@ -65,13 +66,14 @@ struct DividedEdge {
   }
   /// Returns the index of the part that holds the current row; the edge's lower end belongs to the last part.
   [[nodiscard]] constexpr std::int32_t part_of_row() const {
-    constexpr std::int32_t kLast = (std::int32_t{1} << kBits) - 1;
-    return (fraction.t < kLast ? fraction.t : kLast) >> (kBits - halvings);
+    constexpr std::int32_t kLatest = (std::int32_t{1} << kBits) - 1;
+    return (fraction.t < kLatest ? fraction.t : kLatest) >> (kBits - halvings);
   }
   /// Returns the fraction of the part at the current row.
   [[nodiscard]] constexpr Factor on_part() const {
-    const std::int32_t begin = wrap_shl(index, kBits - halvings);
-    return Factor::from_raw(wrap_shl(wrap_sub(fraction.t, begin), halvings) >> (kBits - Factor::kFraction));
+    const std::int32_t to_end = wrap_sub(wrap_shl(end & 7, kBits - 2), fraction.t);
+    constexpr std::int32_t kOne = std::int32_t{1} << kBits;
+    return Factor::from_raw(wrap_sub(kOne, wrap_shl(to_end, halvings)) >> (kBits - Factor::kFraction));
   }
 };
 
@@ -97,27 +99,29 @@ struct VeryWideTriangle {
     middle = frame.middle->shade;
     bottom = frame.bottom->shade;
     long_edge.start(edge_fraction(frame.long_edge, true));
-    if (frame.has_upper) short_edge.start(edge_fraction(frame.upper_edge, true));
     if (frame.has_lower) lower_edge = edge_fraction(frame.lower_edge, true);
+    if (!frame.has_upper) return;
+    short_edge.start(edge_fraction(frame.upper_edge, true));
+    find_parts(false);
   }
 
-  constexpr void next_row() {
-    long_edge.fraction.advance();
-    short_edge.fraction.advance();
-  }
-  constexpr void skip_rows(std::int32_t rows) {
+  /// Steps `rows` rows down. Parts are found here and not in row(), where the stack is deeper.
+  ARCSPAN_OUTLINE constexpr void skip_rows(std::int32_t rows, bool in_lower) {
     long_edge.fraction.advance(rows);
     short_edge.fraction.advance(rows);
+    if (!long_edge.is_on_part() || !short_edge.is_on_part()) find_parts(in_lower);
   }
-  constexpr void enter_lower() { short_edge.start(lower_edge); }
+  constexpr void enter_lower() {
+    short_edge.start(lower_edge);
+    find_parts(true);
+  }
 
   /// Sets `ends` to the first `Used` scalars of the current row and to its squared angle. A row of more than
   /// 60 degrees is halved; the ends are then those of the part in which `start` lies, and `start` becomes
   /// relative to it. Returns the pixels from there to the end of the part, INT32_MAX in the last one.
   template <std::size_t Used>
-  [[nodiscard]] ARCSPAN_OUTLINE constexpr std::int32_t row(bool in_lower, bool middle_left, RowPixel& start,
-                                                           RowEnds<Count>& ends) {
-    if (!long_edge.is_on_part() || !short_edge.is_on_part()) find_parts(in_lower);
+  [[nodiscard]] ARCSPAN_OUTLINE constexpr std::int32_t row(bool middle_left, RowPixel& start,
+                                                           RowEnds<Count>& ends) const {
     const Factor on_long = long_edge.on_part();
     const Factor on_short = short_edge.on_part();
     const std::int32_t long_excess = long_edge.shape.excess(on_long);

@@ -31,6 +31,7 @@ struct WideOrVeryWide {
   Factor widest_piece;  ///< squared angle of a piece of a row, at most
   bool is_very_wide;
   bool middle_left;  ///< the middle vertex is on the left of the long edge
+  bool in_lower;     ///< the current row is in the lower half; kept if is_very_wide
 };
 
 /// Sets up the first `used` scalars of a wide triangle, or all of a triangle beyond 60 degrees. `Frame` is a
@@ -44,6 +45,7 @@ constexpr void prepare_wide(Frame& frame, std::size_t used, Factor widest,
   if constexpr (WideOrVeryWide<Count, kWidest>::kHasVeryWide) {
     triangle.is_very_wide = frame.chords.widest() > kWidestArc;
     if (triangle.is_very_wide) {
+      triangle.in_lower = false;
       triangle.very_wide.prepare(frame);
       return;
     }
@@ -124,7 +126,7 @@ class WideWalker {
   constexpr void next_row() {
     if constexpr (Prepared::kHasVeryWide) {
       if (triangle_->is_very_wide) {
-        triangle_->very_wide.next_row();
+        triangle_->very_wide.skip_rows(1, triangle_->in_lower);
         return;
       }
     }
@@ -134,7 +136,7 @@ class WideWalker {
   ARCSPAN_OUTLINE constexpr void skip_rows(std::int32_t rows) {
     if constexpr (Prepared::kHasVeryWide) {
       if (triangle_->is_very_wide) {
-        triangle_->very_wide.skip_rows(rows);
+        triangle_->very_wide.skip_rows(rows, triangle_->in_lower);
         return;
       }
     }
@@ -143,7 +145,10 @@ class WideWalker {
   }
   constexpr void enter_lower() {
     if constexpr (Prepared::kHasVeryWide) {
-      if (triangle_->is_very_wide) triangle_->very_wide.enter_lower();
+      if (triangle_->is_very_wide) {
+        triangle_->in_lower = true;
+        triangle_->very_wide.enter_lower();
+      }
     }
     short_ = &triangle_->wide.lower_edge;
     rows_ = &triangle_->wide.lower_rows;
@@ -208,8 +213,7 @@ class WideWalker {
     piece.length = INT32_MAX;
     if (is_very_wide()) {
       if constexpr (Prepared::kHasVeryWide) {
-        piece.length =
-            triangle_->very_wide.template row<kUsed>(in_lower(), triangle_->middle_left, start, ends);
+        piece.length = triangle_->very_wide.template row<kUsed>(triangle_->middle_left, start, ends);
       }
     } else {
       ends.angle2 = rows_->squared(short_->fraction.factor());
@@ -221,9 +225,6 @@ class WideWalker {
     if (part.length < piece.length) piece.length = part.length;
     piece.skipped = static_cast<std::int32_t>(part.inside >> part.bits);
   }
-
-  /// True in the lower half. No member of its own: small cores would copy a larger walker by memcpy.
-  [[nodiscard]] constexpr bool in_lower() const { return short_ == &triangle_->wide.lower_edge; }
 
   /// Programs that are optimised for size have one function for all rows.
   static constexpr bool kHasFastRow = !kOptimisedForSize;

@@ -6,6 +6,7 @@
 #include <arcspan/shading/patch/inverse_length.hpp>
 #include <arcspan/shading/patch/patch_limits.hpp>
 #include <arcspan/shading/patch/sagitta_factor.hpp>
+#include <arcspan/shading/patch/second_difference_parts.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -60,6 +61,7 @@ struct PatchScalar {
   PatchEdge left;
   Cosine second_difference;  ///< per pixel along a row; the same for all rows
   PatchEdge lower;
+  [[no_unique_address]] SecondDifferenceParts parts;
 };
 
 /// The patch of a triangle: `Count` scalars.
@@ -82,7 +84,8 @@ struct PatchEnd {
 };
 
 /// Returns the quadruple sagitta of an edge between the values p and q.
-[[nodiscard]] constexpr Cosine quadruple_sagitta(Cosine p, Cosine q, SagittaFactor factor) {
+[[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr Cosine quadruple_sagitta(Cosine p, Cosine q,
+                                                                         SagittaFactor factor) {
   const Factor mean = Factor::from_raw(wrap_add(p.raw() >> 1, q.raw() >> 1) >> 15);
   return multiply<Cosine>(mean, factor);
 }
@@ -149,6 +152,7 @@ ARCSPAN_INLINE constexpr void make_patch_surface(const TriangleFrame<Method>& fr
   Cosine g_middle = g_top + part(g_bottom - g_top, m) + h + h;
   const detail::InverseLength pixel = detail::inverse_length(frame.inverse_width, 16);
   scalar.second_difference = detail::divide_by_both_lengths(h + h, pixel, pixel);
+  scalar.parts.set(scalar.second_difference);
   if (!frame.middle_left) {
     detail::make_patch_edge(frame.long_edge, pixel, {at.top, g_top}, {at.bottom, g_bottom},
                             sagittas.top_bottom, scalar.left);

@@ -17,11 +17,14 @@ inline constexpr std::int32_t kLargestPatch = 128;
 /// patch: its N·L differs from bilinear SLERP by at most 0.8 8-bit steps (decision 5).
 inline constexpr std::uint32_t kWidestDiffusePatch = 86613079u;
 
+/// This error of a patch of N·L in 8-bit steps, 5 fraction bits.
+inline constexpr std::uint32_t kPatchError = 25;
+
 /// Returns an upper bound of the height of a scalar above its values at the vertices of a triangle whose
 /// widest squared chord is s = `chord` (28 fraction bits): s/6 + 0.058 s^2 + 2^-12, for s at most 1. The
 /// normals lie in a cap of the radius R, sin^2(R) = s/3 at most, within which a cosine rises by 1 - cos(R) =
 /// s/6 + s^2/72 + ...; the rest is for the errors of patches and pieces.
-[[nodiscard]] constexpr Cosine arc_headroom(std::uint32_t chord) {
+[[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr Cosine arc_headroom(std::uint32_t chord) {
   const std::uint32_t s = chord >> 13;  // 15 fraction bits
   const std::uint32_t factor = 5462u + ((s * 1901u) >> 15);
   return Cosine::from_raw(static_cast<std::int32_t>(s * factor + (std::uint32_t{1} << 18)));

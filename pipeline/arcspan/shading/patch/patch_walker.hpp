@@ -4,21 +4,17 @@
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/shading/method.hpp>
+#include <arcspan/shading/patch/joined_run.hpp>
+#include <arcspan/shading/patch/parabola.hpp>
 #include <arcspan/shading/patch/patch.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace arcspan {
-
-/// A scalar at a pixel, its first difference and its second difference along the row.
-struct Parabola {
-  Cosine x;
-  Cosine d;
-  Cosine second_difference;
-};
 
 /// The scalars of a row's pixels, of which there are `Used`, stepped by second differences.
 template <std::size_t Used>
@@ -30,15 +26,7 @@ class SecondDifferenceRun {
   /// Starts scalar i at a row's first column. `p` is the distance in pixels from the left edge to that
   /// column: 16 fraction bits, 0 or more and below 1.
   ARCSPAN_INLINE constexpr void start(std::size_t i, const PatchScalar& scalar, std::uint32_t p) {
-    // With b the second difference: f(p) = at + p slope + p^2 b / 2,  f(p + 1) - f(p) = slope + p b + b / 2.
-    const Cosine second_difference = scalar.second_difference;
-    const Cosine slope = scalar.left.slope;
-    const Cosine slope_change =
-        Cosine::from_raw(wrap_mul(second_difference.raw() >> 8, static_cast<std::int32_t>(p >> 8)));
-    const Cosine mean = slope + Cosine::from_raw(slope_change.raw() >> 1);
-    x_[i] = scalar.left.at + Cosine::from_raw(wrap_mul(mean.raw() >> 13, static_cast<std::int32_t>(p >> 3)));
-    d_[i] = slope + slope_change + Cosine::from_raw(second_difference.raw() >> 1);
-    second_difference_[i] = second_difference;
+    start_at(i, parabola_from_edge(scalar, p));
   }
   /// Starts scalar i at a pixel from its value, its first difference and its second difference.
   ARCSPAN_INLINE constexpr void start_at(std::size_t i, const Parabola& f) {
@@ -46,15 +34,16 @@ class SecondDifferenceRun {
     d_[i] = f.d;
     second_difference_[i] = f.second_difference;
   }
-  /// Steps `count` pixels at once; the result is bit-identical to that of `count` calls of next().
-  constexpr void skip(std::int32_t count) {
-    const std::int32_t pairs = static_cast<std::int32_t>(
-        (static_cast<std::uint32_t>(count) * static_cast<std::uint32_t>(count - 1)) >> 1);
-    unrolled<Used>([&](auto i) {
-      x_[i] += Cosine::from_raw(
-          wrap_add(wrap_mul(d_[i].raw(), count), wrap_mul(second_difference_[i].raw(), pairs)));
-      d_[i] += Cosine::from_raw(wrap_mul(second_difference_[i].raw(), count));
-    });
+  /// Steps `count` pixels at once, the scalars from I on; the result is bit-identical to that of `count`
+  /// calls of next().
+  template <std::size_t I = 0>
+  ARCSPAN_INLINE_IF_SMALL constexpr void skip(std::int32_t count) {
+    const auto steps = static_cast<std::uint32_t>(count);
+    const auto pairs = static_cast<std::int32_t>((steps * (steps - 1)) >> 1);
+    x_[I] += Cosine::from_raw(
+        wrap_add(wrap_mul(d_[I].raw(), count), wrap_mul(second_difference_[I].raw(), pairs)));
+    d_[I] += Cosine::from_raw(wrap_mul(second_difference_[I].raw(), count));
+    if constexpr (I + 1 < Used) skip<I + 1>(count);
   }
   /// Makes every following next() step 2^bits pixels and returns `bits` (StridedRun). The values are
   /// bit-identical to those of single steps.
@@ -70,7 +59,7 @@ class SecondDifferenceRun {
   }
 
  private:
-  /// Steps the scalars from I on. Not by unrolled(), whose function -Os would call for every pixel.
+  /// Steps the scalars from I on. Not by unrolled(), whose function -Os would call, with scalars in memory.
   template <std::size_t I>
   ARCSPAN_INLINE constexpr void step_from() {
     x_[I] += d_[I];
@@ -83,10 +72,17 @@ class SecondDifferenceRun {
   std::array<Cosine, Used> second_difference_;
 };
 
+/// True if the pixels of `Used` scalars are coloured by R·V of one light, from the product of both.
+template <class Lighting, std::size_t Used>
+inline constexpr bool kHasProduct = kHasWideRegisters&& Used == 2 && requires {
+  requires Lighting::kHasTables;
+};
+
 /// The pixels of a row (PixelRun), coloured by the first `Used` scalars of the illumination: all of them, or
 /// N·L only.
 template <class Lighting, std::size_t Used>
-class PatchRun : public SecondDifferenceRun<Used> {
+class PatchRun
+    : public std::conditional_t<kHasProduct<Lighting, Used>, JoinedRun<1, true>, SecondDifferenceRun<Used>> {
  public:
   static constexpr std::size_t kUsed = Used;
   using Diffuse = PatchRun<Lighting, 1>;  ///< the pixels without highlight
@@ -115,7 +111,11 @@ class PatchRun : public SecondDifferenceRun<Used> {
                                                                           const Colours& encoded) const {
     if constexpr (Used == Lighting::kScalars) {
       if constexpr (Colours::kForHighlights && Lighting::kLights == 1) {
-        return lighting.template encoded<Format>(this->scalars(), encoded);
+        if constexpr (kHasProduct<Lighting, Used>) {
+          return lighting.template encoded_by_tables<Format>(*this, encoded);
+        } else {
+          return lighting.template encoded<Format>(this->scalars(), encoded);
+        }
       } else {
         return encode_varying<Format>(colour(lighting));
       }
@@ -140,7 +140,7 @@ class PatchWalker {
     if (start.skipped != 0) run.skip(start.skipped);
     return run;
   }
-  constexpr void next_row() {
+  ARCSPAN_INLINE_IF_SMALL constexpr void next_row() {
     unrolled<Run::kUsed>([this](auto i) { (*patch_)[i].left.advance(); });
   }
   constexpr void skip_rows(std::int32_t rows) {

@@ -31,7 +31,7 @@ struct SmallPatchScalar {
 };
 
 /// The scalars of a small triangle as quadratic surfaces. `Bits` are the fraction bits of coordinates: 16
-/// where values differ by less than a half, 15 for others.
+/// where values differ by less than a half; 15 for a surface without a highlight, up to 60 degrees wide.
 template <class Lighting, std::size_t Used, int Bits>
 class SmallPatch {
  public:
@@ -43,14 +43,14 @@ class SmallPatch {
                          const SmallTriangle& triangle) {
     db_ = triangle.d_middle >> kDropped;
     dc_ = triangle.d_bottom >> kDropped;
-    const std::int32_t of_ab = sagitta_factor(chords.top_middle).raw();
-    const std::int32_t of_bc = sagitta_factor(chords.middle_bottom).raw();
-    const std::int32_t of_ca = sagitta_factor(chords.top_bottom).raw();
+    const std::int32_t of_ab = factor_of(chords.top_middle);
+    const std::int32_t of_bc = factor_of(chords.middle_bottom);
+    const std::int32_t of_ca = factor_of(chords.top_bottom);
     const auto rounded = [](std::int32_t raw) { return round_shift(raw, Cosine::kFraction - Bits); };
     const auto sagitta = [](Cosine p, Cosine q, std::int32_t factor) {
-      // The mean has 15 fraction bits and the factor 18.
+      // The mean has 15 fraction bits.
       const std::int32_t mean = wrap_add(p.raw() >> 1, q.raw() >> 1) >> 15;
-      return round_shift(wrap_mul(mean, factor), 15 + SagittaFactor::kFraction - Bits);
+      return round_shift(wrap_mul(mean, factor), 15 + kFactorBits - Bits);
     };
     for (std::size_t i = 0; i < Used; ++i) {
       SmallPatchScalar& scalar = scalars_[i];
@@ -91,6 +91,13 @@ class SmallPatch {
 
  private:
   static constexpr int kDropped = 16 - Bits;
+  static constexpr bool kIsWide = Bits < 16;
+  static constexpr int kFactorBits = kIsWide ? 16 : SagittaFactor::kFraction;
+
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::int32_t factor_of(std::uint32_t chord) {
+    if constexpr (kIsWide) return balanced_sagitta_factor(chord);
+    return sagitta_factor(chord).raw();
+  }
 
   /// Returns a factor times a coordinate as a factor.
   [[nodiscard]] ARCSPAN_INLINE static constexpr std::int32_t times(std::int32_t factor,

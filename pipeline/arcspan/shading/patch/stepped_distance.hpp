@@ -34,7 +34,11 @@ template <class Lighting>
   return lighting.lights() == 1 && lighting.model() == Highlight::kBlinn;
 }
 
-/// The pixels of a row (PixelRun): N·L and a scaled distance.
+/// The scaled distance that counts as 0 in a SteppedDistanceRun. On processors that saturate it is the end of
+/// the highlight, so that signs tell what is within reach and lit.
+inline constexpr std::int32_t kSteppedOrigin = kHasSaturate ? PowerTable::kReach : 0;
+
+/// The pixels of a row (PixelRun): N·L, and a scaled distance less kSteppedOrigin.
 template <class Lighting>
 class SteppedDistanceRun : public SecondDifferenceRun<2> {
  public:
@@ -59,11 +63,17 @@ class SteppedDistanceRun : public SecondDifferenceRun<2> {
   }
 
  private:
+  /// N·L = 0 counts as lit, because a vertex is.
   [[nodiscard]] constexpr bool misses() const {
-    return scalars()[0].raw() <= 0 || scalars()[1].raw() >= PowerTable::kReach;
+    const std::int32_t light = scalars()[0].raw();
+    const std::int32_t distance = scalars()[1].raw();
+    if constexpr (kHasSaturate) return (distance & ~light) >= 0;
+    return light < 0 || distance >= PowerTable::kReach;
   }
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(const Lighting& lighting) const {
-    return lighting.highlight(lighting.power().at_scaled(scalars()[1].raw()));
+    std::int32_t distance = scalars()[1].raw();
+    if constexpr (kHasSaturate) distance = clamped_to_bits<26>(distance) & (PowerTable::kReach - 1);
+    return lighting.highlight(lighting.power().at_scaled(distance));
   }
 };
 
@@ -76,6 +86,13 @@ template <class Lighting, class Frame>
   const std::int32_t from = lighting.fade_end().raw() + (std::int32_t{1} << 20);
   return frame.top->shade.scalars[0].raw() >= from && frame.middle->shade.scalars[0].raw() >= from &&
          frame.bottom->shade.scalars[0].raw() >= from;
+}
+
+/// Returns true if a vertex of a TriangleFrame has N·L > 0, of one light.
+template <class Frame>
+[[nodiscard]] constexpr bool has_lit_vertex(const Frame& frame) {
+  return frame.top->shade.scalars[0].raw() > 0 || frame.middle->shade.scalars[0].raw() > 0 ||
+         frame.bottom->shade.scalars[0].raw() > 0;
 }
 
 /// Prepares the patch of SteppedDistanceRun for a TriangleFrame that is_out_of_fade(). (1 - N·H) / 2 is a
@@ -96,7 +113,8 @@ constexpr void prepare_stepped_distance(const Lighting& lighting, const Frame& f
   PatchScalar& distance = patch[1];
   make_patch_scalar(frame, factors, {fall(top[kOther]), fall(middle[kOther]), fall(bottom[kOther])},
                     distance);
-  const auto half = Cosine::from_raw(power.scaled(std::int32_t{1} << (Cosine::kFraction - 1)));
+  const auto half =
+      Cosine::from_raw(power.scaled(std::int32_t{1} << (Cosine::kFraction - 1)) - kSteppedOrigin);
   if (!frame.middle_left || frame.has_upper) distance.left.at += half;
   if (frame.middle_left && frame.has_lower) distance.lower.at += half;
 }

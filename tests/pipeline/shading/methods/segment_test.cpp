@@ -204,7 +204,7 @@ TEST_CASE("adaptive stays within its tolerance of arc in small triangles") {
   CHECK(most_beyond_tolerance<Illumination<2, Highlight::kPhong>>(seed, 4000, tolerance, kSmallSize) <= 1);
 }
 
-TEST_CASE("without a highlight small triangles are patches up to 0.018 a^3 of the tolerance") {
+TEST_CASE("the error of wide patches of N·L is what omitted highlights leave of the tolerance") {
   using Lit = Illumination<1, Highlight::kPhong>;
   Material material;
   material.diffuse.r = Coefficient::of(0.6);
@@ -213,12 +213,15 @@ TEST_CASE("without a highlight small triangles are patches up to 0.018 a^3 of th
   REQUIRE(ok(Lit::make(material, {DirectionalLight{to_direction(Vec3{0, 0, 1})}}, to_direction(Vec3{0, 0, 1}),
                        lit)));
   AdaptiveIllumination<Lit> lighting(lit);
-  const double chord = std::sqrt(lighting.diffuse_patch_limit(INT32_MAX) * 0x1p-28);
-  CHECK(255 * 0.6 * 0.018 * std::pow(chord, 3) == Approx(0.875).epsilon(0.002));
-  CHECK(lighting.diffuse_patch_limit(0) == kWidestDiffusePatch);
+  const auto steps = [&](std::int32_t half_distance) {
+    return lighting.diffuse_patch_error(half_distance) * 0x1p-20 * 255 * 0.6;
+  };
+  CHECK(steps(INT32_MAX) == Approx(0.875).epsilon(0.002));
+  CHECK(steps(0) == Approx(0.5).epsilon(0.002));
   REQUIRE(ok(lighting.set_tolerance(0)));
-  CHECK(lighting.diffuse_patch_limit(INT32_MAX) == kWidestDiffusePatch);
+  // Arc has this error where no highlight is within reach.
+  CHECK(steps(INT32_MAX) == Approx(kPatchError / 32.0).epsilon(0.002));
+  CHECK(steps(0) == 0);
   REQUIRE(ok(lighting.set_tolerance(64)));
-  CHECK(std::sqrt(lighting.diffuse_patch_limit(INT32_MAX) * 0x1p-28) ==
-        Approx(2 * std::sin(20 * std::acos(-1.0) / 180)));
+  CHECK(steps(INT32_MAX) == Approx(56).epsilon(0.002));
 }

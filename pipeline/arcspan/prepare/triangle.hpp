@@ -109,20 +109,19 @@ ARCSPAN_INLINE_IF_WIDE constexpr void place_edges(TriangleFrame<Method>& frame,
   make_edge_setup(top, bottom, command.first_row, true, frame.long_edge);
   make_edge_walk(frame.long_edge, top, bottom, long_walk);
   if constexpr (NeedsNearOverW<Method>) frame.long_walk.set(long_walk);
-  // Otherwise gcc takes them for used before they are set.
-  frame.upper_edge.offset = frame.lower_edge.offset = 0;
-  if constexpr (kHasWideRegisters) frame.upper_edge.inverse = frame.lower_edge.inverse = {};
   // Edges are moved with the picture whether rows use them or not, so that one without rows is set, too.
   if (frame.has_upper) [[likely]] {
     make_edge_setup(top, middle, command.first_row, frame.middle_left, frame.upper_edge);
     make_edge_walk(frame.upper_edge, top, middle, frame.middle_left ? command.left : command.right);
   } else {
+    frame.upper_edge = {};
     (frame.middle_left ? command.left : command.right).x = 0;
   }
   if (frame.has_lower) [[likely]] {
     make_edge_setup(middle, bottom, command.middle_row, frame.middle_left, frame.lower_edge);
     make_edge_walk(frame.lower_edge, middle, bottom, command.lower);
   } else {
+    frame.lower_edge = {};
     command.lower.x = 0;
   }
   const auto height = static_cast<std::uint32_t>(middle.y - top.y);

@@ -19,7 +19,7 @@
 /// A method is chosen at compile time and has one file; a firmware contains only the methods that it names.
 /// The required part is ShadingMethod with RowWalker and PixelRun (or SegmentedRun). The optional parts are
 /// named concepts too: MeasuresChords (prepare/sorted_vertices.hpp), UsesEncodedColours with EncodingRun,
-/// OutlinedWalker, ChoosesRuns, SkipsRows, StridedRun, MixesSegments (pixel_by_pixel.hpp), and
+/// OutlinedWalker, ChoosesRuns, SkipsRows, JoinsDepth, StridedRun, MixesSegments (pixel_by_pixel.hpp), and
 /// ChoosesEncodedColours for sinks. docs/add-a-shading-method.md has an example.
 namespace arcspan {
 
@@ -178,11 +178,11 @@ template <class R>
 concept CarriesDepth = requires(const R run) {
   { run.depth() } -> std::same_as<Linear>;
 };
-/// Optional part of a walker, needed for runs that carry the depth: it gets the plane of the depth before the
-/// first row and steps it.
+/// Optional part of a walker: with_depth(plane) returns a walker for the same rows that steps the depth too,
+/// and whose runs carry it. It is asked for if depths are tested, before the first row.
 template <class W>
-concept StepsDepth = requires(W walker, const LinearPlane& depth) {
-  {walker.take_depth(depth)};
+concept JoinsDepth = requires(const W walker, const LinearPlane& depth) {
+  requires CarriesDepth<typename decltype(walker.with_depth(depth))::Run>;
 };
 
 /// Optional part of a run, needed inside segments: stride(bits) makes every following next() step 2^b pixels

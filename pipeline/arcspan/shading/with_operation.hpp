@@ -51,8 +51,9 @@ struct OperationWalker : Walker {
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
     return Run(static_cast<const Walker&>(*this), start);
   }
-  /// Hides that of the walker, whose runs have no operation.
+  /// Hide those of the walker, whose runs have no operation.
   void with_run() const = delete;
+  void with_depth() const = delete;
 };
 
 }  // namespace detail

@@ -110,7 +110,9 @@ struct RowDrawer {
 
   template <class Walker>
   [[nodiscard]] constexpr Status operator()(Walker walker) const {
-    if constexpr (kOutlineRows<Walker>) {
+    if constexpr (JoinsDepth<Walker> && Target::Depth::kTests) {
+      return draw(command, origin, walker.with_depth(command.depth), target);
+    } else if constexpr (kOutlineRows<Walker>) {
       // One row loop serves both kinds of columns, because these rows take much longer than the test.
       return RowDrawer<ScissorColumns::kCrossing, Command, Target>::draw_outlined(command, origin, walker,
                                                                                   target);
@@ -135,7 +137,6 @@ struct RowDrawer {
                                              const Target& target) {
     const Rect& scissor = target.scissor;
     command.move_columns(origin.x);
-    if constexpr (StepsDepth<Walker>) walker.take_depth(command.depth);
     const std::int32_t end = command.end_row + origin.y;
     const std::int32_t stop = end < scissor.bottom ? end : scissor.bottom;
     const std::int32_t middle = command.middle_row + origin.y;

@@ -11,14 +11,15 @@ namespace arcspan::detail {
 
 /// True if the span stage steps the depth from row to row, and not `Walker`.
 template <class Target, class Walker>
-inline constexpr bool kStepsDepthItself = Target::Depth::kTests && !StepsDepth<Walker>;
+inline constexpr bool kStepsDepthItself = Target::Depth::kTests && !CarriesDepth<typename Walker::Run>;
 
 /// Steps the edges, the depth and the shading of a command down by one row, in place.
 template <class Target, class Command, class Walker>
 ARCSPAN_INLINE constexpr void next_row(Command& command, Walker& walker) {
   reload_from_memory(command.left);
   reload_from_memory(command.right);
-  if constexpr (kHasManyRegisters && !StepsDepth<Walker>) reload_from_memory(command.depth.left);
+  if constexpr (kHasManyRegisters && !CarriesDepth<typename Walker::Run>)
+    reload_from_memory(command.depth.left);
   command.left.advance();
   command.right.advance();
   if constexpr (kStepsDepthItself<Target, Walker>) command.depth.next_row();

@@ -78,11 +78,19 @@ class Decorated {
   std::vector<Rgb8> colours_;
 };
 
+struct Picture {
+  std::vector<Rgb8> colours;
+  std::vector<std::uint16_t> depths;
+};
+
 template <class Method>
-std::vector<Rgb8> drawn(const MeshView& mesh, const typename Method::Lighting& lighting) {
-  std::vector<Rgb8> words(Framebuffer<Rgb888>::words(kSize, kSize));
-  Framebuffer<Rgb888> frame(words, kSize, kSize);
+Picture drawn(const MeshView& mesh, const typename Method::Lighting& lighting) {
+  Picture picture{std::vector<Rgb8>(Framebuffer<Rgb888>::words(kSize, kSize)),
+                  std::vector<std::uint16_t>(DepthBuffer::words(kSize, kSize))};
+  Framebuffer<Rgb888> frame(picture.colours, kSize, kSize);
+  DepthBuffer depth(picture.depths, kSize, kSize);
   frame.clear({1, 2, 3});
+  depth.clear();
   Placement placement{Rotation::about_x({3000}), {}};
   placement.translation[2] = ObjectLength::of(-2.5 * scenes::kRadius);
   ClipTransform transform;
@@ -90,33 +98,41 @@ std::vector<Rgb8> drawn(const MeshView& mesh, const typename Method::Lighting& l
                                  {PixelLength::of(200.0), ObjectLength::of(1.0 * scenes::kRadius),
                                   ObjectLength::of(6.0 * scenes::kRadius)},
                                  {kSize, kSize}, transform)));
-  const DrawResult result = draw_mesh<Method, kFeatures>(mesh, transform, lighting, frame, NoDepth{});
+  const DrawResult result = draw_mesh<Method, kFeatures>(mesh, transform, lighting, frame, depth);
   REQUIRE(result.status == Status::kOk);
   REQUIRE(result.triangles > 10);
-  return words;
+  return picture;
 }
 
-/// The largest difference that a white texture makes to the pictures of a method, in steps of 8 bits. The
-/// triangles span 22 to 45 degrees, so that all paths of Adaptive draw some of them, and the largest rows
-/// have segments.
-template <class Method, class Lit>
-int largest_difference() {
+/// Calls `look` with balls whose triangles span 11 to 45 degrees, so that all paths of Adaptive draw some of
+/// them, and the largest rows have segments.
+template <class Look>
+void for_each_ball(const Look& look) {
+  static const auto fine = scenes::make_sphere<32, 16>();
   static constexpr auto kBall = scenes::make_sphere<16, 8>();
   static constexpr auto kCoarseBall = scenes::make_sphere<8, 4>();
+  look(Decorated(fine).mesh);
+  look(Decorated(kBall).mesh);
+  look(Decorated(kCoarseBall).mesh);
+}
+
+/// The largest difference that a white texture makes to the pictures of a method, in steps of 8 bits. Depths
+/// must be equal.
+template <class Method, class Lit>
+int largest_difference() {
   using White = Textured<Method, DirectTexels<>, TexelLight::kColoured>;
   const typename Method::Lighting plain(illumination<Lit>());
   const typename White::Lighting textured(illumination<Lit>(), kWhiteTexture);
   int worst = 0;
-  const auto compare = [&](const MeshView& mesh) {
-    const std::vector<Rgb8> a = drawn<Method>(mesh, plain);
-    const std::vector<Rgb8> b = drawn<White>(mesh, textured);
+  for_each_ball([&](const MeshView& mesh) {
+    const auto [a, a_depths] = drawn<Method>(mesh, plain);
+    const auto [b, b_depths] = drawn<White>(mesh, textured);
+    CHECK((a_depths == b_depths));  // in brackets, or a failure prints both
     for (std::size_t i = 0; i < a.size(); ++i) {
       worst =
           std::max({worst, std::abs(a[i].r - b[i].r), std::abs(a[i].g - b[i].g), std::abs(a[i].b - b[i].b)});
     }
-  };
-  compare(Decorated(kBall).mesh);
-  compare(Decorated(kCoarseBall).mesh);
+  });
   return worst;
 }
 
@@ -129,22 +145,20 @@ struct Darkened {
 };
 
 /// The number of pixels of a method's pictures that differ in more than the operation, which is on all of
-/// them.
+/// them. Depths must be those without it.
 template <class Method>
 std::size_t pixels_without_operation() {
-  static constexpr auto kBall = scenes::make_sphere<16, 8>();
-  static constexpr auto kCoarseBall = scenes::make_sphere<8, 4>();
   using Dark = WithOperation<Method, Darkened>;
-  const typename Dark::Lighting dark(typename Method::Lighting(illumination<OneLight>()));
+  const typename Method::Lighting plain(illumination<OneLight>());
+  const typename Dark::Lighting dark(plain);
   const Rgb8 background{1, 2, 3};
   const Rgb8 grey{50, 50, 50};
   std::size_t others = 0;
-  const auto count = [&](const MeshView& mesh) {
-    for (const Rgb8& pixel : drawn<Dark>(mesh, dark))
-      others += pixel == background || pixel == grey ? 0u : 1u;
-  };
-  count(Decorated(kBall).mesh);
-  count(Decorated(kCoarseBall).mesh);
+  for_each_ball([&](const MeshView& mesh) {
+    const Picture picture = drawn<Dark>(mesh, dark);
+    CHECK((picture.depths == drawn<Method>(mesh, plain).depths));
+    for (const Rgb8& pixel : picture.colours) others += pixel == background || pixel == grey ? 0u : 1u;
+  });
   return others;
 }
 

@@ -6,6 +6,7 @@
 #include <arcspan/shading/adaptive/adaptive_rows.hpp>
 #include <arcspan/shading/adaptive/highlight_distances.hpp>
 #include <arcspan/shading/adaptive/highlight_patch.hpp>
+#include <arcspan/shading/adaptive/light_and_depth.hpp>
 #include <arcspan/shading/adaptive/linear_levels.hpp>
 #include <arcspan/shading/adaptive/linear_light.hpp>
 #include <arcspan/shading/arc/arc.hpp>
@@ -40,8 +41,6 @@ struct AdaptivePaths : Arc<Illumination> {
   using typename Base::Vertex;
   struct Prepared : Base::Prepared {
     FullLinearPlane light;
-    [[no_unique_address]] std::conditional_t<kHasWideRegisters, LightAndDepthPlane, NoLightAndDepthPlane>
-        light_and_depth;
     int segment_bits;        ///< path 3: segments have 2^segment_bits pixels; 0 for none
     bool linear_light;       ///< path 1: N·L alone, in `light`
     bool highlight_patch;    ///< path 4: the patch has the diffuse scalar and a highlight's scaled distance
@@ -149,12 +148,9 @@ struct AdaptivePaths : Arc<Illumination> {
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     if constexpr (Base::kHasDiffusePath) {
       if (prepared.linear_light) {
-        if constexpr (kHasWideRegisters) {
-          return draw(
-              LightAndDepthWalker<Lighting>(prepared.light, prepared.light_and_depth, prepared.middle_left));
-        } else {
-          return draw(LinearLightWalker<Lighting>(prepared.light, prepared.middle_left));
-        }
+        using Walker =
+            std::conditional_t<kHasWideRegisters, JoiningLightWalker<Lighting>, LinearLightWalker<Lighting>>;
+        return draw(Walker(prepared.light, prepared.middle_left));
       }
     }
     if constexpr (kHasHighlightPatch) {

@@ -69,8 +69,8 @@ ARCSPAN_INLINE_AT_OS constexpr void order_by_height(const RasterVertex<Method>*&
   }
 }
 
-/// Sorts three vertices. Before, `middle_left` says that doubled_area() of top, middle and bottom is
-/// negative, which for sorted vertices is what its name says.
+/// Sorts three vertices. On entry: `middle_left` is true if doubled_area() of top, middle and bottom is
+/// negative; on return: if the middle vertex is on the left of the long edge.
 template <class Method>
 ARCSPAN_OUTLINE_IF_TIGHT constexpr void sort_by_height(SortedVertices<Method>& vertices) {
   const RasterVertex<Method>* top = vertices.top;

@@ -13,6 +13,13 @@
 /// measured gain of each policy is in docs/decisions/0016-target-policies.md.
 
 // ---- Inlining policies
+//
+// The end of a name is the condition under which the policy applies:
+//
+//   AT_OS              the program is optimised for size (-Os)
+//   IF_TIGHT           -Os, or a core with few registers
+//   IF_MANY_REGISTERS  kHasManyRegisters
+//   IF_WIDE            kHasWideRegisters, but not -Os
 
 /// For the code of one pixel or one row: always part of its caller, because the call would cost as much as
 /// the work. Not without optimisation, where copies in every caller only take time to compile; define it
@@ -44,24 +51,24 @@
 /// ARCSPAN_OUTLINE at -Os and on cores with few registers: its stack frame is then released before the next
 /// stage begins. Elsewhere inlining is faster.
 #if defined(__OPTIMIZE_SIZE__) || defined(__ARM_ARCH_6M__) || defined(__AVR__)
-#define ARCSPAN_OUTLINE_IF_SMALL [[gnu::noinline]]
+#define ARCSPAN_OUTLINE_IF_TIGHT [[gnu::noinline]]
 #else
-#define ARCSPAN_OUTLINE_IF_SMALL
+#define ARCSPAN_OUTLINE_IF_TIGHT
 #endif
 
 /// ARCSPAN_INLINE, but a function of its own at -Os, where it is called from several places.
 #ifdef __OPTIMIZE_SIZE__
-#define ARCSPAN_INLINE_UNLESS_SMALL [[gnu::noinline]]
+#define ARCSPAN_INLINE_EXCEPT_AT_OS [[gnu::noinline]]
 #else
-#define ARCSPAN_INLINE_UNLESS_SMALL ARCSPAN_INLINE
+#define ARCSPAN_INLINE_EXCEPT_AT_OS ARCSPAN_INLINE
 #endif
 
 /// ARCSPAN_INLINE at -Os, where compilers call even a sum of a few words for every row. Elsewhere they choose
-/// better themselves. SMALL means -Os here, on every core but AVR, where such a sum is longer than a call.
+/// better themselves. Not on AVR, where such a sum is longer than a call.
 #if defined(__OPTIMIZE_SIZE__) && !defined(__AVR__)
-#define ARCSPAN_INLINE_IF_SMALL ARCSPAN_INLINE
+#define ARCSPAN_INLINE_AT_OS ARCSPAN_INLINE
 #else
-#define ARCSPAN_INLINE_IF_SMALL
+#define ARCSPAN_INLINE_AT_OS
 #endif
 
 /// ARCSPAN_INLINE on machines with wide registers (kHasWideRegisters), for stages of a triangle that are

@@ -84,7 +84,8 @@ class BandVertices {
   [[nodiscard]] ARCSPAN_INLINE std::uint32_t find_by(const Index* indices, std::size_t begin,
                                                      std::size_t end) const {
     const BackFaces held = back_faces_;  // a copy, so that its members stay in registers
-    // Bytes, and a product that compilers do not see through: it is one instruction, an index takes two.
+    // Addressed by bytes. The stride is hidden, so that the compiler keeps the multiply: one instruction
+    // where an index takes two.
     const auto* const bytes = reinterpret_cast<const std::uint8_t*>(cache_);
     const std::uint8_t* const outcodes = bytes + (&cache_->outcode - bytes);
     std::size_t stride = sizeof(CachedVertex<Method>);

@@ -30,8 +30,9 @@ struct DrawFeatures {
   bool two_sided = true;  ///< DrawOptions::two_sided works; else it returns kUnsupported
   bool caches = true;     ///< uses a vertex cache if one is given
   bool planes = true;     ///< culls by the face planes of a mesh that has them
-  /// draws triangles of up to 12x12 pixels without edges and planes, where the method can
-  /// (DrawsSmallTriangles). It changes pixels within the method's accuracy.
+  /// draws triangles of up to 12x12 pixels, and those of up to 31x31 that are dark or consist of arcs,
+  /// without edges and planes, where the method can (DrawsSmallTriangles). It changes pixels within the
+  /// method's accuracy.
   bool small_triangles = true;
   bool whole_rows = true;  ///< second row loop for triangles within the scissor's columns; no effect at -Os
 };

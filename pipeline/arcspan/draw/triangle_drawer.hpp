@@ -91,8 +91,7 @@ class TriangleDrawer {
   /// True if the triangle lies outside one plane of the clip volume, has no area, or shows its back and backs
   /// are not drawn: the case of half of all triangles, before anything is set up.
   template <bool AllInside>
-  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL bool is_culled(const Vertex& a, const Vertex& b,
-                                                       const Vertex& c) const {
+  [[nodiscard]] ARCSPAN_INLINE_AT_OS bool is_culled(const Vertex& a, const Vertex& b, const Vertex& c) const {
     if constexpr (AllInside) {
       return doubled_area(a.raster.position, b.raster.position, c.raster.position) >= 0;
     } else {
@@ -173,9 +172,8 @@ class TriangleDrawer {
   }
 
   /// Tests the triangle against the scissor, before it is shaded.
-  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL bool is_within_scissor(const RasterPosition& a,
-                                                               const RasterPosition& b,
-                                                               const RasterPosition& c) {
+  [[nodiscard]] ARCSPAN_INLINE_AT_OS bool is_within_scissor(const RasterPosition& a, const RasterPosition& b,
+                                                            const RasterPosition& c) {
     const ScissorTest test = scissor_.template test<kWholeRows>(a, b, c);
     columns_ = test == ScissorTest::kInside ? ScissorColumns::kInside : ScissorColumns::kCrossing;
     return test != ScissorTest::kOutside;
@@ -213,7 +211,7 @@ class TriangleDrawer {
   }
 
   /// Returns true if a triangle that is not small is to be drawn as a small one.
-  [[nodiscard]] ARCSPAN_OUTLINE_IF_SMALL bool draws_as_small(const SortedVertices<Method>& vertices) const {
+  [[nodiscard]] ARCSPAN_OUTLINE_IF_TIGHT bool draws_as_small(const SortedVertices<Method>& vertices) const {
     return Method::is_dark_or_arcs(stage_.lighting(), vertices) && is_up_to_medium(vertices);
   }
 

@@ -23,7 +23,7 @@ class CachedVertices {
     for (std::size_t i = 0; i < stage.mesh().vertex_count(); ++i) stage.transform(i, cache[i]);
   }
   [[nodiscard]] constexpr std::size_t next(std::size_t i, std::size_t) const { return i; }
-  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL CachedVertex<Method>& operator[](std::size_t i) const {
+  [[nodiscard]] ARCSPAN_INLINE_AT_OS CachedVertex<Method>& operator[](std::size_t i) const {
     return cache_[i];
   }
 
@@ -45,7 +45,7 @@ class FrontVertices {
   [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
     return visible_.next(i, count);
   }
-  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL CachedVertex<Method>& operator[](std::size_t i) const {
+  [[nodiscard]] ARCSPAN_INLINE_AT_OS CachedVertex<Method>& operator[](std::size_t i) const {
     CachedVertex<Method>& vertex = cache_[i];
     if (vertex.outcode == kNotTransformed) stage_.transform_inside(i, vertex);
     return vertex;

@@ -43,7 +43,7 @@ class VertexStage {
   [[nodiscard]] constexpr const ClipTransform& transform() const { return transform_; }
   [[nodiscard]] constexpr const typename Method::Lighting& lighting() const { return lighting_; }
 
-  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr ClipPosition clip_position(std::size_t i) const {
+  [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr ClipPosition clip_position(std::size_t i) const {
     return transform_(mesh_.position(i));
   }
 

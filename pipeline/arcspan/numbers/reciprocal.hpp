@@ -45,7 +45,7 @@ consteval std::array<std::uint16_t, 257> make_reciprocal_table() {
 inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciprocal_table();
 
 /// 1/n with 16 fraction bits, in [2^15, 2^16], for n = normalised / 2^31 in [1, 2): bit 31 must be set.
-[[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint32_t reciprocal_mantissa(std::uint32_t normalised) {
+[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr std::uint32_t reciprocal_mantissa(std::uint32_t normalised) {
   const std::size_t index = (normalised >> 23) & 0xFFu;
   const std::uint32_t fraction = (normalised >> 15) & 0xFFu;
   const std::uint16_t* const entry = &kReciprocalTable[index];
@@ -65,7 +65,7 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
 }
 
 /// nonzero_reciprocal() of v below 512, which needs no interpolation.
-[[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr Reciprocal short_reciprocal(std::uint32_t v) {
+[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr Reciprocal short_reciprocal(std::uint32_t v) {
   const int zeros = leading_zeros(v | 1u);
   const std::uint32_t entry = detail::kReciprocalTable[((v << zeros) >> 23) & 0xFFu];
   return {(1u << 15) + entry, 16 + 31 - zeros};

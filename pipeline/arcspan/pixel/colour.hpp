@@ -86,8 +86,8 @@ struct PackedRgb {
   static constexpr std::uint32_t kCarries = 0x00200400;
 
   /// `sum` with every channel that has carried set to 1023. The carries of red and blue are in `sum`.
-  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL static constexpr PackedRgb saturated(std::uint32_t sum,
-                                                                             bool green_carry) {
+  [[nodiscard]] ARCSPAN_INLINE_AT_OS static constexpr PackedRgb saturated(std::uint32_t sum,
+                                                                          bool green_carry) {
     const std::uint32_t carries = sum & kCarries;
     // A carry is the bit above its channel: it is cleared, and the ten bits below it are set.
     const std::uint32_t rest = (sum - carries) | (carries - (carries >> 10));

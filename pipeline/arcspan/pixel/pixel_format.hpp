@@ -27,9 +27,10 @@ namespace arcspan {
 /// Word, write() must keep their bits.
 ///
 /// Optional, and used where present: encode() also of a PackedRgb, a ColourSegment or a BasicFineRgb, which
-/// must return encode(c.rgb8()) or encode(c.packed()) but can be faster; and, in a cursor of pixels that are
-/// whole words, pixels(), the address of the present pixel, together with skip(count), which steps over
-/// `count` pixels.
+/// must return encode(c.rgb8()) or encode(c.packed()) but can be faster; encode_varying() of a PackedRgb,
+/// which must return encode(c) but can be faster where colours differ from pixel to pixel; and, in a cursor
+/// of pixels that are whole words, pixels(), the address of the present pixel, together with skip(count),
+/// which steps over `count` pixels.
 ///
 /// A new format is a header in this folder with a static_assert of this concept, and one entry in
 /// pixel_format_list.hpp.

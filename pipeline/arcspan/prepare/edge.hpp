@@ -55,7 +55,7 @@ struct EdgeSetup {
   Reciprocal inverse;
   Factor start;  ///< start_fraction(); unset on short right edges
 
-  ARCSPAN_INLINE_IF_SMALL constexpr void make_inverse() {
+  ARCSPAN_INLINE_AT_OS constexpr void make_inverse() {
     inverse = distance_reciprocal(static_cast<std::uint32_t>(dy));
   }
 };

@@ -56,8 +56,8 @@ template <class Value>
 
 /// Sets up an attribute along an edge: `from` at its top, `to` at its bottom, 16 bits each.
 template <class Value>
-ARCSPAN_INLINE_IF_SMALL constexpr void make_linear_edge(const EdgeSetup& edge, std::int32_t from,
-                                                        std::int32_t to, BasicLinearEdge<Value>& linear) {
+ARCSPAN_INLINE_AT_OS constexpr void make_linear_edge(const EdgeSetup& edge, std::int32_t from,
+                                                     std::int32_t to, BasicLinearEdge<Value>& linear) {
   const std::int32_t difference = to - from;
   const std::int32_t part = part_of<Value>(difference, edge.start);
   linear.at = Value::from_raw(wrap_add(wrap_shl(from, Value::kFraction), part));

@@ -16,7 +16,7 @@ struct TriangleChords {
   std::uint32_t top_bottom;
   std::uint32_t middle_bottom;
 
-  [[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::uint32_t widest() const {
+  [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr std::uint32_t widest() const {
     const std::uint32_t upper = top_middle > top_bottom ? top_middle : top_bottom;
     return upper > middle_bottom ? upper : middle_bottom;
   }
@@ -59,9 +59,8 @@ namespace detail {
 
 /// Swaps two vertices if `lower` is the higher one. That turns the triangle over, and so `middle_left`.
 template <class Method>
-ARCSPAN_INLINE_IF_SMALL constexpr void order_by_height(const RasterVertex<Method>*& upper,
-                                                       const RasterVertex<Method>*& lower,
-                                                       bool& middle_left) {
+ARCSPAN_INLINE_AT_OS constexpr void order_by_height(const RasterVertex<Method>*& upper,
+                                                    const RasterVertex<Method>*& lower, bool& middle_left) {
   if (lower->position.y < upper->position.y) {
     const RasterVertex<Method>* const held = upper;
     upper = lower;
@@ -70,10 +69,10 @@ ARCSPAN_INLINE_IF_SMALL constexpr void order_by_height(const RasterVertex<Method
   }
 }
 
-/// Sorts three vertices. Before, `middle_left` says that doubled_area() of top, middle and bottom is
-/// negative, which for sorted vertices is what its name says.
+/// Sorts three vertices. On entry: `middle_left` is true if doubled_area() of top, middle and bottom is
+/// negative; on return: if the middle vertex is on the left of the long edge.
 template <class Method>
-ARCSPAN_OUTLINE_IF_SMALL constexpr void sort_by_height(SortedVertices<Method>& vertices) {
+ARCSPAN_OUTLINE_IF_TIGHT constexpr void sort_by_height(SortedVertices<Method>& vertices) {
   const RasterVertex<Method>* top = vertices.top;
   const RasterVertex<Method>* middle = vertices.middle;
   const RasterVertex<Method>* bottom = vertices.bottom;
@@ -89,7 +88,7 @@ ARCSPAN_OUTLINE_IF_SMALL constexpr void sort_by_height(SortedVertices<Method>& v
 
 /// Measures the chords between the normals if the method needs them.
 template <class Method>
-ARCSPAN_OUTLINE_IF_SMALL constexpr void measure_chords(SortedVertices<Method>& vertices) {
+ARCSPAN_OUTLINE_IF_TIGHT constexpr void measure_chords(SortedVertices<Method>& vertices) {
   if constexpr (MeasuresChords<Method>) vertices.chords = Method::chords_of(vertices);
 }
 

@@ -22,9 +22,9 @@ struct RowRange {
 /// Returns twice the signed area in 256ths of a square pixel. It is negative if a, b, c run counter-clockwise
 /// as seen on the screen (y down), as those of front faces do. The result is exact inside the guard band,
 /// where it fits 32 bits.
-[[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr std::int32_t doubled_area(const RasterPosition& a,
-                                                                          const RasterPosition& b,
-                                                                          const RasterPosition& c) {
+[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr std::int32_t doubled_area(const RasterPosition& a,
+                                                                       const RasterPosition& b,
+                                                                       const RasterPosition& c) {
   return wrap_sub(wrap_mul(b.x - a.x, c.y - a.y), wrap_mul(c.x - a.x, b.y - a.y));
 }
 
@@ -140,7 +140,7 @@ ARCSPAN_INLINE_IF_WIDE constexpr void place_edges(TriangleFrame<Method>& frame,
 /// Makes the command of a triangle whose vertices are sorted and, if the method needs it, measured. Returns
 /// false if it has no row among `rows`.
 template <class Method, bool WithDepth>
-ARCSPAN_OUTLINE_IF_SMALL [[nodiscard]] constexpr bool prepare_sorted(
+ARCSPAN_OUTLINE_IF_TIGHT [[nodiscard]] constexpr bool prepare_sorted(
     const typename Method::Lighting& lighting, const SortedVertices<Method>& vertices,
     const typename Method::Face& face, const RowRange& rows, TriangleCommand<Method>& command) {
   TriangleFrame<Method> frame;

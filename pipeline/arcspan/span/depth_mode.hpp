@@ -28,7 +28,7 @@ class DepthMode {
   static constexpr bool kTests = true;
   static constexpr bool kWrites = Writes;
   [[nodiscard]] ARCSPAN_INLINE static constexpr bool passes(std::uint16_t depth, std::uint16_t stored) {
-    if constexpr (Compare == DepthCompare::kNearer) return depth < stored;
+    if constexpr (Compare == DepthCompare::kNearer) return is_nearer(depth, stored);
     if constexpr (Compare == DepthCompare::kNearerOrEqual) return depth <= stored;
     if constexpr (Compare == DepthCompare::kEqual) return depth == stored;
     if constexpr (Compare == DepthCompare::kFarther) return depth > stored;

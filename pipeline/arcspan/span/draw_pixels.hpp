@@ -53,12 +53,12 @@ template <class Target, class Run>
   return place.z;
 }
 
-/// Draws span.count pixels, at least one, each only if it is_nearer() than the depth buffer where there is
-/// one. `dz` is the gradient of the depth per pixel.
+/// Draws span.count pixels, at least one, each only if it passes the depth test: Target::Depth::passes().
+/// `dz` is the gradient of the depth per pixel.
 ///
-/// In indexed rows `place` is behind the last pixel, and the index runs from `first`, which is -span.count,
-/// up to 0: it is the loop counter too. Elsewhere `place` is at the first pixel, and is moved behind the last
-/// one.
+/// In indexed rows `place` is one past the last pixel, and the index counts from -span.count, which 64-bit
+/// machines pass as `first`, to 0. Elsewhere `place` is at the first pixel, and is moved to one past the
+/// last.
 template <class Target, class Run>
 ARCSPAN_INLINE constexpr void draw_pixels_from(PixelPlace<Target>& place, const Span& span,
                                                std::ptrdiff_t first, Run& run, const Target& shared,

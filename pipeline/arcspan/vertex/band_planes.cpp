@@ -58,10 +58,10 @@ void BandPlanes::set(const ClipTransform& transform, std::int32_t first, std::in
   // below it if y >= 16 end - 7. One sixteenth more is for its rounding and its error.
   const ObjectForm above = form_beyond(transform, 16 * (first - middle) + 7 - odd, -1, radius);
   const ObjectForm below = form_beyond(transform, 16 * (end - middle) - 6 - odd, 1, radius);
-  likely_ = below.offset > above.offset ? below : above;
-  other_ = below.offset > above.offset ? above : below;
+  first_tested_ = below.offset > above.offset ? below : above;
+  second_tested_ = below.offset > above.offset ? above : below;
   known_ = true;
-  excludes_all_ = is_positive_within(radius, likely_) || is_positive_within(radius, other_);
+  excludes_all_ = is_positive_within(radius, first_tested_) || is_positive_within(radius, second_tested_);
 }
 
 }  // namespace arcspan

@@ -39,31 +39,34 @@ class BandPlanes {
   /// True if no triangle has rows in the band.
   [[nodiscard]] constexpr bool excludes_all() const { return excludes_all_; }
 
-  /// The border that a vertex lies beyond.
-  static constexpr std::uint8_t kLikely = 1;
-  static constexpr std::uint8_t kOther = 2;
-  static constexpr std::uint8_t kBeyond = kLikely | kOther;
+  /// The border that a vertex lies beyond, as a bit for each in the order of the tests.
+  static constexpr std::uint8_t kFirstTested = 1;
+  static constexpr std::uint8_t kSecondTested = 2;
+  static constexpr std::uint8_t kBeyond = kFirstTested | kSecondTested;
   /// Returns `bits` with the border that `p` lies beyond, if any. A triangle has no row in the band if all
   /// vertices lie beyond the same border. Requires known().
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint8_t beyond(const ObjectPosition& p,
                                                              std::uint8_t bits) const {
-    if (likely_.is_positive_at(p)) return bits | kLikely;
-    return other_.is_positive_at(p) ? bits | kOther : bits;
+    if (first_tested_.is_positive_at(p)) return bits | kFirstTested;
+    return second_tested_.is_positive_at(p) ? bits | kSecondTested : bits;
   }
   /// True if triangle i of `mesh` has no row in the band. Requires known().
   [[nodiscard]] ARCSPAN_INLINE constexpr bool excludes(const MeshView& mesh, std::size_t i) const {
     const TriangleIndices t = mesh.triangle(i);
     const ObjectPosition& a = mesh.position(t.a);
-    if (likely_.is_positive_at(a)) {
-      return likely_.is_positive_at(mesh.position(t.b)) && likely_.is_positive_at(mesh.position(t.c));
+    if (first_tested_.is_positive_at(a)) {
+      return first_tested_.is_positive_at(mesh.position(t.b)) &&
+             first_tested_.is_positive_at(mesh.position(t.c));
     }
-    return other_.is_positive_at(a) && other_.is_positive_at(mesh.position(t.b)) &&
-           other_.is_positive_at(mesh.position(t.c));
+    return second_tested_.is_positive_at(a) && second_tested_.is_positive_at(mesh.position(t.b)) &&
+           second_tested_.is_positive_at(mesh.position(t.c));
   }
 
  private:
-  ObjectForm likely_;  ///< beyond the border behind which more of the object lies, as far as its origin tells
-  ObjectForm other_;
+  /// Positive beyond the border that is tested first: the one whose form is larger at the object's origin,
+  /// because more of the object probably lies beyond it.
+  ObjectForm first_tested_;
+  ObjectForm second_tested_;  ///< positive beyond the other border
   bool known_ = false;
   bool excludes_all_ = false;
 };

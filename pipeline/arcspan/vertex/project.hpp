@@ -15,7 +15,7 @@ namespace arcspan {
 }
 
 /// Sets `position` to project(). At -Os a function whose arguments fit registers.
-ARCSPAN_INLINE_UNLESS_SMALL inline void project_to(std::int32_t x, std::int32_t y, std::int32_t w,
+ARCSPAN_INLINE_EXCEPT_AT_OS inline void project_to(std::int32_t x, std::int32_t y, std::int32_t w,
                                                    const ClipTransform& transform, RasterPosition& position) {
   std::int32_t near_over_w;
   position = project({x, y, w}, transform, near_over_w);

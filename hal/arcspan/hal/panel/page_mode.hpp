@@ -31,9 +31,9 @@ template <PanelDriver P>
 /// step; 8 suits every panel here. No transfer uses the memory after show() has returned.
 ///
 /// If a transfer fails in mid-frame, the frame ends and show() returns the cause. The failure of a band's
-/// transfer is noticed when the next band is ready, or at the end of the frame. The glass keeps the bands
-/// sent so far. The caller just calls show() again: the panel then sends all its settings before the first
-/// band (see Panel).
+/// transfer is reported by finish() before the next band is sent, or at the end of the frame. The glass keeps
+/// the bands sent so far. The caller just calls show() again: the panel then sends all its settings before
+/// the first band (see Panel).
 template <PanelDriver P>
 class PageMode {
  public:

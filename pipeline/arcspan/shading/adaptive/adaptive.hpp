@@ -199,7 +199,7 @@ struct AdaptivePaths : Arc<Illumination> {
   linear_highlight_walker(Prepared& prepared) {
     return {prepared.light, prepared.patch[1], prepared.middle_left, weight_of(prepared)};
   }
-  /// Loops of their own for white highlights are a matter of time only.
+  /// True if white highlights have loops of their own. They are only faster; the colours are the same.
   static constexpr bool kHasWhiteLoops = !kOptimisedForSize && Illumination::kLights == 1;
   static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath && kMayHaveOneLight<Illumination>;
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the errors of linear light and of

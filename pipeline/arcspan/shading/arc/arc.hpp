@@ -18,7 +18,7 @@ namespace arcspan {
 /// down the edges and along the rows (S0). Small angles need no exact circle, so a triangle takes one of two
 /// paths:
 ///
-/// - Normals within 7.5 to 33 degrees, depending on the highlight (widest_patch()): a quadratic surface
+/// - Normals within 5.2 to 33 degrees, depending on the highlight (widest_patch()): a quadratic surface
 ///   through the arcs' ends and middles, which second differences step without a multiply (decision 5).
 /// - Wider: great circles down the edges (ArcEdge), and each row in pieces of at most 1.3 times that angle
 ///   (widest_piece()), which are parabolas through the arc's ends and middle (decision 23).
@@ -84,8 +84,8 @@ struct ArcUpTo {
         return;
       }
     }
-    if constexpr (kMayStepDistance<Lighting>) {
-      if (path == Path::kPatch && steps_distance(lighting)) {
+    if constexpr (kMayStepBlinnDistance<Lighting>) {
+      if (path == Path::kPatch && steps_blinn_distance(lighting)) {
         if (!has_lit_vertex(frame)) {
           path = Path::kDiffusePatch;
         } else if (is_out_of_fade(lighting, frame)) {
@@ -110,10 +110,10 @@ struct ArcUpTo {
             OneHighlightWalker<Lighting, kScalars>(prepared.patch, prepared.middle_left, prepared.highlight));
       }
     }
-    if constexpr (kStepsDistance<Lighting>) {
+    if constexpr (kAlwaysStepsBlinnDistance<Lighting>) {
       return walk_path<SteppedDistanceRun<Lighting>>(prepared, draw);
     } else {
-      if constexpr (kMayStepDistance<Lighting>) {
+      if constexpr (kMayStepBlinnDistance<Lighting>) {
         if (prepared.path == Path::kSteppedDistance)
           return draw(
               PatchWalker<SteppedDistanceRun<Lighting>, kScalars>(prepared.patch, prepared.middle_left));
@@ -153,7 +153,7 @@ struct ArcUpTo {
 
  protected:
   static constexpr bool kHasDiffusePath = Illumination::kHasRamp;
-  /// Rows in pieces without highlight are a matter of time only: carrying all scalars gives the same colours.
+  /// True if wide triangles without highlight carry N·L only. That is only faster; the colours are the same.
   static constexpr bool kHasDiffuseWide = Illumination::kLights == 1 && !kOptimisedForSize;
 
   /// Prepares the triangle for `path`, which its normals and its size must allow.

@@ -28,7 +28,7 @@ class ArcShape {
  public:
   ArcShape() = default;  // without values, so that a union may hold one
   /// `chord`: the squared chord, 28 fraction bits, at most kWidestArc.
-  ARCSPAN_OUTLINE_IF_SMALL constexpr explicit ArcShape(std::uint32_t chord) {
+  ARCSPAN_OUTLINE_IF_TIGHT constexpr explicit ArcShape(std::uint32_t chord) {
     const std::uint32_t s = (chord + (1u << 12)) >> 13;  // 15 fraction bits
     const auto times_s = [s](std::uint32_t factor) { return (s * factor) >> 15; };
     // rise = s (0.5 + 0.0831 s + 0.0159 s^2 + 0.0056 s^3), bend = s^2 (0.0413 + 0.0155 s),
@@ -39,7 +39,7 @@ class ArcShape {
   }
 
   /// Returns the excess at the fraction t, 0...1: at most 0.155, 18 fraction bits.
-  [[nodiscard]] ARCSPAN_INLINE_UNLESS_SMALL constexpr std::int32_t excess(Factor t) const {
+  [[nodiscard]] ARCSPAN_INLINE_EXCEPT_AT_OS constexpr std::int32_t excess(Factor t) const {
     const std::int32_t p = wrap_mul(t.raw(), 32768 - t.raw()) >> 13;  // 17 fraction bits
     const std::int32_t rate = std::int32_t{rise_} + (wrap_mul(p, std::int32_t{bend_}) >> 17);
     return wrap_mul(p, rate) >> 15;
@@ -58,7 +58,7 @@ class ArcShape {
   }
 
   /// Returns the scalar at the fraction t of the arc from a to b; `excess` is excess(t).
-  [[nodiscard]] ARCSPAN_INLINE_UNLESS_SMALL constexpr Cosine between(Cosine a, Cosine b, Factor t,
+  [[nodiscard]] ARCSPAN_INLINE_EXCEPT_AT_OS constexpr Cosine between(Cosine a, Cosine b, Factor t,
                                                                      std::int32_t excess) const {
     const std::int32_t along =
         scaled_down(wrap_sub(b.raw(), a.raw()), static_cast<std::uint32_t>(t.raw()), 15);

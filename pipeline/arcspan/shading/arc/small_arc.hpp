@@ -40,7 +40,7 @@ class ArcSeries {
  public:
   ArcSeries() = default;  // without values, so that a union may hold one
   /// `chord`: the squared chord s, 15 fraction bits, 0...1.
-  ARCSPAN_OUTLINE_IF_SMALL constexpr explicit ArcSeries(std::int32_t chord) {
+  ARCSPAN_OUTLINE_IF_TIGHT constexpr explicit ArcSeries(std::int32_t chord) {
     const auto s = static_cast<std::uint32_t>(chord);
     std::uint32_t rise = 0;
     if constexpr (!kForHighlights) {
@@ -57,7 +57,7 @@ class ArcSeries {
   }
 
   /// Returns e with 17 fraction bits. `t` has 13; it may be outside of 0...1 by a rounding error.
-  [[nodiscard]] ARCSPAN_INLINE_UNLESS_SMALL constexpr std::int32_t operator()(std::int32_t t) const {
+  [[nodiscard]] ARCSPAN_INLINE_EXCEPT_AT_OS constexpr std::int32_t operator()(std::int32_t t) const {
     const std::int32_t p = (t * (8192 - t)) >> 10;  // 16 fraction bits, at most 1/4
     if constexpr (!kForHighlights) return (p * rise_) >> 16;
     return (p * (rise_ + ((bend_ * p) >> 16))) >> 16;

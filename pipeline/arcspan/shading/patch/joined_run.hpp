@@ -76,8 +76,8 @@ class JoinedRun {
  private:
   /// -floor(u + 1/2) = floor(-u + 1/2 - 2^-15) of multiples u of 2^-15.
   static constexpr std::int32_t kOffset = kForProduct ? (1 << 14) - 1 : 0;
-  /// What the upper scalar is raised by: the offset, and 1 so that subtracting 2^31 from the whole gives back
-  /// what the lower half has borrowed.
+  /// Added to the upper scalar: the offset, and 1 so that the borrow of the lower half cancels. That 1, of
+  /// which upper_half_down() takes half away again, leaves the lower half 2^31 larger and so never negative.
   static constexpr std::int32_t kUpperStart = kForProduct ? -(kOffset + 1) : 1;
 
   [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint64_t placed(std::size_t i, Cosine value) {

@@ -71,7 +71,7 @@ class OneHighlightWalker : public PatchWalker<OneHighlightRun<Lighting>, Count> 
 /// Makes the patch of the diffuse_scalar() of several lights. Returns false if one of the lights reaches only
 /// a part of the triangle.
 template <class Lighting, class Frame>
-ARCSPAN_OUTLINE_IF_SMALL constexpr bool make_diffuse_patch(const Lighting& lighting, const Frame& frame,
+ARCSPAN_OUTLINE_IF_TIGHT constexpr bool make_diffuse_patch(const Lighting& lighting, const Frame& frame,
                                                            const EdgeSagittaFactors& factors,
                                                            PatchScalar& scalar) {
   const auto& top = frame.top->shade.scalars;

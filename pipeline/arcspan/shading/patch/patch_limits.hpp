@@ -24,7 +24,7 @@ inline constexpr std::uint32_t kPatchError = 25;
 /// widest squared chord is s = `chord` (28 fraction bits): s/6 + 0.058 s^2 + 2^-12, for s at most 1. The
 /// normals lie in a cap of the radius R, sin^2(R) = s/3 at most, within which a cosine rises by 1 - cos(R) =
 /// s/6 + s^2/72 + ...; the rest is for the errors of patches and pieces.
-[[nodiscard]] ARCSPAN_INLINE_IF_SMALL constexpr Cosine arc_headroom(std::uint32_t chord) {
+[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr Cosine arc_headroom(std::uint32_t chord) {
   const std::uint32_t s = chord >> 13;  // 15 fraction bits
   const std::uint32_t factor = 5462u + ((s * 1901u) >> 15);
   return Cosine::from_raw(static_cast<std::int32_t>(s * factor + (std::uint32_t{1} << 18)));

@@ -37,7 +37,7 @@ class SecondDifferenceRun {
   /// Steps `count` pixels at once, the scalars from I on; the result is bit-identical to that of `count`
   /// calls of next().
   template <std::size_t I = 0>
-  ARCSPAN_INLINE_IF_SMALL constexpr void skip(std::int32_t count) {
+  ARCSPAN_INLINE_AT_OS constexpr void skip(std::int32_t count) {
     const auto steps = static_cast<std::uint32_t>(count);
     const auto pairs = static_cast<std::int32_t>((steps * (steps - 1)) >> 1);
     x_[I] += Cosine::from_raw(
@@ -140,7 +140,7 @@ class PatchWalker {
     if (start.skipped != 0) run.skip(start.skipped);
     return run;
   }
-  ARCSPAN_INLINE_IF_SMALL constexpr void next_row() {
+  ARCSPAN_INLINE_AT_OS constexpr void next_row() {
     unrolled<Run::kUsed>([this](auto i) { (*patch_)[i].left.advance(); });
   }
   constexpr void skip_rows(std::int32_t rows) {

@@ -15,22 +15,24 @@
 /// can step it in the scale of the table of powers (PowerTable::scaled()) instead of N·H.
 namespace arcspan {
 
-/// True if `Lighting` is an illumination by one light with Blinn's highlight or may be: some know it at run
-/// time only.
+/// True if Arc may step the distance of Blinn's highlight: `Lighting` is by one light with that highlight, or
+/// its lights are known at run time only.
 template <class Lighting>
-inline constexpr bool kMayStepDistance = kMayHaveOneLight<Lighting>&& requires(const Lighting& lighting) {
+inline constexpr bool kMayStepBlinnDistance =
+    kMayHaveOneLight<Lighting>&& requires(const Lighting& lighting) {
   requires(Lighting::kHasRamp);
   lighting.model();
   lighting.power();
 }
 &&!requires { requires(Lighting::kModel == Highlight::kPhong); };
-/// True if `Lighting` is known to be such an illumination.
+/// True if it is known at compile time that Arc steps it in every patch with a highlight.
 template <class Lighting>
-inline constexpr bool kStepsDistance = kMayStepDistance<Lighting>&& requires {
+inline constexpr bool kAlwaysStepsBlinnDistance = kMayStepBlinnDistance<Lighting>&& requires {
   requires(Lighting::kModel == Highlight::kBlinn);
 };
+/// Returns true if Arc steps it in every patch with a highlight. Requires kMayStepBlinnDistance.
 template <class Lighting>
-[[nodiscard]] constexpr bool steps_distance(const Lighting& lighting) {
+[[nodiscard]] constexpr bool steps_blinn_distance(const Lighting& lighting) {
   return lighting.lights() == 1 && lighting.model() == Highlight::kBlinn;
 }
 

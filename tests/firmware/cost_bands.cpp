@@ -69,9 +69,10 @@ bool measure(const char* name, const Scene& scene, std::int32_t rows, Cache&& ca
 
 int main() {
   static scenes::StageSet stage;
+  static SphereMemory memory;
   SphereMeshes meshes;
   if (!ok(scenes::set_stage({kCostWidth, kCostHeight}, 72, {}, stage))) return 1;
-  if (!make_sphere_meshes(SphereFineness::k32x16, meshes)) return 1;
+  if (!make_sphere_meshes(32, 16, memory, meshes)) return 1;
   const auto& lighting = *new (&object_memory.lighting) Method::Lighting(stage.light);
   const Scene scene{meshes.planed, stage.transform, &lighting};
   const std::span<CachedVertex<Method>> cache(vertices);

@@ -50,9 +50,10 @@ Status make_light(Light& light) {
 int main() {
   static scenes::StageSet stage;
   static Light light;
+  static SphereMemory memory;
   SphereMeshes meshes;
   if (!ok(scenes::set_stage({kCostWidth, kCostHeight}, 72, {}, stage))) return 1;
-  if (!make_sphere_meshes(SphereFineness::k32x16, meshes)) return 1;
+  if (!make_sphere_meshes(32, 16, memory, meshes)) return 1;
   hal::Framebuffer<Rgb565> frame(colours, kCostWidth, kCostHeight);
   DepthBuffer depth(depths, kCostWidth, kCostHeight);
   frame.clear({0, 0, 0});

@@ -87,9 +87,10 @@ bool measure_squares(const char* points, const char* sprites, std::uint8_t size,
 }
 
 bool measure_wireframe() {
+  static SphereMemory memory;
   SphereMeshes sphere;
   scenes::StageSet stage;
-  return make_sphere_meshes(SphereFineness::k32x16, sphere) &&
+  return make_sphere_meshes(32, 16, memory, sphere) &&
          ok(scenes::set_stage({kCostWidth, kCostHeight}, 72, {}, stage)) &&
          measure("wireframe", [&](auto& frame, const auto& depth) {
            return draw_mesh<Wireframe<>>(sphere.planed, stage.transform,

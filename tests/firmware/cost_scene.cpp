@@ -99,10 +99,10 @@ bool measure_mesh(const Object& object) {
 }  // namespace
 
 int main() {
+  static SphereMemory memory[2];
   SphereMeshes fine;
   SphereMeshes coarse;
-  if (!make_sphere_meshes(SphereFineness::k32x16, fine) || !make_sphere_meshes(SphereFineness::k16x8, coarse))
-    return 1;
+  if (!make_sphere_meshes(32, 16, memory[0], fine) || !make_sphere_meshes(16, 8, memory[1], coarse)) return 1;
   Object one(fine.planed, kMaterials[0]);
   one.scale = WorldLength::of(2);
   one.rotation = kPose;

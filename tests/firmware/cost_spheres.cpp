@@ -1,42 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include <tests/firmware/cost_spheres.hpp>
-#include <tests/frames/integer_shapes.hpp>
+
+#include <span>
 
 namespace arcspan {
-namespace {
 
-constexpr auto kCoarsest = scenes::make_sphere<8, 4>();
-constexpr auto kCoarse = scenes::make_sphere<16, 8>();
-constexpr auto kMiddle = scenes::make_sphere<32, 16>();
-constexpr auto kFine = scenes::make_sphere<64, 32>();
-constexpr auto kCoarsestPlanes = scenes::planes_of(kCoarsest);
-constexpr auto kCoarsePlanes = scenes::planes_of(kCoarse);
-constexpr auto kMiddlePlanes = scenes::planes_of(kMiddle);
-constexpr auto kFinePlanes = scenes::planes_of(kFine);
-
-template <class Shape, class Planes>
-bool make_views(const Shape& shape, const Planes& planes, SphereMeshes& meshes) {
-  if (!ok(shape.view(meshes.plain))) return false;
-  if (!ok(MeshView::make(shape.positions, shape.normals, std::span<const std::uint16_t>{}, meshes.vertices)))
+bool make_sphere_meshes(std::uint32_t segments, std::uint32_t rings, SphereMemory& memory,
+                        SphereMeshes& meshes) {
+  const std::size_t vertex_count = segments * (rings - 1) + 2;
+  const std::size_t triangle_count = 2 * segments * (rings - 1);
+  if (vertex_count > SphereMemory::kMostVertices || triangle_count > SphereMemory::kMostTriangles)
     return false;
-  meshes.planed = meshes.plain;
-  return ok(planes.attach_to(meshes.planed));
-}
+  const bool is_new = segments != memory.segments || rings != memory.rings;
+  if (is_new) scenes::set_sphere(segments, rings, memory.shape);
+  memory.segments = segments;
+  memory.rings = rings;
 
-}  // namespace
-
-bool make_sphere_meshes(SphereFineness fineness, SphereMeshes& meshes) {
-  switch (fineness) {
-    case SphereFineness::k8x4:
-      return make_views(kCoarsest, kCoarsestPlanes, meshes);
-    case SphereFineness::k16x8:
-      return make_views(kCoarse, kCoarsePlanes, meshes);
-    case SphereFineness::k32x16:
-      return make_views(kMiddle, kMiddlePlanes, meshes);
-    case SphereFineness::k64x32:
-      return make_views(kFine, kFinePlanes, meshes);
+  const std::span positions = std::span(memory.shape.positions).first(vertex_count);
+  const std::span normals = std::span(memory.shape.normals).first(vertex_count);
+  const std::span<const std::uint16_t> indices = std::span(memory.shape.indices).first(3 * triangle_count);
+  if (!ok(MeshView::make(positions, normals, indices, meshes.plain)) ||
+      !ok(MeshView::make(positions, normals, indices.first(0), meshes.vertices))) {
+    return false;
   }
-  return false;
+  const std::span planes = std::span(memory.planes.planes).first(triangle_count);
+  if (is_new && !ok(make_face_planes(meshes.plain, planes, memory.planes.scale))) return false;
+  meshes.planed = meshes.plain;
+  return ok(meshes.planed.attach(planes, memory.planes.scale));
 }
 
 }  // namespace arcspan

@@ -23,26 +23,27 @@ struct CostScene {
 /// sizes. Returns false at the first call that does.
 template <class Measure>
 bool for_each_cost_scene(Measure measure) {
-  using enum SphereFineness;
   struct Sphere {
     const char* name;
-    SphereFineness fineness;
+    std::uint32_t segments;
     std::int32_t radius;
   };
   constexpr Sphere kSpheres[] = {
-      {"16x8", k16x8, 36},    {"16x8", k16x8, 72},    {"16x8", k16x8, 108},  {"32x16", k32x16, 36},
-      {"32x16", k32x16, 72},  {"32x16", k32x16, 108}, {"64x32", k64x32, 36}, {"64x32", k64x32, 72},
-      {"64x32", k64x32, 108}, {"8x4", k8x4, 110},  // coarser than 60 degrees, cut by the picture
-      {"8x4", k8x4, 1400},                         // cut by the guard band
-      {"16x8", k16x8, 12},                         // small and coarse
-      {"64x32", k64x32, 20}                        // triangles of a pixel
+      {"16x8", 16, 36},   {"16x8", 16, 72},   {"16x8", 16, 108}, {"32x16", 32, 36},
+      {"32x16", 32, 72},  {"32x16", 32, 108}, {"64x32", 64, 36}, {"64x32", 64, 72},
+      {"64x32", 64, 108}, {"8x4", 8, 110},  // coarser than 60 degrees, cut by the picture
+      {"8x4", 8, 1400},                     // cut by the guard band
+      {"16x8", 16, 12},                     // small and coarse
+      {"64x32", 64, 20}                     // triangles of a pixel
   };
+  static SphereMemory memory;
   for (const Sphere& sphere : kSpheres) {
     CostScene scene;
     scene.sphere = sphere.name;
     scene.radius = sphere.radius;
-    scene.is_benchmark = sphere.fineness == k32x16 && sphere.radius == 72;
-    if (!make_sphere_meshes(sphere.fineness, scene.meshes) || !measure(scene)) return false;
+    scene.is_benchmark = sphere.segments == 32 && sphere.radius == 72;
+    if (!make_sphere_meshes(sphere.segments, sphere.segments / 2, memory, scene.meshes) || !measure(scene))
+      return false;
   }
   return true;
 }
@@ -51,7 +52,7 @@ bool for_each_cost_scene(Measure measure) {
 /// Returns false at the first call that does.
 template <class Measure>
 bool for_each_random_scene(std::uint32_t count, Measure measure) {
-  using enum SphereFineness;
+  static SphereMemory memory;
   std::uint32_t state = 1;
   const auto random = [&state](std::uint32_t end) {
     state = state * 1664525u + 1013904223u;  // Numerical Recipes' generator
@@ -61,9 +62,9 @@ bool for_each_random_scene(std::uint32_t count, Measure measure) {
     CostScene scene;
     scene.radius = 8 + static_cast<std::int32_t>(random(101));
     scene.turn.raw = static_cast<std::uint16_t>(random(65536));
-    for (const SphereFineness fineness : {k16x8, k32x16, k64x32}) {
-      scene.sphere = fineness == k16x8 ? "16x8" : fineness == k32x16 ? "32x16" : "64x32";
-      if (!make_sphere_meshes(fineness, scene.meshes) || !measure(scene)) return false;
+    for (const std::uint32_t segments : {16u, 32u, 64u}) {
+      scene.sphere = segments == 16 ? "16x8" : segments == 32 ? "32x16" : "64x32";
+      if (!make_sphere_meshes(segments, segments / 2, memory, scene.meshes) || !measure(scene)) return false;
     }
   }
   return true;

@@ -91,9 +91,10 @@ bool set_light(typename M::Lighting& lighting) {
 
 int main() {
   for (std::size_t i = 0; i < 128 * 128; ++i) texels[i] = static_cast<std::uint16_t>(i * 40503u >> 3);
+  static SphereMemory memory;
   SphereMeshes sphere;
   scenes::StageSet stage;
-  if (!make_sphere_meshes(SphereFineness::k32x16, sphere) ||
+  if (!make_sphere_meshes(32, 16, memory, sphere) ||
       !ok(scenes::set_stage({kCostWidth, kCostHeight}, 72, {}, stage))) {
     return 1;
   }

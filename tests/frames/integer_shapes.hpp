@@ -92,38 +92,46 @@ template <std::size_t Vertices, std::size_t Triangles>
   return made;
 }
 
-/// A UV sphere of radius kRadius with its poles on the y axis; poles and seam shared, smooth normals.
-template <std::uint32_t Sectors, std::uint32_t Stacks>
-consteval auto make_sphere() {
-  Shape<Sectors*(Stacks - 1) + 2, 2 * Sectors*(Stacks - 1)> shape{};
+/// Writes a UV sphere of radius kRadius with its poles on the y axis; poles and seam shared, smooth normals.
+/// It has sectors * (stacks - 1) + 2 vertices and 2 * sectors * (stacks - 1) triangles, the first ones of
+/// `shape`.
+template <std::size_t Vertices, std::size_t Triangles>
+constexpr void set_sphere(std::uint32_t sectors, std::uint32_t stacks, Shape<Vertices, Triangles>& shape) {
   std::size_t v = 0;
   const auto add = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
     shape.normals[v] = packed(x, y, z);
     shape.vertex(v++, x, y, z);  // 30 fraction bits, 16 dropped: 2^14 units
   };
   add(0, std::int64_t{1} << 30, 0);
-  for (std::uint32_t stack = 1; stack < Stacks; ++stack) {
-    const auto polar = static_cast<std::uint32_t>((std::uint64_t{stack} << 31) / Stacks);
-    for (std::uint32_t sector = 0; sector < Sectors; ++sector) {
-      const auto around = static_cast<std::uint32_t>((std::uint64_t{sector} << 32) / Sectors);
+  for (std::uint32_t stack = 1; stack < stacks; ++stack) {
+    const auto polar = static_cast<std::uint32_t>((std::uint64_t{stack} << 31) / stacks);
+    for (std::uint32_t sector = 0; sector < sectors; ++sector) {
+      const auto around = static_cast<std::uint32_t>((std::uint64_t{sector} << 32) / sectors);
       const std::int64_t ring = sine30(polar);
       add((ring * sine30(around)) >> 30, cosine30(polar), (ring * cosine30(around)) >> 30);
     }
   }
   add(0, -(std::int64_t{1} << 30), 0);
   std::size_t t = 0;
-  for (std::size_t s = 0; s < Sectors; ++s) {
-    const std::size_t next = (s + 1) % Sectors;
+  for (std::size_t s = 0; s < sectors; ++s) {
+    const std::size_t next = (s + 1) % sectors;
     shape.triangle(t++, 0, 1 + s, 1 + next);
-    for (std::size_t r = 0; r + 2 < Stacks; ++r) {
-      const std::size_t upper = 1 + r * Sectors;
-      const std::size_t lower = upper + Sectors;
+    for (std::size_t r = 0; r + 2 < stacks; ++r) {
+      const std::size_t upper = 1 + r * sectors;
+      const std::size_t lower = upper + sectors;
       shape.triangle(t++, upper + s, lower + s, lower + next);
       shape.triangle(t++, upper + s, lower + next, upper + next);
     }
-    const std::size_t last = 1 + (Stacks - 2) * Sectors;
+    const std::size_t last = 1 + (stacks - 2) * sectors;
     shape.triangle(t++, last + s, v - 1, last + next);
   }
+}
+
+/// The sphere of set_sphere() as a constant.
+template <std::uint32_t Sectors, std::uint32_t Stacks>
+consteval auto make_sphere() {
+  Shape<Sectors*(Stacks - 1) + 2, 2 * Sectors*(Stacks - 1)> shape{};
+  set_sphere(Sectors, Stacks, shape);
   return shape;
 }
 

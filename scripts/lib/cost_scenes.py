@@ -30,3 +30,7 @@ OTHER = {  # sections of cost_lights.cpp and cost_scene.cpp, by program and sect
     ("lights-{}-phong-2", "draw"): "benchmark frame, two lights", ("lights-{}-phong-2", "make"): "its illumination",
     ("scene-{}", "draw twenty"): "20 spheres of 16×8 with 20 materials", ("scene-{}", "prepare twenty"): "preparing them",
     ("character-{}", "draw character"): "figure of 4,620 small triangles without planes (`tests/frames/figure.hpp`)"}
+LAWS = {  # where laws are compared: preset, level and light, as CMakeLists.txt names it; --check does the first
+    "mps2-an385 -O2 phong-1": "Cortex-M3, R·V", "mps2-an385 -O2 blinn-1": "Cortex-M3, N·H",
+    "mps2-an385 -O2 phong-2": "Cortex-M3, R·V, two lights", "mps2-an385 -Os phong-1": "Cortex-M3, R·V, -Os",
+    "mps2-an385-armv6m -O2 phong-1": "Armv6-M code, R·V", "riscv-virt -O2 phong-1": "RV32IMAC, R·V"}

@@ -2,7 +2,7 @@
 // The measured scenes by one method, as a product draws them: the program has one call of draw_mesh(), for
 // one method, one sink and one depth buffer, so that the compiler inlines as it does for a product. Clearing
 // and drawing are sections of their own for instruction_count.py; "drawn:" gives the visible triangles,
-// "stack:" the stack that the call used.
+// "stack:" the stack that the call used. If the emulator has loaded random scenes, these are drawn instead.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
 #include <arcspan/bare/stack.hpp>
@@ -11,6 +11,7 @@
 #include <arcspan/pixel/rgb565.hpp>
 
 #include <tests/firmware/cost_stage.hpp>
+#include <tests/firmware/random_scene.hpp>
 
 #include <new>
 
@@ -36,7 +37,13 @@ namespace {
 [[gnu::section(".bss.frame")]] std::uint16_t colours[kCostWidth * kCostHeight];
 [[gnu::section(".bss.frame")]] std::uint16_t depths[kCostWidth * kCostHeight];
 
-using Method = ARCSPAN_METHOD<scenes::Light>;
+// Programs for another light than that of the measured scenes draw random scenes only.
+#ifdef ARCSPAN_LIGHTS
+using Light = Illumination<ARCSPAN_LIGHTS, ARCSPAN_HIGHLIGHT>;
+#else
+using Light = scenes::Light;
+#endif
+using Method = ARCSPAN_METHOD<Light>;
 
 #ifdef ARCSPAN_COST_OWN_SINK
 OwnSink make_sink() { return {colours}; }
@@ -53,8 +60,8 @@ union ObjectMemory {
 [[gnu::section(".bss.frame")]] ObjectMemory object_memory;
 [[gnu::section(".bss.frame")]] CachedVertex<Method> cache[2048];
 
-/// Clears and draws, each in a section of its own.
-bool measure_draw(const char* section, const CostScene& scene, const MeshView& mesh,
+/// Clears and draws, each in a section of its own, whose name ends with the sphere and the number.
+bool measure_draw(const char* section, const char* sphere, std::uint32_t number, const MeshView& mesh,
                   const ClipTransform& transform, const Method::Lighting& lighting) {
   hal::Framebuffer<Rgb565> frame(colours, kCostWidth, kCostHeight);
   auto sink = make_sink();
@@ -67,18 +74,20 @@ bool measure_draw(const char* section, const CostScene& scene, const MeshView& m
   const DrawResult drawn = draw_mesh<Method>(mesh, transform, lighting, sink, depth, cache);
   arcspan_mark();
   const std::uint32_t depth_here = bare::stack_depth();
-  const auto radius = static_cast<std::uint32_t>(scene.radius);
-  bare::print_line("section: clear ", scene.sphere, " ", radius);
-  bare::print_line("section: ", section, scene.sphere, " ", radius);
+  bare::print_line("section: clear ", sphere, " ", number);
+  bare::print_line("section: ", section, sphere, " ", number);
   bare::print_line("section: between");
-  bare::print_line("stack: ", section, scene.sphere, " ", radius, " ", bare::deepest_stack() - depth_here);
-  bare::print_line("drawn: ", section, scene.sphere, " ", radius, " ", drawn.triangles);
+  bare::print_line("stack: ", section, sphere, " ", number, " ", bare::deepest_stack() - depth_here);
+  bare::print_line("drawn: ", section, sphere, " ", number, " ", drawn.triangles);
   return ok(drawn.status);
 }
 
+#ifdef ARCSPAN_LIGHTS
+bool measure(const CostScene&) { return false; }
+#else
 bool measure(const CostScene& scene) {
   static scenes::StageSet stage;  // larger than the stack that programs are allowed
-  if (!ok(scenes::set_stage({kCostWidth, kCostHeight}, scene.radius, scene.turn, stage))) return false;
+  if (!ok(scenes::set_stage({kCostWidth, kCostHeight}, scene.radius, {}, stage))) return false;
   const auto& lighting = *new (&object_memory.lighting) Method::Lighting(stage.light);
   struct Section {
     const char* name;
@@ -88,21 +97,42 @@ bool measure(const CostScene& scene) {
   const Section sections[] = {
       {"draw ", scene.meshes.planed}, {"plain ", scene.meshes.plain}, {"vertices ", scene.meshes.vertices}};
   for (const Section& section : sections) {
-    if (!measure_draw(section.name, scene, section.mesh, stage.transform, lighting)) return false;
+    const auto radius = static_cast<std::uint32_t>(scene.radius);
+    if (!measure_draw(section.name, scene.sphere, radius, section.mesh, stage.transform, lighting))
+      return false;
     if (!scene.is_benchmark) break;
   }
   return true;
 }
+#endif
+
+/// Draws a random scene.
+bool measure(const RandomScene& scene, std::uint32_t number) {
+  static SphereMemory memory;
+  SphereMeshes meshes;
+  static ClipTransform transform;
+  static Light light;
+  if (!make_sphere_meshes(scene.segments, scene.rings, memory, meshes) ||
+      !ok(set_random_stage(scene, {kCostWidth, kCostHeight}, transform, light))) {
+    return false;
+  }
+  const auto& lighting = *new (&object_memory.lighting) Method::Lighting(light);
+  return measure_draw("draw ", "random", number, meshes.planed, transform, lighting);
+}
 
 }  // namespace
 
-#ifndef ARCSPAN_COST_RANDOM
-#define ARCSPAN_COST_RANDOM 0
-#endif
+/// Where the emulator loads the scenes of scripts/lib/random_scenes.py; CMakeLists.txt gives the address. The
+/// memory is zero otherwise.
+extern "C" const RandomScene arcspan_random_scenes[];
 
 int main() {
-  if (!for_each_cost_scene(measure)) return 1;
-  // For methods of which scripts/firmware-costs tests laws.
-  bare::print_line("random scenes:");
-  return for_each_random_scene(ARCSPAN_COST_RANDOM, measure) ? 0 : 1;
+  const RandomScene* const scenes = arcspan_random_scenes;
+  if (scenes[0].segments == 0) {
+    return for_each_cost_scene([](const CostScene& scene) { return measure(scene); }) ? 0 : 1;
+  }
+  for (std::uint32_t i = 0; scenes[i].segments != 0; ++i) {
+    if (!measure(scenes[i], i)) return 2;
+  }
+  return 0;
 }

@@ -15,7 +15,6 @@ struct CostScene {
   const char* sphere = "";
   SphereMeshes meshes;
   std::int32_t radius = 0;
-  Turn turn{};                ///< about the sphere's own axis
   bool is_benchmark = false;  ///< the one of which every figure is published
 };
 
@@ -44,28 +43,6 @@ bool for_each_cost_scene(Measure measure) {
     scene.is_benchmark = sphere.segments == 32 && sphere.radius == 72;
     if (!make_sphere_meshes(sphere.segments, sphere.segments / 2, memory, scene.meshes) || !measure(scene))
       return false;
-  }
-  return true;
-}
-
-/// Calls `measure(scene)` for spheres of three finenesses with each of `count` random radii and turns.
-/// Returns false at the first call that does.
-template <class Measure>
-bool for_each_random_scene(std::uint32_t count, Measure measure) {
-  static SphereMemory memory;
-  std::uint32_t state = 1;
-  const auto random = [&state](std::uint32_t end) {
-    state = state * 1664525u + 1013904223u;  // Numerical Recipes' generator
-    return static_cast<std::uint32_t>((std::uint64_t{state} * end) >> 32);
-  };
-  for (std::uint32_t i = 0; i < count; ++i) {
-    CostScene scene;
-    scene.radius = 8 + static_cast<std::int32_t>(random(101));
-    scene.turn.raw = static_cast<std::uint16_t>(random(65536));
-    for (const std::uint32_t segments : {16u, 32u, 64u}) {
-      scene.sphere = segments == 16 ? "16x8" : segments == 32 ? "32x16" : "64x32";
-      if (!make_sphere_meshes(segments, segments / 2, memory, scene.meshes) || !measure(scene)) return false;
-    }
   }
   return true;
 }

@@ -33,6 +33,7 @@ class Scissor {
       : rect_(intersection({0, 0, viewport.width, viewport.height}, bounds)),
         origin_{viewport.width >> 1, viewport.height >> 1},
         rows_{-origin_.y, viewport.height - origin_.y},
+        drawn_rows_{wrap_sub(rect_.top, origin_.y), wrap_sub(rect_.bottom, origin_.y)},
         // These wrap if the bounds are far outside the viewport; the rectangle is empty then.
         left_(wrap_shl(wrap_sub(rect_.left, origin_.x), 4)),
         right_(wrap_shl(wrap_sub(rect_.right, origin_.x), 4)),
@@ -51,6 +52,8 @@ class Scissor {
   [[nodiscard]] constexpr const RasterOrigin& origin() const { return origin_; }
   /// The rows of the whole viewport, relative to origin().
   [[nodiscard]] constexpr const RowRange& viewport_rows() const { return rows_; }
+  /// The rows of the rectangle, relative to origin().
+  [[nodiscard]] constexpr const RowRange& drawn_rows() const { return drawn_rows_; }
 
   /// Tests the triangle a, b, c. `kInside` is only returned if `MayBeInside`; kCrossing is always right.
   template <bool MayBeInside>
@@ -79,6 +82,7 @@ class Scissor {
   Rect rect_;
   RasterOrigin origin_;
   RowRange rows_;
+  RowRange drawn_rows_;
   std::int32_t left_;  ///< columns of the scissor in sixteenths of a pixel, relative to origin()
   std::int32_t right_;
   std::int16_t upper_;  ///< rows of the scissor likewise

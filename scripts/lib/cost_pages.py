@@ -53,6 +53,15 @@ def markdown(costs):
     lines += table(["method", *(title for *_, title in TARGETS)],
                    [[method, *(clock(frames[preset][method][HEADLINE]) for preset, *_ in TARGETS)]
                     for method in FEW])
+    lines += ["### The whole benchmark frame", ""]
+    lines += prose("*Set-up* is what a program does that makes everything anew for a frame: rotation, transform, illumination and the "
+                   "tables of the method. A [scene](decisions/0024-scenes.md) keeps its materials and sets directions only, which "
+                   "takes about 2,400 instructions per object instead.")
+    targets = [*((preset, title) for preset, _, title in TARGETS), RISCV]
+    lines += table(["core, method", "set-up", "clear", "draw", "together"],
+                   [[f"{title}, {method}", *(f"{scene[part]:,}" for part in parts), f"{sum(scene[part] for part in parts):,}"]
+                    for preset, title in targets for method in FEW
+                    for parts in [("set_up", "clear", "draw")] for scene in [frames[preset][method][HEADLINE]]])
     for preset, _, title in TARGETS:
         lines += [f"### {title}, every sphere", ""]
         lines += table(["method, sphere", *(f"R = {radius}" for radius in RADII)],

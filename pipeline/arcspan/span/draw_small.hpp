@@ -29,7 +29,7 @@ template <class Surface, class Target>
     if constexpr (kHasWideRegisters) memory.next();
   };
   for (std::int32_t row = 0; row < rows; next_row(row)) {
-    hide_value(row);
+    if constexpr (!kHasWideRegisters) hide_value(row);
     const std::int32_t below = kHasWideRegisters ? 0 : row;  // the current row of `memory`
     const SmallSpan found = triangle.spans[row];
     if (found.count == 0) continue;

@@ -72,7 +72,8 @@ class Scissor {
     return (a.x < left_ && b.x < left_ && c.x < left_) || (a.x > right_ && b.x > right_ && c.x > right_);
   }
 
-  /// True if first_row_at() of all vertices is at most the band's first row, or at least the one behind it.
+  /// True if first_row_at() of all vertices is at most the scissor's first row, or at least the row behind
+  /// its last.
   [[nodiscard]] constexpr bool has_no_row_in_band(const RasterPosition& a, const RasterPosition& b,
                                                   const RasterPosition& c) const {
     return (a.y < upper_ && b.y < upper_ && c.y < upper_) ||
@@ -85,9 +86,9 @@ class Scissor {
   RowRange drawn_rows_;
   std::int32_t left_;  ///< columns of the scissor in sixteenths of a pixel, relative to origin()
   std::int32_t right_;
-  std::int16_t upper_;  ///< rows of the scissor likewise
-  std::int16_t lower_;
-  bool is_band_;  ///< rows of the viewport lie outside the scissor
+  std::int16_t upper_;  ///< least y of a vertex whose first_row_at() is behind the first row
+  std::int16_t lower_;  ///< least y whose first_row_at() is at least the row behind the last
+  bool is_band_;        ///< rows of the viewport lie outside the scissor
 };
 
 }  // namespace arcspan::detail

@@ -60,9 +60,9 @@ enum class SmallResult : std::uint8_t {
 };
 
 /// Draws a small triangle (is_small()) of either winding, or a medium one if `is_medium` is true. A medium
-/// one is refused if it is a patch. `rows` are those of the viewport, `drawn` those of the scissor; `crosses`
-/// is false if the triangle is known to lie between the left and the right side of the scissor. Sets `status`
-/// if the result is kDone.
+/// one is refused if rows may draw it as a patch. `rows` are those of the viewport, `drawn` those of the
+/// scissor; `crosses` is false if the triangle is known to lie between the left and the right side of the
+/// scissor. Sets `status` if the result is kDone.
 template <class Method, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(
     const SortedVertices<Method>& vertices, bool is_medium, bool crosses, const RowRange& rows,

@@ -35,8 +35,8 @@ class Scissor {
         rows_{-origin_.y, viewport.height - origin_.y},
         drawn_rows_{wrap_sub(rect_.top, origin_.y), wrap_sub(rect_.bottom, origin_.y)},
         // These wrap if the bounds are far outside the viewport; the rectangle is empty then.
-        left_(wrap_shl(wrap_sub(rect_.left, origin_.x), 4)),
-        right_(wrap_shl(wrap_sub(rect_.right, origin_.x), 4)),
+        left_(static_cast<std::int16_t>(wrap_shl(wrap_sub(rect_.left, origin_.x), 4))),
+        right_(static_cast<std::int16_t>(wrap_shl(wrap_sub(rect_.right, origin_.x), 4))),
         upper_(static_cast<std::int16_t>(wrap_add(wrap_shl(wrap_sub(rect_.top, origin_.y), 4), 9))),
         lower_(static_cast<std::int16_t>(wrap_sub(wrap_shl(wrap_sub(rect_.bottom, origin_.y), 4), 7))),
         is_band_(wrap_sub(rect_.bottom, rect_.top) < viewport.height) {}
@@ -84,8 +84,8 @@ class Scissor {
   RasterOrigin origin_;
   RowRange rows_;
   RowRange drawn_rows_;
-  std::int32_t left_;  ///< columns of the scissor in sixteenths of a pixel, relative to origin()
-  std::int32_t right_;
+  std::int16_t left_;  ///< columns of the scissor in sixteenths of a pixel, relative to origin()
+  std::int16_t right_;
   std::int16_t upper_;  ///< least y of a vertex whose first_row_at() is behind the first row
   std::int16_t lower_;  ///< least y whose first_row_at() is at least the row behind the last
   bool is_band_;        ///< rows of the viewport lie outside the scissor

@@ -6,10 +6,12 @@
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/span/draw_command.hpp>
+#include <arcspan/target.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace arcspan::detail {
 
@@ -35,10 +37,10 @@ class Scissor {
         rows_{-origin_.y, viewport.height - origin_.y},
         drawn_rows_{wrap_sub(rect_.top, origin_.y), wrap_sub(rect_.bottom, origin_.y)},
         // These wrap if the bounds are far outside the viewport; the rectangle is empty then.
-        left_(static_cast<std::int16_t>(wrap_shl(wrap_sub(rect_.left, origin_.x), 4))),
-        right_(static_cast<std::int16_t>(wrap_shl(wrap_sub(rect_.right, origin_.x), 4))),
-        upper_(static_cast<std::int16_t>(wrap_add(wrap_shl(wrap_sub(rect_.top, origin_.y), 4), 9))),
-        lower_(static_cast<std::int16_t>(wrap_sub(wrap_shl(wrap_sub(rect_.bottom, origin_.y), 4), 7))),
+        left_(static_cast<Sixteenths>(wrap_shl(wrap_sub(rect_.left, origin_.x), 4))),
+        right_(static_cast<Sixteenths>(wrap_shl(wrap_sub(rect_.right, origin_.x), 4))),
+        upper_(static_cast<Sixteenths>(wrap_add(wrap_shl(wrap_sub(rect_.top, origin_.y), 4), 9))),
+        lower_(static_cast<Sixteenths>(wrap_sub(wrap_shl(wrap_sub(rect_.bottom, origin_.y), 4), 7))),
         is_band_(wrap_sub(rect_.bottom, rect_.top) < viewport.height) {}
 
   [[nodiscard]] constexpr const Rect& rect() const { return rect_; }
@@ -66,6 +68,10 @@ class Scissor {
   }
 
  private:
+  /// Coordinates in sixteenths of a pixel, relative to origin(). 16 bits hold them; where registers are wide,
+  /// they would have to be extended at each use.
+  using Sixteenths = std::conditional_t<kHasWideRegisters, std::int32_t, std::int16_t>;
+
   /// True if all vertices lie on the same side of the scissor's columns.
   [[nodiscard]] constexpr bool is_outside_columns(const RasterPosition& a, const RasterPosition& b,
                                                   const RasterPosition& c) const {
@@ -84,11 +90,11 @@ class Scissor {
   RasterOrigin origin_;
   RowRange rows_;
   RowRange drawn_rows_;
-  std::int16_t left_;  ///< columns of the scissor in sixteenths of a pixel, relative to origin()
-  std::int16_t right_;
-  std::int16_t upper_;  ///< least y of a vertex whose first_row_at() is behind the first row
-  std::int16_t lower_;  ///< least y whose first_row_at() is at least the row behind the last
-  bool is_band_;        ///< rows of the viewport lie outside the scissor
+  Sixteenths left_;  ///< columns of the scissor
+  Sixteenths right_;
+  Sixteenths upper_;  ///< least y of a vertex whose first_row_at() is behind the first row
+  Sixteenths lower_;  ///< least y whose first_row_at() is at least the row behind the last
+  bool is_band_;      ///< rows of the viewport lie outside the scissor
 };
 
 }  // namespace arcspan::detail

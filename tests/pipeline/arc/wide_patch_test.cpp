@@ -85,10 +85,11 @@ Triangle random_triangle(Random& random, const Light& light, Vec3 towards_light)
   return t;
 }
 
-/// The bound of decision 26; `s` is the widest squared chord.
+/// The bound of decision 26, 1.57 times the estimate by which patches are chosen; `s` is the widest squared
+/// chord.
 double documented_bound(const Triangle& t, double s) {
-  constexpr double kOfRange = 0.022;
-  constexpr double kOfLargest = 0.0073;
+  constexpr double kOfRange = 1.57 * 0.022;
+  constexpr double kOfLargest = 1.57 * 0.0073;
   const auto light_at = [&t](std::size_t i) { return to_double(t.vertices[i].shade.scalars[0]); };
   const auto [least, most] = std::minmax({light_at(0), light_at(1), light_at(2)});
   return kOfRange * s * (most - least) + kOfLargest * s * s * most;
@@ -151,7 +152,7 @@ void measure(const Triangle& t, const Light& light, Vec3 towards_light, Figures&
   const SmallCorners corners{a, b, c};
   double bound = 0;
   const auto diffuse = Small::diffuse_of(light, corners, widest, false, [&bound](std::uint32_t error) {
-    bound = std::ldexp(error, -20);
+    bound = 1.57 * std::ldexp(error, -20);
     return true;
   });
   if (!small.prepare(light, corners, chords, false, diffuse, false, triangle)) {

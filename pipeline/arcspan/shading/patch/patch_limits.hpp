@@ -18,8 +18,8 @@ inline constexpr std::int32_t kLargestPatch = 128;
 /// wider (SmallShading::diffuse_of()).
 inline constexpr std::uint32_t kWidestDiffusePatch = 86613079u;
 
-/// Largest error of N·L up to which `Arc` draws a small triangle beyond kWidestDiffusePatch as a patch: 0.78
-/// 8-bit steps, 5 fraction bits.
+/// Largest estimated error of N·L up to which `Arc` draws a small triangle beyond kWidestDiffusePatch as a
+/// patch: 0.78 8-bit steps, 5 fraction bits. Errors reach 1.57 times the estimate.
 inline constexpr std::uint32_t kPatchError = 25;
 
 /// Returns an upper bound of the height of a scalar above its values at the vertices of a triangle whose

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The measured scenes by one method, as a product draws them: the program has one call of draw_mesh(), for
-// one method, one sink and one depth buffer, so that the compiler inlines as it does for a product. Clearing
-// and drawing are sections of their own for instruction_count.py; "drawn:" gives the visible triangles,
-// "stack:" the stack that the call used. If the emulator has loaded random scenes, these are drawn instead.
+// one method, one sink and one depth buffer, so that the compiler inlines as it does for a product. Set-up,
+// clearing and drawing are sections of their own for instruction_count.py; "drawn:" gives the visible
+// triangles, "stack:" the stack that the call used. If the emulator has loaded random scenes, these are drawn
+// instead.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
 #include <arcspan/bare/stack.hpp>
@@ -87,8 +88,12 @@ bool measure(const CostScene&) { return false; }
 #else
 bool measure(const CostScene& scene) {
   static scenes::StageSet stage;  // larger than the stack that programs are allowed
+  arcspan_mark();
   if (!ok(scenes::set_stage({kCostWidth, kCostHeight}, scene.radius, {}, stage))) return false;
   const auto& lighting = *new (&object_memory.lighting) Method::Lighting(stage.light);
+  arcspan_mark();
+  bare::print_line("section: set-up ", scene.sphere, " ", static_cast<std::uint32_t>(scene.radius));
+  bare::print_line("section: between");
   struct Section {
     const char* name;
     const MeshView& mesh;

@@ -68,8 +68,9 @@ class RasterStage {
     const arcspan::detail::RowTarget<typename Method::Lighting, Sink, Depth> target{clip_, lighting_, sink_,
                                                                                     depth_, encoded};
     Status status = Status::kOk;
-    switch (arcspan::detail::draw_small_triangle<Method>(vertices, is_medium, true, rows_, origin_, target,
-                                                         status)) {
+    const RowRange drawn{clip_.top - origin_.y, clip_.bottom - origin_.y};
+    switch (arcspan::detail::draw_small_triangle<Method>(vertices, is_medium, true, rows_, drawn, origin_,
+                                                         target, status)) {
       case arcspan::detail::SmallResult::kDone:
         return ok(status);
       case arcspan::detail::SmallResult::kOutOfView:

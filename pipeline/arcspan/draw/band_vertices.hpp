@@ -33,7 +33,7 @@ class BandVertices {
     place(stage.mesh(), visible.band(), cache);
   }
 
-  /// `i` must rise from call to call, and `count` be the same.
+  /// Continues where the last call ended, so that `i` is not needed.
   [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t, std::size_t count) {
     while (found_ == 0) {
       if (end_ == count) return count;

@@ -6,10 +6,12 @@
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/span/draw_command.hpp>
+#include <arcspan/target.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace arcspan::detail {
 
@@ -33,11 +35,12 @@ class Scissor {
       : rect_(intersection({0, 0, viewport.width, viewport.height}, bounds)),
         origin_{viewport.width >> 1, viewport.height >> 1},
         rows_{-origin_.y, viewport.height - origin_.y},
+        drawn_rows_{wrap_sub(rect_.top, origin_.y), wrap_sub(rect_.bottom, origin_.y)},
         // These wrap if the bounds are far outside the viewport; the rectangle is empty then.
-        left_(wrap_shl(wrap_sub(rect_.left, origin_.x), 4)),
-        right_(wrap_shl(wrap_sub(rect_.right, origin_.x), 4)),
-        upper_(static_cast<std::int16_t>(wrap_add(wrap_shl(wrap_sub(rect_.top, origin_.y), 4), 9))),
-        lower_(static_cast<std::int16_t>(wrap_sub(wrap_shl(wrap_sub(rect_.bottom, origin_.y), 4), 7))),
+        left_(static_cast<Sixteenths>(wrap_shl(wrap_sub(rect_.left, origin_.x), 4))),
+        right_(static_cast<Sixteenths>(wrap_shl(wrap_sub(rect_.right, origin_.x), 4))),
+        upper_(static_cast<Sixteenths>(wrap_add(wrap_shl(wrap_sub(rect_.top, origin_.y), 4), 9))),
+        lower_(static_cast<Sixteenths>(wrap_sub(wrap_shl(wrap_sub(rect_.bottom, origin_.y), 4), 7))),
         is_band_(wrap_sub(rect_.bottom, rect_.top) < viewport.height) {}
 
   [[nodiscard]] constexpr const Rect& rect() const { return rect_; }
@@ -51,6 +54,8 @@ class Scissor {
   [[nodiscard]] constexpr const RasterOrigin& origin() const { return origin_; }
   /// The rows of the whole viewport, relative to origin().
   [[nodiscard]] constexpr const RowRange& viewport_rows() const { return rows_; }
+  /// The rows of the rectangle, relative to origin().
+  [[nodiscard]] constexpr const RowRange& drawn_rows() const { return drawn_rows_; }
 
   /// Tests the triangle a, b, c. `kInside` is only returned if `MayBeInside`; kCrossing is always right.
   template <bool MayBeInside>
@@ -63,13 +68,18 @@ class Scissor {
   }
 
  private:
+  /// Coordinates in sixteenths of a pixel, relative to origin(). 16 bits hold them; where registers are wide,
+  /// they would have to be extended at each use.
+  using Sixteenths = std::conditional_t<kHasWideRegisters, std::int32_t, std::int16_t>;
+
   /// True if all vertices lie on the same side of the scissor's columns.
   [[nodiscard]] constexpr bool is_outside_columns(const RasterPosition& a, const RasterPosition& b,
                                                   const RasterPosition& c) const {
     return (a.x < left_ && b.x < left_ && c.x < left_) || (a.x > right_ && b.x > right_ && c.x > right_);
   }
 
-  /// True if first_row_at() of all vertices is at most the band's first row, or at least the one behind it.
+  /// True if first_row_at() of all vertices is at most the scissor's first row, or at least the row behind
+  /// its last.
   [[nodiscard]] constexpr bool has_no_row_in_band(const RasterPosition& a, const RasterPosition& b,
                                                   const RasterPosition& c) const {
     return (a.y < upper_ && b.y < upper_ && c.y < upper_) ||
@@ -79,11 +89,12 @@ class Scissor {
   Rect rect_;
   RasterOrigin origin_;
   RowRange rows_;
-  std::int32_t left_;  ///< columns of the scissor in sixteenths of a pixel, relative to origin()
-  std::int32_t right_;
-  std::int16_t upper_;  ///< rows of the scissor likewise
-  std::int16_t lower_;
-  bool is_band_;  ///< rows of the viewport lie outside the scissor
+  RowRange drawn_rows_;
+  Sixteenths left_;  ///< columns of the scissor
+  Sixteenths right_;
+  Sixteenths upper_;  ///< least y of a vertex whose first_row_at() is behind the first row
+  Sixteenths lower_;  ///< least y whose first_row_at() is at least the row behind the last
+  bool is_band_;      ///< rows of the viewport lie outside the scissor
 };
 
 }  // namespace arcspan::detail

@@ -217,9 +217,9 @@ class TriangleDrawer {
 
   /// Draws one side of a small triangle, or of a medium one. Returns false if the method cannot.
   ARCSPAN_OUTLINE bool draw_small_side(const SortedVertices<Method>& vertices, bool is_medium) {
-    const SmallResult result =
-        draw_small_triangle<Method>(vertices, is_medium, columns_ == ScissorColumns::kCrossing,
-                                    scissor_.viewport_rows(), scissor_.origin(), target_, result_.status);
+    const SmallResult result = draw_small_triangle<Method>(
+        vertices, is_medium, columns_ == ScissorColumns::kCrossing, scissor_.viewport_rows(),
+        scissor_.drawn_rows(), scissor_.origin(), target_, result_.status);
     if (result == SmallResult::kDone) ++result_.triangles;
     return result != SmallResult::kRefused;
   }

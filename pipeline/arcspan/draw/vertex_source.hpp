@@ -10,7 +10,9 @@
 
 /// Where the vertices of a triangle come from. A source has `next(i, count)`, the first triangle from i on
 /// that may be visible (`count` if there is none), `operator[]`, the transformed vertex of an index, and
-/// `kAllInside`, true if all vertices are known to be inside the clip volume.
+/// `kAllInside`, true if all vertices are known to be inside the clip volume. `i` is 0 in the first call of
+/// next() and one more than the last result in each further one, and `count` stays the same: a source may
+/// keep state between calls and ignore `i`.
 namespace arcspan::detail {
 
 /// Every vertex of the mesh is transformed into the cache before the first triangle is drawn.

@@ -19,7 +19,7 @@ namespace arcspan {
 template <class Method>
 struct CachedVertex {
   RasterVertex<Method> raster;
-  std::uint8_t outcode;  ///< planes that the vertex is outside of (ClipOutcode); if any, `raster` is unset
+  std::uint8_t outcode;  ///< ClipOutcode; if not 0, `raster` is unset. BandVertices keeps its own bits here
   bool shaded;
 };
 

@@ -15,6 +15,7 @@
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
 
 #include <array>
 #include <cstddef>
@@ -33,13 +34,17 @@ struct DeepColour {
   std::int32_t b;
 };
 
+/// True if Illumination has PhongTables.
+template <std::size_t Lights, Highlight Model>
+inline constexpr bool kHasPhongTables = kHasWideRegisters && (Lights == 1 && Model == Highlight::kPhong);
+
 /// The illumination of one object by `Lights` (1...4) lights: its constants, and the colour of a normal's
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
 /// (Phong). Arcs can carry them because they are linear in N.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features = IlluminationFeatures{}>
 class Illumination : private FadeFor<Features>,
                      private RampScaleFor<Lights, Features>,
-                     private PhongTablesFor<kHasWideRegisters && Lights == 1 && Model == Highlight::kPhong> {
+                     private PhongTablesFor<kHasPhongTables<Lights, Model>> {
  public:
   static_assert(Lights >= 1 && Lights <= 4);
   static constexpr std::size_t kLights = Lights;
@@ -146,7 +151,7 @@ class Illumination : private FadeFor<Features>,
     return encoded_at<Format>(scalars[0], highlight_distance(scalars[0], scalars[1], 0), table);
   }
   /// True if there are PhongTables.
-  static constexpr bool kHasTables = kHasWideRegisters && Lights == 1 && Model == Highlight::kPhong;
+  static constexpr bool kHasTables = kHasPhongTables<Lights, Model>;
   /// encoded() of a pixel by PhongTables; `run` is a JoinedRun of N·L and N·V for their product.
   template <class Format, class Run, class Table>
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded_by_tables(const Run& run,
@@ -344,4 +349,3 @@ class Illumination : private FadeFor<Features>,
 #include <arcspan/lighting/illumination_light.hpp>
 #include <arcspan/lighting/make_illumination.hpp>
 #include <arcspan/lighting/several_lights.hpp>
-#include <arcspan/target.hpp>

@@ -13,8 +13,8 @@
 
 namespace arcspan {
 
-/// What a pixel with a highlight looks up on machines with wide registers, where R·V of one light has tables
-/// for it (5 KB of an illumination).
+/// Look-up tables for pixels with a highlight, on machines with wide registers and for R·V of one light (5 KB
+/// per illumination).
 class PhongTables {
  public:
   constexpr void make_tables(const std::array<PackedRgb, 256>& ramp, const PowerTable& power, bool is_white) {

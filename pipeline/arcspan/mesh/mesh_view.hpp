@@ -6,6 +6,7 @@
 #include <arcspan/mesh/texture_point.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -177,4 +178,3 @@ class MeshView {
 }  // namespace arcspan
 
 #include <arcspan/mesh/make_mesh_view.hpp>
-#include <arcspan/target.hpp>

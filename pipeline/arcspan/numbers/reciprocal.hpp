@@ -84,8 +84,8 @@ inline constexpr auto kShortReciprocals = [] {
 
 }  // namespace detail
 
-/// nonzero_reciprocal() of a distance that is rarely long: 32 rows in 16ths. Where the code is compiled for
-/// wide registers, a table saves 18 instructions.
+/// nonzero_reciprocal() of an edge's height in sixteenths; below 512 (32 rows) it is looked up on machines
+/// with wide registers, which saves 18 instructions.
 [[nodiscard]] ARCSPAN_INLINE_IF_WIDE constexpr Reciprocal distance_reciprocal(std::uint32_t v) {
   if constexpr (kHasWideRegisters) {
     if (v < detail::kShortDistances) [[likely]]

@@ -62,8 +62,9 @@ struct PackedRgb {
       return {sum};
     }
   }
-  /// Sets `sum` to plus(other). If it saturates, the result is that of `is_colour`: false if this is carry().
-  /// By branches, and what rarely happens computes again what they have tested.
+  /// Sets `sum` to plus(other). Returns false if this is carry(), which `is_colour` tells; it is called only
+  /// if red or blue saturates and green does not. Uses branches; the rare ones recompute the conditions, so
+  /// that the common one keeps no register for them.
   template <class IsColour>
   [[nodiscard]] ARCSPAN_INLINE constexpr bool add_to(PackedRgb other, PackedRgb& sum,
                                                      const IsColour& is_colour) const {

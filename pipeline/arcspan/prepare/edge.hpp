@@ -76,7 +76,11 @@ ARCSPAN_INLINE_IF_WIDE constexpr void make_edge_setup(const RasterPosition& top,
                                                       std::int32_t row, bool interpolates, EdgeSetup& edge) {
   edge.dy = bottom.y - top.y;
   edge.offset = row * 16 + 8 - top.y;
-  if (interpolates || !kHasLongMultiply) edge.make_inverse();
+  if (interpolates || !kHasLongMultiply) {
+    edge.make_inverse();
+  } else if constexpr (kHasWideRegisters) {
+    edge.inverse = {};  // otherwise gcc takes it for used before it is set
+  }
   if (interpolates) edge.start = start_fraction(edge);
 }
 

@@ -115,13 +115,14 @@ namespace detail {
 /// the edge is on the left, and the one behind the last if it is on the right (top-left rule). It is exact.
 ///
 /// Where an edge meets a row's centre line is a multiple of 1 / (16 dy) of a pixel, at least 2^-13. at_ is
-/// too small by more than 0 and by less than 2^-14, so its floor is exact.
+/// too small by more than 0 and by less than 2^-14, so its floor is exact: the step is rounded to 0, so that
+/// kMediumSize rows of it are off by less than that many units in either direction.
 class SteppedColumn {
  public:
   /// The edge from p down to q, at the row whose centre line is at `y` (28.4).
   ARCSPAN_INLINE constexpr SteppedColumn(const RasterPosition& p, const RasterPosition& q, std::int32_t y)
-      : step_(((q.x - p.x) * kOne) / (q.y - p.y) - 1),  // the quotient is rounded to 0
-        at_((p.x + 8) * (kOne >> 4) + (((y - p.y) * step_) >> 4) - 1) {}
+      : step_(((q.x - p.x) * kOne) / (q.y - p.y)),
+        at_((p.x + 8) * (kOne >> 4) + (((y - p.y) * step_) >> 4) - (kMediumSize + 1)) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t column() const { return at_ >> kFraction; }
   ARCSPAN_INLINE constexpr void advance() { at_ += step_; }
 

@@ -96,6 +96,12 @@ template <class Method>
   return first < end;
 }
 
+/// Sets what gcc takes for used of an edge without rows.
+ARCSPAN_INLINE constexpr void make_no_edge(EdgeSetup& edge) {
+  edge.offset = 0;
+  if constexpr (kHasWideRegisters) edge.inverse = {};
+}
+
 /// Sets up the edges that have rows to draw, and the width of the triangle at its middle vertex.
 template <class Method>
 ARCSPAN_INLINE_IF_WIDE constexpr void place_edges(TriangleFrame<Method>& frame,
@@ -114,14 +120,14 @@ ARCSPAN_INLINE_IF_WIDE constexpr void place_edges(TriangleFrame<Method>& frame,
     make_edge_setup(top, middle, command.first_row, frame.middle_left, frame.upper_edge);
     make_edge_walk(frame.upper_edge, top, middle, frame.middle_left ? command.left : command.right);
   } else {
-    frame.upper_edge = {};
+    make_no_edge(frame.upper_edge);
     (frame.middle_left ? command.left : command.right).x = 0;
   }
   if (frame.has_lower) [[likely]] {
     make_edge_setup(middle, bottom, command.middle_row, frame.middle_left, frame.lower_edge);
     make_edge_walk(frame.lower_edge, middle, bottom, command.lower);
   } else {
-    frame.lower_edge = {};
+    make_no_edge(frame.lower_edge);
     command.lower.x = 0;
   }
   const auto height = static_cast<std::uint32_t>(middle.y - top.y);

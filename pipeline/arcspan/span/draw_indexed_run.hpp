@@ -19,12 +19,12 @@ ARCSPAN_INLINE constexpr void draw_indexed_run(const RowMemory<Target>& memory, 
                                                Run& run, const Target& target, Linear dz) {
   if constexpr (kHasWideRegisters && SinkInMemory<typename Target::Sink>) {
     const std::int32_t behind = span.x + span.count;
-    std::ptrdiff_t end = behind;
+    auto end = static_cast<std::ptrdiff_t>(behind);
     hide_value(end);
     const auto cursor = memory.pixels.at_column(end);
     hide_value(end);
     PixelPlace<Target> place{cursor, memory.depths.at_column(end), z};
-    draw_pixels_from(place, span, span.x - end, run, target, dz);
+    draw_pixels_from(place, span, static_cast<std::ptrdiff_t>(span.x) - end, run, target, dz);
   } else {
     PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span), z};
     draw_pixels(place, span, run, target, dz);

@@ -9,7 +9,6 @@
 #include <arcspan/span/draw_operated.hpp>
 #include <arcspan/span/encoded_colours.hpp>
 #include <arcspan/span/indexed_rows.hpp>
-#include <arcspan/span/row_memory.hpp>
 #include <arcspan/target.hpp>
 
 #include <concepts>
@@ -47,6 +46,7 @@ template <class Target, class Run>
 inline constexpr bool kLooksUpColours =
     !std::same_as<typename Target::Colours, NoEncodedColours> && !std::same_as<Run, SegmentPixels>;
 
+/// Returns the depth of the next pixel: that of `run` if it carries one (CarriesDepth), else that of `place`.
 template <class Target, class Run>
 [[nodiscard]] ARCSPAN_INLINE constexpr Linear pixel_depth(const PixelPlace<Target>& place, const Run& run) {
   if constexpr (CarriesDepth<Run>) return run.depth();
@@ -56,9 +56,9 @@ template <class Target, class Run>
 /// Draws span.count pixels, at least one, each only if it passes the depth test: Target::Depth::passes().
 /// `dz` is the gradient of the depth per pixel.
 ///
-/// In indexed rows `place` is one past the last pixel, and the index counts from -span.count, which 64-bit
-/// machines pass as `first`, to 0. Elsewhere `place` is at the first pixel, and is moved to one past the
-/// last.
+/// In indexed rows `place` is one past the last pixel, and the index counts from -span.count to 0. Elsewhere
+/// `place` is at the first pixel, and is moved to one past the last. `first` must be -span.count on 64-bit
+/// machines and is not used on others.
 template <class Target, class Run>
 ARCSPAN_INLINE constexpr void draw_pixels_from(PixelPlace<Target>& place, const Span& span,
                                                std::ptrdiff_t first, Run& run, const Target& shared,
@@ -120,6 +120,7 @@ ARCSPAN_INLINE constexpr void draw_pixels_from(PixelPlace<Target>& place, const 
   } while ((i += 1 << kShift) != last);
 }
 
+/// draw_pixels_from() with `first` made of span.count.
 template <class Target, class Run>
 ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span& span, Run& run,
                                           const Target& target, Linear dz) {

@@ -29,7 +29,7 @@ template <class Surface, class Target>
     if constexpr (kHasWideRegisters) memory.next();
   };
   for (std::int32_t row = 0; row < rows; next_row(row)) {
-    hide_value(row);
+    if constexpr (!kHasWideRegisters) hide_value(row);
     const std::int32_t below = kHasWideRegisters ? 0 : row;  // the current row of `memory`
     const SmallSpan found = triangle.spans[row];
     if (found.count == 0) continue;
@@ -60,21 +60,19 @@ enum class SmallResult : std::uint8_t {
 };
 
 /// Draws a small triangle (is_small()) of either winding, or a medium one if `is_medium` is true. A medium
-/// one is refused if it is a patch. `rows` are those of the viewport; `crosses` is false if the triangle is
-/// known to lie between the left and the right side of the scissor. Sets `status` if the result is kDone.
+/// one is refused if rows may draw it as a patch. `rows` are those of the viewport, `drawn` those of the
+/// scissor; `crosses` is false if the triangle is known to lie between the left and the right side of the
+/// scissor. Sets `status` if the result is kDone.
 template <class Method, class Target>
-[[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(const SortedVertices<Method>& vertices,
-                                                                       bool is_medium, bool crosses,
-                                                                       const RowRange& rows,
-                                                                       const RasterOrigin& origin,
-                                                                       const Target& target, Status& status) {
+[[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(
+    const SortedVertices<Method>& vertices, bool is_medium, bool crosses, const RowRange& rows,
+    const RowRange& drawn, const RasterOrigin& origin, const Target& target, Status& status) {
   const RasterPosition& p = vertices.top->position;
   const RasterPosition& q = vertices.middle->position;
   const RasterPosition& r = vertices.bottom->position;
   const Rect& scissor = target.scissor;
   SmallTriangle triangle;
-  if (!cover_small_triangle(p, q, r, vertices.middle_left,
-                            {scissor.top - origin.y, scissor.bottom - origin.y}, triangle) ||
+  if (!cover_small_triangle(p, q, r, vertices.middle_left, drawn, triangle) ||
       (crosses && leaves_columns((scissor.left - origin.x) * 16, (scissor.right - origin.x) * 16, p, q, r) &&
        !cut_columns(scissor.left - origin.x, scissor.right - origin.x, triangle))) {
     const std::int32_t first = first_row_at(p.y);

@@ -37,6 +37,7 @@ struct RunDrawer {
         if constexpr (!CarriesDepth<Run>) z = linear_at(command.depth, start);
         draw_indexed_run(memory, span, z, run, target, command.depth.dx);
       } else {
+        // As draw_indexed_run() does, by which gcc would allocate a Cortex-M3's registers differently.
         PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span),
                                  linear_at(command.depth, start)};
         draw_pixels(place, span, run, target, command.depth.dx);

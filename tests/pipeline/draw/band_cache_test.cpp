@@ -152,10 +152,14 @@ TEMPLATE_TEST_CASE("bands are found by indices of 8 bits and in parts of meshes,
     REQUIRE(ok(MeshView::make(object.mesh.positions, object.mesh.normals, bytes, object.view)));
     REQUIRE(ok(object.view.attach(object.planes, wide.plane_scale())));
     CHECK(picture(object, 8) == whole);
-    // The parts have more vertices than triangles, and none at all.
-    for (const std::size_t count : {std::size_t{40}, std::size_t{0}}) {
-      object.view = wide.part(object.planes.size() / 2, count);
-      CHECK(picture(object, 8) == picture(object, camera.height));
+    // The first part has more triangles than vertices, so that BandVertices finds them. The others have
+    // fewer, and none at all.
+    for (const std::size_t count : {std::size_t{200}, std::size_t{40}, std::size_t{0}}) {
+      object.view = wide.part(20, count);
+      CHECK(arcspan::detail::BandVertices<TestType>::suits(object.view) == (count == 200));
+      const Picture part = picture(object, camera.height);
+      CHECK(picture(object, 8) == part);
+      CHECK((count < 200 || part.most_triangles > 0));
     }
   }
 }

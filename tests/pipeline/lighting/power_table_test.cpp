@@ -98,6 +98,22 @@ TEST_CASE("powers at scaled distances are those at half distances") {
   }
 }
 
+TEST_CASE("the lines of a power table give its powers for every exponent") {
+  for (std::int32_t n = 1; n <= 256; ++n) {
+    const PowerTable power(n);
+    const PowerLines lines(power);
+    const auto reach = static_cast<std::uint32_t>(power.half_reach());
+    int wrong = 0;
+    const auto check = [&](std::uint32_t half_distance) {
+      wrong += lines.at_distance(half_distance) == power.at_distance(half_distance) ? 0 : 1;
+    };
+    for (std::uint32_t d = 0; d < reach; d += reach / 997) check(d);
+    for (std::uint32_t d = 1; d <= 3; ++d) check(reach - d);
+    INFO("n = " << n);
+    CHECK(wrong == 0);
+  }
+}
+
 TEST_CASE("exponents out of range are clamped") {
   for (const std::int32_t d : {0, 1000, 100000, 1 << 24}) {
     CHECK(looked_up(PowerTable(0), d) == looked_up(PowerTable(1), d));

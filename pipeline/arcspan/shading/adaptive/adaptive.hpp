@@ -299,7 +299,8 @@ struct AdaptivePaths : Arc<Illumination> {
         frame, diffuse, lighting.linear_limit_with_highlight(frame.chords.widest()), prepared);
     if (has_linear_distance(lighting)) factors = sagitta_factors_of(frame.chords);
     if (!prepared.linear_diffuse) {
-      const EdgeSagittaFactors in_memory = factors;  // elsewhere they stay in registers
+      // A copy whose address is passed on, so that `factors` can stay in registers.
+      const EdgeSagittaFactors in_memory = factors;
       make_patch_scalar(frame, in_memory, diffuse, prepared.patch[0]);
     }
     make_distance_surface(lighting, frame, light, factors, half, prepared.patch[1]);

@@ -6,6 +6,7 @@
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/row_start.hpp>
+#include <arcspan/shading/patch/joined_run.hpp>
 #include <arcspan/shading/patch/patch.hpp>
 #include <arcspan/shading/patch/patch_limits.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
@@ -14,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace arcspan {
 

@@ -170,9 +170,10 @@ class SmallShading {
   }
 
  private:
-  /// Returns a bound of the error of N·L, with these values at the vertices, as a patch up to 60 degrees, 20
-  /// fraction bits. With s the widest squared chord, the patch differs from bilinear SLERP by at most 0.022 s
-  /// of the values' range and 0.0073 s^2 of the largest (decision 26).
+  /// Returns an estimate of the error of N·L, with these values at the vertices, as a patch up to 60 degrees,
+  /// 20 fraction bits: with s the widest squared chord, 0.022 s of the values' range and 0.0073 s^2 of the
+  /// largest. The patch differs from bilinear SLERP by at most 1.57 times that, where negative N·L counts as
+  /// 0, and by more than the estimate only in rare shapes (decision 26).
   [[nodiscard]] static constexpr std::uint32_t wide_patch_error(Cosine a, Cosine b, Cosine c,
                                                                 std::uint32_t widest) {
     const auto larger = [](std::int32_t p, std::int32_t q) { return p > q ? p : q; };

@@ -113,16 +113,17 @@ constexpr void set_sphere(std::uint32_t sectors, std::uint32_t stacks, Shape<Ver
   }
   add(0, -(std::int64_t{1} << 30), 0);
   std::size_t t = 0;
-  for (std::size_t s = 0; s < sectors; ++s) {
-    const std::size_t next = (s + 1) % sectors;
+  const auto per_ring = static_cast<std::size_t>(sectors);
+  for (std::size_t s = 0; s < per_ring; ++s) {
+    const std::size_t next = (s + 1) % per_ring;
     shape.triangle(t++, 0, 1 + s, 1 + next);
     for (std::size_t r = 0; r + 2 < stacks; ++r) {
-      const std::size_t upper = 1 + r * sectors;
-      const std::size_t lower = upper + sectors;
+      const std::size_t upper = 1 + r * per_ring;
+      const std::size_t lower = upper + per_ring;
       shape.triangle(t++, upper + s, lower + s, lower + next);
       shape.triangle(t++, upper + s, lower + next, upper + next);
     }
-    const std::size_t last = 1 + (stacks - 2) * sectors;
+    const std::size_t last = v - 1 - per_ring;
     shape.triangle(t++, last + s, v - 1, last + next);
   }
 }

@@ -62,7 +62,7 @@ class PowerTable {
     const std::uint32_t inside = half_distance < 0 ? 0u : static_cast<std::uint32_t>(half_distance);
     return at_position(((inside >> drop_) * scale_) >> 16);
   }
-  /// The same for a half distance that is not negative.
+  /// c^n for a half distance of 0 or more that is below half_reach().
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t at_distance(std::uint32_t half_distance) const {
     return at_position(((half_distance >> drop_) * scale_) >> 16);
   }

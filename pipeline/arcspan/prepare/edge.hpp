@@ -79,7 +79,7 @@ ARCSPAN_INLINE_IF_WIDE constexpr void make_edge_setup(const RasterPosition& top,
   if (interpolates || !kHasLongMultiply) {
     edge.make_inverse();
   } else if constexpr (kHasWideRegisters) {
-    edge.inverse = {};  // otherwise gcc takes it for used before it is set
+    edge.inverse = {};  // make_inverse() sets it before its use, but gcc would warn
   }
   if (interpolates) edge.start = start_fraction(edge);
 }

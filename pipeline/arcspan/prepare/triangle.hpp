@@ -96,7 +96,7 @@ template <class Method>
   return first < end;
 }
 
-/// Sets what gcc takes for used of an edge without rows.
+/// Sets the members of an edge without rows about which gcc would warn, though nothing uses them.
 ARCSPAN_INLINE constexpr void make_no_edge(EdgeSetup& edge) {
   edge.offset = 0;
   if constexpr (kHasWideRegisters) edge.inverse = {};

@@ -81,7 +81,7 @@ TEST_CASE("add_to sets the saturated sum and asks only about sums that saturate"
   CHECK(wrong == 0);
 }
 
-TEST_CASE("a carry is told apart from colours, whatever grey is added to it") {
+TEST_CASE("add_to() refuses carry(), whatever grey is added to it") {
   for (std::uint32_t v = 0; v < 1024; ++v) {
     PackedRgb sum{};
     REQUIRE_FALSE(PackedRgb::carry().add_to(PackedRgb::grey(v), sum, [] { return false; }));

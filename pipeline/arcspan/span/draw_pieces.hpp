@@ -18,7 +18,8 @@ ARCSPAN_INLINE constexpr void draw_pieces(PixelPlace<Target>& place, const Span&
       place.cursor.skip(count);
       place.depths += count;
     }
-    draw_pixels(place, {span.y, span.x + span.count - left, count}, run, target, dz);
+    const Span piece{span.y, span.x + span.count - left, count};
+    draw_pixels(place, piece, run, target, dz, first_index(piece));
     left -= count;
   }
 }
@@ -35,7 +36,8 @@ ARCSPAN_INLINE constexpr void draw_segments(PixelPlace<Target>& place, const Spa
       place.depths += count;
     }
     auto segment = run.segment();
-    draw_pixels(place, {span.y, span.x + span.count - left, count}, segment, target, dz);
+    const Span piece{span.y, span.x + span.count - left, count};
+    draw_pixels(place, piece, segment, target, dz, first_index(piece));
     left -= count;
   }
 }

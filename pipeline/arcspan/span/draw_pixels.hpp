@@ -53,16 +53,20 @@ template <class Target, class Run>
   return place.z;
 }
 
+/// Returns the index of a span's first pixel in indexed rows. Used on 64-bit machines only; 0 on others.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::ptrdiff_t first_index(const Span& span) {
+  return kHasWideRegisters ? -static_cast<std::ptrdiff_t>(span.count) : 0;
+}
+
 /// Draws span.count pixels, at least one, each only if it passes the depth test: Target::Depth::passes().
 /// `dz` is the gradient of the depth per pixel.
 ///
 /// In indexed rows `place` is one past the last pixel, and the index counts from -span.count to 0. Elsewhere
-/// `place` is at the first pixel, and is moved to one past the last. `first` must be -span.count on 64-bit
-/// machines and is not used on others.
+/// `place` is at the first pixel, and is moved to one past the last. `first` is first_index(span), which a
+/// caller may know already.
 template <class Target, class Run>
-ARCSPAN_INLINE constexpr void draw_pixels_from(PixelPlace<Target>& place, const Span& span,
-                                               std::ptrdiff_t first, Run& run, const Target& shared,
-                                               Linear dz) {
+ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span& span, Run& run,
+                                          const Target& shared, Linear dz, std::ptrdiff_t first) {
   using Format = typename Target::Format;
   const CopyIfFewRegisters<Target> target = shared;
   constexpr bool kTests = Target::Depth::kTests;
@@ -118,14 +122,6 @@ ARCSPAN_INLINE constexpr void draw_pixels_from(PixelPlace<Target>& place, const 
     if constexpr (!kIndexed) place.cursor.next();
     run.next();
   } while ((i += 1 << kShift) != last);
-}
-
-/// draw_pixels_from() with `first` made of span.count.
-template <class Target, class Run>
-ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span& span, Run& run,
-                                          const Target& target, Linear dz) {
-  draw_pixels_from(place, span, kHasWideRegisters ? -static_cast<std::ptrdiff_t>(span.count) : 0, run, target,
-                   dz);
 }
 
 }  // namespace arcspan::detail

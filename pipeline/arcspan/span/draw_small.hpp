@@ -40,11 +40,11 @@ template <class Surface, class Target>
     if constexpr (IndexedRows<Target>) {
       PixelPlace<Target> place{memory.pixels.behind(span, below), memory.depths.behind(span, below),
                                triangle.depth(b, c)};
-      draw_pixels(place, span, run, target, triangle.dz);
+      draw_pixels(place, span, run, target, triangle.dz, first_index(span));
     } else {
       PixelPlace<Target> place{memory.pixels.open(span, below), memory.depths.at(span, below),
                                triangle.depth(b, c)};
-      draw_pixels(place, span, run, target, triangle.dz);
+      draw_pixels(place, span, run, target, triangle.dz, first_index(span));
     }
     const Status status = target.sink.close(span);
     if (!ok(status)) return status;

@@ -5,8 +5,8 @@
 #include <arcspan/prepare/line_command.hpp>
 #include <arcspan/shading/one_colour.hpp>
 #include <arcspan/span/draw_command.hpp>
-#include <arcspan/span/draw_indexed_run.hpp>
 #include <arcspan/span/draw_pixels.hpp>
+#include <arcspan/span/indexed_run.hpp>
 #include <arcspan/span/row_memory.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
@@ -27,10 +27,11 @@ template <class Walker, class Target>
     run.begin(target.lighting);
   }
   if constexpr (IndexedRows<Target>) {
-    draw_indexed_run(memory, span, z, run, target, dz);
+    auto [place, first] = indexed_run(memory, span, z);
+    draw_pixels(place, span, run, target, dz, first);
   } else {
     PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span), z};
-    draw_pixels(place, span, run, target, dz);
+    draw_pixels(place, span, run, target, dz, first_index(span));
   }
   return target.sink.close(span);
 }

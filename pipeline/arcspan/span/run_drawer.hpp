@@ -5,9 +5,9 @@
 #include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/row_start.hpp>
 #include <arcspan/shading/method.hpp>
-#include <arcspan/span/draw_indexed_run.hpp>
 #include <arcspan/span/draw_pieces.hpp>
 #include <arcspan/span/draw_pixels.hpp>
+#include <arcspan/span/indexed_run.hpp>
 #include <arcspan/span/row_memory.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
@@ -35,12 +35,13 @@ struct RunDrawer {
       if constexpr (kHasWideRegisters) {
         Linear z{};
         if constexpr (!CarriesDepth<Run>) z = linear_at(command.depth, start);
-        draw_indexed_run(memory, span, z, run, target, command.depth.dx);
+        auto [place, first] = indexed_run(memory, span, z);
+        draw_pixels(place, span, run, target, command.depth.dx, first);
       } else {
-        // As draw_indexed_run() does, by which gcc would allocate a Cortex-M3's registers differently.
+        // As indexed_run() does, by which gcc would allocate a Cortex-M3's registers differently.
         PixelPlace<Target> place{memory.pixels.behind(span), memory.depths.behind(span),
                                  linear_at(command.depth, start)};
-        draw_pixels(place, span, run, target, command.depth.dx);
+        draw_pixels(place, span, run, target, command.depth.dx, first_index(span));
       }
     } else {
       PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span),
@@ -50,7 +51,7 @@ struct RunDrawer {
       } else if constexpr (PiecewiseRun<Run, Lighting>) {
         draw_pieces(place, span, run, target, command.depth.dx);
       } else {
-        draw_pixels(place, span, run, target, command.depth.dx);
+        draw_pixels(place, span, run, target, command.depth.dx, first_index(span));
       }
     }
     return target.sink.close(span);

@@ -172,7 +172,7 @@ struct AdaptivePaths : Arc<Illumination> {
     }
     if constexpr (Segments) {
       if (prepared.segment_bits != 0) {
-        return Base::walk_path(prepared, [&](auto walker) {
+        return Base::template walk<WalkedPaths::kPrepared>(prepared, [&](auto walker) {
           return draw(SegmentWalker<decltype(walker)>(walker, prepared.segment_bits));
         });
       }
@@ -182,9 +182,9 @@ struct AdaptivePaths : Arc<Illumination> {
         return draw(AdaptiveWideWalker<Lighting, PatchRun<Illumination, Base::kScalars>, Base::kScalars>(
             prepared.wide));
       }
-      return Base::walk_others(prepared, draw);
+      return Base::template walk<WalkedPaths::kNarrow>(prepared, draw);
     } else {
-      return Base::walk_path(prepared, draw);
+      return Base::template walk<WalkedPaths::kPrepared>(prepared, draw);
     }
   }
 

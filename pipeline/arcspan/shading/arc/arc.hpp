@@ -14,6 +14,14 @@
 
 namespace arcspan {
 
+/// The paths that ArcUpTo::walk() compiles. A union holds what they need; one that is left out must not be
+/// the command's.
+enum class WalkedPaths : std::uint8_t {
+  kAll,
+  kPrepared,  ///< those of prepare_path()
+  kNarrow     ///< those of prepare_path() except kWide
+};
+
 /// Spherical-angular Phong shading on scalars: the products of the normal with L, H or V follow great circles
 /// down the edges and along the rows (S0). Small angles need no exact circle, so a triangle takes one of two
 /// paths:
@@ -101,25 +109,38 @@ struct ArcUpTo {
     prepare_path(lighting, frame, path, prepared);
   }
 
-  /// Calls `draw` with the walker of the command's path.
-  template <class Draw>
+  /// Calls `draw` with the walker of the command's path. Methods on top of this one that draw some paths in
+  /// their own way leave them out of `kPaths`.
+  template <WalkedPaths kPaths = WalkedPaths::kAll, class Draw>
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    if constexpr (kHasOneHighlight) {
+    constexpr bool kAll = kPaths == WalkedPaths::kAll;
+    using AllScalars = PatchRun<Lighting, kScalars>;
+    if constexpr (kAll && kHasOneHighlight) {
       if (prepared.path == Path::kOneHighlight) {
         return draw(
             OneHighlightWalker<Lighting, kScalars>(prepared.patch, prepared.middle_left, prepared.highlight));
       }
     }
-    if constexpr (kAlwaysStepsBlinnDistance<Lighting>) {
-      return walk_path<SteppedDistanceRun<Lighting>>(prepared, draw);
-    } else {
-      if constexpr (kMayStepBlinnDistance<Lighting>) {
-        if (prepared.path == Path::kSteppedDistance)
-          return draw(
-              PatchWalker<SteppedDistanceRun<Lighting>, kScalars>(prepared.patch, prepared.middle_left));
-      }
-      return walk_path(prepared, draw);
+    constexpr bool kAlwaysSteps = kAll && kAlwaysStepsBlinnDistance<Lighting>;
+    if constexpr (kAll && kMayStepBlinnDistance<Lighting> && !kAlwaysSteps) {
+      if (prepared.path == Path::kSteppedDistance)
+        return draw(
+            PatchWalker<SteppedDistanceRun<Lighting>, kScalars>(prepared.patch, prepared.middle_left));
     }
+    if constexpr (kPaths != WalkedPaths::kNarrow) {
+      if (prepared.path == Path::kWide) return draw(WideWalker<AllScalars, kScalars, kWidest>(prepared.wide));
+    }
+    if constexpr (kHasDiffusePath) {
+      if constexpr (kHasDiffuseWide) {
+        if (prepared.path == Path::kDiffuseWide)
+          return draw(WideWalker<PatchRun<Lighting, 1>, kScalars, kWidest>(prepared.wide));
+      }
+      if (prepared.path == Path::kDiffusePatch) {
+        return draw(PatchWalker<PatchRun<Lighting, 1>, kScalars>(prepared.patch, prepared.middle_left));
+      }
+    }
+    using Pixels = std::conditional_t<kAlwaysSteps, SteppedDistanceRun<Lighting>, AllScalars>;
+    return draw(PatchWalker<Pixels, kScalars>(prepared.patch, prepared.middle_left));
   }
 
   /// Prepares a small triangle (DrawsSmallTriangles).
@@ -180,29 +201,6 @@ struct ArcUpTo {
           {frame.top->shade.scalars[i], frame.middle->shade.scalars[i], frame.bottom->shade.scalars[i]},
           prepared.patch[i]);
     }
-  }
-
-  /// Calls `draw` with the walker of a path that prepare_path() has prepared. `Pixels` are the runs of a
-  /// patch of all scalars.
-  template <class Pixels = PatchRun<Lighting, kScalars>, class Draw>
-  [[nodiscard]] static constexpr Status walk_path(Prepared& prepared, Draw&& draw) {
-    if (prepared.path == Path::kWide)
-      return draw(WideWalker<PatchRun<Lighting, kScalars>, kScalars, kWidest>(prepared.wide));
-    return walk_others<Pixels>(prepared, draw);
-  }
-  /// walk_path() of the other paths than kWide.
-  template <class Pixels = PatchRun<Lighting, kScalars>, class Draw>
-  [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk_others(Prepared& prepared, Draw&& draw) {
-    if constexpr (kHasDiffusePath) {
-      if constexpr (kHasDiffuseWide) {
-        if (prepared.path == Path::kDiffuseWide)
-          return draw(WideWalker<PatchRun<Lighting, 1>, kScalars, kWidest>(prepared.wide));
-      }
-      if (prepared.path == Path::kDiffusePatch) {
-        return draw(PatchWalker<PatchRun<Lighting, 1>, kScalars>(prepared.patch, prepared.middle_left));
-      }
-    }
-    return draw(PatchWalker<Pixels, kScalars>(prepared.patch, prepared.middle_left));
   }
 
   /// Returns the diffuse_scalar() of the vertices of a TriangleFrame.

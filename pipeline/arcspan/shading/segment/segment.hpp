@@ -54,7 +54,7 @@ struct Segment : Arc<Illumination> {
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    return Base::walk_path(
+    return Base::template walk<WalkedPaths::kPrepared>(
         prepared, [&](auto walker) { return draw(SegmentWalker<decltype(walker)>(walker, prepared.bits)); });
   }
 };

@@ -25,15 +25,16 @@ namespace arcspan {
 ///    circle through the normals is so small that N·L differs from a plane by at most the rest of the
 ///    tolerance.
 /// 2. A patch of N·L alone: no highlight above half the tolerance is within reach.
-/// 3. Segments of 4...16 pixels (S3): wide rows whose colours have small second derivatives, away
-///    from the terminator.
+/// 3. Segments of 4...16 pixels (S3), without a ramp: wide rows whose colours have small second derivatives,
+///    away from the terminator. With a ramp other paths are cheaper (decision 6).
 /// 4. A patch of N·L and of a highlight's distance: small triangles whose vertices are all lit, within reach
 ///    of the highlight of one light. N·L is linear if both errors together are within the tolerance.
-/// 5. The paths of Arc: a patch of every scalar, or arcs.
+/// 5. The paths of Arc: a patch of every scalar or of one highlight, or arcs.
 ///
 /// `Segments` false leaves out path 3.
 template <class Illumination, bool Segments>
 struct AdaptivePaths : Arc<Illumination> {
+  static_assert(!Segments || !Illumination::kHasRamp);
   using Base = Arc<Illumination>;
   using Lighting = AdaptiveIllumination<Illumination>;
   using typename Base::Face;
@@ -72,7 +73,7 @@ struct AdaptivePaths : Arc<Illumination> {
     const bool fits_patch = widest <= lighting.widest_patch() && patch_fits(frame);
     if constexpr (Segments) {
       if (is_arc && frame.width >> 16 >= kLeastWidth) {
-        if constexpr (!Base::kHasDiffusePath) nearest = nearest_highlight(lighting, frame);
+        nearest = nearest_highlight(lighting, frame);
         prepared.segment_bits =
             segment_bits(lighting, frame, nearest.distance < lighting.half_tolerance_reach());
       }
@@ -88,7 +89,12 @@ struct AdaptivePaths : Arc<Illumination> {
         if (prepared.highlight_patch) return;
       }
     }
-    Base::prepare_path(lighting, frame, fits_patch ? Path::kPatch : Path::kWide, prepared);
+    const Path path = fits_patch ? Path::kPatch : Path::kWide;
+    if (prepared.segment_bits != 0) {
+      Base::prepare_path(lighting, frame, path, prepared);
+    } else {
+      Base::prepare_chosen(lighting, frame, path, prepared);
+    }
   }
 
   /// A small triangle (DrawsSmallTriangles): linear light, or as Arc draws it without highlights below half
@@ -182,9 +188,9 @@ struct AdaptivePaths : Arc<Illumination> {
         return draw(AdaptiveWideWalker<Lighting, PatchRun<Illumination, Base::kScalars>, Base::kScalars>(
             prepared.wide));
       }
-      return Base::template walk<WalkedPaths::kNarrow>(prepared, draw);
+      return Base::template walk<WalkedPaths::kExceptWide>(prepared, draw);
     } else {
-      return Base::template walk<WalkedPaths::kPrepared>(prepared, draw);
+      return Base::walk(prepared, draw);
     }
   }
 
@@ -201,13 +207,13 @@ struct AdaptivePaths : Arc<Illumination> {
   }
   /// True if white highlights have loops of their own. They are only faster; the colours are the same.
   static constexpr bool kHasWhiteLoops = !kOptimisedForSize && Illumination::kLights == 1;
-  static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath && kMayHaveOneLight<Illumination>;
+  static constexpr bool kAdaptsWideRows =
+      Base::kHasDiffusePath && kMayHaveOneLight<Illumination> && !kOptimisedForSize;
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the errors of linear light and of
   /// highlight patches are bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;
 
-  /// With a ramp, a pixel without highlight is one look-up, so only segments of 8 or 16 pixels are faster.
-  static constexpr int kLeastBits = Illumination::kHasRamp ? 3 : 2;
+  static constexpr int kLeastBits = 2;
   /// The width of a triangle's widest row from which on it may have segments: four of the shortest.
   static constexpr std::uint32_t kLeastWidth = 4u << kLeastBits;
 
@@ -355,7 +361,7 @@ struct AdaptivePaths : Arc<Illumination> {
 
 /// Phong shading by the cheapest path whose error is invisible: see AdaptivePaths.
 template <class Illumination>
-struct Adaptive : AdaptivePaths<Illumination, true> {
+struct Adaptive : AdaptivePaths<Illumination, !Illumination::kHasRamp> {
   using DrawsSmallTrianglesAs = Adaptive;
   using PixelByPixel = AdaptivePaths<Illumination, false>;
 };

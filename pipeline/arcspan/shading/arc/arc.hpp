@@ -18,8 +18,8 @@ namespace arcspan {
 /// the command's.
 enum class WalkedPaths : std::uint8_t {
   kAll,
-  kPrepared,  ///< those of prepare_path()
-  kNarrow     ///< those of prepare_path() except kWide
+  kExceptWide,  ///< all but kWide
+  kPrepared     ///< those of prepare_path()
 };
 
 /// Spherical-angular Phong shading on scalars: the products of the normal with L, H or V follow great circles
@@ -83,37 +83,14 @@ struct ArcUpTo {
   /// method's `Vertex` as their shade.
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
-    Path path = choose_path(lighting, frame, frame.chords.widest());
-    if constexpr (kHasOneHighlight) {
-      if (path == Path::kPatch &&
-          prepare_one_highlight(lighting, frame, prepared.patch, prepared.highlight)) {
-        prepared.middle_left = frame.middle_left;
-        prepared.path = Path::kOneHighlight;
-        return;
-      }
-    }
-    if constexpr (kMayStepBlinnDistance<Lighting>) {
-      if (path == Path::kPatch && steps_blinn_distance(lighting)) {
-        if (!has_lit_vertex(frame)) {
-          path = Path::kDiffusePatch;
-        } else if (is_out_of_fade(lighting, frame)) {
-          prepare_stepped_distance(lighting, frame, prepared.patch);
-          prepared.middle_left = frame.middle_left;
-          prepared.path = Path::kSteppedDistance;
-          return;
-        } else {
-          path = Path::kWide;
-        }
-      }
-    }
-    prepare_path(lighting, frame, path, prepared);
+    prepare_chosen(lighting, frame, choose_path(lighting, frame, frame.chords.widest()), prepared);
   }
 
   /// Calls `draw` with the walker of the command's path. Methods on top of this one that draw some paths in
   /// their own way leave them out of `kPaths`.
   template <WalkedPaths kPaths = WalkedPaths::kAll, class Draw>
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    constexpr bool kAll = kPaths == WalkedPaths::kAll;
+    constexpr bool kAll = kPaths != WalkedPaths::kPrepared;
     using AllScalars = PatchRun<Lighting, kScalars>;
     if constexpr (kAll && kHasOneHighlight) {
       if (prepared.path == Path::kOneHighlight) {
@@ -127,7 +104,7 @@ struct ArcUpTo {
         return draw(
             PatchWalker<SteppedDistanceRun<Lighting>, kScalars>(prepared.patch, prepared.middle_left));
     }
-    if constexpr (kPaths != WalkedPaths::kNarrow) {
+    if constexpr (kPaths != WalkedPaths::kExceptWide) {
       if (prepared.path == Path::kWide) return draw(WideWalker<AllScalars, kScalars, kWidest>(prepared.wide));
     }
     if constexpr (kHasDiffusePath) {
@@ -176,6 +153,36 @@ struct ArcUpTo {
   static constexpr bool kHasDiffusePath = Illumination::kHasRamp;
   /// True if wide triangles without highlight carry N·L only. That is only faster; the colours are the same.
   static constexpr bool kHasDiffuseWide = Illumination::kLights == 1 && !kOptimisedForSize;
+
+  /// Prepares the triangle for `path`, or instead of kPatch for a cheaper path of the same colours that the
+  /// illumination allows.
+  template <class Frame>
+  static constexpr void prepare_chosen(const Lighting& lighting, Frame& frame, Path path,
+                                       Prepared& prepared) {
+    if constexpr (kHasOneHighlight) {
+      if (path == Path::kPatch &&
+          prepare_one_highlight(lighting, frame, prepared.patch, prepared.highlight)) {
+        prepared.middle_left = frame.middle_left;
+        prepared.path = Path::kOneHighlight;
+        return;
+      }
+    }
+    if constexpr (kMayStepBlinnDistance<Lighting>) {
+      if (path == Path::kPatch && steps_blinn_distance(lighting)) {
+        if (!has_lit_vertex(frame)) {
+          path = Path::kDiffusePatch;
+        } else if (is_out_of_fade(lighting, frame)) {
+          prepare_stepped_distance(lighting, frame, prepared.patch);
+          prepared.middle_left = frame.middle_left;
+          prepared.path = Path::kSteppedDistance;
+          return;
+        } else {
+          path = Path::kWide;
+        }
+      }
+    }
+    prepare_path(lighting, frame, path, prepared);
+  }
 
   /// Prepares the triangle for `path`, which its normals and its size must allow.
   template <class Frame>

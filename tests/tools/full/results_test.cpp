@@ -42,9 +42,11 @@ int interrupted(const TemporaryFolder& folder, const std::string& target, int si
   for (int tries = 0; tries < 2000 && pictures < 2; ++tries) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     pictures = 0;
-    std::error_code ignored;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "", ignored)) {
-      if (entry.path().extension() == ".png") ++pictures;
+    // Files are renamed meanwhile, so that a step may fail; the next try counts again.
+    std::error_code failed;
+    for (std::filesystem::recursive_directory_iterator entry(folder / "", failed), end;
+         !failed && entry != end; entry.increment(failed)) {
+      if (entry->path().extension() == ".png") ++pictures;
     }
   }
   CHECK(pictures >= 2);

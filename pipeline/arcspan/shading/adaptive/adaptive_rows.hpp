@@ -101,7 +101,7 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
   template <class Draw>
   [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(const RowStart& start, const Lighting& lighting,
                                                          const Draw& draw) const
-      requires(Lighting::kLights == 1) {
+      requires(Lighting::kLights == 1 && !kOptimisedForSize) {
     const auto piece = this->piece_at(start);
     const PieceSteps steps = piece.steps();
     const auto& ends = piece.ends;

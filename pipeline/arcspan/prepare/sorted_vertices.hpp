@@ -20,6 +20,7 @@ struct TriangleChords {
     const std::uint32_t upper = top_middle > top_bottom ? top_middle : top_bottom;
     return upper > middle_bottom ? upper : middle_bottom;
   }
+  [[nodiscard]] constexpr std::uint32_t sum() const { return top_middle + top_bottom + middle_bottom; }
 };
 
 template <class Method>

@@ -70,7 +70,8 @@ struct AdaptivePaths : Arc<Illumination> {
         }
       }
     }
-    const bool fits_patch = widest <= lighting.widest_patch() && patch_fits(frame);
+    const bool fits_patch =
+        is_accurate_patch(frame.chords, widest, lighting.widest_patch()) && patch_fits(frame);
     if constexpr (Segments) {
       if (is_arc && frame.width >> 16 >= kLeastWidth) {
         nearest = nearest_highlight(lighting, frame);
@@ -79,8 +80,8 @@ struct AdaptivePaths : Arc<Illumination> {
       }
     }
     if constexpr (kHasHighlightPatch) {
-      if (fits_patch && prepared.segment_bits == 0 && widest <= kWidestBounded &&
-          widest <= lighting.highlight_patch_limit()) {
+      if (fits_patch && prepared.segment_bits == 0 && widest <= lighting.highlight_patch_limit() &&
+          (widest <= kWidestBounded || has_linear_distance(lighting))) {
         prepared.highlight_patch = prepare_highlight_patch(lighting, frame, nearest.light, prepared);
         if constexpr (kHasWhiteLoops) {
           if (prepared.highlight_patch && prepared.linear_diffuse)
@@ -207,7 +208,7 @@ struct AdaptivePaths : Arc<Illumination> {
   }
   /// True if white highlights have loops of their own. They are only faster; the colours are the same.
   static constexpr bool kHasWhiteLoops = !kOptimisedForSize && Illumination::kLights == 1;
-  static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath && kMayHaveOneLight<Illumination>;
+  static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath;
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the errors of linear light and of
   /// highlight patches are bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;
@@ -300,8 +301,10 @@ struct AdaptivePaths : Arc<Illumination> {
     const HalfDistances half = half_distances_of(lighting, frame, light, factors);
     if (!lighting.highlight_table().fits(half.farthest)) return false;
     const PatchValues diffuse = Base::diffuse_scalars(lighting, frame, lit);
-    prepared.linear_diffuse = make_linear_light(
-        frame, diffuse, lighting.linear_limit_with_highlight(frame.chords.widest()), prepared);
+    const std::uint32_t widest = frame.chords.widest();
+    prepared.linear_diffuse =
+        widest <= kWidestBounded &&
+        make_linear_light(frame, diffuse, lighting.linear_limit_with_highlight(widest), prepared);
     if (has_linear_distance(lighting)) factors = sagitta_factors_of(frame.chords);
     if (!prepared.linear_diffuse) {
       // A copy whose address is passed on, so that `factors` can stay in registers.

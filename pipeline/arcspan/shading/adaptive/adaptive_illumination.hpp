@@ -99,39 +99,39 @@ class AdaptiveIllumination : public Illumination {
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit() const { return highlight_patch_limit_; }
   [[nodiscard]] constexpr const HighlightTable& highlight_table() const { return highlight_table_; }
 
-  /// Returns false if no normal on the arc between two normals has a highlight above half the tolerance, for
-  /// illuminations by one light. `a` and `b` are their scalars.
-  [[nodiscard]] ARCSPAN_INLINE constexpr bool may_shine_between(const Scalars& a, const Scalars& b,
-                                                                Factor angle2) const {
-    return detail::nearest_between(half_distance_of(a), half_distance_of(b), angle2) < half_tolerance_reach_;
-  }
-  /// Starts N·L and the highlight's scaled distance over a piece of a row, from a to b, as the scalars 0 and
-  /// highlight_index(0) of `run`; for illuminations by one light. Returns false if the piece is too short or
-  /// too wide for that, or not lit throughout.
+  /// Starts the diffuse_scalar() and the scaled distance of a light's highlight over a piece of a row, from a
+  /// to b, as the scalars 0 and 1 of `run`; `lit` is that of the piece. Returns false if the piece is too
+  /// short or too wide for that, or not lit throughout by that light.
   template <class Run>
   [[nodiscard]] ARCSPAN_INLINE constexpr bool start_highlight(const Scalars& a, const Scalars& b,
+                                                              std::size_t light, std::uint32_t lit,
                                                               const PieceSteps& steps, Factor angle2,
                                                               Run& run) const {
-    constexpr std::size_t kOther = Illumination::highlight_index(0);
+    const std::size_t other = Illumination::highlight_index(light);
     constexpr int kLeastExponent = 18;  // 4 pixels: shorter pieces cost less by their scalars
     if (steps.exponent < kLeastExponent || angle2 > highlight_row_limit_) return false;
     const std::int32_t lit_from = Illumination::fade_end().raw() + (std::int32_t{1} << 20);
-    if (a[0].raw() < lit_from || b[0].raw() < lit_from) return false;
-    const std::int32_t at_a = half_distance_of(a);
-    const std::int32_t at_b = half_distance_of(b);
+    if (a[light].raw() < lit_from || b[light].raw() < lit_from) return false;
+    const std::int32_t at_a = Illumination::half_distance(a[light], a[other], light);
+    const std::int32_t at_b = Illumination::half_distance(b[light], b[other], light);
     if (!highlight_table_.fits(at_a) || !highlight_table_.fits(at_b)) return false;
-    const std::int32_t light4 = quadruple_sagitta_of(steps, a[0], b[0]);
-    const std::int32_t other4 = quadruple_sagitta_of(steps, a[kOther], b[kOther]);
+    const std::int32_t light4 = quadruple_sagitta_of(steps, a[light], b[light]);
+    const std::int32_t other4 = quadruple_sagitta_of(steps, a[other], b[other]);
     const auto middle = [](Cosine p, Cosine q, std::int32_t sagitta4) {
       return Cosine::from_raw((p.raw() >> 1) + (q.raw() >> 1) + (sagitta4 >> 2));
     };
     const std::int32_t from = highlight_table_.scaled(at_a);
     const std::int32_t to = highlight_table_.scaled(at_b);
-    const std::int32_t half_way = highlight_table_.scaled(
-        Illumination::half_distance(middle(a[0], b[0], light4), middle(a[kOther], b[kOther], other4), 0));
-    run.start_at(0, parabola_through(steps, steps.drop, a[0], b[0], light4));
-    run.start_at(kOther, parabola_through(steps, 15, Cosine::from_raw(from), Cosine::from_raw(to),
-                                          wrap_shl(wrap_sub(wrap_shl(half_way, 1), wrap_add(from, to)), 1)));
+    const std::int32_t half_way = highlight_table_.scaled(Illumination::half_distance(
+        middle(a[light], b[light], light4), middle(a[other], b[other], other4), light));
+    if constexpr (Illumination::kLights == 1) {
+      run.start_at(0, parabola_through(steps, steps.drop, a[0], b[0], light4));
+    } else {
+      run.start_at(0, parabola_of(steps, Illumination::diffuse_scalar(a, lit),
+                                  Illumination::diffuse_scalar(b, lit)));
+    }
+    run.start_at(1, parabola_through(steps, 15, Cosine::from_raw(from), Cosine::from_raw(to),
+                                     wrap_shl(wrap_sub(wrap_shl(half_way, 1), wrap_add(from, to)), 1)));
     return true;
   }
 
@@ -147,13 +147,13 @@ class AdaptiveIllumination : public Illumination {
                                                                             std::int32_t distance,
                                                                             std::uint32_t weight) const {
     const PackedRgb lit = lit_colour(diffuse);
-    return misses(distance) ? lit : lit.plus(highlight(distance, weight));
+    return misses(distance) ? lit : lit.plus(highlight_at(distance, weight));
   }
   /// Returns the parts of that colour.
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light_with_highlight_at(Cosine diffuse,
                                                                             std::int32_t distance,
                                                                             std::uint32_t weight) const {
-    return {lit_colour(diffuse), misses(distance) ? PackedRgb{} : highlight(distance, weight)};
+    return {lit_colour(diffuse), misses(distance) ? PackedRgb{} : highlight_at(distance, weight)};
   }
   /// Returns the colour encoded in `Format`; `encoded` is an EncodedColourTable with kForHighlights. White
   /// highlights have a path of their own, which takes one comparison.
@@ -161,10 +161,10 @@ class AdaptiveIllumination : public Illumination {
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded_with_highlight_at(
       Cosine diffuse, std::int32_t distance, std::uint32_t weight, const Colours& encoded) const {
     if (highlight_table_.is_white(distance)) [[likely]] {
-      return encode_varying<Format>(lit_colour(diffuse).plus(highlight(distance, weight)));
+      return encode_varying<Format>(lit_colour(diffuse).plus(highlight_at(distance, weight)));
     }
     if (distance >= HighlightTable::kReach) return encoded[diffuse];
-    return encode_varying<Format>(lit_colour(diffuse).plus(highlight(distance, weight)));
+    return encode_varying<Format>(lit_colour(diffuse).plus(highlight_at(distance, weight)));
   }
 
   /// Returns true if no pixel of a triangle with a white highlight saturates, whose N·L is at most `most` and
@@ -201,10 +201,6 @@ class AdaptiveIllumination : public Illumination {
   }
 
  private:
-  /// Returns the half distance of the only light's highlight.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t half_distance_of(const Scalars& scalars) const {
-    return Illumination::half_distance(scalars[0], scalars[Illumination::highlight_index(0)], 0);
-  }
   static constexpr int kStepBits = 5;  ///< fraction bits of tolerances and colours, in 8-bit steps
   static constexpr int kLitShift = 22;
   static constexpr std::size_t kLitEntries = kHasWideRegisters && Illumination::kLights == 1 ? 1024 : 0;
@@ -219,7 +215,7 @@ class AdaptiveIllumination : public Illumination {
     }
   }
 
-  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::int32_t distance,
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight_at(std::int32_t distance,
                                                              std::uint32_t weight) const {
     if constexpr (Illumination::kLights == 1) return highlight_table_(distance);
     return highlight_table_(distance, weight);

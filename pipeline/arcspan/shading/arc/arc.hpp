@@ -246,7 +246,8 @@ struct ArcUpTo {
         return diffuse_path(fits, widest);
       }
     }
-    return fits && widest <= lighting.widest_patch() ? Path::kPatch : Path::kWide;
+    return fits && is_accurate_patch(frame.chords, widest, lighting.widest_patch()) ? Path::kPatch
+                                                                                    : Path::kWide;
   }
 };
 

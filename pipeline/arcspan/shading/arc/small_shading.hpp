@@ -16,6 +16,10 @@ namespace arcspan {
   return {squared_chord(a, b), squared_chord(a, c), squared_chord(b, c)};
 }
 
+/// The squared chord of 27 degrees, 28 fraction bits: up to there values of a SmallPatch with 16 fraction bits
+/// differ by less than a half.
+inline constexpr std::uint32_t kWidestSmallPatch = 58515427u;
+
 /// The scalars of a triangle that no light reaches: N·L = 0.
 template <class Lighting>
 struct SmallDark {
@@ -62,7 +66,8 @@ class SmallShading {
     const auto& bottom = vertices.bottom->shade.scalars;
     if (is_dark(top, middle, bottom)) return true;
     const std::uint32_t widest = vertices.chords.widest();
-    if (widest <= lighting.widest_patch() || widest > kWidestArc) return false;
+    if (widest > kWidestArc) return false;
+    if (is_accurate_patch(vertices.chords, widest, lighting.widest_patch())) return false;
     if constexpr (Lighting::kHasRamp) {
       if (widest <= kWidestDiffusePatch && !lighting.may_shine(top, middle, bottom, arc_headroom(widest)))
         return false;
@@ -84,8 +89,11 @@ class SmallShading {
                                                               std::int32_t reach, std::int32_t far,
                                                               const SmallCorners<Raster>& at,
                                                               const TriangleChords& chords, bool is_medium) {
-    const std::uint32_t widest_patch = is_medium ? kWidestDiffusePatch : lighting.widest_patch();
-    if (nearest >= far || chords.widest() <= widest_patch) return nearest;
+    if (nearest >= far) return nearest;
+    const std::uint32_t widest = chords.widest();
+    const bool is_patch = is_medium ? widest <= kWidestDiffusePatch
+                                    : is_accurate_patch(chords, widest, lighting.widest_patch());
+    if (is_patch) return nearest;
     const std::int32_t sharper =
         lighting.nearest_highlight_between(reach, at.a.shade.scalars, at.b.shade.scalars, at.c.shade.scalars,
                                            chords.top_middle, chords.top_bottom, chords.middle_bottom);
@@ -146,9 +154,10 @@ class SmallShading {
         return true;
       }
     }
-    path_ = widest <= lighting.widest_patch() ? Path::kPatch : Path::kArc;
+    const bool is_accurate = is_accurate_patch(chords, widest, lighting.widest_patch());
+    if (is_medium && is_accurate) return false;
+    path_ = is_accurate && widest <= kWidestSmallPatch ? Path::kPatch : Path::kArc;
     if (path_ == Path::kPatch) {
-      if (is_medium) return false;
       patch_.prepare(at.a.shade.scalars, at.b.shade.scalars, at.c.shade.scalars, chords, triangle);
     } else {
       arc_.prepare(at, chords, triangle);

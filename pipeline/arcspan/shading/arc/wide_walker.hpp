@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/shading/arc/piece_lights.hpp>
 #include <arcspan/shading/arc/row_pieces.hpp>
 #include <arcspan/shading/arc/very_wide_triangle.hpp>
 #include <arcspan/shading/arc/wide_triangle.hpp>
+#include <arcspan/shading/patch/one_highlight.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
 #include <arcspan/target.hpp>
 
@@ -74,11 +76,23 @@ struct WidePiece {
   std::int32_t length;   ///< pixels up to its end
 
   [[nodiscard]] ARCSPAN_INLINE constexpr PieceSteps steps() const { return piece_steps(column, ends.angle2); }
-  /// Starts all scalars of `run` at the first pixel.
+  /// Starts all scalars of `run` at the first pixel of the piece.
   template <class Run>
   ARCSPAN_INLINE constexpr void start(const PieceSteps& steps, Run& run) const {
-    unrolled<Run::kUsed>([&](auto i) { run.start_at(i, parabola_of(steps, ends.left[i], ends.right[i])); });
-    if (skipped != 0) run.skip(skipped);
+    unrolled<Run::kUsed>([&](auto i) { start_scalar(steps, i, run, i); });
+  }
+  /// Starts scalar i of the piece as scalar `to` of `run`, at the first pixel of the piece.
+  template <class Run>
+  ARCSPAN_INLINE constexpr void start_scalar(const PieceSteps& steps, std::size_t i, Run& run,
+                                             std::size_t to) const {
+    run.start_at(to, parabola_of(steps, ends.left[i], ends.right[i]));
+  }
+  /// Starts the diffuse_scalar() as scalar 0 of `run`, at the first pixel of the piece.
+  template <class Lighting, class Run>
+  ARCSPAN_INLINE constexpr void start_diffuse(const PieceSteps& steps, const Lighting& lighting,
+                                              std::uint32_t lit, Run& run) const {
+    run.start_at(0, parabola_of(steps, lighting.diffuse_scalar(ends.left, lit),
+                                lighting.diffuse_scalar(ends.right, lit)));
   }
 };
 
@@ -98,6 +112,11 @@ class WideWalker {
                                               const typename Lighting::Scalars& scalars) {
     lighting.may_shine_between(scalars, scalars, Factor{});
     typename Pixels::Diffuse;
+  };
+  /// True if the pixels have all scalars of several lights, which may have a diffuse_scalar().
+  template <class Lighting>
+  static constexpr bool kHasGreyLights = Lighting::kLights > 1 && kUsed == Lighting::kScalars && requires {
+    requires Lighting::kHasRamp;
   };
 
   constexpr explicit WideWalker(Prepared& triangle)
@@ -119,8 +138,20 @@ class WideWalker {
       auto run = run_of<PieceRun<typename Pixels::Diffuse>>(piece, steps);
       return draw(run);
     }
-    Run run = run_of<Run>(piece, steps);
+    auto run = run_of<Run>(piece, steps);
     return draw(run);
+  }
+  /// The same for several grey lights: without highlights by their diffuse_scalar() alone, with one by a
+  /// OneHighlightRun.
+  template <class Lighting, class Draw>
+  [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(
+      const RowStart& start, const Lighting& lighting,
+      const Draw& draw) const requires kHasGreyLights<Lighting> {
+    const Piece piece = piece_at(start);
+    PieceLights lights{};
+    if (lighting.lights() != 1)
+      lights = lights_of_piece(lighting, piece.ends, lighting.power().half_reach());
+    return draw_by_lights(piece, piece.steps(), lights, lighting, draw);
   }
 
   constexpr void next_row() {
@@ -162,8 +193,36 @@ class WideWalker {
   [[nodiscard]] ARCSPAN_INLINE static constexpr RunType run_of(const Piece& piece, const PieceSteps& steps) {
     RunType run;
     piece.start(steps, run);
+    return started(piece, run);
+  }
+  /// Moves a run from the first pixel of a piece to the first that is drawn, and returns it.
+  template <class RunType>
+  ARCSPAN_INLINE static constexpr RunType& started(const Piece& piece, RunType& run) {
+    if (piece.skipped != 0) run.skip(piece.skipped);
     run.set_length(piece.length);
     return run;
+  }
+
+  /// Calls `draw` with a run of the pixels of a piece by several grey lights.
+  template <class Lighting, class Draw>
+  [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_by_lights(
+      const Piece& piece, const PieceSteps& steps, const PieceLights& lights, const Lighting& lighting,
+      const Draw& draw) const requires kHasGreyLights<Lighting> {
+    if (lights.throughout && lights.shining == 0) {
+      PieceRun<PatchRun<Lighting, 1>> run;
+      piece.start_diffuse(steps, lighting, lights.lit, run);
+      return draw(started(piece, run));
+    }
+    if (lights.throughout && lights.shining == 1) {
+      PieceRun<OneHighlightRun<Lighting>> run;
+      run.set_highlight(lighting.one_highlight(lights.highlight));
+      piece.start_diffuse(steps, lighting, lights.lit, run);
+      piece.start_scalar(steps, lights.highlight, run, 1);
+      piece.start_scalar(steps, Lighting::highlight_index(lights.highlight), run, 2);
+      return draw(started(piece, run));
+    }
+    auto run = run_of<Run>(piece, steps);
+    return draw(run);
   }
 
   /// Returns the piece in which a pixel lies.

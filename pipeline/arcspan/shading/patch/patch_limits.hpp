@@ -32,6 +32,20 @@ inline constexpr std::uint32_t kPatchError = 25;
   return Cosine::from_raw(static_cast<std::int32_t>(s * factor + (std::uint32_t{1} << 18)));
 }
 
+/// The squared chord of 30 degrees, 28 fraction bits, up to which triangles with a highlight may be patches.
+inline constexpr std::uint32_t kWidestHighlightPatch = 71927064u;
+
+/// Returns true if a patch of a triangle with these chords, of which `widest` is the widest, is as accurate
+/// as that of an equilateral triangle with the squared chord `limit` (28 fraction bits). The error grows with
+/// the cube of the angle. Of triangles with the same widest chord, those with a right angle have less than
+/// half of the equilateral one's error, and slender ones a third (decision 5).
+[[nodiscard]] constexpr bool is_accurate_patch(const TriangleChords& chords, std::uint32_t widest,
+                                               std::uint32_t limit) {
+  if (widest <= limit) return true;
+  if (widest > kWidestHighlightPatch || (widest >> 1) > limit) return false;
+  return chords.sum() - widest <= limit + (limit >> 1) + (limit >> 3);
+}
+
 /// Returns true if the size of the triangle allows a patch: a width of at least half a pixel, because slopes
 /// of narrower triangles do not fit a Cosine, and a width and height below kLargestPatch.
 template <class Method>

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/lighting/arc_bound.hpp>
+#include <arcspan/shading/arc/row_pieces.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan {
+
+/// What one light, or several grey ones, do to a piece of a row (decision 28).
+struct PieceLights {
+  bool throughout;        ///< each of several lights reaches all of the piece or nothing of it
+  std::uint32_t lit;      ///< bit i: light i reaches it
+  std::size_t shining;    ///< number of lights whose highlight is within reach
+  std::size_t highlight;  ///< one of those
+};
+
+/// Returns the PieceLights of a piece with these ends; highlights are within reach if their half distance is
+/// below `reach`. N·L that has one sign at both ends has it between them, too.
+template <class Lighting, std::size_t Count>
+[[nodiscard]] ARCSPAN_INLINE constexpr PieceLights lights_of_piece(const Lighting& lighting,
+                                                                   const RowEnds<Count>& ends,
+                                                                   std::int32_t reach) {
+  PieceLights lights{true, 0, 0, 0};
+  for (std::size_t i = 0; i < lighting.lights(); ++i) {
+    const Cosine left = ends.left[i];
+    const Cosine right = ends.right[i];
+    if (left.raw() <= 0 && right.raw() <= 0) continue;
+    if (lighting.lights() != 1 && (left.raw() | right.raw()) < 0) lights.throughout = false;
+    lights.lit |= std::uint32_t{1} << i;
+    const std::size_t other = Lighting::highlight_index(i);
+    const std::int32_t nearest = detail::nearest_between(lighting.half_distance(left, ends.left[other], i),
+                                                         lighting.half_distance(right, ends.right[other], i),
+                                                         ends.angle2);
+    if (nearest >= reach) continue;
+    ++lights.shining;
+    lights.highlight = i;
+  }
+  return lights;
+}
+
+}  // namespace arcspan

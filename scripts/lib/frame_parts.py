@@ -20,7 +20,7 @@ import subprocess
 from collections import Counter, defaultdict
 
 PARTS = ("pixel", "row", "triangle", "vertex", "back face")
-LOOPS = (("pixel", re.compile(r"::draw_pixels$")), ("row", re.compile(r"::RowDrawer::")))
+LOOPS = (("pixel", re.compile(r"::draw_pixels$")), ("row", re.compile(r"::(Inlined)?RowDrawer::")))
 INLINED = (("vertex", re.compile(r"::(VertexStage|ClipTransform)::|::(project|unpack_normal|shade_vertex)$")),
            ("back face", re.compile(r"::BackFaces::")))
 MOST = 0.8  # of a loop's instructions

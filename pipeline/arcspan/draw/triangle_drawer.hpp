@@ -238,14 +238,16 @@ class TriangleDrawer {
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;
     ++result_.triangles;
     const Target target = target_;  // a copy, because members would be loaded again for every row
-    if constexpr (!kWholeRows) {
+    if constexpr (!kWholeRows && kDrawsSmall) {
+      result_.status = Method::walk(
+          command.shade, RowDrawerOf<Method, ScissorColumns::kCrossing, Target>{command, origin, target});
+    } else if constexpr (!kWholeRows) {
       result_.status = draw_crossing_rows(command, origin, target);
     } else if (columns_ == ScissorColumns::kCrossing) [[unlikely]] {
       result_.status = draw_crossing_rows_outlined(command, origin, target);
     } else {
       result_.status = Method::walk(
-          command.shade,
-          RowDrawer<ScissorColumns::kInside, TriangleCommand<Method>, Target>{command, origin, target});
+          command.shade, RowDrawerOf<Method, ScissorColumns::kInside, Target>{command, origin, target});
     }
   }
 

@@ -100,6 +100,35 @@ template <ScissorColumns kColumns, class Command, class Walker, class Target>
 template <class Walker>
 inline constexpr bool kOutlineRows = OutlinedWalker<Walker> || SegmentedRun<typename Walker::Run>;
 
+/// Steps to the first row of a command that lies within the scissor, and sets `y` to that row of the picture,
+/// `half_end` to the end of its half and `stop` to that of all rows. Not a structure, which gcc keeps in memory
+/// on Armv6-M.
+template <class Command, class Walker, class Target>
+ARCSPAN_INLINE constexpr void start_rows(Command& command, Walker& walker, const RasterOrigin& origin,
+                                         const Target& target, std::int32_t& y, std::int32_t& half_end,
+                                         std::int32_t& stop) {
+  const Rect& scissor = target.scissor;
+  command.move_columns(origin.x);
+  const std::int32_t end = command.end_row + origin.y;
+  stop = end < scissor.bottom ? end : scissor.bottom;
+  const std::int32_t middle = command.middle_row + origin.y;
+  half_end = middle < stop ? middle : stop;
+  y = command.first_row + origin.y;
+  if (y < scissor.top) {
+    if constexpr (!kCopiesForCalls<Walker>) {
+      step_to_row<Target>(command, walker, y, scissor.top, half_end, stop);
+    } else {
+      Walker stepped = walker;
+      std::int32_t row = y;
+      std::int32_t row_end = half_end;
+      step_to_row<Target>(command, stepped, row, scissor.top, row_end, stop);
+      walker = stepped;
+      y = row;
+      half_end = row_end;
+    }
+  }
+}
+
 /// Draws the rows of a command that lie within the scissor. A method's walk() calls it with the walker of its
 /// choice.
 template <ScissorColumns kColumns, class Command, class Target>
@@ -135,26 +164,10 @@ struct RowDrawer {
   template <class Walker>
   [[nodiscard]] static constexpr Status draw(Command& command, const RasterOrigin& origin, Walker walker,
                                              const Target& target) {
-    const Rect& scissor = target.scissor;
-    command.move_columns(origin.x);
-    const std::int32_t end = command.end_row + origin.y;
-    const std::int32_t stop = end < scissor.bottom ? end : scissor.bottom;
-    const std::int32_t middle = command.middle_row + origin.y;
-    std::int32_t half_end = middle < stop ? middle : stop;
-    std::int32_t y = command.first_row + origin.y;
-    if (y < scissor.top) {
-      if constexpr (!kCopiesForCalls<Walker>) {
-        step_to_row<Target>(command, walker, y, scissor.top, half_end, stop);
-      } else {
-        Walker stepped = walker;
-        std::int32_t row = y;
-        std::int32_t row_end = half_end;
-        step_to_row<Target>(command, stepped, row, scissor.top, row_end, stop);
-        walker = stepped;
-        y = row;
-        half_end = row_end;
-      }
-    }
+    std::int32_t y;
+    std::int32_t half_end;
+    std::int32_t stop;
+    start_rows(command, walker, origin, target, y, half_end, stop);
     for (RowMemory<Target> memory(target, y);; y = half_end, half_end = stop) {
       // Counts down, because few sinks need y and the counter then is its own test.
       for (std::int32_t left = half_end - y; left > 0;
@@ -167,6 +180,50 @@ struct RowDrawer {
     }
   }
 };
+
+/// A RowDrawer whose rows are a part of its caller, unless the walker has them in functions of its own. Of the
+/// many walkers of arc and adaptive compilers would take some out, where a row costs a sixth more. The loops
+/// are written twice, because for methods with one walker the compiler's choice is better, and it changes if
+/// they are shared (decision 16).
+template <ScissorColumns kColumns, class Command, class Target>
+struct InlinedRowDrawer : RowDrawer<kColumns, Command, Target> {
+  using Base = RowDrawer<kColumns, Command, Target>;
+
+  template <class Walker>
+  [[nodiscard]] ARCSPAN_INLINE constexpr Status operator()(Walker walker) const {
+    if constexpr (kOutlineRows<Walker> || (JoinsDepth<Walker> && Target::Depth::kTests)) {
+      return Base::operator()(walker);
+    } else {
+      return draw_inlined(this->command, this->origin, walker, this->target);
+    }
+  }
+
+ private:
+  template <class Walker>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Status draw_inlined(Command& command,
+                                                                    const RasterOrigin& origin, Walker walker,
+                                                                    const Target& target) {
+    std::int32_t y;
+    std::int32_t half_end;
+    std::int32_t stop;
+    start_rows(command, walker, origin, target, y, half_end, stop);
+    for (RowMemory<Target> memory(target, y);; y = half_end, half_end = stop) {
+      for (std::int32_t left = half_end - y; left > 0;
+           --left, memory.next(), next_row<Target>(command, walker)) {
+        const Status status = draw_row<kColumns>(command, walker, half_end - left, target, memory);
+        if (!ok(status)) return status;
+      }
+      if (half_end >= stop) return Status::kOk;
+      enter_lower<Target>(command, walker);
+    }
+  }
+};
+
+/// The RowDrawer of a method.
+template <ShadingMethod Method, ScissorColumns kColumns, class Target>
+using RowDrawerOf = std::conditional_t<DrawsSmallTriangles<Method> && !kOptimisedForSize,
+                                       InlinedRowDrawer<kColumns, TriangleCommand<Method>, Target>,
+                                       RowDrawer<kColumns, TriangleCommand<Method>, Target>>;
 
 /// True if DrawFeatures::whole_rows is worth its code: a second loop for rows within the scissor.
 inline constexpr bool kWholeRowsPay = !kOptimisedForSize && kHasManyRegisters;

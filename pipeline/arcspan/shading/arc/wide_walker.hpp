@@ -213,13 +213,15 @@ class WideWalker {
       piece.start_diffuse(steps, lighting, lights.lit, run);
       return draw(started(piece, run));
     }
-    if (lights.throughout && lights.shining == 1) {
-      PieceRun<OneHighlightRun<Lighting>> run;
-      run.set_highlight(lighting.one_highlight(lights.highlight));
-      piece.start_diffuse(steps, lighting, lights.lit, run);
-      piece.start_scalar(steps, lights.highlight, run, 1);
-      piece.start_scalar(steps, Lighting::highlight_index(lights.highlight), run, 2);
-      return draw(started(piece, run));
+    if constexpr (Lighting::kDrawsOneHighlight) {
+      if (lights.throughout && lights.shining == 1 && lighting.draws_one_highlight()) {
+        PieceRun<OneHighlightRun<Lighting>> run;
+        run.set_highlight(lighting.one_highlight(lights.highlight));
+        piece.start_diffuse(steps, lighting, lights.lit, run);
+        piece.start_scalar(steps, lights.highlight, run, 1);
+        piece.start_scalar(steps, Lighting::highlight_index(lights.highlight), run, 2);
+        return draw(started(piece, run));
+      }
     }
     auto run = run_of<Run>(piece, steps);
     return draw(run);

@@ -101,8 +101,8 @@ template <class Walker>
 inline constexpr bool kOutlineRows = OutlinedWalker<Walker> || SegmentedRun<typename Walker::Run>;
 
 /// Steps to the first row of a command that lies within the scissor, and sets `y` to that row of the picture,
-/// `half_end` to the end of its half and `stop` to that of all rows. Not a structure, which gcc keeps in memory
-/// on Armv6-M.
+/// `half_end` to the end of its half and `stop` to that of all rows. Not a structure, which gcc keeps in
+/// memory on Armv6-M.
 template <class Command, class Walker, class Target>
 ARCSPAN_INLINE constexpr void start_rows(Command& command, Walker& walker, const RasterOrigin& origin,
                                          const Target& target, std::int32_t& y, std::int32_t& half_end,
@@ -181,10 +181,10 @@ struct RowDrawer {
   }
 };
 
-/// A RowDrawer whose rows are a part of its caller, unless the walker has them in functions of its own. Of the
-/// many walkers of arc and adaptive compilers would take some out, where a row costs a sixth more. The loops
-/// are written twice, because for methods with one walker the compiler's choice is better, and it changes if
-/// they are shared (decision 16).
+/// A RowDrawer whose rows are a part of its caller, unless the walker has them in functions of its own. Of
+/// the many walkers of arc and adaptive compilers would take some out, where a row costs a sixth more. The
+/// loops are written twice, because for methods with one walker the compiler's choice is better, and it
+/// changes if they are shared (decision 16).
 template <ScissorColumns kColumns, class Command, class Target>
 struct InlinedRowDrawer : RowDrawer<kColumns, Command, Target> {
   using Base = RowDrawer<kColumns, Command, Target>;

@@ -127,8 +127,8 @@ class AdaptiveIllumination : public Illumination {
     if constexpr (Illumination::kLights == 1) {
       run.start_at(0, parabola_through(steps, steps.drop, a[0], b[0], light4));
     } else {
-      run.start_at(0, parabola_of(steps, Illumination::diffuse_scalar(a, lit),
-                                  Illumination::diffuse_scalar(b, lit)));
+      run.start_at(
+          0, parabola_of(steps, Illumination::diffuse_scalar(a, lit), Illumination::diffuse_scalar(b, lit)));
     }
     run.start_at(1, parabola_through(steps, 15, Cosine::from_raw(from), Cosine::from_raw(to),
                                      wrap_shl(wrap_sub(wrap_shl(half_way, 1), wrap_add(from, to)), 1)));
@@ -216,7 +216,7 @@ class AdaptiveIllumination : public Illumination {
   }
 
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight_at(std::int32_t distance,
-                                                             std::uint32_t weight) const {
+                                                                std::uint32_t weight) const {
     if constexpr (Illumination::kLights == 1) return highlight_table_(distance);
     return highlight_table_(distance, weight);
   }

@@ -16,8 +16,8 @@ namespace arcspan {
   return {squared_chord(a, b), squared_chord(a, c), squared_chord(b, c)};
 }
 
-/// The squared chord of 27 degrees, 28 fraction bits: up to there values of a SmallPatch with 16 fraction bits
-/// differ by less than a half.
+/// The squared chord of 27 degrees, 28 fraction bits: up to there values of a SmallPatch with 16 fraction
+/// bits differ by less than a half.
 inline constexpr std::uint32_t kWidestSmallPatch = 58515427u;
 
 /// The scalars of a triangle that no light reaches: N·L = 0.

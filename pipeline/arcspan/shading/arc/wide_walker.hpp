@@ -115,7 +115,7 @@ class WideWalker {
   };
   /// True if the pixels have all scalars of several lights, which may have a diffuse_scalar().
   template <class Lighting>
-  static constexpr bool kHasGreyLights = Lighting::kLights > 1 && kUsed == Lighting::kScalars && requires {
+  static constexpr bool kHasGreyLights = Lighting::kLights > 1 && kUsed == Lighting::kScalars&& requires {
     requires Lighting::kHasRamp;
   };
 
@@ -144,13 +144,12 @@ class WideWalker {
   /// The same for several grey lights: without highlights by their diffuse_scalar() alone, with one by a
   /// OneHighlightRun.
   template <class Lighting, class Draw>
-  [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(
-      const RowStart& start, const Lighting& lighting,
-      const Draw& draw) const requires kHasGreyLights<Lighting> {
+  [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(const RowStart& start, const Lighting& lighting,
+                                                         const Draw& draw) const requires
+      kHasGreyLights<Lighting> {
     const Piece piece = piece_at(start);
     PieceLights lights{};
-    if (lighting.lights() != 1)
-      lights = lights_of_piece(lighting, piece.ends, lighting.power().half_reach());
+    if (lighting.lights() != 1) lights = lights_of_piece(lighting, piece.ends, lighting.power().half_reach());
     return draw_by_lights(piece, piece.steps(), lights, lighting, draw);
   }
 

@@ -5,7 +5,7 @@
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/triangle.hpp>
-#include <arcspan/span/draw_command.hpp>
+#include <arcspan/span/row_drawer.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>

@@ -3,8 +3,8 @@
 
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/small_triangle.hpp>
-#include <arcspan/span/draw_command.hpp>
 #include <arcspan/span/draw_pixels.hpp>
+#include <arcspan/span/row_drawer.hpp>
 #include <arcspan/span/row_memory.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>

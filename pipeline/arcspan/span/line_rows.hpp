@@ -4,9 +4,9 @@
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/line_command.hpp>
 #include <arcspan/shading/one_colour.hpp>
-#include <arcspan/span/draw_command.hpp>
 #include <arcspan/span/draw_pixels.hpp>
 #include <arcspan/span/indexed_run.hpp>
+#include <arcspan/span/row_drawer.hpp>
 #include <arcspan/span/row_memory.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>

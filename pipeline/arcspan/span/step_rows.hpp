@@ -7,7 +7,15 @@
 
 #include <cstdint>
 
-namespace arcspan::detail {
+namespace arcspan {
+
+/// Position of the viewport's middle pixel in the picture, in pixels. Commands are relative to it.
+struct RasterOrigin {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+};
+
+namespace detail {
 
 /// True if the span stage steps the depth from row to row, and not `Walker`.
 template <class Target, class Walker>
@@ -73,4 +81,35 @@ constexpr void step_to_row(Command& command, Walker& walker, std::int32_t& y, st
   y = top;
 }
 
-}  // namespace arcspan::detail
+/// Steps to the first row of a command that lies within the scissor, and sets `y` to that row of the picture,
+/// `half_end` to the end of its half and `stop` to that of all rows. Not a structure, which gcc keeps in
+/// memory on Armv6-M.
+template <class Command, class Walker, class Target>
+ARCSPAN_INLINE constexpr void start_rows(Command& command, Walker& walker, const RasterOrigin& origin,
+                                         const Target& target, std::int32_t& y, std::int32_t& half_end,
+                                         std::int32_t& stop) {
+  const Rect& scissor = target.scissor;
+  command.move_columns(origin.x);
+  const std::int32_t end = command.end_row + origin.y;
+  stop = end < scissor.bottom ? end : scissor.bottom;
+  const std::int32_t middle = command.middle_row + origin.y;
+  half_end = middle < stop ? middle : stop;
+  y = command.first_row + origin.y;
+  if (y < scissor.top) {
+    if constexpr (!kCopiesForCalls<Walker>) {
+      step_to_row<Target>(command, walker, y, scissor.top, half_end, stop);
+    } else {
+      Walker stepped = walker;
+      std::int32_t row = y;
+      std::int32_t row_end = half_end;
+      step_to_row<Target>(command, stepped, row, scissor.top, row_end, stop);
+      walker = stepped;
+      y = row;
+      half_end = row_end;
+    }
+  }
+}
+
+}  // namespace detail
+
+}  // namespace arcspan

@@ -20,14 +20,19 @@ constexpr std::int32_t kSize = 64;
 constexpr double kDiffuse = 0.2;
 constexpr double kSpecular = 0.4;
 
-/// A grey material and two lights of full strength that are reflected to the eye near the triangle's middle.
+/// Where lights are: their highlights lie within this angle of the triangle's middle. 90: anywhere, so that
+/// terminators and the ends of highlights run through triangles, and some lights do not reach them.
+enum class Spread { k18Degrees = 18, k90Degrees = 90 };
+
+/// A grey material and two lights of full strength.
 struct TwoLights {
   Vec3 to_eye;
   std::array<Vec3, 2> to_light;
 
-  TwoLights(Random& random, Vec3 middle) : to_eye(tilted(random, middle, radians(random.real(0, 50)))) {
+  TwoLights(Random& random, Vec3 middle, Spread spread)
+      : to_eye(tilted(random, middle, radians(random.real(0, 50)))) {
     for (Vec3& light : to_light) {
-      const Vec3 half = tilted(random, middle, radians(random.real(0, 18)));
+      const Vec3 half = tilted(random, middle, radians(random.real(0, static_cast<int>(spread))));
       light = normalised(2 * dot(half, to_eye) * half - to_eye);
     }
   }
@@ -57,14 +62,14 @@ struct TwoLights {
   }
 };
 
-/// Returns the largest error of a pixel, in 8-bit steps.
+/// Returns the largest error of a pixel, in 8-bit steps; normals are `from` to `to` degrees apart.
 template <Highlight Model>
-double worst_error(std::int32_t shininess) {
+double worst_error(std::int32_t shininess, Spread spread, double from, double to) {
   using Lit = Illumination<2, Model>;
   Random random(7);
   double worst = 0;
   for (int i = 0; i < share_of(3000); ++i) {
-    const ScreenTriangle triangle = random_screen_triangle(random, kSize, random.real(5, 30));
+    const ScreenTriangle triangle = random_screen_triangle(random, kSize, random.real(from, to));
     ShadedTriangle shaded;
     Vec3 middle{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -73,7 +78,7 @@ double worst_error(std::int32_t shininess) {
       middle = middle + normal;
     }
     if (test::detail::thickness(shaded) < 1) continue;
-    const TwoLights lights(random, normalised(middle));
+    const TwoLights lights(random, normalised(middle), spread);
     const TrianglePicture picture =
         picture_of<Arc<Lit>>(triangle, lights.illumination<Lit>(shininess), kSize);
     const SlerpModel model(shaded);
@@ -91,10 +96,19 @@ double worst_error(std::int32_t shininess) {
 
 }  // namespace
 
+// Half a step more than the two or three of arc, because the level is not rounded.
 TEST_CASE("arc is within two steps where the highlights of two lights coincide") {
   const std::int32_t shininess = GENERATE(4, 16, 64);
   CAPTURE(shininess);
-  // Half a step more, because the level is not rounded.
-  CHECK(worst_error<Highlight::kPhong>(shininess) <= 2.5);
-  CHECK(worst_error<Highlight::kBlinn>(shininess) <= 2.5);
+  CHECK(worst_error<Highlight::kPhong>(shininess, Spread::k18Degrees, 5, 30) <= 2.5);
+  CHECK(worst_error<Highlight::kBlinn>(shininess, Spread::k18Degrees, 5, 30) <= 2.5);
+}
+
+TEST_CASE("arc by two lights is as accurate where one of them or one highlight ends") {
+  const std::int32_t shininess = GENERATE(4, 16, 64);
+  CAPTURE(shininess);
+  CHECK(worst_error<Highlight::kPhong>(shininess, Spread::k90Degrees, 5, 30) <= 2.5);
+  CHECK(worst_error<Highlight::kBlinn>(shininess, Spread::k90Degrees, 5, 30) <= 2.5);
+  CHECK(worst_error<Highlight::kPhong>(shininess, Spread::k90Degrees, 30, 45) <= 3.5);
+  CHECK(worst_error<Highlight::kBlinn>(shininess, Spread::k90Degrees, 30, 45) <= 3.5);
 }

@@ -199,7 +199,8 @@ class Illumination : private FadeFor<Features>,
     return weights_[light];
   }
 
-  /// The squared chord up to which a triangle with a highlight may be a patch.
+  /// The squared chord up to which a triangle of any shape with a highlight may be a patch
+  /// (is_accurate_patch()).
   [[nodiscard]] constexpr std::uint32_t widest_patch() const { return widest_patch_; }
 
   /// The N·L from which on highlights are not faded, 0 if they end abruptly.

@@ -10,10 +10,10 @@
 
 namespace arcspan {
 
-/// Returns the squared chord, 28 fraction bits, up to which a triangle with a highlight may be a patch, so
-/// that the highlight differs by at most 1.2 8-bit steps. The difference grows with the exponent and with
-/// `height`, the height of the highlights of all lights together (8-bit steps, 5 fraction bits, at most four
-/// times 255).
+/// Returns the squared chord, 28 fraction bits, up to which an equilateral triangle with a highlight may be a
+/// patch, so that the highlight differs by at most 1.4 8-bit steps. The difference grows with the exponent
+/// and with `height`, the height of the highlights of all lights together (8-bit steps, 5 fraction bits, at
+/// most four times 255).
 [[nodiscard]] constexpr std::uint32_t widest_patch(Highlight model, std::int32_t shininess,
                                                    std::uint32_t height) {
   // Entry i is for exponents up to 2^i and white highlights by R·V: 23, 23, 23, 20, 17, 14.5, 11, 9, 7.5,

@@ -26,8 +26,9 @@ enum class WalkedPaths : std::uint8_t {
 /// down the edges and along the rows (S0). Small angles need no exact circle, so a triangle takes one of two
 /// paths:
 ///
-/// - Normals within 5.2 to 33 degrees, depending on the highlight (widest_patch()): a quadratic surface
-///   through the arcs' ends and middles, which second differences step without a multiply (decision 5).
+/// - Normals within 5.2 to 33 degrees, depending on the highlight and the shape (is_accurate_patch()): a
+///   quadratic surface through the arcs' ends and middles, which second differences step without a multiply
+///   (decision 5).
 /// - Wider: great circles down the edges (ArcEdge), and each row in pieces of at most 1.3 times that angle
 ///   (widest_piece()), which are parabolas through the arc's ends and middle (decision 23).
 ///

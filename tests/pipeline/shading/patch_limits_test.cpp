@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/shading/patch/patch_limits.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+using namespace arcspan;
+
+namespace {
+
+/// The squared chord of an angle in degrees, 28 fraction bits.
+std::uint32_t chord_of(double degrees) {
+  const double chord = 2 * std::sin(degrees * 3.14159265358979 / 360);
+  return static_cast<std::uint32_t>(std::lround(chord * chord * (1 << 28)));
+}
+
+/// Whether a triangle with these angles between its normals is a patch if equilateral ones are up to 17
+/// degrees, in any order of the edges.
+bool is_patch(double a, double b, double c) {
+  const std::array<std::uint32_t, 3> s{chord_of(a), chord_of(b), chord_of(c)};
+  const std::uint32_t limit = chord_of(17);
+  const TriangleChords chords{s[0], s[1], s[2]};
+  const bool found = is_accurate_patch(chords, chords.widest(), limit);
+  CHECK(is_accurate_patch({s[2], s[0], s[1]}, chords.widest(), limit) == found);
+  CHECK(is_accurate_patch({s[1], s[2], s[0]}, chords.widest(), limit) == found);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "patches with a right angle may be a quarter wider than equilateral ones, slender ones still more") {
+  CHECK(is_patch(16.9, 16.9, 16.9));
+  CHECK_FALSE(is_patch(17.1, 17.1, 17.1));
+  CHECK(is_patch(21.4 / std::sqrt(2), 21.4 / std::sqrt(2), 21.4));
+  CHECK_FALSE(is_patch(22.2 / std::sqrt(2), 22.2 / std::sqrt(2), 22.2));
+  CHECK(is_patch(11.8, 11.8, 23.5));
+  CHECK_FALSE(is_patch(12.3, 12.3, 24.4));
+  CHECK_FALSE(is_patch(1, 22, 22));
+}
+
+TEST_CASE("no triangle with a highlight beyond 30 degrees is a patch, whatever the highlight allows") {
+  const auto at = [](double degrees) {
+    const std::uint32_t widest = chord_of(degrees);
+    return is_accurate_patch({widest / 4, widest / 4, widest}, widest, chord_of(23));
+  };
+  CHECK(at(29.9));
+  CHECK_FALSE(at(30.1));
+}

@@ -117,14 +117,19 @@ class SmallShading {
       const auto& a = at.a.shade.scalars;
       const auto& b = at.b.shade.scalars;
       const auto& c = at.c.shade.scalars;
-      std::uint32_t lit = 0;
-      if (!shines &&
-          (widest <= kWidestDiffusePatch ||
-           (widest <= kWidestArc && kHasDiffuseArc && lighting.lights() == 1 &&
-            is_allowed(wide_patch_error(a[0], b[0], c[0], widest)))) &&
-          lighting.lit_throughout(a, b, c, lit)) {
-        return {true, lighting.diffuse_scalar(a, lit), lighting.diffuse_scalar(b, lit),
-                lighting.diffuse_scalar(c, lit)};
+      const auto may_be_patch = [&](Cosine p, Cosine q, Cosine r) {
+        return widest <= kWidestDiffusePatch ||
+               (widest <= kWidestArc && is_allowed(wide_patch_error(p, q, r, widest)));
+      };
+      if constexpr (Lighting::kLights == 1) {
+        if (!shines && may_be_patch(a[0], b[0], c[0])) return {true, a[0], b[0], c[0]};
+      } else {
+        std::uint32_t lit = 0;
+        if (!shines && lighting.lit_throughout(a, b, c, lit)) {
+          const Diffuse diffuse{true, lighting.diffuse_scalar(a, lit), lighting.diffuse_scalar(b, lit),
+                                lighting.diffuse_scalar(c, lit)};
+          if (may_be_patch(diffuse.a, diffuse.b, diffuse.c)) return diffuse;
+        }
       }
     }
     return {};

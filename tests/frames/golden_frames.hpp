@@ -71,6 +71,14 @@ struct Workspace {
   VertexMemory<Vertices> vertices;
 };
 
+/// Hashes the pixels of a band. Not a part of hash_frame(), whose stack frame lies below that of the drawing.
+[[gnu::noinline]] inline void hash_band(const hal::Framebuffer<Rgb565>& band, std::int32_t top,
+                                        std::int32_t rows, Hash& hash) {
+  for (std::int32_t y = top; y < top + rows; ++y) {
+    for (std::int32_t x = 0; x < kWidth; ++x) hash.add(band.pixel(x, y));
+  }
+}
+
 /// Draws one frame band by band and hashes its pixels from left to right and top to bottom.
 template <class Method, class Space>
 [[nodiscard]] Status hash_frame(const MeshView& mesh, const StageSet& stage, Space& space, Hash& hash) {
@@ -86,9 +94,7 @@ template <class Method, class Space>
     if (cache.size() < mesh.vertex_count()) cache = {};
     const DrawResult drawn = draw_mesh<Method>(mesh, stage.transform, stage.light, band, depth, cache);
     if (!ok(drawn.status)) return drawn.status;
-    for (std::int32_t y = top; y < top + Space::kRows; ++y) {
-      for (std::int32_t x = 0; x < kWidth; ++x) hash.add(band.pixel(x, y));
-    }
+    hash_band(band, top, Space::kRows, hash);
   }
   return Status::kOk;
 }

@@ -238,7 +238,7 @@ class TriangleDrawer {
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;
     ++result_.triangles;
     const Target target = target_;  // a copy, because members would be loaded again for every row
-    if constexpr (!kWholeRows && kDrawsSmall) {
+    if constexpr (!kWholeRows && kDrawsSmall) {  // draw_crossing_rows() would be a function of its own
       result_.status = Method::walk(
           command.shade, RowDrawerOf<Method, ScissorColumns::kCrossing, Target>{command, origin, target});
     } else if constexpr (!kWholeRows) {

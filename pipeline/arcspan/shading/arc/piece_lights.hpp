@@ -10,7 +10,8 @@
 
 namespace arcspan {
 
-/// What one light, or several grey ones, do to a piece of a row (decision 28).
+/// Which lights reach a piece of a row, and whose highlights do; for one light or several grey ones (decision
+/// 28).
 struct PieceLights {
   bool throughout;        ///< each of several lights reaches all of the piece or nothing of it
   std::uint32_t lit;      ///< bit i: light i reaches it

@@ -107,9 +107,9 @@ class WideWalker {
   static constexpr bool kOutlined = true;
   /// Programs that are optimised for size have one loop for pixels with and without highlights.
   template <class Lighting>
-  static constexpr bool kMayBeDull = !kOptimisedForSize && kUsed > 1 && Lighting::kLights == 1 &&
-                                     requires(const Lighting& lighting,
-                                              const typename Lighting::Scalars& scalars) {
+  static constexpr bool kMayLackHighlight = !kOptimisedForSize && kUsed > 1 && Lighting::kLights == 1 &&
+                                            requires(const Lighting& lighting,
+                                                     const typename Lighting::Scalars& scalars) {
     lighting.may_shine_between(scalars, scalars, Factor{});
     typename Pixels::Diffuse;
   };
@@ -130,8 +130,9 @@ class WideWalker {
   /// Calls `draw` with the run of the row's next piece: with N·L alone where no highlight is within reach,
   /// which gives the same colours (ChoosesRuns).
   template <class Lighting, class Draw>
-  [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(
-      const RowStart& start, const Lighting& lighting, const Draw& draw) const requires kMayBeDull<Lighting> {
+  [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(const RowStart& start, const Lighting& lighting,
+                                                         const Draw& draw) const requires
+      kMayLackHighlight<Lighting> {
     const Piece piece = piece_at(start);
     const PieceSteps steps = piece.steps();
     if (!lighting.may_shine_between(piece.ends.left, piece.ends.right, piece.ends.angle2)) {
@@ -141,8 +142,8 @@ class WideWalker {
     auto run = run_of<Run>(piece, steps);
     return draw(run);
   }
-  /// The same for several grey lights: without highlights by their diffuse_scalar() alone, with one by a
-  /// OneHighlightRun.
+  /// Calls `draw` with the run of the row's next piece for several grey lights, which depends on the lights
+  /// that reach it (draw_by_lights()).
   template <class Lighting, class Draw>
   [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(const RowStart& start, const Lighting& lighting,
                                                          const Draw& draw) const requires
@@ -202,7 +203,8 @@ class WideWalker {
     return run;
   }
 
-  /// Calls `draw` with a run of the pixels of a piece by several grey lights.
+  /// Calls `draw` with a run of the pixels of a piece by several grey lights: of the diffuse_scalar() alone
+  /// if no highlight is within reach, of that and one highlight, or of all scalars.
   template <class Lighting, class Draw>
   [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_by_lights(
       const Piece& piece, const PieceSteps& steps, const PieceLights& lights, const Lighting& lighting,

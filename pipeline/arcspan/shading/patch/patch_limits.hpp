@@ -35,10 +35,10 @@ inline constexpr std::uint32_t kPatchError = 25;
 /// The squared chord of 30 degrees, 28 fraction bits, up to which triangles with a highlight may be patches.
 inline constexpr std::uint32_t kWidestHighlightPatch = 71927064u;
 
-/// Returns true if a patch of a triangle with these chords, of which `widest` is the widest, is as accurate
-/// as that of an equilateral triangle with the squared chord `limit` (28 fraction bits). The error grows with
-/// the cube of the angle. Of triangles with the same widest chord, those with a right angle have less than
-/// half of the equilateral one's error, and slender ones a third (decision 5).
+/// Returns true if a patch of a triangle with these squared chords, of which `widest` is the widest, is as
+/// accurate as that of an equilateral triangle with the squared chord `limit`; all have 28 fraction bits. The
+/// error grows with the cube of the angle. Of triangles with the same widest chord, those with a right angle
+/// have less than half of the equilateral one's error, and slender ones a third (decision 5).
 [[nodiscard]] constexpr bool is_accurate_patch(const TriangleChords& chords, std::uint32_t widest,
                                                std::uint32_t limit) {
   if (widest <= limit) return true;

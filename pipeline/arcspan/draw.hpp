@@ -29,7 +29,7 @@ namespace arcspan {
 ///
 /// To draw a picture in bands, move the sink and the depth buffer to a band and call this once per band: the
 /// rows are bit for bit those of the picture drawn at once. Columns that are cut off on the left may change
-/// the last bits of the pixels, because a row starts at its first drawn column.
+/// the last bits of small triangles and of some methods, whose rows start at the first drawn column.
 ///
 /// Returns as status kOk, or the first other status of the sink, at which drawing stops. Draws nothing and
 /// returns:

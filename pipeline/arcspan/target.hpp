@@ -17,6 +17,7 @@
 // The end of a name is the condition under which the policy applies:
 //
 //   AT_OS              the program is optimised for size (-Os)
+//   EXCEPT_AT_OS       it is not; a function of its own at -Os
 //   IF_TIGHT           -Os, or a core with few registers
 //   IF_MANY_REGISTERS  kHasManyRegisters
 //   IF_WIDE            kHasWideRegisters, but not -Os

@@ -97,7 +97,7 @@ class TriangleDrawer {
     } else {
       if (!are_inside(a, b, c)) return (a.outcode & b.outcode & c.outcode) != 0;
       const std::int32_t doubled = doubled_area(a.raster.position, b.raster.position, c.raster.position);
-      return doubled >= 0 && ((doubled == 0 && !DrawsEdges<Method>) || !two_sided());
+      return is_culled_by_area<Method>(doubled, two_sided());
     }
   }
 

@@ -37,10 +37,7 @@ template <class Method>
   const RasterPosition& p = a.raster.position;
   const RasterPosition& q = b.raster.position;
   const RasterPosition& r = c.raster.position;
-  const std::int32_t area = doubled_area(p, q, r);
-  if (DrawsEdges<Method> ? area >= 0 && !two_sided : area >= 0 && (area == 0 || !two_sided)) {
-    return kNoTriangleRows;
-  }
+  if (is_culled_by_area<Method>(doubled_area(p, q, r), two_sided)) return kNoTriangleRows;
   const std::int32_t upper = p.y < q.y ? p.y : q.y;
   const std::int32_t lower = p.y > q.y ? p.y : q.y;
   const std::int32_t uppermost = upper < r.y ? upper : r.y;

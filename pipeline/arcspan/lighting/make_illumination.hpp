@@ -109,7 +109,6 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   illumination.specular_ = detail::scaled_channels(material.specular, weights, kCoefficientBits);
   static_cast<Fade&>(illumination) = Fade(material.highlight_fade);
   if constexpr (Lights > 1 && kHasRamp) illumination.set_ramp_range();
-  if constexpr (Lights > 1) illumination.set_strengths(lights);
   std::array<Direction, Lights> to_lights;
   for (std::size_t i = 0; i < Lights; ++i) to_lights[i] = lights[i].towards;
   illumination.set_directions(to_lights, to_eye);
@@ -117,7 +116,11 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   const bool white = specular[0] == specular[1] && specular[1] == specular[2];
   illumination.white_specular_ = white ? specular[0] : 0;
   illumination.shininess_ = static_cast<std::uint32_t>(material.shininess);
-  illumination.set_widest_patch(lights);
+  if constexpr (Lights > 1) {
+    illumination.set_strengths(lights);
+  } else {
+    illumination.set_widest_patch(lights);
+  }
   illumination.power_ = PowerTable(material.shininess);
   const std::uint32_t turns = Model == Highlight::kBlinn ? 1 : 2;
   illumination.most_curvature_ =

@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <type_traits>
 
-/// The sums of Illumination over its lights. A single light's colour comes from the ramp instead.
+/// The sums of Illumination over its lights. With a ramp() the diffuse colour is looked up by N·L, or by the
+/// weighted sum of several grey lights.
 namespace arcspan {
 
 /// True if an illumination has one light or may have: some know the number at run time only.

@@ -138,6 +138,13 @@ concept DrawsSmallTriangles = std::same_as<typename M::DrawsSmallTrianglesAs, M>
 template <class M>
 concept DrawsEdges = bool{M::kDrawsEdges};
 
+/// True if a triangle of this doubled_area() is not drawn: it shows its back, and backs are not drawn, or it
+/// has no area, and no edges are drawn.
+template <class M>
+[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr bool is_culled_by_area(std::int32_t doubled, bool two_sided) {
+  return doubled >= 0 && ((doubled == 0 && !DrawsEdges<M>) || !two_sided);
+}
+
 /// Optional part of a run, for methods that use encoded colours: `encoded<Format>(lighting, colours)` returns
 /// the current pixel's colour encoded in `Format`, equal to Format::encode(colour(lighting)).
 template <class R, class Format, class Lighting, class Colours>

@@ -146,10 +146,10 @@ struct RowDrawer {
   }
 };
 
-/// A RowDrawer whose rows are a part of its caller, unless the walker has them in functions of its own. Of
-/// the many walkers of arc and adaptive compilers would take some out, where a row costs a sixth more. The
-/// loops are written twice, because for methods with one walker the compiler's choice is better, and it
-/// changes if they are shared (decision 16).
+/// A RowDrawer whose loop over the rows is a part of its caller, unless the walker asks for a function of its
+/// own (kOutlineRows) or for depth and scalars together (JoinsDepth). For methods with many walkers, of
+/// which compilers would give some a function, where a row costs a sixth more. The loop is written twice,
+/// because a shared one changes the compiler's choice for methods with one walker (decision 16).
 template <ScissorColumns kColumns, class Command, class Target>
 struct InlinedRowDrawer : RowDrawer<kColumns, Command, Target> {
   using Base = RowDrawer<kColumns, Command, Target>;
@@ -184,7 +184,8 @@ struct InlinedRowDrawer : RowDrawer<kColumns, Command, Target> {
   }
 };
 
-/// The RowDrawer of a method.
+/// The RowDrawer of a method: InlinedRowDrawer for those that draw small triangles, too, which have many
+/// walkers.
 template <ShadingMethod Method, ScissorColumns kColumns, class Target>
 using RowDrawerOf = std::conditional_t<DrawsSmallTriangles<Method> && !kOptimisedForSize,
                                        InlinedRowDrawer<kColumns, TriangleCommand<Method>, Target>,

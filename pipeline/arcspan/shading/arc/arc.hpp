@@ -23,14 +23,15 @@ enum class WalkedPaths : std::uint8_t {
 };
 
 /// Spherical-angular Phong shading on scalars: the products of the normal with L, H or V follow great circles
-/// down the edges and along the rows (S0). Small angles need no exact circle, so a triangle takes one of two
-/// paths:
+/// down the edges and along the rows (S0). Small angles need no exact circle, so a triangle is drawn in one
+/// of two ways (Path):
 ///
 /// - Normals within 5.2 to 33 degrees, depending on the highlight and the shape (is_accurate_patch()): a
 ///   quadratic surface through the arcs' ends and middles, which second differences step without a multiply
 ///   (decision 5).
-/// - Wider: great circles down the edges (ArcEdge), and each row in pieces of at most 1.3 times that angle
-///   (widest_piece()), which are parabolas through the arc's ends and middle (decision 23).
+/// - Wider, narrower than half a pixel, or larger than kLargestPatch: great circles down the edges (ArcEdge),
+///   and each row in pieces of at most 1.3 times the angle of the widest patch (widest_piece()), which are
+///   parabolas through the arc's ends and middle (decision 23).
 ///
 /// literature/recurrence_method.hpp has the recurrence of S0 eq. 14 for edges and pixels.
 template <class Illumination, WidestNormals kWidest>
@@ -46,7 +47,7 @@ struct ArcUpTo {
     kSteppedDistance,  ///< a patch for SteppedDistanceRun; Blinn's highlight of one light is within reach
     kOneHighlight,  ///< a patch for OneHighlightRun; the highlight of one of several lights is within reach
     kWide,          ///< rows in pieces: normals too far apart for a patch, slivers, triangles larger than
-                    ///< kLargestPatch
+                    ///< kLargestPatch, the fade of Blinn's highlight
     kDiffuseWide,   ///< rows in pieces, N·L only
   };
   static constexpr bool kHasOneHighlight = requires { requires Illumination::kDrawsOneHighlight; };

@@ -13,10 +13,10 @@ namespace arcspan {
 /// Which lights reach a piece of a row, and whose highlights do; for one light or several grey ones (decision
 /// 28).
 struct PieceLights {
-  bool throughout;        ///< each of several lights reaches all of the piece or nothing of it
+  bool throughout;        ///< every light reaches all of the piece or nothing of it; always so for one light
   std::uint32_t lit;      ///< bit i: light i reaches it
   std::size_t shining;    ///< number of lights whose highlight is within reach
-  std::size_t highlight;  ///< one of those
+  std::size_t highlight;  ///< the last of those; 0 if there is none
 };
 
 /// Returns the PieceLights of a piece with these ends; highlights are within reach if their half distance is

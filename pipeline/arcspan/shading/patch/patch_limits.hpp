@@ -14,12 +14,12 @@ namespace arcspan {
 inline constexpr std::int32_t kLargestPatch = 128;
 
 /// The squared chord of 33 degrees, 28 fraction bits, up to which a triangle without highlight may be a
-/// patch: its N·L differs from bilinear SLERP by at most 0.8 8-bit steps (decision 5). Small triangles may be
+/// patch: its N·L then is within one 8-bit step of bilinear SLERP (docs/accuracy.md). Small triangles may be
 /// wider (SmallShading::diffuse_of()).
 inline constexpr std::uint32_t kWidestDiffusePatch = 86613079u;
 
 /// Largest estimated error of N·L up to which `Arc` draws a small triangle beyond kWidestDiffusePatch as a
-/// patch: 0.78 8-bit steps, 5 fraction bits. Errors reach 1.57 times the estimate.
+/// patch: 0.78 8-bit steps, 5 fraction bits. Errors stay below 1.57 times the estimate.
 inline constexpr std::uint32_t kPatchError = 25;
 
 /// Returns an upper bound of the height of a scalar above its values at the vertices of a triangle whose

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Every stage of the pipeline: the object that must need nothing from outside. Four methods as whole calls of
-// draw_mesh(). Of other methods, illuminations, texels and operations only the functions of the protocol of
-// shading/method.hpp that come before the span stage, which span_stage.cpp has: the stages around them are
-// the same.
+// Every stage of the pipeline: the object that must need nothing from outside. Flat, Gouraud and Wireframe are
+// whole calls of draw_mesh(). Of other methods, illuminations, texels and operations there are only the
+// functions of the protocol of shading/method.hpp that come before the span stage, which span_stage.cpp has:
+// the stages around them are the same. Whole calls of arc are in the images that
+// tests/firmware/image_test.py looks at; further_stages.cpp has them and those of adaptive.
 #include <arcspan/draw_billboards.hpp>
 #include <arcspan/draw_lines.hpp>
 #include <arcspan/pixel/rgb565.hpp>
@@ -19,8 +20,6 @@ namespace arcspan {
 
 ARCSPAN_MESH_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_MESH_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_MESH_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_MESH_INSTANTIATE(Adaptive<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_MESH_INSTANTIATE(Wireframe<>, Rgb565, DepthBuffer);
 
 using Frame565 = hal::Framebuffer<Rgb565>;
@@ -46,6 +45,8 @@ ARCSPAN_PREPARE_INSTANTIATE(Sign);
 ARCSPAN_PREPARE_INSTANTIATE(Wall);
 ARCSPAN_PREPARE_INSTANTIATE(Stage);
 ARCSPAN_PREPARE_INSTANTIATE(Ghost);
+ARCSPAN_PREPARE_INSTANTIATE(Arc<Blinn1>);
+ARCSPAN_PREPARE_INSTANTIATE(Adaptive<Phong1>);
 ARCSPAN_PREPARE_INSTANTIATE(Arc<Phong1>);
 ARCSPAN_PREPARE_INSTANTIATE(Arc<Blinn4>);
 ARCSPAN_PREPARE_INSTANTIATE(Adaptive<Blinn4>);

@@ -3,7 +3,7 @@
 // whole calls of draw_mesh(). Of other methods, illuminations, texels and operations there are only the
 // functions of the protocol of shading/method.hpp that come before the span stage, which span_stage.cpp has:
 // the stages around them are the same. Whole calls of arc are in the images that
-// tests/firmware/image_test.py looks at; further_stages.cpp has them and those of adaptive.
+// tests/firmware/image_test.py looks at; whole_calls.cpp has them and those of adaptive.
 #include <arcspan/draw_billboards.hpp>
 #include <arcspan/draw_lines.hpp>
 #include <arcspan/pixel/rgb565.hpp>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whole calls of draw_mesh() of arc, with and without a depth buffer, of adaptive, and of the methods of the
-// literature that divide in the span stage by definition. Of the other methods of the literature the stages
-// before it; their span stages are in further_span.cpp.
-#include <arcspan/pixel/gray8.hpp>
+// The methods of the literature: whole calls of draw_mesh() of those that divide in the span stage by
+// definition, of the others the stages before it. Their span stages are in further_span.cpp.
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/shading/literature/arc_vector.hpp>
 #include <arcspan/shading/literature/dichotomy.hpp>
@@ -22,9 +20,6 @@
 
 namespace arcspan {
 
-ARCSPAN_MESH_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_MESH_INSTANTIATE(Adaptive<Phong1>, Rgb565, DepthBuffer);
-ARCSPAN_MESH_INSTANTIATE(Arc<Phong4>, Gray8, NoDepth);
 ARCSPAN_MESH_INSTANTIATE(Duff<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_MESH_INSTANTIATE(Phong<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_MESH_INSTANTIATE(PhongSegment<Blinn1>, Rgb565, DepthBuffer);

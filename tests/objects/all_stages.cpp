@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every stage of the pipeline: the object that must need nothing from outside. Flat, Gouraud and Wireframe are
-// whole calls of draw_mesh(). Of other methods, illuminations, texels and operations there are only the
+// Every stage of the pipeline: the object that must need nothing from outside. Flat, Gouraud and Wireframe
+// are whole calls of draw_mesh(). Of other methods, illuminations, texels and operations there are only the
 // functions of the protocol of shading/method.hpp that come before the span stage, which span_stage.cpp has:
 // the stages around them are the same. Whole calls of arc are in the images that
 // tests/firmware/image_test.py looks at; whole_calls.cpp has them and those of adaptive.

@@ -16,17 +16,27 @@ namespace arcspan {
 /// most four times 255).
 [[nodiscard]] constexpr std::uint32_t widest_patch(Highlight model, std::int32_t shininess,
                                                    std::uint32_t height) {
-  // Entry i is for exponents up to 2^i and white highlights by R·V: 23, 23, 23, 20, 17, 14.5, 11, 9, 7.5,
+  // Entry i is for the exponent 2^i and white highlights by R·V: 23, 23, 23, 20, 17, 14.5, 11, 9, 7.5,
   // 6.3, 5.2 degrees. Blunt highlights would allow 29, but they end abruptly where N·L = 0, so its error
   // counts too. Sharp ones show rounding as well, which leaves less for the patch.
   constexpr std::array<std::uint32_t, 11> kChords{42678632, 42678632, 42678632, 32377278, 23458706, 17100605,
                                                   9863831,  6609772,  4593005,  3241999,  2209600};
   constexpr std::uint32_t kWhite = 255u << 5;
-  const std::uint32_t sharpness = static_cast<std::uint32_t>(shininess) * height;
-  const int doublings = sharpness <= kWhite ? 0 : static_cast<int>(std::bit_width((sharpness - 1) / kWhite));
   // N·H turns by half the angle of R·V, so its highlights are as wide as those of a quarter of the exponent.
-  const int index = model == Highlight::kPhong ? doublings : doublings - 2;
-  return kChords[static_cast<std::size_t>(index < 0 ? 0 : index)];
+  const std::uint32_t exponent = static_cast<std::uint32_t>(shininess)
+                                 << (model == Highlight::kPhong ? 8 : 6);
+  // The exponent of a white highlight that is as sharp, 8 fraction bits.
+  const std::uint32_t sharpness = exponent * height / kWhite;
+  if (sharpness <= 256) return kChords[0];
+  const int doublings = static_cast<int>(std::bit_width(sharpness)) - 9;
+  const std::uint32_t beyond = (sharpness >> doublings) - 256;
+  const auto index = static_cast<std::size_t>(doublings);
+  if (beyond == 0) return kChords[index];
+  constexpr std::size_t kSharp = 4;  // n = 16: beyond it, patches between two entries are less accurate
+  if (index >= kSharp) return kChords[index + 1];
+  // log2(1 + x) = x + 0.344 x (1 - x), error below 0.008; 8 fraction bits
+  const std::uint32_t share = beyond + ((beyond * (256 - beyond) * 88) >> 16);
+  return kChords[index] - ((kChords[index] - kChords[index + 1]) >> 8) * share;
 }
 
 namespace detail {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/lighting/make_illumination.hpp>
 #include <arcspan/shading/patch/patch_limits.hpp>
 
 #include <catch2/catch.hpp>
@@ -49,4 +50,33 @@ TEST_CASE("no triangle with a highlight beyond 30 degrees is a patch, whatever t
   };
   CHECK(at(29.9));
   CHECK_FALSE(at(30.1));
+}
+
+TEST_CASE(
+    "the limit of patches falls with the exponent times the height of the highlight, without steps up to "
+    "16") {
+  constexpr std::uint32_t kWhite = 255u << 5;
+  const auto limit = [](std::int32_t n, std::uint32_t height) {
+    return widest_patch(Highlight::kPhong, n, height);
+  };
+  CHECK(limit(4, kWhite) == chord_of(23));
+  CHECK(limit(8, kWhite) == chord_of(20));
+  CHECK(limit(16, kWhite) == chord_of(17));
+  CHECK(limit(1, 1) == chord_of(23));
+  CHECK(limit(17, kWhite) == limit(32, kWhite));
+  CHECK(limit(256, 4 * kWhite) == limit(256, 3 * kWhite));
+  for (const std::int32_t n : {5, 11, 16}) {
+    INFO("n = " << n);
+    std::uint32_t last = limit(n, 0);
+    for (std::uint32_t height = 1; height <= kWhite; ++height) {
+      const std::uint32_t next = limit(n, height);
+      REQUIRE(next <= last);
+      REQUIRE(last - next < last / 100);
+      last = next;
+    }
+  }
+  for (std::int32_t n = 1; n <= 64; ++n) {
+    CHECK(limit(n, kWhite / 2 * 2) == limit(2 * n, kWhite / 2));
+    CHECK(widest_patch(Highlight::kBlinn, 4 * n, kWhite) == limit(n, kWhite));
+  }
 }

@@ -81,8 +81,7 @@ struct AdaptivePaths : Arc<Illumination> {
       }
     }
     if constexpr (kHasHighlightPatch) {
-      if (fits_patch && prepared.segment_bits == 0 && widest <= lighting.highlight_patch_limit() &&
-          (widest <= kWidestBounded || has_linear_distance(lighting))) {
+      if (fits_patch && prepared.segment_bits == 0 && widest <= lighting.highlight_patch_limit()) {
         prepared.highlight_patch = prepare_highlight_patch(lighting, frame, nearest.light, prepared);
         if constexpr (kHasWhiteLoops) {
           if (prepared.highlight_patch && prepared.linear_diffuse)
@@ -210,8 +209,7 @@ struct AdaptivePaths : Arc<Illumination> {
   /// True if white highlights have loops of their own. They are only faster; the colours are the same.
   static constexpr bool kHasWhiteLoops = !kOptimisedForSize && Illumination::kLights == 1;
   static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath;
-  /// The squared chord of 16 degrees, 28 fraction bits, up to which the errors of linear light and of
-  /// highlight patches are bounded.
+  /// The squared chord of 16 degrees, 28 fraction bits, up to which the error of linear light is bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;
 
   static constexpr int kLeastBits = 2;

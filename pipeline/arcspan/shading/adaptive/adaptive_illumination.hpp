@@ -53,16 +53,16 @@ class AdaptiveIllumination : public Illumination {
     diffuse_patch_error_ = diffuse_patch_error_of(tolerance - tolerance / 2);
     segment_limit_with_highlight_ = segment_limit_of(tolerance, true);
     segment_limit_without_highlight_ = segment_limit_of(tolerance - tolerance / 2, false);
-    highlight_patch_limit_ = highlight_patch_limit_of(tolerance);
+    const std::uint32_t distance_limit = distance_limit_of(tolerance);
+    highlight_patch_limit_ = highlight_patch_limit_of(distance_limit);
     whole_linear_limit_ = linear_limit_of(tolerance);
     // This path draws one highlight. Those of the other lights are left out and share half of the tolerance.
     linear_share_ = (1u << 15) - (1u << 14) * (highlights - 1) / highlights;
-    patch_limit_inverse_ =
-        Illumination::model() == Highlight::kBlinn ? 0  // exact
-        : highlight_patch_limit_ < (std::uint32_t{1} << 16)
-            ? UINT32_MAX
-            : static_cast<std::uint32_t>((std::uint64_t{1} << 47) / highlight_patch_limit_);
-    highlight_row_limit_ = highlight_row_limit_of(highlight_patch_limit_);
+    distance_limit_inverse_ = Illumination::model() == Highlight::kBlinn ? 0  // exact
+                              : distance_limit < (std::uint32_t{1} << 16)
+                                  ? UINT32_MAX
+                                  : static_cast<std::uint32_t>((std::uint64_t{1} << 47) / distance_limit);
+    highlight_row_limit_ = highlight_row_limit_of(distance_limit);
     white_margin_ = (static_cast<std::uint32_t>(steps) + 2) << 2;
     return Status::kOk;
   }
@@ -87,9 +87,10 @@ class AdaptiveIllumination : public Illumination {
   }
 
   /// linear_limit() of a triangle whose highlight's distance is a patch; `chord` is its widest squared chord,
-  /// at most highlight_patch_limit(). The patch's error grows with chord^(3/2), and x^(3/2) <= x (1 + x) / 2.
+  /// at most highlight_patch_limit() and that of 16 degrees. The patch's error grows with chord^(3/2), and
+  /// x^(3/2) <= x (1 + x) / 2.
   [[nodiscard]] constexpr std::uint32_t linear_limit_with_highlight(std::uint32_t chord) const {
-    const std::uint32_t x = multiply_high(chord, patch_limit_inverse_);  // 15 fraction bits
+    const std::uint32_t x = multiply_high(chord, distance_limit_inverse_);  // 15 fraction bits
     const std::uint32_t used = (x * ((1u << 15) + x)) >> 16;
     return used < linear_share_ ? (whole_linear_limit_ >> 15) * (linear_share_ - used) : 0;
   }
@@ -287,12 +288,12 @@ class AdaptiveIllumination : public Illumination {
     return at_kink < limit ? static_cast<std::uint32_t>(at_kink) : limit;
   }
 
-  /// Returns highlight_patch_limit() for a tolerance. The quadratic surface of the highlight's distance gives
-  /// highlights that differ by at most specular * 2.35 (n + 6) a^3 / 255 from those of the product of two
-  /// surfaces, where `specular` is the full highlight and a is the widest chord (decision 7). The limit is 0
-  /// for n > 64, where `Arc` itself is one step off by rounding. The bound holds up to 16 degrees. Blinn's
-  /// distance is linear in N·H, so that its surface is the surface of N·H, and no limit is needed.
-  [[nodiscard]] constexpr std::uint32_t highlight_patch_limit_of(std::uint32_t tolerance) const {
+  /// Returns the squared chord up to which the highlight's distance may be a patch, as long as the bound
+  /// holds that highlights then differ by at most specular * 2.35 (n + 6) a^3 / 255 from those of the product
+  /// of two surfaces, where `specular` is the full highlight and a is the widest chord (decision 7). It is 0
+  /// for n > 64, where `Arc` itself is one step off by rounding. Blinn's distance is linear in N·H, so that
+  /// its surface is the surface of N·H, and no limit is needed.
+  [[nodiscard]] constexpr std::uint32_t distance_limit_of(std::uint32_t tolerance) const {
     if (Illumination::model() == Highlight::kBlinn) return tolerance == 0 ? 0 : std::uint32_t{1} << 28;
     constexpr std::uint32_t kSharpest = 64;
     if (Illumination::shininess() > kSharpest) return 0;
@@ -303,11 +304,24 @@ class AdaptiveIllumination : public Illumination {
     return limit < kWidest ? limit : kWidest;
   }
 
+  /// Returns highlight_patch_limit(), of distance_limit_of(). For n <= 4 the bound holds up to 24 degrees.
+  /// For other exponents it holds up to a chord of b = 16 degrees, from where on the error grows by another
+  /// factor of 1 + 3 (a^2 - b^2).
+  [[nodiscard]] constexpr std::uint32_t highlight_patch_limit_of(std::uint32_t limit) const {
+    if (Illumination::model() == Highlight::kBlinn) return limit;
+    constexpr std::uint32_t kWidest = 46414929;  // 24 degrees
+    constexpr std::uint32_t kBounded = 20797469;
+    constexpr std::uint32_t kBlunt = 4;
+    const std::uint32_t within = limit < kWidest ? limit : kWidest;
+    if (within <= kBounded || Illumination::shininess() <= kBlunt) return within;
+    return within - 2 * multiply_high(within << 2, (within - kBounded) << 2);
+  }
+
   /// Returns the largest squared angle of a piece of a row over which the highlight's distance may be a
-  /// parabola. With the squared angle s the parabola's error is 1 + 1.9 s times that of
-  /// highlight_patch_limit_of(), which grows with s^(3/2).
-  [[nodiscard]] constexpr Factor highlight_row_limit_of(std::uint32_t patch_limit) const {
-    const auto limit = static_cast<std::int32_t>(patch_limit >> 13);
+  /// parabola, of distance_limit_of(). With the squared angle s the parabola's error is 1 + 1.9 s times that
+  /// of the bound, which grows with s^(3/2).
+  [[nodiscard]] constexpr Factor highlight_row_limit_of(std::uint32_t distance_limit) const {
+    const auto limit = static_cast<std::int32_t>(distance_limit >> 13);
     if (Illumination::model() == Highlight::kBlinn) return Factor::from_raw(limit);
     const std::int32_t square = wrap_mul(limit, limit) >> 15;
     return Factor::from_raw(limit - square - (square >> 2));
@@ -323,9 +337,9 @@ class AdaptiveIllumination : public Illumination {
   std::uint32_t segment_limit_with_highlight_ = 0;
   std::uint32_t segment_limit_without_highlight_ = 0;
   std::uint32_t highlight_patch_limit_ = 0;
-  std::uint32_t patch_limit_inverse_ = 0;  ///< 1 / highlight_patch_limit_, 47 - 28 fraction bits; 0 if exact
-  std::uint32_t whole_linear_limit_ = 0;   ///< linear_limit() for all of the tolerance
-  std::uint32_t linear_share_ = 0;         ///< of the tolerance beside omitted highlights, 15 fraction bits
+  std::uint32_t distance_limit_inverse_ = 0;  ///< 1 / distance_limit_of(), 47 - 28 fraction bits; 0 if exact
+  std::uint32_t whole_linear_limit_ = 0;      ///< linear_limit() for all of the tolerance
+  std::uint32_t linear_share_ = 0;  ///< of the tolerance beside omitted highlights, 15 fraction bits
   Factor highlight_row_limit_{};
   std::uint32_t white_margin_ = 0;  ///< the most by which errors may raise a pixel, as a value of PackedRgb
   std::array<PackedRgb, kLitEntries> lit_colours_{};

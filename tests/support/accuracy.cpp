@@ -150,6 +150,7 @@ class Measurement {
     runs_.runs.clear();
     Probe probe;
     probe.shininess = task_.shininess;
+    probe.limits = task_.limits;
     probe.samples = &samples_;
     probe.axes = {to_direction(lighting.light),
                   half_way(to_direction(lighting.light), to_direction(lighting.eye)),

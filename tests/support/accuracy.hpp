@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <tests/support/probe.hpp>
+
 #include <cstdint>
 
 namespace arcspan::test {
@@ -44,6 +46,9 @@ struct AccuracyTask {
   int triangles = 0;
   std::uint64_t seed = 1;
   int shininess = 64;  ///< of the materials, at most
+  /// kSharpest: patches are those that the sharpest R·V allows, and every figure counts. Otherwise they are
+  /// those of a program with that highlight, of which only the figures count.
+  Probe::Limits limits = Probe::Limits::kSharpest;
 };
 
 /// Draws random triangles through triangle preparation and the span stage, and compares every pixel with the

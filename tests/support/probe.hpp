@@ -35,11 +35,26 @@ struct Probe {
     return {};
   }
 
+  /// The highlight whose limits of patches hold.
+  enum class Limits : std::uint8_t { kSharpest, kBlinn, kPhong };
+
   [[nodiscard]] std::uint32_t widest_patch() const {
+    if (limits == Limits::kBlinn) return blinn->widest_patch();
+    if (limits == Limits::kPhong) return phong->widest_patch();
     return arcspan::widest_patch(Highlight::kPhong, shininess, 255u << 5);
   }
+  [[nodiscard]] HighlightBound highlights_over(const Scalars& a, const Scalars& b, const Scalars& c,
+                                               Cosine headroom, std::uint32_t ab, std::uint32_t ac,
+                                               std::uint32_t bc) const {
+    if (limits == Limits::kSharpest)
+      return {INT32_MIN, HighlightBound::kBrightest, HighlightBound::kBrightest};
+    if (limits == Limits::kBlinn)
+      return blinn->highlights_over({a[0], a[1]}, {b[0], b[1]}, {c[0], c[1]}, headroom, ab, ac, bc);
+    return phong->highlights_over({a[0], a[2]}, {b[0], b[2]}, {c[0], c[2]}, headroom, ab, ac, bc);
+  }
 
-  std::int32_t shininess = 64;
+  Limits limits = Limits::kSharpest;
+  std::int32_t shininess = 64;  ///< of kSharpest
   std::array<Direction, 3> axes{};
   const Blinn* matt = nullptr;
   const Blinn* blinn = nullptr;

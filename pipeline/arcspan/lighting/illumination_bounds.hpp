@@ -4,6 +4,7 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/target.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -69,42 +70,95 @@ constexpr bool Illumination<Lights, Model, Features>::may_shine_between(const Sc
 /// h - r - sum l_i l_j (m_ij - r s_ij - h_i - h_j + 2h), and sum l_i l_j <= 1/3. So it is positive if r < h
 /// and r (3 - s_ij) < h_i + h_j + h - m_ij for all edges.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_between(
+    std::size_t light, std::int32_t reach, const Scalars& a, const Scalars& b, const Scalars& c,
+    std::uint32_t ab, std::uint32_t ac, std::uint32_t bc) const {
+  constexpr std::int32_t kRounding = std::int32_t{1} << (28 - 11);  // of factors with 14 fraction bits
+  const std::int32_t most = half_one_plus_light_eye_[light] >> 2;   // K, 28 fraction bits
+  struct Vertex {
+    std::int32_t light;
+    std::int32_t eye;
+    std::int32_t distance;  // 28 fraction bits
+  };
+  const auto vertex = [&](const Scalars& at) {
+    const std::int32_t by_light = at[light].raw() >> 16;
+    const std::int32_t by_eye = at[highlight_index(light)].raw() >> 16;
+    return Vertex{by_light, by_eye, most - by_light * by_eye - kRounding};
+  };
+  const Vertex at_a = vertex(a);
+  const Vertex at_b = vertex(b);
+  const Vertex at_c = vertex(c);
+  const auto lesser = [](std::int32_t p, std::int32_t q) { return p < q ? p : q; };
+  const std::int32_t least = lesser(lesser(at_a.distance, at_b.distance), at_c.distance);
+  const auto along = [most, least](const Vertex& p, const Vertex& q, std::uint32_t chord) {
+    const auto s = static_cast<std::int32_t>(chord >> 14);
+    const std::int32_t room =
+        p.distance + q.distance + least + (p.light - q.light) * (p.eye - q.eye) - (most >> 14) * s;
+    return ((room >> 14) * (10923 + ((s * 7282) >> 15))) >> 1;  // (1 + s/3) / 3 < 1 / (3 - s)
+  };
+  // Most triangles that a highlight reaches are found by their vertices.
+  const std::int32_t within = reach >> 2;
+  std::int32_t nearest = least;
+  if (nearest > within) nearest = lesser(nearest, along(at_a, at_b, ab));
+  if (nearest > within) nearest = lesser(nearest, along(at_a, at_c, ac));
+  if (nearest > within) nearest = lesser(nearest, along(at_b, at_c, bc));
+  return wrap_shl(nearest, 2);
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight_between(
     std::int32_t reach, const Scalars& a, const Scalars& b, const Scalars& c, std::uint32_t ab,
     std::uint32_t ac, std::uint32_t bc) const {
   if constexpr (Lights == 1 && Model == Highlight::kPhong) {
-    constexpr std::int32_t kRounding = std::int32_t{1} << (28 - 11);  // of factors with 14 fraction bits
-    const std::int32_t most = half_one_plus_light_eye_[0] >> 2;       // K, 28 fraction bits
-    struct Vertex {
-      std::int32_t light;
-      std::int32_t eye;
-      std::int32_t distance;  // 28 fraction bits
-    };
-    const auto vertex = [&](const Scalars& at) {
-      const std::int32_t light = at[0].raw() >> 16;
-      const std::int32_t eye = at[1].raw() >> 16;
-      return Vertex{light, eye, most - light * eye - kRounding};
-    };
-    const Vertex at_a = vertex(a);
-    const Vertex at_b = vertex(b);
-    const Vertex at_c = vertex(c);
-    const auto lesser = [](std::int32_t p, std::int32_t q) { return p < q ? p : q; };
-    const std::int32_t least = lesser(lesser(at_a.distance, at_b.distance), at_c.distance);
-    const auto along = [most, least](const Vertex& p, const Vertex& q, std::uint32_t chord) {
-      const auto s = static_cast<std::int32_t>(chord >> 14);
-      const std::int32_t room =
-          p.distance + q.distance + least + (p.light - q.light) * (p.eye - q.eye) - (most >> 14) * s;
-      return ((room >> 14) * (10923 + ((s * 7282) >> 15))) >> 1;  // (1 + s/3) / 3 < 1 / (3 - s)
-    };
-    // Most triangles that a highlight reaches are found by their vertices.
-    const std::int32_t within = reach >> 2;
-    std::int32_t nearest = least;
-    if (nearest > within) nearest = lesser(nearest, along(at_a, at_b, ab));
-    if (nearest > within) nearest = lesser(nearest, along(at_a, at_c, ac));
-    if (nearest > within) nearest = lesser(nearest, along(at_b, at_c, bc));
-    return wrap_shl(nearest, 2);
+    return nearest_between(0, reach, a, b, c, ab, ac, bc);
   }
   return INT32_MIN;
+}
+
+/// With p = c^n and h = (1 - c) / 2 the slope of c^n is p / c of that at c = 1, at most p (1 + 4 h) for c of
+/// at least 1/2.
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
+    const Scalars& a, const Scalars& b, const Scalars& c, Cosine headroom, std::uint32_t ab, std::uint32_t ac,
+    std::uint32_t bc) const {
+  HighlightBound bound{INT32_MAX, 0, 0};
+  // Where N·L = 0 highlights end abruptly, or fade, so that its error counts, which is below 2^-7.
+  constexpr std::int32_t kMargin = std::int32_t{1} << (Cosine::kFraction - 7);
+  const std::int32_t lit_from = fade_end().raw() + kMargin;
+  std::uint32_t slopes = 0;  // 15 fraction bits, as the weights
+  std::uint32_t weights = 0;
+  for (std::size_t i = 0; i < Lights; ++i) {
+    const std::uint32_t weight = largest_weight(i);
+    weights += weight;
+    std::int32_t nearest = INT32_MAX;
+    if constexpr (Model == Highlight::kBlinn) {
+      nearest = nearest_highlight_of(i, a, b, c, headroom);
+    } else if (a[i].raw() > 0 || b[i].raw() > 0 || c[i].raw() > 0) {
+      nearest = nearest_between(i, 0, a, b, c, ab, ac, bc);
+    }
+    if (nearest < bound.nearest) bound.nearest = nearest;
+    if (nearest >= power_.half_reach()) continue;
+    // R·V of all normals with N·L = 0 is -L·V.
+    const bool may_end =
+        Model == Highlight::kBlinn || half_one_plus_light_eye_[i] - kMargin < power_.half_reach();
+    if (may_end && (a[i].raw() < lit_from || b[i].raw() < lit_from || c[i].raw() < lit_from)) {
+      slopes += weight;
+      continue;
+    }
+    const std::uint32_t h = nearest < 0 ? 0 : static_cast<std::uint32_t>(nearest);
+    const std::uint32_t power = power_.at_distance(h);
+    slopes += (weight * (power + ((power * (h >> 15)) >> 13))) >> 15;
+  }
+  bound.slope = slopes >= 32768 ? HighlightBound::kBrightest : static_cast<std::uint8_t>(slopes >> 11);
+  bound.strength = bound.slope;
+  if constexpr (Lights > 1) {
+    std::uint32_t strength = 0;
+    for (std::uint32_t step = 8; step != 0; step >>= 1) {
+      if (slopes << 4 >= weights * (strength + step)) strength += step;
+    }
+    bound.strength = static_cast<std::uint8_t>(strength);
+  }
+  return bound;
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>

@@ -69,3 +69,109 @@ TEST_CASE("the sharper bound is for R·V of one light") {
   const Illumination<2, Highlight::kPhong> two{};
   CHECK(two.nearest_highlight_between(0, {}, {}, {}, 0, 0, 0) == INT32_MIN);
 }
+
+namespace {
+
+/// Random triangles by all lights of `Lit`: no normal has a highlight that is nearer, or of which the sum of
+/// slopes is larger, than highlights_over() says. Returns how often the slopes are below three quarters.
+template <class Lit>
+int check_highlights_over(std::uint64_t seed, int triangles) {
+  constexpr std::size_t kLights = Lit::kLights;
+  Random random(seed);
+  int faint = 0;
+  for (int i = 0; i < triangles; ++i) {
+    const Vec3 middle = random_unit(random);
+    const double widest = radians(random.real(5, 28));
+    std::array<Vec3, 3> normals;
+    for (Vec3& normal : normals) normal = tilted(random, middle, random.real(0, 1) * widest);
+    const Direction to_eye = to_direction(tilted(random, middle, random.real(0, 1.2)));
+    std::array<DirectionalLight, kLights> lights;
+    double weights = 0;
+    for (DirectionalLight& light : lights) {
+      light.towards = to_direction(tilted(random, middle, random.real(0, 1.6)));
+      if (kLights > 1) light.strength = Coefficient::from_raw(random.integer(3000, 32768));
+      weights += light.strength.raw() * 0x1p-15;
+    }
+    Material material;
+    material.shininess = random.integer(2, 64);
+    Lit lit;
+    REQUIRE(ok(Lit::make(material, lights, to_eye, lit)));
+    std::array<typename Lit::Scalars, 3> at;
+    std::array<Normal, 3> packed;
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] = lit.scalars(to_direction(normals[k]));
+      packed[k] = to_normal(to_direction(normals[k]));
+    }
+    const TriangleChords chords{squared_chord(packed[0], packed[1]), squared_chord(packed[0], packed[2]),
+                                squared_chord(packed[1], packed[2])};
+    if (chords.widest() > std::uint32_t{1} << 28) continue;
+    const HighlightBound bound = highlights_over(lit, at[0], at[1], at[2], chords);
+    faint += bound.strength < 12 ? 1 : 0;
+    for (int sample = 0; sample < 60; ++sample) {
+      const double a = random.unit();
+      const double b = random.unit() * (1 - a);
+      const Vec3 n = normalised(a * normals[0] + b * normals[1] + (1 - a - b) * normals[2]);
+      const Vec3 v = to_vec3(to_eye);
+      double slopes = 0;
+      for (const DirectionalLight& light : lights) {
+        const Vec3 l = to_vec3(light.towards);
+        if (dot(n, l) <= 0) continue;
+        const double c = Lit::kModel == Highlight::kBlinn ? dot(n, normalised(l + v))
+                                                          : 2 * dot(n, l) * dot(n, v) - dot(l, v);
+        REQUIRE(bound.nearest * 0x1p-30 <= (1 - c) / 2 + 0x1p-20);
+        if (c > 0.5) slopes += light.strength.raw() * 0x1p-15 * std::pow(c, material.shininess - 1);
+      }
+      if (bound.nearest >= lit.power().half_reach()) continue;
+      REQUIRE(slopes / weights < (bound.strength + 1 + 0.02) / 16);
+      if (bound.slope < HighlightBound::kBrightest) REQUIRE(slopes < (bound.slope + 1 + 0.02) / 16);
+    }
+  }
+  return faint;
+}
+
+}  // namespace
+
+TEST_CASE("no normal of a triangle has nearer or steeper highlights than the bound of all lights says") {
+  CHECK(check_highlights_over<Illumination<1, Highlight::kPhong>>(52, 1500) > 500);
+  CHECK(check_highlights_over<Illumination<1, Highlight::kBlinn>>(53, 1500) > 300);
+  CHECK(check_highlights_over<Illumination<2, Highlight::kPhong>>(54, 1500) > 500);
+  CHECK(check_highlights_over<Illumination<3, Highlight::kBlinn>>(55, 1500) > 300);
+}
+
+TEST_CASE("a highlight that may end in the triangle counts as if it were brightest") {
+  // Light and eye are 140 degrees apart, so that R·V is 0.77 wherever N·L = 0.
+  using Lit = Illumination<1, Highlight::kPhong>;
+  const Vec3 light{1, 0, 0};
+  const Vec3 eye{std::cos(radians(140)), std::sin(radians(140)), 0};
+  Material material;
+  material.shininess = 4;
+  Lit lit;
+  REQUIRE(ok(Lit::make(material, {DirectionalLight{to_direction(light)}}, to_direction(eye), lit)));
+  const auto bound_at = [&lit](double degrees) {
+    const Vec3 middle{std::cos(radians(degrees)), std::sin(radians(degrees)), 0};
+    std::array<Lit::Scalars, 3> at;
+    std::array<Normal, 3> packed;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double turn = radians(120.0 * static_cast<double>(k));
+      const Vec3 normal = normalised(middle + 0.02 * std::cos(turn) * cross(middle, Vec3{0, 0, 1}) +
+                                     0.02 * std::sin(turn) * Vec3{0, 0, 1});
+      at[k] = lit.scalars(to_direction(normal));
+      packed[k] = to_normal(to_direction(normal));
+    }
+    return highlights_over(
+        lit, at[0], at[1], at[2],
+        TriangleChords{squared_chord(packed[0], packed[1]), squared_chord(packed[0], packed[2]),
+                       squared_chord(packed[1], packed[2])});
+  };
+  CHECK(bound_at(90).strength == HighlightBound::kBrightest);
+  CHECK(bound_at(86).strength < HighlightBound::kBrightest);
+}
+
+TEST_CASE("limits of patches grow as highlights become faint, by the power 2/3 of the slope") {
+  constexpr std::uint32_t kLimit = 10000000;
+  for (std::uint8_t strength = 0; strength < 16; ++strength) {
+    const double exact = kLimit * std::pow(16.0 / (strength + 1), 2.0 / 3);
+    CHECK(limit_at_strength(kLimit, strength) <= exact + 1);
+    CHECK(limit_at_strength(kLimit, strength) > exact * 0.93);
+  }
+}

@@ -10,9 +10,11 @@ using namespace arcspan::test;
 namespace {
 
 AccuracyFigures measure(double from, double to, double smallest, double largest, int triangles,
-                        std::uint64_t seed, int shininess = 64) {
+                        std::uint64_t seed, int shininess = 64,
+                        Probe::Limits limits = Probe::Limits::kSharpest) {
   AccuracyTask task;
   task.shininess = shininess;
+  task.limits = limits;
   task.from_degrees = from;
   task.to_degrees = to;
   task.smallest = smallest;
@@ -52,6 +54,23 @@ TEST_CASE("normals up to 30 degrees apart: diffuse light is within 1 step of 255
   CHECK(f.blinn_steps <= 2);
   // R·V doubles the errors of both N·L and N·V, the rounding of the packed normals among them.
   CHECK(f.phong_steps <= 2);
+}
+
+TEST_CASE(
+    "normals up to 30 degrees apart: highlights are within 2 steps by the patches of a program with them") {
+  using Limits = Probe::Limits;
+  for (const Limits limits : {Limits::kPhong, Limits::kBlinn}) {
+    AccuracyFigures f = measure(14, 30, 0.3, 64, 8000, 13, 4, limits);
+    f.add(measure(14, 30, 0.3, 64, 12000, 14, 16, limits));
+    f.add(measure(9, 30, 0.3, 64, 12000, 15, 64, limits));
+    check_cosines(f, 2.2e-3);
+    CHECK(f.matt_steps <= 1);
+    if (limits == Limits::kPhong) {
+      CHECK(f.phong_steps <= 2);
+    } else {
+      CHECK(f.blinn_steps <= 2);
+    }
+  }
 }
 
 TEST_CASE("normals up to 45 degrees apart: highlights are within 3 steps, up to 60 degrees within 6") {

@@ -78,6 +78,11 @@ class CallsOf final : public IlluminationCalls {
                                                        std::uint32_t bc) const override {
     return wrapped_.nearest_highlight_between(reach, few_of(a), few_of(b), few_of(c), ab, ac, bc);
   }
+  [[nodiscard]] HighlightBound highlights_over(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
+                                               Cosine headroom, std::uint32_t ab, std::uint32_t ac,
+                                               std::uint32_t bc) const override {
+    return wrapped_.highlights_over(few_of(a), few_of(b), few_of(c), headroom, ab, ac, bc);
+  }
   [[nodiscard]] std::int32_t half_distance(Cosine normal_light, Cosine other,
                                            std::size_t light) const override {
     return wrapped_.half_distance(normal_light, other, light);

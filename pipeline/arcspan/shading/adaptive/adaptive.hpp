@@ -71,8 +71,23 @@ struct AdaptivePaths : Arc<Illumination> {
         }
       }
     }
-    const bool fits_patch =
-        is_accurate_patch(frame.chords, widest, lighting.widest_patch()) && patch_fits(frame);
+    bool fits_patch = is_accurate_patch(frame, widest, lighting.widest_patch()) && patch_fits(frame);
+    std::uint32_t distance_limit = lighting.highlight_patch_limit();
+    if constexpr (BoundsHighlights<Lighting>) {
+      if (is_arc && (!fits_patch || widest > distance_limit)) [[unlikely]] {
+        const WidePatches wide = wide_patches_of(lighting, frame, widest, nearest.distance, fits_patch);
+        if constexpr (Base::kHasDiffusePath) {
+          std::uint32_t lit = 0;
+          if (wide.nearest >= lighting.half_tolerance_reach() && Base::lit_throughout(lighting, frame, lit)) {
+            Base::prepare_path(lighting, frame, Base::diffuse_path(patch_fits(frame), widest), prepared);
+            return;
+          }
+        }
+        nearest.distance = wide.nearest;
+        fits_patch = wide.fits_patch;
+        distance_limit = wide.distance_limit;
+      }
+    }
     if constexpr (Segments) {
       if (is_arc && frame.width >> 16 >= kLeastWidth) {
         nearest = nearest_highlight(lighting, frame);
@@ -81,7 +96,7 @@ struct AdaptivePaths : Arc<Illumination> {
       }
     }
     if constexpr (kHasHighlightPatch) {
-      if (fits_patch && prepared.segment_bits == 0 && widest <= lighting.highlight_patch_limit()) {
+      if (fits_patch && prepared.segment_bits == 0 && widest <= distance_limit) {
         prepared.highlight_patch = prepare_highlight_patch(lighting, frame, nearest.light, prepared);
         if constexpr (kHasWhiteLoops) {
           if (prepared.highlight_patch && prepared.linear_diffuse)
@@ -212,6 +227,9 @@ struct AdaptivePaths : Arc<Illumination> {
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the error of linear light is bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;
 
+  /// The least product of width and height from which on wider triangles are patches of a distance, 4
+  /// fraction bits.
+  static constexpr std::uint32_t kLeastWideArea = 256 << 4;
   static constexpr int kLeastBits = 2;
   /// The width of a triangle's widest row from which on it may have segments: four of the shortest.
   static constexpr std::uint32_t kLeastWidth = 4u << kLeastBits;
@@ -244,6 +262,32 @@ struct AdaptivePaths : Arc<Illumination> {
       }
       return nearest;
     }
+  }
+
+  /// What the strength of the highlights allows a triangle that is wider than their limits.
+  struct WidePatches {
+    std::int32_t nearest;  ///< NearestHighlight::distance
+    bool fits_patch;
+    std::uint32_t distance_limit;  ///< AdaptiveIllumination::highlight_patch_limit()
+  };
+  /// `nearest` and `fits_patch` are what is known without the strength.
+  template <class Frame>
+  [[nodiscard]] ARCSPAN_OUTLINE static constexpr WidePatches wide_patches_of(const Lighting& lighting,
+                                                                             const Frame& frame,
+                                                                             std::uint32_t widest,
+                                                                             std::int32_t nearest,
+                                                                             bool fits_patch) {
+    WidePatches wide{nearest, fits_patch, lighting.highlight_patch_limit()};
+    const auto height = static_cast<std::uint32_t>(frame.long_edge.dy);
+    const bool is_large = (frame.width >> 16) * height >= kLeastWideArea;
+    if (!patch_fits(frame) || (fits_patch && !is_large)) return wide;
+    const HighlightBound bound =
+        highlights_over(lighting, frame.top->shade.scalars, frame.middle->shade.scalars,
+                        frame.bottom->shade.scalars, frame.chords);
+    wide.nearest = bound.nearest;
+    wide.fits_patch = fits_patch || is_accurate_patch_at(lighting, frame, widest, bound.strength);
+    if (is_large) wide.distance_limit = lighting.highlight_patch_limit_at(bound.slope);
+    return wide;
   }
 
   /// Makes the plane of a diffuse scalar, of a triangle of at most kWidestBounded, if its error is within

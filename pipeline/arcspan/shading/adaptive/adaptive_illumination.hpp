@@ -54,6 +54,7 @@ class AdaptiveIllumination : public Illumination {
     segment_limit_with_highlight_ = segment_limit_of(tolerance, true);
     segment_limit_without_highlight_ = segment_limit_of(tolerance - tolerance / 2, false);
     const std::uint32_t distance_limit = distance_limit_of(tolerance);
+    distance_limit_ = distance_limit;
     highlight_patch_limit_ = highlight_patch_limit_of(distance_limit);
     whole_linear_limit_ = linear_limit_of(tolerance);
     // This path draws one highlight. Those of the other lights are left out and share half of the tolerance.
@@ -98,6 +99,13 @@ class AdaptiveIllumination : public Illumination {
   /// Returns the largest squared chord of a triangle's widest edge for which the highlight's distance may be
   /// a patch, 28 fraction bits.
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit() const { return highlight_patch_limit_; }
+  /// Returns highlight_patch_limit() under highlights of this HighlightBound::slope.
+  [[nodiscard]] constexpr std::uint32_t highlight_patch_limit_at(std::uint8_t slope) const {
+    // One more, because the errors of fainter highlights are up to a sixth larger than their slopes say.
+    if (slope >= HighlightBound::kBrightest - 2) return highlight_patch_limit_;
+    const auto more = static_cast<std::uint8_t>(slope + 1);
+    return highlight_patch_limit_of(limit_at_strength(distance_limit_, more));
+  }
   [[nodiscard]] constexpr const HighlightTable& highlight_table() const { return highlight_table_; }
 
   /// Starts the diffuse_scalar() and the scaled distance of a light's highlight over a piece of a row, from a
@@ -304,16 +312,18 @@ class AdaptiveIllumination : public Illumination {
     return limit < kWidest ? limit : kWidest;
   }
 
-  /// Returns highlight_patch_limit(), of distance_limit_of(). For n <= 4 the bound holds up to 24 degrees.
-  /// For other exponents it holds up to a chord of b = 16 degrees, from where on the error grows by another
-  /// factor of 1 + 3 (a^2 - b^2).
+  /// Returns highlight_patch_limit(), of distance_limit_of(). For n <= 4 the bound holds up to 24 degrees,
+  /// and up to 28 with another 2 % of error. For other exponents it holds up to a chord of b = 16 degrees,
+  /// from where on the error grows by another factor of 1 + 3 (a^2 - b^2).
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit_of(std::uint32_t limit) const {
     if (Illumination::model() == Highlight::kBlinn) return limit;
-    constexpr std::uint32_t kWidest = 46414929;  // 24 degrees
+    constexpr std::uint32_t kWidest = 64168232;  // 28.3 degrees
+    constexpr std::uint32_t kBluntBounded = 46414929;
     constexpr std::uint32_t kBounded = 20797469;
     constexpr std::uint32_t kBlunt = 4;
     const std::uint32_t within = limit < kWidest ? limit : kWidest;
-    if (within <= kBounded || Illumination::shininess() <= kBlunt) return within;
+    if (Illumination::shininess() <= kBlunt) return within <= kBluntBounded ? within : within - (within >> 6);
+    if (within <= kBounded) return within;
     return within - 2 * multiply_high(within << 2, (within - kBounded) << 2);
   }
 
@@ -336,6 +346,7 @@ class AdaptiveIllumination : public Illumination {
   std::uint32_t far_diffuse_patch_error_ = 0;
   std::uint32_t segment_limit_with_highlight_ = 0;
   std::uint32_t segment_limit_without_highlight_ = 0;
+  std::uint32_t distance_limit_ = 0;
   std::uint32_t highlight_patch_limit_ = 0;
   std::uint32_t distance_limit_inverse_ = 0;  ///< 1 / distance_limit_of(), 47 - 28 fraction bits; 0 if exact
   std::uint32_t whole_linear_limit_ = 0;      ///< linear_limit() for all of the tolerance

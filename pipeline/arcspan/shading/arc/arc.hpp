@@ -248,8 +248,28 @@ struct ArcUpTo {
         return diffuse_path(fits, widest);
       }
     }
-    return fits && is_accurate_patch(frame.chords, widest, lighting.widest_patch()) ? Path::kPatch
-                                                                                    : Path::kWide;
+    if (!fits) return Path::kWide;
+    if (is_accurate_patch(frame, widest, lighting.widest_patch())) [[likely]]
+      return Path::kPatch;
+    if constexpr (BoundsHighlights<Lighting>) return path_by_highlight(lighting, frame, widest);
+    return Path::kWide;
+  }
+
+  /// Returns the path of a triangle beyond widest_patch(): how strong its highlight is decides.
+  template <class Frame>
+  [[nodiscard]] ARCSPAN_OUTLINE static constexpr Path path_by_highlight(const Lighting& lighting,
+                                                                        const Frame& frame,
+                                                                        std::uint32_t widest) {
+    const auto& top = frame.top->shade.scalars;
+    const auto& middle = frame.middle->shade.scalars;
+    const auto& bottom = frame.bottom->shade.scalars;
+    const HighlightBound bound = highlights_over(lighting, top, middle, bottom, frame.chords);
+    if constexpr (kHasDiffusePath) {
+      std::uint32_t lit = 0;
+      if (bound.nearest >= lighting.power().half_reach() && lit_throughout(lighting, frame, lit))
+        return diffuse_path(true, widest);
+    }
+    return is_accurate_patch_at(lighting, frame, widest, bound.strength) ? Path::kPatch : Path::kWide;
   }
 };
 

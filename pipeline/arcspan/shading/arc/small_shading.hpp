@@ -68,10 +68,7 @@ class SmallShading {
     const std::uint32_t widest = vertices.chords.widest();
     if (widest > kWidestArc) return false;
     if (is_accurate_patch(vertices.chords, widest, lighting.widest_patch())) return false;
-    if constexpr (Lighting::kHasRamp) {
-      if (widest <= kWidestDiffusePatch && !lighting.may_shine(top, middle, bottom, arc_headroom(widest)))
-        return false;
-    }
+    if constexpr (BoundsHighlights<Lighting>) return is_beyond_patches(lighting, vertices);
     return true;
   }
   /// Prepares a triangle that is_dark(). Returns false if it is not.
@@ -184,6 +181,22 @@ class SmallShading {
   }
 
  private:
+  /// Returns true if a medium triangle is too wide for a patch with its highlights, and for one of N·L alone
+  /// if none is within reach; false if it is not medium.
+  template <class Vertices>
+  [[nodiscard]] ARCSPAN_OUTLINE static constexpr bool is_beyond_patches(const Lighting& lighting,
+                                                                        const Vertices& vertices) {
+    const std::uint32_t widest = vertices.chords.widest();
+    if (widest > kWidestDiffusePatch) return true;
+    if (!is_up_to_medium(vertices)) return false;  // the bound would be for nothing
+    const HighlightBound bound =
+        highlights_over(lighting, vertices.top->shade.scalars, vertices.middle->shade.scalars,
+                        vertices.bottom->shade.scalars, vertices.chords);
+    if constexpr (Lighting::kHasRamp) {
+      if (bound.nearest >= lighting.power().half_reach()) return false;
+    }
+    return !is_accurate_patch_at(lighting, vertices.chords, widest, bound.strength);
+  }
   /// Returns an estimate of the error of N·L, with these values at the vertices, as a patch up to 60 degrees,
   /// 20 fraction bits: with s the widest squared chord, 0.022 s of the values' range and 0.0073 s^2 of the
   /// largest. The patch differs from bilinear SLERP by at most 1.57 times that, where negative N·L counts as

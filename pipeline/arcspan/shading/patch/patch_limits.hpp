@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/lighting/illumination.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/target.hpp>
 
@@ -44,6 +45,41 @@ inline constexpr std::uint32_t kWidestHighlightPatch = 71927064u;
   if (widest <= limit) return true;
   if (widest > kWidestHighlightPatch || (widest >> 1) > limit) return false;
   return chords.sum() - widest <= limit + (limit >> 1) + (limit >> 3);
+}
+
+/// is_accurate_patch() of a TriangleFrame that is drawn by rows. In triangles narrower than 4 pixels the
+/// second difference is so large that a wide patch would show the rounding of a row's start.
+template <class Method>
+[[nodiscard]] constexpr bool is_accurate_patch(const TriangleFrame<Method>& frame, std::uint32_t widest,
+                                               std::uint32_t limit) {
+  if (widest <= limit) return true;
+  return frame.width >= (4u << 16) && is_accurate_patch(frame.chords, widest, limit);
+}
+
+/// True if `Lighting` bounds its highlights over a triangle. Where they are faint, patches may be wider.
+template <class Lighting>
+concept BoundsHighlights = requires(const Lighting& lighting) {
+  lighting.highlights_over({}, {}, {}, Cosine{}, std::uint32_t{}, std::uint32_t{}, std::uint32_t{});
+};
+
+/// Returns a bound of the highlights over a triangle with these scalars at its vertices and chords of at most
+/// 1.
+template <BoundsHighlights Lighting, class Scalars>
+[[nodiscard]] ARCSPAN_OUTLINE constexpr HighlightBound highlights_over(const Lighting& lighting,
+                                                                       const Scalars& a, const Scalars& b,
+                                                                       const Scalars& c,
+                                                                       const TriangleChords& chords) {
+  return lighting.highlights_over(a, b, c, arc_headroom(chords.widest()), chords.top_middle,
+                                  chords.top_bottom, chords.middle_bottom);
+}
+
+/// Returns true if a triangle with highlights of this HighlightBound::strength may be a patch. The other
+/// arguments are those of is_accurate_patch().
+template <BoundsHighlights Lighting, class Triangle>
+[[nodiscard]] constexpr bool is_accurate_patch_at(const Lighting& lighting, const Triangle& triangle,
+                                                  std::uint32_t widest, std::uint8_t strength) {
+  return widest <= kWidestHighlightPatch &&
+         is_accurate_patch(triangle, widest, limit_at_strength(lighting.widest_patch(), strength));
 }
 
 /// Returns true if the size of the triangle allows a patch: a width of at least half a pixel, because slopes

@@ -107,8 +107,8 @@ TEST_CASE("under a highlight N.L is linear if both errors together are within th
 
 namespace {
 
-/// The squared chord of 24 degrees, 28 fraction bits: no highlight's distance is a patch beyond.
-constexpr std::uint32_t kWidestDistance = 46414929;
+/// The limit of the least exponents, squared chord with 28 fraction bits: 28.1 degrees.
+constexpr std::uint32_t kWidestDistance = 63165604;
 
 }  // namespace
 
@@ -150,8 +150,14 @@ Surface surface(const std::array<Vec3, 3>& normals, const F& f) {
   return s;
 }
 
-/// The most that the two ways to a highlight differ in a triangle, as a part of the full highlight.
-double most_different(Random& random, std::int32_t n, double widest) {
+struct Difference {
+  double most;   ///< between the two ways to a highlight in a triangle, as a part of the full highlight
+  double slope;  ///< the largest of c^n there, as a part of that at c = 1
+};
+
+/// Draws a triangle with these widest normals, and directions of light and eye of which the latter is up to
+/// `away` off the mirror's.
+Difference random_difference(Random& random, std::int32_t n, double widest, double away) {
   const Vec3 middle = random_unit(random);
   std::array<Vec3, 3> normals;
   for (Vec3& normal : normals) normal = tilted(random, middle, random.real(0.2, 1) * widest);
@@ -160,21 +166,25 @@ double most_different(Random& random, std::int32_t n, double widest) {
   const double scale = widest / wide;  // make the widest chord what was asked for
   for (Vec3& normal : normals) normal = normalised(middle + scale * (normal - middle));
   const Vec3 light = tilted(random, middle, random.real(0, 1.4));
-  const Vec3 eye = tilted(random, normalised((2 * dot(middle, light)) * middle - light), random.real(0, 0.6));
+  const Vec3 eye =
+      tilted(random, normalised((2 * dot(middle, light)) * middle - light), random.real(0, away));
   const double along = dot(light, eye);
   const Surface nl = surface(normals, [&](const Vec3& v) { return dot(v, light); });
   const Surface nv = surface(normals, [&](const Vec3& v) { return dot(v, eye); });
   const Surface rv = surface(normals, [&](const Vec3& v) { return 2 * dot(v, light) * dot(v, eye) - along; });
-  double most = 0;
+  Difference found{0, 0};
   for (int i = 0; i <= 16; ++i) {
     for (int j = 0; i + j <= 16; ++j) {
       const std::array<double, 3> l{i / 16.0, j / 16.0, (16 - i - j) / 16.0};
       const double product = 2 * nl.at(l) * nv.at(l) - along;
       const auto power = [n](double c) { return std::pow(std::clamp(c, 0.0, 1.0), n); };
-      most = std::max(most, std::abs(power(product) - power(rv.at(l))));
+      found.most = std::max(found.most, std::abs(power(product) - power(rv.at(l))));
+      const Vec3 v = normalised(l[0] * normals[0] + l[1] * normals[1] + l[2] * normals[2]);
+      const double c = std::clamp(2 * dot(v, light) * dot(v, eye) - along, 0.0, 1.0);
+      found.slope = std::max(found.slope, std::pow(c, n - 1));
     }
   }
-  return most;
+  return found;
 }
 
 }  // namespace
@@ -190,11 +200,38 @@ TEST_CASE(
       const std::uint32_t limit = std::min(lighting.highlight_patch_limit(), 2 * lighting.widest_patch());
       const double widest = std::sqrt(std::ldexp(limit, -28));
       double most = 0;
-      for (int i = 0; i < share_of(1500); ++i) most = std::max(most, most_different(random, n, widest));
+      for (int i = 0; i < share_of(1500); ++i)
+        most = std::max(most, random_difference(random, n, widest, 0.6).most);
       INFO("n = " << n << ", tolerance " << tolerance);
       CHECK(most * 0.5 * 255 <= tolerance);
       if (limit == lighting.highlight_patch_limit() && limit != kWidestDistance)
         CHECK(most * 0.5 * 255 > 0.3 * tolerance);  // nor far below
+    }
+  }
+}
+
+TEST_CASE("where highlights are faint, triangles up to their wider limit are within the tolerance, too") {
+  Random random(6);
+  for (std::int32_t n = 2; n <= 64; n *= 2) {
+    const Lighting lighting(shiny_light(n, {0, 0, 1}, {0, 0, 1}));
+    std::uint32_t last = UINT32_MAX;
+    for (const int slope : {0, 3, 7, 11, 13}) {
+      INFO("n = " << n << ", slope " << slope);
+      const std::uint32_t limit = lighting.highlight_patch_limit_at(static_cast<std::uint8_t>(slope));
+      CHECK(limit <= last);
+      CHECK(limit >= lighting.highlight_patch_limit());
+      last = limit;
+      const double widest = std::sqrt(std::ldexp(limit, -28));
+      double most = 0;
+      int found = 0;
+      for (int i = 0; i < share_of(2000); ++i) {
+        const Difference difference = random_difference(random, n, widest, 1.6);
+        if (difference.slope * 16 >= slope + 1) continue;
+        ++found;
+        most = std::max(most, difference.most);
+      }
+      CHECK(found > share_of(2000) / 100);
+      CHECK(most * 0.5 * 255 <= 1);
     }
   }
 }

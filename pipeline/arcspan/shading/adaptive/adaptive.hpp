@@ -28,7 +28,7 @@ namespace arcspan {
 /// 3. Segments of 4...16 pixels (S3), without a ramp: wide rows whose colours have small second derivatives,
 ///    away from the terminator. With a ramp other paths are cheaper (decision 6).
 /// 4. A patch of N·L and of a highlight's distance: within reach of the highlight of one light, with all
-///    vertices lit; under R·V only where normals are close. N·L is linear if both errors together are within
+///    vertices lit; under R·V only where normals are close or the highlight is faint. N·L is linear if both errors together are within
 ///    the tolerance.
 /// 5. The paths of Arc: a patch of every scalar or of one highlight, or arcs.
 ///

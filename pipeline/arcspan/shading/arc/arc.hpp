@@ -26,8 +26,8 @@ enum class WalkedPaths : std::uint8_t {
 /// down the edges and along the rows (S0). Small angles need no exact circle, so a triangle is drawn in one
 /// of two ways (Path):
 ///
-/// - Normals within 5.2 to 33 degrees, depending on the highlight and the shape (is_accurate_patch()): a
-///   quadratic surface through the arcs' ends and middles, which second differences step without a multiply
+/// - Normals within 5.2 to 33 degrees, depending on the highlight, its strength in the triangle and the shape
+///   (choose_path()): a quadratic surface through the arcs' ends and middles, which second differences step without a multiply
 ///   (decision 5).
 /// - Wider, narrower than half a pixel, or larger than kLargestPatch: great circles down the edges (ArcEdge),
 ///   and each row in pieces of at most 1.3 times the angle of the widest patch (widest_piece()), which are

@@ -44,13 +44,10 @@ struct Probe {
     return arcspan::widest_patch(Highlight::kPhong, shininess, 255u << 5);
   }
   [[nodiscard]] HighlightBound highlights_over(const Scalars& a, const Scalars& b, const Scalars& c,
-                                               Cosine headroom, std::uint32_t ab, std::uint32_t ac,
-                                               std::uint32_t bc) const {
-    if (limits == Limits::kSharpest)
-      return {INT32_MIN, HighlightBound::kBrightest, HighlightBound::kBrightest};
-    if (limits == Limits::kBlinn)
-      return blinn->highlights_over({a[0], a[1]}, {b[0], b[1]}, {c[0], c[1]}, headroom, ab, ac, bc);
-    return phong->highlights_over({a[0], a[2]}, {b[0], b[2]}, {c[0], c[2]}, headroom, ab, ac, bc);
+                                               std::uint32_t ab, std::uint32_t ac, std::uint32_t bc) const {
+    if (limits == Limits::kPhong)
+      return phong->highlights_over({a[0], a[2]}, {b[0], b[2]}, {c[0], c[2]}, ab, ac, bc);
+    return {INT32_MIN, HighlightBound::kBrightest, HighlightBound::kBrightest};
   }
 
   Limits limits = Limits::kSharpest;

@@ -201,11 +201,12 @@ class Illumination : private FadeFor<Features>,
                                                                  const Scalars& b, const Scalars& c,
                                                                  std::uint32_t ab, std::uint32_t ac,
                                                                  std::uint32_t bc) const;
-  /// A bound of the highlights of all normals of a triangle, for any lights. `headroom` is as for
-  /// may_shine(), the chords are as above and at most 1.
+  /// A bound of the highlights of all normals of a triangle, by any number of lights; the chords are as above
+  /// and at most 1.
   [[nodiscard]] constexpr HighlightBound highlights_over(const Scalars& a, const Scalars& b, const Scalars& c,
-                                                         Cosine headroom, std::uint32_t ab, std::uint32_t ac,
-                                                         std::uint32_t bc) const;
+                                                         std::uint32_t ab, std::uint32_t ac,
+                                                         std::uint32_t bc) const
+      requires(Model == Highlight::kPhong);
   /// nearest_highlight() of one light.
   [[nodiscard]] constexpr std::int32_t nearest_highlight_of(std::size_t light, const Scalars& a,
                                                             const Scalars& b, const Scalars& c,

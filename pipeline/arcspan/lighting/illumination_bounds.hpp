@@ -119,28 +119,23 @@ constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight_
 /// at least 1/2.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
-    const Scalars& a, const Scalars& b, const Scalars& c, Cosine headroom, std::uint32_t ab, std::uint32_t ac,
-    std::uint32_t bc) const {
-  HighlightBound bound{INT32_MAX, 0, 0};
+    const Scalars& a, const Scalars& b, const Scalars& c, std::uint32_t ab, std::uint32_t ac,
+    std::uint32_t bc) const requires(Model == Highlight::kPhong) {
   // Where N·L = 0 highlights end abruptly, or fade, so that its error counts, which is below 2^-7.
   constexpr std::int32_t kMargin = std::int32_t{1} << (Cosine::kFraction - 7);
   const std::int32_t lit_from = fade_end().raw() + kMargin;
+  HighlightBound bound{INT32_MAX, 0, 0};
   std::uint32_t slopes = 0;  // 15 fraction bits, as the weights
   std::uint32_t weights = 0;
   for (std::size_t i = 0; i < Lights; ++i) {
     const std::uint32_t weight = largest_weight(i);
     weights += weight;
-    std::int32_t nearest = INT32_MAX;
-    if constexpr (Model == Highlight::kBlinn) {
-      nearest = nearest_highlight_of(i, a, b, c, headroom);
-    } else if (a[i].raw() > 0 || b[i].raw() > 0 || c[i].raw() > 0) {
-      nearest = nearest_between(i, 0, a, b, c, ab, ac, bc);
-    }
+    if (a[i].raw() <= 0 && b[i].raw() <= 0 && c[i].raw() <= 0) continue;
+    const std::int32_t nearest = nearest_between(i, 0, a, b, c, ab, ac, bc);
     if (nearest < bound.nearest) bound.nearest = nearest;
     if (nearest >= power_.half_reach()) continue;
     // R·V of all normals with N·L = 0 is -L·V.
-    const bool may_end =
-        Model == Highlight::kBlinn || half_one_plus_light_eye_[i] - kMargin < power_.half_reach();
+    const bool may_end = half_one_plus_light_eye_[i] - kMargin < power_.half_reach();
     if (may_end && (a[i].raw() < lit_from || b[i].raw() < lit_from || c[i].raw() < lit_from)) {
       slopes += weight;
       continue;

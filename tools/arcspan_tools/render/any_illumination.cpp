@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/shading/patch/patch_limits.hpp>
+
 #include <arcspan_tools/render/any_illumination.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
+#include <algorithm>
 #include <string>
 
 namespace arcspan::tools {
@@ -79,9 +82,15 @@ class CallsOf final : public IlluminationCalls {
     return wrapped_.nearest_highlight_between(reach, few_of(a), few_of(b), few_of(c), ab, ac, bc);
   }
   [[nodiscard]] HighlightBound highlights_over(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
-                                               Cosine headroom, std::uint32_t ab, std::uint32_t ac,
+                                               std::uint32_t ab, std::uint32_t ac,
                                                std::uint32_t bc) const override {
-    return wrapped_.highlights_over(few_of(a), few_of(b), few_of(c), headroom, ab, ac, bc);
+    if constexpr (BoundsHighlights<Wrapped>) {
+      return wrapped_.highlights_over(few_of(a), few_of(b), few_of(c), ab, ac, bc);
+    } else {
+      const Cosine headroom = arc_headroom(std::max({ab, ac, bc}));
+      return {wrapped_.nearest_highlight(few_of(a), few_of(b), few_of(c), headroom),
+              HighlightBound::kBrightest, HighlightBound::kBrightest};
+    }
   }
   [[nodiscard]] std::int32_t half_distance(Cosine normal_light, Cosine other,
                                            std::size_t light) const override {

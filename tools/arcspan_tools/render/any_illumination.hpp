@@ -49,7 +49,7 @@ class IlluminationCalls {
                                                                std::uint32_t ab, std::uint32_t ac,
                                                                std::uint32_t bc) const = 0;
   [[nodiscard]] virtual HighlightBound highlights_over(const AnyScalars& a, const AnyScalars& b,
-                                                       const AnyScalars& c, Cosine headroom, std::uint32_t ab,
+                                                       const AnyScalars& c, std::uint32_t ab,
                                                        std::uint32_t ac, std::uint32_t bc) const = 0;
   [[nodiscard]] virtual std::int32_t half_distance(Cosine normal_light, Cosine other,
                                                    std::size_t light) const = 0;
@@ -134,9 +134,8 @@ class AnyIllumination {
     return calls_->nearest_highlight_between(reach, a, b, c, ab, ac, bc);
   }
   [[nodiscard]] HighlightBound highlights_over(const Scalars& a, const Scalars& b, const Scalars& c,
-                                               Cosine headroom, std::uint32_t ab, std::uint32_t ac,
-                                               std::uint32_t bc) const {
-    return calls_->highlights_over(a, b, c, headroom, ab, ac, bc);
+                                               std::uint32_t ab, std::uint32_t ac, std::uint32_t bc) const {
+    return calls_->highlights_over(a, b, c, ab, ac, bc);
   }
   [[nodiscard]] std::int32_t half_distance(Cosine normal_light, Cosine other, std::size_t light) const {
     return calls_->half_distance(normal_light, other, light);

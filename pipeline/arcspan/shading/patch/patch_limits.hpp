@@ -57,9 +57,10 @@ template <class Method>
 }
 
 /// True if `Lighting` bounds its highlights over a triangle. Where they are faint, patches may be wider.
+/// Those by N·H have no such bound: their patches are nearly twice as wide anyway.
 template <class Lighting>
 concept BoundsHighlights = requires(const Lighting& lighting) {
-  lighting.highlights_over({}, {}, {}, Cosine{}, std::uint32_t{}, std::uint32_t{}, std::uint32_t{});
+  lighting.highlights_over({}, {}, {}, std::uint32_t{}, std::uint32_t{}, std::uint32_t{});
 };
 
 /// Returns a bound of the highlights over a triangle with these scalars at its vertices and chords of at most
@@ -69,8 +70,7 @@ template <BoundsHighlights Lighting, class Scalars>
                                                                        const Scalars& a, const Scalars& b,
                                                                        const Scalars& c,
                                                                        const TriangleChords& chords) {
-  return lighting.highlights_over(a, b, c, arc_headroom(chords.widest()), chords.top_middle,
-                                  chords.top_bottom, chords.middle_bottom);
+  return lighting.highlights_over(a, b, c, chords.top_middle, chords.top_bottom, chords.middle_bottom);
 }
 
 /// Returns true if a triangle with highlights of this HighlightBound::strength may be a patch. The other

@@ -3,6 +3,7 @@
 
 #include <arcspan/lighting/arc_bound.hpp>
 #include <arcspan/lighting/directional_light.hpp>
+#include <arcspan/lighting/highlight_bound.hpp>
 #include <arcspan/lighting/highlight_fade.hpp>
 #include <arcspan/lighting/illumination_features.hpp>
 #include <arcspan/lighting/material.hpp>
@@ -26,39 +27,6 @@
 namespace arcspan {
 
 struct OneHighlight;
-
-/// A colour as Gouraud shading interpolates it: per channel 0...65280, in 256ths of an 8-bit step.
-struct DeepColour {
-  std::int32_t r;
-  std::int32_t g;
-  std::int32_t b;
-};
-
-/// A bound of the highlights over a triangle. With the slopes of c^n, summed over the lights by their
-/// weights:
-struct HighlightBound {
-  std::int32_t nearest;  ///< a lower bound of their half distances (PowerTable); INT32_MAX if there is none
-  /// An upper bound of the sum in sixteenths of its largest value, rounded down: 0...kBrightest.
-  std::uint8_t strength;
-  /// The same in sixteenths of the largest value of one light with the weight 1: 0...kBrightest.
-  std::uint8_t slope;
-
-  static constexpr std::uint8_t kBrightest = 15;
-};
-
-/// Returns the squared chord up to which a surface is as accurate under highlights of this strength (or
-/// slope) as it is up to `limit` where they are brightest: at most 6.3 times as much. The error of a
-/// highlight is that of its cosine, which grows with the cube of the angle, times the slope.
-[[nodiscard]] constexpr std::uint32_t limit_at_strength(std::uint32_t limit, std::uint8_t strength) {
-  // Entry i is (16 / (i + 1))^(2/3) with 4 fraction bits, rounded down.
-  constexpr std::array<std::uint8_t, 16> kWider{101, 64, 48, 40, 34, 30, 27, 25,
-                                                23,  21, 20, 19, 18, 17, 16, 16};
-  return (limit >> 4) * kWider[strength];
-}
-
-/// True if Illumination has PhongTables.
-template <std::size_t Lights, Highlight Model>
-inline constexpr bool kHasPhongTables = kHasWideRegisters && (Lights == 1 && Model == Highlight::kPhong);
 
 /// The illumination of one object by `Lights` (1...4) lights: its constants, and the colour of a normal's
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
@@ -326,15 +294,7 @@ class Illumination : private FadeFor<Features>,
                                                        std::uint32_t ab, std::uint32_t ac,
                                                        std::uint32_t bc) const;
   /// The largest weight of a light in a channel, 15 fraction bits.
-  [[nodiscard]] constexpr std::uint32_t largest_weight(std::size_t light) const {
-    if constexpr (kWeighsChannels) {
-      const Weights& w = weights_[light];
-      const std::uint32_t more = w[0] > w[1] ? w[0] : w[1];
-      return more > w[2] ? more : w[2];
-    } else {
-      return highlight_weight(light);
-    }
-  }
+  [[nodiscard]] constexpr std::uint32_t largest_weight(std::size_t light) const;
 
   /// diffuse_scalar().
   [[nodiscard]] constexpr Cosine mean_light(const Scalars& scalars, std::uint32_t lit) const;

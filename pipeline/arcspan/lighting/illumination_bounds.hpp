@@ -115,6 +115,17 @@ constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight_
   return INT32_MIN;
 }
 
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr std::uint32_t Illumination<Lights, Model, Features>::largest_weight(std::size_t light) const {
+  if constexpr (kWeighsChannels) {
+    const Weights& weights = weights_[light];
+    const std::uint32_t more = weights[0] > weights[1] ? weights[0] : weights[1];
+    return more > weights[2] ? more : weights[2];
+  } else {
+    return highlight_weight(light);
+  }
+}
+
 /// With p = c^n and h = (1 - c) / 2 the slope of c^n is p / c of that at c = 1, at most p (1 + 4 h) for c of
 /// at least 1/2.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/lighting/illumination_features.hpp>
 #include <arcspan/lighting/power_table.hpp>
 #include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/pixel/colour.hpp>
@@ -48,6 +49,10 @@ class PhongTables {
   PowerLines lines_{};
   std::array<PackedRgb, std::size_t{1} << kBits> lit_{};
 };
+
+/// True if Illumination has PhongTables.
+template <std::size_t Lights, Highlight Model>
+inline constexpr bool kHasPhongTables = kHasWideRegisters && (Lights == 1 && Model == Highlight::kPhong);
 
 /// Used where there are no such tables.
 struct NoPhongTables {};

@@ -3,6 +3,8 @@
 
 #include <arcspan/pixel/colour.hpp>
 
+#include <cstdint>
+
 namespace arcspan {
 
 /// The light of a pixel in two parts, for surfaces that reflect them in different colours, as a texture does.
@@ -10,6 +12,13 @@ namespace arcspan {
 struct PixelLight {
   PackedRgb diffuse;    ///< ambient and diffuse part
   PackedRgb highlight;  ///< specular part, without the half 8-bit step that a PackedRgb includes otherwise
+};
+
+/// A colour as Gouraud shading interpolates it: per channel 0...65280, in 256ths of an 8-bit step.
+struct DeepColour {
+  std::int32_t r;
+  std::int32_t g;
+  std::int32_t b;
 };
 
 }  // namespace arcspan

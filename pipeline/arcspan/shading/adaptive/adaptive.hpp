@@ -28,8 +28,8 @@ namespace arcspan {
 /// 3. Segments of 4...16 pixels (S3), without a ramp: wide rows whose colours have small second derivatives,
 ///    away from the terminator. With a ramp other paths are cheaper (decision 6).
 /// 4. A patch of N·L and of a highlight's distance: within reach of the highlight of one light, with all
-///    vertices lit; under R·V only where normals are close or the highlight is faint. N·L is linear if both errors together are within
-///    the tolerance.
+///    vertices lit; under R·V only where normals are close or the highlight is faint. N·L is linear if both
+///    errors together are within the tolerance.
 /// 5. The paths of Arc: a patch of every scalar or of one highlight, or arcs.
 ///
 /// `Segments` false leaves out path 3.
@@ -64,8 +64,7 @@ struct AdaptivePaths : Arc<Illumination> {
       if (is_arc) {
         nearest = nearest_highlight(lighting, frame);
         std::uint32_t lit = 0;
-        if (nearest.distance >= lighting.half_tolerance_reach() &&
-            Base::lit_throughout(lighting, frame, lit)) {
+        if (nearest.distance >= lighting.half_tolerance_reach() && lit_throughout(lighting, frame, lit)) {
           prepare_without_highlight(lighting, frame, lighting.linear_limit(nearest.distance), lit, prepared);
           return;
         }
@@ -78,7 +77,7 @@ struct AdaptivePaths : Arc<Illumination> {
         const WidePatches wide = wide_patches_of(lighting, frame, widest, nearest.distance, fits_patch);
         if constexpr (Base::kHasDiffusePath) {
           std::uint32_t lit = 0;
-          if (wide.nearest >= lighting.half_tolerance_reach() && Base::lit_throughout(lighting, frame, lit)) {
+          if (wide.nearest >= lighting.half_tolerance_reach() && lit_throughout(lighting, frame, lit)) {
             Base::prepare_path(lighting, frame, Base::diffuse_path(patch_fits(frame), widest), prepared);
             return;
           }
@@ -313,7 +312,7 @@ struct AdaptivePaths : Arc<Illumination> {
                                                   Prepared& prepared) {
     const std::uint32_t widest = frame.chords.widest();
     if (widest <= kWidestBounded) {
-      const PatchValues light = Base::diffuse_scalars(lighting, frame, lit);
+      const PatchValues light = diffuse_scalars(lighting, frame, lit);
       prepared.linear_light = make_linear_light(frame, light, linear_limit, prepared);
       if (prepared.linear_light) return;
     }
@@ -330,7 +329,7 @@ struct AdaptivePaths : Arc<Illumination> {
                                                                               Prepared& prepared) {
     const std::size_t light = Illumination::kLights == 1 ? 0 : nearest_light;
     std::uint32_t lit = 0;
-    if (light == Illumination::kLights || !Base::lit_throughout(lighting, frame, lit)) return false;
+    if (light == Illumination::kLights || !lit_throughout(lighting, frame, lit)) return false;
     if constexpr (Illumination::kLights > 1) prepared.highlight_weight = lighting.highlight_weight(light);
     // Above 0 or the end of the fade by 2^-10, which is more than any rounding error.
     const std::int32_t lit_from = lighting.fade_end().raw() + (std::int32_t{1} << 20);
@@ -343,7 +342,7 @@ struct AdaptivePaths : Arc<Illumination> {
     if (!has_linear_distance(lighting)) factors = sagitta_factors_of(frame.chords);
     const HalfDistances half = half_distances_of(lighting, frame, light, factors);
     if (!lighting.highlight_table().fits(half.farthest)) return false;
-    const PatchValues diffuse = Base::diffuse_scalars(lighting, frame, lit);
+    const PatchValues diffuse = diffuse_scalars(lighting, frame, lit);
     const std::uint32_t widest = frame.chords.widest();
     prepared.linear_diffuse =
         widest <= kWidestBounded &&

@@ -27,8 +27,8 @@ enum class WalkedPaths : std::uint8_t {
 /// of two ways (Path):
 ///
 /// - Normals within 5.2 to 33 degrees, depending on the highlight, its strength in the triangle and the shape
-///   (choose_path()): a quadratic surface through the arcs' ends and middles, which second differences step without a multiply
-///   (decision 5).
+///   (choose_path()): a quadratic surface through the arcs' ends and middles, which second differences step
+///   without a multiply (decision 5).
 /// - Wider, narrower than half a pixel, or larger than kLargestPatch: great circles down the edges (ArcEdge),
 ///   and each row in pieces of at most 1.3 times the angle of the widest patch (widest_piece()), which are
 ///   parabolas through the arc's ends and middle (decision 23).
@@ -210,22 +210,6 @@ struct ArcUpTo {
           {frame.top->shade.scalars[i], frame.middle->shade.scalars[i], frame.bottom->shade.scalars[i]},
           prepared.patch[i]);
     }
-  }
-
-  /// Returns the diffuse_scalar() of the vertices of a TriangleFrame.
-  template <class Frame>
-  [[nodiscard]] static constexpr PatchValues diffuse_scalars(const Lighting& lighting, const Frame& frame,
-                                                             std::uint32_t lit) {
-    return {lighting.diffuse_scalar(frame.top->shade.scalars, lit),
-            lighting.diffuse_scalar(frame.middle->shade.scalars, lit),
-            lighting.diffuse_scalar(frame.bottom->shade.scalars, lit)};
-  }
-  /// Returns true if a triangle without highlight has a diffuse_scalar(), and sets `lit` to its argument.
-  template <class Frame>
-  [[nodiscard]] static constexpr bool lit_throughout(const Lighting& lighting, const Frame& frame,
-                                                     std::uint32_t& lit) {
-    return lighting.lit_throughout(frame.top->shade.scalars, frame.middle->shade.scalars,
-                                   frame.bottom->shade.scalars, lit);
   }
 
   /// Returns the path of a triangle without highlight; `fits` is patch_fits().

@@ -68,21 +68,32 @@ class OneHighlightWalker : public PatchWalker<OneHighlightRun<Lighting>, Count> 
   OneHighlight highlight_;
 };
 
+/// Returns true if a triangle without highlight has a diffuse_scalar(), and sets `lit` to its argument.
+template <class Lighting, class Frame>
+[[nodiscard]] constexpr bool lit_throughout(const Lighting& lighting, const Frame& frame,
+                                            std::uint32_t& lit) {
+  return lighting.lit_throughout(frame.top->shade.scalars, frame.middle->shade.scalars,
+                                 frame.bottom->shade.scalars, lit);
+}
+
+/// Returns the diffuse_scalar() of the vertices of a TriangleFrame.
+template <class Lighting, class Frame>
+[[nodiscard]] constexpr PatchValues diffuse_scalars(const Lighting& lighting, const Frame& frame,
+                                                    std::uint32_t lit) {
+  return {lighting.diffuse_scalar(frame.top->shade.scalars, lit),
+          lighting.diffuse_scalar(frame.middle->shade.scalars, lit),
+          lighting.diffuse_scalar(frame.bottom->shade.scalars, lit)};
+}
+
 /// Makes the patch of the diffuse_scalar() of several lights. Returns false if one of the lights reaches only
 /// a part of the triangle.
 template <class Lighting, class Frame>
 ARCSPAN_OUTLINE_IF_TIGHT constexpr bool make_diffuse_patch(const Lighting& lighting, const Frame& frame,
                                                            const EdgeSagittaFactors& factors,
                                                            PatchScalar& scalar) {
-  const auto& top = frame.top->shade.scalars;
-  const auto& middle = frame.middle->shade.scalars;
-  const auto& bottom = frame.bottom->shade.scalars;
   std::uint32_t lit = 0;
-  if (!lighting.lit_throughout(top, middle, bottom, lit)) return false;
-  make_patch_scalar(frame, factors,
-                    {lighting.diffuse_scalar(top, lit), lighting.diffuse_scalar(middle, lit),
-                     lighting.diffuse_scalar(bottom, lit)},
-                    scalar);
+  if (!lit_throughout(lighting, frame, lit)) return false;
+  make_patch_scalar(frame, factors, diffuse_scalars(lighting, frame, lit), scalar);
   return true;
 }
 

@@ -46,8 +46,7 @@ struct AccuracyTask {
   int triangles = 0;
   std::uint64_t seed = 1;
   int shininess = 64;  ///< of the materials, at most
-  /// kSharpest: patches are those that the sharpest R·V allows, and every figure counts. Otherwise they are
-  /// those of a program with that highlight, of which only the figures count.
+  /// kSharpest: the figures of both models are valid. Otherwise those of the model that is named.
   Probe::Limits limits = Probe::Limits::kSharpest;
 };
 

@@ -35,7 +35,7 @@ struct Probe {
     return {};
   }
 
-  /// The highlight whose limits of patches hold.
+  /// The model that supplies widest_patch() and highlights_over(); kSharpest: limits that both models allow.
   enum class Limits : std::uint8_t { kSharpest, kBlinn, kPhong };
 
   [[nodiscard]] std::uint32_t widest_patch() const {

@@ -169,7 +169,7 @@ class Illumination : private FadeFor<Features>,
                                                                  const Scalars& b, const Scalars& c,
                                                                  std::uint32_t ab, std::uint32_t ac,
                                                                  std::uint32_t bc) const;
-  /// A bound of the highlights of all normals of a triangle, by any number of lights; the chords are as above
+  /// Bounds of the highlights of all normals of a triangle, by any number of lights. The chords are as above
   /// and at most 1.
   [[nodiscard]] constexpr HighlightBound highlights_over(const Scalars& a, const Scalars& b, const Scalars& c,
                                                          std::uint32_t ab, std::uint32_t ac,
@@ -289,10 +289,10 @@ class Illumination : private FadeFor<Features>,
       requires(Lights == 1);
 
   /// nearest_highlight_between() for R·V of a light.
-  [[nodiscard]] constexpr std::int32_t nearest_between(std::size_t light, std::int32_t reach,
-                                                       const Scalars& a, const Scalars& b, const Scalars& c,
-                                                       std::uint32_t ab, std::uint32_t ac,
-                                                       std::uint32_t bc) const;
+  [[nodiscard]] constexpr std::int32_t nearest_in_triangle(std::size_t light, std::int32_t reach,
+                                                           const Scalars& a, const Scalars& b,
+                                                           const Scalars& c, std::uint32_t ab,
+                                                           std::uint32_t ac, std::uint32_t bc) const;
   /// The largest weight of a light in a channel, 15 fraction bits.
   [[nodiscard]] constexpr std::uint32_t largest_weight(std::size_t light) const;
 

@@ -4,7 +4,6 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/target.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -61,6 +60,8 @@ constexpr bool Illumination<Lights, Model, Features>::may_shine_between(const Sc
   return detail::nearest_between(rough(a), rough(b), angle2) < power_.half_reach();
 }
 
+/// Returns a lower bound of the half distance of R·V over a triangle, 30 fraction bits.
+///
 /// With N = sum l_i N_i / w, w^2 = 1 - sum l_i l_j s_ij, s_ij = |N_i - N_j|^2, and K = (1 + L·V) / 2, the
 /// half distance K - (N·L)(N·V) exceeds r where
 ///
@@ -70,7 +71,7 @@ constexpr bool Illumination<Lights, Model, Features>::may_shine_between(const Sc
 /// h - r - sum l_i l_j (m_ij - r s_ij - h_i - h_j + 2h), and sum l_i l_j <= 1/3. So it is positive if r < h
 /// and r (3 - s_ij) < h_i + h_j + h - m_ij for all edges.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_between(
+constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_in_triangle(
     std::size_t light, std::int32_t reach, const Scalars& a, const Scalars& b, const Scalars& c,
     std::uint32_t ab, std::uint32_t ac, std::uint32_t bc) const {
   constexpr std::int32_t kRounding = std::int32_t{1} << (28 - 11);  // of factors with 14 fraction bits
@@ -110,7 +111,7 @@ constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight_
     std::int32_t reach, const Scalars& a, const Scalars& b, const Scalars& c, std::uint32_t ab,
     std::uint32_t ac, std::uint32_t bc) const {
   if constexpr (Lights == 1 && Model == Highlight::kPhong) {
-    return nearest_between(0, reach, a, b, c, ab, ac, bc);
+    return nearest_in_triangle(0, reach, a, b, c, ab, ac, bc);
   }
   return INT32_MIN;
 }
@@ -126,15 +127,15 @@ constexpr std::uint32_t Illumination<Lights, Model, Features>::largest_weight(st
   }
 }
 
-/// With p = c^n and h = (1 - c) / 2 the slope of c^n is p / c of that at c = 1, at most p (1 + 4 h) for c of
-/// at least 1/2.
+/// With p = c^n and h = (1 - c) / 2 the slope is c^(n - 1) = p / c: at most p (1 + 4 h) for c of at least
+/// 1/2, and 2^(1 - n) below.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
     const Scalars& a, const Scalars& b, const Scalars& c, std::uint32_t ab, std::uint32_t ac,
     std::uint32_t bc) const requires(Model == Highlight::kPhong) {
-  // Where N·L = 0 highlights end abruptly, or fade, so that its error counts, which is below 2^-7.
-  constexpr std::int32_t kMargin = std::int32_t{1} << (Cosine::kFraction - 7);
-  const std::int32_t lit_from = fade_end().raw() + kMargin;
+  // At N·L = 0 a highlight ends abruptly, or fades above it, so that an error of N·L shows, too. It is below
+  // 2^-7.
+  const std::int32_t lit_from = fade_end().raw() + (std::int32_t{1} << (Cosine::kFraction - 7));
   HighlightBound bound{INT32_MAX, 0, 0};
   std::uint32_t slopes = 0;  // 15 fraction bits, as the weights
   std::uint32_t weights = 0;
@@ -142,27 +143,29 @@ constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
     const std::uint32_t weight = largest_weight(i);
     weights += weight;
     if (a[i].raw() <= 0 && b[i].raw() <= 0 && c[i].raw() <= 0) continue;
-    const std::int32_t nearest = nearest_between(i, 0, a, b, c, ab, ac, bc);
+    const std::int32_t nearest = nearest_in_triangle(i, 0, a, b, c, ab, ac, bc);
     if (nearest < bound.nearest) bound.nearest = nearest;
     if (nearest >= power_.half_reach()) continue;
-    // R·V of all normals with N·L = 0 is -L·V.
-    const bool may_end = half_one_plus_light_eye_[i] - kMargin < power_.half_reach();
+    // Where N·L is x, the half distance (1 + L·V) / 2 - (N·L)(N·V) is at least (1 + L·V) / 2 - x.
+    const bool may_end = half_one_plus_light_eye_[i] - lit_from < power_.half_reach();
+    const std::uint32_t h = nearest < 0 ? 0 : static_cast<std::uint32_t>(nearest);
     if (may_end && (a[i].raw() < lit_from || b[i].raw() < lit_from || c[i].raw() < lit_from)) {
       slopes += weight;
-      continue;
+    } else if (h > std::uint32_t{1} << 28) {
+      slopes += weight >> (shininess_ - 1);  // below half_reach() only if n < 10
+    } else {
+      const std::uint32_t power = power_.at_distance(h);
+      slopes += (weight * (power + ((power * (h >> 15)) >> 13))) >> 15;
     }
-    const std::uint32_t h = nearest < 0 ? 0 : static_cast<std::uint32_t>(nearest);
-    const std::uint32_t power = power_.at_distance(h);
-    slopes += (weight * (power + ((power * (h >> 15)) >> 13))) >> 15;
   }
   bound.slope = slopes >= 32768 ? HighlightBound::kBrightest : static_cast<std::uint8_t>(slopes >> 11);
-  bound.strength = bound.slope;
+  bound.relative_slope = bound.slope;
   if constexpr (Lights > 1) {
-    std::uint32_t strength = 0;
+    std::uint32_t relative = 0;
     for (std::uint32_t step = 8; step != 0; step >>= 1) {
-      if (slopes << 4 >= weights * (strength + step)) strength += step;
+      if (slopes << 4 >= weights * (relative + step)) relative += step;
     }
-    bound.strength = static_cast<std::uint8_t>(strength);
+    bound.relative_slope = static_cast<std::uint8_t>(relative);
   }
   return bound;
 }

@@ -93,7 +93,7 @@ int check_highlights_over(std::uint64_t seed, int triangles) {
       weights += light.strength.raw() * 0x1p-15;
     }
     Material material;
-    material.shininess = random.integer(2, 64);
+    material.shininess = random.chance(0.3) ? random.integer(1, 4) : random.integer(1, 64);
     Lit lit;
     REQUIRE(ok(Lit::make(material, lights, to_eye, lit)));
     std::array<typename Lit::Scalars, 3> at;
@@ -105,8 +105,9 @@ int check_highlights_over(std::uint64_t seed, int triangles) {
     const TriangleChords chords{squared_chord(packed[0], packed[1]), squared_chord(packed[0], packed[2]),
                                 squared_chord(packed[1], packed[2])};
     if (chords.widest() > std::uint32_t{1} << 28) continue;
-    const HighlightBound bound = highlights_over(lit, at[0], at[1], at[2], chords);
-    faint += bound.strength < 12 ? 1 : 0;
+    const HighlightBound bound =
+        lit.highlights_over(at[0], at[1], at[2], chords.top_middle, chords.top_bottom, chords.middle_bottom);
+    faint += bound.relative_slope < 12 ? 1 : 0;
     for (int sample = 0; sample < 60; ++sample) {
       const double a = random.unit();
       const double b = random.unit() * (1 - a);
@@ -118,10 +119,10 @@ int check_highlights_over(std::uint64_t seed, int triangles) {
         if (dot(n, l) <= 0) continue;
         const double c = 2 * dot(n, l) * dot(n, v) - dot(l, v);
         REQUIRE(bound.nearest * 0x1p-30 <= (1 - c) / 2 + 0x1p-20);
-        if (c > 0.5) slopes += light.strength.raw() * 0x1p-15 * std::pow(c, material.shininess - 1);
+        if (c > 0) slopes += light.strength.raw() * 0x1p-15 * std::pow(c, material.shininess - 1);
       }
       if (bound.nearest >= lit.power().half_reach()) continue;
-      REQUIRE(slopes / weights < (bound.strength + 1 + 0.02) / 16);
+      REQUIRE(slopes / weights < (bound.relative_slope + 1 + 0.02) / 16);
       if (bound.slope < HighlightBound::kBrightest) REQUIRE(slopes < (bound.slope + 1 + 0.02) / 16);
     }
   }
@@ -156,20 +157,37 @@ TEST_CASE("a highlight that may end in the triangle counts as if it were brighte
       at[k] = lit.scalars(to_direction(normal));
       packed[k] = to_normal(to_direction(normal));
     }
-    return highlights_over(
-        lit, at[0], at[1], at[2],
-        TriangleChords{squared_chord(packed[0], packed[1]), squared_chord(packed[0], packed[2]),
-                       squared_chord(packed[1], packed[2])});
+    return lit.highlights_over(at[0], at[1], at[2], squared_chord(packed[0], packed[1]),
+                               squared_chord(packed[0], packed[2]), squared_chord(packed[1], packed[2]));
   };
-  CHECK(bound_at(90).strength == HighlightBound::kBrightest);
-  CHECK(bound_at(86).strength < HighlightBound::kBrightest);
+  CHECK(bound_at(90).relative_slope == HighlightBound::kBrightest);
+  CHECK(bound_at(86).relative_slope < HighlightBound::kBrightest);
+}
+
+TEST_CASE("a highlight that may fade in the triangle counts as if it were brightest") {
+  // Where N·L = 0, R·V is 0.17, whose power is out of reach.
+  using Lit = Illumination<1, Highlight::kPhong, IlluminationFeatures{.fading_highlights = true}>;
+  const Vec3 light{1, 0, 0};
+  const Vec3 eye{std::cos(radians(100)), std::sin(radians(100)), 0};
+  const auto slope_with = [&](Coefficient fade) {
+    Material material;
+    material.shininess = 8;
+    material.highlight_fade = fade;
+    Lit lit;
+    REQUIRE(ok(Lit::make(material, {DirectionalLight{to_direction(light)}}, to_direction(eye), lit)));
+    const Vec3 normal{std::cos(radians(65)), std::sin(radians(65)), 0};  // N·L = 0.42
+    const Lit::Scalars at = lit.scalars(to_direction(normal));
+    return lit.highlights_over(at, at, at, 0, 0, 0).relative_slope;
+  };
+  CHECK(slope_with({}) < HighlightBound::kBrightest);
+  CHECK(slope_with(Coefficient::of(0.5)) == HighlightBound::kBrightest);
 }
 
 TEST_CASE("limits of patches grow as highlights become faint, by the power 2/3 of the slope") {
   constexpr std::uint32_t kLimit = 10000000;
-  for (std::uint8_t strength = 0; strength < 16; ++strength) {
-    const double exact = kLimit * std::pow(16.0 / (strength + 1), 2.0 / 3);
-    CHECK(limit_at_strength(kLimit, strength) <= exact + 1);
-    CHECK(limit_at_strength(kLimit, strength) > exact * 0.93);
+  for (std::uint8_t slope = 0; slope < 16; ++slope) {
+    const double exact = kLimit * std::pow(16.0 / (slope + 1), 2.0 / 3);
+    CHECK(limit_at_slope(kLimit, slope) <= exact + 1);
+    CHECK(limit_at_slope(kLimit, slope) > exact * 0.93);
   }
 }

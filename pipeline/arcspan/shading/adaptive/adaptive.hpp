@@ -74,7 +74,7 @@ struct AdaptivePaths : Arc<Illumination> {
     std::uint32_t distance_limit = lighting.highlight_patch_limit();
     if constexpr (BoundsHighlights<Lighting>) {
       if (is_arc && (!fits_patch || widest > distance_limit)) [[unlikely]] {
-        const WidePatches wide = wide_patches_of(lighting, frame, widest, nearest.distance, fits_patch);
+        const WidePatches wide = wide_patches_of(lighting, frame, widest, nearest, fits_patch);
         if constexpr (Base::kHasDiffusePath) {
           std::uint32_t lit = 0;
           if (wide.nearest >= lighting.half_tolerance_reach() && lit_throughout(lighting, frame, lit)) {
@@ -226,8 +226,8 @@ struct AdaptivePaths : Arc<Illumination> {
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the error of linear light is bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;
 
-  /// The least product of width and height from which on wider triangles are patches of a distance, 4
-  /// fraction bits.
+  /// The least product of a triangle's width and height (square pixels, 4 fraction bits) from which on chords
+  /// beyond highlight_patch_limit() may be patches of a distance. Smaller triangles lose time by them.
   static constexpr std::uint32_t kLeastWideArea = 256 << 4;
   static constexpr int kLeastBits = 2;
   /// The width of a triangle's widest row from which on it may have segments: four of the shortest.
@@ -263,29 +263,30 @@ struct AdaptivePaths : Arc<Illumination> {
     }
   }
 
-  /// What the strength of the highlights allows a triangle that is wider than their limits.
+  /// Limits of a triangle that is beyond those of the brightest highlights.
   struct WidePatches {
     std::int32_t nearest;  ///< NearestHighlight::distance
     bool fits_patch;
     std::uint32_t distance_limit;  ///< AdaptiveIllumination::highlight_patch_limit()
   };
-  /// `nearest` and `fits_patch` are what is known without the strength.
+  /// `nearest` and `fits_patch`: the values found without the bounds of the highlights.
   template <class Frame>
   [[nodiscard]] ARCSPAN_OUTLINE static constexpr WidePatches wide_patches_of(const Lighting& lighting,
                                                                              const Frame& frame,
                                                                              std::uint32_t widest,
-                                                                             std::int32_t nearest,
+                                                                             const NearestHighlight& nearest,
                                                                              bool fits_patch) {
-    WidePatches wide{nearest, fits_patch, lighting.highlight_patch_limit()};
-    const auto height = static_cast<std::uint32_t>(frame.long_edge.dy);
-    const bool is_large = (frame.width >> 16) * height >= kLeastWideArea;
-    if (!patch_fits(frame) || (fits_patch && !is_large)) return wide;
-    const HighlightBound bound =
-        highlights_over(lighting, frame.top->shade.scalars, frame.middle->shade.scalars,
-                        frame.bottom->shade.scalars, frame.chords);
-    wide.nearest = bound.nearest;
-    wide.fits_patch = fits_patch || is_accurate_patch_at(lighting, frame, widest, bound.strength);
-    if (is_large) wide.distance_limit = lighting.highlight_patch_limit_at(bound.slope);
+    WidePatches wide{nearest.distance, fits_patch, lighting.highlight_patch_limit()};
+    const bool may_step_distance =
+        kHasHighlightPatch && wide.distance_limit != 0 && nearest.light != Illumination::kLights &&
+        (frame.width >> 16) * static_cast<std::uint32_t>(frame.long_edge.dy) >= kLeastWideArea;
+    if (!patch_fits(frame) || (fits_patch && !may_step_distance)) return wide;
+    const HighlightBound bound = highlights_over(lighting, frame);
+    if (bound.nearest > wide.nearest) wide.nearest = bound.nearest;
+    wide.fits_patch =
+        fits_patch || (frame.width >= kLeastWidePatch &&
+                       is_accurate_patch_at_slope(lighting, frame.chords, widest, bound.relative_slope));
+    if (may_step_distance) wide.distance_limit = lighting.highlight_patch_limit_at(bound.slope);
     return wide;
   }
 

@@ -53,17 +53,16 @@ class AdaptiveIllumination : public Illumination {
     diffuse_patch_error_ = diffuse_patch_error_of(tolerance - tolerance / 2);
     segment_limit_with_highlight_ = segment_limit_of(tolerance, true);
     segment_limit_without_highlight_ = segment_limit_of(tolerance - tolerance / 2, false);
-    const std::uint32_t distance_limit = distance_limit_of(tolerance);
-    distance_limit_ = distance_limit;
-    highlight_patch_limit_ = highlight_patch_limit_of(distance_limit);
+    distance_limit_ = distance_limit_of(tolerance);
+    highlight_patch_limit_ = highlight_patch_limit_of(distance_limit_);
     whole_linear_limit_ = linear_limit_of(tolerance);
     // This path draws one highlight. Those of the other lights are left out and share half of the tolerance.
     linear_share_ = (1u << 15) - (1u << 14) * (highlights - 1) / highlights;
     distance_limit_inverse_ = Illumination::model() == Highlight::kBlinn ? 0  // exact
-                              : distance_limit < (std::uint32_t{1} << 16)
+                              : distance_limit_ < (std::uint32_t{1} << 16)
                                   ? UINT32_MAX
-                                  : static_cast<std::uint32_t>((std::uint64_t{1} << 47) / distance_limit);
-    highlight_row_limit_ = highlight_row_limit_of(distance_limit);
+                                  : static_cast<std::uint32_t>((std::uint64_t{1} << 47) / distance_limit_);
+    highlight_row_limit_ = highlight_row_limit_of(distance_limit_);
     white_margin_ = (static_cast<std::uint32_t>(steps) + 2) << 2;
     return Status::kOk;
   }
@@ -88,10 +87,11 @@ class AdaptiveIllumination : public Illumination {
   }
 
   /// linear_limit() of a triangle whose highlight's distance is a patch; `chord` is its widest squared chord,
-  /// at most highlight_patch_limit() and that of 16 degrees. The patch's error grows with chord^(3/2), and
-  /// x^(3/2) <= x (1 + x) / 2.
+  /// at most that of 16 degrees. The patch's error grows with chord^(3/2), and x^(3/2) <= x (1 + x) / 2 up to
+  /// highlight_patch_limit(). Beyond, nothing is left.
   [[nodiscard]] constexpr std::uint32_t linear_limit_with_highlight(std::uint32_t chord) const {
     const std::uint32_t x = multiply_high(chord, distance_limit_inverse_);  // 15 fraction bits
+    if (x >= 1u << 15) return 0;
     const std::uint32_t used = (x * ((1u << 15) + x)) >> 16;
     return used < linear_share_ ? (whole_linear_limit_ >> 15) * (linear_share_ - used) : 0;
   }
@@ -101,10 +101,10 @@ class AdaptiveIllumination : public Illumination {
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit() const { return highlight_patch_limit_; }
   /// Returns highlight_patch_limit() under highlights of this HighlightBound::slope.
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit_at(std::uint8_t slope) const {
-    // One more, because the errors of fainter highlights are up to a sixth larger than their slopes say.
-    if (slope >= HighlightBound::kBrightest - 2) return highlight_patch_limit_;
-    const auto more = static_cast<std::uint8_t>(slope + 1);
-    return highlight_patch_limit_of(limit_at_strength(distance_limit_, more));
+    // The errors of fainter highlights are up to a sixth larger than their slopes say.
+    const auto more = static_cast<std::uint8_t>(slope + (slope < 6 ? 1 : 2));
+    if (more >= HighlightBound::kBrightest - 1) return highlight_patch_limit_;
+    return highlight_patch_limit_of(limit_at_slope(distance_limit_, more));
   }
   [[nodiscard]] constexpr const HighlightTable& highlight_table() const { return highlight_table_; }
 
@@ -317,9 +317,9 @@ class AdaptiveIllumination : public Illumination {
   /// from where on the error grows by another factor of 1 + 3 (a^2 - b^2).
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit_of(std::uint32_t limit) const {
     if (Illumination::model() == Highlight::kBlinn) return limit;
-    constexpr std::uint32_t kWidest = 64168232;  // 28.3 degrees
-    constexpr std::uint32_t kBluntBounded = 46414929;
-    constexpr std::uint32_t kBounded = 20797469;
+    constexpr std::uint32_t kWidest = 64168232;        // 28.3 degrees
+    constexpr std::uint32_t kBluntBounded = 46414929;  // 24 degrees
+    constexpr std::uint32_t kBounded = 20797469;       // 16 degrees
     constexpr std::uint32_t kBlunt = 4;
     const std::uint32_t within = limit < kWidest ? limit : kWidest;
     if (Illumination::shininess() <= kBlunt) return within <= kBluntBounded ? within : within - (within >> 6);

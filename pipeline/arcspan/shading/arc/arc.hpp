@@ -4,7 +4,9 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/shading/arc/small_shading.hpp>
 #include <arcspan/shading/arc/wide_walker.hpp>
+#include <arcspan/shading/patch/diffuse_scalars.hpp>
 #include <arcspan/shading/patch/one_highlight.hpp>
+#include <arcspan/shading/patch/patch_limits.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
 #include <arcspan/shading/patch/stepped_distance.hpp>
 #include <arcspan/target.hpp>
@@ -233,27 +235,25 @@ struct ArcUpTo {
       }
     }
     if (!fits) return Path::kWide;
-    if (is_accurate_patch(frame, widest, lighting.widest_patch())) [[likely]]
-      return Path::kPatch;
+    if (is_accurate_patch(frame, widest, lighting.widest_patch())) return Path::kPatch;
     if constexpr (BoundsHighlights<Lighting>) return path_by_highlight(lighting, frame, widest);
     return Path::kWide;
   }
 
-  /// Returns the path of a triangle beyond widest_patch(): how strong its highlight is decides.
+  /// Returns the path of a triangle beyond widest_patch(), by how bright its highlights are.
   template <class Frame>
   [[nodiscard]] ARCSPAN_OUTLINE static constexpr Path path_by_highlight(const Lighting& lighting,
                                                                         const Frame& frame,
                                                                         std::uint32_t widest) {
-    const auto& top = frame.top->shade.scalars;
-    const auto& middle = frame.middle->shade.scalars;
-    const auto& bottom = frame.bottom->shade.scalars;
-    const HighlightBound bound = highlights_over(lighting, top, middle, bottom, frame.chords);
+    const HighlightBound bound = highlights_over(lighting, frame);
     if constexpr (kHasDiffusePath) {
       std::uint32_t lit = 0;
       if (bound.nearest >= lighting.power().half_reach() && lit_throughout(lighting, frame, lit))
         return diffuse_path(true, widest);
     }
-    return is_accurate_patch_at(lighting, frame, widest, bound.strength) ? Path::kPatch : Path::kWide;
+    const bool is_patch = frame.width >= kLeastWidePatch &&
+                          is_accurate_patch_at_slope(lighting, frame.chords, widest, bound.relative_slope);
+    return is_patch ? Path::kPatch : Path::kWide;
   }
 };
 

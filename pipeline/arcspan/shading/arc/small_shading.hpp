@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/shading/arc/small_arc.hpp>
+#include <arcspan/shading/patch/patch_limits.hpp>
 #include <arcspan/shading/patch/small_patch.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
@@ -185,21 +186,20 @@ class SmallShading {
   }
 
  private:
-  /// Returns true if a medium triangle is too wide for a patch with its highlights, and for one of N·L alone
-  /// if none is within reach; false if it is not medium.
+  /// Returns true if normals beyond widest_patch() are too far apart for a patch: with the highlights, or of
+  /// N·L alone if none is within reach. May return false for triangles that are larger than medium, where the
+  /// result does not matter.
   template <class Vertices>
   [[nodiscard]] ARCSPAN_OUTLINE static constexpr bool is_beyond_patches(const Lighting& lighting,
                                                                         const Vertices& vertices) {
     const std::uint32_t widest = vertices.chords.widest();
     if (widest > kWidestDiffusePatch) return true;
     if (!is_up_to_medium(vertices)) return false;  // the bound would be for nothing
-    const HighlightBound bound =
-        highlights_over(lighting, vertices.top->shade.scalars, vertices.middle->shade.scalars,
-                        vertices.bottom->shade.scalars, vertices.chords);
+    const HighlightBound bound = highlights_over(lighting, vertices);
     if constexpr (Lighting::kHasRamp) {
       if (bound.nearest >= lighting.power().half_reach()) return false;
     }
-    return !is_accurate_patch_at(lighting, vertices.chords, widest, bound.strength);
+    return !is_accurate_patch_at_slope(lighting, vertices.chords, widest, bound.relative_slope);
   }
   /// Returns an estimate of the error of N·L, with these values at the vertices, as a patch up to 60 degrees,
   /// 20 fraction bits: with s the widest squared chord, 0.022 s of the values' range and 0.0073 s^2 of the

@@ -5,6 +5,7 @@
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/prepare/row_start.hpp>
+#include <arcspan/shading/patch/diffuse_scalars.hpp>
 #include <arcspan/shading/patch/patch_limits.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
 #include <arcspan/target.hpp>
@@ -67,23 +68,6 @@ class OneHighlightWalker : public PatchWalker<OneHighlightRun<Lighting>, Count> 
  private:
   OneHighlight highlight_;
 };
-
-/// Returns true if a triangle without highlight has a diffuse_scalar(), and sets `lit` to its argument.
-template <class Lighting, class Frame>
-[[nodiscard]] constexpr bool lit_throughout(const Lighting& lighting, const Frame& frame,
-                                            std::uint32_t& lit) {
-  return lighting.lit_throughout(frame.top->shade.scalars, frame.middle->shade.scalars,
-                                 frame.bottom->shade.scalars, lit);
-}
-
-/// Returns the diffuse_scalar() of the vertices of a TriangleFrame.
-template <class Lighting, class Frame>
-[[nodiscard]] constexpr PatchValues diffuse_scalars(const Lighting& lighting, const Frame& frame,
-                                                    std::uint32_t lit) {
-  return {lighting.diffuse_scalar(frame.top->shade.scalars, lit),
-          lighting.diffuse_scalar(frame.middle->shade.scalars, lit),
-          lighting.diffuse_scalar(frame.bottom->shade.scalars, lit)};
-}
 
 /// Makes the patch of the diffuse_scalar() of several lights. Returns false if one of the lights reaches only
 /// a part of the triangle.

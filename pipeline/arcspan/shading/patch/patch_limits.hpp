@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/lighting/illumination.hpp>
+#include <arcspan/lighting/highlight_bound.hpp>
+#include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/target.hpp>
 
@@ -47,39 +48,43 @@ inline constexpr std::uint32_t kWidestHighlightPatch = 71927064u;
   return chords.sum() - widest <= limit + (limit >> 1) + (limit >> 3);
 }
 
-/// is_accurate_patch() of a TriangleFrame that is drawn by rows. In triangles narrower than 4 pixels the
-/// second difference is so large that a wide patch would show the rounding of a row's start.
+/// The least width, 16 fraction bits, of a triangle beyond widest_patch() that is a patch drawn by rows: 4
+/// pixels. In narrower ones the second difference is so large that the rounding of a row's start would show.
+inline constexpr std::uint32_t kLeastWidePatch = 4u << 16;
+
+/// Returns true if a TriangleFrame is accurate as a patch; the other arguments are as above.
 template <class Method>
 [[nodiscard]] constexpr bool is_accurate_patch(const TriangleFrame<Method>& frame, std::uint32_t widest,
                                                std::uint32_t limit) {
   if (widest <= limit) return true;
-  return frame.width >= (4u << 16) && is_accurate_patch(frame.chords, widest, limit);
+  return frame.width >= kLeastWidePatch && is_accurate_patch(frame.chords, widest, limit);
 }
 
 /// True if `Lighting` bounds its highlights over a triangle. Where they are faint, patches may be wider.
-/// Those by N·H have no such bound: their patches are nearly twice as wide anyway.
+/// Illuminations by N·H do not: their patches are nearly twice as wide anyway (decision 5).
 template <class Lighting>
 concept BoundsHighlights = requires(const Lighting& lighting) {
   lighting.highlights_over({}, {}, {}, std::uint32_t{}, std::uint32_t{}, std::uint32_t{});
 };
 
-/// Returns a bound of the highlights over a triangle with these scalars at its vertices and chords of at most
-/// 1.
-template <BoundsHighlights Lighting, class Scalars>
+/// Returns the bounds of the highlights over a TriangleFrame or SortedVertices with chords of at most 1.
+template <BoundsHighlights Lighting, class Triangle>
 [[nodiscard]] ARCSPAN_OUTLINE constexpr HighlightBound highlights_over(const Lighting& lighting,
-                                                                       const Scalars& a, const Scalars& b,
-                                                                       const Scalars& c,
-                                                                       const TriangleChords& chords) {
-  return lighting.highlights_over(a, b, c, chords.top_middle, chords.top_bottom, chords.middle_bottom);
+                                                                       const Triangle& triangle) {
+  const TriangleChords& chords = triangle.chords;
+  return lighting.highlights_over(triangle.top->shade.scalars, triangle.middle->shade.scalars,
+                                  triangle.bottom->shade.scalars, chords.top_middle, chords.top_bottom,
+                                  chords.middle_bottom);
 }
 
-/// Returns true if a triangle with highlights of this HighlightBound::strength may be a patch. The other
+/// Returns true if a triangle with this HighlightBound::relative_slope is accurate as a patch. The other
 /// arguments are those of is_accurate_patch().
-template <BoundsHighlights Lighting, class Triangle>
-[[nodiscard]] constexpr bool is_accurate_patch_at(const Lighting& lighting, const Triangle& triangle,
-                                                  std::uint32_t widest, std::uint8_t strength) {
+template <BoundsHighlights Lighting>
+[[nodiscard]] constexpr bool is_accurate_patch_at_slope(const Lighting& lighting,
+                                                        const TriangleChords& chords, std::uint32_t widest,
+                                                        std::uint8_t relative_slope) {
   return widest <= kWidestHighlightPatch &&
-         is_accurate_patch(triangle, widest, limit_at_strength(lighting.widest_patch(), strength));
+         is_accurate_patch(chords, widest, limit_at_slope(lighting.widest_patch(), relative_slope));
 }
 
 /// Returns true if the size of the triangle allows a patch: a width of at least half a pixel, because slopes

@@ -101,6 +101,9 @@ TEST_CASE("under a highlight N.L is linear if both errors together are within th
   const std::uint32_t limit = sharp.highlight_patch_limit();
   CHECK(sharp.linear_limit_with_highlight(limit) <= sharp.linear_limit_with_highlight(0) >> 12);
   CHECK(sharp.linear_limit_with_highlight(limit / 2) < sharp.linear_limit_with_highlight(limit / 4));
+  // Beyond that limit, where faint highlights still allow a patch, nothing is left.
+  for (std::uint32_t chord = limit; chord < 20797469; chord += limit / 16)
+    CHECK(sharp.linear_limit_with_highlight(chord) <= sharp.linear_limit_with_highlight(0) >> 12);
   REQUIRE(ok(sharp.set_tolerance(0)));
   CHECK(sharp.linear_limit_with_highlight(0) == 0);
 }
@@ -156,7 +159,7 @@ struct Difference {
 };
 
 /// Draws a triangle with these widest normals, and directions of light and eye of which the latter is up to
-/// `away` off the mirror's.
+/// `away` radians off the mirror's.
 Difference random_difference(Random& random, std::int32_t n, double widest, double away) {
   const Vec3 middle = random_unit(random);
   std::array<Vec3, 3> normals;

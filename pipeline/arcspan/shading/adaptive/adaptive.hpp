@@ -283,9 +283,7 @@ struct AdaptivePaths : Arc<Illumination> {
     if (!patch_fits(frame) || (fits_patch && !may_step_distance)) return wide;
     const HighlightBound bound = highlights_over(lighting, frame);
     if (bound.nearest > wide.nearest) wide.nearest = bound.nearest;
-    wide.fits_patch =
-        fits_patch || (frame.width >= kLeastWidePatch &&
-                       is_accurate_patch_at_slope(lighting, frame.chords, widest, bound.relative_slope));
+    wide.fits_patch = fits_patch || is_accurate_patch_at_slope(lighting, frame, widest, bound.relative_slope);
     if (may_step_distance) wide.distance_limit = lighting.highlight_patch_limit_at(bound.slope);
     return wide;
   }

@@ -251,8 +251,7 @@ struct ArcUpTo {
       if (bound.nearest >= lighting.power().half_reach() && lit_throughout(lighting, frame, lit))
         return diffuse_path(true, widest);
     }
-    const bool is_patch = frame.width >= kLeastWidePatch &&
-                          is_accurate_patch_at_slope(lighting, frame.chords, widest, bound.relative_slope);
+    const bool is_patch = is_accurate_patch_at_slope(lighting, frame, widest, bound.relative_slope);
     return is_patch ? Path::kPatch : Path::kWide;
   }
 };

@@ -48,16 +48,14 @@ inline constexpr std::uint32_t kWidestHighlightPatch = 71927064u;
   return chords.sum() - widest <= limit + (limit >> 1) + (limit >> 3);
 }
 
-/// The least width, 16 fraction bits, of a triangle beyond widest_patch() that is a patch drawn by rows: 4
-/// pixels. In narrower ones the second difference is so large that the rounding of a row's start would show.
-inline constexpr std::uint32_t kLeastWidePatch = 4u << 16;
-
-/// Returns true if a TriangleFrame is accurate as a patch; the other arguments are as above.
+/// Returns true if a TriangleFrame, which is drawn by rows, is accurate as a patch; the other arguments are
+/// as above. Beyond the limit it must be 4 pixels wide, because in narrower ones the second difference is so
+/// large that the rounding of a row's start would show.
 template <class Method>
 [[nodiscard]] constexpr bool is_accurate_patch(const TriangleFrame<Method>& frame, std::uint32_t widest,
                                                std::uint32_t limit) {
   if (widest <= limit) return true;
-  return frame.width >= kLeastWidePatch && is_accurate_patch(frame.chords, widest, limit);
+  return frame.width >= (4u << 16) && is_accurate_patch(frame.chords, widest, limit);
 }
 
 /// True if `Lighting` bounds its highlights over a triangle. Where they are faint, patches may be wider.
@@ -78,13 +76,12 @@ template <BoundsHighlights Lighting, class Triangle>
 }
 
 /// Returns true if a triangle with this HighlightBound::relative_slope is accurate as a patch. The other
-/// arguments are those of is_accurate_patch().
-template <BoundsHighlights Lighting>
-[[nodiscard]] constexpr bool is_accurate_patch_at_slope(const Lighting& lighting,
-                                                        const TriangleChords& chords, std::uint32_t widest,
-                                                        std::uint8_t relative_slope) {
+/// arguments are those of is_accurate_patch(). Errors of rounding fall with the slope, too.
+template <BoundsHighlights Lighting, class Triangle>
+[[nodiscard]] constexpr bool is_accurate_patch_at_slope(const Lighting& lighting, const Triangle& triangle,
+                                                        std::uint32_t widest, std::uint8_t relative_slope) {
   return widest <= kWidestHighlightPatch &&
-         is_accurate_patch(chords, widest, limit_at_slope(lighting.widest_patch(), relative_slope));
+         is_accurate_patch(triangle, widest, limit_at_slope(lighting.widest_patch(), relative_slope));
 }
 
 /// Returns true if the size of the triangle allows a patch: a width of at least half a pixel, because slopes

@@ -55,7 +55,7 @@ template <class Method>
 [[nodiscard]] constexpr bool is_accurate_patch(const TriangleFrame<Method>& frame, std::uint32_t widest,
                                                std::uint32_t limit) {
   if (widest <= limit) return true;
-  return frame.width >= (4u << 16) && is_accurate_patch(frame.chords, widest, limit);
+  return frame.width >= (std::uint32_t{4} << 16) && is_accurate_patch(frame.chords, widest, limit);
 }
 
 /// True if `Lighting` bounds its highlights over a triangle. Where they are faint, patches may be wider.

@@ -163,7 +163,7 @@ constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
   if constexpr (Lights > 1) {
     std::uint32_t relative = 0;
     for (std::uint32_t step = 8; step != 0; step >>= 1) {
-      if (slopes << 4 >= weights * (relative + step)) relative += step;
+      if ((slopes << 4) >= weights * (relative + step)) relative += step;
     }
     bound.relative_slope = static_cast<std::uint8_t>(relative);
   }

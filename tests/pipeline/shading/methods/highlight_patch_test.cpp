@@ -23,10 +23,11 @@ using Lit = Illumination<1, Highlight::kPhong>;
 using Lighting = AdaptiveIllumination<Lit>;
 using Method = Adaptive<Lit>;
 
-Lit shiny_light(std::int32_t shininess, const Vec3& towards, const Vec3& to_eye) {
+Lit shiny_light(std::int32_t shininess, const Vec3& towards, const Vec3& to_eye,
+                Coefficient specular = Coefficient::of(0.5)) {
   Material material;
   material.diffuse = {Coefficient::of(0.4), Coefficient::of(0.4), Coefficient::of(0.4)};
-  material.specular = {Coefficient::of(0.5), Coefficient::of(0.5), Coefficient::of(0.5)};
+  material.specular = {specular, specular, specular};
   material.shininess = shininess;
   Lit lit;
   REQUIRE(ok(Lit::make(material, {DirectionalLight{to_direction(towards)}}, to_direction(to_eye), lit)));
@@ -102,8 +103,9 @@ TEST_CASE("under a highlight N.L is linear if both errors together are within th
   CHECK(sharp.linear_limit_with_highlight(limit) <= sharp.linear_limit_with_highlight(0) >> 12);
   CHECK(sharp.linear_limit_with_highlight(limit / 2) < sharp.linear_limit_with_highlight(limit / 4));
   // Beyond that limit, where faint highlights still allow a patch, nothing is left.
-  for (std::uint32_t chord = limit; chord < 20797469; chord += limit / 16)
-    CHECK(sharp.linear_limit_with_highlight(chord) <= sharp.linear_limit_with_highlight(0) >> 12);
+  const Lighting bright(shiny_light(64, towards, {0, 0, 1}, Coefficient::of(1)));
+  for (std::uint32_t chord = bright.highlight_patch_limit(); chord < 20797469; chord += limit / 16)
+    CHECK(bright.linear_limit_with_highlight(chord) <= bright.linear_limit_with_highlight(0) >> 12);
   REQUIRE(ok(sharp.set_tolerance(0)));
   CHECK(sharp.linear_limit_with_highlight(0) == 0);
 }

@@ -13,6 +13,21 @@
 using namespace arcspan;
 using namespace arcspan::test;
 
+namespace {
+
+struct Normals {
+  Vec3 middle;
+  std::array<Vec3, 3> around;  ///< within a random angle of `middle`
+};
+Normals random_normals(Random& random, double most_degrees) {
+  Normals normals{random_unit(random), {}};
+  const double widest = radians(random.real(5, most_degrees));
+  for (Vec3& normal : normals.around) normal = tilted(random, normals.middle, random.real(0, 1) * widest);
+  return normals;
+}
+
+}  // namespace
+
 TEST_CASE(
     "no normal of a triangle is nearer to the highlight than its bounds, and the sharper one is often "
     "sharper") {
@@ -22,10 +37,7 @@ TEST_CASE(
   double slack = 0;
   constexpr int kTriangles = 3000;
   for (int i = 0; i < kTriangles; ++i) {
-    const Vec3 middle = random_unit(random);
-    const double widest = radians(random.real(5, 34));
-    std::array<Vec3, 3> normals;
-    for (Vec3& normal : normals) normal = tilted(random, middle, random.real(0, 1) * widest);
+    const auto [middle, normals] = random_normals(random, 34);
     const Direction towards = to_direction(tilted(random, middle, random.real(0, 1.2)));
     const Direction to_eye = to_direction(tilted(random, middle, random.real(0, 1.2)));
     Lit lit;
@@ -80,10 +92,7 @@ int check_highlights_over(std::uint64_t seed, int triangles) {
   Random random(seed);
   int faint = 0;
   for (int i = 0; i < triangles; ++i) {
-    const Vec3 middle = random_unit(random);
-    const double widest = radians(random.real(5, 28));
-    std::array<Vec3, 3> normals;
-    for (Vec3& normal : normals) normal = tilted(random, middle, random.real(0, 1) * widest);
+    const auto [middle, normals] = random_normals(random, 28);
     const Direction to_eye = to_direction(tilted(random, middle, random.real(0, 1.2)));
     std::array<DirectionalLight, kLights> lights;
     double weights = 0;

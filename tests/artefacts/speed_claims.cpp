@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -118,8 +119,8 @@ class Bench {
   /// The error and the operations of a method that the command offers.
   MethodFigures figures(const std::string& shading) {
     const RenderJob drawn = job(kUsualSegment);
-    return measure_method(find_method(shading), drawn, mesh_, draw_reference(drawn, ReferenceKind::kPhong),
-                          Timing::kLeftOut);
+    if (!reference_) reference_ = draw_reference(drawn, ReferenceKind::kPhong);
+    return measure_method(find_method(shading), drawn, mesh_, *reference_, Timing::kLeftOut);
   }
 
   Cost cost(const std::string& shading, int segment_bits = kUsualSegment) {
@@ -142,6 +143,7 @@ class Bench {
   std::map<Drawn, double> instructions_;
   double pixels_ = 0;
   std::map<Drawn, Cost> known_;
+  std::optional<ReferencePicture> reference_;
 };
 
 /// A method, and the length of its segments if it has any.

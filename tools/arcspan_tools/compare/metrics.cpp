@@ -32,30 +32,31 @@ struct Plane {
 double luma_of(const ChannelLevels& c) { return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2]; }
 ChannelLevels levels_of(Rgb8 c) { return {double(c.r), double(c.g), double(c.b)}; }
 
-/// Where the weight of the neighbour at the distance i stands.
-std::size_t tap(int i) {
-  const int place = i + kRadius;
-  return static_cast<std::size_t>(place);
-}
-
 /// A Gaussian blur of a row or column; beyond the picture its border goes on.
 template <bool Down>
 Plane blurred_one_way(const Plane& in) {
-  std::array<double, 2 * kRadius + 1> weights{};
+  constexpr std::size_t kTaps = 2 * kRadius + 1;
+  std::array<double, kTaps> weights{};
   double sum = 0;
-  for (int i = -kRadius; i <= kRadius; ++i) {
-    sum += weights[tap(i)] = std::exp(-i * i / (2 * kSigma * kSigma));
+  for (std::size_t tap = 0; tap < kTaps; ++tap) {
+    const int i = static_cast<int>(tap) - kRadius;
+    sum += weights[tap] = std::exp(-i * i / (2 * kSigma * kSigma));
   }
+  const std::int32_t lines = Down ? in.width : in.height;
+  const std::int32_t length = Down ? in.height : in.width;
   Plane out(in.width, in.height);
-  for (std::int32_t y = 0; y < in.height; ++y) {
-    for (std::int32_t x = 0; x < in.width; ++x) {
+  std::vector<double> line(static_cast<std::size_t>(length) + 2 * kRadius);  // with its border
+  for (std::int32_t i = 0; i < lines; ++i) {
+    std::int32_t from = -kRadius;
+    for (double& value : line) {
+      const std::int32_t place = std::clamp(from++, 0, length - 1);
+      value = Down ? in.at(i, place) : in.at(place, i);
+    }
+    for (std::int32_t place = 0; place < length; ++place) {
+      const double* const first = line.data() + place;
       double value = 0;
-      for (int i = -kRadius; i <= kRadius; ++i) {
-        const std::int32_t from_x = std::clamp(Down ? x : x + i, 0, in.width - 1);
-        const std::int32_t from_y = std::clamp(Down ? y + i : y, 0, in.height - 1);
-        value += weights[tap(i)] * in.at(from_x, from_y);
-      }
-      out.at(x, y) = value / sum;
+      for (std::size_t tap = 0; tap < kTaps; ++tap) value += weights[tap] * first[tap];
+      (Down ? out.at(i, place) : out.at(place, i)) = value / sum;
     }
   }
   return out;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct Image {
 
   [[nodiscard]] Rgb8& at(std::int32_t x, std::int32_t y) { return pixels[area(width, y) + as_size(x)]; }
   [[nodiscard]] Rgb8 at(std::int32_t x, std::int32_t y) const { return pixels[area(width, y) + as_size(x)]; }
+  [[nodiscard]] std::span<Rgb8> row(std::int32_t y) {
+    return std::span(pixels).subspan(area(width, y), as_size(width));
+  }
   friend bool operator==(const Image&, const Image&) = default;
 
  private:

@@ -24,6 +24,7 @@ class FormatStore final : public PixelStore {
     cursor.write(operated_pixel<Format>(surface, cursor.read(), x, y));
   }
   [[nodiscard]] Rgb8 pixel(std::int32_t x, std::int32_t y) const override { return frame_.pixel(x, y); }
+  void read_row(std::int32_t y, std::span<Rgb8> row) const override { decode_row(frame_, y, row); }
   void move_to(std::int32_t first_row) override { frame_.move_to(first_row); }
   void clear(Rgb8 colour) override { frame_.clear(colour); }
   [[nodiscard]] Rect bounds() const override { return frame_.bounds(); }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 namespace arcspan::tools {
 
@@ -21,11 +22,20 @@ class PixelStore {
   virtual void write(std::int32_t x, std::int32_t y, PackedRgb colour) = 0;
   virtual void write(std::int32_t x, std::int32_t y, const SurfacePixel& surface) = 0;
   [[nodiscard]] virtual Rgb8 pixel(std::int32_t x, std::int32_t y) const = 0;
+  /// The colours of row y, which must be inside bounds().
+  virtual void read_row(std::int32_t y, std::span<Rgb8> row) const = 0;
   virtual void move_to(std::int32_t first_row) = 0;
   virtual void clear(Rgb8 colour) = 0;
   [[nodiscard]] virtual Rect bounds() const = 0;
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 };
+
+/// Decodes row y of a framebuffer.
+template <class Frame>
+void decode_row(const Frame& frame, std::int32_t y, std::span<Rgb8> row) {
+  std::int32_t x = 0;
+  for (Rgb8& pixel : row) pixel = frame.pixel(x++, y);
+}
 
 /// A store of the format that was chosen; throws Failure if there is none of that name.
 [[nodiscard]] std::unique_ptr<PixelStore> make_pixel_store(const PixelChoice& pixels, std::int32_t width,
@@ -40,6 +50,7 @@ class NoPixels final : public PixelStore {
   void write(std::int32_t, std::int32_t, const SurfacePixel&) override { ++written_; }
   [[nodiscard]] std::uint64_t written() const { return written_; }
   [[nodiscard]] Rgb8 pixel(std::int32_t, std::int32_t) const override { return {}; }
+  void read_row(std::int32_t, std::span<Rgb8>) const override {}
   void move_to(std::int32_t first_row) override {
     bounds_ = {bounds_.left, first_row, bounds_.right, first_row + bounds_.height()};
   }

@@ -33,9 +33,7 @@ class BandDepth {
 template <class Band>
 void copy_rows(const Band& band, std::int32_t first, std::int32_t rows, Image& image) {
   const std::int32_t end = std::min(first + rows, image.height);
-  for (std::int32_t y = first; y < end; ++y) {
-    for (std::int32_t x = 0; x < image.width; ++x) image.at(x, y) = band.pixel(x, y);
-  }
+  for (std::int32_t y = first; y < end; ++y) band.read_row(y, image.row(y));
 }
 
 }  // namespace arcspan::tools

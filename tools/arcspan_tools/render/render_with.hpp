@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -49,7 +50,7 @@ class DirectBand {
     frame_.move_to(first_row);
     frame_.clear(background);
   }
-  [[nodiscard]] Rgb8 pixel(std::int32_t x, std::int32_t y) const { return frame_.pixel(x, y); }
+  void read_row(std::int32_t y, std::span<Rgb8> row) const { decode_row(frame_, y, row); }
   [[nodiscard]] std::size_t bytes() const { return memory_.size() * sizeof(Rgb565::Word); }
 
  private:
@@ -71,7 +72,7 @@ class AnyBand {
     store_->move_to(first_row);
     store_->clear(background);
   }
-  [[nodiscard]] Rgb8 pixel(std::int32_t x, std::int32_t y) const { return store_->pixel(x, y); }
+  void read_row(std::int32_t y, std::span<Rgb8> row) const { store_->read_row(y, row); }
   [[nodiscard]] std::size_t bytes() const { return store_->bytes(); }
 
  private:

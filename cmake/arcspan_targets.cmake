@@ -45,6 +45,9 @@ function(arcspan_library name)
   set_target_properties(arcspan_${name} PROPERTIES EXPORT_NAME ${name})
   target_compile_features(arcspan_${name} PUBLIC cxx_std_20)
   set_target_properties(arcspan_${name} PROPERTIES CXX_EXTENSIONS OFF)
+  if(ARCSPAN_LIBRARY_UNITY)
+    set_target_properties(arcspan_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  endif()
   target_include_directories(
     arcspan_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>
                            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

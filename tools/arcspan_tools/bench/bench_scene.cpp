@@ -12,7 +12,6 @@ namespace {
 constexpr std::int32_t kRadiusOfSmallest = 118;
 
 Vec3 tilted(Vec3 v) {
-  constexpr double kDegree = std::numbers::pi / 180;
   const auto turn = [](double& a, double& b, double angle) {
     const double c = std::cos(angle * kDegree);
     const double s = std::sin(angle * kDegree);

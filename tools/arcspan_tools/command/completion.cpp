@@ -56,7 +56,7 @@ std::vector<CompletedOption> options_of(const CLI::App& command) {
 std::string spaced(const std::vector<std::string>& words) { return joined(words, " "); }
 
 /// `text` in single quotes.
-std::string quoted(const std::string& text) {
+std::string single_quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
@@ -91,12 +91,12 @@ std::string bash_command(const CompletedCommand& command) {
     values += "        " + pattern + ") " +
               (option.choices.empty()
                    ? "COMPREPLY=($(compgen -f -- \"$word\"))"
-                   : "COMPREPLY=($(compgen -W " + quoted(spaced(option.choices)) + " -- \"$word\"))") +
+                   : "COMPREPLY=($(compgen -W " + single_quoted(spaced(option.choices)) + " -- \"$word\"))") +
               "; return ;;\n";
   }
   return "    " + command.name + ")\n      case \"$before\" in\n" + values +
-         "      esac\n      names=" + quoted(spaced(names)) +
-         "\n      words=" + quoted(spaced(command.words)) + "\n      ;;\n";
+         "      esac\n      names=" + single_quoted(spaced(names)) +
+         "\n      words=" + single_quoted(spaced(command.words)) + "\n      ;;\n";
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ std::string bash_completion(const std::string& program, const std::vector<Comple
          "() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} names= words=\n"
          "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n    COMPREPLY=($(compgen -W " +
-         quoted(spaced(names) + " --help --version") +
+         single_quoted(spaced(names) + " --help --version") +
          " -- \"$word\"))\n    return\n  fi\n"
          "  case \"${COMP_WORDS[1]}\" in\n" +
          cases +
@@ -137,7 +137,7 @@ std::string zsh_completion(const std::string& program, const std::vector<Complet
   std::string list;
   std::string cases;
   for (const CompletedCommand& command : commands) {
-    list += "    " + quoted(bracketed(command.name) + ":" + command.help) + "\n";
+    list += "    " + single_quoted(bracketed(command.name) + ":" + command.help) + "\n";
     cases += "    " + command.name + ")\n      _arguments -S \\\n";
     for (const CompletedOption& option : command.options) {
       for (const std::string& name : names_of(option)) {
@@ -145,7 +145,7 @@ std::string zsh_completion(const std::string& program, const std::vector<Complet
         if (option.takes_value) {
           spec += ":value:" + (option.choices.empty() ? "_files" : "(" + spaced(option.choices) + ")");
         }
-        cases += "        " + quoted("*" + spec) + " \\\n";
+        cases += "        " + single_quoted("*" + spec) + " \\\n";
       }
     }
     const std::string rest = command.words.empty() ? "_files" : "(" + spaced(command.words) + ")";
@@ -165,10 +165,10 @@ std::string fish_completion(const std::string& program, const std::vector<Comple
   std::string text = "# fish completion of " + program + "; made by: " + program + " completion fish\n";
   for (const CompletedCommand& command : commands) {
     text +=
-        complete + " -f -n __fish_use_subcommand -a " + command.name + " -d " + quoted(command.help) + "\n";
+        complete + " -f -n __fish_use_subcommand -a " + command.name + " -d " + single_quoted(command.help) + "\n";
     if (!command.words.empty()) {
       text += complete + " -f -n '__fish_seen_subcommand_from " + command.name + "' -a " +
-              quoted(spaced(command.words)) + "\n";
+              single_quoted(spaced(command.words)) + "\n";
     }
     for (const CompletedOption& option : command.options) {
       text += complete + " -n '__fish_seen_subcommand_from " + command.name + "'";
@@ -176,8 +176,8 @@ std::string fish_completion(const std::string& program, const std::vector<Comple
       if (!option.short_name.empty()) text += " -s " + option.short_name.substr(1);
       if (!option.choices.empty()) text += " -f";
       if (option.takes_value) text += " -r";
-      if (!option.choices.empty()) text += " -a " + quoted(spaced(option.choices));
-      text += " -d " + quoted(option.help) + "\n";
+      if (!option.choices.empty()) text += " -a " + single_quoted(spaced(option.choices));
+      text += " -d " + single_quoted(option.help) + "\n";
     }
   }
   return text;

@@ -12,7 +12,7 @@
 namespace arcspan::tools {
 namespace {
 
-std::string triple(const ObjectPosition& p) { return formatted("(%d, %d, %d)", p.x, p.y, p.z); }
+std::string position_text(const ObjectPosition& p) { return formatted("(%d, %d, %d)", p.x, p.y, p.z); }
 
 std::size_t triangles(const MeshReport& r) { return r.compiled.model.triangle_count(); }
 
@@ -31,7 +31,7 @@ std::string index_text(const MeshReport& r) {
   return bits == 0 ? "8-bit and 16-bit indices" : std::to_string(bits) + "-bit indices";
 }
 
-std::string channels(const ChannelCoefficients& c) {
+std::string coefficients_text(const ChannelCoefficients& c) {
   const auto value = [](Coefficient v) { return std::ldexp(v.raw(), -Coefficient::kFraction); };
   return formatted("%.2f,%.2f,%.2f", value(c.r), value(c.g), value(c.b));
 }
@@ -40,18 +40,18 @@ std::string channels(const ChannelCoefficients& c) {
 std::string parts_text(const MeshReport& r) {
   const FixedModel& model = r.compiled.model;
   if (is_plain_mesh(model)) return {};
-  constexpr std::size_t kMostListed = 40;
+  constexpr std::size_t kMostPartsListed = 40;
   const std::vector<std::string> names = part_names(model);
   std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMostListed); ++i) {
+  for (std::size_t i = 0; i < std::min(names.size(), kMostPartsListed); ++i) {
     const Material material = material_of(model.looks[i]);
     text += "  " + printable(names[i]) +
             formatted(": %zu vertices, %zu triangles, diffuse %s, specular %s, shininess %d%s\n",
                       model.meshes[i].positions.size(), model.meshes[i].indices.size() / 3,
-                      channels(material.diffuse).c_str(), channels(material.specular).c_str(),
+                      coefficients_text(material.diffuse).c_str(), coefficients_text(material.specular).c_str(),
                       material.shininess, model.looks[i].material.two_sided ? ", two-sided" : "");
   }
-  if (names.size() > kMostListed) text += formatted("  and %zu more parts\n", names.size() - kMostListed);
+  if (names.size() > kMostPartsListed) text += formatted("  and %zu more parts\n", names.size() - kMostPartsListed);
   return text;
 }
 
@@ -118,7 +118,7 @@ std::string to_text(const MeshReport& r) {
     text += formatted(", surface moved by about %.3g (%.2f %% of the extent)", r.compiled.error,
                       100 * r.compiled.error / r.model_extent);
   }
-  text += "\nbounds: " + triple(r.figures.bounds.low) + " ... " + triple(r.figures.bounds.high) +
+  text += "\nbounds: " + position_text(r.figures.bounds.low) + " ... " + position_text(r.figures.bounds.high) +
           formatted(", one step is %.6g of the model's units\n", model.meshes[0].unit);
   text += formatted("vertex cache of 16: %.2f misses per triangle, %.2f before\n", r.compiled.cache_misses,
                     r.compiled.cache_misses_before);

@@ -12,7 +12,6 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr Size kSize{201, 151};  // odd: there is a middle pixel
 constexpr std::int32_t kMiddleX = kSize.width / 2;
 constexpr std::int32_t kMiddleY = kSize.height / 2;

@@ -46,12 +46,12 @@ double best_nanoseconds(const RenderJob& job, RenderFunction& render) {
 }  // namespace
 
 double best_draw_milliseconds(const RenderJob& job, RenderFunction& render) {
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + kMeasuringTime;
+  using std::chrono::steady_clock;
+  const auto end = steady_clock::now() + kMeasuringTime;
   RenderJob timed = job;
   timed.counts = false;
   double best = std::numeric_limits<double>::infinity();
-  for (int run = 0; run < kFewestRuns || Clock::now() < end; ++run) {
+  for (int run = 0; run < kFewestRuns || steady_clock::now() < end; ++run) {
     best = std::min(best, render(timed, {"rgb565"}, [](std::size_t) {}).stats.draw_milliseconds);
   }
   return best;

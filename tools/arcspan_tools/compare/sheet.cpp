@@ -13,9 +13,9 @@ namespace {
 constexpr Rgb8 kPaper{24, 26, 30};
 constexpr Rgb8 kInk{236, 236, 236};
 constexpr Rgb8 kUncovered{58, 60, 66};
-constexpr std::int32_t kGap = 10;
+constexpr std::int32_t kCellGap = 10;
 constexpr std::int32_t kWidestSheet = 16'384;
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
+constexpr std::int64_t kMostOnSheet = std::int64_t{1} << 28;
 constexpr double kBlackUpTo = 0.5;
 constexpr std::int32_t kDoublings = 8;
 
@@ -24,7 +24,7 @@ constexpr Rgb8 kScale[] = {{0, 0, 0},      {30, 20, 90},   {90, 20, 130},  {160,
                            {245, 105, 40}, {250, 165, 30}, {250, 220, 90}, {255, 255, 255}};
 
 /// Where things stand on the sheet.
-struct Layout {
+struct SheetLayout {
   std::int32_t cell_width;
   std::int32_t cell_height;
   std::int32_t columns;
@@ -32,26 +32,26 @@ struct Layout {
   std::int32_t text_scale;
   std::int32_t text_height;
 
-  Layout(const Comparison& c, std::size_t cells) {
+  SheetLayout(const Comparison& c, std::size_t cells) {
     text_scale = c.width >= 240 ? 2 : 1;
     text_height = text_scale * kLineHeight;
-    cell_width = std::max(c.width, 140) + kGap;
+    cell_width = std::max(c.width, 140) + kCellGap;
     // Under the reference stands the scale instead of a map.
     const std::int32_t map_height = std::max(c.height, (kDoublings + 2) * text_height);
-    cell_height = c.height + map_height + 2 * text_height + 2 * kGap;
+    cell_height = c.height + map_height + 2 * text_height + 2 * kCellGap;
     // As wide as high, as far as whole cells go.
     const double ratio = std::sqrt(static_cast<double>(cells) * cell_height / cell_width);
     const auto most = static_cast<std::int32_t>(cells);
     columns = std::clamp(static_cast<std::int32_t>(std::lround(1.3 * ratio)), 1, most);
     rows = (most + columns - 1) / columns;
   }
-  [[nodiscard]] std::int32_t width() const { return columns * cell_width + kGap; }
-  [[nodiscard]] std::int32_t height() const { return rows * cell_height + kGap + text_height; }
+  [[nodiscard]] std::int32_t width() const { return columns * cell_width + kCellGap; }
+  [[nodiscard]] std::int32_t height() const { return rows * cell_height + kCellGap + text_height; }
   [[nodiscard]] std::int32_t x(std::size_t cell) const {
-    return kGap + static_cast<std::int32_t>(cell) % columns * cell_width;
+    return kCellGap + static_cast<std::int32_t>(cell) % columns * cell_width;
   }
   [[nodiscard]] std::int32_t y(std::size_t cell) const {
-    return kGap + text_height + static_cast<std::int32_t>(cell) / columns * cell_height;
+    return kCellGap + text_height + static_cast<std::int32_t>(cell) / columns * cell_height;
   }
 };
 
@@ -62,7 +62,7 @@ std::string figures_text(const PictureError& error) {
 }
 
 /// The colours of errors with their steps beside them, from the top of the place down.
-void draw_scale(Image& sheet, std::int32_t x, std::int32_t y, const Layout& layout) {
+void draw_scale(Image& sheet, std::int32_t x, std::int32_t y, const SheetLayout& layout) {
   draw_text(sheet, x, y, "error in steps of 255", layout.text_scale, kInk);
   for (int doubling = 0; doubling <= kDoublings; ++doubling) {
     const double steps = std::ldexp(kBlackUpTo, doubling);
@@ -77,9 +77,9 @@ void draw_scale(Image& sheet, std::int32_t x, std::int32_t y, const Layout& layo
   }
 }
 
-void check_size(const Layout& layout) {
+void check_size(const SheetLayout& layout) {
   if (layout.width() <= kWidestSheet && layout.height() <= kWidestSheet &&
-      std::int64_t{layout.width()} * layout.height() <= kMostPixels) {
+      std::int64_t{layout.width()} * layout.height() <= kMostOnSheet) {
     return;
   }
   throw Failure("--size", "the sheet would have " + std::to_string(layout.width()) + "x" +
@@ -111,24 +111,24 @@ Image error_picture(const Image& picture, const ReferencePicture& reference) {
 }
 
 Image contact_sheet(const Comparison& comparison, const ReferencePicture& reference) {
-  const Layout layout(comparison, comparison.methods.size() + 1);
+  const SheetLayout layout(comparison, comparison.methods.size() + 1);
   check_size(layout);
   Image sheet(layout.width(), layout.height());
   fill(sheet, 0, 0, sheet.width, sheet.height, kPaper);
-  draw_text(sheet, kGap, kGap, comparison.mesh_name, layout.text_scale, kInk);
+  draw_text(sheet, kCellGap, kCellGap, comparison.mesh_name, layout.text_scale, kInk);
   const char* reference_name = comparison.reference_kind == ReferenceKind::kPhong
                                    ? "reference: Phong, double"
                                    : "reference: slerp, double";
-  draw_text(sheet, layout.x(0), layout.y(0) + kGap, reference_name, layout.text_scale, kInk);
-  const std::int32_t picture_top = kGap + layout.text_height;
+  draw_text(sheet, layout.x(0), layout.y(0) + kCellGap, reference_name, layout.text_scale, kInk);
+  const std::int32_t picture_top = kCellGap + layout.text_height;
   const std::int32_t map_top = picture_top + comparison.height;
   paste(sheet, comparison.reference, layout.x(0), layout.y(0) + picture_top);
-  draw_scale(sheet, layout.x(0), layout.y(0) + map_top + kGap, layout);
+  draw_scale(sheet, layout.x(0), layout.y(0) + map_top + kCellGap, layout);
   for (std::size_t i = 0; i < comparison.methods.size(); ++i) {
     const MethodFigures& method = comparison.methods[i];
     const std::int32_t x = layout.x(i + 1);
     const std::int32_t y = layout.y(i + 1);
-    draw_text(sheet, x, y + kGap, method.shading, layout.text_scale, kInk);
+    draw_text(sheet, x, y + kCellGap, method.shading, layout.text_scale, kInk);
     paste(sheet, method.picture, x, y + picture_top);
     paste(sheet, error_picture(method.picture, reference), x, y + map_top);
     draw_text(sheet, x, y + map_top + comparison.height + 4, figures_text(method.error), layout.text_scale,

@@ -54,7 +54,7 @@ void FrameFolder::add(Image frame) {
 
 void FrameFolder::finish() {
   if (exists_) {
-    std::vector<Placement> placements;
+    std::vector<FilePlacement> placements;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
       placements.push_back({*frames_[i], folder_ / name_of(i), folder_ / name_of(i)});
     }

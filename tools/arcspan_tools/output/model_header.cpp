@@ -17,7 +17,7 @@ std::string braced(std::initializer_list<int> values) {
   return text + "}";
 }
 
-std::string triple(const ObjectPosition& p) { return braced({p.x, p.y, p.z}); }
+std::string braced_position(const ObjectPosition& p) { return braced({p.x, p.y, p.z}); }
 
 std::string plane_arrays(const FixedMesh& mesh) {
   ArrayText planes;
@@ -42,7 +42,7 @@ std::string colour_array(const FixedMesh& mesh) {
 }
 
 // Enough digits that the same number is read back; the shortest such text.
-std::string number(double value) {
+std::string shortest_number(double value) {
   char digits[32];
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
@@ -54,7 +54,7 @@ std::string comment(const FixedModel& model, const std::string& origin, const Mo
   text += "// " + std::to_string(model.vertex_count()) + " vertices, " +
           std::to_string(model.triangle_count()) + " triangles, " +
           std::to_string(model_bytes(CompiledOutput::kHeader, model, planes, textures)) +
-          " bytes. Positions " + triple(figures.bounds.low) + " ... " + triple(figures.bounds.high) + ".\n";
+          " bytes. Positions " + braced_position(figures.bounds.low) + " ... " + braced_position(figures.bounds.high) + ".\n";
   if (model.meshes.size() > 1) text += "// " + std::to_string(model.meshes.size()) + " parts.\n";
   return text;
 }
@@ -63,8 +63,8 @@ std::string unit_and_origin(const FixedMesh& mesh) {
   return "/// The length of an object unit in the model's units, and the model's point at the object's "
          "origin.\n"
          "inline constexpr double kUnit = " +
-         number(mesh.unit) + ";\ninline constexpr double kOrigin[] = {" + number(mesh.centre.x) + ", " +
-         number(mesh.centre.y) + ", " + number(mesh.centre.z) + "};\n\n";
+         shortest_number(mesh.unit) + ";\ninline constexpr double kOrigin[] = {" + shortest_number(mesh.centre.x) + ", " +
+         shortest_number(mesh.centre.y) + ", " + shortest_number(mesh.centre.z) + "};\n\n";
 }
 
 /// The body of make_view().
@@ -83,7 +83,7 @@ std::string mesh_text(const FixedMesh& mesh) {
   ArrayText positions;
   ArrayText normals;
   ArrayText indices;
-  for (const ObjectPosition& p : mesh.positions) positions.add(triple(p));
+  for (const ObjectPosition& p : mesh.positions) positions.add(braced_position(p));
   for (const PackedNormal& n : mesh.normals) normals.add(braced({n.u, n.v}));
   for (const std::uint16_t index : mesh.indices) indices.add(std::to_string(index));
   const bool planes = !mesh.planes.empty();
@@ -99,7 +99,7 @@ std::string mesh_text(const FixedMesh& mesh) {
          view_text(planes, points, colours) + "}\n\n";
 }
 
-std::string channels(const ChannelCoefficients& c) {
+std::string braced_coefficients(const ChannelCoefficients& c) {
   std::string text;
   for (const Coefficient channel : {c.r, c.g, c.b}) {
     text += (text.empty() ? "{" : ", ") + std::string("arcspan::Coefficient::from_raw(") +
@@ -111,8 +111,8 @@ std::string channels(const ChannelCoefficients& c) {
 /// Coefficients are in 32768ths.
 std::string material_text(const PartLook& look) {
   const Material material = material_of(look);
-  return "inline constexpr arcspan::Material kMaterial = {\n    " + channels(material.ambient) + ",\n    " +
-         channels(material.diffuse) + ",\n    " + channels(material.specular) + ",\n    " +
+  return "inline constexpr arcspan::Material kMaterial = {\n    " + braced_coefficients(material.ambient) + ",\n    " +
+         braced_coefficients(material.diffuse) + ",\n    " + braced_coefficients(material.specular) + ",\n    " +
          std::to_string(material.shininess) +
          "};\ninline constexpr bool kTwoSided = " + (look.material.two_sided ? "true" : "false") + ";\n\n";
 }

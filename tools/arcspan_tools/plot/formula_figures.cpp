@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/plot/figure_list.hpp>
 #include <arcspan_tools/plot/formulas.hpp>
+#include <arcspan_tools/support/vec3.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace arcspan::tools {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kPoints = 360;
 constexpr int kSpansOfFigure = 200;  // of each point; more are for the claims
 

@@ -8,10 +8,10 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 26;
+constexpr std::size_t kMostOutput = std::size_t{1} << 26;
 
 /// `text` as gnuplot's double-quoted string.
-std::string quoted(const std::string& text) {
+std::string double_quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
@@ -20,7 +20,7 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-std::string number(double v) {
+std::string plotted_number(double v) {
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", v);
   return text;
@@ -28,7 +28,7 @@ std::string number(double v) {
 
 std::string data_block(std::size_t index, const Curve& curve) {
   std::string text = "$curve" + std::to_string(index) + " << EOD\n";
-  for (const auto& [x, y] : curve.points) text += number(x) + " " + number(y) + "\n";
+  for (const auto& [x, y] : curve.points) text += plotted_number(x) + " " + plotted_number(y) + "\n";
   return text + "EOD\n";
 }
 
@@ -41,10 +41,10 @@ std::string line_style(std::size_t index) {
 
 std::string plot_item(std::size_t index, const Curve& curve) {
   return "$curve" + std::to_string(index) + " using 1:2 with " +
-         (curve.marks ? "points pt 7 ps 1.2" : line_style(index)) + " title " + quoted(curve.label);
+         (curve.marks ? "points pt 7 ps 1.2" : line_style(index)) + " title " + double_quoted(curve.label);
 }
 
-std::string first_line(const std::string& text) {
+std::string message_line(const std::string& text) {
   const std::size_t from = text.find_first_not_of("\n ");
   if (from == std::string::npos) return "no message";
   return text.substr(from, text.find('\n', from) - from);
@@ -57,9 +57,9 @@ std::string gnuplot_script(const Figure& figure, PlotFormat format, const std::s
   script += format == PlotFormat::kSvg
                 ? "set terminal svg size 1120,600 noenhanced font 'DejaVu Sans,14' background rgb 'white'\n"
                 : "set terminal pngcairo size 1120,600 noenhanced font 'DejaVu Sans,12'\n";
-  script += "set output " + quoted(output) + "\nset grid\n";
-  script += "set title " + quoted(figure.title) + "\n";
-  script += "set xlabel " + quoted(figure.x_label) + "\nset ylabel " + quoted(figure.y_label) + "\n";
+  script += "set output " + double_quoted(output) + "\nset grid\n";
+  script += "set title " + double_quoted(figure.title) + "\n";
+  script += "set xlabel " + double_quoted(figure.x_label) + "\nset ylabel " + double_quoted(figure.y_label) + "\n";
   script += "set key outside right top\nset autoscale xfix\n";
   if (figure.logarithmic_x) script += "set logscale x\n";
   if (figure.logarithmic_y) script += "set logscale y\nset format y '%.0e'\n";
@@ -76,9 +76,9 @@ std::string draw_figure(const Figure& figure, PlotFormat format) {
   const std::string& output = folder.file("figure").path();
   const std::optional<ChildEnd> end = run_child("gnuplot", {}, gnuplot_script(figure, format, output));
   if (!end) throw Failure("gnuplot", "not found; figures are drawn by it (Debian package gnuplot-nox)");
-  if (end->status != 0) throw Failure("gnuplot", first_line(end->error_text));
+  if (end->status != 0) throw Failure("gnuplot", message_line(end->error_text));
   if (!std::filesystem::exists(output)) throw Failure("gnuplot", "drew nothing");
-  return read_whole_file(output, kMostBytes);
+  return read_whole_file(output, kMostOutput);
 }
 
 }  // namespace arcspan::tools

@@ -2,6 +2,7 @@
 #include <arcspan/pixel/pixel_format_list.hpp>
 
 #include <arcspan_tools/render/any_format.hpp>
+#include <arcspan_tools/render/band_depth.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <string>

@@ -30,13 +30,6 @@ class PixelStore {
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 };
 
-/// Decodes row y of a framebuffer.
-template <class Frame>
-void decode_row(const Frame& frame, std::int32_t y, std::span<Rgb8> row) {
-  std::int32_t x = 0;
-  for (Rgb8& pixel : row) pixel = frame.pixel(x++, y);
-}
-
 /// A store of the format that was chosen; throws Failure if there is none of that name.
 [[nodiscard]] std::unique_ptr<PixelStore> make_pixel_store(const PixelChoice& pixels, std::int32_t width,
                                                            std::int32_t rows);

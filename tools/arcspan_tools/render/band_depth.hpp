@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace arcspan::tools {
@@ -28,6 +29,13 @@ class BandDepth {
   std::vector<std::uint16_t> memory_;
   DepthBuffer buffer_;
 };
+
+/// Decodes row y of a framebuffer.
+template <class Frame>
+void decode_row(const Frame& frame, std::int32_t y, std::span<Rgb8> row) {
+  std::int32_t x = 0;
+  for (Rgb8& pixel : row) pixel = frame.pixel(x++, y);
+}
 
 /// Copies the rows of a band into the picture.
 template <class Band>

@@ -118,21 +118,21 @@ class PanelDisplay final : public Display {
   bool started_ = false;
 };
 
-struct Known {
+struct KnownPanel {
   const char* name;
   Glass glass;
-  std::unique_ptr<Display> (*on_spi)(const Known&, const PanelOptions&);
-  std::unique_ptr<Display> (*on_i2c)(const Known&, const PanelOptions&);
+  std::unique_ptr<Display> (*on_spi)(const KnownPanel&, const PanelOptions&);
+  std::unique_ptr<Display> (*on_i2c)(const KnownPanel&, const PanelOptions&);
 };
 
 template <class Wired>
-std::unique_ptr<Display> open(const Known& panel, const PanelOptions& options) {
+std::unique_ptr<Display> open(const KnownPanel& panel, const PanelOptions& options) {
   auto display = std::make_unique<PanelDisplay<Wired>>(panel.name, options, panel.glass);
   display->start();
   return display;
 }
 
-constexpr Known kPanels[] = {{"ili9341", kIli9341Module, &open<OnSpi<Ili9341>>, nullptr},
+constexpr KnownPanel kPanels[] = {{"ili9341", kIli9341Module, &open<OnSpi<Ili9341>>, nullptr},
                              {"st7789", kSt7789Module, &open<OnSpi<St7789>>, nullptr},
                              {"ssd1351", kSsd1351Module, &open<OnSpi<Ssd1351>>, nullptr},
                              {"ssd1306", kSsd1306Module, &open<OnSolomonSpi<Ssd1306>>, &open<Ssd1306OnI2c>},
@@ -142,13 +142,13 @@ constexpr Known kPanels[] = {{"ili9341", kIli9341Module, &open<OnSpi<Ili9341>>, 
 
 std::vector<std::string> panel_names() {
   std::vector<std::string> names;
-  for (const Known& panel : kPanels) names.emplace_back(panel.name);
+  for (const KnownPanel& panel : kPanels) names.emplace_back(panel.name);
   return names;
 }
 
 std::unique_ptr<Display> open_panel_display(const std::string& name, const PanelOptions& options) {
   std::string names;
-  for (const Known& panel : kPanels) {
+  for (const KnownPanel& panel : kPanels) {
     names += std::string(", ") + panel.name;
     if (panel.name != name) continue;
     const auto open_on = options.i2c.empty() ? panel.on_spi : panel.on_i2c;

@@ -48,9 +48,9 @@ struct PortSpi {
   Driver panel;
 };
 
-struct Ssd1306OnI2c {
+struct SimulatedSsd1306OnI2c {
   using Panel = Ssd1306;
-  Ssd1306OnI2c(const Glass& glass, const PanelSettings& settings, std::uint64_t hertz)
+  SimulatedSsd1306OnI2c(const Glass& glass, const PanelSettings& settings, std::uint64_t hertz)
       : device(glass),
         bus(device, SolomonI2c::kUsualAddress, clock, hertz),
         port(bus, SolomonI2c::kUsualAddress),
@@ -67,14 +67,14 @@ void require_ok(const std::string& subject, Status status) {
 }
 
 template <class Wired>
-class Display final : public SimulatedDisplay {
+class DisplayOf final : public SimulatedDisplay {
  public:
   using Driver = typename Wired::Panel;
   using Mode = PageMode<Driver>;
   using Frame = typename Mode::Frame;
   using Format = typename Frame::Format;
 
-  Display(const DisplayOptions& options, const Glass& glass)
+  DisplayOf(const DisplayOptions& options, const Glass& glass)
       : options_(options),
         wired_(glass, {.orientation = options.orientation, .inverted = options.inverted}, options.hertz),
         rows_(std::min(options.band_rows, wired_.panel.height())),
@@ -166,33 +166,33 @@ class Display final : public SimulatedDisplay {
 
 template <class Wired>
 std::unique_ptr<SimulatedDisplay> make(const DisplayOptions& options, const Glass& glass) {
-  return std::make_unique<Display<Wired>>(options, glass);
+  return std::make_unique<DisplayOf<Wired>>(options, glass);
 }
 
-struct Known {
+struct SimulatedPanel {
   const char* name;
   Glass glass;
   std::unique_ptr<SimulatedDisplay> (*spi)(const DisplayOptions&, const Glass&);
   std::unique_ptr<SimulatedDisplay> (*i2c)(const DisplayOptions&, const Glass&);
 };
 
-constexpr Known kPanels[] = {
+constexpr SimulatedPanel kSimulatedPanels[] = {
     {"ili9341", kIli9341Module, &make<PlainSpi<Ili9341, sim::DcsModel>>, nullptr},
     {"st7789", kSt7789Module, &make<PlainSpi<St7789, sim::DcsModel>>, nullptr},
     {"ssd1351", kSsd1351Module, &make<PlainSpi<Ssd1351, sim::Ssd1351Model>>, nullptr},
-    {"ssd1306", kSsd1306Module, &make<PortSpi<Ssd1306, sim::Ssd1306Model>>, &make<Ssd1306OnI2c>},
+    {"ssd1306", kSsd1306Module, &make<PortSpi<Ssd1306, sim::Ssd1306Model>>, &make<SimulatedSsd1306OnI2c>},
     {"ssd0323", kSsd0323Module, &make<PortSpi<Ssd0323, sim::Ssd0323Model>>, nullptr}};
 
 }  // namespace
 
 std::vector<std::string> simulated_panels() {
   std::vector<std::string> names;
-  for (const Known& panel : kPanels) names.emplace_back(panel.name);
+  for (const SimulatedPanel& panel : kSimulatedPanels) names.emplace_back(panel.name);
   return names;
 }
 
 std::unique_ptr<SimulatedDisplay> make_display(const DisplayOptions& options) {
-  for (const Known& panel : kPanels) {
+  for (const SimulatedPanel& panel : kSimulatedPanels) {
     if (options.panel != panel.name) continue;
     const auto maker = options.i2c ? panel.i2c : panel.spi;
     if (maker == nullptr) throw Failure("--bus", options.panel + " is not simulated on I2C");

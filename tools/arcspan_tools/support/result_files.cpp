@@ -78,7 +78,7 @@ class StagedFile {
     file_.close(subject_);
   }
 
-  [[nodiscard]] Placement placement() { return {file_.removal(), target_, subject_}; }
+  [[nodiscard]] FilePlacement placement() { return {file_.removal(), target_, subject_}; }
 
  private:
   const fs::path& checked(const fs::path& target) const {
@@ -94,7 +94,7 @@ class StagedFile {
 /// One file of place_all(). What it replaces is kept until the last one is in place.
 class Placing {
  public:
-  explicit Placing(const Placement& placement) : placement_(placement) {}
+  explicit Placing(const FilePlacement& placement) : placement_(placement) {}
 
   void place(bool keep_old) {
     if (keep_old && fs::exists(fs::symlink_status(placement_.target))) set_old_aside();
@@ -124,7 +124,7 @@ class Placing {
     if (std::rename(from.c_str(), to.c_str()) != 0) fail_with_errno(placement_.subject, "write");
   }
 
-  Placement placement_;
+  FilePlacement placement_;
   std::optional<TemporaryFile> spare_;
   TemporaryFile* old_ = nullptr;  ///< the spare once it holds the old file
   bool placed_ = false;
@@ -234,17 +234,17 @@ void write_results(const std::vector<ResultFile>& results) {
   for (const ResultFile& result : results) {
     if (is_written_directly(result.path)) write_directly(result);
   }
-  std::vector<Placement> placements;
+  std::vector<FilePlacement> placements;
   placements.reserve(staged.size());
   for (StagedFile& file : staged) placements.push_back(file.placement());
   place_all(placements);
 }
 
-void place_all(const std::vector<Placement>& placements) {
+void place_all(const std::vector<FilePlacement>& placements) {
   const SignalPause pause;
   std::deque<Placing> files;
   try {
-    for (const Placement& placement : placements) {
+    for (const FilePlacement& placement : placements) {
       files.emplace_back(placement).place(files.size() < placements.size());
     }
   } catch (...) {

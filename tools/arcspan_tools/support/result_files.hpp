@@ -29,14 +29,14 @@ struct ResultFile {
 void write_results(const std::vector<ResultFile>& results);
 
 /// A complete file or folder under a temporary name.
-struct Placement {
+struct FilePlacement {
   Removal& temporary;
   std::filesystem::path target;
   std::filesystem::path subject;  ///< the target as the user named it, for messages
 };
 
 /// Renames all temporaries to their targets or none; existing files are replaced. Throws Failure.
-void place_all(const std::vector<Placement>& placements);
+void place_all(const std::vector<FilePlacement>& placements);
 
 /// The path that a file written to `path` has when all symbolic links are followed, even if it does not
 /// exist. Throws Failure for a circle of links.

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 namespace arcspan::tools {
+
+/// A degree in radians.
+inline constexpr double kDegree = std::numbers::pi / 180;
 
 /// A vector of doubles: the tools compute with it before the conversion to fixed point.
 struct Vec3 {

@@ -20,7 +20,7 @@ namespace {
 
 Vec3 to_vec3(const ObjectPosition& p) { return {double(p.x), double(p.y), double(p.z)}; }
 
-Vec3 to_vec3(const Direction& d) {
+Vec3 unit_vector(const Direction& d) {
   const auto component = [](DirectionComponent c) {
     return std::ldexp(c.raw(), -DirectionComponent::kFraction);
   };
@@ -32,7 +32,7 @@ MeshData to_data(const MeshView& view, bool textured) {
   MeshData mesh;
   for (std::size_t i = 0; i < view.vertex_count(); ++i) {
     mesh.positions.push_back(to_vec3(view.position(i)));
-    mesh.normals.push_back(to_vec3(unpack_normal(view.normal(i))));
+    mesh.normals.push_back(unit_vector(unpack_normal(view.normal(i))));
     if (!textured) continue;
     const TexturePoint p = view.texture_point(i);
     const int bits = -view.texture_scale().fraction_bits;

@@ -10,7 +10,7 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr std::int64_t kMostBytes = 0x7FFFFFFF;
+constexpr std::int64_t kMostInBuffer = 0x7FFFFFFF;
 /// Elements of an accessor: three for each of the most triangles, and vertices that they leave over.
 constexpr std::int64_t kMostElements = 1 << 22;
 
@@ -66,7 +66,7 @@ double read_number(std::string_view bytes, std::size_t at, ComponentType type, b
 }
 
 /// Where numbers lie and how.
-struct Layout {
+struct ElementLayout {
   std::string_view bytes;
   std::size_t stride = 0;
   std::size_t components = 1;
@@ -88,10 +88,10 @@ struct Layout {
 };
 
 /// The layout that `place`, an accessor or a part of a sparse one, says. `owner` states the stride in 1.0.
-Layout layout_of(GltfFile& file, const JsonView& place, ComponentType type, std::size_t components,
+ElementLayout layout_of(GltfFile& file, const JsonView& place, ComponentType type, std::size_t components,
                  bool normalised) {
   const JsonView view = file.element("bufferViews", place.at("bufferView"));
-  const auto offset = static_cast<std::size_t>(place.integer_or("byteOffset", 0, 0, kMostBytes));
+  const auto offset = static_cast<std::size_t>(place.integer_or("byteOffset", 0, 0, kMostInBuffer));
   const JsonView& strided = file.version() == 1 ? place : view;
   auto stride = static_cast<std::size_t>(strided.integer_or("byteStride", 0, 0, 0xFFFF));
   if (stride == 0) stride = components * type.bytes;
@@ -103,8 +103,8 @@ void read_sparse(GltfFile& file, const JsonView& sparse, ComponentType type, boo
   const JsonView indices = sparse.at("indices");
   const JsonView values = sparse.at("values");
   const auto count = static_cast<std::size_t>(sparse.at("count").integer(0, kMostElements));
-  const Layout places = layout_of(file, indices, component_type(indices.at("componentType")), 1, false);
-  const Layout numbers = layout_of(file, values, type, data.components, normalised);
+  const ElementLayout places = layout_of(file, indices, component_type(indices.at("componentType")), 1, false);
+  const ElementLayout numbers = layout_of(file, values, type, data.components, normalised);
   places.require(count, indices);
   numbers.require(count, values);
   for (std::size_t i = 0; i < count; ++i) {
@@ -131,7 +131,7 @@ AccessorData read_accessor(GltfFile& file, const JsonView& id, std::size_t least
   }
   data.values.resize(count * data.components);
   if (accessor.find("bufferView")) {
-    const Layout layout = layout_of(file, accessor, type, data.components, is_normalised);
+    const ElementLayout layout = layout_of(file, accessor, type, data.components, is_normalised);
     layout.require(count, accessor);
     for (std::size_t i = 0; i < count; ++i) layout.read(i, data.values.data() + i * data.components);
   }

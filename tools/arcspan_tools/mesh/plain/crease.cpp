@@ -3,7 +3,6 @@
 #include <arcspan_tools/mesh/plain/positions.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace arcspan::tools {
 namespace {
@@ -58,7 +57,7 @@ void crease(RawMesh& mesh, double degrees) {
   const std::vector<Face> faces = faces_of(mesh);
   const std::vector<std::vector<std::uint32_t>> around = faces_around(positions);
   // A face is always within 0 degrees of itself, whatever rounding makes of its cosine.
-  const double least_cosine = std::cos(degrees * std::numbers::pi / 180) - 1e-12;
+  const double least_cosine = std::cos(degrees * kDegree) - 1e-12;
   for (std::size_t face = 0; face < faces.size(); ++face) {
     for (std::size_t i = 0; i < 3; ++i) {
       const auto& neighbours = around[positions.ids[3 * face + i]];

@@ -14,4 +14,7 @@ namespace arcspan::test {
   return cases * percent < 100 ? 1 : cases * percent / 100;
 }
 
+/// The stride by which a loop over arguments takes as many as share_of() allows.
+[[nodiscard]] inline int stride_of(int stride) { return stride * 100 / share_of(100); }
+
 }  // namespace arcspan::test

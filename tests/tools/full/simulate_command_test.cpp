@@ -76,9 +76,14 @@ TEST_CASE(
     REQUIRE(at != std::string::npos);
     return std::atof(r.out.c_str() + at + 9);  // 0 for "no figures"
   };
-  for (const char* shading : {"flat", "gouraud", "segment", "arc", "adaptive"}) {
+#ifdef ARCSPAN_SANITIZED  // what counts is never sanitized
+  const std::vector<std::string> shadings = {"adaptive"};
+#else
+  const std::vector<std::string> shadings = {"flat", "gouraud", "segment", "arc", "adaptive"};
+#endif
+  for (const std::string& shading : shadings) {
     CAPTURE(shading);
-    const std::string method = std::string("--shading ") + shading;
+    const std::string method = "--shading " + shading;
     const double whole = instructions(method + " --band 320");
     CHECK(whole > 100000);
     CHECK(instructions(method + " --band 320 --planes") < whole);

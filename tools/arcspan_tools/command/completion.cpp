@@ -164,8 +164,8 @@ std::string fish_completion(const std::string& program, const std::vector<Comple
   const std::string complete = "complete -c " + program;
   std::string text = "# fish completion of " + program + "; made by: " + program + " completion fish\n";
   for (const CompletedCommand& command : commands) {
-    text +=
-        complete + " -f -n __fish_use_subcommand -a " + command.name + " -d " + single_quoted(command.help) + "\n";
+    text += complete + " -f -n __fish_use_subcommand -a " + command.name + " -d " +
+            single_quoted(command.help) + "\n";
     if (!command.words.empty()) {
       text += complete + " -f -n '__fish_seen_subcommand_from " + command.name + "' -a " +
               single_quoted(spaced(command.words)) + "\n";

@@ -45,13 +45,15 @@ std::string parts_text(const MeshReport& r) {
   std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), kMostPartsListed); ++i) {
     const Material material = material_of(model.looks[i]);
-    text += "  " + printable(names[i]) +
-            formatted(": %zu vertices, %zu triangles, diffuse %s, specular %s, shininess %d%s\n",
-                      model.meshes[i].positions.size(), model.meshes[i].indices.size() / 3,
-                      coefficients_text(material.diffuse).c_str(), coefficients_text(material.specular).c_str(),
-                      material.shininess, model.looks[i].material.two_sided ? ", two-sided" : "");
+    text +=
+        "  " + printable(names[i]) +
+        formatted(": %zu vertices, %zu triangles, diffuse %s, specular %s, shininess %d%s\n",
+                  model.meshes[i].positions.size(), model.meshes[i].indices.size() / 3,
+                  coefficients_text(material.diffuse).c_str(), coefficients_text(material.specular).c_str(),
+                  material.shininess, model.looks[i].material.two_sided ? ", two-sided" : "");
   }
-  if (names.size() > kMostPartsListed) text += formatted("  and %zu more parts\n", names.size() - kMostPartsListed);
+  if (names.size() > kMostPartsListed)
+    text += formatted("  and %zu more parts\n", names.size() - kMostPartsListed);
   return text;
 }
 
@@ -118,7 +120,8 @@ std::string to_text(const MeshReport& r) {
     text += formatted(", surface moved by about %.3g (%.2f %% of the extent)", r.compiled.error,
                       100 * r.compiled.error / r.model_extent);
   }
-  text += "\nbounds: " + position_text(r.figures.bounds.low) + " ... " + position_text(r.figures.bounds.high) +
+  text += "\nbounds: " + position_text(r.figures.bounds.low) + " ... " +
+          position_text(r.figures.bounds.high) +
           formatted(", one step is %.6g of the model's units\n", model.meshes[0].unit);
   text += formatted("vertex cache of 16: %.2f misses per triangle, %.2f before\n", r.compiled.cache_misses,
                     r.compiled.cache_misses_before);

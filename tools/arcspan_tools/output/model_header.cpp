@@ -54,7 +54,8 @@ std::string comment(const FixedModel& model, const std::string& origin, const Mo
   text += "// " + std::to_string(model.vertex_count()) + " vertices, " +
           std::to_string(model.triangle_count()) + " triangles, " +
           std::to_string(model_bytes(CompiledOutput::kHeader, model, planes, textures)) +
-          " bytes. Positions " + braced_position(figures.bounds.low) + " ... " + braced_position(figures.bounds.high) + ".\n";
+          " bytes. Positions " + braced_position(figures.bounds.low) + " ... " +
+          braced_position(figures.bounds.high) + ".\n";
   if (model.meshes.size() > 1) text += "// " + std::to_string(model.meshes.size()) + " parts.\n";
   return text;
 }
@@ -63,8 +64,9 @@ std::string unit_and_origin(const FixedMesh& mesh) {
   return "/// The length of an object unit in the model's units, and the model's point at the object's "
          "origin.\n"
          "inline constexpr double kUnit = " +
-         shortest_number(mesh.unit) + ";\ninline constexpr double kOrigin[] = {" + shortest_number(mesh.centre.x) + ", " +
-         shortest_number(mesh.centre.y) + ", " + shortest_number(mesh.centre.z) + "};\n\n";
+         shortest_number(mesh.unit) + ";\ninline constexpr double kOrigin[] = {" +
+         shortest_number(mesh.centre.x) + ", " + shortest_number(mesh.centre.y) + ", " +
+         shortest_number(mesh.centre.z) + "};\n\n";
 }
 
 /// The body of make_view().
@@ -111,9 +113,9 @@ std::string braced_coefficients(const ChannelCoefficients& c) {
 /// Coefficients are in 32768ths.
 std::string material_text(const PartLook& look) {
   const Material material = material_of(look);
-  return "inline constexpr arcspan::Material kMaterial = {\n    " + braced_coefficients(material.ambient) + ",\n    " +
-         braced_coefficients(material.diffuse) + ",\n    " + braced_coefficients(material.specular) + ",\n    " +
-         std::to_string(material.shininess) +
+  return "inline constexpr arcspan::Material kMaterial = {\n    " + braced_coefficients(material.ambient) +
+         ",\n    " + braced_coefficients(material.diffuse) + ",\n    " +
+         braced_coefficients(material.specular) + ",\n    " + std::to_string(material.shininess) +
          "};\ninline constexpr bool kTwoSided = " + (look.material.two_sided ? "true" : "false") + ";\n\n";
 }
 

@@ -59,7 +59,8 @@ std::string gnuplot_script(const Figure& figure, PlotFormat format, const std::s
                 : "set terminal pngcairo size 1120,600 noenhanced font 'DejaVu Sans,12'\n";
   script += "set output " + double_quoted(output) + "\nset grid\n";
   script += "set title " + double_quoted(figure.title) + "\n";
-  script += "set xlabel " + double_quoted(figure.x_label) + "\nset ylabel " + double_quoted(figure.y_label) + "\n";
+  script +=
+      "set xlabel " + double_quoted(figure.x_label) + "\nset ylabel " + double_quoted(figure.y_label) + "\n";
   script += "set key outside right top\nset autoscale xfix\n";
   if (figure.logarithmic_x) script += "set logscale x\n";
   if (figure.logarithmic_y) script += "set logscale y\nset format y '%.0e'\n";

@@ -132,11 +132,12 @@ std::unique_ptr<Display> open(const KnownPanel& panel, const PanelOptions& optio
   return display;
 }
 
-constexpr KnownPanel kPanels[] = {{"ili9341", kIli9341Module, &open<OnSpi<Ili9341>>, nullptr},
-                             {"st7789", kSt7789Module, &open<OnSpi<St7789>>, nullptr},
-                             {"ssd1351", kSsd1351Module, &open<OnSpi<Ssd1351>>, nullptr},
-                             {"ssd1306", kSsd1306Module, &open<OnSolomonSpi<Ssd1306>>, &open<Ssd1306OnI2c>},
-                             {"ssd0323", kSsd0323Module, &open<OnSolomonSpi<Ssd0323>>, nullptr}};
+constexpr KnownPanel kPanels[] = {
+    {"ili9341", kIli9341Module, &open<OnSpi<Ili9341>>, nullptr},
+    {"st7789", kSt7789Module, &open<OnSpi<St7789>>, nullptr},
+    {"ssd1351", kSsd1351Module, &open<OnSpi<Ssd1351>>, nullptr},
+    {"ssd1306", kSsd1306Module, &open<OnSolomonSpi<Ssd1306>>, &open<Ssd1306OnI2c>},
+    {"ssd0323", kSsd0323Module, &open<OnSolomonSpi<Ssd0323>>, nullptr}};
 
 }  // namespace
 

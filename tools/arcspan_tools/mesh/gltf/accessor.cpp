@@ -89,7 +89,7 @@ struct ElementLayout {
 
 /// The layout that `place`, an accessor or a part of a sparse one, says. `owner` states the stride in 1.0.
 ElementLayout layout_of(GltfFile& file, const JsonView& place, ComponentType type, std::size_t components,
-                 bool normalised) {
+                        bool normalised) {
   const JsonView view = file.element("bufferViews", place.at("bufferView"));
   const auto offset = static_cast<std::size_t>(place.integer_or("byteOffset", 0, 0, kMostInBuffer));
   const JsonView& strided = file.version() == 1 ? place : view;
@@ -103,7 +103,8 @@ void read_sparse(GltfFile& file, const JsonView& sparse, ComponentType type, boo
   const JsonView indices = sparse.at("indices");
   const JsonView values = sparse.at("values");
   const auto count = static_cast<std::size_t>(sparse.at("count").integer(0, kMostElements));
-  const ElementLayout places = layout_of(file, indices, component_type(indices.at("componentType")), 1, false);
+  const ElementLayout places =
+      layout_of(file, indices, component_type(indices.at("componentType")), 1, false);
   const ElementLayout numbers = layout_of(file, values, type, data.components, normalised);
   places.require(count, indices);
   numbers.require(count, values);

@@ -114,27 +114,20 @@ struct AdaptivePaths : Arc<Illumination> {
 
   /// A small triangle (DrawsSmallTriangles): linear light, or as Arc draws it without highlights below half
   /// the tolerance.
-  struct Small {
-    union {
-      SmallLinearLight<Lighting> light;
-      typename Base::Small arc;
-    };
-    bool linear_light;
-  };
+  using Small = SmallShading<Illumination, SmallLinearLight<Lighting>>;
   template <class Raster>
   [[nodiscard]] ARCSPAN_INLINE_IF_WIDE static constexpr bool prepare_small(const Lighting& lighting,
                                                                            const Raster& a, const Raster& b,
                                                                            const Raster& c, bool is_medium,
                                                                            const SmallTriangle& triangle,
                                                                            Small& small) {
-    small.linear_light = false;
-    if (small.arc.prepare_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) return true;
+    if (small.prepare_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) return true;
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
     const SmallCorners corners{a, b, c};
     bool shines = true;
-    typename Base::Small::Diffuse diffuse{};
+    typename Small::Diffuse diffuse{};
     if constexpr (Base::kHasDiffusePath) {
-      const std::int32_t nearest = Base::Small::sharper_nearest(
+      const std::int32_t nearest = Small::sharper_nearest(
           lighting,
           lighting.nearest_highlight(a.shade.scalars, b.shade.scalars, c.shade.scalars,
                                      arc_headroom(chords.widest())),
@@ -143,26 +136,22 @@ struct AdaptivePaths : Arc<Illumination> {
       const auto is_allowed = [&](std::uint32_t error) {
         return error <= lighting.diffuse_patch_error(nearest);
       };
-      diffuse = Base::Small::diffuse_of(lighting, corners, chords.widest(), shines, is_allowed);
+      diffuse = Small::diffuse_of(lighting, corners, chords.widest(), shines, is_allowed);
       if (diffuse.suffices && !is_medium && chords.widest() <= kWidestBounded) {
         const LinearLevels levels(chords, diffuse.a, diffuse.b, diffuse.c);
         if (levels.quadruple_error() <= lighting.linear_limit(nearest)) {
-          small.linear_light = true;
-          small.light.prepare(levels.lifted(levels.a), levels.lifted(levels.b), levels.lifted(levels.c),
-                              triangle);
+          small.take_own().prepare(levels.lifted(levels.a), levels.lifted(levels.b), levels.lifted(levels.c),
+                                   triangle);
           return true;
         }
       }
     }
-    return small.arc.prepare(lighting, corners, chords, shines, diffuse, is_medium, triangle);
+    return small.prepare(lighting, corners, chords, shines, diffuse, is_medium, triangle);
   }
   /// Calls `draw` with the surface of a small triangle.
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
-    if constexpr (Base::kHasDiffusePath) {
-      if (small.linear_light) return draw(small.light);
-    }
-    return small.arc.walk(draw);
+    return small.walk(draw);
   }
 
   template <class Draw>

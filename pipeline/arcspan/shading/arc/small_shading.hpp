@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 namespace arcspan {
 
@@ -32,8 +33,12 @@ struct SmallDark {
   }
 };
 
-/// The part of `Arc` of a small triangle: darkness, a patch or arcs, of all scalars or of N·L alone.
-template <class Lighting>
+/// SmallShading of a method that has no surface of its own.
+struct NoSmallSurface {};
+
+/// The part of `Arc` of a small triangle: darkness, a patch or arcs, of all scalars or of N·L alone. `Own` is
+/// a further surface, of a method on top of `Arc`.
+template <class Lighting, class Own = NoSmallSurface>
 class SmallShading {
  public:
   /// The diffuse_scalar() of the vertices, if the triangle can be drawn by it.
@@ -81,6 +86,12 @@ class SmallShading {
   [[nodiscard]] constexpr bool prepare_dark(const Scalars& a, const Scalars& b, const Scalars& c) {
     path_ = Path::kDark;
     return is_dark(a, b, c);
+  }
+
+  /// Takes the method's own surface and returns it, to be prepared.
+  [[nodiscard]] constexpr Own& take_own() {
+    path_ = Path::kOwn;
+    return own_;
   }
 
   /// Returns a sharper lower bound of the highlight's half distance if `nearest`, that of
@@ -176,8 +187,11 @@ class SmallShading {
   template <class Draw>
   [[nodiscard]] constexpr Status walk(Draw&& draw) const {
     if constexpr (Lighting::kHasRamp) {
-      if (path_ == Path::kDiffusePatch) return draw(diffuse_patch_);
       if (path_ == Path::kDark) return draw(SmallDark<Lighting>{});
+      if constexpr (!std::is_same_v<Own, NoSmallSurface>) {
+        if (path_ == Path::kOwn) return draw(own_);
+      }
+      if (path_ == Path::kDiffusePatch) return draw(diffuse_patch_);
     }
     if constexpr (kHasDiffuseArc) {
       if (path_ == Path::kDiffuseArc) return draw(diffuse_arc_);
@@ -220,13 +234,14 @@ class SmallShading {
     if constexpr (Lighting::kHasRamp) return kMayHaveOneLight<Lighting>;
     return false;
   }();
-  enum class Path : std::uint8_t { kPatch, kDiffusePatch, kArc, kDiffuseArc, kDark };
+  enum class Path : std::uint8_t { kPatch, kDiffusePatch, kArc, kDiffuseArc, kDark, kOwn };
 
   union {
     SmallPatch<Lighting, 1, 15> diffuse_patch_;
     SmallPatch<Lighting, Lighting::kScalars, 16> patch_;
     SmallArc<Lighting, 1> diffuse_arc_;
     SmallArc<Lighting, Lighting::kScalars> arc_;
+    Own own_;
   };
   Path path_;
 };

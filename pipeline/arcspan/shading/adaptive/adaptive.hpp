@@ -53,60 +53,20 @@ struct AdaptivePaths : Arc<Illumination> {
 
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
-    const std::uint32_t widest = frame.chords.widest();
     prepared.middle_left = frame.middle_left;
     prepared.linear_light = false;
     prepared.highlight_patch = false;
     prepared.segment_bits = 0;
-    const bool is_arc = widest <= kWidestArc;  // wider chords say too little of their angles
-    NearestHighlight nearest{};
-    if constexpr (Base::kHasDiffusePath) {
-      if (is_arc) {
-        nearest = nearest_highlight(lighting, frame);
-        std::uint32_t lit = 0;
-        if (nearest.distance >= lighting.half_tolerance_reach() && lit_throughout(lighting, frame, lit)) {
-          prepare_without_highlight(lighting, frame, lighting.linear_limit(nearest.distance), lit, prepared);
-          return;
-        }
-      }
-    }
-    bool fits_patch = is_accurate_patch(frame, widest, lighting.widest_patch()) && patch_fits(frame);
-    std::uint32_t distance_limit = lighting.highlight_patch_limit();
-    if constexpr (BoundsHighlights<Lighting>) {
-      if (is_arc && (!fits_patch || widest > distance_limit)) [[unlikely]] {
-        const WidePatches wide = wide_patches_of(lighting, frame, widest, nearest, fits_patch);
-        if constexpr (Base::kHasDiffusePath) {
-          std::uint32_t lit = 0;
-          if (wide.nearest >= lighting.half_tolerance_reach() && lit_throughout(lighting, frame, lit)) {
-            Base::prepare_path(lighting, frame, Base::diffuse_path(patch_fits(frame), widest), prepared);
-            return;
-          }
-        }
-        nearest.distance = wide.nearest;
-        fits_patch = wide.fits_patch;
-        distance_limit = wide.distance_limit;
-      }
-    }
+    Path path = Path::kWide;
+    if (prepare_own_path(lighting, frame, path, prepared)) return;
     if constexpr (Segments) {
-      if (is_arc && frame.width >> 16 >= kLeastWidth) {
-        nearest = nearest_highlight(lighting, frame);
-        prepared.segment_bits =
-            segment_bits(lighting, frame, nearest.distance < lighting.half_tolerance_reach());
+      if (prepared.segment_bits != 0) {
+        Base::prepare_path(lighting, frame, path, prepared);
+        return;
       }
     }
-    if constexpr (kHasHighlightPatch) {
-      if (fits_patch && prepared.segment_bits == 0 && widest <= distance_limit) {
-        prepared.highlight_patch = prepare_highlight_patch(lighting, frame, nearest.light, prepared);
-        if constexpr (kHasWhiteLoops) {
-          if (prepared.highlight_patch && prepared.linear_diffuse)
-            prepared.pixels = highlight_pixels_of(lighting, frame, nearest.distance);
-        }
-        if (prepared.highlight_patch) return;
-      }
-    }
-    const Path path = fits_patch ? Path::kPatch : Path::kWide;
-    if (prepared.segment_bits != 0) {
-      Base::prepare_path(lighting, frame, path, prepared);
+    if constexpr (kHasWideRegisters) {  // inlined, it would cost x86-64 3 % of a frame
+      prepare_chosen_outlined(lighting, frame, path, prepared);
     } else {
       Base::prepare_chosen(lighting, frame, path, prepared);
     }
@@ -277,6 +237,70 @@ struct AdaptivePaths : Arc<Illumination> {
     return wide;
   }
 
+  template <class Frame>
+  ARCSPAN_OUTLINE static constexpr void prepare_chosen_outlined(const Lighting& lighting, Frame& frame,
+                                                                Path path, Prepared& prepared) {
+    Base::prepare_chosen(lighting, frame, path, prepared);
+  }
+
+  /// Prepares path 1 or 4 and returns true, or sets `path` to that of Arc and returns false. Sets the bits of
+  /// segments in any case.
+  template <class Frame>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_own_path(const Lighting& lighting, Frame& frame,
+                                                                      Path& path, Prepared& prepared) {
+    const std::uint32_t widest = frame.chords.widest();
+    const bool is_arc = widest <= kWidestArc;  // wider chords say too little of their angles
+    NearestHighlight nearest{};
+    if constexpr (Base::kHasDiffusePath) {
+      if (is_arc) {
+        nearest = nearest_highlight(lighting, frame);
+        std::uint32_t lit = 0;
+        if (nearest.distance >= lighting.half_tolerance_reach() && lit_throughout(lighting, frame, lit)) {
+          if (prepare_linear_light(lighting, frame, lighting.linear_limit(nearest.distance), lit, prepared))
+            return true;
+          path = Base::diffuse_path(patch_fits(frame), widest);
+          return false;
+        }
+      }
+    }
+    bool fits_patch = is_accurate_patch(frame, widest, lighting.widest_patch()) && patch_fits(frame);
+    std::uint32_t distance_limit = lighting.highlight_patch_limit();
+    if constexpr (BoundsHighlights<Lighting>) {
+      if (is_arc && (!fits_patch || widest > distance_limit)) [[unlikely]] {
+        const WidePatches wide = wide_patches_of(lighting, frame, widest, nearest, fits_patch);
+        if constexpr (Base::kHasDiffusePath) {
+          std::uint32_t lit = 0;
+          if (wide.nearest >= lighting.half_tolerance_reach() && lit_throughout(lighting, frame, lit)) {
+            path = Base::diffuse_path(patch_fits(frame), widest);
+            return false;
+          }
+        }
+        nearest.distance = wide.nearest;
+        fits_patch = wide.fits_patch;
+        distance_limit = wide.distance_limit;
+      }
+    }
+    path = fits_patch ? Path::kPatch : Path::kWide;
+    if constexpr (Segments) {
+      if (is_arc && frame.width >> 16 >= kLeastWidth) {
+        nearest = nearest_highlight(lighting, frame);
+        prepared.segment_bits =
+            segment_bits(lighting, frame, nearest.distance < lighting.half_tolerance_reach());
+      }
+    }
+    if constexpr (kHasHighlightPatch) {
+      if (fits_patch && widest <= distance_limit) {
+        prepared.highlight_patch = prepare_highlight_patch(lighting, frame, nearest.light, prepared);
+        if constexpr (kHasWhiteLoops) {
+          if (prepared.highlight_patch && prepared.linear_diffuse)
+            prepared.pixels = highlight_pixels_of(lighting, frame, nearest.distance);
+        }
+        return prepared.highlight_patch;
+      }
+    }
+    return false;
+  }
+
   /// Makes the plane of a diffuse scalar, of a triangle of at most kWidestBounded, if its error is within
   /// `linear_limit`; otherwise returns false.
   template <class Frame>
@@ -292,19 +316,16 @@ struct AdaptivePaths : Arc<Illumination> {
     return true;
   }
 
-  /// Prepares N·L alone: linear if the error is within `linear_limit`, otherwise by Arc's paths. `lit` is
-  /// that of lit_throughout().
+  /// Prepares N·L alone as linear light; returns false if the error is beyond `linear_limit`. `lit` is that
+  /// of lit_throughout().
   template <class Frame>
-  static constexpr void prepare_without_highlight(const Lighting& lighting, Frame& frame,
-                                                  std::uint32_t linear_limit, std::uint32_t lit,
-                                                  Prepared& prepared) {
-    const std::uint32_t widest = frame.chords.widest();
-    if (widest <= kWidestBounded) {
-      const PatchValues light = diffuse_scalars(lighting, frame, lit);
-      prepared.linear_light = make_linear_light(frame, light, linear_limit, prepared);
-      if (prepared.linear_light) return;
-    }
-    Base::prepare_path(lighting, frame, Base::diffuse_path(patch_fits(frame), widest), prepared);
+  [[nodiscard]] static constexpr bool prepare_linear_light(const Lighting& lighting, Frame& frame,
+                                                           std::uint32_t linear_limit, std::uint32_t lit,
+                                                           Prepared& prepared) {
+    if (frame.chords.widest() > kWidestBounded) return false;
+    const PatchValues light = diffuse_scalars(lighting, frame, lit);
+    prepared.linear_light = make_linear_light(frame, light, linear_limit, prepared);
+    return prepared.linear_light;
   }
 
   /// Prepares the diffuse scalar and the scaled distance of the highlight of one light as patches. Returns

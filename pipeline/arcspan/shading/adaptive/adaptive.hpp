@@ -9,6 +9,7 @@
 #include <arcspan/shading/adaptive/light_and_depth.hpp>
 #include <arcspan/shading/adaptive/linear_levels.hpp>
 #include <arcspan/shading/adaptive/linear_light.hpp>
+#include <arcspan/shading/adaptive/segment_length.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/segment/segment.hpp>
 #include <arcspan/target.hpp>
@@ -178,9 +179,6 @@ struct AdaptivePaths : Arc<Illumination> {
   /// The least product of a triangle's width and height (square pixels, 4 fraction bits) from which on chords
   /// beyond highlight_patch_limit() may be patches of a distance. Smaller triangles lose time by them.
   static constexpr std::uint32_t kLeastWideArea = 256 << 4;
-  static constexpr int kLeastBits = 2;
-  /// The width of a triangle's widest row from which on it may have segments: four of the shortest.
-  static constexpr std::uint32_t kLeastWidth = 4u << kLeastBits;
 
   /// The highlights of a triangle.
   struct NearestHighlight {
@@ -243,8 +241,8 @@ struct AdaptivePaths : Arc<Illumination> {
     Base::prepare_chosen(lighting, frame, path, prepared);
   }
 
-  /// Prepares path 1 or 4 and returns true, or sets `path` to that of Arc and returns false. Sets the bits of
-  /// segments in any case.
+  /// Prepares path 1 or 4 and returns true. Otherwise sets `path` to the path of Arc, and segment_bits if it
+  /// is to be drawn in segments, and returns false.
   template <class Frame>
   [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_own_path(const Lighting& lighting, Frame& frame,
                                                                       Path& path, Prepared& prepared) {
@@ -282,10 +280,10 @@ struct AdaptivePaths : Arc<Illumination> {
     }
     path = fits_patch ? Path::kPatch : Path::kWide;
     if constexpr (Segments) {
-      if (is_arc && frame.width >> 16 >= kLeastWidth) {
+      if (is_arc && frame.width >> 16 >= kLeastWidthOfSegments) {
         nearest = nearest_highlight(lighting, frame);
         prepared.segment_bits =
-            segment_bits(lighting, frame, nearest.distance < lighting.half_tolerance_reach());
+            longest_segment_bits(lighting, frame, nearest.distance < lighting.half_tolerance_reach());
       }
     }
     if constexpr (kHasHighlightPatch) {
@@ -364,51 +362,6 @@ struct AdaptivePaths : Arc<Illumination> {
     }
     make_distance_surface(lighting, frame, light, factors, half, prepared.patch[1]);
     return true;
-  }
-
-  /// Returns true if every N·L keeps its sign over the triangle and stays out of the fade of the highlights,
-  /// by a margin whose square is `margin2` (28 fraction bits). At a change of sign, colours have a kink and
-  /// highlights end abruptly or fade. The margin is needed because a segment may end up to a quarter of a row
-  /// beyond the edge.
-  template <class Frame>
-  [[nodiscard]] static constexpr bool away_from_terminator(const Lighting& lighting, const Frame& frame,
-                                                           std::uint32_t margin2) {
-    const std::int32_t fade_end = lighting.fade_end().raw();
-    const auto square = [fade_end](std::int32_t v) {
-      const std::int32_t away = v <= 0 ? v : v > fade_end ? v - fade_end : 0;
-      return static_cast<std::uint32_t>(wrap_mul(away >> 16, away >> 16));
-    };
-    for (std::size_t i = 0; i < lighting.lights(); ++i) {
-      const std::int32_t a = frame.top->shade.scalars[i].raw();
-      const std::int32_t b = frame.middle->shade.scalars[i].raw();
-      const std::int32_t c = frame.bottom->shade.scalars[i].raw();
-      if (((a ^ b) | (b ^ c)) < 0) return false;
-      if (square(a) <= margin2 || square(b) <= margin2 || square(c) <= margin2) return false;
-    }
-    return true;
-  }
-
-  /// Returns the bits of the longest segments that the tolerance allows and of which the triangle's widest
-  /// row, of at least kLeastWidth pixels, holds at least four; 0 if there are none. `shines` is true if a
-  /// highlight above half the tolerance is within reach.
-  template <class Frame>
-  [[nodiscard]] static constexpr int segment_bits(const Lighting& lighting, const Frame& frame, bool shines) {
-    const TriangleChords& chords = frame.chords;
-    const std::uint32_t whole = frame.width >> 16;
-    // The angle of the widest row is at most that of the wider edge at the middle vertex. The pixels of a row
-    // are not quite evenly spaced in angle; reducing the limit by a quarter covers that.
-    const std::uint32_t limit = lighting.segment_limit(shines);
-    const std::uint32_t width = whole > 1023 ? 1023 : whole;
-    const std::uint32_t across =
-        chords.top_middle > chords.middle_bottom ? chords.top_middle : chords.middle_bottom;
-    if (!away_from_terminator(lighting, frame, across >> 4)) return 0;
-    const std::uint32_t allowed = (limit >> 8) - (limit >> 10);
-    const std::uint64_t room = static_cast<std::uint64_t>(allowed) * (width * width);
-    for (int bits = kMostSegmentBits; bits >= kLeastBits; --bits) {
-      if ((width >> bits) >= 4 && (static_cast<std::uint64_t>(across >> 8) << (2 * bits)) <= room)
-        return bits;
-    }
-    return 0;
   }
 };
 

@@ -32,9 +32,9 @@ struct Worst {
 TEST_CASE("a packed normal comes back within 0.006 degrees and of unit length") {
   Worst worst;
   // A dense spiral over the sphere.
-  const int kCount = std::max(share_of(2000000), 200000);
-  for (int i = 0; i < kCount; ++i) {
-    const double z = 1 - (2 * i + 1.0) / kCount;
+  const int count = std::max(share_of(2000000), 200000);
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2 * i + 1.0) / count;
     const double phi = i * 2.399963229728653;
     const double r = std::sqrt(1 - z * z);
     const Vec3 v{r * std::cos(phi), r * std::sin(phi), z};

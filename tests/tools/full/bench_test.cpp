@@ -34,14 +34,14 @@ Image drawn(const RenderJob& job, const char* shading) {
   return find_renderer(shading, "rgb565", false).render(job, [](std::size_t) {}).image;
 }
 
-struct CoverDifference {
+struct SceneDifference {
   std::size_t covered_by_one = 0;  ///< pixels
   int largest = 0;                 ///< of a channel where both cover
   double mean = 0;
 };
 
-CoverDifference cover_difference(const Image& a, const Image& b) {
-  CoverDifference d;
+SceneDifference scene_difference(const Image& a, const Image& b) {
+  SceneDifference d;
   std::size_t both = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     const Rgb8 p = a.pixels[i];
@@ -75,7 +75,7 @@ TEST_CASE("the float loop draws the same scene: same outline, nearly the same co
   FloatPhong phong(built.bench);
   phong.draw();
   const Image floating = phong.image();
-  const CoverDifference d = cover_difference(floating, drawn(built.job, "arc"));
+  const SceneDifference d = scene_difference(floating, drawn(built.job, "arc"));
   CHECK(d.covered_by_one < 40);  // of 16,156, where the outline is not snapped to sixteenths
   CHECK(d.largest <= 17);        // two steps of five bits
   CHECK(d.mean < 1);

@@ -5,6 +5,10 @@
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/temporary_folder.hpp>
 
+#include <cstdlib>
+#include <string>
+#include <vector>
+
 using namespace arcspan::tools;
 using namespace arcspan::test;
 

@@ -15,7 +15,7 @@ constexpr Rgb8 kInk{236, 236, 236};
 constexpr Rgb8 kUncovered{58, 60, 66};
 constexpr std::int32_t kCellGap = 10;
 constexpr std::int32_t kWidestSheet = 16'384;
-constexpr std::int64_t kMostOnSheet = std::int64_t{1} << 28;
+constexpr std::int64_t kMostSheetPixels = std::int64_t{1} << 28;
 constexpr double kBlackUpTo = 0.5;
 constexpr std::int32_t kDoublings = 8;
 
@@ -79,7 +79,7 @@ void draw_scale(Image& sheet, std::int32_t x, std::int32_t y, const SheetLayout&
 
 void check_size(const SheetLayout& layout) {
   if (layout.width() <= kWidestSheet && layout.height() <= kWidestSheet &&
-      std::int64_t{layout.width()} * layout.height() <= kMostOnSheet) {
+      std::int64_t{layout.width()} * layout.height() <= kMostSheetPixels) {
     return;
   }
   throw Failure("--size", "the sheet would have " + std::to_string(layout.width()) + "x" +

@@ -23,6 +23,7 @@ struct Image {
 
   [[nodiscard]] Rgb8& at(std::int32_t x, std::int32_t y) { return pixels[area(width, y) + as_size(x)]; }
   [[nodiscard]] Rgb8 at(std::int32_t x, std::int32_t y) const { return pixels[area(width, y) + as_size(x)]; }
+  /// The pixels of row y, 0...height - 1.
   [[nodiscard]] std::span<Rgb8> row(std::int32_t y) {
     return std::span(pixels).subspan(area(width, y), as_size(width));
   }

@@ -8,7 +8,7 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr std::size_t kMostOutput = std::size_t{1} << 26;
+constexpr std::size_t kMostPlotBytes = std::size_t{1} << 26;
 
 /// `text` as gnuplot's double-quoted string.
 std::string double_quoted(const std::string& text) {
@@ -79,7 +79,7 @@ std::string draw_figure(const Figure& figure, PlotFormat format) {
   if (!end) throw Failure("gnuplot", "not found; figures are drawn by it (Debian package gnuplot-nox)");
   if (end->status != 0) throw Failure("gnuplot", message_line(end->error_text));
   if (!std::filesystem::exists(output)) throw Failure("gnuplot", "drew nothing");
-  return read_whole_file(output, kMostOutput);
+  return read_whole_file(output, kMostPlotBytes);
 }
 
 }  // namespace arcspan::tools

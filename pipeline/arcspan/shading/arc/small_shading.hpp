@@ -89,7 +89,7 @@ class SmallShading {
   }
 
   /// Takes the method's own surface and returns it, to be prepared.
-  [[nodiscard]] constexpr Own& take_own() {
+  [[nodiscard]] constexpr Own& take_own() requires(Lighting::kHasRamp) {
     path_ = Path::kOwn;
     return own_;
   }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int64_t kMostInList = 1 << 20;
 
-void append_text_of(std::string& out, double value) {
+void append_decimal(std::string& out, double value) {
   char text[32];
   const auto [end, error] = std::to_chars(text, text + sizeof text, value);
   out.append(text, end);
@@ -90,7 +90,7 @@ class PlyBody {
       return static_cast<std::int64_t>(value);
     }
     std::string text;
-    append_text_of(text, value);
+    append_decimal(text, value);
     fail(std::string(what) + " out of range (" + text + "; allowed are " + std::to_string(least) + " to " +
          std::to_string(most) + ") in " + what_);
   }
@@ -239,7 +239,7 @@ struct PlyScreen {
     for (std::size_t i = 0; i < (has_normals ? 6u : 3u); ++i) {
       if (i % 3 == 0) vertices += i == 0 ? "v" : "\nvn";
       vertices += ' ';
-      append_text_of(vertices, values[at[i]]);
+      append_decimal(vertices, values[at[i]]);
     }
     vertices += '\n';
   }

@@ -10,7 +10,7 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr std::int64_t kMostInBuffer = 0x7FFFFFFF;
+constexpr std::int64_t kMostByteOffset = 0x7FFFFFFF;
 /// Elements of an accessor: three for each of the most triangles, and vertices that they leave over.
 constexpr std::int64_t kMostElements = 1 << 22;
 
@@ -91,7 +91,7 @@ struct ElementLayout {
 ElementLayout layout_of(GltfFile& file, const JsonView& place, ComponentType type, std::size_t components,
                         bool normalised) {
   const JsonView view = file.element("bufferViews", place.at("bufferView"));
-  const auto offset = static_cast<std::size_t>(place.integer_or("byteOffset", 0, 0, kMostInBuffer));
+  const auto offset = static_cast<std::size_t>(place.integer_or("byteOffset", 0, 0, kMostByteOffset));
   const JsonView& strided = file.version() == 1 ? place : view;
   auto stride = static_cast<std::size_t>(strided.integer_or("byteStride", 0, 0, 0xFFFF));
   if (stride == 0) stride = components * type.bytes;

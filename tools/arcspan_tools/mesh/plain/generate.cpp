@@ -14,11 +14,11 @@ namespace {
 constexpr double kTubeRadius = 0.4;
 
 // cos and sin of i/n of a turn, exact in the eight main directions whatever the library's last bit is.
-struct AngleDirection {
+struct CosineAndSine {
   double cosine;
   double sine;
 };
-AngleDirection direction(std::int32_t i, std::int32_t n) {
+CosineAndSine direction(std::int32_t i, std::int32_t n) {
   const double angle = 2 * std::numbers::pi * i / n;
   const auto tidy = [](double v) { return std::fabs(v) < 1e-15 ? 0.0 : v; };
   return {tidy(std::cos(angle)), tidy(std::sin(angle))};
@@ -45,9 +45,9 @@ MeshData sphere(std::int32_t around, std::int32_t bands) {
   MeshData mesh;
   add_vertex(mesh, {0, 1, 0}, {0, 1, 0});
   for (std::int32_t band = 1; band < bands; ++band) {
-    const AngleDirection polar = direction(band, 2 * bands);
+    const CosineAndSine polar = direction(band, 2 * bands);
     for (std::int32_t i = 0; i < around; ++i) {
-      const AngleDirection turn = direction(i, around);
+      const CosineAndSine turn = direction(i, around);
       const Vec3 point{polar.sine * turn.sine, polar.cosine, polar.sine * turn.cosine};
       add_vertex(mesh, point, point);
     }
@@ -70,9 +70,9 @@ MeshData sphere(std::int32_t around, std::int32_t bands) {
 MeshData torus(std::int32_t around, std::int32_t tube) {
   MeshData mesh;
   for (std::int32_t i = 0; i < around; ++i) {
-    const AngleDirection turn = direction(i, around);
+    const CosineAndSine turn = direction(i, around);
     for (std::int32_t j = 0; j < tube; ++j) {
-      const AngleDirection round = direction(j, tube);
+      const CosineAndSine round = direction(j, tube);
       const Vec3 normal{round.cosine * turn.sine, round.sine, round.cosine * turn.cosine};
       const Vec3 centre{turn.sine, 0, turn.cosine};
       add_vertex(mesh, centre + normal * kTubeRadius, normal);

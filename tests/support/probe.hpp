@@ -45,6 +45,8 @@ struct Probe {
   }
   [[nodiscard]] HighlightBound highlights_over(const Scalars& a, const Scalars& b, const Scalars& c,
                                                std::uint32_t ab, std::uint32_t ac, std::uint32_t bc) const {
+    if (limits == Limits::kBlinn)
+      return blinn->highlights_over({a[0], a[1]}, {b[0], b[1]}, {c[0], c[1]}, ab, ac, bc);
     if (limits == Limits::kPhong)
       return phong->highlights_over({a[0], a[2]}, {b[0], b[2]}, {c[0], c[2]}, ab, ac, bc);
     return {INT32_MIN, HighlightBound::kBrightest, HighlightBound::kBrightest};

@@ -21,4 +21,25 @@ namespace arcspan::detail {
   return wrap_sub(at_a < at_b ? at_a : at_b, (excess < 0 ? 0 : excess >> 2) + kOfParabola);
 }
 
+/// Returns an upper bound of a scalar over a triangle from those at its vertices; `chord` is the widest
+/// squared chord s between their normals, 28 fraction bits, at most 1.
+///
+/// A normal inside is N = sum l_i N_i / w, with w^2 >= 1 - s sum l_i l_j over the edges and sum l_i l_j <=
+/// 1/3, so that 1 / w <= 1 + (s/2 + 0.174 s^2) sum l_i l_j. Let m be the largest scalar c_i and c the second
+/// one. Since sum l_i (m - c_i) >= sum l_i l_j ((m - c_i) + (m - c_j)) >= (m - c) sum l_i l_j, the scalar
+/// exceeds m by at most (s/2 + 0.174 s^2 - (m - c)) / 3, or not at all.
+[[nodiscard]] constexpr Cosine highest_over(Cosine a, Cosine b, Cosine c, std::uint32_t chord) {
+  const auto lesser = [](std::int32_t p, std::int32_t q) { return p < q ? p : q; };
+  const auto greater = [](std::int32_t p, std::int32_t q) { return p > q ? p : q; };
+  const std::int32_t of_two = greater(a.raw(), b.raw());
+  const std::int32_t most = greater(of_two, c.raw());
+  const std::int32_t second = lesser(of_two, greater(lesser(a.raw(), b.raw()), c.raw()));
+  const std::int32_t quarter = (most >> 2) - (second >> 2);
+  const std::uint32_t s = chord >> 13;  // 15 fraction bits
+  const std::uint32_t rise = s * (5462u + ((s * 1901u) >> 15));
+  constexpr std::int32_t kRounding = std::int32_t{1} << 18;  // and the errors of patches and pieces
+  const std::int32_t above = static_cast<std::int32_t>(rise) - (quarter + (quarter >> 2));  // 5/16 < 1/3
+  return Cosine::from_raw(most + kRounding + greater(above, 0));
+}
+
 }  // namespace arcspan::detail

@@ -173,8 +173,7 @@ class Illumination : private FadeFor<Features>,
   /// and at most 1.
   [[nodiscard]] constexpr HighlightBound highlights_over(const Scalars& a, const Scalars& b, const Scalars& c,
                                                          std::uint32_t ab, std::uint32_t ac,
-                                                         std::uint32_t bc) const
-      requires(Model == Highlight::kPhong);
+                                                         std::uint32_t bc) const;
   /// nearest_highlight() of one light.
   [[nodiscard]] constexpr std::int32_t nearest_highlight_of(std::size_t light, const Scalars& a,
                                                             const Scalars& b, const Scalars& c,
@@ -288,7 +287,7 @@ class Illumination : private FadeFor<Features>,
                                                                              const Table& table) const
       requires(Lights == 1);
 
-  /// nearest_highlight_between() for R·V of a light.
+  /// nearest_highlight_between() for any number of lights and both models.
   [[nodiscard]] constexpr std::int32_t nearest_in_triangle(std::size_t light, std::int32_t reach,
                                                            const Scalars& a, const Scalars& b,
                                                            const Scalars& c, std::uint32_t ab,

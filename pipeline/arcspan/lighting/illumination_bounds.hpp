@@ -60,7 +60,8 @@ constexpr bool Illumination<Lights, Model, Features>::may_shine_between(const Sc
   return detail::nearest_between(rough(a), rough(b), angle2) < power_.half_reach();
 }
 
-/// Returns a lower bound of the half distance of R·V over a triangle, 30 fraction bits.
+/// Returns a lower bound of the half distance over a triangle, 30 fraction bits. That of N·H follows from
+/// highest_over(), that of R·V as follows.
 ///
 /// With N = sum l_i N_i / w, w^2 = 1 - sum l_i l_j s_ij, s_ij = |N_i - N_j|^2, and K = (1 + L·V) / 2, the
 /// half distance K - (N·L)(N·V) exceeds r where
@@ -74,6 +75,11 @@ template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_in_triangle(
     std::size_t light, std::int32_t reach, const Scalars& a, const Scalars& b, const Scalars& c,
     std::uint32_t ab, std::uint32_t ac, std::uint32_t bc) const {
+  if constexpr (Model == Highlight::kBlinn) {
+    const std::size_t other = highlight_index(light);
+    const std::uint32_t widest = ab > ac ? (ab > bc ? ab : bc) : ac > bc ? ac : bc;
+    return highlight_distance({}, detail::highest_over(a[other], b[other], c[other], widest), light);
+  }
   constexpr std::int32_t kRounding = std::int32_t{1} << (28 - 11);  // of factors with 14 fraction bits
   const std::int32_t most = half_one_plus_light_eye_[light] >> 2;   // K, 28 fraction bits
   struct Vertex {
@@ -132,7 +138,7 @@ constexpr std::uint32_t Illumination<Lights, Model, Features>::largest_weight(st
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
     const Scalars& a, const Scalars& b, const Scalars& c, std::uint32_t ab, std::uint32_t ac,
-    std::uint32_t bc) const requires(Model == Highlight::kPhong) {
+    std::uint32_t bc) const {
   // At N·L = 0 a highlight ends abruptly, or fades above it, so that an error of N·L shows, too. It is below
   // 2^-7.
   const std::int32_t lit_from = fade_end().raw() + (std::int32_t{1} << (Cosine::kFraction - 7));
@@ -146,8 +152,9 @@ constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
     const std::int32_t nearest = nearest_in_triangle(i, 0, a, b, c, ab, ac, bc);
     if (nearest < bound.nearest) bound.nearest = nearest;
     if (nearest >= power_.half_reach()) continue;
-    // Where N·L is x, the half distance (1 + L·V) / 2 - (N·L)(N·V) is at least (1 + L·V) / 2 - x.
-    const bool may_end = half_one_plus_light_eye_[i] - lit_from < power_.half_reach();
+    // Where N·L is x, that of R·V, (1 + L·V) / 2 - (N·L)(N·V), is at least (1 + L·V) / 2 - x.
+    const bool may_end =
+        Model == Highlight::kBlinn || half_one_plus_light_eye_[i] - lit_from < power_.half_reach();
     const std::uint32_t h = nearest < 0 ? 0 : static_cast<std::uint32_t>(nearest);
     if (may_end && (a[i].raw() < lit_from || b[i].raw() < lit_from || c[i].raw() < lit_from)) {
       slopes += weight;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lower bounds of a highlight's distance over a triangle.
+#include <arcspan/lighting/arc_bound.hpp>
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/shading/patch/patch_limits.hpp>
 
@@ -126,7 +127,8 @@ int check_highlights_over(std::uint64_t seed, int triangles) {
       for (const DirectionalLight& light : lights) {
         const Vec3 l = to_vec3(light.towards);
         if (dot(n, l) <= 0) continue;
-        const double c = 2 * dot(n, l) * dot(n, v) - dot(l, v);
+        const double c = Lit::kModel == Highlight::kBlinn ? dot(n, normalised(l + v))
+                                                          : 2 * dot(n, l) * dot(n, v) - dot(l, v);
         REQUIRE(bound.nearest * 0x1p-30 <= (1 - c) / 2 + 0x1p-20);
         if (c > 0) slopes += light.strength.raw() * 0x1p-15 * std::pow(c, material.shininess - 1);
       }
@@ -144,6 +146,78 @@ TEST_CASE("no normal of a triangle has nearer or steeper highlights than the bou
   CHECK(check_highlights_over<Illumination<1, Highlight::kPhong>>(52, 1500) > 500);
   CHECK(check_highlights_over<Illumination<2, Highlight::kPhong>>(54, 1500) > 500);
   CHECK(check_highlights_over<Illumination<3, Highlight::kPhong>>(55, 1500) > 500);
+  CHECK(check_highlights_over<Illumination<1, Highlight::kBlinn>>(56, 1500) > 250);
+  CHECK(check_highlights_over<Illumination<2, Highlight::kBlinn>>(57, 1500) > 250);
+}
+
+TEST_CASE(
+    "no scalar of a triangle exceeds its bound, which is at most that of the vertices and the headroom") {
+  Random random(58);
+  int by_headroom = 0;
+  constexpr int kTriangles = 3000;
+  for (int i = 0; i < kTriangles; ++i) {
+    const auto [middle, normals] = random_normals(random, 34);
+    const Vec3 axis = tilted(random, middle, random.real(0, 1.5));
+    std::array<Cosine, 3> at;
+    std::array<Normal, 3> packed;
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] = dot(to_direction(normals[k]), to_direction(axis));
+      packed[k] = to_normal(to_direction(normals[k]));
+    }
+    const TriangleChords chords{squared_chord(packed[0], packed[1]), squared_chord(packed[0], packed[2]),
+                                squared_chord(packed[1], packed[2])};
+    if (chords.widest() > std::uint32_t{1} << 28) continue;
+    const double bound = detail::highest_over(at[0], at[1], at[2], chords.widest()).raw() * 0x1p-30;
+    const double rough = (std::max({at[0], at[1], at[2]}) + arc_headroom(chords.widest())).raw() * 0x1p-30;
+    CHECK(bound <= rough + 0x1p-13);
+    by_headroom += bound > rough - 0x1p-9 ? 1 : 0;
+    for (int sample = 0; sample < 100; ++sample) {
+      const double a = random.unit();
+      const double b = random.unit() * (1 - a);
+      const Vec3 n = normalised(a * normals[0] + b * normals[1] + (1 - a - b) * normals[2]);
+      REQUIRE(dot(n, axis) < bound);
+    }
+  }
+  CAPTURE(by_headroom);
+  CHECK(by_headroom < kTriangles / 2);
+}
+
+TEST_CASE("the bound of a scalar is sharp where its maximum is inside of the triangle") {
+  // The axis is the middle of an equilateral triangle, so that the scalar is 1 there.
+  const Vec3 axis{0, 0, 1};
+  for (const double degrees : {2.0, 6.0, 12.0, 20.0, 30.0}) {
+    std::array<Cosine, 3> at;
+    std::array<Normal, 3> packed;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double turn = radians(120.0 * static_cast<double>(k));
+      const double tilt = radians(degrees);
+      const Vec3 normal{std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), std::cos(tilt)};
+      at[k] = dot(to_direction(normal), to_direction(axis));
+      packed[k] = to_normal(to_direction(normal));
+    }
+    const double bound =
+        detail::highest_over(at[0], at[1], at[2], squared_chord(packed[0], packed[1])).raw() * 0x1p-30;
+    CHECK(bound >= 1);
+    CHECK(bound < 1 + 0x1p-12 + 0.4 * std::pow(radians(degrees), 4) + 1e-4);
+  }
+}
+
+TEST_CASE("a highlight by N·H counts as if it were brightest where a vertex is hardly lit") {
+  using Lit = Illumination<1, Highlight::kBlinn>;
+  const Vec3 light{1, 0, 0};
+  const Vec3 eye{std::cos(radians(60)), std::sin(radians(60)), 0};
+  Material material;
+  material.shininess = 2;
+  Lit lit;
+  REQUIRE(ok(Lit::make(material, {DirectionalLight{to_direction(light)}}, to_direction(eye), lit)));
+  const auto slope_at = [&lit](double degrees) {
+    const Vec3 normal{std::cos(radians(degrees)), std::sin(radians(degrees)), 0};
+    const Lit::Scalars at = lit.scalars(to_direction(normal));
+    return lit.highlights_over(at, at, at, 0, 0, 0).relative_slope;
+  };
+  CHECK(slope_at(90) < 1);  // out of the light
+  CHECK(slope_at(89.8) == HighlightBound::kBrightest);
+  CHECK(slope_at(89) < 9);
 }
 
 TEST_CASE("a highlight that may end in the triangle counts as if it were brightest") {

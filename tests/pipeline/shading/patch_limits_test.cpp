@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/lighting/make_illumination.hpp>
+#include <arcspan/prepare/prepare_triangle.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/patch/patch_limits.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/vec3.hpp>
 
 #include <array>
 #include <cmath>
 #include <cstdint>
 
 using namespace arcspan;
+using namespace arcspan::test;
 
 namespace {
 
@@ -79,4 +83,47 @@ TEST_CASE(
     CHECK(limit(n, kWhite / 2 * 2) == limit(2 * n, kWhite / 2));
     CHECK(widest_patch(Highlight::kBlinn, 4 * n, kWhite) == limit(n, kWhite));
   }
+}
+
+namespace {
+
+/// The path of a triangle with normals 22 degrees apart, under a highlight of n = 64 by N·H that is brightest
+/// `away` degrees from its middle.
+template <class Method>
+typename Method::Path path_of(double away) {
+  using Lit = typename Method::Lighting;
+  const Direction towards = to_direction({std::sin(radians(away)), 0, std::cos(radians(away))});
+  Material material;
+  material.specular = {Coefficient::of(1), Coefficient::of(1), Coefficient::of(1)};
+  material.shininess = 64;
+  Lit lit;
+  REQUIRE(ok(Lit::make(material, {DirectionalLight{towards}}, towards, lit)));
+  constexpr std::array<RasterPosition, 3> kPlaces{{{-160, 150, 1000}, {170, 140, 1000}, {10, -180, 1000}}};
+  const double lean = std::asin(2 / std::sqrt(3) * std::sin(radians(11)));
+  std::array<RasterVertex<Method>, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double turn = radians(120.0 * static_cast<double>(i) + 60);
+    corners[i].position = kPlaces[i];
+    corners[i].shade = Method::shade_vertex(
+        lit,
+        to_direction({std::sin(lean) * std::cos(turn), std::sin(lean) * std::sin(turn), std::cos(lean)}));
+  }
+  TriangleCommand<Method> command;
+  REQUIRE(prepare_triangle<Method>(lit, corners[0], corners[1], corners[2], {}, {-80, 80}, command));
+  return command.shade.path;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a triangle with a faint highlight is a patch beyond the limit, but not in programs for fine meshes") {
+  using Lit = Illumination<1, Highlight::kBlinn>;
+  using Any = Arc<Lit>;
+  using Fine = ArcUpTo<Lit, WidestNormals::k20Degrees>;
+  REQUIRE(widest_patch(Highlight::kBlinn, 64, 255u << 5) < chord_of(22));
+  CHECK(path_of<Any>(0) == Any::Path::kWide);
+  CHECK(path_of<Any>(8) == Any::Path::kWide);
+  CHECK(path_of<Any>(31) == Any::Path::kSteppedDistance);
+  CHECK(path_of<Any>(45) == Any::Path::kDiffusePatch);
+  CHECK(path_of<Fine>(31) == Fine::Path::kWide);
 }

@@ -5,6 +5,7 @@
 #include <arcspan/shading/adaptive/adaptive.hpp>
 
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
+#include <arcspan_tools/image/difference.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
 #include <arcspan_tools/render/scene.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -277,7 +278,10 @@ TEST_CASE("by every method, each channel of coloured lights is that of white lig
   for (std::size_t p = 0; p < expected.pixels.size(); ++p) {
     expected.pixels[p] = {red.pixels[p].r, green.pixels[p].g, blue.pixels[p].b};
   }
-  CHECK(coloured == expected);
+  // How wide a patch may be depends on the share that each light has in the highlights.
+  const Difference found = difference(coloured, expected);
+  CHECK(found.largest <= 1);
+  CHECK(found.differing_pixels <= 10);
   CHECK(coloured != red);
 }
 

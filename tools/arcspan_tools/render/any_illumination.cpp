@@ -84,13 +84,7 @@ class CallsOf final : public IlluminationCalls {
   [[nodiscard]] HighlightBound highlights_over(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
                                                std::uint32_t ab, std::uint32_t ac,
                                                std::uint32_t bc) const override {
-    if constexpr (BoundsHighlights<Wrapped>) {
-      return wrapped_.highlights_over(few_of(a), few_of(b), few_of(c), ab, ac, bc);
-    } else {
-      const Cosine headroom = arc_headroom(std::max({ab, ac, bc}));
-      return {wrapped_.nearest_highlight(few_of(a), few_of(b), few_of(c), headroom),
-              HighlightBound::kBrightest, HighlightBound::kBrightest};
-    }
+    return wrapped_.highlights_over(few_of(a), few_of(b), few_of(c), ab, ac, bc);
   }
   [[nodiscard]] std::int32_t half_distance(Cosine normal_light, Cosine other,
                                            std::size_t light) const override {

@@ -263,20 +263,18 @@ struct AdaptivePaths : Arc<Illumination> {
     }
     bool fits_patch = is_accurate_patch(frame, widest, lighting.widest_patch()) && patch_fits(frame);
     std::uint32_t distance_limit = lighting.highlight_patch_limit();
-    if constexpr (BoundsHighlights<Lighting>) {
-      if (is_arc && (!fits_patch || widest > distance_limit)) [[unlikely]] {
-        const WidePatches wide = wide_patches_of(lighting, frame, widest, nearest, fits_patch);
-        if constexpr (Base::kHasDiffusePath) {
-          std::uint32_t lit = 0;
-          if (wide.nearest >= lighting.half_tolerance_reach() && lit_throughout(lighting, frame, lit)) {
-            path = Base::diffuse_path(patch_fits(frame), widest);
-            return false;
-          }
+    if (is_arc && (!fits_patch || widest > distance_limit)) [[unlikely]] {
+      const WidePatches wide = wide_patches_of(lighting, frame, widest, nearest, fits_patch);
+      if constexpr (Base::kHasDiffusePath) {
+        std::uint32_t lit = 0;
+        if (wide.nearest >= lighting.half_tolerance_reach() && lit_throughout(lighting, frame, lit)) {
+          path = Base::diffuse_path(patch_fits(frame), widest);
+          return false;
         }
-        nearest.distance = wide.nearest;
-        fits_patch = wide.fits_patch;
-        distance_limit = wide.distance_limit;
       }
+      nearest.distance = wide.nearest;
+      fits_patch = wide.fits_patch;
+      distance_limit = wide.distance_limit;
     }
     path = fits_patch ? Path::kPatch : Path::kWide;
     if constexpr (Segments) {

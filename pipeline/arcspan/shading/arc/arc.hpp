@@ -236,7 +236,8 @@ struct ArcUpTo {
     }
     if (!fits) return Path::kWide;
     if (is_accurate_patch(frame, widest, lighting.widest_patch())) return Path::kPatch;
-    if constexpr (BoundsHighlights<Lighting>) return path_by_highlight(lighting, frame, widest);
+    if constexpr (BoundsHighlights<Lighting> && kWidest != WidestNormals::k20Degrees)
+      return path_by_highlight(lighting, frame, widest);
     return Path::kWide;
   }
 

@@ -74,11 +74,7 @@ class SmallShading {
     const std::uint32_t widest = vertices.chords.widest();
     if (widest > kWidestArc) return false;
     if (is_accurate_patch(vertices.chords, widest, lighting.widest_patch())) return false;
-    if constexpr (BoundsHighlights<Lighting>) {
-      return is_beyond_patches(lighting, vertices);
-    } else if constexpr (Lighting::kHasRamp) {
-      return widest > kWidestDiffusePatch || lighting.may_shine(top, middle, bottom, arc_headroom(widest));
-    }
+    if constexpr (BoundsHighlights<Lighting>) return is_beyond_patches(lighting, vertices);
     return true;
   }
   /// Prepares a triangle that is_dark(). Returns false if it is not.

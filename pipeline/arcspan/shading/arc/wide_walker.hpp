@@ -19,6 +19,8 @@ namespace arcspan {
 enum class WidestNormals : std::uint8_t {
   kAny,        ///< all
   k60Degrees,  ///< normals up to 60 degrees apart; wider ones are less accurate. Saves 1.3 KB of code.
+  k20Degrees,  ///< normals up to 20 degrees apart; wider ones are less accurate or take longer, because
+               ///< nothing looks for faint highlights. Saves another 0.4 KB of code.
 };
 
 /// The prepared part of a triangle whose normals are too far apart for a patch.

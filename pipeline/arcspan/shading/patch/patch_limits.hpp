@@ -59,7 +59,7 @@ template <class Method>
 }
 
 /// True if `Lighting` bounds its highlights over a triangle. Where they are faint, patches may be wider.
-/// Illuminations by N·H do not: their patches are nearly twice as wide anyway (decision 5).
+/// An EnvironmentMap has no highlights.
 template <class Lighting>
 concept BoundsHighlights = requires(const Lighting& lighting) {
   lighting.highlights_over({}, {}, {}, std::uint32_t{}, std::uint32_t{}, std::uint32_t{});

@@ -49,7 +49,7 @@ int main() {
                                    .planes = false,
                                    .small_triangles = false,
                                    .whole_rows = false};
-  using Method = ArcUpTo<Light, WidestNormals::k20Degrees>;
+  using Method = ArcUpTo<Light, WidestNormals::kWithinPatches>;
   const DrawResult drawn = draw_mesh<Method, kFeatures>(kSphere, kCamera, kLight, screen, nearest);
 
   bare::print_line("triangles: ", drawn.triangles, ", left out: ", drawn.left_out);

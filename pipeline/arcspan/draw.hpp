@@ -22,7 +22,7 @@ namespace arcspan {
 /// within the common bounds of the viewport and the sink.
 ///
 /// - `lighting`: the illumination in the object's space.
-/// - `depth`: a DepthBuffer that covers these bounds, or NoDepth{}.
+/// - `depth`: a DepthBuffer that covers these bounds, a DepthMode of one for another test, or NoDepth{}.
 /// - `cache`: memory for at least mesh.vertex_count() transformed vertices, each of which is then transformed
 ///   once; or none, and every triangle transforms its own three vertices.
 /// - `Features`: the parts of draw_mesh() that the program contains.

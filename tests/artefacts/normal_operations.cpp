@@ -73,7 +73,8 @@ OperationCounts slerp_normal_operations() {
 }
 
 OperationCounts recurrence_operations() {
-  counted::ArcScalar scalar{counted::Cosine::from_raw(Raw(1 << 29)), counted::Cosine::from_raw(Raw(1 << 20))};
+  counted::RecurrenceScalar scalar{counted::Cosine::from_raw(Raw(1 << 29)),
+                                   counted::Cosine::from_raw(Raw(1 << 20))};
   OperationCounts counts;
   operation_target = &counts;
   scalar.step(Raw(20000), Raw(8));
@@ -82,7 +83,8 @@ OperationCounts recurrence_operations() {
 }
 
 OperationCounts four_steps_operations() {
-  counted::ArcScalar scalar{counted::Cosine::from_raw(Raw(1 << 29)), counted::Cosine::from_raw(Raw(1 << 20))};
+  counted::RecurrenceScalar scalar{counted::Cosine::from_raw(Raw(1 << 29)),
+                                   counted::Cosine::from_raw(Raw(1 << 20))};
   const counted::FourSteps four = counted::FourSteps::of({Raw(20000), Raw(8), Raw(0)});
   OperationCounts counts;
   operation_target = &counts;

@@ -20,11 +20,11 @@ namespace arcspan::detail {
           a.right < b.right ? a.right : b.right, a.bottom < b.bottom ? a.bottom : b.bottom};
 }
 
-/// How a triangle lies to the scissor.
+/// Where a triangle is, as seen from the scissor.
 enum class ScissorTest : std::uint8_t {
   kInside,    ///< within its columns
   kCrossing,  ///< a vertex lies left or right of it
-  kOutside,   ///< no pixel centre within its columns, or no row within its rows
+  kOutside,   ///< certainly no pixel centre within its columns, or no row within its rows
 };
 
 /// The rectangle of the picture that one call draws into: the common part of the viewport and the sink. In a
@@ -57,7 +57,8 @@ class Scissor {
   /// The rows of the rectangle, relative to origin().
   [[nodiscard]] constexpr const RowRange& drawn_rows() const { return drawn_rows_; }
 
-  /// Tests the triangle a, b, c. `kInside` is only returned if `MayBeInside`; kCrossing is always right.
+  /// Tests the triangle a, b, c. `kInside` is only returned if `MayBeInside`; kCrossing is always a safe
+  /// answer.
   template <bool MayBeInside>
   [[nodiscard]] constexpr ScissorTest test(const RasterPosition& a, const RasterPosition& b,
                                            const RasterPosition& c) const {

@@ -237,7 +237,7 @@ class Illumination : private FadeFor<Features>,
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::uint32_t power) const;
 
  private:
-  /// An entry of the ramp stands for 1/256 of one light's diffuse part.
+  /// An entry of the ramp stands for at most 1/256 of one light's diffuse part.
   static constexpr int kRampBits = Lights == 1 ? 8 : Lights == 2 ? 9 : 10;
   [[nodiscard]] static constexpr Cosine highlight_scalar(const Scalars& scalars, std::size_t light) {
     return scalars[highlight_index(light)];

@@ -90,7 +90,7 @@ constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_in_triangl
   const auto vertex = [&](const Scalars& at) {
     const std::int32_t by_light = at[light].raw() >> 16;
     const std::int32_t by_eye = at[highlight_index(light)].raw() >> 16;
-    return Vertex{by_light, by_eye, most - by_light * by_eye - kRounding};
+    return Vertex{by_light, by_eye, wrap_sub(most - kRounding, wrap_mul(by_light, by_eye))};
   };
   const Vertex at_a = vertex(a);
   const Vertex at_b = vertex(b);
@@ -99,9 +99,10 @@ constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_in_triangl
   const std::int32_t least = lesser(lesser(at_a.distance, at_b.distance), at_c.distance);
   const auto along = [most, least](const Vertex& p, const Vertex& q, std::uint32_t chord) {
     const auto s = static_cast<std::int32_t>(chord >> 14);
-    const std::int32_t room =
-        p.distance + q.distance + least + (p.light - q.light) * (p.eye - q.eye) - (most >> 14) * s;
-    return ((room >> 14) * (10923 + ((s * 7282) >> 15))) >> 1;  // (1 + s/3) / 3 < 1 / (3 - s)
+    const std::int32_t sum = wrap_add(wrap_add(p.distance, q.distance), least);
+    const std::int32_t change = wrap_mul(p.light - q.light, p.eye - q.eye);
+    const std::int32_t room = wrap_sub(wrap_add(sum, change), (most >> 14) * s);
+    return wrap_mul(room >> 14, 10923 + ((s * 7282) >> 15)) >> 1;  // (1 + s/3) / 3 < 1 / (3 - s)
   };
   // Most triangles that a highlight reaches are found by their vertices.
   const std::int32_t within = reach >> 2;
@@ -152,7 +153,8 @@ constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
     const std::int32_t nearest = nearest_in_triangle(i, 0, a, b, c, ab, ac, bc);
     if (nearest < bound.nearest) bound.nearest = nearest;
     if (nearest >= power_.half_reach()) continue;
-    // Where N·L is x, that of R·V, (1 + L·V) / 2 - (N·L)(N·V), is at least (1 + L·V) / 2 - x.
+    // By N·H a highlight may reach N·L = 0. By R·V it cannot if (1 + L·V) / 2 - x is beyond the reach for x =
+    // lit_from: the half distance (1 + L·V) / 2 - (N·L)(N·V) is at least that wherever N·L is x.
     const bool may_end =
         Model == Highlight::kBlinn || half_one_plus_light_eye_[i] - lit_from < power_.half_reach();
     const std::uint32_t h = nearest < 0 ? 0 : static_cast<std::uint32_t>(nearest);

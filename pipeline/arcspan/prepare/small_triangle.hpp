@@ -89,7 +89,7 @@ struct SmallTriangle {
   std::int32_t d_middle;  ///< change of the middle vertex's coordinate per pixel, 16 fraction bits
   std::int32_t d_bottom;
   std::int32_t z;         ///< depth of the top vertex
-  std::int32_t z_middle;  ///< what the middle vertex is deeper
+  std::int32_t z_middle;  ///< depth of the middle vertex less that of the top vertex
   std::int32_t z_bottom;
   Linear dz;  ///< change of the depth per pixel
   SmallSpan spans[kMediumSize];
@@ -100,8 +100,8 @@ struct SmallTriangle {
     return static_cast<std::int32_t>(
         (static_cast<std::uint32_t>(value) * static_cast<std::uint32_t>(inverse)) >> shift);
   }
-  /// Returns the depth at the coordinates of the middle and of the bottom vertex. It is within 7 of the plane
-  /// through the vertices and never outside of their depths.
+  /// Returns the depth at the coordinates of the middle and of the bottom vertex. It is within 7 steps of
+  /// depth of the plane through the vertices and never outside of their depths.
   [[nodiscard]] ARCSPAN_INLINE constexpr Linear depth(std::int32_t middle, std::int32_t bottom) const {
     const std::int32_t part =
         wrap_add(wrap_mul(z_middle, middle >> 1), wrap_mul(z_bottom, bottom >> 1));  // 15 fraction bits

@@ -39,7 +39,7 @@ class BandPlanes {
   /// True if no triangle has rows in the band.
   [[nodiscard]] constexpr bool excludes_all() const { return excludes_all_; }
 
-  /// The border that a vertex lies beyond, as a bit for each in the order of the tests.
+  /// The border that a vertex lies beyond: a bit for the one that is tested first, and one for the other.
   static constexpr std::uint8_t kFirstTested = 1;
   static constexpr std::uint8_t kSecondTested = 2;
   static constexpr std::uint8_t kBeyond = kFirstTested | kSecondTested;

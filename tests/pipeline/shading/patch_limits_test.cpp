@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/lighting/make_illumination.hpp>
 #include <arcspan/prepare/prepare_triangle.hpp>
+#include <arcspan/prepare/sorted_vertices.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/patch/patch_limits.hpp>
 
@@ -87,43 +89,84 @@ TEST_CASE(
 
 namespace {
 
-/// The path of a triangle with normals 22 degrees apart, under a highlight of n = 64 by N·H that is brightest
-/// `away` degrees from its middle.
+/// A triangle with normals 22 degrees apart and 20 pixels times `size`, under a highlight of n = 64 by N·H
+/// that is brightest `away` degrees from its middle.
+template <class Method, class Lit>
+struct TriangleInHighlight {
+  explicit TriangleInHighlight(double away, double size = 1) {
+    const Direction towards = to_direction({std::sin(radians(away)), 0, std::cos(radians(away))});
+    Material material;
+    material.specular = {Coefficient::of(1), Coefficient::of(1), Coefficient::of(1)};
+    material.shininess = 64;
+    std::array<DirectionalLight, Lit::kLights> lights;
+    for (DirectionalLight& light : lights) light.towards = towards;
+    Lit lit;
+    REQUIRE(ok(Lit::make(material, lights, towards, lit)));
+    lighting = lit;
+    constexpr std::array<std::array<double, 2>, 3> kPlaces{{{-160, 150}, {170, 140}, {10, -180}}};
+    const double lean = std::asin(2 / std::sqrt(3) * std::sin(radians(11)));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double turn = radians(120.0 * static_cast<double>(i) + 60);
+      corners[i].position = {static_cast<std::int16_t>(kPlaces[i][0] * size),
+                             static_cast<std::int16_t>(kPlaces[i][1] * size), 1000};
+      corners[i].shade = Method::shade_vertex(
+          lighting,
+          to_direction({std::sin(lean) * std::cos(turn), std::sin(lean) * std::sin(turn), std::cos(lean)}));
+    }
+  }
+
+  [[nodiscard]] typename Method::Prepared prepared() const {
+    TriangleCommand<Method> command;
+    REQUIRE(prepare_triangle<Method>(lighting, corners[0], corners[1], corners[2], {}, {-80, 80}, command));
+    return command.shade;
+  }
+  /// Whether the triangle may be drawn as a small one although it is medium.
+  [[nodiscard]] bool is_dark_or_arcs() const {
+    SortedVertices<Method> sorted{&corners[2], &corners[1], &corners[0], false, {}};
+    sorted.chords = Method::chords_of(sorted);
+    return Method::is_dark_or_arcs(lighting, sorted);
+  }
+
+  typename Method::Lighting lighting;
+  std::array<RasterVertex<Method>, 3> corners;
+};
+
+using OneLight = Illumination<1, Highlight::kBlinn>;
+using Any = Arc<OneLight>;
+using Fine = ArcUpTo<OneLight, WidestNormals::kWithinPatches>;
+
 template <class Method>
 typename Method::Path path_of(double away) {
-  using Lit = typename Method::Lighting;
-  const Direction towards = to_direction({std::sin(radians(away)), 0, std::cos(radians(away))});
-  Material material;
-  material.specular = {Coefficient::of(1), Coefficient::of(1), Coefficient::of(1)};
-  material.shininess = 64;
-  Lit lit;
-  REQUIRE(ok(Lit::make(material, {DirectionalLight{towards}}, towards, lit)));
-  constexpr std::array<RasterPosition, 3> kPlaces{{{-160, 150, 1000}, {170, 140, 1000}, {10, -180, 1000}}};
-  const double lean = std::asin(2 / std::sqrt(3) * std::sin(radians(11)));
-  std::array<RasterVertex<Method>, 3> corners;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double turn = radians(120.0 * static_cast<double>(i) + 60);
-    corners[i].position = kPlaces[i];
-    corners[i].shade = Method::shade_vertex(
-        lit,
-        to_direction({std::sin(lean) * std::cos(turn), std::sin(lean) * std::sin(turn), std::cos(lean)}));
-  }
-  TriangleCommand<Method> command;
-  REQUIRE(prepare_triangle<Method>(lit, corners[0], corners[1], corners[2], {}, {-80, 80}, command));
-  return command.shade.path;
+  return TriangleInHighlight<Method, OneLight>(away).prepared().path;
 }
 
 }  // namespace
 
 TEST_CASE(
     "a triangle with a faint highlight is a patch beyond the limit, but not in programs for fine meshes") {
-  using Lit = Illumination<1, Highlight::kBlinn>;
-  using Any = Arc<Lit>;
-  using Fine = ArcUpTo<Lit, WidestNormals::k20Degrees>;
   REQUIRE(widest_patch(Highlight::kBlinn, 64, 255u << 5) < chord_of(22));
   CHECK(path_of<Any>(0) == Any::Path::kWide);
   CHECK(path_of<Any>(8) == Any::Path::kWide);
   CHECK(path_of<Any>(31) == Any::Path::kSteppedDistance);
   CHECK(path_of<Any>(45) == Any::Path::kDiffusePatch);
   CHECK(path_of<Fine>(31) == Fine::Path::kWide);
+  using TwoLights = Illumination<2, Highlight::kBlinn>;
+  using Two = Arc<TwoLights>;
+  CHECK(TriangleInHighlight<Two, TwoLights>(8).prepared().path == Two::Path::kWide);
+  CHECK(TriangleInHighlight<Two, TwoLights>(31).prepared().path == Two::Path::kPatch);
+  CHECK_FALSE(TriangleInHighlight<Adaptive<OneLight>, OneLight>(8).prepared().highlight_patch);
+  CHECK(TriangleInHighlight<Adaptive<OneLight>, OneLight>(31).prepared().highlight_patch);
+}
+
+TEST_CASE("medium triangles are drawn by arcs as small ones only if they are no patches") {
+  const auto is_arcs = []<class Method>(double away) {
+    return TriangleInHighlight<Method, OneLight>(away, 0.6).is_dark_or_arcs();
+  };
+  CHECK(is_arcs.template operator()<Any>(8));
+  CHECK_FALSE(is_arcs.template operator()<Any>(31));
+  CHECK_FALSE(is_arcs.template operator()<Any>(45));
+  CHECK(is_arcs.template operator()<Any>(170));  // dark
+  CHECK(is_arcs.template operator()<Fine>(8));
+  CHECK(is_arcs.template operator()<Fine>(31));
+  CHECK_FALSE(is_arcs.template operator()<Fine>(45));
 }

@@ -60,7 +60,7 @@ double difference_error(double start, double angle, int pixels) {
   int shift = 0;
   while (shift < 31 && std::ldexp(k, 16 + shift + 1) < 32768) ++shift;
   const auto mantissa = static_cast<std::int32_t>(std::lround(std::ldexp(k, 16 + shift)));
-  ArcScalar scalar{unit(std::cos(start)), unit(std::cos(start + phi) - std::cos(start))};
+  RecurrenceScalar scalar{unit(std::cos(start)), unit(std::cos(start + phi) - std::cos(start))};
   double worst = 0;
   for (int t = 0; t <= pixels; ++t) {
     const double x = std::ldexp(scalar.x.raw(), -Cosine::kFraction);

@@ -47,7 +47,7 @@ inline constexpr int kRandomSpans = 20'000;
 /// the same: starts of 0 ... 360 degrees, span angles up to 90 degrees; by S0 eq. 14 as printed, x(t+1) = 2
 /// cos(phi) x(t) - x(t-1), with all numbers in `fraction` bits after the point, rounded;
 [[nodiscard]] double printed_recurrence_error(int pixels, int fraction, int spans = kRandomSpans);
-/// by the pipeline's ArcScalar (difference form, 16 x 16 bit products, 32-bit state).
+/// by the pipeline's RecurrenceScalar (difference form, 16 x 16 bit products, 32-bit state).
 [[nodiscard]] double difference_recurrence_error(int pixels, int spans = kRandomSpans);
 
 /// S0 eq. 9 to 11 for a scalar x(t) = cos(start + t phi): x(t + ahead) from x(t) and x(t - 1), as printed and

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/shading/patch/patch_limits.hpp>
-
 #include <arcspan_tools/render/any_illumination.hpp>
 #include <arcspan_tools/support/failure.hpp>
 

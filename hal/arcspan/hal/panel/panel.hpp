@@ -23,10 +23,10 @@ struct PanelSettings {
 /// layout that decides the byte order of its pixels (wire_layout.hpp). Nothing else in the library has to
 /// know the driver.
 ///
-/// After any failure the panel assumes that the controller received half a command: the next start_write() or
-/// sleep() first sends all settings again, so a frame after a failed one starts clean. Call start() only if
-/// the controller lost its supply or start() has not succeeded. Not for interrupt handlers or concurrent
-/// threads.
+/// After any failure but kBusy the panel assumes that the controller received half a command: the next
+/// start_write() or sleep() first sends all settings again, so a frame after a failed one starts clean. Call
+/// start() only if the controller lost its supply or start() has not succeeded. Not for interrupt handlers or
+/// concurrent threads.
 class Panel {
  public:
   /// Resets the controller, sends all settings and switches the display on. Blocks for up to 0.4 s. Works in
@@ -87,7 +87,8 @@ class Panel {
   [[nodiscard]] virtual bool do_fits() const = 0;
   /// Brings the controller from any state to awake, reset and not yet configured.
   virtual Status do_reset() = 0;
-  /// Ends a command that was cut short, then sends all settings and switches the display on.
+  /// Sends all settings and switches the display on. Where parameters are sent as command bytes, two NOPs
+  /// come first: they supply the missing parameters of a command that was cut short.
   virtual Status do_configure() = 0;
   /// Switches the display off and enters sleep mode.
   virtual Status do_sleep() = 0;

@@ -74,7 +74,7 @@ ARCSPAN_INLINE constexpr void make_distance_surface(const Lighting& lighting, co
   const PatchValues at{scaled(half.top), scaled(half.middle), scaled(half.bottom)};
   EdgeQuadrupleSagittas sagittas;
   if (has_linear_distance(lighting)) {
-    // The distance falls by half of what N·H rises. An eighth of a sagitta, up to 16 degrees at most 2^23,
+    // The distance falls by half of what N·H rises. An eighth of a sagitta, up to 30 degrees below 2^25,
     // fits every table.
     const auto sagitta = [&](const auto& a, const auto& b, SagittaFactor factor) {
       const std::size_t other = Lighting::highlight_index(light);

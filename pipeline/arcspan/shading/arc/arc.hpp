@@ -146,7 +146,7 @@ struct ArcUpTo {
     return small.prepare(lighting, corners, chords, shines, diffuse, is_medium, triangle);
   }
   [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const auto& vertices) {
-    return Small::is_dark_or_arcs(lighting, vertices);
+    return Small::template is_dark_or_arcs<kFindsFaintHighlights>(lighting, vertices);
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
@@ -155,6 +155,7 @@ struct ArcUpTo {
 
  protected:
   static constexpr bool kHasDiffusePath = Illumination::kHasRamp;
+  static constexpr bool kFindsFaintHighlights = kWidest != WidestNormals::kWithinPatches;
   /// True if wide triangles without highlight carry N·L only. That is only faster; the colours are the same.
   static constexpr bool kHasDiffuseWide = Illumination::kLights == 1 && !kOptimisedForSize;
 
@@ -236,7 +237,7 @@ struct ArcUpTo {
     }
     if (!fits) return Path::kWide;
     if (is_accurate_patch(frame, widest, lighting.widest_patch())) return Path::kPatch;
-    if constexpr (BoundsHighlights<Lighting> && kWidest != WidestNormals::k20Degrees)
+    if constexpr (BoundsHighlights<Lighting> && kFindsFaintHighlights)
       return path_by_highlight(lighting, frame, widest);
     return Path::kWide;
   }

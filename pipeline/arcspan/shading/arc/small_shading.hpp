@@ -64,8 +64,8 @@ class SmallShading {
     }
   }
   /// Returns true if a triangle may be drawn as a small one although it is medium: if it is dark or consists
-  /// of arcs. `Vertices` are SortedVertices.
-  template <class Vertices>
+  /// of arcs. `Vertices` are SortedVertices. `kFindsFaintHighlights`: faint highlights allow wider patches.
+  template <bool kFindsFaintHighlights = true, class Vertices>
   [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const Vertices& vertices) {
     const auto& top = vertices.top->shade.scalars;
     const auto& middle = vertices.middle->shade.scalars;
@@ -74,7 +74,11 @@ class SmallShading {
     const std::uint32_t widest = vertices.chords.widest();
     if (widest > kWidestArc) return false;
     if (is_accurate_patch(vertices.chords, widest, lighting.widest_patch())) return false;
-    if constexpr (BoundsHighlights<Lighting>) return is_beyond_patches(lighting, vertices);
+    if constexpr (BoundsHighlights<Lighting> && kFindsFaintHighlights) {
+      return is_beyond_patches(lighting, vertices);
+    } else if constexpr (Lighting::kHasRamp) {
+      return widest > kWidestDiffusePatch || lighting.may_shine(top, middle, bottom, arc_headroom(widest));
+    }
     return true;
   }
   /// Prepares a triangle that is_dark(). Returns false if it is not.

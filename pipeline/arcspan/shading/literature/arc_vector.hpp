@@ -57,7 +57,7 @@ struct ArcVector : Recurrence<detail::NormalAsScalars<Illumination>> {
   }
 
   struct Run {
-    ArcRun<Components> components;
+    RecurrenceRun<Components> components;
 
     [[nodiscard]] ARCSPAN_INLINE_IF_MANY_REGISTERS constexpr PackedRgb colour(
         const Lighting& lighting) const {
@@ -73,7 +73,7 @@ struct ArcVector : Recurrence<detail::NormalAsScalars<Illumination>> {
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     if (prepared.is_wide) return draw(WideWalker<CarriedRun<ArcVector, 3>, 3>(prepared.wide));
-    return draw(RecurrenceWalker<Components, Run>(prepared.narrow));
+    return draw(RecurrenceWalkerWith<Components, Run>(prepared.narrow));
   }
 };
 

@@ -12,7 +12,7 @@ namespace arcspan {
 /// The factor k = 2 - 2 cos(phi) of an arc with steps of the angle phi, in block floating point:
 /// k = mantissa * 2^-(16 + shift + fine). A k of 1/4 or more (28.9 degrees per step) saturates; it only
 /// occurs where an arc has no second step to make.
-struct ArcStep {
+struct RecurrenceStep {
   std::int32_t mantissa;  ///< 0...2^15 - 1; 0 makes the scalar linear
   std::int32_t shift;     ///< 1...31
   std::int32_t fine;      ///< fraction bits of differences beyond 30
@@ -25,11 +25,11 @@ struct ArcStep {
 /// A step takes one 16x16->32 multiply, one shift and three sums, one of which rounds. The multiplier gets
 /// the top 16 bits of x (14 fraction bits); d keeps 30 fraction bits, because its error grows with the number
 /// of steps (docs/papers.md).
-struct ArcScalar {
+struct RecurrenceScalar {
   Cosine x;
   Cosine d;
 
-  /// Steps along an arc whose ArcStep has no fine bits.
+  /// Steps along an arc whose RecurrenceStep has no fine bits.
   constexpr void step(std::int32_t mantissa, std::int32_t shift) {
     x += d;
     const std::int32_t kx = wrap_mul(mantissa, x.raw() >> 16);
@@ -39,7 +39,7 @@ struct ArcScalar {
   /// Steps with a difference of 30 + fine fraction bits, for edges, which may have 2048 rows. The rounding
   /// error of k x hardly changes from one step to the next, so over m steps it adds up to m^2 / 4 units of d;
   /// the fine bits make that unit smaller.
-  constexpr void fine_step(const ArcStep& k) {
+  constexpr void fine_step(const RecurrenceStep& k) {
     x += Cosine::from_raw(d.raw() >> k.fine);
     const std::int32_t kx = wrap_mul(k.mantissa, x.raw() >> 16);
     d -= Cosine::from_raw(wrap_add(kx, std::int32_t{1} << (k.shift - 1)) >> k.shift);
@@ -50,8 +50,9 @@ struct ArcScalar {
 /// (`bits` fraction bits), of which one step is the fraction a = mantissa * 2^-exponent; mantissa in [2^15,
 /// 2^16], exponent at least 16, so a <= 1. A k too small for its format becomes 0, a k of 1/4 or more
 /// saturates.
-[[nodiscard]] ARCSPAN_OUTLINE constexpr ArcStep arc_step(std::int32_t angle2, int bits,
-                                                         std::uint32_t mantissa, int exponent, int fine) {
+[[nodiscard]] ARCSPAN_OUTLINE constexpr RecurrenceStep recurrence_step(std::int32_t angle2, int bits,
+                                                                       std::uint32_t mantissa, int exponent,
+                                                                       int fine) {
   // phi^2 = wide * 2^-(30 + scale), wide below 1.1 * 2^30.
   const std::uint32_t half = mantissa >> 1;
   const std::uint32_t once = (static_cast<std::uint32_t>(angle2) * half + (1u << 14)) >> 15;

@@ -15,8 +15,8 @@ namespace arcspan {
 /// `Count` scalars that are stepped along the arc of one edge; they share the factor of the recurrence.
 template <std::size_t Count>
 struct RecurrenceEdge {
-  std::array<ArcScalar, Count> scalars;
-  ArcStep step;
+  std::array<RecurrenceScalar, Count> scalars;
+  RecurrenceStep step;
 
   /// Steps the first `Used` scalars to the next row. The function is not inlined, because its registers do
   /// not fit beside those of the row loop.
@@ -67,8 +67,8 @@ struct SlopeScale {
 
 /// Returns a scalar and its first difference at the start of an arc from the value `from` to the value `to`
 /// (see ArcStart), by five 16-bit multiplies. `format` is that of `start`.
-[[nodiscard]] constexpr ArcScalar start_scalar(const ArcStart& start, AngleFormat format,
-                                               const SlopeScale& scale, Cosine from, Cosine to) {
+[[nodiscard]] constexpr RecurrenceScalar start_scalar(const ArcStart& start, AngleFormat format,
+                                                      const SlopeScale& scale, Cosine from, Cosine to) {
   const std::int32_t middle30 = wrap_add(from.raw() >> 1, to.raw() >> 1);
   const Factor middle = Factor::from_raw(round_shift(middle30, 15));
   const Factor difference = Factor::from_raw(round_shift(wrap_sub(to.raw(), from.raw()), 15));
@@ -76,7 +76,7 @@ struct SlopeScale {
   const auto times_middle = [middle, drop](SquaredAngle factor) {
     return Cosine::from_raw(wrap_mul(factor.raw(), middle.raw()) >> drop);
   };
-  ArcScalar scalar;
+  RecurrenceScalar scalar;
   scalar.x = Cosine::from_raw(middle30) + times_middle(start.even) + multiply<Cosine>(start.odd, difference);
   const Cosine slope = multiply<Cosine>(start.slope_odd, difference) + times_middle(start.slope_even);
   // d is rounded down: half a unit of 2^-30 per step is negligible over the longest row.
@@ -102,7 +102,7 @@ ARCSPAN_OUTLINE constexpr void make_recurrence_edge(const EdgeSetup& edge, std::
   for (std::size_t i = 0; i < used; ++i) {
     arc.scalars[i] = start_scalar(start, format, scale, from[i], to[i]);
   }
-  arc.step = arc_step(angle2.raw(), fraction_bits(format), row.mantissa, row.exponent, fine);
+  arc.step = recurrence_step(angle2.raw(), fraction_bits(format), row.mantissa, row.exponent, fine);
 }
 
 }  // namespace arcspan

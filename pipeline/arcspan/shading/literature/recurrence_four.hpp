@@ -35,7 +35,7 @@ struct FourSteps {
   std::array<BlockFactor, 3> of_difference;  ///< of D, for N(t+2)...N(t+4)
 
   /// Makes the factors of a k without fine bits. Their relative error is at most 2^-14.
-  [[nodiscard]] static constexpr FourSteps of(const ArcStep& k) {
+  [[nodiscard]] static constexpr FourSteps of(const RecurrenceStep& k) {
     const auto mantissa = static_cast<std::uint32_t>(k.mantissa < 0 ? 0 : k.mantissa);
     // k and its powers with 20 fraction bits, below 1/4.
     const std::uint32_t k1 = k.shift < 4 ? mantissa << (4 - k.shift) : mantissa >> (k.shift - 4);
@@ -59,7 +59,7 @@ struct FourSteps {
   /// Returns N(t-1)...N(t+2) and steps `scalar` by four pixels: it holds N(t-1) and D, afterwards N(t+3) and
   /// N(t+4) - N(t+3). None of the new values depends on another one, so that four multipliers can make them
   /// at once.
-  [[nodiscard]] constexpr std::array<Cosine, 4> step(ArcScalar& scalar) const {
+  [[nodiscard]] constexpr std::array<Cosine, 4> step(RecurrenceScalar& scalar) const {
     const Cosine before = scalar.x;
     const Cosine d = scalar.d;
     const Cosine n = before + d;
@@ -94,14 +94,14 @@ struct RecurrenceFour : Recurrence<Illumination> {
   /// The pixels of a row (PixelRun).
   class Run {
    public:
-    constexpr explicit Run(const ArcRun<Illumination>& first) : steps_(FourSteps::of(first.factor())) {
+    constexpr explicit Run(const RecurrenceRun<Illumination>& first) : steps_(FourSteps::of(first.factor())) {
       unrolled<Base::kScalars>([&](auto i) { scalars_[i] = first.scalar(i); });
       make_four();
     }
     [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
       return lighting.colour(four_[at_]);
     }
-    [[nodiscard]] static constexpr std::int32_t length() { return ArcRun<Illumination>::length(); }
+    [[nodiscard]] static constexpr std::int32_t length() { return RecurrenceRun<Illumination>::length(); }
     constexpr void next() {
       at_ = (at_ + 1) & 3;
       if (at_ == 0) make_four();
@@ -116,7 +116,7 @@ struct RecurrenceFour : Recurrence<Illumination> {
     }
 
     FourSteps steps_;
-    std::array<ArcScalar, Base::kScalars> scalars_;
+    std::array<RecurrenceScalar, Base::kScalars> scalars_;
     std::array<typename Illumination::Scalars, 4> four_;
     std::size_t at_ = 0;
   };
@@ -124,7 +124,7 @@ struct RecurrenceFour : Recurrence<Illumination> {
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     if (prepared.is_wide) return Base::walk(prepared, draw);
-    return draw(RecurrenceWalker<Illumination, Run>(prepared.narrow));
+    return draw(RecurrenceWalkerWith<Illumination, Run>(prepared.narrow));
   }
 };
 

@@ -13,12 +13,12 @@ namespace arcspan {
 /// A triangle whose `Count` scalars follow great circles: the arcs of the edges, each at its first row, and
 /// the rows of the upper and the lower half. An edge or a half without rows to draw is not set.
 template <std::size_t Count>
-struct ArcTriangle {
+struct RecurrenceTriangle {
   RecurrenceEdge<Count> long_edge;
   RecurrenceEdge<Count> upper_edge;
   RecurrenceEdge<Count> lower_edge;
-  ArcRows upper_rows;
-  ArcRows lower_rows;
+  RecurrenceRows upper_rows;
+  RecurrenceRows lower_rows;
   std::uint8_t slope_drop;  ///< slope_drop() of the rows
   AngleFormat rows;         ///< format of the rows' squared angles
   bool middle_left;         ///< the middle vertex is on the left of the long edge
@@ -28,7 +28,7 @@ namespace detail {
 
 /// Sets up the rows of both halves.
 template <class Frame, std::size_t Count>
-constexpr void prepare_arc_rows(const Frame& frame, ArcTriangle<Count>& arcs) {
+constexpr void prepare_recurrence_rows(const Frame& frame, RecurrenceTriangle<Count>& arcs) {
   const TriangleChords& chords = frame.chords;
   const AngleFormat format = arcs.rows;
   const SquaredAngle top_middle = scaled_chord(chords.top_middle, format);
@@ -38,14 +38,15 @@ constexpr void prepare_arc_rows(const Frame& frame, ArcTriangle<Count>& arcs) {
   const SquaredAngle at_middle = row_angle_at_middle(corner, format, frame.middle_fraction);
   if (frame.has_upper) {
     const SquaredAngle at_top = row_angle_at_corner(corner, format, frame.middle_fraction);
-    make_arc_rows(at_top, at_middle, format, frame.inverse_width, frame.upper_edge, true, arcs.upper_rows);
+    make_recurrence_rows(at_top, at_middle, format, frame.inverse_width, frame.upper_edge, true,
+                         arcs.upper_rows);
   }
   if (frame.has_lower) {
     corner = {middle_bottom, top_bottom, top_middle};
     const SquaredAngle at_bottom =
         row_angle_at_corner(corner, format, Factor::of(1.0) - frame.middle_fraction);
-    make_arc_rows(at_bottom, at_middle, format, frame.inverse_width, frame.lower_edge, false,
-                  arcs.lower_rows);
+    make_recurrence_rows(at_bottom, at_middle, format, frame.inverse_width, frame.lower_edge, false,
+                         arcs.lower_rows);
   }
 }
 
@@ -54,7 +55,7 @@ constexpr void prepare_arc_rows(const Frame& frame, ArcTriangle<Count>& arcs) {
 /// Sets up the arcs of a triangle. `Frame` is a TriangleFrame whose chords are measured and whose vertices
 /// have `scalars`.
 template <class Frame, std::size_t Count>
-ARCSPAN_OUTLINE constexpr void prepare_arcs(Frame& frame, ArcTriangle<Count>& arcs) {
+ARCSPAN_OUTLINE constexpr void prepare_recurrence(Frame& frame, RecurrenceTriangle<Count>& arcs) {
   const TriangleChords& chords = frame.chords;
   const auto& top = frame.top->shade.scalars;
   const auto& middle = frame.middle->shade.scalars;
@@ -68,13 +69,13 @@ ARCSPAN_OUTLINE constexpr void prepare_arcs(Frame& frame, ArcTriangle<Count>& ar
   const std::uint32_t widest = chords.widest();
   arcs.slope_drop = static_cast<std::uint8_t>(slope_drop(widest));
   arcs.rows = angle_format(widest);
-  detail::prepare_arc_rows(frame, arcs);
+  detail::prepare_recurrence_rows(frame, arcs);
   arcs.middle_left = frame.middle_left;
 }
 
 /// The pixels of a row (PixelRun); the recurrence steps their scalars.
 template <class Lighting>
-class ArcRun {
+class RecurrenceRun {
  public:
   static constexpr std::size_t kScalars = Lighting::kScalars;
 
@@ -82,7 +83,7 @@ class ArcRun {
   /// row is drawn in several runs (LimitedRun).
   [[nodiscard]] static constexpr std::int32_t length() { return 256; }
 
-  constexpr ArcRun(std::int32_t mantissa, std::int32_t shift) : mantissa_(mantissa), shift_(shift) {}
+  constexpr RecurrenceRun(std::int32_t mantissa, std::int32_t shift) : mantissa_(mantissa), shift_(shift) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
     typename Lighting::Scalars values;
@@ -98,15 +99,15 @@ class ArcRun {
     if constexpr (!Colours::kForHighlights) return Format::encode(lighting.colour(values));
     return lighting.template encoded<Format>(values, encoded);
   }
-  [[nodiscard]] constexpr ArcScalar& scalar(std::size_t i) { return scalars_[i]; }
-  [[nodiscard]] constexpr const ArcScalar& scalar(std::size_t i) const { return scalars_[i]; }
-  [[nodiscard]] constexpr ArcStep factor() const { return {mantissa_, shift_, 0}; }
+  [[nodiscard]] constexpr RecurrenceScalar& scalar(std::size_t i) { return scalars_[i]; }
+  [[nodiscard]] constexpr const RecurrenceScalar& scalar(std::size_t i) const { return scalars_[i]; }
+  [[nodiscard]] constexpr RecurrenceStep factor() const { return {mantissa_, shift_, 0}; }
   constexpr void next() {
     unrolled<kScalars>([this](auto i) { scalars_[i].step(mantissa_, shift_); });
   }
 
  private:
-  std::array<ArcScalar, kScalars> scalars_;
+  std::array<RecurrenceScalar, kScalars> scalars_;
   std::int32_t mantissa_;
   std::int32_t shift_;
 };
@@ -114,14 +115,14 @@ class ArcRun {
 /// Steps the scalars of both edges of a half from row to row (RowWalker). It changes the prepared arcs in
 /// place.
 template <class Lighting>
-class ArcWalker {
+class RecurrenceWalker {
  public:
   static constexpr std::size_t kScalars = Lighting::kScalars;
-  using Run = ArcRun<Lighting>;
+  using Run = RecurrenceRun<Lighting>;
 
   static constexpr bool kOutlined = true;
 
-  constexpr explicit ArcWalker(ArcTriangle<kScalars>& arcs)
+  constexpr explicit RecurrenceWalker(RecurrenceTriangle<kScalars>& arcs)
       : arcs_(&arcs), short_(&arcs.upper_edge), rows_(&arcs.upper_rows) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
@@ -165,9 +166,9 @@ class ArcWalker {
     return Factor::from_raw(static_cast<std::int32_t>(((normalised >> 16) * inverse.mantissa) >> 16));
   }
 
-  ArcTriangle<kScalars>* arcs_;
+  RecurrenceTriangle<kScalars>* arcs_;
   RecurrenceEdge<kScalars>* short_;
-  ArcRows* rows_;
+  RecurrenceRows* rows_;
 };
 
 }  // namespace arcspan

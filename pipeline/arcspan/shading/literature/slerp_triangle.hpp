@@ -192,7 +192,7 @@ struct SlerpBase {
   }
   template <class Frame>
   static constexpr void prepare(const Lighting&, Frame& frame, const Face&, Prepared& prepared) {
-    if (prepared.is_narrow(frame)) prepared.narrow.make(frame);
+    if (!prepared.prepare_if_wide(frame)) prepared.narrow.make(frame);
   }
 
  protected:

@@ -17,13 +17,13 @@ struct NarrowOrWide {
   };
   bool is_wide;
 
-  /// Returns true if the triangle is at most 60 degrees wide; `narrow` is to be prepared then. Otherwise
-  /// prepares `wide`, with pieces of at most 16 degrees, which are within 1.4e-4 of the arc.
+  /// Prepares `wide` and returns true if the triangle is more than 60 degrees wide; its pieces are of at most
+  /// 16 degrees, which are within 1.4e-4 of the arc. Otherwise `narrow` is to be prepared.
   template <class Frame>
-  [[nodiscard]] constexpr bool is_narrow(Frame& frame) {
+  [[nodiscard]] constexpr bool prepare_if_wide(Frame& frame) {
     is_wide = frame.chords.widest() > kWidestArc;
     if (is_wide) prepare_wide(frame, Count, Factor::of(0.078), wide);
-    return !is_wide;
+    return is_wide;
   }
 };
 

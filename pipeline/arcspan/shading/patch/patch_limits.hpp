@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/lighting/arc_bound.hpp>
 #include <arcspan/lighting/highlight_bound.hpp>
 #include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/prepare/triangle.hpp>
@@ -24,14 +25,9 @@ inline constexpr std::uint32_t kWidestDiffusePatch = 86613079u;
 /// patch: 0.78 8-bit steps, 5 fraction bits. Errors stay below 1.57 times the estimate.
 inline constexpr std::uint32_t kPatchError = 25;
 
-/// Returns an upper bound of the height of a scalar above its values at the vertices of a triangle whose
-/// widest squared chord is s = `chord` (28 fraction bits): s/6 + 0.058 s^2 + 2^-12, for s at most 1. The
-/// normals lie in a cap of the radius R, sin^2(R) = s/3 at most, within which a cosine rises by 1 - cos(R) =
-/// s/6 + s^2/72 + ...; the rest is for the errors of patches and pieces.
+/// Returns detail::cap_height() of a squared chord, and 2^-12 for the errors of patches and pieces.
 [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr Cosine arc_headroom(std::uint32_t chord) {
-  const std::uint32_t s = chord >> 13;  // 15 fraction bits
-  const std::uint32_t factor = 5462u + ((s * 1901u) >> 15);
-  return Cosine::from_raw(static_cast<std::int32_t>(s * factor + (std::uint32_t{1} << 18)));
+  return Cosine::from_raw(detail::cap_height(chord) + (std::int32_t{1} << 18));
 }
 
 /// The squared chord of 30 degrees, 28 fraction bits, up to which triangles with a highlight may be patches.
@@ -59,7 +55,7 @@ template <class Method>
 }
 
 /// True if `Lighting` bounds its highlights over a triangle. Where they are faint, patches may be wider.
-/// An EnvironmentMap has no highlights.
+/// False for an EnvironmentMap, which has no highlights.
 template <class Lighting>
 concept BoundsHighlights = requires(const Lighting& lighting) {
   lighting.highlights_over({}, {}, {}, std::uint32_t{}, std::uint32_t{}, std::uint32_t{});

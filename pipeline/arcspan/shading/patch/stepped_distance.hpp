@@ -100,8 +100,8 @@ template <class Frame>
 /// Prepares the patch of SteppedDistanceRun for a TriangleFrame that is_out_of_fade(). (1 - N·H) / 2 is a
 /// constant less a scalar that is linear in the normal, and the patch of that is raised by the constant.
 ///
-/// A triangle within reach of the highlight and of at most widest_patch() is less than 10 times as far from
-/// it as the reach, so that slopes fit.
+/// A triangle within reach of the highlight that is a patch is less than 15 times as far from it as the
+/// reach, and at least 4 pixels wide beyond widest_patch(), so that slopes fit.
 template <class Lighting, class Frame, std::size_t Count>
 constexpr void prepare_stepped_distance(const Lighting& lighting, const Frame& frame, Patch<Count>& patch) {
   constexpr std::size_t kOther = Lighting::highlight_index(0);

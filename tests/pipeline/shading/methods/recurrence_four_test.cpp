@@ -14,10 +14,10 @@ using namespace arcspan::test;
 
 namespace {
 
-double value_of(const ArcStep& k) { return std::ldexp(k.mantissa, -(16 + k.shift)); }
+double value_of(const RecurrenceStep& k) { return std::ldexp(k.mantissa, -(16 + k.shift)); }
 
-/// k of a step of phi radians, rounded to ArcStep's 15 bits.
-ArcStep step_of(double phi) {
+/// k of a step of phi radians, rounded to RecurrenceStep's 15 bits.
+RecurrenceStep step_of(double phi) {
   const double k = 2 - 2 * std::cos(phi);
   int exponent = 0;
   const double fraction = std::frexp(k, &exponent);  // k = fraction * 2^exponent
@@ -42,13 +42,13 @@ FourError worst_of(std::uint64_t seed, int arcs, double degrees) {
     const double phi = radians(random.decades(0.5, degrees)) / pixels;
     const double from = random.real(-3.14, 3.14);
     const auto exact = [&](int t) { return std::cos(from + t * phi); };
-    const ArcStep single = step_of(phi);
+    const RecurrenceStep single = step_of(phi);
     const FourSteps four = FourSteps::of(single);
     const auto unit = [](double v) {
       return Cosine::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(v, 30))));
     };
-    ArcScalar walk{unit(exact(0)), unit(exact(1) - exact(0))};
-    ArcScalar state = walk;
+    RecurrenceScalar walk{unit(exact(0)), unit(exact(1) - exact(0))};
+    RecurrenceScalar state = walk;
     std::array<Cosine, 4> values{};
     for (int t = 0; t < pixels; ++t) {
       if (t % 4 == 0) values = four.step(state);
@@ -67,7 +67,7 @@ FourError worst_of(std::uint64_t seed, int arcs, double degrees) {
 
 TEST_CASE("the factors of four pixels are those of S0 eq. 7 and 9 to 11, for every angle of a step") {
   for (double angle = 0.002; angle < 28.9; angle *= 1.003) {
-    const ArcStep k = step_of(radians(angle));
+    const RecurrenceStep k = step_of(radians(angle));
     if (k.shift > 31) continue;
     const double c = 1 - value_of(k) / 2;
     // Chebyshev polynomials of the second kind: N(t+j) = U_j N(t) - U_{j-1} N(t-1).

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The highlights of several lights may coincide, where their errors add up. Patches and pieces are narrower
-// for them, so that arc keeps the bound that it has for one light.
+// Pixels against the exact colour of the exact normal, by one light and by two. The highlights of several
+// lights may coincide, where their errors add up. Patches and pieces are narrower for them, so that arc keeps
+// the bound that it has for one light.
+#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 
 #include <catch2/catch.hpp>
@@ -22,14 +24,15 @@ constexpr double kSpecular = 0.4;
 
 /// Where lights are: their highlights lie within this angle of the triangle's middle. 90: anywhere, so that
 /// terminators and the ends of highlights run through triangles, and some lights do not reach them.
-enum class Spread { k18Degrees = 18, k90Degrees = 90 };
+enum class Spread { k18Degrees = 18, k45Degrees = 45, k90Degrees = 90 };
 
-/// A grey material and two lights of full strength.
-struct TwoLights {
+/// A grey material and lights of full strength.
+template <std::size_t Count>
+struct Lights {
   Vec3 to_eye;
-  std::array<Vec3, 2> to_light;
+  std::array<Vec3, Count> to_light;
 
-  TwoLights(Random& random, Vec3 middle, Spread spread)
+  Lights(Random& random, Vec3 middle, Spread spread)
       : to_eye(tilted(random, middle, radians(random.real(0, 50)))) {
     for (Vec3& light : to_light) {
       const Vec3 half = tilted(random, middle, radians(random.real(0, static_cast<int>(spread))));
@@ -41,9 +44,10 @@ struct TwoLights {
   [[nodiscard]] Lit illumination(std::int32_t shininess) const {
     const auto grey = [](Coefficient c) { return ChannelCoefficients{c, c, c}; };
     const Material material{{}, grey(Coefficient::of(kDiffuse)), grey(Coefficient::of(kSpecular)), shininess};
+    std::array<DirectionalLight, Count> lights;
+    for (std::size_t i = 0; i < Count; ++i) lights[i].towards = to_direction(to_light[i]);
     Lit lit;
-    REQUIRE(ok(Lit::make(material, {{{to_direction(to_light[0])}, {to_direction(to_light[1])}}},
-                         to_direction(to_eye), lit)));
+    REQUIRE(ok(Lit::make(material, lights, to_direction(to_eye), lit)));
     return lit;
   }
 
@@ -63,9 +67,9 @@ struct TwoLights {
 };
 
 /// Returns the largest error of a pixel, in 8-bit steps; normals are `from` to `to` degrees apart.
-template <Highlight Model>
+template <Highlight Model, std::size_t Count = 2, template <class> class Method = Arc>
 double worst_error(std::int32_t shininess, Spread spread, double from, double to) {
-  using Lit = Illumination<2, Model>;
+  using Lit = Illumination<Count, Model>;
   Random random(7);
   double worst = 0;
   for (int i = 0; i < share_of(3000); ++i) {
@@ -78,9 +82,9 @@ double worst_error(std::int32_t shininess, Spread spread, double from, double to
       middle = middle + normal;
     }
     if (test::detail::thickness(shaded) < 1) continue;
-    const TwoLights lights(random, normalised(middle), spread);
+    const Lights<Count> lights(random, normalised(middle), spread);
     const TrianglePicture picture =
-        picture_of<Arc<Lit>>(triangle, lights.illumination<Lit>(shininess), kSize);
+        picture_of<Method<Lit>>(triangle, lights.template illumination<Lit>(shininess), kSize);
     const SlerpModel model(shaded);
     for (std::int32_t y = 0; y < kSize; ++y) {
       for (std::int32_t x = 0; x < kSize; ++x) {
@@ -111,4 +115,14 @@ TEST_CASE("arc by two lights is as accurate where one of them or one highlight e
   CHECK(worst_error<Highlight::kBlinn>(shininess, Spread::k90Degrees, 5, 30) <= 2.5);
   CHECK(worst_error<Highlight::kPhong>(shininess, Spread::k90Degrees, 30, 45) <= 3.5);
   CHECK(worst_error<Highlight::kBlinn>(shininess, Spread::k90Degrees, 30, 45) <= 3.5);
+}
+
+// Beyond widest_patch(), patches are as wide as the highlight is faint; below, as wide as they may be for it.
+TEST_CASE("by one light, highlights by N·H are within two steps in arc and within three in adaptive") {
+  const std::int32_t shininess = GENERATE(4, 16, 64, 128, 256);
+  CAPTURE(shininess);
+  for (const Spread spread : {Spread::k18Degrees, Spread::k45Degrees}) {
+    CHECK(worst_error<Highlight::kBlinn, 1>(shininess, spread, 9, 30) <= 2.5);
+    CHECK(worst_error<Highlight::kBlinn, 1, Adaptive>(shininess, spread, 9, 30) <= 3.5);
+  }
 }

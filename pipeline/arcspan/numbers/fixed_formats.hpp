@@ -40,14 +40,14 @@ using FullLinear = Fixed<std::int32_t, 15>;
 /// Entry of a rotation, Q1.30, [-1, 1].
 using RotationEntry = Fixed<std::int32_t, 30>;
 
-/// Length in object units (1 = one step of a 16-bit position), 23.8: up to 8.3 million in magnitude.
+/// Length in object units (1 = one step of a 16-bit position), 24.8: up to 8.3 million in magnitude.
 using ObjectLength = Fixed<std::int32_t, 8>;
 
-/// Length in world units, 15.16: below 32768 in magnitude. An object is moved in steps of 2^-16, far below a
+/// Length in world units, 16.16: below 32768 in magnitude. An object is moved in steps of 2^-16, far below a
 /// subpixel unless a world unit covers hundreds of pixels.
 using WorldLength = Fixed<std::int32_t, 16>;
 
-/// Length in pixels, 20.11: focal lengths up to half a million pixels.
+/// Length in pixels, 21.11: focal lengths up to half a million pixels.
 using PixelLength = Fixed<std::int32_t, 11>;
 
 /// Material coefficient, light intensity, attenuation: Q16.15, [0, 1].

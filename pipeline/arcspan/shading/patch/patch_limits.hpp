@@ -25,7 +25,9 @@ inline constexpr std::uint32_t kWidestDiffusePatch = 86613079u;
 /// patch: 0.78 8-bit steps, 5 fraction bits. Errors stay below 1.57 times the estimate.
 inline constexpr std::uint32_t kPatchError = 25;
 
-/// Returns detail::cap_height() of a squared chord, and 2^-12 for the errors of patches and pieces.
+/// Returns an upper bound of the height of a scalar above its values at the vertices of a triangle whose
+/// widest squared chord is s = `chord` (28 fraction bits): s/6 + 0.058 s^2 + 2^-12, for s at most 1
+/// (arc_bound.hpp). 2^-12 is for the errors of patches and pieces.
 [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr Cosine arc_headroom(std::uint32_t chord) {
   return Cosine::from_raw(detail::cap_height(chord) + (std::int32_t{1} << 18));
 }

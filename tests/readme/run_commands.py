@@ -74,7 +74,9 @@ def main():
             if entry.name not in ("build", "out", ".git"):
                 (top / entry.name).symlink_to(entry)
         (programs / "arcspan").symlink_to(arguments.arcspan.resolve())
-        (top / "model.obj").write_text(MODEL)
+        meshes = top / "build" / "meshes"  # where scripts/first-picture has them
+        meshes.mkdir(parents=True)
+        (meshes / "bunny.obj").write_text(MODEL)
         environment = dict(os.environ, HOME=str(home), PATH=f"{programs}:{os.environ['PATH']}")
         for page in arguments.pages:
             for _, _, body in extract.blocks(arguments.tree / page):

@@ -134,8 +134,12 @@ TEST_CASE("many bodies that cannot lose an edge are clustered") {
 }
 
 TEST_CASE("limits that cannot be met are said") {
-  const std::string message = message_of<Failure>([] { (void)compiled(made("torus:24x12"), {{}, 20, {}}); });
-  CHECK(message.find("test: cannot be simplified that far (the least is ") == 0);
+  const auto message = [](const MeshLimits& limits) {
+    return message_of<Failure>([&] { (void)compiled(made("torus:24x12"), limits); });
+  };
+  CHECK(message({{}, 20, {}}).find("test: cannot be simplified to 20 bytes (the least is ") == 0);
+  CHECK(message({1, 20, {}}).find("test: cannot be simplified to 1 triangles and 20 bytes (the least is ") ==
+        0);
 }
 
 TEST_CASE("what 16 bits make equal is joined, and triangles without area go") {

@@ -14,6 +14,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace arcspan::tools {
@@ -51,11 +52,21 @@ int flushed() {
   return lost ? complain("standard output: cannot write", kFailed) : 0;
 }
 
+// True for the subcommands that this build was told to leave out (ARCSPAN_TOOLS_DRAWING_ONLY).
+bool is_left_out(const std::string& subcommand) {
+  if (subcommand.empty()) return false;
+  return std::string_view(" " ARCSPAN_LEFT_OUT_COMMANDS " ").find(" " + subcommand + " ") !=
+         std::string_view::npos;
+}
+
 std::string what_is_missing(const CLI::App& app) {
   const std::vector<std::string> extras = app.remaining();
-  const std::string problem =
-      extras.empty() ? "no subcommand given" : "no such subcommand: '" + extras[0] + "'";
-  return problem + " (see arcspan --help)";
+  if (extras.empty()) return "no subcommand given (see arcspan --help)";
+  if (is_left_out(extras[0])) {
+    return "this build has no subcommand '" + extras[0] +
+           "' (docs/getting-started.md says how to build the whole tool)";
+  }
+  return "no such subcommand: '" + extras[0] + "' (see arcspan --help)";
 }
 
 int parse_and_run(CLI::App& app, int argc, const char* const* argv) {
@@ -89,7 +100,7 @@ int run_command_line(int argc, const char* const* argv) {
   app.footer(
       "`arcspan COMMAND --help` shows a command's options and examples. Results go to standard output or\n"
       "into files, progress and complaints to standard error. Exit status: 0; 1 for what is wrong with\n"
-      "files, or a comparison that fails; 2 for wrong arguments.");
+      "files, meshes or their formats, or a comparison that fails; 2 for wrong arguments.");
   add_commands(app);
   app.allow_extras();  // for the root only, so that an unknown subcommand can be named
   return parse_and_run(app, argc, argv);

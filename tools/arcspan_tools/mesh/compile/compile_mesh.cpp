@@ -42,13 +42,20 @@ class Search {
          {Simplification::kWithNormals, Simplification::kByPosition, Simplification::kByCells}) {
       if (search(how)) return best_;
     }
-    throw Failure(subject_, "cannot be simplified that far (the least is " +
+    throw Failure(subject_, "cannot be simplified to " + wanted() + " (the least is " +
                                 std::to_string(least_triangles_) + " triangles in " +
                                 std::to_string(least_bytes_) + " bytes)");
   }
 
  private:
   enum class Outcome { kFits, kTooLarge, kEmpty };
+
+  [[nodiscard]] std::string wanted() const {
+    const std::string bytes = limits_.max_bytes ? std::to_string(*limits_.max_bytes) + " bytes" : "";
+    const std::string triangles =
+        limits_.max_triangles ? std::to_string(*limits_.max_triangles) + " triangles" : "";
+    return triangles + (bytes.empty() || triangles.empty() ? "" : " and ") + bytes;
+  }
 
   Outcome attempt(Simplification how, std::size_t target) {
     tried_(++attempts_);

@@ -164,7 +164,8 @@ double highest_on_arc(const Vec3& p, const Vec3& q, const Vec3& axis) {
   return std::max({dot(axis, p), dot(axis, q), dot(axis, p) * std::cos(at) + along * std::sin(at)});
 }
 
-/// The same in a triangle. Its maximum is on its border unless the axis points through it.
+/// The largest product of `axis` and a unit vector in a triangle. It is that of a vector on the border,
+/// unless the axis points through the triangle.
 double highest_in_triangle(const std::array<Vec3, 3>& n, const Vec3& axis) {
   const double a = dot(cross(n[0], n[1]), axis);
   const double b = dot(cross(n[1], n[2]), axis);

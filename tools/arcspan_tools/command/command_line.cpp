@@ -52,7 +52,7 @@ int flushed() {
   return lost ? complain("standard output: cannot write", kFailed) : 0;
 }
 
-// True for the subcommands that this build was told to leave out (ARCSPAN_TOOLS_DRAWING_ONLY).
+// Whether a subcommand exists, but not in this build (ARCSPAN_TOOLS_DRAWING_ONLY).
 bool is_left_out(const std::string& subcommand) {
   if (subcommand.empty()) return false;
   return std::string_view(" " ARCSPAN_LEFT_OUT_COMMANDS " ").find(" " + subcommand + " ") !=

@@ -49,6 +49,7 @@ int main() {
                                    .planes = false,
                                    .small_triangles = false,
                                    .whole_rows = false};
+  // So fine a mesh gains nothing by the rules for normals that are far apart.
   using Method = ArcUpTo<Light, WidestNormals::kWithinPatches>;
   const DrawResult drawn = draw_mesh<Method, kFeatures>(kSphere, kCamera, kLight, screen, nearest);
 

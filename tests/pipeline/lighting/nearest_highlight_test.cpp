@@ -204,7 +204,8 @@ TEST_CASE(
   CHECK(by_headroom < kTriangles / 2);
 }
 
-TEST_CASE("the bound of a scalar is defined for any scalars") {
+// What is undefined ends a sanitized program.
+TEST_CASE("the bounds of scalars and of highlights are defined for any scalars") {
   constexpr std::array<std::int32_t, 5> kValues{INT32_MIN, -1, 0, 1 << 30, INT32_MAX};
   for (const std::int32_t a : kValues) {
     for (const std::int32_t b : kValues) {
@@ -212,6 +213,12 @@ TEST_CASE("the bound of a scalar is defined for any scalars") {
         const Cosine bound = detail::highest_over(Cosine::from_raw(a), Cosine::from_raw(b),
                                                   Cosine::from_raw(c), std::uint32_t{1} << 28);
         if (std::max({a, b, c}) <= 1 << 30) CHECK(bound.raw() > std::max({a, b, c}));
+        const auto light_and_eye = [](std::int32_t x, std::int32_t y) {
+          return std::array{Cosine::from_raw(x), Cosine::from_raw(y)};
+        };
+        const Illumination<1, Highlight::kPhong> lit{};
+        (void)lit.highlights_over(light_and_eye(a, b), light_and_eye(b, a), light_and_eye(c, b),
+                                  std::uint32_t{1} << 28, std::uint32_t{1} << 28, std::uint32_t{1} << 28);
       }
     }
   }
@@ -237,17 +244,30 @@ TEST_CASE("the bound of a scalar is sharp where its maximum is inside of the tri
   }
 }
 
+namespace {
+
+/// The unit vector at an angle from the x axis, about the z axis.
+Vec3 at_degrees(double degrees) { return {std::cos(radians(degrees)), std::sin(radians(degrees)), 0}; }
+
+/// One light along the x axis and the eye `degrees` away from it.
+template <class Lit>
+Lit lit_from_x(double degrees, std::int32_t shininess, Coefficient fade = {}) {
+  Material material;
+  material.shininess = shininess;
+  material.highlight_fade = fade;
+  Lit lit;
+  REQUIRE(ok(Lit::make(material, {DirectionalLight{to_direction(at_degrees(0))}},
+                       to_direction(at_degrees(degrees)), lit)));
+  return lit;
+}
+
+}  // namespace
+
 TEST_CASE("a highlight by N·H counts as if it were brightest where a vertex is hardly lit") {
   using Lit = Illumination<1, Highlight::kBlinn>;
-  const Vec3 light{1, 0, 0};
-  const Vec3 eye{std::cos(radians(60)), std::sin(radians(60)), 0};
-  Material material;
-  material.shininess = 2;
-  Lit lit;
-  REQUIRE(ok(Lit::make(material, {DirectionalLight{to_direction(light)}}, to_direction(eye), lit)));
+  const auto lit = lit_from_x<Lit>(60, 2);
   const auto slope_at = [&lit](double degrees) {
-    const Vec3 normal{std::cos(radians(degrees)), std::sin(radians(degrees)), 0};
-    const Lit::Scalars at = lit.scalars(to_direction(normal));
+    const Lit::Scalars at = lit.scalars(to_direction(at_degrees(degrees)));
     return lit.highlights_over(at, at, at, 0, 0, 0).relative_slope;
   };
   CHECK(slope_at(90) < 1);  // out of the light
@@ -258,14 +278,9 @@ TEST_CASE("a highlight by N·H counts as if it were brightest where a vertex is 
 TEST_CASE("a highlight that may end in the triangle counts as if it were brightest") {
   // Light and eye are 140 degrees apart, so that R·V is 0.77 wherever N·L = 0.
   using Lit = Illumination<1, Highlight::kPhong>;
-  const Vec3 light{1, 0, 0};
-  const Vec3 eye{std::cos(radians(140)), std::sin(radians(140)), 0};
-  Material material;
-  material.shininess = 4;
-  Lit lit;
-  REQUIRE(ok(Lit::make(material, {DirectionalLight{to_direction(light)}}, to_direction(eye), lit)));
+  const auto lit = lit_from_x<Lit>(140, 4);
   const auto bound_at = [&lit](double degrees) {
-    const Vec3 middle{std::cos(radians(degrees)), std::sin(radians(degrees)), 0};
+    const Vec3 middle = at_degrees(degrees);
     std::array<Lit::Scalars, 3> at;
     std::array<Normal, 3> packed;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -287,16 +302,9 @@ TEMPLATE_TEST_CASE("a highlight that may fade in the triangle counts as if it we
                    (Illumination<1, Highlight::kBlinn, IlluminationFeatures{.fading_highlights = true}>)) {
   // Where N·L = 0, R·V is 0.17, whose power is out of reach.
   using Lit = TestType;
-  const Vec3 light{1, 0, 0};
-  const Vec3 eye{std::cos(radians(100)), std::sin(radians(100)), 0};
-  const auto slope_with = [&](Coefficient fade) {
-    Material material;
-    material.shininess = 8;
-    material.highlight_fade = fade;
-    Lit lit;
-    REQUIRE(ok(Lit::make(material, {DirectionalLight{to_direction(light)}}, to_direction(eye), lit)));
-    const Vec3 normal{std::cos(radians(65)), std::sin(radians(65)), 0};  // N·L = 0.42
-    const typename Lit::Scalars at = lit.scalars(to_direction(normal));
+  const auto slope_with = [](Coefficient fade) {
+    const auto lit = lit_from_x<Lit>(100, 8, fade);
+    const typename Lit::Scalars at = lit.scalars(to_direction(at_degrees(65)));  // N·L = 0.42
     return lit.highlights_over(at, at, at, 0, 0, 0).relative_slope;
   };
   CHECK(slope_with({}) < HighlightBound::kBrightest);

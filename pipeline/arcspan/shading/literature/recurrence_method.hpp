@@ -35,7 +35,7 @@ struct Recurrence : Arc<Illumination> {
   }
 };
 
-/// RecurrenceWalker with runs of another type, made of an RecurrenceRun: for the methods that draw the pixels
+/// RecurrenceWalker with runs of another type, made of a RecurrenceRun: for the methods that draw the pixels
 /// of a row otherwise than Recurrence.
 template <class Illumination, class MethodRun>
 class RecurrenceWalkerWith : public RecurrenceWalker<Illumination> {

@@ -15,13 +15,14 @@
 
 namespace arcspan {
 
-/// How far apart the normals of a triangle are at most in the meshes of a program. Others are drawn, too.
+/// The widest angle between normals of a triangle for which a program is made. Wider triangles are drawn,
+/// too.
 enum class WidestNormals : std::uint8_t {
-  kAny,
+  kAny,        ///< every triangle is shaded accurately
   k60Degrees,  ///< triangles beyond 60 degrees are shaded less accurately; saves 1.7 KB of code
-  /// As k60Degrees. Besides, nothing looks for faint highlights: triangles with a highlight and with normals
-  /// between Illumination::widest_patch() and 30 degrees apart are drawn in pieces of rows, which takes
-  /// longer. Saves another 0.4 KB.
+  /// As k60Degrees. Besides, patches with a highlight are no wider than Illumination::widest_patch() and the
+  /// triangle's shape allow, however faint it is: triangles from there to 30 degrees are drawn in pieces of
+  /// rows, which takes longer than with k60Degrees. Saves another 0.4 KB.
   kWithinPatches,
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/render/render_with.hpp>
+#include <arcspan_tools/render/render_directly.hpp>
 #include <tests/artefacts/measured_variants.hpp>
 #include <tests/artefacts/speed_claims.hpp>
 

@@ -12,12 +12,18 @@ namespace arcspan::tools {
 #define ARCSPAN_NAME_OF(Class) ARCSPAN_TEXT_OF(Class)
 
 RenderFunction ARCSPAN_METHOD_FUNCTION(render, ARCSPAN_METHOD);
+RenderFunction ARCSPAN_METHOD_FUNCTION(render_directly, ARCSPAN_METHOD);
 
 RenderResult ARCSPAN_METHOD_FUNCTION(render, ARCSPAN_METHOD)(const RenderJob& job, const PixelChoice& pixels,
                                                              const RowsDone& rows_done) {
   constexpr std::string_view kName = ARCSPAN_NAME_OF(ARCSPAN_METHOD);
   constexpr bool kAsksForRamp = kName != "Flat" && kName != "Gouraud" && !is_literature_method(kName);
-  return render_with<ARCSPAN_METHOD, kAsksForRamp, draws_effects(kName)>(job, pixels, rows_done);
+#ifdef ARCSPAN_ALWAYS_VIRTUAL  // the same pictures, drawn slower and compiled faster
+  constexpr RenderFunction* kDirectly = nullptr;
+#else
+  constexpr RenderFunction* kDirectly = &ARCSPAN_METHOD_FUNCTION(render_directly, ARCSPAN_METHOD);
+#endif
+  return render_with<ARCSPAN_METHOD, kAsksForRamp, draws_effects(kName)>(job, pixels, rows_done, kDirectly);
 }
 
 }  // namespace arcspan::tools

@@ -41,7 +41,7 @@ TEST_CASE("what cannot be written is said with its name and leaves nothing behin
     return message_of<Failure>([&] { write_whole_file(path, "x"); });
   };
   CHECK(attempt(folder / "no/such/folder.png") ==
-        (folder / "no/such/folder.png") + ": cannot write (No such file or directory)");
+        (folder / "no/such/folder.png") + ": cannot write (there is no folder " + (folder / "no/such") + ")");
   CHECK(attempt(folder / ".") == (folder / ".") + ": cannot write (it is a directory)");
   CHECK(attempt("/dev/full") == "/dev/full: cannot write (No space left on device)");
   CHECK(folder.size() == 0);

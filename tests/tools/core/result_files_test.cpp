@@ -53,7 +53,8 @@ TEST_CASE("a result that would replace an input is refused") {
 
 TEST_CASE("a result in a folder that does not exist is refused before any work") {
   const TemporaryFolder folder;
-  CHECK(refusal({folder / "none/a"}) == (folder / "none/a") + ": cannot write (No such file or directory)");
+  CHECK(refusal({folder / "none/a"}) ==
+        (folder / "none/a") + ": cannot write (there is no folder " + (folder / "none") + ")");
 }
 
 TEST_CASE("if one of several results cannot be written, none is") {

@@ -15,7 +15,19 @@ TEST_CASE("help and version end well, nothing to do does not") {
   CHECK(run("").err == "arcspan: no subcommand given (see arcspan --help)\n");
   CHECK(run("polish x").status == 2);
   CHECK(run("polish x").err == "arcspan: no such subcommand: 'polish' (see arcspan --help)\n");
-  CHECK(run("diff a b c").err == "arcspan: The following argument was not expected: c\n");
+}
+
+TEST_CASE("an argument that a subcommand does not take is named, whatever else is wrong") {
+  CHECK(run("diff a b c").err == "arcspan: c: one argument too many for arcspan diff\n");
+  CHECK(run("render sphere:8x4 --shadding arc").err ==
+        "arcspan: --shadding: no such option of arcspan render; did you mean --shading?\n");
+  CHECK(run("render sphere:8x4 --colors=1,1,1").err ==
+        "arcspan: --colors: no such option of arcspan render; did you mean --colour?\n");
+  CHECK(run("render -x").err ==
+        "arcspan: -x: no such option of arcspan render (see arcspan render --help)\n");
+  CHECK(run("--versions").err == "arcspan: --versions: no such option of arcspan; did you mean --version?\n");
+  CHECK(run("rendr sphere:8x4").err == "arcspan: no such subcommand: 'rendr'; did you mean 'render'?\n");
+  CHECK(run("render --shadding arc").status == 2);
 }
 
 TEST_CASE("diff writes a picture and prints the largest and the mean difference") {

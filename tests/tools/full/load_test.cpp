@@ -168,7 +168,9 @@ TEST_CASE("STL: text and binary, and what can be wrong with them") {
         "line 4: the file ends before the facet's third vertex");
   CHECK(complaint("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 nan 0\n") ==
         "line 4: 'nan' is not a finite number");
-  CHECK(complaint("a.stl", "neither\n") == "not an STL mesh (neither text nor long enough for a binary one)");
+  const std::string neither = "not an STL mesh (neither text that begins with 'solid' nor binary)";
+  CHECK(complaint("a.stl", "neither\n") == neither);
+  CHECK(complaint("a.stl", std::string(100, 'v')) == neither);  // an OBJ file of another name
 
   std::string binary(84, '\0');
   binary[80] = 1;

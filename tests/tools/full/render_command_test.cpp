@@ -214,7 +214,7 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
       {"--vertex-colours --shading lyon",
        "--vertex-colours: only --shading flat, gouraud, arc and adaptive have it, not lyon"},
       {"--matcap a.png --shading flat", "--matcap: is drawn by --shading arc, not flat"},
-      {"--polish", "The following argument was not expected: --polish"},
+      {"--polish", "--polish: no such option of arcspan render (see arcspan render --help)"},
   }));
   CAPTURE(wrong.arguments);
   const TemporaryFolder folder;
@@ -241,7 +241,7 @@ TEST_CASE("what is wrong with files: one line, status 1, nothing left behind") {
   check("sphere:8x4 -o " + (folder / "out.jpg"),
         (folder / "out.jpg") + ": a picture's name must end in .png, .ppm or .pgm");
   check("sphere:8x4 -o " + (folder / "no/out.png"),
-        (folder / "no/out.png") + ": cannot write (No such file or directory)");
+        (folder / "no/out.png") + ": cannot write (there is no folder " + (folder / "no") + ")");
   check("sphere:8x4 -o " + out + " --eye 0,0,0", "--eye: is where the target is");
   check("sphere:8x4 -o " + out + " --fog 1,1.0000000001",
         "--fog: both distances are one for a model of this size");

@@ -93,7 +93,7 @@ TEST_CASE("if one of a command's results fails, the others are not written") {
                 "/dev/full: cannot write (No space left on device)");
   check_refused(
       "compare sphere:8x4 --no-instructions --shading flat -o " + old + " --table " + (folder / "no/a.md"),
-      (folder / "no/a.md") + ": cannot write (No such file or directory)");
+      (folder / "no/a.md") + ": cannot write (there is no folder " + (folder / "no") + ")");
   CHECK(contents(old) == "old");
   CHECK(folder.size() == 1);
 }

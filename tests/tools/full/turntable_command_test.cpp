@@ -44,7 +44,8 @@ TEST_CASE("turntable: what is wrong is said before anything is drawn") {
   CHECK(run(turn + " --fps 0").err == "arcspan: --fps: expected a number 1...50, not '0'\n");
   CHECK(run("turntable torus:16x8 -o " + (folder / "a.avi")).status == 1);
   CHECK(run("turntable torus:16x8 -o " + (folder / "none/a")).err ==
-        "arcspan: " + (folder / "none/a") + ": cannot write (No such file or directory)\n");
+        "arcspan: " + (folder / "none/a") + ": cannot write (there is no folder " + (folder / "none") +
+            ")\n");
   CHECK(run("turntable none.obj -o " + (folder / "a/")).status == 1);
   CHECK(folder.size() == 0);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/unexpected.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/support/temporaries.hpp>
@@ -13,6 +14,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,11 +64,16 @@ bool is_left_out(const std::string& subcommand) {
 std::string what_is_missing(const CLI::App& app) {
   const std::vector<std::string> extras = app.remaining();
   if (extras.empty()) return "no subcommand given (see arcspan --help)";
+  if (extras[0].starts_with("-")) return unexpected_argument(app).value();
   if (is_left_out(extras[0])) {
     return "this build has no subcommand '" + extras[0] +
            "' (docs/getting-started.md says how to build the whole tool)";
   }
-  return "no such subcommand: '" + extras[0] + "' (see arcspan --help)";
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  const std::optional<std::string> meant = closest_word(extras[0], names);
+  return "no such subcommand: '" + extras[0] + "'" +
+         (meant ? "; did you mean '" + *meant + "'?" : " (see arcspan --help)");
 }
 
 int parse_and_run(CLI::App& app, int argc, const char* const* argv) {
@@ -78,7 +85,8 @@ int parse_and_run(CLI::App& app, int argc, const char* const* argv) {
     const int status = app.exit(wanted);
     return status == 0 ? flushed() : status;
   } catch (const CLI::ParseError& e) {
-    return complain(e.what(), kWrongArguments);
+    // A mistyped option is often the one that is then missing.
+    return complain(unexpected_argument(app).value_or(e.what()), kWrongArguments);
   } catch (const ExitStatus& status) {
     return status.value;
   } catch (const Failure& e) {

@@ -21,6 +21,12 @@ fs::path folder_of(const fs::path& target) {
   return folder.empty() ? fs::path(".") : folder;
 }
 
+/// The folder may be what is missing.
+[[noreturn]] void fail_in_folder_of(const fs::path& target, const fs::path& subject) {
+  if (errno != ENOENT) fail_with_errno(subject, "write");
+  throw Failure(subject.string(), "cannot write (there is no folder " + folder_of(target).string() + ")");
+}
+
 /// An empty temporary file beside `target`.
 class TemporaryFile {
  public:
@@ -28,7 +34,7 @@ class TemporaryFile {
     const SignalPause pause;
     std::string name = temporary_pattern(target.parent_path());
     descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
-    if (descriptor_ < 0) fail_with_errno(subject, "write");
+    if (descriptor_ < 0) fail_in_folder_of(target, subject);
     removal_.emplace(name);
   }
   TemporaryFile(const TemporaryFile&) = delete;
@@ -191,7 +197,7 @@ void refuse_lost_folder(const fs::path& path) {
   struct stat folder {};
   const fs::path target = destination(path);
   if (!target.has_filename()) return;
-  if (::stat(folder_of(target).c_str(), &folder) != 0) fail_with_errno(path, "write");
+  if (::stat(folder_of(target).c_str(), &folder) != 0) fail_in_folder_of(target, path);
 }
 
 }  // namespace

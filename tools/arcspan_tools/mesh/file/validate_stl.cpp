@@ -136,8 +136,7 @@ ScreenedMesh screened_stl(std::string_view bytes, const std::string& subject) {
   while (lines.words().empty() && lines.next()) {
   }
   if (!lines.words().empty() && same_letters(lines.words()[0], "solid")) return screened_ascii(text, subject);
-  if (!has_count) throw Failure(subject, "not an STL mesh (neither text nor long enough for a binary one)");
-  return screened_binary(bytes, subject);
+  throw Failure(subject, "not an STL mesh (neither text that begins with 'solid' nor binary)");
 }
 
 }  // namespace arcspan::tools

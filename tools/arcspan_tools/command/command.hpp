@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+#include <string_view>
+
 namespace CLI {
 class App;
 }
@@ -18,8 +21,13 @@ struct ExitStatus {
   int value = 0;
 };
 
-/// Adds every subcommand (generated).
-void add_commands(CLI::App& app);
+struct Subcommand {
+  std::string_view name;
+  void (*add)(CLI::App& app);
+};
+
+/// Every subcommand of this build (generated).
+[[nodiscard]] std::span<const Subcommand> subcommands();
 
 /// The whole program: parses, runs one subcommand, prints one line for a failure. Returns the exit status: 0,
 /// 1 for what was wrong with files, 2 for wrong arguments.

@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -76,6 +77,16 @@ std::string what_is_missing(const CLI::App& app) {
          (meant ? "; did you mean '" + *meant + "'?" : " (see arcspan --help)");
 }
 
+// Adds the subcommand that `first` names, or all of them: their options take longer to make than to parse.
+void add_subcommands(CLI::App& app, std::string_view first) {
+  const auto all = subcommands();
+  const auto named = std::find_if(all.begin(), all.end(),
+                                  [&](const Subcommand& subcommand) { return subcommand.name == first; });
+  if (named != all.end() && first != "completion")
+    return named->add(app);  // completion lists the options of all
+  for (const Subcommand& subcommand : all) subcommand.add(app);
+}
+
 int parse_and_run(CLI::App& app, int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
@@ -109,7 +120,7 @@ int run_command_line(int argc, const char* const* argv) {
       "`arcspan COMMAND --help` shows a command's options and examples. Results go to standard output or\n"
       "into files, progress and complaints to standard error. Exit status: 0; 1 for what is wrong with\n"
       "files, meshes or their formats, or a comparison that fails; 2 for wrong arguments.");
-  add_commands(app);
+  add_subcommands(app, argc > 1 ? argv[1] : "");
   app.allow_extras();  // for the root only, so that an unknown subcommand can be named
   return parse_and_run(app, argc, argv);
 }

@@ -77,17 +77,15 @@ class Monitor:
 
 
 def start_guest(arguments, initrd, control):
-    # Decompressing takes a while, but the firmware sets a display's mode from the compressed kernel's real-mode code.
-    kernel, display, vga = "vmlinux", [], ""
+    display, vga = [], ""
     if arguments.vga:
-        kernel = "vmlinuz"
         bits, card = arguments.vga
         display, vga = ["-vga", card], f" vga={VESA_640X480[int(bits)]}"
     # Libraries that use AVX because the processor has it take a fifth longer when it is emulated.
     return subprocess.Popen(
         ["qemu-system-x86_64", "-accel", "tcg", "-cpu", "Nehalem", "-M", "pc", "-m", "512", "-nodefaults", *display,
          "-display", "none", "-monitor", "none", "-serial", "stdio", "-no-reboot",
-         "-qmp", f"unix:{control},server=on,wait=off", "-kernel", str(arguments.prepared / kernel),
+         "-qmp", f"unix:{control},server=on,wait=off", "-kernel", str(arguments.prepared / "kernel"),
          "-initrd", str(initrd), "-append",
          # On a busy host ticks come too late for the kernel's check of the timer, which then panics. Isolated page
          # tables are slow to emulate, and QEMU translates a program again whenever it starts at another address.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The test's side of guest/module and of gpio-sim.
+// The test's side of guest/module.
 #pragma once
 
 #include <cstdint>
@@ -60,15 +60,17 @@ class BusModels {
   }
 };
 
-/// The level of line `offset` of the simulated chip as the kernel has it: '0' or '1'.
+/// A file of module/gpio_chips.c.
+inline std::string gpio_file(const std::string& name) { return "/sys/kernel/debug/arcspan_gpio/" + name; }
+
+/// The level of line `offset` of the chip GUEST_CHIP, as the chip has it: '0' or '1'.
 inline char line_level(unsigned offset) {
-  return read_text(environment("GUEST_LINES") + "/sim_gpio" + std::to_string(offset) + "/value").at(0);
+  return read_text(gpio_file("line" + std::to_string(offset))).at(0);
 }
 
-/// Lets line `offset` of the simulated chip, an input, be pulled up or down from outside.
+/// Lets the wire of line `offset` of the chip GUEST_CHIP be pulled up or down from outside.
 inline void pull_line(unsigned offset, bool up) {
-  write_text(environment("GUEST_LINES") + "/sim_gpio" + std::to_string(offset) + "/pull",
-             up ? "pull-up" : "pull-down");
+  write_text(gpio_file("line" + std::to_string(offset)), up ? "1" : "0");
 }
 
 }  // namespace arcspan::test

@@ -18,6 +18,8 @@ ARM_RAM = 0x40000000  # of QEMU's board `virt`
 
 
 def decompress(image):
+    if XZ_MAGIC not in image:
+        sys.exit("decompress_kernel.py: the kernel is not compressed by xz")
     return lzma.LZMADecompressor().decompress(image[image.index(XZ_MAGIC):])
 
 

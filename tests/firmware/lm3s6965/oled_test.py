@@ -40,9 +40,10 @@ class Qmp:
 
 
 def host_frames(program, source):
-    files = sorted((source / "pipeline").rglob("*.cpp"))
-    subprocess.run(["g++", "-std=c++20", "-O2", f"-I{source}", f"-I{source}/pipeline", f"-I{source}/hal",
-                    source / "tests/frames/oled_frames.cpp", *files, "-o", program], check=True)
+    files = [source / "tests/frames/oled_frames.cpp", *sorted((source / "pipeline").rglob("*.cpp"))]
+    text = "".join(f'#include "{file}"\n' for file in files)
+    subprocess.run(["g++", "-std=c++20", f"-I{source}", f"-I{source}/pipeline", f"-I{source}/hal", "-x", "c++", "-", "-o",
+                    program], input=text, text=True, check=True)
     data = subprocess.run([program], check=True, capture_output=True).stdout
     size = WIDTH * HEIGHT
     return [data[i:i + size] for i in range(0, len(data), size)]

@@ -5,6 +5,7 @@
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/output/frame_output.hpp>
+#include <arcspan_tools/render/surface_drawer.hpp>
 #include <arcspan_tools/render/turntable.hpp>
 #include <arcspan_tools/simulate/processor_cost.hpp>
 #include <arcspan_tools/simulate/simulated_display.hpp>
@@ -40,7 +41,7 @@ struct Totals {
   std::uint64_t draw_ns = 0;
   std::uint64_t frame_ns = 0;
   hal::sim::BusCount bus;
-  bool draw_known = true;
+  std::string without_figures;  ///< empty: all was estimated
 };
 
 constexpr std::int32_t kTurnMilliseconds = 2000;
@@ -93,6 +94,12 @@ class GlassOutput {
   std::unique_ptr<FrameOutput> moving_;
 };
 
+// What draw_instructions() has no figures of.
+std::string without_figures(const std::string& shading, const RenderJob& job) {
+  if (has_surfaces(job)) return "textures and effects";
+  return job.lights.size() != 1 ? "several lights" : shading + " shading";
+}
+
 Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, GlassOutput& output) {
   RenderOptions options = arguments.options;
   options.scene.size = display.size();
@@ -112,7 +119,7 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
     const RenderJob job = make_job(scene, model, options.mesh);
     const RenderResult drawn = renderer.render(job, [](std::size_t) {});
     const std::optional<double> instructions = draw_instructions(options.shading, job, model, drawn.stats);
-    totals.draw_known = totals.draw_known && instructions.has_value();
+    if (!instructions) totals.without_figures = without_figures(options.shading, job);
     const auto draw_ns = static_cast<std::uint64_t>(instructions.value_or(0) * 1000 / arguments.cpu_mhz);
     const std::uint64_t before = display.now_ns();
     display.show(drawn.image, job.background, draw_ns);
@@ -142,7 +149,7 @@ void report(const SimulateArguments& arguments, const SimulatedDisplay& display,
                static_cast<double>(totals.bus.bytes) / frames,
                static_cast<double>(totals.bus.transfers) / frames);
   std::fprintf(out, "bus: %.3f ms a frame; allows %.1f frames a second\n", bus_ms, 1000 / bus_ms);
-  if (totals.draw_known) {
+  if (totals.without_figures.empty()) {
     const double frame_ms = static_cast<double>(totals.frame_ns) / 1e6 / frames;
     std::fprintf(out,
                  "drawing: %.0f instructions and %.3f ms a frame on a Cortex-M3 at %g MHz (an estimate, "
@@ -151,8 +158,7 @@ void report(const SimulateArguments& arguments, const SimulatedDisplay& display,
     std::fprintf(out, "both, overlapped: %.3f ms, %.1f frames a second; bottleneck: %s\n", frame_ms,
                  1000 / frame_ms, draw_ms > bus_ms ? "shading" : "the bus");
   } else {
-    std::fprintf(out, "drawing: no figures of %s shading with these lights and surfaces on a Cortex-M3\n",
-                 arguments.options.shading.c_str());
+    std::fprintf(out, "drawing: no figures of %s on a Cortex-M3\n", totals.without_figures.c_str());
   }
   std::fprintf(out, "RAM for buffers: %zu bytes; a whole frame would take %zu\n", display.buffer_bytes(),
                display.frame_bytes());

@@ -94,7 +94,7 @@ class GlassOutput {
   std::unique_ptr<FrameOutput> moving_;
 };
 
-// What draw_instructions() has no figures of.
+// The part of the job for which draw_instructions() has no estimate.
 std::string without_figures(const std::string& shading, const RenderJob& job) {
   if (has_surfaces(job)) return "textures and effects";
   return job.lights.size() != 1 ? "several lights" : shading + " shading";

@@ -47,7 +47,7 @@ std::optional<std::string> unexpected_argument(const CLI::App& app) {
   const CLI::App& asked = given.empty() ? app : *given.front();
   const std::vector<std::string> extras = asked.remaining();
   if (extras.empty()) return std::nullopt;
-  // What follows an unknown option is probably its value.
+  // If an option is unknown, the argument after it is often its value: the option is named.
   const auto option = std::find_if(extras.begin(), extras.end(),
                                    [](const std::string& extra) { return extra.starts_with("-"); });
   const std::string name = given.empty() ? "arcspan" : "arcspan " + asked.get_name();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is timed of one shading method. The build compiles this file once for each entry of
-// shading_method_list.hpp, with ARCSPAN_METHOD and ARCSPAN_METHOD_HEADER defined.
+// The renderer of one shading method without virtual calls, whose times are reported. The build compiles this
+// file once for each entry of shading_method_list.hpp, with ARCSPAN_METHOD and ARCSPAN_METHOD_HEADER defined.
 // No #pragma once: a source may hold several methods.
 
 #include <arcspan_tools/render/render_directly.hpp>

@@ -20,8 +20,8 @@
 
 // Every shading method draws any pixel format and any lights behind virtual calls, with a depth test or
 // without. Methods that take textures are instantiated once more, for all textures and pixel operations
-// (surface_operation.hpp). What is timed is drawn by render_directly.hpp. All draw the pixels that firmware
-// draws.
+// (surface_operation.hpp). Drawings whose times are reported go through render_directly.hpp. All draw the
+// pixels that firmware draws.
 namespace arcspan::tools::detail {
 
 /// A band of a picture in any format.

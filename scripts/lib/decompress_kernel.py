@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Decompresses one of Debian's kernels for QEMU. A kernel that does it itself takes seconds, because it is emulated.
+"""Makes a kernel image for QEMU in which the kernel is decompressed already. Debian's kernels decompress themselves at
+each start, which takes seconds where the processor is emulated.
 
-decompress_kernel.py amd64 VMLINUZ START RESULT    keeps the kernel's real-mode code, which sets the display's mode;
-                                                   the code of START goes on from there
-decompress_kernel.py arm VMLINUZ RESULT            an image of U-Boot
+decompress_kernel.py amd64 VMLINUZ START RESULT    keeps the kernel's real-mode code, because it sets the display's mode;
+                                                   START, assembler source, replaces the decompressor
+decompress_kernel.py arm VMLINUZ RESULT            in U-Boot's image format
 """
 import lzma
 import pathlib

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# What the kernel's real-mode code jumps to instead of the code that decompresses, in 32-bit mode: goes to the kernel's
-# 64-bit entry with the registers that it expects (Documentation/x86/boot.rst of Linux). %esi, the address of the boot
-# parameters, stays as it is.
+# Stands in place of the kernel's own decompressor in an image whose kernel is decompressed already. The kernel's real-mode
+# code jumps here in 32-bit mode, with the address of the boot parameters in %esi. This code switches to 64-bit mode and
+# jumps to the kernel's 64-bit entry, as Documentation/x86/boot.rst of Linux wants it.
 .code32
   lgdt segment_table
   mov %cr4, %eax

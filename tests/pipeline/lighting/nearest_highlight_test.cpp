@@ -204,7 +204,7 @@ TEST_CASE(
   CHECK(by_headroom < kTriangles / 2);
 }
 
-// What is undefined ends a sanitized program.
+// In a build with sanitizers signed overflow would end the program.
 TEST_CASE("the bounds of scalars and of highlights are defined for any scalars") {
   constexpr std::array<std::int32_t, 5> kValues{INT32_MIN, -1, 0, 1 << 30, INT32_MAX};
   for (const std::int32_t a : kValues) {

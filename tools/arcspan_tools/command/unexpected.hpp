@@ -11,13 +11,13 @@ class App;
 
 namespace arcspan::tools {
 
-/// That of `words` which `word` was probably meant to be: at most two letters are missing, too many or
-/// others.
+/// Returns the one of `words` that differs from `word` by the fewest inserted, removed or replaced letters.
+/// Nothing if those are more than two.
 [[nodiscard]] std::optional<std::string> closest_word(const std::string& word,
                                                       const std::vector<std::string>& words);
 
-/// Says what the first argument is that `app`, or the subcommand that was given, does not take. Nothing if it
-/// takes all of them.
+/// Returns a message about an argument that the given subcommand, or `app` without one, does not take.
+/// Nothing if it takes all of them.
 [[nodiscard]] std::optional<std::string> unexpected_argument(const CLI::App& app);
 
 }  // namespace arcspan::tools

@@ -81,6 +81,13 @@ def count(image, emulator, prefix="arm-none-eabi-", timeout=120, ranges=None):
         return read_report(folder / "report", names), done.stdout
 
 
+def loaded_at(image, symbol, path, prefix="arm-none-eabi-"):
+    """The emulator's arguments that load a file into memory where the image has an absolute symbol."""
+    symbols = subprocess.run([prefix + "nm", image], check=True, capture_output=True, text=True).stdout
+    address = re.search(rf"^([0-9a-f]+) A {symbol}$", symbols, re.MULTILINE)[1]
+    return ["-device", f"loader,file={path},addr=0x{address},force-raw=on"]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--prefix", default="arm-none-eabi-", help="prefix of the binutils for the image")

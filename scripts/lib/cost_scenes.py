@@ -18,18 +18,18 @@ RISCV = ("riscv-virt", "RV32IMAC")  # preset, title; only the frames of few meth
 FEW = ("flat", "gouraud", "arc", "adaptive")  # methods for products
 # In the coarsest sphere normals are more than 16 degrees apart, where these methods take another path.
 FINE_ONLY = ("arc", "segment", "segment-8", "segment-16", "adaptive", "recurrence", "recurrence-four", "arc-vector")
-BANDS = {"whole, cache": "whole frame, vertex cache", "whole, no cache": "whole frame, no cache",  # sections of cost_bands.cpp
+BANDS = {"whole, cache": "whole frame, vertex cache", "whole, no cache": "whole frame, no cache",  # sections of cost_bands.hpp
          "bands, cache": "bands, vertex cache", "bands, no cache": "bands, no cache",
          "bands, kept": "bands, `BandCache`", "bands, kept with rows": "bands, `BandCache` with rows"}
 TEXTURED = {"unlit": "none", "greygouraud": "`GreyGouraud`", "adaptive": "`Adaptive`"}  # cost_textures.cpp, by light
 LINES = {"level": ("line, level", "short", "long"), "flat": ("line, wider than high", "short", "long"),  # of cost_lines.cpp
          "tall": ("line, higher than wide", "short", "long"), "points": ("point", "small", "large"),
          "sprites": ("billboard", "small", "large")}
-OTHER = {  # sections of cost_lights.cpp and cost_scene.cpp, by program and section: what is drawn
-    ("lights-{}-blinn-1", "draw"): "benchmark frame, (N·H)¹⁶ instead of (R·V)¹⁶", ("lights-{}-blinn-1", "make"): "its illumination",
-    ("lights-{}-phong-2", "draw"): "benchmark frame, two lights", ("lights-{}-phong-2", "make"): "its illumination",
+OTHER = {  # of cost_light.hpp, cost_scene.cpp and cost_character.hpp, by program and section
+    ("{}-blinn-1", "draw"): "benchmark frame, (N·H)¹⁶ instead of (R·V)¹⁶", ("{}-blinn-1", "make"): "its illumination",
+    ("{}-phong-2", "draw"): "benchmark frame, two lights", ("{}-phong-2", "make"): "its illumination",
     ("scene-{}", "draw twenty"): "20 spheres of 16×8 with 20 materials", ("scene-{}", "prepare twenty"): "preparing them",
-    ("character-{}", "draw character"): "figure of 4,620 small triangles without planes (`tests/frames/figure.hpp`)"}
+    ("{}", "draw character"): "figure of 4,620 small triangles without planes (`tests/frames/figure.hpp`)"}
 LAWS = {  # where laws are compared: preset, level and light, as CMakeLists.txt names it; --check does the first
     "mps2-an385 -O2 phong-1": "Cortex-M3, R·V", "mps2-an385 -O2 blinn-1": "Cortex-M3, N·H",
     "mps2-an385 -O2 phong-2": "Cortex-M3, R·V, two lights", "mps2-an385 -Os phong-1": "Cortex-M3, R·V, -Os",

@@ -3,7 +3,7 @@
 //
 //     MESH WIDTH HEIGHT VIEW_X VIEW_Y blinn|phong SHININESS BAND_ROWS plain|planes
 //
-// writes them for tests/firmware/cost_jobs.cpp, and prints for each of them, as JSON, the methods' terms of
+// writes them for tests/firmware/cost_jobs.hpp, and prints for each of them, as JSON, the methods' terms of
 // the estimate that `arcspan simulate` makes, and the estimate itself if the method has one.
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>

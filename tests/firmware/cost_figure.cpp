@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <tests/firmware/cost_character.hpp>
+#include <tests/firmware/cost_figure.hpp>
 #include <tests/frames/figure.hpp>
 
 namespace arcspan {
 namespace {
 
+constexpr std::size_t kMostVertices = 4096;
+
 constexpr auto kFigure = scenes::make_figure();
-static_assert(kFigure.positions.size() <= kCharacterVertices);
+static_assert(kFigure.positions.size() <= kMostVertices);
 
 }  // namespace
 

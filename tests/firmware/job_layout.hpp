@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bytes that tests/artefacts/drawing_jobs.cpp writes for cost_jobs.cpp: jobs one after the other, the
+// The bytes that tests/artefacts/drawing_jobs.cpp writes for cost_jobs.hpp: jobs one after the other, the
 // last of them without vertices. A job is a head and the arrays of the pipeline's own types, which have the
 // same layout on both machines.
 #pragma once
@@ -8,9 +8,6 @@
 #include <cstdint>
 
 namespace arcspan {
-
-/// Where the emulator loads the jobs: the second half of the board's PSRAM.
-inline constexpr std::uint32_t kJobsAddress = 0x21800000;
 
 struct JobHead {
   std::uint32_t vertices = 0;

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What all sections of a cost program (cost_program.cpp) share: its method, sink and memory, which
+// CMakeLists.txt defines by macros. For the one source of a program only.
+#pragma once
+
+#include <arcspan/draw.hpp>
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+
+#include <tests/frames/stage_set.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+
+#include ARCSPAN_METHOD_HEADER
+
+namespace arcspan {
+
+#ifdef ARCSPAN_LIGHTS
+using CostLight = Illumination<ARCSPAN_LIGHTS, ARCSPAN_HIGHLIGHT>;
+#else
+using CostLight = scenes::Light;
+#endif
+using CostMethod = ARCSPAN_METHOD<CostLight>;
+
+inline constexpr std::int32_t kMostCostWidth = 320;
+inline constexpr std::int32_t kMostCostHeight = 320;
+inline constexpr std::size_t kMostCostVertices = 20000;
+
+// .bss.frame is the board's large memory.
+[[gnu::section(".bss.frame")]] static std::uint16_t cost_colours[kMostCostWidth * kMostCostHeight];
+[[gnu::section(".bss.frame")]] static std::uint16_t cost_depths[kMostCostWidth * kMostCostHeight];
+[[gnu::section(".bss.frame")]] static CachedVertex<CostMethod> cost_cache[kMostCostVertices];
+
+/// The method's tables for one object; a reflection map has 16 KB of them. Not initialised: the constructor
+/// is paid where it runs.
+union CostLightingMemory {
+  CostMethod::Lighting lighting;
+  constexpr CostLightingMemory() {}
+};
+[[gnu::section(".bss.frame")]] static CostLightingMemory cost_lighting_memory;
+
+/// Makes the method's tables in that memory.
+inline const CostMethod::Lighting& make_cost_lighting(const CostLight& light) {
+  return *new (&cost_lighting_memory.lighting) CostMethod::Lighting(light);
+}
+
+#ifdef ARCSPAN_COST_OWN_SINK
+/// A sink that a product writes itself: the pipeline opens and closes every run. frame_parts.py reads the
+/// full names of its functions.
+struct CostSink {
+  using Format = Rgb565;
+  CostSink(std::uint16_t* memory, std::int32_t of_width, std::int32_t of_height)
+      : colours(memory), width(of_width), height(of_height) {}
+  [[nodiscard]] Rect bounds() const { return {0, 0, width, height}; }
+  [[nodiscard]] Rgb565::Cursor open(const Span& run) { return {colours + run.y * width, run.x}; }
+  [[nodiscard]] Status close(const Span&) { return Status::kOk; }
+  std::uint16_t* colours;
+  std::int32_t width;
+  std::int32_t height;
+};
+#else
+using CostSink = hal::Framebuffer<Rgb565>;
+#endif
+
+}  // namespace arcspan

@@ -161,6 +161,13 @@ inline constexpr bool kScalesIndices = false;
 inline constexpr bool kScalesIndices = true;
 #endif
 
+/// True if one instruction clears the upper half of a word (Arm: UXTH). RISC-V without Zbb takes two shifts.
+#if defined(__riscv)
+inline constexpr bool kExtendsHalfwords = false;
+#else
+inline constexpr bool kExtendsHalfwords = true;
+#endif
+
 /// True if one instruction saves several registers of a function. x86-64 and RISC-V save them one by one,
 /// which takes 25 instructions more per call of a large function on RISC-V.
 #if defined(__riscv) || defined(__x86_64__)
@@ -177,15 +184,10 @@ inline constexpr bool kLoadsPairs = false;
 #endif
 
 /// True if a rare call in a loop's function gets a copy of the loop's variable of type T, because compilers
-/// keep those in memory whose addresses a call has. Copies take code, on Armv6-M they are calls of memcpy,
-/// and on RISC-V Gouraud's pixels get another spill.
+/// keep those in memory whose addresses a call has. Copies take code; on Armv6-M they are calls of memcpy.
 template <class T>
-#if defined(__riscv)
-inline constexpr bool kCopiesForCalls = false;
-#else
 inline constexpr bool kCopiesForCalls =
     !kOptimisedForSize && kHasLongMultiply && std::is_trivially_copyable_v<T>;
-#endif
 
 /// True if leading zeros are counted by one instruction or by a short routine (Armv6-M). False on RISC-V
 /// without Zbb, where it is a call of a long routine.

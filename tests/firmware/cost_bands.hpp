@@ -31,8 +31,8 @@ bool measure_bands(const char* name, const BandScene& scene, std::int32_t rows, 
     depth.move_to(top);
     band.clear({0, 0, 0});
     depth.clear();
-    drawn = ok(
-        draw_mesh<CostMethod>(scene.mesh, scene.transform, *scene.lighting, band, depth, cache).status);
+    drawn =
+        ok(draw_mesh<CostMethod>(scene.mesh, scene.transform, *scene.lighting, band, depth, cache).status);
   }
   arcspan_mark();
   bare::print_line("section: ", name);

@@ -79,8 +79,7 @@ inline bool draw_cost_jobs() {
     const DirectionalLight& towards = reader.take<DirectionalLight>(1)[0];
     const Direction& to_eye = reader.take<Direction>(1)[0];
     if ((job.head.is_phong != 0) != (CostLight::model() == Highlight::kPhong)) continue;
-    if (job.head.vertices > kMostCostVertices ||
-        !ok(MeshView::make(positions, normals, indices, job.mesh)) ||
+    if (job.head.vertices > kMostCostVertices || !ok(MeshView::make(positions, normals, indices, job.mesh)) ||
         (!planes.empty() && !ok(job.mesh.attach(planes, scale)))) {
       return false;
     }

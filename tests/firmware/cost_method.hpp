@@ -7,7 +7,7 @@
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 
-#include <tests/frames/stage_set.hpp>
+#include <tests/firmware/cost_stage.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -51,14 +51,11 @@ inline const CostMethod::Lighting& make_cost_lighting(const CostLight& light) {
 /// full names of its functions.
 struct CostSink {
   using Format = Rgb565;
-  CostSink(std::uint16_t* memory, std::int32_t of_width, std::int32_t of_height)
-      : colours(memory), width(of_width), height(of_height) {}
-  [[nodiscard]] Rect bounds() const { return {0, 0, width, height}; }
-  [[nodiscard]] Rgb565::Cursor open(const Span& run) { return {colours + run.y * width, run.x}; }
+  CostSink(std::uint16_t* memory, std::int32_t, std::int32_t) : colours(memory) {}
+  [[nodiscard]] Rect bounds() const { return {0, 0, kCostWidth, kCostHeight}; }
+  [[nodiscard]] Rgb565::Cursor open(const Span& run) { return {colours + run.y * kCostWidth, run.x}; }
   [[nodiscard]] Status close(const Span&) { return Status::kOk; }
   std::uint16_t* colours;
-  std::int32_t width;
-  std::int32_t height;
 };
 #else
 using CostSink = hal::Framebuffer<Rgb565>;

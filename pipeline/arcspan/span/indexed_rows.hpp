@@ -11,9 +11,10 @@
 /// One index for the pixels and the depths of a row.
 namespace arcspan::detail {
 
-/// True if the pixels and the depths of a row are arrays that one index can serve.
+/// True if the pixels and the depths of a row are arrays that one index can serve. Where it would have to be
+/// added to each address, two pointers take an instruction less per pixel.
 template <class Target>
-concept IndexedRows = kHasManyRegisters && bool{Target::Depth::kTests} &&
+concept IndexedRows = kHasManyRegisters && kScalesIndices && bool{Target::Depth::kTests} &&
                       requires(typename Target::Format::Cursor cursor) {
   cursor.pixels();
 };
@@ -39,11 +40,11 @@ inline constexpr bool kEncodesVarying = HasScalars<Run> && !Format::kDithers &&
 };
 
 /// The bits that the index of indexed rows has below the number of a pixel: 1 if it counts bytes, which
-/// pixels as large as depths allow. It costs a shift per row. That pays where an index has to be scaled for
-/// every pixel, and in runs of several scalars: gcc keeps the scaled index in a register, which these lack.
+/// pixels as large as depths allow. It costs a shift per row. That pays in runs of several scalars: gcc keeps
+/// the scaled index in a register, which these lack.
 template <class Format, class Run>
 inline constexpr int kIndexShift = sizeof(typename Format::Encoded) == sizeof(std::uint16_t) &&
-                                           (!kScalesIndices || (!kHasWideRegisters && HasSeveralScalars<Run>))
+                                           !kHasWideRegisters && HasSeveralScalars<Run>
                                        ? 1
                                        : 0;
 

@@ -154,17 +154,13 @@ inline constexpr bool kHasManyRegisters = true;
 template <class T>
 using CopyIfFewRegisters = std::conditional_t<kHasManyRegisters, const T&, const T>;
 
-/// True if loads and stores scale an index by the size of an element (not on RISC-V).
+/// True if loads and stores scale an index by the size of an element, and if one instruction clears the upper
+/// half of a word (Arm: UXTH). Neither on RISC-V without Zbb.
 #if defined(__riscv)
 inline constexpr bool kScalesIndices = false;
-#else
-inline constexpr bool kScalesIndices = true;
-#endif
-
-/// True if one instruction clears the upper half of a word (Arm: UXTH). RISC-V without Zbb takes two shifts.
-#if defined(__riscv)
 inline constexpr bool kExtendsHalfwords = false;
 #else
+inline constexpr bool kScalesIndices = true;
 inline constexpr bool kExtendsHalfwords = true;
 #endif
 

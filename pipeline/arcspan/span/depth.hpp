@@ -15,15 +15,12 @@
 
 namespace arcspan {
 
-/// The 16-bit depth of a surface whose interpolated depth is `z`. With `kShiftsUp` it is cut out by shifts to
-/// both sides: in a loop the first of them is of the start and of the step, not of every pixel.
-template <bool kShiftsUp = !kExtendsHalfwords>
+/// The 16-bit depth of a surface whose interpolated depth is `z`. Of the two shifts on RISC-V the first is of
+/// the start and of the step of a row, not of every pixel.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t depth_of(Linear z) {
-  if constexpr (kShiftsUp) {
-    return static_cast<std::uint16_t>(static_cast<std::uint32_t>(z.raw()) << (16 - Linear::kFraction) >> 16);
-  } else {
-    return static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
-  }
+  constexpr int kUp = 16 - Linear::kFraction;
+  if constexpr (kExtendsHalfwords) return static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
+  return static_cast<std::uint16_t>(static_cast<std::uint32_t>(z.raw()) << kUp >> 16);
 }
 
 /// The depth test: true if a pixel at `depth` is drawn over one at `stored`. Nearer depths are smaller; of

@@ -46,13 +46,6 @@ template <class Target, class Run>
 inline constexpr bool kLooksUpColours =
     !std::same_as<typename Target::Colours, NoEncodedColours> && !std::same_as<Run, SegmentPixels>;
 
-/// depth_of()'s choice in the loop of `Run`. On Armv6-M and AVR only loops with few values have a register to
-/// spare for it.
-template <class Target, class Run>
-inline constexpr bool kShiftsDepthUp =
-    !kExtendsHalfwords ||
-    (!kHasManyRegisters && !HasSeveralScalars<Run> && !(HasScalars<Run> && kLooksUpColours<Target, Run>));
-
 /// Returns the depth of the next pixel: that of `run` if it carries one (CarriesDepth), else that of `place`.
 template <class Target, class Run>
 [[nodiscard]] ARCSPAN_INLINE constexpr Linear pixel_depth(const PixelPlace<Target>& place, const Run& run) {
@@ -94,7 +87,7 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
   std::ptrdiff_t i = kIndexed ? -count * (1 << kShift) : 0;
   do {
     if constexpr (kIndexed && !kHasWideRegisters) hide_value(i);
-    const std::uint16_t depth = depth_of<kShiftsDepthUp<Target, Run>>(pixel_depth(place, run));
+    const std::uint16_t depth = depth_of(pixel_depth(place, run));
     std::uint16_t* const stored = kIndexed ? at_index<kShift>(depths, i) : place.depths;
     if (!kTests || Target::Depth::passes(depth, *stored)) [[likely]] {
       if constexpr (kHasOperation<Target, Run>) {

@@ -50,6 +50,9 @@
 #define ARCSPAN_METHOD_FUNCTION(verb, Class) ARCSPAN_JOIN_METHOD_FUNCTION(verb, Class)
 #define ARCSPAN_JOIN_METHOD_FUNCTION(verb, Class) verb##_##Class
 
+#define ARCSPAN_TEXT_OF(Class) #Class
+#define ARCSPAN_NAME_OF(Class) ARCSPAN_TEXT_OF(Class)
+
 namespace arcspan::tools {
 
 /// Whether the class of this name is in the second list.
@@ -57,6 +60,16 @@ namespace arcspan::tools {
 #define ARCSPAN_COMPARE_CLASS(name, Class, header) class_name == #Class ||
   return ARCSPAN_FOR_EACH_LITERATURE_METHOD(ARCSPAN_COMPARE_CLASS) false;
 #undef ARCSPAN_COMPARE_CLASS
+}
+
+/// Whether the renderers without virtual calls have Phong's highlight for the class of this name. In the test
+/// command those of the literature do not: no test draws or times them.
+[[nodiscard]] constexpr bool draws_phong_directly([[maybe_unused]] std::string_view class_name) {
+#ifdef ARCSPAN_LITERATURE_BLINN_ONLY
+  return !is_literature_method(class_name);
+#else
+  return true;
+#endif
 }
 
 /// Whether the tools draw textures, vertex colours, transparency and fog with the class of this name. Segment

@@ -8,9 +8,6 @@
 
 namespace arcspan::tools {
 
-#define ARCSPAN_TEXT_OF(Class) #Class
-#define ARCSPAN_NAME_OF(Class) ARCSPAN_TEXT_OF(Class)
-
 RenderFunction ARCSPAN_METHOD_FUNCTION(render, ARCSPAN_METHOD);
 RenderFunction ARCSPAN_METHOD_FUNCTION(render_directly, ARCSPAN_METHOD);
 
@@ -23,7 +20,9 @@ RenderResult ARCSPAN_METHOD_FUNCTION(render, ARCSPAN_METHOD)(const RenderJob& jo
 #else
   constexpr RenderFunction* kDirectly = &ARCSPAN_METHOD_FUNCTION(render_directly, ARCSPAN_METHOD);
 #endif
-  return render_with<ARCSPAN_METHOD, kAsksForRamp, draws_effects(kName)>(job, pixels, rows_done, kDirectly);
+  const bool has_highlight = draws_phong_directly(kName) || job.highlight == Highlight::kBlinn;
+  return render_with<ARCSPAN_METHOD, kAsksForRamp, draws_effects(kName)>(job, pixels, rows_done,
+                                                                         has_highlight ? kDirectly : nullptr);
 }
 
 }  // namespace arcspan::tools

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What all sections of a cost program (cost_program.cpp) share: its method, sink and memory, which
-// CMakeLists.txt defines by macros. For the one source of a program only.
+// The method, the illumination, the sink and the memory of cost_program.cpp, by which all its frames are
+// drawn. CMakeLists.txt defines the macros. Included by that source only, whose variables these are.
 #pragma once
 
 #include <arcspan/draw.hpp>

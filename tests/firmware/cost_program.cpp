@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What one method costs: draws as a product does and prints the names of its sections for
-// instruction_count.py. The program has one method, one illumination, one sink and one depth buffer, for
-// which CMakeLists.txt defines macros. If the emulator has loaded jobs or random scenes, it draws these;
-// otherwise, in the light of the benchmark frame, the measured scenes, and in other light that frame.
+// Draws frames by one method, as a product does, for instruction_count.py, which counts the instructions of
+// each; "section:" lines name them. The program has one method, one illumination, one sink and one depth
+// buffer (cost_method.hpp). If the emulator has loaded jobs or random scenes, these are drawn. Otherwise the
+// measured scenes are, by a program with the benchmark frame's illumination, or that frame, by one with
+// another.
 #ifdef ARCSPAN_LIGHTS
 #include <tests/firmware/cost_light.hpp>
 #else

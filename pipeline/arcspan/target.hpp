@@ -155,7 +155,7 @@ template <class T>
 using CopyIfFewRegisters = std::conditional_t<kHasManyRegisters, const T&, const T>;
 
 /// True if loads and stores scale an index by the size of an element, and if one instruction clears the upper
-/// half of a word (Arm: UXTH). Neither on RISC-V without Zbb.
+/// half of a word (Arm: UXTH). Neither on RISC-V, where no extension is looked for.
 #if defined(__riscv)
 inline constexpr bool kScalesIndices = false;
 inline constexpr bool kExtendsHalfwords = false;

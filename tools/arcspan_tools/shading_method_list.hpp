@@ -50,8 +50,9 @@
 #define ARCSPAN_METHOD_FUNCTION(verb, Class) ARCSPAN_JOIN_METHOD_FUNCTION(verb, Class)
 #define ARCSPAN_JOIN_METHOD_FUNCTION(verb, Class) verb##_##Class
 
-#define ARCSPAN_TEXT_OF(Class) #Class
+/// The name of a class that a macro holds, as text: ARCSPAN_NAME_OF(ARCSPAN_METHOD) is "Arc".
 #define ARCSPAN_NAME_OF(Class) ARCSPAN_TEXT_OF(Class)
+#define ARCSPAN_TEXT_OF(Class) #Class
 
 namespace arcspan::tools {
 

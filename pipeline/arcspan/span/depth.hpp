@@ -15,8 +15,8 @@
 
 namespace arcspan {
 
-/// The 16-bit depth of a surface whose interpolated depth is `z`. Of the two shifts on RISC-V the first is of
-/// the start and of the step of a row, not of every pixel.
+/// The 16-bit depth of a surface whose interpolated depth is `z`. On RISC-V compilers take the shift to the
+/// left out of a loop, by shifting the start and the step of `z`.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t depth_of(Linear z) {
   constexpr int kUp = 16 - Linear::kFraction;
   if constexpr (kExtendsHalfwords) return static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);

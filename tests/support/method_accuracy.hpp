@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace arcspan::test {
@@ -61,14 +62,19 @@ struct TaylorModel : LinearNormalModel {
   }
 };
 
-/// Bilinear SLERP, S0 eq. 2.
+/// Bilinear SLERP, S0 eq. 2. Pixels are asked for row by row, so that a row's ends are computed once.
 class SlerpModel {
  public:
   explicit SlerpModel(const ShadedTriangle& t) : oracle_(t.corner[0], t.corner[1], t.corner[2]) {}
-  [[nodiscard]] Vec3 at(std::int64_t column, std::int64_t row) const { return oracle_.row(row).at(column); }
+  [[nodiscard]] Vec3 at(std::int64_t column, std::int64_t row) const {
+    if (!last_ || last_number_ != row) last_ = oracle_.row(last_number_ = row);
+    return last_->at(column);
+  }
 
  private:
   TriangleOracle oracle_;
+  mutable std::optional<TriangleOracle::Row> last_;
+  mutable std::int64_t last_number_ = 0;
 };
 
 struct MethodTask {

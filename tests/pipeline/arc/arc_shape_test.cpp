@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/slerp_oracle.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,7 @@ TEST_CASE("a scalar on an arc is within 2e-5 up to 30 degrees and 5e-5 up to 60,
   for (int k = 0; k < 2; ++k) {
     double worst = 0;
     double one_way = 0;
-    for (int i = 0; i < 50000; ++i) {
+    for (int i = 0; i < share_of(50000); ++i) {
       const Vec3 n = random_unit(random);
       const Vec3 m = tilted(random, n, radians(limits[k] * random.unit()));
       const Vec3 axis = random_unit(random);
@@ -56,7 +57,7 @@ TEST_CASE("the squared angles of rows are within 2e-4 up to 30 degrees and 1e-3 
   const double bounds[2] = {2e-4, 1e-3};
   for (int k = 0; k < 2; ++k) {
     double worst = 0;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < share_of(20000); ++i) {
       const Vec3 around = random_unit(random);
       const Vec3 a = tilted(random, around, radians(limits[k] / 2 * random.unit()));
       const Vec3 b = tilted(random, around, radians(limits[k] / 2 * random.unit()));

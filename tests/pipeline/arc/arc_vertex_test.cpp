@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/slerp_oracle.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ TEST_CASE("the vertex half-way along an arc does not depend on the arc's directi
   int different = 0;
   double worst = 0;
   double longest = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < share_of(20000); ++i) {
     const Vec3 around = random_unit(random);
     const Vec3 axis = random_unit(random);
     const Vertex a = vertex_of(tilted(random, around, radians(random.real(0, 75))), axis);
@@ -67,7 +68,7 @@ TEST_CASE("a vertex between two others lies on their arc") {
   for (int k = 0; k < 4; ++k) {
     double worst = 0;
     double worst_scalar = 0;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < share_of(20000); ++i) {
       const Vec3 n = random_unit(random);
       const Vec3 m = tilted(random, n, radians(limits[k] * std::sqrt(random.unit())));
       const Vec3 axis = random_unit(random);

@@ -173,7 +173,7 @@ TEST_CASE("the two triangles of a cut edge get the same vertex") {
   using ArcMethod = Arc<Illumination<1, Highlight::kBlinn>>;
   int different = 0;
   int cut = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < share_of(20000); ++i) {
     ClipVertex<ArcMethod> a{random_clip_position(random, 1 << 16), {}};
     ClipVertex<ArcMethod> b{random_clip_position(random, 1 << 16), {}};
     const Vec3 n = random_unit(random);
@@ -199,6 +199,6 @@ TEST_CASE("the two triangles of a cut edge get the same vertex") {
     different += one == cut_by(b, a) ? 0 : 1;
     cut += one.size() > 2 || (!one.empty() && one[0][0] != a.position.x) ? 1 : 0;
   }
-  CHECK(cut > 2000);
+  CHECK(cut > share_of(2000));
   CHECK(different == 0);
 }

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <algorithm>
 #include <array>
@@ -36,7 +37,7 @@ Error worst_error(std::int32_t n, const Coefficients& specular) {
   const PowerTable power(n);
   const HighlightTable ramp(power, specular);
   Error worst;
-  for (std::int32_t i = 0; i <= 4096; ++i) {
+  for (std::int32_t i = 0; i <= 4096; i += stride_of(1)) {
     const auto half = static_cast<std::int32_t>(std::int64_t{power.half_reach() - 1} * i / 4096);
     const std::int32_t distance = ramp.scaled(half);
     if (distance >= HighlightTable::kReach) continue;

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,7 @@ double worst_error(std::int32_t n) {
   const auto check = [&](std::int32_t half_distance) {
     worst = std::max(worst, std::abs(looked_up(table, half_distance) - truth(n, half_distance)));
   };
-  for (std::int32_t i = 0; i <= 8192; ++i) {
+  for (std::int32_t i = 0; i <= 8192; i += stride_of(1)) {
     check(i << 16);                                                                 // the whole range 1 ... 0
     check(static_cast<std::int32_t>(std::int64_t{table.half_reach()} * i / 8192));  // the part in the table
   }
@@ -52,7 +53,7 @@ TEST_CASE("inside its reach the power table is within 6.9e-4") {
   for (std::int32_t n = 1; n <= 256; ++n) {
     const PowerTable table(n);
     double worst = 0;
-    for (std::int32_t i = 0; i <= 8192; ++i) {
+    for (std::int32_t i = 0; i <= 8192; i += stride_of(1)) {
       const auto d = static_cast<std::int32_t>(std::int64_t{table.half_reach() - 1} * i / 8192);
       worst = std::max(worst, std::abs(looked_up(table, d) - truth(n, d)));
     }

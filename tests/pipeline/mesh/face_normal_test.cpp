@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <array>
 
@@ -25,7 +26,7 @@ bool same(const Vectors& v) {
 TEST_CASE("short and wide products make the same face normal") {
   Random random(131);
   int different = 0;
-  for (int i = 0; i < 200000; ++i) {
+  for (int i = 0; i < share_of(200000); ++i) {
     const auto size = static_cast<std::int32_t>(random.decades(1, 65535));
     Vectors v;
     for (std::int32_t& component : v) component = random.integer(-size, size);

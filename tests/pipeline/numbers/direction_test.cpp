@@ -2,6 +2,7 @@
 #include <arcspan/numbers/direction.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/test_share.hpp>
 #include <tests/support/vec3.hpp>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ constexpr std::int32_t kMax = std::numeric_limits<std::int32_t>::max();
 TEST_CASE("normalised vectors are unit vectors in the same direction, whatever the length") {
   Random random(51);
   double worst = 0;
-  for (int i = 0; i < 500000; ++i) {
+  for (int i = 0; i < share_of(500000); ++i) {
     const int shift = random.integer(0, 20);
     const auto component = [&] { return random.integer(kMin, kMax) >> shift >> random.integer(0, 3); };
     const std::int32_t x = component();
@@ -42,7 +43,7 @@ TEST_CASE("normalised vectors are unit vectors in the same direction, whatever t
 TEST_CASE("wide vectors are normalised likewise") {
   Random random(52);
   double worst = 0;
-  for (int i = 0; i < 200000; ++i) {
+  for (int i = 0; i < share_of(200000); ++i) {
     const int shift = random.integer(2, 62);
     const auto component = [&] { return static_cast<std::int64_t>(random.bits()) >> shift; };
     const std::int64_t x = component();
@@ -59,7 +60,7 @@ TEST_CASE("wide vectors are normalised likewise") {
 TEST_CASE("dot products of unit vectors are exact up to rounding") {
   Random random(53);
   double worst = 0;
-  for (int i = 0; i < 500000; ++i) {
+  for (int i = 0; i < share_of(500000); ++i) {
     const Vec3 a = random_unit(random);
     const Vec3 b = random.chance(0.5) ? random_unit(random) : tilted(random, a, random.decades(1e-5, 1e-2));
     worst = std::max(worst,
@@ -71,7 +72,7 @@ TEST_CASE("dot products of unit vectors are exact up to rounding") {
 TEST_CASE("the half-way vector lies between") {
   Random random(54);
   double worst = 0;
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < share_of(100000); ++i) {
     const Vec3 a = random_unit(random);
     const Vec3 b = tilted(random, a, radians(random.real(0, 150)));
     const Vec3 truth = test::normalised(a + b);

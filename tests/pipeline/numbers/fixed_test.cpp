@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <cmath>
 #include <concepts>
@@ -88,7 +89,7 @@ TEST_CASE("round_shift is floor(a / 2^bits + 1/2)") {
   CHECK(round_shift(kMin, 31) == -1);
   Random random(41);
   int wrong = 0;
-  for (int i = 0; i < 1000000; ++i) {
+  for (int i = 0; i < share_of(1000000); ++i) {
     const int bits = random.integer(1, 31);
     const std::int32_t half = std::int32_t{1} << (bits - 1);
     const std::int32_t a = random.integer(kMin, kMax - half);
@@ -101,7 +102,7 @@ TEST_CASE("products are rounded to nearest within the stated range") {
   Random random(42);
   double worst = 0;
   double worst_floor = 0;
-  for (int i = 0; i < 1000000; ++i) {
+  for (int i = 0; i < share_of(1000000); ++i) {
     const Q15 a = Q15::from_raw(random.integer(-46340, 46340));
     const Q15 b = Q15::from_raw(random.integer(-46000, 46000));
     const double truth = std::ldexp(a.raw(), -15) * std::ldexp(b.raw(), -15);

@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <bit>
 
@@ -16,7 +17,7 @@ using namespace arcspan::test;
 TEST_CASE("short products give the bits of long ones") {
   Random random(21);
   int wrong = 0;
-  for (int i = 0; i < 1000000; ++i) {
+  for (int i = 0; i < share_of(1000000); ++i) {
     const auto a = static_cast<std::uint32_t>(random.bits() >> random.integer(32, 63));
     const auto b = static_cast<std::uint32_t>(random.bits() >> random.integer(32, 63));
     wrong += detail::short_multiply_high(a, b) == (std::uint64_t{a} * b) >> 32 ? 0 : 1;
@@ -72,7 +73,7 @@ TEST_CASE("leading zeros are counted by the table as by an instruction") {
   }
   check(UINT32_MAX);
   Random random(23);
-  for (int i = 0; i < 100000; ++i) check(static_cast<std::uint32_t>(random.bits() >> random.integer(32, 63)));
+  for (int i = 0; i < share_of(100000); ++i) check(static_cast<std::uint32_t>(random.bits() >> random.integer(32, 63)));
   CHECK(wrong == 0);
 }
 
@@ -99,7 +100,7 @@ TEST_CASE("the quotient of an edge without a divide is the exact one") {
 
 TEST_CASE("a value scaled down is rounded down to the last bit, in one product or in two halves") {
   Random random(9);
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < share_of(100000); ++i) {
     const auto value = static_cast<std::int32_t>(random.bits());
     const auto factor = static_cast<std::uint32_t>(random.integer(0, 65536));
     for (const int bits : {15, 16}) {

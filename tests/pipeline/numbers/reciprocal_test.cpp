@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,7 @@ void sweep(const Check& check) {
   }
   for (std::uint32_t d = 0; d < 1u << 12; ++d) check(0xFFFFFFFFu - d);
   Random random(31);
-  for (int i = 0; i < 2000000; ++i) {
+  for (int i = 0; i < share_of(2000000); ++i) {
     const auto v = static_cast<std::uint32_t>(random.bits() >> random.integer(32, 56));
     if (v != 0) check(v);
   }

@@ -11,6 +11,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <cstdlib>
 
@@ -46,7 +47,7 @@ std::int32_t gradient(std::uint32_t from, std::uint32_t to, int count) {
 
 TEMPLATE_TEST_CASE("a fine colour's levels are its upper bits", "", Plain, Joined) {
   Random random(31);
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < share_of(100000); ++i) {
     const TestType c = TestType::of(random_word(random), random_word(random), random_word(random));
     const Rgb8 levels{static_cast<std::uint8_t>(c.r() >> 23), static_cast<std::uint8_t>(c.g() >> 23),
                       static_cast<std::uint8_t>(c.b() >> 23)};
@@ -57,7 +58,7 @@ TEMPLATE_TEST_CASE("a fine colour's levels are its upper bits", "", Plain, Joine
 TEMPLATE_TEST_CASE("a fine colour is encoded like its levels", "", Rgb565, Rgb888, Gray8, Gray4, Mono,
                    Dithered<Rgb565>, Dithered<Gray4>) {
   Random random(32);
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < share_of(100000); ++i) {
     const Plain c = Plain::of(random_word(random), random_word(random), random_word(random));
     const Joined same = Joined::of(c.r(), c.g(), c.b());
     const std::int32_t x = i & 3;

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <algorithm>
 #include <array>
@@ -40,7 +41,7 @@ void for_pairs(const Check& check) {
     }
   }
   const auto level = [&random] { return static_cast<std::uint32_t>(random.integer(0, 1023)); };
-  for (int i = 0; i < 20000; ++i) check({level(), level(), level()}, {level(), level(), level()});
+  for (int i = 0; i < share_of(20000); ++i) check({level(), level(), level()}, {level(), level(), level()});
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ TEST_CASE("a sum of packed colours fits if no channel saturates, and then needs 
     wrong += packed(a).plus_fitting(packed(b)).lanes == packed(a).plus(packed(b)).lanes ? 0 : 1;
   });
   CHECK(wrong == 0);
-  CHECK(fitting > 2000);
+  CHECK(fitting > share_of(2000));
 }
 
 TEST_CASE("add_to sets the saturated sum and asks only about sums that saturate") {

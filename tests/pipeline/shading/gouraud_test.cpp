@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
 #include <tests/support/raster_stage.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <algorithm>
 #include <array>
@@ -223,7 +224,7 @@ TEST_CASE("white stays white and black stays black in every triangle") {
   RasterStage<Method, WordSink> stage(sink, 2048, 2048);
   std::uint64_t pixels = 0;
   std::uint64_t wrong = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < share_of(20000); ++i) {
     Triangle v = random_triangle(random, i % 2 == 0 ? Shape::kSliver : Shape::kFlatSliver);
     for (Vertex& vertex : v) vertex.shade = {65280, 0, vertex.shade.b};
     sink.clear();
@@ -236,7 +237,7 @@ TEST_CASE("white stays white and black stays black in every triangle") {
       }
     }
   }
-  CHECK(pixels > 100000);
+  CHECK(pixels > static_cast<std::uint64_t>(share_of(100000)));
   CHECK(wrong == 0);
 }
 
@@ -267,6 +268,6 @@ TEST_CASE("Gouraud's rows cut by a rectangle are those of the whole picture, bit
       }
     }
   }
-  CHECK(pixels > 100000);
+  CHECK(pixels > static_cast<std::uint64_t>(share_of(100000)));
   CHECK(wrong == 0);
 }

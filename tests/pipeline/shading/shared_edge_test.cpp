@@ -56,7 +56,7 @@ TEST_CASE("the two triangles of an edge have the same scalars along it, bit for 
   const RowRange rows{-120, 120};  // many edges begin above the viewport
   int compared = 0;
   int different = 0;
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < share_of(100000); ++i) {
     Probe probe;
     for (Direction& axis : probe.axes) axis = to_direction(random_unit(random));
     const Vec3 around = random_unit(random);
@@ -83,7 +83,7 @@ TEST_CASE("the two triangles of an edge have the same scalars along it, bit for 
     ++compared;
     different += same(*a, *b) ? 0 : 1;
   }
-  CHECK(compared > 20000);
+  CHECK(compared > share_of(20000));
   CHECK(different == 0);
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("the two patches of an edge have the same scalars along it") {
   const RowRange rows{-120, 120};
   int compared = 0;
   double worst = 0;
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < share_of(100000); ++i) {
     Probe probe;
     for (Direction& axis : probe.axes) axis = to_direction(random_unit(random));
     const Vec3 around = random_unit(random);
@@ -136,7 +136,7 @@ TEST_CASE("the two patches of an edge have the same scalars along it") {
     ++compared;
   }
   CAPTURE(worst);
-  CHECK(compared > 2000);
+  CHECK(compared > share_of(2000));
   CHECK(worst < 3e-5);
 }
 
@@ -152,7 +152,7 @@ TEST_CASE("a flat surface is exactly constant") {
   probe.matt = probe.blinn = &dark;
   probe.phong = &dark_phong;
   probe.samples = &samples;
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < share_of(4000); ++i) {
     for (Direction& axis : probe.axes) axis = to_direction(random_unit(random));
     const Vec3 normal = random_unit(random);
     const Vertex v[3] = {random_vertex(random, probe, normal, 0, 1024),
@@ -168,7 +168,7 @@ TEST_CASE("a flat surface is exactly constant") {
     }
     pixels += samples.size();
   }
-  CHECK(pixels > 1000000);
+  CHECK(pixels > static_cast<std::uint64_t>(share_of(1000000)));
   // Halving the two ends for their mean may drop the last of 30 bits, once on the edge and once on the row.
   CHECK(largest <= 2);
 }

@@ -201,7 +201,7 @@ TEST_CASE("any planes and any camera are defined") {
   planes.resize(view.triangle_count());
   const std::int32_t farthest = PlanedMesh(mesh).scale.radius;
   int known = 0;
-  for (int round = 0; round < 20000; ++round) {
+  for (int round = 0; round < share_of(20000); ++round) {
     const auto byte = [&] {
       return static_cast<std::int8_t>(random.chance(0.3) ? -128 : random.integer(-128, 127));
     };
@@ -216,5 +216,5 @@ TEST_CASE("any planes and any camera are defined") {
     ++known;
     CHECK(backs.next_front(0, planes.size()) <= planes.size());
   }
-  CHECK(known > 1000);
+  CHECK(known > share_of(1000));
 }

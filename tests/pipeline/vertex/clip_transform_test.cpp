@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/mesh_and_camera.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -47,7 +48,7 @@ TEST_CASE("projection is the pinhole camera's, rounded to 1/16 pixel") {
   double worst = 0;        // sixteenths beyond what the clip coordinates' last units allow
   double worst_depth = 0;  // likewise in units of depth
   double worst_near = 0;   // sixteenths, of vertices at least 2^20 units in front
-  for (int i = 0; i < 300000; ++i) {
+  for (int i = 0; i < share_of(300000); ++i) {
     const TestCamera camera = random_camera(random);
     const ClipTransform transform = camera.transform();
     const Vec3 lighting = random_position(random);
@@ -70,7 +71,7 @@ TEST_CASE("projection is the pinhole camera's, rounded to 1/16 pixel") {
     const double depth = std::clamp(256 + 65023 * f / (f - n) * (1 - n / w), 256.0, 65279.0);
     worst_depth = std::max(worst_depth, std::abs(got.z - depth) - 65023 * f / (f - n) * units);
   }
-  CHECK(seen > 20000);
+  CHECK(seen > share_of(20000));
   CHECK(worst < 0.52);
   CHECK(worst_near < 0.65);
   CHECK(worst_depth < 2);
@@ -79,7 +80,7 @@ TEST_CASE("projection is the pinhole camera's, rounded to 1/16 pixel") {
 TEST_CASE("clip outcodes agree with the view volume up to rounding") {
   Random random(82);
   int wrong = 0;
-  for (int i = 0; i < 200000; ++i) {
+  for (int i = 0; i < share_of(200000); ++i) {
     const TestCamera camera = random_camera(random);
     const ClipTransform transform = camera.transform();
     const Vec3 lighting = random_position(random);

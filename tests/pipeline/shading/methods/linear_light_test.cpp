@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <tests/support/method_accuracy.hpp>
 #include <tests/support/raster_stage.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <algorithm>
 #include <array>
@@ -127,7 +128,7 @@ TEST_CASE("linear light and the highlight left out are together within the toler
   double brightest = 0;
   double worst_light = 0;
   double worst_sum = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < share_of(20000); ++i) {
     LinearTriangle triangle(random, random.real(6, 16));
     const Figures figures = triangle.drawn(1);
     if (!figures.linear) continue;

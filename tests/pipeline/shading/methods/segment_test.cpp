@@ -87,7 +87,7 @@ int most_beyond_tolerance(std::uint64_t seed, int triangles, std::int32_t tolera
 
 TEST_CASE("a colour segment is exact at both ends and rounds down between") {
   Random random(1);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < share_of(20000); ++i) {
     const int bits = static_cast<int>(random.integer(0, ColourSegment::kFraction));
     std::array<std::uint32_t, 3> from{};
     std::array<std::uint32_t, 3> to{};
@@ -109,7 +109,7 @@ TEST_CASE("a colour segment is exact at both ends and rounds down between") {
 TEST_CASE("a patch's stride is its single steps, to the last bit") {
   using Lit = Illumination<1, Highlight::kBlinn>;
   Random random(2);
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < share_of(5000); ++i) {
     PatchScalar scalar{};
     scalar.left.at = Cosine::from_raw(static_cast<std::int32_t>(random.bits()) >> 2);
     scalar.left.slope = Cosine::from_raw(static_cast<std::int32_t>(random.bits()) >> random.integer(6, 20));

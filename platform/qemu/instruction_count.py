@@ -81,11 +81,20 @@ def count(image, emulator, prefix="arm-none-eabi-", timeout=120, ranges=None):
         return read_report(folder / "report", names), done.stdout
 
 
+def absolute(image, symbol, prefix):
+    """The address of an absolute symbol."""
+    symbols = subprocess.run([prefix + "nm", image], check=True, capture_output=True, text=True).stdout
+    return "0x" + re.search(rf"^([0-9a-f]+) A {symbol}$", symbols, re.MULTILINE)[1]
+
+
 def loaded_at(image, symbol, path, prefix="arm-none-eabi-"):
     """The emulator's arguments that load a file into memory where the image has an absolute symbol."""
-    symbols = subprocess.run([prefix + "nm", image], check=True, capture_output=True, text=True).stdout
-    address = re.search(rf"^([0-9a-f]+) A {symbol}$", symbols, re.MULTILINE)[1]
-    return ["-device", f"loader,file={path},addr=0x{address},force-raw=on"]
+    return ["-device", f"loader,file={path},addr={absolute(image, symbol, prefix)},force-raw=on"]
+
+
+def word_at(image, symbol, value, prefix="arm-none-eabi-"):
+    """The same for a word of 32 bits."""
+    return ["-device", f"loader,addr={absolute(image, symbol, prefix)},data={value},data-len=4"]
 
 
 def main():

@@ -15,6 +15,9 @@
 
 #include ARCSPAN_METHOD_HEADER
 
+/// Where the emulator may load another length of segments than the method's own, as a power of two; else 0.
+extern "C" const std::uint32_t arcspan_segment_bits;
+
 namespace arcspan {
 
 #ifdef ARCSPAN_LIGHTS
@@ -43,7 +46,11 @@ union CostLightingMemory {
 
 /// Makes the method's tables in that memory.
 inline const CostMethod::Lighting& make_cost_lighting(const CostLight& light) {
-  return *new (&cost_lighting_memory.lighting) CostMethod::Lighting(light);
+  CostMethod::Lighting& lighting = *new (&cost_lighting_memory.lighting) CostMethod::Lighting(light);
+  if constexpr (requires { lighting.set_segment_bits(1); }) {
+    if (arcspan_segment_bits != 0) (void)lighting.set_segment_bits(static_cast<int>(arcspan_segment_bits));
+  }
+  return lighting;
 }
 
 #ifdef ARCSPAN_COST_OWN_SINK

@@ -87,7 +87,8 @@ TEST_CASE("the sharper bound is for R·V of one light") {
 namespace {
 
 /// Random triangles by all lights of `Lit`: no normal has a highlight that is nearer, or of which the sum of
-/// slopes is larger, than highlights_over() says. Returns the percentage whose slopes are below three quarters.
+/// slopes is larger, than highlights_over() says. Returns the percentage whose slopes are below three
+/// quarters.
 template <class Lit>
 int check_highlights_over(std::uint64_t seed, int triangles) {
   constexpr std::size_t kLights = Lit::kLights;

@@ -73,7 +73,8 @@ TEST_CASE("leading zeros are counted by the table as by an instruction") {
   }
   check(UINT32_MAX);
   Random random(23);
-  for (int i = 0; i < share_of(100000); ++i) check(static_cast<std::uint32_t>(random.bits() >> random.integer(32, 63)));
+  for (int i = 0; i < share_of(100000); ++i)
+    check(static_cast<std::uint32_t>(random.bits() >> random.integer(32, 63)));
   CHECK(wrong == 0);
 }
 

@@ -44,12 +44,18 @@ union CostLightingMemory {
 };
 [[gnu::section(".bss.frame")]] static CostLightingMemory cost_lighting_memory;
 
-/// Makes the method's tables in that memory.
-inline const CostMethod::Lighting& make_cost_lighting(const CostLight& light) {
-  CostMethod::Lighting& lighting = *new (&cost_lighting_memory.lighting) CostMethod::Lighting(light);
+/// Sets the loaded length of segments, if the method has segments.
+template <class Lighting>
+inline void set_loaded_segments(Lighting& lighting) {
   if constexpr (requires { lighting.set_segment_bits(1); }) {
     if (arcspan_segment_bits != 0) (void)lighting.set_segment_bits(static_cast<int>(arcspan_segment_bits));
   }
+}
+
+/// Makes the method's tables in that memory.
+inline const CostMethod::Lighting& make_cost_lighting(const CostLight& light) {
+  auto& lighting = *new (&cost_lighting_memory.lighting) CostMethod::Lighting(light);
+  set_loaded_segments(lighting);
   return lighting;
 }
 

@@ -23,8 +23,7 @@ using Lit = Illumination<1, Highlight::kPhong>;
 using Lighting = AdaptiveIllumination<Lit>;
 using Method = Adaptive<Lit>;
 
-Lit shiny_light(std::int32_t shininess, const Vec3& towards, const Vec3& to_eye,
-                Coefficient specular = Coefficient::of(0.5)) {
+Lit shiny_light(std::int32_t shininess, const Vec3& towards, const Vec3& to_eye, Coefficient specular) {
   Material material;
   material.diffuse = {Coefficient::of(0.4), Coefficient::of(0.4), Coefficient::of(0.4)};
   material.specular = {specular, specular, specular};
@@ -32,6 +31,10 @@ Lit shiny_light(std::int32_t shininess, const Vec3& towards, const Vec3& to_eye,
   Lit lit;
   REQUIRE(ok(Lit::make(material, {DirectionalLight{to_direction(towards)}}, to_direction(to_eye), lit)));
   return lit;
+}
+/// Not by a default argument, which clang 14 refuses for consteval functions.
+Lit shiny_light(std::int32_t shininess, const Vec3& towards, const Vec3& to_eye) {
+  return shiny_light(shininess, towards, to_eye, Coefficient::of(0.5));
 }
 
 /// A triangle of some 20 pixels whose normals lean outwards from `middle` by `degrees` each.

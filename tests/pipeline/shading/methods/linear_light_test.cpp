@@ -138,7 +138,7 @@ TEST_CASE("linear light and the highlight left out are together within the toler
     brightest = std::max(brightest, figures.highlight);
   }
   CAPTURE(linear, worst_light, worst_sum, brightest);
-  CHECK(linear > 5000);
+  CHECK(linear > share_of(5000));
   CHECK(worst_sum <= 1 + kRounding);
   // The limits are used: where a highlight is near, and where none is.
   CHECK(brightest > 0.2);

@@ -36,10 +36,13 @@ class Counted {
     return static_cast<U>(value_);
   }
 
-  /// For `memory[vertex number]`, which takes no template.
+#ifndef __clang__
+  /// For `memory[vertex number]`, for which gcc takes no template. clang does, and would try all built-in
+  /// operators on each operation because of it: a fifth of its time.
   [[nodiscard]] constexpr operator std::ptrdiff_t() const requires std::same_as<T, std::uint16_t> {
     return value_;
   }
+#endif
 
   constexpr Counted& operator++() { return *this = Counted(*this + T{1}); }
   constexpr Counted& operator--() { return *this = Counted(*this - T{1}); }

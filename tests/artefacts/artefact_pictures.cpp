@@ -3,6 +3,7 @@
 // Gouraud's method, Phong's and the arcs. Usage: artefact_pictures OUTPUT
 #include <arcspan_tools/compare/artefacts.hpp>
 #include <arcspan_tools/compare/scan_line_polygon.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/image/label.hpp>
 
 #include <algorithm>

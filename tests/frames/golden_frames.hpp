@@ -8,6 +8,7 @@
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
 
+#include <tests/frames/frame_hash.hpp>
 #include <tests/frames/stage_set.hpp>
 
 #include <concepts>
@@ -19,29 +20,10 @@
 /// them.
 namespace arcspan::scenes {
 
-inline constexpr std::int32_t kWidth = 160;
-inline constexpr std::int32_t kHeight = 120;
-inline constexpr std::int32_t kFrameRadius = 52;
-
 inline constexpr auto kSmallSphere = make_sphere<16, 8>();
 inline constexpr auto kSmallPlanes = planes_of(kSmallSphere);
 inline constexpr auto kSphere = make_sphere<32, 16>();
 inline constexpr auto kTorus = make_torus<24, 12>();
-
-/// FNV-1a over bytes.
-class Hash {
- public:
-  constexpr void add(std::uint8_t byte) { state_ = (state_ ^ byte) * 16777619u; }
-  constexpr void add(Rgb8 c) {
-    add(c.r);
-    add(c.g);
-    add(c.b);
-  }
-  [[nodiscard]] constexpr std::uint32_t value() const { return state_; }
-
- private:
-  std::uint32_t state_ = 2166136261u;
-};
 
 /// Room for `Count` transformed vertices of any of the methods.
 template <std::size_t Count>

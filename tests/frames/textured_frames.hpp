@@ -15,7 +15,8 @@
 #include <arcspan/shading/with_operation.hpp>
 #include <arcspan/span/depth_mode.hpp>
 
-#include <tests/frames/golden_frames.hpp>
+#include <tests/frames/frame_hash.hpp>
+#include <tests/frames/stage_set.hpp>
 
 #include <array>
 #include <cstddef>
@@ -127,9 +128,10 @@ void textured_frames(TexturedSpace<Rows>& space, const Report& report) {
     return fog;
   }();
 
+  static constexpr auto kBall = make_sphere<16, 8>();
   MeshView ball;
   StageSet& stage = *::new (space.stage) StageSet;
-  Status status = kSmallSphere.view(ball);
+  Status status = kBall.view(ball);
   if (ok(status)) status = set_stage({kWidth, kHeight}, kFrameRadius, Turn{3000}, stage);
   for (std::size_t i = 0; i < ball.vertex_count(); ++i) {
     space.points[i] = {static_cast<std::int16_t>(ball.position(i).x >> 2),

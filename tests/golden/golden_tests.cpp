@@ -9,6 +9,7 @@
 #include <arcspan/pixel/pixel_format_list.hpp>
 
 #include <arcspan_tools/image/difference.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
 #include <tests/golden/fixed_file.hpp>
 #include <tests/golden/golden_scenes.hpp>

@@ -104,16 +104,16 @@ Picture drawn(const MeshView& mesh, const typename Method::Lighting& lighting) {
   return picture;
 }
 
-/// Calls `look` with balls whose triangles span 11 to 45 degrees, so that all paths of Adaptive draw some of
-/// them, and the largest rows have segments.
-template <class Look>
-void for_each_ball(const Look& look) {
+/// Balls whose triangles span 11 to 45 degrees, so that all paths of Adaptive draw some of them, and the
+/// largest rows have segments.
+std::array<MeshView, 3> balls() {
   static const auto fine = scenes::make_sphere<32, 16>();
   static constexpr auto kBall = scenes::make_sphere<16, 8>();
   static constexpr auto kCoarseBall = scenes::make_sphere<8, 4>();
-  look(Decorated(fine).mesh);
-  look(Decorated(kBall).mesh);
-  look(Decorated(kCoarseBall).mesh);
+  static const Decorated decorated_fine(fine);
+  static const Decorated decorated(kBall);
+  static const Decorated decorated_coarse(kCoarseBall);
+  return {decorated_fine.mesh, decorated.mesh, decorated_coarse.mesh};
 }
 
 /// The largest difference that a white texture makes to the pictures of a method, in steps of 8 bits. Depths
@@ -124,7 +124,7 @@ int largest_difference() {
   const typename Method::Lighting plain(illumination<Lit>());
   const typename White::Lighting textured(illumination<Lit>(), kWhiteTexture);
   int worst = 0;
-  for_each_ball([&](const MeshView& mesh) {
+  for (const MeshView& mesh : balls()) {
     const auto [a, a_depths] = drawn<Method>(mesh, plain);
     const auto [b, b_depths] = drawn<White>(mesh, textured);
     CHECK((a_depths == b_depths));  // in brackets, or a failure prints both
@@ -132,7 +132,7 @@ int largest_difference() {
       worst =
           std::max({worst, std::abs(a[i].r - b[i].r), std::abs(a[i].g - b[i].g), std::abs(a[i].b - b[i].b)});
     }
-  });
+  }
   return worst;
 }
 
@@ -154,11 +154,11 @@ std::size_t pixels_without_operation() {
   const Rgb8 background{1, 2, 3};
   const Rgb8 grey{50, 50, 50};
   std::size_t others = 0;
-  for_each_ball([&](const MeshView& mesh) {
+  for (const MeshView& mesh : balls()) {
     const Picture picture = drawn<Dark>(mesh, dark);
     CHECK((picture.depths == drawn<Method>(mesh, plain).depths));
     for (const Rgb8& pixel : picture.colours) others += pixel == background || pixel == grey ? 0u : 1u;
-  });
+  }
   return others;
 }
 

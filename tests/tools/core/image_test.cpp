@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/image/difference.hpp>
-#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <catch2/catch.hpp>
 #include <tests/tools/temporary_folder.hpp>

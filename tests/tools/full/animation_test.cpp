@@ -3,7 +3,7 @@
 // it is made of.
 #include <arcspan/mesh/crc32.hpp>
 
-#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/output/animation.hpp>
 #include <arcspan_tools/output/frame_output.hpp>
 #include <arcspan_tools/support/failure.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Models are drawn in the colours of their files, by every command that draws.
-#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <catch2/catch.hpp>
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/temporary_folder.hpp>

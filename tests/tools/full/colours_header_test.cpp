@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The header that `arcspan mesh --vertex-colours` writes, in a program; and the binary, drawn.
-#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <catch2/catch.hpp>
 #include <colours.hpp>  // made by the build from models/colours.obj
 #include <tests/tools/command_run.hpp>

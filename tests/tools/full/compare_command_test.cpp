@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `arcspan compare` as a user runs it.
-#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/render/render.hpp>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `arcspan plot` as a user runs it.
-#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/plot/figure.hpp>
 #include <catch2/catch.hpp>
 #include <tests/tools/command_run.hpp>

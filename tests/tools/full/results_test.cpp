@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Results of commands: what must not be overwritten, what remains after a failure or a signal, and what
 // reaches a terminal.
-#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <catch2/catch.hpp>
 #include <fcntl.h>
 #include <sys/wait.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <catch2/catch.hpp>
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/temporary_folder.hpp>

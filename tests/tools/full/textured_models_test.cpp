@@ -2,7 +2,7 @@
 // Textures of model files, and what `arcspan mesh` and `arcspan render` make of them.
 #include <arcspan/model/model_binary.hpp>
 
-#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/mesh/compile/simplify.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>

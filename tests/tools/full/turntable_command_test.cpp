@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `arcspan turntable` as a user runs it.
-#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <catch2/catch.hpp>
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/temporary_folder.hpp>

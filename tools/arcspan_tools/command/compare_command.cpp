@@ -7,6 +7,7 @@
 #include <arcspan_tools/compare/instructions.hpp>
 #include <arcspan_tools/compare/sheet.hpp>
 #include <arcspan_tools/compare/table.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 #include <arcspan_tools/support/printable.hpp>

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/image/difference.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 #include <arcspan_tools/support/result_files.hpp>

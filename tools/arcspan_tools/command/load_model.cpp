@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/command/load_model.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/mesh/plain/crease.hpp>
 #include <arcspan_tools/support/failure.hpp>

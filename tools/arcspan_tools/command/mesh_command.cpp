@@ -6,6 +6,7 @@
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/texture_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/image/side_by_side.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/render/scene.hpp>

@@ -4,6 +4,7 @@
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/render_report.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 #include <arcspan_tools/support/progress.hpp>
 #include <arcspan_tools/support/result_files.hpp>

@@ -4,6 +4,7 @@
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/output/frame_output.hpp>
 #include <arcspan_tools/render/surface_drawer.hpp>
 #include <arcspan_tools/render/turntable.hpp>

@@ -3,6 +3,7 @@
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/texture_options.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/output/texture_writer.hpp>
 #include <arcspan_tools/support/output_file.hpp>

@@ -5,9 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace arcspan::tools {
@@ -33,21 +31,5 @@ struct Image {
   static std::size_t as_size(std::int32_t v) { return static_cast<std::size_t>(v); }
   static std::size_t area(std::int32_t w, std::int32_t h) { return as_size(w) * as_size(h); }
 };
-
-/// The file formats that pictures are written in, by the extension of the name: .ppm (P6), .pgm (P5, luma),
-/// .png (8-bit RGB). On standard output (`-`) a picture is a PNG; `ppm:-` and `pgm:-` are the others.
-enum class ImageFormat : std::uint8_t { kPpm, kPgm, kPng };
-
-/// The format that a file name asks for. Throws Failure for any other extension.
-[[nodiscard]] ImageFormat image_format(const std::filesystem::path& path);
-
-/// The whole file.
-[[nodiscard]] std::string encode_image(const Image& image, ImageFormat format);
-
-/// Writes `image` in the format of the path's extension, whole or not at all. Throws Failure.
-void write_image(const Image& image, const std::filesystem::path& path);
-
-/// Reads PNG, PPM or PGM. Throws Failure.
-[[nodiscard]] Image read_image(const std::filesystem::path& path);
 
 }  // namespace arcspan::tools

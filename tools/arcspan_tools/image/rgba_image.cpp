@@ -3,7 +3,6 @@
 #include <arcspan_tools/image/picture_checks.hpp>
 #include <arcspan_tools/image/rgba_image.hpp>
 #include <arcspan_tools/support/failure.hpp>
-#include <arcspan_tools/support/output_file.hpp>
 #include <stb/stb_image.h>
 
 #include <algorithm>
@@ -67,10 +66,6 @@ RgbaImage decode_rgba(std::string_view bytes, const std::string& subject) {
   }
   check_tga(bytes, subject);
   return decode_stb(bytes, "TGA", subject);
-}
-
-RgbaImage read_rgba(const std::filesystem::path& path) {
-  return decode_rgba(read_whole_file(path, kMostPictureBytes), path.string());
 }
 
 Image on_squares(const RgbaImage& image) {

@@ -4,7 +4,6 @@
 #include <arcspan_tools/image/image.hpp>
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,9 +40,6 @@ struct RgbaImage {
 /// The picture in the bytes of a PNG, JPEG, BMP, PPM or PGM file, or of a TGA file if `subject` ends in .tga.
 /// Throws a Failure about `subject` for one that is damaged, truncated or of another kind.
 [[nodiscard]] RgbaImage decode_rgba(std::string_view bytes, const std::string& subject);
-
-/// Reads a picture file. Throws Failure.
-[[nodiscard]] RgbaImage read_rgba(const std::filesystem::path& path);
 
 /// `image` on a board of light and dark squares of 8 pixels, which show through where it is transparent.
 [[nodiscard]] Image on_squares(const RgbaImage& image);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The bodies of stb, which are held neither to this project's warnings nor to its static analysis. The macros
-// leave out what is not used and must agree with nobody: image.cpp sees declarations only.
+// leave out what is not used and must agree with nobody: image_file.cpp sees declarations only.
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_BMP

@@ -3,6 +3,7 @@
 // here. PNG's third edition: https://www.w3.org/TR/png-3/#apng-chunks.
 #include <arcspan/mesh/crc32.hpp>
 
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/output/animation.hpp>
 
 #include <string_view>

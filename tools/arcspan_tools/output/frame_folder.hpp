@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/output/frame_output.hpp>
 #include <arcspan_tools/support/child_process.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/support/parse.hpp>
 
 #include <cstddef>

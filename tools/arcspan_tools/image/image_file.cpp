@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/image/image.hpp>
+#include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/image/netpbm.hpp>
 #include <arcspan_tools/image/picture_checks.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -72,6 +72,10 @@ Image read_image(const std::filesystem::path& path) {
   if (is_netpbm(bytes)) return read_netpbm(bytes, path.string());
   if (is_png(bytes)) return read_png(bytes, path.string());
   throw Failure(path.string(), "not a PNG, PPM (P6) or PGM (P5) picture");
+}
+
+RgbaImage read_rgba(const std::filesystem::path& path) {
+  return decode_rgba(read_whole_file(path, kMostPictureBytes), path.string());
 }
 
 }  // namespace arcspan::tools

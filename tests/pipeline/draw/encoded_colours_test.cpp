@@ -22,10 +22,13 @@ using namespace arcspan::test;
 namespace {
 
 template <std::size_t Size>
-struct Frame : hal::Framebuffer<Rgb565> {
+struct FrameOf : hal::Framebuffer<Rgb565> {
   static constexpr std::size_t kEncodedColours = Size;
   using hal::Framebuffer<Rgb565>::Framebuffer;
 };
+/// The size that a framebuffer has anyway is drawn by other tests, too.
+template <std::size_t Size>
+using Frame = std::conditional_t<Size == ARCSPAN_ENCODED_COLOURS, hal::Framebuffer<Rgb565>, FrameOf<Size>>;
 
 using Light = Illumination<1, Highlight::kPhong>;
 template <class Method, std::size_t Size>

@@ -22,7 +22,6 @@
 #include <arcspan_tools/texture/plain/made_texture.hpp>
 #include <arcspan_tools/texture/plain/mip_levels.hpp>
 #include <catch2/catch.hpp>
-#include <tests/tools/temporary_folder.hpp>
 
 #include <cmath>
 #include <cstdint>

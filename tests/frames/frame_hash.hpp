@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-/// The size of the frames of hashes.txt, and what is noted of their pixels.
+/// The size of the frames of hashes.txt and textured_hashes.txt, and the hash of their pixels.
 namespace arcspan::scenes {
 
 inline constexpr std::int32_t kWidth = 160;

@@ -26,7 +26,8 @@ struct FrameOf : hal::Framebuffer<Rgb565> {
   static constexpr std::size_t kEncodedColours = Size;
   using hal::Framebuffer<Rgb565>::Framebuffer;
 };
-/// The size that a framebuffer has anyway is drawn by other tests, too.
+/// For the default size the framebuffer itself, which other tests draw into, so that its code is compiled
+/// once.
 template <std::size_t Size>
 using Frame = std::conditional_t<Size == ARCSPAN_ENCODED_COLOURS, hal::Framebuffer<Rgb565>, FrameOf<Size>>;
 

@@ -37,8 +37,8 @@ class Counted {
   }
 
 #ifndef __clang__
-  /// For `memory[vertex number]`, for which gcc takes no template. clang does, and would try all built-in
-  /// operators on each operation because of it: a fifth of its time.
+  /// gcc needs a conversion that is no template for `memory[vertex number]`. clang does not need it, and
+  /// would try every built-in operator for each operation because of it, which takes a fifth of its time.
   [[nodiscard]] constexpr operator std::ptrdiff_t() const requires std::same_as<T, std::uint16_t> {
     return value_;
   }

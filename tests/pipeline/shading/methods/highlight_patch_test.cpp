@@ -32,8 +32,8 @@ Lit shiny_light(std::int32_t shininess, const Vec3& towards, const Vec3& to_eye,
   REQUIRE(ok(Lit::make(material, {DirectionalLight{to_direction(towards)}}, to_direction(to_eye), lit)));
   return lit;
 }
-/// The same with a specular coefficient of 0.5. An overload, because clang 14 rejects a call of a consteval
-/// function, here Coefficient::of(), as a default argument.
+/// A light with a specular coefficient of 0.5. clang 14 rejects Coefficient::of(), which is consteval, as a
+/// default argument, so this is an overload.
 Lit shiny_light(std::int32_t shininess, const Vec3& towards, const Vec3& to_eye) {
   return shiny_light(shininess, towards, to_eye, Coefficient::of(0.5));
 }

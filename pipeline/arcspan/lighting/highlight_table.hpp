@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/lighting/power_table.hpp>
+#include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/target.hpp>
@@ -98,6 +99,10 @@ class HighlightTable {
   /// The distance that operator() takes, for half_distance = (1 - c) / 2 with 30 fraction bits.
   [[nodiscard]] constexpr std::int32_t scaled(std::int32_t half_distance) const {
     return multiply_high(wrap_shl(half_distance, up_), scale_);
+  }
+  /// A cosine in the scale of distances, as a factor of a product that is one. For n up to 64 it is below 2.
+  [[nodiscard]] constexpr Cosine scaled_factor(Cosine cosine) const {
+    return Cosine::from_raw(wrap_shl(multiply_high(cosine.raw(), scale_), up_));
   }
 
   /// True if the highlight at a scaled distance is equal in all channels and the distance needs no clamping.

@@ -6,6 +6,7 @@
 #include <arcspan/shading/adaptive/adaptive_rows.hpp>
 #include <arcspan/shading/adaptive/highlight_distances.hpp>
 #include <arcspan/shading/adaptive/highlight_patch.hpp>
+#include <arcspan/shading/adaptive/highlight_product.hpp>
 #include <arcspan/shading/adaptive/light_and_depth.hpp>
 #include <arcspan/shading/adaptive/linear_levels.hpp>
 #include <arcspan/shading/adaptive/linear_light.hpp>
@@ -47,9 +48,11 @@ struct AdaptivePaths : Arc<Illumination> {
     int segment_bits;        ///< path 3: segments have 2^segment_bits pixels; 0 for none
     bool linear_light;       ///< path 1: N·L alone, in `light`
     bool highlight_patch;    ///< path 4: the patch has the diffuse scalar and a highlight's scaled distance
+    bool highlight_product;  ///< path 5: the patch has the scalars of a HighlightProduct
     bool linear_diffuse;     ///< path 4: the diffuse scalar is in `light`
     HighlightPixels pixels;  ///< path 4, linear_diffuse: the loop that suffices
-    std::uint32_t highlight_weight;  ///< path 4: of the light, if there are several
+    std::uint32_t highlight_weight;  ///< paths 4 and 5: of the light, if there are several
+    std::int32_t product_origin;     ///< path 5: HighlightProduct::set_origin()
   };
 
   template <class Frame>
@@ -57,6 +60,7 @@ struct AdaptivePaths : Arc<Illumination> {
     prepared.middle_left = frame.middle_left;
     prepared.linear_light = false;
     prepared.highlight_patch = false;
+    prepared.highlight_product = false;
     prepared.segment_bits = 0;
     Path path = Path::kWide;
     if (prepare_own_path(lighting, frame, path, prepared)) return;
@@ -141,6 +145,12 @@ struct AdaptivePaths : Arc<Illumination> {
                                                                    weight_of(prepared)));
       }
     }
+    if constexpr (kHasHighlightProduct) {
+      if (prepared.highlight_product) {
+        return draw(HighlightProductWalker<Lighting>(prepared.patch, prepared.middle_left,
+                                                     prepared.product_origin, weight_of(prepared)));
+      }
+    }
     if constexpr (Segments) {
       if (prepared.segment_bits != 0) {
         return Base::template walk<WalkedPaths::kPrepared>(prepared, [&](auto walker) {
@@ -161,6 +171,9 @@ struct AdaptivePaths : Arc<Illumination> {
 
  private:
   static constexpr bool kHasHighlightPatch = Base::kHasDiffusePath;
+  static constexpr bool kHasHighlightProduct = kHasHighlightPatch && requires {
+    requires Illumination::kModel == Highlight::kPhong;
+  };
   [[nodiscard]] static constexpr std::uint32_t weight_of(const Prepared& prepared) {
     if constexpr (Illumination::kLights == 1) return std::uint32_t{1} << 15;
     return prepared.highlight_weight;
@@ -294,6 +307,10 @@ struct AdaptivePaths : Arc<Illumination> {
         return prepared.highlight_patch;
       }
     }
+    if constexpr (kHasHighlightProduct) {
+      if (fits_patch) prepare_highlight_product(lighting, frame, nearest.light, prepared);
+      return prepared.highlight_product;
+    }
     return false;
   }
 
@@ -360,6 +377,32 @@ struct AdaptivePaths : Arc<Illumination> {
     }
     make_distance_surface(lighting, frame, light, factors, half, prepared.patch[1]);
     return true;
+  }
+
+  template <class Frame>
+  ARCSPAN_OUTLINE static constexpr void prepare_highlight_product(const Lighting& lighting,
+                                                                  const Frame& frame,
+                                                                  std::size_t nearest_light,
+                                                                  Prepared& prepared) {
+    const std::size_t light = Illumination::kLights == 1 ? 0 : nearest_light;
+    std::uint32_t lit = 0;
+    if (light == Illumination::kLights || lighting.highlight_patch_limit() == 0 ||
+        !lit_throughout(lighting, frame, lit))
+      return;
+    const std::int32_t lit_from = lighting.fade_end().raw() + (std::int32_t{1} << 20);
+    if (frame.top->shade.scalars[light].raw() < lit_from ||
+        frame.middle->shade.scalars[light].raw() < lit_from ||
+        frame.bottom->shade.scalars[light].raw() < lit_from)
+      return;
+    prepared.highlight_product = true;
+    if constexpr (Illumination::kLights > 1) {
+      prepared.highlight_weight = lighting.highlight_weight(light);
+      make_patch_scalar(frame, sagitta_factors_of(frame.chords), diffuse_scalars(lighting, frame, lit),
+                        prepared.patch[0]);
+    }
+    prepared.product_origin =
+        lighting.highlight_table().scaled_factor(Cosine::from_raw(lighting.half_distance({}, {}, light))).raw();
+    make_highlight_product(lighting, frame, light, prepared.patch);
   }
 };
 

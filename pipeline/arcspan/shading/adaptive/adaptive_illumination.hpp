@@ -106,6 +106,7 @@ class AdaptiveIllumination : public Illumination {
     if (more >= HighlightBound::kBrightest - 1) return highlight_patch_limit_;
     return highlight_patch_limit_of(limit_at_slope(distance_limit_, more));
   }
+  [[nodiscard]] constexpr bool may_multiply() const { return distance_limit_ != 0; }
   [[nodiscard]] constexpr const HighlightTable& highlight_table() const { return highlight_table_; }
 
   /// Starts the diffuse_scalar() and the scaled distance of a light's highlight over a piece of a row, from a

@@ -4,6 +4,7 @@
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/shading/adaptive/highlight_patch.hpp>
+#include <arcspan/shading/adaptive/highlight_product.hpp>
 #include <arcspan/shading/arc/wide_walker.hpp>
 #include <arcspan/target.hpp>
 
@@ -91,6 +92,7 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
   using Base = WideWalker<Pixels, Count>;
   using Run = AdaptiveWideRun<Lighting, Count>;
   using Base::Base;
+  static constexpr bool kMultiplies = Lighting::kLights == 1 && Lighting::kModel == Highlight::kPhong;
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
     return Run(this->piece_at(start));
@@ -107,11 +109,19 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
     const auto& ends = piece.ends;
     const PieceLights lights = lights_of_piece(lighting, ends, lighting.half_tolerance_reach());
     if (lights.throughout && lights.shining == 1) {
-      PieceRun<HighlightPatchRun<Lighting>> run;
-      if (lighting.start_highlight(ends.left, ends.right, lights.highlight, lights.lit, steps, ends.angle2,
-                                   run)) {
-        run.set_weight(lighting.highlight_weight(lights.highlight));
-        return draw(Base::started(piece, run));
+      if constexpr (kMultiplies) {
+        if (lighting.may_multiply() && is_lit(lighting, ends.left[0]) && is_lit(lighting, ends.right[0])) {
+          PieceRun<HighlightProductRun<Lighting>> run;
+          start_product(lighting, piece, steps, run);
+          return draw(Base::started(piece, run));
+        }
+      } else {
+        PieceRun<HighlightPatchRun<Lighting>> run;
+        if (lighting.start_highlight(ends.left, ends.right, lights.highlight, lights.lit, steps, ends.angle2,
+                                     run)) {
+          run.set_weight(lighting.highlight_weight(lights.highlight));
+          return draw(Base::started(piece, run));
+        }
       }
     }
     if constexpr (Lighting::kLights > 1) {
@@ -125,6 +135,24 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
       auto run = Base::template run_of<PieceRun<Pixels>>(piece, steps);
       return draw(run);
     }
+  }
+
+ private:
+  [[nodiscard]] static constexpr bool is_lit(const Lighting& lighting, Cosine light) {
+    return light.raw() >= lighting.fade_end().raw() + (std::int32_t{1} << 20);
+  }
+  template <class Piece, class ProductRun>
+  ARCSPAN_INLINE static constexpr void start_product(const Lighting& lighting, const Piece& piece,
+                                                     const PieceSteps& steps, ProductRun& run) {
+    const HighlightTable& table = lighting.highlight_table();
+    run.set_origin(table.scaled_factor(Cosine::from_raw(lighting.half_distance({}, {}, 0))).raw());
+    const auto start = [&](std::size_t i, Cosine a, Cosine b) {
+      Parabola f = parabola_of(steps, a, b);
+      f.x += ProductRun::kHalf;
+      run.start_at(i, f);
+    };
+    start(0, piece.ends.left[0], piece.ends.right[0]);
+    start(1, table.scaled_factor(piece.ends.left[1]), table.scaled_factor(piece.ends.right[1]));
   }
 };
 

@@ -26,6 +26,8 @@ using CurvedSteps = std::conditional_t<kHasWideRegisters, JoinedRun<0, false>, S
 /// differences.
 class CurvedHighlight : public CurvedSteps {
  public:
+  static constexpr std::size_t kUsed = 2;
+
   [[nodiscard]] constexpr Cosine diffuse() const { return scalars()[0]; }
   [[nodiscard]] constexpr std::int32_t distance() const { return scalars()[1].raw(); }
 };
@@ -33,6 +35,8 @@ class CurvedHighlight : public CurvedSteps {
 /// Like CurvedHighlight, with a diffuse scalar that is linear on the screen.
 class LinearHighlight {
  public:
+  static constexpr std::size_t kUsed = 2;
+
   ARCSPAN_INLINE constexpr void start(FullLinear light, FullLinear step, const PatchScalar& distance,
                                       const RowStart& start) {
     light_ = Cosine::from_raw(light.raw());
@@ -65,8 +69,6 @@ enum class HighlightPixels : std::uint8_t {
 template <class Lighting, class Steps, HighlightPixels kPixels>
 class SteppedHighlightRun : public Steps {
  public:
-  static constexpr std::size_t kUsed = 2;
-
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
     if constexpr (kPixels == HighlightPixels::kOnlyWhite) {
       return lighting.colour_with_white_at(this->diffuse(), this->distance());

@@ -265,11 +265,12 @@ struct AdaptivePaths : Arc<Illumination> {
     if constexpr (Base::kHasDiffusePath) {
       if (is_arc) {
         nearest = nearest_highlight(lighting, frame);
-        std::uint32_t lit = 0;
-        if (nearest.distance >= lighting.half_tolerance_reach() && lit_throughout(lighting, frame, lit)) {
-          if (prepare_linear_light(lighting, frame, lighting.linear_limit(nearest.distance), lit, prepared))
+        if (nearest.distance >= lighting.half_tolerance_reach()) {
+          std::uint32_t lit = 0;
+          if (lit_throughout(lighting, frame, lit) &&
+              prepare_linear_light(lighting, frame, lighting.linear_limit(nearest.distance), lit, prepared))
             return true;
-          path = Base::diffuse_path(patch_fits(frame), widest);
+          path = Base::diffuse_path(lighting, frame, patch_fits(frame), widest);
           return false;
         }
       }
@@ -279,9 +280,8 @@ struct AdaptivePaths : Arc<Illumination> {
     if (is_arc && (!fits_patch || widest > distance_limit)) [[unlikely]] {
       const WidePatches wide = wide_patches_of(lighting, frame, widest, nearest, fits_patch);
       if constexpr (Base::kHasDiffusePath) {
-        std::uint32_t lit = 0;
-        if (wide.nearest >= lighting.half_tolerance_reach() && lit_throughout(lighting, frame, lit)) {
-          path = Base::diffuse_path(patch_fits(frame), widest);
+        if (wide.nearest >= lighting.half_tolerance_reach()) {
+          path = Base::diffuse_path(lighting, frame, patch_fits(frame), widest);
           return false;
         }
       }

@@ -46,6 +46,8 @@ struct ArcUpTo {
   enum class Path : std::uint8_t {
     kPatch,            ///< a patch of every scalar
     kDiffusePatch,     ///< a patch of N·L only; no highlight is within reach
+    kDiffuseSumPatch,  ///< a patch of N·L of every light; no highlight is within reach, and one of several
+                       ///< grey lights reaches a part of the triangle
     kSteppedDistance,  ///< a patch for SteppedDistanceRun; Blinn's highlight of one light is within reach
     kOneHighlight,  ///< a patch for OneHighlightRun; the highlight of one of several lights is within reach
     kWide,          ///< rows in pieces: normals too far apart for a patch, slivers, triangles larger than
@@ -120,6 +122,11 @@ struct ArcUpTo {
         return draw(PatchWalker<PatchRun<Lighting, 1>, kScalars>(prepared.patch, prepared.middle_left));
       }
     }
+    if constexpr (kAll && kSumsLights) {
+      if (prepared.path == Path::kDiffuseSumPatch)
+        return draw(
+            PatchWalker<PatchRun<Lighting, Illumination::kLights>, kScalars>(prepared.patch, prepared.middle_left));
+    }
     using Pixels = std::conditional_t<kAlwaysSteps, SteppedDistanceRun<Lighting>, AllScalars>;
     return draw(PatchWalker<Pixels, kScalars>(prepared.patch, prepared.middle_left));
   }
@@ -155,6 +162,7 @@ struct ArcUpTo {
 
  protected:
   static constexpr bool kHasDiffusePath = Illumination::kHasRamp;
+  static constexpr bool kSumsLights = kHasDiffusePath && Illumination::kLights > 1;
   static constexpr bool kFindsFaintHighlights = kWidest != WidestNormals::kWithinPatches;
   /// True if wide triangles without highlight carry N·L only. That is only faster; the colours are the same.
   static constexpr bool kHasDiffuseWide = Illumination::kLights == 1 && !kOptimisedForSize;
@@ -194,7 +202,9 @@ struct ArcUpTo {
   static constexpr void prepare_path(const Lighting& lighting, Frame& frame, Path path, Prepared& prepared) {
     prepared.middle_left = frame.middle_left;
     prepared.path = path;
-    const std::size_t count = path == Path::kDiffusePatch || path == Path::kDiffuseWide ? 1 : kScalars;
+    const std::size_t count = path == Path::kDiffusePatch || path == Path::kDiffuseWide ? 1
+                              : path == Path::kDiffuseSumPatch                          ? Illumination::kLights
+                                                                                        : kScalars;
     const TriangleChords& chords = frame.chords;
     if (path == Path::kWide || path == Path::kDiffuseWide) {
       prepare_wide(frame, count, widest_piece(lighting.widest_patch()), prepared.wide);
@@ -216,9 +226,15 @@ struct ArcUpTo {
   }
 
   /// Returns the path of a triangle without highlight; `fits` is patch_fits().
-  [[nodiscard]] static constexpr Path diffuse_path(bool fits, std::uint32_t widest) {
-    if (fits && widest <= kWidestDiffusePatch) return Path::kDiffusePatch;
-    return kHasDiffuseWide ? Path::kDiffuseWide : Path::kWide;
+  template <class Frame>
+  [[nodiscard]] static constexpr Path diffuse_path(const Lighting& lighting, const Frame& frame, bool fits,
+                                                   std::uint32_t widest) {
+    if (!fits || widest > kWidestDiffusePatch) return kHasDiffuseWide ? Path::kDiffuseWide : Path::kWide;
+    if constexpr (kSumsLights) {
+      std::uint32_t lit = 0;
+      if (!lit_throughout(lighting, frame, lit)) return Path::kDiffuseSumPatch;
+    }
+    return Path::kDiffusePatch;
   }
 
   /// Returns the path of a triangle; `widest` is its widest squared chord, 28 fraction bits.
@@ -228,12 +244,9 @@ struct ArcUpTo {
     if (widest > kWidestArc) return Path::kWide;
     const bool fits = patch_fits(frame);
     if constexpr (kHasDiffusePath) {
-      std::uint32_t lit = 0;
       if (!lighting.may_shine(frame.top->shade.scalars, frame.middle->shade.scalars,
-                              frame.bottom->shade.scalars, arc_headroom(widest)) &&
-          lit_throughout(lighting, frame, lit)) {
-        return diffuse_path(fits, widest);
-      }
+                              frame.bottom->shade.scalars, arc_headroom(widest)))
+        return diffuse_path(lighting, frame, fits, widest);
     }
     if (!fits) return Path::kWide;
     if (is_accurate_patch(frame, widest, lighting.widest_patch())) return Path::kPatch;
@@ -249,9 +262,7 @@ struct ArcUpTo {
                                                                         std::uint32_t widest) {
     const HighlightBound bound = highlights_over(lighting, frame);
     if constexpr (kHasDiffusePath) {
-      std::uint32_t lit = 0;
-      if (bound.nearest >= lighting.power().half_reach() && lit_throughout(lighting, frame, lit))
-        return diffuse_path(true, widest);
+      if (bound.nearest >= lighting.power().half_reach()) return diffuse_path(lighting, frame, true, widest);
     }
     const bool is_patch = is_accurate_patch_at_slope(lighting, frame, widest, bound.relative_slope);
     return is_patch ? Path::kPatch : Path::kWide;

@@ -154,7 +154,7 @@ class WideWalker {
                                                          const Draw& draw) const requires
       kHasGreyLights<Lighting> {
     const Piece piece = piece_at(start);
-    PieceLights lights{};
+    PieceLights lights{false, 0, Lighting::kLights, 0};
     if (lighting.lights() != 1) lights = lights_of_piece(lighting, piece.ends, lighting.power().half_reach());
     return draw_by_lights(piece, piece.steps(), lights, lighting, draw);
   }
@@ -214,10 +214,14 @@ class WideWalker {
   [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_by_lights(
       const Piece& piece, const PieceSteps& steps, const PieceLights& lights, const Lighting& lighting,
       const Draw& draw) const requires kHasGreyLights<Lighting> {
-    if (lights.throughout && lights.shining == 0) {
-      PieceRun<PatchRun<Lighting, 1>> run;
-      piece.start_diffuse(steps, lighting, lights.lit, run);
-      return draw(started(piece, run));
+    if (lights.shining == 0) {
+      if (lights.throughout) {
+        PieceRun<PatchRun<Lighting, 1>> run;
+        piece.start_diffuse(steps, lighting, lights.lit, run);
+        return draw(started(piece, run));
+      }
+      auto run = run_of<PieceRun<PatchRun<Lighting, Lighting::kLights>>>(piece, steps);
+      return draw(run);
     }
     if constexpr (Lighting::kDrawsOneHighlight) {
       if (lights.throughout && lights.shining == 1 && lighting.draws_one_highlight()) {

@@ -79,7 +79,7 @@ inline constexpr bool kHasProduct = kHasWideRegisters&& Used == 2 && requires {
 };
 
 /// The pixels of a row (PixelRun), coloured by the first `Used` scalars of the illumination: all of them, or
-/// N·L only.
+/// without highlight by N·L of one light or of every light.
 template <class Lighting, std::size_t Used>
 class PatchRun
     : public std::conditional_t<kHasProduct<Lighting, Used>, JoinedRun<1, true>, SecondDifferenceRun<Used>> {
@@ -94,7 +94,7 @@ class PatchRun
     if constexpr (Used == Lighting::kScalars) {
       return lighting.colour(this->scalars());
     } else {
-      return lighting.diffuse_colour(this->scalars()[0]);
+      return lighting.diffuse_colour(diffuse(lighting));
     }
   }
   /// Returns the parts of colour() (LightRun).
@@ -102,7 +102,7 @@ class PatchRun
     if constexpr (Used == Lighting::kScalars) {
       return lighting.light(this->scalars());
     } else {
-      return {lighting.diffuse_colour(this->scalars()[0]), {}};
+      return {lighting.diffuse_colour(diffuse(lighting)), {}};
     }
   }
   /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
@@ -120,7 +120,16 @@ class PatchRun
         return encode_varying<Format>(colour(lighting));
       }
     } else {
-      return encoded[this->scalars()[0]];
+      return encoded[diffuse(lighting)];
+    }
+  }
+
+ private:
+  [[nodiscard]] ARCSPAN_INLINE constexpr Cosine diffuse(const Lighting& lighting) const {
+    if constexpr (Used == 1) {
+      return this->scalars()[0];
+    } else {
+      return lighting.diffuse_sum(this->scalars());
     }
   }
 };

@@ -161,7 +161,7 @@ struct AdaptivePaths : Arc<Illumination> {
     if constexpr (kAdaptsWideRows) {
       if (prepared.path == Path::kWide) {
         return draw(AdaptiveWideWalker<Lighting, PatchRun<Illumination, Base::kScalars>, Base::kScalars>(
-            prepared.wide));
+            prepared.wide, prepared.product_origin));
       }
       return Base::template walk<WalkedPaths::kExceptWide>(prepared, draw);
     } else {
@@ -237,14 +237,10 @@ struct AdaptivePaths : Arc<Illumination> {
                                                                              const NearestHighlight& nearest,
                                                                              bool fits_patch) {
     WidePatches wide{nearest.distance, fits_patch, lighting.highlight_patch_limit()};
-    const bool may_step_distance =
-        kHasHighlightPatch && wide.distance_limit != 0 && nearest.light != Illumination::kLights &&
-        (frame.width >> 16) * static_cast<std::uint32_t>(frame.long_edge.dy) >= kLeastWideArea;
-    if (!patch_fits(frame) || (fits_patch && !may_step_distance)) return wide;
+    if (!patch_fits(frame)) return wide;
     const HighlightBound bound = highlights_over(lighting, frame);
     if (bound.nearest > wide.nearest) wide.nearest = bound.nearest;
     wide.fits_patch = fits_patch || is_accurate_patch_at_slope(lighting, frame, widest, bound.relative_slope);
-    if (may_step_distance) wide.distance_limit = lighting.highlight_patch_limit_at(bound.slope);
     return wide;
   }
 
@@ -277,7 +273,7 @@ struct AdaptivePaths : Arc<Illumination> {
     }
     bool fits_patch = is_accurate_patch(frame, widest, lighting.widest_patch()) && patch_fits(frame);
     std::uint32_t distance_limit = lighting.highlight_patch_limit();
-    if (is_arc && (!fits_patch || widest > distance_limit)) [[unlikely]] {
+    if (is_arc && !fits_patch) [[unlikely]] {
       const WidePatches wide = wide_patches_of(lighting, frame, widest, nearest, fits_patch);
       if constexpr (Base::kHasDiffusePath) {
         if (wide.nearest >= lighting.half_tolerance_reach()) {
@@ -308,6 +304,8 @@ struct AdaptivePaths : Arc<Illumination> {
       }
     }
     if constexpr (kHasHighlightProduct) {
+      prepared.product_origin =
+          lighting.highlight_table().scaled_factor(Cosine::from_raw(lighting.half_distance({}, {}, 0))).raw();
       if (fits_patch) prepare_highlight_product(lighting, frame, nearest.light, prepared);
       return prepared.highlight_product;
     }

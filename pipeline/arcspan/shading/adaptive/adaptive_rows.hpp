@@ -91,8 +91,10 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
  public:
   using Base = WideWalker<Pixels, Count>;
   using Run = AdaptiveWideRun<Lighting, Count>;
-  using Base::Base;
   static constexpr bool kMultiplies = Lighting::kLights == 1 && Lighting::kModel == Highlight::kPhong;
+
+  constexpr AdaptiveWideWalker(typename Base::Prepared& triangle, std::int32_t product_origin)
+      : Base(triangle), product_origin_(product_origin) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
     return Run(this->piece_at(start));
@@ -142,10 +144,10 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
     return light.raw() >= lighting.fade_end().raw() + (std::int32_t{1} << 20);
   }
   template <class Piece, class ProductRun>
-  ARCSPAN_INLINE static constexpr void start_product(const Lighting& lighting, const Piece& piece,
-                                                     const PieceSteps& steps, ProductRun& run) {
+  ARCSPAN_INLINE constexpr void start_product(const Lighting& lighting, const Piece& piece,
+                                                     const PieceSteps& steps, ProductRun& run) const {
     const HighlightTable& table = lighting.highlight_table();
-    run.set_origin(table.scaled_factor(Cosine::from_raw(lighting.half_distance({}, {}, 0))).raw());
+    run.set_origin(product_origin_);
     const auto start = [&](std::size_t i, Cosine a, Cosine b) {
       Parabola f = parabola_of(steps, a, b);
       f.x += ProductRun::kHalf;
@@ -154,6 +156,8 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
     start(0, piece.ends.left[0], piece.ends.right[0]);
     start(1, table.scaled_factor(piece.ends.left[1]), table.scaled_factor(piece.ends.right[1]));
   }
+
+  std::int32_t product_origin_;
 };
 
 }  // namespace arcspan

@@ -41,7 +41,7 @@ class EncodedColourTable {
     for (std::size_t i = Size / 2; Size > 256 && i < Size; ++i) colours_[i] = colours_[0];
   }
 
-  [[nodiscard]] constexpr Encoded operator[](Cosine normal_light) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr Encoded operator[](Cosine normal_light) const {
     if constexpr (Size == 256)
       return colours_[static_cast<std::size_t>(clamped_unsigned<8, 22>(normal_light.raw()))];
     return colours_[static_cast<std::uint32_t>(normal_light.raw()) >> 22];

@@ -185,7 +185,7 @@ struct AdaptivePaths : Arc<Illumination> {
   }
   /// True if white highlights have loops of their own. They are only faster; the colours are the same.
   static constexpr bool kHasWhiteLoops = !kOptimisedForSize && Illumination::kLights == 1;
-  static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath;
+  static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath && !kOptimisedForSize;
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the error of linear light is bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;
 
@@ -256,6 +256,10 @@ struct AdaptivePaths : Arc<Illumination> {
   [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_own_path(const Lighting& lighting, Frame& frame,
                                                                       Path& path, Prepared& prepared) {
     const std::uint32_t widest = frame.chords.widest();
+    if (Base::kDrawsDark && Base::is_dark(frame)) {
+      path = Path::kDark;
+      return false;
+    }
     const bool is_arc = widest <= kWidestArc;  // wider chords say too little of their angles
     NearestHighlight nearest{};
     if constexpr (Base::kHasDiffusePath) {

@@ -112,7 +112,8 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
     const PieceLights lights = lights_of_piece(lighting, ends, lighting.half_tolerance_reach());
     if (lights.throughout && lights.shining == 1) {
       if constexpr (kMultiplies) {
-        if (lighting.may_multiply() && is_lit(lighting, ends.left[0]) && is_lit(lighting, ends.right[0])) {
+        constexpr int kLeastExponent = 18;
+        if (steps.exponent >= kLeastExponent && lighting.may_multiply() && is_lit(lighting, ends.left[0]) && is_lit(lighting, ends.right[0])) {
           PieceRun<HighlightProductRun<Lighting>> run;
           start_product(lighting, piece, steps, run);
           return draw(Base::started(piece, run));

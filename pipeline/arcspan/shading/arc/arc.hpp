@@ -53,6 +53,7 @@ struct ArcUpTo {
     kWide,          ///< rows in pieces: normals too far apart for a patch, slivers, triangles larger than
                     ///< kLargestPatch, the fade of Blinn's highlight
     kDiffuseWide,   ///< rows in pieces, N·L only
+    kDark,          ///< no light reaches the triangle
   };
   static constexpr bool kHasOneHighlight = requires { requires Illumination::kDrawsOneHighlight; };
   struct Prepared {
@@ -113,6 +114,9 @@ struct ArcUpTo {
     if constexpr (kPaths != WalkedPaths::kExceptWide) {
       if (prepared.path == Path::kWide) return draw(WideWalker<AllScalars, kScalars, kWidest>(prepared.wide));
     }
+    if constexpr (kAll && kDrawsDark) {
+      if (prepared.path == Path::kDark) return draw(DarkWalker<Lighting>{});
+    }
     if constexpr (kHasDiffusePath) {
       if constexpr (kHasDiffuseWide) {
         if (prepared.path == Path::kDiffuseWide)
@@ -162,6 +166,7 @@ struct ArcUpTo {
 
  protected:
   static constexpr bool kHasDiffusePath = Illumination::kHasRamp;
+  static constexpr bool kDrawsDark = kHasDiffusePath && kWidest == WidestNormals::kAny;
   static constexpr bool kSumsLights = kHasDiffusePath && Illumination::kLights > 1;
   static constexpr bool kFindsFaintHighlights = kWidest != WidestNormals::kWithinPatches;
   /// True if wide triangles without highlight carry N·L only. That is only faster; the colours are the same.
@@ -202,6 +207,7 @@ struct ArcUpTo {
   static constexpr void prepare_path(const Lighting& lighting, Frame& frame, Path path, Prepared& prepared) {
     prepared.middle_left = frame.middle_left;
     prepared.path = path;
+    if (kDrawsDark && path == Path::kDark) return;
     const std::size_t count = path == Path::kDiffusePatch || path == Path::kDiffuseWide ? 1
                               : path == Path::kDiffuseSumPatch                          ? Illumination::kLights
                                                                                         : kScalars;
@@ -237,10 +243,16 @@ struct ArcUpTo {
     return Path::kDiffusePatch;
   }
 
+  template <class Frame>
+  [[nodiscard]] static constexpr bool is_dark(const Frame& frame) {
+    return Small::is_dark(frame.top->shade.scalars, frame.middle->shade.scalars, frame.bottom->shade.scalars);
+  }
+
   /// Returns the path of a triangle; `widest` is its widest squared chord, 28 fraction bits.
   template <class Frame>
   [[nodiscard]] static constexpr Path choose_path(const Lighting& lighting, const Frame& frame,
                                                   std::uint32_t widest) {
+    if (kDrawsDark && is_dark(frame)) return Path::kDark;
     if (widest > kWidestArc) return Path::kWide;
     const bool fits = patch_fits(frame);
     if constexpr (kHasDiffusePath) {

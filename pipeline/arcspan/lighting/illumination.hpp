@@ -114,11 +114,11 @@ class Illumination : private FadeFor<Features>,
                                                 std::uint32_t lit) const requires kHasRamp {
     return mean_light(scalars, lit);
   }
-  /// The scalar of which diffuse_colour() is the diffuse part of colour(), by the N·L of several lights, which
-  /// are the first of `scalars`.
+  /// The scalar of which diffuse_colour() is the diffuse part of colour(), by the N·L of several lights,
+  /// which are the first of `scalars`.
   template <std::size_t Count>
   [[nodiscard]] ARCSPAN_INLINE constexpr Cosine diffuse_sum(const std::array<Cosine, Count>& scalars) const
-      requires(kHasRamp && Lights > 1 && Count >= Lights);
+      requires(kHasRamp&& Lights > 1 && Count >= Lights);
   /// Sets `lit` to the lights that reach a triangle with these scalars at its vertices. Returns false if one
   /// of several reaches only a part of it, where diffuse_scalar() does not hold. With all N·L of one sign at
   /// the vertices, they have it everywhere.

@@ -85,7 +85,7 @@ ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_grey_li
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 template <std::size_t Count>
 ARCSPAN_INLINE constexpr Cosine Illumination<Lights, Model, Features>::diffuse_sum(
-    const std::array<Cosine, Count>& scalars) const requires(kHasRamp && Lights > 1 && Count >= Lights) {
+    const std::array<Cosine, Count>& scalars) const requires(kHasRamp&& Lights > 1 && Count >= Lights) {
   std::uint32_t sum = 0;
   unrolled<Lights>([&](auto i) {
     const std::int32_t light = scalars[i].raw() >> 15;

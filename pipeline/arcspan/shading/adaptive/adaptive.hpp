@@ -32,7 +32,8 @@ namespace arcspan {
 /// 4. A patch of N·L and of a highlight's distance: within reach of the highlight of one light, with all
 ///    vertices lit; under R·V only where normals are close or the highlight is faint. N·L is linear if both
 ///    errors together are within the tolerance.
-/// 5. The paths of Arc: a patch of every scalar or of one highlight, or arcs.
+/// 5. A patch of the diffuse scalar and the factors of a highlight R·V: as path 4, for wider normals.
+/// 6. The paths of Arc: a patch of every scalar or of one highlight, or arcs.
 ///
 /// `Segments` false leaves out path 3.
 template <class Illumination, bool Segments>
@@ -64,6 +65,9 @@ struct AdaptivePaths : Arc<Illumination> {
     prepared.segment_bits = 0;
     Path path = Path::kWide;
     if (prepare_own_path(lighting, frame, path, prepared)) return;
+    if constexpr (kAdaptsWideRows && kMayMultiplyPieces<Illumination>) {
+      if (path == Path::kWide) prepared.product_origin = product_origin(lighting, 0);
+    }
     if constexpr (Segments) {
       if (prepared.segment_bits != 0) {
         Base::prepare_path(lighting, frame, path, prepared);
@@ -147,8 +151,8 @@ struct AdaptivePaths : Arc<Illumination> {
     }
     if constexpr (kHasHighlightProduct) {
       if (prepared.highlight_product) {
-        return draw(HighlightProductWalker<Lighting>(prepared.patch, prepared.middle_left,
-                                                     prepared.product_origin, weight_of(prepared)));
+        return draw(HighlightProductWalker<Lighting, Base::kScalars>(
+            prepared.patch, prepared.middle_left, prepared.product_origin, weight_of(prepared)));
       }
     }
     if constexpr (Segments) {
@@ -171,9 +175,7 @@ struct AdaptivePaths : Arc<Illumination> {
 
  private:
   static constexpr bool kHasHighlightPatch = Base::kHasDiffusePath;
-  static constexpr bool kHasHighlightProduct = kHasHighlightPatch && requires {
-    requires Illumination::kModel == Highlight::kPhong;
-  };
+  static constexpr bool kHasHighlightProduct = kHasHighlightPatch && kMayReflect<Illumination>;
   [[nodiscard]] static constexpr std::uint32_t weight_of(const Prepared& prepared) {
     if constexpr (Illumination::kLights == 1) return std::uint32_t{1} << 15;
     return prepared.highlight_weight;
@@ -188,10 +190,6 @@ struct AdaptivePaths : Arc<Illumination> {
   static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath && !kOptimisedForSize;
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the error of linear light is bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;
-
-  /// The least product of a triangle's width and height (square pixels, 4 fraction bits) from which on chords
-  /// beyond highlight_patch_limit() may be patches of a distance. Smaller triangles lose time by them.
-  static constexpr std::uint32_t kLeastWideArea = 256 << 4;
 
   /// The highlights of a triangle.
   struct NearestHighlight {
@@ -227,7 +225,6 @@ struct AdaptivePaths : Arc<Illumination> {
   struct WidePatches {
     std::int32_t nearest;  ///< NearestHighlight::distance
     bool fits_patch;
-    std::uint32_t distance_limit;  ///< AdaptiveIllumination::highlight_patch_limit()
   };
   /// `nearest` and `fits_patch`: the values found without the bounds of the highlights.
   template <class Frame>
@@ -236,7 +233,7 @@ struct AdaptivePaths : Arc<Illumination> {
                                                                              std::uint32_t widest,
                                                                              const NearestHighlight& nearest,
                                                                              bool fits_patch) {
-    WidePatches wide{nearest.distance, fits_patch, lighting.highlight_patch_limit()};
+    WidePatches wide{nearest.distance, fits_patch};
     if (!patch_fits(frame)) return wide;
     const HighlightBound bound = highlights_over(lighting, frame);
     if (bound.nearest > wide.nearest) wide.nearest = bound.nearest;
@@ -276,7 +273,6 @@ struct AdaptivePaths : Arc<Illumination> {
       }
     }
     bool fits_patch = is_accurate_patch(frame, widest, lighting.widest_patch()) && patch_fits(frame);
-    std::uint32_t distance_limit = lighting.highlight_patch_limit();
     if (is_arc && !fits_patch) [[unlikely]] {
       const WidePatches wide = wide_patches_of(lighting, frame, widest, nearest, fits_patch);
       if constexpr (Base::kHasDiffusePath) {
@@ -287,7 +283,6 @@ struct AdaptivePaths : Arc<Illumination> {
       }
       nearest.distance = wide.nearest;
       fits_patch = wide.fits_patch;
-      distance_limit = wide.distance_limit;
     }
     path = fits_patch ? Path::kPatch : Path::kWide;
     if constexpr (Segments) {
@@ -298,7 +293,7 @@ struct AdaptivePaths : Arc<Illumination> {
       }
     }
     if constexpr (kHasHighlightPatch) {
-      if (fits_patch && widest <= distance_limit) {
+      if (fits_patch && widest <= lighting.highlight_patch_limit()) {
         prepared.highlight_patch = prepare_highlight_patch(lighting, frame, nearest.light, prepared);
         if constexpr (kHasWhiteLoops) {
           if (prepared.highlight_patch && prepared.linear_diffuse)
@@ -308,12 +303,10 @@ struct AdaptivePaths : Arc<Illumination> {
       }
     }
     if constexpr (kHasHighlightProduct) {
-      prepared.product_origin =
-          lighting.highlight_table().scaled_factor(Cosine::from_raw(lighting.half_distance({}, {}, 0))).raw();
-      if (fits_patch) prepare_highlight_product(lighting, frame, nearest.light, prepared);
-      return prepared.highlight_product;
+      if (fits_patch)
+        prepared.highlight_product = prepare_highlight_product(lighting, frame, nearest.light, prepared);
     }
-    return false;
+    return prepared.highlight_product;
   }
 
   /// Makes the plane of a diffuse scalar, of a triangle of at most kWidestBounded, if its error is within
@@ -355,13 +348,7 @@ struct AdaptivePaths : Arc<Illumination> {
     std::uint32_t lit = 0;
     if (light == Illumination::kLights || !lit_throughout(lighting, frame, lit)) return false;
     if constexpr (Illumination::kLights > 1) prepared.highlight_weight = lighting.highlight_weight(light);
-    // Above 0 or the end of the fade by 2^-10, which is more than any rounding error.
-    const std::int32_t lit_from = lighting.fade_end().raw() + (std::int32_t{1} << 20);
-    const auto& top = frame.top->shade.scalars;
-    const auto& middle = frame.middle->shade.scalars;
-    const auto& bottom = frame.bottom->shade.scalars;
-    if (top[light].raw() < lit_from || middle[light].raw() < lit_from || bottom[light].raw() < lit_from)
-      return false;
+    if (!is_fully_lit(lighting, frame, light)) return false;
     EdgeSagittaFactors factors{};
     if (!has_linear_distance(lighting)) factors = sagitta_factors_of(frame.chords);
     const HalfDistances half = half_distances_of(lighting, frame, light, factors);
@@ -381,30 +368,42 @@ struct AdaptivePaths : Arc<Illumination> {
     return true;
   }
 
+  /// Prepares the diffuse scalar and the HighlightFactors of one light as patches. Returns false as
+  /// prepare_highlight_patch() does, or if no highlight is computed so.
   template <class Frame>
-  ARCSPAN_OUTLINE static constexpr void prepare_highlight_product(const Lighting& lighting,
-                                                                  const Frame& frame,
-                                                                  std::size_t nearest_light,
-                                                                  Prepared& prepared) {
+  [[nodiscard]] ARCSPAN_OUTLINE static constexpr bool prepare_highlight_product(const Lighting& lighting,
+                                                                                const Frame& frame,
+                                                                                std::size_t nearest_light,
+                                                                                Prepared& prepared) {
+    if (lighting.model() != Highlight::kPhong || !lighting.multiplies_highlights()) return false;
     const std::size_t light = Illumination::kLights == 1 ? 0 : nearest_light;
     std::uint32_t lit = 0;
-    if (light == Illumination::kLights || lighting.highlight_patch_limit() == 0 ||
-        !lit_throughout(lighting, frame, lit))
-      return;
-    const std::int32_t lit_from = lighting.fade_end().raw() + (std::int32_t{1} << 20);
-    if (frame.top->shade.scalars[light].raw() < lit_from ||
-        frame.middle->shade.scalars[light].raw() < lit_from ||
-        frame.bottom->shade.scalars[light].raw() < lit_from)
-      return;
-    prepared.highlight_product = true;
+    if (light == Illumination::kLights || !lit_throughout(lighting, frame, lit) ||
+        !is_fully_lit(lighting, frame, light))
+      return false;
+    using Product = HighlightProductRun<Lighting>;
+    const EdgeSagittaFactors factors = sagitta_factors_of(frame.chords);
+    make_factor_surfaces(lighting, frame, light, factors, prepared.patch[Product::kLight],
+                         prepared.patch[Product::kEye]);
+    prepared.product_origin = product_origin(lighting, light);
     if constexpr (Illumination::kLights > 1) {
       prepared.highlight_weight = lighting.highlight_weight(light);
-      make_patch_scalar(frame, sagitta_factors_of(frame.chords), diffuse_scalars(lighting, frame, lit),
-                        prepared.patch[0]);
+      if (lighting.lights() == 1) {
+        prepared.patch[0] = prepared.patch[Product::kLight];  // with the same rounding as by one light
+      } else {
+        make_patch_scalar(frame, factors, diffuse_scalars(lighting, frame, lit), prepared.patch[0]);
+      }
     }
-    prepared.product_origin =
-        lighting.highlight_table().scaled_factor(Cosine::from_raw(lighting.half_distance({}, {}, light))).raw();
-    make_highlight_product(lighting, frame, light, prepared.patch);
+    return true;
+  }
+
+  /// Returns true if all vertices of a TriangleFrame are fully lit by a light.
+  template <class Frame>
+  [[nodiscard]] static constexpr bool is_fully_lit(const Lighting& lighting, const Frame& frame,
+                                                   std::size_t light) {
+    return lighting.is_fully_lit(frame.top->shade.scalars[light]) &&
+           lighting.is_fully_lit(frame.middle->shade.scalars[light]) &&
+           lighting.is_fully_lit(frame.bottom->shade.scalars[light]);
   }
 };
 

@@ -21,6 +21,9 @@ template <class Illumination>
 class AdaptiveIllumination : public Illumination {
  public:
   static constexpr std::int32_t kMostTolerance = 64;
+  /// PieceSteps::exponent from which on a piece of a row may have a highlight of its own: 4 pixels. Shorter
+  /// pieces cost less by their scalars.
+  static constexpr int kLeastPieceExponent = 18;
   using typename Illumination::Scalars;
 
   constexpr AdaptiveIllumination() = default;
@@ -99,14 +102,13 @@ class AdaptiveIllumination : public Illumination {
   /// Returns the largest squared chord of a triangle's widest edge for which the highlight's distance may be
   /// a patch, 28 fraction bits.
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit() const { return highlight_patch_limit_; }
-  /// Returns highlight_patch_limit() under highlights of this HighlightBound::slope.
-  [[nodiscard]] constexpr std::uint32_t highlight_patch_limit_at(std::uint8_t slope) const {
-    // The errors of fainter highlights are up to a sixth larger than their slopes say.
-    const auto more = static_cast<std::uint8_t>(slope + (slope < 6 ? 1 : 2));
-    if (more >= HighlightBound::kBrightest - 1) return highlight_patch_limit_;
-    return highlight_patch_limit_of(limit_at_slope(distance_limit_, more));
+  /// Returns true if highlights R·V that are beyond that limit may be computed from their factors
+  /// (HighlightFactors). For n > 64 the scaled N·V may not fit a Cosine.
+  [[nodiscard]] constexpr bool multiplies_highlights() const { return distance_limit_ != 0; }
+  /// Returns true if N·L is above 0 and the fade by 2^-10, which is more than any rounding error.
+  [[nodiscard]] constexpr bool is_fully_lit(Cosine normal_light) const {
+    return normal_light.raw() >= Illumination::fade_end().raw() + (std::int32_t{1} << 20);
   }
-  [[nodiscard]] constexpr bool may_multiply() const { return distance_limit_ != 0; }
   [[nodiscard]] constexpr const HighlightTable& highlight_table() const { return highlight_table_; }
 
   /// Starts the diffuse_scalar() and the scaled distance of a light's highlight over a piece of a row, from a
@@ -118,10 +120,8 @@ class AdaptiveIllumination : public Illumination {
                                                               const PieceSteps& steps, Factor angle2,
                                                               Run& run) const {
     const std::size_t other = Illumination::highlight_index(light);
-    constexpr int kLeastExponent = 18;  // 4 pixels: shorter pieces cost less by their scalars
-    if (steps.exponent < kLeastExponent || angle2 > highlight_row_limit_) return false;
-    const std::int32_t lit_from = Illumination::fade_end().raw() + (std::int32_t{1} << 20);
-    if (a[light].raw() < lit_from || b[light].raw() < lit_from) return false;
+    if (steps.exponent < kLeastPieceExponent || angle2 > highlight_row_limit_) return false;
+    if (!is_fully_lit(a[light]) || !is_fully_lit(b[light])) return false;
     const std::int32_t at_a = Illumination::half_distance(a[light], a[other], light);
     const std::int32_t at_b = Illumination::half_distance(b[light], b[other], light);
     if (!highlight_table_.fits(at_a) || !highlight_table_.fits(at_b)) return false;

@@ -15,9 +15,10 @@ namespace arcspan {
 
 /// Which values are stepped from pixel to pixel in a piece of a row of a wide triangle.
 enum class PiecePath : std::uint8_t {
-  kScalars,    ///< all scalars
-  kHighlight,  ///< N·L and the highlight's scaled distance (decision 7)
-  kDiffuse,    ///< N·L; no highlight above half the tolerance is within reach
+  kScalars,   ///< all scalars
+  kDistance,  ///< N·L and the highlight's scaled distance (decision 7)
+  kProduct,   ///< HighlightFactors
+  kDiffuse,   ///< N·L; no highlight above half the tolerance is within reach
 };
 
 /// Starts `run`, which has all scalars, by the path that `lighting` (AdaptiveIllumination) allows, and
@@ -36,11 +37,15 @@ template <class Lighting, class Piece, class Run>
     piece.start(steps, run);
     return PiecePath::kDiffuse;
   }
-  if (!lighting.start_highlight(ends.left, ends.right, 0, lights.lit, steps, ends.angle2, run)) {
-    piece.start(steps, run);
-    return PiecePath::kScalars;
+  if constexpr (kMayMultiplyPieces<Lighting>) {
+    if (start_factors(lighting, ends, steps, run, 0, 1)) return PiecePath::kProduct;
   }
-  return PiecePath::kHighlight;
+  if constexpr (!kAlwaysMultipliesPieces<Lighting>) {
+    if (lighting.start_highlight(ends.left, ends.right, 0, lights.lit, steps, ends.angle2, run))
+      return PiecePath::kDistance;
+  }
+  piece.start(steps, run);
+  return PiecePath::kScalars;
 }
 
 /// The pixels of a piece of a row by any PiecePath (PixelRun, LimitedRun), for methods that wrap the runs of
@@ -50,7 +55,9 @@ class AdaptiveWideRun : public SecondDifferenceRun<Count> {
  public:
   static constexpr std::size_t kUsed = Count;
 
-  ARCSPAN_INLINE constexpr explicit AdaptiveWideRun(const WidePiece<Count>& piece) : piece_(piece) {}
+  /// `product_origin` is that of the only light.
+  ARCSPAN_INLINE constexpr AdaptiveWideRun(const WidePiece<Count>& piece, std::int32_t product_origin)
+      : piece_(piece), product_origin_(product_origin) {}
   ARCSPAN_INLINE constexpr void begin(const Lighting& lighting) {
     for (std::size_t i = 0; i < Count; ++i) this->start_at(i, {});
     path_ = start_adaptive(lighting, piece_, *this);
@@ -79,9 +86,13 @@ class AdaptiveWideRun : public SecondDifferenceRun<Count> {
 
  private:
   static constexpr std::uint32_t kWeight = std::uint32_t{1} << 15;
-  [[nodiscard]] constexpr std::int32_t distance() const { return this->scalars()[1].raw(); }
+  [[nodiscard]] constexpr std::int32_t distance() const {
+    if (path_ == PiecePath::kDistance) return this->scalars()[1].raw();
+    return HighlightFactors{this->scalars()[0], this->scalars()[1]}.distance_from(product_origin_);
+  }
 
   WidePiece<Count> piece_;
+  std::int32_t product_origin_;
   PiecePath path_ = PiecePath::kScalars;
 };
 
@@ -91,18 +102,18 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
  public:
   using Base = WideWalker<Pixels, Count>;
   using Run = AdaptiveWideRun<Lighting, Count>;
-  static constexpr bool kMultiplies = Lighting::kLights == 1 && Lighting::kModel == Highlight::kPhong;
 
+  /// `product_origin` is that of the only light.
   constexpr AdaptiveWideWalker(typename Base::Prepared& triangle, std::int32_t product_origin)
       : Base(triangle), product_origin_(product_origin) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
-    return Run(this->piece_at(start));
+    return Run(this->piece_at(start), product_origin_);
   }
 
   /// Calls `draw` with the run of the row's next piece (ChoosesRuns): the diffuse_scalar() alone if no
-  /// highlight above half the tolerance is within reach, with the scaled distance of one highlight (decision
-  /// 7), or as Arc draws it.
+  /// highlight above half the tolerance is within reach, with one highlight of which it has the factors or
+  /// the scaled distance (decision 7), or as Arc draws it.
   template <class Draw>
   [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(const RowStart& start, const Lighting& lighting,
                                                          const Draw& draw) const {
@@ -111,14 +122,12 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
     const auto& ends = piece.ends;
     const PieceLights lights = lights_of_piece(lighting, ends, lighting.half_tolerance_reach());
     if (lights.throughout && lights.shining == 1) {
-      if constexpr (kMultiplies) {
-        constexpr int kLeastExponent = 18;
-        if (steps.exponent >= kLeastExponent && lighting.may_multiply() && is_lit(lighting, ends.left[0]) && is_lit(lighting, ends.right[0])) {
-          PieceRun<HighlightProductRun<Lighting>> run;
-          start_product(lighting, piece, steps, run);
+      if constexpr (kMayMultiplyPieces<Lighting>) {
+        PieceRun<HighlightProductRun<Lighting>> run;
+        if (lighting.lights() == 1 && start_product(lighting, ends, steps, run))
           return draw(Base::started(piece, run));
-        }
-      } else {
+      }
+      if constexpr (!kAlwaysMultipliesPieces<Lighting>) {
         PieceRun<HighlightPatchRun<Lighting>> run;
         if (lighting.start_highlight(ends.left, ends.right, lights.highlight, lights.lit, steps, ends.angle2,
                                      run)) {
@@ -141,21 +150,20 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
   }
 
  private:
-  [[nodiscard]] static constexpr bool is_lit(const Lighting& lighting, Cosine light) {
-    return light.raw() >= lighting.fade_end().raw() + (std::int32_t{1} << 20);
-  }
-  template <class Piece, class ProductRun>
-  ARCSPAN_INLINE constexpr void start_product(const Lighting& lighting, const Piece& piece,
-                                                     const PieceSteps& steps, ProductRun& run) const {
-    const HighlightTable& table = lighting.highlight_table();
+  /// Starts `run` by the only light. Returns false as start_factors() does.
+  template <class Ends, class ProductRun>
+  [[nodiscard]] ARCSPAN_INLINE constexpr bool start_product(const Lighting& lighting, const Ends& ends,
+                                                            const PieceSteps& steps, ProductRun& run) const {
+    if (!start_factors(lighting, ends, steps, run, ProductRun::kLight, ProductRun::kEye)) return false;
+    if constexpr (ProductRun::kLight !=
+                  0) {  // the diffuse scalar of an illumination that may have several lights
+      Parabola f = parabola_of(steps, ends.left[0], ends.right[0]);
+      f.x += HighlightFactors::kHalf;
+      run.start_at(0, f);
+    }
     run.set_origin(product_origin_);
-    const auto start = [&](std::size_t i, Cosine a, Cosine b) {
-      Parabola f = parabola_of(steps, a, b);
-      f.x += ProductRun::kHalf;
-      run.start_at(i, f);
-    };
-    start(0, piece.ends.left[0], piece.ends.right[0]);
-    start(1, table.scaled_factor(piece.ends.left[1]), table.scaled_factor(piece.ends.right[1]));
+    run.set_weight(lighting.highlight_weight(0));
+    return true;
   }
 
   std::int32_t product_origin_;

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <arcspan/lighting/highlight_table.hpp>
+#include <arcspan/lighting/illumination_features.hpp>
+#include <arcspan/lighting/several_lights.hpp>
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/prepare/row_start.hpp>
 #include <arcspan/shading/adaptive/highlight_patch.hpp>
+#include <arcspan/shading/arc/row_pieces.hpp>
 #include <arcspan/shading/patch/patch.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
 #include <arcspan/target.hpp>
@@ -12,26 +15,50 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Patches with the highlight R·V of one light, whose half distance (1 + L·V) / 2 - (N·L)(N·V) a pixel
-/// computes in the scale of HighlightTable: N·V carries the scale. This is for triangles that are too wide
-/// for a surface of the distance (decision 7).
+/// The highlight R·V of one light where normals are too far apart for a surface of its distance: pixels
+/// compute the half distance (1 + L·V) / 2 - (N·L)(N·V) in the scale of HighlightTable (decision 7).
 namespace arcspan {
 
-/// The diffuse_scalar(), N·L of the light and the scaled N·V. With one light the first two are one.
+/// True if the highlight of `Lighting` may be R·V. Some illuminations know that at run time only.
+template <class Lighting>
+inline constexpr bool kMayReflect = !requires {
+  requires(Lighting::kModel == Highlight::kBlinn);
+};
+
+/// The factors of the half distance at a pixel: N·L, and N·V in the scale of distances. Both are raised by
+/// kHalf, so that a shift rounds them to nearest.
+struct HighlightFactors {
+  static constexpr Cosine kHalf = Cosine::from_raw(1 << 14);
+
+  Cosine light;
+  Cosine eye;
+
+  /// Returns the scaled distance; `origin` is product_origin().
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t distance_from(std::int32_t origin) const {
+    return wrap_sub(origin, wrap_mul(light.raw() >> 15, eye.raw() >> 15));
+  }
+};
+
+/// Returns (1 + L·V) / 2 of a light as a scaled distance.
+template <class Lighting>
+[[nodiscard]] constexpr std::int32_t product_origin(const Lighting& lighting, std::size_t light) {
+  const Cosine half_one_plus_light_eye = Cosine::from_raw(lighting.half_distance({}, {}, light));
+  return lighting.highlight_table().scaled_factor(half_one_plus_light_eye).raw();
+}
+
+/// The diffuse_scalar() and HighlightFactors, stepped by second differences. With one light N·L is both the
+/// diffuse scalar and a factor.
 template <std::size_t Scalars>
 class HighlightProduct : public SecondDifferenceRun<Scalars> {
  public:
   static constexpr std::size_t kUsed = Scalars;
-  /// Added to both factors, so that a shift rounds them to nearest.
-  static constexpr Cosine kHalf = Cosine::from_raw(1 << 14);
+  static constexpr std::size_t kLight = Scalars - 2;
+  static constexpr std::size_t kEye = Scalars - 1;
 
   [[nodiscard]] constexpr Cosine diffuse() const { return this->scalars()[0]; }
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t distance() const {
-    const Cosine light = this->scalars()[Scalars - 2];
-    const Cosine eye = this->scalars()[Scalars - 1];
-    return wrap_sub(origin_, wrap_mul(light.raw() >> 15, eye.raw() >> 15));
+    return HighlightFactors{this->scalars()[kLight], this->scalars()[kEye]}.distance_from(origin_);
   }
-  /// Sets (1 + L·V) / 2 as a scaled distance.
   constexpr void set_origin(std::int32_t origin) { origin_ = origin; }
 
  private:
@@ -40,16 +67,16 @@ class HighlightProduct : public SecondDifferenceRun<Scalars> {
 
 template <class Lighting>
 using HighlightProductRun =
-    SteppedHighlightRun<Lighting, HighlightProduct<Lighting::kScalars>, HighlightPixels::kAny>;
+    SteppedHighlightRun<Lighting, HighlightProduct<(Lighting::kLights == 1 ? 2 : 3)>, HighlightPixels::kAny>;
 
 /// Steps a patch of a HighlightProduct (RowWalker).
-template <class Lighting>
-class HighlightProductWalker : public PatchWalker<HighlightProductRun<Lighting>, Lighting::kScalars> {
+template <class Lighting, std::size_t Count>
+class HighlightProductWalker : public PatchWalker<HighlightProductRun<Lighting>, Count> {
  public:
-  using Base = PatchWalker<HighlightProductRun<Lighting>, Lighting::kScalars>;
+  using Base = PatchWalker<HighlightProductRun<Lighting>, Count>;
   using typename Base::Run;
 
-  constexpr HighlightProductWalker(Patch<Lighting::kScalars>& patch, bool middle_left, std::int32_t origin,
+  constexpr HighlightProductWalker(Patch<Count>& patch, bool middle_left, std::int32_t origin,
                                    std::uint32_t weight)
       : Base(patch, middle_left), origin_(origin), weight_(weight) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
@@ -64,25 +91,55 @@ class HighlightProductWalker : public PatchWalker<HighlightProductRun<Lighting>,
   std::uint32_t weight_;
 };
 
-/// Makes the factors of a HighlightProduct, the last two scalars of the patch, for the highlight of `light`
-/// over a TriangleFrame. With one light the first of them is the diffuse scalar.
-template <class Lighting, class Frame, std::size_t Count>
-constexpr void make_highlight_product(const Lighting& lighting, const Frame& frame, std::size_t light,
-                                      Patch<Count>& patch) {
-  const HighlightTable& table = lighting.highlight_table();
+/// Makes the patch of HighlightFactors of a light over a TriangleFrame.
+template <class Lighting, class Frame>
+constexpr void make_factor_surfaces(const Lighting& lighting, const Frame& frame, std::size_t light,
+                                    const EdgeSagittaFactors& factors, PatchScalar& of_light,
+                                    PatchScalar& of_eye) {
   const std::size_t other = Lighting::highlight_index(light);
-  const EdgeSagittaFactors factors = sagitta_factors_of(frame.chords);
   const auto& top = frame.top->shade.scalars;
   const auto& middle = frame.middle->shade.scalars;
   const auto& bottom = frame.bottom->shade.scalars;
-  const auto eye = [&](const auto& scalars) { return table.scaled_factor(scalars[other]); };
-  make_patch_scalar(frame, factors, {top[light], middle[light], bottom[light]}, patch[Count - 2]);
-  make_patch_scalar(frame, factors, {eye(top), eye(middle), eye(bottom)}, patch[Count - 1]);
-  constexpr Cosine kHalf = HighlightProduct<Count>::kHalf;
-  for (PatchScalar* scalar : {&patch[Count - 2], &patch[Count - 1]}) {
-    if (!frame.middle_left || frame.has_upper) scalar->left.at += kHalf;
-    if (frame.middle_left && frame.has_lower) scalar->lower.at += kHalf;
+  const auto eye = [&](const auto& scalars) {
+    return lighting.highlight_table().scaled_factor(scalars[other]);
+  };
+  make_patch_scalar(frame, factors, {top[light], middle[light], bottom[light]}, of_light);
+  make_patch_scalar(frame, factors, {eye(top), eye(middle), eye(bottom)}, of_eye);
+  for (PatchScalar* scalar : {&of_light, &of_eye}) {
+    if (!frame.middle_left || frame.has_upper) scalar->left.at += HighlightFactors::kHalf;
+    if (frame.middle_left && frame.has_lower) scalar->lower.at += HighlightFactors::kHalf;
   }
+}
+
+/// True if pieces of rows may be drawn by a HighlightProduct: with one light only, because a third scalar
+/// costs more than the product saves.
+template <class Lighting>
+inline constexpr bool kMayMultiplyPieces = kMayHaveOneLight<Lighting>&& kMayReflect<Lighting>;
+/// True if it is known at compile time that a parabola of the distance is never taken instead.
+template <class Lighting>
+inline constexpr bool kAlwaysMultipliesPieces = Lighting::kLights == 1 && kMayReflect<Lighting>;
+
+/// Starts the HighlightFactors of the only light over a piece of a row as the scalars `of_light` and `of_eye`
+/// of `run`. Returns false if the highlight is not R·V, or not lit throughout, or if the piece is so short
+/// that it costs less by its scalars.
+template <class Lighting, class Ends, class Run>
+[[nodiscard]] ARCSPAN_INLINE constexpr bool start_factors(const Lighting& lighting, const Ends& ends,
+                                                          const PieceSteps& steps, Run& run,
+                                                          std::size_t of_light, std::size_t of_eye) {
+  if (lighting.model() != Highlight::kPhong || !lighting.multiplies_highlights()) return false;
+  if (steps.exponent < Lighting::kLeastPieceExponent || !lighting.is_fully_lit(ends.left[0]) ||
+      !lighting.is_fully_lit(ends.right[0]))
+    return false;
+  const auto start = [&](std::size_t i, Cosine left, Cosine right) {
+    Parabola f = parabola_of(steps, left, right);
+    f.x += HighlightFactors::kHalf;
+    run.start_at(i, f);
+  };
+  const std::size_t other = Lighting::highlight_index(0);
+  const HighlightTable& table = lighting.highlight_table();
+  start(of_light, ends.left[0], ends.right[0]);
+  start(of_eye, table.scaled_factor(ends.left[other]), table.scaled_factor(ends.right[other]));
+  return true;
 }
 
 }  // namespace arcspan

@@ -128,8 +128,8 @@ struct ArcUpTo {
     }
     if constexpr (kAll && kSumsLights) {
       if (prepared.path == Path::kDiffuseSumPatch)
-        return draw(
-            PatchWalker<PatchRun<Lighting, Illumination::kLights>, kScalars>(prepared.patch, prepared.middle_left));
+        return draw(PatchWalker<PatchRun<Lighting, Illumination::kLights>, kScalars>(prepared.patch,
+                                                                                     prepared.middle_left));
     }
     using Pixels = std::conditional_t<kAlwaysSteps, SteppedDistanceRun<Lighting>, AllScalars>;
     return draw(PatchWalker<Pixels, kScalars>(prepared.patch, prepared.middle_left));
@@ -209,8 +209,8 @@ struct ArcUpTo {
     prepared.path = path;
     if (kDrawsDark && path == Path::kDark) return;
     const std::size_t count = path == Path::kDiffusePatch || path == Path::kDiffuseWide ? 1
-                              : path == Path::kDiffuseSumPatch                          ? Illumination::kLights
-                                                                                        : kScalars;
+                              : path == Path::kDiffuseSumPatch ? Illumination::kLights
+                                                               : kScalars;
     const TriangleChords& chords = frame.chords;
     if (path == Path::kWide || path == Path::kDiffuseWide) {
       prepare_wide(frame, count, widest_piece(lighting.widest_patch()), prepared.wide);

@@ -149,6 +149,7 @@ TEST_CASE(
   CHECK(path_of<Any>(8) == Any::Path::kWide);
   CHECK(path_of<Any>(31) == Any::Path::kSteppedDistance);
   CHECK(path_of<Any>(45) == Any::Path::kDiffusePatch);
+  CHECK(path_of<Any>(170) == Any::Path::kDark);
   CHECK(path_of<Fine>(31) == Fine::Path::kWide);
   using TwoLights = Illumination<2, Highlight::kBlinn>;
   using Two = Arc<TwoLights>;

@@ -43,6 +43,13 @@ class CallsOf final : public IlluminationCalls {
     if constexpr (Wrapped::kHasRamp) return wrapped_.diffuse_scalar(few_of(scalars), lit);
     return {};
   }
+  [[nodiscard]] Cosine diffuse_sum(const AnyScalars& scalars) const override {
+    if constexpr (Wrapped::kHasRamp && kLights > 1) {
+      return wrapped_.diffuse_sum(few_of(scalars));
+    } else {
+      return scalars[0];
+    }
+  }
   [[nodiscard]] PackedRgb diffuse_colour(Cosine normal_light) const override {
     if constexpr (Wrapped::kHasRamp) return wrapped_.diffuse_colour(normal_light);
     return {};

@@ -29,8 +29,9 @@ class IlluminationCalls {
   [[nodiscard]] virtual PackedRgb colour(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual PixelLight light(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual DeepColour deep_colour(const AnyScalars& scalars) const = 0;
-  /// The next eight are for an illumination that has a ramp.
+  /// The next nine are for an illumination that has a ramp.
   [[nodiscard]] virtual Cosine diffuse_scalar(const AnyScalars& scalars, std::uint32_t lit) const = 0;
+  [[nodiscard]] virtual Cosine diffuse_sum(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual PackedRgb diffuse_colour(Cosine normal_light) const = 0;
   [[nodiscard]] virtual std::uint32_t highlight_weight(std::size_t light) const = 0;
   [[nodiscard]] virtual bool draws_one_highlight() const = 0;
@@ -93,6 +94,12 @@ class AnyIllumination {
   [[nodiscard]] DeepColour deep_colour(const Scalars& scalars) const { return calls_->deep_colour(scalars); }
   [[nodiscard]] Cosine diffuse_scalar(const Scalars& scalars, std::uint32_t lit) const requires HasRamp {
     return calls_->diffuse_scalar(scalars, lit);
+  }
+  template <std::size_t Count>
+  [[nodiscard]] Cosine diffuse_sum(const std::array<Cosine, Count>& scalars) const requires HasRamp {
+    AnyScalars all{};
+    std::copy_n(scalars.begin(), kAnyLights, all.begin());
+    return calls_->diffuse_sum(all);
   }
   [[nodiscard]] PackedRgb diffuse_colour(Cosine normal_light) const requires HasRamp {
     return calls_->diffuse_colour(normal_light);

@@ -303,7 +303,8 @@ class AdaptiveIllumination : public Illumination {
   /// for n > 64, where `Arc` itself is one step off by rounding. Blinn's distance is linear in N·H, so that
   /// its surface is the surface of N·H, and no limit is needed.
   [[nodiscard]] constexpr std::uint32_t distance_limit_of(std::uint32_t tolerance) const {
-    if (Illumination::model() == Highlight::kBlinn) return tolerance == 0 ? 0 : std::uint32_t{1} << 28;
+    if (tolerance == 0) return 0;
+    if (Illumination::model() == Highlight::kBlinn) return std::uint32_t{1} << 28;
     constexpr std::uint32_t kSharpest = 64;
     if (Illumination::shininess() > kSharpest) return 0;
     const std::uint64_t height =

@@ -114,7 +114,7 @@ struct ArcUpTo {
     if constexpr (kPaths != WalkedPaths::kExceptWide) {
       if (prepared.path == Path::kWide) return draw(WideWalker<AllScalars, kScalars, kWidest>(prepared.wide));
     }
-    if constexpr (kAll && kDrawsDark) {
+    if constexpr (kDrawsDark) {
       if (prepared.path == Path::kDark) return draw(DarkWalker<Lighting>{});
     }
     if constexpr (kHasDiffusePath) {
@@ -126,7 +126,7 @@ struct ArcUpTo {
         return draw(PatchWalker<PatchRun<Lighting, 1>, kScalars>(prepared.patch, prepared.middle_left));
       }
     }
-    if constexpr (kAll && kSumsLights) {
+    if constexpr (kSumsLights) {
       if (prepared.path == Path::kDiffuseSumPatch)
         return draw(PatchWalker<PatchRun<Lighting, Illumination::kLights>, kScalars>(prepared.patch,
                                                                                      prepared.middle_left));

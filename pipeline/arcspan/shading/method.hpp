@@ -164,6 +164,11 @@ concept LightRun = requires(const R& run, const Lighting& lighting) {
 template <class W>
 concept OutlinedWalker = bool{W::kOutlined};
 
+/// Optional part of a walker (`kOutlinesRows`): its rows become a function of their own, its runs a part of
+/// that. For walkers of some triangles of a method with many, which otherwise take registers from the others.
+template <class W>
+concept OutlinedRowsWalker = bool{W::kOutlinesRows};
+
 /// Optional part of a walker: with_run(start, lighting, draw) calls `draw` with the run of the current row
 /// and returns its status. It is used instead of row() if the type of the run depends on the row.
 template <class W, class Lighting>

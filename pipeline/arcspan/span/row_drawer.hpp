@@ -92,7 +92,8 @@ template <ScissorColumns kColumns, class Command, class Walker, class Target>
 /// True if the rows of a walker are functions of their own: their set-up takes more registers than are left
 /// beside other walkers.
 template <class Walker>
-inline constexpr bool kOutlineRows = OutlinedWalker<Walker> || SegmentedRun<typename Walker::Run>;
+inline constexpr bool kOutlineRows =
+    OutlinedWalker<Walker> || OutlinedRowsWalker<Walker> || SegmentedRun<typename Walker::Run>;
 
 /// Draws the rows of a command that lie within the scissor. A method's walk() calls it with the walker of its
 /// choice.

@@ -253,16 +253,14 @@ struct AdaptivePaths : Arc<Illumination> {
   [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_own_path(const Lighting& lighting, Frame& frame,
                                                                       Path& path, Prepared& prepared) {
     const std::uint32_t widest = frame.chords.widest();
-    if (Base::kDrawsDark && Base::is_dark(frame)) {
-      path = Path::kDark;
-      return false;
-    }
     const bool is_arc = widest <= kWidestArc;  // wider chords say too little of their angles
     NearestHighlight nearest{};
     if constexpr (Base::kHasDiffusePath) {
       if (is_arc) {
         nearest = nearest_highlight(lighting, frame);
         if (nearest.distance >= lighting.half_tolerance_reach()) {
+          path = Path::kDark;
+          if (Base::kDrawsDark && Base::is_dark(frame)) return false;
           std::uint32_t lit = 0;
           if (lit_throughout(lighting, frame, lit) &&
               prepare_linear_light(lighting, frame, lighting.linear_limit(nearest.distance), lit, prepared))
@@ -284,7 +282,7 @@ struct AdaptivePaths : Arc<Illumination> {
       nearest.distance = wide.nearest;
       fits_patch = wide.fits_patch;
     }
-    path = fits_patch ? Path::kPatch : Path::kWide;
+    path = fits_patch ? Path::kPatch : is_arc ? Path::kWide : Base::wide_path(frame);
     if constexpr (Segments) {
       if (is_arc && frame.width >> 16 >= kLeastWidthOfSegments) {
         nearest = nearest_highlight(lighting, frame);

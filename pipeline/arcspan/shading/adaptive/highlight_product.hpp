@@ -75,6 +75,7 @@ class HighlightProductWalker : public PatchWalker<HighlightProductRun<Lighting>,
  public:
   using Base = PatchWalker<HighlightProductRun<Lighting>, Count>;
   using typename Base::Run;
+  static constexpr bool kOutlinesRows = kHasWideRegisters;
 
   constexpr HighlightProductWalker(Patch<Count>& patch, bool middle_left, std::int32_t origin,
                                    std::uint32_t weight)

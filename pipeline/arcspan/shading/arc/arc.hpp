@@ -231,10 +231,17 @@ struct ArcUpTo {
     }
   }
 
+  /// Returns true if no light reaches a triangle.
+  template <class Frame>
+  [[nodiscard]] static constexpr bool is_dark(const Frame& frame) {
+    return Small::is_dark(frame.top->shade.scalars, frame.middle->shade.scalars, frame.bottom->shade.scalars);
+  }
+
   /// Returns the path of a triangle without highlight; `fits` is patch_fits().
   template <class Frame>
   [[nodiscard]] static constexpr Path diffuse_path(const Lighting& lighting, const Frame& frame, bool fits,
                                                    std::uint32_t widest) {
+    if (kDrawsDark && is_dark(frame)) return Path::kDark;
     if (!fits || widest > kWidestDiffusePatch) return kHasDiffuseWide ? Path::kDiffuseWide : Path::kWide;
     if constexpr (kSumsLights) {
       std::uint32_t lit = 0;
@@ -243,17 +250,17 @@ struct ArcUpTo {
     return Path::kDiffusePatch;
   }
 
+  /// Returns the path of a triangle whose normals are more than 60 degrees apart.
   template <class Frame>
-  [[nodiscard]] static constexpr bool is_dark(const Frame& frame) {
-    return Small::is_dark(frame.top->shade.scalars, frame.middle->shade.scalars, frame.bottom->shade.scalars);
+  [[nodiscard]] static constexpr Path wide_path(const Frame& frame) {
+    return kDrawsDark && is_dark(frame) ? Path::kDark : Path::kWide;
   }
 
   /// Returns the path of a triangle; `widest` is its widest squared chord, 28 fraction bits.
   template <class Frame>
   [[nodiscard]] static constexpr Path choose_path(const Lighting& lighting, const Frame& frame,
                                                   std::uint32_t widest) {
-    if (kDrawsDark && is_dark(frame)) return Path::kDark;
-    if (widest > kWidestArc) return Path::kWide;
+    if (widest > kWidestArc) return wide_path(frame);
     const bool fits = patch_fits(frame);
     if constexpr (kHasDiffusePath) {
       if (!lighting.may_shine(frame.top->shade.scalars, frame.middle->shade.scalars,

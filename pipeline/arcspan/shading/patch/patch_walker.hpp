@@ -170,6 +170,7 @@ template <class Lighting>
 class DarkWalker {
  public:
   using Run = PatchRun<Lighting, 1>;
+  static constexpr bool kOutlinesRows = kHasWideRegisters;
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart&) const {
     Run run;

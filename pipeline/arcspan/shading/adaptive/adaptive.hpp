@@ -62,6 +62,7 @@ struct AdaptivePaths : Arc<Illumination> {
     prepared.linear_light = false;
     prepared.highlight_patch = false;
     prepared.highlight_product = false;
+    prepared.product_origin = 0;
     prepared.segment_bits = 0;
     Path path = Path::kWide;
     if (prepare_own_path(lighting, frame, path, prepared)) return;
@@ -221,24 +222,21 @@ struct AdaptivePaths : Arc<Illumination> {
     }
   }
 
-  /// Limits of a triangle that is beyond those of the brightest highlights.
-  struct WidePatches {
+  /// What the highlights over a triangle allow that is no patch under the brightest ones.
+  struct WidePatch {
     std::int32_t nearest;  ///< NearestHighlight::distance
-    bool fits_patch;
+    bool fits;
   };
-  /// `nearest` and `fits_patch`: the values found without the bounds of the highlights.
+  /// `nearest`: the distance found without the bounds of the highlights.
   template <class Frame>
-  [[nodiscard]] ARCSPAN_OUTLINE static constexpr WidePatches wide_patches_of(const Lighting& lighting,
-                                                                             const Frame& frame,
-                                                                             std::uint32_t widest,
-                                                                             const NearestHighlight& nearest,
-                                                                             bool fits_patch) {
-    WidePatches wide{nearest.distance, fits_patch};
-    if (!patch_fits(frame)) return wide;
+  [[nodiscard]] ARCSPAN_OUTLINE static constexpr WidePatch wide_patch_of(const Lighting& lighting,
+                                                                         const Frame& frame,
+                                                                         std::uint32_t widest,
+                                                                         std::int32_t nearest) {
+    if (!patch_fits(frame)) return {nearest, false};
     const HighlightBound bound = highlights_over(lighting, frame);
-    if (bound.nearest > wide.nearest) wide.nearest = bound.nearest;
-    wide.fits_patch = fits_patch || is_accurate_patch_at_slope(lighting, frame, widest, bound.relative_slope);
-    return wide;
+    return {bound.nearest > nearest ? bound.nearest : nearest,
+            is_accurate_patch_at_slope(lighting, frame, widest, bound.relative_slope)};
   }
 
   template <class Frame>
@@ -247,8 +245,8 @@ struct AdaptivePaths : Arc<Illumination> {
     Base::prepare_chosen(lighting, frame, path, prepared);
   }
 
-  /// Prepares path 1 or 4 and returns true. Otherwise sets `path` to the path of Arc, and segment_bits if it
-  /// is to be drawn in segments, and returns false.
+  /// Prepares path 1, 4 or 5 and returns true. Otherwise sets `path` to the path of Arc, and segment_bits if
+  /// it is to be drawn in segments, and returns false.
   template <class Frame>
   [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_own_path(const Lighting& lighting, Frame& frame,
                                                                       Path& path, Prepared& prepared) {
@@ -259,8 +257,10 @@ struct AdaptivePaths : Arc<Illumination> {
       if (is_arc) {
         nearest = nearest_highlight(lighting, frame);
         if (nearest.distance >= lighting.half_tolerance_reach()) {
-          path = Path::kDark;
-          if (Base::kDrawsDark && Base::is_dark(frame)) return false;
+          if (Base::kDrawsDark && Base::is_dark(frame)) {
+            path = Path::kDark;
+            return false;
+          }
           std::uint32_t lit = 0;
           if (lit_throughout(lighting, frame, lit) &&
               prepare_linear_light(lighting, frame, lighting.linear_limit(nearest.distance), lit, prepared))
@@ -272,7 +272,7 @@ struct AdaptivePaths : Arc<Illumination> {
     }
     bool fits_patch = is_accurate_patch(frame, widest, lighting.widest_patch()) && patch_fits(frame);
     if (is_arc && !fits_patch) [[unlikely]] {
-      const WidePatches wide = wide_patches_of(lighting, frame, widest, nearest, fits_patch);
+      const WidePatch wide = wide_patch_of(lighting, frame, widest, nearest.distance);
       if constexpr (Base::kHasDiffusePath) {
         if (wide.nearest >= lighting.half_tolerance_reach()) {
           path = Base::diffuse_path(lighting, frame, patch_fits(frame), widest);
@@ -280,7 +280,7 @@ struct AdaptivePaths : Arc<Illumination> {
         }
       }
       nearest.distance = wide.nearest;
-      fits_patch = wide.fits_patch;
+      fits_patch = wide.fits;
     }
     path = fits_patch ? Path::kPatch : is_arc ? Path::kWide : Base::wide_path(frame);
     if constexpr (Segments) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/shading/arc/dark_walker.hpp>
 #include <arcspan/shading/arc/small_shading.hpp>
 #include <arcspan/shading/arc/wide_walker.hpp>
 #include <arcspan/shading/patch/diffuse_scalars.hpp>
@@ -166,6 +167,7 @@ struct ArcUpTo {
 
  protected:
   static constexpr bool kHasDiffusePath = Illumination::kHasRamp;
+  /// Programs for a part of all normals save the loop.
   static constexpr bool kDrawsDark = kHasDiffusePath && kWidest == WidestNormals::kAny;
   static constexpr bool kSumsLights = kHasDiffusePath && Illumination::kLights > 1;
   static constexpr bool kFindsFaintHighlights = kWidest != WidestNormals::kWithinPatches;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/shading/arc/dark_walker.hpp>
 #include <arcspan/shading/arc/small_arc.hpp>
 #include <arcspan/shading/patch/patch_limits.hpp>
 #include <arcspan/shading/patch/small_patch.hpp>
@@ -27,9 +28,7 @@ template <class Lighting>
 struct SmallDark {
   using Run = PatchRun<Lighting, 1>;
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t, std::int32_t) const {
-    Run run;
-    run.start_at(0, {});
-    return run;
+    return dark_run<Lighting>();
   }
 };
 

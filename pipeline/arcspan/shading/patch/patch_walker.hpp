@@ -165,21 +165,4 @@ class PatchWalker {
   bool middle_left_;
 };
 
-/// Steps over the rows of a triangle that no light reaches (RowWalker): N·L = 0.
-template <class Lighting>
-class DarkWalker {
- public:
-  using Run = PatchRun<Lighting, 1>;
-  static constexpr bool kOutlinesRows = kHasWideRegisters;
-
-  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart&) const {
-    Run run;
-    run.start_at(0, {});
-    return run;
-  }
-  constexpr void next_row() {}
-  constexpr void skip_rows(std::int32_t) {}
-  constexpr void enter_lower() {}
-};
-
 }  // namespace arcspan

@@ -267,6 +267,12 @@ class Illumination : private FadeFor<Features>,
     return raw <= 0 ? 0u : raw > 32768 ? 32768u : static_cast<std::uint32_t>(raw);
   }
 
+  /// `scalar` or 0 if it is negative, 15 fraction bits. Look-ups in the ramp clamp their sum.
+  [[nodiscard]] static constexpr std::uint32_t not_negative(Cosine scalar) {
+    const std::int32_t raw = scalar.raw() >> 15;
+    return raw < 0 ? 0u : static_cast<std::uint32_t>(raw);
+  }
+
   /// (1 - c) / 2 of the highlight's cosine c, 30 fraction bits. `other` is N·H of this light (Blinn) or N·V
   /// (Phong). Phong's c is R·V = 2 (N·L)(N·V) - L·V, so that the result is (1 + L·V) / 2 - (N·L)(N·V).
   [[nodiscard]] constexpr std::int32_t highlight_distance(Cosine normal_light, Cosine other,

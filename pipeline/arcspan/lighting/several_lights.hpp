@@ -73,7 +73,7 @@ template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_grey_light(std::size_t light,
                                                                                     const Scalars& scalars,
                                                                                     GreySums& sums) const {
-  const std::uint32_t diffuse = clamped(scalars[light]);
+  const std::uint32_t diffuse = not_negative(scalars[light]);
   if (diffuse == 0) return;
   sums.diffuse += diffuse * this->shares[light];
   const std::int32_t half_distance =
@@ -87,10 +87,7 @@ template <std::size_t Count>
 ARCSPAN_INLINE constexpr Cosine Illumination<Lights, Model, Features>::diffuse_sum(
     const std::array<Cosine, Count>& scalars) const requires(kHasRamp&& Lights > 1 && Count >= Lights) {
   std::uint32_t sum = 0;
-  unrolled<Lights>([&](auto i) {
-    const std::int32_t light = scalars[i].raw() >> 15;
-    sum += static_cast<std::uint32_t>(light < 0 ? 0 : light) * this->shares[i];
-  });
+  unrolled<Lights>([&](auto i) { sum += not_negative(scalars[i]) * this->shares[i]; });
   return Cosine::from_raw(static_cast<std::int32_t>(sum));
 }
 

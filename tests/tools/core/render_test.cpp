@@ -212,7 +212,7 @@ TEST_CASE("a light's strength is 1 / (d + K)") {
 namespace {
 
 /// The picture that firmware draws by adaptive, which asks an illumination for all that arc and segment do,
-/// and for more. `Lit` has two lights.
+/// and for more. `Lit` has all lights of the job.
 template <class Lit>
 Image firmware_picture(const RenderJob& job) {
   using Method = Adaptive<Lit>;
@@ -224,8 +224,11 @@ Image firmware_picture(const RenderJob& job) {
   frame.clear(job.background);
   depth.clear();
   const RenderPart& part = job.parts.front();
+  std::array<DirectionalLight, Lit::kLights> lights;
+  REQUIRE(job.lights.size() == lights.size());
+  std::copy(job.lights.begin(), job.lights.end(), lights.begin());
   Lit lit;
-  REQUIRE(ok(Lit::make(part.material, {job.lights.at(0), job.lights.at(1)}, job.to_eye, lit)));
+  REQUIRE(ok(Lit::make(part.material, lights, job.to_eye, lit)));
   std::vector<CachedVertex<Method>> cache(part.mesh.vertex_count());
   const AdaptiveIllumination<Lit> lighting(lit);
   REQUIRE(ok(draw_mesh<Method>(part.mesh, job.transform, lighting, frame, depth, std::span(cache)).status));
@@ -250,6 +253,24 @@ TEST_CASE("several lights are drawn as firmware draws them") {
   CHECK(render(scene, torus, "adaptive", "rgb565").image ==
         firmware_picture<Illumination<2, Highlight::kPhong, IlluminationFeatures{.coloured_lights = true}>>(
             make_job(scene, torus, "m")));
+}
+
+// Coarse spheres have triangles of every path, and rows in pieces.
+TEST_CASE("grey lights are drawn as firmware draws them, from fine and from coarse meshes") {
+  const FixedMesh object = mesh(GENERATE("torus:24x12", "sphere:18x9", "sphere:10x6", "sphere:6x4"));
+  Scene scene = small_scene();
+  scene.size = {192, 144};
+  scene.surface.specular = 0.5;
+  scene.surface.shininess = GENERATE(8, 32);
+  const auto expect_equal = [&](const auto& picture_of) {
+    const Image picture = render(scene, object, "adaptive", "rgb565").image;
+    CHECK(picture == picture_of(make_job(scene, object, "m")));
+  };
+  scene.highlight = Highlight::kPhong;
+  scene.lights = {SceneLight(0.4, 0.7, 0.6)};
+  expect_equal(firmware_picture<Illumination<1, Highlight::kPhong>>);
+  scene.lights.push_back(SceneLight({-1, 0.2, 0.3}, 0.5));
+  expect_equal(firmware_picture<Illumination<2, Highlight::kPhong>>);
 }
 
 TEST_CASE("by every method, each channel of coloured lights is that of white lights as strong") {

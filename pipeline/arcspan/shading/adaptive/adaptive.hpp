@@ -188,7 +188,7 @@ struct AdaptivePaths : Arc<Illumination> {
   }
   /// True if white highlights have loops of their own. They are only faster; the colours are the same.
   static constexpr bool kHasWhiteLoops = !kOptimisedForSize && Illumination::kLights == 1;
-  static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath && !kOptimisedForSize;
+  static constexpr bool kAdaptsWideRows = Base::kHasDiffusePath;
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the error of linear light is bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;
 

@@ -169,7 +169,8 @@ struct ArcUpTo {
   static constexpr bool kHasDiffusePath = Illumination::kHasRamp;
   /// Programs for a part of all normals save the loop.
   static constexpr bool kDrawsDark = kHasDiffusePath && kWidest == WidestNormals::kAny;
-  static constexpr bool kSumsLights = kHasDiffusePath && Illumination::kLights > 1;
+  static constexpr bool kSumsLights =
+      kSumsSeveralLights<kWidest> && kHasDiffusePath && Illumination::kLights > 1;
   static constexpr bool kFindsFaintHighlights = kWidest != WidestNormals::kWithinPatches;
   /// True if wide triangles without highlight carry N·L only. That is only faster; the colours are the same.
   static constexpr bool kHasDiffuseWide = Illumination::kLights == 1 && !kOptimisedForSize;
@@ -239,7 +240,14 @@ struct ArcUpTo {
     return Small::is_dark(frame.top->shade.scalars, frame.middle->shade.scalars, frame.bottom->shade.scalars);
   }
 
-  /// Returns the path of a triangle without highlight; `fits` is patch_fits().
+  /// Returns true if a triangle without highlight needs no scalar of highlights.
+  template <class Frame>
+  [[nodiscard]] static constexpr bool has_diffuse_path(const Lighting& lighting, const Frame& frame) {
+    std::uint32_t lit = 0;
+    return kSumsLights || lit_throughout(lighting, frame, lit);
+  }
+
+  /// Returns the path of a triangle without highlight that has_diffuse_path(); `fits` is patch_fits().
   template <class Frame>
   [[nodiscard]] static constexpr Path diffuse_path(const Lighting& lighting, const Frame& frame, bool fits,
                                                    std::uint32_t widest) {
@@ -266,7 +274,8 @@ struct ArcUpTo {
     const bool fits = patch_fits(frame);
     if constexpr (kHasDiffusePath) {
       if (!lighting.may_shine(frame.top->shade.scalars, frame.middle->shade.scalars,
-                              frame.bottom->shade.scalars, arc_headroom(widest)))
+                              frame.bottom->shade.scalars, arc_headroom(widest)) &&
+          has_diffuse_path(lighting, frame))
         return diffuse_path(lighting, frame, fits, widest);
     }
     if (!fits) return Path::kWide;
@@ -283,7 +292,8 @@ struct ArcUpTo {
                                                                         std::uint32_t widest) {
     const HighlightBound bound = highlights_over(lighting, frame);
     if constexpr (kHasDiffusePath) {
-      if (bound.nearest >= lighting.power().half_reach()) return diffuse_path(lighting, frame, true, widest);
+      if (bound.nearest >= lighting.power().half_reach() && has_diffuse_path(lighting, frame))
+        return diffuse_path(lighting, frame, true, widest);
     }
     const bool is_patch = is_accurate_patch_at_slope(lighting, frame, widest, bound.relative_slope);
     return is_patch ? Path::kPatch : Path::kWide;

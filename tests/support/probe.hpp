@@ -49,7 +49,7 @@ struct Probe {
       return blinn->highlights_over({a[0], a[1]}, {b[0], b[1]}, {c[0], c[1]}, ab, ac, bc);
     if (limits == Limits::kPhong)
       return phong->highlights_over({a[0], a[2]}, {b[0], b[2]}, {c[0], c[2]}, ab, ac, bc);
-    return {INT32_MIN, HighlightBound::kBrightest, HighlightBound::kBrightest};
+    return {INT32_MIN, HighlightBound::kBrightest};
   }
 
   Limits limits = Limits::kSharpest;

@@ -12,10 +12,7 @@ namespace arcspan {
 /// slope at c = 1; those of several lights are added by their weights.
 struct HighlightBound {
   std::int32_t nearest;  ///< least half distance (PowerTable); INT32_MAX if no light reaches the triangle
-  /// The sum of the slopes is at most (relative_slope + 1) / 16 of that of the weights; 15 if it may be all.
-  std::uint8_t relative_slope;
-  /// The sum of the slopes is at most (slope + 1) / 16, where the weights are at most 1; 15 if it may be
-  /// more.
+  /// The sum of the slopes is at most (slope + 1) / 16 of that of the weights; 15 if it may be all.
   std::uint8_t slope;
 
   static constexpr std::uint8_t kBrightest = 15;

@@ -100,7 +100,8 @@ class HighlightTable {
   [[nodiscard]] constexpr std::int32_t scaled(std::int32_t half_distance) const {
     return multiply_high(wrap_shl(half_distance, up_), scale_);
   }
-  /// A cosine in the scale of distances, as a factor of a product that is one. For n up to 64 it is below 2.
+  /// The cosine times 2^26 / half_reach(): its product with another cosine is a scaled distance. Below 1.22
+  /// for n <= 64, which slopes of pieces of rows need (PieceSteps::drop).
   [[nodiscard]] constexpr Cosine scaled_factor(Cosine cosine) const {
     return Cosine::from_raw(wrap_shl(multiply_high(cosine.raw(), scale_), up_));
   }

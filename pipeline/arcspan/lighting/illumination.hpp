@@ -114,8 +114,8 @@ class Illumination : private FadeFor<Features>,
                                                 std::uint32_t lit) const requires kHasRamp {
     return mean_light(scalars, lit);
   }
-  /// The scalar of which diffuse_colour() is the diffuse part of colour(), by the N·L of several lights,
-  /// which are the first of `scalars`.
+  /// The weighted sum of max(0, N·L), of which diffuse_colour() is the diffuse part of colour() for any
+  /// normal. `scalars` begins with N·L of every light.
   template <std::size_t Count>
   [[nodiscard]] ARCSPAN_INLINE constexpr Cosine diffuse_sum(const std::array<Cosine, Count>& scalars) const
       requires(kHasRamp&& Lights > 1 && Count >= Lights);

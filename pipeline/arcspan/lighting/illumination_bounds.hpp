@@ -143,7 +143,7 @@ constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
   // At N·L = 0 a highlight ends abruptly, or fades above it, so that an error of N·L shows, too. It is below
   // 2^-7.
   const std::int32_t lit_from = fade_end().raw() + (std::int32_t{1} << (Cosine::kFraction - 7));
-  HighlightBound bound{INT32_MAX, 0, 0};
+  HighlightBound bound{INT32_MAX, 0};
   std::uint32_t slopes = 0;  // 15 fraction bits, as the weights
   std::uint32_t weights = 0;
   for (std::size_t i = 0; i < Lights; ++i) {
@@ -167,14 +167,14 @@ constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
       slopes += (weight * (power + ((power * (h >> 15)) >> 13))) >> 15;
     }
   }
-  bound.slope = slopes >= 32768 ? HighlightBound::kBrightest : static_cast<std::uint8_t>(slopes >> 11);
-  bound.relative_slope = bound.slope;
-  if constexpr (Lights > 1) {
+  if constexpr (Lights == 1) {
+    bound.slope = slopes >= 32768 ? HighlightBound::kBrightest : static_cast<std::uint8_t>(slopes >> 11);
+  } else {
     std::uint32_t relative = 0;
     for (std::uint32_t step = 8; step != 0; step >>= 1) {
       if ((slopes << 4) >= weights * (relative + step)) relative += step;
     }
-    bound.relative_slope = static_cast<std::uint8_t>(relative);
+    bound.slope = static_cast<std::uint8_t>(relative);
   }
   return bound;
 }

@@ -19,8 +19,8 @@
 /// A method is chosen at compile time and has one file; a firmware contains only the methods that it names.
 /// The required part is ShadingMethod with RowWalker and PixelRun (or SegmentedRun). The optional parts are
 /// named concepts too: MeasuresChords (prepare/sorted_vertices.hpp), UsesEncodedColours with EncodingRun,
-/// OutlinedWalker, ChoosesRuns, SkipsRows, JoinsDepth, StridedRun, MixesSegments (pixel_by_pixel.hpp), and
-/// ChoosesEncodedColours for sinks. docs/add-a-shading-method.md has an example.
+/// OutlinedWalker, OutlinedRowLoop, ChoosesRuns, SkipsRows, JoinsDepth, StridedRun, MixesSegments
+/// (pixel_by_pixel.hpp), and ChoosesEncodedColours for sinks. docs/add-a-shading-method.md has an example.
 namespace arcspan {
 
 /// The type of a colour that a run hands to the pixel format.
@@ -164,10 +164,11 @@ concept LightRun = requires(const R& run, const Lighting& lighting) {
 template <class W>
 concept OutlinedWalker = bool{W::kOutlined};
 
-/// Optional part of a walker (`kOutlinesRows`): its rows become a function of their own, its runs a part of
-/// that. For walkers of some triangles of a method with many, which otherwise take registers from the others.
+/// Optional part of a walker (`kOutlinesRowLoop`): its loop over the rows is a function of its own, which
+/// contains its runs. For one of a method's many walkers, which would otherwise take registers from the
+/// others.
 template <class W>
-concept OutlinedRowsWalker = bool{W::kOutlinesRows};
+concept OutlinedRowLoop = bool{W::kOutlinesRowLoop};
 
 /// Optional part of a walker: with_run(start, lighting, draw) calls `draw` with the run of the current row
 /// and returns its status. It is used instead of row() if the type of the run depends on the row.

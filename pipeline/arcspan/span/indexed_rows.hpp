@@ -19,7 +19,7 @@ concept IndexedRows = kHasManyRegisters && kScalesIndices && bool{Target::Depth:
   cursor.pixels();
 };
 
-/// True if the pixels of `Run` have several scalars, and so a highlight.
+/// True if the pixels of `Run` have several scalars.
 template <class Run>
 concept HasSeveralScalars = requires {
   requires(Run::kUsed > 1);

@@ -90,10 +90,10 @@ template <ScissorColumns kColumns, class Command, class Walker, class Target>
 }
 
 /// True if the rows of a walker are functions of their own: their set-up takes more registers than are left
-/// beside other walkers.
+/// beside other walkers, or they would take registers from those.
 template <class Walker>
 inline constexpr bool kOutlineRows =
-    OutlinedWalker<Walker> || OutlinedRowsWalker<Walker> || SegmentedRun<typename Walker::Run>;
+    OutlinedWalker<Walker> || OutlinedRowLoop<Walker> || SegmentedRun<typename Walker::Run>;
 
 /// Draws the rows of a command that lie within the scissor. A method's walk() calls it with the walker of its
 /// choice.
@@ -108,7 +108,8 @@ struct RowDrawer {
     if constexpr (JoinsDepth<Walker> && Target::Depth::kTests) {
       return draw(command, origin, walker.with_depth(command.depth), target);
     } else if constexpr (kOutlineRows<Walker>) {
-      // One row loop serves both kinds of columns, because these rows take much longer than the test.
+      // One row loop serves both kinds of columns, because these rows take much longer than the test or are
+      // few.
       return RowDrawer<ScissorColumns::kCrossing, Command, Target>::draw_outlined(command, origin, walker,
                                                                                   target);
     } else {

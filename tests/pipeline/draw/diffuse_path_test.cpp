@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Leaving the highlight's scalar out where no highlight is within reach must not change a pixel, nor leaving
-// out N·L where no light is.
+// Leaving the highlight's scalars out where no highlight is within reach must not change a pixel; by two
+// lights, only by rounding.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
@@ -100,7 +100,7 @@ TEST_CASE("triangles out of the highlight's reach look the same without its scal
 // mean, which is rounded once instead of twice.
 TEST_CASE("by two lights, triangles out of the reach of highlights look the same but for rounding") {
   const auto check = [](const Difference& found) {
-    CHECK(found.pixels < 100);  // of 100,000 of the spheres
+    CHECK(found.pixels < 100);  // of some 240,000
     CHECK(found.most <= 1);
   };
   check(difference<Illumination<2, Highlight::kBlinn>>());

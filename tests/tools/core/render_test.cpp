@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <vector>
 
@@ -261,7 +262,7 @@ TEST_CASE("grey lights are drawn as firmware draws them, from fine and from coar
   Scene scene = small_scene();
   scene.size = {192, 144};
   scene.surface.specular = 0.5;
-  scene.surface.shininess = GENERATE(8, 32);
+  scene.surface.shininess = GENERATE(8, 32, 100);
   const auto expect_equal = [&](const auto& picture_of) {
     const Image picture = render(scene, object, "adaptive", "rgb565").image;
     CHECK(picture == picture_of(make_job(scene, object, "m")));

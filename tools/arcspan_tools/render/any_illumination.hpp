@@ -96,7 +96,8 @@ class AnyIllumination {
     return calls_->diffuse_scalar(scalars, lit);
   }
   template <std::size_t Count>
-  [[nodiscard]] Cosine diffuse_sum(const std::array<Cosine, Count>& scalars) const requires HasRamp {
+  [[nodiscard]] Cosine diffuse_sum(const std::array<Cosine, Count>& scalars) const
+      requires(HasRamp&& Count >= kAnyLights) {
     AnyScalars all{};
     std::copy_n(scalars.begin(), kAnyLights, all.begin());
     return calls_->diffuse_sum(all);

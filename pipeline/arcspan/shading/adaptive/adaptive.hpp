@@ -20,18 +20,19 @@
 namespace arcspan {
 
 /// Arc with the cheapest path per triangle whose predicted error is within a tolerance (decisions 6 and 7).
-/// The paths are tried in this order; those without highlight and the highlight patch need a ramp, and that
-/// each of several lights reaches the whole triangle or nothing of it:
+/// The paths are tried in this order. Paths 1, 2, 4 and 5 need a ramp, and 1, 4 and 5 that each of several
+/// lights reaches the whole triangle or nothing of it:
 ///
 /// 1. Light that is linear on the screen: no highlight above half the tolerance is within reach, and the
 ///    circle through the normals is so small that N·L differs from a plane by at most the rest of the
 ///    tolerance.
-/// 2. A patch of N·L alone: no highlight above half the tolerance is within reach.
+/// 2. Darkness, or a patch of N·L alone or of every light: no highlight above half the tolerance is within
+///    reach.
 /// 3. Segments of 4...16 pixels (S3), without a ramp: wide rows whose colours have small second derivatives,
 ///    away from the terminator. With a ramp other paths are cheaper (decision 6).
 /// 4. A patch of N·L and of a highlight's distance: within reach of the highlight of one light, with all
-///    vertices lit; under R·V only where normals are close or the highlight is faint. N·L is linear if both
-///    errors together are within the tolerance.
+///    vertices lit; under R·V only where normals are close. N·L is linear if both errors together are within
+///    the tolerance.
 /// 5. A patch of the diffuse scalar and the factors of a highlight R·V: as path 4, for wider normals.
 /// 6. The paths of Arc: a patch of every scalar or of one highlight, or arcs.
 ///
@@ -53,7 +54,7 @@ struct AdaptivePaths : Arc<Illumination> {
     bool linear_diffuse;     ///< path 4: the diffuse scalar is in `light`
     HighlightPixels pixels;  ///< path 4, linear_diffuse: the loop that suffices
     std::uint32_t highlight_weight;  ///< paths 4 and 5: of the light, if there are several
-    std::int32_t product_origin;     ///< path 5: HighlightProduct::set_origin()
+    std::int32_t product_origin;     ///< path 5, and rows of arcs by one light: product_origin()
   };
 
   template <class Frame>
@@ -222,12 +223,12 @@ struct AdaptivePaths : Arc<Illumination> {
     }
   }
 
-  /// What the highlights over a triangle allow that is no patch under the brightest ones.
+  /// The result of bounding the highlights of a triangle beyond widest_patch().
   struct WidePatch {
     std::int32_t nearest;  ///< NearestHighlight::distance
-    bool fits;
+    bool fits;             ///< the triangle may be a patch
   };
-  /// `nearest`: the distance found without the bounds of the highlights.
+  /// Returns the WidePatch of a triangle; `nearest` is its NearestHighlight::distance without that bound.
   template <class Frame>
   [[nodiscard]] ARCSPAN_OUTLINE static constexpr WidePatch wide_patch_of(const Lighting& lighting,
                                                                          const Frame& frame,
@@ -236,7 +237,7 @@ struct AdaptivePaths : Arc<Illumination> {
     if (!patch_fits(frame)) return {nearest, false};
     const HighlightBound bound = highlights_over(lighting, frame);
     return {bound.nearest > nearest ? bound.nearest : nearest,
-            is_accurate_patch_at_slope(lighting, frame, widest, bound.relative_slope)};
+            is_accurate_patch_at_slope(lighting, frame, widest, bound.slope)};
   }
 
   template <class Frame>
@@ -291,7 +292,7 @@ struct AdaptivePaths : Arc<Illumination> {
       }
     }
     if constexpr (kHasHighlightPatch) {
-      if (fits_patch && widest <= lighting.highlight_patch_limit()) {
+      if (fits_patch && widest < lighting.highlight_patch_limit()) {
         prepared.highlight_patch = prepare_highlight_patch(lighting, frame, nearest.light, prepared);
         if constexpr (kHasWhiteLoops) {
           if (prepared.highlight_patch && prepared.linear_diffuse)
@@ -366,8 +367,9 @@ struct AdaptivePaths : Arc<Illumination> {
     return true;
   }
 
-  /// Prepares the diffuse scalar and the HighlightFactors of one light as patches. Returns false as
-  /// prepare_highlight_patch() does, or if no highlight is computed so.
+  /// Prepares the diffuse scalar and the HighlightFactors of one light as patches. Returns false if
+  /// highlights are not computed so (multiplies_highlights()), if there are several highlights
+  /// (`nearest_light` is kLights), or if a vertex is not lit or its highlight fades.
   template <class Frame>
   [[nodiscard]] ARCSPAN_OUTLINE static constexpr bool prepare_highlight_product(const Lighting& lighting,
                                                                                 const Frame& frame,
@@ -386,8 +388,9 @@ struct AdaptivePaths : Arc<Illumination> {
     prepared.product_origin = product_origin(lighting, light);
     if constexpr (Illumination::kLights > 1) {
       prepared.highlight_weight = lighting.highlight_weight(light);
-      if (lighting.lights() == 1) {
-        prepared.patch[0] = prepared.patch[Product::kLight];  // with the same rounding as by one light
+      if (lighting.lights() == 1) {  // known at run time only: rounded as by an illumination of one light
+        make_factor_surfaces(lighting, frame, light, factors, prepared.patch[0],
+                             prepared.patch[Product::kEye]);
       } else {
         make_patch_scalar(frame, factors, diffuse_scalars(lighting, frame, lit), prepared.patch[0]);
       }

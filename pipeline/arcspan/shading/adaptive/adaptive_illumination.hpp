@@ -21,8 +21,8 @@ template <class Illumination>
 class AdaptiveIllumination : public Illumination {
  public:
   static constexpr std::int32_t kMostTolerance = 64;
-  /// PieceSteps::exponent from which on a piece of a row may have a highlight of its own: 4 pixels. Shorter
-  /// pieces cost less by their scalars.
+  /// PieceSteps::exponent from which on a piece of a row may have a stepped distance or HighlightFactors: 4
+  /// pixels. Shorter pieces cost less by their scalars.
   static constexpr int kLeastPieceExponent = 18;
   using typename Illumination::Scalars;
 
@@ -91,7 +91,7 @@ class AdaptiveIllumination : public Illumination {
 
   /// linear_limit() of a triangle whose highlight's distance is a patch; `chord` is its widest squared chord,
   /// at most that of 16 degrees. The patch's error grows with chord^(3/2), and x^(3/2) <= x (1 + x) / 2 up to
-  /// highlight_patch_limit(). Beyond, nothing is left.
+  /// highlight_patch_limit(). Chords beyond that have no such patch.
   [[nodiscard]] constexpr std::uint32_t linear_limit_with_highlight(std::uint32_t chord) const {
     const std::uint32_t x = multiply_high(chord, distance_limit_inverse_);  // 15 fraction bits
     if (x >= 1u << 15) return 0;
@@ -102,10 +102,11 @@ class AdaptiveIllumination : public Illumination {
   /// Returns the largest squared chord of a triangle's widest edge for which the highlight's distance may be
   /// a patch, 28 fraction bits.
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit() const { return highlight_patch_limit_; }
-  /// Returns true if highlights R·V that are beyond that limit may be computed from their factors
-  /// (HighlightFactors). For n > 64 the scaled N·V may not fit a Cosine.
+  /// Returns true if highlights R·V are computed from HighlightFactors beyond highlight_patch_limit(). False
+  /// with tolerance 0 and for n > 64.
   [[nodiscard]] constexpr bool multiplies_highlights() const { return distance_limit_ != 0; }
-  /// Returns true if N·L is above 0 and the fade by 2^-10, which is more than any rounding error.
+  /// Returns true if N·L exceeds the end of the fade, 0 without one, by at least 2^-10, which is more than
+  /// any rounding error.
   [[nodiscard]] constexpr bool is_fully_lit(Cosine normal_light) const {
     return normal_light.raw() >= Illumination::fade_end().raw() + (std::int32_t{1} << 20);
   }
@@ -120,7 +121,7 @@ class AdaptiveIllumination : public Illumination {
                                                               const PieceSteps& steps, Factor angle2,
                                                               Run& run) const {
     const std::size_t other = Illumination::highlight_index(light);
-    if (steps.exponent < kLeastPieceExponent || angle2 > highlight_row_limit_) return false;
+    if (steps.exponent < kLeastPieceExponent || angle2 >= highlight_row_limit_) return false;
     if (!is_fully_lit(a[light]) || !is_fully_lit(b[light])) return false;
     const std::int32_t at_a = Illumination::half_distance(a[light], a[other], light);
     const std::int32_t at_b = Illumination::half_distance(b[light], b[other], light);
@@ -300,8 +301,9 @@ class AdaptiveIllumination : public Illumination {
   /// Returns the squared chord up to which the highlight's distance may be a patch, as long as the bound
   /// holds that highlights then differ by at most specular * 2.35 (n + 6) a^3 / 255 from those of the product
   /// of two surfaces, where `specular` is the full highlight and a is the widest chord (decision 7). It is 0
-  /// for n > 64, where `Arc` itself is one step off by rounding. Blinn's distance is linear in N·H, so that
-  /// its surface is the surface of N·H, and no limit is needed.
+  /// with tolerance 0, and with R·V for n > 64, where `Arc` itself is one step off by rounding and
+  /// HighlightTable::scaled_factor() too large. Blinn's distance is linear in N·H, so that its surface is the
+  /// surface of N·H, and needs no limit.
   [[nodiscard]] constexpr std::uint32_t distance_limit_of(std::uint32_t tolerance) const {
     if (tolerance == 0) return 0;
     if (Illumination::model() == Highlight::kBlinn) return std::uint32_t{1} << 28;

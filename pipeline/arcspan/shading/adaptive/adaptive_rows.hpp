@@ -155,8 +155,8 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
   [[nodiscard]] ARCSPAN_INLINE constexpr bool start_product(const Lighting& lighting, const Ends& ends,
                                                             const PieceSteps& steps, ProductRun& run) const {
     if (!start_factors(lighting, ends, steps, run, ProductRun::kLight, ProductRun::kEye)) return false;
-    if constexpr (ProductRun::kLight !=
-                  0) {  // the diffuse scalar of an illumination that may have several lights
+    // The diffuse scalar, if the number of lights is known at run time only.
+    if constexpr (ProductRun::kLight != 0) {
       Parabola f = parabola_of(steps, ends.left[0], ends.right[0]);
       f.x += HighlightFactors::kHalf;
       run.start_at(0, f);

@@ -64,8 +64,9 @@ enum class HighlightPixels : std::uint8_t {
   kWhiteFitting,  ///< white ones in a triangle of which AdaptiveIllumination::never_saturates() is true
 };
 
-/// The pixels of a row (PixelRun) with the highlight of one light. `Steps` (CurvedHighlight, LinearHighlight)
-/// steps the diffuse scalar and the highlight's distance, so no product is computed per pixel (decision 7).
+/// The pixels of a row (PixelRun) with the highlight of one light. `Steps` has the diffuse scalar and the
+/// highlight's distance: stepped (CurvedHighlight, LinearHighlight) or computed (HighlightProduct; decision
+/// 7).
 template <class Lighting, class Steps, HighlightPixels kPixels>
 class SteppedHighlightRun : public Steps {
  public:

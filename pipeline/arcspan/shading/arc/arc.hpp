@@ -26,8 +26,8 @@ enum class WalkedPaths : std::uint8_t {
 };
 
 /// Spherical-angular Phong shading on scalars: the products of the normal with L, H or V follow great circles
-/// down the edges and along the rows (S0). Small angles need no exact circle, so a triangle is drawn in one
-/// of two ways (Path):
+/// down the edges and along the rows (S0). Small angles need no exact circle, so a triangle that is lit is
+/// drawn in one of two ways (Path):
 ///
 /// - Normals within 5.2 to 33 degrees, depending on the highlight, its strength in the triangle and the shape
 ///   (choose_path()): a quadratic surface through the arcs' ends and middles, which second differences step
@@ -167,10 +167,9 @@ struct ArcUpTo {
 
  protected:
   static constexpr bool kHasDiffusePath = Illumination::kHasRamp;
-  /// Programs for a part of all normals save the loop.
+  /// True if dark triangles have a path. Programs that are limited by WidestNormals leave its loop out.
   static constexpr bool kDrawsDark = kHasDiffusePath && kWidest == WidestNormals::kAny;
-  static constexpr bool kSumsLights =
-      kSumsSeveralLights<kWidest> && kHasDiffusePath && Illumination::kLights > 1;
+  static constexpr bool kSumsLights = kMaySumLights<kWidest> && kHasDiffusePath && Illumination::kLights > 1;
   static constexpr bool kFindsFaintHighlights = kWidest != WidestNormals::kWithinPatches;
   /// True if wide triangles without highlight carry N·L only. That is only faster; the colours are the same.
   static constexpr bool kHasDiffuseWide = Illumination::kLights == 1 && !kOptimisedForSize;
@@ -240,7 +239,7 @@ struct ArcUpTo {
     return Small::is_dark(frame.top->shade.scalars, frame.middle->shade.scalars, frame.bottom->shade.scalars);
   }
 
-  /// Returns true if a triangle without highlight needs no scalar of highlights.
+  /// Returns true if a triangle without highlight can be drawn by diffuse_path().
   template <class Frame>
   [[nodiscard]] static constexpr bool has_diffuse_path(const Lighting& lighting, const Frame& frame) {
     std::uint32_t lit = 0;
@@ -295,7 +294,7 @@ struct ArcUpTo {
       if (bound.nearest >= lighting.power().half_reach() && has_diffuse_path(lighting, frame))
         return diffuse_path(lighting, frame, true, widest);
     }
-    const bool is_patch = is_accurate_patch_at_slope(lighting, frame, widest, bound.relative_slope);
+    const bool is_patch = is_accurate_patch_at_slope(lighting, frame, widest, bound.slope);
     return is_patch ? Path::kPatch : Path::kWide;
   }
 };

@@ -212,7 +212,7 @@ class SmallShading {
     if constexpr (Lighting::kHasRamp) {
       if (bound.nearest >= lighting.power().half_reach()) return false;
     }
-    return !is_accurate_patch_at_slope(lighting, vertices.chords, widest, bound.relative_slope);
+    return !is_accurate_patch_at_slope(lighting, vertices.chords, widest, bound.slope);
   }
   /// Returns an estimate of the error of N·L, with these values at the vertices, as a patch up to 60 degrees,
   /// 20 fraction bits: with s the widest squared chord, 0.022 s of the values' range and 0.0073 s^2 of the

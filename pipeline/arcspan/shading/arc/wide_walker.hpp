@@ -19,8 +19,8 @@ namespace arcspan {
 /// too.
 enum class WidestNormals : std::uint8_t {
   kAny,  ///< every triangle is shaded accurately
-  /// Triangles beyond 60 degrees are shaded less accurately. Large dark ones take longer, and those that one
-  /// of several lights reaches in part. Saves 2.4 KB of code, 3.8 KB with two lights.
+  /// Triangles beyond 60 degrees are shaded less accurately. Dark triangles that are not small, and triangles
+  /// that one of several lights reaches in part, take longer. Saves 2.4 KB of code, 3.8 KB with two lights.
   k60Degrees,
   /// As k60Degrees. Besides, patches with a highlight are no wider than Illumination::widest_patch() and the
   /// triangle's shape allow, however faint it is: triangles from there to 30 degrees are drawn in pieces of
@@ -31,7 +31,7 @@ enum class WidestNormals : std::uint8_t {
 /// True if triangles and pieces of rows that one of several grey lights reaches in part carry N·L of every
 /// light where no highlight is within reach, and not all scalars (decision 28).
 template <WidestNormals kWidest>
-inline constexpr bool kSumsSeveralLights = kWidest == WidestNormals::kAny;
+inline constexpr bool kMaySumLights = kWidest == WidestNormals::kAny;
 
 /// The prepared part of a triangle whose normals are too far apart for a patch.
 template <std::size_t Count, WidestNormals kWidest>
@@ -161,7 +161,7 @@ class WideWalker {
                                                          const Draw& draw) const requires
       kHasGreyLights<Lighting> {
     const Piece piece = piece_at(start);
-    PieceLights lights{false, 0, Lighting::kLights, 0};
+    PieceLights lights{false, 0, Lighting::kLights, 0};  // all scalars, as Arc by one light draws them
     if (lighting.lights() != 1) lights = lights_of_piece(lighting, piece.ends, lighting.power().half_reach());
     return draw_by_lights(piece, piece.steps(), lights, lighting, draw);
   }
@@ -215,8 +215,9 @@ class WideWalker {
     return run;
   }
 
-  /// Calls `draw` with a run of the pixels of a piece by several grey lights: of the diffuse_scalar() alone
-  /// if no highlight is within reach, of that and one highlight, or of all scalars.
+  /// Calls `draw` with a run of the pixels of a piece by several grey lights: if no highlight is within reach
+  /// of the diffuse_scalar() alone or of N·L of every light, otherwise of the diffuse_scalar() and one
+  /// highlight, or of all scalars.
   template <class Lighting, class Draw>
   [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_by_lights(
       const Piece& piece, const PieceSteps& steps, const PieceLights& lights, const Lighting& lighting,
@@ -227,7 +228,7 @@ class WideWalker {
         piece.start_diffuse(steps, lighting, lights.lit, run);
         return draw(started(piece, run));
       }
-      if constexpr (kSumsSeveralLights<kWidest>) {
+      if constexpr (kMaySumLights<kWidest>) {
         auto run = run_of<PieceRun<PatchRun<Lighting, Lighting::kLights>>>(piece, steps);
         return draw(run);
       }

@@ -73,13 +73,13 @@ template <BoundsHighlights Lighting, class Triangle>
                                   chords.middle_bottom);
 }
 
-/// Returns true if a triangle with this HighlightBound::relative_slope is accurate as a patch. The other
+/// Returns true if a triangle with this HighlightBound::slope is accurate as a patch. The other
 /// arguments are those of is_accurate_patch(). Errors of rounding fall with the slope, too.
 template <BoundsHighlights Lighting, class Triangle>
 [[nodiscard]] constexpr bool is_accurate_patch_at_slope(const Lighting& lighting, const Triangle& triangle,
-                                                        std::uint32_t widest, std::uint8_t relative_slope) {
+                                                        std::uint32_t widest, std::uint8_t slope) {
   return widest <= kWidestHighlightPatch &&
-         is_accurate_patch(triangle, widest, limit_at_slope(lighting.widest_patch(), relative_slope));
+         is_accurate_patch(triangle, widest, limit_at_slope(lighting.widest_patch(), slope));
 }
 
 /// Returns true if the size of the triangle allows a patch: a width of at least half a pixel, because slopes

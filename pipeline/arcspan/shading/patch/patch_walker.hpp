@@ -78,8 +78,8 @@ inline constexpr bool kHasProduct = kHasWideRegisters&& Used == 2 && requires {
   requires Lighting::kHasTables;
 };
 
-/// The pixels of a row (PixelRun), coloured by the first `Used` scalars of the illumination: all of them, or
-/// without highlight by N·L of one light or of every light.
+/// The pixels of a row (PixelRun), coloured by `Used` scalars: all of the illumination, or without highlight
+/// the diffuse_scalar() or N·L of every light.
 template <class Lighting, std::size_t Used>
 class PatchRun
     : public std::conditional_t<kHasProduct<Lighting, Used>, JoinedRun<1, true>, SecondDifferenceRun<Used>> {

@@ -121,7 +121,7 @@ TEST_CASE("under a highlight N.L is linear if both errors together are within th
   const std::uint32_t limit = sharp.highlight_patch_limit();
   CHECK(sharp.linear_limit_with_highlight(limit) <= sharp.linear_limit_with_highlight(0) >> 12);
   CHECK(sharp.linear_limit_with_highlight(limit / 2) < sharp.linear_limit_with_highlight(limit / 4));
-  // Beyond that limit, where faint highlights still allow a patch, nothing is left.
+  // Beyond that limit nothing is left.
   const Lighting bright(shiny_light(64, towards, {0, 0, 1}, Coefficient::of(1)));
   for (std::uint32_t chord = bright.highlight_patch_limit(); chord < 20797469; chord += limit / 16)
     CHECK(bright.linear_limit_with_highlight(chord) <= bright.linear_limit_with_highlight(0) >> 12);

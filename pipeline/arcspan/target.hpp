@@ -141,6 +141,13 @@ inline constexpr bool kHasWideRegisters = true;
 inline constexpr bool kHasWideRegisters = false;
 #endif
 
+/// True if programs have room for loops that only save time. AVR's flash has 128 KB at most.
+#if defined(__AVR__)
+inline constexpr bool kHasRoomForLoops = false;
+#else
+inline constexpr bool kHasRoomForLoops = true;
+#endif
+
 /// True if most instructions reach more than 8 registers. On Armv6-M (8) a value kept in a register displaces
 /// another.
 #if defined(__ARM_ARCH_6M__) || defined(__AVR__)

@@ -106,7 +106,7 @@ struct ArcUpTo : ArcPaths<Illumination, kWidest> {
     if constexpr (kPaths != WalkedPaths::kExceptWide) {
       if (prepared.path == Path::kWide) return draw(WideWalker<AllScalars, kScalars, kWidest>(prepared.wide));
     }
-    if constexpr (kDrawsDark) {
+    if constexpr (kDrawsDark && kHasRoomForLoops) {
       if (prepared.path == Path::kDark) return draw(DarkWalker<Lighting>{});
     }
     if constexpr (kHasDiffusePath) {
@@ -199,7 +199,13 @@ struct ArcUpTo : ArcPaths<Illumination, kWidest> {
   static constexpr void prepare_path(const Lighting& lighting, Frame& frame, Path path, Prepared& prepared) {
     prepared.middle_left = frame.middle_left;
     prepared.path = path;
-    if (kDrawsDark && path == Path::kDark) return;
+    if (kDrawsDark && path == Path::kDark) {
+      if constexpr (!kHasRoomForLoops) {  // N·L = 0 as a patch
+        prepared.patch[0] = {};
+        prepared.path = Path::kDiffusePatch;
+      }
+      return;
+    }
     const std::size_t count = path == Path::kDiffusePatch || path == Path::kDiffuseWide ? 1
                               : path == Path::kDiffuseSumPatch ? Illumination::kLights
                                                                : kScalars;

@@ -425,6 +425,33 @@ TEST_CASE("an arc of which no highlight is said to be within reach has none, and
   check_dull_arcs<Highlight::kBlinn>(random);
 }
 
+TEST_CASE("without highlight a normal has the colour of the sum of several grey lights") {
+  using Three = Illumination<3, Highlight::kPhong>;
+  Random random(31);
+  constexpr auto grey = [](Coefficient c) { return ChannelCoefficients{c, c, c}; };
+  const Material material{
+      grey(Coefficient::of(0.1)), {Coefficient::of(0.5), Coefficient::of(1), Coefficient::of(0.2)}, {}, 8};
+  int partly = 0;
+  for (int i = 0; i < share_of(20000); ++i) {
+    std::array<DirectionalLight, 3> lights{};
+    for (DirectionalLight& light : lights) {
+      light.towards = to_direction(random_unit(random));
+      light.strength = Coefficient::from_raw(static_cast<std::int32_t>(random.integer(0, 32768)));
+    }
+    Three lit;
+    REQUIRE(ok(Three::make(material, lights, to_direction(random_unit(random)), lit)));
+    const auto scalars = lit.scalars(to_direction(random_unit(random)));
+    REQUIRE(lit.diffuse_colour(lit.diffuse_sum(scalars)).lanes == lit.colour(scalars).lanes);
+    std::uint32_t lit_mask = 0;
+    for (std::size_t k = 0; k < 3; ++k) lit_mask |= scalars[k].raw() > 0 ? 1u << k : 0u;
+    partly += lit_mask != 0 && lit_mask != 7 ? 1 : 0;
+    // The mean of the lights that are lit is the same but for rounding.
+    const std::int32_t mean = lit.diffuse_scalar(scalars, lit_mask).raw();
+    REQUIRE(std::abs(mean - lit.diffuse_sum(scalars).raw()) < 1 << 18);
+  }
+  CHECK(partly > share_of(20000) / 2);
+}
+
 TEST_CASE("lights and fades that an illumination cannot have are refused, and it stays as it was") {
   using Plain2 = Illumination<2, Highlight::kBlinn>;
   using Coloured2 = Coloured<2, Highlight::kBlinn>;

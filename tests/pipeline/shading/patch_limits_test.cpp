@@ -155,6 +155,8 @@ TEST_CASE(
   using Two = Arc<TwoLights>;
   CHECK(TriangleInHighlight<Two, TwoLights>(8).prepared().path == Two::Path::kWide);
   CHECK(TriangleInHighlight<Two, TwoLights>(31).prepared().path == Two::Path::kPatch);
+  // The lights' horizon runs through it.
+  CHECK(TriangleInHighlight<Two, TwoLights>(90).prepared().path == Two::Path::kDiffuseSumPatch);
   CHECK_FALSE(TriangleInHighlight<Adaptive<OneLight>, OneLight>(8).prepared().highlight_patch);
   CHECK(TriangleInHighlight<Adaptive<OneLight>, OneLight>(31).prepared().highlight_patch);
 }

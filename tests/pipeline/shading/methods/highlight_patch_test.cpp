@@ -9,7 +9,6 @@
 #include <tests/support/illumination_oracle.hpp>
 #include <tests/support/method_accuracy.hpp>
 #include <tests/support/test_share.hpp>
-#include <tests/support/triangle_picture.hpp>
 
 #include <algorithm>
 #include <array>
@@ -74,16 +73,6 @@ Method::Prepared prepared_shade(const Lighting& lighting, const Triangle& t) {
 
 bool takes_highlight_patch(const Lighting& lighting, const Triangle& t) {
   return prepared_shade(lighting, t).highlight_patch;
-}
-template <class Several>
-bool takes_product(const AdaptiveIllumination<Several>& lighting, const ScreenTriangle& t) {
-  using Shading = Adaptive<Several>;
-  const auto vertex = [&](std::size_t i) {
-    return RasterVertex<Shading>{t.points[i], Shading::shade_vertex(lighting, t.normals[i])};
-  };
-  TriangleCommand<Shading> command;
-  return prepare_triangle<Shading>(lighting, vertex(0), vertex(1), vertex(2), {}, {-80, 80}, command) &&
-         command.shade.highlight_product;
 }
 bool takes_linear_diffuse(const Lighting& lighting, const Triangle& t) {
   return takes_highlight_patch(lighting, t) && prepared_shade(lighting, t).linear_diffuse;
@@ -242,51 +231,4 @@ TEST_CASE("beyond that limit, as far as patches go, highlights by R.V are comput
   CHECK_FALSE(is_product(shiny_light(65, towards, to_eye), 4));
   // The light's horizon runs through the triangle.
   CHECK_FALSE(is_product(shiny_light(2, normalised(Vec3{1, 0, 0.02}), normalised(Vec3{-1, 0, 0.5})), 12.5));
-}
-
-namespace {
-
-/// Draws random triangles of 12 to 30 degrees whose highlights Adaptive computes from their factors, and
-/// returns the largest difference of a pixel from Arc's in 8-bit steps. `found` counts the triangles.
-template <std::size_t Lights>
-int most_different_product(std::int32_t shininess, int& found) {
-  using Several = Illumination<Lights, Highlight::kPhong>;
-  constexpr std::int32_t kSize = 64;
-  Random random(11);
-  int most = 0;
-  for (int i = 0; i < share_of(3000); ++i) {
-    const ScreenTriangle triangle = random_screen_triangle(random, kSize, random.real(12, 30));
-    const Vec3 middle = normalised(to_vec3(triangle.normals[0]) + to_vec3(triangle.normals[1]));
-    const Vec3 to_eye = tilted(random, middle, random.real(0, 0.7));
-    Material material = shiny_material(Coefficient::of(1));
-    material.shininess = shininess;
-    std::array<DirectionalLight, Lights> lights{};
-    for (std::size_t k = 0; k < Lights; ++k) {
-      // The mirrored eye, or anywhere for the others.
-      const Vec3 half = tilted(random, middle, random.real(0, k == 0 ? 0.3 : 1.5));
-      lights[k].towards = to_direction(normalised(2 * dot(half, to_eye) * half - to_eye));
-      if (Lights > 1) lights[k].strength = k == 0 ? Coefficient::of(0.7) : Coefficient::of(0.5);
-    }
-    Several lit;
-    REQUIRE(ok(Several::make(material, lights, to_direction(to_eye), lit)));
-    const AdaptiveIllumination<Several> lighting(lit);
-    if (!takes_product(lighting, triangle)) continue;
-    ++found;
-    most = std::max(most, most_different(picture_of<Arc<Several>>(triangle, lit, kSize),
-                                         picture_of<Adaptive<Several>>(triangle, lighting, kSize)));
-  }
-  return most;
-}
-
-}  // namespace
-
-// With n = 64 both arc and the factors are one step off by rounding.
-TEST_CASE("highlights from their factors are within a step of those of arc") {
-  const std::int32_t shininess = GENERATE(2, 4, 8, 16, 32, 64);
-  CAPTURE(shininess);
-  const int allowed = shininess < 64 ? 1 : 2;
-  int found = 0;
-  CHECK(most_different_product<1>(shininess, found) <= allowed);
-  CHECK(most_different_product<2>(shininess, found) <= allowed);
-  CHECK(found > share_of(6000) / 200);
 }

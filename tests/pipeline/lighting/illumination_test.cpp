@@ -445,7 +445,7 @@ TEST_CASE("without highlight a normal has the colour of the sum of several grey 
     std::uint32_t lit_mask = 0;
     for (std::size_t k = 0; k < 3; ++k) lit_mask |= scalars[k].raw() > 0 ? 1u << k : 0u;
     partly += lit_mask != 0 && lit_mask != 7 ? 1 : 0;
-    // The mean of the lights that are lit is the same but for rounding.
+    // diffuse_scalar() of the lights that reach the normal differs by rounding only.
     const std::int32_t mean = lit.diffuse_scalar(scalars, lit_mask).raw();
     REQUIRE(std::abs(mean - lit.diffuse_sum(scalars).raw()) < 1 << 18);
   }

@@ -10,6 +10,7 @@
 #include <arcspan/shading/adaptive/light_and_depth.hpp>
 #include <arcspan/shading/adaptive/linear_levels.hpp>
 #include <arcspan/shading/adaptive/linear_light.hpp>
+#include <arcspan/shading/adaptive/nearest_highlight.hpp>
 #include <arcspan/shading/adaptive/segment_length.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/segment/segment.hpp>
@@ -193,53 +194,6 @@ struct AdaptivePaths : Arc<Illumination> {
   /// The squared chord of 16 degrees, 28 fraction bits, up to which the error of linear light is bounded.
   static constexpr std::uint32_t kWidestBounded = 20797469u;
 
-  /// The highlights of a triangle.
-  struct NearestHighlight {
-    std::int32_t distance;  ///< a lower bound of the half distance: (1 - c) / 2 of the highlight's cosine c
-    /// The only light whose highlight is above half the tolerance and within reach; kLights if no light or
-    /// several have such a highlight.
-    std::size_t light;
-  };
-  template <class Frame>
-  [[nodiscard]] static constexpr NearestHighlight nearest_highlight(const Lighting& lighting,
-                                                                    const Frame& frame) {
-    const auto& top = frame.top->shade.scalars;
-    const auto& middle = frame.middle->shade.scalars;
-    const auto& bottom = frame.bottom->shade.scalars;
-    const Cosine headroom = arc_headroom(frame.chords.widest());
-    if constexpr (Illumination::kLights == 1) {
-      return {lighting.nearest_highlight(top, middle, bottom, headroom), 0};
-    } else {
-      NearestHighlight nearest{INT32_MAX, Illumination::kLights};
-      bool shines = false;
-      for (std::size_t i = 0; i < Illumination::kLights; ++i) {
-        const std::int32_t distance = lighting.nearest_highlight_of(i, top, middle, bottom, headroom);
-        if (distance < nearest.distance) nearest.distance = distance;
-        if (distance >= lighting.half_tolerance_reach()) continue;
-        nearest.light = shines ? Illumination::kLights : i;
-        shines = true;
-      }
-      return nearest;
-    }
-  }
-
-  /// The result of bounding the highlights of a triangle beyond widest_patch().
-  struct WidePatch {
-    std::int32_t nearest;  ///< NearestHighlight::distance
-    bool fits;             ///< the triangle may be a patch
-  };
-  /// Returns the WidePatch of a triangle; `nearest` is its NearestHighlight::distance without that bound.
-  template <class Frame>
-  [[nodiscard]] ARCSPAN_OUTLINE static constexpr WidePatch wide_patch_of(const Lighting& lighting,
-                                                                         const Frame& frame,
-                                                                         std::uint32_t widest,
-                                                                         std::int32_t nearest) {
-    if (!patch_fits(frame)) return {nearest, false};
-    const HighlightBound bound = highlights_over(lighting, frame);
-    return {bound.nearest > nearest ? bound.nearest : nearest,
-            is_accurate_patch_at_slope(lighting, frame, widest, bound.slope)};
-  }
-
   template <class Frame>
   ARCSPAN_OUTLINE static constexpr void prepare_chosen_outlined(const Lighting& lighting, Frame& frame,
                                                                 Path path, Prepared& prepared) {
@@ -375,7 +329,7 @@ struct AdaptivePaths : Arc<Illumination> {
                                                                                 const Frame& frame,
                                                                                 std::size_t nearest_light,
                                                                                 Prepared& prepared) {
-    if (lighting.model() != Highlight::kPhong || !lighting.multiplies_highlights()) return false;
+    if (!lighting.multiplies_highlights()) return false;
     const std::size_t light = Illumination::kLights == 1 ? 0 : nearest_light;
     std::uint32_t lit = 0;
     if (light == Illumination::kLights || !lit_throughout(lighting, frame, lit) ||

@@ -102,9 +102,11 @@ class AdaptiveIllumination : public Illumination {
   /// Returns the largest squared chord of a triangle's widest edge for which the highlight's distance may be
   /// a patch, 28 fraction bits.
   [[nodiscard]] constexpr std::uint32_t highlight_patch_limit() const { return highlight_patch_limit_; }
-  /// Returns true if highlights R·V are computed from HighlightFactors beyond highlight_patch_limit(). False
-  /// with tolerance 0 and for n > 64.
-  [[nodiscard]] constexpr bool multiplies_highlights() const { return distance_limit_ != 0; }
+  /// Returns true if highlights are computed from HighlightFactors beyond highlight_patch_limit(): R·V with n
+  /// up to 64, unless the tolerance is 0.
+  [[nodiscard]] constexpr bool multiplies_highlights() const {
+    return Illumination::model() == Highlight::kPhong && distance_limit_ != 0;
+  }
   /// Returns true if N·L exceeds the end of the fade, 0 without one, by at least 2^-10, which is more than
   /// any rounding error.
   [[nodiscard]] constexpr bool is_fully_lit(Cosine normal_light) const {

@@ -111,10 +111,8 @@ constexpr void make_factor_surfaces(const Lighting& lighting, const Frame& frame
   };
   make_patch_scalar(frame, factors, {top[light], middle[light], bottom[light]}, of_light);
   make_patch_scalar(frame, factors, {eye(top), eye(middle), eye(bottom)}, of_eye);
-  for (PatchScalar* scalar : {&of_light, &of_eye}) {
-    if (!frame.middle_left || frame.has_upper) scalar->left.at += HighlightFactors::kHalf;
-    if (frame.middle_left && frame.has_lower) scalar->lower.at += HighlightFactors::kHalf;
-  }
+  raise_patch_scalar(frame, HighlightFactors::kHalf, of_light);
+  raise_patch_scalar(frame, HighlightFactors::kHalf, of_eye);
 }
 
 /// True if pieces of rows may be drawn by a HighlightProduct: with one light only, because a third scalar
@@ -126,15 +124,14 @@ template <class Lighting>
 inline constexpr bool kAlwaysMultipliesPieces = Lighting::kLights == 1 && kMayReflect<Lighting>;
 
 /// Starts the HighlightFactors of the only light over a piece of a row as the scalars `of_light` and `of_eye`
-/// of `run`. Returns false if the highlight is not R·V, or not lit throughout, or if the piece is so short
-/// that it costs less by its scalars.
+/// of `run`. Returns false if highlights are not computed so (multiplies_highlights()), if an end of the
+/// piece is not fully lit, or if the piece is so short that it costs less by its scalars.
 template <class Lighting, class Ends, class Run>
 [[nodiscard]] ARCSPAN_INLINE constexpr bool start_factors(const Lighting& lighting, const Ends& ends,
                                                           const PieceSteps& steps, Run& run,
                                                           std::size_t of_light, std::size_t of_eye) {
-  if (lighting.model() != Highlight::kPhong || !lighting.multiplies_highlights()) return false;
-  if (steps.exponent < Lighting::kLeastPieceExponent || !lighting.is_fully_lit(ends.left[0]) ||
-      !lighting.is_fully_lit(ends.right[0]))
+  if (!lighting.multiplies_highlights() || steps.exponent < Lighting::kLeastPieceExponent ||
+      !lighting.is_fully_lit(ends.left[0]) || !lighting.is_fully_lit(ends.right[0]))
     return false;
   const auto start = [&](std::size_t i, Cosine left, Cosine right) {
     Parabola f = parabola_of(steps, left, right);

@@ -117,8 +117,7 @@ constexpr void prepare_stepped_distance(const Lighting& lighting, const Frame& f
                     distance);
   const auto half =
       Cosine::from_raw(power.scaled(std::int32_t{1} << (Cosine::kFraction - 1)) - kSteppedOrigin);
-  if (!frame.middle_left || frame.has_upper) distance.left.at += half;
-  if (frame.middle_left && frame.has_lower) distance.lower.at += half;
+  raise_patch_scalar(frame, half, distance);
 }
 
 }  // namespace arcspan

@@ -269,7 +269,8 @@ class Illumination : private FadeFor<Features>,
 
   /// `scalar` or 0 if it is negative, 15 fraction bits. Look-ups in the ramp clamp their sum.
   [[nodiscard]] static constexpr std::uint32_t not_negative(Cosine scalar) {
-    return scalar.raw() < 0 ? 0u : static_cast<std::uint32_t>(scalar.raw() >> 15);
+    const std::int32_t raw = scalar.raw() >> 15;
+    return raw < 0 ? 0u : static_cast<std::uint32_t>(raw);
   }
 
   /// (1 - c) / 2 of the highlight's cosine c, 30 fraction bits. `other` is N·H of this light (Blinn) or N·V

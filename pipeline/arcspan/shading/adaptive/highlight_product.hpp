@@ -12,6 +12,7 @@
 #include <arcspan/shading/patch/parabola.hpp>
 #include <arcspan/shading/patch/patch.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
+#include <arcspan/shading/patch/raise_patch.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstddef>

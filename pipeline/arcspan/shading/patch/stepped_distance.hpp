@@ -6,6 +6,7 @@
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
+#include <arcspan/shading/patch/raise_patch.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstddef>

@@ -21,20 +21,23 @@
 namespace arcspan {
 
 /// Arc with the cheapest path per triangle whose predicted error is within a tolerance (decisions 6 and 7).
-/// The paths are tried in this order. Paths 1, 2, 4 and 5 need a ramp, and 1, 4 and 5 that each of several
-/// lights reaches the whole triangle or nothing of it:
+/// The paths are tried in this order. Paths 1, 2, 4 and 5 need a ramp. With several lights, paths 1, 4 and 5
+/// also need every light to reach either the whole triangle or nothing of it. The diffuse scalar is N·L, or
+/// the weighted mean of several (Illumination::diffuse_scalar()).
 ///
 /// 1. Light that is linear on the screen: no highlight above half the tolerance is within reach, and the
-///    circle through the normals is so small that N·L differs from a plane by at most the rest of the
-///    tolerance.
-/// 2. Darkness, or a patch of N·L alone or of every light: no highlight above half the tolerance is within
-///    reach.
+///    circle through the normals is so small that the diffuse scalar differs from a plane by at most the rest
+///    of the tolerance.
+/// 2. Darkness, a patch of the diffuse scalar, or a patch of N·L of every light where one of them reaches a
+///    part of the triangle: no highlight above half the tolerance is within reach.
 /// 3. Segments of 4...16 pixels (S3), without a ramp: wide rows whose colours have small second derivatives,
 ///    away from the terminator. With a ramp other paths are cheaper (decision 6).
-/// 4. A patch of N·L and of a highlight's distance: within reach of the highlight of one light, with all
-///    vertices lit; under R·V only where normals are close. N·L is linear if both errors together are within
-///    the tolerance.
-/// 5. A patch of the diffuse scalar and the factors of a highlight R·V: as path 4, for wider normals.
+/// 4. A patch of the diffuse scalar and of a highlight's distance: within reach of the highlight of one
+/// light,
+///    which lights all vertices beyond the fade; under R·V only where normals are close. The diffuse scalar
+///    is linear if its error and that of the distance together are within the tolerance.
+/// 5. A patch of the diffuse scalar and the factors of a highlight R·V (HighlightFactors): as path 4, where
+///    normals are farther apart, for n up to 64 and a tolerance above 0.
 /// 6. The paths of Arc: a patch of every scalar or of one highlight, or arcs.
 ///
 /// `Segments` false leaves out path 3.
@@ -321,9 +324,9 @@ struct AdaptivePaths : Arc<Illumination> {
     return true;
   }
 
-  /// Prepares the diffuse scalar and the HighlightFactors of one light as patches. Returns false if
-  /// highlights are not computed so (multiplies_highlights()), if there are several highlights
-  /// (`nearest_light` is kLights), or if a vertex is not lit or its highlight fades.
+  /// Prepares the diffuse scalar and the HighlightFactors of one light as patches. Returns false unless
+  /// multiplies_highlights(), if there are several highlights (`nearest_light` is kLights), or if a vertex is
+  /// not lit or its highlight fades.
   template <class Frame>
   [[nodiscard]] ARCSPAN_OUTLINE static constexpr bool prepare_highlight_product(const Lighting& lighting,
                                                                                 const Frame& frame,

@@ -18,8 +18,9 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The highlight R·V of one light where normals are too far apart for a surface of its distance: pixels
-/// compute the half distance (1 + L·V) / 2 - (N·L)(N·V) in the scale of HighlightTable (decision 7).
+/// Highlights R·V of one light where normals are too far apart to step the half distance itself. N·L and N·V
+/// are stepped instead, and a pixel computes the half distance (1 + L·V) / 2 - (N·L)(N·V) from them, in the
+/// scale of HighlightTable (decision 7). For patches, and with one light for pieces of rows.
 namespace arcspan {
 
 /// True if the highlight of `Lighting` may be R·V. Some illuminations know that at run time only.
@@ -79,8 +80,8 @@ class HighlightProductWalker : public PatchWalker<HighlightProductRun<Lighting>,
  public:
   using Base = PatchWalker<HighlightProductRun<Lighting>, Count>;
   using typename Base::Run;
-  /// Inlined, it costs x86-64 0.5 % of the benchmark frame; outlined, it costs others 1 % of the random
-  /// scenes.
+  /// Inlining the loop over the rows costs x86-64 0.5 % of the benchmark frame; a function of its own costs
+  /// other targets 1 % of the random scenes.
   static constexpr bool kOutlinesRowLoop = kHasWideRegisters;
 
   constexpr HighlightProductWalker(Patch<Count>& patch, bool middle_left, std::int32_t origin,
@@ -116,17 +117,18 @@ constexpr void make_factor_surfaces(const Lighting& lighting, const Frame& frame
   raise_patch_scalar(frame, HighlightFactors::kHalf, of_eye);
 }
 
-/// True if pieces of rows may be drawn by a HighlightProduct: with one light only, because a third scalar
-/// costs more than the product saves.
+/// True if pieces of rows may be drawn by a HighlightProduct. That needs exactly one light, which may be
+/// known at run time only: with several lights a third scalar costs more than the product saves.
 template <class Lighting>
 inline constexpr bool kMayMultiplyPieces = kMayHaveOneLight<Lighting>&& kMayReflect<Lighting>;
-/// True if it is known at compile time that a parabola of the distance is never taken instead.
+/// True if pieces of rows never have a parabola of the distance: they have HighlightFactors, or all scalars
+/// where start_factors() returns false.
 template <class Lighting>
 inline constexpr bool kAlwaysMultipliesPieces = Lighting::kLights == 1 && kMayReflect<Lighting>;
 
 /// Starts the HighlightFactors of the only light over a piece of a row as the scalars `of_light` and `of_eye`
-/// of `run`. Returns false if highlights are not computed so (multiplies_highlights()), if an end of the
-/// piece is not fully lit, or if the piece is so short that it costs less by its scalars.
+/// of `run`. Returns false unless multiplies_highlights(), if an end of the piece is not fully lit, or if the
+/// piece is so short that stepping all its scalars costs less.
 template <class Lighting, class Ends, class Run>
 [[nodiscard]] ARCSPAN_INLINE constexpr bool start_factors(const Lighting& lighting, const Ends& ends,
                                                           const PieceSteps& steps, Run& run,

@@ -139,6 +139,17 @@ class HighlightTable {
     return in_shares((here * weight) >> 15);
   }
 
+  /// The largest channel of the highlight at a scaled distance below kReach, in 8-bit steps with 8 fraction
+  /// bits. A negative distance counts as 0.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t value(std::int32_t distance) const {
+    return level(distance < 0 ? 0u : static_cast<std::uint32_t>(distance)) >> 16;
+  }
+  /// The colour of a sum of values, each times a weight with 15 fraction bits, clamped.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb of_sum(std::uint32_t sum) const {
+    const std::uint32_t most = clamped_unsigned<16, 15>(static_cast<std::int32_t>(sum));
+    return white_reach_ != 0 ? PackedRgb::grey(most >> 6) : in_shares(most);
+  }
+
  private:
   static constexpr std::uint32_t kIntervals = 128;
   static_assert(kReach == static_cast<std::int32_t>(kIntervals << detail::HighlightLine::kIntervalBits));

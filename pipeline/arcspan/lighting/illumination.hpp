@@ -198,6 +198,11 @@ class Illumination : private FadeFor<Features>,
     if constexpr (Lights == 1) return std::uint32_t{1} << 15;
     return weights_[light];
   }
+  /// Returns the factor of a light's N·L in diffuse_sum(), 15 fraction bits; several lights only.
+  [[nodiscard]] constexpr std::uint32_t diffuse_share(std::size_t light) const
+      requires(kHasRamp&& Lights > 1) {
+    return this->shares[light];
+  }
 
   /// The squared chord up to which a triangle of any shape with a highlight may be a patch
   /// (is_accurate_patch()).

@@ -7,6 +7,8 @@
 #include <arcspan/shading/adaptive/highlight_distances.hpp>
 #include <arcspan/shading/adaptive/highlight_patch.hpp>
 #include <arcspan/shading/adaptive/highlight_product.hpp>
+#include <arcspan/shading/adaptive/highlight_quartic.hpp>
+#include <arcspan/shading/adaptive/highlight_sum.hpp>
 #include <arcspan/shading/adaptive/light_and_depth.hpp>
 #include <arcspan/shading/adaptive/linear_levels.hpp>
 #include <arcspan/shading/adaptive/linear_light.hpp>
@@ -16,14 +18,26 @@
 #include <arcspan/shading/segment/segment.hpp>
 #include <arcspan/target.hpp>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 namespace arcspan {
 
+/// What a path of AdaptivePaths for triangles within reach of a highlight steps.
+enum class HighlightPath : std::uint8_t {
+  kNone,      ///< a path without highlight, or one of Arc
+  kDistance,  ///< the highlight's scaled distance: path 4
+  kProduct,   ///< HighlightProduct: path 5, one light
+  kQuartic,   ///< QuarticHighlight: path 5, several lights
+  kSum,       ///< HighlightSumRun: path 6
+};
+
 /// Arc with the cheapest path per triangle whose predicted error is within a tolerance (decisions 6 and 7).
-/// The paths are tried in this order. Paths 1, 2, 4 and 5 need a ramp. With several lights, paths 1, 4 and 5
-/// also need every light to reach either the whole triangle or nothing of it. The diffuse scalar is N·L, or
-/// the weighted mean of several (Illumination::diffuse_scalar()).
+/// The paths are tried in this order. All but 3 and 7 need a ramp. With several lights, paths 1, 4 and 5 also
+/// need every light to reach either the whole triangle or nothing of it. The diffuse scalar is N·L, or the
+/// weighted mean of several (Illumination::diffuse_scalar()).
 ///
 /// 1. Light that is linear on the screen: no highlight above half the tolerance is within reach, and the
 ///    circle through the normals is so small that the diffuse scalar differs from a plane by at most the rest
@@ -33,12 +47,13 @@ namespace arcspan {
 /// 3. Segments of 4...16 pixels (S3), without a ramp: wide rows whose colours have small second derivatives,
 ///    away from the terminator. With a ramp other paths are cheaper (decision 6).
 /// 4. A patch of the diffuse scalar and of a highlight's distance: within reach of the highlight of one
-/// light,
-///    which lights all vertices beyond the fade; under R·V only where normals are close. The diffuse scalar
-///    is linear if its error and that of the distance together are within the tolerance.
-/// 5. A patch of the diffuse scalar and the factors of a highlight R·V (HighlightFactors): as path 4, where
-///    normals are farther apart, for n up to 64 and a tolerance above 0.
-/// 6. The paths of Arc: a patch of every scalar or of one highlight, or arcs.
+///    light, which lights all vertices beyond the fade; under R·V only where normals are close. The diffuse
+///    scalar is linear if its error and that of the distance together are within the tolerance.
+/// 5. A patch of the factors of a highlight R·V (HighlightFactors), and of the diffuse scalar if there are
+///    several lights: as path 4, where normals are farther apart, for n up to 64 and a tolerance above 0.
+/// 6. A patch of N·L of every light and N·V, for several highlights R·V, or one in a triangle that another
+///    light reaches in part; n and tolerance as for path 5, without a fade.
+/// 7. The paths of Arc: a patch of every scalar or of one highlight, or arcs.
 ///
 /// `Segments` false leaves out path 3.
 template <class Illumination, bool Segments>
@@ -49,29 +64,33 @@ struct AdaptivePaths : Arc<Illumination> {
   using typename Base::Face;
   using typename Base::Path;
   using typename Base::Vertex;
+  static constexpr bool kHasHighlightPatch = Base::kHasDiffusePath;
+  static constexpr bool kHasHighlightProduct = kHasHighlightPatch && kMayMultiply<Illumination>;
+  static constexpr bool kHasSeveralHighlights =
+      kHasHighlightPatch && kMayReflect<Illumination> && Illumination::kLights > 1;
   struct Prepared : Base::Prepared {
     FullLinearPlane light;
-    int segment_bits;        ///< path 3: segments have 2^segment_bits pixels; 0 for none
-    bool linear_light;       ///< path 1: N·L alone, in `light`
-    bool highlight_patch;    ///< path 4: the patch has the diffuse scalar and a highlight's scaled distance
-    bool highlight_product;  ///< path 5: the patch has the scalars of a HighlightProduct
-    bool linear_diffuse;     ///< path 4: the diffuse scalar is in `light`
-    HighlightPixels pixels;  ///< path 4, linear_diffuse: the loop that suffices
+    int segment_bits;                ///< path 3: segments have 2^segment_bits pixels; 0 for none
+    bool linear_light;               ///< path 1: N·L alone, in `light`
+    HighlightPath highlight;         ///< paths 4 to 6; otherwise kNone
+    bool linear_diffuse;             ///< path 4: the diffuse scalar is in `light`
+    HighlightPixels pixels;          ///< path 4, linear_diffuse: the loop that suffices
     std::uint32_t highlight_weight;  ///< paths 4 and 5: of the light, if there are several
-    std::int32_t product_origin;     ///< path 5, and rows of arcs by one light: product_origin()
+    std::int32_t product_origin;     ///< path 5, and rows of arcs, by one light: product_origin()
+    std::array<QuarticConstants, kHasSeveralHighlights ? 1 : 0> quartic;        ///< path 5, several lights
+    ProductOrigins<kHasSeveralHighlights ? Illumination::kLights : 0> origins;  ///< path 6
   };
 
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
     prepared.middle_left = frame.middle_left;
     prepared.linear_light = false;
-    prepared.highlight_patch = false;
-    prepared.highlight_product = false;
+    prepared.highlight = HighlightPath::kNone;
     prepared.product_origin = 0;
     prepared.segment_bits = 0;
     Path path = Path::kWide;
     if (prepare_own_path(lighting, frame, path, prepared)) return;
-    if constexpr (kAdaptsWideRows && kMayMultiplyPieces<Illumination>) {
+    if constexpr (kAdaptsWideRows && kMayMultiply<Illumination>) {
       if (path == Path::kWide) prepared.product_origin = product_origin(lighting, 0);
     }
     if constexpr (Segments) {
@@ -139,7 +158,7 @@ struct AdaptivePaths : Arc<Illumination> {
       }
     }
     if constexpr (kHasHighlightPatch) {
-      if (prepared.highlight_patch) {
+      if (prepared.highlight == HighlightPath::kDistance) {
         if (prepared.linear_diffuse) {
           if constexpr (kHasWhiteLoops) {
             if (prepared.pixels == HighlightPixels::kWhiteFitting)
@@ -156,9 +175,19 @@ struct AdaptivePaths : Arc<Illumination> {
       }
     }
     if constexpr (kHasHighlightProduct) {
-      if (prepared.highlight_product) {
+      if (prepared.highlight == HighlightPath::kProduct) {
         return draw(HighlightProductWalker<Lighting, Base::kScalars>(
             prepared.patch, prepared.middle_left, prepared.product_origin, weight_of(prepared)));
+      }
+    }
+    if constexpr (kHasSeveralHighlights) {
+      if (prepared.highlight == HighlightPath::kQuartic) {
+        return draw(HighlightQuarticWalker<Lighting, Base::kScalars>(
+            prepared.patch, prepared.middle_left, prepared.quartic[0], weight_of(prepared)));
+      }
+      if (prepared.highlight == HighlightPath::kSum) {
+        return draw(HighlightSumWalker<Lighting, Base::kScalars>(prepared.patch, prepared.middle_left,
+                                                                 prepared.origins));
       }
     }
     if constexpr (Segments) {
@@ -180,8 +209,6 @@ struct AdaptivePaths : Arc<Illumination> {
   }
 
  private:
-  static constexpr bool kHasHighlightPatch = Base::kHasDiffusePath;
-  static constexpr bool kHasHighlightProduct = kHasHighlightPatch && kMayReflect<Illumination>;
   [[nodiscard]] static constexpr std::uint32_t weight_of(const Prepared& prepared) {
     if constexpr (Illumination::kLights == 1) return std::uint32_t{1} << 15;
     return prepared.highlight_weight;
@@ -203,8 +230,8 @@ struct AdaptivePaths : Arc<Illumination> {
     Base::prepare_chosen(lighting, frame, path, prepared);
   }
 
-  /// Prepares path 1, 4 or 5 and returns true. Otherwise sets `path` to the path of Arc, and segment_bits if
-  /// it is to be drawn in segments, and returns false.
+  /// Prepares path 1, 4, 5 or 6 and returns true. Otherwise sets `path` to the path of Arc, and segment_bits
+  /// if it is to be drawn in segments, and returns false.
   template <class Frame>
   [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_own_path(const Lighting& lighting, Frame& frame,
                                                                       Path& path, Prepared& prepared) {
@@ -250,19 +277,17 @@ struct AdaptivePaths : Arc<Illumination> {
     }
     if constexpr (kHasHighlightPatch) {
       if (fits_patch && widest < lighting.highlight_patch_limit()) {
-        prepared.highlight_patch = prepare_highlight_patch(lighting, frame, nearest.light, prepared);
+        const bool is_patch = prepare_highlight_patch(lighting, frame, nearest.light, prepared);
         if constexpr (kHasWhiteLoops) {
-          if (prepared.highlight_patch && prepared.linear_diffuse)
+          if (is_patch && prepared.linear_diffuse)
             prepared.pixels = highlight_pixels_of(lighting, frame, nearest.distance);
         }
-        return prepared.highlight_patch;
+        if (is_patch) return true;
       }
     }
-    if constexpr (kHasHighlightProduct) {
-      if (fits_patch)
-        prepared.highlight_product = prepare_highlight_product(lighting, frame, nearest.light, prepared);
-    }
-    return prepared.highlight_product;
+    if constexpr (kHasHighlightPatch && kMayReflect<Illumination>)
+      return fits_patch && prepare_factors(lighting, frame, nearest.light, prepared);
+    return false;
   }
 
   /// Makes the plane of a diffuse scalar, of a triangle of at most kWidestBounded, if its error is within
@@ -321,38 +346,45 @@ struct AdaptivePaths : Arc<Illumination> {
       make_patch_scalar(frame, in_memory, diffuse, prepared.patch[0]);
     }
     make_distance_surface(lighting, frame, light, factors, half, prepared.patch[1]);
+    prepared.highlight = HighlightPath::kDistance;
     return true;
   }
 
-  /// Prepares the diffuse scalar and the HighlightFactors of one light as patches. Returns false unless
-  /// multiplies_highlights(), if there are several highlights (`nearest_light` is kLights), or if a vertex is
-  /// not lit or its highlight fades.
+  /// Prepares path 5 or 6 and returns true; `nearest_light` is NearestHighlight::light. Returns false unless
+  /// multiplies_highlights(), with one light if a vertex is not lit or its highlight fades, and with several
+  /// if a highlight may fade.
   template <class Frame>
-  [[nodiscard]] ARCSPAN_OUTLINE static constexpr bool prepare_highlight_product(const Lighting& lighting,
-                                                                                const Frame& frame,
-                                                                                std::size_t nearest_light,
-                                                                                Prepared& prepared) {
+  [[nodiscard]] ARCSPAN_OUTLINE static constexpr bool prepare_factors(const Lighting& lighting,
+                                                                      const Frame& frame,
+                                                                      std::size_t nearest_light,
+                                                                      Prepared& prepared) {
     if (!lighting.multiplies_highlights()) return false;
     const std::size_t light = Illumination::kLights == 1 ? 0 : nearest_light;
     std::uint32_t lit = 0;
-    if (light == Illumination::kLights || !lit_throughout(lighting, frame, lit) ||
-        !is_fully_lit(lighting, frame, light))
-      return false;
-    using Product = HighlightProductRun<Lighting>;
-    const EdgeSagittaFactors factors = sagitta_factors_of(frame.chords);
-    make_factor_surfaces(lighting, frame, light, factors, prepared.patch[Product::kLight],
-                         prepared.patch[Product::kEye]);
-    prepared.product_origin = product_origin(lighting, light);
-    if constexpr (Illumination::kLights > 1) {
-      prepared.highlight_weight = lighting.highlight_weight(light);
-      if (lighting.lights() == 1) {  // known at run time only: rounded as by an illumination of one light
-        make_factor_surfaces(lighting, frame, light, factors, prepared.patch[0],
-                             prepared.patch[Product::kEye]);
-      } else {
-        make_patch_scalar(frame, factors, diffuse_scalars(lighting, frame, lit), prepared.patch[0]);
+    const bool is_one = light != Illumination::kLights && lit_throughout(lighting, frame, lit) &&
+                        is_fully_lit(lighting, frame, light);
+    if constexpr (kHasHighlightProduct) {
+      if (lighting.lights() == 1) {
+        if (!is_one) return false;
+        if constexpr (Illumination::kLights > 1) prepared.highlight_weight = lighting.highlight_weight(0);
+        prepare_product(lighting, frame, prepared.patch, prepared.product_origin);
+        prepared.highlight = HighlightPath::kProduct;
+        return true;
       }
     }
-    return true;
+    if constexpr (kHasSeveralHighlights) {
+      if (is_one && frame.width >= QuarticConstants::kLeastWidth) {
+        prepared.highlight_weight = lighting.highlight_weight(light);
+        prepare_quartic(lighting, frame, light, lit, prepared.patch, prepared.quartic[0]);
+        prepared.highlight = HighlightPath::kQuartic;
+        return true;
+      }
+      if (lighting.fade_end().raw() != 0) return false;
+      prepare_sum(lighting, frame, prepared.patch, prepared.origins);
+      prepared.highlight = HighlightPath::kSum;
+      return true;
+    }
+    return false;
   }
 
   /// Returns true if all vertices of a TriangleFrame are fully lit by a light.

@@ -37,7 +37,7 @@ template <class Lighting, class Piece, class Run>
     piece.start(steps, run);
     return PiecePath::kDiffuse;
   }
-  if constexpr (kMayMultiplyPieces<Lighting>) {
+  if constexpr (kMayMultiply<Lighting>) {
     if (start_factors(lighting, ends, steps, run, 0, 1)) return PiecePath::kProduct;
   }
   if constexpr (!kAlwaysMultipliesPieces<Lighting>) {
@@ -122,7 +122,7 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
     const auto& ends = piece.ends;
     const PieceLights lights = lights_of_piece(lighting, ends, lighting.half_tolerance_reach());
     if (lights.throughout && lights.shining == 1) {
-      if constexpr (kMayMultiplyPieces<Lighting>) {
+      if constexpr (kMayMultiply<Lighting>) {
         PieceRun<HighlightProductRun<Lighting>> run;
         if (lighting.lights() == 1 && start_product(lighting, ends, steps, run))
           return draw(Base::started(piece, run));
@@ -155,12 +155,6 @@ class AdaptiveWideWalker : public WideWalker<Pixels, Count> {
   [[nodiscard]] ARCSPAN_INLINE constexpr bool start_product(const Lighting& lighting, const Ends& ends,
                                                             const PieceSteps& steps, ProductRun& run) const {
     if (!start_factors(lighting, ends, steps, run, ProductRun::kLight, ProductRun::kEye)) return false;
-    // The diffuse scalar, if the number of lights is known at run time only.
-    if constexpr (ProductRun::kLight != 0) {
-      Parabola f = parabola_of(steps, ends.left[0], ends.right[0]);
-      f.x += HighlightFactors::kHalf;
-      run.start_at(0, f);
-    }
     run.set_origin(product_origin_);
     run.set_weight(lighting.highlight_weight(0));
     return true;

@@ -8,7 +8,8 @@ namespace arcspan {
 
 /// Adds `by` to a scalar that was made for the same frame: to the edges that are set.
 template <class Method>
-ARCSPAN_INLINE constexpr void raise_patch_scalar(const TriangleFrame<Method>& frame, Cosine by, PatchScalar& scalar) {
+ARCSPAN_INLINE constexpr void raise_patch_scalar(const TriangleFrame<Method>& frame, Cosine by,
+                                                 PatchScalar& scalar) {
   if (!frame.middle_left || frame.has_upper) scalar.left.at += by;
   if (frame.middle_left && frame.has_lower) scalar.lower.at += by;
 }

@@ -229,23 +229,30 @@ TEST_CASE("the error of wide patches of N·L is what omitted highlights leave of
 namespace {
 
 template <class Several>
-bool takes_product(const AdaptiveIllumination<Several>& lighting, const ScreenTriangle& t) {
+HighlightPath highlight_path(const AdaptiveIllumination<Several>& lighting, const ScreenTriangle& t) {
   using Shading = Adaptive<Several>;
   const auto vertex = [&](std::size_t i) {
     return RasterVertex<Shading>{t.points[i], Shading::shade_vertex(lighting, t.normals[i])};
   };
   TriangleCommand<Shading> command;
-  return prepare_triangle<Shading>(lighting, vertex(0), vertex(1), vertex(2), {}, {-80, 80}, command) &&
-         command.shade.highlight_product;
+  if (!prepare_triangle<Shading>(lighting, vertex(0), vertex(1), vertex(2), {}, {-80, 80}, command))
+    return HighlightPath::kNone;
+  return command.shade.highlight;
 }
 
-/// Draws random triangles of 12 to 30 degrees whose highlights Adaptive computes from their factors, and
-/// returns the largest difference of a pixel from Arc's in 8-bit steps. `found` counts the triangles.
+/// The triangles whose highlights Adaptive draws by a path, and the largest difference of their pixels from
+/// those of Arc in 8-bit steps.
+struct PathDifference {
+  int found = 0;
+  int most = 0;
+};
+
+/// Draws random triangles of 12 to 30 degrees and returns the differences of each HighlightPath.
 template <std::size_t Lights>
-int most_different_product(std::int32_t shininess, int& found) {
+std::array<PathDifference, 5> highlight_differences(std::int32_t shininess) {
   using Several = Illumination<Lights, Highlight::kPhong>;
   Random random(11);
-  int most = 0;
+  std::array<PathDifference, 5> differences;
   for (int i = 0; i < share_of(3000); ++i) {
     const ScreenTriangle triangle = random_screen_triangle(random, kSize, random.real(12, 30));
     const Vec3 middle = normalised(to_vec3(triangle.normals[0]) + to_vec3(triangle.normals[1]));
@@ -262,12 +269,14 @@ int most_different_product(std::int32_t shininess, int& found) {
     Several lit;
     REQUIRE(ok(Several::make(material, lights, to_direction(to_eye), lit)));
     const AdaptiveIllumination<Several> lighting(lit);
-    if (!takes_product(lighting, triangle)) continue;
-    ++found;
-    most = std::max(most, most_different(picture_of<Arc<Several>>(triangle, lit, kSize),
-                                         picture_of<Adaptive<Several>>(triangle, lighting, kSize)));
+    const HighlightPath path = highlight_path(lighting, triangle);
+    if (path < HighlightPath::kProduct) continue;
+    PathDifference& here = differences[static_cast<std::size_t>(path)];
+    ++here.found;
+    here.most = std::max(here.most, most_different(picture_of<Arc<Several>>(triangle, lit, kSize),
+                                                   picture_of<Adaptive<Several>>(triangle, lighting, kSize)));
   }
-  return most;
+  return differences;
 }
 
 }  // namespace
@@ -278,8 +287,14 @@ TEST_CASE("highlights from their factors are within a step of those of arc") {
   const std::int32_t shininess = GENERATE(2, 4, 8, 16, 32, 64);
   CAPTURE(shininess);
   const int allowed = shininess < 64 ? 1 : 2;
-  int found = 0;
-  CHECK(most_different_product<1>(shininess, found) <= allowed);
-  CHECK(most_different_product<3>(shininess, found) <= allowed);
-  CHECK(found > share_of(6000) / 200);
+  const auto check = [allowed](const auto& differences, HighlightPath path) {
+    const PathDifference& difference = differences[static_cast<std::size_t>(path)];
+    CAPTURE(static_cast<int>(path));
+    CHECK(difference.most <= allowed);
+    CHECK(difference.found > share_of(3000) / 200);
+  };
+  check(highlight_differences<1>(shininess), HighlightPath::kProduct);
+  const auto several = highlight_differences<3>(shininess);
+  check(several, HighlightPath::kQuartic);
+  check(several, HighlightPath::kSum);
 }

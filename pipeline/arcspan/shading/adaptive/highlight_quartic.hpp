@@ -72,7 +72,7 @@ class QuarticSteps {
     const std::int32_t p2 =  // 36 fraction bits
         wrap_add(wrap_add(times(f.x + f.d + f.d, 0, g2, 8), times(next_g + next_g1, 0, f2, 8)),
                  wrap_shl(times(f.d, 4, g.d, 4), 1));
-    second_ = wrap_sub(kHalf, wrap_shl(p2, 1));
+    second_ = wrap_sub(0, wrap_shl(p2, 1));
     const std::int32_t third_of_p3 =  // 40 fraction bits
         wrap_add(times(f.d, 4, g2, 8), times(next_g1 + g2, 4, f2, 8));
     third_ = wrap_sub(constants.third, wrap_mul(third_of_p3, 3) >> 3);
@@ -87,8 +87,6 @@ class QuarticSteps {
   [[nodiscard]] constexpr std::int32_t value() const { return x_; }
 
  private:
-  static constexpr std::int32_t kHalf = std::int32_t{1} << (QuarticConstants::kExtraBits - 1);
-
   std::int32_t x_;
   std::int32_t d_;
   std::int32_t second_;

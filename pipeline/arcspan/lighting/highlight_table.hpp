@@ -144,9 +144,9 @@ class HighlightTable {
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t value(std::int32_t distance) const {
     return level(distance < 0 ? 0u : static_cast<std::uint32_t>(distance)) >> 16;
   }
-  /// The colour of a sum of values, each times a weight with 15 fraction bits, clamped.
+  /// The colour of a sum of weighted values, clamped.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb of_sum(std::uint32_t sum) const {
-    const std::uint32_t most = clamped_unsigned<16, 15>(static_cast<std::int32_t>(sum));
+    const std::uint32_t most = clamped_unsigned<16, 0>(static_cast<std::int32_t>(sum));
     return white_reach_ != 0 ? PackedRgb::grey(most >> 6) : in_shares(most);
   }
 

@@ -49,7 +49,7 @@ class HighlightSumRun : public SecondDifferenceRun<Lighting::kLights + 1> {
  private:
   struct Sums {
     std::uint32_t light = 0;
-    std::uint32_t highlight = 0;  ///< largest channel, 23 fraction bits
+    std::uint32_t highlight = 0;  ///< largest channel, in 8-bit steps with 8 fraction bits
     [[nodiscard]] constexpr Cosine diffuse() const {
       return Cosine::from_raw(static_cast<std::int32_t>(light));
     }
@@ -62,15 +62,19 @@ class HighlightSumRun : public SecondDifferenceRun<Lighting::kLights + 1> {
   }
   template <std::size_t I>
   ARCSPAN_INLINE constexpr void add(const Lighting& lighting, Sums& sums) const {
-    if (const std::int32_t light = this->scalars()[I].raw() >> 15; light > 0) {
+    if (const std::int32_t raised = this->scalars()[I].raw(); raised >= kLeastLit) {
+      const std::int32_t light = raised >> 15;
       sums.light += static_cast<std::uint32_t>(light) * lighting.diffuse_share(I);
       const std::int32_t distance =
           wrap_sub((*origins_)[I], wrap_mul(light, this->scalars()[kEye].raw() >> 15));
       if (distance < HighlightTable::kReach)
-        sums.highlight += lighting.highlight_table().value(distance) * lighting.highlight_weight(I);
+        sums.highlight += (lighting.highlight_table().value(distance) * lighting.highlight_weight(I)) >> 15;
     }
     if constexpr (I + 1 < Lighting::kLights) add<I + 1>(lighting, sums);
   }
+
+  /// The raised N·L from which on Arc counts a pixel as lit: highlights of low exponents end there abruptly.
+  static constexpr std::int32_t kLeastLit = (std::int32_t{1} << 15) + HighlightFactors::kHalf.raw();
 
   const Origins* origins_;
 };

@@ -29,11 +29,12 @@ class IlluminationCalls {
   [[nodiscard]] virtual PackedRgb colour(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual PixelLight light(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual DeepColour deep_colour(const AnyScalars& scalars) const = 0;
-  /// The next nine are for an illumination that has a ramp.
+  /// The next ten are for an illumination that has a ramp.
   [[nodiscard]] virtual Cosine diffuse_scalar(const AnyScalars& scalars, std::uint32_t lit) const = 0;
   [[nodiscard]] virtual Cosine diffuse_sum(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual PackedRgb diffuse_colour(Cosine normal_light) const = 0;
   [[nodiscard]] virtual std::uint32_t highlight_weight(std::size_t light) const = 0;
+  [[nodiscard]] virtual std::uint32_t diffuse_share(std::size_t light) const = 0;
   [[nodiscard]] virtual bool draws_one_highlight() const = 0;
   [[nodiscard]] virtual OneHighlight one_highlight(std::size_t light) const = 0;
   [[nodiscard]] virtual std::uint32_t highlight_power(const OneHighlight& of, Cosine normal_light,
@@ -107,6 +108,9 @@ class AnyIllumination {
   }
   [[nodiscard]] std::uint32_t highlight_weight(std::size_t light) const requires HasRamp {
     return calls_->highlight_weight(light);
+  }
+  [[nodiscard]] std::uint32_t diffuse_share(std::size_t light) const requires HasRamp {
+    return calls_->diffuse_share(light);
   }
   static constexpr bool kDrawsOneHighlight = HasRamp;
   [[nodiscard]] bool draws_one_highlight() const { return calls_->draws_one_highlight(); }

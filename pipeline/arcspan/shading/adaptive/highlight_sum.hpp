@@ -105,7 +105,7 @@ constexpr void prepare_sum(const Lighting& lighting, const Frame& frame, Patch<C
   const EdgeSagittaFactors factors = sagitta_factors_of(frame.chords);
   for (std::size_t i = 0; i < Lighting::kLights; ++i) {
     make_factor_surface(frame, factors, values_of(frame, i), patch[i]);
-    origins[i] = product_origin(lighting, i);
+    if (i < lighting.lights()) origins[i] = product_origin(lighting, i);  // the others never light a pixel
   }
   make_factor_surface(frame, factors, scaled_eye_of(lighting, frame, 0),
                       patch[HighlightSumRun<Lighting>::kEye]);

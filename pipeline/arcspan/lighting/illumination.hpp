@@ -189,6 +189,11 @@ class Illumination : private FadeFor<Features>,
   [[nodiscard]] constexpr std::int32_t half_distance(Cosine normal_light, Cosine other,
                                                      std::size_t light) const;
 
+  /// half_distance() with both factors of R·V rounded down, which costs less: by less than 2^-14 too large or
+  /// too small.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t rough_half_distance(Cosine normal_light, Cosine other,
+                                                                          std::size_t light) const;
+
   /// The index of the scalar that the highlight of a light depends on besides N·L.
   [[nodiscard]] static constexpr std::size_t highlight_index(std::size_t light) {
     return Model == Highlight::kBlinn ? Lights + light : Lights;

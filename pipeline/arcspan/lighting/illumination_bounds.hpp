@@ -53,10 +53,7 @@ template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr bool Illumination<Lights, Model, Features>::may_shine_between(const Scalars& a, const Scalars& b,
                                                                         Factor angle2) const
     requires(Lights == 1) {
-  const auto rough = [this](const Scalars& at) {  // factors rounded down, which costs less than rounding
-    if constexpr (Model == Highlight::kBlinn) return highlight_distance(at[0], at[1], 0);
-    return wrap_sub(half_one_plus_light_eye_[0], wrap_mul(at[0].raw() >> 15, at[1].raw() >> 15));
-  };
+  const auto rough = [this](const Scalars& at) { return rough_half_distance(at[0], at[1], 0); };
   return detail::nearest_between(rough(a), rough(b), angle2) < power_.half_reach();
 }
 
@@ -177,6 +174,13 @@ constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
     bound.slope = static_cast<std::uint8_t>(relative);
   }
   return bound;
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+ARCSPAN_INLINE constexpr std::int32_t Illumination<Lights, Model, Features>::rough_half_distance(
+    Cosine normal_light, Cosine other, std::size_t light) const {
+  if constexpr (Model == Highlight::kBlinn) return highlight_distance(normal_light, other, light);
+  return wrap_sub(half_one_plus_light_eye_[light], wrap_mul(normal_light.raw() >> 15, other.raw() >> 15));
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>

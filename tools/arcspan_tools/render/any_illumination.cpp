@@ -99,6 +99,10 @@ class CallsOf final : public IlluminationCalls {
                                            std::size_t light) const override {
     return wrapped_.half_distance(normal_light, other, light);
   }
+  [[nodiscard]] std::int32_t rough_half_distance(Cosine normal_light, Cosine other,
+                                                 std::size_t light) const override {
+    return wrapped_.rough_half_distance(normal_light, other, light);
+  }
   [[nodiscard]] bool may_clamp(bool shines) const override { return wrapped_.may_clamp(shines); }
   [[nodiscard]] std::uint32_t widest_patch() const override { return wrapped_.widest_patch(); }
   [[nodiscard]] Cosine fade_end() const override { return wrapped_.fade_end(); }

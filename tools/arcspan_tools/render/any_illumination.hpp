@@ -55,6 +55,8 @@ class IlluminationCalls {
                                                        std::uint32_t ac, std::uint32_t bc) const = 0;
   [[nodiscard]] virtual std::int32_t half_distance(Cosine normal_light, Cosine other,
                                                    std::size_t light) const = 0;
+  [[nodiscard]] virtual std::int32_t rough_half_distance(Cosine normal_light, Cosine other,
+                                                         std::size_t light) const = 0;
   [[nodiscard]] virtual bool may_clamp(bool shines) const = 0;
   [[nodiscard]] virtual std::uint32_t widest_patch() const = 0;
   [[nodiscard]] virtual Cosine fade_end() const = 0;
@@ -151,6 +153,9 @@ class AnyIllumination {
   }
   [[nodiscard]] std::int32_t half_distance(Cosine normal_light, Cosine other, std::size_t light) const {
     return calls_->half_distance(normal_light, other, light);
+  }
+  [[nodiscard]] std::int32_t rough_half_distance(Cosine normal_light, Cosine other, std::size_t light) const {
+    return calls_->rough_half_distance(normal_light, other, light);
   }
   [[nodiscard]] static constexpr std::size_t highlight_index(std::size_t light) { return kLights + light; }
   [[nodiscard]] bool may_clamp(bool shines) const { return calls_->may_clamp(shines); }

@@ -34,8 +34,8 @@ template <class Lighting, std::size_t Count>
     lights.lit |= std::uint32_t{1} << i;
     const std::size_t other = Lighting::highlight_index(i);
     const std::int32_t nearest =
-        detail::nearest_between(lighting.half_distance(left, ends.left[other], i),
-                                lighting.half_distance(right, ends.right[other], i), ends.angle2);
+        detail::nearest_between(lighting.rough_half_distance(left, ends.left[other], i),
+                                lighting.rough_half_distance(right, ends.right[other], i), ends.angle2);
     if (nearest >= reach) continue;
     ++lights.shining;
     lights.highlight = i;

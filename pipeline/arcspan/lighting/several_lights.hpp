@@ -92,6 +92,12 @@ ARCSPAN_INLINE constexpr Cosine Illumination<Lights, Model, Features>::diffuse_s
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr std::uint32_t Illumination<Lights, Model, Features>::diffuse_share(std::size_t i) const
+    requires(kHasRamp&& Lights > 1) {
+  return this->shares[i];
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr auto Illumination<Lights, Model, Features>::light_sums(const Scalars& scalars) const -> LightSums {
   LightSums sums;
   unrolled<Lights>([&](auto i) {

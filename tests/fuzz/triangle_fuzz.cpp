@@ -241,12 +241,13 @@ using Blinn4 = Illumination<4, Highlight::kBlinn>;
 using Phong1 = Illumination<1, Highlight::kPhong>;
 constexpr IlluminationFeatures kEveryFeature{.coloured_lights = true, .fading_highlights = true};
 using Phong2 = Illumination<2, Highlight::kPhong, kEveryFeature>;
+using GreyPhong2 = Illumination<2, Highlight::kPhong>;
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Input in(data, size);
-  switch (in.take<std::uint8_t>() % 20) {
+  switch (in.take<std::uint8_t>() % 21) {
     case 0:
       fuzz_triangles<Arc<Blinn1>, Rgb565>(in);
       break;
@@ -303,6 +304,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     case 18:
       fuzz_mesh<RecurrenceFour<Phong1>, Rgb565, kRunsWithDepth>(in);
+      break;
+    case 19:
+      fuzz_triangles<Adaptive<GreyPhong2>, Rgb565>(in);
       break;
     default:
       fuzz_mesh<DichotomyPrintedQuadratic<Blinn4>, Rgb565, kRunsWithoutDepth>(in);

@@ -31,6 +31,7 @@ ARCSPAN_SPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Adaptive<Phong1>, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Adaptive<Phong4>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Segment<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn4>, Rgb888, DepthBuffer);

@@ -135,8 +135,7 @@ class HighlightTable {
     if (is_white(distance)) [[likely]] {
       return PackedRgb::grey(((level(static_cast<std::uint32_t>(distance)) >> 16) * weight) >> 21);
     }
-    const std::uint32_t here = level(distance < 0 ? 0u : static_cast<std::uint32_t>(distance)) >> 16;
-    return in_shares((here * weight) >> 15);
+    return in_shares((value(distance) * weight) >> 15);
   }
 
   /// The largest channel of the highlight at a scaled distance below kReach, in 8-bit steps with 8 fraction
@@ -144,7 +143,7 @@ class HighlightTable {
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t value(std::int32_t distance) const {
     return level(distance < 0 ? 0u : static_cast<std::uint32_t>(distance)) >> 16;
   }
-  /// The colour of a sum of weighted values, clamped.
+  /// The colour of a sum of values times weights, in 8-bit steps with 8 fraction bits, below 2^31; clamped.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb of_sum(std::uint32_t sum) const {
     const std::uint32_t most = clamped_unsigned<16, 0>(static_cast<std::int32_t>(sum));
     return white_reach_ != 0 ? PackedRgb::grey(most >> 6) : in_shares(most);

@@ -188,7 +188,7 @@ class Illumination : private FadeFor<Features>,
   /// or N·V. The error is at most 2^-28, less than in colour(), which rounds both factors of R·V to 15 bits.
   [[nodiscard]] constexpr std::int32_t half_distance(Cosine normal_light, Cosine other,
                                                      std::size_t light) const;
-  /// half_distance() with both factors of R·V rounded down, which costs less. The error is below 2^-14.
+  /// half_distance() with both factors of R·V rounded down, which costs less: at most 2^-14 more.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t rough_half_distance(Cosine normal_light, Cosine other,
                                                                           std::size_t light) const;
 
@@ -201,8 +201,8 @@ class Illumination : private FadeFor<Features>,
     if constexpr (Lights == 1) return std::uint32_t{1} << 15;
     return weights_[light];
   }
-  /// The factor of a light's N·L in diffuse_sum(), 15 fraction bits.
-  [[nodiscard]] constexpr std::uint32_t diffuse_share(std::size_t i) const requires(kHasRamp&& Lights > 1);
+  /// The factor of a light's N·L in diffuse_sum(), 15 fraction bits; 0 if there is none.
+  [[nodiscard]] constexpr std::uint32_t diffuse_share(std::size_t light) const;
 
   /// The squared chord up to which a triangle of any shape with a highlight may be a patch
   /// (is_accurate_patch()).

@@ -92,9 +92,10 @@ ARCSPAN_INLINE constexpr Cosine Illumination<Lights, Model, Features>::diffuse_s
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr std::uint32_t Illumination<Lights, Model, Features>::diffuse_share(std::size_t i) const
-    requires(kHasRamp&& Lights > 1) {
-  return this->shares[i];
+constexpr std::uint32_t Illumination<Lights, Model, Features>::diffuse_share(
+    [[maybe_unused]] std::size_t light) const {
+  if constexpr (kHasRamp && Lights > 1) return this->shares[light];
+  return 0;
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>

@@ -20,6 +20,7 @@ using namespace arcspan::test;
 namespace {
 
 using Light = Illumination<1, Highlight::kPhong>;
+using TwoLights = Illumination<2, Highlight::kPhong>;
 using Frame = hal::Framebuffer<Rgb565>;
 constexpr Rgb8 kBackground{9, 8, 7};
 constexpr DrawFeatures kWholeRows{.two_sided = false, .caches = false, .planes = false};
@@ -42,9 +43,9 @@ struct Picture {
   std::vector<std::uint16_t> depths;
 };
 
-template <class Method, bool InMemory, DrawFeatures Features>
+template <class Method, bool InMemory, DrawFeatures Features, std::size_t Lights>
 Picture drawn(const MeshView& mesh, const TestCamera& camera, std::int32_t left, std::int32_t right) {
-  const typename Method::Lighting lighting(make_light<1, Highlight::kPhong>(camera));
+  const typename Method::Lighting lighting(make_light<Lights, Highlight::kPhong>(camera));
   Picture picture{std::vector<Frame::Word>(Frame::words(camera.width, camera.height)),
                   std::vector<std::uint16_t>(DepthBuffer::words(camera.width, camera.height))};
   Window<InMemory> window(picture.colours, camera, left, right);
@@ -67,16 +68,16 @@ bool is_part_of(const Picture& part, const Picture& whole, std::int32_t width, s
   return true;
 }
 
-template <class Method, bool InMemory, DrawFeatures Features = kWholeRows>
+template <class Method, bool InMemory, DrawFeatures Features = kWholeRows, std::size_t Lights = 1>
 void check_windows(const MeshView& mesh, const TestCamera& camera) {
-  const Picture whole = drawn<Method, InMemory, kWholeRows>(mesh, camera, 0, camera.width);
+  const Picture whole = drawn<Method, InMemory, kWholeRows, Lights>(mesh, camera, 0, camera.width);
   const std::int32_t middle = camera.width / 2;
   for (std::int32_t from = 0; from <= middle; from += 3) {
     for (const std::int32_t to :
          {from, from + 1, from + 5, middle + from, camera.width - from / 2, camera.width}) {
       CAPTURE(InMemory, from, to);
-      CHECK(is_part_of(drawn<Method, InMemory, Features>(mesh, camera, from, to), whole, camera.width, from,
-                       to));
+      CHECK(is_part_of(drawn<Method, InMemory, Features, Lights>(mesh, camera, from, to), whole, camera.width,
+                       from, to));
     }
   }
 }
@@ -96,4 +97,17 @@ TEMPLATE_TEST_CASE("a sink of some columns gets exactly those columns of the pic
   check_windows<TestType, true>(near_normals.view(), camera);
   check_windows<TestType, false>(near_normals.view(), camera);
   check_windows<TestType, true, kOneLoop>(near_normals.view(), camera);
+}
+
+// Normals of this sphere are far apart, so that highlights are stepped as quartics or summed.
+TEST_CASE("a sink of some columns gets exactly those columns by two lights") {
+  Random random(92);
+  TestCamera camera;
+  camera.width = 97;
+  camera.height = 61;
+  camera.focal = 80;
+  camera.look_in_random_direction(random);
+  camera.translation = {0, 0, -7500};
+  const TestMesh far_normals = make_sphere(9, 18, 3000, 0, random);
+  check_windows<Adaptive<TwoLights>, true, kWholeRows, 2>(far_normals.view(), camera);
 }

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
+#include <tests/support/test_share.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,8 @@ TEST_CASE("fourth differences step the product of two parabolas") {
   Random random(3);
   double most = 0;
   for (int i = 0; i < share_of(20000); ++i) {
-    const double width = std::exp2(random.real(3.585, 7));   // 12 to 128 pixels
+    const double width =
+        std::exp2(random.real(std::log2(QuarticConstants::kLeastWidth >> 16), std::log2(kLargestPatch)));
     const double step = random.real(-1, 1) * 0.576 / width;  // up to 33 degrees per row
     const double scale = random.real(0.05, 1.22);            // HighlightTable::scaled_factor()
     const Parabola f = arc_at(1, random.real(-1.5, 1.5), step);
@@ -55,5 +57,5 @@ TEST_CASE("fourth differences step the product of two parabolas") {
   }
   // In 8-bit steps where a highlight of n = 64 falls fastest: 7 * 255 steps per reach.
   CAPTURE(most);
-  CHECK(std::ldexp(most, -26) * 7 * 255 < 0.3);
+  CHECK(std::ldexp(most, -26) * 7 * 255 < 0.2);
 }

@@ -157,9 +157,9 @@ TEST_CASE(
   CHECK(TriangleInHighlight<Two, TwoLights>(31).prepared().path == Two::Path::kPatch);
   // The lights' horizon runs through it.
   CHECK(TriangleInHighlight<Two, TwoLights>(90).prepared().path == Two::Path::kDiffuseSumPatch);
-  CHECK(TriangleInHighlight<Adaptive<OneLight>, OneLight>(8).prepared().highlight !=
+  CHECK(TriangleInHighlight<Adaptive<OneLight>, OneLight>(8).prepared().highlight_path !=
         HighlightPath::kDistance);
-  CHECK(TriangleInHighlight<Adaptive<OneLight>, OneLight>(31).prepared().highlight ==
+  CHECK(TriangleInHighlight<Adaptive<OneLight>, OneLight>(31).prepared().highlight_path ==
         HighlightPath::kDistance);
 }
 

@@ -59,8 +59,7 @@ class CallsOf final : public IlluminationCalls {
     return 0;
   }
   [[nodiscard]] std::uint32_t diffuse_share(std::size_t light) const override {
-    if constexpr (Wrapped::kHasRamp && kLights > 1) return wrapped_.diffuse_share(light);
-    return 0;
+    return wrapped_.diffuse_share(light);
   }
   [[nodiscard]] bool draws_one_highlight() const override { return Wrapped::draws_one_highlight(); }
   [[nodiscard]] OneHighlight one_highlight(std::size_t light) const override {

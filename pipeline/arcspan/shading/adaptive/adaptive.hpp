@@ -18,26 +18,25 @@
 #include <arcspan/shading/segment/segment.hpp>
 #include <arcspan/target.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
 namespace arcspan {
 
-/// What a path of AdaptivePaths for triangles within reach of a highlight steps.
+/// How AdaptivePaths draws the highlights that are within reach of a triangle.
 enum class HighlightPath : std::uint8_t {
-  kNone,      ///< a path without highlight, or one of Arc
+  kNone,      ///< not at all, or as Arc does
   kDistance,  ///< the highlight's scaled distance: path 4
   kProduct,   ///< HighlightProduct: path 5, one light
   kQuartic,   ///< QuarticHighlight: path 5, several lights
   kSum,       ///< HighlightSumRun: path 6
 };
 
-/// Arc with the cheapest path per triangle whose predicted error is within a tolerance (decisions 6 and 7).
-/// The paths are tried in this order. All but 3 and 7 need a ramp. With several lights, paths 1, 4 and 5 also
-/// need every light to reach either the whole triangle or nothing of it. The diffuse scalar is N·L, or the
-/// weighted mean of several (Illumination::diffuse_scalar()).
+/// Arc with the cheapest path per triangle whose predicted error is within a tolerance (decisions 6, 7 and
+/// 28). The paths are tried in this order. All but 3 and 7 need a ramp. With several lights, paths 1, 4 and 5
+/// also need every light to reach either the whole triangle or nothing of it. The diffuse scalar is N·L, or
+/// the weighted mean of several (Illumination::diffuse_scalar()).
 ///
 /// 1. Light that is linear on the screen: no highlight above half the tolerance is within reach, and the
 ///    circle through the normals is so small that the diffuse scalar differs from a plane by at most the rest
@@ -50,9 +49,10 @@ enum class HighlightPath : std::uint8_t {
 ///    light, which lights all vertices beyond the fade; under R·V only where normals are close. The diffuse
 ///    scalar is linear if its error and that of the distance together are within the tolerance.
 /// 5. A patch of the factors of a highlight R·V (HighlightFactors), and of the diffuse scalar if there are
-///    several lights: as path 4, where normals are farther apart, for n up to 64 and a tolerance above 0.
-/// 6. A patch of N·L of every light and N·V, for several highlights R·V, or one in a triangle that another
-///    light reaches in part; n and tolerance as for path 5, without a fade.
+///    several lights: as path 4, where normals are farther apart or HighlightTable cannot scale a distance,
+///    for n up to 64 and a tolerance above 0. With several lights at least 12 pixels wide.
+/// 6. A patch of N·L of every light and N·V: other triangles by several lights within reach of highlights
+///    R·V, unless highlights fade; n and tolerance as for path 5.
 /// 7. The paths of Arc: a patch of every scalar or of one highlight, or arcs.
 ///
 /// `Segments` false leaves out path 3.
@@ -68,16 +68,18 @@ struct AdaptivePaths : Arc<Illumination> {
   static constexpr bool kHasHighlightProduct = kHasHighlightPatch && kMayMultiply<Illumination>;
   static constexpr bool kHasSeveralHighlights =
       kHasHighlightPatch && kMayReflect<Illumination> && Illumination::kLights > 1;
+  struct NoQuartic {};  ///< in its place by one light
   struct Prepared : Base::Prepared {
     FullLinearPlane light;
     int segment_bits;                ///< path 3: segments have 2^segment_bits pixels; 0 for none
     bool linear_light;               ///< path 1: N·L alone, in `light`
-    HighlightPath highlight;         ///< paths 4 to 6; otherwise kNone
+    HighlightPath highlight_path;    ///< paths 4 to 6; otherwise kNone
     bool linear_diffuse;             ///< path 4: the diffuse scalar is in `light`
     HighlightPixels pixels;          ///< path 4, linear_diffuse: the loop that suffices
     std::uint32_t highlight_weight;  ///< paths 4 and 5: of the light, if there are several
     std::int32_t product_origin;     ///< path 5, and rows of arcs, by one light: product_origin()
-    std::array<QuarticConstants, kHasSeveralHighlights ? 1 : 0> quartic;        ///< path 5, several lights
+    /// Path 5, several lights.
+    [[no_unique_address]] std::conditional_t<kHasSeveralHighlights, QuarticConstants, NoQuartic> quartic;
     ProductOrigins<kHasSeveralHighlights ? Illumination::kLights : 0> origins;  ///< path 6
   };
 
@@ -85,7 +87,7 @@ struct AdaptivePaths : Arc<Illumination> {
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
     prepared.middle_left = frame.middle_left;
     prepared.linear_light = false;
-    prepared.highlight = HighlightPath::kNone;
+    prepared.highlight_path = HighlightPath::kNone;
     prepared.product_origin = 0;
     prepared.segment_bits = 0;
     Path path = Path::kWide;
@@ -158,7 +160,7 @@ struct AdaptivePaths : Arc<Illumination> {
       }
     }
     if constexpr (kHasHighlightPatch) {
-      if (prepared.highlight == HighlightPath::kDistance) {
+      if (prepared.highlight_path == HighlightPath::kDistance) {
         if (prepared.linear_diffuse) {
           if constexpr (kHasWhiteLoops) {
             if (prepared.pixels == HighlightPixels::kWhiteFitting)
@@ -175,17 +177,17 @@ struct AdaptivePaths : Arc<Illumination> {
       }
     }
     if constexpr (kHasHighlightProduct) {
-      if (prepared.highlight == HighlightPath::kProduct) {
+      if (prepared.highlight_path == HighlightPath::kProduct) {
         return draw(HighlightProductWalker<Lighting, Base::kScalars>(
             prepared.patch, prepared.middle_left, prepared.product_origin, weight_of(prepared)));
       }
     }
     if constexpr (kHasSeveralHighlights) {
-      if (prepared.highlight == HighlightPath::kQuartic) {
-        return draw(HighlightQuarticWalker<Lighting, Base::kScalars>(
-            prepared.patch, prepared.middle_left, prepared.quartic[0], weight_of(prepared)));
+      if (prepared.highlight_path == HighlightPath::kQuartic) {
+        return draw(HighlightQuarticWalker<Lighting, Base::kScalars>(prepared.patch, prepared.middle_left,
+                                                                     prepared.quartic, weight_of(prepared)));
       }
-      if (prepared.highlight == HighlightPath::kSum) {
+      if (prepared.highlight_path == HighlightPath::kSum) {
         return draw(HighlightSumWalker<Lighting, Base::kScalars>(prepared.patch, prepared.middle_left,
                                                                  prepared.origins));
       }
@@ -346,13 +348,13 @@ struct AdaptivePaths : Arc<Illumination> {
       make_patch_scalar(frame, in_memory, diffuse, prepared.patch[0]);
     }
     make_distance_surface(lighting, frame, light, factors, half, prepared.patch[1]);
-    prepared.highlight = HighlightPath::kDistance;
+    prepared.highlight_path = HighlightPath::kDistance;
     return true;
   }
 
   /// Prepares path 5 or 6 and returns true; `nearest_light` is NearestHighlight::light. Returns false unless
-  /// multiplies_highlights(), with one light if a vertex is not lit or its highlight fades, and with several
-  /// if a highlight may fade.
+  /// multiplies_highlights(); with one light if a vertex is not fully lit; with several if highlights fade
+  /// and the triangle is not for path 5.
   template <class Frame>
   [[nodiscard]] ARCSPAN_OUTLINE static constexpr bool prepare_factors(const Lighting& lighting,
                                                                       const Frame& frame,
@@ -368,20 +370,20 @@ struct AdaptivePaths : Arc<Illumination> {
         if (!is_one) return false;
         if constexpr (Illumination::kLights > 1) prepared.highlight_weight = lighting.highlight_weight(0);
         prepare_product(lighting, frame, prepared.patch, prepared.product_origin);
-        prepared.highlight = HighlightPath::kProduct;
+        prepared.highlight_path = HighlightPath::kProduct;
         return true;
       }
     }
     if constexpr (kHasSeveralHighlights) {
       if (is_one && frame.width >= QuarticConstants::kLeastWidth) {
         prepared.highlight_weight = lighting.highlight_weight(light);
-        prepare_quartic(lighting, frame, light, lit, prepared.patch, prepared.quartic[0]);
-        prepared.highlight = HighlightPath::kQuartic;
+        prepare_quartic(lighting, frame, light, lit, prepared.patch, prepared.quartic);
+        prepared.highlight_path = HighlightPath::kQuartic;
         return true;
       }
       if (lighting.fade_end().raw() != 0) return false;
       prepare_sum(lighting, frame, prepared.patch, prepared.origins);
-      prepared.highlight = HighlightPath::kSum;
+      prepared.highlight_path = HighlightPath::kSum;
       return true;
     }
     return false;

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <arcspan/lighting/highlight_table.hpp>
-#include <arcspan/lighting/illumination_features.hpp>
 #include <arcspan/lighting/several_lights.hpp>
 #include <arcspan/numbers/fixed_formats.hpp>
-#include <arcspan/numbers/integer.hpp>
 #include <arcspan/prepare/row_start.hpp>
 #include <arcspan/shading/adaptive/highlight_factors.hpp>
 #include <arcspan/shading/adaptive/highlight_patch.hpp>
@@ -18,8 +16,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Highlights R·V of the only light: the HighlightFactors are stepped, and each pixel multiplies them. For
-/// patches and for pieces of rows.
+/// Highlights R·V of a single light, in patches and in pieces of rows: HighlightFactors are stepped, and each
+/// pixel multiplies them.
 namespace arcspan {
 
 /// HighlightFactors, stepped by second differences. N·L is the diffuse scalar, too.

@@ -24,27 +24,29 @@ namespace arcspan {
 /// The constants of the polynomials origin - f g of all rows of a triangle. f and g are scalars of a patch,
 /// whose second differences do not change.
 struct QuarticConstants {
-  /// Fraction bits of second, third and fourth differences beyond those of a Cosine: their rounding errors
-  /// grow with the square, the cube and the fourth power of the row's length.
+  /// Second, third and fourth differences have 37 fraction bits, these more than a Cosine: their rounding
+  /// errors grow with the square, the cube and the fourth power of the row's length.
   static constexpr int kExtraBits = 7;
-  /// Width of the widest row from which on those differences fit, in pixels with 16 fraction bits. In
-  /// narrower triangles a quartic costs more than it saves.
+  /// Least width of a triangle's widest row, in pixels with 16 fraction bits. The differences fit their words
+  /// from 9 pixels on; below 12 a quartic costs more than it saves.
   static constexpr std::uint32_t kLeastWidth = std::uint32_t{12} << 16;
 
-  std::int32_t origin;
-  std::int32_t third;   ///< to be added to each third difference
-  std::int32_t fourth;  ///< the fourth difference
+  std::int32_t origin;  ///< product_origin()
+  std::int32_t third;   ///< correction of a row's first third difference, 37 fraction bits
+  std::int32_t fourth;  ///< the fourth difference, 37 fraction bits
 
   constexpr QuarticConstants() = default;
-  /// The second differences are those of f, below 2^-8, and of g, below 1.25 * 2^-8; `width` is that of the
-  /// widest row in pixels, at most kLargestPatch.
-  constexpr QuarticConstants(std::int32_t of_origin, Cosine second_f, Cosine second_g, std::int32_t width)
-      : origin(of_origin) {
+  /// `second_f` and `second_g` are below 2^-6, as those of any patch of at least kLeastWidth are; `width` is
+  /// that of the widest row in pixels, at most kLargestPatch.
+  constexpr QuarticConstants(std::int32_t product_origin, Cosine second_f, Cosine second_g,
+                             std::int32_t width)
+      : origin(product_origin) {
     constexpr int kDropped = Cosine::kFraction - kExtraBits;
-    const std::int64_t exact = std::int64_t{-6} * second_f.raw() * second_g.raw();
+    const std::int64_t exact = std::int64_t{-6} * second_f.raw() * second_g.raw();  // 60 fraction bits
     fourth = static_cast<std::int32_t>((exact + (std::int64_t{1} << (kDropped - 1))) >> kDropped);
-    // What rounding leaves, r n^4 / 24, comes closest to r a n^3 / 6 for a = 0.23 width.
-    const auto rest = static_cast<std::int32_t>(exact - std::int64_t{fourth} * (1 << kDropped));
+    // The rest r of rounding would grow to r n^4 / 24 after n pixels. r a in the third difference takes
+    // r a n^3 / 6 off, which comes closest for a = 0.23 width.
+    const auto rest = static_cast<std::int32_t>(exact - std::int64_t{fourth} * (std::int64_t{1} << kDropped));
     third = wrap_mul(rest, (width * 15) >> 6) >> kDropped;
   }
 };
@@ -52,7 +54,8 @@ struct QuarticConstants {
 /// The polynomial origin - f g of a row, a scaled distance (HighlightTable).
 class QuarticSteps {
  public:
-  /// Starts at a pixel. The slope of f is below 1/16 per pixel, that of g below 1.25 / 16.
+  /// Starts at a pixel. f and g are scalars along one arc, of at most 1/16 rad per pixel, with amplitudes of
+  /// at most 1 and 1.25: every difference of their product then fits its word.
   ARCSPAN_INLINE constexpr void start(const Parabola& f, const Parabola& g,
                                       const QuarticConstants& constants) {
     // The differences p1 to p4 of the product p = f g, by the first and second ones of f and g:
@@ -72,8 +75,9 @@ class QuarticSteps {
     const std::int32_t p2 =  // 36 fraction bits
         wrap_add(wrap_add(times(f.x + f.d + f.d, 0, g2, 8), times(next_g + next_g1, 0, f2, 8)),
                  wrap_shl(times(f.d, 4, g.d, 4), 1));
-    second_ = wrap_sub(0, wrap_shl(p2, 1));
-    const std::int32_t third_of_p3 =  // 40 fraction bits
+    constexpr std::int32_t kHalf = std::int32_t{1} << (QuarticConstants::kExtraBits - 1);
+    second_ = wrap_sub(kHalf, wrap_shl(p2, 1));  // so that next() rounds to nearest
+    const std::int32_t third_of_p3 =             // 40 fraction bits
         wrap_add(times(f.d, 4, g2, 8), times(next_g1 + g2, 4, f2, 8));
     third_ = wrap_sub(constants.third, wrap_mul(third_of_p3, 3) >> 3);
     fourth_ = constants.fourth;
@@ -105,6 +109,7 @@ class QuarticHighlight {
     diffuse_.start(0, diffuse, start.fraction);
     distance_.start(parabola_from_edge(light, start.fraction), parabola_from_edge(eye, start.fraction),
                     constants);
+    // One by one, because next() drops bits: a cut row must have the colours of the whole one.
     for (std::int32_t left = start.skipped; left > 0; --left) next();
   }
   ARCSPAN_INLINE constexpr void next() {

@@ -4,7 +4,7 @@
 #include <arcspan/lighting/highlight_table.hpp>
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/numbers/fixed_formats.hpp>
-#include <arcspan/numbers/unroll.hpp>
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/prepare/row_start.hpp>
 #include <arcspan/shading/adaptive/highlight_factors.hpp>
@@ -24,7 +24,8 @@ namespace arcspan {
 template <std::size_t Lights>
 using ProductOrigins = std::array<std::int32_t, Lights>;
 
-/// The pixels of a row (PixelRun) by N·L of every light and N·V in the scale of distances.
+/// The pixels of a row (PixelRun), coloured from N·L of every light and N·V in the scale of distances, all
+/// raised by HighlightFactors::kHalf.
 template <class Lighting>
 class HighlightSumRun : public SecondDifferenceRun<Lighting::kLights + 1> {
  public:
@@ -48,7 +49,7 @@ class HighlightSumRun : public SecondDifferenceRun<Lighting::kLights + 1> {
 
  private:
   struct Sums {
-    std::uint32_t light = 0;
+    std::uint32_t light = 0;      ///< diffuse_sum(), 30 fraction bits
     std::uint32_t highlight = 0;  ///< largest channel, in 8-bit steps with 8 fraction bits
     [[nodiscard]] constexpr Cosine diffuse() const {
       return Cosine::from_raw(static_cast<std::int32_t>(light));
@@ -60,6 +61,7 @@ class HighlightSumRun : public SecondDifferenceRun<Lighting::kLights + 1> {
     add<0>(lighting, sums);
     return sums;
   }
+  /// Adds the lights from I on. Not by unrolled(), whose function -Os would call.
   template <std::size_t I>
   ARCSPAN_INLINE constexpr void add(const Lighting& lighting, Sums& sums) const {
     if (const std::int32_t raised = this->scalars()[I].raw(); raised >= kLeastLit) {
@@ -73,7 +75,8 @@ class HighlightSumRun : public SecondDifferenceRun<Lighting::kLights + 1> {
     if constexpr (I + 1 < Lighting::kLights) add<I + 1>(lighting, sums);
   }
 
-  /// The raised N·L from which on Arc counts a pixel as lit: highlights of low exponents end there abruptly.
+  /// Arc counts N·L of at least 2^-15 as lit; here it is raised. The limit is the same because highlights of
+  /// low exponents end there abruptly.
   static constexpr std::int32_t kLeastLit = (std::int32_t{1} << 15) + HighlightFactors::kHalf.raw();
 
   const Origins* origins_;

@@ -72,7 +72,7 @@ Method::Prepared prepared_shade(const Lighting& lighting, const Triangle& t) {
 }
 
 bool takes_highlight_patch(const Lighting& lighting, const Triangle& t) {
-  return prepared_shade(lighting, t).highlight == HighlightPath::kDistance;
+  return prepared_shade(lighting, t).highlight_path == HighlightPath::kDistance;
 }
 bool takes_linear_diffuse(const Lighting& lighting, const Triangle& t) {
   return takes_highlight_patch(lighting, t) && prepared_shade(lighting, t).linear_diffuse;
@@ -218,7 +218,8 @@ TEST_CASE("beyond that limit, as far as patches go, highlights by R.V are comput
   const Vec3 towards = normalised(Vec3{0.3, 0.1, 1});
   const Vec3 to_eye = normalised(Vec3{-0.3, -0.1, 1});
   const auto is_product = [&](const Lighting& lighting, double degrees) {
-    return prepared_shade(lighting, Triangle(lighting, middle, degrees)).highlight == HighlightPath::kProduct;
+    return prepared_shade(lighting, Triangle(lighting, middle, degrees)).highlight_path ==
+           HighlightPath::kProduct;
   };
   Lighting lighting(shiny_light(8, towards, to_eye));
   CHECK_FALSE(is_product(lighting, 9));

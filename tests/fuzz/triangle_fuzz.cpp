@@ -9,6 +9,7 @@
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/prepare/prepare_triangle.hpp>
+#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>

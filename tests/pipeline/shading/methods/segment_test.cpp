@@ -293,9 +293,9 @@ TEST_CASE("highlights of paths 5 and 6 are within a step of those of arc, two wi
     CHECK(difference.most <= allowed);
     CHECK(difference.found >= at_least);
   };
-  check(highlight_differences<1>(shininess), HighlightPath::kProduct, share_of(15));
+  check(highlight_differences<1>(shininess), HighlightPath::kProduct, share_of(3000) / 200);
   const auto several = highlight_differences<3>(shininess);
   // Up to n = 4 path 4 reaches 28 degrees, which leaves too few triangles to quartics.
-  if (shininess > 4) check(several, HighlightPath::kQuartic, share_of(15));
-  check(several, HighlightPath::kSum, share_of(15));
+  if (shininess > 4) check(several, HighlightPath::kQuartic, share_of(3000) / 200);
+  check(several, HighlightPath::kSum, share_of(3000) / 200);
 }

@@ -243,8 +243,10 @@ class WideWalker {
         return draw(started(piece, run));
       }
     }
-    auto run = run_of<Run>(piece, steps);
-    return draw(run);
+    // Not run_of(), which copies; a copy of five scalars would be a call of memcpy.
+    Run run;
+    piece.start(steps, run);
+    return draw(started(piece, run));
   }
 
   /// Returns the piece in which a pixel lies.

@@ -85,17 +85,22 @@ void check_windows(const MeshView& mesh, const TestCamera& camera) {
   }
 }
 
-}  // namespace
-
-TEMPLATE_TEST_CASE("a sink of some columns gets exactly those columns of the picture", "", Flat<Light>,
-                   Gouraud<Light>, Arc<Light>, Adaptive<Light>) {
-  Random random(91);
+TestCamera camera_of_sphere(Random& random) {
   TestCamera camera;
   camera.width = 97;
   camera.height = 61;
   camera.focal = 80;
   camera.look_in_random_direction(random);
   camera.translation = {0, 0, -7500};
+  return camera;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("a sink of some columns gets exactly those columns of the picture", "", Flat<Light>,
+                   Gouraud<Light>, Arc<Light>, Adaptive<Light>) {
+  Random random(91);
+  const TestCamera camera = camera_of_sphere(random);
   const TestMesh near_normals = make_sphere(16, 32, 3000, 0, random);
   check_windows<TestType, true>(near_normals.view(), camera);
   check_windows<TestType, false>(near_normals.view(), camera);
@@ -106,12 +111,7 @@ TEMPLATE_TEST_CASE("a sink of some columns gets exactly those columns of the pic
 // that are cut may differ by a step (decision 26).
 TEST_CASE("a sink of some columns gets exactly those columns by two lights") {
   Random random(92);
-  TestCamera camera;
-  camera.width = 97;
-  camera.height = 61;
-  camera.focal = 80;
-  camera.look_in_random_direction(random);
-  camera.translation = {0, 0, -7500};
+  const TestCamera camera = camera_of_sphere(random);
   const TestMesh far_normals = make_sphere(9, 18, 3000, 0, random);
   check_windows<Adaptive<TwoLights>, true, kByRows, 2, kByRows>(far_normals.view(), camera);
 }

@@ -5,12 +5,13 @@
 #include <arcspan/lighting/directional_light.hpp>
 #include <arcspan/lighting/highlight_bound.hpp>
 #include <arcspan/lighting/highlight_fade.hpp>
+#include <arcspan/lighting/highlight_table.hpp>
 #include <arcspan/lighting/illumination_features.hpp>
 #include <arcspan/lighting/material.hpp>
-#include <arcspan/lighting/phong_tables.hpp>
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/lighting/power_table.hpp>
 #include <arcspan/lighting/ramp_scale.hpp>
+#include <arcspan/lighting/triangle_light.hpp>
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/colour.hpp>
@@ -26,15 +27,11 @@
 
 namespace arcspan {
 
-struct OneHighlight;
-
 /// The illumination of one object by `Lights` (1...4) lights: its constants, and the colour of a normal's
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
 /// (Phong). Arcs can carry them because they are linear in N.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features = IlluminationFeatures{}>
-class Illumination : private FadeFor<Features>,
-                     private RampScaleFor<Lights, Features>,
-                     private PhongTablesFor<kHasPhongTables<Lights, Model>> {
+class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Features> {
  public:
   static_assert(Lights >= 1 && Lights <= 4);
   static constexpr std::size_t kLights = Lights;
@@ -74,6 +71,12 @@ class Illumination : private FadeFor<Features>,
   /// all channels. A single light's are in the ramp.
   constexpr void set_strengths(const std::array<DirectionalLight, Lights>& lights) requires(Lights > 1);
 
+  /// Sets by how much more `Arc` may be off than without tolerance (docs/accuracy.md), in 8-bit steps, 0...64; 0
+  /// after make(). The larger, the more triangles it draws by cheaper orders. Returns kInvalidArgument, and changes
+  /// nothing, if `steps` is out of range.
+  constexpr Status set_tolerance(std::int32_t steps);
+  [[nodiscard]] constexpr std::int32_t tolerance() const { return tolerance_; }
+
   /// The scalars of a unit normal.
   [[nodiscard]] constexpr Scalars scalars(const Direction& normal) const {
     Scalars result;
@@ -103,6 +106,34 @@ class Illumination : private FadeFor<Features>,
       return PackedRgb::of(level(0, sums), level(1, sums), level(2, sums));
     }
   }
+
+  // What `Arc` takes of an illumination (docs/decisions/0035-one-surface.md).
+
+  [[nodiscard]] constexpr Scalars surface_scalars(const Direction& normal) const { return scalars(normal); }
+  /// True if no light reaches a triangle with these scalars at its vertices: with all N·L of one sign there, they
+  /// have it everywhere. False where dark pixels have no path of their own.
+  [[nodiscard]] constexpr bool is_dark(const Scalars& a, const Scalars& b, const Scalars& c) const;
+  /// What light reaches a triangle, and by which orders it is within the tolerance. `widest` is the widest squared
+  /// chord between its normals, 28 fraction bits, at most kWidestBounded.
+  [[nodiscard]] constexpr TriangleLight light_over(const Scalars& a, const Scalars& b, const Scalars& c,
+                                                   std::uint32_t widest) const;
+  /// Scalar i of a vertex as surface_colour() takes it: that of the highlight in the scale of HighlightTable, and
+  /// those that are multiplied with half a unit of what the product drops, so that dropping rounds.
+  [[nodiscard]] constexpr Cosine pixel_scalar(Cosine scalar, std::size_t i) const;
+  /// The colour of a pixel with these pixel_scalar().
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb surface_colour(const Scalars& scalars) const {
+    if constexpr (Lights == 1) {
+      const std::int32_t at = closeness(scalars, 0);
+      if (at <= 0 || scalars[0].raw() <= 0) return diffuse_colour(scalars[0]);
+      const PackedRgb highlight = highlights_.colour(fade()(highlights_.value(at) >> 16, scalars[0]));
+      return diffuse_colour(scalars[0]).plus(highlight);
+    } else {
+      const PixelLight parts = surface_light(scalars);
+      return parts.highlight.lanes == 0 ? parts.diffuse : parts.diffuse.plus(parts.highlight);
+    }
+  }
+  /// The parts of surface_colour(). Several coloured lights have no highlight of their own here: it is in `diffuse`.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight surface_light(const Scalars& scalars) const;
 
   /// The parts of colour(). Several coloured lights have no highlight of their own here: it is in `diffuse`.
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Scalars& scalars) const;
@@ -137,32 +168,12 @@ class Illumination : private FadeFor<Features>,
   /// more.
   [[nodiscard]] constexpr const auto& ramp() const requires kHasRamp { return ramp_; }
 
-  /// Format::encode(colour(scalars)), which without a highlight is read from `table` (EncodedColourTable);
-  /// one light only.
-  template <class Format, class Table>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Scalars& scalars,
-                                                                          const Table& table) const
-      requires(Lights == 1) {
-    return encoded_at<Format>(scalars[0], highlight_distance(scalars[0], scalars[1], 0), table);
-  }
-  /// True if there are PhongTables.
-  static constexpr bool kHasTables = kHasPhongTables<Lights, Model>;
-  /// encoded() of a pixel by PhongTables; `run` is a JoinedRun of N·L and N·V for their product.
-  template <class Format, class Run, class Table>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded_by_tables(const Run& run,
-                                                                                    const Table& table) const
-      requires(kHasTables);
-
   /// False if no normal of a triangle has a highlight. `a`, `b` and `c` are the scalars of its vertices;
   /// `headroom` is the most by which a scalar inside may exceed them.
   [[nodiscard]] constexpr bool may_shine(const Scalars& a, const Scalars& b, const Scalars& c,
                                          Cosine headroom) const {
     return nearest_highlight(a, b, c, headroom) < power_.half_reach();
   }
-  /// False if no normal on the arc between two normals has a highlight; `a` and `b` are their scalars and
-  /// `angle2` the squared angle between them, 15 fraction bits. One light only.
-  [[nodiscard]] constexpr bool may_shine_between(const Scalars& a, const Scalars& b, Factor angle2) const
-      requires(Lights == 1);
   /// A lower bound of the half distance (PowerTable) of all normals of a triangle, arguments as for
   /// may_shine(). INT32_MAX if no light reaches it.
   [[nodiscard]] constexpr std::int32_t nearest_highlight(const Scalars& a, const Scalars& b, const Scalars& c,
@@ -235,14 +246,6 @@ class Illumination : private FadeFor<Features>,
     return {deep_level(0, sums), deep_level(1, sums), deep_level(2, sums)};
   }
 
-  /// True if triangles that one of several highlights may reach are drawn by one_highlight() (decision 28).
-  static constexpr bool kDrawsOneHighlight = kHasRamp && Lights > 1 && Model == Highlight::kPhong;
-  [[nodiscard]] static constexpr bool draws_one_highlight() { return kDrawsOneHighlight; }
-  [[nodiscard]] constexpr OneHighlight one_highlight(std::size_t light) const;
-  /// The weighted power of that highlight, 15 fraction bits, `other` as for half_distance().
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t highlight_power(const OneHighlight& of,
-                                                                       Cosine normal_light,
-                                                                       Cosine other) const;
   /// A highlight, each channel clamped; `power` is c^n with 15 fraction bits.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::uint32_t power) const;
 
@@ -258,7 +261,6 @@ class Illumination : private FadeFor<Features>,
   /// A base class, because an empty one takes no bytes.
   using Fade = FadeFor<Features>;
   [[nodiscard]] constexpr const Fade& fade() const { return *this; }
-  [[nodiscard]] constexpr const PhongTablesFor<kHasTables>& tables() const { return *this; }
 
   /// The two sums of colour() over the lights per weight, 0...4 each, 15 fraction bits.
   struct LightSums {
@@ -295,13 +297,6 @@ class Illumination : private FadeFor<Features>,
       return wrap_sub(half_one_plus_light_eye, product);
     }
   }
-
-  /// encoded() by N·L and highlight_distance().
-  template <class Format, class Table>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded_at(Cosine normal_light,
-                                                                             std::int32_t half_distance,
-                                                                             const Table& table) const
-      requires(Lights == 1);
 
   /// nearest_highlight_between() for any number of lights and both models.
   [[nodiscard]] constexpr std::int32_t nearest_in_triangle(std::size_t light, std::int32_t reach,
@@ -341,8 +336,23 @@ class Illumination : private FadeFor<Features>,
   /// Channel `c` in 256ths of an 8-bit step.
   [[nodiscard]] constexpr std::int32_t deep_level(std::size_t c, const LightSums& sums) const;
 
+  /// The closeness of HighlightTable at a pixel with these pixel_scalar().
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t closeness(const Scalars& scalars, std::size_t light) const {
+    const std::int32_t other = scalars[highlight_index(light)].raw();
+    if constexpr (Model == Highlight::kBlinn) return wrap_add(closeness_origin_[light], other);
+    return wrap_add(closeness_origin_[light], wrap_mul(scalars[light].raw() >> 15, other >> 15));
+  }
+  /// True if the highlight of a light may reach N·L = 0, where it ends abruptly or fades, so that an error of N·L
+  /// shows more.
+  [[nodiscard]] constexpr bool may_end(std::size_t light) const;
+  /// The slope of c^n by c at a half distance, as a part of the slope at c = 1, 15 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t highlight_slope(std::int32_t half_distance) const;
+  /// The change of the largest diffuse channel from no light to all, in 8-bit steps with 5 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t most_light() const;
+  /// Sets what depends on the tolerance.
+  constexpr void set_limits();
   constexpr void set_ramp_range();
-  constexpr void set_widest_patch(const std::array<DirectionalLight, Lights>& lights);
+  constexpr void set_highlight_height(const std::array<DirectionalLight, Lights>& lights);
   /// The weighted sum of N·L at the end of the ramp, 15 fraction bits.
   [[nodiscard]] constexpr std::uint32_t ramp_range() const;
   constexpr void make_ramp();
@@ -356,7 +366,18 @@ class Illumination : private FadeFor<Features>,
   std::array<std::uint32_t, 3> specular_{};  ///< in 8-bit steps, 5 fraction bits
   std::array<Weights, Lights> weights_{};  ///< strength * colour of each of several lights, 15 fraction bits
   std::array<std::int32_t, Lights> half_one_plus_light_eye_{};  ///< (1 + L·V) / 2, 30 fraction bits
+  std::array<std::int32_t, Lights> closeness_origin_{};  ///< HighlightTable
   PowerTable power_{};
+  HighlightTable highlights_{};
+  std::int32_t tolerance_ = 0;
+  std::uint32_t light_height_ = 0;      ///< most_light()
+  std::uint32_t highlight_height_ = 0;  ///< of all lights together, in 8-bit steps with 5 fraction bits
+  std::uint32_t sharpness_ = 0;         ///< the change of all highlights with s/12 (light_over()), in half steps
+  std::uint32_t allowed_light_ = 0;      ///< 12 times the error that planes may have, in 8-bit steps, 5 fraction bits
+  std::uint32_t allowed_highlight_ = 0;  ///< that of highlights
+  std::int32_t shine_reach_ = 0;  ///< least half distance at which highlights are below half the tolerance
+  std::uint32_t widest_diffuse_ = 0;    ///< squared chord of quadratic surfaces without highlight
+  std::uint32_t widest_highlight_ = 0;  ///< of those under the brightest highlight
   std::uint32_t widest_patch_ = 0;
   std::uint32_t most_curvature_ = 0;
   std::uint32_t shininess_ = 1;
@@ -369,3 +390,4 @@ class Illumination : private FadeFor<Features>,
 #include <arcspan/lighting/illumination_light.hpp>
 #include <arcspan/lighting/make_illumination.hpp>
 #include <arcspan/lighting/several_lights.hpp>
+#include <arcspan/lighting/surface_light.hpp>

@@ -49,14 +49,6 @@ constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight_
   return highlight_distance(most_light, highest(highlight_index(light)), light);
 }
 
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr bool Illumination<Lights, Model, Features>::may_shine_between(const Scalars& a, const Scalars& b,
-                                                                        Factor angle2) const
-    requires(Lights == 1) {
-  const auto rough = [this](const Scalars& at) { return rough_half_distance(at[0], at[1], 0); };
-  return detail::nearest_between(rough(a), rough(b), angle2) < power_.half_reach();
-}
-
 /// Returns a lower bound of the half distance over a triangle, 30 fraction bits. That of N·H follows from
 /// highest_over(), that of R·V as follows.
 ///

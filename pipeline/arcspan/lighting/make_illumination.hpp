@@ -119,27 +119,27 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   illumination.specular_ = detail::scaled_channels(material.specular, weights, kCoefficientBits);
   static_cast<Fade&>(illumination) = Fade(material.highlight_fade);
   if constexpr (Lights > 1 && kHasRamp) illumination.set_ramp_range();
-  std::array<Direction, Lights> to_lights;
-  for (std::size_t i = 0; i < Lights; ++i) to_lights[i] = lights[i].towards;
-  illumination.set_directions(to_lights, to_eye);
   const std::array<std::uint32_t, 3>& specular = illumination.specular_;
   const bool white = specular[0] == specular[1] && specular[1] == specular[2];
   illumination.white_specular_ = white ? specular[0] : 0;
   illumination.shininess_ = static_cast<std::uint32_t>(material.shininess);
-  if constexpr (Lights > 1) {
-    illumination.set_strengths(lights);
-  } else {
-    illumination.set_widest_patch(lights);
-  }
+  illumination.tolerance_ = 0;
   illumination.power_ = PowerTable(material.shininess);
+  illumination.highlights_ = HighlightTable(illumination.power_, specular);
+  std::array<Direction, Lights> to_lights;
+  for (std::size_t i = 0; i < Lights; ++i) to_lights[i] = lights[i].towards;
+  illumination.set_directions(to_lights, to_eye);
   const std::uint32_t turns = Model == Highlight::kBlinn ? 1 : 2;
   illumination.most_curvature_ =
       static_cast<std::uint32_t>(Lights) *
       (illumination.most_diffuse() +
        illumination.most_specular() * static_cast<std::uint32_t>(material.shininess) * turns * turns);
   if constexpr (kHasRamp) illumination.make_ramp();
-  if constexpr (kHasTables)
-    illumination.make_tables(illumination.ramp_, illumination.power_, illumination.white_specular_ != 0);
+  if constexpr (Lights > 1) {
+    illumination.set_strengths(lights);
+  } else {
+    illumination.set_highlight_height(lights);
+  }
   return Status::kOk;
 }
 
@@ -153,6 +153,11 @@ constexpr void Illumination<Lights, Model, Features>::set_directions(
     if (Model == Highlight::kBlinn) axes_[(Lights + i) % kScalars] = half_way(to_lights[i], to_eye);
   }
   if (Model == Highlight::kPhong) axes_[Lights] = to_eye;
+  for (std::size_t i = 0; i < Lights; ++i) {
+    // At c = 1 closeness is the reach: (N·L) (N·V) = (1 + L·V) / 2, or N·H / 2 = 1/2.
+    const Cosine at_peak = Model == Highlight::kBlinn ? Cosine::of(0.5) : Cosine::from_raw(half_one_plus_light_eye_[i]);
+    closeness_origin_[i] = wrap_sub(highlights_.reach(), highlights_.scaled(at_peak).raw());
+  }
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
@@ -167,14 +172,15 @@ constexpr void Illumination<Lights, Model, Features>::set_strengths(
       this->shares[i] = (of_light[0] * this->inverse) >> 15;
     }
   }
-  set_widest_patch(lights);
+  set_highlight_height(lights);
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr void Illumination<Lights, Model, Features>::set_widest_patch(
+constexpr void Illumination<Lights, Model, Features>::set_highlight_height(
     const std::array<DirectionalLight, Lights>& lights) {
-  widest_patch_ = arcspan::widest_patch(Model, static_cast<std::int32_t>(shininess_),
-                                        detail::highlight_height(most_specular(), lights));
+  highlight_height_ = detail::highlight_height(most_specular(), lights);
+  widest_patch_ = arcspan::widest_patch(Model, static_cast<std::int32_t>(shininess_), highlight_height_);
+  set_limits();
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>

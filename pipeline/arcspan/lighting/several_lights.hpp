@@ -12,18 +12,6 @@
 /// weighted sum of several grey lights.
 namespace arcspan {
 
-/// True if an illumination has one light or may have: some know the number at run time only.
-template <class Lighting>
-inline constexpr bool kMayHaveOneLight = Lighting::kLights == 1 || !requires {
-  std::integral_constant<std::size_t, Lighting::lights()>{};
-};
-
-/// The constants of the highlight of one of several grey lights.
-struct OneHighlight {
-  std::int32_t half_one_plus_light_eye;  ///< (1 + L·V) / 2, 30 fraction bits
-  std::uint32_t weight;                  ///< highlight_weight()
-};
-
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr Cosine Illumination<Lights, Model, Features>::mean_light(const Scalars& scalars,
                                                                    [[maybe_unused]] std::uint32_t lit) const {
@@ -45,22 +33,6 @@ constexpr std::uint32_t Illumination<Lights, Model, Features>::ramp_range() cons
   } else {
     return this->range;
   }
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr OneHighlight Illumination<Lights, Model, Features>::one_highlight(std::size_t light) const {
-  if constexpr (!kHasRamp)
-    return {};
-  else
-    return {half_one_plus_light_eye_[light], highlight_weight(light)};
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-ARCSPAN_INLINE constexpr std::uint32_t Illumination<Lights, Model, Features>::highlight_power(
-    const OneHighlight& of, Cosine normal_light, Cosine other) const {
-  const std::int32_t half_distance = highlight_distance_from(of.half_one_plus_light_eye, normal_light, other);
-  if (half_distance >= power_.half_reach() || clamped(normal_light) == 0) return 0;
-  return (fade()(power_(half_distance), normal_light) * of.weight + (1u << 14)) >> 15;
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <arcspan/numbers/direction.hpp>
-#include <arcspan/shading/patch/patch_limits.hpp>
+#include <arcspan/lighting/triangle_light.hpp>
 #include <arcspan/shading/textured/texel_light.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/texture/texture.hpp>
@@ -60,8 +60,21 @@ class EnvironmentMap {
     return {Texels::ColourFormat::rgb565(Texels::stored(words_, palette_, index))};
   }
 
-  /// The squared chord up to which a triangle may be a patch.
-  [[nodiscard]] constexpr std::uint32_t widest_patch() const { return kWidestDiffusePatch; }
+  // What Arc takes of an illumination besides (Illumination).
+
+  [[nodiscard]] constexpr Scalars surface_scalars(const Direction& normal) const { return scalars(normal); }
+  [[nodiscard]] static constexpr bool is_dark(const Scalars&, const Scalars&, const Scalars&) { return false; }
+  /// A plane is off by at most a sixth of the widest squared chord: half a texel.
+  [[nodiscard]] constexpr TriangleLight light_over(const Scalars&, const Scalars&, const Scalars&,
+                                                   std::uint32_t widest) const {
+    const int bits = width_bits_ > height_bits_ ? width_bits_ : height_bits_;
+    const bool linear = (widest >> 16) << bits <= std::uint32_t{3} << 12;
+    return {LightReach::kHighlight, linear, 0, 0, kWidestQuadratic};
+  }
+  [[nodiscard]] static constexpr Cosine pixel_scalar(Cosine scalar, std::size_t) { return scalar; }
+  [[nodiscard]] ARCSPAN_INLINE constexpr UnlitTexel surface_colour(const Scalars& scalars) const {
+    return colour(scalars);
+  }
 
  private:
   /// The texel of a scalar of -1...1, of 2^bits.

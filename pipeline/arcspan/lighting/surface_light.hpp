@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/lighting/arc_bound.hpp>
+#include <arcspan/lighting/highlight_bound.hpp>
+#include <arcspan/lighting/illumination.hpp>
+#include <arcspan/numbers/unroll.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+/// The light of a triangle and of a pixel as `Arc` draws them.
+namespace arcspan {
+
+namespace detail {
+
+/// Returns x^(2/3), 8 fraction bits, for x of 0...2^16 with 8 fraction bits.
+[[nodiscard]] constexpr std::uint32_t two_thirds_power(std::uint32_t x) {
+  const std::uint64_t square = (std::uint64_t{x} * x) << 8;  // 24 fraction bits
+  std::uint64_t root = 0;
+  for (std::uint64_t bit = std::uint64_t{1} << 18; bit != 0; bit >>= 1) {
+    const std::uint64_t r = root | bit;
+    if (r * r * r <= square) root = r;
+  }
+  return static_cast<std::uint32_t>(root);
+}
+
+/// Returns the squared chord at which a quadratic surface has the error `allowed`, from the squared chord `limit`
+/// at which it has the error `error`; both have 5 fraction bits. Errors grow with the cube of the angle.
+[[nodiscard]] constexpr std::uint32_t limit_at_error(std::uint32_t limit, std::uint32_t error,
+                                                     std::uint32_t allowed) {
+  const std::uint32_t factor = two_thirds_power((allowed << 8) / (error == 0 ? 1 : error));
+  const std::uint64_t wider = (std::uint64_t{limit} * factor) >> 8;
+  return static_cast<std::uint32_t>(wider < kWidestQuadratic ? wider : kWidestQuadratic);
+}
+
+/// The error of N·L, in 8-bit steps of full light with 5 fraction bits, that planes and quadratic surfaces may have
+/// without tolerance: 0.2.
+inline constexpr std::uint32_t kExactEnough = 6;
+/// The squared chord at which a quadratic surface of full light has that error: 17.8 degrees.
+inline constexpr std::uint32_t kWidestExact = 25690112u;
+/// The error of a highlight at widest_patch(), 1.4 8-bit steps.
+inline constexpr std::uint32_t kHighlightError = 45;
+
+}  // namespace detail
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr Status Illumination<Lights, Model, Features>::set_tolerance(std::int32_t steps) {
+  if (steps < 0 || steps > 64) return Status::kInvalidArgument;
+  tolerance_ = steps;
+  set_limits();
+  return Status::kOk;
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr std::uint32_t Illumination<Lights, Model, Features>::most_light() const {
+  if constexpr (!kHasRamp) return most_diffuse() * static_cast<std::uint32_t>(Lights);
+  else return (most_diffuse() * ramp_range()) >> 15;
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr void Illumination<Lights, Model, Features>::set_limits() {
+  const std::uint32_t more = static_cast<std::uint32_t>(tolerance_) << 5;
+  constexpr std::uint32_t kTurns = Model == Highlight::kBlinn ? 1 : 4;  // R turns twice as fast as N, by L and by V
+  light_height_ = most_light();
+  sharpness_ = (highlight_height_ * shininess_ * kTurns) >> 6;  // below 2^20
+  allowed_light_ = 12 * (detail::kExactEnough + more);
+  allowed_highlight_ = 12 * (detail::kHighlightError + more);
+  const std::uint32_t exact = (detail::kExactEnough * light_height_) / (255u << 5);
+  widest_diffuse_ = detail::limit_at_error(detail::kWidestExact, exact, detail::kExactEnough + more);
+  widest_highlight_ = detail::limit_at_error(widest_patch_, detail::kHighlightError, detail::kHighlightError + more);
+  // The least distance at which the highlights of all lights together are below half the tolerance.
+  shine_reach_ = 0;
+  if (highlight_height_ == 0) return;
+  for (std::int32_t bit = std::int32_t{1} << 29; bit != 0; bit >>= 1) {
+    const std::int32_t further = shine_reach_ | bit;
+    if (further >= power_.half_reach()) continue;
+    if (highlight_height_ * power_(further) > more << 14) shine_reach_ = further;
+  }
+  ++shine_reach_;
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr bool Illumination<Lights, Model, Features>::is_dark([[maybe_unused]] const Scalars& a,
+                                                              [[maybe_unused]] const Scalars& b,
+                                                              [[maybe_unused]] const Scalars& c) const {
+  if constexpr (!kHasRamp) {
+    return false;
+  } else {
+    for (std::size_t i = 0; i < Lights; ++i) {
+      if (a[i].raw() > 0 || b[i].raw() > 0 || c[i].raw() > 0) return false;
+    }
+    return true;
+  }
+}
+
+/// By R·V the highlight cannot reach N·L = x if (1 + L·V) / 2 - x is beyond its reach: the half distance (1 + L·V) /
+/// 2 - (N·L)(N·V) is at least that. x is 2^-7 above the N·L from which on highlights have their full strength.
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr bool Illumination<Lights, Model, Features>::may_end(std::size_t light) const {
+  const std::int32_t lit_from = fade_end().raw() + (std::int32_t{1} << (Cosine::kFraction - 7));
+  return Model == Highlight::kBlinn || half_one_plus_light_eye_[light] - lit_from < power_.half_reach();
+}
+
+/// With p = c^n and h = (1 - c) / 2 the slope is c^(n - 1) = p / c: at most p (1 + 4 h) for c of at least 1/2, and
+/// 2^(1 - n) below.
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr std::uint32_t Illumination<Lights, Model, Features>::highlight_slope(std::int32_t half_distance) const {
+  if (half_distance >= power_.half_reach()) return 0;
+  const std::uint32_t h = half_distance < 0 ? 0 : static_cast<std::uint32_t>(half_distance);
+  if (h > std::uint32_t{1} << 28) return 32768u >> (shininess_ - 1);  // below half_reach() only if n < 10
+  const std::uint32_t power = power_.at_distance(h);
+  const std::uint32_t slope = power + ((power * (h >> 15)) >> 13);
+  return slope < 32768u ? slope : 32768u;
+}
+
+/// The linear normal is shorter than 1 by at most e/2, where e is at most a third of the widest squared chord s: by
+/// s/6. Planes are off by half of that, because all values are lengthened by the other half. So N·L is off by s/12
+/// of its largest value, the cosine of a highlight by s/3 by R·V, and by s/12 by N·H.
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const Scalars& a, const Scalars& b,
+                                                                          const Scalars& c,
+                                                                          std::uint32_t widest) const {
+  const Cosine headroom = Cosine::from_raw(detail::cap_height(widest) + (std::int32_t{1} << 18));
+  std::int32_t nearest = INT32_MAX;
+  bool ends = false;
+  std::int32_t brightest = 0;
+  for (std::size_t i = 0; i < Lights; ++i) {
+    const std::int32_t distance = nearest_highlight_of(i, a, b, c, headroom);
+    if (distance < nearest) nearest = distance;
+    const std::int32_t upper = a[i].raw() > b[i].raw() ? a[i].raw() : b[i].raw();
+    const std::int32_t most = upper > c[i].raw() ? upper : c[i].raw();
+    if (most > brightest) brightest = most;
+    if (distance < shine_reach_ && may_end(i)) {
+      constexpr std::int32_t kBright = std::int32_t{1} << (Cosine::kFraction - 7);
+      const std::int32_t lit_from = fade_end().raw() + kBright;
+      ends = ends || a[i].raw() < lit_from || b[i].raw() < lit_from || c[i].raw() < lit_from;
+    }
+  }
+  const std::uint32_t s = widest >> 13;  // 15 fraction bits
+  const std::uint32_t light = Lights == 1 ? static_cast<std::uint32_t>(brightest) >> 15 : 32768u;
+  const bool is_linear = (((light_height_ * light) >> 15) * s) >> 15 <= allowed_light_;
+  TriangleLight result{LightReach::kHighlight, false, 0, static_cast<std::int32_t>((s * 21845u) >> 18), widest_diffuse_};
+  if constexpr (kHasRamp) {
+    std::uint32_t lit = 0;
+    if (nearest >= shine_reach_ && lit_throughout(a, b, c, lit)) {
+      result.reach = LightReach::kDiffuse;
+      result.lit = static_cast<std::uint8_t>(lit);
+      result.linear = is_linear;
+      return result;
+    }
+  }
+  const std::uint32_t slope = ends ? 32768u : highlight_slope(nearest);
+  const std::uint32_t sharp = (sharpness_ * (slope >> 3)) >> 12;
+  result.linear = is_linear && s < 4096 && (sharp * s) >> 9 <= allowed_highlight_;
+  const std::uint32_t limit = slope >= 32768u ? widest_highlight_
+                                              : limit_at_slope(widest_highlight_, static_cast<std::uint8_t>(slope >> 11));
+  if (limit < result.quadratic_limit) result.quadratic_limit = limit;
+  return result;
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr Cosine Illumination<Lights, Model, Features>::pixel_scalar(Cosine scalar, std::size_t i) const {
+  constexpr Cosine kHalf = Cosine::from_raw(1 << 14);
+  if (Model == Highlight::kPhong) return (i < Lights ? scalar : highlights_.scaled(scalar)) + kHalf;
+  return i < Lights ? scalar : Cosine::from_raw(highlights_.scaled(scalar).raw() >> 1);
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+ARCSPAN_INLINE constexpr PixelLight Illumination<Lights, Model, Features>::surface_light(
+    const Scalars& scalars) const {
+  if constexpr (Lights == 1) {
+    const PackedRgb diffuse = diffuse_colour(scalars[0]);
+    const std::int32_t at = closeness(scalars, 0);
+    if (at <= 0 || scalars[0].raw() <= 0) return {diffuse, {}};
+    return {diffuse, highlights_.colour(fade()(highlights_.value(at) >> 16, scalars[0]))};
+  } else if constexpr (kHasRamp) {
+    std::uint32_t diffuse = 0;    // 30 fraction bits
+    std::uint32_t highlight = 0;  // in 8-bit steps, 8 fraction bits
+    unrolled<Lights>([&](auto i) {
+      const std::uint32_t light = not_negative(scalars[i]);
+      if (light == 0) return;
+      diffuse += light * this->shares[i];
+      const std::int32_t at = closeness(scalars, i);
+      if (at > 0) highlight += (fade()(highlights_.value(at) >> 16, scalars[i]) * weights_[i]) >> 15;
+    });
+    const PackedRgb ramp = diffuse_colour(Cosine::from_raw(static_cast<std::int32_t>(diffuse)));
+    if (highlight == 0) return {ramp, {}};
+    constexpr std::uint32_t kMost = 0xFFFF;  // several highlights may coincide
+    return {ramp, highlights_.colour(highlight < kMost ? highlight : kMost)};
+  } else {
+    std::array<std::uint32_t, 3> levels;  // in 8-bit steps, 20 fraction bits
+    levels = ambient_;
+    unrolled<Lights>([&](auto i) {
+      const std::uint32_t light = clamped(scalars[i]);
+      if (light == 0) return;
+      const std::int32_t at = closeness(scalars, i);
+      const std::uint32_t most = at > 0 ? fade()(highlights_.value(at) >> 16, scalars[i]) : 0;
+      unrolled<3>([&](auto channel) {
+        const std::uint32_t weight = weights_[i][channel];
+        levels[channel] += diffuse_[channel] * ((light * weight) >> 15);
+        if (most != 0) levels[channel] += ((highlights_.channel(channel, most) * weight) >> 15) << 12;
+      });
+    });
+    const auto level = [&levels](std::size_t channel) {
+      const std::uint32_t rounded = (levels[channel] + (std::uint32_t{1} << 19)) >> 18;
+      return rounded > 1023 ? 1023u : rounded;
+    };
+    return {PackedRgb::of(level(0), level(1), level(2)), {}};
+  }
+}
+
+}  // namespace arcspan

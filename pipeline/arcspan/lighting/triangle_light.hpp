@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+/// What an illumination tells a shading method about a triangle. Squared chords have 28 fraction bits.
+namespace arcspan {
+
+/// The squared chord of 60 degrees. Beyond it light_over() has no bounds.
+inline constexpr std::uint32_t kWidestBounded = std::uint32_t{1} << 28;
+/// The squared chord of 33 degrees, up to which quadratic surfaces have a series.
+inline constexpr std::uint32_t kWidestQuadratic = 86613079u;
+
+/// The parts of an illumination that reach a triangle.
+enum class LightReach : std::uint8_t {
+  kNone,       ///< no light: ambient colour alone
+  kDiffuse,    ///< no highlight above half the tolerance
+  kHighlight,  ///< all
+};
+
+struct TriangleLight {
+  LightReach reach;
+  bool linear;                    ///< planes are within the tolerance
+  std::uint8_t lit;               ///< kDiffuse: the lights that diffuse_scalar() sums up, a bit each
+  std::int32_t lift;              ///< linear: half of the largest lengthening(), by which all scalars are lengthened
+  std::uint32_t quadratic_limit;  ///< squared chord up to which quadratic surfaces are within the tolerance
+};
+
+}  // namespace arcspan

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/lighting/illumination.hpp>
+#include <arcspan/shading/surface/chords.hpp>
+#include <arcspan/shading/surface/order.hpp>
+#include <arcspan/shading/surface/run.hpp>
+#include <arcspan/shading/surface/small.hpp>
+#include <arcspan/shading/surface/surface.hpp>
+#include <arcspan/shading/surface/walker.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace arcspan {
+
+/// Phong shading by scalars: the products of the normal with L, H or V are interpolated over a triangle, and no
+/// pixel needs a root or a division. Each triangle is drawn by the cheapest order that is within the tolerance of
+/// the illumination (choose_order()), with the highlight if that is within reach, or by N·L alone. How accurate
+/// that is: docs/accuracy.md. Why: decision 35.
+///
+/// `Illumination` is an Illumination or an EnvironmentMap.
+template <class Illumination>
+struct Arc {
+  static constexpr std::size_t kScalars = Illumination::kScalars;
+  using Lighting = Illumination;
+  struct Face {};
+  using Vertex = SurfaceVertex<kScalars>;
+  static constexpr bool kNeedsFaceNormal = false;
+  static constexpr bool kSharesVertices = true;
+  using DrawsSmallTrianglesAs = Arc;
+
+  /// The loops over pixels: an order each, by all scalars or by the diffuse scalar alone.
+  enum class Path : std::uint8_t {
+    kLinear,
+    kQuadratic,
+    kNormalised,
+    kLinearDiffuse,
+    kQuadraticDiffuse,
+    kNormalisedDiffuse,
+  };
+  struct Prepared {
+    union {
+      std::array<LinearScalar, kScalars> linear;
+      std::array<QuadraticScalar, kScalars> quadratic;
+      NormalisedSurface<kScalars> normalised;
+    };
+    SurfaceRows rows;
+    Path path;
+  };
+  /// The part of a small triangle.
+  struct Small {
+    SmallPlanes<kScalars> planes;
+    SmallMissing missing;
+    Path path;
+  };
+
+  [[nodiscard]] static constexpr Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
+    return {to_normal(normal), 0, lighting.surface_scalars(normal)};
+  }
+  [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }
+  /// Returns the vertex at the fraction t, 0...1, of the chord from a to b.
+  [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
+    return on_chord(a, b, t);
+  }
+
+  /// Chooses the order of a triangle and prepares its surface. `Frame` is a TriangleFrame of this method's
+  /// vertices.
+  template <class Frame>
+  static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
+    const Vertex& top = frame.top->shade;
+    const Vertex& middle = frame.middle->shade;
+    const Vertex& bottom = frame.bottom->shade;
+    const SurfaceChoice choice = choose_order(lighting, top, middle, bottom, is_bendable(frame));
+    prepared.rows.middle_left = frame.middle_left;
+    prepared.rows.is_sliver = frame.width < std::uint32_t{1} << 16;
+    prepared.rows.inverse = frame.inverse_width;
+    prepared.path = path_of(choice);
+    const std::size_t used = prepared.path >= Path::kLinearDiffuse ? 1 : kScalars;
+    for (std::size_t i = 0; i < used; ++i) {
+      const Cosine a = value(lighting, choice, top, i);
+      const Cosine b = value(lighting, choice, middle, i);
+      const Cosine c = value(lighting, choice, bottom, i);
+      if (choice.order == SurfaceOrder::kQuadratic) {
+        make_quadratic_scalar(frame, {a.raw(), b.raw(), c.raw()}, sagittas(choice.chords, a, b, c), {0, 0},
+                              prepared.quadratic[i]);
+      } else {
+        auto& scalars = choice.order == SurfaceOrder::kLinear ? prepared.linear : prepared.normalised.scalars;
+        make_linear_scalar(frame, a, b, c, scalars[i]);
+      }
+    }
+    if (choice.order == SurfaceOrder::kNormalised) prepare_missing(frame, choice.chords, prepared.normalised);
+  }
+
+  /// Calls `draw` with the walker of the triangle's path.
+  template <class Draw>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    switch (prepared.path) {
+      case Path::kLinear:
+        return draw(Linear<kScalars>(prepared.rows, prepared.linear));
+      case Path::kQuadratic:
+        return draw(Quadratic<kScalars>(prepared.rows, prepared.quadratic));
+      case Path::kNormalised:
+        break;
+      case Path::kLinearDiffuse:
+        if constexpr (kHasDiffuse) return draw(Linear<1>(prepared.rows, prepared.linear));
+        break;
+      case Path::kQuadraticDiffuse:
+        if constexpr (kHasDiffuse) return draw(Quadratic<1>(prepared.rows, prepared.quadratic));
+        break;
+      case Path::kNormalisedDiffuse:
+        if constexpr (kHasDiffuse) return draw(Normalised<1>(prepared.rows, prepared.normalised));
+        break;
+    }
+    return draw(Normalised<kScalars>(prepared.rows, prepared.normalised));
+  }
+
+  /// Prepares a small triangle (DrawsSmallTriangles) with the vertices top, middle and bottom. Its surface is linear
+  /// or normalised: a quadratic one would cost as much as it saves.
+  template <class Raster>
+  [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& top,
+                                                    const Raster& middle, const Raster& bottom, bool,
+                                                    const SmallTriangle& triangle, Small& small) {
+    const Vertex& a = top.shade;
+    const Vertex& b = middle.shade;
+    const Vertex& c = bottom.shade;
+    if ((a.deficit | b.deficit | c.deficit) != 0) return false;
+    const SurfaceChoice choice = choose_order(lighting, a, b, c, false);
+    small.path = path_of(choice);
+    const std::size_t used = small.path >= Path::kLinearDiffuse ? 1 : kScalars;
+    for (std::size_t i = 0; i < used; ++i) {
+      small.planes.prepare(i, value(lighting, choice, a, i), value(lighting, choice, b, i),
+                           value(lighting, choice, c, i), triangle);
+    }
+    if (choice.order == SurfaceOrder::kNormalised) small.missing.prepare(choice.chords, triangle);
+    return true;
+  }
+  [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting&, const auto&) { return false; }
+  /// Calls `draw` with the surface of a small triangle.
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
+    if constexpr (kHasDiffuse) {
+      if (small.path == Path::kLinearDiffuse) return draw(SmallFlat<1>{small.planes});
+      if (small.path == Path::kNormalisedDiffuse) return draw(SmallRound<1>{small.planes, small.missing});
+    }
+    if (small.path == Path::kLinear) return draw(SmallFlat<kScalars>{small.planes});
+    return draw(SmallRound<kScalars>{small.planes, small.missing});
+  }
+
+ private:
+  /// False for coloured lights and environment maps, whose pixels always take all scalars.
+  static constexpr bool kHasDiffuse = Illumination::kHasRamp;
+  template <std::size_t Used>
+  using Linear = ScalarWalker<LinearRun<Lighting, Used>, LinearScalar, kScalars>;
+  template <std::size_t Used>
+  using Quadratic = ScalarWalker<QuadraticRun<Lighting, Used>, QuadraticScalar, kScalars>;
+  template <std::size_t Used>
+  using Normalised = NormalisedWalker<NormalisedRun<Lighting, Used>, kScalars>;
+  template <std::size_t Used>
+  using SmallFlat = SmallLinear<LinearRun<Lighting, Used>, kScalars>;
+  template <std::size_t Used>
+  using SmallRound = SmallNormalised<NormalisedRun<Lighting, Used>, kScalars>;
+
+  [[nodiscard]] static constexpr Path path_of(const SurfaceChoice& choice) {
+    const int diffuse = choice.light.reach == LightReach::kHighlight ? 0 : 3;
+    return static_cast<Path>(static_cast<int>(choice.order) + diffuse);
+  }
+
+  /// Quadratic surfaces of larger triangles would show the rounding errors of second differences: those of 128
+  /// pixels add up to 2^-17, which changes a highlight of n = 64 by half an 8-bit step.
+  template <class Frame>
+  [[nodiscard]] static constexpr bool is_bendable(const Frame& frame) {
+    constexpr std::uint32_t kLargest = 128;
+    return frame.width < kLargest << 16 && frame.long_edge.dy < std::int32_t{kLargest} << Subpixel::kFraction;
+  }
+
+  /// The scalar i of a vertex as the triangle's path takes it.
+  [[nodiscard]] static constexpr Cosine value(const Lighting& lighting, const SurfaceChoice& choice,
+                                              const Vertex& vertex, std::size_t i) {
+    Cosine scalar = vertex.scalars[i];
+    if constexpr (kHasDiffuse) {
+      if (choice.light.reach == LightReach::kNone) return {};
+      if (choice.light.reach == LightReach::kDiffuse) scalar = lighting.diffuse_scalar(vertex.scalars, choice.light.lit);
+    }
+    if (choice.order == SurfaceOrder::kLinear) scalar = lengthened(scalar, choice.light.lift);
+    return choice.light.reach == LightReach::kDiffuse ? scalar : lighting.pixel_scalar(scalar, i);
+  }
+
+  [[nodiscard]] static constexpr EdgeBends sagittas(const NormalChords& chords, Cosine top, Cosine middle,
+                                                    Cosine bottom) {
+    return {sagitta(top, middle, sagitta_factor(chords.top_middle)),
+            sagitta(top, bottom, sagitta_factor(chords.top_bottom)),
+            sagitta(middle, bottom, sagitta_factor(chords.middle_bottom))};
+  }
+
+  /// Prepares 1 - |M|^2, whose bends are the squared chords.
+  template <class Frame>
+  static constexpr void prepare_missing(const Frame& frame, const NormalChords& chords,
+                                        NormalisedSurface<kScalars>& surface) {
+    // Opposite normals have no direction half-way; 3.75, so that sums and slopes fit.
+    constexpr std::uint32_t kMost = std::uint32_t{15} << 26;
+    constexpr std::uint32_t kNarrow = std::uint32_t{15} << 24;  // 0.94, just below 60 degrees
+    const auto bend = [](std::uint32_t chord) {
+      return static_cast<std::int32_t>(chord < kMost ? chord : kMost);
+    };
+    const auto deficit = [](const Vertex& vertex) { return std::int32_t{vertex.deficit} << 12; };
+    const CornerValues at{deficit(frame.top->shade), deficit(frame.middle->shade), deficit(frame.bottom->shade)};
+    const bool narrow = chords.widest() < kNarrow && (at.top | at.middle | at.bottom) == 0;
+    surface.slope_dropped = narrow ? 0 : 2;
+    make_quadratic_scalar(frame, at,
+                          {bend(chords.top_middle), bend(chords.top_bottom), bend(chords.middle_bottom)},
+                          {2, surface.slope_dropped}, surface.missing);
+  }
+};
+
+}  // namespace arcspan

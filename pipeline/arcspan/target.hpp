@@ -260,7 +260,7 @@ template <int Bits, int Shift>
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t saturated_unsigned(std::int32_t v) {
   constexpr auto kMost = static_cast<std::int32_t>((std::uint32_t{1} << Bits) - 1);
 #if defined(__ARM_FEATURE_SAT)
-  if (Bits > 8 && !std::is_constant_evaluated()) {
+  if (!std::is_constant_evaluated()) {
     std::uint32_t result;
     if constexpr (Shift == 0) {
       asm("usat %0, %1, %2" : "=r"(result) : "I"(Bits), "r"(v));

@@ -54,7 +54,8 @@ class HighlightTable {
       here = next;
     }
     for (std::size_t c = 0; c < 3; ++c) share_[c] = most == 0 ? 0 : (specular[c] << 15) / most;
-    is_white_ = specular[0] == specular[1] && specular[1] == specular[2];
+    const bool is_white = specular[0] == specular[1] && specular[1] == specular[2];
+    white_ = is_white ? PackedRgb::grey(1).lanes : 0;
   }
 
   /// `c` times the factor of closeness, which is below 1.
@@ -77,8 +78,9 @@ class HighlightTable {
   }
   /// The colour whose largest channel is `most`, in 8-bit steps with 8 fraction bits; clamped to 255.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(std::uint32_t most) const {
-    if (is_white_) [[likely]]
-      return PackedRgb::grey(most >> 6);
+    const std::uint32_t white = (most >> 6) * white_;
+    if (white != 0) [[likely]]
+      return {white};
     return PackedRgb::of(channel(0, most) >> 6, channel(1, most) >> 6, channel(2, most) >> 6);
   }
   /// Channel `c` of that colour, in the same unit.
@@ -95,7 +97,7 @@ class HighlightTable {
   /// interval, 8 fraction bits, in the upper half its value at closeness 0, modulo 2^16. As a part of a sum the
   /// lower half is below 2^-8 of a step.
   std::array<std::uint32_t, kIntervals> lines_{};
-  bool is_white_ = true;
+  std::uint32_t white_ = 0;  ///< 1 in all channels if these are equal, else 0
   std::array<std::uint32_t, 3> share_{};  ///< a channel's part of the largest one, 15 fraction bits
   std::int32_t factor_ = 0;               ///< 31 fraction bits
   std::int32_t reach_ = 0;

@@ -16,7 +16,7 @@
 namespace arcspan {
 
 /// A triangle is small if its vertices are at most this many pixels apart, along x and along y.
-inline constexpr std::int32_t kSmallSize = 12;
+inline constexpr std::int32_t kSmallSize = 15;
 /// A triangle is medium if it is not small, its vertices are at most this many pixels apart, and its
 /// doubled_area() is below kMediumArea, so that edge functions inside fit 16 bits. Medium triangles are drawn
 /// as small ones if they are dark or consist of arcs.

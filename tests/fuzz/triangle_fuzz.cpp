@@ -13,14 +13,14 @@
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/literature/arc_vector.hpp>
-#include <arcspan/shading/literature/dichotomy.hpp>
-#include <arcspan/shading/literature/duff.hpp>
-#include <arcspan/shading/literature/kuijk_blake.hpp>
-#include <arcspan/shading/literature/lyon.hpp>
-#include <arcspan/shading/literature/phong_segment.hpp>
-#include <arcspan/shading/literature/recurrence_four.hpp>
-#include <arcspan/shading/literature/slerp.hpp>
+#include <arcspan/literature/arc_vector.hpp>
+#include <arcspan/literature/dichotomy.hpp>
+#include <arcspan/literature/duff.hpp>
+#include <arcspan/literature/kuijk_blake.hpp>
+#include <arcspan/literature/lyon.hpp>
+#include <arcspan/literature/phong_segment.hpp>
+#include <arcspan/literature/recurrence_four.hpp>
+#include <arcspan/literature/slerp.hpp>
 
 #include <cstdlib>
 #include <cstring>

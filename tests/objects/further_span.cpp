@@ -3,15 +3,15 @@
 // phong-segment, duff), of a method for products with four lights, and of operations in another format.
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/shading/literature/arc_vector.hpp>
-#include <arcspan/shading/literature/dichotomy.hpp>
-#include <arcspan/shading/literature/kuijk_blake.hpp>
-#include <arcspan/shading/literature/lyon.hpp>
-#include <arcspan/shading/literature/phong.hpp>
-#include <arcspan/shading/literature/recurrence_four.hpp>
-#include <arcspan/shading/literature/recurrence_method.hpp>
-#include <arcspan/shading/literature/reflection_map.hpp>
-#include <arcspan/shading/literature/slerp.hpp>
+#include <arcspan/literature/arc_vector.hpp>
+#include <arcspan/literature/dichotomy.hpp>
+#include <arcspan/literature/kuijk_blake.hpp>
+#include <arcspan/literature/lyon.hpp>
+#include <arcspan/literature/phong.hpp>
+#include <arcspan/literature/recurrence_four.hpp>
+#include <arcspan/literature/recurrence_method.hpp>
+#include <arcspan/literature/reflection_map.hpp>
+#include <arcspan/literature/slerp.hpp>
 #include <arcspan/span/depth_mode.hpp>
 
 #include <tests/objects/instances.hpp>

@@ -8,7 +8,7 @@
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/flat.hpp>
-#include <arcspan/shading/segment/segment.hpp>
+#include <arcspan/literature/segment.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/mesh_and_camera.hpp>

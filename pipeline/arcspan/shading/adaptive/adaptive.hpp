@@ -14,8 +14,8 @@
 #include <arcspan/shading/adaptive/linear_light.hpp>
 #include <arcspan/shading/adaptive/nearest_highlight.hpp>
 #include <arcspan/shading/adaptive/segment_length.hpp>
+#include <arcspan/shading/adaptive/segment_walker.hpp>
 #include <arcspan/shading/arc/arc.hpp>
-#include <arcspan/shading/segment/segment.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstddef>

@@ -3,7 +3,6 @@
 
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/prepare/triangle.hpp>
-#include <arcspan/shading/segment/segment.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstddef>
@@ -12,6 +11,8 @@
 /// How long the segments of Adaptive may be (path 3 of AdaptivePaths).
 namespace arcspan {
 
+/// The longest segments have 2^kLongestSegmentBits = 16 pixels.
+inline constexpr int kLongestSegmentBits = 4;
 /// The shortest segments have 2^kLeastSegmentBits = 4 pixels.
 inline constexpr int kLeastSegmentBits = 2;
 /// The width of a triangle's widest row from which on it may have segments: four of the shortest.
@@ -55,7 +56,7 @@ template <class Lighting, class Frame>
   if (!away_from_terminator(lighting, frame, across >> 4)) return 0;
   const std::uint32_t allowed = (limit >> 8) - (limit >> 10);
   const std::uint64_t room = static_cast<std::uint64_t>(allowed) * (width * width);
-  for (int bits = kMostSegmentBits; bits >= kLeastSegmentBits; --bits) {
+  for (int bits = kLongestSegmentBits; bits >= kLeastSegmentBits; --bits) {
     if ((width >> bits) >= 4 && (static_cast<std::uint64_t>(across >> 8) << (2 * bits)) <= room) return bits;
   }
   return 0;

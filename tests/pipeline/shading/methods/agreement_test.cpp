@@ -5,8 +5,8 @@
 #include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/literature/reflection_map.hpp>
-#include <arcspan/shading/segment/segment.hpp>
+#include <arcspan/literature/reflection_map.hpp>
+#include <arcspan/literature/segment.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/illumination_oracle.hpp>

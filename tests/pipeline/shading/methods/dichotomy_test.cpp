@@ -3,7 +3,7 @@
 // that cutting a row changes none of them.
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/shading/literature/dichotomy.hpp>
+#include <arcspan/literature/dichotomy.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/dichotomy_model.hpp>

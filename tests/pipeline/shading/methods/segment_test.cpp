@@ -3,7 +3,7 @@
 #include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
-#include <arcspan/shading/segment/segment.hpp>
+#include <arcspan/literature/segment.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/illumination_oracle.hpp>

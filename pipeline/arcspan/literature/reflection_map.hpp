@@ -3,7 +3,7 @@
 
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
-#include <arcspan/shading/literature/linear_normal_method.hpp>
+#include <arcspan/literature/linear_normal_method.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>

@@ -3,7 +3,7 @@
 
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/numbers/root.hpp>
-#include <arcspan/shading/literature/linear_scalars.hpp>
+#include <arcspan/literature/linear_scalars.hpp>
 
 #include <array>
 #include <cstddef>

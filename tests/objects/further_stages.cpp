@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The methods of the literature: whole calls of draw_mesh() of those that divide in the span stage by
 // definition, of the others the stages before it. Their span stages are in further_span.cpp.
-#include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/literature/arc_vector.hpp>
 #include <arcspan/literature/dichotomy.hpp>
 #include <arcspan/literature/duff.hpp>
@@ -12,7 +11,9 @@
 #include <arcspan/literature/recurrence_four.hpp>
 #include <arcspan/literature/recurrence_method.hpp>
 #include <arcspan/literature/reflection_map.hpp>
+#include <arcspan/literature/segment.hpp>
 #include <arcspan/literature/slerp.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/span/depth_mode.hpp>
 
 #include <tests/objects/instances.hpp>
@@ -35,6 +36,7 @@ ARCSPAN_PREPARE_INSTANTIATE(PhongReciprocal<Blinn1>);
 ARCSPAN_PREPARE_INSTANTIATE(Recurrence<Phong1>);
 ARCSPAN_PREPARE_INSTANTIATE(RecurrenceFour<Phong1>);
 ARCSPAN_PREPARE_INSTANTIATE(ReflectionMap<Blinn1>);
+ARCSPAN_PREPARE_INSTANTIATE(Segment<Blinn1>);
 ARCSPAN_PREPARE_INSTANTIATE(Slerp<Blinn1>);
 
 }  // namespace arcspan

@@ -14,11 +14,11 @@
   entry("flat", Flat, "arcspan/shading/flat.hpp") \
   entry("gouraud", Gouraud, "arcspan/shading/gouraud.hpp") \
   entry("arc", Arc, "arcspan/shading/arc/arc.hpp") \
-  entry("segment", Segment, "arcspan/literature/segment.hpp") \
   entry("adaptive", Adaptive, "arcspan/shading/adaptive/adaptive.hpp")
 
 /// The methods of the papers, for comparison.
 #define ARCSPAN_FOR_EACH_LITERATURE_METHOD(entry) \
+  entry("segment", Segment, "arcspan/literature/segment.hpp") \
   entry("recurrence", Recurrence, "arcspan/literature/recurrence_method.hpp") \
   entry("recurrence-four", RecurrenceFour, "arcspan/literature/recurrence_four.hpp") \
   entry("phong", Phong, "arcspan/literature/phong.hpp") \

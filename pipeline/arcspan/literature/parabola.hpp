@@ -39,7 +39,7 @@ struct Parabola {
 
 /// `Count` scalars of a row's pixels, stepped by second differences.
 template <std::size_t Count>
-struct Parabolas {
+struct SecondDifferenceRun {
   std::array<Parabola, Count> of;
 
   [[nodiscard]] constexpr std::array<Cosine, Count> scalars() const {

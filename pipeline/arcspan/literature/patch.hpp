@@ -162,8 +162,7 @@ ARCSPAN_OUTLINE constexpr void make_patch_scalar(const Frame& frame, const Patch
   const InverseLength pixel = InverseLength::of(frame.inverse_width, 16);
   scalar.second_difference = pixel.times(h + h, pixel);
   if (!frame.middle_left) {
-    scalar.left =
-        make_patch_edge(frame.long_edge, pixel, {at.top, g_top}, {at.bottom, g_bottom}, top_bottom);
+    scalar.left = make_patch_edge(frame.long_edge, pixel, {at.top, g_top}, {at.bottom, g_bottom}, top_bottom);
     return;
   }
   // q runs from right to left.

@@ -84,8 +84,8 @@ struct RowPiece {
 }
 
 /// Returns the quadruple sagitta of an arc divided by the mean of its two ends, 4 / cos(psi/2) - 4 = psi^2/2
-/// + 0.0516 psi^4 + 0.0064 psi^6 of the squared angle psi^2 (15 fraction bits), at most 1.1. 17 fraction bits,
-/// error below 1e-4. Fitted to the series.
+/// + 0.0516 psi^4 + 0.0064 psi^6 of the squared angle psi^2 (15 fraction bits), at most 1.1. 17 fraction
+/// bits, error below 1e-4. Fitted to the series.
 [[nodiscard]] constexpr std::int32_t relative_sagitta4(std::int32_t angle2) {
   const std::int32_t fourth = wrap_mul(angle2, angle2) >> 15;  // 15 fraction bits
   // 0.0516 + 0.0064 psi^2 with 15 fraction bits

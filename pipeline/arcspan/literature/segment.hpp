@@ -115,7 +115,7 @@ class SegmentWalker {
 
 /// The pixels of a row of a patch.
 template <std::size_t Count>
-struct PatchPiece : Parabolas<Count> {
+struct PatchPiece : SecondDifferenceRun<Count> {
   SegmentPath path;
 
   [[nodiscard]] static constexpr std::int32_t length() { return INT32_MAX; }
@@ -241,10 +241,11 @@ struct Segment : literature::ArcMethod<SegmentedIllumination<Illumination>, Illu
         return;
       }
       if (prepared.path == Path::kDiffusePatch) {
-        literature::make_patch_scalar(frame,
-                                      {lighting.diffuse_scalar(top, lit), lighting.diffuse_scalar(middle, lit),
-                                       lighting.diffuse_scalar(bottom, lit)},
-                                      prepared.patch[0]);
+        literature::make_patch_scalar(
+            frame,
+            {lighting.diffuse_scalar(top, lit), lighting.diffuse_scalar(middle, lit),
+             lighting.diffuse_scalar(bottom, lit)},
+            prepared.patch[0]);
         return;
       }
       if (prepared.path == Path::kDiffuseSumPatch) count = Illumination::kLights;

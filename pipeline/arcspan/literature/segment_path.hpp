@@ -18,22 +18,24 @@ enum class SegmentPath : std::uint8_t {
   kDiffusePatch,     ///< a patch of the diffuse_scalar(); no highlight is within reach
   kDiffuseSumPatch,  ///< a patch of N·L of every light; no highlight is within reach, and one of several grey
                      ///< lights reaches a part of the triangle
-  kDark,             ///< no light reaches the triangle
-  kWide,             ///< rows in pieces: normals too far apart for a patch, slivers, large triangles
-  kVeryWide,         ///< rows in pieces: normals more than 60 degrees apart
+  kDark,      ///< no light reaches the triangle
+  kWide,      ///< rows in pieces: normals too far apart for a patch, slivers, large triangles
+  kVeryWide,  ///< rows in pieces: normals more than 60 degrees apart
 };
 
 /// The limit of a patch's width and height in pixels. Up to there the rounding errors of second differences
 /// add up to 2^-17, which changes a highlight of n = 64 by half an 8-bit step.
 inline constexpr std::int32_t kLargestPatch = 128;
-/// The squared chord of 33 degrees, 28 fraction bits, up to which a triangle without highlight may be a patch.
+/// The squared chord of 33 degrees, 28 fraction bits, up to which a triangle without highlight may be a
+/// patch.
 inline constexpr std::uint32_t kWidestDiffusePatch = 86613079u;
 /// The squared chord of 30 degrees, 28 fraction bits, up to which triangles with a highlight may be patches.
 inline constexpr std::uint32_t kWidestHighlightPatch = 71927064u;
 
 /// Returns the squared angle in rad^2 of the widest piece, for a lighting that allows patches up to the
 /// squared chord `widest_patch` (28 fraction bits). Pieces may be 1.3 times as wide as patches for the same
-/// error, because a parabola differs from an arc by less than a patch from a spherical triangle (decision 23).
+/// error, because a parabola differs from an arc by less than a patch from a spherical triangle (decision
+/// 23).
 [[nodiscard]] constexpr Factor widest_piece(std::uint32_t widest_patch) {
   const std::uint32_t angle2 = widest_patch >> 13;
   return Factor::from_raw(static_cast<std::int32_t>(angle2 + (angle2 >> 1) + (angle2 >> 3)));
@@ -61,7 +63,8 @@ template <class Frame>
   return frame.chords.sum() - widest <= limit + (limit >> 1) + (limit >> 3);
 }
 
-/// Returns true if no light reaches a triangle: N·L of none is above 0 at a vertex. For lightings with a ramp.
+/// Returns true if no light reaches a triangle: N·L of none is above 0 at a vertex. For lightings with a
+/// ramp.
 template <class Lighting, class Frame>
 [[nodiscard]] constexpr bool is_dark(const Lighting&, const Frame& frame) {
   for (std::size_t i = 0; i < Lighting::kLights; ++i) {

@@ -68,8 +68,8 @@ struct DividedEdge {
 };
 
 /// A triangle with normals more than 60 degrees apart, for which neither ArcShape nor RowAngles hold, to be
-/// drawn in pieces of rows (WideWalker). Its edges are divided into parts of at most 60 degrees, and the angle
-/// of a row follows from the normals at the ends of the two parts.
+/// drawn in pieces of rows (WideWalker). Its edges are divided into parts of at most 60 degrees, and the
+/// angle of a row follows from the normals at the ends of the two parts.
 template <std::size_t Count>
 struct VeryWideTriangle {
   ArcVertex<Count> top;
@@ -78,8 +78,8 @@ struct VeryWideTriangle {
   EdgeFraction lower_edge;  ///< from its upper end
   DividedEdge<Count> long_edge;
   DividedEdge<Count> short_edge;  ///< of the current half
-  /// Of the normals at the ends of the parts, 15 fraction bits: from·from, from·to, to·from and to·to, that of
-  /// the long edge first.
+  /// Of the normals at the ends of the parts, 15 fraction bits: from·from, from·to, to·from and to·to, that
+  /// of the long edge first.
   std::array<std::int32_t, 4> products;
   Factor widest_piece;  ///< squared angle of a piece of a row, at most
   bool middle_left;     ///< the middle vertex is on the left of the long edge

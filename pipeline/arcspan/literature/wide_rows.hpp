@@ -12,7 +12,7 @@ namespace arcspan::literature {
 
 /// The pixels of a piece of a row; `Method::colour_of(lighting, scalars)` is their colour.
 template <class Method, std::size_t Count>
-struct ArcPiece : Parabolas<Count> {
+struct ArcPiece : SecondDifferenceRun<Count> {
   std::int32_t pixels;  ///< up to the end of the piece
 
   [[nodiscard]] constexpr std::int32_t length() const { return pixels; }
@@ -22,8 +22,8 @@ struct ArcPiece : Parabolas<Count> {
   }
 };
 
-/// Walks down the rows of a triangle and draws them in pieces (RowWalker). It changes the prepared triangle in
-/// place. `Triangle` is a WideTriangle or a VeryWideTriangle of `Count` scalars.
+/// Walks down the rows of a triangle and draws them in pieces (RowWalker). It changes the prepared triangle
+/// in place. `Triangle` is a WideTriangle or a VeryWideTriangle of `Count` scalars.
 template <class Method, template <std::size_t> class Triangle, std::size_t Count>
 class WideWalker {
  public:

@@ -17,6 +17,7 @@
 #include <arcspan/literature/recurrence_four.hpp>
 #include <arcspan/literature/slerp.hpp>
 #include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/literature/dichotomy.hpp>
-#include <arcspan/shading/literature/phong_segment.hpp>
+#include <arcspan/literature/dichotomy.hpp>
+#include <arcspan/literature/phong_segment.hpp>
 
 #include <array>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/counting/begin_counted.hpp>
 //
-#include <arcspan/shading/literature/duff.hpp>
-#include <arcspan/shading/literature/lyon.hpp>
-#include <arcspan/shading/literature/phong.hpp>
-#include <arcspan/shading/literature/recurrence_four.hpp>
-#include <arcspan/shading/literature/slerp.hpp>
+#include <arcspan/literature/duff.hpp>
+#include <arcspan/literature/lyon.hpp>
+#include <arcspan/literature/phong.hpp>
+#include <arcspan/literature/recurrence_four.hpp>
+#include <arcspan/literature/slerp.hpp>
 
 //
 #include <arcspan_tools/counting/end_counted.hpp>

@@ -9,16 +9,17 @@
 //
 // S1 rounds every step to two digits; that is the whole of the printed differences.
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/literature/arc_vector.hpp>
+#include <arcspan/literature/duff.hpp>
+#include <arcspan/literature/kuijk_blake.hpp>
+#include <arcspan/literature/lyon.hpp>
+#include <arcspan/literature/phong.hpp>
+#include <arcspan/literature/recurrence_four.hpp>
+#include <arcspan/literature/slerp.hpp>
 #include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/literature/arc_vector.hpp>
-#include <arcspan/shading/literature/duff.hpp>
-#include <arcspan/shading/literature/kuijk_blake.hpp>
-#include <arcspan/shading/literature/lyon.hpp>
-#include <arcspan/shading/literature/phong.hpp>
-#include <arcspan/shading/literature/recurrence_four.hpp>
-#include <arcspan/shading/literature/slerp.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/raster_stage.hpp>

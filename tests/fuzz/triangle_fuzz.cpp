@@ -3,6 +3,14 @@
 // exactly as large as it says, so that the address sanitizer sees a write outside.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/literature/arc_vector.hpp>
+#include <arcspan/literature/dichotomy.hpp>
+#include <arcspan/literature/duff.hpp>
+#include <arcspan/literature/kuijk_blake.hpp>
+#include <arcspan/literature/lyon.hpp>
+#include <arcspan/literature/phong_segment.hpp>
+#include <arcspan/literature/recurrence_four.hpp>
+#include <arcspan/literature/slerp.hpp>
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/pixel/mono.hpp>
@@ -13,14 +21,6 @@
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/literature/arc_vector.hpp>
-#include <arcspan/shading/literature/dichotomy.hpp>
-#include <arcspan/shading/literature/duff.hpp>
-#include <arcspan/shading/literature/kuijk_blake.hpp>
-#include <arcspan/shading/literature/lyon.hpp>
-#include <arcspan/shading/literature/phong_segment.hpp>
-#include <arcspan/shading/literature/recurrence_four.hpp>
-#include <arcspan/shading/literature/slerp.hpp>
 
 #include <cstdlib>
 #include <cstring>

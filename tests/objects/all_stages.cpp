@@ -9,7 +9,6 @@
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/segment/segment.hpp>
 #include <arcspan/shading/wireframe.hpp>
 #include <arcspan/span/depth_mode.hpp>
 
@@ -40,7 +39,6 @@ template Status draw_billboards<Sign, Frame565, DepthBuffer>(std::span<const Obj
 ARCSPAN_PREPARE_INSTANTIATE(Window);
 ARCSPAN_PREPARE_INSTANTIATE(Chrome);
 ARCSPAN_PREPARE_INSTANTIATE(Glass);
-ARCSPAN_PREPARE_INSTANTIATE(Segment<Blinn1>);
 ARCSPAN_PREPARE_INSTANTIATE(Sign);
 ARCSPAN_PREPARE_INSTANTIATE(Wall);
 ARCSPAN_PREPARE_INSTANTIATE(Stage);

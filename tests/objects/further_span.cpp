@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The span stages of the methods of the literature, but for those that divide by definition (phong,
 // phong-segment, duff), of a method for products with four lights, and of operations in another format.
+#include <arcspan/literature/arc_vector.hpp>
+#include <arcspan/literature/dichotomy.hpp>
+#include <arcspan/literature/kuijk_blake.hpp>
+#include <arcspan/literature/lyon.hpp>
+#include <arcspan/literature/phong.hpp>
+#include <arcspan/literature/recurrence_four.hpp>
+#include <arcspan/literature/recurrence_method.hpp>
+#include <arcspan/literature/reflection_map.hpp>
+#include <arcspan/literature/segment.hpp>
+#include <arcspan/literature/slerp.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/shading/literature/arc_vector.hpp>
-#include <arcspan/shading/literature/dichotomy.hpp>
-#include <arcspan/shading/literature/kuijk_blake.hpp>
-#include <arcspan/shading/literature/lyon.hpp>
-#include <arcspan/shading/literature/phong.hpp>
-#include <arcspan/shading/literature/recurrence_four.hpp>
-#include <arcspan/shading/literature/recurrence_method.hpp>
-#include <arcspan/shading/literature/reflection_map.hpp>
-#include <arcspan/shading/literature/slerp.hpp>
 #include <arcspan/span/depth_mode.hpp>
 
 #include <tests/objects/instances.hpp>
@@ -33,6 +34,7 @@ ARCSPAN_SPAN_INSTANTIATE(PhongReciprocal<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Recurrence<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(RecurrenceFour<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(ReflectionMap<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Segment<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Slerp<Blinn1>, Rgb565, DepthBuffer);
 
 }  // namespace arcspan

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The methods of the literature: whole calls of draw_mesh() of those that divide in the span stage by
 // definition, of the others the stages before it. Their span stages are in further_span.cpp.
+#include <arcspan/literature/arc_vector.hpp>
+#include <arcspan/literature/dichotomy.hpp>
+#include <arcspan/literature/duff.hpp>
+#include <arcspan/literature/kuijk_blake.hpp>
+#include <arcspan/literature/lyon.hpp>
+#include <arcspan/literature/phong.hpp>
+#include <arcspan/literature/phong_segment.hpp>
+#include <arcspan/literature/recurrence_four.hpp>
+#include <arcspan/literature/recurrence_method.hpp>
+#include <arcspan/literature/reflection_map.hpp>
+#include <arcspan/literature/segment.hpp>
+#include <arcspan/literature/slerp.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/literature/arc_vector.hpp>
-#include <arcspan/shading/literature/dichotomy.hpp>
-#include <arcspan/shading/literature/duff.hpp>
-#include <arcspan/shading/literature/kuijk_blake.hpp>
-#include <arcspan/shading/literature/lyon.hpp>
-#include <arcspan/shading/literature/phong.hpp>
-#include <arcspan/shading/literature/phong_segment.hpp>
-#include <arcspan/shading/literature/recurrence_four.hpp>
-#include <arcspan/shading/literature/recurrence_method.hpp>
-#include <arcspan/shading/literature/reflection_map.hpp>
-#include <arcspan/shading/literature/slerp.hpp>
 #include <arcspan/span/depth_mode.hpp>
 
 #include <tests/objects/instances.hpp>
@@ -35,6 +36,7 @@ ARCSPAN_PREPARE_INSTANTIATE(PhongReciprocal<Blinn1>);
 ARCSPAN_PREPARE_INSTANTIATE(Recurrence<Phong1>);
 ARCSPAN_PREPARE_INSTANTIATE(RecurrenceFour<Phong1>);
 ARCSPAN_PREPARE_INSTANTIATE(ReflectionMap<Blinn1>);
+ARCSPAN_PREPARE_INSTANTIATE(Segment<Blinn1>);
 ARCSPAN_PREPARE_INSTANTIATE(Slerp<Blinn1>);
 
 }  // namespace arcspan

@@ -8,7 +8,6 @@
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/segment/segment.hpp>
 #include <arcspan/shading/wireframe.hpp>
 #include <arcspan/span/depth_mode.hpp>
 #include <arcspan/span/draw_small.hpp>
@@ -32,7 +31,6 @@ ARCSPAN_SPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Adaptive<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Adaptive<Phong4>, Rgb565, DepthBuffer);
-ARCSPAN_SPAN_INSTANTIATE(Segment<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn4>, Rgb888, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Phong4>, Gray8, NoDepth);

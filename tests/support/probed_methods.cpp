@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/shading/literature/arc_vector.hpp>
-#include <arcspan/shading/literature/dichotomy.hpp>
-#include <arcspan/shading/literature/duff.hpp>
-#include <arcspan/shading/literature/kuijk_blake.hpp>
-#include <arcspan/shading/literature/lyon.hpp>
-#include <arcspan/shading/literature/phong.hpp>
-#include <arcspan/shading/literature/recurrence_four.hpp>
-#include <arcspan/shading/literature/slerp.hpp>
+#include <arcspan/literature/arc_vector.hpp>
+#include <arcspan/literature/dichotomy.hpp>
+#include <arcspan/literature/duff.hpp>
+#include <arcspan/literature/kuijk_blake.hpp>
+#include <arcspan/literature/lyon.hpp>
+#include <arcspan/literature/phong.hpp>
+#include <arcspan/literature/recurrence_four.hpp>
+#include <arcspan/literature/slerp.hpp>
 
 #include <tests/support/probed_methods.hpp>
 #include <tests/support/raster_stage.hpp>

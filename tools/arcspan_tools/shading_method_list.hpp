@@ -14,27 +14,27 @@
   entry("flat", Flat, "arcspan/shading/flat.hpp") \
   entry("gouraud", Gouraud, "arcspan/shading/gouraud.hpp") \
   entry("arc", Arc, "arcspan/shading/arc/arc.hpp") \
-  entry("segment", Segment, "arcspan/shading/segment/segment.hpp") \
   entry("adaptive", Adaptive, "arcspan/shading/adaptive/adaptive.hpp")
 
 /// The methods of the papers, for comparison.
 #define ARCSPAN_FOR_EACH_LITERATURE_METHOD(entry) \
-  entry("recurrence", Recurrence, "arcspan/shading/literature/recurrence_method.hpp") \
-  entry("recurrence-four", RecurrenceFour, "arcspan/shading/literature/recurrence_four.hpp") \
-  entry("phong", Phong, "arcspan/shading/literature/phong.hpp") \
-  entry("phong-reciprocal", PhongReciprocal, "arcspan/shading/literature/phong.hpp") \
-  entry("phong-segment", PhongSegment, "arcspan/shading/literature/phong_segment.hpp") \
-  entry("slerp", Slerp, "arcspan/shading/literature/slerp.hpp") \
-  entry("kuijk-blake", KuijkBlake, "arcspan/shading/literature/kuijk_blake.hpp") \
-  entry("lyon", Lyon, "arcspan/shading/literature/lyon.hpp") \
-  entry("duff", Duff, "arcspan/shading/literature/duff.hpp") \
-  entry("reflection-map", ReflectionMap, "arcspan/shading/literature/reflection_map.hpp") \
-  entry("arc-vector", ArcVector, "arcspan/shading/literature/arc_vector.hpp") \
-  entry("dichotomy-linear", DichotomyLinear, "arcspan/shading/literature/dichotomy.hpp") \
-  entry("dichotomy-quadratic", DichotomyQuadratic, "arcspan/shading/literature/dichotomy.hpp") \
-  entry("dichotomy-cubic", DichotomyCubic, "arcspan/shading/literature/dichotomy.hpp") \
-  entry("dichotomy-printed-linear", DichotomyPrintedLinear, "arcspan/shading/literature/dichotomy.hpp") \
-  entry("dichotomy-printed-quadratic", DichotomyPrintedQuadratic, "arcspan/shading/literature/dichotomy.hpp")
+  entry("segment", Segment, "arcspan/literature/segment.hpp") \
+  entry("recurrence", Recurrence, "arcspan/literature/recurrence_method.hpp") \
+  entry("recurrence-four", RecurrenceFour, "arcspan/literature/recurrence_four.hpp") \
+  entry("phong", Phong, "arcspan/literature/phong.hpp") \
+  entry("phong-reciprocal", PhongReciprocal, "arcspan/literature/phong.hpp") \
+  entry("phong-segment", PhongSegment, "arcspan/literature/phong_segment.hpp") \
+  entry("slerp", Slerp, "arcspan/literature/slerp.hpp") \
+  entry("kuijk-blake", KuijkBlake, "arcspan/literature/kuijk_blake.hpp") \
+  entry("lyon", Lyon, "arcspan/literature/lyon.hpp") \
+  entry("duff", Duff, "arcspan/literature/duff.hpp") \
+  entry("reflection-map", ReflectionMap, "arcspan/literature/reflection_map.hpp") \
+  entry("arc-vector", ArcVector, "arcspan/literature/arc_vector.hpp") \
+  entry("dichotomy-linear", DichotomyLinear, "arcspan/literature/dichotomy.hpp") \
+  entry("dichotomy-quadratic", DichotomyQuadratic, "arcspan/literature/dichotomy.hpp") \
+  entry("dichotomy-cubic", DichotomyCubic, "arcspan/literature/dichotomy.hpp") \
+  entry("dichotomy-printed-linear", DichotomyPrintedLinear, "arcspan/literature/dichotomy.hpp") \
+  entry("dichotomy-printed-quadratic", DichotomyPrintedQuadratic, "arcspan/literature/dichotomy.hpp")
 // clang-format on
 
 /// Every method that this build knows (CMake option ARCSPAN_TOOLS_LITERATURE).

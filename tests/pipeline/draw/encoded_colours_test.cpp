@@ -3,10 +3,10 @@
 // table by its kEncodedColours.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/literature/phong.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
-#include <arcspan/shading/literature/phong.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/mesh_and_camera.hpp>

@@ -3,12 +3,12 @@
 // same.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/literature/segment.hpp>
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/flat.hpp>
-#include <arcspan/shading/segment/segment.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/mesh_and_camera.hpp>

@@ -155,7 +155,7 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
        "not 'rgb666'"},
       {"--shading ray",
        "--shading: expected "
-       "flat|gouraud|arc|segment|adaptive|recurrence|recurrence-four|phong|phong-reciprocal|phong-segment|"
+       "flat|gouraud|arc|adaptive|segment|recurrence|recurrence-four|phong|phong-reciprocal|phong-segment|"
        "slerp|kuijk-blake|lyon|duff|reflection-map|arc-vector|dichotomy, not 'ray'"},
       {"--polynomial fourth",
        "--polynomial: expected linear, quadratic, cubic, printed-linear or printed-quadratic, not 'fourth'"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/shading/literature/recurrence.hpp>
+#include <arcspan/literature/recurrence.hpp>
 
 #include <arcspan_tools/plot/formulas.hpp>
 

@@ -77,7 +77,8 @@ class IlluminationCalls {
 
 /// IlluminationCalls with the interface of an Illumination of four lights, so that one instantiation of a
 /// method for every number of lights and both models draws the pixels that firmware draws. Flat, Gouraud and
-/// the methods of shading/literature do not ask for a ramp, so that one of the two types serves them.
+/// the methods of the literature except Segment do not ask for a ramp, so that one of the two types serves
+/// them.
 template <bool HasRamp>
 class AnyIllumination {
  public:

@@ -14,7 +14,8 @@ RenderFunction ARCSPAN_METHOD_FUNCTION(render_directly, ARCSPAN_METHOD);
 RenderResult ARCSPAN_METHOD_FUNCTION(render, ARCSPAN_METHOD)(const RenderJob& job, const PixelChoice& pixels,
                                                              const RowsDone& rows_done) {
   constexpr std::string_view kName = ARCSPAN_NAME_OF(ARCSPAN_METHOD);
-  constexpr bool kAsksForRamp = kName != "Flat" && kName != "Gouraud" && !is_literature_method(kName);
+  constexpr bool kAsksForRamp =
+      kName != "Flat" && kName != "Gouraud" && (!is_literature_method(kName) || kName == "Segment");
 #ifdef ARCSPAN_ALWAYS_VIRTUAL  // the same pictures, drawn slower and compiled faster
   constexpr RenderFunction* kDirectly = nullptr;
 #else

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // All methods side by side: where they must give the same, and in which order they are wrong where not.
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/literature/reflection_map.hpp>
+#include <arcspan/literature/segment.hpp>
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/literature/reflection_map.hpp>
-#include <arcspan/shading/segment/segment.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/illumination_oracle.hpp>

@@ -2,8 +2,8 @@
 // Dichotomy: its polynomials over all arguments, its pixels against its own model in double precision, and
 // that cutting a row changes none of them.
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/literature/dichotomy.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/shading/literature/dichotomy.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/dichotomy_model.hpp>

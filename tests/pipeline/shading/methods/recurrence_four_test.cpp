@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Four pixels at a time against the single step, and the printed equations of S0 against what they should be.
-#include <arcspan/shading/literature/recurrence_four.hpp>
+#include <arcspan/literature/recurrence_four.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/shading/literature/reflection_map.hpp>
+#include <arcspan/literature/reflection_map.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/vec3.hpp>

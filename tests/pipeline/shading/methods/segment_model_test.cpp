@@ -2,9 +2,9 @@
 // Segments against their own model in double precision: the normal at a segment's two ends by bilinear SLERP,
 // or by classic Phong as S3 prints it, the colour there by the definition, linear between.
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/literature/phong_segment.hpp>
+#include <arcspan/literature/segment.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/shading/literature/phong_segment.hpp>
-#include <arcspan/shading/segment/segment.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/illumination_oracle.hpp>

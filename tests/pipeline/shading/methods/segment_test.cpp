@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Segments, and what adaptive makes of its tolerance.
+#include <arcspan/literature/segment.hpp>
 #include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
-#include <arcspan/shading/segment/segment.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/illumination_oracle.hpp>

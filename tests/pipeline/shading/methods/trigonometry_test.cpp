@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sine table and the CORDIC that two of the methods are made of.
-#include <arcspan/shading/literature/polar.hpp>
+#include <arcspan/literature/polar.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>

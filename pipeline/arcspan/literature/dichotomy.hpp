@@ -2,8 +2,8 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/literature/linear_scalars.hpp>
 #include <arcspan/numbers/root.hpp>
-#include <arcspan/shading/literature/linear_scalars.hpp>
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/literature/linear_normal.hpp>
-#include <arcspan/shading/literature/prepared_walker.hpp>
+#include <arcspan/literature/linear_normal.hpp>
+#include <arcspan/literature/prepared_walker.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -149,7 +149,7 @@ struct LinearScalars {
       unrolled<kScalars>([&](auto i) { values[i] = normalise(scalars[i]); });
       return lighting.colour(values);
     }
-    /// A new run starts N·N again before the rounding of its differences is visible (LimitedRun).
+    /// A new piece starts N·N again before the rounding of its differences is visible.
     [[nodiscard]] static constexpr std::int32_t length() { return 256; }
     constexpr void next() {
       unrolled<kScalars>([this](auto i) { scalars[i] += steps[i]; });
@@ -157,7 +157,7 @@ struct LinearScalars {
     }
   };
 
-  using Walker = PreparedWalker<Prepared, Run>;
+  using Walker = PreparedWalkerInPieces<Prepared, Run>;
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
-#include <arcspan/shading/literature/polar.hpp>
-#include <arcspan/shading/literature/prepared_walker.hpp>
-#include <arcspan/shading/literature/slerp_triangle.hpp>
+#include <arcspan/literature/polar.hpp>
+#include <arcspan/literature/prepared_walker.hpp>
+#include <arcspan/literature/slerp_triangle.hpp>
 #include <arcspan/target.hpp>
 
 namespace arcspan {
@@ -83,9 +83,7 @@ struct KuijkBlake : SlerpBase<Illumination, Illumination::kScalars> {
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    if (prepared.is_wide) {
-      return draw(WideWalker<CarriedRun<KuijkBlake, Base::kCount>, Base::kCount>(prepared.wide));
-    }
+    if (prepared.is_wide) return draw(literature::VeryWideWalker<KuijkBlake, Base::kCount>(prepared.wide));
     return draw(Walker(prepared.narrow));
   }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/literature/row_in_pieces.hpp>
 #include <arcspan/prepare/row_start.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
@@ -21,6 +22,19 @@ class PreparedWalker {
 
  private:
   Prepared* prepared_;
+};
+
+/// PreparedWalker of rows that are drawn in pieces of MethodRun::length() pixels.
+template <class Prepared, class MethodRun>
+class PreparedWalkerInPieces : public PreparedWalker<Prepared, MethodRun> {
+ public:
+  using Piece = MethodRun;
+  using Run = literature::RowInPieces<PreparedWalkerInPieces>;
+  using PreparedWalker<Prepared, MethodRun>::PreparedWalker;
+  [[nodiscard]] constexpr Run row(const RowStart& start) const { return Run(*this, start); }
+  [[nodiscard]] constexpr Piece piece(const RowStart& start) const {
+    return PreparedWalker<Prepared, MethodRun>::row(start);
+  }
 };
 
 }  // namespace arcspan

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/literature/linear_normal_method.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
-#include <arcspan/shading/literature/linear_normal_method.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>

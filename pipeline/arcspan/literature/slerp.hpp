@@ -2,8 +2,8 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
-#include <arcspan/shading/literature/prepared_walker.hpp>
-#include <arcspan/shading/literature/slerp_triangle.hpp>
+#include <arcspan/literature/prepared_walker.hpp>
+#include <arcspan/literature/slerp_triangle.hpp>
 #include <arcspan/target.hpp>
 
 namespace arcspan {
@@ -61,9 +61,7 @@ struct Slerp : SlerpBase<Illumination, 0> {
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    if (prepared.is_wide) {
-      return draw(WideWalker<CarriedRun<Slerp, Base::kCount>, Base::kCount>(prepared.wide));
-    }
+    if (prepared.is_wide) return draw(literature::VeryWideWalker<Slerp, Base::kCount>(prepared.wide));
     return draw(Walker(prepared.narrow));
   }
 };

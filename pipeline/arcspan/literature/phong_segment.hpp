@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/literature/phong.hpp>
-#include <arcspan/shading/segment/segment.hpp>
+#include <arcspan/literature/phong.hpp>
+#include <arcspan/literature/segment.hpp>
 
 #include <bit>
 #include <cstdint>

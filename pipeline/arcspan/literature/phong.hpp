@@ -2,7 +2,7 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
-#include <arcspan/shading/literature/linear_normal_method.hpp>
+#include <arcspan/literature/linear_normal_method.hpp>
 #include <arcspan/target.hpp>
 
 namespace arcspan {

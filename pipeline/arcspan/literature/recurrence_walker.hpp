@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/literature/recurrence_rows.hpp>
+#include <arcspan/literature/recurrence_rows.hpp>
+#include <arcspan/literature/row_in_pieces.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/target.hpp>
 
@@ -73,31 +74,23 @@ ARCSPAN_OUTLINE constexpr void prepare_recurrence(Frame& frame, RecurrenceTriang
   arcs.middle_left = frame.middle_left;
 }
 
-/// The pixels of a row (PixelRun); the recurrence steps their scalars.
+/// The pixels of a row, whose scalars the recurrence steps.
 template <class Lighting>
 class RecurrenceRun {
  public:
   static constexpr std::size_t kScalars = Lighting::kScalars;
 
   /// Rounding of the recurrence adds up to m^2 / 4 units of 2^-30 over m pixels, 1.5e-5 over 256. A longer
-  /// row is drawn in several runs (LimitedRun).
+  /// row is drawn in several pieces.
   [[nodiscard]] static constexpr std::int32_t length() { return 256; }
 
+  RecurrenceRun() = default;
   constexpr RecurrenceRun(std::int32_t mantissa, std::int32_t shift) : mantissa_(mantissa), shift_(shift) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(const Lighting& lighting) const {
     typename Lighting::Scalars values;
     unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
     return lighting.colour(values);
-  }
-  /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
-  template <class Format, class Colours>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
-                                                                          const Colours& encoded) const {
-    typename Lighting::Scalars values;
-    unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
-    if constexpr (!Colours::kForHighlights) return Format::encode(lighting.colour(values));
-    return lighting.template encoded<Format>(values, encoded);
   }
   [[nodiscard]] constexpr RecurrenceScalar& scalar(std::size_t i) { return scalars_[i]; }
   [[nodiscard]] constexpr const RecurrenceScalar& scalar(std::size_t i) const { return scalars_[i]; }
@@ -113,19 +106,20 @@ class RecurrenceRun {
 };
 
 /// Steps the scalars of both edges of a half from row to row (RowWalker). It changes the prepared arcs in
-/// place.
-template <class Lighting>
+/// place. `Pixels` are those of a row, made of a RecurrenceRun.
+template <class Lighting, class Pixels = RecurrenceRun<Lighting>>
 class RecurrenceWalker {
  public:
   static constexpr std::size_t kScalars = Lighting::kScalars;
-  using Run = RecurrenceRun<Lighting>;
-
-  static constexpr bool kOutlined = true;
+  using Piece = Pixels;
+  using Run = literature::RowInPieces<RecurrenceWalker>;
 
   constexpr explicit RecurrenceWalker(RecurrenceTriangle<kScalars>& arcs)
       : arcs_(&arcs), short_(&arcs.upper_edge), rows_(&arcs.upper_rows) {}
 
-  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
+  [[nodiscard]] constexpr Run row(const RowStart& start) const { return Run(*this, start); }
+  /// Returns the pixels of the current row from `start` on.
+  [[nodiscard]] constexpr Piece piece(const RowStart& start) const {
     const Factor t = rows_->t.factor();
     const Factor t2 = multiply<Factor>(t, t);
     const SquaredAngle angle2 =
@@ -140,11 +134,11 @@ class RecurrenceWalker {
 
     const RecurrenceEdge<kScalars>& left = arcs_->middle_left ? *short_ : arcs_->long_edge;
     const RecurrenceEdge<kScalars>& right = arcs_->middle_left ? arcs_->long_edge : *short_;
-    Run run(mantissa, rows_->k_shift);
+    RecurrenceRun<Lighting> run(mantissa, rows_->k_shift);
     unrolled<kScalars>([&](auto i) {
       run.scalar(i) = start_scalar(arc, arcs_->rows, scale, left.scalars[i].x, right.scalars[i].x);
     });
-    return run;
+    return Pixels{run};
   }
 
   constexpr void next_row() {

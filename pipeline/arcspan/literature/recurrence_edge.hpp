@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/literature/arc_angle.hpp>
+#include <arcspan/literature/recurrence.hpp>
 #include <arcspan/numbers/unroll.hpp>
 #include <arcspan/prepare/edge.hpp>
-#include <arcspan/shading/literature/arc_angle.hpp>
-#include <arcspan/shading/literature/recurrence.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/literature/squared_angle.hpp>
+#include <arcspan/literature/squared_angle.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/literature/recurrence_method.hpp>
+#include <arcspan/literature/recurrence_method.hpp>
 #include <arcspan/target.hpp>
 
 namespace arcspan {
@@ -13,9 +13,6 @@ namespace detail {
 template <class Illumination>
 struct NormalAsScalars {
   static constexpr std::size_t kScalars = 3;
-  /// Not 1: with one light Arc carries scalars[0] alone where a triangle has no highlight.
-  static constexpr std::size_t kLights = 2;
-  static constexpr bool kHasRamp = false;
   using Scalars = std::array<Cosine, kScalars>;
 
   const Illumination* illumination;
@@ -44,7 +41,6 @@ struct ArcVector : Recurrence<detail::NormalAsScalars<Illumination>> {
   using typename Base::Prepared;
   using typename Base::Scalars;
   using typename Base::Vertex;
-  static constexpr bool kUsesEncodedColours = false;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting&, const Direction& normal) {
     return {to_normal(normal), Components::scalars(normal)};
@@ -72,8 +68,8 @@ struct ArcVector : Recurrence<detail::NormalAsScalars<Illumination>> {
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    if (prepared.is_wide) return draw(WideWalker<CarriedRun<ArcVector, 3>, 3>(prepared.wide));
-    return draw(RecurrenceWalkerWith<Components, Run>(prepared.narrow));
+    if (prepared.is_wide) return draw(literature::VeryWideWalker<ArcVector, 3>(prepared.wide));
+    return draw(RecurrenceWalker<Components, Run>(prepared.narrow));
   }
 };
 

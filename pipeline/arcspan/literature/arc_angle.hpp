@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/literature/arc_start.hpp>
-#include <arcspan/shading/literature/recurrence.hpp>
+#include <arcspan/literature/arc_start.hpp>
+#include <arcspan/literature/recurrence.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>

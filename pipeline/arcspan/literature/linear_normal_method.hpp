@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/literature/linear_normal.hpp>
-#include <arcspan/shading/literature/prepared_walker.hpp>
+#include <arcspan/literature/linear_normal.hpp>
+#include <arcspan/literature/prepared_walker.hpp>
 #include <arcspan/status.hpp>
 
 namespace arcspan {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/arc/arc_vertex.hpp>
-#include <arcspan/shading/literature/linear_normal.hpp>
-#include <arcspan/shading/literature/sine_table.hpp>
-#include <arcspan/shading/literature/wide_rows.hpp>
+#include <arcspan/literature/arc_vertex.hpp>
+#include <arcspan/literature/linear_normal.hpp>
+#include <arcspan/literature/sine_table.hpp>
+#include <arcspan/literature/wide_rows.hpp>
 
 #include <array>
 #include <cstddef>
@@ -172,24 +172,16 @@ struct SlerpTriangle {
 };
 
 /// The common part of Slerp and KuijkBlake: vertices carry the normal's three components and `More` other
-/// scalars, and are clipped as Arc's.
+/// scalars.
 template <class Illumination, std::size_t More>
-struct SlerpBase {
+struct SlerpBase : literature::ArcMethod<Illumination, 3 + More> {
   static constexpr std::size_t kCount = 3 + More;
-  using Lighting = Illumination;
-  struct Face {};
-  using Vertex = ArcVertex<kCount>;
-  using Prepared = NarrowOrWide<SlerpTriangle<kCount>, kCount>;
-  static constexpr bool kNeedsFaceNormal = false;
+  using Base = literature::ArcMethod<Illumination, kCount>;
+  using typename Base::Face;
+  using typename Base::Lighting;
+  using typename Base::Vertex;
+  using Prepared = literature::NarrowOrWide<SlerpTriangle<kCount>, kCount>;
 
-  [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }
-  [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
-    return on_arc(a, b, t);
-  }
-  template <class Vertices>
-  [[nodiscard]] static constexpr TriangleChords chords_of(const Vertices& vertices) {
-    return chords_of_normals(vertices);
-  }
   template <class Frame>
   static constexpr void prepare(const Lighting&, Frame& frame, const Face&, Prepared& prepared) {
     if (!prepared.prepare_if_wide(frame)) prepared.narrow.make(frame);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
-#include <arcspan/shading/literature/linear_scalars.hpp>
+#include <arcspan/literature/linear_scalars.hpp>
 
 namespace arcspan {
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/arc/arc.hpp>
-#include <arcspan/shading/literature/recurrence_walker.hpp>
-#include <arcspan/shading/literature/wide_rows.hpp>
+#include <arcspan/literature/arc_vertex.hpp>
+#include <arcspan/literature/recurrence_walker.hpp>
+#include <arcspan/literature/wide_rows.hpp>
 #include <arcspan/status.hpp>
+
+#include <array>
+#include <cstddef>
 
 namespace arcspan {
 
@@ -13,37 +16,31 @@ namespace arcspan {
 /// normals up to 60 degrees apart, however close they are. The recurrence steps each of them by one multiply,
 /// one shift and subtractions per row and per pixel (RecurrenceScalar); no triangle is a quadratic surface.
 /// Arcs up to 60 degrees are within 2^-8 of bilinear SLERP, those up to 30 degrees within 1.4e-4. Wider
-/// triangles are drawn as by Arc.
+/// triangles are drawn in pieces of rows (WideWalker).
 template <class Illumination>
-struct Recurrence : Arc<Illumination> {
-  using Base = Arc<Illumination>;
+struct Recurrence : literature::ArcMethod<Illumination, Illumination::kScalars> {
+  static constexpr std::size_t kScalars = Illumination::kScalars;
+  using Base = literature::ArcMethod<Illumination, kScalars>;
   using typename Base::Face;
   using typename Base::Lighting;
   using typename Base::Vertex;
-  using Prepared = NarrowOrWide<RecurrenceTriangle<Base::kScalars>, Base::kScalars>;
+  using Scalars = std::array<Cosine, kScalars>;
+  using Prepared = literature::NarrowOrWide<RecurrenceTriangle<kScalars>, kScalars>;
 
+  [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
+    return {to_normal(normal), lighting.scalars(normal)};
+  }
+  [[nodiscard]] static constexpr auto colour_of(const Lighting& lighting, const Scalars& scalars) {
+    return lighting.colour(scalars);
+  }
   template <class Frame>
   static constexpr void prepare(const Lighting&, Frame& frame, const Face&, Prepared& prepared) {
     if (!prepared.prepare_if_wide(frame)) prepare_recurrence(frame, prepared.narrow);
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    if (prepared.is_wide) {
-      return draw(WideWalker<PatchRun<Lighting, Base::kScalars>, Base::kScalars>(prepared.wide));
-    }
+    if (prepared.is_wide) return draw(literature::VeryWideWalker<Recurrence, kScalars>(prepared.wide));
     return draw(RecurrenceWalker<Illumination>(prepared.narrow));
-  }
-};
-
-/// RecurrenceWalker with runs of another type, made of a RecurrenceRun: for the methods that draw the pixels
-/// of a row otherwise than Recurrence.
-template <class Illumination, class MethodRun>
-class RecurrenceWalkerWith : public RecurrenceWalker<Illumination> {
- public:
-  using Run = MethodRun;
-  using RecurrenceWalker<Illumination>::RecurrenceWalker;
-  [[nodiscard]] constexpr Run row(const RowStart& start) const {
-    return Run{RecurrenceWalker<Illumination>::row(start)};
   }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/literature/sine_table.hpp>
+#include <arcspan/literature/sine_table.hpp>
 
 #include <array>
 #include <cstdint>

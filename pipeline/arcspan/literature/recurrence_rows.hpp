@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/arc/arc_edge.hpp>
-#include <arcspan/shading/literature/recurrence_edge.hpp>
+#include <arcspan/literature/arc_shape.hpp>
+#include <arcspan/literature/recurrence_edge.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>
@@ -18,12 +18,12 @@ namespace arcspan {
 /// because psi/t is an even function of t. psi^2 is exact at both ends; its error between them is of the
 /// sixth order in the angle (2.4e-5 of psi^2 at 30 degrees, 2.8e-3 at 60).
 struct RecurrenceRows {
-  std::int32_t corner;    ///< psi^2 / t^2 at the corner, in the rows' AngleFormat
-  std::int32_t rise;      ///< its increase to the middle vertex, in the rows' AngleFormat
-  std::int32_t k_corner;  ///< mantissa of k at the corner (RecurrenceStep)
-  std::int32_t k_rise;    ///< its increase to the middle vertex
-  std::int32_t k_shift;   ///< shift of k for all rows
-  EdgeFraction t;         ///< of the current row
+  std::int32_t corner;         ///< psi^2 / t^2 at the corner, in the rows' AngleFormat
+  std::int32_t rise;           ///< its increase to the middle vertex, in the rows' AngleFormat
+  std::int32_t k_corner;       ///< mantissa of k at the corner (RecurrenceStep)
+  std::int32_t k_rise;         ///< its increase to the middle vertex
+  std::int32_t k_shift;        ///< shift of k for all rows
+  literature::EdgeFraction t;  ///< of the current row
 };
 
 /// Sets up the rows of a half triangle at its first row. `at_corner` and `at_middle` are the results of
@@ -45,7 +45,7 @@ ARCSPAN_OUTLINE constexpr void make_recurrence_rows(SquaredAngle at_corner, Squa
   rows.k_corner = corner.mantissa >> (corner.shift - rows.k_shift);
   rows.k_rise = (middle.mantissa >> (middle.shift - rows.k_shift)) - rows.k_corner;
 
-  rows.t = edge_fraction(edge, from_top);
+  rows.t = literature::EdgeFraction::of(edge, from_top);
 }
 
 }  // namespace arcspan

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/shading/literature/recurrence_method.hpp>
+#include <arcspan/literature/recurrence_method.hpp>
 
 #include <array>
 #include <bit>
@@ -89,11 +89,11 @@ struct RecurrenceFour : Recurrence<Illumination> {
   using Base = Recurrence<Illumination>;
   using typename Base::Lighting;
   using typename Base::Prepared;
-  static constexpr bool kUsesEncodedColours = false;
 
   /// The pixels of a row (PixelRun).
   class Run {
    public:
+    Run() = default;
     constexpr explicit Run(const RecurrenceRun<Illumination>& first) : steps_(FourSteps::of(first.factor())) {
       unrolled<Base::kScalars>([&](auto i) { scalars_[i] = first.scalar(i); });
       make_four();
@@ -124,7 +124,7 @@ struct RecurrenceFour : Recurrence<Illumination> {
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     if (prepared.is_wide) return Base::walk(prepared, draw);
-    return draw(RecurrenceWalkerWith<Illumination, Run>(prepared.narrow));
+    return draw(RecurrenceWalker<Illumination, Run>(prepared.narrow));
   }
 };
 

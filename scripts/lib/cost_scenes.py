@@ -15,7 +15,9 @@ EXTREMES = {"8x4 110": "normals up to 60° apart, cut by the picture", "8x4 1400
 OWN_SINK = "-own-sink"  # ends the names of programs that draw into a sink of their own
 CLASSIC = ("phong", "phong-reciprocal")  # the two classic Phong methods
 RISCV = ("riscv-virt", "RV32IMAC")  # preset, title; only the frames of few methods are measured
-FEW = ("flat", "gouraud", "arc", "adaptive")  # methods for products
+FEW = ("flat", "gouraud", "arc", "adaptive")  # methods for products; the last is what tools and scenes use by default
+ARCS = FEW[2:]  # exact, and with a tolerance of one step of 255
+NAMES = {"flat": "flat", "gouraud": "Gouraud", "arc": "arc, tolerance 0", "adaptive": "arc, tolerance 1"}  # on pages
 # In the coarsest sphere normals are more than 16 degrees apart, where these methods take another path.
 FINE_ONLY = ("arc", "segment", "segment-8", "segment-16", "adaptive", "recurrence", "recurrence-four", "arc-vector")
 BANDS = {"whole, cache": "whole frame, vertex cache", "whole, no cache": "whole frame, no cache",  # sections of cost_bands.hpp

@@ -39,24 +39,22 @@ void print_method_section() {
       "its integer arithmetic. Largest error of N·L and N·H (root mean square of N·L), triangles at least a "
       "pixel\n"
       "thin. In thinner ones the methods of chords lose more, since 16 bits of a distance say little "
-      "there.\n\n"
-      "Beyond 45° across one segment, which takes a triangle of a few pixels, dichotomy changes over to "
-      "Phong's\n"
-      "normals; the two sides of that decision are up to 5e-3 apart, and integers and model do not always "
-      "decide\n"
-      "alike. The same holds for the length of a row's last segment if the row ends within 2⁻¹⁶ of a pixel's "
-      "centre.");
+      "there.\n"
+      "Dichotomy changes over to Phong's normals beyond 45° across one segment; the two sides of that "
+      "decision "
+      "are up\n"
+      "to 5e-3 apart, and integers and model do not always decide alike.");
 }
 
 void print_method_rows(int triangles) {
   std::puts("\n| method | model | normals up to 10° apart | 25° | 58° |\n|---|---|---|---|---|");
-  const char* const chord = "chord, divided by its length";
+  const char* const chord = "chord / length";
   const char* const arc = "bilinear SLERP";
   print_row<UnitLinearModel>("phong", chord, triangles);
   print_row<UnitLinearModel>("phong-reciprocal", chord, triangles);
   print_row<UnitLinearModel>("duff", chord, triangles);
   print_row<TaylorModel>("lyon", "chord, times the series", triangles);
-  const char* const halved = "chord at a segment's ends, halved between them by the polynomial";
+  const char* const halved = "chord, halved by the polynomial";
   print_row<DichotomyModel<&linear_root, 3>>("dichotomy-linear", halved, triangles);
   print_row<DichotomyModel<&quadratic_root, 3>>("dichotomy-quadratic", halved, triangles);
   print_row<DichotomyModel<&cubic_root, 3>>("dichotomy-cubic", halved, triangles);

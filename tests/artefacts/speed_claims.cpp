@@ -19,7 +19,7 @@ using namespace arcspan::tools;
 
 namespace {
 
-constexpr const char* kMeshes[] = {"sphere:8x4", "sphere:16x8", "sphere:32x16"};
+constexpr const char* kMesh = "sphere:8x4";
 constexpr int kUsualSegment = 2;
 
 /// The function that draws by a method of this name, those of this program included; null if there is none.
@@ -152,9 +152,18 @@ struct Contender {
   int segment_bits = kUsualSegment;
 };
 
+/// The instructions of `slower` are how many times those of `faster`: a column of the table.
+std::string instruction_ratio(Bench& bench, const Contender& slower, const Contender& faster) {
+  if (slower.shading == nullptr) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f",
+                bench.cost(slower.shading, slower.segment_bits).instructions /
+                    bench.cost(faster.shading, faster.segment_bits).instructions);
+  return text;
+}
+
 /// `slower` costs how many times `faster`: three columns of the table.
 std::string cost_ratio(Bench& bench, const Contender& slower, const Contender& faster) {
-  if (slower.shading == nullptr) return "- | - | -";
   const Cost p = bench.cost(slower.shading, slower.segment_bits);
   const Cost q = bench.cost(faster.shading, faster.segment_bits);
   const double flat = bench.cost("flat").instructions;
@@ -172,7 +181,6 @@ struct Claim {
   const char* paper;
   Contender slower;
   Contender faster;
-  const char* remark = "";
   Contender modern_slower = {};
   Contender modern_faster = {};
 };
@@ -180,150 +188,69 @@ struct Claim {
 constexpr Contender kModernPhong{"phong-reciprocal"};
 
 constexpr Claim kClaims[] = {
-    {"Phong costs how many times Gouraud",
-     "S3: more than 50",
-     {"phong"},
-     {"gouraud"},
-     "S3 quotes it from elsewhere, without a machine; here all is integers: no power by a library, a "
-     "division is one instruction, a root 16 steps",
-     kModernPhong,
-     {"gouraud"}},
-    {"Phong costs how many times the recurrence with scalars (eq. 14)",
+    {"Phong / Gouraud", "S3: more than 50", {"phong"}, {"gouraud"}, kModernPhong, {"gouraud"}},
+    {"Phong / recurrence of scalars (eq. 14)",
      "S0: more than 2",
      {"phong"},
      {"recurrence"},
-     "S0 counts vectors; here two scalars in place of three components",
      kModernPhong,
      {"recurrence"}},
-    {"Phong costs how many times the recurrence with vectors (eq. 7)",
+    {"Phong / recurrence of vectors (eq. 7)",
      "S0: more than 2",
      {"phong"},
      {"arc-vector"},
-     "the products with L and H are paid in both",
      kModernPhong,
      {"arc-vector"}},
-    {"Phong costs how many times `arc`",
-     "-",
-     {"phong"},
-     {"arc"},
-     "this library's method",
-     kModernPhong,
-     {"arc"}},
-    {"direct SLERP (eq. 2) costs how many times the recurrence with vectors",
-     "-",
-     {"slerp"},
-     {"arc-vector"},
-     "the weights of eq. 2 serve all three components here, and divide by a reciprocal that a row makes "
-     "once"},
-    {"four pixels at a time (eq. 9 to 11) cost how many times the single step",
-     "-",
-     {"recurrence-four"},
-     {"recurrence"},
-     "on one multiplier; S0 has four in mind"},
-    {"`arc` costs how many times Gouraud",
-     "-",
-     {"arc"},
-     {"gouraud"},
-     "the price of a highlight in every pixel"},
-    {"segments of 4 pixels, linear inside, diffuse: gain over Phong",
+    {"Phong / `arc`", "-", {"phong"}, {"arc"}, kModernPhong, {"arc"}},
+    {"`arc` / Gouraud", "-", {"arc"}, {"gouraud"}},
+    {"SLERP (eq. 2) / recurrence of vectors", "-", {"slerp"}, {"arc-vector"}},
+    {"four pixels at a time (eq. 9 to 11) / single step", "-", {"recurrence-four"}, {"recurrence"}},
+    {"Phong / linear segments of 4",
      "S3: 1.3",
      {"phong-diffuse"},
      {"phong-segment-diffuse", 2},
-     "as S3 prints it; its figures are for the diffuse part",
      {"phong-reciprocal-diffuse"},
      {"phong-reciprocal-segment-diffuse", 2}},
-    {"segments of 8 pixels, linear inside, diffuse: gain over Phong",
+    {"Phong / linear segments of 8",
      "S3: 1.48",
      {"phong-diffuse"},
      {"phong-segment-diffuse", 3},
-     "",
      {"phong-reciprocal-diffuse"},
      {"phong-reciprocal-segment-diffuse", 3}},
-    {"segments of 4 pixels, linear inside, with highlight: gain over Phong",
-     "-",
-     {"phong"},
-     {"phong-segment", 2},
-     "",
-     kModernPhong,
-     {"phong-reciprocal-segment", 2}},
-    {"segments of 8 pixels, linear inside, with highlight: gain over Phong",
-     "-",
-     {"phong"},
-     {"phong-segment", 3},
-     "",
-     kModernPhong,
-     {"phong-reciprocal-segment", 3}},
-    {"segments of 4 pixels, halved by the root, diffuse: gain over Phong",
+    {"Phong / segments of 4, halved by the root",
      "S3: 1.3",
      {"phong-diffuse"},
      {"dichotomy-root4-diffuse"},
-     "S3's text can be read either way; this reading comes nearer to its figures. Every dichotomy "
-     "here divides the normals at the ends of a segment by a reciprocal root",
      {"phong-reciprocal-diffuse"},
      {"dichotomy-root4-diffuse"}},
-    {"segments of 8 pixels, halved by the root, diffuse: gain over Phong",
+    {"Phong / segments of 8, halved by the root",
      "S3: 1.48",
      {"phong-diffuse"},
      {"dichotomy-root8-diffuse"},
-     "",
      {"phong-reciprocal-diffuse"},
      {"dichotomy-root8-diffuse"}},
-    {"segments of 4 pixels, halved by the printed linear polynomial, diffuse: gain over Phong",
+    {"Phong / segments of 4, halved by the printed linear polynomial",
      "S3: 1.8",
      {"phong-diffuse"},
      {"dichotomy-printed-linear4-diffuse"},
-     "",
      {"phong-reciprocal-diffuse"},
      {"dichotomy-printed-linear4-diffuse"}},
-    {"segments of 8 pixels, halved by the printed linear polynomial, diffuse: gain over Phong",
+    {"Phong / segments of 8, halved by the printed linear polynomial",
      "S3: 2.09",
      {"phong-diffuse"},
      {"dichotomy-printed-linear-diffuse"},
-     "",
      {"phong-reciprocal-diffuse"},
      {"dichotomy-printed-linear-diffuse"}},
-    {"segments of 4 pixels, halved by the printed linear polynomial, with highlight: gain over Phong",
-     "-",
-     {"phong"},
-     {"dichotomy-printed-linear4"},
-     "",
-     kModernPhong,
-     {"dichotomy-printed-linear4"}},
-    {"segments of 8 pixels, halved by the printed linear polynomial, with highlight: gain over Phong",
-     "-",
-     {"phong"},
-     {"dichotomy-printed-linear"},
-     "",
-     kModernPhong,
-     {"dichotomy-printed-linear"}},
-    {"gain of the polynomial over the root, 4 pixels, diffuse",
-     "S3: 1.8 / 1.3 = 1.38",
-     {"dichotomy-root4-diffuse"},
-     {"dichotomy-printed-linear4-diffuse"},
-     "one root for each halving of a segment, not for each pixel"},
-    {"gain of the polynomial over the root, 8 pixels, diffuse",
-     "S3: 2.09 / 1.48 = 1.41",
-     {"dichotomy-root8-diffuse"},
-     {"dichotomy-printed-linear-diffuse"},
-     "as above"},
-    {"gain of the polynomial over the root, 8 pixels, with highlight",
-     "-",
-     {"dichotomy-root8"},
-     {"dichotomy-printed-linear"},
-     "as above"},
-    {"`segment` of 4 pixels, whose ends are those of arcs: gain over `arc`", "-", {"arc"}, {"segment", 2}},
-    {"`segment` of 8 pixels, whose ends are those of arcs: gain over `arc`", "-", {"arc"}, {"segment", 3}},
 };
 
-/// The pictures that a table of operations needs, and if `has_claims` those of the claims too.
-std::vector<Drawn> all_drawn(bool has_claims) {
+/// The pictures that the table of operations and the claims need.
+std::vector<Drawn> all_drawn() {
   std::vector<Drawn> drawn;
   const auto add = [&drawn](const std::string& shading, int segment_bits) {
     const Drawn one{shading, segment_bits};
     if (std::find(drawn.begin(), drawn.end(), one) == drawn.end()) drawn.push_back(one);
   };
   for (const std::string& shading : shading_names()) add(shading, kUsualSegment);
-  if (!has_claims) return drawn;
   for (const Claim& claim : kClaims) {
     for (const Contender& c : {claim.slower, claim.faster, claim.modern_slower, claim.modern_faster}) {
       if (c.shading != nullptr) add(c.shading, c.segment_bits);
@@ -335,92 +262,78 @@ std::vector<Drawn> all_drawn(bool has_claims) {
 void print_claims(Bench& coarse) {
   std::puts(
       "## Speed\n\n"
-      "On `sphere:8x4`, 320x240 pixels, one light, Blinn's highlight: large triangles, so that the pixels\n"
-      "count and not the set-up. The columns *shading* subtract the cost of flat shading, that is, edges, "
-      "rows,\n"
-      "depth test and store. *Classic* is Phong as the papers have it, with a root bit by bit and three "
-      "divisions\n"
-      "per normal; *reciprocal* is `phong-reciprocal`, with a reciprocal root and three multiplies, and "
-      "segments\n"
-      "with such ends.\n\n"
-      "| claim | paper | classic: instructions | time | shading | reciprocal: instructions | time | shading "
-      "| "
-      "remarks |\n"
-      "|---|---|---:|---:|---:|---:|---:|---:|---|");
+      "How many times as much the first of two methods costs, on `sphere:8x4`, 320x240 pixels, one light, "
+      "Blinn's\n"
+      "highlight: large triangles, so that the pixels count and not the set-up. *Shading* is instructions "
+      "less those of\n"
+      "flat shading. *Classic* Phong has a root bit by bit and three divisions per normal; *reciprocal* is\n"
+      "`phong-reciprocal`, instructions again. S3's own figures are for the diffuse part, and so are those "
+      "of segments.\n"
+      "S0 counts vectors of three components where the recurrence here steps two scalars. Every dichotomy "
+      "here divides\n"
+      "the normals at the ends of a segment by a reciprocal root. `arcspan compare --table` measures other "
+      "meshes.\n\n"
+      "| ratio | paper | classic: instructions | time | shading | reciprocal |\n"
+      "|---|---|---:|---:|---:|---:|");
   for (const Claim& claim : kClaims) {
-    std::printf("| %s | %s | %s | %s | %s |\n", claim.what, claim.paper,
+    std::printf("| %s | %s | %s | %s |\n", claim.what, claim.paper,
                 cost_ratio(coarse, claim.slower, claim.faster).c_str(),
-                cost_ratio(coarse, claim.modern_slower, claim.modern_faster).c_str(), claim.remark);
+                instruction_ratio(coarse, claim.modern_slower, claim.modern_faster).c_str());
   }
   std::puts("");
 }
 
-void print_operations(Bench& bench, const char* mesh) {
-  std::printf(
-      "`%s`, operations per pixel, counted by compiling the pipeline with integers that count:\n\n| shading "
-      "|",
-      mesh);
-  for (const std::string_view kind : arcspan_counting::kOperationNames) {
-    std::printf(" %s |", std::string(kind).c_str());
-  }
-  std::puts(" set-up | instructions | ns | RMS error | max error |");
-  std::printf("|---|");
-  for (std::size_t i = 0; i < arcspan_counting::kOperationKinds + 5; ++i) std::printf("---:|");
-  std::puts("");
+void print_operations(Bench& bench) {
+  using arcspan_counting::Operation;
+  std::puts(
+      "Operations per pixel of the same frame, illumination and clamping included, counted by compiling the "
+      "pipeline\n"
+      "with integers that count. *Set-up* is all kinds together for vertices, triangles and row starts. The "
+      "error is\n"
+      "the root mean square in 8-bit steps from classic Phong in double precision.\n\n"
+      "| shading | multiply | add | divide | root | look-up | set-up | instructions | error |\n"
+      "|---|---:|---:|---:|---:|---:|---:|---:|---:|");
   for (const std::string& shading : shading_names()) {
     const MethodFigures m = bench.figures(shading);
-    const Cost cost = bench.cost(shading);
     std::printf("| %s |", shading.c_str());
-    for (const double rate : m.per_pixel) std::printf(" %.2f |", rate);
-    std::printf(" %.1f | %.1f | %s | %.2f | %.1f |\n", m.around, cost.instructions,
-                bench.time_text(cost.nanoseconds).c_str(), m.error.rms, m.error.max);
+    for (const Operation kind :
+         {Operation::kMultiply, Operation::kAdd, Operation::kDivide, Operation::kRoot, Operation::kLookUp}) {
+      std::printf(" %.2f |", m.per_pixel[static_cast<std::size_t>(kind)]);
+    }
+    std::printf(" %.1f | %.1f | %.2f |\n", m.around, bench.cost(shading).instructions, m.error.rms);
   }
   std::puts("");
 }
 
-void print_normal(const char* what, const char* paper, const arcspan_counting::OperationCounts& counts,
-                  const char* remark) {
+void print_normal(const char* what, const char* paper, const arcspan_counting::OperationCounts& counts) {
   using arcspan_counting::Operation;
   std::printf("| %s | %s |", what, paper);
   for (const Operation kind : {Operation::kMultiply, Operation::kDivide, Operation::kRoot, Operation::kAdd,
                                Operation::kShift, Operation::kLookUp}) {
     std::printf(" %llu |", static_cast<unsigned long long>(counts[kind]));
   }
-  std::printf(" %s |\n", remark);
+  std::puts("");
 }
 
 void print_operation_claims() {
   std::puts(
-      "`set-up` is all kinds together for vertices, triangles and row starts, divided by the pixels. Errors "
-      "are\n"
-      "in 8-bit steps from classic Phong in double precision. The counts hold the whole pixel, illumination\n"
-      "and clamping as well. S0 counts the normal alone; so does this table, by drawing with an "
-      "illumination\n"
-      "that does nothing:\n\n"
-      "| a pixel's normal | S0 | multiply | divide | root | add | shift | look-up | why it differs |\n"
-      "|---|---|---:|---:|---:|---:|---:|---:|---|");
+      "S0 counts the normal of a pixel alone; so does this table, by drawing with an illumination that does "
+      "nothing.\n"
+      "Further operations round: to 15 bits before and after dividing, and the product of the recurrence.\n\n"
+      "| normal of a pixel | S0 | multiply | divide | root | add | shift | look-up |\n"
+      "|---|---|---:|---:|---:|---:|---:|---:|");
   print_normal("classic Phong", "3 multiplies, 3 divisions, 5 additions, a root",
-               arcspan_counting::classic_normal_operations(),
-               "a multiply more to round the root; the other additions and shifts round to 15 bits before "
-               "and after dividing");
-  print_normal("Phong by a reciprocal root", "-", arcspan_counting::reciprocal_normal_operations(),
-               "the root is a polynomial and two Newton steps");
-  print_normal("Lyon, one scalar", "no division, no root", arcspan_counting::lyon_operations(), "");
+               arcspan_counting::classic_normal_operations());
+  print_normal("Phong by a reciprocal root", "-", arcspan_counting::reciprocal_normal_operations());
+  print_normal("Lyon, one scalar", "no division, no root", arcspan_counting::lyon_operations());
   print_normal("Duff, one scalar", "3 multiplies and additions less than Phong",
-               arcspan_counting::duff_operations(), "one division a scalar, as no vector is made");
+               arcspan_counting::duff_operations());
   print_normal("SLERP by eq. 2, three components",
                "three times 2 divisions, 2 multiplies, 3 additions, 2 look-ups",
-               arcspan_counting::slerp_normal_operations(),
-               "weights are made once for all components, divided by way of a row's reciprocal; sines are "
-               "interpolated "
-               "between two entries");
+               arcspan_counting::slerp_normal_operations());
   print_normal("eq. 7 or 14, one component or scalar", "1 multiply, 1 shift, 1 subtraction",
-               arcspan_counting::recurrence_operations(),
-               "the difference form has two sums; two more round, of which one is the same all along a row; "
-               "a shift brings "
-               "the multiplicand to 16 bits");
-  print_normal("eq. 7 and 9 to 11, four pixels of a scalar", "-", arcspan_counting::four_steps_operations(),
-               "seven products, each rounded; no new value depends on another one");
+               arcspan_counting::recurrence_operations());
+  print_normal("eq. 7 and 9 to 11, four pixels of a scalar", "-", arcspan_counting::four_steps_operations());
   std::puts("");
 }
 
@@ -440,11 +353,8 @@ void draw_once(const std::string& shading, const std::string& mesh_name, int seg
 }
 
 void print_speed(const std::string& self, Timing timing) {
-  for (const char* mesh : kMeshes) {
-    const bool is_first = mesh == kMeshes[0];
-    Bench bench(self, mesh, timing, all_drawn(is_first));
-    if (is_first) print_claims(bench);
-    print_operations(bench, mesh);
-  }
+  Bench bench(self, kMesh, timing, all_drawn());
+  print_claims(bench);
+  print_operations(bench);
   print_operation_claims();
 }

@@ -5,7 +5,10 @@
 * Each relative link names a file or folder that exists, and each #anchor a heading of its page.
 * Each page is reachable by links from README.md.
 * No line is longer than 120 columns, except in tables and in code.
-* Decisions are numbered from 1 without gaps, in the names of their files and in their titles.
+* Decisions are numbered from 1, in the names of their files and in their titles. The numbers of removed ones are in the paragraph
+  "Removed: ..." of their index.
+* A link whose text is a symbol, [`Type::member`](file), leads to a source file that has its words.
+* In the table "Where to change what" of docs/README.md no cell is longer than CELL columns as it is shown: two lines.
 """
 
 import pathlib
@@ -13,9 +16,11 @@ import re
 import sys
 
 COLUMNS = 120
+CELL = 110
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 FENCED = re.compile(r"^```.*?^```$", re.M | re.S)
 CODE = re.compile(r"`[^`\n]+`")
+SYMBOL = re.compile(r"\[`([^`\]]+)`\]\(([^)\s#]+)\)")
 
 
 def anchor(heading):
@@ -48,10 +53,39 @@ def long_lines(page):
 
 
 def decisions(folder):
-    for wanted, page in enumerate(sorted(folder.glob("[0-9]*.md")), 1):
-        if not page.name.startswith(f"{wanted:04}-") or not page.read_text(encoding="utf-8").startswith(f"# {wanted}. "):
-            yield f"{page.name}: should be decision {wanted}"
-            return
+    removed = re.search(r"^Removed: (.*?)(?:\n\n|\Z)", (folder / "README.md").read_text(encoding="utf-8"), re.M | re.S)
+    pages = {int(page.name[:4]): page for page in sorted(folder.glob("[0-9]*.md"))}
+    for number, page in pages.items():
+        if not page.read_text(encoding="utf-8").startswith(f"# {number}. "):
+            yield f"{page.name}: should be decision {number}"
+    gone = set(map(int, re.findall(r"\d+", removed[1]))) if removed else set()
+    for number in range(1, max(pages) + 1):
+        if number not in pages and number not in gone:
+            yield f"decisions/README.md: decision {number} is neither there nor removed"
+
+
+def symbols(page):
+    """Links whose text is a symbol that their file does not have. A text with a slash or a dot is a path."""
+    text = FENCED.sub("", page.read_text(encoding="utf-8"))
+    for symbol, target in SYMBOL.findall(text):
+        path = (page.parent / target).resolve()
+        if re.match(r"[a-z]+:", target) or not path.is_file() or re.search(r"[/.]", symbol) or path.suffix == ".md":
+            continue
+        source = path.read_text(encoding="utf-8")
+        for word in re.findall(r"\w+", re.sub(r"<.*>", "", symbol)):
+            if not re.search(rf"\b{word}\b", source):
+                yield f"link to {target}: it has no `{symbol}`"
+                break
+
+
+def long_cells(page):
+    """Cells of the table under the heading "Where to change what" that take more than two lines."""
+    table = page.read_text(encoding="utf-8").partition("\n## Where to change what\n")[2].partition("\n## ")[0]
+    for line in table.splitlines():
+        for cell in line.strip("|").split("|") if line.startswith("|") else ():
+            shown = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", cell).replace("`", "").strip()
+            if len(shown) > CELL:
+                yield f"a cell has {len(shown)} columns, at most {CELL} are allowed: {shown[:40]}..."
 
 
 def main():
@@ -70,8 +104,9 @@ def main():
                 wrong.append(f"{name}: link to {target}: no such heading")
             else:
                 leads_to[page].add(path)
-        wrong += [f"{name}: {line}" for line in long_lines(page)]
+        wrong += [f"{name}: {line}" for line in (*long_lines(page), *symbols(page))]
     wrong += decisions(tree / "docs/decisions")
+    wrong += [f"docs/README.md: {line}" for line in long_cells(tree / "docs/README.md")]
     reached = set()
     ahead = [tree / "README.md"]
     while ahead:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The headline frame of docs/where-instructions-go.md, drawn once by one of four methods, for
+// The headline frame of docs/performance.md, drawn once by one of four methods, for
 // scripts/frame-instructions, which counts what goes on inside counted_frame().
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>

@@ -44,8 +44,8 @@ struct Arc {
   };
   struct Prepared {
     union {
-      std::array<LinearScalar, kScalars> linear;
-      std::array<QuadraticScalar, kScalars> quadratic;
+      std::array<PlaneScalar, kScalars> linear;
+      std::array<BentScalar, kScalars> quadratic;
       NormalisedSurface<kScalars> normalised;
     };
     SurfaceRows rows;
@@ -154,9 +154,9 @@ struct Arc {
   /// False for coloured lights and environment maps, whose pixels always take all scalars.
   static constexpr bool kHasDiffuse = Illumination::kHasRamp;
   template <std::size_t Used>
-  using Linear = ScalarWalker<LinearRun<Lighting, Used>, LinearScalar, kScalars>;
+  using Linear = ScalarWalker<LinearRun<Lighting, Used>, PlaneScalar, kScalars>;
   template <std::size_t Used>
-  using Quadratic = ScalarWalker<QuadraticRun<Lighting, Used>, QuadraticScalar, kScalars>;
+  using Quadratic = ScalarWalker<QuadraticRun<Lighting, Used>, BentScalar, kScalars>;
   template <std::size_t Used>
   using Normalised = NormalisedWalker<NormalisedRun<Lighting, Used>, kScalars>;
   template <std::size_t Used>

@@ -23,7 +23,7 @@ struct LinearSteps {
   std::array<Cosine, Used> d;
 
   /// Starts scalar i. `p` is the distance from the left edge to the first column inside, 16 fraction bits.
-  ARCSPAN_INLINE constexpr void start(std::size_t i, const LinearScalar& scalar, std::uint32_t p) {
+  ARCSPAN_INLINE constexpr void start(std::size_t i, const PlaneScalar& scalar, std::uint32_t p) {
     const std::int32_t inside = wrap_mul(scalar.slope >> 12, static_cast<std::int32_t>(p >> 3));
     x[i] = scalar.left.at + Cosine::from_raw(inside);
     d[i] = Cosine::from_raw(wrap_shl(scalar.slope, 1));
@@ -50,7 +50,7 @@ struct QuadraticSteps {
 
   /// As above. With b the second difference: f(p) = at + p slope + p^2 b / 2, f(p + 1) - f(p) = slope + p b + b / 2.
   /// What changes along x has `dropped` fraction bits less than 30.
-  ARCSPAN_INLINE constexpr void start(std::size_t i, const QuadraticScalar& scalar, std::uint32_t p,
+  ARCSPAN_INLINE constexpr void start(std::size_t i, const BentScalar& scalar, std::uint32_t p,
                                       int dropped = 0) {
     const auto times_p = [p](std::int32_t v) {
       return wrap_mul(v >> 13, static_cast<std::int32_t>(p >> 3));

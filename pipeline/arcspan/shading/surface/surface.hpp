@@ -22,7 +22,7 @@
 namespace arcspan {
 
 /// A scalar that is linear on the screen.
-struct LinearScalar {
+struct PlaneScalar {
   struct Edge {
     Cosine at;    ///< on the left edge, at the row's centre line
     Cosine step;  ///< change per row
@@ -39,7 +39,7 @@ struct LinearScalar {
 };
 
 /// A scalar with bends.
-struct QuadraticScalar {
+struct BentScalar {
   struct Edge {
     Cosine at;                 ///< on the left edge, at the row's centre line
     Cosine step;               ///< difference to the next row
@@ -48,7 +48,7 @@ struct QuadraticScalar {
     std::int32_t slope_step;   ///< change of `slope` per row
   };
   Edge left;
-  Edge lower;                      ///< as in LinearScalar
+  Edge lower;                      ///< as in PlaneScalar
   std::int32_t second_difference;  ///< per pixel along a row
 
   ARCSPAN_INLINE constexpr void next_row() {
@@ -66,7 +66,7 @@ struct QuadraticScalar {
   }
 };
 
-/// The formats of a QuadraticScalar, chosen so that differences of chords of up to 4 fit.
+/// The formats of a BentScalar, chosen so that differences of chords of up to 4 fit.
 struct SurfaceFormat {
   int dropped;        ///< values and bends are given with 30 - dropped fraction bits
   int slope_dropped;  ///< what changes along x has 30 - slope_dropped fraction bits
@@ -140,7 +140,7 @@ template <class Method>
 
 /// Sets up a plane along an edge, from its upper end `from`; `to_bottom` is half the change to its lower end.
 ARCSPAN_INLINE_EXCEPT_AT_OS constexpr void make_linear_edge(const EdgeSetup& edge, Cosine from,
-                                                            std::int32_t to_bottom, LinearScalar::Edge& e) {
+                                                            std::int32_t to_bottom, PlaneScalar::Edge& e) {
   e.at = from + Cosine::from_raw(wrap_shl(part(to_bottom, edge.start), 1));
   e.step = Cosine{};
   if (edge.dy < 1 << Subpixel::kFraction) return;  // the edge has one row
@@ -158,7 +158,7 @@ struct SurfaceEnd {
 ARCSPAN_INLINE_EXCEPT_AT_OS constexpr void make_quadratic_edge(const EdgeSetup& edge, const InverseLength& pixel,
                                                                const SurfaceEnd& from, const SurfaceEnd& to,
                                                                std::int32_t bend, const SurfaceFormat& format,
-                                                               QuadraticScalar::Edge& e) {
+                                                               BentScalar::Edge& e) {
   // f(t) = from + t (to - from + bend) - t^2 bend, t = 0...1 along the edge
   const Factor t = edge.start;
   const int slope_up = format.dropped - format.slope_dropped;
@@ -185,7 +185,7 @@ ARCSPAN_INLINE_EXCEPT_AT_OS constexpr void make_quadratic_edge(const EdgeSetup& 
 /// subtracted, so that the difference fits.
 template <class Method>
 ARCSPAN_OUTLINE constexpr void make_linear_scalar(const TriangleFrame<Method>& frame, Cosine top, Cosine middle,
-                                                  Cosine bottom, LinearScalar& scalar) {
+                                                  Cosine bottom, PlaneScalar& scalar) {
   const std::int32_t to_middle = wrap_sub(middle.raw() >> 1, top.raw() >> 1);
   const std::int32_t to_bottom = wrap_sub(bottom.raw() >> 1, top.raw() >> 1);
   const std::int32_t across = wrap_sub(to_middle, detail::part(to_bottom, frame.middle_fraction));
@@ -206,7 +206,7 @@ ARCSPAN_OUTLINE constexpr void make_linear_scalar(const TriangleFrame<Method>& f
 template <class Method>
 ARCSPAN_OUTLINE constexpr void make_quadratic_scalar(const TriangleFrame<Method>& frame, const CornerValues& at,
                                                      const EdgeBends& bends, const SurfaceFormat& format,
-                                                     QuadraticScalar& scalar) {
+                                                     BentScalar& scalar) {
   using detail::part;
   const Factor m = frame.middle_fraction;
   const std::int32_t long_m = part(bends.top_bottom, m);

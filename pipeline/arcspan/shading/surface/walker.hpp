@@ -83,8 +83,8 @@ class ScalarWalker {
 /// Linear scalars and the missing square of the normal's length.
 template <std::size_t Count>
 struct NormalisedSurface {
-  std::array<LinearScalar, Count> scalars;
-  QuadraticScalar missing;
+  std::array<PlaneScalar, Count> scalars;
+  BentScalar missing;
   int slope_dropped;  ///< of `missing` (SurfaceFormat)
 };
 

@@ -145,6 +145,9 @@ class PreparedMaterial : public SceneMaterial {
   constexpr PreparedMaterial() : PreparedMaterial(Lighting{}) {}
 
   [[nodiscard]] constexpr const Lighting& lighting() const { return lighting_; }
+  /// Illumination::set_tolerance(), which is kDefaultTolerance after make() and of().
+  constexpr Status set_tolerance(std::int32_t steps) requires(kIsLit) { return lighting_.set_tolerance(steps); }
+  static constexpr std::int32_t kDefaultTolerance = 1;
 
   /// A copy with another texture (Textured), or with other parameters of an operation (WithOperation).
   template <class Part>
@@ -212,7 +215,8 @@ constexpr Status PreparedMaterial<M>::make(const Material& material, const Light
   if (detail::in_unit_range(material.ambient))
     lit.ambient = detail::product(material.ambient, lights.ambient);
   Illumination illumination;
-  const Status status = Illumination::make(lit, all, kAhead, illumination);
+  Status status = Illumination::make(lit, all, kAhead, illumination);
+  if (ok(status)) status = illumination.set_tolerance(kDefaultTolerance);
   if (!ok(status)) return status;
   prepared = PreparedMaterial(Lighting(illumination), options);
   if constexpr (kSingleLight) {
@@ -233,7 +237,8 @@ constexpr Status PreparedMaterial<M>::light(const detail::ObjectLights& seen, Li
     if (detail::differ(detail::channel_weights(lights[0]), single_.weights)) {
       if constexpr (Used::kChangingLight) {
         Illumination illumination;
-        const Status status = Illumination::make(single_.material, lights, seen.to_eye, illumination);
+        Status status = Illumination::make(single_.material, lights, seen.to_eye, illumination);
+        if (ok(status)) status = illumination.set_tolerance(lighting_.tolerance());
         if (!ok(status)) return status;
         if constexpr (requires { lighting.relight(illumination); }) {
           copy_words(lighting_, lighting);

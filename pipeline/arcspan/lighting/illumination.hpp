@@ -342,6 +342,22 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     if constexpr (Model == Highlight::kBlinn) return wrap_add(closeness_origin_[light], other);
     return wrap_add(closeness_origin_[light], wrap_mul(scalars[light].raw() >> 15, other >> 15));
   }
+  /// The largest of three scalars, at least 0.
+  [[nodiscard]] static constexpr std::int32_t largest(Cosine a, Cosine b, Cosine c) {
+    const std::int32_t two = a.raw() > b.raw() ? a.raw() : b.raw();
+    const std::int32_t three = two > c.raw() ? two : c.raw();
+    return three > 0 ? three : 0;
+  }
+  /// The sums of surface_light() over several grey lights, and over coloured ones.
+  struct GreyLight {
+    std::uint32_t diffuse = 0;    ///< 30 fraction bits
+    std::uint32_t highlight = 0;  ///< in 8-bit steps, 8 fraction bits; at most four times 255
+  };
+  using ChannelLevels = std::array<std::uint32_t, 3>;  ///< in 8-bit steps, 20 fraction bits
+  template <std::size_t I>
+  ARCSPAN_INLINE constexpr void add_grey(const Scalars& scalars, GreyLight& sum) const;
+  template <std::size_t I>
+  ARCSPAN_INLINE constexpr void add_coloured(const Scalars& scalars, ChannelLevels& levels) const;
   /// True if the highlight of a light may reach N·L = 0, where it ends abruptly or fades, so that an error of N·L
   /// shows more.
   [[nodiscard]] constexpr bool may_end(std::size_t light) const;

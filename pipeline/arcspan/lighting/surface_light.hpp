@@ -4,7 +4,6 @@
 #include <arcspan/lighting/arc_bound.hpp>
 #include <arcspan/lighting/highlight_bound.hpp>
 #include <arcspan/lighting/illumination.hpp>
-#include <arcspan/numbers/unroll.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstddef>
@@ -129,9 +128,7 @@ constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const 
   for (std::size_t i = 0; i < Lights; ++i) {
     const std::int32_t distance = nearest_highlight_of(i, a, b, c, headroom);
     if (distance < nearest) nearest = distance;
-    const std::int32_t upper = a[i].raw() > b[i].raw() ? a[i].raw() : b[i].raw();
-    const std::int32_t most = upper > c[i].raw() ? upper : c[i].raw();
-    if (most > brightest) brightest = most;
+    if constexpr (Lights == 1) brightest = largest(a[i], b[i], c[i]);
     if (distance < shine_reach_ && may_end(i)) {
       constexpr std::int32_t kBright = std::int32_t{1} << (Cosine::kFraction - 7);
       const std::int32_t lit_from = fade_end().raw() + kBright;
@@ -139,21 +136,25 @@ constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const 
     }
   }
   const std::uint32_t s = widest >> 13;  // 15 fraction bits
-  const std::uint32_t light = Lights == 1 ? static_cast<std::uint32_t>(brightest) >> 15 : 32768u;
-  const bool is_linear = (((light_height_ * light) >> 15) * s) >> 15 <= allowed_light_;
+  const auto is_linear = [this, s](std::int32_t most) {
+    const std::uint32_t light = (light_height_ * (static_cast<std::uint32_t>(most) >> 15)) >> 15;
+    return (light * s) >> 15 <= allowed_light_;
+  };
   TriangleLight result{LightReach::kHighlight, false, 0, static_cast<std::int32_t>((s * 21845u) >> 18), widest_diffuse_};
   if constexpr (kHasRamp) {
     std::uint32_t lit = 0;
     if (nearest >= shine_reach_ && lit_throughout(a, b, c, lit)) {
       result.reach = LightReach::kDiffuse;
       result.lit = static_cast<std::uint8_t>(lit);
-      result.linear = is_linear;
+      if constexpr (Lights > 1) brightest = largest(diffuse_scalar(a, lit), diffuse_scalar(b, lit), diffuse_scalar(c, lit));
+      result.linear = is_linear(brightest);
       return result;
     }
   }
   const std::uint32_t slope = ends ? 32768u : highlight_slope(nearest);
   const std::uint32_t sharp = (sharpness_ * (slope >> 3)) >> 12;
-  result.linear = is_linear && s < 4096 && (sharp * s) >> 9 <= allowed_highlight_;
+  if constexpr (Lights > 1) brightest = std::int32_t{1} << Cosine::kFraction;
+  result.linear = is_linear(brightest) && s < 4096 && (sharp * s) >> 9 <= allowed_highlight_;
   const std::uint32_t limit = slope >= 32768u ? widest_highlight_
                                               : limit_at_slope(widest_highlight_, static_cast<std::uint8_t>(slope >> 11));
   if (limit < result.quadratic_limit) result.quadratic_limit = limit;
@@ -168,6 +169,36 @@ constexpr Cosine Illumination<Lights, Model, Features>::pixel_scalar(Cosine scal
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+template <std::size_t I>
+ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_grey(const Scalars& scalars,
+                                                                              GreyLight& sum) const {
+  const std::int32_t light = scalars[I].raw() >> 15;
+  if (light > 0) {
+    sum.diffuse += static_cast<std::uint32_t>(light) * this->shares[I];
+    const std::int32_t at = closeness(scalars, I);
+    if (at > 0) sum.highlight += (fade()(highlights_.value(at) >> 16, scalars[I]) * weights_[I]) >> 15;
+  }
+  if constexpr (I + 1 < Lights) add_grey<I + 1>(scalars, sum);
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+template <std::size_t I>
+ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_coloured(const Scalars& scalars,
+                                                                                  ChannelLevels& levels) const {
+  const std::uint32_t light = clamped(scalars[I]);
+  if (light != 0) {
+    const std::int32_t at = closeness(scalars, I);
+    const std::uint32_t most = at > 0 ? fade()(highlights_.value(at) >> 16, scalars[I]) : 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t weight = weights_[I][c];
+      levels[c] += diffuse_[c] * ((light * weight) >> 15);
+      if (most != 0) levels[c] += ((highlights_.channel(c, most) * weight) >> 15) << 12;
+    }
+  }
+  if constexpr (I + 1 < Lights) add_coloured<I + 1>(scalars, levels);
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 ARCSPAN_INLINE constexpr PixelLight Illumination<Lights, Model, Features>::surface_light(
     const Scalars& scalars) const {
   if constexpr (Lights == 1) {
@@ -176,33 +207,14 @@ ARCSPAN_INLINE constexpr PixelLight Illumination<Lights, Model, Features>::surfa
     if (at <= 0 || scalars[0].raw() <= 0) return {diffuse, {}};
     return {diffuse, highlights_.colour(fade()(highlights_.value(at) >> 16, scalars[0]))};
   } else if constexpr (kHasRamp) {
-    std::uint32_t diffuse = 0;    // 30 fraction bits
-    std::uint32_t highlight = 0;  // in 8-bit steps, 8 fraction bits
-    unrolled<Lights>([&](auto i) {
-      const std::uint32_t light = not_negative(scalars[i]);
-      if (light == 0) return;
-      diffuse += light * this->shares[i];
-      const std::int32_t at = closeness(scalars, i);
-      if (at > 0) highlight += (fade()(highlights_.value(at) >> 16, scalars[i]) * weights_[i]) >> 15;
-    });
-    const PackedRgb ramp = diffuse_colour(Cosine::from_raw(static_cast<std::int32_t>(diffuse)));
-    if (highlight == 0) return {ramp, {}};
-    constexpr std::uint32_t kMost = 0xFFFF;  // several highlights may coincide
-    return {ramp, highlights_.colour(highlight < kMost ? highlight : kMost)};
+    GreyLight sum;
+    add_grey<0>(scalars, sum);
+    const PackedRgb ramp = diffuse_colour(Cosine::from_raw(static_cast<std::int32_t>(sum.diffuse)));
+    if (sum.highlight == 0) return {ramp, {}};
+    return {ramp, highlights_.colour(clamped_unsigned<16, 0>(static_cast<std::int32_t>(sum.highlight)))};
   } else {
-    std::array<std::uint32_t, 3> levels;  // in 8-bit steps, 20 fraction bits
-    levels = ambient_;
-    unrolled<Lights>([&](auto i) {
-      const std::uint32_t light = clamped(scalars[i]);
-      if (light == 0) return;
-      const std::int32_t at = closeness(scalars, i);
-      const std::uint32_t most = at > 0 ? fade()(highlights_.value(at) >> 16, scalars[i]) : 0;
-      unrolled<3>([&](auto channel) {
-        const std::uint32_t weight = weights_[i][channel];
-        levels[channel] += diffuse_[channel] * ((light * weight) >> 15);
-        if (most != 0) levels[channel] += ((highlights_.channel(channel, most) * weight) >> 15) << 12;
-      });
-    });
+    ChannelLevels levels = ambient_;
+    add_coloured<0>(scalars, levels);
     const auto level = [&levels](std::size_t channel) {
       const std::uint32_t rounded = (levels[channel] + (std::uint32_t{1} << 19)) >> 18;
       return rounded > 1023 ? 1023u : rounded;

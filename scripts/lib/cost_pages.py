@@ -94,9 +94,8 @@ def markdown(costs):
     lines += prose(f"The benchmark frame by programs compiled with -Os, {TARGETS[0][2]}: "
                    + ", ".join(f"{method} {count:,}" for method, count in costs["others"]["-Os"].items()) + ".")
     lines += ["### Stack", ""]
-    lines += prose("The deepest stack of a `draw_mesh` call in bytes, in the worst of the spheres above. Of arc, adaptive and segment, "
-                   "512 bytes are the encoded colours, which `-DARCSPAN_ENCODED_COLOURS=0` avoids. Only triangles that the near plane or the "
-                   "guard band cuts use the most.")
+    lines += prose("The deepest stack of a `draw_mesh` call in bytes, in the worst of the spheres above. Only triangles "
+                   "that the near plane or the guard band cuts use the most.")
     lines += table(["method", *(title for *_, title in TARGETS), RISCV[1]],
                    [[method, *(f"{max(s['stack'] for s in frames[preset][method].values()):,}" if method in frames[preset] else ""
                                for preset in (*(preset for preset, *_ in TARGETS), RISCV[0]))]

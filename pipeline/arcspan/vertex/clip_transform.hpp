@@ -13,11 +13,26 @@
 
 namespace arcspan {
 
-/// Half the width of the guard band in pixels: projected vertices are at most this far from the viewport's
-/// middle in x and in y.
-inline constexpr std::int32_t kGuardBand = 1024;
-/// log2 of kGuardBand in sixteenths of a pixel.
-inline constexpr int kGuardSubpixelBits = 10 + Subpixel::kFraction;
+/// Half the width of the guard band is 2^kGuardBits pixels: projected vertices are less than that far from
+/// the viewport's middle in x and in y, so that differences of two are below 2^(kGuardBits + 1). Everything
+/// that depends on the guard band follows from this constant. What limits it:
+///
+///   what                            needs                                    allows, at most
+///   RasterPosition                  coordinates in sixteenths in 16 bits     11 bits
+///   doubled_area()                  its products of differences in 32 bits   10 bits
+///   divide(), Reciprocal::times()   heights in sixteenths below 2^15         10 bits
+///   EdgeWalk                        exact columns over all rows              10 bits
+///   Linear                          errors of gradients below 1/8 per row    10 bits
+///   TriangleCommand, SmallSpan      rows and columns in 16 bits              14 bits
+///
+/// Smaller values clip more triangles, and allow smaller pictures: up to 2 * kGuardBand pixels in each
+/// direction.
+inline constexpr int kGuardBits = 10;
+inline constexpr std::int32_t kGuardBand = std::int32_t{1} << kGuardBits;
+static_assert(kGuardBits + Subpixel::kFraction <= 15, "RasterPosition has 16 bits");
+static_assert(2 * (kGuardBits + 1 + Subpixel::kFraction) <= 30, "doubled_area() has 32 bits");
+static_assert(kGuardBits + 1 + Subpixel::kFraction <= 15, "detail::divide() takes heights below 2^15");
+static_assert(kGuardBits - 1 <= Linear::kFraction - 3, "half a unit of Linear per pixel adds up to more than 1/8");
 
 /// A vertex in clip space, before the division by w; y points down. It is inside the guard band if |x| <= w
 /// and |y| <= w, and in front of the near plane if w >= ClipTransform::near_w(). The three have the same

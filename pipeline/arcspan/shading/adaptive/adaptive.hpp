@@ -9,7 +9,6 @@
 #include <arcspan/shading/adaptive/highlight_product.hpp>
 #include <arcspan/shading/adaptive/highlight_quartic.hpp>
 #include <arcspan/shading/adaptive/highlight_sum.hpp>
-#include <arcspan/shading/adaptive/light_and_depth.hpp>
 #include <arcspan/shading/adaptive/linear_levels.hpp>
 #include <arcspan/shading/adaptive/linear_light.hpp>
 #include <arcspan/shading/adaptive/nearest_highlight.hpp>
@@ -84,7 +83,9 @@ struct AdaptivePaths : Arc<Illumination> {
   };
 
   template <class Frame>
-  static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
+  static constexpr void prepare(const Lighting& lighting, const Frame& unmeasured, const Face&,
+                                Prepared& prepared) {
+    MeasuredFrame<Frame> frame(unmeasured);
     prepared.middle_left = frame.middle_left;
     prepared.linear_light = false;
     prepared.highlight_path = HighlightPath::kNone;
@@ -112,11 +113,9 @@ struct AdaptivePaths : Arc<Illumination> {
   /// the tolerance.
   using Small = SmallShading<Illumination, SmallLinearLight<Lighting>>;
   template <class Raster>
-  [[nodiscard]] ARCSPAN_INLINE_IF_WIDE static constexpr bool prepare_small(const Lighting& lighting,
-                                                                           const Raster& a, const Raster& b,
-                                                                           const Raster& c, bool is_medium,
-                                                                           const SmallTriangle& triangle,
-                                                                           Small& small) {
+  [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
+                                                    const Raster& b, const Raster& c,
+                                                    const SmallTriangle& triangle, Small& small) {
     if (small.prepare_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) return true;
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
     const SmallCorners corners{a, b, c};
@@ -127,13 +126,13 @@ struct AdaptivePaths : Arc<Illumination> {
           lighting,
           lighting.nearest_highlight(a.shade.scalars, b.shade.scalars, c.shade.scalars,
                                      arc_headroom(chords.widest())),
-          lighting.half_tolerance_reach(), lighting.eighth_tolerance_reach(), corners, chords, is_medium);
+          lighting.half_tolerance_reach(), lighting.eighth_tolerance_reach(), corners, chords);
       shines = nearest < lighting.half_tolerance_reach();
       const auto is_allowed = [&](std::uint32_t error) {
         return error <= lighting.diffuse_patch_error(nearest);
       };
       diffuse = Small::diffuse_of(lighting, corners, chords.widest(), shines, is_allowed);
-      if (diffuse.suffices && !is_medium && chords.widest() <= kWidestBounded) {
+      if (diffuse.suffices && chords.widest() <= kWidestBounded) {
         const LinearLevels levels(chords, diffuse.a, diffuse.b, diffuse.c);
         if (levels.quadruple_error() <= lighting.linear_limit(nearest)) {
           small.take_own().prepare(levels.lifted(levels.a), levels.lifted(levels.b), levels.lifted(levels.c),
@@ -142,7 +141,7 @@ struct AdaptivePaths : Arc<Illumination> {
         }
       }
     }
-    return small.prepare(lighting, corners, chords, shines, diffuse, is_medium, triangle);
+    return small.prepare(lighting, corners, chords, shines, diffuse, triangle);
   }
   /// Calls `draw` with the surface of a small triangle.
   template <class Draw>
@@ -154,9 +153,7 @@ struct AdaptivePaths : Arc<Illumination> {
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     if constexpr (Base::kHasDiffusePath) {
       if (prepared.linear_light) {
-        using Walker =
-            std::conditional_t<kHasWideRegisters, JoiningLightWalker<Lighting>, LinearLightWalker<Lighting>>;
-        return draw(Walker(prepared.light, prepared.middle_left));
+        return draw(LinearLightWalker<Lighting>(prepared.light, prepared.middle_left));
       }
     }
     if constexpr (kHasHighlightPatch) {
@@ -295,10 +292,8 @@ struct AdaptivePaths : Arc<Illumination> {
   /// Makes the plane of a diffuse scalar, of a triangle of at most kWidestBounded, if its error is within
   /// `linear_limit`; otherwise returns false.
   template <class Frame>
-  [[nodiscard]] ARCSPAN_INLINE_IF_WIDE static constexpr bool make_linear_light(const Frame& frame,
-                                                                               const PatchValues& light,
-                                                                               std::uint32_t linear_limit,
-                                                                               Prepared& prepared) {
+  [[nodiscard]] static constexpr bool make_linear_light(const Frame& frame, const PatchValues& light,
+                                                        std::uint32_t linear_limit, Prepared& prepared) {
     const LinearLevels levels(frame.chords, light.top, light.middle, light.bottom);
     // A gradient saturates at 2 per pixel, which a sliver may exceed.
     if (levels.range() >= frame.width || levels.quadruple_error() > linear_limit) return false;
@@ -403,7 +398,6 @@ struct AdaptivePaths : Arc<Illumination> {
 template <class Illumination>
 struct Adaptive : AdaptivePaths<Illumination, !Illumination::kHasRamp> {
   using DrawsSmallTrianglesAs = Adaptive;
-  using PixelByPixel = AdaptivePaths<Illumination, false>;
 };
 
 }  // namespace arcspan

@@ -168,18 +168,6 @@ class AdaptiveIllumination : public Illumination {
                                                                             std::uint32_t weight) const {
     return {lit_colour(diffuse), misses(distance) ? PackedRgb{} : highlight_at(distance, weight)};
   }
-  /// Returns the colour encoded in `Format`; `encoded` is an EncodedColourTable with kForHighlights. White
-  /// highlights have a path of their own, which takes one comparison.
-  template <class Format, class Colours>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded_with_highlight_at(
-      Cosine diffuse, std::int32_t distance, std::uint32_t weight, const Colours& encoded) const {
-    if (highlight_table_.is_white(distance)) [[likely]] {
-      return encode_varying<Format>(lit_colour(diffuse).plus(highlight_at(distance, weight)));
-    }
-    if (distance >= HighlightTable::kReach) return encoded[diffuse];
-    return encode_varying<Format>(lit_colour(diffuse).plus(highlight_at(distance, weight)));
-  }
-
   /// Returns true if no pixel of a triangle with a white highlight saturates, whose N·L is at most `most` and
   /// whose half distances are at least `nearest`; one light only.
   [[nodiscard]] constexpr bool never_saturates(Cosine most, std::int32_t nearest) const {

@@ -84,17 +84,6 @@ class SteppedHighlightRun : public Steps {
       return lighting.light_with_white_at(this->diffuse(), this->distance());
     return lighting.light_with_highlight_at(this->diffuse(), this->distance(), weight());
   }
-  /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
-  template <class Format, class Colours>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
-                                                                          const Colours& encoded) const {
-    if constexpr (Colours::kForHighlights && kPixels == HighlightPixels::kAny) {
-      return lighting.template encoded_with_highlight_at<Format>(this->diffuse(), this->distance(), weight(),
-                                                                 encoded);
-    } else {
-      return encode_varying<Format>(colour(lighting));
-    }
-  }
   constexpr void set_weight(std::uint32_t weight) {
     if constexpr (Lighting::kLights > 1) weight_[0] = weight;
   }
@@ -163,10 +152,6 @@ class LinearHighlightWalker {
   constexpr void next_row() {
     light_->next_row();
     distance_->left.advance();
-  }
-  constexpr void skip_rows(std::int32_t rows) {
-    light_->skip_rows(rows);
-    distance_->left.advance(rows);
   }
   constexpr void enter_lower() {
     light_->enter_lower(middle_left_);

@@ -47,9 +47,6 @@ class HighlightProductWalker : public PatchWalker<HighlightProductRun<Lighting>,
  public:
   using Base = PatchWalker<HighlightProductRun<Lighting>, Count>;
   using typename Base::Run;
-  /// Inlining the loop over the rows costs x86-64 0.5 % of the benchmark frame; a function of its own costs
-  /// other targets 1 % of the random scenes.
-  static constexpr bool kOutlinesRowLoop = kHasWideRegisters;
 
   constexpr HighlightProductWalker(Patch<Count>& patch, bool middle_left, std::int32_t origin,
                                    std::uint32_t weight)

@@ -32,8 +32,7 @@ struct LinearLevels {
   std::int32_t c;
   std::uint32_t radius2;  ///< squared_radius() of the normals
 
-  ARCSPAN_INLINE_AT_OS constexpr LinearLevels(const TriangleChords& chords, Cosine at_a, Cosine at_b,
-                                              Cosine at_c)
+  ARCSPAN_INLINE constexpr LinearLevels(const TriangleChords& chords, Cosine at_a, Cosine at_b, Cosine at_c)
       : a(LinearLight::level(at_a)),
         b(LinearLight::level(at_b)),
         c(LinearLight::level(at_c)),
@@ -50,7 +49,7 @@ struct LinearLevels {
   /// Returns a bound of four times the error of linear light, 28 fraction bits: R^2 N·L with the largest
   /// N·L. Where N·L is positive, it is above the plane through its vertices by at most R^2/2 of itself and
   /// never below; lifting the plane by R^2/4 leaves R^2/4 either way.
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr std::uint32_t quadruple_error() const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t quadruple_error() const {
     if (most() <= 0) return 0;
     return (radius2 >> 9) * ((static_cast<std::uint32_t>(most()) >> 6) + 1);
   }

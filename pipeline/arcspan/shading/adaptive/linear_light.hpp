@@ -56,12 +56,6 @@ class LinearLightRun : public Steps {
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
     return {lighting.diffuse_colour(normal_light()), {}};
   }
-  /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
-  template <class Format, class Colours>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting&,
-                                                                          const Colours& encoded) const {
-    return encoded[normal_light()];
-  }
 };
 
 /// N·L of a small triangle that is linear on the screen.
@@ -110,7 +104,6 @@ class LinearLightWalker {
     return Run(linear_at(*light_, start), light_->dx);
   }
   constexpr void next_row() { light_->next_row(); }
-  constexpr void skip_rows(std::int32_t rows) { light_->skip_rows(rows); }
   constexpr void enter_lower() { light_->enter_lower(middle_left_); }
 
  protected:

@@ -59,8 +59,6 @@ struct ArcUpTo : ArcPaths<Illumination, kWidest> {
   };
   using Small = SmallShading<Lighting>;
   static constexpr bool kNeedsFaceNormal = false;
-  static constexpr bool kSharesVertices = true;
-  static constexpr bool kUsesEncodedColours = true;
   using DrawsSmallTrianglesAs = ArcUpTo;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
@@ -72,16 +70,12 @@ struct ArcUpTo : ArcPaths<Illumination, kWidest> {
     return on_arc(a, b, t);
   }
 
-  /// Returns the squared chords between the normals of SortedVertices (MeasuresChords).
-  template <class Vertices>
-  [[nodiscard]] static constexpr TriangleChords chords_of(const Vertices& vertices) {
-    return chords_of_normals(vertices);
-  }
-
   /// Chooses the path of a triangle and prepares it. `Frame` is a TriangleFrame whose vertices have this
   /// method's `Vertex` as their shade.
   template <class Frame>
-  static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
+  static constexpr void prepare(const Lighting& lighting, const Frame& unmeasured, const Face&,
+                                Prepared& prepared) {
+    MeasuredFrame<Frame> frame(unmeasured);
     prepare_chosen(lighting, frame, choose_path(lighting, frame, frame.chords.widest()), prepared);
   }
 
@@ -129,11 +123,9 @@ struct ArcUpTo : ArcPaths<Illumination, kWidest> {
 
   /// Prepares a small triangle (DrawsSmallTriangles).
   template <class Raster>
-  [[nodiscard]] ARCSPAN_INLINE_IF_WIDE static constexpr bool prepare_small(const Lighting& lighting,
-                                                                           const Raster& a, const Raster& b,
-                                                                           const Raster& c, bool is_medium,
-                                                                           const SmallTriangle& triangle,
-                                                                           Small& small) {
+  [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& a,
+                                                    const Raster& b, const Raster& c,
+                                                    const SmallTriangle& triangle, Small& small) {
     if (small.prepare_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) return true;
     const TriangleChords chords = chords_between(a.shade.normal, b.shade.normal, c.shade.normal);
     const SmallCorners corners{a, b, c};
@@ -142,14 +134,11 @@ struct ArcUpTo : ArcPaths<Illumination, kWidest> {
       const std::int32_t reach = lighting.power().half_reach();
       const std::int32_t nearest = lighting.nearest_highlight(a.shade.scalars, b.shade.scalars,
                                                               c.shade.scalars, arc_headroom(chords.widest()));
-      shines = Small::sharper_nearest(lighting, nearest, reach, reach, corners, chords, is_medium) < reach;
+      shines = Small::sharper_nearest(lighting, nearest, reach, reach, corners, chords) < reach;
     }
     const auto diffuse =
         Small::diffuse_of(lighting, corners, chords.widest(), shines, Small::within_patch_error(lighting));
-    return small.prepare(lighting, corners, chords, shines, diffuse, is_medium, triangle);
-  }
-  [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const auto& vertices) {
-    return Small::template is_dark_or_arcs<kFindsFaintHighlights>(lighting, vertices);
+    return small.prepare(lighting, corners, chords, shines, diffuse, triangle);
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {

@@ -39,7 +39,7 @@ class ArcShape {
   }
 
   /// Returns the excess at the fraction t, 0...1: at most 0.155, 18 fraction bits.
-  [[nodiscard]] ARCSPAN_INLINE_EXCEPT_AT_OS constexpr std::int32_t excess(Factor t) const {
+  [[nodiscard]] ARCSPAN_OUTLINE_IF_TIGHT constexpr std::int32_t excess(Factor t) const {
     const std::int32_t p = wrap_mul(t.raw(), 32768 - t.raw()) >> 13;  // 17 fraction bits
     const std::int32_t rate = std::int32_t{rise_} + (wrap_mul(p, std::int32_t{bend_}) >> 17);
     return wrap_mul(p, rate) >> 15;
@@ -58,8 +58,8 @@ class ArcShape {
   }
 
   /// Returns the scalar at the fraction t of the arc from a to b; `excess` is excess(t).
-  [[nodiscard]] ARCSPAN_INLINE_EXCEPT_AT_OS constexpr Cosine between(Cosine a, Cosine b, Factor t,
-                                                                     std::int32_t excess) const {
+  [[nodiscard]] ARCSPAN_OUTLINE_IF_TIGHT constexpr Cosine between(Cosine a, Cosine b, Factor t,
+                                                                  std::int32_t excess) const {
     const std::int32_t along =
         scaled_down(wrap_sub(b.raw(), a.raw()), static_cast<std::uint32_t>(t.raw()), 15);
     return on_arc(a + Cosine::from_raw(along), base(a, b), excess);

@@ -29,6 +29,13 @@ template <class Vertices>
   return {squared_chord(top, middle), squared_chord(top, bottom), squared_chord(middle, bottom)};
 }
 
+/// A TriangleFrame with the chords between its normals.
+template <class Frame>
+struct MeasuredFrame : Frame {
+  constexpr explicit MeasuredFrame(const Frame& frame) : Frame(frame), chords(chords_of_normals(frame)) {}
+  TriangleChords chords;
+};
+
 /// The factor 1 / (2 cos(psi/2)) by which the sum of an arc's two ends becomes the value half-way (dichotomy,
 /// S3): 1 / sqrt(2 + z), z = 2 a·b = 2 - s, where s is the squared chord.
 class HalfWay {
@@ -60,8 +67,8 @@ class HalfWay {
 
 /// Returns the vertex half-way along an arc. It does not depend on the order of a and b.
 template <std::size_t Count>
-[[nodiscard]] ARCSPAN_COLD_OUTLINE constexpr ArcVertex<Count> half_way(const ArcVertex<Count>& a,
-                                                                       const ArcVertex<Count>& b) {
+[[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr ArcVertex<Count> half_way(const ArcVertex<Count>& a,
+                                                                               const ArcVertex<Count>& b) {
   const HalfWay half(squared_chord(a.normal, b.normal));
   const auto component = [&half](NormalComponent p, NormalComponent q) {
     return NormalComponent::from_raw(static_cast<std::int16_t>(half.of(std::int64_t{p.raw()} + q.raw())));
@@ -97,8 +104,9 @@ template <std::size_t Count>
 /// Returns the vertex at the fraction t, 0...1, of the arc from a to b. Arcs of more than 60 degrees are
 /// halved up to twice first.
 template <std::size_t Count>
-[[nodiscard]] ARCSPAN_COLD_OUTLINE constexpr ArcVertex<Count> on_arc(const ArcVertex<Count>& a,
-                                                                     const ArcVertex<Count>& b, Factor t) {
+[[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr ArcVertex<Count> on_arc(const ArcVertex<Count>& a,
+                                                                             const ArcVertex<Count>& b,
+                                                                             Factor t) {
   constexpr Factor kHalf = Factor::of(0.5);
   if (squared_chord(a.normal, b.normal) <= kWidestArc) return on_narrow_arc(a, b, t);
   const ArcVertex<Count> middle = half_way(a, b);

@@ -22,13 +22,9 @@ template <class Lighting>
 class DarkWalker {
  public:
   using Run = PatchRun<Lighting, 1>;
-  /// Inlined, it costs x86-64 0.1 % and Armv6-M 1.5 % of the benchmark frame by Arc; outlined, it costs
-  /// others 1 % of the random scenes.
-  static constexpr bool kOutlinesRowLoop = kHasWideRegisters || !kHasManyRegisters;
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart&) const { return dark_run<Lighting>(); }
   constexpr void next_row() {}
-  constexpr void skip_rows(std::int32_t) {}
   constexpr void enter_lower() {}
 };
 

@@ -57,7 +57,7 @@ class ArcSeries {
   }
 
   /// Returns e with 17 fraction bits. `t` has 13; it may be outside of 0...1 by a rounding error.
-  [[nodiscard]] ARCSPAN_INLINE_EXCEPT_AT_OS constexpr std::int32_t operator()(std::int32_t t) const {
+  [[nodiscard]] ARCSPAN_OUTLINE_IF_TIGHT constexpr std::int32_t operator()(std::int32_t t) const {
     const std::int32_t p = (t * (8192 - t)) >> 10;  // 16 fraction bits, at most 1/4
     if constexpr (!kForHighlights) return (p * rise_) >> 16;
     return (p * (rise_ + ((bend_ * p) >> 16))) >> 16;
@@ -119,11 +119,6 @@ class SmallArc {
     [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const ->
         typename PatchRun<Lighting, Used>::Shade {
       return pixel().colour(lighting);
-    }
-    template <class Format, class Colours>
-    [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
-                                                                            const Colours& encoded) const {
-      return pixel().template encoded<Format>(lighting, encoded);
     }
     constexpr void next() { u_ += du_; }
 
@@ -196,10 +191,10 @@ class SmallArc {
  private:
   static constexpr int kMoreBits = 15;
 
-  /// Returns 2^31 / length; the length is at most kMediumSize pixels, below 512 sixteenths, as
+  /// Returns 2^31 / length; the length is at most kSmallSize pixels, below 512 sixteenths, as
   /// short_reciprocal() needs.
   [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t inverse_of(std::int32_t length) {
-    static_assert(kMediumSize * 16 < 512);
+    static_assert(kSmallSize * 16 < 512);
     const Reciprocal inverse = short_reciprocal(static_cast<std::uint32_t>(length));
     return inverse.mantissa << (31 - inverse.exponent);
   }

@@ -62,24 +62,6 @@ class SmallShading {
       return true;
     }
   }
-  /// Returns true if a triangle may be drawn as a small one although it is medium: if it is dark or consists
-  /// of arcs. `Vertices` are SortedVertices. `kFindsFaintHighlights`: faint highlights allow wider patches.
-  template <bool kFindsFaintHighlights = true, class Vertices>
-  [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting& lighting, const Vertices& vertices) {
-    const auto& top = vertices.top->shade.scalars;
-    const auto& middle = vertices.middle->shade.scalars;
-    const auto& bottom = vertices.bottom->shade.scalars;
-    if (is_dark(top, middle, bottom)) return true;
-    const std::uint32_t widest = vertices.chords.widest();
-    if (widest > kWidestArc) return false;
-    if (is_accurate_patch(vertices.chords, widest, lighting.widest_patch())) return false;
-    if constexpr (BoundsHighlights<Lighting> && kFindsFaintHighlights) {
-      return is_beyond_patches(lighting, vertices);
-    } else if constexpr (Lighting::kHasRamp) {
-      return widest > kWidestDiffusePatch || lighting.may_shine(top, middle, bottom, arc_headroom(widest));
-    }
-    return true;
-  }
   /// Prepares a triangle that is_dark(). Returns false if it is not.
   template <class Scalars>
   [[nodiscard]] constexpr bool prepare_dark(const Scalars& a, const Scalars& b, const Scalars& c) {
@@ -95,17 +77,15 @@ class SmallShading {
 
   /// Returns a sharper lower bound of the highlight's half distance if `nearest`, that of
   /// nearest_highlight(), is below `far`. Whether it exceeds `reach` is what matters. Not of patches, which
-  /// gain less than the bound costs, nor of medium triangles that could be patches, which are refused.
+  /// gain less than the bound costs.
   template <class Raster>
   [[nodiscard]] static constexpr std::int32_t sharper_nearest(const Lighting& lighting, std::int32_t nearest,
                                                               std::int32_t reach, std::int32_t far,
                                                               const SmallCorners<Raster>& at,
-                                                              const TriangleChords& chords, bool is_medium) {
+                                                              const TriangleChords& chords) {
     if (nearest >= far) return nearest;
     const std::uint32_t widest = chords.widest();
-    const bool is_patch = is_medium ? widest <= kWidestDiffusePatch
-                                    : is_accurate_patch(chords, widest, lighting.widest_patch());
-    if (is_patch) return nearest;
+    if (is_accurate_patch(chords, widest, lighting.widest_patch())) return nearest;
     const std::int32_t sharper =
         lighting.nearest_highlight_between(reach, at.a.shade.scalars, at.b.shade.scalars, at.c.shade.scalars,
                                            chords.top_middle, chords.top_bottom, chords.middle_bottom);
@@ -148,16 +128,15 @@ class SmallShading {
   }
 
   /// Prepares the triangle; `shines` is true if a highlight is within reach. Returns false if the normals are
-  /// more than 60 degrees apart, or if it `is_medium` and rows may be patches.
+  /// more than 60 degrees apart, .
   template <class Raster>
   [[nodiscard]] constexpr bool prepare(const Lighting& lighting, const SmallCorners<Raster>& at,
                                        const TriangleChords& chords, bool shines, const Diffuse& diffuse,
-                                       bool is_medium, const SmallTriangle& triangle) {
+                                       const SmallTriangle& triangle) {
     const std::uint32_t widest = chords.widest();
     if (widest > kWidestArc) return false;
     if constexpr (Lighting::kHasRamp) {
       if (diffuse.suffices) {
-        if (is_medium && widest <= kWidestDiffusePatch) return false;
         path_ = Path::kDiffusePatch;
         const auto scalar = [](Cosine value) { return std::array<Cosine, 1>{value}; };
         diffuse_patch_.prepare(scalar(diffuse.a), scalar(diffuse.b), scalar(diffuse.c), chords, triangle);
@@ -172,7 +151,6 @@ class SmallShading {
       }
     }
     const bool is_accurate = is_accurate_patch(chords, widest, lighting.widest_patch());
-    if (is_medium && is_accurate) return false;
     path_ = is_accurate && widest <= kWidestSmallPatch ? Path::kPatch : Path::kArc;
     if (path_ == Path::kPatch) {
       patch_.prepare(at.a.shade.scalars, at.b.shade.scalars, at.c.shade.scalars, chords, triangle);
@@ -199,21 +177,6 @@ class SmallShading {
   }
 
  private:
-  /// Returns true if normals beyond widest_patch() are too far apart for a patch: with the highlights, or of
-  /// N·L alone if none is within reach. May return false for triangles that are larger than medium, where the
-  /// result does not matter.
-  template <class Vertices>
-  [[nodiscard]] ARCSPAN_OUTLINE static constexpr bool is_beyond_patches(const Lighting& lighting,
-                                                                        const Vertices& vertices) {
-    const std::uint32_t widest = vertices.chords.widest();
-    if (widest > kWidestDiffusePatch) return true;
-    if (!is_up_to_medium(vertices)) return false;  // the bound would be for nothing
-    const HighlightBound bound = highlights_over(lighting, vertices);
-    if constexpr (Lighting::kHasRamp) {
-      if (bound.nearest >= lighting.power().half_reach()) return false;
-    }
-    return !is_accurate_patch_at_slope(lighting, vertices.chords, widest, bound.slope);
-  }
   /// Returns an estimate of the error of N·L, with these values at the vertices, as a patch up to 60 degrees,
   /// 20 fraction bits: with s the widest squared chord, 0.022 s of the values' range and 0.0073 s^2 of the
   /// largest. The patch differs from bilinear SLERP by at most 1.57 times that, where negative N·L counts as

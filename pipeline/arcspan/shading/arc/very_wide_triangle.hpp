@@ -93,7 +93,7 @@ struct VeryWideTriangle {
                  ///< from·to, to·from and to·to, that of the long edge first
 
   template <class Frame>
-  ARCSPAN_COLD_OUTLINE constexpr void prepare(Frame& frame) {
+  ARCSPAN_OUTLINE ARCSPAN_COLD constexpr void prepare(Frame& frame) {
     make_short_inverses(frame);
     top = frame.top->shade;
     middle = frame.middle->shade;
@@ -138,7 +138,7 @@ struct VeryWideTriangle {
   }
 
  private:
-  ARCSPAN_COLD_OUTLINE constexpr void find_parts(bool in_lower) {
+  ARCSPAN_OUTLINE ARCSPAN_COLD constexpr void find_parts(bool in_lower) {
     std::array<ArcVertex<Count>, 4> ends;
     detail::assign(ends[0], top);
     detail::assign(ends[1], bottom);

@@ -7,6 +7,7 @@
 #include <arcspan/shading/arc/wide_triangle.hpp>
 #include <arcspan/shading/patch/one_highlight.hpp>
 #include <arcspan/shading/patch/patch_walker.hpp>
+#include <arcspan/shading/restarted_run.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstddef>
@@ -67,7 +68,7 @@ constexpr void prepare_wide(Frame& frame, std::size_t used, Factor widest,
   triangle.wide.prepare(frame, used);
 }
 
-/// The pixels of a piece of a row (LimitedRun); `Pixels` is a SecondDifferenceRun with colours.
+/// The pixels of a piece of a row (RestartedRun); `Pixels` is a SecondDifferenceRun with colours.
 template <class Pixels>
 class PieceRun : public Pixels {
  public:
@@ -113,57 +114,17 @@ struct WidePiece {
 template <class Pixels, std::size_t Count, WidestNormals kWidest = WidestNormals::kAny>
 class WideWalker {
  public:
-  using Run = PieceRun<Pixels>;
+  using Run = RestartedRun<WideWalker, PieceRun<Pixels>>;
   using Prepared = WideOrVeryWide<Count, kWidest>;
   static constexpr std::size_t kUsed = Pixels::kUsed;
-  static constexpr bool kOutlined = true;
-  /// Programs that are optimised for size have one loop for pixels with and without highlights.
-  template <class Lighting>
-  static constexpr bool kMayLackHighlight = !kOptimisedForSize && kUsed > 1 && Lighting::kLights == 1 &&
-                                            requires(const Lighting& lighting,
-                                                     const typename Lighting::Scalars& scalars) {
-    lighting.may_shine_between(scalars, scalars, Factor{});
-    typename Pixels::Diffuse;
-  };
-  /// True if the pixels have all scalars of several lights, which may have a diffuse_scalar().
-  template <class Lighting>
-  static constexpr bool kHasGreyLights = Lighting::kLights > 1 && kUsed == Lighting::kScalars&& requires {
-    requires Lighting::kHasRamp;
-  };
-
   constexpr explicit WideWalker(Prepared& triangle)
       : triangle_(&triangle), short_(&triangle.wide.upper_edge), rows_(&triangle.wide.upper_rows) {}
 
-  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const { return Run(*this, start); }
+  /// Returns the run of the piece in which a pixel lies, from this pixel on.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PieceRun<Pixels> start_run(const RowStart& start) const {
     const Piece piece = piece_at(start);
-    return run_of<Run>(piece, piece.steps());
-  }
-
-  /// Calls `draw` with the run of the row's next piece: with N·L alone where no highlight is within reach,
-  /// which gives the same colours (ChoosesRuns).
-  template <class Lighting, class Draw>
-  [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(const RowStart& start, const Lighting& lighting,
-                                                         const Draw& draw) const requires
-      kMayLackHighlight<Lighting> {
-    const Piece piece = piece_at(start);
-    const PieceSteps steps = piece.steps();
-    if (!lighting.may_shine_between(piece.ends.left, piece.ends.right, piece.ends.angle2)) {
-      auto run = run_of<PieceRun<typename Pixels::Diffuse>>(piece, steps);
-      return draw(run);
-    }
-    auto run = run_of<Run>(piece, steps);
-    return draw(run);
-  }
-  /// Calls `draw` with the run of the row's next piece for several grey lights, which depends on the lights
-  /// that reach it (draw_by_lights()).
-  template <class Lighting, class Draw>
-  [[nodiscard]] ARCSPAN_INLINE constexpr Status with_run(const RowStart& start, const Lighting& lighting,
-                                                         const Draw& draw) const requires
-      kHasGreyLights<Lighting> {
-    const Piece piece = piece_at(start);
-    PieceLights lights{false, 0, Lighting::kLights, 0};  // all scalars, as Arc by one light draws them
-    if (lighting.lights() != 1) lights = lights_of_piece(lighting, piece.ends, lighting.power().half_reach());
-    return draw_by_lights(piece, piece.steps(), lights, lighting, draw);
+    return run_of<PieceRun<Pixels>>(piece, piece.steps());
   }
 
   constexpr void next_row() {
@@ -176,16 +137,6 @@ class WideWalker {
     triangle_->wide.long_edge.template advance<kUsed>();
     short_->template advance<kUsed>();
   }
-  ARCSPAN_OUTLINE constexpr void skip_rows(std::int32_t rows) {
-    if constexpr (Prepared::kHasVeryWide) {
-      if (triangle_->is_very_wide) {
-        triangle_->very_wide.skip_rows(rows, triangle_->in_lower);
-        return;
-      }
-    }
-    triangle_->wide.long_edge.template advance<kUsed>(rows);
-    short_->template advance<kUsed>(rows);
-  }
   constexpr void enter_lower() {
     if constexpr (Prepared::kHasVeryWide) {
       if (triangle_->is_very_wide) {
@@ -197,7 +148,7 @@ class WideWalker {
     rows_ = &triangle_->wide.lower_rows;
   }
 
- protected:
+ public:
   using Piece = WidePiece<Count>;
 
   /// Returns the run that begins at a pixel of a piece.
@@ -213,40 +164,6 @@ class WideWalker {
     if (piece.skipped != 0) run.skip(piece.skipped);
     run.set_length(piece.length);
     return run;
-  }
-
-  /// Calls `draw` with a run of the pixels of a piece by several grey lights: if no highlight is within reach
-  /// of the diffuse_scalar() alone or of N·L of every light, otherwise of the diffuse_scalar() and one
-  /// highlight, or of all scalars.
-  template <class Lighting, class Draw>
-  [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_by_lights(
-      const Piece& piece, const PieceSteps& steps, const PieceLights& lights, const Lighting& lighting,
-      const Draw& draw) const requires kHasGreyLights<Lighting> {
-    if (lights.shining == 0) {
-      if (lights.throughout) {
-        PieceRun<PatchRun<Lighting, 1>> run;
-        piece.start_diffuse(steps, lighting, lights.lit, run);
-        return draw(started(piece, run));
-      }
-      if constexpr (kMaySumLights<kWidest>) {
-        auto run = run_of<PieceRun<PatchRun<Lighting, Lighting::kLights>>>(piece, steps);
-        return draw(run);
-      }
-    }
-    if constexpr (Lighting::kDrawsOneHighlight) {
-      if (lights.throughout && lights.shining == 1 && lighting.draws_one_highlight()) {
-        PieceRun<OneHighlightRun<Lighting>> run;
-        run.set_highlight(lighting.one_highlight(lights.highlight));
-        piece.start_diffuse(steps, lighting, lights.lit, run);
-        piece.start_scalar(steps, lights.highlight, run, 1);
-        piece.start_scalar(steps, Lighting::highlight_index(lights.highlight), run, 2);
-        return draw(started(piece, run));
-      }
-    }
-    // Not run_of(), which copies; a copy of five scalars would be a call of memcpy.
-    Run run;
-    piece.start(steps, run);
-    return draw(started(piece, run));
   }
 
   /// Returns the piece in which a pixel lies.

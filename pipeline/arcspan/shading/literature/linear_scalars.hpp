@@ -142,14 +142,13 @@ struct LinearScalars {
       run.squared = SquaredLength::of(prepared.normal.at(start), prepared.normal.step());
       return run;
     }
-    [[nodiscard]] ARCSPAN_INLINE_IF_MANY_REGISTERS constexpr PackedRgb colour(
-        const Lighting& lighting) const {
+    [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
       const Normaliser normalise(squared.square);
       typename Lighting::Scalars values;
       unrolled<kScalars>([&](auto i) { values[i] = normalise(scalars[i]); });
       return lighting.colour(values);
     }
-    /// A new run starts N·N again before the rounding of its differences is visible (LimitedRun).
+    /// A new run starts N·N again before the rounding of its differences is visible (RestartedRun).
     [[nodiscard]] static constexpr std::int32_t length() { return 256; }
     constexpr void next() {
       unrolled<kScalars>([this](auto i) { scalars[i] += steps[i]; });

@@ -89,7 +89,6 @@ struct RecurrenceFour : Recurrence<Illumination> {
   using Base = Recurrence<Illumination>;
   using typename Base::Lighting;
   using typename Base::Prepared;
-  static constexpr bool kUsesEncodedColours = false;
 
   /// The pixels of a row (PixelRun).
   class Run {

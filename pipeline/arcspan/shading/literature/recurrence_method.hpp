@@ -23,7 +23,8 @@ struct Recurrence : Arc<Illumination> {
   using Prepared = NarrowOrWide<RecurrenceTriangle<Base::kScalars>, Base::kScalars>;
 
   template <class Frame>
-  static constexpr void prepare(const Lighting&, Frame& frame, const Face&, Prepared& prepared) {
+  static constexpr void prepare(const Lighting&, const Frame& unmeasured, const Face&, Prepared& prepared) {
+    MeasuredFrame<Frame> frame(unmeasured);
     if (!prepared.prepare_if_wide(frame)) prepare_recurrence(frame, prepared.narrow);
   }
   template <class Draw>
@@ -40,10 +41,11 @@ struct Recurrence : Arc<Illumination> {
 template <class Illumination, class MethodRun>
 class RecurrenceWalkerWith : public RecurrenceWalker<Illumination> {
  public:
-  using Run = MethodRun;
+  using Run = RestartedRun<RecurrenceWalkerWith, MethodRun>;
   using RecurrenceWalker<Illumination>::RecurrenceWalker;
-  [[nodiscard]] constexpr Run row(const RowStart& start) const {
-    return Run{RecurrenceWalker<Illumination>::row(start)};
+  [[nodiscard]] constexpr Run row(const RowStart& start) const { return Run(*this, start); }
+  [[nodiscard]] constexpr MethodRun start_run(const RowStart& start) const {
+    return MethodRun{RecurrenceWalker<Illumination>::start_run(start)};
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <arcspan/shading/literature/recurrence_rows.hpp>
 #include <arcspan/shading/method.hpp>
+#include <arcspan/shading/restarted_run.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -80,7 +81,7 @@ class RecurrenceRun {
   static constexpr std::size_t kScalars = Lighting::kScalars;
 
   /// Rounding of the recurrence adds up to m^2 / 4 units of 2^-30 over m pixels, 1.5e-5 over 256. A longer
-  /// row is drawn in several runs (LimitedRun).
+  /// row is drawn in several runs (RestartedRun).
   [[nodiscard]] static constexpr std::int32_t length() { return 256; }
 
   constexpr RecurrenceRun(std::int32_t mantissa, std::int32_t shift) : mantissa_(mantissa), shift_(shift) {}
@@ -89,15 +90,6 @@ class RecurrenceRun {
     typename Lighting::Scalars values;
     unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
     return lighting.colour(values);
-  }
-  /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
-  template <class Format, class Colours>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
-                                                                          const Colours& encoded) const {
-    typename Lighting::Scalars values;
-    unrolled<kScalars>([&](auto i) { values[i] = scalars_[i].x; });
-    if constexpr (!Colours::kForHighlights) return Format::encode(lighting.colour(values));
-    return lighting.template encoded<Format>(values, encoded);
   }
   [[nodiscard]] constexpr RecurrenceScalar& scalar(std::size_t i) { return scalars_[i]; }
   [[nodiscard]] constexpr const RecurrenceScalar& scalar(std::size_t i) const { return scalars_[i]; }
@@ -118,14 +110,13 @@ template <class Lighting>
 class RecurrenceWalker {
  public:
   static constexpr std::size_t kScalars = Lighting::kScalars;
-  using Run = RecurrenceRun<Lighting>;
-
-  static constexpr bool kOutlined = true;
+  using Run = RestartedRun<RecurrenceWalker, RecurrenceRun<Lighting>>;
 
   constexpr explicit RecurrenceWalker(RecurrenceTriangle<kScalars>& arcs)
       : arcs_(&arcs), short_(&arcs.upper_edge), rows_(&arcs.upper_rows) {}
 
-  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
+  [[nodiscard]] constexpr Run row(const RowStart& start) const { return Run(*this, start); }
+  [[nodiscard]] ARCSPAN_INLINE constexpr RecurrenceRun<Lighting> start_run(const RowStart& start) const {
     const Factor t = rows_->t.factor();
     const Factor t2 = multiply<Factor>(t, t);
     const SquaredAngle angle2 =
@@ -140,7 +131,7 @@ class RecurrenceWalker {
 
     const RecurrenceEdge<kScalars>& left = arcs_->middle_left ? *short_ : arcs_->long_edge;
     const RecurrenceEdge<kScalars>& right = arcs_->middle_left ? arcs_->long_edge : *short_;
-    Run run(mantissa, rows_->k_shift);
+    RecurrenceRun<Lighting> run(mantissa, rows_->k_shift);
     unrolled<kScalars>([&](auto i) {
       run.scalar(i) = start_scalar(arc, arcs_->rows, scale, left.scalars[i].x, right.scalars[i].x);
     });

@@ -186,12 +186,9 @@ struct SlerpBase {
   [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
     return on_arc(a, b, t);
   }
-  template <class Vertices>
-  [[nodiscard]] static constexpr TriangleChords chords_of(const Vertices& vertices) {
-    return chords_of_normals(vertices);
-  }
   template <class Frame>
-  static constexpr void prepare(const Lighting&, Frame& frame, const Face&, Prepared& prepared) {
+  static constexpr void prepare(const Lighting&, const Frame& unmeasured, const Face&, Prepared& prepared) {
+    MeasuredFrame<Frame> frame(unmeasured);
     if (!prepared.prepare_if_wide(frame)) prepared.narrow.make(frame);
   }
 

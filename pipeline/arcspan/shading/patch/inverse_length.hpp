@@ -26,8 +26,7 @@ struct InverseLength {
 
 /// Returns the inverse of a length of at least 1/2, given as the reciprocal of the length with `bits`
 /// fraction bits.
-[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr InverseLength inverse_length(const Reciprocal& inverse,
-                                                                          int bits) {
+[[nodiscard]] ARCSPAN_INLINE constexpr InverseLength inverse_length(const Reciprocal& inverse, int bits) {
   const int down = inverse.exponent - bits - 16;
   const std::uint32_t fraction = inverse.mantissa >> 1;
   if (down >= 0) return {Factor::from_raw(static_cast<std::int32_t>(fraction)), down};
@@ -41,8 +40,8 @@ struct InverseLength {
 
 /// Returns v / (length of `one` * length of `other`), rounded to nearest. It makes differences of
 /// differences, whose rounding error is summed twice.
-[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr Cosine divide_by_both_lengths(Cosine v, const InverseLength& one,
-                                                                           const InverseLength& other) {
+[[nodiscard]] ARCSPAN_INLINE constexpr Cosine divide_by_both_lengths(Cosine v, const InverseLength& one,
+                                                                     const InverseLength& other) {
   const Cosine product = part(part(v, one.fraction), other.fraction);
   const int down = one.down + other.down;  // of a patch at most 14, because it is at most kLargestPatch
   const std::int32_t half = (std::int32_t{1} << down) >> 1;

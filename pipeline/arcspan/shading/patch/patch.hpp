@@ -84,8 +84,7 @@ struct PatchEnd {
 };
 
 /// Returns the quadruple sagitta of an edge between the values p and q.
-[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr Cosine quadruple_sagitta(Cosine p, Cosine q,
-                                                                      SagittaFactor factor) {
+[[nodiscard]] ARCSPAN_INLINE constexpr Cosine quadruple_sagitta(Cosine p, Cosine q, SagittaFactor factor) {
   const Factor mean = Factor::from_raw(wrap_add(p.raw() >> 1, q.raw() >> 1) >> 15);
   return multiply<Cosine>(mean, factor);
 }
@@ -103,9 +102,9 @@ struct PatchEnd {
 
 /// Sets up a scalar along an edge at the edge's first row. `from` is its upper end, `to` its lower end,
 /// `sagitta4` its quadruple sagitta, and `pixel` the inverse width of the widest row in pixels.
-ARCSPAN_INLINE_EXCEPT_AT_OS constexpr void make_patch_edge(const EdgeSetup& edge, const InverseLength& pixel,
-                                                           const PatchEnd& from, const PatchEnd& to,
-                                                           Cosine sagitta4, PatchEdge& e) {
+ARCSPAN_OUTLINE_IF_TIGHT constexpr void make_patch_edge(const EdgeSetup& edge, const InverseLength& pixel,
+                                                        const PatchEnd& from, const PatchEnd& to,
+                                                        Cosine sagitta4, PatchEdge& e) {
   // f(t) = from + t (to - from + sagitta4) - t^2 sagitta4, t = 0...1 along the edge.
   const Factor t = edge.start;
   const Cosine slope_at_top = to.value - from.value + sagitta4;

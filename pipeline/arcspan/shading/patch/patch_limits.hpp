@@ -28,7 +28,7 @@ inline constexpr std::uint32_t kPatchError = 25;
 /// Returns an upper bound of the height of a scalar above its values at the vertices of a triangle whose
 /// widest squared chord is s = `chord` (28 fraction bits): s/6 + 0.058 s^2 + 2^-12, for s at most 1
 /// (arc_bound.hpp). 2^-12 is for the errors of patches and pieces.
-[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr Cosine arc_headroom(std::uint32_t chord) {
+[[nodiscard]] ARCSPAN_INLINE constexpr Cosine arc_headroom(std::uint32_t chord) {
   return Cosine::from_raw(detail::cap_height(chord) + (std::int32_t{1} << 18));
 }
 
@@ -49,8 +49,9 @@ inline constexpr std::uint32_t kWidestHighlightPatch = 71927064u;
 /// Returns true if a TriangleFrame, which is drawn by rows, is accurate as a patch; the other arguments are
 /// as above. Beyond the limit it must be 4 pixels wide, because in narrower ones the second difference is so
 /// large that the rounding of a row's start would show.
-template <class Method>
-[[nodiscard]] constexpr bool is_accurate_patch(const TriangleFrame<Method>& frame, std::uint32_t widest,
+template <class Frame>
+requires requires(const Frame& frame) { frame.chords; }
+[[nodiscard]] constexpr bool is_accurate_patch(const Frame& frame, std::uint32_t widest,
                                                std::uint32_t limit) {
   if (widest <= limit) return true;
   return frame.width >= (std::uint32_t{4} << 16) && is_accurate_patch(frame.chords, widest, limit);

@@ -37,7 +37,7 @@ class SecondDifferenceRun {
   /// Steps `count` pixels at once, the scalars from I on; the result is bit-identical to that of `count`
   /// calls of next().
   template <std::size_t I = 0>
-  ARCSPAN_INLINE_AT_OS constexpr void skip(std::int32_t count) {
+  ARCSPAN_INLINE constexpr void skip(std::int32_t count) {
     const auto steps = static_cast<std::uint32_t>(count);
     const auto pairs = static_cast<std::int32_t>((steps * (steps - 1)) >> 1);
     x_[I] += Cosine::from_raw(
@@ -105,24 +105,6 @@ class PatchRun
       return {lighting.diffuse_colour(diffuse(lighting)), {}};
     }
   }
-  /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
-  template <class Format, class Colours>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
-                                                                          const Colours& encoded) const {
-    if constexpr (Used == Lighting::kScalars) {
-      if constexpr (Colours::kForHighlights && Lighting::kLights == 1) {
-        if constexpr (kHasProduct<Lighting, Used>) {
-          return lighting.template encoded_by_tables<Format>(*this, encoded);
-        } else {
-          return lighting.template encoded<Format>(this->scalars(), encoded);
-        }
-      } else {
-        return encode_varying<Format>(colour(lighting));
-      }
-    } else {
-      return encoded[diffuse(lighting)];
-    }
-  }
 
  private:
   [[nodiscard]] ARCSPAN_INLINE constexpr Cosine diffuse(const Lighting& lighting) const {
@@ -149,11 +131,8 @@ class PatchWalker {
     if (start.skipped != 0) run.skip(start.skipped);
     return run;
   }
-  ARCSPAN_INLINE_AT_OS constexpr void next_row() {
+  ARCSPAN_INLINE constexpr void next_row() {
     unrolled<Run::kUsed>([this](auto i) { (*patch_)[i].left.advance(); });
-  }
-  constexpr void skip_rows(std::int32_t rows) {
-    unrolled<Run::kUsed>([&](auto i) { (*patch_)[i].left.advance(rows); });
   }
   constexpr void enter_lower() {
     if (!middle_left_) return;

@@ -14,7 +14,7 @@ using SagittaFactor = Fixed<std::int32_t, 18>;
 
 /// Returns the factor of an edge with the squared chord s = `chord` (28 fraction bits) by the series
 /// s/2 + 3/32 s^2 + 5/256 s^3. s is at most 0.33 (33 degrees), where the factor is below 0.18.
-[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr SagittaFactor sagitta_factor(std::uint32_t chord) {
+[[nodiscard]] ARCSPAN_INLINE constexpr SagittaFactor sagitta_factor(std::uint32_t chord) {
   const std::uint32_t s = chord >> 13;                         // 15 fraction bits
   const std::uint32_t inner = 3072u + ((s * 5u + 128u) >> 8);  // 3/32 + 5/256 s, 15 fraction bits
   return SagittaFactor::from_raw(

@@ -55,15 +55,6 @@ class SteppedDistanceRun : public SecondDifferenceRun<2> {
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
     return {lighting.diffuse_colour(scalars()[0]), misses() ? PackedRgb{} : highlight(lighting)};
   }
-  /// Returns colour() encoded in `Format`; `encoded` is an EncodedColourTable (EncodingRun).
-  template <class Format, class Colours>
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Format::Encoded encoded(const Lighting& lighting,
-                                                                          const Colours& encoded) const {
-    if constexpr (Colours::kForHighlights) {
-      if (misses()) return encoded[scalars()[0]];
-    }
-    return encode_varying<Format>(colour(lighting));
-  }
 
  private:
   /// N·L = 0 counts as lit, because a vertex is.

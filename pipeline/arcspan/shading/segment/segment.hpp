@@ -38,13 +38,14 @@ struct Segment : Arc<Illumination> {
   using typename Base::Face;
   using typename Base::Path;
   using typename Base::Vertex;
-  static constexpr bool kUsesEncodedColours = false;
   struct Prepared : Base::Prepared {
     int bits;
   };
 
   template <class Frame>
-  static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
+  static constexpr void prepare(const Lighting& lighting, const Frame& unmeasured, const Face&,
+                                Prepared& prepared) {
+    MeasuredFrame<Frame> frame(unmeasured);
     prepared.bits = lighting.bits;
     const Path path = Base::choose_path(lighting, frame, frame.chords.widest());
     // The last segment may end beyond the row. A highlight can be within reach there, which kDiffuseWide

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <arcspan/draw/vertex_stage.hpp>
-#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/line_command.hpp>
-#include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/back_faces.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -23,11 +23,56 @@ struct TriangleRows {
   std::uint8_t last;  ///< below `first` if the triangle is not drawn
 };
 
+/// Which triangles of a mesh a draw call looks at. A filter has next(i, count), the first triangle from i on
+/// that may be visible (`count` if there is none), and kAllInside, true if all vertices are known to be
+/// inside the clip volume and backs are known not to be drawn.
 namespace detail {
+
+/// All triangles.
+struct AllTriangles {
+  static constexpr bool kAllInside = false;
+  [[nodiscard]] constexpr std::size_t next(std::size_t i, std::size_t) const { return i; }
+};
+
+/// The triangles that may be front faces, where the planes of the faces tell (BackFaces::known()).
+struct FrontTriangles {
+  static constexpr bool kAllInside = true;
+  const BackFaces& back_faces;
+  [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
+    return back_faces.next_front(i, count);
+  }
+};
+
+/// The triangles with rows in a band.
+class BandTriangles {
+ public:
+  static constexpr bool kAllInside = false;
+  /// `rows` are those of all triangles of the mesh; `band` is not empty.
+  constexpr BandTriangles(const TriangleRows* rows, const Rect& band)
+      : rows_(rows),
+        first_(band.top >> TriangleRows::kGroupBits),
+        last_((band.bottom - 1) >> TriangleRows::kGroupBits) {}
+  [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
+    while (i < count && (rows_[i].last < first_ || rows_[i].first > last_)) ++i;
+    return i;
+  }
+
+ private:
+  const TriangleRows* rows_;
+  std::int32_t first_;  ///< groups of rows of the band
+  std::int32_t last_;
+};
+
+/// True if a triangle of this doubled_area() is not drawn: it shows its back, and backs are not drawn, or it
+/// has no area, and no edges are drawn.
+template <class Method>
+[[nodiscard]] ARCSPAN_INLINE constexpr bool is_culled_by_area(std::int32_t doubled, bool two_sided) {
+  return doubled >= 0 && ((doubled == 0 && !DrawsEdges<Method>) || !two_sided);
+}
 
 inline constexpr TriangleRows kNoTriangleRows{255, 0};
 
-/// The groups of a triangle with these vertices, for a picture of `height` rows.
+/// Returns the rows of a triangle with these transformed vertices, for a picture of `height` rows.
 template <class Method>
 [[nodiscard]] TriangleRows rows_of(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
                                    const CachedVertex<Method>& c, std::int32_t height, bool two_sided) {
@@ -51,26 +96,6 @@ template <class Method>
     return static_cast<std::uint8_t>(row >> TriangleRows::kGroupBits);
   };
   return {group(top < 0 ? 0 : top), group((end > height ? height : end) - 1)};
-}
-
-/// Sets the rows of all triangles of a mesh; `vertices` are transformed as they are needed.
-template <class Method>
-void find_rows(const VertexStage<Method>& stage, bool two_sided, CachedVertex<Method>* vertices,
-               TriangleRows* rows) {
-  const MeshView& mesh = stage.mesh();
-  const BackFaces back_faces = two_sided ? BackFaces() : BackFaces(mesh, stage.transform());
-  const std::int32_t height = stage.transform().viewport().height;
-  const std::size_t count = mesh.triangle_count();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (back_faces.known()) {
-      const std::size_t front = back_faces.next_front(i, count);
-      for (; i < front; ++i) rows[i] = kNoTriangleRows;
-      if (i == count) return;
-    }
-    const TriangleIndices t = mesh.triangle(i);
-    for (const std::uint16_t v : {t.a, t.b, t.c}) stage.transform_if_needed(v, vertices[v]);
-    rows[i] = rows_of(vertices[t.a], vertices[t.b], vertices[t.c], height, two_sided);
-  }
 }
 
 }  // namespace detail

@@ -98,14 +98,6 @@ inline constexpr bool kScalesIndices = true;
 inline constexpr bool kExtendsHalfwords = true;
 #endif
 
-/// True if one instruction saves several registers of a function. x86-64 and RISC-V save them one by one,
-/// which takes 25 instructions more per call of a large function on RISC-V.
-#if defined(__riscv) || defined(__x86_64__)
-inline constexpr bool kSavesRegistersAtOnce = false;
-#else
-inline constexpr bool kSavesRegistersAtOnce = true;
-#endif
-
 /// True if leading zeros are counted by one instruction or by a short routine (Armv6-M). False on RISC-V
 /// without Zbb, where it is a call of a long routine.
 #if defined(__riscv) && !defined(__riscv_zbb)

@@ -79,8 +79,10 @@ class TriangleDrawer {
       if (is_culled<Filter::kAllInside>(a, b, c)) continue;
       if (!Filter::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
         draw_clipped(t);
-      } else {
+      } else if constexpr (Filter::kAllInside && !kOptimisedForSize) {
         draw_triangle(t, a, b, c);
+      } else {  // the other loops share one function
+        draw_triangle_outlined(t, a, b, c);
       }
       if (!ok(result_.status)) return;
     }
@@ -104,7 +106,7 @@ class TriangleDrawer {
   }
 
   /// Draws a triangle that is not culled and not clipped, and counts it if a part of it is in view.
-  ARCSPAN_OUTLINE void draw_triangle(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
+  ARCSPAN_INLINE void draw_triangle(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
     const RasterPosition& p = a.raster.position;
     const RasterPosition& q = b.raster.position;
     const RasterPosition& r = c.raster.position;
@@ -125,6 +127,10 @@ class TriangleDrawer {
         draw_side(t, a.raster, b.raster, c.raster, Facing::kFront);
       }
     }
+  }
+
+  ARCSPAN_OUTLINE void draw_triangle_outlined(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
+    draw_triangle(t, a, b, c);
   }
 
   /// Draws the back of a triangle. Few meshes show backs, so their shading is not cached.

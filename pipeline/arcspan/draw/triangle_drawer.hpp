@@ -4,18 +4,58 @@
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/edge_drawer.hpp>
 #include <arcspan/draw/scissor.hpp>
-#include <arcspan/draw/triangle_filter.hpp>
+#include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/mesh/face_normal.hpp>
 #include <arcspan/span/draw_small.hpp>
 #include <arcspan/span/row_drawer.hpp>
 #include <arcspan/target.hpp>
+#include <arcspan/vertex/back_faces.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
 namespace arcspan::detail {
+
+// Which triangles of a mesh a draw call looks at. A filter has next(i, count), the first triangle from i on
+// that may be visible (`count` if there is none), and kAllInside, true if all vertices are known to be
+// inside the clip volume and backs are known not to be drawn.
+
+/// All triangles.
+struct AllTriangles {
+  static constexpr bool kAllInside = false;
+  [[nodiscard]] constexpr std::size_t next(std::size_t i, std::size_t) const { return i; }
+};
+
+/// The triangles that may be front faces, where the planes of the faces tell (BackFaces::known()).
+struct FrontTriangles {
+  static constexpr bool kAllInside = true;
+  const BackFaces& back_faces;
+  [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
+    return back_faces.next_front(i, count);
+  }
+};
+
+/// The triangles with rows in a band.
+class BandTriangles {
+ public:
+  static constexpr bool kAllInside = false;
+  /// `rows` are those of all triangles of the mesh; `band` is not empty.
+  constexpr BandTriangles(const TriangleRows* rows, const Rect& band)
+      : rows_(rows),
+        first_(band.top >> TriangleRows::kGroupBits),
+        last_((band.bottom - 1) >> TriangleRows::kGroupBits) {}
+  [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
+    while (i < count && (rows_[i].last < first_ || rows_[i].first > last_)) ++i;
+    return i;
+  }
+
+ private:
+  const TriangleRows* rows_;
+  std::int32_t first_;  ///< groups of rows of the band
+  std::int32_t last_;
+};
 
 /// Draws the triangles of one draw_mesh() call: culls, clips, shades, prepares and hands the commands
 /// to the span stage.
@@ -66,7 +106,7 @@ class TriangleDrawer {
       sizeof(typename Method::Prepared) <= 64 && !kOptimisedForSize && kHasManyRegisters;
   static constexpr bool kDrawsSmall = Features.small_triangles && DrawsSmallTriangles<Method>;
 
-  /// Draws the triangles of a filter (triangle_filter.hpp).
+  /// Draws the triangles of a filter.
   template <class Source, class Filter>
   ARCSPAN_OUTLINE void draw_triangles(Source& source, const Filter& filter) {
     const MeshView& mesh = stage_.mesh();

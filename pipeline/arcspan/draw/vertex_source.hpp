@@ -2,13 +2,16 @@
 #pragma once
 
 #include <arcspan/draw/draw_options.hpp>
-#include <arcspan/draw/triangle_filter.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/prepare/line_command.hpp>
+#include <arcspan/prepare/triangle.hpp>
+#include <arcspan/shading/method.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/back_faces.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -17,6 +20,14 @@
 #include <type_traits>
 
 namespace arcspan {
+
+/// The rows of a triangle, in groups of 8 from the top of the picture: first ... last.
+struct TriangleRows {
+  static constexpr int kGroupBits = 3;
+
+  std::uint8_t first;
+  std::uint8_t last;  ///< below `first` if the triangle is not drawn
+};
 
 /// Where the transformed vertices of a draw call come from: VertexCache, NoCache, or a program's own type,
 /// such as a small cache of a fixed number of vertices (tests/pipeline/draw/vertex_source_test.cpp).
@@ -40,6 +51,41 @@ namespace detail {
 template <class Method>
 void forget_vertices(CachedVertex<Method>* vertices, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) vertices[i].outcode = CachedVertex<Method>::kNotTransformed;
+}
+
+/// True if a triangle of this doubled_area() is not drawn: it shows its back, and backs are not drawn, or it
+/// has no area, and no edges are drawn.
+template <class Method>
+[[nodiscard]] ARCSPAN_INLINE constexpr bool is_culled_by_area(std::int32_t doubled, bool two_sided) {
+  return doubled >= 0 && ((doubled == 0 && !DrawsEdges<Method>) || !two_sided);
+}
+
+inline constexpr TriangleRows kNoTriangleRows{255, 0};
+
+/// Returns the rows of a triangle with these transformed vertices, for a picture of `height` rows.
+template <class Method>
+[[nodiscard]] TriangleRows rows_of(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
+                                   const CachedVertex<Method>& c, std::int32_t height, bool two_sided) {
+  if ((a.outcode | b.outcode | c.outcode) != 0) {
+    return (a.outcode & b.outcode & c.outcode) != 0 ? kNoTriangleRows : TriangleRows{0, 255};
+  }
+  const RasterPosition& p = a.raster.position;
+  const RasterPosition& q = b.raster.position;
+  const RasterPosition& r = c.raster.position;
+  if (is_culled_by_area<Method>(doubled_area(p, q, r), two_sided)) return kNoTriangleRows;
+  const std::int32_t upper = p.y < q.y ? p.y : q.y;
+  const std::int32_t lower = p.y > q.y ? p.y : q.y;
+  const std::int32_t uppermost = upper < r.y ? upper : r.y;
+  const std::int32_t lowest = lower > r.y ? lower : r.y;
+  // A line has pixels wherever it runs, a triangle where it covers their centres.
+  const std::int32_t top =
+      (DrawsEdges<Method> ? pixel_of(uppermost) : first_row_at(uppermost)) + (height >> 1);
+  const std::int32_t end = (DrawsEdges<Method> ? pixel_of(lowest) + 1 : first_row_at(lowest)) + (height >> 1);
+  if (top >= end || end <= 0 || top >= height) return kNoTriangleRows;
+  const auto group = [](std::int32_t row) {
+    return static_cast<std::uint8_t>(row >> TriangleRows::kGroupBits);
+  };
+  return {group(top < 0 ? 0 : top), group((end > height ? height : end) - 1)};
 }
 
 }  // namespace detail

@@ -28,11 +28,7 @@ constexpr Light kLight =
     Light::of({{kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, 32},
               {{{kTilt.to_object(normalised(3, 4, 5))}}}, kTilt.to_object(normalised(0, 0, 1)));
 
-/// 5-6-5 framebuffer whose pixels are encoded one by one, without a table of encoded colours on the stack.
-struct Screen : hal::Framebuffer<Rgb565> {
-  using Framebuffer::Framebuffer;
-  static constexpr std::size_t kEncodedColours = 0;
-};
+using Screen = hal::Framebuffer<Rgb565>;
 
 Screen::Word pixels[Screen::words(kWidth, kHeight)];
 std::uint16_t depths[DepthBuffer::words(kWidth, kHeight)];
@@ -42,13 +38,8 @@ constinit DepthBuffer nearest(depths, kWidth, kHeight);
 int main() {
   screen.clear({0, 0, 0});
   nearest.clear();
-  // The whole sphere is in view, its triangles are small, and its inside is never visible.
-  constexpr DrawFeatures kFeatures{.clips = false,
-                                   .two_sided = false,
-                                   .caches = false,
-                                   .planes = false,
-                                   .small_triangles = false,
-                                   .whole_rows = false};
+  // The whole sphere is in view, and its triangles are small.
+  constexpr DrawFeatures kFeatures{.clips = false, .planes = false, .small_triangles = false};
   // So fine a mesh gains nothing by the rules for normals that are far apart.
   using Method = ArcUpTo<Light, WidestNormals::kWithinPatches>;
   const DrawResult drawn = draw_mesh<Method, kFeatures>(kSphere, kCamera, kLight, screen, nearest);

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/draw/band_cache.hpp>
-#include <arcspan/draw/band_vertices.hpp>
 #include <arcspan/draw/draw_options.hpp>
-#include <arcspan/draw/kept_vertices.hpp>
 #include <arcspan/draw/triangle_drawer.hpp>
 #include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
@@ -23,8 +20,7 @@ namespace arcspan {
 ///
 /// - `lighting`: the illumination in the object's space.
 /// - `depth`: a DepthBuffer that covers these bounds, a DepthMode of one for another test, or NoDepth{}.
-/// - `cache`: memory for at least mesh.vertex_count() transformed vertices, each of which is then transformed
-///   once; or none, and every triangle transforms its own three vertices.
+/// - `source`: where the vertices come from: a VertexCache, NoCache{} or another VertexSource.
 /// - `Features`: the parts of draw_mesh() that the program contains.
 ///
 /// To draw a picture in bands, move the sink and the depth buffer to a band and call this once per band: the
@@ -34,57 +30,42 @@ namespace arcspan {
 /// Returns as status kOk, or the first other status of the sink, at which drawing stops. Draws nothing and
 /// returns:
 ///
-///   kUnsupported      two-sided drawing is asked for but left out of `Features`
 ///   kDepthMismatch    `depth` does not cover the common bounds of the viewport and the sink
-///   kCacheTooSmall    `cache` is neither empty nor large enough, unless `Features` leaves caches out
+///   kCacheTooSmall    the memory of a VertexCache is too small for the mesh
+///   kCacheMismatch    a VertexCache holds another object
 ///   others            the status() of a Framebuffer or DepthBuffer that is not kOk
-template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth>
+template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth,
+          class Source>
+requires VertexSource<std::remove_cvref_t<Source>, Method>
 [[nodiscard]] ARCSPAN_OUTLINE DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
                                                    const typename Method::Lighting& lighting, Sink& sink,
-                                                   const Depth& depth,
-                                                   std::span<CachedVertex<Method>> cache = {},
+                                                   const Depth& depth, Source&& source,
                                                    const DrawOptions& options = {}) {
-  if constexpr (Features.caches) {
-    if (!cache.empty() && cache.size() < mesh.vertex_count()) return {Status::kCacheTooSmall};
-  }
-  detail::TriangleDrawer<Method, Features, Sink, Depth> drawer(mesh, transform, lighting, sink, depth,
+  detail::TriangleDrawer<Method, Features, Sink, Depth> drawer({mesh, transform, lighting}, sink, depth,
                                                                options);
-  if (!drawer.ready()) return drawer.result();
-  const detail::VisibleTriangles visible = drawer.visible_triangles();
-  if (visible.excludes_all()) return drawer.result();
-  if constexpr (!Features.caches) {
-    drawer.draw_triangles(detail::UncachedVertices<Method>(drawer.stage(), visible));
-  } else if (cache.empty()) {
-    drawer.draw_triangles_outlined(detail::UncachedVertices<Method>(drawer.stage(), visible));
-  } else if (Features.planes && visible.in_band() && detail::BandVertices<Method>::suits(mesh)) {
-    drawer.draw_triangles_outlined(detail::BandVertices<Method>(drawer.stage(), cache.data(), visible));
-  } else if (visible.known()) {
-    detail::forget_vertices(cache.data(), mesh.vertex_count());
-    drawer.draw_triangles_outlined(detail::FrontVertices<Method>(drawer.stage(), cache.data(), visible));
-  } else {
-    drawer.draw_triangles_outlined(detail::CachedVertices<Method>(drawer.stage(), cache.data()));
-  }
+  drawer.draw(source);
   return drawer.result();
 }
 
-/// Draws a mesh as above, with vertices that `cache` keeps from band to band.
-///
-/// Draws nothing and returns also kCacheTooSmall if the memory of `cache` is too small for the mesh, and
-/// kCacheMismatch if `cache` holds another object (BandCache).
+/// Draws a mesh as above without a cache: every triangle transforms its own three vertices.
 template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth>
-requires(Features.caches) [[nodiscard]] ARCSPAN_OUTLINE DrawResult
-    draw_mesh(const MeshView& mesh, const ClipTransform& transform, const typename Method::Lighting& lighting,
-              Sink& sink, const Depth& depth, BandCache<Method>& cache, const DrawOptions& options = {}) {
-  detail::TriangleDrawer<Method, Features, Sink, Depth> drawer(mesh, transform, lighting, sink, depth,
-                                                               options);
-  if (!drawer.ready()) return drawer.result();
-  const Status held = cache.begin(drawer.stage(), drawer.two_sided());
-  if (!ok(held)) return {held};
-  const detail::VisibleTriangles visible = drawer.visible_triangles();
-  if (visible.excludes_all()) return drawer.result();
-  drawer.draw_triangles_outlined(detail::KeptVertices<Method>(drawer.stage(), cache.vertices(), cache.rows(),
-                                                              visible, drawer.scissor().rect()));
-  return drawer.result();
+[[nodiscard]] DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
+                                   const typename Method::Lighting& lighting, Sink& sink,
+                                   const Depth& depth) {
+  return draw_mesh<Method, Features>(mesh, transform, lighting, sink, depth, NoCache{});
+}
+
+/// Draws a mesh as above with a VertexCache for this call, which is made of the memory `cache`: for at least
+/// mesh.vertex_count() vertices, or for none, in which case there is no cache.
+template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
+                                   const typename Method::Lighting& lighting, Sink& sink, const Depth& depth,
+                                   std::span<CachedVertex<Method>> cache, const DrawOptions& options = {}) {
+  if (cache.empty()) {
+    return draw_mesh<Method, Features>(mesh, transform, lighting, sink, depth, NoCache{}, options);
+  }
+  return draw_mesh<Method, Features>(mesh, transform, lighting, sink, depth, VertexCache<Method>(cache),
+                                     options);
 }
 
 }  // namespace arcspan

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/draw/check_target.hpp>
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/pixel/sink.hpp>
-#include <arcspan/prepare/prepare_triangle.hpp>
+#include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/span/draw_command.hpp>
 #include <arcspan/status.hpp>
@@ -82,7 +81,7 @@ class BillboardStage {
       : transform_(transform),
         size_(size),
         scissor_(transform.viewport(), sink.bounds()),
-        target_{scissor_.rect(), lighting, sink, depth, encoded_},
+        target_{scissor_.rect(), lighting, sink, depth},
         status_(check_target(scissor_, sink, depth)) {}
 
   [[nodiscard]] bool ready() const { return !scissor_.rect().empty() && ok(status_); }
@@ -113,7 +112,7 @@ class BillboardStage {
   [[nodiscard]] std::int32_t half(std::uint16_t side, std::int32_t w) const {
     if (size_.unit == BillboardSize::Unit::kObject) return transform_.scaled_across(side) >> 1;
     constexpr std::uint16_t kMost = 2 * kGuardBand - 1;
-    return static_cast<std::int32_t>((std::int64_t{w} * (side < kMost ? side : kMost)) >> 11);
+    return static_cast<std::int32_t>((std::int64_t{w} * (side < kMost ? side : kMost)) >> (kGuardBits + 1));
   }
 
   /// Draws a rectangle: as the triangle of its upper left half, whose right edge, which begins at the middle
@@ -130,13 +129,13 @@ class BillboardStage {
     EdgeSetup side;
     make_edge_setup(upper_right.position, lower_right, command.first_row, true, side);
     make_edge_walk(side, upper_right.position, lower_right, command.lower);
-    status_ = draw_crossing_rows(command, scissor_.origin(), target_);
+    using Rows = RowDrawer<ScissorColumns::kCrossing, TriangleCommand<Method>, Target>;
+    status_ = Method::walk(command.shade, Rows{command, scissor_.origin(), target_});
   }
 
   const ClipTransform& transform_;
   const BillboardSize size_;
   const Scissor scissor_;
-  const NoEncodedColours encoded_{};
   const Target target_;
   Status status_;
 };

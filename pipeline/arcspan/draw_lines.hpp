@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/draw/check_target.hpp>
 #include <arcspan/draw/line_stage.hpp>
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/pixel/sink.hpp>
-#include <arcspan/prepare/prepare_triangle.hpp>
+#include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/one_colour.hpp>
 #include <arcspan/shading/unlit.hpp>
 #include <arcspan/shading/wireframe.hpp>
@@ -38,7 +37,7 @@ class LineStage {
   LineStage(const Viewport& viewport, const typename Method::Lighting& colour, Sink& sink, const Depth& depth,
             DepthBias bias)
       : scissor_(viewport, sink.bounds()),
-        target_{scissor_.rect(), colour, sink, depth, encoded_},
+        target_{scissor_.rect(), colour, sink, depth},
         bias_(bias),
         status_(check_target(scissor_, sink, depth)) {}
 
@@ -78,7 +77,6 @@ class LineStage {
 
  private:
   const Scissor scissor_;
-  const NoEncodedColours encoded_{};
   const Target target_;
   const DepthBias bias_;
   Status status_;

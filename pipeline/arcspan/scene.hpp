@@ -2,7 +2,6 @@
 #pragma once
 
 #include <arcspan/draw.hpp>
-#include <arcspan/draw/check_target.hpp>
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/scene/camera.hpp>
 #include <arcspan/scene/draw_part.hpp>
@@ -130,8 +129,8 @@ template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink
       const MeshView mesh = slot.object->mesh().part(part.first, part.count);
       const DrawResult drawn = detail::draw_part<Vertices != 0>(
           MethodList<typename detail::UseOf<Methods>::Type...>{},
-          detail::PartCall<Sink, Depth>{slot, mesh, *part.material, lights, frame.header.camera->rotation(),
-                                        sink, depth, memory.lighting()});
+          detail::PartCall<Sink, Depth>{slot, mesh, p, *part.material, lights,
+                                        frame.header.camera->rotation(), sink, depth, memory.lighting()});
       result.status = drawn.status;
       result.triangles += drawn.triangles;
       result.left_out += drawn.left_out;

@@ -22,7 +22,7 @@ NAMES = {"flat": "flat", "gouraud": "Gouraud", "arc": "arc, tolerance 0", "adapt
 FINE_ONLY = ("arc", "segment", "segment-8", "segment-16", "adaptive", "recurrence", "recurrence-four", "arc-vector")
 BANDS = {"whole, cache": "whole frame, vertex cache", "whole, no cache": "whole frame, no cache",  # sections of cost_bands.hpp
          "bands, cache": "bands, vertex cache", "bands, no cache": "bands, no cache",
-         "bands, kept": "bands, `BandCache`", "bands, kept with rows": "bands, `BandCache` with rows"}
+         "bands, kept": "bands, `VertexCache`", "bands, kept with rows": "bands, `VertexCache` with rows"}
 TEXTURED = {"unlit": "none", "greygouraud": "`GreyGouraud`", "adaptive": "`Adaptive`"}  # cost_textures.cpp, by light
 LINES = {"level": ("line, level", "short", "long"), "flat": ("line, wider than high", "short", "long"),  # of cost_lines.cpp
          "tall": ("line, higher than wide", "short", "long"), "points": ("point", "small", "large"),

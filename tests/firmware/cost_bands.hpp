@@ -50,8 +50,8 @@ inline bool draw_in_cost_bands() {
   const BandScene scene{meshes.planed, stage.transform, &make_cost_lighting(stage.light)};
   const std::span<CachedVertex<CostMethod>> cache(cost_cache);
   const std::span<CachedVertex<CostMethod>> none;
-  static BandCache<CostMethod> kept(cache);
-  static BandCache<CostMethod> kept_with_rows(cache, cost_triangle_rows);
+  static VertexCache<CostMethod> kept(cache);
+  static VertexCache<CostMethod> kept_with_rows(cache, cost_triangle_rows);
   return measure_bands("whole, cache", scene, kCostHeight, cache) &&
          measure_bands("whole, no cache", scene, kCostHeight, none) &&
          measure_bands("bands, cache", scene, 24, cache) &&

@@ -16,7 +16,7 @@
 #include <arcspan/pixel/mono.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/prepare/prepare_triangle.hpp>
+#include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
@@ -186,12 +186,9 @@ Placement take_placement(Input& in) {
 struct Ways {
   bool with_depth = true;
   bool without_depth = true;
-  bool whole_rows = true;
 };
 constexpr Ways kDepthOnly{.without_depth = false};
 constexpr Ways kNoDepthOnly{.with_depth = false};
-constexpr Ways kRunsWithDepth{.without_depth = false, .whole_rows = false};
-constexpr Ways kRunsWithoutDepth{.with_depth = false, .whole_rows = false};
 
 template <class Method, class Format, Ways kWays = Ways{}>
 void fuzz_mesh(Input& in) {
@@ -226,14 +223,13 @@ void fuzz_mesh(Input& in) {
     if (!ok(MeshView::make(positions, normals, std::span<const std::uint8_t>(indices), mesh))) return;
   }
   const DrawOptions options{two_sided};
-  constexpr DrawFeatures kFeatures{.whole_rows = kWays.whole_rows};
   if constexpr (kWays.with_depth) {
-    static_cast<void>(draw_mesh<Method, kFeatures>(mesh, transform, lighting, target.sink, target.depth,
-                                                   std::span(cache), options));
+    static_cast<void>(
+        draw_mesh<Method>(mesh, transform, lighting, target.sink, target.depth, std::span(cache), options));
   }
   if constexpr (kWays.without_depth) {
-    static_cast<void>(draw_mesh<Method, kFeatures>(mesh, transform, lighting, target.sink, NoDepth{},
-                                                   std::span(cache), options));
+    static_cast<void>(
+        draw_mesh<Method>(mesh, transform, lighting, target.sink, NoDepth{}, std::span(cache), options));
   }
 }
 
@@ -280,37 +276,37 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz_mesh<Arc<Blinn1>, Dithered<Gray4>, kNoDepthOnly>(in);
       break;
     case 10:
-      fuzz_mesh<Phong<Blinn1>, Rgb565, kRunsWithDepth>(in);
+      fuzz_mesh<Phong<Blinn1>, Rgb565, kDepthOnly>(in);
       break;
     case 11:
-      fuzz_mesh<Duff<Phong1>, Rgb565, kRunsWithoutDepth>(in);
+      fuzz_mesh<Duff<Phong1>, Rgb565, kNoDepthOnly>(in);
       break;
     case 12:
-      fuzz_mesh<Lyon<Blinn1>, Rgb565, kRunsWithDepth>(in);
+      fuzz_mesh<Lyon<Blinn1>, Rgb565, kDepthOnly>(in);
       break;
     case 13:
-      fuzz_mesh<Slerp<Phong1>, Rgb565, kRunsWithoutDepth>(in);
+      fuzz_mesh<Slerp<Phong1>, Rgb565, kNoDepthOnly>(in);
       break;
     case 14:
-      fuzz_mesh<KuijkBlake<Blinn1>, Rgb565, kRunsWithDepth>(in);
+      fuzz_mesh<KuijkBlake<Blinn1>, Rgb565, kDepthOnly>(in);
       break;
     case 15:
-      fuzz_mesh<ArcVector<Phong1>, Rgb565, kRunsWithoutDepth>(in);
+      fuzz_mesh<ArcVector<Phong1>, Rgb565, kNoDepthOnly>(in);
       break;
     case 16:
-      fuzz_mesh<DichotomyLinear<Phong2>, Rgb565, kRunsWithDepth>(in);
+      fuzz_mesh<DichotomyLinear<Phong2>, Rgb565, kDepthOnly>(in);
       break;
     case 17:
-      fuzz_mesh<PhongSegment<Blinn1>, Rgb565, kRunsWithoutDepth>(in);
+      fuzz_mesh<PhongSegment<Blinn1>, Rgb565, kNoDepthOnly>(in);
       break;
     case 18:
-      fuzz_mesh<RecurrenceFour<Phong1>, Rgb565, kRunsWithDepth>(in);
+      fuzz_mesh<RecurrenceFour<Phong1>, Rgb565, kDepthOnly>(in);
       break;
     case 19:
       fuzz_triangles<Adaptive<GreyPhong2>, Rgb565>(in);
       break;
     default:
-      fuzz_mesh<DichotomyPrintedQuadratic<Blinn4>, Rgb565, kRunsWithoutDepth>(in);
+      fuzz_mesh<DichotomyPrintedQuadratic<Blinn4>, Rgb565, kNoDepthOnly>(in);
       break;
   }
   return 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/prepare/prepare_triangle.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/span/draw_command.hpp>
@@ -54,23 +53,16 @@ class RasterStage {
     const RasterPosition& p = a.position;
     if (!draws_small_ || !in_guard_band(p)) return std::nullopt;
     const std::int32_t area = doubled_area(p, b.position, c.position);
-    SortedVertices<Method> vertices{&a, &b, &c, area < 0, {}};
+    SortedVertices<Method> vertices{&a, &b, &c, area < 0};
     arcspan::detail::sort_by_height(vertices);
-    const bool is_medium = !is_small(vertices);
-    if (is_medium) {
-      arcspan::detail::measure_chords(vertices);
-      if (!Method::is_dark_or_arcs(lighting_, vertices) || !is_up_to_medium(vertices)) {
-        return std::nullopt;
-      }
-    }
+    if (!is_small(vertices)) return std::nullopt;
     if (area == 0 || clip_.empty()) return false;
-    const NoEncodedColours encoded{};
     const arcspan::detail::RowTarget<typename Method::Lighting, Sink, Depth> target{clip_, lighting_, sink_,
-                                                                                    depth_, encoded};
+                                                                                    depth_};
     Status status = Status::kOk;
     const RowRange drawn{clip_.top - origin_.y, clip_.bottom - origin_.y};
-    switch (arcspan::detail::draw_small_triangle<Method>(vertices, is_medium, true, rows_, drawn, origin_,
-                                                         target, status)) {
+    switch (
+        arcspan::detail::draw_small_triangle<Method>(vertices, true, rows_, drawn, origin_, target, status)) {
       case arcspan::detail::SmallResult::kDone:
         return ok(status);
       case arcspan::detail::SmallResult::kOutOfView:

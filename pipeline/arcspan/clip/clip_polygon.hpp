@@ -51,9 +51,10 @@ namespace detail {
 /// Sets `vertex` to where the edge from `inside` to `outside` meets a plane, from their distances to it.
 /// Edges are always cut in this direction, so that the two triangles of an edge get the same vertex.
 template <class Method>
-ARCSPAN_COLD_OUTLINE constexpr void cut(const ClipVertex<Method>& inside, const ClipVertex<Method>& outside,
-                                        std::int32_t inside_distance, std::int32_t outside_distance,
-                                        ClipVertex<Method>& vertex) {
+ARCSPAN_OUTLINE ARCSPAN_COLD constexpr void cut(const ClipVertex<Method>& inside,
+                                                const ClipVertex<Method>& outside,
+                                                std::int32_t inside_distance, std::int32_t outside_distance,
+                                                ClipVertex<Method>& vertex) {
   // t = inside / (inside - outside), 30 fraction bits. The difference is below 2^32.
   const std::uint32_t whole =
       static_cast<std::uint32_t>(inside_distance) - static_cast<std::uint32_t>(outside_distance);

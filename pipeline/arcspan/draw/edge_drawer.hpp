@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/draw/clip_triangle.hpp>
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/line_stage.hpp>
 #include <arcspan/draw/scissor.hpp>
@@ -41,7 +40,7 @@ struct EdgeDrawer {
  private:
   /// Draws the edges of a triangle across the near plane or the guard band. The sides along these planes are
   /// no edges.
-  ARCSPAN_COLD_OUTLINE void draw_clipped(const TriangleIndices& t) const {
+  ARCSPAN_OUTLINE ARCSPAN_COLD void draw_clipped(const TriangleIndices& t) const {
     if (!two_sided && !shows_front(t)) return;
     const std::uint16_t ends[] = {t.a, t.b, t.c, t.a};
     for (std::size_t i = 0; i < 3; ++i) {

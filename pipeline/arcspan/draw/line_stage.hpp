@@ -9,7 +9,6 @@
 #include <arcspan/span/line_rows.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
-#include <arcspan/vertex/project.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 
 #include <cstdint>
@@ -41,9 +40,9 @@ template <OneColour Method, class Target>
 
 /// Clips the line from p to q and sets a and b to the ends of the rest on the screen. Returns false if
 /// nothing is left.
-[[nodiscard]] ARCSPAN_COLD_OUTLINE inline bool clip_line(const ClipTransform& transform, ClipPosition p,
-                                                         ClipPosition q, RasterPosition& a,
-                                                         RasterPosition& b) {
+[[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD inline bool clip_line(const ClipTransform& transform,
+                                                                 ClipPosition p, ClipPosition q,
+                                                                 RasterPosition& a, RasterPosition& b) {
   for (const ClipOutcode plane : {kOutsideNear, kOutsideLeft, kOutsideRight, kOutsideTop, kOutsideBottom}) {
     const std::int32_t p_distance = plane_distance(p, plane, transform.near_w());
     const std::int32_t q_distance = plane_distance(q, plane, transform.near_w());

@@ -6,12 +6,12 @@
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/span/row_drawer.hpp>
+#include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 
 #include <cstdint>
-#include <type_traits>
 
 namespace arcspan::detail {
 
@@ -37,10 +37,10 @@ class Scissor {
         rows_{-origin_.y, viewport.height - origin_.y},
         drawn_rows_{wrap_sub(rect_.top, origin_.y), wrap_sub(rect_.bottom, origin_.y)},
         // These wrap if the bounds are far outside the viewport; the rectangle is empty then.
-        left_(static_cast<Sixteenths>(wrap_shl(wrap_sub(rect_.left, origin_.x), 4))),
-        right_(static_cast<Sixteenths>(wrap_shl(wrap_sub(rect_.right, origin_.x), 4))),
-        upper_(static_cast<Sixteenths>(wrap_add(wrap_shl(wrap_sub(rect_.top, origin_.y), 4), 9))),
-        lower_(static_cast<Sixteenths>(wrap_sub(wrap_shl(wrap_sub(rect_.bottom, origin_.y), 4), 7))),
+        left_(wrap_shl(wrap_sub(rect_.left, origin_.x), 4)),
+        right_(wrap_shl(wrap_sub(rect_.right, origin_.x), 4)),
+        upper_(wrap_add(wrap_shl(wrap_sub(rect_.top, origin_.y), 4), 9)),
+        lower_(wrap_sub(wrap_shl(wrap_sub(rect_.bottom, origin_.y), 4), 7)),
         is_band_(wrap_sub(rect_.bottom, rect_.top) < viewport.height) {}
 
   [[nodiscard]] constexpr const Rect& rect() const { return rect_; }
@@ -69,10 +69,6 @@ class Scissor {
   }
 
  private:
-  /// Coordinates in sixteenths of a pixel, relative to origin(). 16 bits hold them; where registers are wide,
-  /// they would have to be extended at each use.
-  using Sixteenths = std::conditional_t<kHasWideRegisters, std::int32_t, std::int16_t>;
-
   /// True if all vertices lie on the same side of the scissor's columns.
   [[nodiscard]] constexpr bool is_outside_columns(const RasterPosition& a, const RasterPosition& b,
                                                   const RasterPosition& c) const {
@@ -91,11 +87,25 @@ class Scissor {
   RasterOrigin origin_;
   RowRange rows_;
   RowRange drawn_rows_;
-  Sixteenths left_;  ///< columns of the scissor
-  Sixteenths right_;
-  Sixteenths upper_;  ///< least y of a vertex whose first_row_at() is behind the first row
-  Sixteenths lower_;  ///< least y whose first_row_at() is at least the row behind the last
-  bool is_band_;      ///< rows of the viewport lie outside the scissor
+  // In sixteenths of a pixel, relative to origin().
+  std::int32_t left_;  ///< columns of the scissor
+  std::int32_t right_;
+  std::int32_t upper_;  ///< least y of a vertex whose first_row_at() is behind the first row
+  std::int32_t lower_;  ///< least y whose first_row_at() is at least the row behind the last
+  bool is_band_;        ///< rows of the viewport lie outside the scissor
 };
+
+/// Returns the reason why nothing can be drawn into a sink and a depth buffer, or kOk.
+template <class Sink, class Depth>
+[[nodiscard]] constexpr Status check_target(const Scissor& scissor, const Sink& sink, const Depth& depth) {
+  if constexpr (ChecksItself<Sink>) {
+    if (!ok(sink.status())) return sink.status();
+  }
+  if constexpr (Depth::kTests) {
+    if (!ok(depth.status())) return depth.status();
+    if (!scissor.is_within(depth.bounds())) return Status::kDepthMismatch;
+  }
+  return Status::kOk;
+}
 
 }  // namespace arcspan::detail

@@ -1,22 +1,61 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/draw/check_target.hpp>
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/edge_drawer.hpp>
 #include <arcspan/draw/scissor.hpp>
+#include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
-#include <arcspan/draw/visible_triangles.hpp>
 #include <arcspan/mesh/face_normal.hpp>
-#include <arcspan/span/draw_command.hpp>
 #include <arcspan/span/draw_small.hpp>
+#include <arcspan/span/row_drawer.hpp>
 #include <arcspan/target.hpp>
+#include <arcspan/vertex/back_faces.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
 namespace arcspan::detail {
+
+// Which triangles of a mesh a draw call looks at. A filter has next(i, count), the first triangle from i on
+// that may be visible (`count` if there is none), and kAllInside, true if all vertices are known to be
+// inside the clip volume and backs are known not to be drawn.
+
+/// All triangles.
+struct AllTriangles {
+  static constexpr bool kAllInside = false;
+  [[nodiscard]] constexpr std::size_t next(std::size_t i, std::size_t) const { return i; }
+};
+
+/// The triangles that may be front faces, where the planes of the faces tell (BackFaces::known()).
+struct FrontTriangles {
+  static constexpr bool kAllInside = true;
+  const BackFaces& back_faces;
+  [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
+    return back_faces.next_front(i, count);
+  }
+};
+
+/// The triangles with rows in a band.
+class BandTriangles {
+ public:
+  static constexpr bool kAllInside = false;
+  /// `rows` are those of all triangles of the mesh; `band` is not empty.
+  constexpr BandTriangles(const TriangleRows* rows, const Rect& band)
+      : rows_(rows),
+        first_(band.top >> TriangleRows::kGroupBits),
+        last_((band.bottom - 1) >> TriangleRows::kGroupBits) {}
+  [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
+    while (i < count && (rows_[i].last < first_ || rows_[i].first > last_)) ++i;
+    return i;
+  }
+
+ private:
+  const TriangleRows* rows_;
+  std::int32_t first_;  ///< groups of rows of the band
+  std::int32_t last_;
+};
 
 /// Draws the triangles of one draw_mesh() call: culls, clips, shades, prepares and hands the commands
 /// to the span stage.
@@ -25,79 +64,80 @@ class TriangleDrawer {
  public:
   using Vertex = CachedVertex<Method>;
 
-  TriangleDrawer(const MeshView& mesh, const ClipTransform& transform,
-                 const typename Method::Lighting& lighting, Sink& sink, const Depth& depth,
-                 const DrawOptions& options)
-      : stage_(mesh, transform, lighting),
-        scissor_(transform.viewport(), sink.bounds()),
-        target_{scissor_.rect(), lighting, sink, depth, encoded_},
-        options_(options) {
-    const bool supported = Features.two_sided || !options_.two_sided;
-    result_.status = supported ? check_target(scissor_, sink, depth) : Status::kUnsupported;
-  }
-
-  /// True if there is something to draw into and nothing has failed.
-  [[nodiscard]] bool ready() const { return !scissor_.rect().empty() && ok(result_.status); }
-  [[nodiscard]] const VertexStage<Method>& stage() const { return stage_; }
-  [[nodiscard]] const DrawResult& result() const { return result_; }
-  [[nodiscard]] const Scissor& scissor() const { return scissor_; }
-  [[nodiscard]] bool two_sided() const { return Features.two_sided && options_.two_sided; }
-  /// The triangles that may be visible, as far as planes say.
-  [[nodiscard]] VisibleTriangles visible_triangles() const {
+  TriangleDrawer(const VertexStage<Method>& stage, Sink& sink, const Depth& depth, const DrawOptions& options)
+      : stage_(stage),
+        scissor_(stage.transform().viewport(), sink.bounds()),
+        target_{scissor_.rect(), stage_.lighting(), sink, depth},
+        two_sided_(options.two_sided) {
+    result_.status = check_target(scissor_, sink, depth);
     if constexpr (Features.planes) {
-      // Triangles without a pixel centre in the band may have edges there.
-      const bool in_band = scissor_.is_band() && !DrawsEdges<Method>;
-      if (!two_sided()) return VisibleTriangles(stage_.mesh(), stage_.transform(), scissor_, in_band);
+      if (!two_sided_) stage_.find_back_faces();
     }
-    return VisibleTriangles(stage_.mesh());
   }
 
-  /// Draws the mesh with the vertices of a source (vertex_source.hpp) until the sink fails.
+  [[nodiscard]] const DrawResult& result() const { return result_; }
+
+  /// Draws the mesh with the vertices of a VertexSource until the sink fails.
   template <class Source>
-  ARCSPAN_INLINE void draw_triangles(Source vertices) {
-    encoded_.set(stage_.lighting());
-    const MeshView& mesh = stage_.mesh();
-    const std::size_t count = mesh.triangle_count();
-    for (std::size_t i = vertices.next(0, count); i < count; i = vertices.next(i + 1, count)) {
-      const TriangleIndices t = mesh.triangle(i);
-      auto&& a = vertices[t.a];
-      auto&& b = vertices[t.b];
-      auto&& c = vertices[t.c];
-      if (is_culled<Source::kAllInside>(a, b, c)) continue;
-      if (!Source::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
-        draw_clipped(t);
-      } else if constexpr (Features.caches && (kSavesRegistersAtOnce || kOptimisedForSize)) {
-        // With a cache there are several loops, which share one function.
-        draw_triangle_outlined(t, a, b, c);
-      } else {
-        draw_triangle(t, a, b, c);
-      }
-      if (!ok(result_.status)) return;
+  void draw(Source& source) {
+    if (scissor_.rect().empty() || !ok(result_.status)) return;
+    result_.status = source.begin(stage_, two_sided_);
+    if (!ok(result_.status)) return;
+    if (const TriangleRows* const rows = source.rows()) {
+      draw_triangles(source, BandTriangles(rows, scissor_.rect()));
+      return;
     }
-  }
-  template <class Source>
-  ARCSPAN_OUTLINE void draw_triangles_outlined(const Source& vertices) {
-    draw_triangles(vertices);
+    if constexpr (Features.planes) {
+      if (stage_.back_faces().known()) {
+        draw_triangles(source, FrontTriangles{stage_.back_faces()});
+        return;
+      }
+    }
+    draw_triangles(source, AllTriangles{});
   }
 
  private:
   using Raster = RasterVertex<Method>;
   using Face = typename Method::Face;
-  using Colours = EncodedColoursFor<Method, Sink>;
-  using Target = RowTarget<typename Method::Lighting, Sink, Depth, Colours>;
-  static constexpr bool kWholeRows = Features.whole_rows && kWholeRowsPay;
+  using Target = RowTarget<typename Method::Lighting, Sink, Depth>;
+  /// True if triangles within the columns of the scissor have a loop without tests of them: for methods whose
+  /// rows cost little more than the tests.
+  static constexpr bool kHasInsideRows =
+      sizeof(typename Method::Prepared) <= 64 && !kOptimisedForSize && kHasManyRegisters;
   static constexpr bool kDrawsSmall = Features.small_triangles && DrawsSmallTriangles<Method>;
+
+  /// Draws the triangles of a filter.
+  template <class Source, class Filter>
+  ARCSPAN_OUTLINE void draw_triangles(Source& source, const Filter& filter) {
+    const MeshView& mesh = stage_.mesh();
+    const std::size_t count = mesh.triangle_count();
+    for (std::size_t i = filter.next(0, count); i < count; i = filter.next(i + 1, count)) {
+      const TriangleIndices t = mesh.triangle(i);
+      auto&& a = source.vertex(stage_, t.a);
+      auto&& b = source.vertex(stage_, t.b);
+      auto&& c = source.vertex(stage_, t.c);
+      if (is_culled<Filter::kAllInside>(a, b, c)) continue;
+      if (!Filter::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
+        draw_clipped(t);
+      } else if constexpr (Filter::kAllInside && !kOptimisedForSize) {
+        draw_triangle(t, a, b, c);
+      } else {  // the other loops share one function
+        draw_triangle_outlined(t, a, b, c);
+      }
+      if (!ok(result_.status)) return;
+    }
+  }
 
   /// True if the triangle lies outside one plane of the clip volume, has no area, or shows its back and backs
   /// are not drawn: the case of half of all triangles, before anything is set up.
   template <bool AllInside>
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS bool is_culled(const Vertex& a, const Vertex& b, const Vertex& c) const {
+  [[nodiscard]] ARCSPAN_INLINE bool is_culled(const Vertex& a, const Vertex& b, const Vertex& c) const {
     if constexpr (AllInside) {
       return doubled_area(a.raster.position, b.raster.position, c.raster.position) >= 0;
     } else {
       if (!are_inside(a, b, c)) return (a.outcode & b.outcode & c.outcode) != 0;
       const std::int32_t doubled = doubled_area(a.raster.position, b.raster.position, c.raster.position);
-      return is_culled_by_area<Method>(doubled, two_sided());
+      return is_culled_by_area<Method>(doubled, two_sided_);
     }
   }
 
@@ -112,11 +152,11 @@ class TriangleDrawer {
     const RasterPosition& r = c.raster.position;
     if constexpr (DrawsEdges<Method>) {
       bool drawn = false;
-      const EdgeDrawer<Method, Target> edges{stage_, scissor_, target_, two_sided(), result_, drawn};
+      const EdgeDrawer<Method, Target> edges{stage_, scissor_, target_, two_sided_, result_, drawn};
       edges.template draw<Features.clips>(t, a, b, c);
       if (drawn) ++result_.triangles;
     } else if (is_within_scissor(p, q, r)) {
-      if (two_sided() && doubled_area(p, q, r) > 0) {
+      if (two_sided_ && doubled_area(p, q, r) > 0) {
         draw_back(t, a.raster, b.raster, c.raster);
       } else {
         if constexpr (!std::is_empty_v<typename Method::Vertex>) {
@@ -128,13 +168,14 @@ class TriangleDrawer {
       }
     }
   }
+
   ARCSPAN_OUTLINE void draw_triangle_outlined(const TriangleIndices& t, Vertex& a, Vertex& b, Vertex& c) {
     draw_triangle(t, a, b, c);
   }
 
   /// Draws the back of a triangle. Few meshes show backs, so their shading is not cached.
-  ARCSPAN_COLD_OUTLINE void draw_back(const TriangleIndices& t, const Raster& p, const Raster& q,
-                                      const Raster& r) {
+  ARCSPAN_OUTLINE ARCSPAN_COLD void draw_back(const TriangleIndices& t, const Raster& p, const Raster& q,
+                                              const Raster& r) {
     Raster a = unshaded<Method>(p);
     Raster b = unshaded<Method>(q);
     Raster c = unshaded<Method>(r);
@@ -149,7 +190,7 @@ class TriangleDrawer {
     if constexpr (Features.clips) {
       const std::uint32_t before = result_.triangles;
       draw_clipped(t, Facing::kFront);
-      if (two_sided()) draw_clipped(t, Facing::kBack);
+      if (two_sided_) draw_clipped(t, Facing::kBack);
       if (result_.triangles > before) result_.triangles = before + 1;  // its parts are one triangle
     } else {
       ++result_.left_out;
@@ -158,7 +199,7 @@ class TriangleDrawer {
 
   /// Clips the triangle and draws the rest if it shows the side `facing`. Clipped vertices have normals that
   /// are not in the mesh, so each side is clipped with its own shading.
-  ARCSPAN_COLD_OUTLINE void draw_clipped(const TriangleIndices& t, Facing facing) {
+  ARCSPAN_OUTLINE ARCSPAN_COLD void draw_clipped(const TriangleIndices& t, Facing facing) {
     Raster inside[ClipPolygon<Method>::kCapacity];
     const std::size_t count = clip_triangle(stage_, t, facing, inside);
     for (std::size_t i = 2; i < count && ok(result_.status); ++i) {
@@ -172,9 +213,9 @@ class TriangleDrawer {
   }
 
   /// Tests the triangle against the scissor, before it is shaded.
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS bool is_within_scissor(const RasterPosition& a, const RasterPosition& b,
-                                                            const RasterPosition& c) {
-    const ScissorTest test = scissor_.template test<kWholeRows>(a, b, c);
+  [[nodiscard]] ARCSPAN_INLINE bool is_within_scissor(const RasterPosition& a, const RasterPosition& b,
+                                                      const RasterPosition& c) {
+    const ScissorTest test = scissor_.template test<kHasInsideRows>(a, b, c);
     columns_ = test == ScissorTest::kInside ? ScissorColumns::kInside : ScissorColumns::kCrossing;
     return test != ScissorTest::kOutside;
   }
@@ -201,25 +242,16 @@ class TriangleDrawer {
     vertices.middle_left = facing == Facing::kFront;
     sort_by_height(vertices);
     if constexpr (kDrawsSmall) {
-      if (is_small(vertices) && draw_small_side(vertices, false)) return;
-    }
-    measure_chords(vertices);
-    if constexpr (kDrawsSmall) {
-      if (draws_as_small(vertices) && draw_small_side(vertices, true)) return;
+      if (is_small(vertices) && draw_small_side(vertices)) return;
     }
     draw_large_side(t, vertices, facing);
   }
 
-  /// Returns true if a triangle that is not small is to be drawn as a small one.
-  [[nodiscard]] ARCSPAN_OUTLINE_IF_TIGHT bool draws_as_small(const SortedVertices<Method>& vertices) const {
-    return Method::is_dark_or_arcs(stage_.lighting(), vertices) && is_up_to_medium(vertices);
-  }
-
-  /// Draws one side of a small triangle, or of a medium one. Returns false if the method cannot.
-  ARCSPAN_OUTLINE bool draw_small_side(const SortedVertices<Method>& vertices, bool is_medium) {
-    const SmallResult result = draw_small_triangle<Method>(
-        vertices, is_medium, columns_ == ScissorColumns::kCrossing, scissor_.viewport_rows(),
-        scissor_.drawn_rows(), scissor_.origin(), target_, result_.status);
+  /// Draws one side of a small triangle. Returns false if the method cannot.
+  ARCSPAN_OUTLINE bool draw_small_side(const SortedVertices<Method>& vertices) {
+    const SmallResult result =
+        draw_small_triangle<Method>(vertices, columns_ == ScissorColumns::kCrossing, scissor_.viewport_rows(),
+                                    scissor_.drawn_rows(), scissor_.origin(), target_, result_.status);
     if (result == SmallResult::kDone) ++result_.triangles;
     return result != SmallResult::kRefused;
   }
@@ -238,25 +270,22 @@ class TriangleDrawer {
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;
     ++result_.triangles;
     const Target target = target_;  // a copy, because members would be loaded again for every row
-    if constexpr (!kWholeRows && kDrawsSmall) {  // draw_crossing_rows() would be a function of its own
-      result_.status = Method::walk(
-          command.shade, RowDrawerOf<Method, ScissorColumns::kCrossing, Target>{command, origin, target});
-    } else if constexpr (!kWholeRows) {
-      result_.status = draw_crossing_rows(command, origin, target);
-    } else if (columns_ == ScissorColumns::kCrossing) [[unlikely]] {
-      result_.status = draw_crossing_rows_outlined(command, origin, target);
-    } else {
-      result_.status = Method::walk(
-          command.shade, RowDrawerOf<Method, ScissorColumns::kInside, Target>{command, origin, target});
+    if constexpr (kHasInsideRows) {
+      if (columns_ == ScissorColumns::kInside) [[likely]] {
+        using Inside = RowDrawer<ScissorColumns::kInside, TriangleCommand<Method>, Target>;
+        result_.status = Method::walk(command.shade, Inside{command, origin, target});
+        return;
+      }
     }
+    using Crossing = RowDrawer<ScissorColumns::kCrossing, TriangleCommand<Method>, Target>;
+    result_.status = Method::walk(command.shade, Crossing{command, origin, target});
   }
 
-  const VertexStage<Method> stage_;
+  VertexStage<Method> stage_;
   const Scissor scissor_;
-  [[no_unique_address]] Colours encoded_;
   const Target target_;
   DrawResult result_{};
-  const DrawOptions options_;
+  const bool two_sided_;
   ScissorColumns columns_ = ScissorColumns::kCrossing;  ///< of the current triangle
 };
 

@@ -1,84 +1,213 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
-#include <arcspan/draw/visible_triangles.hpp>
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/prepare/line_command.hpp>
+#include <arcspan/prepare/triangle.hpp>
+#include <arcspan/shading/method.hpp>
+#include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
+#include <arcspan/vertex/back_faces.hpp>
+#include <arcspan/vertex/clip_transform.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <type_traits>
 
-/// Where the vertices of a triangle come from. A source has `next(i, count)`, the first triangle from i on
-/// that may be visible (`count` if there is none), `operator[]`, the transformed vertex of an index, and
-/// `kAllInside`, true if all vertices are known to be inside the clip volume. `i` is 0 in the first call of
-/// next() and one more than the last result in each further one, and `count` stays the same: a source may
-/// keep state between calls and ignore `i`.
-namespace arcspan::detail {
+namespace arcspan {
 
-/// Every vertex of the mesh is transformed into the cache before the first triangle is drawn.
-template <class Method>
-class CachedVertices {
- public:
-  static constexpr bool kAllInside = false;
+/// The rows of a triangle, in groups of 8 from the top of the picture: first ... last.
+struct TriangleRows {
+  static constexpr int kGroupBits = 3;
 
-  CachedVertices(const VertexStage<Method>& stage, CachedVertex<Method>* cache) : cache_(cache) {
-    for (std::size_t i = 0; i < stage.mesh().vertex_count(); ++i) stage.transform(i, cache[i]);
-  }
-  [[nodiscard]] constexpr std::size_t next(std::size_t i, std::size_t) const { return i; }
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS CachedVertex<Method>& operator[](std::size_t i) const {
-    return cache_[i];
-  }
-
- private:
-  CachedVertex<Method>* cache_;
+  std::uint8_t first;
+  std::uint8_t last;  ///< below `first` if the triangle is not drawn
 };
 
-/// The back faces of the mesh are known, so only the vertices of other triangles are transformed, on first
-/// use.
-template <class Method>
-class FrontVertices {
- public:
-  static constexpr bool kAllInside = true;
-
-  /// The back faces must be known. Vertices of `cache` are forgotten, or have been transformed like this.
-  FrontVertices(const VertexStage<Method>& stage, CachedVertex<Method>* cache,
-                const VisibleTriangles& visible)
-      : stage_(stage), visible_(visible), cache_(cache) {}
-  [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
-    return visible_.next(i, count);
-  }
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS CachedVertex<Method>& operator[](std::size_t i) const {
-    CachedVertex<Method>& vertex = cache_[i];
-    if (vertex.outcode == kNotTransformed) stage_.transform_inside(i, vertex);
-    return vertex;
-  }
-
- private:
-  const VertexStage<Method>& stage_;
-  const VisibleTriangles& visible_;
-  CachedVertex<Method>* cache_;
+/// Where the transformed vertices of a draw call come from: VertexCache, NoCache, or a program's own type,
+/// such as a small cache of a fixed number of vertices (tests/pipeline/draw/vertex_source_test.cpp).
+///
+/// - begin(stage, two_sided): called once per draw call, before anything is drawn. Any other status than kOk
+///   ends the call.
+/// - vertex(stage, i): vertex i of the mesh, transformed by stage.transform(). A CachedVertex& that stays
+///   valid and keeps its contents until the triangle is drawn, or a CachedVertex by value. draw_mesh() shades
+///   it, if need be, by stage.shade(), so a reference keeps the shading for further triangles.
+/// - rows(): the rows of all triangles of the mesh, by which triangles of other bands are skipped, or null.
+template <class S, class Method>
+concept VertexSource = requires(S& source, const VertexStage<Method>& stage, std::size_t i, bool two_sided) {
+  { source.begin(stage, two_sided) } -> std::same_as<Status>;
+  requires std::same_as<std::remove_reference_t<decltype(source.vertex(stage, i))>, CachedVertex<Method>>;
+  { source.rows() } -> std::same_as<const TriangleRows*>;
 };
 
-/// There is no cache: every triangle transforms its own three vertices.
-template <class Method>
-class UncachedVertices {
- public:
-  static constexpr bool kAllInside = false;
+namespace detail {
 
-  UncachedVertices(const VertexStage<Method>& stage, const VisibleTriangles& visible)
-      : stage_(stage), visible_(visible) {}
-  [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
-    return visible_.known() ? visible_.next(i, count) : i;
+/// Marks vertices as not transformed.
+template <class Method>
+void forget_vertices(CachedVertex<Method>* vertices, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) vertices[i].outcode = CachedVertex<Method>::kNotTransformed;
+}
+
+/// True if a triangle of this doubled_area() is not drawn: it shows its back, and backs are not drawn, or it
+/// has no area, and no edges are drawn.
+template <class Method>
+[[nodiscard]] ARCSPAN_INLINE constexpr bool is_culled_by_area(std::int32_t doubled, bool two_sided) {
+  return doubled >= 0 && ((doubled == 0 && !DrawsEdges<Method>) || !two_sided);
+}
+
+inline constexpr TriangleRows kNoTriangleRows{255, 0};
+
+/// Returns the rows of a triangle with these transformed vertices, for a picture of `height` rows.
+template <class Method>
+[[nodiscard]] TriangleRows rows_of(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
+                                   const CachedVertex<Method>& c, std::int32_t height, bool two_sided) {
+  if ((a.outcode | b.outcode | c.outcode) != 0) {
+    return (a.outcode & b.outcode & c.outcode) != 0 ? kNoTriangleRows : TriangleRows{0, 255};
   }
-  [[nodiscard]] ARCSPAN_OUTLINE CachedVertex<Method> operator[](std::size_t i) const {
+  const RasterPosition& p = a.raster.position;
+  const RasterPosition& q = b.raster.position;
+  const RasterPosition& r = c.raster.position;
+  if (is_culled_by_area<Method>(doubled_area(p, q, r), two_sided)) return kNoTriangleRows;
+  const std::int32_t upper = p.y < q.y ? p.y : q.y;
+  const std::int32_t lower = p.y > q.y ? p.y : q.y;
+  const std::int32_t uppermost = upper < r.y ? upper : r.y;
+  const std::int32_t lowest = lower > r.y ? lower : r.y;
+  // A line has pixels wherever it runs, a triangle where it covers their centres.
+  const std::int32_t top =
+      (DrawsEdges<Method> ? pixel_of(uppermost) : first_row_at(uppermost)) + (height >> 1);
+  const std::int32_t end = (DrawsEdges<Method> ? pixel_of(lowest) + 1 : first_row_at(lowest)) + (height >> 1);
+  if (top >= end || end <= 0 || top >= height) return kNoTriangleRows;
+  const auto group = [](std::int32_t row) {
+    return static_cast<std::uint8_t>(row >> TriangleRows::kGroupBits);
+  };
+  return {group(top < 0 ? 0 : top), group((end > height ? height : end) - 1)};
+}
+
+}  // namespace detail
+
+/// Every triangle transforms its own three vertices (VertexSource). Needs no memory.
+struct NoCache {
+  template <class Method>
+  [[nodiscard]] static constexpr Status begin(const VertexStage<Method>&, bool) {
+    return Status::kOk;
+  }
+  template <class Method>
+  [[nodiscard]] static CachedVertex<Method> vertex(const VertexStage<Method>& stage, std::size_t i) {
     CachedVertex<Method> vertex;
-    stage_.transform(i, vertex);
+    stage.transform(i, vertex);
     return vertex;
   }
-
- private:
-  const VertexStage<Method>& stage_;
-  const VisibleTriangles& visible_;
+  [[nodiscard]] static constexpr const TriangleRows* rows() { return nullptr; }
 };
 
-}  // namespace arcspan::detail
+/// Every vertex is transformed and shaded at most once (VertexSource): transformed when the first triangle
+/// needs it if the back faces of the mesh are known, else all at once. The memory is the caller's:
+///
+/// - `vertices`: at least as many as the mesh has.
+/// - `rows`: for pictures that are drawn in bands; at least as many as the mesh has triangles, or none. A
+///   triangle of another band then costs 7 instructions on a Cortex-M3 instead of about 40.
+///
+/// The cache keeps its object from call to call. Call clear() before the first band of every frame, and
+/// whenever the object's lighting has changed:
+///
+///     VertexCache<Arc<Light>> cache(vertices, rows);
+///     for (;;) {                                    // frames
+///       cache.clear();
+///       for (std::int32_t top = 0; top < height; top += band_rows) {
+///         ...                                       // move and clear the band
+///         draw_mesh<Arc<Light>>(mesh, transform, light, band, depth, cache);
+///       }
+///     }
+///
+/// A call for another mesh, another transform or another value of DrawOptions::two_sided than those of the
+/// first call since clear() draws nothing and returns kCacheMismatch. Changes of the lighting are not
+/// noticed: vertices that have been shaded keep the earlier one. With too little memory for the mesh a call
+/// draws nothing and returns kCacheTooSmall.
+///
+/// draw_mesh() writes to the cache as it needs further vertices, so every thread or core needs one of its
+/// own, unless the cache was filled by fill(): from then on, until clear(), it is only read.
+template <class Method>
+class VertexCache {
+ public:
+  constexpr explicit VertexCache(std::span<CachedVertex<Method>> vertices, std::span<TriangleRows> rows = {})
+      : vertices_(vertices), rows_(rows) {}
+
+  /// Forgets the object.
+  constexpr void clear() { holds_ = false; }
+
+  /// Transforms and shades all vertices, and finds the rows of all triangles. Returns kCacheTooSmall, and
+  /// holds no object, if the memory is too small for the mesh.
+  Status fill(const MeshView& mesh, const ClipTransform& transform, const typename Method::Lighting& lighting,
+              const DrawOptions& options = {}) {
+    clear();
+    VertexStage<Method> stage(mesh, transform, lighting);
+    if (!options.two_sided) stage.find_back_faces();
+    const Status status = begin(stage, options.two_sided);
+    if (!ok(status)) return status;
+    for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+      CachedVertex<Method>& filled = vertex(stage, i);
+      if (filled.outcode == kInside) stage.shade(i, filled);
+    }
+    return Status::kOk;
+  }
+
+  /// Starts to hold the object of `stage` if the cache holds none, and finds the rows of its triangles.
+  [[nodiscard]] Status begin(const VertexStage<Method>& stage, bool two_sided) {
+    if (holds_) {
+      const bool same = mesh_ == stage.mesh() && transform_ == stage.transform() && two_sided_ == two_sided;
+      return same ? Status::kOk : Status::kCacheMismatch;
+    }
+    const MeshView& mesh = stage.mesh();
+    if (vertices_.size() < mesh.vertex_count()) return Status::kCacheTooSmall;
+    if (!rows_.empty() && rows_.size() < mesh.triangle_count()) return Status::kCacheTooSmall;
+    mesh_ = mesh;
+    transform_ = stage.transform();
+    two_sided_ = two_sided;
+    holds_ = true;
+    if (stage.back_faces().known()) {
+      detail::forget_vertices(vertices_.data(), mesh.vertex_count());
+    } else {
+      stage.transform_all(vertices_.data());
+    }
+    if (!rows_.empty()) find_rows(stage);
+    return Status::kOk;
+  }
+  [[nodiscard]] ARCSPAN_INLINE CachedVertex<Method>& vertex(const VertexStage<Method>& stage, std::size_t i) {
+    CachedVertex<Method>& vertex = vertices_[i];
+    if (vertex.outcode == CachedVertex<Method>::kNotTransformed) stage.transform(i, vertex);
+    return vertex;
+  }
+  [[nodiscard]] constexpr const TriangleRows* rows() const { return rows_.empty() ? nullptr : rows_.data(); }
+
+ private:
+  /// Sets the rows of all triangles.
+  void find_rows(const VertexStage<Method>& stage) {
+    const MeshView& mesh = stage.mesh();
+    const BackFaces& back_faces = stage.back_faces();
+    const std::size_t count = mesh.triangle_count();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (back_faces.known()) {
+        const std::size_t front = back_faces.next_front(i, count);
+        for (; i < front; ++i) rows_[i] = detail::kNoTriangleRows;
+        if (i == count) return;
+      }
+      const TriangleIndices t = mesh.triangle(i);
+      rows_[i] = detail::rows_of(vertex(stage, t.a), vertex(stage, t.b), vertex(stage, t.c),
+                                 stage.transform().viewport().height, two_sided_);
+    }
+  }
+
+  std::span<CachedVertex<Method>> vertices_;
+  std::span<TriangleRows> rows_;
+  MeshView mesh_;
+  ClipTransform transform_;
+  bool two_sided_ = false;
+  bool holds_ = false;
+};
+
+}  // namespace arcspan

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/clip/clip_polygon.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/mesh/packed_normal.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/target.hpp>
+#include <arcspan/vertex/back_faces.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 
@@ -14,82 +16,119 @@
 
 namespace arcspan {
 
-/// A transformed vertex, the element of the vertex cache that draw_mesh() may be given. Shaded when the first
-/// visible triangle needs it.
+/// A transformed vertex. It is shaded when the first visible triangle needs it.
 template <class Method>
 struct CachedVertex {
+  /// Outcode of a vertex that has not been transformed.
+  static constexpr std::uint8_t kNotTransformed = 0xFF;
+
   RasterVertex<Method> raster;
-  std::uint8_t outcode;  ///< ClipOutcode; if not 0, `raster` is unset. BandVertices keeps its own bits here
-  bool shaded;
+  std::uint8_t outcode;  ///< ClipOutcode bits; if not 0, `raster` is unset
+  std::uint8_t shading;  ///< number of the shading that `raster.shade` has (VertexStage); 0 for none
 };
 
 namespace detail {
 
-/// Outcode of a cached vertex that has not been transformed.
-inline constexpr std::uint8_t kNotTransformed = 0xFF;
-
 /// The side of a triangle that is seen.
 enum class Facing : std::uint8_t { kFront, kBack };
 
-/// Transforms and shades the vertices of one mesh.
+}  // namespace detail
+
+/// Transforms and shades the vertices of one mesh. A vertex source (draw/vertex_source.hpp) gets it.
 template <class Method>
 class VertexStage {
  public:
+  /// `shading` numbers the lighting, above 0. Vertices that were shaded under another number are shaded
+  /// again.
   constexpr VertexStage(const MeshView& mesh, const ClipTransform& transform,
-                        const typename Method::Lighting& lighting)
-      : mesh_(mesh), transform_(transform), lighting_(lighting) {}
+                        const typename Method::Lighting& lighting, std::uint8_t shading = 1)
+      : mesh_(mesh), transform_(transform), lighting_(lighting), shading_(shading) {}
 
   [[nodiscard]] constexpr const MeshView& mesh() const { return mesh_; }
   [[nodiscard]] constexpr const ClipTransform& transform() const { return transform_; }
   [[nodiscard]] constexpr const typename Method::Lighting& lighting() const { return lighting_; }
 
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr ClipPosition clip_position(std::size_t i) const {
-    return transform_(mesh_.position(i));
-  }
+  /// The back faces of the mesh, as far as its planes tell. If they are known(), all vertices are inside the
+  /// clip volume, and backs are not drawn.
+  [[nodiscard]] constexpr const BackFaces& back_faces() const { return back_faces_; }
 
   /// Transforms vertex i of the mesh; it is not shaded yet.
-  ARCSPAN_INLINE void transform(std::size_t i, CachedVertex<Method>& vertex) const {
-    const ClipPosition position = clip_position(i);
-    vertex.outcode = outcode(position, transform_.near_w());
-    if (vertex.outcode == kInside) place_on_screen(position, transform_, vertex.raster);
-    vertex.shaded = false;
-  }
-
-  /// Transforms vertex i unless that has been done.
-  ARCSPAN_INLINE void transform_if_needed(std::size_t i, CachedVertex<Method>& vertex) const {
-    if (vertex.outcode == kNotTransformed) transform_outlined(i, vertex);
-  }
-
-  /// Transforms vertex i of a mesh that is known to be in view.
-  ARCSPAN_OUTLINE void transform_inside(std::size_t i, CachedVertex<Method>& vertex) const {
-    place_on_screen(clip_position(i), transform_, vertex.raster);
+  ARCSPAN_OUTLINE void transform(std::size_t i, CachedVertex<Method>& vertex) const {
+    if (!back_faces_.known()) {
+      transform_inlined(i, vertex);
+      return;
+    }
     vertex.outcode = kInside;
-    vertex.shaded = false;
+    detail::place_on_screen(clip_position(i), transform_, vertex.raster);
+    vertex.shading = 0;
   }
-
-  /// Shades vertex i with its normal, unless that has been done.
+  /// Transforms all vertices of the mesh.
+  void transform_all(CachedVertex<Method>* vertices) const {
+    for (std::size_t i = 0; i < mesh_.vertex_count(); ++i) transform_inlined(i, vertices[i]);
+  }
+  /// Shades vertex i, which is inside the clip volume, with its normal, unless that has been done.
   void shade(std::size_t i, CachedVertex<Method>& vertex) const {
-    if (vertex.shaded) return;
-    shade(i, Facing::kFront, vertex.raster.shade);
-    vertex.shaded = true;
+    if (vertex.shading == shading_) return;
+    shade(i, detail::Facing::kFront, vertex.raster.shade);
+    vertex.shading = shading_;
   }
 
+  /// The number of the lighting.
+  [[nodiscard]] constexpr std::uint8_t shading() const { return shading_; }
+
+  /// @cond for draw_mesh(), not in the reference
+  /// Finds the back faces.
+  void find_back_faces() { back_faces_ = BackFaces(mesh_, transform_); }
+  [[nodiscard]] ARCSPAN_INLINE constexpr ClipPosition clip_position(std::size_t i) const {
+    return transform_(mesh_.position(i));
+  }
   /// Shades vertex i with its normal for the front, with the opposite normal for the back.
-  ARCSPAN_OUTLINE void shade(std::size_t i, Facing facing, typename Method::Vertex& shade) const {
+  ARCSPAN_OUTLINE void shade(std::size_t i, detail::Facing facing, typename Method::Vertex& shade) const {
     const Direction normal = unpack_normal(mesh_.normal(i));
-    shade = Method::shade_vertex(lighting_, facing == Facing::kBack ? -normal : normal);
+    shade = Method::shade_vertex(lighting_, facing == detail::Facing::kBack ? -normal : normal);
     if constexpr (TakesVertexData<Method>) Method::set_vertex_data(mesh_, i, shade);
   }
+  /// @endcond
 
  private:
-  ARCSPAN_OUTLINE void transform_outlined(std::size_t i, CachedVertex<Method>& vertex) const {
-    transform(i, vertex);
+  ARCSPAN_INLINE void transform_inlined(std::size_t i, CachedVertex<Method>& vertex) const {
+    const ClipPosition position = clip_position(i);
+    vertex.outcode = outcode(position, transform_.near_w());
+    if (vertex.outcode == kInside) detail::place_on_screen(position, transform_, vertex.raster);
+    vertex.shading = 0;
   }
 
   const MeshView& mesh_;
   const ClipTransform& transform_;
   const typename Method::Lighting& lighting_;
+  BackFaces back_faces_;
+  std::uint8_t shading_;
 };
+
+namespace detail {
+
+/// Clips a triangle, shaded as its side `facing`; sets `inside` to the vertices of the rest, of which there
+/// are at most ClipPolygon::kCapacity, and returns their number. A function of its own, so that the stack of
+/// the stages that follow does not hold the polygons.
+template <class Method>
+ARCSPAN_OUTLINE ARCSPAN_COLD std::size_t clip_triangle(const VertexStage<Method>& stage,
+                                                       const TriangleIndices& t, Facing facing,
+                                                       RasterVertex<Method>* inside) {
+  ClipPolygon<Method> polygon;
+  ClipPolygon<Method> spare;
+  polygon.count = 0;
+  for (const std::uint16_t i : {t.a, t.b, t.c}) {
+    ClipVertex<Method>& vertex = polygon.vertices[polygon.count++];
+    vertex.position = stage.clip_position(i);
+    stage.shade(i, facing, vertex.shade);
+  }
+  const ClipPolygon<Method>& rest = clip_polygon(polygon, spare, stage.transform().near_w());
+  for (std::size_t i = 0; i < rest.count; ++i) {
+    place_on_screen(rest.vertices[i].position, stage.transform(), inside[i]);
+    inside[i].shade = rest.vertices[i].shade;
+  }
+  return rest.count;
+}
 
 }  // namespace detail
 }  // namespace arcspan

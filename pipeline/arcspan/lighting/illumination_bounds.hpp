@@ -26,7 +26,7 @@ constexpr bool Illumination<Lights, Model, Features>::lit_throughout(const Scala
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-ARCSPAN_INLINE_AT_OS constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight(
+ARCSPAN_INLINE constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight(
     const Scalars& a, const Scalars& b, const Scalars& c, Cosine headroom) const {
   std::int32_t nearest = INT32_MAX;
   for (std::size_t i = 0; i < Lights; ++i) {

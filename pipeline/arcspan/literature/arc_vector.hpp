@@ -20,7 +20,7 @@ struct NormalAsScalars {
   [[nodiscard]] static constexpr Scalars scalars(const Direction& n) {
     return {convert<Cosine>(n.x), convert<Cosine>(n.y), convert<Cosine>(n.z)};
   }
-  [[nodiscard]] ARCSPAN_INLINE_IF_MANY_REGISTERS constexpr PackedRgb colour(const Scalars& s) const {
+  [[nodiscard]] constexpr PackedRgb colour(const Scalars& s) const {
     return illumination->colour(
         illumination->scalars(Direction{convert<DirectionComponent>(s[0]), convert<DirectionComponent>(s[1]),
                                         convert<DirectionComponent>(s[2])}));
@@ -55,8 +55,7 @@ struct ArcVector : Recurrence<detail::NormalAsScalars<Illumination>> {
   struct Run {
     RecurrenceRun<Components> components;
 
-    [[nodiscard]] ARCSPAN_INLINE_IF_MANY_REGISTERS constexpr PackedRgb colour(
-        const Lighting& lighting) const {
+    [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
       return components.colour(Components{&lighting});
     }
     constexpr void next() { components.next(); }

@@ -5,6 +5,7 @@
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/numbers/root.hpp>
 #include <arcspan/prepare/triangle.hpp>
+#include <arcspan/shading/surface/chords.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -92,6 +93,18 @@ template <std::size_t Count>
   return point;
 }
 
+/// A TriangleFrame whose vertices are ArcVertex, with the squared chords between its normals.
+template <class Frame>
+struct MeasuredFrame : Frame {
+  constexpr explicit MeasuredFrame(const Frame& frame) : Frame(frame) {
+    const Normal& top = frame.top->shade.normal;
+    const Normal& middle = frame.middle->shade.normal;
+    const Normal& bottom = frame.bottom->shade.normal;
+    chords = {squared_chord(top, middle), squared_chord(top, bottom), squared_chord(middle, bottom)};
+  }
+  NormalChords chords;
+};
+
 /// The common part of the methods whose vertices, of `Count` scalars, are interpolated along great circles.
 template <class Illumination, std::size_t Count>
 struct ArcMethod {
@@ -104,14 +117,6 @@ struct ArcMethod {
   /// Returns the vertex at the fraction t, 0...1, of the arc from a to b.
   [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
     return on_arc(a, b, t);
-  }
-  /// Returns the squared chords between the normals of SortedVertices (MeasuresChords).
-  template <class Vertices>
-  [[nodiscard]] static constexpr TriangleChords chords_of(const Vertices& vertices) {
-    const Normal& top = vertices.top->shade.normal;
-    const Normal& middle = vertices.middle->shade.normal;
-    const Normal& bottom = vertices.bottom->shade.normal;
-    return {squared_chord(top, middle), squared_chord(top, bottom), squared_chord(middle, bottom)};
   }
 };
 

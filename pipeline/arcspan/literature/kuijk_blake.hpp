@@ -36,8 +36,7 @@ struct KuijkBlake : SlerpBase<Illumination, Illumination::kScalars> {
     std::array<Wave, kScalars> waves;
     Angle32 step;
 
-    [[nodiscard]] ARCSPAN_INLINE_IF_MANY_REGISTERS constexpr PackedRgb colour(
-        const Lighting& lighting) const {
+    [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
       typename Lighting::Scalars values;
       unrolled<kScalars>([&](auto i) {
         values[i] = Cosine::from_raw(wrap_mul(waves[i].amplitude, round_shift(cosine(waves[i].phase), 15)));

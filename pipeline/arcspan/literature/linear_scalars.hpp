@@ -142,7 +142,7 @@ struct LinearScalars {
       run.squared = SquaredLength::of(prepared.normal.at(start), prepared.normal.step());
       return run;
     }
-    [[nodiscard]] ARCSPAN_INLINE_IF_MANY_REGISTERS constexpr PackedRgb colour(
+    [[nodiscard]] constexpr PackedRgb colour(
         const Lighting& lighting) const {
       const Normaliser normalise(squared.square);
       typename Lighting::Scalars values;

@@ -30,7 +30,7 @@ struct NormalSegments
     prepared.bits = lighting.bits;
   }
 
-  /// The segments of a row (SegmentedRun).
+  /// The segments of a row (PiecewiseRun).
   class Run {
    public:
     [[nodiscard]] static constexpr Run of_row(const Prepared& prepared, const RowStart& start) {
@@ -40,10 +40,9 @@ struct NormalSegments
       run.bits_ = prepared.bits;
       return run;
     }
-    constexpr void begin(const Lighting& lighting, std::int32_t) {
-      end_ = ColourSegment::of(detail::NormalisedColour<Unit>::colour(lighting, normal_));
-    }
     [[nodiscard]] constexpr std::int32_t enter(const Lighting& lighting, std::int32_t left) {
+      if (!is_started_) end_ = ColourSegment::of(detail::NormalisedColour<Unit>::colour(lighting, normal_));
+      is_started_ = true;
       colour_ = end_;
       end_ = ColourSegment::of(detail::NormalisedColour<Unit>::colour(lighting, normal_ahead()));
       colour_step_ = colour_.step_to(end_, bits_);
@@ -52,7 +51,8 @@ struct NormalSegments
       const std::int32_t length = 1 << bits_;
       return left < length ? left : length;
     }
-    [[nodiscard]] constexpr SegmentPixels segment() const { return {colour_, colour_step_}; }
+    [[nodiscard]] constexpr ColourSegment colour(const Lighting&) const { return colour_; }
+    constexpr void next() { colour_.advance(colour_step_); }
 
    private:
     /// The normal 2^bits pixels ahead, times a power of two that brings its largest component to 1/2...1.
@@ -80,6 +80,7 @@ struct NormalSegments
     ColourSegment colour_;
     ColourSegment colour_step_;
     ColourSegment end_;
+    bool is_started_ = false;
   };
 
   template <class Draw>

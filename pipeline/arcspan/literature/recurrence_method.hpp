@@ -34,7 +34,8 @@ struct Recurrence : literature::ArcMethod<Illumination, Illumination::kScalars> 
     return lighting.colour(scalars);
   }
   template <class Frame>
-  static constexpr void prepare(const Lighting&, Frame& frame, const Face&, Prepared& prepared) {
+  static constexpr void prepare(const Lighting&, const Frame& unmeasured, const Face&, Prepared& prepared) {
+    literature::MeasuredFrame<Frame> frame(unmeasured);
     if (!prepared.prepare_if_wide(frame)) prepare_recurrence(frame, prepared.narrow);
   }
   template <class Draw>

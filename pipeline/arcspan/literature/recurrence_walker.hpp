@@ -30,7 +30,7 @@ namespace detail {
 /// Sets up the rows of both halves.
 template <class Frame, std::size_t Count>
 constexpr void prepare_recurrence_rows(const Frame& frame, RecurrenceTriangle<Count>& arcs) {
-  const TriangleChords& chords = frame.chords;
+  const NormalChords& chords = frame.chords;
   const AngleFormat format = arcs.rows;
   const SquaredAngle top_middle = scaled_chord(chords.top_middle, format);
   const SquaredAngle top_bottom = scaled_chord(chords.top_bottom, format);
@@ -57,7 +57,7 @@ constexpr void prepare_recurrence_rows(const Frame& frame, RecurrenceTriangle<Co
 /// have `scalars`.
 template <class Frame, std::size_t Count>
 ARCSPAN_OUTLINE constexpr void prepare_recurrence(Frame& frame, RecurrenceTriangle<Count>& arcs) {
-  const TriangleChords& chords = frame.chords;
+  const NormalChords& chords = frame.chords;
   const auto& top = frame.top->shade.scalars;
   const auto& middle = frame.middle->shade.scalars;
   const auto& bottom = frame.bottom->shade.scalars;

@@ -25,7 +25,8 @@ class RowInPieces {
   constexpr RowInPieces(const Walker& walker, const RowStart& start) : walker_(&walker), start_(start) {}
 
   /// Starts the next piece and returns its length, at most `left`.
-  [[nodiscard]] constexpr std::int32_t enter(std::int32_t left) {
+  template <class Lighting>
+  [[nodiscard]] constexpr std::int32_t enter(const Lighting&, std::int32_t left) {
     piece_ = walker_->piece(start_);
     const std::int32_t length = piece_.length();
     if (length >= left) return left;

@@ -38,7 +38,7 @@ struct SegmentedIllumination : Illumination {
 
 namespace literature {
 
-/// The pixels of a row in segments of 2^bits pixels (SegmentedRun). The colour is computed at both ends of a
+/// The pixels of a row in segments of 2^bits pixels (PiecewiseRun). The colour is computed at both ends of a
 /// segment by the scalars of `walker.piece(start)` and is linear between them.
 ///
 /// A piece of a row that is shorter than a segment is one segment of the smallest power of two that holds it.
@@ -50,8 +50,6 @@ class SegmentRun {
   constexpr SegmentRun(const Walker& walker, const RowStart& start, int bits)
       : walker_(&walker), start_(start), most_bits_(bits) {}
 
-  template <class Lighting>
-  constexpr void begin(const Lighting&, std::int32_t) {}
   /// Steps to the next segment and returns its number of pixels, at most `left`, those left in the row.
   template <class Lighting>
   [[nodiscard]] constexpr std::int32_t enter(const Lighting& lighting, std::int32_t left) {
@@ -68,8 +66,11 @@ class SegmentRun {
     left_in_piece_ -= length;
     return length;
   }
-  /// Returns the pixels of the segment that enter() stepped to.
-  [[nodiscard]] constexpr SegmentPixels segment() const { return {colour_, step_}; }
+  template <class Lighting>
+  [[nodiscard]] constexpr ColourSegment colour(const Lighting&) const {
+    return colour_;
+  }
+  constexpr void next() { colour_.advance(step_); }
 
  private:
   template <class Lighting>
@@ -196,7 +197,9 @@ struct Segment : literature::ArcMethod<SegmentedIllumination<Illumination>, Illu
   }
 
   template <class Frame>
-  static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
+  static constexpr void prepare(const Lighting& lighting, const Frame& unmeasured, const Face&,
+                                Prepared& prepared) {
+    literature::MeasuredFrame<Frame> frame(unmeasured);
     std::uint32_t lit = 0;
     prepared.bits = lighting.bits;
     prepared.middle_left = frame.middle_left;

@@ -94,7 +94,7 @@ template <class Lighting, class Frame>
 [[nodiscard]] ARCSPAN_OUTLINE constexpr SegmentPath choose_segment_path(const Lighting& lighting,
                                                                         const Frame& frame,
                                                                         std::uint32_t& lit) {
-  const TriangleChords& chords = frame.chords;
+  const NormalChords& chords = frame.chords;
   const std::uint32_t widest = chords.widest();
   if (widest > kWidestArc) {
     if constexpr (Lighting::kHasRamp) {

@@ -28,8 +28,7 @@ struct Slerp : SlerpBase<Illumination, 0> {
     Angle32 phase;
     Angle32 step;
 
-    [[nodiscard]] ARCSPAN_INLINE_IF_MANY_REGISTERS constexpr PackedRgb colour(
-        const Lighting& lighting) const {
+    [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
       const SlerpArc::Weights w = arc.at(phase);
       const auto mix = [w](DirectionComponent a, DirectionComponent b) {
         return DirectionComponent::from_raw(

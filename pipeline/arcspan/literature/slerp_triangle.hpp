@@ -183,7 +183,8 @@ struct SlerpBase : literature::ArcMethod<Illumination, 3 + More> {
   using Prepared = literature::NarrowOrWide<SlerpTriangle<kCount>, kCount>;
 
   template <class Frame>
-  static constexpr void prepare(const Lighting&, Frame& frame, const Face&, Prepared& prepared) {
+  static constexpr void prepare(const Lighting&, const Frame& unmeasured, const Face&, Prepared& prepared) {
+    literature::MeasuredFrame<Frame> frame(unmeasured);
     if (!prepared.prepare_if_wide(frame)) prepared.narrow.make(frame);
   }
 

@@ -68,7 +68,7 @@ struct WideTriangle {
     widest_piece = widest;
     middle_left = frame.middle_left;
     in_lower = false;
-    const TriangleChords& chords = frame.chords;
+    const NormalChords& chords = frame.chords;
     const auto& top = frame.top->shade.scalars;
     const auto& middle = frame.middle->shade.scalars;
     const auto& bottom = frame.bottom->shade.scalars;

@@ -142,7 +142,7 @@ class MeshView {
   }
 
   /// The vertices of triangle `i`, which must be below triangle_count().
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr TriangleIndices triangle(std::size_t i) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr TriangleIndices triangle(std::size_t i) const {
     if (indices8_ != nullptr) {
       const std::uint8_t* at = indices8_ + 3 * i;
       return {at[0], at[1], at[2]};

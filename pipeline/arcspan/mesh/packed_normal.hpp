@@ -45,7 +45,7 @@ constexpr void octahedral_fold(std::int32_t& u, std::int32_t& v) {
 }  // namespace detail
 
 /// The unit vector of a packed normal. Every bit pattern is valid; -32768 counts as -32767.
-[[nodiscard]] ARCSPAN_INLINE_EXCEPT_AT_OS inline Direction unpack_normal(PackedNormal packed) {
+[[nodiscard]] ARCSPAN_OUTLINE_IF_TIGHT inline Direction unpack_normal(PackedNormal packed) {
   constexpr std::int32_t kOne = detail::kOctahedralOne;
   std::int32_t x = packed.u < -kOne ? -kOne : packed.u;
   std::int32_t y = packed.v < -kOne ? -kOne : packed.v;

@@ -47,7 +47,7 @@ struct Normal {
 
 /// |a - b|^2 = 2 - 2 a·b, in 0...4, unsigned with 28 fraction bits. It is computed from the difference
 /// vector, because 2 - 2 a·b loses a fifth of the value at an angle of one degree (docs/papers.md).
-[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr std::uint32_t squared_chord(const Normal& a, const Normal& b) {
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t squared_chord(const Normal& a, const Normal& b) {
   const std::int32_t x = std::int32_t{a.x.raw()} - b.x.raw();
   const std::int32_t y = std::int32_t{a.y.raw()} - b.y.raw();
   const std::int32_t z = std::int32_t{a.z.raw()} - b.z.raw();

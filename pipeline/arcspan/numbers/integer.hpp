@@ -3,6 +3,9 @@
 
 #include <arcspan/target.hpp>
 
+#include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace arcspan {
@@ -35,12 +38,10 @@ template <int Bits, int Shift>
   return shifted;
 }
 
-/// `v` clamped to the range of signed integers of `Bits` bits. One instruction on processors that saturate;
-/// one comparison on others, where nothing is clamped.
+/// `v` clamped to the range of signed integers of `Bits` bits: one comparison where nothing is clamped.
 template <int Bits>
 [[nodiscard]] constexpr std::int32_t clamped_to_bits(std::int32_t v) {
   static_assert(Bits > 0 && Bits < 32);
-  if constexpr (kHasSaturate) return saturated<Bits>(v);
   constexpr std::uint32_t kHalf = std::uint32_t{1} << (Bits - 1);
   if (static_cast<std::uint32_t>(v) + kHalf < 2 * kHalf) return v;
   return v < 0 ? -static_cast<std::int32_t>(kHalf) : static_cast<std::int32_t>(kHalf - 1);
@@ -99,7 +100,7 @@ namespace detail {
 [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t scaled_down(std::int32_t value, std::uint32_t factor,
                                                                 int bits) {
   // For 16 bits the halves take as few instructions, because a product is added to another in one.
-  if (kHasWideRegisters || (kHasLongMultiply && bits < 16)) {
+  if (kHasLongMultiply && bits < 16) {
     return static_cast<std::int32_t>((std::int64_t{value} * static_cast<std::int32_t>(factor)) >> bits);
   } else {
     const std::uint32_t low = (static_cast<std::uint32_t>(value) & ((std::uint32_t{1} << bits) - 1)) * factor;
@@ -112,7 +113,7 @@ namespace detail {
 /// addition that takes it.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t plus_scaled_down(std::int32_t base, std::int32_t value,
                                                                      std::uint32_t factor) {
-  if constexpr (kHasWideRegisters || !kHasLongMultiply) {
+  if constexpr (!kHasLongMultiply) {
     return wrap_add(base, scaled_down(value, factor, 16));
   } else {
     auto signed_factor = static_cast<std::int32_t>(factor);
@@ -130,6 +131,32 @@ namespace detail {
     return value * static_cast<std::int64_t>(factor);
   } else {
     return detail::short_scaled(value, factor);
+  }
+}
+
+namespace detail {
+
+inline constexpr std::array<std::uint8_t, 256> kByteLeadingZeros = [] {
+  std::array<std::uint8_t, 256> zeros{};
+  for (std::size_t i = 0; i < 256; ++i) {
+    zeros[i] = static_cast<std::uint8_t>(std::countl_zero(static_cast<std::uint32_t>(i)));
+  }
+  return zeros;
+}();
+
+[[nodiscard]] ARCSPAN_INLINE constexpr int leading_zeros_by_table(std::uint32_t v) {
+  const int above = v < 0x10000u ? (v < 0x100u ? 0 : 8) : v < 0x1000000u ? 16 : 24;
+  return kByteLeadingZeros[static_cast<std::size_t>(v >> above)] - above;
+}
+
+}  // namespace detail
+
+/// std::countl_zero(v), from a table on RISC-V without Zbb unless optimised for size.
+[[nodiscard]] ARCSPAN_INLINE constexpr int leading_zeros(std::uint32_t v) {
+  if constexpr (kCountsLeadingZeros || kOptimisedForSize) {
+    return std::countl_zero(v);
+  } else {
+    return detail::leading_zeros_by_table(v);
   }
 }
 

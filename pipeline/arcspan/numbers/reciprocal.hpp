@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/numbers/leading_zeros.hpp>
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -19,7 +19,6 @@ struct Reciprocal {
   [[nodiscard]] constexpr std::uint64_t fixed() const { return std::uint64_t{mantissa} << (47 - exponent); }
   /// Returns value / v with `bits` fraction bits, rounded down, for values below 2^15.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t times(std::uint32_t value, int bits) const {
-    if constexpr (kHasWideRegisters) return static_cast<std::uint32_t>((value * fixed()) >> (47 - bits));
     return (value * mantissa) >> (exponent - bits);
   }
 };
@@ -45,7 +44,7 @@ consteval std::array<std::uint16_t, 257> make_reciprocal_table() {
 inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciprocal_table();
 
 /// 1/n with 16 fraction bits, in [2^15, 2^16], for n = normalised / 2^31 in [1, 2): bit 31 must be set.
-[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr std::uint32_t reciprocal_mantissa(std::uint32_t normalised) {
+[[nodiscard]] constexpr std::uint32_t reciprocal_mantissa(std::uint32_t normalised) {
   const std::size_t index = (normalised >> 23) & 0xFFu;
   const std::uint32_t fraction = (normalised >> 15) & 0xFFu;
   const std::uint16_t* const entry = &kReciprocalTable[index];
@@ -65,33 +64,10 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
 }
 
 /// nonzero_reciprocal() of v below 512, which needs no interpolation.
-[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr Reciprocal short_reciprocal(std::uint32_t v) {
+[[nodiscard]] ARCSPAN_INLINE constexpr Reciprocal short_reciprocal(std::uint32_t v) {
   const int zeros = leading_zeros(v | 1u);
   const std::uint32_t entry = detail::kReciprocalTable[((v << zeros) >> 23) & 0xFFu];
   return {(1u << 15) + entry, 16 + 31 - zeros};
-}
-
-namespace detail {
-
-/// The reciprocals of short distances, for machines with wide registers: 4 KB.
-inline constexpr std::size_t kShortDistances = kHasWideRegisters ? 512 : 0;
-inline constexpr auto kShortReciprocals = [] {
-  std::array<Reciprocal, kShortDistances> table{};
-  for (std::size_t i = 0; i < kShortDistances; ++i)
-    table[i] = nonzero_reciprocal(static_cast<std::uint32_t>(i));
-  return table;
-}();
-
-}  // namespace detail
-
-/// nonzero_reciprocal() of an edge's height in sixteenths; below 512 (32 rows) it is looked up on machines
-/// with wide registers, which saves 18 instructions.
-[[nodiscard]] ARCSPAN_INLINE_IF_WIDE constexpr Reciprocal distance_reciprocal(std::uint32_t v) {
-  if constexpr (kHasWideRegisters) {
-    if (v < detail::kShortDistances) [[likely]]
-      return detail::kShortReciprocals[static_cast<std::size_t>(v)];
-  }
-  return nonzero_reciprocal(v);
 }
 
 /// The reciprocal of v as nonzero_reciprocal(); v = 0 counts as 1.
@@ -126,5 +102,47 @@ namespace detail {
   const std::uint32_t normalised = (v | static_cast<std::uint32_t>(v == 0)) << zeros;
   return {detail::wide_reciprocal_mantissa(normalised), 31 + 31 - zeros};
 }
+
+namespace detail {
+
+/// Returns dividend / divisor with 32 fraction bits, rounded down, by two 32-bit divisions. The divisor is
+/// above 0 and, like the magnitude of the dividend, below 2^15.
+[[nodiscard]] constexpr std::int64_t divide(std::int32_t dividend, std::int32_t divisor) {
+  const std::int32_t upper = (dividend << 16) / divisor;
+  const std::int32_t rest = (dividend << 16) - upper * divisor;
+  const std::int32_t below = rest >> 31;  // -1 if the upper half was rounded up
+  const auto lower_rest = static_cast<std::uint32_t>(rest + (divisor & below)) << 16;
+  const std::int32_t whole = upper + below;  // 16 fraction bits
+  const std::uint32_t low =
+      (static_cast<std::uint32_t>(whole) << 16) | (lower_rest / static_cast<std::uint32_t>(divisor));
+  return static_cast<std::int64_t>(
+      (static_cast<std::uint64_t>(static_cast<std::uint32_t>(whole >> 16)) << 32) | low);
+}
+
+/// Returns the quotient of divide() without a division instruction. `reciprocal` is nonzero_reciprocal() of
+/// the divisor. Each digit of 10 or 11 bits is estimated with it by one 32-bit product, which is below 2^31
+/// because dividend and divisor, and with them `rest`, are below 2^15. The estimate is wrong by at most 1,
+/// that of the whole part by at most 2, and the remainder corrects it.
+[[nodiscard]] constexpr std::int64_t divide_by_reciprocal(std::int32_t signed_dividend,
+                                                          std::int32_t signed_divisor,
+                                                          const Reciprocal& reciprocal) {
+  const auto divisor = static_cast<std::uint32_t>(signed_divisor);
+  auto rest = static_cast<std::uint32_t>(signed_dividend < 0 ? -signed_dividend : signed_dividend);
+  const auto digit = [&](int bits) {
+    std::uint32_t quotient = (rest * reciprocal.mantissa) >> (reciprocal.exponent - bits);
+    rest = (rest << bits) - quotient * divisor;
+    for (; static_cast<std::int32_t>(rest) < 0; rest += divisor) --quotient;
+    for (; rest >= divisor; rest -= divisor) ++quotient;
+    return quotient;
+  };
+  const std::uint32_t whole = rest < divisor ? 0 : digit(0);
+  std::uint32_t fraction = digit(11);
+  fraction = (fraction << 11) | digit(11);
+  fraction = (fraction << 10) | digit(10);
+  const auto quotient = static_cast<std::int64_t>((std::uint64_t{whole} << 32) | fraction);
+  return signed_dividend < 0 ? -quotient - (rest != 0) : quotient;
+}
+
+}  // namespace detail
 
 }  // namespace arcspan

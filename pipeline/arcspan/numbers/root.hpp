@@ -2,7 +2,7 @@
 #pragma once
 
 #include <arcspan/numbers/fixed.hpp>
-#include <arcspan/numbers/leading_zeros.hpp>
+#include <arcspan/numbers/integer.hpp>
 
 #include <cstdint>
 

@@ -49,18 +49,12 @@ struct PackedRgb {
   }
   /// The sum of two colours per channel, saturated.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb plus(PackedRgb other) const {
-    if constexpr (kHasWideRegisters) {
-      PackedRgb sum{};
-      (void)add_to(other, sum, [] { return true; });
-      return sum;
-    } else {
-      std::uint32_t sum = lanes + other.lanes;
-      const bool green_carry = sum < lanes;  // out of the word
-      if (green_carry || (sum & kCarries) != 0) [[unlikely]] {
-        sum = saturated(sum, green_carry).lanes;
-      }
-      return {sum};
+    std::uint32_t sum = lanes + other.lanes;
+    const bool green_carry = sum < lanes;  // out of the word
+    if (green_carry || (sum & kCarries) != 0) [[unlikely]] {
+      sum = saturated(sum, green_carry).lanes;
     }
+    return {sum};
   }
   /// Sets `sum` to plus(other). Returns false if this is carry(), which `is_colour` tells; it is called only
   /// if red or blue saturates and green does not. Uses branches; the rare ones recompute the conditions, so
@@ -87,8 +81,7 @@ struct PackedRgb {
   static constexpr std::uint32_t kCarries = 0x00200400;
 
   /// `sum` with every channel that has carried set to 1023. The carries of red and blue are in `sum`.
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS static constexpr PackedRgb saturated(std::uint32_t sum,
-                                                                          bool green_carry) {
+  [[nodiscard]] ARCSPAN_INLINE static constexpr PackedRgb saturated(std::uint32_t sum, bool green_carry) {
     const std::uint32_t carries = sum & kCarries;
     // A carry is the bit above its channel: it is cleared, and the ten bits below it are set.
     const std::uint32_t rest = (sum - carries) | (carries - (carries >> 10));

@@ -38,16 +38,4 @@ struct ColourSegment {
   }
 };
 
-/// The pixels of one segment, from left to right (PixelRun): the colour changes by `step` per pixel.
-struct SegmentPixels {
-  ColourSegment at;
-  ColourSegment step;
-
-  template <class Lighting>
-  [[nodiscard]] constexpr ColourSegment colour(const Lighting&) const {
-    return at;
-  }
-  constexpr void next() { at.advance(step); }
-};
-
 }  // namespace arcspan

@@ -26,11 +26,10 @@ namespace arcspan {
 /// A Cursor writes and reads its pixel and steps one pixel to the right with next(). Where neighbours share a
 /// Word, write() must keep their bits.
 ///
-/// Optional, and used where present: encode() also of a PackedRgb, a ColourSegment or a BasicFineRgb, which
-/// must return encode(c.rgb8()) or encode(c.packed()) but can be faster; encode_varying() of a PackedRgb,
-/// which must return encode(c) but can be faster where colours differ from pixel to pixel; and, in a cursor
-/// of pixels that are whole words, pixels(), the address of the present pixel, together with skip(count),
-/// which steps over `count` pixels.
+/// Optional, and used where present: encode() also of a PackedRgb, a ColourSegment or a FineRgb, which must
+/// return encode(c.rgb8()) or encode(c.packed()) but can be faster; and, in a cursor of pixels that are whole
+/// words, pixels(), the address of the present pixel, together with skip(count), which steps over `count`
+/// pixels.
 ///
 /// A new format is a header in this folder with a static_assert of this concept, and one entry in
 /// pixel_format_list.hpp.
@@ -78,16 +77,6 @@ template <PixelFormat F>
     return F::encode(c);
   } else {
     return F::encode(c.rgb8());
-  }
-}
-
-/// F::encode(c) of a colour that differs from pixel to pixel.
-template <PixelFormat F>
-[[nodiscard]] ARCSPAN_INLINE constexpr typename F::Encoded encode_varying(PackedRgb c) {
-  if constexpr (requires { F::encode_varying(c); }) {
-    return F::encode_varying(c);
-  } else {
-    return F::encode(c);
   }
 }
 

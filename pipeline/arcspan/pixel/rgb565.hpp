@@ -6,7 +6,6 @@
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/target.hpp>
 
-#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -31,44 +30,14 @@ struct Rgb565 {
   }
   /// encode(c.rgb8()), directly from the packed channels.
   [[nodiscard]] ARCSPAN_INLINE static constexpr Encoded encode(PackedRgb c) {
-    if constexpr (kHasWideRegisters || !kHasManyRegisters) {
-      const std::uint32_t levels = c.lanes & 0xFC1F03E0u;  // the first shift leaves green above bit 15
-      return static_cast<Encoded>((levels >> 5) | (levels >> 21));
-    }
-    // For processors where a shift is part of another instruction, but such a mask is not.
     return static_cast<Encoded>(((c.lanes >> 5) & ~0x07E0u) | ((c.lanes >> 26) << 5));
   }
-#if ARCSPAN_HAS_BIT_INSERT
-  /// encode(c) for colours that differ from pixel to pixel: by the bit-field insert instruction, which gcc
-  /// does not move out of a loop over pixels of one colour.
-  [[nodiscard]] ARCSPAN_INLINE static constexpr Encoded encode_varying(PackedRgb c) {
-    // A bit-field, because gcc makes a bit-field insert (BFI) of an assignment to one, not of shifts and
-    // masks.
-    struct Bits {
-      std::uint32_t blue : 5;
-      std::uint32_t green : 6;
-      std::uint32_t above : 21;
-    };
-    auto bits = std::bit_cast<Bits>(c.lanes >> 5);
-    const std::uint32_t green = c.lanes >> 26;
-    bits.green = green & 63u;
-    return static_cast<Encoded>(std::bit_cast<std::uint32_t>(bits));
-  }
-#else
-  /// encode(c) for colours that differ from pixel to pixel: one product does both shifts.
-  template <std::same_as<PackedRgb> C>
-  requires kHasWideRegisters [[nodiscard]] ARCSPAN_INLINE static constexpr Encoded encode_varying(C c) {
-    std::uint64_t both = 0x10001;
-    hide_value(both);  // otherwise compilers shift and add
-    return static_cast<Encoded>(((c.lanes & 0xFC1F03E0u) * both) >> 21);
-  }
-#endif
   /// encode(c.packed()), directly from the words.
   [[nodiscard]] static constexpr Encoded encode(ColourSegment c) {
     const std::uint32_t levels = c.red_blue & 0x7C007C00u;  // one shift per channel; the other one falls out
     return static_cast<Encoded>((levels >> 15) | (levels >> 10) | ((c.green >> 25) << 5));
   }
-  /// encode(c.packed()), directly from the words, of a colour that knows how (BasicFineRgb, LitTexel).
+  /// encode(c.packed()), directly from the words, of a colour that knows how (FineRgb, LitTexel).
   template <class C>
   requires requires(const C& c) {
     { c.rgb565() } -> std::same_as<std::uint16_t>;

@@ -31,10 +31,7 @@ struct Rgb565Swapped {
   [[nodiscard]] static constexpr Encoded encode(Rgb8 c) { return swapped(Rgb565::encode(c)); }
   [[nodiscard]] static constexpr Encoded encode(PackedRgb c) { return swapped(Rgb565::encode(c)); }
   [[nodiscard]] static constexpr Encoded encode(ColourSegment c) { return swapped(Rgb565::encode(c)); }
-  template <bool Joined>
-  [[nodiscard]] static constexpr Encoded encode(const BasicFineRgb<Joined>& c) {
-    return swapped(Rgb565::encode(c));
-  }
+  [[nodiscard]] static constexpr Encoded encode(const FineRgb& c) { return swapped(Rgb565::encode(c)); }
   [[nodiscard]] static constexpr Encoded encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
     return swapped(Rgb565::encode_dithered(c, x, y));
   }

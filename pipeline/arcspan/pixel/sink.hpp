@@ -59,8 +59,7 @@ struct Rect {
 /// another call of the sink, and returns that status.
 ///
 /// A sink may have `Status status() const`: if it is not kOk, a draw call returns it and draws nothing
-/// (ChecksItself). A sink may choose the size of the table of encoded colours by `kEncodedColours`
-/// (span/encoded_colours.hpp).
+/// (ChecksItself).
 template <class S>
 concept PixelSink = PixelFormat<typename S::Format> && requires(S& sink, const Span& run) {
   { sink.bounds() } -> std::same_as<Rect>;

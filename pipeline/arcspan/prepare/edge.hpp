@@ -2,7 +2,6 @@
 #pragma once
 
 #include <arcspan/numbers/fixed_formats.hpp>
-#include <arcspan/numbers/quotient.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
@@ -10,6 +9,18 @@
 #include <cstdint>
 
 namespace arcspan {
+
+/// Which pixels a triangle covers: those whose centres lie inside, or on its upper horizontal or left edges
+/// (the top-left rule of GPUs). The first column of an edge is ceil(x - 1/2) on both sides, and the first row
+/// of a vertex ceil(y - 1/2), which EdgeWalk::column() and first_row_at() compute exactly. What follows:
+///
+/// - Two triangles with a common edge cover each pixel at it once: none twice and none not at all.
+/// - A closed mesh covers its outline like one polygon, whatever its triangles are.
+/// - A triangle without a pixel centre inside draws nothing, however long it is.
+/// - An edge depends on its two ends only: neither the order of the vertices nor the third vertex, neither
+///   clipping by the guard band elsewhere nor the scissor or the band changes its columns.
+/// - Moving a picture by whole pixels moves its pixels.
+/// - Small triangles (small_triangle.hpp) and hardware may find the same pixels by other means.
 
 /// Steps down an edge, one row at a time. `x` is the place where the edge crosses the row's centre line, plus
 /// 1/2 - 2^-20, in pixels with 32 fraction bits; `step` is its change per row. With this bias the upper word
@@ -36,11 +47,7 @@ struct EdgeWalk {
     return biased < 4096u ? 0u : biased - 4096u;
   }
 
-  ARCSPAN_INLINE constexpr void advance() {
-    std::int64_t per_row = step;
-    if constexpr (kLoadsPairs) hide_value(per_row);  // otherwise loaded word by word
-    x += per_row;
-  }
+  ARCSPAN_INLINE constexpr void advance() { x += step; }
   /// Steps `rows` rows at once, 0...2^15 - 1; the result is that of `rows` calls of advance().
   constexpr void advance(std::int32_t rows) { x += scaled(step, static_cast<std::uint32_t>(rows)); }
 };
@@ -55,8 +62,8 @@ struct EdgeSetup {
   Reciprocal inverse;
   Factor start;  ///< start_fraction(); unset on short right edges
 
-  ARCSPAN_INLINE_AT_OS constexpr void make_inverse() {
-    inverse = distance_reciprocal(static_cast<std::uint32_t>(dy));
+  ARCSPAN_INLINE constexpr void make_inverse() {
+    inverse = nonzero_reciprocal(static_cast<std::uint32_t>(dy));
   }
 };
 
@@ -72,21 +79,17 @@ struct EdgeSetup {
 
 /// Sets up the edge from `top` to `bottom`, where top.y < bottom.y; `row` is the first row to be drawn.
 /// `interpolates` is false on short right edges, along which only arcs may interpolate.
-ARCSPAN_INLINE_IF_WIDE constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& bottom,
-                                                      std::int32_t row, bool interpolates, EdgeSetup& edge) {
+constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& bottom, std::int32_t row,
+                               bool interpolates, EdgeSetup& edge) {
   edge.dy = bottom.y - top.y;
   edge.offset = row * 16 + 8 - top.y;
-  if (interpolates || !kHasLongMultiply) {
-    edge.make_inverse();
-  } else if constexpr (kHasWideRegisters) {
-    edge.inverse = {};  // make_inverse() sets it before its use, but gcc would warn
-  }
+  if (interpolates || !kHasLongMultiply) edge.make_inverse();
   if (interpolates) edge.start = start_fraction(edge);
 }
 
 /// Sets `walk` to the edge at its first row; `top` and `bottom` are the ends that `edge` was set up with.
-ARCSPAN_INLINE_IF_WIDE constexpr void make_edge_walk(const EdgeSetup& edge, const RasterPosition& top,
-                                                     const RasterPosition& bottom, EdgeWalk& walk) {
+constexpr void make_edge_walk(const EdgeSetup& edge, const RasterPosition& top, const RasterPosition& bottom,
+                              EdgeWalk& walk) {
   const std::int32_t dx = bottom.x - top.x;
   walk.step = kHasLongMultiply ? detail::divide(dx, edge.dy)
                                : detail::divide_by_reciprocal(dx, edge.dy, edge.inverse);

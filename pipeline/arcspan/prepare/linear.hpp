@@ -1,13 +1,55 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/prepare/gradient.hpp>
+#include <arcspan/numbers/integer.hpp>
+#include <arcspan/numbers/reciprocal.hpp>
+#include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/row_start.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>
 
+/// Attributes that are linear on the screen: their gradients, along an edge and along a row.
 namespace arcspan {
+
+/// Raw value of the largest gradient, 2^16 per pixel or row. A steeper one only occurs in triangles narrower
+/// than a pixel, whose spans have one pixel and do not step. For FullLinear it is 32 less, so that the
+/// gradient still fits after FineRgb has rounded it to a multiple of 32.
+template <class Value>
+inline constexpr std::int32_t kMaxGradient = static_cast<std::int32_t>((std::int64_t{1}
+                                                                        << (16 + Value::kFraction)) -
+                                                                       (Value::kFraction < 15 ? 0 : 32));
+
+namespace detail {
+
+/// Returns product / 2^shift, rounded and saturated at +-most; `shift` is -16...30.
+ARCSPAN_OUTLINE ARCSPAN_COLD [[nodiscard]] constexpr std::int32_t steep_gradient(std::int32_t product,
+                                                                                 int shift,
+                                                                                 std::int32_t most) {
+  const std::int32_t quotient = shift < 1 ? product : ((product >> (shift - 1)) + 1) >> 1;
+  const std::int32_t limit = shift < 0 ? most >> -shift : most;
+  if (quotient > limit) return most;
+  if (quotient < -limit) return -most;
+  return shift < 0 ? wrap_shl(quotient, -shift) : quotient;
+}
+
+}  // namespace detail
+
+/// Returns difference / distance, a gradient per pixel or row, saturated at +-kMaxGradient. `difference` is
+/// that of two 16-bit attributes, |difference| < 2^16; `inverse` is the reciprocal of the distance, which has
+/// `bits` fraction bits.
+template <class Value>
+[[nodiscard]] constexpr Value gradient(std::int32_t difference, const Reciprocal& inverse, int bits) {
+  // 1/distance = mantissa * 2^(bits - exponent); the product with a 15-bit mantissa fits 32 bits. From the
+  // shift kFlat on, which a distance of at least 1 has, no quotient exceeds the largest gradient.
+  constexpr int kFlat = Value::kFraction < 15 ? 15 - Value::kFraction : 1;
+  const std::int32_t product = wrap_mul(difference, static_cast<std::int32_t>(inverse.mantissa >> 1));
+  const int shift = inverse.exponent - 1 - bits - Value::kFraction;
+  if (shift < kFlat) [[unlikely]] {
+    return Value::from_raw(detail::steep_gradient(product, shift, kMaxGradient<Value>));
+  }
+  return Value::from_raw(((product >> (shift - 1)) + 1) >> 1);  // rounds without overflow
+}
 
 /// An attribute that is linear on the screen, along a left edge.
 template <class Value>
@@ -25,8 +67,6 @@ struct BasicLinearPlane {
   Value dx;  ///< per pixel
 
   ARCSPAN_INLINE constexpr void next_row() { left.at += left.step; }
-  /// Steps `rows` rows at once; the result is that of `rows` calls of next_row().
-  constexpr void skip_rows(std::int32_t rows) { left.at += Value::from_raw(wrap_mul(left.step.raw(), rows)); }
   constexpr void enter_lower(bool middle_left) {
     if (!middle_left) return;
     left.at = lower.at;
@@ -54,10 +94,22 @@ template <class Value>
   }
 }
 
+/// Returns the gradient per column of a 16-bit attribute from its values at the top, middle and bottom vertex
+/// of a TriangleFrame.
+template <class Value, class Frame>
+[[nodiscard]] ARCSPAN_INLINE constexpr Value gradient_across(const Frame& frame, std::int32_t top,
+                                                             std::int32_t middle, std::int32_t bottom) {
+  constexpr int kBits = kFractionBits<Value>;
+  const std::int32_t fraction = frame.middle_fraction.raw() >> (Factor::kFraction - kBits);
+  const std::int32_t along = round_shift(wrap_mul(bottom - top, fraction), kBits);
+  const std::int32_t across = middle - (top + along);
+  return gradient<Value>(frame.middle_left ? -across : across, frame.inverse_width, 16);
+}
+
 /// Sets up an attribute along an edge: `from` at its top, `to` at its bottom, 16 bits each.
 template <class Value>
-ARCSPAN_INLINE_AT_OS constexpr void make_linear_edge(const EdgeSetup& edge, std::int32_t from,
-                                                     std::int32_t to, BasicLinearEdge<Value>& linear) {
+ARCSPAN_INLINE constexpr void make_linear_edge(const EdgeSetup& edge, std::int32_t from, std::int32_t to,
+                                               BasicLinearEdge<Value>& linear) {
   const std::int32_t difference = to - from;
   const std::int32_t part = part_of<Value>(difference, edge.start);
   linear.at = Value::from_raw(wrap_add(wrap_shl(from, Value::kFraction), part));

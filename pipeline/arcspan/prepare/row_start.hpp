@@ -13,13 +13,18 @@ struct RowStart {
   /// Distance in pixels from the left edge to the centre of the first column inside the triangle: 16 fraction
   /// bits, 0 or more and below 1.
   std::uint32_t fraction;
-  /// Columns from that column to the first pixel. Above 0 if the scissor cuts the row on the left, or if a
-  /// long row is drawn in several runs.
+  /// Columns from that column to the first pixel. Above 0 if the scissor cuts the row on the left.
   std::int32_t skipped;
   std::uint32_t inside;  ///< distance in pixels from the left edge to the first pixel, `bits` fraction bits
   std::uint32_t width;   ///< length of the whole row in pixels, `bits` fraction bits; raw value at least 1
   int bits;              ///< 16, or 32 for rows shorter than a pixel
   std::int32_t column;   ///< of the first pixel, in the picture; not negative
+
+  /// Returns the start of the same row `pixels` further right.
+  [[nodiscard]] constexpr RowStart moved(std::int32_t pixels) const {
+    const std::uint32_t distance = bits == 16 ? static_cast<std::uint32_t>(pixels) << 16 : 0;
+    return {fraction, skipped + pixels, inside + distance, width, bits, column + pixels};
+  }
 };
 
 /// Returns the start of the row between two edges at `column`, `skipped` columns after its first column.

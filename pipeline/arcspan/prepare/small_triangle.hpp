@@ -2,7 +2,6 @@
 #pragma once
 
 #include <arcspan/numbers/integer.hpp>
-#include <arcspan/numbers/leading_zeros.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/target.hpp>
@@ -17,41 +16,18 @@ namespace arcspan {
 
 /// A triangle is small if its vertices are at most this many pixels apart, along x and along y.
 inline constexpr std::int32_t kSmallSize = 15;
-/// A triangle is medium if it is not small, its vertices are at most this many pixels apart, and its
-/// doubled_area() is below kMediumArea, so that edge functions inside fit 16 bits. Medium triangles are drawn
-/// as small ones if they are dark or consist of arcs.
-inline constexpr std::int32_t kMediumSize = 31;
-inline constexpr std::int32_t kMediumArea = std::int32_t{1} << 16;
-
-namespace detail {
-
-/// Returns true if the vertices are at most `size` pixels apart, along x and along y.
-template <class Method>
-[[nodiscard]] constexpr bool are_within(std::int32_t size, const SortedVertices<Method>& vertices) {
-  const RasterPosition& a = vertices.top->position;
-  const RasterPosition& b = vertices.middle->position;
-  const RasterPosition& c = vertices.bottom->position;
-  const std::int32_t most = size << Subpixel::kFraction;
-  const auto apart = [most](std::int32_t p, std::int32_t q) {
-    return static_cast<std::uint32_t>(p - q + most) > 2 * static_cast<std::uint32_t>(most);
-  };
-  return c.y - a.y <= most && !apart(a.x, b.x) && !apart(a.x, c.x) && !apart(b.x, c.x);
-}
-
-}  // namespace detail
 
 /// Returns true if the triangle is small.
 template <class Method>
 [[nodiscard]] constexpr bool is_small(const SortedVertices<Method>& vertices) {
-  return detail::are_within(kSmallSize, vertices);
-}
-/// Returns true if a triangle is small or medium.
-template <class Method>
-[[nodiscard]] constexpr bool is_up_to_medium(const SortedVertices<Method>& vertices) {
-  if (!detail::are_within(kMediumSize, vertices)) return false;
-  const std::int32_t area =
-      doubled_area(vertices.top->position, vertices.middle->position, vertices.bottom->position);
-  return area > -kMediumArea && area < kMediumArea;
+  const RasterPosition& a = vertices.top->position;
+  const RasterPosition& b = vertices.middle->position;
+  const RasterPosition& c = vertices.bottom->position;
+  constexpr std::int32_t kMost = kSmallSize << Subpixel::kFraction;
+  const auto apart = [](std::int32_t p, std::int32_t q) {
+    return static_cast<std::uint32_t>(p - q + kMost) > 2 * static_cast<std::uint32_t>(kMost);
+  };
+  return c.y - a.y <= kMost && !apart(a.x, b.x) && !apart(a.x, c.x) && !apart(b.x, c.x);
 }
 
 /// The edge function of an edge: twice the area of the triangle between the edge and a point, in 256ths of a
@@ -92,7 +68,7 @@ struct SmallTriangle {
   std::int32_t z_middle;  ///< depth of the middle vertex less that of the top vertex
   std::int32_t z_bottom;
   Linear dz;  ///< change of the depth per pixel
-  SmallSpan spans[kMediumSize];
+  SmallSpan spans[kSmallSize];
 
   /// Returns a barycentric coordinate from its edge function at a point inside: 16 fraction bits, rounded
   /// down, so that the sum of all three is at most 1.
@@ -116,13 +92,13 @@ namespace detail {
 ///
 /// Where an edge meets a row's centre line is a multiple of 1 / (16 dy) of a pixel, at least 2^-13. at_ is
 /// too small by more than 0 and by less than 2^-14, so its floor is exact: the step is rounded to 0, so that
-/// kMediumSize rows of it are off by less than that many units in either direction.
+/// kSmallSize rows of it are off by less than that many units in either direction.
 class SteppedColumn {
  public:
   /// The edge from p down to q, at the row whose centre line is at `y` (28.4).
   ARCSPAN_INLINE constexpr SteppedColumn(const RasterPosition& p, const RasterPosition& q, std::int32_t y)
       : step_(((q.x - p.x) * kOne) / (q.y - p.y)),
-        at_((p.x + 8) * (kOne >> 4) + (((y - p.y) * step_) >> 4) - (kMediumSize + 1)) {}
+        at_((p.x + 8) * (kOne >> 4) + (((y - p.y) * step_) >> 4) - (kSmallSize + 1)) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t column() const { return at_ >> kFraction; }
   ARCSPAN_INLINE constexpr void advance() { at_ += step_; }
 
@@ -248,10 +224,8 @@ using EdgeColumn = std::conditional_t<kHasLongMultiply, SteppedColumn, SettledCo
 
 /// Prepares the barycentric coordinates and the depth of a small triangle with pixels. The vertices are
 /// sorted by height.
-ARCSPAN_INLINE_IF_WIDE constexpr void prepare_small_triangle(const RasterPosition& top,
-                                                             const RasterPosition& middle,
-                                                             const RasterPosition& bottom,
-                                                             SmallTriangle& triangle) {
+constexpr void prepare_small_triangle(const RasterPosition& top, const RasterPosition& middle,
+                                      const RasterPosition& bottom, SmallTriangle& triangle) {
   const std::int32_t left = 8 - top.x;
   const std::int32_t above = triangle.row * 16 + 8 - top.y;
   const std::int32_t dx = bottom.x - top.x;

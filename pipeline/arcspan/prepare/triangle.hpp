@@ -1,17 +1,59 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/prepare/gradient_across.hpp>
-#include <arcspan/prepare/input_vertex.hpp>
+#include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/linear.hpp>
-#include <arcspan/prepare/long_walk.hpp>
-#include <arcspan/prepare/sorted_vertices.hpp>
 #include <arcspan/prepare/triangle_command.hpp>
 #include <arcspan/target.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
 
 #include <cstdint>
 
+/// The preparation of a triangle: from three vertices on the screen to a TriangleCommand.
 namespace arcspan {
+
+/// near/w of a vertex, 29 fraction bits, 0...1.
+struct NearOverW {
+  std::int32_t value;
+};
+
+/// Input vertex of triangle preparation: its position on the screen and the shading method's data.
+template <class Method>
+struct RasterVertex {
+  RasterPosition position;
+  typename Method::Vertex shade;
+};
+/// RasterVertex of a method that NeedsNearOverW.
+template <NeedsNearOverW Method>
+struct RasterVertex<Method> {
+  RasterPosition position;
+  typename Method::Vertex shade;
+  NearOverW near_over_w;
+};
+
+namespace detail {
+
+/// Sets where a vertex inside the clip volume is on the screen.
+template <class Method>
+ARCSPAN_INLINE inline void place_on_screen(const ClipPosition& position, const ClipTransform& transform,
+                                           RasterVertex<Method>& vertex) {
+  if constexpr (NeedsNearOverW<Method>) {
+    vertex.position = project_in_perspective(position, transform, vertex.near_over_w.value);
+  } else {
+    project_to(position.x, position.y, position.w, transform, vertex.position);
+  }
+}
+
+/// A copy of a vertex without its shading.
+template <class Method>
+[[nodiscard]] constexpr RasterVertex<Method> unshaded(const RasterVertex<Method>& vertex) {
+  RasterVertex<Method> copy{};
+  copy.position = vertex.position;
+  if constexpr (NeedsNearOverW<Method>) copy.near_over_w = vertex.near_over_w;
+  return copy;
+}
+
+}  // namespace detail
 
 /// The rows to be drawn of a viewport, first ... end - 1, relative to the raster origin.
 struct RowRange {
@@ -22,11 +64,63 @@ struct RowRange {
 /// Returns twice the signed area in 256ths of a square pixel. It is negative if a, b, c run counter-clockwise
 /// as seen on the screen (y down), as those of front faces do. The result is exact inside the guard band,
 /// where it fits 32 bits.
-[[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr std::int32_t doubled_area(const RasterPosition& a,
-                                                                       const RasterPosition& b,
-                                                                       const RasterPosition& c) {
+[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t doubled_area(const RasterPosition& a,
+                                                                 const RasterPosition& b,
+                                                                 const RasterPosition& c) {
   return wrap_sub(wrap_mul(b.x - a.x, c.y - a.y), wrap_mul(c.x - a.x, b.y - a.y));
 }
+
+/// The vertices of a triangle with an area, from the highest to the lowest. Small and large triangles begin
+/// with them, so that a triangle is sorted once however it is drawn.
+template <class Method>
+struct SortedVertices {
+  const RasterVertex<Method>* top;
+  const RasterVertex<Method>* middle;
+  const RasterVertex<Method>* bottom;
+  bool middle_left;  ///< the middle vertex is on the left of the long edge
+};
+
+namespace detail {
+
+/// Swaps two vertices if `lower` is the higher one. That turns the triangle over, and so `middle_left`.
+template <class Method>
+ARCSPAN_INLINE constexpr void order_by_height(const RasterVertex<Method>*& upper,
+                                              const RasterVertex<Method>*& lower, bool& middle_left) {
+  if (lower->position.y < upper->position.y) {
+    const RasterVertex<Method>* const held = upper;
+    upper = lower;
+    lower = held;
+    middle_left = !middle_left;
+  }
+}
+
+/// Sorts three vertices. On entry: `middle_left` is true if doubled_area() of top, middle and bottom is
+/// negative; on return: if the middle vertex is on the left of the long edge.
+template <class Method>
+ARCSPAN_OUTLINE_IF_TIGHT constexpr void sort_by_height(SortedVertices<Method>& vertices) {
+  const RasterVertex<Method>* top = vertices.top;
+  const RasterVertex<Method>* middle = vertices.middle;
+  const RasterVertex<Method>* bottom = vertices.bottom;
+  bool middle_left = vertices.middle_left;
+  order_by_height<Method>(top, middle, middle_left);
+  order_by_height<Method>(middle, bottom, middle_left);
+  order_by_height<Method>(top, middle, middle_left);
+  vertices.top = top;
+  vertices.middle = middle;
+  vertices.bottom = bottom;
+  vertices.middle_left = middle_left;
+}
+
+}  // namespace detail
+
+/// The long edge of a triangle at its first row, for methods that NeedsNearOverW; empty for others.
+template <class Method>
+struct LongWalk {};
+/// The long edge of a method that NeedsNearOverW.
+template <NeedsNearOverW Method>
+struct LongWalk<Method> : EdgeWalk {
+  constexpr void set(const EdgeWalk& edge) { static_cast<EdgeWalk&>(*this) = edge; }
+};
 
 /// The geometry of a triangle from which preparation sets up attributes: the vertices and the three edges.
 template <class Method>
@@ -96,16 +190,9 @@ template <class Method>
   return first < end;
 }
 
-/// Sets the members of an edge without rows about which gcc would warn, though nothing uses them.
-ARCSPAN_INLINE constexpr void make_no_edge(EdgeSetup& edge) {
-  edge.offset = 0;
-  if constexpr (kHasWideRegisters) edge.inverse = {};
-}
-
 /// Sets up the edges that have rows to draw, and the width of the triangle at its middle vertex.
 template <class Method>
-ARCSPAN_INLINE_IF_WIDE constexpr void place_edges(TriangleFrame<Method>& frame,
-                                                  TriangleCommand<Method>& command) {
+constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>& command) {
   const RasterPosition& top = frame.top->position;
   const RasterPosition& middle = frame.middle->position;
   const RasterPosition& bottom = frame.bottom->position;
@@ -120,14 +207,14 @@ ARCSPAN_INLINE_IF_WIDE constexpr void place_edges(TriangleFrame<Method>& frame,
     make_edge_setup(top, middle, command.first_row, frame.middle_left, frame.upper_edge);
     make_edge_walk(frame.upper_edge, top, middle, frame.middle_left ? command.left : command.right);
   } else {
-    make_no_edge(frame.upper_edge);
+    frame.upper_edge.offset = 0;  // unused, but gcc would warn
     (frame.middle_left ? command.left : command.right).x = 0;
   }
   if (frame.has_lower) [[likely]] {
     make_edge_setup(middle, bottom, command.middle_row, frame.middle_left, frame.lower_edge);
     make_edge_walk(frame.lower_edge, middle, bottom, command.lower);
   } else {
-    make_no_edge(frame.lower_edge);
+    frame.lower_edge.offset = 0;
     command.lower.x = 0;
   }
   const auto height = static_cast<std::uint32_t>(middle.y - top.y);
@@ -143,14 +230,13 @@ ARCSPAN_INLINE_IF_WIDE constexpr void place_edges(TriangleFrame<Method>& frame,
 
 }  // namespace detail
 
-/// Makes the command of a triangle whose vertices are sorted and, if the method needs it, measured. Returns
-/// false if it has no row among `rows`.
+/// Makes the command of a triangle whose vertices are sorted. Returns false if it has no row among `rows`.
 template <class Method, bool WithDepth>
 ARCSPAN_OUTLINE_IF_TIGHT [[nodiscard]] constexpr bool prepare_sorted(
     const typename Method::Lighting& lighting, const SortedVertices<Method>& vertices,
     const typename Method::Face& face, const RowRange& rows, TriangleCommand<Method>& command) {
   TriangleFrame<Method> frame;
-  frame.become(vertices);
+  static_cast<SortedVertices<Method>&>(frame) = vertices;
   if (!detail::place_rows(frame, rows, command)) return false;
   command.middle_left = frame.middle_left;
   detail::place_edges(frame, command);
@@ -164,9 +250,9 @@ ARCSPAN_OUTLINE_IF_TIGHT [[nodiscard]] constexpr bool prepare_sorted(
   return true;
 }
 
-/// Makes the command that draws a triangle of either winding, as prepare_triangle() (prepare_triangle.hpp)
-/// does; its vertices are known to be inside the guard band, as those from project() are. `WithDepth` is
-/// false where depth is not tested; the depth plane is then zero.
+/// Makes the command that draws a triangle of either winding, as prepare_triangle() does; its vertices are
+/// known to be inside the guard band, as those from project() are. `WithDepth` is false where depth is not
+/// tested; the depth plane is then zero.
 template <class Method, bool WithDepth = true>
 [[nodiscard]] constexpr bool prepare_inside(const typename Method::Lighting& lighting,
                                             const RasterVertex<Method>& a, const RasterVertex<Method>& b,
@@ -174,10 +260,28 @@ template <class Method, bool WithDepth = true>
                                             const RowRange& rows, TriangleCommand<Method>& command) {
   const std::int32_t area = doubled_area(a.position, b.position, c.position);
   if (area == 0) return false;
-  SortedVertices<Method> vertices{&a, &b, &c, area < 0, {}};
+  SortedVertices<Method> vertices{&a, &b, &c, area < 0};
   detail::sort_by_height(vertices);
-  detail::measure_chords(vertices);
   return prepare_sorted<Method, WithDepth>(lighting, vertices, face, rows, command);
+}
+
+/// Returns true inside the guard band, [-1024, 1024) pixels, within which edges and areas fit their words.
+[[nodiscard]] constexpr bool in_guard_band(const RasterPosition& p) {
+  constexpr std::uint32_t kHalf = kGuardBand << Subpixel::kFraction;
+  return ((static_cast<std::uint32_t>(p.x) + kHalf) | (static_cast<std::uint32_t>(p.y) + kHalf)) < 2 * kHalf;
+}
+
+/// Makes the command that draws a triangle of either winding. Returns false if there is nothing to draw: if
+/// the triangle has no row among `rows`, the rows of the viewport, if it has no area, or if a vertex is
+/// outside the guard band.
+template <class Method>
+[[nodiscard]] constexpr bool prepare_triangle(const typename Method::Lighting& lighting,
+                                              const RasterVertex<Method>& a, const RasterVertex<Method>& b,
+                                              const RasterVertex<Method>& c,
+                                              const typename Method::Face& face, const RowRange& rows,
+                                              TriangleCommand<Method>& command) {
+  if (!in_guard_band(a.position) || !in_guard_band(b.position) || !in_guard_band(c.position)) return false;
+  return prepare_inside(lighting, a, b, c, face, rows, command);
 }
 
 }  // namespace arcspan

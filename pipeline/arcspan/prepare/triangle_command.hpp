@@ -9,11 +9,10 @@
 
 namespace arcspan {
 
-/// Optional part of a method's Prepared, for what depends on a pixel's column in the picture.
-template <class P>
-concept MovesColumns = requires(P prepared, std::int32_t pixels) {
-  {prepared.move_columns(pixels)};
-};
+/// Optional part of a method (`kNeedsNearOverW`), for attributes in perspective: its vertices have near/w,
+/// and its Prepared, which depends on the columns of pixels in the picture, has move_columns(pixels).
+template <class M>
+concept NeedsNearOverW = bool{M::kNeedsNearOverW};
 
 /// The command that preparation passes to the span stage. It consists of integers without pointers and is all
 /// that passes between the two, so the span stage may be another core or hardware.
@@ -44,7 +43,7 @@ struct TriangleCommand {
     left.x += shift;
     right.x += shift;
     lower.x += shift;
-    if constexpr (MovesColumns<typename Method::Prepared>) shade.move_columns(pixels);
+    if constexpr (NeedsNearOverW<Method>) shade.move_columns(pixels);
   }
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/draw.hpp>
-#include <arcspan/draw/kept_vertices.hpp>
 #include <arcspan/draw/triangle_drawer.hpp>
 #include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/numbers/copy_words.hpp>
@@ -12,6 +10,7 @@
 #include <arcspan/vertex/rotation.hpp>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace arcspan {
 
@@ -25,7 +24,8 @@ namespace detail {
 template <class Sink, class Depth>
 struct PartCall {
   SceneSlot& slot;
-  const MeshView& mesh;
+  const MeshView& mesh;  ///< of the part
+  std::size_t number;    ///< of the part in its object
   const SceneMaterial& material;
   const ObjectLights& lights;
   const Rotation& camera;  ///< from world to view space
@@ -34,48 +34,61 @@ struct PartCall {
   void* lighting;  ///< memory for the material as it is seen here
 };
 
-/// Makes the vertices of a slot ready for a part that `use` draws. They stay from part to part and from band
-/// to band, unless another use has written them.
+/// The vertices of a slot (VertexSource). They stay from part to part and from band to band, unless another
+/// use has written them.
 template <class Method>
-void hold_vertices(SceneSlot& slot, const UseFacts& use, CachedVertex<Method>* vertices) {
-  const std::size_t count = slot.object->mesh().vertex_count();
-  if (slot.held != &use) {
-    forget_vertices(vertices, count);
-    slot.held = &use;
-  } else if (!SharesVertices<Method> && slot.object->part_count() > 1) {
-    for (std::size_t i = 0; i < count; ++i) vertices[i].shaded = false;
+class SlotVertices {
+ public:
+  SlotVertices(SceneSlot& slot, const UseFacts& use)
+      : slot_(slot),
+        use_(use),
+        vertices_(static_cast<CachedVertex<Method>*>(static_cast<void*>(slot.vertices))) {}
+
+  [[nodiscard]] Status begin(const VertexStage<Method>& stage, bool) {
+    const std::size_t count = slot_.object->mesh().vertex_count();
+    if (slot_.held != &use_) {
+      forget_vertices(vertices_, count);
+      slot_.held = &use_;
+    } else if (stage.shading() == kSharedShading) {
+      for (std::size_t i = 0; i < count; ++i) vertices_[i].shading = 0;
+    }
+    return Status::kOk;
   }
-}
+  [[nodiscard]] ARCSPAN_INLINE CachedVertex<Method>& vertex(const VertexStage<Method>& stage, std::size_t i) {
+    CachedVertex<Method>& vertex = vertices_[i];
+    if (vertex.outcode == CachedVertex<Method>::kNotTransformed) stage.transform(i, vertex);
+    return vertex;
+  }
+  [[nodiscard]] static constexpr const TriangleRows* rows() { return nullptr; }
+
+  /// The number of the shading of all parts from the 255th on, which shade their vertices anew.
+  static constexpr std::uint8_t kSharedShading = 255;
+  /// Returns the number of a part's shading (VertexStage).
+  [[nodiscard]] static constexpr std::uint8_t shading_of(std::size_t part) {
+    return part < kSharedShading - 1 ? static_cast<std::uint8_t>(part + 1) : kSharedShading;
+  }
+
+ private:
+  SceneSlot& slot_;
+  const UseFacts& use_;
+  CachedVertex<Method>* vertices_;
+};
 
 /// draw_mesh() with the vertices of the part's slot, which exist if `KeepsVertices`.
 template <class Used, bool KeepsVertices, class Sink, class Depth>
 DrawResult draw_lit_part(const PartCall<Sink, Depth>& part, const typename Used::Method::Lighting& lighting) {
   using Method = typename Used::Method;
-  const DrawOptions& options = part.material.options();
-  if constexpr (KeepsVertices && Used::kFeatures.caches) {
-    TriangleDrawer<Method, Used::kFeatures, Sink, Depth> drawer(part.mesh, part.slot.transform, lighting,
-                                                                part.sink, part.depth, options);
-    if (!drawer.ready()) return drawer.result();
-    const VisibleTriangles visible = drawer.visible_triangles();
-    if (visible.excludes_all()) return drawer.result();
-    auto* const vertices = static_cast<CachedVertex<Method>*>(static_cast<void*>(part.slot.vertices));
-    hold_vertices<Method>(part.slot, kUseFacts<Used>, vertices);
-    if (visible.known()) {
-      drawer.draw_triangles_outlined(FrontVertices<Method>(drawer.stage(), vertices, visible));
-    } else {
-      drawer.draw_triangles_outlined(
-          KeptVertices<Method>(drawer.stage(), vertices, nullptr, visible, drawer.scissor().rect()));
-    }
-    return drawer.result();
+  TriangleDrawer<Method, Used::kFeatures, Sink, Depth> drawer(
+      {part.mesh, part.slot.transform, lighting, SlotVertices<Method>::shading_of(part.number)}, part.sink,
+      part.depth, part.material.options());
+  if constexpr (KeepsVertices) {
+    SlotVertices<Method> vertices(part.slot, kUseFacts<Used>);
+    drawer.draw(vertices);
   } else {
-    constexpr DrawFeatures kFeatures = [] {
-      DrawFeatures features = Used::kFeatures;
-      features.caches = false;
-      return features;
-    }();
-    return draw_mesh<Method, kFeatures>(part.mesh, part.slot.transform, lighting, part.sink, part.depth, {},
-                                        options);
+    NoCache vertices;
+    drawer.draw(vertices);
   }
+  return drawer.result();
 }
 
 template <class Used, bool KeepsVertices, class Sink, class Depth>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/scene/scene_frame.hpp>
-#include <arcspan/vertex/project.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
 
 #include <tuple>
 
@@ -113,7 +113,7 @@ void insert_into_order(const SceneFrame& frame, std::size_t last) {
 }
 
 /// True if an object for which there is no slot is in view.
-[[nodiscard]] ARCSPAN_COLD_OUTLINE bool is_in_view(const Object& object, const Camera& camera) {
+[[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD bool is_in_view(const Object& object, const Camera& camera) {
   SceneSlot spare;
   return set_up(object, camera, spare);
 }

@@ -37,7 +37,6 @@ struct Flat {
     constexpr explicit Walker(Prepared& prepared) : value_(prepared) {}
     [[nodiscard]] constexpr Run row(const RowStart&) const { return {value_}; }
     constexpr void next_row() {}
-    constexpr void skip_rows(std::int32_t) {}
     constexpr void enter_lower() {}
 
    private:

@@ -20,7 +20,6 @@ struct Gouraud {
     FullLinearPlane r;
     FullLinearPlane g;
     FullLinearPlane b;
-    FineRgb::KeptStep step;
     bool middle_left;
   };
   static constexpr bool kNeedsFaceNormal = false;
@@ -45,7 +44,6 @@ struct Gouraud {
     make_plane(frame, top.g, middle.g, bottom.g, prepared.g);
     make_plane(frame, top.b, middle.b, bottom.b, prepared.b);
     prepared.b.dx = FullLinear::from_raw(FineRgb::blue_step(prepared.b.dx.raw()));
-    prepared.step = FineRgb::keep_step(prepared.g.dx.raw(), prepared.b.dx.raw());
     prepared.middle_left = frame.middle_left;
   }
 
@@ -64,7 +62,7 @@ struct Gouraud {
     [[nodiscard]] constexpr Run row(const RowStart& start) const {
       return {FineRgb::of(word(linear_at(p_->r, start)), word(linear_at(p_->g, start)),
                           word(linear_at(p_->b, start))),
-              FineRgb::step(p_->r.dx.raw(), p_->g.dx.raw(), p_->b.dx.raw(), p_->step)};
+              FineRgb::of(word(p_->r.dx), word(p_->g.dx), word(p_->b.dx))};
     }
     ARCSPAN_INLINE constexpr void next_row() {
       reload_from_memory(p_->r.left.at);
@@ -73,11 +71,6 @@ struct Gouraud {
       p_->r.next_row();
       p_->g.next_row();
       p_->b.next_row();
-    }
-    constexpr void skip_rows(std::int32_t rows) {
-      p_->r.skip_rows(rows);
-      p_->g.skip_rows(rows);
-      p_->b.skip_rows(rows);
     }
     constexpr void enter_lower() {
       p_->r.enter_lower(p_->middle_left);

@@ -25,7 +25,6 @@ struct GreyGouraud {
     bool middle_left;
   };
   static constexpr bool kNeedsFaceNormal = false;
-  static constexpr bool kHasLinearLevel = true;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
     return {lighting.deep_colour(lighting.scalars(normal)).g};
@@ -77,7 +76,6 @@ struct GreyGouraud {
       return Run(linear_at(p_->level, start), p_->level.dx);
     }
     ARCSPAN_INLINE constexpr void next_row() { p_->level.next_row(); }
-    constexpr void skip_rows(std::int32_t rows) { p_->level.skip_rows(rows); }
     constexpr void enter_lower() { p_->level.enter_lower(p_->middle_left); }
 
    private:

@@ -3,7 +3,6 @@
 
 #include <arcspan/pixel/pixel_operation.hpp>
 #include <arcspan/shading/method.hpp>
-#include <arcspan/shading/pixel_by_pixel.hpp>
 #include <arcspan/target.hpp>
 
 #include <concepts>
@@ -30,15 +29,10 @@ struct OperationRun {
   }
   ARCSPAN_INLINE constexpr void next() { inner.next(); }
   template <class Lighting>
-  requires BeginsWithLighting<Inner, typename Lighting::Base> ARCSPAN_INLINE constexpr void begin(
-      const Lighting& lighting) {
-    inner.begin(static_cast<const typename Lighting::Base&>(lighting));
+  requires PiecewiseRun<Inner, typename Lighting::Base>
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(const Lighting& lighting, std::int32_t left) {
+    return inner.enter(static_cast<const typename Lighting::Base&>(lighting), left);
   }
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) requires requires {
-    inner.enter(left);
-  }
-  { return inner.enter(left); }
-  [[nodiscard]] constexpr std::int32_t length() const requires LimitedRun<Inner> { return inner.length(); }
 };
 
 /// The walker of a method, whose runs have an operation.
@@ -51,9 +45,6 @@ struct OperationWalker : Walker {
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
     return Run(static_cast<const Walker&>(*this), start);
   }
-  /// Hide those of the walker, whose runs have no operation.
-  void with_run() const = delete;
-  void with_depth() const = delete;
 };
 
 }  // namespace detail
@@ -63,11 +54,9 @@ struct OperationWalker : Walker {
 ///
 ///     using Window = WithOperation<WithOperation<Textured<Unlit, Palette8Texels<>>, Fogged>, Opacity<>>;
 ///
-/// Colours that are blended or masked are computed pixel by pixel: neither segments nor tables of encoded
-/// colours are used.
 template <class Coloured, class Operation>
-struct WithOperation : PixelByPixel<Coloured> {
-  using Method = PixelByPixel<Coloured>;
+struct WithOperation : Coloured {
+  using Method = Coloured;
   /// The lighting of the method with the parameters of the operation.
   struct Lighting : Method::Lighting {
     using Base = typename Method::Lighting;
@@ -91,14 +80,12 @@ struct WithOperation : PixelByPixel<Coloured> {
     }
     Operation operation;
   };
-  static constexpr bool kUsesEncodedColours = false;
 
   template <class Draw>
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(typename Method::Prepared& prepared,
                                                             Draw&& draw) {
     return Method::walk(prepared, [&](auto walker) {
       using Walker = decltype(walker);
-      detail::require_pixels<Walker>();
       return draw(detail::OperationWalker<Walker>(walker));
     });
   }

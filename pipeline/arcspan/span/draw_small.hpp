@@ -21,32 +21,18 @@ template <class Surface, class Target>
                                                                  const Target& all) {
   const Target target = all;  // a copy, because the members of a reference would be loaded for every pixel
   const std::int32_t first_y = triangle.row + origin.y;
-  RowMemory<Target> memory(target, first_y);
+  const RowMemory<Target> memory(target, first_y);
   const std::int32_t rows = triangle.rows;
   const std::int32_t origin_x = origin.x;
-  const auto next_row = [&](std::int32_t& row) {
-    ++row;
-    if constexpr (kHasWideRegisters) memory.next();
-  };
-  for (std::int32_t row = 0; row < rows; next_row(row)) {
-    if constexpr (!kHasWideRegisters) hide_value(row);
-    const std::int32_t below = kHasWideRegisters ? 0 : row;  // the current row of `memory`
+  for (std::int32_t row = 0; row < rows; ++row) {
+    hide_value(row);
     const SmallSpan found = triangle.spans[row];
     if (found.count == 0) continue;
     const Span span{first_y + row, found.first + origin_x, found.count};
     const std::int32_t b = triangle.coordinate(triangle.of_middle(found.first, row));
     const std::int32_t c = triangle.coordinate(triangle.of_bottom(found.first, row));
     auto run = surface.row((triangle.row + row) * 16 + 8, b, c);
-    if constexpr (IndexedRows<Target>) {
-      PixelPlace<Target> place{memory.pixels.behind(span, below), memory.depths.behind(span, below),
-                               triangle.depth(b, c)};
-      draw_pixels(place, span, run, target, triangle.dz, first_index(span));
-    } else {
-      PixelPlace<Target> place{memory.pixels.open(span, below), memory.depths.at(span, below),
-                               triangle.depth(b, c)};
-      draw_pixels(place, span, run, target, triangle.dz, first_index(span));
-    }
-    const Status status = target.sink.close(span);
+    const Status status = draw_span(span, run, triangle.depth(b, c), triangle.dz, target, memory, row);
     if (!ok(status)) return status;
   }
   return Status::kOk;
@@ -59,14 +45,15 @@ enum class SmallResult : std::uint8_t {
   kRefused     ///< nothing is drawn, because the method needs a TriangleCommand for its normals
 };
 
-/// Draws a small triangle (is_small()) of either winding, or a medium one if `is_medium` is true. A medium
-/// one is refused if rows may draw it as a patch. `rows` are those of the viewport, `drawn` those of the
-/// scissor; `crosses` is false if the triangle is known to lie between the left and the right side of the
+/// Draws a small triangle (is_small()) of either winding. `rows` are those of the viewport, `drawn` those of
+/// the scissor; `crosses` is false if the triangle is known to lie between the left and the right side of the
 /// scissor. Sets `status` if the result is kDone.
 template <class Method, class Target>
-[[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(
-    const SortedVertices<Method>& vertices, bool is_medium, bool crosses, const RowRange& rows,
-    const RowRange& drawn, const RasterOrigin& origin, const Target& target, Status& status) {
+[[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(const SortedVertices<Method>& vertices,
+                                                                       bool crosses, const RowRange& rows,
+                                                                       const RowRange& drawn,
+                                                                       const RasterOrigin& origin,
+                                                                       const Target& target, Status& status) {
   const RasterPosition& p = vertices.top->position;
   const RasterPosition& q = vertices.middle->position;
   const RasterPosition& r = vertices.bottom->position;
@@ -84,8 +71,8 @@ template <class Method, class Target>
   }
   prepare_small_triangle(p, q, r, triangle);
   typename Method::Small small;
-  if (!Method::prepare_small(target.lighting, *vertices.top, *vertices.middle, *vertices.bottom, is_medium,
-                             triangle, small)) {
+  if (!Method::prepare_small(target.lighting, *vertices.top, *vertices.middle, *vertices.bottom, triangle,
+                             small)) {
     return SmallResult::kRefused;
   }
   status = Method::walk_small(

@@ -5,7 +5,6 @@
 #include <arcspan/prepare/line_command.hpp>
 #include <arcspan/shading/one_colour.hpp>
 #include <arcspan/span/draw_pixels.hpp>
-#include <arcspan/span/indexed_run.hpp>
 #include <arcspan/span/row_drawer.hpp>
 #include <arcspan/span/row_memory.hpp>
 #include <arcspan/status.hpp>
@@ -19,35 +18,22 @@ namespace detail {
 
 /// Draws a run of a method of one colour; `z` is the depth of its first pixel, `dz` its gradient.
 template <class Walker, class Target>
-[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_span(const Span& span, const Walker& walker, Linear z,
-                                                        Linear dz, const Target& target,
-                                                        const RowMemory<Target>& memory) {
+[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_one_colour(const Span& span, const Walker& walker,
+                                                              Linear z, Linear dz, const Target& target,
+                                                              const RowMemory<Target>& memory) {
   typename Walker::Run run = walker.row({});
-  if constexpr (BeginsWithLighting<typename Walker::Run, typename Target::Lighting>) {
-    run.begin(target.lighting);
-  }
-  if constexpr (IndexedRows<Target>) {
-    auto [place, first] = indexed_run(memory, span, z);
-    draw_pixels(place, span, run, target, dz, first);
-  } else {
-    PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span), z};
-    draw_pixels(place, span, run, target, dz, first_index(span));
-  }
-  return target.sink.close(span);
+  return draw_span(span, run, z, dz, target, memory);
 }
 
-/// Draws one pixel of a method of one colour: draw_span() without its loop, which takes 9 instructions on a
-/// Cortex-M3. With few registers the loop happens to be cheaper.
+/// Draws one pixel of a method of one colour: draw_one_colour() without its loop, which takes 9 instructions
+/// on a Cortex-M3. With few registers the loop happens to be cheaper.
 template <class Walker, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_pixel(const Span& at, const Walker& walker, Linear z,
                                                          const Target& target,
                                                          const RowMemory<Target>& memory) {
   using Format = typename Target::Format;
-  if constexpr (!kHasManyRegisters) return draw_span(at, walker, z, {}, target, memory);
+  if constexpr (!kHasManyRegisters) return draw_one_colour(at, walker, z, {}, target, memory);
   typename Walker::Run run = walker.row({});
-  if constexpr (BeginsWithLighting<typename Walker::Run, typename Target::Lighting>) {
-    run.begin(target.lighting);
-  }
   const std::uint16_t depth = depth_of(z);
   std::uint16_t* const stored = memory.depths.at(at);
   typename Format::Cursor cursor = memory.pixels.open(at);
@@ -107,7 +93,7 @@ class LineDrawer {
       if (end > target.scissor.right) end = target.scissor.right;
       if (first >= end) continue;
       const Linear z = line_.depth + Linear::from_raw(wrap_mul(step.raw(), first - left_));
-      const Status status = draw_span({y, first, end - first}, walker, z, step, target, memory);
+      const Status status = draw_one_colour({y, first, end - first}, walker, z, step, target, memory);
       if (!ok(status)) return status;
     }
     return Status::kOk;

@@ -18,7 +18,7 @@ template <OneColour Method, class Target>
     const Linear z = Linear::from_raw(std::int32_t{depth} << Linear::kFraction);
     RowMemory<Target> memory(target, rect.top);
     for (std::int32_t y = rect.top; y < rect.bottom; ++y, memory.next()) {
-      const Status status = draw_span({y, rect.left, rect.width()}, walker, z, {}, target, memory);
+      const Status status = draw_one_colour({y, rect.left, rect.width()}, walker, z, {}, target, memory);
       if (!ok(status)) return status;
     }
     return Status::kOk;

@@ -3,22 +3,26 @@
 
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/linear.hpp>
-#include <arcspan/prepare/triangle.hpp>
+#include <arcspan/prepare/row_start.hpp>
+#include <arcspan/prepare/triangle_command.hpp>
 #include <arcspan/shading/method.hpp>
-#include <arcspan/span/depth.hpp>
+#include <arcspan/span/draw_pixels.hpp>
 #include <arcspan/span/row_memory.hpp>
-#include <arcspan/span/run_drawer.hpp>
-#include <arcspan/span/step_rows.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>
-#include <type_traits>
 
 /// The span stage: walks down the rows of a triangle command and along each row. Per row and per pixel it
 /// only multiplies, shifts, adds, compares and looks up; scripts/check-objects proves that nothing here
 /// divides.
 namespace arcspan {
+
+/// Position of the viewport's middle pixel in the picture, in pixels. Commands are relative to it.
+struct RasterOrigin {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+};
 
 namespace detail {
 
@@ -28,36 +32,53 @@ enum class ScissorColumns : std::uint8_t {
   kCrossing  ///< rows have to be cut
 };
 
+/// Steps the edges, the depth and the shading of a command down by one row, in place.
+template <class Target, class Command, class Walker>
+ARCSPAN_INLINE constexpr void next_row(Command& command, Walker& walker) {
+  reload_from_memory(command.left);
+  reload_from_memory(command.right);
+  if constexpr (kHasManyRegisters) reload_from_memory(command.depth.left);
+  command.left.advance();
+  command.right.advance();
+  if constexpr (Target::Depth::kTests) command.depth.next_row();
+  walker.next_row();
+}
+
+/// Replaces the upper short edge by the lower one, on the side of the middle vertex.
+template <class Target, class Command, class Walker>
+ARCSPAN_INLINE constexpr void enter_lower(Command& command, Walker& walker) {
+  EdgeWalk& short_edge = command.middle_left ? command.left : command.right;
+  short_edge.x = command.lower.x;  // compilers call memcpy for the whole struct on small cores
+  short_edge.step = command.lower.step;
+  if constexpr (Target::Depth::kTests) command.depth.enter_lower(command.middle_left);
+  walker.enter_lower();
+}
+
 /// Draws the pixels of `span` in the current row. `begin` is the row's first column; the span may start right
-/// of it. Shortens `span` if the run is shorter (LimitedRun).
+/// of it.
 template <class Command, class Walker, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_run(const Command& command, const Walker& walker,
-                                                       Span& span, std::int32_t begin, const Target& target,
+                                                       const Span& span, std::int32_t begin,
+                                                       const Target& target,
                                                        const RowMemory<Target>& memory) {
   static_assert(RowWalker<Walker, typename Target::Lighting>);
   const RowStart start = row_start(command.left, command.right, span.x - begin, span.x);
-  const RunDrawer<Command, Target> draw{command, start, span, target, memory};
-  if constexpr (ChoosesRuns<Walker, typename Target::Lighting>) {
-    return walker.with_run(start, target.lighting, draw);
-  } else {
-    typename Walker::Run run = walker.row(start);
-    return draw(run);
-  }
+  typename Walker::Run run = walker.row(start);
+  return draw_span(span, run, linear_at(command.depth, start), command.depth.dx, target, memory);
 }
 
-/// draw_run() in a function of its own, for runs that need many registers.
+/// draw_run() as a function of its own: in programs that are optimised for size gcc would keep the values of
+/// its loop on the stack.
 template <class Command, class Walker, class Target>
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_run_outlined(const Command& command, const Walker& walker,
-                                                                 Span& span, std::int32_t begin,
+                                                                 const Span& span, std::int32_t begin,
                                                                  const Target& target,
                                                                  const RowMemory<Target>& memory) {
-  // A copy, because the members of a reference would be loaded again for every pixel.
-  const Target local = target;
+  const Target local = target;  // the members of a reference would be loaded again for every pixel
   return draw_run(command, walker, span, begin, local, memory);
 }
 
-/// Draws the visible part of the current row, at row y of the picture; in several runs if they are
-/// LimitedRun.
+/// Draws the visible part of the current row, at row y of the picture.
 template <ScissorColumns kColumns, class Command, class Walker, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_row(const Command& command, const Walker& walker,
                                                        std::int32_t y, const Target& target,
@@ -70,30 +91,10 @@ template <ScissorColumns kColumns, class Command, class Walker, class Target>
     if (last > target.scissor.right) last = target.scissor.right;
   }
   if (first >= last) return Status::kOk;
-  Span span{y, first, last - first};
-  while (true) {
-    Status status;
-    if constexpr (OutlinedWalker<Walker> || kOptimisedForSize ||
-                  (kHasManyRegisters && SegmentedRun<typename Walker::Run>)) {
-      status = draw_run_outlined(command, walker, span, begin, target, memory);
-    } else {
-      status = draw_run(command, walker, span, begin, target, memory);
-    }
-    if constexpr (!LimitedRun<typename Walker::Run>) {
-      return status;
-    } else {
-      span.x += span.count;
-      span.count = last - span.x;
-      if (!ok(status) || span.count == 0) return status;
-    }
-  }
+  const Span span{y, first, last - first};
+  if constexpr (kOptimisedForSize) return draw_run_outlined(command, walker, span, begin, target, memory);
+  return draw_run(command, walker, span, begin, target, memory);
 }
-
-/// True if the rows of a walker are functions of their own: their set-up takes more registers than are left
-/// beside other walkers, or they would take registers from those.
-template <class Walker>
-inline constexpr bool kOutlineRows =
-    OutlinedWalker<Walker> || OutlinedRowLoop<Walker> || SegmentedRun<typename Walker::Run>;
 
 /// Draws the rows of a command that lie within the scissor. A method's walk() calls it with the walker of its
 /// choice.
@@ -105,36 +106,28 @@ struct RowDrawer {
 
   template <class Walker>
   [[nodiscard]] constexpr Status operator()(Walker walker) const {
-    if constexpr (JoinsDepth<Walker> && Target::Depth::kTests) {
-      return draw(command, origin, walker.with_depth(command.depth), target);
-    } else if constexpr (kOutlineRows<Walker>) {
-      // One row loop serves both kinds of columns, because these rows take much longer than the test or are
-      // few.
-      return RowDrawer<ScissorColumns::kCrossing, Command, Target>::draw_outlined(command, origin, walker,
-                                                                                  target);
-    } else {
-      return draw(command, origin, walker, target);
-    }
-  }
-
-  template <class Walker>
-  [[nodiscard]] ARCSPAN_OUTLINE static constexpr Status draw_outlined(Command& command,
-                                                                      const RasterOrigin& origin,
-                                                                      const Walker& walker,
-                                                                      const Target& target) {
-    // No copy for draw_run_outlined(), which makes one.
-    std::conditional_t<OutlinedWalker<Walker>, const Target&, const Target> local = target;
-    return draw(command, origin, walker, local);
+    return draw(command, origin, walker, target);
   }
 
  private:
+  /// Not with members, which gcc would load again for every row.
   template <class Walker>
   [[nodiscard]] static constexpr Status draw(Command& command, const RasterOrigin& origin, Walker walker,
                                              const Target& target) {
-    std::int32_t y;
-    std::int32_t half_end;
-    std::int32_t stop;
-    start_rows(command, walker, origin, target, y, half_end, stop);
+    command.move_columns(origin.x);
+    const std::int32_t end = command.end_row + origin.y;
+    const std::int32_t stop = end < target.scissor.bottom ? end : target.scissor.bottom;
+    const std::int32_t middle = command.middle_row + origin.y;
+    std::int32_t half_end = middle < stop ? middle : stop;
+    std::int32_t y = command.first_row + origin.y;
+    // Rows above the scissor are stepped one by one, so that those that follow have the same bits.
+    if (y < target.scissor.top) [[unlikely]] {
+      for (; y < target.scissor.top; ++y, next_row<Target>(command, walker)) {
+        if (y != half_end) continue;
+        enter_lower<Target>(command, walker);
+        half_end = stop;
+      }
+    }
     for (RowMemory<Target> memory(target, y);; y = half_end, half_end = stop) {
       // Counts down, because few sinks need y and the counter then is its own test.
       for (std::int32_t left = half_end - y; left > 0;
@@ -147,54 +140,6 @@ struct RowDrawer {
     }
   }
 };
-
-/// A RowDrawer whose loop over the rows is a part of its caller, unless the walker asks for a function of its
-/// own (kOutlineRows) or for depth and scalars together (JoinsDepth). For methods with many walkers, of
-/// which compilers would give some a function, where a row costs a sixth more. The loop is written twice,
-/// because a shared one changes the compiler's choice for methods with one walker (decision 16).
-template <ScissorColumns kColumns, class Command, class Target>
-struct InlinedRowDrawer : RowDrawer<kColumns, Command, Target> {
-  using Base = RowDrawer<kColumns, Command, Target>;
-
-  template <class Walker>
-  [[nodiscard]] ARCSPAN_INLINE constexpr Status operator()(Walker walker) const {
-    if constexpr (kOutlineRows<Walker> || (JoinsDepth<Walker> && Target::Depth::kTests)) {
-      return Base::operator()(walker);
-    } else {
-      return draw_inlined(this->command, this->origin, walker, this->target);
-    }
-  }
-
- private:
-  template <class Walker>
-  [[nodiscard]] ARCSPAN_INLINE static constexpr Status draw_inlined(Command& command,
-                                                                    const RasterOrigin& origin, Walker walker,
-                                                                    const Target& target) {
-    std::int32_t y;
-    std::int32_t half_end;
-    std::int32_t stop;
-    start_rows(command, walker, origin, target, y, half_end, stop);
-    for (RowMemory<Target> memory(target, y);; y = half_end, half_end = stop) {
-      for (std::int32_t left = half_end - y; left > 0;
-           --left, memory.next(), next_row<Target>(command, walker)) {
-        const Status status = draw_row<kColumns>(command, walker, half_end - left, target, memory);
-        if (!ok(status)) return status;
-      }
-      if (half_end >= stop) return Status::kOk;
-      enter_lower<Target>(command, walker);
-    }
-  }
-};
-
-/// The RowDrawer of a method: InlinedRowDrawer for those that draw small triangles, too, which have many
-/// walkers.
-template <ShadingMethod Method, ScissorColumns kColumns, class Target>
-using RowDrawerOf = std::conditional_t<DrawsSmallTriangles<Method> && !kOptimisedForSize,
-                                       InlinedRowDrawer<kColumns, TriangleCommand<Method>, Target>,
-                                       RowDrawer<kColumns, TriangleCommand<Method>, Target>>;
-
-/// True if DrawFeatures::whole_rows is worth its code: a second loop for rows within the scissor.
-inline constexpr bool kWholeRowsPay = !kOptimisedForSize && kHasManyRegisters;
 
 }  // namespace detail
 

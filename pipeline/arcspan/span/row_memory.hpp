@@ -17,18 +17,18 @@ template <class Sink>
 class PixelRows {
  public:
   constexpr PixelRows(Sink& sink, std::int32_t) : sink_(sink) {}
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr typename Sink::Format::Cursor open(const Span& span,
-                                                                                  std::int32_t = 0) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Sink::Format::Cursor open(const Span& span,
+                                                                            std::int32_t = 0) const {
     return sink_.open(span);
   }
   /// The cursor behind the span's last pixel.
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr typename Sink::Format::Cursor behind(const Span& span,
-                                                                                    std::int32_t = 0) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Sink::Format::Cursor behind(const Span& span,
+                                                                              std::int32_t = 0) const {
     typename Sink::Format::Cursor cursor = sink_.open(span);
     cursor.skip(span.count);
     return cursor;
   }
-  ARCSPAN_INLINE_AT_OS constexpr void next() {}
+  ARCSPAN_INLINE constexpr void next() {}
 
  private:
   Sink& sink_;
@@ -38,21 +38,21 @@ class PixelRows {
 template <SinkInMemory Sink>
 requires kHasManyRegisters class PixelRows<Sink> {
  public:
-  ARCSPAN_INLINE_AT_OS constexpr PixelRows(Sink& sink, std::int32_t y)
+  ARCSPAN_INLINE constexpr PixelRows(Sink& sink, std::int32_t y)
       : row_(hidden(sink.row(y))), stride_(sink.stride()) {}
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr typename Sink::Format::Cursor open(
-      const Span& span, std::int32_t rows = 0) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Sink::Format::Cursor open(const Span& span,
+                                                                            std::int32_t rows = 0) const {
     return typename Sink::Format::Cursor(row_ + rows * stride_, span.x);
   }
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr typename Sink::Format::Cursor behind(
-      const Span& span, std::int32_t rows = 0) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr typename Sink::Format::Cursor behind(const Span& span,
+                                                                              std::int32_t rows = 0) const {
     return typename Sink::Format::Cursor(row_ + rows * stride_, span.x + span.count);
   }
   /// The cursor at a column of the current row, in formats of one word per pixel.
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Sink::Format::Cursor at_column(std::ptrdiff_t x) const {
     return typename Sink::Format::Cursor(row_ + x, 0);
   }
-  ARCSPAN_INLINE_AT_OS constexpr void next() {
+  ARCSPAN_INLINE constexpr void next() {
     row_ += stride_;
     hide_value(row_);
   }
@@ -66,21 +66,20 @@ requires kHasManyRegisters class PixelRows<Sink> {
 template <class Depth, bool Steps = kHasManyRegisters>
 class DepthRows {
  public:
-  ARCSPAN_INLINE_AT_OS constexpr DepthRows(const Depth& depth, std::int32_t y)
+  ARCSPAN_INLINE constexpr DepthRows(const Depth& depth, std::int32_t y)
       : row_(hidden(depth.row(y))), stride_(depth.bounds().right) {}
   /// The depth of the span's first pixel.
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr std::uint16_t* at(const Span& span,
-                                                                 std::int32_t rows = 0) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t* at(const Span& span, std::int32_t rows = 0) const {
     return row_ + (rows * stride_ + span.x);
   }
   /// The depth behind the span's last pixel.
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr std::uint16_t* behind(const Span& span,
-                                                                     std::int32_t rows = 0) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t* behind(const Span& span,
+                                                               std::int32_t rows = 0) const {
     return row_ + (rows * stride_ + (span.x + span.count));
   }
   /// The depth at a column of the current row.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t* at_column(std::ptrdiff_t x) const { return row_ + x; }
-  ARCSPAN_INLINE_AT_OS constexpr void next() {
+  ARCSPAN_INLINE constexpr void next() {
     row_ += stride_;
     hide_value(row_);
   }
@@ -94,10 +93,10 @@ template <class Depth>
 class DepthRows<Depth, false> {
  public:
   constexpr DepthRows(const Depth& depth, std::int32_t) : depth_(depth) {}
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr std::uint16_t* at(const Span& span, std::int32_t = 0) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t* at(const Span& span, std::int32_t = 0) const {
     return depth_.row(span.y) + span.x;
   }
-  ARCSPAN_INLINE_AT_OS constexpr void next() {}
+  ARCSPAN_INLINE constexpr void next() {}
 
  private:
   const Depth& depth_;
@@ -107,10 +106,10 @@ class DepthRows<Depth, false> {
 class NoDepthRows {
  public:
   constexpr NoDepthRows(const NoDepth&, std::int32_t) {}
-  [[nodiscard]] ARCSPAN_INLINE_AT_OS constexpr std::uint16_t* at(const Span&, std::int32_t = 0) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t* at(const Span&, std::int32_t = 0) const {
     return nullptr;
   }
-  ARCSPAN_INLINE_AT_OS constexpr void next() {}
+  ARCSPAN_INLINE constexpr void next() {}
 };
 template <>
 class DepthRows<NoDepth, true> : public NoDepthRows {
@@ -129,7 +128,7 @@ struct RowMemory {
 
   ARCSPAN_INLINE constexpr RowMemory(const Target& target, std::int32_t y)
       : pixels(target.sink, y), depths(target.depth, y) {}
-  ARCSPAN_INLINE_AT_OS constexpr void next() {
+  ARCSPAN_INLINE constexpr void next() {
     pixels.next();
     depths.next();
   }

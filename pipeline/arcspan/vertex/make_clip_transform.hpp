@@ -14,7 +14,7 @@ namespace detail {
 /// The largest distance of a 16-bit position from the object's origin: 32768 * sqrt(3), rounded up.
 inline constexpr std::int64_t kObjectRadius = 56756;
 /// log2 of kGuardBand as a PixelLength.
-inline constexpr int kGuardLengthBits = 10 + PixelLength::kFraction;
+inline constexpr int kGuardLengthBits = kGuardBits + PixelLength::kFraction;
 
 [[nodiscard]] constexpr std::int64_t magnitude64(std::int64_t v) { return v < 0 ? -v : v; }
 
@@ -94,7 +94,7 @@ constexpr Status ClipTransform::make(const Placement& placement, const Projectio
   // The middle of a picture of odd size is the centre of its middle pixel, half a pixel from the raster
   // origin.
   const auto rounding = [](std::int32_t size) {
-    return ((size & 1) * 16 + 1) * (std::int32_t{1} << (28 - kGuardSubpixelBits));
+    return ((size & 1) * 16 + 1) * (std::int32_t{1} << (28 - kGuardBits - Subpixel::kFraction));
   };
   transform.rounding_[0] = rounding(viewport.width);
   transform.rounding_[1] = rounding(viewport.height);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/numbers/leading_zeros.hpp>
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
@@ -64,12 +64,32 @@ enum ClipOutcode : std::uint8_t {
   const auto inverse = static_cast<std::int32_t>(mantissa - (mantissa >> 31));  // at most 2^31 - 1
   const auto over_w = [=](std::int32_t c) { return multiply_high(wrap_shl(c, zeros - 1), inverse); };
   const auto screen = [&](std::int32_t c, std::int32_t rounding) {
-    const std::int32_t snapped = wrap_add(over_w(c), rounding) >> (29 - kGuardSubpixelBits);
-    return static_cast<std::int16_t>(clamped_to_bits<kGuardSubpixelBits + 1>(snapped));
+    const std::int32_t snapped = wrap_add(over_w(c), rounding) >> (29 - kGuardBits - Subpixel::kFraction);
+    return static_cast<std::int16_t>(clamped_to_bits<kGuardBits + Subpixel::kFraction + 1>(snapped));
   };
   near_over_w = over_w(transform.near_w());
   return {screen(p.x, transform.rounding(0)), screen(p.y, transform.rounding(1)),
           transform.depth(near_over_w)};
+}
+
+/// project() where near/w is not needed.
+[[nodiscard]] inline RasterPosition project(const ClipPosition& p, const ClipTransform& transform) {
+  std::int32_t near_over_w;
+  return project(p, transform, near_over_w);
+}
+
+/// Sets `position` to project(). At -Os a function whose arguments fit registers.
+ARCSPAN_OUTLINE_IF_TIGHT inline void project_to(std::int32_t x, std::int32_t y, std::int32_t w,
+                                                const ClipTransform& transform, RasterPosition& position) {
+  std::int32_t near_over_w;
+  position = project({x, y, w}, transform, near_over_w);
+}
+
+/// project() where it is, as a function of its own.
+[[nodiscard]] ARCSPAN_OUTLINE inline RasterPosition project_in_perspective(const ClipPosition& p,
+                                                                           const ClipTransform& transform,
+                                                                           std::int32_t& near_over_w) {
+  return project(p, transform, near_over_w);
 }
 
 }  // namespace arcspan

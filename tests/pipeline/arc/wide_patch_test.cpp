@@ -134,7 +134,7 @@ void compare_pixels(const Small& small, const SmallTriangle& triangle, const Tri
 void measure(const Triangle& t, const Light& light, Vec3 towards_light, Figures& figures) {
   const auto& v = t.vertices;
   const std::int32_t area = doubled_area(v[0].position, v[1].position, v[2].position);
-  SortedVertices<Method> sorted{&v[0], &v[1], &v[2], area < 0, {}};
+  SortedVertices<Method> sorted{&v[0], &v[1], &v[2], area < 0};
   arcspan::detail::sort_by_height(sorted);
   const RasterVertex<Method>& a = *sorted.top;
   const RasterVertex<Method>& b = *sorted.middle;
@@ -143,7 +143,7 @@ void measure(const Triangle& t, const Light& light, Vec3 towards_light, Figures&
   const std::uint32_t widest = chords.widest();
   SmallTriangle triangle;
   Small small;
-  if (area == 0 || !is_up_to_medium(sorted) || widest <= kWidestDiffusePatch || widest > kWidestArc ||
+  if (area == 0 || !is_small(sorted) || widest <= kWidestDiffusePatch || widest > kWidestArc ||
       !cover_small_triangle(a.position, b.position, c.position, sorted.middle_left, {-100, 100}, triangle) ||
       small.prepare_dark(a.shade.scalars, b.shade.scalars, c.shade.scalars)) {
     return;
@@ -155,7 +155,7 @@ void measure(const Triangle& t, const Light& light, Vec3 towards_light, Figures&
     bound = 1.57 * std::ldexp(error, -20);
     return true;
   });
-  if (!small.prepare(light, corners, chords, false, diffuse, false, triangle)) {
+  if (!small.prepare(light, corners, chords, false, diffuse, triangle)) {
     ++figures.refused;
     return;
   }

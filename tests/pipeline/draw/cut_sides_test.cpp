@@ -23,10 +23,8 @@ using Light = Illumination<1, Highlight::kPhong>;
 using TwoLights = Illumination<2, Highlight::kPhong>;
 using Frame = hal::Framebuffer<Rgb565>;
 constexpr Rgb8 kBackground{9, 8, 7};
-constexpr DrawFeatures kWholeRows{.two_sided = false, .caches = false, .planes = false};
-constexpr DrawFeatures kByRows{
-    .two_sided = false, .caches = false, .planes = false, .small_triangles = false};
-constexpr DrawFeatures kOneLoop{.two_sided = false, .caches = false, .planes = false, .whole_rows = false};
+constexpr DrawFeatures kAll{.planes = false};
+constexpr DrawFeatures kByRows{.planes = false, .small_triangles = false};
 
 /// Memory of a whole picture that takes the columns left ... right - 1, and says so or not that it is memory.
 template <bool InMemory>
@@ -70,8 +68,8 @@ bool is_part_of(const Picture& part, const Picture& whole, std::int32_t width, s
   return true;
 }
 
-template <class Method, bool InMemory, DrawFeatures Features = kWholeRows, std::size_t Lights = 1,
-          DrawFeatures Whole = kWholeRows>
+template <class Method, bool InMemory, DrawFeatures Features = kAll, std::size_t Lights = 1,
+          DrawFeatures Whole = kAll>
 void check_windows(const MeshView& mesh, const TestCamera& camera) {
   const Picture whole = drawn<Method, InMemory, Whole, Lights>(mesh, camera, 0, camera.width);
   const std::int32_t middle = camera.width / 2;
@@ -104,7 +102,6 @@ TEMPLATE_TEST_CASE("a sink of some columns gets exactly those columns of the pic
   const TestMesh near_normals = make_sphere(16, 32, 3000, 0, random);
   check_windows<TestType, true>(near_normals.view(), camera);
   check_windows<TestType, false>(near_normals.view(), camera);
-  check_windows<TestType, true, kOneLoop>(near_normals.view(), camera);
 }
 
 // Normals of this sphere are far apart, so that highlights are stepped as quartics or summed. Small triangles

@@ -18,8 +18,7 @@ namespace {
 constexpr std::int32_t kSize = 160;
 constexpr std::int32_t kRadius = 16384;
 // Small triangles carry N·L alone with a bit less, because it is for wider normals too.
-constexpr DrawFeatures kFeatures{
-    .clips = false, .two_sided = false, .caches = false, .planes = false, .small_triangles = false};
+constexpr DrawFeatures kFeatures{.clips = false, .planes = false, .small_triangles = false};
 
 /// Never leaves a scalar out.
 template <Highlight Model>

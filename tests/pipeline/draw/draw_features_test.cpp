@@ -19,13 +19,11 @@ using namespace arcspan::test;
 namespace {
 
 using Light = Illumination<1, Highlight::kPhong>;
-constexpr DrawFeatures kNone{
-    .clips = false, .two_sided = false, .caches = false, .planes = false, .whole_rows = false};
+constexpr DrawFeatures kNone{.clips = false, .planes = false};
 
 struct Picture {
   std::vector<std::uint16_t> colours;
   DrawResult result;
-  bool cached = false;  ///< a vertex was shaded in the cache
 
   [[nodiscard]] std::ptrdiff_t drawn() const {
     return std::count_if(colours.begin(), colours.end(), [](std::uint16_t code) { return code != 0; });
@@ -44,7 +42,6 @@ Picture drawn(const TestMesh& mesh, const TestCamera& camera, const DrawOptions&
   std::vector<CachedVertex<Method>> cache(mesh.positions.size());
   picture.result =
       draw_mesh<Method, Features>(mesh.view(), camera.transform(), lighting, frame, depth, cache, options);
-  picture.cached = std::any_of(cache.begin(), cache.end(), [](const auto& vertex) { return vertex.shaded; });
   return picture;
 }
 
@@ -66,8 +63,6 @@ TEMPLATE_TEST_CASE("a sphere in view needs no feature", "", Arc<Light>, Adaptive
   CHECK(none.result.triangles == all.result.triangles);
   CHECK(none.colours == all.colours);
   CHECK(none.drawn() > 5000);
-  CHECK(all.cached);
-  CHECK_FALSE(none.cached);
 }
 
 TEST_CASE("triangles that the view cuts are left out and counted if nothing clips") {
@@ -86,13 +81,4 @@ TEST_CASE("triangles that the view cuts are left out and counted if nothing clip
   CHECK(none.result.status == Status::kOk);
   CHECK(none.result.left_out > 0);
   CHECK(none.result.triangles < all.result.triangles);
-}
-
-TEST_CASE("drawing both sides without the feature for back faces is refused, and nothing is drawn") {
-  Random random(173);
-  const TestMesh sphere = make_sphere(6, 8, 4000, 0, random);
-  const Picture picture = drawn<Arc<Light>, kNone>(sphere, camera_at(14000), {.two_sided = true});
-  CHECK(picture.result.status == Status::kUnsupported);
-  CHECK(picture.result.triangles == 0);
-  CHECK(picture.drawn() == 0);
 }

@@ -37,7 +37,7 @@ struct Asked : hal::Framebuffer<Format> {
 static_assert(SinkInMemory<hal::Framebuffer<Rgb565>> && SinkInMemory<hal::Framebuffer<Gray4>>);
 static_assert(PixelSink<Asked<Rgb565>> && !SinkInMemory<Asked<Rgb565>>);
 
-constexpr DrawFeatures kFeatures{.two_sided = false, .caches = false, .planes = false};
+constexpr DrawFeatures kFeatures{.planes = false};
 
 template <class Frame>
 struct Picture {

@@ -82,7 +82,7 @@ Picture drawn(const MeshView& mesh, const ClipTransform& transform, std::int32_t
   const Wires::Lighting white(Glassy::Lighting(Unlit::lighting({255, 255, 255}), Opacity<>{16}));
   std::vector<CachedVertex<Wires>> vertices(kind == Cache::kNone ? 0 : mesh.vertex_count());
   std::vector<TriangleRows> triangle_rows(kind == Cache::kBandWithRows ? mesh.triangle_count() : 0);
-  BandCache<Wires> kept(vertices, triangle_rows);
+  VertexCache<Wires> kept(vertices, triangle_rows);
   std::vector<std::uint8_t> memory(static_cast<std::size_t>(kWidth * rows));
   std::vector<std::uint16_t> depths(memory.size());
   hal::Framebuffer<Gray8> band(memory, kWidth, rows);

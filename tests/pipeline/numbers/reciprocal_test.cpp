@@ -67,15 +67,6 @@ TEST_CASE("short_reciprocal gives the bits of nonzero_reciprocal below 512") {
   }
 }
 
-TEST_CASE("distance_reciprocal gives the bits of nonzero_reciprocal, by its table and beyond") {
-  for (std::uint32_t v = 1; v <= 600; ++v) {
-    const Reciprocal exact = nonzero_reciprocal(v);
-    const Reciprocal r = distance_reciprocal(v);
-    CHECK(r.mantissa == exact.mantissa);
-    CHECK(r.exponent == exact.exponent);
-  }
-}
-
 TEST_CASE("wide_reciprocal is within 2^-28 for every argument") {
   Relative r;
   sweep([&r](std::uint32_t v) { r.add(wide_reciprocal(v), v); });

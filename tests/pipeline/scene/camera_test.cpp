@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Cameras and placements against double precision.
-#include <arcspan/vertex/project.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/scene/scene_support.hpp>

@@ -79,7 +79,7 @@ class WordSink {
   std::vector<Span> runs_;
 };
 
-constexpr std::int32_t kGuard = 16 * 1024;
+constexpr std::int32_t kGuard = 16 * kGuardBand;
 
 enum class Shape { kAny, kSliver, kFlatSliver, kHuge };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/lighting/make_illumination.hpp>
-#include <arcspan/prepare/prepare_triangle.hpp>
-#include <arcspan/prepare/sorted_vertices.hpp>
+#include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/patch/patch_limits.hpp>
@@ -120,12 +119,6 @@ struct TriangleInHighlight {
     REQUIRE(prepare_triangle<Method>(lighting, corners[0], corners[1], corners[2], {}, {-80, 80}, command));
     return command.shade;
   }
-  /// Whether the triangle may be drawn as a small one although it is medium.
-  [[nodiscard]] bool is_dark_or_arcs() const {
-    SortedVertices<Method> sorted{&corners[2], &corners[1], &corners[0], false, {}};
-    sorted.chords = Method::chords_of(sorted);
-    return Method::is_dark_or_arcs(lighting, sorted);
-  }
 
   typename Method::Lighting lighting;
   std::array<RasterVertex<Method>, 3> corners;
@@ -161,17 +154,4 @@ TEST_CASE(
         HighlightPath::kDistance);
   CHECK(TriangleInHighlight<Adaptive<OneLight>, OneLight>(31).prepared().highlight_path ==
         HighlightPath::kDistance);
-}
-
-TEST_CASE("medium triangles are drawn by arcs as small ones only if they are no patches") {
-  const auto is_arcs = []<class Method>(double away) {
-    return TriangleInHighlight<Method, OneLight>(away, 0.6).is_dark_or_arcs();
-  };
-  CHECK(is_arcs.template operator()<Any>(8));
-  CHECK_FALSE(is_arcs.template operator()<Any>(31));
-  CHECK_FALSE(is_arcs.template operator()<Any>(45));
-  CHECK(is_arcs.template operator()<Any>(170));  // dark
-  CHECK(is_arcs.template operator()<Fine>(8));
-  CHECK(is_arcs.template operator()<Fine>(31));
-  CHECK_FALSE(is_arcs.template operator()<Fine>(45));
 }

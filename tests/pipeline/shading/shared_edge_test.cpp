@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What must hold bit for bit: seams, reversibility, flat surfaces.
-#include <arcspan/prepare/prepare_triangle.hpp>
+#include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/arc/arc.hpp>
 
 #include <catch2/catch.hpp>

@@ -7,13 +7,15 @@
 #include <tests/support/test_share.hpp>
 
 #include <algorithm>
+#include <initializer_list>
+#include <string>
 
 using namespace arcspan;
 using namespace arcspan::test;
 
 namespace {
 
-constexpr std::int32_t kLimit = 16384;  // the guard band in 16ths of a pixel
+constexpr std::int32_t kLimit = 16 * kGuardBand;
 
 struct Triangle {
   Point corner[3];
@@ -66,10 +68,7 @@ class Comparison {
   std::uint64_t faults(const Triangle& t) {
     const Rect area = box(t);
     sink_.clear(area);
-    const auto vertex = [](Point p) {
-      return at(static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y));
-    };
-    stage_.draw(vertex(t.corner[0]), vertex(t.corner[1]), vertex(t.corner[2]));
+    draw(t);
     const CoverageReference reference(t.corner[0], t.corner[1], t.corner[2]);
     const RasterOrigin origin = stage_.origin();
     std::uint64_t wrong = 0;
@@ -86,7 +85,36 @@ class Comparison {
   }
   [[nodiscard]] std::uint64_t covered() const { return covered_; }
 
+  /// The triangle as text, a character per pixel: '#' where it is drawn and '.' where it is not, both
+  /// rightly; 'x' drawn though the rule says no, and 'o' not drawn though it says yes.
+  std::string picture(const Triangle& t) {
+    constexpr std::int32_t kMost = 100;
+    const Rect area = box(t);
+    sink_.clear(area);
+    draw(t);
+    const CoverageReference reference(t.corner[0], t.corner[1], t.corner[2]);
+    const RasterOrigin origin = stage_.origin();
+    std::string text = "\n";
+    for (std::int32_t y = area.top; y < std::min(area.bottom, area.top + kMost); ++y) {
+      for (std::int32_t x = area.left; x < std::min(area.right, area.left + kMost); ++x) {
+        const bool drawn = sink_.cell(x, y).count != 0;
+        const bool right = drawn == reference(x - origin.x, y - origin.y);
+        text += right ? (drawn ? '#' : '.') : (drawn ? 'x' : 'o');
+      }
+      text += '\n';
+    }
+    static_cast<void>(sink_.faults());
+    sink_.clear(area);
+    return text;
+  }
+
  private:
+  void draw(const Triangle& t) {
+    const auto vertex = [](Point p) {
+      return at(static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y));
+    };
+    stage_.draw(vertex(t.corner[0]), vertex(t.corner[1]), vertex(t.corner[2]));
+  }
   /// The pixels that the triangle could reach, with a margin of one, within the picture.
   [[nodiscard]] Rect box(const Triangle& t) const {
     const auto [left, right] =
@@ -124,6 +152,7 @@ void compare(Comparison& comparison, Random& random, int count, double smallest,
     const std::uint64_t wrong = comparison.faults(t);
     if (wrong != 0 && faults == 0) {
       for (const Point& p : t.corner) first += std::to_string(p.x) + ", " + std::to_string(p.y) + "; ";
+      first += comparison.picture(t);
     }
     faults += wrong;
   }
@@ -131,7 +160,77 @@ void compare(Comparison& comparison, Random& random, int count, double smallest,
   CHECK(faults == 0);
 }
 
+/// Draws triangles, whose corners are in 16ths of a pixel from the middle of the picture, into a picture of
+/// 16x12 pixels: as text with the number of triangles that cover each pixel, and '.' for none.
+std::string raster(std::initializer_list<Triangle> triangles) {
+  constexpr std::int32_t kWidth = 16;
+  constexpr std::int32_t kHeight = 12;
+  StrictSink sink({0, 0, kWidth, kHeight});
+  RasterStage<Silhouette, StrictSink> stage(sink, kWidth, kHeight);
+  std::string text(static_cast<std::size_t>((kWidth + 1) * kHeight), '.');
+  for (const Triangle& t : triangles) {
+    sink.clear(sink.bounds());
+    const auto vertex = [](Point p) {
+      return at(static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y));
+    };
+    stage.draw(vertex(t.corner[0]), vertex(t.corner[1]), vertex(t.corner[2]));
+    for (std::int32_t y = 0; y < kHeight; ++y) {
+      text[static_cast<std::size_t>(y * (kWidth + 1) + kWidth)] = '\n';
+      for (std::int32_t x = 0; x < kWidth; ++x) {
+        char& pixel = text[static_cast<std::size_t>(y * (kWidth + 1) + x)];
+        if (sink.cell(x, y).count != 0) pixel = pixel == '.' ? '1' : static_cast<char>(pixel + 1);
+      }
+    }
+  }
+  return text;
+}
+
 }  // namespace
+
+// The corners are pixel centres, so that every tie of the rule occurs: the upper and the left edge belong to
+// the square, the lower and the right edge do not, and the diagonal belongs to one of the halves.
+TEST_CASE("a square of two triangles covers every pixel once, without its lower and right edge") {
+  constexpr std::int64_t kLow = -4 * 16 + 8;
+  constexpr std::int64_t kHigh = 4 * 16 + 8;
+  const std::string picture = raster(
+      {{{{kLow, kLow}, {kLow, kHigh}, {kHigh, kHigh}}}, {{{kLow, kLow}, {kHigh, kHigh}, {kHigh, kLow}}}});
+  CHECK(picture ==
+        "................\n"
+        "................\n"
+        "....11111111....\n"
+        "....11111111....\n"
+        "....11111111....\n"
+        "....11111111....\n"
+        "....11111111....\n"
+        "....11111111....\n"
+        "....11111111....\n"
+        "....11111111....\n"
+        "................\n"
+        "................\n");
+}
+
+TEST_CASE("a fan of triangles around a pixel centre covers that pixel once") {
+  const Point middle{8, 8};
+  const Point top{8, -70};
+  const Point right{100, 8};
+  const Point bottom{8, 80};
+  const Point left{-100, 8};
+  const std::string picture = raster(
+      {{{middle, top, left}}, {{middle, left, bottom}}, {{middle, bottom, right}}, {{middle, right, top}}});
+  CHECK(picture ==
+        "................\n"
+        "................\n"
+        ".......111......\n"
+        "......11111.....\n"
+        ".....1111111....\n"
+        "...1111111111...\n"
+        "..111111111111..\n"
+        "...1111111111...\n"
+        ".....1111111....\n"
+        "......1111......\n"
+        "........1.......\n"
+        "................\n");
+}
 
 TEST_CASE("coverage is the top-left rule: small triangles") {
   Random random(1);

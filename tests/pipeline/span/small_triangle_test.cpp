@@ -41,20 +41,19 @@ using Triangle = std::array<RasterVertex<Method>, 3>;
 
 SortedVertices<Method> sorted(const Triangle& t) {
   const bool is_front = doubled_area(t[0].position, t[1].position, t[2].position) < 0;
-  SortedVertices<Method> vertices{&t[0], &t[1], &t[2], is_front, {}};
+  SortedVertices<Method> vertices{&t[0], &t[1], &t[2], is_front};
   arcspan::detail::sort_by_height(vertices);
   return vertices;
 }
 
-/// A triangle with area that is_small() or medium, anywhere about the picture. Many have corners
-/// on pixel centres and borders, horizontal or vertical edges, or are slivers. With a `widest` of 100 normals
-/// are up to 120 degrees apart.
+/// A triangle with area that is_small(), anywhere about the picture. Many have corners on pixel centres and
+/// borders, horizontal or vertical edges, or are slivers. With a `widest` of 100 normals are up to 120
+/// degrees apart.
 Triangle random_triangle(Random& random, const Light& light, int widest) {
-  const std::int32_t largest = random.chance(0.5) ? kSmallSize : kMediumSize;
   while (true) {
     const std::int32_t x = random.integer(-16 * 26, 16 * 20);
     const std::int32_t y = random.integer(-16 * 21, 16 * 14);
-    const std::int32_t size = random.chance(0.3) ? random.integer(1, 60) : largest * 16;
+    const std::int32_t size = random.chance(0.3) ? random.integer(1, 60) : kSmallSize * 16;
     const int grid = random.chance(0.5) ? ~7 : ~0;
     Triangle t;
     const std::int32_t nx = random.integer(-100, 100);
@@ -78,8 +77,7 @@ Triangle random_triangle(Random& random, const Light& light, int widest) {
           static_cast<std::int16_t>((t[0].position.y + t[1].position.y) / 2 + random.integer(-1, 1));
     }
     if (doubled_area(t[0].position, t[1].position, t[2].position) == 0) continue;
-    const SortedVertices<Method> vertices = sorted(t);
-    if (largest == kSmallSize ? is_small(vertices) : is_up_to_medium(vertices)) return t;
+    if (is_small(sorted(t))) return t;
   }
 }
 
@@ -133,7 +131,7 @@ TEST_CASE("columns of an edge are exact, with and without a division") {
   int wrong = 0;
   int edges = 0;
   for (int i = 0; i < share_of(100000); ++i) {
-    constexpr std::int32_t kLongest = kMediumSize * 16;
+    constexpr std::int32_t kLongest = kSmallSize * 16;
     const std::int32_t dx = random.integer(-kLongest, kLongest);
     const std::int32_t dy = random.chance(0.3) ? random.integer(1, 20) : random.integer(1, kLongest);
     const std::int32_t x = random.integer(-16384 + kLongest, 16383 - kLongest);
@@ -175,7 +173,7 @@ TEST_CASE("small triangles cover exactly the pixels of the top-left rule") {
     const auto point = [](const RasterVertex<Method>& v) { return Point{v.position.x, v.position.y}; };
     const CoverageReference reference(point(t[0]), point(t[1]), point(t[2]));
     const RasterOrigin origin = stage.origin();
-    constexpr std::int32_t kAround = kMediumSize + 2;
+    constexpr std::int32_t kAround = kSmallSize + 2;
     const std::int32_t left = std::max((t[0].position.x >> 4) - kAround + origin.x, 0);
     const std::int32_t top = std::max((t[0].position.y >> 4) - kAround + origin.y, 0);
     std::uint64_t inside = 0;

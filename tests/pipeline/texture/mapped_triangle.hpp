@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/prepare/prepare_triangle.hpp>
+#include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 
 #include <catch2/catch.hpp>

@@ -35,12 +35,7 @@ constexpr double kFar = 60000;
 constexpr double kFogStart = 12000;
 constexpr double kFogEnd = 40000;
 constexpr Rgb8 kFogColour{200, 120, 40};
-constexpr DrawFeatures kFeatures{.clips = false,
-                                 .two_sided = false,
-                                 .caches = false,
-                                 .planes = false,
-                                 .small_triangles = false,
-                                 .whole_rows = false};
+constexpr DrawFeatures kFeatures{.clips = false, .planes = false, .small_triangles = false};
 
 /// A slope of two triangles that leads away from the camera, with texture points and colours.
 MeshView slope() {

@@ -26,8 +26,7 @@ namespace {
 
 constexpr std::int32_t kSize = 200;
 // The textured methods have no path for small triangles, whose colours differ by a step.
-constexpr DrawFeatures kFeatures{
-    .clips = false, .two_sided = false, .caches = false, .planes = false, .small_triangles = false};
+constexpr DrawFeatures kFeatures{.clips = false, .planes = false, .small_triangles = false};
 
 using OneLight = Illumination<1, Highlight::kBlinn>;
 using TwoLights = Illumination<2, Highlight::kPhong, IlluminationFeatures{.coloured_lights = true}>;

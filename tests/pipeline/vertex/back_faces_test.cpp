@@ -3,7 +3,7 @@
 #include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/vertex/back_faces.hpp>
-#include <arcspan/vertex/project.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/frames/stage_set.hpp>

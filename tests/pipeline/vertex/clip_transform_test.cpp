@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Transform and projection against double precision.
-#include <arcspan/vertex/project.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/mesh_and_camera.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include <arcspan/vertex/project.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
 
 #include <arcspan_tools/fixed_point/camera.hpp>
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>

@@ -5,18 +5,7 @@
 
 // Operations of small machines are counted, on whatever host: those of a Cortex-M3, which has 64-bit sums of
 // products.
-#ifdef __clang__
-#pragma clang diagnostic push
-#pragma clang diagnostic ignored "-Wreserved-macro-identifier"
-#endif
-#undef __SIZEOF_POINTER__
-#define __SIZEOF_POINTER__ 4
-#ifdef __clang__
-#pragma clang diagnostic pop
-#endif
 #define ARCSPAN_LONG_SUMS
-// A method's own operations are counted, not the making of a table of encoded colours.
-#define ARCSPAN_ENCODED_COLOURS 0
 #define arcspan arcspan_counted
 #define std arcspan_counted_std
 

@@ -28,7 +28,7 @@ namespace arcspan::tools::detail {
 class AnyBand {
  public:
   using Sink = AnySink;
-  static constexpr DrawFeatures kFeatures{.whole_rows = false};  // nothing to gain beside virtual calls
+  static constexpr DrawFeatures kFeatures{};
 
   AnyBand(const PixelChoice& pixels, std::int32_t width, std::int32_t rows, const DepthBuffer* painted_over)
       : store_(make_pixel_store(pixels, width, rows)), sink_(*store_, painted_over) {}

@@ -40,8 +40,8 @@ class SurfaceDrawerOf final : public SurfaceDrawer {
         vertex_bytes_(vertex_bytes) {}
 
   DrawResult draw(SurfaceSink& sink, const ReadOnlyDepth& depth) override {
-    return draw_mesh<Operated, DrawFeatures{.whole_rows = false}>(
-        part_.mesh, job_.transform, lighting_, sink, depth, std::span(cache_), {part_.two_sided});
+    return draw_mesh<Operated>(part_.mesh, job_.transform, lighting_, sink, depth, std::span(cache_),
+                               {part_.two_sided});
   }
   [[nodiscard]] std::size_t vertex_bytes() const override { return vertex_bytes_; }
 

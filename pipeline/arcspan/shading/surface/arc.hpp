@@ -30,7 +30,6 @@ struct Arc {
   struct Face {};
   using Vertex = SurfaceVertex<kScalars>;
   static constexpr bool kNeedsFaceNormal = false;
-  static constexpr bool kSharesVertices = true;
   using DrawsSmallTrianglesAs = Arc;
 
   /// The loops over pixels: an order each, by all scalars or by the diffuse scalar alone.
@@ -122,7 +121,7 @@ struct Arc {
   /// or normalised: a quadratic one would cost as much as it saves.
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& top,
-                                                    const Raster& middle, const Raster& bottom, bool,
+                                                    const Raster& middle, const Raster& bottom,
                                                     const SmallTriangle& triangle, Small& small) {
     const Vertex& a = top.shade;
     const Vertex& b = middle.shade;
@@ -138,7 +137,6 @@ struct Arc {
     if (choice.order == SurfaceOrder::kNormalised) small.missing.prepare(choice.chords, triangle);
     return true;
   }
-  [[nodiscard]] static constexpr bool is_dark_or_arcs(const Lighting&, const auto&) { return false; }
   /// Calls `draw` with the surface of a small triangle.
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {

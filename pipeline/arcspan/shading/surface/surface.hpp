@@ -139,7 +139,7 @@ template <class Method>
 }
 
 /// Sets up a plane along an edge, from its upper end `from`; `to_bottom` is half the change to its lower end.
-ARCSPAN_INLINE_EXCEPT_AT_OS constexpr void make_linear_edge(const EdgeSetup& edge, Cosine from,
+constexpr void make_linear_edge(const EdgeSetup& edge, Cosine from,
                                                             std::int32_t to_bottom, PlaneScalar::Edge& e) {
   e.at = from + Cosine::from_raw(wrap_shl(part(to_bottom, edge.start), 1));
   e.step = Cosine{};
@@ -155,7 +155,7 @@ struct SurfaceEnd {
 };
 
 /// Sets up a quadratic surface along an edge with the given bend; `pixel` is inverse_width().
-ARCSPAN_INLINE_EXCEPT_AT_OS constexpr void make_quadratic_edge(const EdgeSetup& edge, const InverseLength& pixel,
+constexpr void make_quadratic_edge(const EdgeSetup& edge, const InverseLength& pixel,
                                                                const SurfaceEnd& from, const SurfaceEnd& to,
                                                                std::int32_t bend, const SurfaceFormat& format,
                                                                BentScalar::Edge& e) {

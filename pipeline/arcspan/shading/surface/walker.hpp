@@ -30,7 +30,7 @@ struct SurfaceRows {
   }
 
  private:
-  [[nodiscard]] ARCSPAN_COLD_OUTLINE constexpr std::uint32_t sliver_fraction(const RowStart& start) const {
+  [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr std::uint32_t sliver_fraction(const RowStart& start) const {
     const std::uint32_t fine = start.bits == 32 ? start.inside : start.fraction << 16;
     // The fraction of a pixel with 32 bits times `mantissa` 2^-exponent; the width has exponent - 15 bits.
     const std::uint32_t upper = fine >> (inverse.exponent - 15);

@@ -63,7 +63,7 @@ struct JoinedPoint {
 
  private:
   /// A product takes one instruction where a shift of two words takes five or more.
-  static constexpr bool kMultiplies = kHasLongMultiply && !kHasWideRegisters;
+  static constexpr bool kMultiplies = kHasLongMultiply;
 };
 
 }  // namespace arcspan

@@ -65,10 +65,6 @@ struct TextureGrid {
   ARCSPAN_INLINE constexpr void next_row() {
     at = Steps::sum(at, step_down);
   }
-  template <class Steps>
-  constexpr void skip_rows(std::int32_t rows) {
-    at = Steps::sum(at, Steps::times(step_down, static_cast<std::uint32_t>(rows)));
-  }
   /// Moves the grid to the right; |pixels| < 2^16.
   template <class Steps>
   constexpr void move_columns(std::int32_t pixels) {

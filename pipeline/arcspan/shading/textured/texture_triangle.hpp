@@ -77,16 +77,6 @@ struct TextureTriangle {
     }
   }
   template <class Mapping>
-  constexpr void skip_rows(std::int32_t rows) {
-    if constexpr (!Mapping::kInPerspective) {
-      grid.skip_rows<typename Mapping::Steps>(rows);
-    } else {
-      u.skip_rows(rows);
-      v.skip_rows(rows);
-      q.skip_rows(rows);
-    }
-  }
-  template <class Mapping>
   constexpr void enter_lower() {
     if constexpr (Mapping::kInPerspective) {
       u.enter_lower(middle_left);

@@ -3,8 +3,8 @@
 
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/numbers/integer.hpp>
+#include <arcspan/shading/grey_gouraud.hpp>
 #include <arcspan/shading/method.hpp>
-#include <arcspan/shading/pixel_by_pixel.hpp>
 #include <arcspan/shading/textured/clamped_steps.hpp>
 #include <arcspan/shading/textured/texel_light.hpp>
 #include <arcspan/shading/textured/texel_sampling.hpp>
@@ -22,8 +22,8 @@
 
 namespace arcspan {
 
-/// The pixels of a row of a textured triangle (PixelRun, or PiecewiseRun in perspective). `LightRun` is the
-/// run of the method that lights them; `Mapping` is LinearTexture or PerspectiveTexture.
+/// The pixels of a row of a textured triangle (PiecewiseRun). `Lit` is the run of the method that lights
+/// them; `Mapping` is LinearTexture or PerspectiveTexture.
 template <class Lit, class Mapping, TexelFormat Texels, TexelLight Colours, TextureFilter Filter>
 struct TexturedRun {
   Lit light_run;
@@ -31,6 +31,7 @@ struct TexturedRun {
   std::uint32_t first;  ///< texel of the mip level
   const typename Texels::Word* words = nullptr;
   const std::uint16_t* palette = nullptr;
+  std::int32_t light_left = 0;  ///< pixels of the current piece of `light_run`
 
   /// Starts a row.
   template <class LightWalker>
@@ -38,18 +39,20 @@ struct TexturedRun {
                                        const RowStart& row)
       : light_run(light.row(row)), mapping(triangle, row), first(triangle.first) {}
 
-  /// Called before the first pixel (BeginsWithLighting).
+  /// Finds the texels, and begins a piece of the texture within a piece of the light.
   template <class Lighting>
-  ARCSPAN_INLINE constexpr void begin(const Lighting& lighting) {
-    if constexpr (BeginsWithLighting<Lit, Lighting>) light_run.begin(lighting);
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(const Lighting& lighting, std::int32_t left) {
     words = lighting.texture.at(first);
     hide_value(words);  // otherwise the first texel is added for every pixel
     palette = lighting.texture.palette();
-  }
-
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) requires(
-      Mapping::kInPerspective) {
-    return mapping.enter(left);
+    std::int32_t count = left;
+    if constexpr (PiecewiseRun<Lit, Lighting>) {
+      if (light_left == 0) light_left = light_run.enter(lighting, left);
+      count = light_left;
+    }
+    if constexpr (Mapping::kInPerspective) count = mapping.enter(count);
+    if constexpr (PiecewiseRun<Lit, Lighting>) light_left -= count;
+    return count;
   }
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
@@ -68,7 +71,6 @@ struct TexturedRun {
     if constexpr (Colours != TexelLight::kNone && !Mapping::kHasLevel) light_run.next();
   }
   [[nodiscard]] constexpr const auto& steps() const { return mapping.steps(); }
-  [[nodiscard]] constexpr std::int32_t length() const requires LimitedRun<Lit> { return light_run.length(); }
 
   /// A texel under the current pixel's light.
   template <class Lighting>
@@ -103,20 +105,14 @@ struct LevelWalker {
   struct Run {};
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart&) const { return {}; }
   constexpr void next_row() {}
-  constexpr void skip_rows(std::int32_t) {}
   constexpr void enter_lower() {}
 };
 
-/// Steps a textured triangle from row to row (RowWalker), with the walker of its light. Rows in perspective
-/// are functions of their own, because pieces take many registers.
+/// Steps a textured triangle from row to row (RowWalker), with the walker of its light.
 template <class LightWalker, class Mapping, TexelFormat Texels, TexelLight Colours, TextureFilter Filter>
 class TexturedWalker {
  public:
   using Run = TexturedRun<typename LightWalker::Run, Mapping, Texels, Colours, Filter>;
-  static constexpr bool kOutlined = [] {
-    if constexpr (OutlinedWalker<LightWalker>) return true;
-    return Mapping::kInPerspective;
-  }();
 
   constexpr TexturedWalker(const LightWalker& light, TextureTriangle& triangle)
       : light_(light), triangle_(&triangle) {}
@@ -131,10 +127,6 @@ class TexturedWalker {
     light_.next_row();
     triangle_->template next_row<Mapping>();
   }
-  constexpr void skip_rows(std::int32_t rows) requires SkipsRows<LightWalker> {
-    light_.skip_rows(rows);
-    triangle_->template skip_rows<Mapping>(rows);
-  }
   constexpr void enter_lower() {
     light_.enter_lower();
     triangle_->template enter_lower<Mapping>();
@@ -144,11 +136,6 @@ class TexturedWalker {
   LightWalker light_;
   TextureTriangle* triangle_;
 };
-
-/// Optional part of a method (`kHasLinearLevel`): its whole light is Vertex::level, 0...65280, linear on the
-/// screen.
-template <class M>
-concept HasLinearLevel = bool{M::kHasLinearLevel};
 
 /// A shading method with a texture: each pixel shows a texel, times the light that `Method` (Unlit, Flat,
 /// Gouraud, Arc, Adaptive, VertexColoured) computes for it. Phong's highlights are added afterwards; those of
@@ -161,8 +148,8 @@ concept HasLinearLevel = bool{M::kHasLinearLevel};
 template <class Method, TexelFormat Texels,
           TexelLight Colours = std::same_as<Method, Unlit> ? TexelLight::kNone : TexelLight::kGrey,
           TextureFilter Filter = TextureFilter::kNearest, TextureWrap Wrap = TextureWrap::kRepeat>
-struct Textured : PixelByPixel<Method> {
-  using Light = PixelByPixel<Method>;
+struct Textured : Method {
+  using Light = Method;
   /// The illumination of `Method` with the texture.
   struct Lighting : Light::Lighting {
     constexpr Lighting() = default;
@@ -192,9 +179,9 @@ struct Textured : PixelByPixel<Method> {
     constexpr void move_columns(std::int32_t pixels) { texture.move_columns<Steps>(pixels); }
   };
   static constexpr bool kNeedsNearOverW = true;
-  static constexpr bool kJoinsLevel =
-      Colours == TexelLight::kGrey && HasLinearLevel<Light> && !Steps::kClamps;
-  static constexpr bool kUsesEncodedColours = false;
+  /// Where u and v are linear on the screen, the level of GreyGouraud is stepped with them.
+  static constexpr bool kJoinsLevel = Colours == TexelLight::kGrey && !Steps::kClamps &&
+                                      std::same_as<Light, GreyGouraud<typename Light::Lighting>>;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
     return {Light::shade_vertex(lighting, normal), {}};
@@ -242,7 +229,6 @@ struct Textured : PixelByPixel<Method> {
     }
     return Light::walk(prepared.light, [&](auto walker) {
       using LightWalker = decltype(walker);
-      detail::require_pixels<LightWalker>();
       if constexpr (!kJoinsLevel) {
         if (prepared.texture.piece == 0) {
           return draw(TexturedWalker<LightWalker, LinearTexture<Steps, false>, Texels, Colours, Filter>(

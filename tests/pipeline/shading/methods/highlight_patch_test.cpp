@@ -2,7 +2,7 @@
 // Adaptive's highlights by a distance of their own (decision 7): when they are taken, and how far off they
 // are.
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/prepare/prepare_triangle.hpp>
+#include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Adaptive's light that is linear on the screen (decision 6): how far it is from N·L, at the widest triangles
 // that may have it.
-#include <arcspan/prepare/prepare_triangle.hpp>
+#include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
 
 #include <catch2/catch.hpp>

@@ -62,7 +62,7 @@ struct Picture {
   }
 };
 
-/// Draws a picture in bands of `rows` rows; `cache` is memory of vertices or a BandCache.
+/// Draws a picture in bands of `rows` rows; `cache` is memory of vertices or a VertexCache.
 template <class Method, class Cache>
 Picture drawn(const Object<Method>& object, std::int32_t rows, Cache&& cache, bool two_sided) {
   const std::int32_t width = object.camera.width;
@@ -122,9 +122,9 @@ TEMPLATE_TEST_CASE("a picture in bands with kept vertices is the picture drawn a
     triangles += whole.most_triangles;
     for (const std::int32_t rows : {1, 7, 8, 24, 200}) {
       CAPTURE(round, rows, two_sided);
-      BandCache<TestType> kept(object.vertices);
+      VertexCache<TestType> kept(object.vertices);
       CHECK(drawn(object, rows, kept, two_sided) == whole);
-      BandCache<TestType> with_rows(object.vertices, object.rows);
+      VertexCache<TestType> with_rows(object.vertices, object.rows);
       const Picture found = drawn(object, rows, with_rows, two_sided);
       CHECK(found == whole);
       CHECK(found.most_triangles <= whole.most_triangles);
@@ -152,11 +152,8 @@ TEMPLATE_TEST_CASE("bands are found by indices of 8 bits and in parts of meshes,
     REQUIRE(ok(MeshView::make(object.mesh.positions, object.mesh.normals, bytes, object.view)));
     REQUIRE(ok(object.view.attach(object.planes, wide.plane_scale())));
     CHECK(picture(object, 8) == whole);
-    // The first part has more triangles than vertices, so that BandVertices finds them. The others have
-    // fewer, and none at all.
     for (const std::size_t count : {std::size_t{200}, std::size_t{40}, std::size_t{0}}) {
       object.view = wide.part(20, count);
-      CHECK(arcspan::detail::BandVertices<TestType>::suits(object.view) == (count == 200));
       const Picture part = picture(object, camera.height);
       CHECK(picture(object, 8) == part);
       CHECK((count < 200 || part.most_triangles > 0));
@@ -170,7 +167,7 @@ TEMPLATE_TEST_CASE("a filled cache is only read", "", Gouraud<Light>, Adaptive<L
     Object<TestType> object(make_sphere(10, 14, 3000, 0.2, random), random_camera(random), round % 2 == 0);
     const bool two_sided = round % 4 == 3;
     const Picture whole = drawn(object, object.camera.height, all(object), two_sided);
-    BandCache<TestType> cache(object.vertices, object.rows);
+    VertexCache<TestType> cache(object.vertices, object.rows);
     REQUIRE(ok(cache.fill(object.view, object.camera.transform(), object.lighting, {two_sided})));
     const auto bytes = [&object] {
       std::vector<unsigned char> copy(object.vertices.size() * sizeof object.vertices[0]);
@@ -184,14 +181,14 @@ TEMPLATE_TEST_CASE("a filled cache is only read", "", Gouraud<Light>, Adaptive<L
   }
 }
 
-TEST_CASE("a band cache refuses another object until it is cleared") {
+TEST_CASE("a vertex cache refuses another object until it is cleared") {
   using Method = Gouraud<Light>;
   Random random(173);
   TestCamera camera;
   camera.translation = {0, 0, -9000};
   Object<Method> object(make_sphere(8, 12, 3000, 0, random), camera, true);
   const Object<Method> other(make_sphere(8, 12, 3000, 0, random), camera, true);
-  BandCache<Method> cache(object.vertices, object.rows);
+  VertexCache<Method> cache(object.vertices, object.rows);
   std::vector<Frame::Word> colours(Frame::words(camera.width, camera.height));
   Frame frame(colours, camera.width, camera.height);
   frame.clear({1, 2, 3});
@@ -218,7 +215,7 @@ TEST_CASE("a band cache refuses another object until it is cleared") {
   CHECK(draw(object.view, moved, {.two_sided = true}) == Status::kOk);
 }
 
-TEST_CASE("a band cache refuses memory that is too small") {
+TEST_CASE("a vertex cache refuses memory that is too small") {
   using Method = Gouraud<Light>;
   Random random(174);
   TestCamera camera;
@@ -228,7 +225,7 @@ TEST_CASE("a band cache refuses memory that is too small") {
   std::vector<Frame::Word> colours(Frame::words(camera.width, camera.height));
   Frame frame(colours, camera.width, camera.height);
   const std::vector<Frame::Word> blank = colours;
-  const auto refuses = [&](BandCache<Method> cache) {
+  const auto refuses = [&](VertexCache<Method> cache) {
     CHECK(cache.fill(object.view, transform, object.lighting) == Status::kCacheTooSmall);
     CHECK(draw_mesh<Method>(object.view, transform, object.lighting, frame, NoDepth{}, cache).status ==
           Status::kCacheTooSmall);
@@ -236,8 +233,8 @@ TEST_CASE("a band cache refuses memory that is too small") {
   };
   const std::span<CachedVertex<Method>> vertices(object.vertices);
   const std::span<TriangleRows> rows(object.rows);
-  refuses(BandCache<Method>({}));
-  refuses(BandCache<Method>(vertices.first(vertices.size() - 1)));
-  refuses(BandCache<Method>(vertices.first(vertices.size() - 1), rows));
-  refuses(BandCache<Method>(vertices, rows.first(rows.size() - 1)));
+  refuses(VertexCache<Method>({}));
+  refuses(VertexCache<Method>(vertices.first(vertices.size() - 1)));
+  refuses(VertexCache<Method>(vertices.first(vertices.size() - 1), rows));
+  refuses(VertexCache<Method>(vertices, rows.first(rows.size() - 1)));
 }

@@ -120,7 +120,7 @@ struct Arc {
   /// Prepares a small triangle (DrawsSmallTriangles) with the vertices top, middle and bottom. Its surface is linear
   /// or normalised: a quadratic one would cost as much as it saves.
   template <class Raster>
-  [[nodiscard]] static constexpr bool prepare_small(const Lighting& lighting, const Raster& top,
+  [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_small(const Lighting& lighting, const Raster& top,
                                                     const Raster& middle, const Raster& bottom,
                                                     const SmallTriangle& triangle, Small& small) {
     const Vertex& a = top.shade;

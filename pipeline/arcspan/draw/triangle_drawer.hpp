@@ -100,8 +100,8 @@ class TriangleDrawer {
   using Raster = RasterVertex<Method>;
   using Face = typename Method::Face;
   using Target = RowTarget<typename Method::Lighting, Sink, Depth>;
-  /// True if triangles within the columns of the scissor have a loop without tests of them: for methods whose
-  /// rows cost little more than the tests.
+  /// True if triangles within the columns of the scissor have a loop of their own: for methods whose rows cost
+  /// little more than a test of a flag.
   static constexpr bool kHasInsideRows =
       sizeof(typename Method::Prepared) <= 64 && !kOptimisedForSize && kHasManyRegisters;
   static constexpr bool kDrawsSmall = Features.small_triangles && DrawsSmallTriangles<Method>;
@@ -215,8 +215,8 @@ class TriangleDrawer {
   /// Tests the triangle against the scissor, before it is shaded.
   [[nodiscard]] ARCSPAN_INLINE bool is_within_scissor(const RasterPosition& a, const RasterPosition& b,
                                                       const RasterPosition& c) {
-    const ScissorTest test = scissor_.template test<kHasInsideRows>(a, b, c);
-    columns_ = test == ScissorTest::kInside ? ScissorColumns::kInside : ScissorColumns::kCrossing;
+    const ScissorTest test = scissor_.template test<true>(a, b, c);
+    crosses_ = test != ScissorTest::kInside;
     return test != ScissorTest::kOutside;
   }
 
@@ -250,7 +250,7 @@ class TriangleDrawer {
   /// Draws one side of a small triangle. Returns false if the method cannot.
   ARCSPAN_OUTLINE bool draw_small_side(const SortedVertices<Method>& vertices) {
     const SmallResult result =
-        draw_small_triangle<Method>(vertices, columns_ == ScissorColumns::kCrossing, scissor_.viewport_rows(),
+        draw_small_triangle<Method>(vertices, crosses_, scissor_.viewport_rows(),
                                     scissor_.drawn_rows(), scissor_.origin(), target_, result_.status);
     if (result == SmallResult::kDone) ++result_.triangles;
     return result != SmallResult::kRefused;
@@ -269,16 +269,21 @@ class TriangleDrawer {
     const Rect& rect = scissor_.rect();
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;
     ++result_.triangles;
-    const Target target = target_;  // a copy, because members would be loaded again for every row
+    Target target = target_;  // a copy, because members would be loaded again for every row
+    target.crosses = crosses_;
+    using Command = TriangleCommand<Method>;
     if constexpr (kHasInsideRows) {
-      if (columns_ == ScissorColumns::kInside) [[likely]] {
-        using Inside = RowDrawer<ScissorColumns::kInside, TriangleCommand<Method>, Target>;
+      if (crosses_) [[unlikely]] {
+        using Crossing = RowDrawer<ScissorColumns::kCrossing, Command, Target>;
+        result_.status = Method::walk(command.shade, Crossing{command, origin, target});
+      } else {
+        using Inside = RowDrawer<ScissorColumns::kInside, Command, Target>;
         result_.status = Method::walk(command.shade, Inside{command, origin, target});
-        return;
       }
+    } else {
+      using Either = RowDrawer<ScissorColumns::kEither, Command, Target>;
+      result_.status = Method::walk(command.shade, Either{command, origin, target});
     }
-    using Crossing = RowDrawer<ScissorColumns::kCrossing, TriangleCommand<Method>, Target>;
-    result_.status = Method::walk(command.shade, Crossing{command, origin, target});
   }
 
   VertexStage<Method> stage_;
@@ -286,7 +291,7 @@ class TriangleDrawer {
   const Target target_;
   DrawResult result_{};
   const bool two_sided_;
-  ScissorColumns columns_ = ScissorColumns::kCrossing;  ///< of the current triangle
+  bool crosses_ = true;  ///< RowTarget::crosses
 };
 
 }  // namespace arcspan::detail

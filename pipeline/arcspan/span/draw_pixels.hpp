@@ -28,6 +28,7 @@ struct RowTarget {
   const Lighting& lighting;
   Sink& sink;
   const Depth& depth;
+  bool crosses = true;  ///< the current triangle may leave the columns of the scissor
 };
 
 /// Where the next pixel of a row lies: its colour, its depth in memory, and the depth of the surface there.

@@ -28,8 +28,9 @@ namespace detail {
 
 /// How a command's rows meet the left and right side of the scissor.
 enum class ScissorColumns : std::uint8_t {
-  kInside,   ///< every row lies within the scissor
-  kCrossing  ///< rows have to be cut
+  kInside,    ///< every row lies within the scissor
+  kCrossing,  ///< rows have to be cut
+  kEither     ///< rows have to be cut if RowTarget::crosses is true
 };
 
 /// Steps the edges, the depth and the shading of a command down by one row, in place.
@@ -86,7 +87,7 @@ template <ScissorColumns kColumns, class Command, class Walker, class Target>
   const std::int32_t begin = command.left.column();
   std::int32_t first = begin;
   std::int32_t last = command.right.column();
-  if constexpr (kColumns == ScissorColumns::kCrossing) {
+  if (kColumns == ScissorColumns::kCrossing || (kColumns == ScissorColumns::kEither && target.crosses)) {
     if (first < target.scissor.left) first = target.scissor.left;
     if (last > target.scissor.right) last = target.scissor.right;
   }

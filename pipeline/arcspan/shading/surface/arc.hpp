@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/numbers/unroll.hpp>
 #include <arcspan/shading/surface/chords.hpp>
 #include <arcspan/shading/surface/order.hpp>
 #include <arcspan/shading/surface/run.hpp>
@@ -78,17 +79,13 @@ struct Arc {
     prepared.rows.is_sliver = frame.width < std::uint32_t{1} << 16;
     prepared.rows.inverse = frame.inverse_width;
     prepared.path = path_of(choice);
-    const std::size_t used = prepared.path >= Path::kLinearDiffuse ? 1 : kScalars;
-    for (std::size_t i = 0; i < used; ++i) {
-      const Cosine a = value(lighting, choice, top, i);
-      const Cosine b = value(lighting, choice, middle, i);
-      const Cosine c = value(lighting, choice, bottom, i);
-      if (choice.order == SurfaceOrder::kQuadratic) {
-        make_quadratic_scalar(frame, {a.raw(), b.raw(), c.raw()}, sagittas(choice.chords, a, b, c), {0, 0},
-                              prepared.quadratic[i]);
-      } else {
-        auto& scalars = choice.order == SurfaceOrder::kLinear ? prepared.linear : prepared.normalised.scalars;
-        make_linear_scalar(frame, a, b, c, scalars[i]);
+    if (choice.light.reach != LightReach::kHighlight) {
+      prepare_scalar(frame, choice, 0, diffuse(lighting, choice, top), diffuse(lighting, choice, middle),
+                     diffuse(lighting, choice, bottom), prepared);
+    } else {
+      for (std::size_t i = 0; i < kScalars; ++i) {
+        prepare_scalar(frame, choice, i, scalar(lighting, choice, top, i), scalar(lighting, choice, middle, i),
+                       scalar(lighting, choice, bottom, i), prepared);
       }
     }
     if (choice.order == SurfaceOrder::kNormalised) prepare_missing(frame, choice.chords, prepared.normalised);
@@ -129,10 +126,14 @@ struct Arc {
     if ((a.deficit | b.deficit | c.deficit) != 0) return false;
     const SurfaceChoice choice = choose_order(lighting, a, b, c, false);
     small.path = path_of(choice);
-    const std::size_t used = small.path >= Path::kLinearDiffuse ? 1 : kScalars;
-    for (std::size_t i = 0; i < used; ++i) {
-      small.planes.prepare(i, value(lighting, choice, a, i), value(lighting, choice, b, i),
-                           value(lighting, choice, c, i), triangle);
+    if (choice.light.reach != LightReach::kHighlight) {
+      small.planes.prepare(0, diffuse(lighting, choice, a), diffuse(lighting, choice, b),
+                           diffuse(lighting, choice, c), triangle);
+    } else {
+      unrolled<kScalars>([&](auto i) {
+        small.planes.prepare(i, scalar(lighting, choice, a, i), scalar(lighting, choice, b, i),
+                             scalar(lighting, choice, c, i), triangle);
+      });
     }
     if (choice.order == SurfaceOrder::kNormalised) small.missing.prepare(choice.chords, triangle);
     return true;
@@ -175,16 +176,36 @@ struct Arc {
     return frame.width < kLargest << 16 && frame.long_edge.dy < std::int32_t{kLargest} << Subpixel::kFraction;
   }
 
-  /// The scalar i of a vertex as the triangle's path takes it.
-  [[nodiscard]] static constexpr Cosine value(const Lighting& lighting, const SurfaceChoice& choice,
-                                              const Vertex& vertex, std::size_t i) {
-    Cosine scalar = vertex.scalars[i];
+  /// The scalar i of a vertex as pixels with all scalars take it.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Cosine scalar(const Lighting& lighting, const SurfaceChoice& choice,
+                                                              const Vertex& vertex, std::size_t i) {
+    return lighting.pixel_scalar(lifted(choice, vertex.scalars[i]), i);
+  }
+  /// The scalar of a vertex as pixels without highlight take it.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Cosine diffuse([[maybe_unused]] const Lighting& lighting,
+                                                               const SurfaceChoice& choice,
+                                                               [[maybe_unused]] const Vertex& vertex) {
     if constexpr (kHasDiffuse) {
-      if (choice.light.reach == LightReach::kNone) return {};
-      if (choice.light.reach == LightReach::kDiffuse) scalar = lighting.diffuse_scalar(vertex.scalars, choice.light.lit);
+      if (choice.light.reach == LightReach::kDiffuse)
+        return lifted(choice, lighting.diffuse_scalar(vertex.scalars, choice.light.lit));
     }
-    if (choice.order == SurfaceOrder::kLinear) scalar = lengthened(scalar, choice.light.lift);
-    return choice.light.reach == LightReach::kDiffuse ? scalar : lighting.pixel_scalar(scalar, i);
+    return {};
+  }
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Cosine lifted(const SurfaceChoice& choice, Cosine scalar) {
+    return choice.order == SurfaceOrder::kLinear ? lengthened(scalar, choice.light.lift) : scalar;
+  }
+
+  /// Prepares the surface of scalar i from its values at the vertices.
+  template <class Frame>
+  static constexpr void prepare_scalar(const Frame& frame, const SurfaceChoice& choice, std::size_t i, Cosine top,
+                                       Cosine middle, Cosine bottom, Prepared& prepared) {
+    if (choice.order == SurfaceOrder::kQuadratic) {
+      make_quadratic_scalar(frame, {top.raw(), middle.raw(), bottom.raw()},
+                            sagittas(choice.chords, top, middle, bottom), {0, 0}, prepared.quadratic[i]);
+    } else {
+      auto& scalars = choice.order == SurfaceOrder::kLinear ? prepared.linear : prepared.normalised.scalars;
+      make_linear_scalar(frame, top, middle, bottom, scalars[i]);
+    }
   }
 
   [[nodiscard]] static constexpr EdgeBends sagittas(const NormalChords& chords, Cosine top, Cosine middle,

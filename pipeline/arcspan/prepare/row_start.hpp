@@ -13,6 +13,7 @@ struct RowStart {
   /// Distance in pixels from the left edge to the centre of the first column inside the triangle: 16 fraction
   /// bits, 0 or more and below 1.
   std::uint32_t fraction;
+  std::uint32_t fine;  ///< the same distance with 32 fraction bits
   /// Columns from that column to the first pixel. Above 0 if the scissor cuts the row on the left.
   std::int32_t skipped;
   std::uint32_t inside;  ///< distance in pixels from the left edge to the first pixel, `bits` fraction bits
@@ -23,7 +24,7 @@ struct RowStart {
   /// Returns the start of the same row `pixels` further right.
   [[nodiscard]] constexpr RowStart moved(std::int32_t pixels) const {
     const std::uint32_t distance = bits == 16 ? static_cast<std::uint32_t>(pixels) << 16 : 0;
-    return {fraction, skipped + pixels, inside + distance, width, bits, column + pixels};
+    return {fraction, fine, skipped + pixels, inside + distance, width, bits, column + pixels};
   }
 };
 
@@ -31,9 +32,11 @@ struct RowStart {
 [[nodiscard]] ARCSPAN_INLINE constexpr RowStart row_start(const EdgeWalk& left, const EdgeWalk& right,
                                                           std::int32_t skipped, std::int32_t column) {
   const std::uint32_t fraction = left.fraction();
+  const std::uint32_t fine = left.fine_fraction();
   const std::int64_t width = right.x - left.x;
   if ((width >> 32) != 0) {
     return {fraction,
+            fine,
             skipped,
             fraction + (static_cast<std::uint32_t>(skipped) << 16),
             static_cast<std::uint32_t>(width >> 16),
@@ -41,8 +44,7 @@ struct RowStart {
             column};
   }
   const auto narrow = static_cast<std::uint32_t>(width);
-  return {fraction, skipped, left.fine_fraction(), narrow | static_cast<std::uint32_t>(narrow == 0),
-          32,       column};
+  return {fraction, fine, skipped, fine, narrow | static_cast<std::uint32_t>(narrow == 0), 32, column};
 }
 
 }  // namespace arcspan

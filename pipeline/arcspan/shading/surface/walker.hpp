@@ -25,13 +25,13 @@ struct SurfaceRows {
   /// width of a sliver. 16 fraction bits, below 1.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t fraction(const RowStart& start) const {
     if (is_sliver) [[unlikely]]
-      return sliver_fraction(start);
+      return sliver_fraction(start.fine);
     return start.fraction;
   }
 
  private:
-  [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr std::uint32_t sliver_fraction(const RowStart& start) const {
-    const std::uint32_t fine = start.bits == 32 ? start.inside : start.fraction << 16;
+  /// `fine`: the distance in pixels, 32 fraction bits.
+  [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr std::uint32_t sliver_fraction(std::uint32_t fine) const {
     // The fraction of a pixel with 32 bits times `mantissa` 2^-exponent; the width has exponent - 15 bits.
     const std::uint32_t upper = fine >> (inverse.exponent - 15);
     if (upper > 0xFFFFu) return 0xFFFFu;

@@ -21,6 +21,7 @@
 #include <arcspan/shading/literature/phong_segment.hpp>
 #include <arcspan/shading/literature/recurrence_four.hpp>
 #include <arcspan/shading/literature/slerp.hpp>
+#include <arcspan/span/draw_command.hpp>
 
 #include <cstdlib>
 #include <cstring>

@@ -49,8 +49,8 @@ concept IndexedRows = kHasManyRegisters && kScalesIndices && bool{Target::Depth:
 /// Draws span.count pixels, at least one, each only if it passes the depth test: Target::Depth::passes().
 /// `dz` is the gradient of the depth per pixel.
 ///
-/// In indexed rows `place` is one past the last pixel, and the index counts from -span.count up to 0. Elsewhere
-/// `place` is at the first pixel, and is moved to one past the last.
+/// In indexed rows `place` is one past the last pixel, and the index counts from -span.count up to 0.
+/// Elsewhere `place` is at the first pixel, and is moved to one past the last.
 template <class Target, class Run>
 ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span& span, Run& run,
                                           const Target& target, Linear dz) {

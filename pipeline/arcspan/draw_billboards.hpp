@@ -129,8 +129,8 @@ class BillboardStage {
     EdgeSetup side;
     make_edge_setup(upper_right.position, lower_right, command.first_row, true, side);
     make_edge_walk(side, upper_right.position, lower_right, command.lower);
-    using Rows = RowDrawer<ScissorColumns::kCrossing, TriangleCommand<Method>, Target>;
-    status_ = Method::walk(command.shade, Rows{command, scissor_.origin(), target_});
+    using CrossingRows = RowDrawer<ScissorColumns::kCrossing, TriangleCommand<Method>, Target>;
+    status_ = Method::walk(command.shade, CrossingRows{command, scissor_.origin(), target_});
   }
 
   const ClipTransform& transform_;

@@ -21,6 +21,7 @@
 #include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
+#include <arcspan/span/draw_command.hpp>
 
 #include <cstdlib>
 #include <cstring>

@@ -11,8 +11,8 @@ namespace arcspan {
 
 /// A colour that Gouraud shading steps along a row: three channels in 8-bit steps with 23 fraction bits, one
 /// word each and below 2^31, so that a shift without a mask gives the upper bits. A channel includes half an
-/// 8-bit step, so that dropping the fraction rounds. The last kDropped fraction bits of blue are 0, which
-/// leaves room for blue and the upper bits of green in one word of hardware.
+/// 8-bit step, so that dropping the fraction rounds. The last kDropped fraction bits of blue are 0: pictures
+/// are those of pipelines that step blue with so many bits less, joined with another channel.
 class FineRgb {
  public:
   static constexpr int kFraction = 23;

@@ -23,11 +23,11 @@ template <class Method>
   const RasterPosition& a = vertices.top->position;
   const RasterPosition& b = vertices.middle->position;
   const RasterPosition& c = vertices.bottom->position;
-  constexpr std::int32_t kMost = kSmallSize << Subpixel::kFraction;
-  const auto apart = [](std::int32_t p, std::int32_t q) {
-    return static_cast<std::uint32_t>(p - q + kMost) > 2 * static_cast<std::uint32_t>(kMost);
+  const std::int32_t most = kSmallSize << Subpixel::kFraction;
+  const auto apart = [most](std::int32_t p, std::int32_t q) {
+    return static_cast<std::uint32_t>(p - q + most) > 2 * static_cast<std::uint32_t>(most);
   };
-  return c.y - a.y <= kMost && !apart(a.x, b.x) && !apart(a.x, c.x) && !apart(b.x, c.x);
+  return c.y - a.y <= most && !apart(a.x, b.x) && !apart(a.x, c.x) && !apart(b.x, c.x);
 }
 
 /// The edge function of an edge: twice the area of the triangle between the edge and a point, in 256ths of a

@@ -23,9 +23,9 @@ template <ShadingMethod Method, PixelSink Sink, DepthTarget Depth>
   if (scissor.empty()) return Status::kOk;
   const detail::RowTarget<typename Method::Lighting, Sink, Depth> target{scissor, lighting, sink, depth};
   if (!command.has_rows_in(scissor.top, scissor.bottom, origin.y)) return Status::kOk;
-  using Rows = detail::RowDrawer<detail::ScissorColumns::kCrossing, TriangleCommand<Method>,
-                                 detail::RowTarget<typename Method::Lighting, Sink, Depth>>;
-  return Method::walk(command.shade, Rows{command, origin, target});
+  using CrossingRows = detail::RowDrawer<detail::ScissorColumns::kCrossing, TriangleCommand<Method>,
+                                         detail::RowTarget<typename Method::Lighting, Sink, Depth>>;
+  return Method::walk(command.shade, CrossingRows{command, origin, target});
 }
 
 }  // namespace arcspan

@@ -50,8 +50,8 @@ concept IndexedRows = kHasManyRegisters && kScalesIndices && bool{Target::Depth:
 /// Draws span.count pixels, at least one, each only if it passes the depth test: Target::Depth::passes().
 /// `dz` is the gradient of the depth per pixel.
 ///
-/// In indexed rows `place` is one past the last pixel, and the index counts from -span.count to 0. Elsewhere
-/// `place` is at the first pixel, and is moved to one past the last.
+/// In indexed rows `place` is one past the last pixel, and the index counts from -span.count up to 0.
+/// Elsewhere `place` is at the first pixel, and is moved to one past the last.
 template <class Target, class Run>
 ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span& span, Run& run,
                                           const Target& target, Linear dz) {
@@ -66,8 +66,9 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
     hide_value(pixels);  // otherwise gcc replaces the index by two pointers
     hide_value(depths);
   }
-  const std::ptrdiff_t last = kIndexed ? 0 : span.count;
-  std::ptrdiff_t i = kIndexed ? -static_cast<std::ptrdiff_t>(span.count) : 0;
+  const auto count = static_cast<std::ptrdiff_t>(span.count);
+  const std::ptrdiff_t last = kIndexed ? 0 : count;
+  std::ptrdiff_t i = kIndexed ? -count : 0;
   do {  // a test at the end, which -Os would not move there
     if constexpr (kIndexed) hide_value(i);
     const std::uint16_t depth = depth_of(place.z);

@@ -75,7 +75,7 @@ std::array<Vec3, 3> random_normals(Random& random, Vec3 towards_light) {
 
 Triangle random_triangle(Random& random, const Light& light, Vec3 towards_light) {
   const std::array<Vec3, 3> normals = random_normals(random, towards_light);
-  const std::int32_t half_size = 8 * (random.chance(0.5) ? kSmallSize : kMediumSize);
+  const std::int32_t half_size = 8 * kSmallSize;
   Triangle t;
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const auto coordinate = [&] { return static_cast<std::int16_t>(random.integer(-half_size, half_size)); };

@@ -15,6 +15,12 @@
 
 namespace arcspan::test {
 
+/// True if the vertices of a textured method have a level of light.
+template <class Method>
+inline constexpr bool kHasLevel = requires(typename Method::Vertex vertex) {
+  vertex.level;
+};
+
 /// A triangle on the screen with texture points and distances, and the same in double precision.
 template <class Method>
 struct MappedTriangle {
@@ -42,7 +48,7 @@ struct MappedTriangle {
       over += w;
       sum.u += w * vertices[i].shade.point.u / 65536;
       sum.v += w * vertices[i].shade.point.v / 65536;
-      if constexpr (HasLinearLevel<Method>) sum.level += weight[i] * vertices[i].shade.level / 2048;
+      if constexpr (kHasLevel<Method>) sum.level += weight[i] * vertices[i].shade.level / 2048;
     }
     return {sum.u / over, sum.v / over, sum.level};
   }
@@ -66,7 +72,7 @@ MappedTriangle<Method> random_triangle(Random& random, std::int32_t size, double
     vertex.shade.point = {static_cast<std::int32_t>((u + random.real(-range, range) / 2) * 65536),
                           static_cast<std::int32_t>((v + random.real(-range, range) / 2) * 65536)};
     vertex.near_over_w.value = static_cast<std::int32_t>(nearness[i] * scale);
-    if constexpr (HasLinearLevel<Method>) {
+    if constexpr (kHasLevel<Method>) {
       // Black and white are the levels that rounding errors might leave.
       vertex.shade.level = std::clamp(random.integer(-30000, 95280), 0, 65280);
     }
@@ -94,7 +100,7 @@ void for_each_pixel(const MappedTriangle<Method>& triangle, const typename Metho
         auto run = walker.row(row_start(command.left, command.right, 0, column));
         while (column < end) {
           std::int32_t count = end - column;
-          if constexpr (requires { run.enter(count); }) count = run.enter(count);
+          count = run.enter(lighting, count);
           for (; count > 0; --count, ++column, run.next()) visit(column - size, row, run);
         }
       }

@@ -18,7 +18,7 @@
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/prepare/prepare_triangle.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <arcspan/pixel/fog.hpp>
 #include <arcspan/shading/adaptive/adaptive.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/grey_gouraud.hpp>
 #include <arcspan/shading/textured/environment_map.hpp>
 #include <arcspan/shading/textured/textured.hpp>

@@ -7,8 +7,8 @@
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/fog.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/grey_gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/textured/environment_map.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/shading/wireframe.hpp>
@@ -78,7 +78,7 @@ using GridTexels = Palette8Texels<Alpha4Colour>;
 inline constexpr auto kOpaque = Texture<Palette8Texels<>>::of(kGrid, kGridSize, kGridColours);
 inline constexpr auto kSheer = Texture<GridTexels>::of(kGrid, kGridSize, kGridColours);
 
-using BallMethod = Textured<Adaptive<Light>, Palette8Texels<>>;
+using BallMethod = Textured<Arc<Light>, Palette8Texels<>>;
 using FloorSurface = Textured<Unlit, Palette8Texels<>>;
 using BubbleSurface = Textured<GreyGouraud<Light>, GridTexels, TexelLight::kGrey, TextureFilter::kBilinear>;
 
@@ -157,6 +157,7 @@ void textured_frames(TexturedSpace<Rows>& space, const Report& report) {
   };
   frame("ball", [&](auto& band, const auto& depth) {
     auto* const lighting = ::new (space.lighting) BallMethod::Lighting(stage.light, kOpaque);
+    static_cast<void>(lighting->set_tolerance(1));
     return draw_mesh<BallMethod>(ball, stage.transform, *lighting, band, depth).status;
   });
   frame("floor", draw_floor);

@@ -227,7 +227,7 @@ TEST_CASE("surfaces in bands, and without a depth test, are drawn as they should
   if (scene.depth) scene.fog = SceneFog{2, 5};
   const FixedModel fixed = to_fixed(model);
   RenderJob job = make_job(scene, fixed, "m");
-  const Renderer& renderer = find_renderer("adaptive", "rgb565", true);
+  const Renderer& renderer = find_renderer("arc", "rgb565", true);
   const RenderResult whole = renderer.render(job, [](std::size_t) {});
   CHECK(whole.stats.depth_bytes == (scene.depth ? 96u * 72 * 2 : 0));
   for (const std::int32_t rows : {1, 7, 71}) {

@@ -7,8 +7,8 @@
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/rgb332.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/textured/environment_map.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/shading/vertex_coloured.hpp>

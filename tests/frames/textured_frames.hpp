@@ -18,6 +18,7 @@
 #include <tests/frames/frame_hash.hpp>
 #include <tests/frames/stage_set.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -81,6 +82,7 @@ inline constexpr auto kSheer = Texture<GridTexels>::of(kGrid, kGridSize, kGridCo
 using BallMethod = Textured<Arc<Light>, Palette8Texels<>>;
 using FloorSurface = Textured<Unlit, Palette8Texels<>>;
 using BubbleSurface = Textured<GreyGouraud<Light>, GridTexels, TexelLight::kGrey, TextureFilter::kBilinear>;
+using Bubble = WithOperation<BubbleSurface, Opacity<>>;
 
 /// Memory to draw textured frames in.
 template <std::int32_t Rows>
@@ -92,7 +94,7 @@ struct TexturedSpace {
   std::array<TexturePoint, 114> points;
   // Bytes, because default values would be initialised data.
   alignas(8) unsigned char stage[sizeof(StageSet)];
-  alignas(8) unsigned char lighting[sizeof(BallMethod::Lighting)];
+  alignas(8) unsigned char lighting[std::max(sizeof(BallMethod::Lighting), sizeof(Bubble::Lighting))];
 };
 
 /// Draws the frame of `draw(frame, depth)` band by band and returns its hash.
@@ -120,7 +122,6 @@ template <std::int32_t Rows, class Draw>
 template <std::int32_t Rows, class Report>
 void textured_frames(TexturedSpace<Rows>& space, const Report& report) {
   using Floor = WithOperation<FloorSurface, Fogged>;
-  using Bubble = WithOperation<BubbleSurface, Opacity<>>;
   using Chrome = Arc<EnvironmentMap<Palette8Texels<>>>;
   static constexpr Fog kMist = [] {
     Fog fog;

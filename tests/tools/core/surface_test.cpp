@@ -100,6 +100,7 @@ Image firmware(const RenderJob& job, const typename Method::Lighting& lighting) 
 Lit light_of(const RenderJob& job) {
   Lit lit;
   REQUIRE(ok(Lit::make(job.parts.at(0).material, {job.lights.at(0)}, job.to_eye, lit)));
+  REQUIRE(ok(lit.set_tolerance(job.tolerance)));
   return lit;
 }
 

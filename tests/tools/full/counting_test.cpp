@@ -159,8 +159,8 @@ TEST_CASE("with no highlight in reach recurrence steps two scalars and looks up 
   const double multiplies =
       static_cast<double>(sharp.in_spans[Operation::kMultiply]) / static_cast<double>(sharp.pixels);
   CHECK(multiplies > 2);
-  // The highlight's own are few.
-  CHECK(multiplies < 2.9);
+  // The starts of rows and the highlight add few.
+  CHECK(multiplies < 3.2);
 }
 
 TEST_CASE("arc takes no more operations the larger its tolerance is") {

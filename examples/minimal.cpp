@@ -6,7 +6,7 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/gray4.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <tests/frames/integer_shapes.hpp>
 

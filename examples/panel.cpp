@@ -6,7 +6,7 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/panel/page_mode.hpp>
 #include <arcspan/pixel/gray4.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <oled.hpp>
 #include <tests/frames/integer_shapes.hpp>
@@ -35,7 +35,7 @@ Status draw(hal::Framebuffer<Gray4>& band, std::uint16_t turn) {
   constexpr Coefficient kHalf = Coefficient::of(0.5);
   const Material material{{kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, 32};
   const DirectionalLight sun{placement.rotation.to_object(normalised(3, 4, 5))};
-  Light light;
+  static Light light;  // too large for the stack
   if (ok(status))
     status = Light::make(material, {sun}, placement.rotation.to_object(normalised(0, 0, 1)), light);
   if (!ok(status)) return status;

@@ -5,17 +5,15 @@
 #include <arcspan/hal/panel/page_mode.hpp>
 #include <arcspan/lighting/colour_coefficients.hpp>
 #include <arcspan/scene.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <ili9341_board.hpp>
 #include <tests/frames/shape_views.hpp>
 
 using namespace arcspan;
 using Light = Illumination<2, Highlight::kBlinn>;
-// The triangles of this scene are large and their normals less than 60 degrees apart: paths for others would
-// take 6 KB of code. The meshes have no planes.
-using Method =
-    Use<ArcUpTo<Light, WidestNormals::k60Degrees>, DrawFeatures{.planes = false, .small_triangles = false}>;
+// The meshes have no planes, and their triangles are large.
+using Method = Use<Arc<Light>, DrawFeatures{.planes = false, .small_triangles = false}>;
 using Pages = hal::PageMode<hal::Ili9341>;
 
 constexpr SceneLight kLamps[] = {SceneLight::directional(normalised(3, 4, 5), Coefficient::of(0.7)),

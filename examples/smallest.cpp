@@ -7,7 +7,7 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <tests/frames/integer_shapes.hpp>
 
@@ -40,9 +40,7 @@ int main() {
   nearest.clear();
   // The whole sphere is in view, and its triangles are small.
   constexpr DrawFeatures kFeatures{.clips = false, .planes = false, .small_triangles = false};
-  // So fine a mesh gains nothing by the rules for normals that are far apart.
-  using Method = ArcUpTo<Light, WidestNormals::kWithinPatches>;
-  const DrawResult drawn = draw_mesh<Method, kFeatures>(kSphere, kCamera, kLight, screen, nearest);
+  const DrawResult drawn = draw_mesh<Arc<Light>, kFeatures>(kSphere, kCamera, kLight, screen, nearest);
 
   bare::print_line("triangles: ", drawn.triangles, ", left out: ", drawn.left_out);
   bare::print_line("middle pixel: ", std::uint32_t{screen.pixel(kWidth / 2, kHeight / 2).r});

@@ -10,6 +10,6 @@
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/mesh/mesh_binary.hpp>
 #include <arcspan/pixel/pixel_format_list.hpp>
-#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>

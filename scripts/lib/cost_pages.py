@@ -29,6 +29,11 @@ def prose(text):
     return [*textwrap.wrap(text, 120, break_long_words=False, break_on_hyphens=False), ""]
 
 
+def number(figure):
+    """A figure of a table, or a dash where it was not measured."""
+    return "–" if figure is None else f"{figure:,}"
+
+
 def clock(scene):
     """The clock in MHz at which a core draws and clears this scene FRAMES times per second."""
     return math.ceil((scene["draw"] + scene["clear"]) * FRAMES * CYCLES / 1e6)
@@ -88,7 +93,7 @@ def spheres(costs):
 
 def others(costs):
     targets = [(preset, title, method) for preset, title in SHOWN for method in ARCS]
-    rows = [[about, *(f"{costs['others'][preset][method][f'{program.format(method)} {section}']:,}" for preset, _, method in targets)]
+    rows = [[about, *(number(costs["others"][preset][method].get(f"{program.format(method)} {section}")) for preset, _, method in targets)]
             for (program, section), about in OTHER.items()]
     small = ", ".join(f"{NAMES[method]} {count:,}" for method, count in costs["others"]["-Os"].items())
     return [*table(["", *(f"{title}, {NAMES[method]}" for _, title, method in targets)], rows),
@@ -150,7 +155,7 @@ def filled(page, costs, wanted):
 def readme(costs):
     """README.md with its tables replaced, and with the figures of its cost table: instructions and clock of the first two targets."""
     text = filled("README.md", costs, ["models"])
-    for row, method in ((r"\| flat ", FEW[0]), (r"\| Gouraud ", FEW[1]), (r"\| \*\*arc[^|]*", FEW[2]), (r"\| \*\*adaptive[^|]*", FEW[3])):
+    for row, method in ((r"\| flat ", FEW[0]), (r"\| Gouraud ", FEW[1]), (r"\| \*\*arc, tolerance 0[^|]*", FEW[2]), (r"\| \*\*arc, tolerance 1[^|]*", FEW[3])):
         bold = "**" if method in ARCS else ""
         scenes = [costs["frames"][preset][method][HEADLINE] for preset, _ in SHOWN]
         cells = " | ".join(f"{bold}{scene['draw']:,}{bold} | {clock(scene)} MHz" for scene in scenes)

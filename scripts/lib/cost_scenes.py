@@ -15,15 +15,15 @@ EXTREMES = {"8x4 110": "normals up to 60° apart, cut by the picture", "8x4 1400
 OWN_SINK = "-own-sink"  # ends the names of programs that draw into a sink of their own
 CLASSIC = ("phong", "phong-reciprocal")  # the two classic Phong methods
 RISCV = ("riscv-virt", "RV32IMAC")  # preset, title; only the frames of few methods are measured
-FEW = ("flat", "gouraud", "arc", "adaptive")  # methods for products; the last is what tools and scenes use by default
+FEW = ("flat", "gouraud", "arc-0", "arc")  # methods for products; the last is what tools and scenes use by default
 ARCS = FEW[2:]  # exact, and with a tolerance of one step of 255
-NAMES = {"flat": "flat", "gouraud": "Gouraud", "arc": "arc, tolerance 0", "adaptive": "arc, tolerance 1"}  # on pages
+NAMES = {"flat": "flat", "gouraud": "Gouraud", "arc-0": "arc, tolerance 0", "arc": "arc, tolerance 1"}  # on pages
 # In the coarsest sphere normals are more than 16 degrees apart, where these methods take another path.
-FINE_ONLY = ("arc", "segment", "segment-8", "segment-16", "adaptive", "recurrence", "recurrence-four", "arc-vector")
+FINE_ONLY = ("arc-0", "arc", "segment", "segment-8", "segment-16", "recurrence", "recurrence-four", "arc-vector")
 BANDS = {"whole, cache": "whole frame, vertex cache", "whole, no cache": "whole frame, no cache",  # sections of cost_bands.hpp
          "bands, cache": "bands, vertex cache", "bands, no cache": "bands, no cache",
          "bands, kept": "bands, `VertexCache`", "bands, kept with rows": "bands, `VertexCache` with rows"}
-TEXTURED = {"unlit": "none", "greygouraud": "`GreyGouraud`", "adaptive": "`Adaptive`"}  # cost_textures.cpp, by light
+TEXTURED = {"unlit": "none", "greygouraud": "`GreyGouraud`", "arc": "`Arc`"}  # cost_textures.cpp, by light
 LINES = {"level": ("line, level", "short", "long"), "flat": ("line, wider than high", "short", "long"),  # of cost_lines.cpp
          "tall": ("line, higher than wide", "short", "long"), "points": ("point", "small", "large"),
          "sprites": ("billboard", "small", "large")}
@@ -32,7 +32,3 @@ OTHER = {  # of cost_light.hpp, cost_scene.cpp and cost_character.hpp, by progra
     ("{}-phong-2", "draw"): "benchmark frame, two lights", ("{}-phong-2", "make"): "its illumination",
     ("scene-{}", "draw twenty"): "20 spheres of 16×8 with 20 materials", ("scene-{}", "prepare twenty"): "preparing them",
     ("{}", "draw character"): "figure of 4,620 small triangles without planes (`tests/frames/figure.hpp`)"}
-LAWS = {  # where laws are compared: preset, level and light, as CMakeLists.txt names it; --check does the first
-    "mps2-an385 -O2 phong-1": "Cortex-M3, R·V", "mps2-an385 -O2 blinn-1": "Cortex-M3, N·H",
-    "mps2-an385 -O2 phong-2": "Cortex-M3, R·V, two lights", "mps2-an385 -Os phong-1": "Cortex-M3, R·V, -Os",
-    "mps2-an385-armv6m -O2 phong-1": "Armv6-M code, R·V", "riscv-virt -O2 phong-1": "RV32IMAC, R·V"}

@@ -42,7 +42,7 @@ union ObjectMemory {
 [[gnu::section(".bss.frame")]] ObjectMemory object_memory;
 
 bool count(const CostScene& scene) {
-  scenes::StageSet stage;
+  static scenes::StageSet stage;  // larger than the stack that programs are allowed
   if (!ok(scenes::set_stage({kCostWidth, kCostHeight}, scene.radius, {}, stage))) return false;
   const auto& lighting = *new (&object_memory.lighting) Method::Lighting(stage.light);
   CountingSink sink;

@@ -89,7 +89,7 @@ bool measure_squares(const char* points, const char* sprites, std::uint8_t size,
 bool measure_wireframe() {
   static SphereMemory memory;
   SphereMeshes sphere;
-  scenes::StageSet stage;
+  static scenes::StageSet stage;
   return make_sphere_meshes(32, 16, memory, sphere) &&
          ok(scenes::set_stage({kCostWidth, kCostHeight}, 72, {}, stage)) &&
          measure("wireframe", [&](auto& frame, const auto& depth) {

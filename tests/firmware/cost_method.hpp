@@ -6,17 +6,20 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <tests/firmware/cost_stage.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <type_traits>
 
 #include ARCSPAN_METHOD_HEADER
 
-/// Where the emulator may load another length of segments than the method's own, as a power of two; else 0.
-extern "C" const std::uint32_t arcspan_segment_bits;
+/// Where the emulator may load a setting of the method in place of its own: the length of segments as a power
+/// of two, or 1 + the tolerance; else 0.
+extern "C" const std::uint32_t arcspan_setting;
 
 namespace arcspan {
 
@@ -44,18 +47,21 @@ union CostLightingMemory {
 };
 [[gnu::section(".bss.frame")]] static CostLightingMemory cost_lighting_memory;
 
-/// Sets the loaded length of segments, if the method has segments.
-template <class Lighting>
-inline void set_loaded_segments(Lighting& lighting) {
+/// Sets the loaded length of segments, or the tolerance of Arc: one step unless another is loaded.
+template <class Method>
+inline void set_method(typename Method::Lighting& lighting) {
+  const auto setting = static_cast<std::int32_t>(arcspan_setting);
   if constexpr (requires { lighting.set_segment_bits(1); }) {
-    if (arcspan_segment_bits != 0) (void)lighting.set_segment_bits(static_cast<int>(arcspan_segment_bits));
+    if (setting != 0) (void)lighting.set_segment_bits(setting);
+  } else if constexpr (std::is_same_v<Method, Arc<CostLight>>) {
+    (void)lighting.set_tolerance(setting == 0 ? 1 : setting - 1);
   }
 }
 
 /// Makes the method's tables in that memory.
 inline const CostMethod::Lighting& make_cost_lighting(const CostLight& light) {
   auto& lighting = *new (&cost_lighting_memory.lighting) CostMethod::Lighting(light);
-  set_loaded_segments(lighting);
+  set_method<CostMethod>(lighting);
   return lighting;
 }
 

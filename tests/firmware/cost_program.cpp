@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Draws frames by one method, as a product does, for instruction_count.py, which counts the instructions of
 // each; "section:" lines name them. The program has one method, one illumination, one sink and one depth
-// buffer (cost_method.hpp). If the emulator has loaded jobs or random scenes, these are drawn. Otherwise the
-// measured scenes are, by a program with the benchmark frame's illumination, or that frame, by one with
-// another.
+// buffer (cost_method.hpp). If the emulator has loaded jobs, these are drawn. Otherwise the measured scenes
+// are, by a program with the benchmark frame's illumination, or that frame, by one with another.
 #ifdef ARCSPAN_LIGHTS
 #include <tests/firmware/cost_light.hpp>
 #else
@@ -15,7 +14,6 @@
 #endif
 #ifndef ARCSPAN_COST_OWN_SINK
 #include <tests/firmware/cost_jobs.hpp>
-#include <tests/firmware/cost_random_scenes.hpp>
 #endif
 
 namespace {
@@ -24,7 +22,6 @@ bool draw() {
   using namespace arcspan;
 #ifndef ARCSPAN_COST_OWN_SINK
   if (cost_jobs_loaded()) return draw_cost_jobs();
-  if (random_scenes_loaded()) return draw_random_scenes();
 #endif
 #if defined(ARCSPAN_LIGHTS)
   return draw_in_cost_light();

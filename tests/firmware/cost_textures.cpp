@@ -93,7 +93,7 @@ int main() {
   for (std::size_t i = 0; i < 128 * 128; ++i) texels[i] = static_cast<std::uint16_t>(i * 40503u >> 3);
   static SphereMemory memory;
   SphereMeshes sphere;
-  scenes::StageSet stage;
+  static scenes::StageSet stage;
   if (!make_sphere_meshes(32, 16, memory, sphere) ||
       !ok(scenes::set_stage({kCostWidth, kCostHeight}, 72, {}, stage))) {
     return 1;

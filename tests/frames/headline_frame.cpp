@@ -4,10 +4,9 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
-#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <tests/frames/stage_set.hpp>
 
@@ -37,14 +36,15 @@ template <class Method>
 }
 
 template <class Method>
-int draw() {
+int draw(std::int32_t tolerance = 0) {
   static CachedVertex<Method> cache[kSphere.positions.size()];
   MeshView mesh;
   scenes::StageSet stage;
   if (!ok(kSphere.view(mesh)) || !ok(kPlanes.attach_to(mesh)) ||
       !ok(scenes::set_stage({kWidth, kHeight}, kRadius, {}, stage)))
     return 1;
-  const typename Method::Lighting object(stage.light);
+  typename Method::Lighting object(stage.light);
+  if (!ok(object.set_tolerance(tolerance))) return 1;
   hal::Framebuffer<Rgb565> frame(colours, kWidth, kHeight);
   DepthBuffer depth(depths, kWidth, kHeight);
   depth.clear();
@@ -60,8 +60,8 @@ int main(int argc, char** argv) {
   const std::string_view method = argc == 2 ? argv[1] : "";
   if (method == "flat") return draw<Flat<scenes::Light>>();
   if (method == "gouraud") return draw<Gouraud<scenes::Light>>();
-  if (method == "arc") return draw<Arc<scenes::Light>>();
-  if (method == "adaptive") return draw<Adaptive<scenes::Light>>();
-  std::fputs("usage: headline_frame flat|gouraud|arc|adaptive\n", stderr);
+  if (method == "arc-0") return draw<Arc<scenes::Light>>();
+  if (method == "arc") return draw<Arc<scenes::Light>>(1);
+  std::fputs("usage: headline_frame flat|gouraud|arc-0|arc\n", stderr);
   return EXIT_FAILURE;
 }

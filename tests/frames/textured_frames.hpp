@@ -7,8 +7,8 @@
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/fog.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/grey_gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/textured/environment_map.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/shading/wireframe.hpp>
@@ -18,6 +18,7 @@
 #include <tests/frames/frame_hash.hpp>
 #include <tests/frames/stage_set.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -78,9 +79,10 @@ using GridTexels = Palette8Texels<Alpha4Colour>;
 inline constexpr auto kOpaque = Texture<Palette8Texels<>>::of(kGrid, kGridSize, kGridColours);
 inline constexpr auto kSheer = Texture<GridTexels>::of(kGrid, kGridSize, kGridColours);
 
-using BallMethod = Textured<Adaptive<Light>, Palette8Texels<>>;
+using BallMethod = Textured<Arc<Light>, Palette8Texels<>>;
 using FloorSurface = Textured<Unlit, Palette8Texels<>>;
 using BubbleSurface = Textured<GreyGouraud<Light>, GridTexels, TexelLight::kGrey, TextureFilter::kBilinear>;
+using Bubble = WithOperation<BubbleSurface, Opacity<>>;
 
 /// Memory to draw textured frames in.
 template <std::int32_t Rows>
@@ -92,7 +94,7 @@ struct TexturedSpace {
   std::array<TexturePoint, 114> points;
   // Bytes, because default values would be initialised data.
   alignas(8) unsigned char stage[sizeof(StageSet)];
-  alignas(8) unsigned char lighting[sizeof(BallMethod::Lighting)];
+  alignas(8) unsigned char lighting[std::max(sizeof(BallMethod::Lighting), sizeof(Bubble::Lighting))];
 };
 
 /// Draws the frame of `draw(frame, depth)` band by band and returns its hash.
@@ -120,7 +122,6 @@ template <std::int32_t Rows, class Draw>
 template <std::int32_t Rows, class Report>
 void textured_frames(TexturedSpace<Rows>& space, const Report& report) {
   using Floor = WithOperation<FloorSurface, Fogged>;
-  using Bubble = WithOperation<BubbleSurface, Opacity<>>;
   using Chrome = Arc<EnvironmentMap<Palette8Texels<>>>;
   static constexpr Fog kMist = [] {
     Fog fog;
@@ -157,6 +158,7 @@ void textured_frames(TexturedSpace<Rows>& space, const Report& report) {
   };
   frame("ball", [&](auto& band, const auto& depth) {
     auto* const lighting = ::new (space.lighting) BallMethod::Lighting(stage.light, kOpaque);
+    static_cast<void>(lighting->set_tolerance(1));
     return draw_mesh<BallMethod>(ball, stage.transform, *lighting, band, depth).status;
   });
   frame("floor", draw_floor);

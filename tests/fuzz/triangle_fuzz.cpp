@@ -17,10 +17,9 @@
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/prepare/triangle.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
-#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/span/draw_command.hpp>
 
 #include <cstdlib>
@@ -88,6 +87,7 @@ Illumination take_illumination(Input& in) {
   }
   Illumination illumination;
   static_cast<void>(Illumination::make(material, lights, take_direction(in), illumination));
+  static_cast<void>(illumination.set_tolerance(in.take<std::int8_t>()));
   return illumination;
 }
 
@@ -96,6 +96,7 @@ void take_shade(Input& in, typename Arc<I>::Vertex& shade) {
   shade.normal = {NormalComponent::from_raw(in.take<std::int16_t>()),
                   NormalComponent::from_raw(in.take<std::int16_t>()),
                   NormalComponent::from_raw(in.take<std::int16_t>())};
+  shade.deficit = in.take<std::uint16_t>();
   for (Cosine& scalar : shade.scalars) scalar = Cosine::from_raw(in.take<std::int32_t>());
 }
 template <class I>
@@ -304,7 +305,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz_mesh<RecurrenceFour<Phong1>, Rgb565, kDepthOnly>(in);
       break;
     case 19:
-      fuzz_triangles<Adaptive<GreyPhong2>, Rgb565>(in);
+      fuzz_triangles<Arc<GreyPhong2>, Rgb565>(in);
       break;
     default:
       fuzz_mesh<DichotomyPrintedQuadratic<Blinn4>, Rgb565, kNoDepthOnly>(in);

@@ -16,6 +16,12 @@ GoldenScene phong() {
   return golden;
 }
 
+GoldenScene exact() {
+  GoldenScene golden{"arc-0", "arc", base(), true};
+  golden.scene.tolerance = 0;
+  return golden;
+}
+
 // Four lights, and a camera so near that parts lie behind it and beside the guard band.
 GoldenScene near_with_four_lights() {
   GoldenScene golden{"arc-near", "arc", base()};
@@ -42,6 +48,7 @@ std::vector<GoldenScene> golden_scenes() {
     const bool whole = shading == "flat" || shading == "gouraud" || shading == "arc";
     scenes.push_back({shading, shading, base(), !whole});
   }
+  scenes.push_back(exact());
   scenes.push_back(phong());
   scenes.push_back(near_with_four_lights());
   scenes.push_back(painters_order());

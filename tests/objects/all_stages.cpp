@@ -3,7 +3,7 @@
 // are whole calls of draw_mesh(). Of other methods, illuminations, texels and operations there are only the
 // functions of the protocol of shading/method.hpp that come before the span stage, which span_stage.cpp has:
 // the stages around them are the same. Whole calls of arc are in the images that
-// tests/firmware/image_test.py looks at; whole_calls.cpp has them and those of adaptive.
+// tests/firmware/image_test.py looks at, and in whole_calls.cpp.
 #include <arcspan/draw_billboards.hpp>
 #include <arcspan/draw_lines.hpp>
 #include <arcspan/pixel/rgb565.hpp>
@@ -44,10 +44,8 @@ ARCSPAN_PREPARE_INSTANTIATE(Wall);
 ARCSPAN_PREPARE_INSTANTIATE(Stage);
 ARCSPAN_PREPARE_INSTANTIATE(Ghost);
 ARCSPAN_PREPARE_INSTANTIATE(Arc<Blinn1>);
-ARCSPAN_PREPARE_INSTANTIATE(Adaptive<Phong1>);
 ARCSPAN_PREPARE_INSTANTIATE(Arc<Phong1>);
 ARCSPAN_PREPARE_INSTANTIATE(Arc<Blinn4>);
-ARCSPAN_PREPARE_INSTANTIATE(Adaptive<Blinn4>);
-ARCSPAN_PREPARE_INSTANTIATE(Adaptive<Phong4>);
+ARCSPAN_PREPARE_INSTANTIATE(Arc<Phong4>);
 
 }  // namespace arcspan

@@ -20,7 +20,7 @@
 
 namespace arcspan {
 
-ARCSPAN_SPAN_INSTANTIATE(Adaptive<Blinn4>, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn4>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Window, Rgb888, ReadOnlyDepth);
 ARCSPAN_SPAN_INSTANTIATE(ArcVector<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(DichotomyLinear<Blinn1>, Rgb565, DepthBuffer);

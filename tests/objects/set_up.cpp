@@ -4,7 +4,6 @@
 #include <arcspan/mesh/face_normal.hpp>
 #include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/texture/texture_binary.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
@@ -23,10 +22,8 @@ Status make_light(const Material& material, const Rotation& rotation, const Dire
                                                   rotation.to_object(normalised(0, 0, 1)), light);
 }
 
-Status make_adaptive(const Illumination<1, Highlight::kPhong>& light, std::int32_t tolerance,
-                     AdaptiveIllumination<Illumination<1, Highlight::kPhong>>& adaptive) {
-  adaptive = light;
-  return adaptive.set_tolerance(tolerance);
+Status set_tolerance(std::int32_t tolerance, Illumination<1, Highlight::kPhong>& light) {
+  return light.set_tolerance(tolerance);
 }
 
 Status make_mesh(std::span<const ObjectPosition> positions, std::span<const PackedNormal> normals,

@@ -29,8 +29,7 @@ ARCSPAN_SPAN_INSTANTIATE(Ghost, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
-ARCSPAN_SPAN_INSTANTIATE(Adaptive<Phong1>, Rgb565, DepthBuffer);
-ARCSPAN_SPAN_INSTANTIATE(Adaptive<Phong4>, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Phong4>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn4>, Rgb888, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Phong4>, Gray8, NoDepth);
@@ -48,15 +47,11 @@ Status draw_small(const SmallTriangle& triangle, const Surface& surface, const R
   template Status draw_small(const SmallTriangle&, const __VA_ARGS__&, const RasterOrigin&, \
                              const detail::RowTarget<LIGHTING, hal::Framebuffer<FORMAT>, DEPTH>&)
 
-ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallPatch<Phong1, 1, 15>);
-ARCSPAN_INSTANTIATE_SMALL(Phong1, Gray4, NoDepth, SmallPatch<Phong1, 2, 16>);
-ARCSPAN_INSTANTIATE_SMALL(Blinn4, Rgb888, DepthBuffer, SmallPatch<Blinn4, 8, 16>);
-ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallArc<Phong1, 1>);
-ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallArc<Phong1, 2>);
-ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallDark<Phong1>);
-ARCSPAN_INSTANTIATE_SMALL(Blinn4, Rgb565, DepthBuffer, SmallArc<Blinn4, 8>);
-ARCSPAN_INSTANTIATE_SMALL(AdaptiveIllumination<Phong1>, Rgb565, DepthBuffer,
-                          SmallLinearLight<AdaptiveIllumination<Phong1>>);
+ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallLinear<LinearRun<Phong1, 1>, 2>);
+ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallLinear<LinearRun<Phong1, 2>, 2>);
+ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallNormalised<NormalisedRun<Phong1, 1>, 2>);
+ARCSPAN_INSTANTIATE_SMALL(Phong1, Gray4, NoDepth, SmallNormalised<NormalisedRun<Phong1, 2>, 2>);
+ARCSPAN_INSTANTIATE_SMALL(Blinn4, Rgb888, DepthBuffer, SmallNormalised<NormalisedRun<Blinn4, 8>, 8>);
 
 // Lines and points.
 template <class Method, class Format, class Depth>

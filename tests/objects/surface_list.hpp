@@ -2,9 +2,8 @@
 #pragma once
 
 #include <arcspan/pixel/fog.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
-#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/grey_gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/textured/environment_map.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/shading/vertex_coloured.hpp>
@@ -19,7 +18,7 @@ using Phong1 = Illumination<1, Highlight::kPhong>;
 using Phong4 = Illumination<4, Highlight::kPhong>;
 
 using Window =
-    WithOperation<WithOperation<Textured<Adaptive<Phong1>, Palette8Texels<Alpha4Colour>>, Fogged>, Opacity<>>;
+    WithOperation<WithOperation<Textured<Arc<Phong1>, Palette8Texels<Alpha4Colour>>, Fogged>, Opacity<>>;
 using Sign = Textured<Unlit, Palette4Texels<Alpha1Colour>>;
 using Poster =
     Textured<Unlit, DirectTexels<>, TexelLight::kNone, TextureFilter::kBilinear, TextureWrap::kClamp>;

@@ -13,8 +13,7 @@
 #define ARCSPAN_FOR_EACH_PRODUCT_METHOD(entry) \
   entry("flat", Flat, "arcspan/shading/flat.hpp") \
   entry("gouraud", Gouraud, "arcspan/shading/gouraud.hpp") \
-  entry("arc", Arc, "arcspan/shading/arc/arc.hpp") \
-  entry("adaptive", Adaptive, "arcspan/shading/adaptive/adaptive.hpp")
+  entry("arc", Arc, "arcspan/shading/surface/arc.hpp")
 
 /// The methods of the papers, for comparison.
 #define ARCSPAN_FOR_EACH_LITERATURE_METHOD(entry) \
@@ -76,7 +75,7 @@ namespace arcspan::tools {
 /// Whether the tools draw textures, vertex colours, transparency and fog with the class of this name. Segment
 /// has its colours at every 2^j-th pixel only.
 [[nodiscard]] constexpr bool draws_effects(std::string_view class_name) {
-  return class_name == "Flat" || class_name == "Gouraud" || class_name == "Arc" || class_name == "Adaptive";
+  return class_name == "Flat" || class_name == "Gouraud" || class_name == "Arc";
 }
 
 }  // namespace arcspan::tools

@@ -6,7 +6,7 @@
 #include <arcspan/hal/panel/command_port.hpp>
 #include <arcspan/hal/panel/mipi_dcs.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 namespace arcspan::test {
 namespace {

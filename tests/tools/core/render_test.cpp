@@ -2,7 +2,7 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/image/difference.hpp>
@@ -38,7 +38,7 @@ Scene small_scene() {
 // meet in virtual calls: every method is drawn by the test of shadings and formats.
 std::vector<std::string> drawing_shadings() {
 #ifdef ARCSPAN_FEW_DRAWINGS
-  return {"flat", "gouraud", "adaptive", "phong"};
+  return {"flat", "gouraud", "arc", "phong"};
 #else
   return shading_names();
 #endif
@@ -212,11 +212,10 @@ TEST_CASE("a light's strength is 1 / (d + K)") {
 
 namespace {
 
-/// The picture that firmware draws by adaptive, which asks an illumination for all that arc and segment do,
-/// and for more. `Lit` has all lights of the job.
+/// The picture that firmware draws by arc with the job's tolerance. `Lit` has all lights of the job.
 template <class Lit>
 Image firmware_picture(const RenderJob& job) {
-  using Method = Adaptive<Lit>;
+  using Method = Arc<Lit>;
   const Viewport& size = job.transform.viewport();
   std::vector<std::uint16_t> colours(hal::Framebuffer<Rgb565>::words(size.width, size.height));
   std::vector<std::uint16_t> depths(DepthBuffer::words(size.width, size.height));
@@ -231,8 +230,8 @@ Image firmware_picture(const RenderJob& job) {
   Lit lit;
   REQUIRE(ok(Lit::make(part.material, lights, job.to_eye, lit)));
   std::vector<CachedVertex<Method>> cache(part.mesh.vertex_count());
-  const AdaptiveIllumination<Lit> lighting(lit);
-  REQUIRE(ok(draw_mesh<Method>(part.mesh, job.transform, lighting, frame, depth, std::span(cache)).status));
+  REQUIRE(ok(lit.set_tolerance(job.tolerance)));
+  REQUIRE(ok(draw_mesh<Method>(part.mesh, job.transform, lit, frame, depth, std::span(cache)).status));
   Image image(size.width, size.height);
   for (std::int32_t y = 0; y < size.height; ++y) {
     for (std::int32_t x = 0; x < size.width; ++x) image.at(x, y) = frame.pixel(x, y);
@@ -247,25 +246,26 @@ TEST_CASE("several lights are drawn as firmware draws them") {
   Scene scene = small_scene();
   scene.size = {192, 144};
   scene.lights = {SceneLight(0.4, 0.7, 0.6), SceneLight({-1, 0.2, 0.3}, 0.5)};
-  CHECK(render(scene, torus, "adaptive", "rgb565").image ==
+  CHECK(render(scene, torus, "arc", "rgb565").image ==
         firmware_picture<Illumination<2, Highlight::kBlinn>>(make_job(scene, torus, "m")));
   scene.highlight = Highlight::kPhong;
   scene.lights[1].colour = {0.25, 0.75, 1};
-  CHECK(render(scene, torus, "adaptive", "rgb565").image ==
+  CHECK(render(scene, torus, "arc", "rgb565").image ==
         firmware_picture<Illumination<2, Highlight::kPhong, IlluminationFeatures{.coloured_lights = true}>>(
             make_job(scene, torus, "m")));
 }
 
 #ifndef ARCSPAN_FEW_DRAWINGS
-// Coarse spheres have triangles of every path, and rows in pieces.
+// Coarse spheres have triangles of every order.
 TEST_CASE("grey lights are drawn as firmware draws them, from fine and from coarse meshes") {
   const FixedMesh object = mesh(GENERATE("torus:24x12", "sphere:18x9", "sphere:10x6", "sphere:6x4"));
   Scene scene = small_scene();
   scene.size = {192, 144};
   scene.surface.specular = 0.5;
   scene.surface.shininess = GENERATE(8, 32, 100);
+  scene.tolerance = GENERATE(0, 1, 8);
   const auto expect_equal = [&](const auto& picture_of) {
-    const Image picture = render(scene, object, "adaptive", "rgb565").image;
+    const Image picture = render(scene, object, "arc", "rgb565").image;
     CHECK(picture == picture_of(make_job(scene, object, "m")));
   };
   scene.highlight = Highlight::kPhong;
@@ -302,7 +302,7 @@ TEST_CASE("by every method, each channel of coloured lights is that of white lig
   for (std::size_t p = 0; p < expected.pixels.size(); ++p) {
     expected.pixels[p] = {red.pixels[p].r, green.pixels[p].g, blue.pixels[p].b};
   }
-  if (model == Highlight::kBlinn && (shading == "arc" || shading == "segment" || shading == "adaptive")) {
+  if (model == Highlight::kBlinn && (shading == "arc" || shading == "segment")) {
     // How wide a patch may be depends on the share that each light has in the highlights.
     const Difference found = difference(coloured, expected);
     CHECK(found.largest <= 1);

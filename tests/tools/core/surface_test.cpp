@@ -7,8 +7,8 @@
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/rgb332.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/textured/environment_map.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/shading/vertex_coloured.hpp>
@@ -100,6 +100,7 @@ Image firmware(const RenderJob& job, const typename Method::Lighting& lighting) 
 Lit light_of(const RenderJob& job) {
   Lit lit;
   REQUIRE(ok(Lit::make(job.parts.at(0).material, {job.lights.at(0)}, job.to_eye, lit)));
+  REQUIRE(ok(lit.set_tolerance(job.tolerance)));
   return lit;
 }
 
@@ -227,7 +228,7 @@ TEST_CASE("surfaces in bands, and without a depth test, are drawn as they should
   if (scene.depth) scene.fog = SceneFog{2, 5};
   const FixedModel fixed = to_fixed(model);
   RenderJob job = make_job(scene, fixed, "m");
-  const Renderer& renderer = find_renderer("adaptive", "rgb565", true);
+  const Renderer& renderer = find_renderer("arc", "rgb565", true);
   const RenderResult whole = renderer.render(job, [](std::size_t) {});
   CHECK(whole.stats.depth_bytes == (scene.depth ? 96u * 72 * 2 : 0));
   for (const std::int32_t rows : {1, 7, 71}) {

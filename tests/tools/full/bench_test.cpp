@@ -204,7 +204,7 @@ TEST_CASE("bench prints its report and writes the same into tables") {
       CHECK(method["nanoseconds_per_pixel"].get<double>() > 0);
       CHECK(method["time_per_arc"].get<double>() > 0);
     }
-    CHECK(names == std::vector<std::string>{"flat", "gouraud", "arc", "adaptive", "phong", "float-phong"});
+    CHECK(names == std::vector<std::string>{"flat", "gouraud", "arc", "phong", "float-phong"});
   }
   CHECK(json["threads"].size() == 4);
 }

@@ -184,8 +184,8 @@ TEST_CASE("vertex colours are interpolated, unless another shading is chosen or 
   };
   CHECK(colours("") > 40);
   CHECK(colours("--shading gouraud") > 40);
-  CHECK(colours("--shading adaptive --vertex-colours") > 40);
-  CHECK(colours("--shading adaptive") == 2);  // the mean and the background
+  CHECK(colours("--shading arc --vertex-colours") > 40);
+  CHECK(colours("--shading arc") == 2);  // the mean and the background
   CHECK(colours("--no-vertex-colours") == 2);
   CHECK(colours("--colour 0,1,0") == 2);
   // At the centre of a pixel the colours are those of its barycentric coordinates.

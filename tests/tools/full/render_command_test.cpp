@@ -155,8 +155,11 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
        "not 'rgb666'"},
       {"--shading ray",
        "--shading: expected "
-       "flat|gouraud|arc|adaptive|segment|recurrence|recurrence-four|phong|phong-reciprocal|phong-segment|"
-       "slerp|kuijk-blake|lyon|duff|reflection-map|arc-vector|dichotomy, not 'ray'"},
+       "flat|gouraud|arc|segment|recurrence|recurrence-four|phong|phong-reciprocal|phong-segment|slerp|"
+       "kuijk-blake|lyon|duff|reflection-map|arc-vector|dichotomy, not 'ray'"},
+      {"--shading adaptive", "--shading: adaptive is now arc with a tolerance: --shading arc --tolerance 1"},
+      {"--tolerance 1 --shading gouraud", "--tolerance: only --shading arc has one, not gouraud"},
+      {"--tolerance 65", "--tolerance: expected an integer 0...64, not '65'"},
       {"--polynomial fourth",
        "--polynomial: expected linear, quadratic, cubic, printed-linear or printed-quadratic, not 'fourth'"},
       {"--segment 2 --shading phong",
@@ -207,12 +210,10 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
       {"--fog 1,2#2,0,0",
        "--fog: expected NEAR,FAR[#R,G,B] with NEAR below FAR and each of R,G,B 0...1, not '1,2#2,0,0'"},
       {"--fog 1,2 --no-depth", "--fog: needs the depth buffer (not --no-depth)"},
-      {"--fog 1,2 --shading phong",
-       "--fog: only --shading flat, gouraud, arc and adaptive have it, not phong"},
-      {"--alpha 0.5 --shading segment",
-       "--alpha: only --shading flat, gouraud, arc and adaptive have it, not segment"},
+      {"--fog 1,2 --shading phong", "--fog: only --shading flat, gouraud and arc have it, not phong"},
+      {"--alpha 0.5 --shading segment", "--alpha: only --shading flat, gouraud and arc have it, not segment"},
       {"--vertex-colours --shading lyon",
-       "--vertex-colours: only --shading flat, gouraud, arc and adaptive have it, not lyon"},
+       "--vertex-colours: only --shading flat, gouraud and arc have it, not lyon"},
       {"--matcap a.png --shading flat", "--matcap: is drawn by --shading arc, not flat"},
       {"--polish", "--polish: no such option of arcspan render (see arcspan render --help)"},
   }));

@@ -218,7 +218,7 @@ TEST_CASE("render: the texels are where the texture points say") {
     REQUIRE(made.status == 0);
     return read_image(folder / "a.ppm");
   };
-  const std::string shading = GENERATE("flat", "gouraud", "arc", "adaptive");
+  const std::string shading = GENERATE("flat", "gouraud", "arc");
   const Image image = drawn(kSign, " --shading " + shading);
   // The left half of the board shows the columns 0 to 7 of tiles.ppm, the right half 8 to 15: four tiles of
   // one unit, 30.5 pixels wide. Their upper half is coloured, the lower one black.

@@ -72,7 +72,9 @@ class SceneBench {
         sphere_(sphere),
         bench_(make_bench_scene(sphere)),
         mesh_(with_planes(to_fixed(bench_.mesh), to_string(sphere))),
-        job_(make_job(bench_.scene, mesh_, to_string(sphere))) {}
+        job_(make_job(bench_.scene, mesh_, to_string(sphere))) {
+    job_.tolerance = plan.tolerance;
+  }
 
   [[nodiscard]] SceneTimes times(const std::function<void()>& round_done) {
     std::vector<Contestant> contestants;

@@ -43,6 +43,7 @@ struct ThreadTimes {
 struct BenchPlan {
   std::vector<BenchSphere> spheres;
   std::vector<std::string> methods;  ///< shadings and kFloatPhong; arc is measured anyway
+  std::int32_t tolerance = 1;        ///< of arc, in 8-bit steps
   std::int32_t rounds = 15;
   double milliseconds = 4;    ///< that each method draws in each round
   std::uint32_t threads = 1;  ///< scaling is measured from 2 to this

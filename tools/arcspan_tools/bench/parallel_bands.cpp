@@ -2,7 +2,7 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <arcspan_tools/bench/parallel_bands.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -71,7 +71,8 @@ struct ParallelBands::Work {
     if (job.parts.size() != 1 || job.lights.size() != 1 || job.highlight != Highlight::kPhong) {
       throw Failure("bands in parallel", "are drawn with one material, one light and Phong's highlight");
     }
-    const Status status = Light::make(job.parts[0].material, {job.lights[0]}, job.to_eye, light);
+    Status status = Light::make(job.parts[0].material, {job.lights[0]}, job.to_eye, light);
+    if (ok(status)) status = light.set_tolerance(job.tolerance);
     if (!ok(status)) throw Failure("illumination", to_string(status));
     const Viewport& size = job.transform.viewport();
     memory.resize(Frame::words(size.width, size.height));

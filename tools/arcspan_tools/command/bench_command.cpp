@@ -2,6 +2,8 @@
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/bench/report.hpp>
 #include <arcspan_tools/command/command.hpp>
+#include <arcspan_tools/command/render_options.hpp>
+#include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/render/render.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
@@ -37,6 +39,7 @@ std::vector<std::string> parse_methods(const std::string& text) {
   std::vector<std::string> wanted;
   std::istringstream in(text);
   for (std::string name; std::getline(in, name, ',');) {
+    if (name == kAdaptive) throw CLI::ValidationError("--method", "adaptive is now arc with --tolerance");
     if (std::find(all.begin(), all.end(), name) == all.end()) {
       std::string message = "expected names out of " + joined(all, "|");
       throw CLI::ValidationError("--method", message.append(" with commas, not '").append(name).append("'"));
@@ -92,7 +95,7 @@ void run_bench(BenchArguments arguments) {
 
 void add_bench_command(CLI::App& app) {
   auto arguments = std::make_shared<BenchArguments>();
-  arguments->plan.methods = {"flat", "gouraud", "arc", "adaptive", "phong", kFloatPhong};
+  arguments->plan.methods = {"flat", "gouraud", "arc", "phong", kFloatPhong};
   CLI::App* bench = app.add_subcommand("bench", "Measure the time of the shading methods on this machine");
   bench
       ->add_option_function<std::vector<std::string>>(
@@ -109,8 +112,10 @@ void add_bench_command(CLI::App& app) {
       ->add_option_function<std::string>(
           "--method", [arguments](const std::string& text) { arguments->plan.methods = parse_methods(text); },
           "shadings and float-phong, with commas between them (default: "
-          "flat,gouraud,arc,adaptive,phong,float-phong)")
+          "flat,gouraud,arc,phong,float-phong)")
       ->type_name("A,B,C");
+  add_integer(*bench, "--tolerance", "0...64", "what arc may be off by, in 8-bit steps (default 1)", 0, 64,
+              arguments->plan.tolerance);
   bench->add_option("--rounds", arguments->plan.rounds, "in each of which every method draws (default: 15)")
       ->check(CLI::Range(1, 1000));
   bench

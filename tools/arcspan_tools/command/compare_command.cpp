@@ -60,6 +60,7 @@ std::vector<std::string> split(const std::string& text, char at) {
 std::vector<std::string> parse_shadings(const std::string& text) {
   std::vector<std::string> wanted;
   for (const std::string& name : split(text, ',')) {
+    if (name == kAdaptive) refuse_adaptive();
     if (!contains(shading_choices(), name) && !is_shading(name)) refuse_shading(name);
     if (!contains(wanted, name)) wanted.push_back(name);
   }
@@ -78,8 +79,8 @@ void choose_renderers(CompareArguments& a) {
     throw CLI::ValidationError("--segment",
                                "only segment and phong-segment have some, which --shading leaves out");
   }
-  if (a.options.tolerance_given && !contains(wanted, "adaptive")) {
-    throw CLI::ValidationError("--tolerance", "only adaptive has one, which --shading leaves out");
+  if (a.options.tolerance_given && !contains(wanted, "arc")) {
+    throw CLI::ValidationError("--tolerance", "only arc has one, which --shading leaves out");
   }
   a.shadings.clear();
   for (const std::string& name : wanted) {

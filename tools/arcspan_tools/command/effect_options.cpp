@@ -91,7 +91,7 @@ void check_effects(const CLI::App& app, const RenderOptions& o) {
       const bool has_effect = std::string(option) == "--vertex-colours" ? o.vertex_colours.value_or(false)
                                                                         : std::string(option) != "--blend";
       if (app.count(option) != 0 && has_effect) {
-        refuse(option, "only --shading flat, gouraud, arc and adaptive have it, not " + o.shading);
+        refuse(option, "only --shading flat, gouraud and arc have it, not " + o.shading);
       }
     }
   }

@@ -165,9 +165,8 @@ std::string to_json(const MeshReport& r) {
 std::string warning(const MeshReport& r) {
   if (r.figures.wide_triangles == 0) return {};
   return formatted(
-      "%zu of %zu triangles have normals more than 60 degrees apart, which makes them slower to draw and "
-      "look "
-      "bent (keep more triangles, or more edges sharp by --crease 60 or a smaller angle)",
+      "%zu of %zu triangles have normals more than 60 degrees apart, which makes them look bent (keep more "
+      "triangles, or more edges sharp by --crease 60 or a smaller angle)",
       r.figures.wide_triangles, triangles(r));
 }
 

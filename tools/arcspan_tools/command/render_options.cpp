@@ -4,6 +4,7 @@
 #include <arcspan_tools/command/texture_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/render/render.hpp>
+#include <arcspan_tools/support/text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -100,8 +101,8 @@ void choose_renderer(RenderOptions& o) {
     throw CLI::ValidationError("--segment",
                                "only --shading segment and phong-segment have some, not " + o.shading);
   }
-  if (o.tolerance_given && o.shading != "adaptive") {
-    throw CLI::ValidationError("--tolerance", "only --shading adaptive has one, not " + o.shading);
+  if (o.tolerance_given && o.shading != "arc") {
+    throw CLI::ValidationError("--tolerance", "only --shading arc has one, not " + o.shading);
   }
 }
 
@@ -121,7 +122,16 @@ void add_surface_options(CLI::App& app, RenderOptions& o) {
 }
 
 void add_shading_options(CLI::App& app, RenderOptions& o) {
-  add_choice(app, "--shading", "shading method", shading_choices(), o.shading);
+  const std::vector<std::string> choices = shading_choices();
+  const std::string all = joined(choices, "|");
+  add_parsed<std::string>(
+      app, "--shading", all, "shading method (default " + o.shading + ")", all,
+      [choices](const std::string& text) -> std::optional<std::string> {
+        if (text == kAdaptive) refuse_adaptive();
+        const bool known = std::count(choices.begin(), choices.end(), text) != 0;
+        return known ? std::optional(text) : std::nullopt;
+      },
+      [&o](const std::string& shading) { o.shading = shading; });
   add_parsed<std::string>(
       app, "--polynomial", "linear|quadratic|cubic|printed-linear|printed-quadratic",
       "what dichotomy halves arcs by (default quadratic); printed are S3's own, with its last segments",
@@ -133,7 +143,7 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
       [&o](const std::string& polynomial) { o.polynomial = polynomial; });
   add_integer(app, "--segment", "1...4", "segment's length is 2 to this power in pixels (default 2)", 1, 4,
               o.scene.segment_bits);
-  add_integer(app, "--tolerance", "0...64", "what adaptive may be off by, in 8-bit steps (default 1)", 0, 64,
+  add_integer(app, "--tolerance", "0...64", "what arc may be off by, in 8-bit steps (default 1)", 0, 64,
               o.scene.tolerance);
   app.parse_complete_callback([&app, &o] {
     note_settings(app, o);
@@ -191,6 +201,11 @@ void add_camera_options(CLI::App& app, RenderOptions& o) {
 }
 
 }  // namespace
+
+void refuse_adaptive() {
+  throw CLI::ValidationError("--shading",
+                             "adaptive is now arc with a tolerance: --shading arc --tolerance 1");
+}
 
 void add_crease(CLI::App& app, std::optional<double>& degrees) {
   add_parsed<double>(

@@ -22,7 +22,7 @@ struct RenderOptions {
   std::string shading = "arc";
   /// The polynomial of `dichotomy`; empty if it was not given.
   std::string polynomial;
-  /// Whether `segment` and `adaptive` were given their settings, which are in the scene.
+  /// Whether `segment` and `arc` were given their settings, which are in the scene.
   bool segment_given = false;
   bool tolerance_given = false;
   std::optional<double> crease_degrees;  ///< make normals anew; the model's otherwise
@@ -37,6 +37,10 @@ struct RenderOptions {
 
 /// A colour of three channels, each 0...1.
 [[nodiscard]] std::optional<Vec3> parse_colour(const std::string& text);
+
+/// A former name of arc with a tolerance, which is refused with a message that says so.
+inline constexpr const char* kAdaptive = "adaptive";
+[[noreturn]] void refuse_adaptive();
 
 /// The name under which the polynomials of dichotomy are offered.
 inline constexpr const char* kDichotomy = "dichotomy";

@@ -25,7 +25,7 @@ struct CountJob {
   bool two_sided = false;
   bool depth = true;     ///< with a depth test; otherwise every pixel passes it
   int segment_bits = 2;  ///< of `segment`
-  int tolerance = 1;     ///< of `adaptive`
+  int tolerance = 1;     ///< of `arc`
   int band_rows = 0;     ///< rows of the bands that the picture is drawn in, 1 or more
 };
 

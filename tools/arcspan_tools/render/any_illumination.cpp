@@ -19,8 +19,6 @@ class CallsOf final : public IlluminationCalls {
   }
 
   [[nodiscard]] bool has_ramp() const override { return Wrapped::kHasRamp; }
-  [[nodiscard]] std::size_t lights() const override { return kLights; }
-  [[nodiscard]] Highlight model() const override { return Wrapped::kModel; }
   [[nodiscard]] AnyScalars scalars(const Direction& normal) const override {
     const Scalars few = wrapped_.scalars(normal);
     AnyScalars all{};
@@ -32,9 +30,6 @@ class CallsOf final : public IlluminationCalls {
   }
   [[nodiscard]] PackedRgb colour(const AnyScalars& scalars) const override {
     return wrapped_.colour(few_of(scalars));
-  }
-  [[nodiscard]] PixelLight light(const AnyScalars& scalars) const override {
-    return wrapped_.light(few_of(scalars));
   }
   [[nodiscard]] DeepColour deep_colour(const AnyScalars& scalars) const override {
     return wrapped_.deep_colour(few_of(scalars));
@@ -54,63 +49,42 @@ class CallsOf final : public IlluminationCalls {
     if constexpr (Wrapped::kHasRamp) return wrapped_.diffuse_colour(normal_light);
     return {};
   }
-  [[nodiscard]] std::uint32_t highlight_weight(std::size_t light) const override {
-    if constexpr (Wrapped::kHasRamp) return wrapped_.highlight_weight(light);
-    return 0;
+
+  [[nodiscard]] Status set_tolerance(std::int32_t steps) override { return wrapped_.set_tolerance(steps); }
+  [[nodiscard]] bool is_dark(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c) const override {
+    return wrapped_.is_dark(few_of(a), few_of(b), few_of(c));
   }
-  [[nodiscard]] std::uint32_t diffuse_share(std::size_t light) const override {
-    return wrapped_.diffuse_share(light);
+  [[nodiscard]] TriangleLight light_over(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
+                                         std::uint32_t widest) const override {
+    return wrapped_.light_over(few_of(a), few_of(b), few_of(c), widest);
   }
-  [[nodiscard]] bool draws_one_highlight() const override { return Wrapped::draws_one_highlight(); }
-  [[nodiscard]] OneHighlight one_highlight(std::size_t light) const override {
-    return wrapped_.one_highlight(light);
+  [[nodiscard]] Cosine pixel_scalar(Cosine scalar, std::size_t i) const override {
+    const std::size_t light = i % kAnyLights;
+    if (light >= kLights) return scalar;
+    return wrapped_.pixel_scalar(scalar, i < kAnyLights ? light : Wrapped::highlight_index(light));
   }
-  [[nodiscard]] std::uint32_t highlight_power(const OneHighlight& of, Cosine normal_light,
-                                              Cosine other) const override {
-    return wrapped_.highlight_power(of, normal_light, other);
+  [[nodiscard]] PackedRgb surface_colour(const AnyScalars& scalars) const override {
+    return wrapped_.surface_colour(few_of(scalars));
   }
-  [[nodiscard]] PackedRgb highlight(std::uint32_t power) const override { return wrapped_.highlight(power); }
-  [[nodiscard]] std::uint32_t most_ramp() const override {
-    if constexpr (Wrapped::kHasRamp) return wrapped_.most_ramp();
-    return 0;
+  [[nodiscard]] PixelLight surface_light(const AnyScalars& scalars) const override {
+    return wrapped_.surface_light(few_of(scalars));
   }
+
   [[nodiscard]] bool lit_throughout(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
                                     std::uint32_t& lit) const override {
     return wrapped_.lit_throughout(few_of(a), few_of(b), few_of(c), lit);
   }
-  [[nodiscard]] std::int32_t nearest_highlight_of(std::size_t light, const AnyScalars& a, const AnyScalars& b,
-                                                  const AnyScalars& c, Cosine headroom) const override {
-    if (light >= kLights) return INT32_MAX;
-    return wrapped_.nearest_highlight_of(light, few_of(a), few_of(b), few_of(c), headroom);
-  }
-  [[nodiscard]] std::int32_t nearest_highlight_between(std::int32_t reach, const AnyScalars& a,
-                                                       const AnyScalars& b, const AnyScalars& c,
-                                                       std::uint32_t ab, std::uint32_t ac,
-                                                       std::uint32_t bc) const override {
-    return wrapped_.nearest_highlight_between(reach, few_of(a), few_of(b), few_of(c), ab, ac, bc);
+  [[nodiscard]] bool may_shine(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
+                               Cosine headroom) const override {
+    return wrapped_.may_shine(few_of(a), few_of(b), few_of(c), headroom);
   }
   [[nodiscard]] HighlightBound highlights_over(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
                                                std::uint32_t ab, std::uint32_t ac,
                                                std::uint32_t bc) const override {
     return wrapped_.highlights_over(few_of(a), few_of(b), few_of(c), ab, ac, bc);
   }
-  [[nodiscard]] std::int32_t half_distance(Cosine normal_light, Cosine other,
-                                           std::size_t light) const override {
-    return wrapped_.half_distance(normal_light, other, light);
-  }
-  [[nodiscard]] std::int32_t rough_half_distance(Cosine normal_light, Cosine other,
-                                                 std::size_t light) const override {
-    return wrapped_.rough_half_distance(normal_light, other, light);
-  }
-  [[nodiscard]] bool may_clamp(bool shines) const override { return wrapped_.may_clamp(shines); }
   [[nodiscard]] std::uint32_t widest_patch() const override { return wrapped_.widest_patch(); }
-  [[nodiscard]] Cosine fade_end() const override { return wrapped_.fade_end(); }
-  [[nodiscard]] std::uint32_t most_diffuse() const override { return wrapped_.most_diffuse(); }
-  [[nodiscard]] std::uint32_t most_specular() const override { return wrapped_.most_specular(); }
-  [[nodiscard]] std::uint32_t most_curvature() const override { return wrapped_.most_curvature(); }
-  [[nodiscard]] std::uint32_t shininess() const override { return wrapped_.shininess(); }
   [[nodiscard]] const PowerTable& power() const override { return wrapped_.power(); }
-  [[nodiscard]] const std::array<std::uint32_t, 3>& specular() const override { return wrapped_.specular(); }
 
  private:
   static constexpr std::size_t kLights = Wrapped::kLights;

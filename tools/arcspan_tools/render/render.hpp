@@ -44,7 +44,7 @@ struct RenderJob {
   Highlight highlight = Highlight::kBlinn;
   bool depth = true;
   std::int32_t segment_bits = 2;  ///< of `segment`
-  std::int32_t tolerance = 1;     ///< of `adaptive`, in 8-bit steps
+  std::int32_t tolerance = 1;     ///< of `arc`, in 8-bit steps
   Rgb8 background;
   std::int32_t band_rows = 0;  ///< rows per band, 1 or more; the picture's height or more is a full frame
   std::int32_t repeats = 1;    ///< draws of every band, 1 or more, for measuring; the picture is the same

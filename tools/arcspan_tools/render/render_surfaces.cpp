@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/textured/environment_map.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/shading/vertex_coloured.hpp>

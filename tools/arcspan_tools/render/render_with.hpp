@@ -109,7 +109,7 @@ RenderResult render_any(const RenderJob& job, const std::vector<std::unique_ptr<
 /// Makes the drawer of a part with a texture or without. That has a white one, which changes no pixel.
 template <template <class> class Method, bool kAsksForRamp>
 std::unique_ptr<SurfaceDrawer> make_surface_drawer(const RenderJob& job, const RenderPart& part,
-                                                   const IlluminationCalls& calls,
+                                                   IlluminationCalls& calls,
                                                    const SurfaceOperation& operation) {
   const auto make = [&]<class Lit>(const Lit& illumination) -> std::unique_ptr<SurfaceDrawer> {
     using Drawn = Textured<Method<Lit>, SurfaceTexels, TexelLight::kColoured>;

@@ -55,7 +55,7 @@ class SurfaceDrawerOf final : public SurfaceDrawer {
 
 /// Makes the drawer of a part that is drawn by the job's shading method, with a texture or without.
 using MakeSurfaceDrawer = std::unique_ptr<SurfaceDrawer>(const RenderJob& job, const RenderPart& part,
-                                                         const IlluminationCalls& illumination,
+                                                         IlluminationCalls& illumination,
                                                          const SurfaceOperation& operation);
 
 /// The texture of a part; a white one, which changes no pixel, if it has none.

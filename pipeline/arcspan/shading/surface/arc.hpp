@@ -222,7 +222,7 @@ struct Arc {
     // Opposite normals have no direction half-way; 3.75, so that sums and slopes fit.
     constexpr std::uint32_t kMost = std::uint32_t{15} << 26;
     constexpr std::uint32_t kNarrow = std::uint32_t{15} << 24;  // 0.94, just below 60 degrees
-    const auto bend = [](std::uint32_t chord) {
+    const auto bend = [&](std::uint32_t chord) {
       return static_cast<std::int32_t>(chord < kMost ? chord : kMost);
     };
     const auto deficit = [](const Vertex& vertex) { return std::int32_t{vertex.deficit} << 12; };

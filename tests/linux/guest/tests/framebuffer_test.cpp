@@ -6,7 +6,7 @@
 #include <arcspan/pixel/mono.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <fcntl.h>

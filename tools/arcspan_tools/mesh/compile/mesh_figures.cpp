@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/shading/arc/arc_vertex.hpp>
+#include <arcspan/lighting/triangle_light.hpp>
+#include <arcspan/numbers/direction.hpp>
 
 #include <arcspan_tools/mesh/compile/mesh_figures.hpp>
 
@@ -29,7 +30,7 @@ MeshFigures figures_of(const FixedMesh& mesh) {
     const Normal& c = normals[mesh.indices[i + 2]];
     const std::uint32_t chord = std::max({squared_chord(a, b), squared_chord(b, c), squared_chord(c, a)});
     widest = std::max(widest, chord);
-    if (chord > kWidestArc) ++found.wide_triangles;
+    if (chord > kWidestBounded) ++found.wide_triangles;
   }
   const double half_chord = std::min(std::sqrt(std::ldexp(double(widest), -28)) / 2, 1.0);
   found.widest_angle_degrees = 2 * std::asin(half_chord) * 180 / std::numbers::pi;

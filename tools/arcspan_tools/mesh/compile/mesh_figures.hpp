@@ -13,8 +13,7 @@ namespace arcspan::tools {
 struct MeshFigures {
   MeshBounds bounds;
   double widest_angle_degrees = 0;  ///< between two normals of one triangle
-  std::size_t wide_triangles =
-      0;  ///< with normals more than 60 degrees apart, which arc shading draws slowly
+  std::size_t wide_triangles = 0;   ///< with normals more than 60 degrees apart
 };
 
 /// `mesh` must have a vertex.

@@ -102,6 +102,7 @@ class SurfaceMeasurement {
   using Vertex = RasterVertex<Method>;
 
   SurfaceErrors errors;
+  double most_light = 0;  ///< the largest magnitude of N·L
   /// White light, diffuse and specular.
   Material material{.ambient = {},
                     .diffuse = {Coefficient::of(1.0), Coefficient::of(1.0), Coefficient::of(1.0)},
@@ -162,11 +163,13 @@ class SurfaceMeasurement {
 
  private:
   void add(const SurfaceCase& c, const typename Light::Pixel& pixel, double light, double cosine) {
-    const double of_light = 255 * std::abs(std::clamp(to_double(pixel.light), 0.0, 1.0) - std::clamp(light, 0.0, 1.0));
+    const double of_light =
+        255 * std::abs(std::clamp(to_double(pixel.light), 0.0, 1.0) - std::clamp(light, 0.0, 1.0));
     const double highlight = 255 * std::pow(std::clamp(cosine, 0.0, 1.0), c.shininess);
     double of_highlight = std::abs(pixel.highlight - (light > 0 ? highlight : 0));
     // Highlights end abruptly at N·L = 0, where either side is right.
     if (std::abs(light) < 1.0 / 255) of_highlight = std::min(pixel.highlight, std::abs(pixel.highlight - highlight));
+    most_light = std::max(most_light, std::abs(to_double(pixel.light)));
     ++errors.pixels;
     if (of_light > errors.light_limit) ++errors.light_beyond;
     if (of_highlight > errors.highlight_limit) ++errors.highlight_beyond;

@@ -57,18 +57,37 @@ struct SurfaceCase {
 
   [[nodiscard]] std::string text() const {
     char line[300];
-    std::snprintf(line, sizeof line,
-                  "points (%lld %lld) (%lld %lld) (%lld %lld), normals (%d %d %d) (%d %d %d) (%d %d %d), light (%d %d "
-                  "%d), eye (%d %d %d), n %d, tolerance %d, %s",
-                  static_cast<long long>(points[0].x), static_cast<long long>(points[0].y),
-                  static_cast<long long>(points[1].x), static_cast<long long>(points[1].y),
-                  static_cast<long long>(points[2].x), static_cast<long long>(points[2].y), normals[0].x.raw(),
-                  normals[0].y.raw(), normals[0].z.raw(), normals[1].x.raw(), normals[1].y.raw(),
-                  normals[1].z.raw(), normals[2].x.raw(), normals[2].y.raw(), normals[2].z.raw(), to_light.x.raw(),
-                  to_light.y.raw(), to_light.z.raw(), to_eye.x.raw(), to_eye.y.raw(), to_eye.z.raw(), shininess,
-                  tolerance, by_commands ? "command" : "any raster");
+    std::snprintf(
+        line, sizeof line,
+        "points (%lld %lld) (%lld %lld) (%lld %lld), normals (%d %d %d) (%d %d %d) (%d %d %d), light (%d %d "
+        "%d), eye (%d %d %d), n %d, tolerance %d, %s",
+        static_cast<long long>(points[0].x), static_cast<long long>(points[0].y),
+        static_cast<long long>(points[1].x), static_cast<long long>(points[1].y),
+        static_cast<long long>(points[2].x), static_cast<long long>(points[2].y), normals[0].x.raw(),
+        normals[0].y.raw(), normals[0].z.raw(), normals[1].x.raw(), normals[1].y.raw(), normals[1].z.raw(),
+        normals[2].x.raw(), normals[2].y.raw(), normals[2].z.raw(), to_light.x.raw(), to_light.y.raw(),
+        to_light.z.raw(), to_eye.x.raw(), to_eye.y.raw(), to_eye.z.raw(), shininess, tolerance,
+        by_commands ? "command" : "any raster");
     return line;
   }
+};
+
+/// Counts errors in bins of 1/64 of an 8-bit step.
+class ErrorBins {
+ public:
+  void add(double error) { ++bins_[std::min(static_cast<std::size_t>(error * 64), bins_.size() - 1)]; }
+  /// What all but a thousandth of the errors are within.
+  [[nodiscard]] double nearly_all() const {
+    std::uint64_t count = 0;
+    for (const std::uint64_t bin : bins_) count += bin;
+    std::uint64_t beyond = 0;
+    std::size_t bin = bins_.size();
+    while (bin > 0 && (beyond + bins_[bin - 1]) * 1000 <= count) beyond += bins_[--bin];
+    return static_cast<double>(bin) / 64;
+  }
+
+ private:
+  std::vector<std::uint64_t> bins_ = std::vector<std::uint64_t>(256 * 64);
 };
 
 /// The errors of many pixels in 8-bit steps, and how many exceed the limits.
@@ -80,6 +99,8 @@ struct SurfaceErrors {
   std::uint64_t highlight_beyond = 0;
   double light = 0;
   double highlight = 0;
+  ErrorBins light_bins;
+  ErrorBins highlight_bins;
   std::string light_case;
   std::string highlight_case;
   std::uint64_t missing = 0;  ///< pixels that were not recorded
@@ -116,7 +137,8 @@ class SurfaceMeasurement {
     light_.pixels = &pixels_;
     std::array<Vertex, 3> v;
     for (std::size_t i = 0; i < 3; ++i) {
-      v[i].position = {static_cast<std::int16_t>(c.points[i].x), static_cast<std::int16_t>(c.points[i].y), 1000};
+      v[i].position = {static_cast<std::int16_t>(c.points[i].x), static_cast<std::int16_t>(c.points[i].y),
+                       1000};
       v[i].shade = Method::shade_vertex(light_, c.normals[i]);
     }
     return v;
@@ -151,7 +173,8 @@ class SurfaceMeasurement {
           return;
         }
         const Vec3 n = model.at(x - kPicture / 2, run.y - kPicture / 2);
-        const double cosine = Model == Highlight::kBlinn ? dot(n, half) : 2 * dot(n, light) * dot(n, eye) - dot(light, eye);
+        const double cosine =
+            Model == Highlight::kBlinn ? dot(n, half) : 2 * dot(n, light) * dot(n, eye) - dot(light, eye);
         add(c, pixels_[next++], dot(n, light), cosine);
       }
     }
@@ -168,9 +191,12 @@ class SurfaceMeasurement {
     const double highlight = 255 * std::pow(std::clamp(cosine, 0.0, 1.0), c.shininess);
     double of_highlight = std::abs(pixel.highlight - (light > 0 ? highlight : 0));
     // Highlights end abruptly at N·L = 0, where either side is right.
-    if (std::abs(light) < 1.0 / 255) of_highlight = std::min(pixel.highlight, std::abs(pixel.highlight - highlight));
+    if (std::abs(light) < 1.0 / 255)
+      of_highlight = std::min(pixel.highlight, std::abs(pixel.highlight - highlight));
     most_light = std::max(most_light, std::abs(to_double(pixel.light)));
     ++errors.pixels;
+    errors.light_bins.add(of_light);
+    errors.highlight_bins.add(of_highlight);
     if (of_light > errors.light_limit) ++errors.light_beyond;
     if (of_highlight > errors.highlight_limit) ++errors.highlight_beyond;
     if (of_light > errors.light) {
@@ -213,7 +239,8 @@ struct SurfaceShapes {
 
   const double size = random.decades(shapes.smallest, shapes.largest);
   const double turn = random.real(0, 2 * std::numbers::pi);
-  const double thin = random.chance(shapes.slivers) ? random.decades(1.0 / 16, 1.5) : random.decades(0.1, 1) * size;
+  const double thin =
+      random.chance(shapes.slivers) ? random.decades(1.0 / 16, 1.5) : random.decades(0.1, 1) * size;
   const bool upright = random.chance(0.3);
   const double dx = upright ? std::round(std::cos(turn)) : std::cos(turn);
   const double dy = upright ? std::round(std::sin(turn)) : std::sin(turn);

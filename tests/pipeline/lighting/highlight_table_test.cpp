@@ -62,7 +62,8 @@ TEST_CASE("a highlight table is the power times the coefficient, cut to a quarte
     for (const Coefficients& specular : {kWhite, coloured}) {
       const Error error = worst_error(n, specular);
       INFO("n = " << n);
-      CHECK(error.above < 0.25);  // the power table, and lines between 128 values
+      // The power table, and lines between 128 values, of which larger exponents use half.
+      CHECK(error.above < (n <= 104 ? 0.25 : 0.55));
       CHECK(error.below < 0.25 + 0.25);
     }
   }

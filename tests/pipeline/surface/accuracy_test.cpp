@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The limits of docs/accuracy.md: Arc against classic Phong shading in double precision.
 #include <catch2/catch.hpp>
-
 #include <tests/support/surface_accuracy.hpp>
 #include <tests/support/test_share.hpp>
 

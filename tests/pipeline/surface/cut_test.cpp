@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Triangles cut by the near plane or the guard band.
 #include <catch2/catch.hpp>
-
 #include <tests/support/surface_accuracy.hpp>
 #include <tests/support/test_share.hpp>
 

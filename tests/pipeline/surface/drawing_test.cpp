@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every path of Arc draws meshes without undefined behaviour: one to four lights, grey and coloured, both models,
-// both sides of faces, cut by the near plane and the guard band, and an environment map.
+// Every path of Arc draws meshes without undefined behaviour: one to four lights, grey and coloured, both
+// models, both sides of faces, cut by the near plane and the guard band, and an environment map.
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
@@ -8,7 +8,6 @@
 #include <arcspan/shading/textured/environment_map.hpp>
 
 #include <catch2/catch.hpp>
-
 #include <tests/support/mesh_and_camera.hpp>
 #include <tests/support/test_share.hpp>
 
@@ -79,7 +78,8 @@ int draw(const TestMesh& mesh, const TestCamera& camera, const Lighting& lightin
   std::vector<std::uint16_t> depths(DepthBuffer::words(camera.width, camera.height));
   DepthBuffer depth(depths, camera.width, camera.height);
   depth.clear();
-  CHECK(ok(draw_mesh<Arc<Lighting>, kBothSides>(mesh.view(), camera.transform(), lighting, frame, depth).status));
+  CHECK(ok(
+      draw_mesh<Arc<Lighting>, kBothSides>(mesh.view(), camera.transform(), lighting, frame, depth).status));
   int drawn = 0;
   for (const Frame::Word word : words) drawn += word == 0x0821 ? 0 : 1;
   return drawn;

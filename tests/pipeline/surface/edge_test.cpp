@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The two triangles of an edge have nearly the same scalars along it, whatever their orders.
 #include <catch2/catch.hpp>
-
 #include <tests/support/surface_accuracy.hpp>
 #include <tests/support/test_share.hpp>
 
@@ -43,8 +42,8 @@ Walked walk(Command& command, bool after_last) {
 
 SurfaceOrder order(Method::Path path) { return static_cast<SurfaceOrder>(static_cast<int>(path) % 3); }
 
-/// The largest difference of N·L along a vertical edge through the centres of pixels, in 8-bit steps, by the pair
-/// of orders.
+/// The largest difference of N·L along a vertical edge through the centres of pixels, in 8-bit steps, by the
+/// pair of orders.
 std::map<std::pair<SurfaceOrder, SurfaceOrder>, double> differences(std::int32_t tolerance) {
   std::map<std::pair<SurfaceOrder, SurfaceOrder>, double> worst;
   Random random(5);
@@ -56,7 +55,9 @@ std::map<std::pair<SurfaceOrder, SurfaceOrder>, double> differences(std::int32_t
     c.to_eye = to_direction(random_unit(random));
     const Vec3 middle = random_unit(random);
     const double far = 4 * random.decades(1, 12);
-    const auto near = [&](double angle) { return test::detail::packed(tilted(random, middle, radians(angle))); };
+    const auto near = [&](double angle) {
+      return test::detail::packed(tilted(random, middle, radians(angle)));
+    };
     const auto x = static_cast<std::int16_t>(16 * random.integer(-100, 100) + 8);
     const std::int32_t size = static_cast<std::int32_t>(16 * random.decades(10, 110));
     c.points = {Point{x, random.integer(-size, -size / 2)}, {x, random.integer(size / 2, size)}, {}};

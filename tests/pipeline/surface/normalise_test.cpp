@@ -2,7 +2,6 @@
 #include <arcspan/shading/surface/normalise.hpp>
 
 #include <catch2/catch.hpp>
-
 #include <tests/support/test_share.hpp>
 
 #include <algorithm>
@@ -28,7 +27,8 @@ TEST_CASE("the inverse of a length is as accurate as stated") {
     double error;
   };
   // e is at most 1/3 if the normals are up to 60 degrees apart. Slightly below 0 it is an error of rounding.
-  for (const Range& range : {Range{-kOne / 64, 0, 2.2e-4}, Range{0, kOne / 3, 1.5e-4}, Range{kOne / 3, kOne / 4 * 3, 8e-4}}) {
+  for (const Range& range :
+       {Range{-kOne / 64, 0, 2.2e-4}, Range{0, kOne / 3, 1.5e-4}, Range{kOne / 3, kOne / 4 * 3, 8e-4}}) {
     double worst = 0;
     for (std::int64_t e = range.first; e < range.end; e += test::stride_of(7919)) {
       const double k = std::ldexp(lengthening(static_cast<std::int32_t>(e)), -15);

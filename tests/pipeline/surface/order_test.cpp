@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
-
 #include <tests/support/surface_accuracy.hpp>
 #include <tests/support/test_share.hpp>
 
@@ -24,7 +23,8 @@ Light make_light(Vec3 to_eye, double specular, std::int32_t tolerance) {
   const Coefficient full = Coefficient::of(1.0);
   const Material material{{}, {full, full, full}, {height, height, height}, 16};
   Light light;
-  REQUIRE(ok(Light::make(material, {DirectionalLight{to_direction({0, 0, 1})}}, to_direction(to_eye), light)));
+  REQUIRE(
+      ok(Light::make(material, {DirectionalLight{to_direction({0, 0, 1})}}, to_direction(to_eye), light)));
   REQUIRE(ok(light.set_tolerance(tolerance)));
   return light;
 }
@@ -40,7 +40,8 @@ std::array<Vec3, 3> equilateral(double angle, Vec3 middle = kFront) {
   std::array<Vec3, 3> normals;
   for (std::size_t i = 0; i < 3; ++i) {
     const double turn = 2 * std::numbers::pi * static_cast<double>(i) / 3;
-    normals[i] = std::cos(radius) * middle + std::sin(radius) * (std::cos(turn) * side + std::sin(turn) * other);
+    normals[i] =
+        std::cos(radius) * middle + std::sin(radius) * (std::cos(turn) * side + std::sin(turn) * other);
   }
   return normals;
 }
@@ -68,7 +69,8 @@ double widest(const Light& light, SurfaceOrder order) {
 TEST_CASE("without highlight and tolerance triangles are linear up to 5.5 degrees and quadratic up to 17.8") {
   const Light light = make_light(kAside, 0, 0);
   // s/12 of full light is 6/32 of an 8-bit step.
-  CHECK(widest(light, SurfaceOrder::kLinear) == Approx(degrees(std::sqrt(12 * 6 / (32 * 255.0)))).margin(0.2));
+  CHECK(widest(light, SurfaceOrder::kLinear) ==
+        Approx(degrees(std::sqrt(12 * 6 / (32 * 255.0)))).margin(0.2));
   CHECK(widest(light, SurfaceOrder::kQuadratic) == Approx(17.8).margin(0.1));
 }
 
@@ -122,7 +124,8 @@ TEST_CASE("triangles that no light reaches are linear and dark, whatever their n
     CHECK(choice.light.reach == LightReach::kNone);
   }
   const Vertex behind = Arc<Light>::shade_vertex(light, to_direction({0, 0, -1}));
-  const Vertex cut = on_chord(behind, Arc<Light>::shade_vertex(light, to_direction({1, 0, 0})), Factor::of(0.5));
+  const Vertex cut =
+      on_chord(behind, Arc<Light>::shade_vertex(light, to_direction({1, 0, 0})), Factor::of(0.5));
   CHECK(choose_order(light, behind, behind, cut, true).light.reach == LightReach::kNone);
 }
 
@@ -162,7 +165,8 @@ TEST_CASE("quadratic surfaces of triangles with a right angle are wider than equ
   CHECK(!accurate(26, 26, 36));
 }
 
-TEST_CASE("quadratic surfaces have the sagitta of the arc, 4 (1 / cos(psi/2) - 1), within 3e-4 up to 33 degrees") {
+TEST_CASE(
+    "quadratic surfaces have the sagitta of the arc, 4 (1 / cos(psi/2) - 1), within 3e-4 up to 33 degrees") {
   for (double angle = 0; angle <= 33; angle += 0.25) {
     CAPTURE(angle);
     CHECK(sagitta_factor(chord_of(angle)) * 0x1p-18 ==

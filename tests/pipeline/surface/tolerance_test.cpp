@@ -5,7 +5,6 @@
 #include <arcspan/shading/surface/arc.hpp>
 
 #include <catch2/catch.hpp>
-
 #include <tests/support/mesh_and_camera.hpp>
 #include <tests/support/test_share.hpp>
 

@@ -17,9 +17,9 @@
 #include <arcspan/literature/recurrence_four.hpp>
 #include <arcspan/literature/slerp.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/shading/arc/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/raster_stage.hpp>

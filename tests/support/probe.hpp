@@ -16,8 +16,8 @@ struct ProbeSample {
   Rgb8 phong;
 };
 
-/// An illumination for Arc that writes down every pixel: its scalars, and the colours that the real
-/// illuminations make of them. Pixels come in the order of the sink's runs.
+/// An illumination for methods of the literature that writes down every pixel: its scalars, and the colours
+/// that the real illuminations make of them. Pixels come in the order of the sink's runs.
 struct Probe {
   using Blinn = Illumination<1, Highlight::kBlinn>;
   using Phong = Illumination<1, Highlight::kPhong>;
@@ -35,25 +35,6 @@ struct Probe {
     return {};
   }
 
-  /// The model that supplies widest_patch() and highlights_over(); kSharpest: limits that both models allow.
-  enum class Limits : std::uint8_t { kSharpest, kBlinn, kPhong };
-
-  [[nodiscard]] std::uint32_t widest_patch() const {
-    if (limits == Limits::kBlinn) return blinn->widest_patch();
-    if (limits == Limits::kPhong) return phong->widest_patch();
-    return arcspan::widest_patch(Highlight::kPhong, shininess, 255u << 5);
-  }
-  [[nodiscard]] HighlightBound highlights_over(const Scalars& a, const Scalars& b, const Scalars& c,
-                                               std::uint32_t ab, std::uint32_t ac, std::uint32_t bc) const {
-    if (limits == Limits::kBlinn)
-      return blinn->highlights_over({a[0], a[1]}, {b[0], b[1]}, {c[0], c[1]}, ab, ac, bc);
-    if (limits == Limits::kPhong)
-      return phong->highlights_over({a[0], a[2]}, {b[0], b[2]}, {c[0], c[2]}, ab, ac, bc);
-    return {INT32_MIN, HighlightBound::kBrightest};
-  }
-
-  Limits limits = Limits::kSharpest;
-  std::int32_t shininess = 64;  ///< of kSharpest
   std::array<Direction, 3> axes{};
   const Blinn* matt = nullptr;
   const Blinn* blinn = nullptr;

@@ -31,10 +31,12 @@ class HighlightTable {
 
   /// `specular` has a coefficient per channel, 0...255 in 8-bit steps with 5 fraction bits.
   constexpr HighlightTable(const PowerTable& power, const std::array<std::uint32_t, 3>& specular) {
-    constexpr std::uint32_t kMostReach = std::uint32_t{1} << kReachBits;
     const auto half_reach = static_cast<std::uint32_t>(power.half_reach());  // 30 fraction bits
-    // The factor is 2^25 / half_reach, but below 1: for exponents up to 104 the reach is all of the table.
-    const std::uint64_t factor = (std::uint64_t{kMostReach} << 31) / half_reach;
+    // The factor is 2^25 / half_reach, but below 1: for exponents up to 104 the reach is all of the table. Otherwise it
+    // ends with an interval, so that the line there meets the peak.
+    const std::uint32_t intervals = half_reach >> kIntervalBits;
+    const std::uint64_t most_reach = std::uint64_t{intervals < kIntervals ? intervals : kIntervals} << kIntervalBits;
+    const std::uint64_t factor = (most_reach << 31) / half_reach;
     constexpr std::uint64_t kMostFactor = (std::uint64_t{1} << 31) - 1;
     factor_ = static_cast<std::int32_t>(factor < kMostFactor ? factor : kMostFactor);
     reach_ = scaled(Cosine::from_raw(power.half_reach())).raw();

@@ -69,9 +69,11 @@ constexpr void Illumination<Lights, Model, Features>::set_limits() {
   const std::uint32_t exact = (detail::kExactEnough * light_height_) / (255u << 5);
   widest_diffuse_ = detail::limit_at_error(detail::kWidestExact, exact, detail::kExactEnough + more);
   widest_highlight_ = detail::limit_at_error(widest_patch_, detail::kHighlightError, detail::kHighlightError + more);
-  // The least distance at which the highlights of all lights together are below half the tolerance.
+  // The least distance at which the highlights of all lights together are below half the tolerance: any, even one below
+  // 0, as bounds may be, if they are so at their peak.
+  shine_reach_ = INT32_MIN;
+  if (highlight_height_ * power_(0) <= more << 14) return;
   shine_reach_ = 0;
-  if (highlight_height_ == 0) return;
   for (std::int32_t bit = std::int32_t{1} << 29; bit != 0; bit >>= 1) {
     const std::int32_t further = shine_reach_ | bit;
     if (further >= power_.half_reach()) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Clipping against the same planes in double precision.
 #include <arcspan/clip/clip_polygon.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/raster_stage.hpp>

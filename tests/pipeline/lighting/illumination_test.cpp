@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Colours of several coloured lights with both highlights, against double precision.
 #include <arcspan/lighting/illumination.hpp>
-#include <arcspan/shading/arc/piece_lights.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
@@ -342,87 +341,6 @@ TEST_CASE("a highlight fades to nothing at the terminator and is whole from the 
     CHECK(next - last <= 3);
     last = next;
   }
-}
-
-template <Highlight Model>
-void check_dull_arcs(Random& random) {
-  using Light = Illumination<1, Model, kAll>;
-  int dull = 0;
-  int found = 0;
-  int lit = 0;
-  for (int i = 0; i < share_of(20000); ++i) {
-    const Scene<1> scene(random);
-    Light light;
-    REQUIRE(ok(Light::make(scene.material, scene.lights, scene.to_eye, light)));
-    const Vec3 n = random_unit(random);
-    const double psi = random.real(0, 1);  // 57 degrees
-    const Vec3 m = tilted(random, n, psi);
-    const auto at = [&](double t) {
-      const Vec3 between = normalised((std::sin((1 - t) * psi)) * n + std::sin(t * psi) * m);
-      return light.scalars(to_direction(between));
-    };
-    const auto angle2 = Factor::from_raw(static_cast<std::int32_t>(std::lround(psi * psi * 32768)));
-    const bool may_shine = light.may_shine_between(at(0), at(1), angle2);
-    bool shines = false;
-    for (int k = 0; k <= 32; ++k) {
-      const auto scalars = at(k / 32.0);
-      shines = shines || light.half_distance(scalars[0], scalars[1], 0) < light.power().half_reach();
-    }
-    dull += shines ? 0 : 1;
-    found += may_shine ? 0 : 1;
-    lit += shines && !may_shine ? 1 : 0;
-  }
-  CHECK(lit == 0);
-  CHECK(found > dull * 3 / 4);
-}
-
-TEST_CASE("what two lights are said to do to a piece of a row they do at every point of it") {
-  using Light = Illumination<2, Highlight::kPhong, kAll>;
-  Random random(18);
-  int throughout = 0;
-  int shining = 0;
-  int wrong = 0;
-  for (int i = 0; i < share_of(20000); ++i) {
-    const Scene<2> scene(random);
-    Light light;
-    REQUIRE(ok(Light::make(scene.material, scene.lights, scene.to_eye, light)));
-    const Vec3 n = random_unit(random);
-    const double psi = random.real(0, 0.6);  // 34 degrees
-    const Vec3 m = tilted(random, n, psi);
-    const auto at = [&](double t) {
-      return light.scalars(to_direction(normalised(std::sin((1 - t) * psi) * n + std::sin(t * psi) * m)));
-    };
-    const auto angle2 = Factor::from_raw(static_cast<std::int32_t>(std::lround(psi * psi * 32768)));
-    const PieceLights lights =
-        lights_of_piece(light, RowEnds<3>{at(0), at(1), angle2}, light.power().half_reach());
-    if (!lights.throughout) continue;
-    ++throughout;
-    shining += lights.shining == 1 ? 1 : 0;
-    std::size_t found = 0;
-    for (std::size_t k = 0; k < 2; ++k) {
-      bool shines = false;
-      for (int step = 0; step <= 32; ++step) {
-        const auto scalars = at(step / 32.0);
-        constexpr std::int32_t kRounding = 1 << 10;  // 1e-6
-        const bool lit = (lights.lit >> k & 1) != 0;
-        wrong += (lit ? scalars[k].raw() < -kRounding : scalars[k].raw() > kRounding) ? 1 : 0;
-        shines = shines || (scalars[k].raw() > kRounding &&
-                            light.half_distance(scalars[k], scalars[2], k) < light.power().half_reach());
-      }
-      found += shines ? 1 : 0;
-      wrong += shines && lights.shining == 1 && lights.highlight != k ? 1 : 0;
-    }
-    wrong += found > lights.shining ? 1 : 0;
-  }
-  CHECK(wrong == 0);
-  CHECK(throughout > share_of(10000));
-  CHECK(shining > share_of(1000));
-}
-
-TEST_CASE("an arc of which no highlight is said to be within reach has none, and most such arcs are found") {
-  Random random(17);
-  check_dull_arcs<Highlight::kPhong>(random);
-  check_dull_arcs<Highlight::kBlinn>(random);
 }
 
 TEST_CASE("without highlight a normal has the colour of the sum of several grey lights") {

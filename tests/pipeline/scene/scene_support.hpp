@@ -4,7 +4,7 @@
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/scene.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <tests/support/mesh_and_camera.hpp>
 

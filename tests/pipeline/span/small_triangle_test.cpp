@@ -2,7 +2,7 @@
 // Small triangles, drawn by columns stepped down their edges and by barycentric coordinates, against the
 // exact rules and against the rows of a TriangleCommand.
 #include <arcspan/pixel/gray8.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/coverage.hpp>

@@ -2,8 +2,8 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/flat.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/shading/vertex_coloured.hpp>
 #include <arcspan/shading/with_operation.hpp>
@@ -103,8 +103,7 @@ Picture drawn(const MeshView& mesh, const typename Method::Lighting& lighting) {
   return picture;
 }
 
-/// Balls whose triangles span 11 to 45 degrees, so that all paths of Adaptive draw some of them, and the
-/// largest rows have segments.
+/// Balls whose triangles span 11 to 45 degrees, so that all orders of Arc draw some of them.
 std::array<MeshView, 3> balls() {
   static const auto fine = scenes::make_sphere<32, 16>();
   static constexpr auto kBall = scenes::make_sphere<16, 8>();
@@ -169,11 +168,8 @@ TEST_CASE("a white texture leaves the colours of every method as they are") {
   CHECK(largest_difference<VertexColoured<OneLight>, OneLight>() <= 1);
   CHECK(largest_difference<Arc<OneLight>, OneLight>() <= 1);
   CHECK(largest_difference<Arc<TwoLights>, TwoLights>() <= 1);
-  CHECK(largest_difference<AdaptivePaths<OneLight, false>, OneLight>() <= 1);
-  CHECK(largest_difference<Adaptive<TwoLights>, TwoLights>() <= 3);  // segments are within a tolerance of 2
 }
 
 TEST_CASE("an operation is on every pixel of triangles whose rows have runs of several types") {
   CHECK(pixels_without_operation<Arc<OneLight>>() == 0);
-  CHECK(pixels_without_operation<Adaptive<OneLight>>() == 0);
 }

@@ -30,7 +30,7 @@ struct SurfaceChoice {
 [[nodiscard]] constexpr bool is_accurate_quadratic(const NormalChords& chords, std::uint32_t limit) {
   const std::uint32_t widest = chords.widest();
   if (widest <= limit) return true;
-  return (widest >> 1) <= limit && widest <= kWidestQuadratic &&
+  return (widest >> 1) + (widest >> 3) <= limit && widest <= kWidestQuadratic &&
          chords.sum() - widest <= limit + (limit >> 1) + (limit >> 3);
 }
 

@@ -55,7 +55,8 @@ struct QuadraticSteps {
     const auto times_p = [p](std::int32_t v) {
       return wrap_mul(v >> 13, static_cast<std::int32_t>(p >> 3));
     };
-    const std::int32_t change = times_p(scalar.second_difference);
+    // With all bits, because each pixel adds its error again. Those of large triangles are small.
+    const std::int32_t change = scaled_down(scalar.second_difference, p >> 1, 15);
     const std::int32_t inside = times_p(wrap_add(scalar.left.slope, change >> 1));
     const std::int32_t first =
         wrap_add(wrap_add(scalar.left.slope, change), scalar.second_difference >> 1);

@@ -29,7 +29,8 @@ class SmallPlanes {
     at_[i] = a;
     to_b_[i] = (b.raw() >> kDropped) - (a.raw() >> kDropped);
     to_c_[i] = (c.raw() >> kDropped) - (a.raw() >> kDropped);
-    slope_[i] = sum(i, triangle.d_middle >> 1, triangle.d_bottom >> 1);
+    slope_[i] = Cosine::from_raw(
+        wrap_add(wrap_mul(to_b_[i] >> 1, triangle.d_middle), wrap_mul(to_c_[i] >> 1, triangle.d_bottom)));
   }
   /// Starts the steps of a row at the coordinates b and c, 16 fraction bits.
   template <std::size_t Used>
@@ -61,19 +62,22 @@ class SmallMissing {
       const std::uint32_t rounded = (chord + (1u << 15)) >> 16;
       return static_cast<std::int32_t>(rounded < kMostChord ? rounded : kMostChord);
     };
-    const std::int32_t db = triangle.d_middle >> 1;
-    const std::int32_t dc = triangle.d_bottom >> 1;
     ab_ = narrowed(chords.top_middle);
     ac_ = narrowed(chords.top_bottom);
     twist_ = narrowed(chords.middle_bottom) - ab_ - ac_;
-    const std::int32_t ab_by_db = narrow(wrap_mul(ab_, db));
-    const std::int32_t ac_by_dc = narrow(wrap_mul(ac_, dc));
-    const std::int32_t twist_by_dc = narrow(wrap_mul(twist_, dc));
-    const std::int32_t bend = wrap_sub(wrap_mul(twist_by_dc - ab_by_db, db), wrap_mul(ac_by_dc, dc));
-    second_difference_ = Cosine::from_raw(wrap_shl(bend, kUp + 1));
-    first_ = wrap_add(wrap_add(wrap_mul(ab_, db), wrap_mul(ac_, dc)), bend);
+    // All bits count, because every pixel of a row adds the errors of these again. Sums of products may wrap, unlike
+    // the differences of e, which they end in.
+    const std::int32_t db = triangle.d_middle;
+    const std::int32_t dc = triangle.d_bottom;
+    const std::int32_t ab_by_db = fine(wrap_mul(ab_, db));
+    const std::int32_t ac_by_dc = fine(wrap_mul(ac_, dc));
+    const std::int32_t twist_by_dc = fine(wrap_mul(twist_, dc));
+    const std::int32_t bend =
+        wrap_sub(wrap_mul(twist_by_dc - ab_by_db, wrap_add(db, 1) >> 1), wrap_mul(ac_by_dc, wrap_add(dc, 1) >> 1));
+    second_difference_ = Cosine::from_raw(wrap_shl(bend, 1));
+    first_ = wrap_add(wrap_shl(wrap_add(wrap_mul(ab_, db), wrap_mul(ac_, dc)), kUp - 1), bend);
     first_by_b_ = twist_by_dc - 2 * ab_by_db;
-    first_by_c_ = narrow(wrap_mul(twist_, db)) - 2 * ac_by_dc;
+    first_by_c_ = fine(wrap_mul(twist_, db)) - 2 * ac_by_dc;
   }
   /// Starts the steps of a row at the coordinates b and c, 16 fraction bits.
   ARCSPAN_INLINE constexpr void start(std::int32_t b16, std::int32_t c16, QuadraticSteps<1>& steps) const {
@@ -83,7 +87,7 @@ class SmallMissing {
     const std::int32_t of_c = narrow(wrap_mul(ac_, kOne - c));
     steps.x[0] = Cosine::from_raw(wrap_shl(wrap_add(wrap_mul(of_b, b), wrap_mul(of_c, c)), kUp));
     const std::int32_t first = wrap_add(wrap_mul(first_by_b_, b), wrap_mul(first_by_c_, c));
-    steps.d[0] = Cosine::from_raw(wrap_shl(wrap_add(first_, first), kUp));
+    steps.d[0] = Cosine::from_raw(wrap_add(first_, first));
     steps.second_difference[0] = second_difference_;
   }
 
@@ -98,12 +102,16 @@ class SmallMissing {
   [[nodiscard]] ARCSPAN_INLINE static constexpr std::int32_t narrow(std::int32_t product) {
     return round_shift(product, kBits);
   }
+  /// A product of a chord and a coordinate with 16 fraction bits, rounded to 15.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::int32_t fine(std::int32_t product) {
+    return round_shift(product, kChordBits + 1);
+  }
 
   std::int32_t ab_;
   std::int32_t ac_;
   std::int32_t twist_;
-  std::int32_t first_;  ///< first difference along a row at b = c = 0; 28 fraction bits
-  std::int32_t first_by_b_;
+  std::int32_t first_;  ///< first difference along a row at b = c = 0; 30 fraction bits
+  std::int32_t first_by_b_;  ///< 15 fraction bits, as the next
   std::int32_t first_by_c_;
   Cosine second_difference_;
 };

@@ -173,9 +173,9 @@ constexpr void make_quadratic_edge(const EdgeSetup& edge, const InverseLength& p
   if (edge.dy < 1 << Subpixel::kFraction) return;  // the edge has one row
   const InverseLength row = inverse_length(edge.inverse, Subpixel::kFraction);
   e.second_difference = -Cosine::from_raw(over_lengths(wrap_shl(bend, 1), row, row, format.dropped));
-  const std::int32_t at_t = wrap_sub(slope_at_top, wrap_shl(bend_by_t, 1));
-  e.step = Cosine::from_raw(wrap_add(wrap_shl(over_length(at_t, row), format.dropped),
-                                     e.second_difference.raw() >> 1));
+  // Not half of the second difference, which may exceed the range of -2...2: only its effect wraps correctly.
+  const std::int32_t at_t = wrap_sub(wrap_sub(slope_at_top, wrap_shl(bend_by_t, 1)), over_length(bend, row));
+  e.step = Cosine::from_raw(wrap_shl(over_length(at_t, row), format.dropped));
   e.slope_step = over_lengths(slope_change, row, pixel, slope_up);
 }
 

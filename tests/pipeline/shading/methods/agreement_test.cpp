@@ -4,9 +4,9 @@
 #include <arcspan/literature/reflection_map.hpp>
 #include <arcspan/literature/segment.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/illumination_oracle.hpp>
@@ -106,8 +106,7 @@ void for_all(const Scene<Lit>& scene, F&& f) {
   f("flat", Kind::kColour, draw<Flat>(scene));
   f("gouraud", Kind::kColour, draw<Gouraud>(scene));
   f("reflection-map", Kind::kTable, draw<ReflectionMap>(scene));
-  f("arc", Kind::kArc, draw<Arc>(scene));
-  f("adaptive", Kind::kArc, draw<Adaptive>(scene));
+  f("arc", Kind::kChord, draw<Arc>(scene));
   f("segment", Kind::kArc, draw<Segment>(scene));
   for (const char* name : {"slerp", "kuijk-blake", "arc-vector", "recurrence", "recurrence-four"})
     f(name, Kind::kArc, draw(name, scene));
@@ -219,7 +218,7 @@ TEMPLATE_LIST_TEST_CASE("every method takes every shininess from 1 to 256", "", 
       note(scalar, name, std::max(0.0, steps - 1) / (kSteepness * shininess));
     });
   }
-  CHECK(scalar.size() == 17);
+  CHECK(scalar.size() == 16);
   for (const auto& [name, error] : scalar) {
     INFO(name << " is off by " << error);
     CHECK(error < 1.7e-4);  // docs/pipeline.md: the largest is slerp's
@@ -313,7 +312,7 @@ TEMPLATE_LIST_TEST_CASE("methods that interpolate alike agree at both ends of ev
       }
     });
   }
-  CHECK(worst.size() == 15);
+  CHECK(worst.size() == 14);
   for (const auto& [name, steps] : worst) {
     INFO(name << " differs by " << steps << " from the unrounded truth");
     CHECK(steps < (name == "lyon" ? 1.8 : 1.5));
@@ -349,13 +348,12 @@ TEMPLATE_LIST_TEST_CASE("on strongly curved triangles the methods are wrong in t
   CHECK(rms("lyon") > 1.5 * rms("phong"));
   CHECK(rms("phong") > 3 * rms("slerp"));
   for (const char* name :
-       {"phong-reciprocal", "duff", "dichotomy-linear", "dichotomy-quadratic", "dichotomy-cubic"}) {
+       {"arc", "phong-reciprocal", "duff", "dichotomy-linear", "dichotomy-quadratic", "dichotomy-cubic"}) {
     CHECK(rms(name) == Approx(rms("phong")).epsilon(0.02));
   }
-  for (const char* name :
-       {"slerp", "kuijk-blake", "arc-vector", "recurrence", "recurrence-four", "arc", "adaptive"}) {
+  for (const char* name : {"slerp", "kuijk-blake", "arc-vector", "recurrence", "recurrence-four"}) {
     CHECK(rms(name) < 0.45);
   }
   CHECK(rms("segment") < 0.5);
-  CHECK(errors.size() == 18);
+  CHECK(errors.size() == 17);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Adaptive chooses among its paths by bounds of the light. They hold for coloured lights and for highlights
-// that fade, too: it stays within its tolerance of arc.
-#include <arcspan/shading/adaptive/adaptive.hpp>
+// Arc chooses orders by bounds of the light. They hold for coloured lights and for highlights that fade, too:
+// it stays within its tolerance.
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/test_share.hpp>
@@ -55,17 +55,17 @@ Lit random_lit(Random& random, const Direction& near) {
 
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("adaptive stays within its tolerance of arc, coloured and fading", "", Lits) {
+TEMPLATE_LIST_TEST_CASE("Arc stays within its tolerance, coloured and fading", "", Lits) {
   Random random(197);
   constexpr std::int32_t kTolerance = 1;
   int most = 0;
   for (int i = 0; i < share_of(3000); ++i) {
     const ScreenTriangle triangle = random_screen_triangle(random, kSize, random.decades(4, 30));
     const TestType lit = random_lit<TestType>(random, triangle.normals[0]);
-    AdaptiveIllumination<TestType> lighting(lit);
+    TestType lighting = lit;
     REQUIRE(ok(lighting.set_tolerance(kTolerance)));
     const int off = most_different(picture_of<Arc<TestType>>(triangle, lit, kSize),
-                                   picture_of<Adaptive<TestType>>(triangle, lighting, kSize));
+                                   picture_of<Arc<TestType>>(triangle, lighting, kSize));
     if (off > most) UNSCOPED_INFO("triangle " << i << " is off by " << off);
     most = std::max(most, off);
   }

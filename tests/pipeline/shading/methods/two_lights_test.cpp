@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Pixels against the exact colour of the exact normal, by one light and by two. The highlights of several
-// lights may coincide, where their errors add up. Patches and pieces are narrower for them, so that arc keeps
-// the bound that it has for one light.
-#include <arcspan/shading/adaptive/adaptive.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+// Pixels against the colour of Phong's normal in double precision, by one light and by two. The highlights of
+// several lights may coincide, where their errors add up. Quadratic surfaces are narrower for them, so that
+// Arc keeps the bound that it has for one light.
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/test_share.hpp>
@@ -67,7 +66,7 @@ struct Lights {
 };
 
 /// Returns the largest error of a pixel, in 8-bit steps; normals are `from` to `to` degrees apart.
-template <Highlight Model, std::size_t Count = 2, template <class> class Method = Arc>
+template <Highlight Model, std::size_t Count = 2>
 double worst_error(std::int32_t shininess, Spread spread, double from, double to) {
   using Lit = Illumination<Count, Model>;
   Random random(7);
@@ -84,8 +83,8 @@ double worst_error(std::int32_t shininess, Spread spread, double from, double to
     if (test::detail::thickness(shaded) < 1) continue;
     const Lights<Count> lights(random, normalised(middle), spread);
     const TrianglePicture picture =
-        picture_of<Method<Lit>>(triangle, lights.template illumination<Lit>(shininess), kSize);
-    const SlerpModel model(shaded);
+        picture_of<Arc<Lit>>(triangle, lights.template illumination<Lit>(shininess), kSize);
+    const UnitLinearModel model(shaded);
     for (std::int32_t y = 0; y < kSize; ++y) {
       for (std::int32_t x = 0; x < kSize; ++x) {
         const Rgb8 pixel = picture.frame.pixel(x, y);
@@ -117,12 +116,10 @@ TEST_CASE("arc by two lights is as accurate where one of them or one highlight e
   CHECK(worst_error<Highlight::kBlinn>(shininess, Spread::k90Degrees, 30, 45) <= 3.5);
 }
 
-// Beyond widest_patch(), patches are as wide as the highlight is faint; below, as wide as they may be for it.
-TEST_CASE("by one light, highlights by N·H are within two steps in arc and within three in adaptive") {
+TEST_CASE("by one light, highlights by N·H are within two steps") {
   const std::int32_t shininess = GENERATE(4, 16, 64, 128, 256);
   CAPTURE(shininess);
   for (const Spread spread : {Spread::k18Degrees, Spread::k45Degrees}) {
     CHECK(worst_error<Highlight::kBlinn, 1>(shininess, spread, 9, 30) <= 2.5);
-    CHECK(worst_error<Highlight::kBlinn, 1, Adaptive>(shininess, spread, 9, 30) <= 3.5);
   }
 }

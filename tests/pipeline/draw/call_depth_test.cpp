@@ -5,7 +5,7 @@
 #include <arcspan/pixel/cursor.hpp>
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/pixel/sink.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <execinfo.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Seen from inside, a closed mesh covers every pixel exactly once, wherever its triangles are cut.
 #include <arcspan/draw.hpp>
-#include <arcspan/shading/arc/arc.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/mesh_and_camera.hpp>

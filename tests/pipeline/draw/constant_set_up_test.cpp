@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the compiler sets up is bit for bit what the program would.
 #include <arcspan/mesh/mesh_view.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
 #include <catch2/catch.hpp>

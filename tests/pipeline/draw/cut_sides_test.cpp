@@ -4,7 +4,7 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
 
@@ -96,7 +96,7 @@ TestCamera camera_of_sphere(Random& random) {
 }  // namespace
 
 TEMPLATE_TEST_CASE("a sink of some columns gets exactly those columns of the picture", "", Flat<Light>,
-                   Gouraud<Light>, Arc<Light>, Adaptive<Light>) {
+                   Gouraud<Light>, Arc<Light>) {
   Random random(91);
   const TestCamera camera = camera_of_sphere(random);
   const TestMesh near_normals = make_sphere(16, 32, 3000, 0, random);
@@ -110,5 +110,5 @@ TEST_CASE("a sink of some columns gets exactly those columns by two lights") {
   Random random(92);
   const TestCamera camera = camera_of_sphere(random);
   const TestMesh far_normals = make_sphere(9, 18, 3000, 0, random);
-  check_windows<Adaptive<TwoLights>, true, kByRows, 2, kByRows>(far_normals.view(), camera);
+  check_windows<Arc<TwoLights>, true, kByRows, 2, kByRows>(far_normals.view(), camera);
 }

@@ -4,7 +4,7 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/mesh_and_camera.hpp>
@@ -53,7 +53,7 @@ TestCamera camera_at(double distance) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a sphere in view needs no feature", "", Arc<Light>, Adaptive<Light>) {
+TEMPLATE_TEST_CASE("a sphere in view needs no feature", "", Arc<Light>) {
   Random random(171);
   const TestMesh sphere = make_sphere(12, 16, 4000, 0.02, random);
   const Picture all = drawn<TestType, DrawFeatures{}>(sphere, camera_at(14000));

@@ -4,7 +4,7 @@
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
 
@@ -65,7 +65,7 @@ TestCamera random_camera(Random& random) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("planes change no pixel", "", Flat<Light>, Gouraud<Light>, Adaptive<Light>) {
+TEMPLATE_TEST_CASE("planes change no pixel", "", Flat<Light>, Gouraud<Light>, Arc<Light>) {
   Random random(121);
   for (int round = 0; round < share_of(60); ++round) {
     const TestMesh mesh = bumpy(random);

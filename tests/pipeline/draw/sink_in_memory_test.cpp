@@ -7,7 +7,7 @@
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/flat.hpp>
 
 #include <catch2/catch.hpp>
@@ -91,8 +91,8 @@ TEST_CASE("a sink in memory and one that opens its runs get the same picture") {
   camera.translation = {300, -200, -16000};
   const TestMesh sphere = make_sphere(9, 14, 4000, 0.02, random);
   const MeshView mesh = sphere.view();
-  // Adaptive has rows of small triangles, too; a word of Gray4 holds two pixels.
-  compare<Adaptive<Light>, Gray4>(mesh, camera);
+  // Arc has rows of small triangles, too; a word of Gray4 holds two pixels.
+  compare<Arc<Light>, Gray4>(mesh, camera);
   compare<Segment<Light>, Rgb565>(mesh, camera);
   camera.translation = {100, -50, -5200};  // cut on all sides
   compare<Flat<Light>, Rgb888>(mesh, camera);

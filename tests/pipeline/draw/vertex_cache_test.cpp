@@ -5,7 +5,7 @@
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/adaptive/adaptive.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/gouraud.hpp>
 
 #include <catch2/catch.hpp>
@@ -24,7 +24,7 @@ namespace {
 using Light = Illumination<1, Highlight::kPhong>;
 using Frame = hal::Framebuffer<Rgb565>;
 
-/// Adaptive walks flat, linear, quadratic and wide triangles; Gouraud has other vertices.
+/// Arc walks, linear, quadratic and wide triangles; Gouraud has other vertices.
 template <class Method>
 struct Object {
   TestMesh mesh;
@@ -110,7 +110,7 @@ std::span<CachedVertex<Method>> all(Object<Method>& object) {
 }  // namespace
 
 TEMPLATE_TEST_CASE("a picture in bands with kept vertices is the picture drawn at once", "", Gouraud<Light>,
-                   Adaptive<Light>) {
+                   Arc<Light>) {
   Random random(171);
   std::uint32_t triangles = 0;
   for (int round = 0; round < share_of(60); ++round) {
@@ -161,7 +161,7 @@ TEMPLATE_TEST_CASE("bands are found by indices of 8 bits and in parts of meshes,
   }
 }
 
-TEMPLATE_TEST_CASE("a filled cache is only read", "", Gouraud<Light>, Adaptive<Light>) {
+TEMPLATE_TEST_CASE("a filled cache is only read", "", Gouraud<Light>, Arc<Light>) {
   Random random(172);
   for (int round = 0; round < share_of(20); ++round) {
     Object<TestType> object(make_sphere(10, 14, 3000, 0.2, random), random_camera(random), round % 2 == 0);

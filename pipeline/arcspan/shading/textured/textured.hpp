@@ -138,7 +138,7 @@ class TexturedWalker {
 };
 
 /// A shading method with a texture: each pixel shows a texel, times the light that `Method` (Unlit, Flat,
-/// Gouraud, Arc, Adaptive, VertexColoured) computes for it. Phong's highlights are added afterwards; those of
+/// Gouraud, Arc, VertexColoured) computes for it. Phong's highlights are added afterwards; those of
 /// Gouraud and Flat are part of the light. The diffuse coefficients of a textured material are usually 1
 /// (white).
 ///

@@ -11,11 +11,18 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SYSTEM = pathlib.Path("/usr/share/assimp/models")
 PICTURE = 240
 BUNNY, TEAPOT = (ROOT / f"build/meshes/{name}.obj" for name in ("bunny", "teapot"))
-DUCK, WUSON = SYSTEM / "Collada/duck.dae", SYSTEM / "PLY/Wuson.ply"
+DUCK, WUSON = SYSTEM / "Collada/duck.dae", SYSTEM / "OBJ/WusonOBJ.obj"
 MODELS = {  # by name: file, pixels of its larger extent, options of `arcspan mesh`
     "bunny": (BUNNY, 216, ()), "bunny, 900 triangles": (BUNNY, 216, ("--max-triangles", "900")), "teapot": (TEAPOT, 216, ()),
     "duck": (DUCK, 216, ("--no-textures",)), "wuson": (WUSON, 216, ()), "duck, 60 pixels": (DUCK, 60, ("--no-textures",))}
 DISTANCE = 4  # of the eye, in radii of the model
+
+
+def mesh_of(written):
+    """The mesh binary in what the command wrote: that itself, or a model binary of one part."""
+    begin = written.index(b"ARCM")
+    size, = struct.unpack_from("<I", written, begin + 8)
+    return written[begin:begin + size] + bytes(-size % 4)
 
 
 def positions(binary):
@@ -59,9 +66,8 @@ def records(arcspan, folder):
             continue
         compiled = pathlib.Path(folder, f"{number}.bin")
         subprocess.run([arcspan, "mesh", file, "--planes", *options, "-o", compiled], check=True, capture_output=True)
-        binary = compiled.read_bytes()
-        binary += bytes(-len(binary) % 4)
+        binary = mesh_of(compiled.read_bytes())
         translation, focal, near, far = camera(binary, pixels)
-        data += struct.pack("<20sI8i", name.encode(), len(binary), PICTURE, PICTURE, *translation, focal, near, far) + binary
+        data += struct.pack("<24sI8i", name.encode(), len(binary), PICTURE, PICTURE, *translation, focal, near, far) + binary
         names.append(name)
-    return names, data + bytes(60)
+    return names, data + bytes(64)

@@ -14,7 +14,7 @@ namespace arcspan {
 
 /// A mesh binary, its camera and the size of the picture. A record of 0 bytes is the end.
 struct ModelRecord {
-  char name[20];  ///< ends with zeros
+  char name[24];  ///< ends with zeros
   std::uint32_t bytes;
   std::int32_t width;
   std::int32_t height;
@@ -26,7 +26,8 @@ struct ModelRecord {
 
 }  // namespace arcspan
 
-/// Where the emulator loads the records, each followed by its binary, which is a multiple of 4 bytes long.
+/// Where the emulator loads the records, each followed by its binary, which is padded to a multiple of 4
+/// bytes.
 extern "C" const std::byte arcspan_models[];
 
 namespace arcspan {

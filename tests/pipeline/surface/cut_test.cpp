@@ -55,11 +55,12 @@ SurfaceErrors measure_cuts(std::int32_t shininess, double highlight_limit, doubl
 void check(const SurfaceErrors& errors, double most_highlight) {
   INFO("N·L: " << errors.light_case);
   INFO("highlight: " << errors.highlight_case);
+  const double most_share = share_of(100) < 100 ? 0.004 : 0.001;  // few pixels say little
   CHECK(errors.missing == 0);
   CHECK(errors.light <= 1);
-  CHECK(errors.light_share() <= 0.001);
+  CHECK(errors.light_share() <= most_share);
   CHECK(errors.highlight <= most_highlight);
-  CHECK(errors.highlight_share() <= 0.001);
+  CHECK(errors.highlight_share() <= most_share);
 }
 
 SurfaceVertex<2> vertex(Vec3 normal) {

@@ -100,10 +100,9 @@ class TriangleDrawer {
   using Raster = RasterVertex<Method>;
   using Face = typename Method::Face;
   using Target = RowTarget<typename Method::Lighting, Sink, Depth>;
-  /// True if triangles within the columns of the scissor have a loop of their own: for methods whose rows cost
-  /// little more than a test of a flag.
+  /// True if triangles within the columns of the scissor have a loop of their own.
   static constexpr bool kHasInsideRows =
-      sizeof(typename Method::Prepared) <= 64 && !kOptimisedForSize && kHasManyRegisters;
+      kHasCheapRows<TriangleCommand<Method>> && !kOptimisedForSize && kHasManyRegisters;
   static constexpr bool kDrawsSmall = Features.small_triangles && DrawsSmallTriangles<Method>;
 
   /// Draws the triangles of a filter.

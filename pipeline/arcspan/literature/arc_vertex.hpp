@@ -97,10 +97,10 @@ template <std::size_t Count>
 template <class Frame>
 struct MeasuredFrame : Frame {
   constexpr explicit MeasuredFrame(const Frame& frame) : Frame(frame) {
-    const Normal& top = frame.top->shade.normal;
-    const Normal& middle = frame.middle->shade.normal;
-    const Normal& bottom = frame.bottom->shade.normal;
-    chords = {squared_chord(top, middle), squared_chord(top, bottom), squared_chord(middle, bottom)};
+    const Normal& a = frame.top->shade.normal;
+    const Normal& b = frame.middle->shade.normal;
+    const Normal& c = frame.bottom->shade.normal;
+    chords = {squared_chord(a, b), squared_chord(a, c), squared_chord(b, c)};
   }
   NormalChords chords;
 };

@@ -5,6 +5,7 @@
 #include <arcspan/lighting/highlight_bound.hpp>
 #include <arcspan/literature/arc_shape.hpp>
 #include <arcspan/prepare/triangle.hpp>
+#include <arcspan/shading/surface/chords.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstddef>

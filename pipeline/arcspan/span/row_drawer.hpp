@@ -12,6 +12,7 @@
 #include <arcspan/target.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 /// The span stage: walks down the rows of a triangle command and along each row. Per row and per pixel it
 /// only multiplies, shifts, adds, compares and looks up; scripts/check-objects proves that nothing here
@@ -79,6 +80,51 @@ template <class Command, class Walker, class Target>
   return draw_run(command, walker, span, begin, local, memory);
 }
 
+/// A walker of any type, so that all walkers of a method share one loop over rows in programs that are optimised
+/// for size: a loop takes 400 bytes, the calls 10 instructions per row on a Cortex-M3.
+template <class Command, class Target>
+class AnyWalker {
+ public:
+  /// `walker` must outlive this.
+  template <class Walker>
+  constexpr explicit AnyWalker(Walker& walker)
+      : walker_(&walker), draw_run_(&draw<Walker>), next_row_(&next<Walker>), enter_lower_(&lower<Walker>) {}
+
+  [[nodiscard]] Status draw_run(const Command& command, const Span& span, std::int32_t begin,
+                                const Target& target, const RowMemory<Target>& memory) const {
+    return draw_run_(walker_, command, span, begin, target, memory);
+  }
+  void next_row() { next_row_(walker_); }
+  void enter_lower() { enter_lower_(walker_); }
+
+ private:
+  template <class Walker>
+  [[nodiscard]] static Status draw(const void* walker, const Command& command, const Span& span,
+                                   std::int32_t begin, const Target& target, const RowMemory<Target>& memory) {
+    const Target local = target;  // the members of a reference would be loaded again for every pixel
+    return detail::draw_run(command, *static_cast<const Walker*>(walker), span, begin, local, memory);
+  }
+  template <class Walker>
+  static void next(void* walker) {
+    static_cast<Walker*>(walker)->next_row();
+  }
+  template <class Walker>
+  static void lower(void* walker) {
+    static_cast<Walker*>(walker)->enter_lower();
+  }
+
+  void* walker_;
+  Status (*draw_run_)(const void*, const Command&, const Span&, std::int32_t, const Target&,
+                      const RowMemory<Target>&);
+  void (*next_row_)(void*);
+  void (*enter_lower_)(void*);
+};
+
+/// True if a method's rows cost little more than the test of a flag or an indirect call: the walkers of such
+/// methods have loops of their own.
+template <class Command>
+inline constexpr bool kHasCheapRows = sizeof(Command::shade) <= 64;
+
 /// Draws the visible part of the current row, at row y of the picture.
 template <ScissorColumns kColumns, class Command, class Walker, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_row(const Command& command, const Walker& walker,
@@ -93,8 +139,13 @@ template <ScissorColumns kColumns, class Command, class Walker, class Target>
   }
   if (first >= last) return Status::kOk;
   const Span span{y, first, last - first};
-  if constexpr (kOptimisedForSize) return draw_run_outlined(command, walker, span, begin, target, memory);
-  return draw_run(command, walker, span, begin, target, memory);
+  if constexpr (std::is_same_v<Walker, AnyWalker<Command, Target>>) {
+    return walker.draw_run(command, span, begin, target, memory);
+  } else if constexpr (kOptimisedForSize) {
+    return draw_run_outlined(command, walker, span, begin, target, memory);
+  } else {
+    return draw_run(command, walker, span, begin, target, memory);
+  }
 }
 
 /// Draws the rows of a command that lie within the scissor. A method's walk() calls it with the walker of its
@@ -107,10 +158,19 @@ struct RowDrawer {
 
   template <class Walker>
   [[nodiscard]] constexpr Status operator()(Walker walker) const {
-    return draw(command, origin, walker, target);
+    if constexpr (kOptimisedForSize && !kHasCheapRows<Command>) {
+      return draw_outlined(command, origin, AnyWalker<Command, Target>(walker), target);
+    } else {
+      return draw(command, origin, walker, target);
+    }
   }
 
  private:
+  [[nodiscard]] ARCSPAN_OUTLINE static Status draw_outlined(Command& command, const RasterOrigin& origin,
+                                                            const AnyWalker<Command, Target>& walker,
+                                                            const Target& target) {
+    return draw(command, origin, walker, target);
+  }
   /// Not with members, which gcc would load again for every row.
   template <class Walker>
   [[nodiscard]] static constexpr Status draw(Command& command, const RasterOrigin& origin, Walker walker,

@@ -249,8 +249,8 @@ class TriangleDrawer {
   /// Draws one side of a small triangle. Returns false if the method cannot.
   ARCSPAN_OUTLINE bool draw_small_side(const SortedVertices<Method>& vertices) {
     const SmallResult result =
-        draw_small_triangle<Method>(vertices, crosses_, scissor_.viewport_rows(),
-                                    scissor_.drawn_rows(), scissor_.origin(), target_, result_.status);
+        draw_small_triangle<Method>(vertices, crosses_, scissor_.viewport_rows(), scissor_.drawn_rows(),
+                                    scissor_.origin(), target_, result_.status);
     if (result == SmallResult::kDone) ++result_.triangles;
     return result != SmallResult::kRefused;
   }

@@ -69,17 +69,6 @@ inline constexpr bool kHasLongSums = true;
 inline constexpr bool kHasLongSums = false;
 #endif
 
-/// Nothing in the pipeline is written for registers of 64 bits any more. False; it goes with its last uses in
-/// lighting and shading/{arc,patch,adaptive}.
-inline constexpr bool kHasWideRegisters = false;
-
-/// True if programs have room for loops that only save time. AVR's flash has 128 KB at most.
-#if defined(__AVR__)
-inline constexpr bool kHasRoomForLoops = false;
-#else
-inline constexpr bool kHasRoomForLoops = true;
-#endif
-
 /// True if most instructions reach more than 8 registers. On Armv6-M (8) a value kept in a register displaces
 /// another.
 #if defined(__ARM_ARCH_6M__) || defined(__AVR__)

@@ -112,9 +112,16 @@ class TriangleDrawer {
     const std::size_t count = mesh.triangle_count();
     for (std::size_t i = filter.next(0, count); i < count; i = filter.next(i + 1, count)) {
       const TriangleIndices t = mesh.triangle(i);
-      auto&& a = source.vertex(stage_, t.a);
-      auto&& b = source.vertex(stage_, t.b);
-      auto&& c = source.vertex(stage_, t.c);
+      const auto vertex = [&](std::size_t v) ARCSPAN_INLINE -> decltype(auto) {
+        if constexpr (std::is_same_v<Filter, AllTriangles> && requires { source.transformed(v); }) {
+          return source.transformed(v);
+        } else {
+          return source.vertex(stage_, v);
+        }
+      };
+      auto&& a = vertex(t.a);
+      auto&& b = vertex(t.b);
+      auto&& c = vertex(t.c);
       if (is_culled<Filter::kAllInside>(a, b, c)) continue;
       if (!Filter::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
         draw_clipped(t);
@@ -249,8 +256,8 @@ class TriangleDrawer {
   /// Draws one side of a small triangle. Returns false if the method cannot.
   ARCSPAN_OUTLINE bool draw_small_side(const SortedVertices<Method>& vertices) {
     const SmallResult result =
-        draw_small_triangle<Method>(vertices, crosses_, scissor_.viewport_rows(),
-                                    scissor_.drawn_rows(), scissor_.origin(), target_, result_.status);
+        draw_small_triangle<Method>(vertices, crosses_, scissor_.viewport_rows(), scissor_.drawn_rows(),
+                                    scissor_.origin(), target_, result_.status);
     if (result == SmallResult::kDone) ++result_.triangles;
     return result != SmallResult::kRefused;
   }

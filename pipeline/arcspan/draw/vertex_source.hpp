@@ -182,6 +182,8 @@ class VertexCache {
     if (vertex.outcode == CachedVertex<Method>::kNotTransformed) stage.transform(i, vertex);
     return vertex;
   }
+  /// Vertex i where begin() has transformed all: it does so unless the back faces of the mesh are known.
+  [[nodiscard]] ARCSPAN_INLINE CachedVertex<Method>& transformed(std::size_t i) { return vertices_[i]; }
   [[nodiscard]] constexpr const TriangleRows* rows() const { return rows_.empty() ? nullptr : rows_.data(); }
 
  private:

@@ -13,16 +13,16 @@
 
 namespace arcspan {
 
-/// The highlight that a pixel adds to its colour, specular * c^n, looked up by the closeness of the cosine c to
-/// 1: how far the half distance (1 - c) / 2 is below PowerTable::half_reach(). Closeness is scaled so that the
-/// product of two scalars gives it with a shift of neither:
+/// The highlight that a pixel adds to its colour, specular * c^n, looked up by the closeness of the cosine c
+/// to 1: how far the half distance (1 - c) / 2 is below PowerTable::half_reach(). Closeness is scaled so that
+/// the product of two scalars gives it with a shift of neither:
 ///
 ///     closeness = origin + (N·L >> 15) * (scaled(N·V) >> 15)      (Phong)
 ///     closeness = origin + scaled(N·H) / 2                        (Blinn)
 ///
-/// where `origin` belongs to the light. At 0 or below there is no highlight; at c = 1 closeness is reach(), at
-/// most 2^25. An interval of the table has 18 bits, 16 of which are multiplied: a pixel takes products of two
-/// 16-bit words and additions only.
+/// where `origin` belongs to the light. At 0 or below there is no highlight; at c = 1 closeness is reach(),
+/// at most 2^25. An interval of the table has 18 bits, 16 of which are multiplied: a pixel takes products of
+/// two 16-bit words and additions only.
 class HighlightTable {
  public:
   static constexpr int kReachBits = 25;
@@ -32,10 +32,11 @@ class HighlightTable {
   /// `specular` has a coefficient per channel, 0...255 in 8-bit steps with 5 fraction bits.
   constexpr HighlightTable(const PowerTable& power, const std::array<std::uint32_t, 3>& specular) {
     const auto half_reach = static_cast<std::uint32_t>(power.half_reach());  // 30 fraction bits
-    // The factor is 2^25 / half_reach, but below 1: for exponents up to 104 the reach is all of the table. Otherwise it
-    // ends with an interval, so that the line there meets the peak.
+    // The factor is 2^25 / half_reach, but below 1: for exponents up to 104 the reach is all of the table.
+    // Otherwise it ends with an interval, so that the line there meets the peak.
     const std::uint32_t intervals = half_reach >> kIntervalBits;
-    const std::uint64_t most_reach = std::uint64_t{intervals < kIntervals ? intervals : kIntervals} << kIntervalBits;
+    const std::uint64_t most_reach = std::uint64_t{intervals < kIntervals ? intervals : kIntervals}
+                                     << kIntervalBits;
     const std::uint64_t factor = (most_reach << 31) / half_reach;
     constexpr std::uint64_t kMostFactor = (std::uint64_t{1} << 31) - 1;
     factor_ = static_cast<std::int32_t>(factor < kMostFactor ? factor : kMostFactor);
@@ -96,10 +97,10 @@ class HighlightTable {
   static_assert(kIntervals << kIntervalBits == std::uint32_t{1} << kReachBits);
 
   /// The line through the values at both ends of an interval: in the lower half of a word its rise over the
-  /// interval, 8 fraction bits, in the upper half its value at closeness 0, modulo 2^16. As a part of a sum the
-  /// lower half is below 2^-8 of a step.
+  /// interval, 8 fraction bits, in the upper half its value at closeness 0, modulo 2^16. As a part of a sum
+  /// the lower half is below 2^-8 of a step.
   std::array<std::uint32_t, kIntervals> lines_{};
-  std::uint32_t white_ = 0;  ///< 1 in all channels if these are equal, else 0
+  std::uint32_t white_ = 0;               ///< 1 in all channels if these are equal, else 0
   std::array<std::uint32_t, 3> share_{};  ///< a channel's part of the largest one, 15 fraction bits
   std::int32_t factor_ = 0;               ///< 31 fraction bits
   std::int32_t reach_ = 0;

@@ -71,9 +71,9 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// all channels. A single light's are in the ramp.
   constexpr void set_strengths(const std::array<DirectionalLight, Lights>& lights) requires(Lights > 1);
 
-  /// Sets by how much more `Arc` may be off than without tolerance (docs/accuracy.md), in 8-bit steps, 0...64; 0
-  /// after make(). The larger, the more triangles it draws by cheaper orders. Returns kInvalidArgument, and changes
-  /// nothing, if `steps` is out of range.
+  /// Sets by how much more `Arc` may be off than without tolerance (docs/accuracy.md), in 8-bit steps,
+  /// 0...64; 0 after make(). The larger, the more triangles it draws by cheaper orders. Returns
+  /// kInvalidArgument, and changes nothing, if `steps` is out of range.
   constexpr Status set_tolerance(std::int32_t steps);
   [[nodiscard]] constexpr std::int32_t tolerance() const { return tolerance_; }
 
@@ -110,15 +110,15 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   // What `Arc` takes of an illumination (docs/decisions/0035-one-surface.md).
 
   [[nodiscard]] constexpr Scalars surface_scalars(const Direction& normal) const { return scalars(normal); }
-  /// True if no light reaches a triangle with these scalars at its vertices: with all N·L of one sign there, they
-  /// have it everywhere. False where dark pixels have no path of their own.
+  /// True if no light reaches a triangle with these scalars at its vertices: with all N·L of one sign there,
+  /// they have it everywhere. False where dark pixels have no path of their own.
   [[nodiscard]] constexpr bool is_dark(const Scalars& a, const Scalars& b, const Scalars& c) const;
-  /// What light reaches a triangle, and by which orders it is within the tolerance. `widest` is the widest squared
-  /// chord between its normals, 28 fraction bits, at most kWidestBounded.
+  /// What light reaches a triangle, and by which orders it is within the tolerance. `widest` is the widest
+  /// squared chord between its normals, 28 fraction bits, at most kWidestBounded.
   [[nodiscard]] constexpr TriangleLight light_over(const Scalars& a, const Scalars& b, const Scalars& c,
                                                    std::uint32_t widest) const;
-  /// Scalar i of a vertex as surface_colour() takes it: that of the highlight in the scale of HighlightTable, and
-  /// those that are multiplied with half a unit of what the product drops, so that dropping rounds.
+  /// Scalar i of a vertex as surface_colour() takes it: that of the highlight in the scale of HighlightTable,
+  /// and those that are multiplied with half a unit of what the product drops, so that dropping rounds.
   [[nodiscard]] constexpr Cosine pixel_scalar(Cosine scalar, std::size_t i) const;
   /// The colour of a pixel with these pixel_scalar().
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb surface_colour(const Scalars& scalars) const {
@@ -132,11 +132,9 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
       return parts.highlight.lanes == 0 ? parts.diffuse : parts.diffuse.plus(parts.highlight);
     }
   }
-  /// The parts of surface_colour(). Several coloured lights have no highlight of their own here: it is in `diffuse`.
+  /// The parts of surface_colour(). Several coloured lights have no highlight of their own here: it is in
+  /// `diffuse`.
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight surface_light(const Scalars& scalars) const;
-
-  /// The parts of colour(). Several coloured lights have no highlight of their own here: it is in `diffuse`.
-  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Scalars& scalars) const;
 
   /// The scalar of which diffuse_colour() is the diffuse part of colour(), as long as every light i that is
   /// in `lit` (bit i) has N·L >= 0 and every other one N·L <= 0: N·L of one light, the mean of several by
@@ -178,13 +176,6 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// may_shine(). INT32_MAX if no light reaches it.
   [[nodiscard]] constexpr std::int32_t nearest_highlight(const Scalars& a, const Scalars& b, const Scalars& c,
                                                          Cosine headroom) const;
-  /// nearest_highlight() by a bound that is sharper where normals are far apart. `ab`, `ac` and `bc` are the
-  /// squared chords between them, 28 fraction bits. The bound is not sharp if it is below `reach`. Only for
-  /// R·V of one light, otherwise INT32_MIN.
-  [[nodiscard]] constexpr std::int32_t nearest_highlight_between(std::int32_t reach, const Scalars& a,
-                                                                 const Scalars& b, const Scalars& c,
-                                                                 std::uint32_t ab, std::uint32_t ac,
-                                                                 std::uint32_t bc) const;
   /// Bounds of the highlights of all normals of a triangle, by any number of lights. The chords are as above
   /// and at most 1.
   [[nodiscard]] constexpr HighlightBound highlights_over(const Scalars& a, const Scalars& b, const Scalars& c,
@@ -195,14 +186,6 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
                                                             const Scalars& b, const Scalars& c,
                                                             Cosine headroom) const;
 
-  /// (1 - c) / 2 of the highlight's cosine c at a normal with these scalars, 30 fraction bits; `other` is N·H
-  /// or N·V. The error is at most 2^-28, less than in colour(), which rounds both factors of R·V to 15 bits.
-  [[nodiscard]] constexpr std::int32_t half_distance(Cosine normal_light, Cosine other,
-                                                     std::size_t light) const;
-  /// half_distance() with both factors of R·V rounded down, which costs less: at most 2^-14 more.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t rough_half_distance(Cosine normal_light, Cosine other,
-                                                                          std::size_t light) const;
-
   /// The index of the scalar that the highlight of a light depends on besides N·L.
   [[nodiscard]] static constexpr std::size_t highlight_index(std::size_t light) {
     return Model == Highlight::kBlinn ? Lights + light : Lights;
@@ -212,9 +195,6 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     if constexpr (Lights == 1) return std::uint32_t{1} << 15;
     return weights_[light];
   }
-  /// The factor of a light's N·L in diffuse_sum(), 15 fraction bits; 0 if there is none.
-  [[nodiscard]] constexpr std::uint32_t diffuse_share(std::size_t light) const;
-
   /// The squared chord up to which a triangle of any shape with a highlight may be a patch
   /// (is_accurate_patch()).
   [[nodiscard]] constexpr std::uint32_t widest_patch() const { return widest_patch_; }
@@ -222,23 +202,13 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// The N·L from which on highlights are not faded, 0 if they end abruptly.
   [[nodiscard]] constexpr Cosine fade_end() const { return fade().end(); }
 
-  /// The change of the largest diffuse channel over ramp() in 8-bit steps, 5 fraction bits.
-  [[nodiscard]] constexpr std::uint32_t most_ramp() const requires kHasRamp {
-    return (most_diffuse() * ramp_range() + 32767) >> 15;
-  }
+  /// The change of the largest diffuse channel from no light to all, in 8-bit steps with 5 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t most_light() const;
   /// The largest diffuse and specular coefficients of a channel, in 8-bit steps with 5 fraction bits.
   [[nodiscard]] constexpr std::uint32_t most_diffuse() const { return largest_channel(diffuse_); }
   [[nodiscard]] constexpr std::uint32_t most_specular() const { return largest_channel(specular_); }
   [[nodiscard]] constexpr const PowerTable& power() const { return power_; }
   [[nodiscard]] constexpr std::uint32_t shininess() const { return shininess_; }
-  /// The specular coefficients per channel, in 8-bit steps with 5 fraction bits.
-  [[nodiscard]] constexpr const std::array<std::uint32_t, 3>& specular() const { return specular_; }
-  /// An upper bound of a channel's second derivative by the normal's angle along a great circle, in 8-bit
-  /// steps with 5 fraction bits. From |cos''| <= 1 and |(cos^n)''| <= n; R turns by twice the angle.
-  [[nodiscard]] constexpr std::uint32_t most_curvature() const { return most_curvature_; }
-  /// True if a channel's sum can reach 255 and be clamped; `shines` tells whether to include highlights.
-  [[nodiscard]] constexpr bool may_clamp(bool shines) const;
-
   /// The colour of a normal with these scalars in 256ths of an 8-bit step. Without the ramp, for any number
   /// of lights.
   [[nodiscard]] constexpr DeepColour deep_colour(const Scalars& scalars) const {
@@ -337,7 +307,8 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   [[nodiscard]] constexpr std::int32_t deep_level(std::size_t c, const LightSums& sums) const;
 
   /// The closeness of HighlightTable at a pixel with these pixel_scalar().
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t closeness(const Scalars& scalars, std::size_t light) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t closeness(const Scalars& scalars,
+                                                                std::size_t light) const {
     const std::int32_t other = scalars[highlight_index(light)].raw();
     if constexpr (Model == Highlight::kBlinn) return wrap_add(closeness_origin_[light], other);
     return wrap_add(closeness_origin_[light], wrap_mul(scalars[light].raw() >> 15, other >> 15));
@@ -358,13 +329,11 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   ARCSPAN_INLINE constexpr void add_grey(const Scalars& scalars, GreyLight& sum) const;
   template <std::size_t I>
   ARCSPAN_INLINE constexpr void add_coloured(const Scalars& scalars, ChannelLevels& levels) const;
-  /// True if the highlight of a light may reach N·L = 0, where it ends abruptly or fades, so that an error of N·L
-  /// shows more.
+  /// True if the highlight of a light may reach N·L = 0, where it ends abruptly or fades, so that an error of
+  /// N·L shows more.
   [[nodiscard]] constexpr bool may_end(std::size_t light) const;
   /// The slope of c^n by c at a half distance, as a part of the slope at c = 1, 15 fraction bits.
   [[nodiscard]] constexpr std::uint32_t highlight_slope(std::int32_t half_distance) const;
-  /// The change of the largest diffuse channel from no light to all, in 8-bit steps with 5 fraction bits.
-  [[nodiscard]] constexpr std::uint32_t most_light() const;
   /// Sets what depends on the tolerance.
   constexpr void set_limits();
   constexpr void set_ramp_range();
@@ -382,20 +351,20 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   std::array<std::uint32_t, 3> specular_{};  ///< in 8-bit steps, 5 fraction bits
   std::array<Weights, Lights> weights_{};  ///< strength * colour of each of several lights, 15 fraction bits
   std::array<std::int32_t, Lights> half_one_plus_light_eye_{};  ///< (1 + L·V) / 2, 30 fraction bits
-  std::array<std::int32_t, Lights> closeness_origin_{};  ///< HighlightTable
+  std::array<std::int32_t, Lights> closeness_origin_{};         ///< HighlightTable
   PowerTable power_{};
   HighlightTable highlights_{};
   std::int32_t tolerance_ = 0;
   std::uint32_t light_height_ = 0;      ///< most_light()
   std::uint32_t highlight_height_ = 0;  ///< of all lights together, in 8-bit steps with 5 fraction bits
-  std::uint32_t sharpness_ = 0;         ///< the change of all highlights with s/12 (light_over()), in half steps
-  std::uint32_t allowed_light_ = 0;      ///< 12 times the error that planes may have, in 8-bit steps, 5 fraction bits
+  std::uint32_t sharpness_ = 0;  ///< the change of all highlights with s/12 (light_over()), in half steps
+  std::uint32_t allowed_light_ =
+      0;  ///< 12 times the error that planes may have, in 8-bit steps, 5 fraction bits
   std::uint32_t allowed_highlight_ = 0;  ///< that of highlights
   std::int32_t shine_reach_ = 0;  ///< least half distance at which highlights are below half the tolerance
   std::uint32_t widest_diffuse_ = 0;    ///< squared chord of quadratic surfaces without highlight
   std::uint32_t widest_highlight_ = 0;  ///< of those under the brightest highlight
   std::uint32_t widest_patch_ = 0;
-  std::uint32_t most_curvature_ = 0;
   std::uint32_t shininess_ = 1;
   std::uint32_t white_specular_ = 0;  ///< specular_[0] if all channels are equal, else 0
 };
@@ -403,7 +372,6 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
 }  // namespace arcspan
 
 #include <arcspan/lighting/illumination_bounds.hpp>
-#include <arcspan/lighting/illumination_light.hpp>
 #include <arcspan/lighting/make_illumination.hpp>
 #include <arcspan/lighting/several_lights.hpp>
 #include <arcspan/lighting/surface_light.hpp>

@@ -103,16 +103,6 @@ constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_in_triangl
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight_between(
-    std::int32_t reach, const Scalars& a, const Scalars& b, const Scalars& c, std::uint32_t ab,
-    std::uint32_t ac, std::uint32_t bc) const {
-  if constexpr (Lights == 1 && Model == Highlight::kPhong) {
-    return nearest_in_triangle(0, reach, a, b, c, ab, ac, bc);
-  }
-  return INT32_MIN;
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr std::uint32_t Illumination<Lights, Model, Features>::largest_weight(std::size_t light) const {
   if constexpr (kWeighsChannels) {
     const Weights& weights = weights_[light];
@@ -166,34 +156,6 @@ constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
     bound.slope = static_cast<std::uint8_t>(relative);
   }
   return bound;
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-ARCSPAN_INLINE constexpr std::int32_t Illumination<Lights, Model, Features>::rough_half_distance(
-    Cosine normal_light, Cosine other, std::size_t light) const {
-  if constexpr (Model == Highlight::kBlinn) return highlight_distance(normal_light, other, light);
-  return wrap_sub(half_one_plus_light_eye_[light], wrap_mul(normal_light.raw() >> 15, other.raw() >> 15));
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr std::int32_t Illumination<Lights, Model, Features>::half_distance(Cosine normal_light, Cosine other,
-                                                                            std::size_t light) const {
-  if constexpr (Model == Highlight::kBlinn) {
-    return highlight_distance(normal_light, other, light);
-  } else {
-    const std::int32_t product = multiply_high(normal_light.raw(), other.raw());
-    return wrap_sub(half_one_plus_light_eye_[light], wrap_shl(product, 2));
-  }
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr bool Illumination<Lights, Model, Features>::may_clamp(bool shines) const {
-  for (std::size_t c = 0; c < 3; ++c) {
-    const std::uint32_t lit =  // 5 fraction bits
-        (diffuse_[c] + (shines ? specular_[c] : 0)) * static_cast<std::uint32_t>(Lights);
-    if ((ambient_[c] >> 15) + lit >= 255u << 5) return true;
-  }
-  return false;
 }
 
 }  // namespace arcspan

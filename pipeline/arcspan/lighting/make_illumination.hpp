@@ -129,11 +129,6 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   std::array<Direction, Lights> to_lights;
   for (std::size_t i = 0; i < Lights; ++i) to_lights[i] = lights[i].towards;
   illumination.set_directions(to_lights, to_eye);
-  const std::uint32_t turns = Model == Highlight::kBlinn ? 1 : 2;
-  illumination.most_curvature_ =
-      static_cast<std::uint32_t>(Lights) *
-      (illumination.most_diffuse() +
-       illumination.most_specular() * static_cast<std::uint32_t>(material.shininess) * turns * turns);
   if constexpr (kHasRamp) illumination.make_ramp();
   if constexpr (Lights > 1) {
     illumination.set_strengths(lights);
@@ -155,7 +150,8 @@ constexpr void Illumination<Lights, Model, Features>::set_directions(
   if (Model == Highlight::kPhong) axes_[Lights] = to_eye;
   for (std::size_t i = 0; i < Lights; ++i) {
     // At c = 1 closeness is the reach: (N·L) (N·V) = (1 + L·V) / 2, or N·H / 2 = 1/2.
-    const Cosine at_peak = Model == Highlight::kBlinn ? Cosine::of(0.5) : Cosine::from_raw(half_one_plus_light_eye_[i]);
+    const Cosine at_peak =
+        Model == Highlight::kBlinn ? Cosine::of(0.5) : Cosine::from_raw(half_one_plus_light_eye_[i]);
     closeness_origin_[i] = wrap_sub(highlights_.reach(), highlights_.scaled(at_peak).raw());
   }
 }

@@ -67,31 +67,12 @@ class PowerTable {
     return at_position(((half_distance >> drop_) * scale_) >> 16);
   }
 
-  /// Distances in the table's own scale, in which half_reach() is kReach for every exponent. The half
-  /// distance 1/2 then is below 2^31.
-  static constexpr std::int32_t kReach = std::int32_t{1} << 25;
-  /// The scaled distance of a half distance, or of a difference of two.
-  [[nodiscard]] constexpr std::int32_t scaled(std::int32_t half_distance) const {
-    return static_cast<std::int32_t>(arcspan::scaled(half_distance, scale_) >> (drop_ + 16 - kScaledBits));
-  }
-  /// c^n at a scaled distance below kReach, 15 fraction bits; a negative distance, of a cosine that rounding
-  /// has raised above 1, counts as 0.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t at_scaled(std::int32_t distance) const {
-    return at_position((distance < 0 ? 0u : static_cast<std::uint32_t>(distance)) >> kScaledBits);
-  }
-
  private:
-  friend class PowerLines;
-  static constexpr int kScaledBits = 10;  ///< 2^10 = kReach / (kIntervals << 8)
-
   /// The value at a position in the table, which has 8 fraction bits.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t at_position(std::uint32_t position) const {
     const auto index = static_cast<std::size_t>(position >> 8);
     const std::uint32_t here = values_[index];
     const std::uint32_t next = values_[index + 1];
-    if constexpr (kHasWideRegisters) {
-      return ((here << 8) + (next - here) * (position & 0xFFu) + 127u) >> 8;  // two instructions less
-    }
     return here - (((here - next) * (position & 0xFFu) + 128u) >> 8);
   }
 
@@ -116,38 +97,5 @@ constexpr PowerTable::PowerTable(std::int32_t exponent) {
         (detail::power_of(static_cast<std::uint32_t>(base), n) + (1u << 15)) >> 16);
   }
 }
-
-/// A PowerTable as lines, 1 KB: the same powers by 8 instead of 14 instructions of x86-64.
-class PowerLines {
- public:
-  constexpr PowerLines() = default;
-  constexpr explicit PowerLines(const PowerTable& power)
-      : scale_(power.scale_ << (16 - power.drop_)), kept_(~std::uint32_t{0} << power.drop_) {
-    for (std::size_t i = 0; i < PowerTable::kIntervals; ++i) {
-      const std::uint32_t here = power.values_[i];
-      const std::uint32_t slope = power.values_[i + 1] - here;
-      lines_[i] = {(here << 8) + 127 - slope * (static_cast<std::uint32_t>(i) << 8), slope};
-    }
-  }
-
-  /// PowerTable::at_distance().
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t at_distance(std::uint32_t half_distance) const {
-    const std::uint64_t position = std::uint64_t{half_distance & kept_} * scale_;  // 40 fraction bits
-    const Line& line = lines_[static_cast<std::size_t>(position >> 40)];
-    return (line.origin + line.slope * static_cast<std::uint32_t>(position >> 32)) >> 8;
-  }
-
- private:
-  /// The line through both ends of an interval, as a function of the position in the table.
-  struct Line {
-    std::uint32_t origin;  ///< at position 0, 8 fraction bits more than a power; rounds it
-    std::uint32_t slope;
-  };
-
-  std::array<Line, PowerTable::kIntervals> lines_{};
-  std::uint32_t scale_ =
-      0;  ///< that of the table, times 2^(16 - drop_): below 2^32, because drop_ is at least 8
-  std::uint32_t kept_ = 0;  ///< the bits of a distance that drop_ leaves
-};
 
 }  // namespace arcspan

@@ -64,13 +64,6 @@ ARCSPAN_INLINE constexpr Cosine Illumination<Lights, Model, Features>::diffuse_s
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr std::uint32_t Illumination<Lights, Model, Features>::diffuse_share(
-    [[maybe_unused]] std::size_t light) const {
-  if constexpr (kHasRamp && Lights > 1) return this->shares[light];
-  return 0;
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr auto Illumination<Lights, Model, Features>::light_sums(const Scalars& scalars) const -> LightSums {
   LightSums sums;
   unrolled<Lights>([&](auto i) {
@@ -114,6 +107,17 @@ constexpr std::int32_t Illumination<Lights, Model, Features>::deep_level(std::si
                                                                          const LightSums& sums) const {
   const std::uint32_t rounded = (channel(c, sums) + (1u << 11)) >> 12;
   return static_cast<std::int32_t>(rounded > 65280 ? 65280 : rounded);
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+ARCSPAN_INLINE constexpr PackedRgb Illumination<Lights, Model, Features>::highlight(
+    std::uint32_t power) const {
+  const auto share = [power](std::uint32_t coefficient) {
+    const std::uint32_t level = (coefficient * power) >> 18;
+    return Lights == 1 || level < 1023 ? level : 1023u;  // several highlights may coincide
+  };
+  if (white_specular_ != 0) return PackedRgb::grey(share(white_specular_));
+  return PackedRgb::of(share(specular_[0]), share(specular_[1]), share(specular_[2]));
 }
 
 }  // namespace arcspan

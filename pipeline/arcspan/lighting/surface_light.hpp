@@ -25,8 +25,9 @@ namespace detail {
   return static_cast<std::uint32_t>(root);
 }
 
-/// Returns the squared chord at which a quadratic surface has the error `allowed`, from the squared chord `limit`
-/// at which it has the error `error`; both have 5 fraction bits. Errors grow with the cube of the angle.
+/// Returns the squared chord at which a quadratic surface has the error `allowed`, from the squared chord
+/// `limit` at which it has the error `error`; both have 5 fraction bits. Errors grow with the cube of the
+/// angle.
 [[nodiscard]] constexpr std::uint32_t limit_at_error(std::uint32_t limit, std::uint32_t error,
                                                      std::uint32_t allowed) {
   const std::uint32_t factor = two_thirds_power((allowed << 8) / (error == 0 ? 1 : error));
@@ -34,8 +35,8 @@ namespace detail {
   return static_cast<std::uint32_t>(wider < kWidestQuadratic ? wider : kWidestQuadratic);
 }
 
-/// The error of N·L, in 8-bit steps of full light with 5 fraction bits, that planes and quadratic surfaces may have
-/// without tolerance: 0.2.
+/// The error of N·L, in 8-bit steps of full light with 5 fraction bits, that planes and quadratic surfaces
+/// may have without tolerance: 0.2.
 inline constexpr std::uint32_t kExactEnough = 6;
 /// The squared chord at which a quadratic surface of full light has that error: 17.8 degrees.
 inline constexpr std::uint32_t kWidestExact = 25690112u;
@@ -54,23 +55,27 @@ constexpr Status Illumination<Lights, Model, Features>::set_tolerance(std::int32
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr std::uint32_t Illumination<Lights, Model, Features>::most_light() const {
-  if constexpr (!kHasRamp) return most_diffuse() * static_cast<std::uint32_t>(Lights);
-  else return (most_diffuse() * ramp_range()) >> 15;
+  if constexpr (!kHasRamp)
+    return most_diffuse() * static_cast<std::uint32_t>(Lights);
+  else
+    return (most_diffuse() * ramp_range()) >> 15;
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr void Illumination<Lights, Model, Features>::set_limits() {
   const std::uint32_t more = static_cast<std::uint32_t>(tolerance_) << 5;
-  constexpr std::uint32_t kTurns = Model == Highlight::kBlinn ? 1 : 4;  // R turns twice as fast as N, by L and by V
+  constexpr std::uint32_t kTurns =
+      Model == Highlight::kBlinn ? 1 : 4;  // R turns twice as fast as N, by L and by V
   light_height_ = most_light();
   sharpness_ = (highlight_height_ * shininess_ * kTurns) >> 6;  // below 2^20
   allowed_light_ = 12 * (detail::kExactEnough + more);
   allowed_highlight_ = 12 * (detail::kHighlightError + more);
   const std::uint32_t exact = (detail::kExactEnough * light_height_) / (255u << 5);
   widest_diffuse_ = detail::limit_at_error(detail::kWidestExact, exact, detail::kExactEnough + more);
-  widest_highlight_ = detail::limit_at_error(widest_patch_, detail::kHighlightError, detail::kHighlightError + more);
-  // The least distance at which the highlights of all lights together are below half the tolerance: any, even one below
-  // 0, as bounds may be, if they are so at their peak.
+  widest_highlight_ =
+      detail::limit_at_error(widest_patch_, detail::kHighlightError, detail::kHighlightError + more);
+  // The least distance at which the highlights of all lights together are below half the tolerance: any, even
+  // one below 0, as bounds may be, if they are so at their peak.
   shine_reach_ = INT32_MIN;
   if (highlight_height_ * power_(0) <= more << 14) return;
   shine_reach_ = 0;
@@ -96,18 +101,20 @@ constexpr bool Illumination<Lights, Model, Features>::is_dark([[maybe_unused]] c
   }
 }
 
-/// By R·V the highlight cannot reach N·L = x if (1 + L·V) / 2 - x is beyond its reach: the half distance (1 + L·V) /
-/// 2 - (N·L)(N·V) is at least that. x is 2^-7 above the N·L from which on highlights have their full strength.
+/// By R·V the highlight cannot reach N·L = x if (1 + L·V) / 2 - x is beyond its reach: the half distance (1 +
+/// L·V) / 2 - (N·L)(N·V) is at least that. x is 2^-7 above the N·L from which on highlights have their full
+/// strength.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr bool Illumination<Lights, Model, Features>::may_end(std::size_t light) const {
   const std::int32_t lit_from = fade_end().raw() + (std::int32_t{1} << (Cosine::kFraction - 7));
   return Model == Highlight::kBlinn || half_one_plus_light_eye_[light] - lit_from < power_.half_reach();
 }
 
-/// With p = c^n and h = (1 - c) / 2 the slope is c^(n - 1) = p / c: at most p (1 + 4 h) for c of at least 1/2, and
-/// 2^(1 - n) below.
+/// With p = c^n and h = (1 - c) / 2 the slope is c^(n - 1) = p / c: at most p (1 + 4 h) for c of at least
+/// 1/2, and 2^(1 - n) below.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr std::uint32_t Illumination<Lights, Model, Features>::highlight_slope(std::int32_t half_distance) const {
+constexpr std::uint32_t Illumination<Lights, Model, Features>::highlight_slope(
+    std::int32_t half_distance) const {
   if (half_distance >= power_.half_reach()) return 0;
   const std::uint32_t h = half_distance < 0 ? 0 : static_cast<std::uint32_t>(half_distance);
   if (h > std::uint32_t{1} << 28) return 32768u >> (shininess_ - 1);  // below half_reach() only if n < 10
@@ -116,9 +123,9 @@ constexpr std::uint32_t Illumination<Lights, Model, Features>::highlight_slope(s
   return slope < 32768u ? slope : 32768u;
 }
 
-/// The linear normal is shorter than 1 by at most e/2, where e is at most a third of the widest squared chord s: by
-/// s/6. Planes are off by half of that, because all values are lengthened by the other half. So N·L is off by s/12
-/// of its largest value, the cosine of a highlight by s/3 by R·V, and by s/12 by N·H.
+/// The linear normal is shorter than 1 by at most e/2, where e is at most a third of the widest squared chord
+/// s: by s/6. Planes are off by half of that, because all values are lengthened by the other half. So N·L is
+/// off by s/12 of its largest value, the cosine of a highlight by s/3 by R·V, and by s/12 by N·H.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const Scalars& a, const Scalars& b,
                                                                           const Scalars& c,
@@ -142,13 +149,15 @@ constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const 
     const std::uint32_t light = (light_height_ * (static_cast<std::uint32_t>(most) >> 15)) >> 15;
     return (light * s) >> 15 <= allowed_light_;
   };
-  TriangleLight result{LightReach::kHighlight, false, 0, static_cast<std::int32_t>((s * 21845u) >> 18), widest_diffuse_};
+  TriangleLight result{LightReach::kHighlight, false, 0, static_cast<std::int32_t>((s * 21845u) >> 18),
+                       widest_diffuse_};
   if constexpr (kHasRamp) {
     std::uint32_t lit = 0;
     if (nearest >= shine_reach_ && lit_throughout(a, b, c, lit)) {
       result.reach = LightReach::kDiffuse;
       result.lit = static_cast<std::uint8_t>(lit);
-      if constexpr (Lights > 1) brightest = largest(diffuse_scalar(a, lit), diffuse_scalar(b, lit), diffuse_scalar(c, lit));
+      if constexpr (Lights > 1)
+        brightest = largest(diffuse_scalar(a, lit), diffuse_scalar(b, lit), diffuse_scalar(c, lit));
       result.linear = is_linear(brightest);
       return result;
     }
@@ -157,8 +166,9 @@ constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const 
   const std::uint32_t sharp = (sharpness_ * (slope >> 3)) >> 12;
   if constexpr (Lights > 1) brightest = std::int32_t{1} << Cosine::kFraction;
   result.linear = is_linear(brightest) && s < 4096 && (sharp * s) >> 9 <= allowed_highlight_;
-  const std::uint32_t limit = slope >= 32768u ? widest_highlight_
-                                              : limit_at_slope(widest_highlight_, static_cast<std::uint8_t>(slope >> 11));
+  const std::uint32_t limit = slope >= 32768u
+                                  ? widest_highlight_
+                                  : limit_at_slope(widest_highlight_, static_cast<std::uint8_t>(slope >> 11));
   if (limit < result.quadratic_limit) result.quadratic_limit = limit;
   return result;
 }
@@ -185,8 +195,8 @@ ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_grey(co
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 template <std::size_t I>
-ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_coloured(const Scalars& scalars,
-                                                                                  ChannelLevels& levels) const {
+ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_coloured(
+    const Scalars& scalars, ChannelLevels& levels) const {
   const std::uint32_t light = clamped(scalars[I]);
   if (light != 0) {
     const std::int32_t at = closeness(scalars, I);

@@ -20,9 +20,9 @@ enum class LightReach : std::uint8_t {
 
 struct TriangleLight {
   LightReach reach;
-  bool linear;                    ///< planes are within the tolerance
-  std::uint8_t lit;               ///< kDiffuse: the lights that diffuse_scalar() sums up, a bit each
-  std::int32_t lift;              ///< linear: half of the largest lengthening(), by which all scalars are lengthened
+  bool linear;        ///< planes are within the tolerance
+  std::uint8_t lit;   ///< kDiffuse: the lights that diffuse_scalar() sums up, a bit each
+  std::int32_t lift;  ///< linear: half of the largest lengthening(), by which all scalars are lengthened
   std::uint32_t quadratic_limit;  ///< squared chord up to which quadratic surfaces are within the tolerance
 };
 

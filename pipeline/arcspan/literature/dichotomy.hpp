@@ -114,7 +114,8 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
     /// Segments begin at the row's first column wherever the row is cut, so that cutting changes no pixel.
     [[nodiscard]] static constexpr Run of_row(const Prepared& prepared, const RowStart& start) {
       const std::int32_t skipped = start.skipped & ~(kSegment - 1);
-      const RowStart first{start.fraction, start.fine, skipped, start.inside, start.width, start.bits, start.column};
+      const RowStart first{start.fraction, start.fine, skipped,     start.inside,
+                           start.width,    start.bits, start.column};
       // Columns after the first whose centres are left of the row's end; one too many does no harm.
       const std::int32_t following =
           start.bits == 16 ? static_cast<std::int32_t>((start.width + 1 - start.fraction) >> 16) : 0;

@@ -142,8 +142,7 @@ struct LinearScalars {
       run.squared = SquaredLength::of(prepared.normal.at(start), prepared.normal.step());
       return run;
     }
-    [[nodiscard]] constexpr PackedRgb colour(
-        const Lighting& lighting) const {
+    [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const {
       const Normaliser normalise(squared.square);
       typename Lighting::Scalars values;
       unrolled<kScalars>([&](auto i) { values[i] = normalise(scalars[i]); });

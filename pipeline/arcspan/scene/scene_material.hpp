@@ -146,7 +146,9 @@ class PreparedMaterial : public SceneMaterial {
 
   [[nodiscard]] constexpr const Lighting& lighting() const { return lighting_; }
   /// Illumination::set_tolerance(), which is kDefaultTolerance after make() and of().
-  constexpr Status set_tolerance(std::int32_t steps) requires(kIsLit) { return lighting_.set_tolerance(steps); }
+  constexpr Status set_tolerance(std::int32_t steps) requires(kIsLit) {
+    return lighting_.set_tolerance(steps);
+  }
   static constexpr std::int32_t kDefaultTolerance = 1;
 
   /// A copy with another texture (Textured), or with other parameters of an operation (WithOperation).

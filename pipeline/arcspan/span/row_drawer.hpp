@@ -80,8 +80,8 @@ template <class Command, class Walker, class Target>
   return draw_run(command, walker, span, begin, local, memory);
 }
 
-/// A walker of any type, so that all walkers of a method share one loop over rows in programs that are optimised
-/// for size: a loop takes 400 bytes, the calls 10 instructions per row on a Cortex-M3.
+/// A walker of any type, so that all walkers of a method share one loop over rows in programs that are
+/// optimised for size: a loop takes 400 bytes, the calls 10 instructions per row on a Cortex-M3.
 template <class Command, class Target>
 class AnyWalker {
  public:
@@ -100,7 +100,8 @@ class AnyWalker {
  private:
   template <class Walker>
   [[nodiscard]] static Status draw(const void* walker, const Command& command, const Span& span,
-                                   std::int32_t begin, const Target& target, const RowMemory<Target>& memory) {
+                                   std::int32_t begin, const Target& target,
+                                   const RowMemory<Target>& memory) {
     const Target local = target;  // the members of a reference would be loaded again for every pixel
     return detail::draw_run(command, *static_cast<const Walker*>(walker), span, begin, local, memory);
   }

@@ -93,21 +93,18 @@ TEST_CASE("an illumination as a constant is the one made at run time") {
   check_light<4, Highlight::kBlinn, 7>();
 }
 
-TEST_CASE("so is an adaptive one, whose limits are constants too") {
+TEST_CASE("so is one with a tolerance") {
   using Light = Illumination<1, Highlight::kPhong>;
-  constexpr AdaptiveIllumination<Light> kConstant = Light::of(shiny(16), suns<1>(kTilt), kEye);
+  constexpr Light kConstant = [] {
+    Light light = Light::of(shiny(16), suns<1>(kTilt), kEye);
+    (void)light.set_tolerance(2);
+    return light;
+  }();
   Light light;
   const volatile std::int32_t n = 16;
   REQUIRE(ok(Light::make(shiny(n), suns<1>(kTilt), kEye, light)));
-  const AdaptiveIllumination<Light> made = light;
-  CHECK(kConstant.highlight_patch_limit() == made.highlight_patch_limit());
-  CHECK(kConstant.linear_limit(0) == made.linear_limit(0));
-  CHECK(kConstant.linear_limit(INT32_MAX) == made.linear_limit(INT32_MAX));
-  CHECK(kConstant.half_tolerance_reach() == made.half_tolerance_reach());
-  CHECK(kConstant.segment_limit(true) == made.segment_limit(true));
-  for (std::int32_t distance = 0; distance < HighlightTable::kReach; distance += 99991) {
-    REQUIRE(same_bits(kConstant.highlight_table()(distance), made.highlight_table()(distance)));
-  }
+  REQUIRE(ok(light.set_tolerance(2)));
+  CHECK(same_bits(kConstant, light));
 }
 
 TEST_CASE("a mesh as a constant views its arrays") {

@@ -7,8 +7,8 @@
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/flat.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/mesh_and_camera.hpp>

@@ -5,8 +5,8 @@
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/mesh_and_camera.hpp>

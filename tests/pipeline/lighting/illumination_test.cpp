@@ -162,14 +162,14 @@ bool in_first_entry(const Lit& lit, const std::array<DirectionalLight, Lights>& 
   for (std::size_t i = 0; i < Lights; ++i) {
     light += to_double(lights[i].strength) * std::max(0.0, arcspan::test::to_double(scalars[i]));
   }
-  return light * lit.most_diffuse() * static_cast<double>(lit.ramp().size()) <= 1.05 * lit.most_ramp();
+  return light * lit.most_diffuse() * static_cast<double>(lit.ramp().size()) <= 1.05 * lit.most_light();
 }
 
 /// Half of the light that an entry of the ramp stands for, by its effect on a channel in 256ths of an 8-bit
 /// step, with what the rounding of the lights' shares moves its ends.
 template <class Lit>
 double half_entry(const Lit& lit, double share_of_most) {
-  const double entry = lit.most_ramp() * 8.0 / static_cast<double>(lit.ramp().size());
+  const double entry = lit.most_light() * 8.0 / static_cast<double>(lit.ramp().size());
   return entry * share_of_most * (0.5 + static_cast<double>(Lit::kLights) / 32);
 }
 

@@ -81,40 +81,6 @@ TEST_CASE("the power falls monotonously from 1, also for cosines that rounding h
   }
 }
 
-TEST_CASE("powers at scaled distances are those at half distances") {
-  for (const std::int32_t n : {1, 2, 16, 100, 256}) {
-    const PowerTable power(n);
-    const std::int32_t reach = power.scaled(power.half_reach());
-    CHECK(reach <= PowerTable::kReach);
-    CHECK(reach > PowerTable::kReach - (PowerTable::kReach >> 12));
-    CHECK(power.at_scaled(-1) == power(0));
-    int most = 0;
-    for (std::int32_t i = 0; i < 4000; ++i) {
-      const auto half = static_cast<std::int32_t>(std::int64_t{power.half_reach()} * i / 4000);
-      const int difference =
-          static_cast<int>(power.at_scaled(power.scaled(half))) - static_cast<int>(power(half));
-      most = std::max(most, difference < 0 ? -difference : difference);
-    }
-    CHECK(most <= 8);  // of 32768: half_distance loses bits in operator()
-  }
-}
-
-TEST_CASE("the lines of a power table give its powers for every exponent") {
-  for (std::int32_t n = 1; n <= 256; ++n) {
-    const PowerTable power(n);
-    const PowerLines lines(power);
-    const auto reach = static_cast<std::uint32_t>(power.half_reach());
-    int wrong = 0;
-    const auto check = [&](std::uint32_t half_distance) {
-      wrong += lines.at_distance(half_distance) == power.at_distance(half_distance) ? 0 : 1;
-    };
-    for (std::uint32_t d = 0; d < reach; d += reach / 997) check(d);
-    for (std::uint32_t d = 1; d <= 3; ++d) check(reach - d);
-    INFO("n = " << n);
-    CHECK(wrong == 0);
-  }
-}
-
 TEST_CASE("exponents out of range are clamped") {
   for (const std::int32_t d : {0, 1000, 100000, 1 << 24}) {
     CHECK(looked_up(PowerTable(0), d) == looked_up(PowerTable(1), d));

@@ -20,7 +20,6 @@ using namespace arcspan::test;
 namespace {
 
 using Frame = hal::Framebuffer<Rgb565>;
-constexpr DrawFeatures kBothSides{.two_sided = true};
 constexpr IlluminationFeatures kColoured{.coloured_lights = true, .fading_highlights = true};
 
 #ifdef ARCSPAN_SANITIZED  // few, because each takes seconds to compile
@@ -79,7 +78,7 @@ int draw(const TestMesh& mesh, const TestCamera& camera, const Lighting& lightin
   DepthBuffer depth(depths, camera.width, camera.height);
   depth.clear();
   CHECK(ok(
-      draw_mesh<Arc<Lighting>, kBothSides>(mesh.view(), camera.transform(), lighting, frame, depth).status));
+      draw_mesh<Arc<Lighting>>(mesh.view(), camera.transform(), lighting, frame, depth).status));
   int drawn = 0;
   for (const Frame::Word word : words) drawn += word == 0x0821 ? 0 : 1;
   return drawn;

@@ -18,10 +18,10 @@
 
 namespace arcspan {
 
-/// Phong shading by scalars: the products of the normal with L, H or V are interpolated over a triangle, and no
-/// pixel needs a root or a division. Each triangle is drawn by the cheapest order that is within the tolerance of
-/// the illumination (choose_order()), with the highlight if that is within reach, or by N·L alone. How accurate
-/// that is: docs/accuracy.md. Why: decision 35.
+/// Phong shading by scalars: the products of the normal with L, H or V are interpolated over a triangle, and
+/// no pixel needs a root or a division. Each triangle is drawn by the cheapest order that is within the
+/// tolerance of the illumination (choose_order()), with the highlight if that is within reach, or by N·L
+/// alone. How accurate that is: docs/accuracy.md. Why: decision 35.
 ///
 /// `Illumination` is an Illumination or an EnvironmentMap.
 template <class Illumination>
@@ -84,8 +84,8 @@ struct Arc {
                      diffuse(lighting, choice, bottom), prepared);
     } else {
       for (std::size_t i = 0; i < kScalars; ++i) {
-        prepare_scalar(frame, choice, i, scalar(lighting, choice, top, i), scalar(lighting, choice, middle, i),
-                       scalar(lighting, choice, bottom, i), prepared);
+        prepare_scalar(frame, choice, i, scalar(lighting, choice, top, i),
+                       scalar(lighting, choice, middle, i), scalar(lighting, choice, bottom, i), prepared);
       }
     }
     if (choice.order == SurfaceOrder::kNormalised) prepare_missing(frame, choice.chords, prepared.normalised);
@@ -114,12 +114,14 @@ struct Arc {
     return draw(Normalised<kScalars>(prepared.rows, prepared.normalised));
   }
 
-  /// Prepares a small triangle (DrawsSmallTriangles) with the vertices top, middle and bottom. Its surface is linear
-  /// or normalised: a quadratic one would cost as much as it saves.
+  /// Prepares a small triangle (DrawsSmallTriangles) with the vertices top, middle and bottom. Its surface is
+  /// linear or normalised: a quadratic one would cost as much as it saves.
   template <class Raster>
-  [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_small(const Lighting& lighting, const Raster& top,
-                                                    const Raster& middle, const Raster& bottom,
-                                                    const SmallTriangle& triangle, Small& small) {
+  [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_small(const Lighting& lighting,
+                                                                   const Raster& top, const Raster& middle,
+                                                                   const Raster& bottom,
+                                                                   const SmallTriangle& triangle,
+                                                                   Small& small) {
     const Vertex& a = top.shade;
     const Vertex& b = middle.shade;
     const Vertex& c = bottom.shade;
@@ -168,8 +170,8 @@ struct Arc {
     return static_cast<Path>(static_cast<int>(choice.order) + diffuse);
   }
 
-  /// Quadratic surfaces of larger triangles would show the rounding errors of second differences: those of 128
-  /// pixels add up to 2^-17, which changes a highlight of n = 64 by half an 8-bit step.
+  /// Quadratic surfaces of larger triangles would show the rounding errors of second differences: those of
+  /// 128 pixels add up to 2^-17, which changes a highlight of n = 64 by half an 8-bit step.
   template <class Frame>
   [[nodiscard]] static constexpr bool is_bendable(const Frame& frame) {
     constexpr std::uint32_t kLargest = 128;
@@ -177,7 +179,8 @@ struct Arc {
   }
 
   /// The scalar i of a vertex as pixels with all scalars take it.
-  [[nodiscard]] ARCSPAN_INLINE static constexpr Cosine scalar(const Lighting& lighting, const SurfaceChoice& choice,
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Cosine scalar(const Lighting& lighting,
+                                                              const SurfaceChoice& choice,
                                                               const Vertex& vertex, std::size_t i) {
     return lighting.pixel_scalar(lifted(choice, vertex.scalars[i]), i);
   }
@@ -197,8 +200,8 @@ struct Arc {
 
   /// Prepares the surface of scalar i from its values at the vertices.
   template <class Frame>
-  static constexpr void prepare_scalar(const Frame& frame, const SurfaceChoice& choice, std::size_t i, Cosine top,
-                                       Cosine middle, Cosine bottom, Prepared& prepared) {
+  static constexpr void prepare_scalar(const Frame& frame, const SurfaceChoice& choice, std::size_t i,
+                                       Cosine top, Cosine middle, Cosine bottom, Prepared& prepared) {
     if (choice.order == SurfaceOrder::kQuadratic) {
       make_quadratic_scalar(frame, {top.raw(), middle.raw(), bottom.raw()},
                             sagittas(choice.chords, top, middle, bottom), {0, 0}, prepared.quadratic[i]);
@@ -226,7 +229,8 @@ struct Arc {
       return static_cast<std::int32_t>(chord < kMost ? chord : kMost);
     };
     const auto deficit = [](const Vertex& vertex) { return std::int32_t{vertex.deficit} << 12; };
-    const CornerValues at{deficit(frame.top->shade), deficit(frame.middle->shade), deficit(frame.bottom->shade)};
+    const CornerValues at{deficit(frame.top->shade), deficit(frame.middle->shade),
+                          deficit(frame.bottom->shade)};
     const bool narrow = chords.widest() < kNarrow && (at.top | at.middle | at.bottom) == 0;
     surface.slope_dropped = narrow ? 0 : 2;
     make_quadratic_scalar(frame, at,

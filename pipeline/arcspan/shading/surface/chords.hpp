@@ -14,9 +14,9 @@ namespace arcspan {
 
 /// A vertex as `Arc` interpolates it: a normal M and scalars that are linear in it.
 ///
-/// Normals of a mesh have length 1. Where the near plane or the guard band cuts an edge, M is the point of the
-/// chord between the two normals, which is shorter. It is not normalised, so that a pixel gets the same normal
-/// as without the cut; `deficit` is what is missing.
+/// Normals of a mesh have length 1. Where the near plane or the guard band cuts an edge, M is the point of
+/// the chord between the two normals, which is shorter. It is not normalised, so that a pixel gets the same
+/// normal as without the cut; `deficit` is what is missing.
 template <std::size_t Count>
 struct SurfaceVertex {
   Normal normal;
@@ -46,8 +46,8 @@ template <std::size_t Count>
           squared_chord(middle.normal, bottom.normal)};
 }
 
-/// Returns the vertex at the fraction t, 0...1, of the chord from a to b. At 1/2 the result does not depend on
-/// the order of a and b.
+/// Returns the vertex at the fraction t, 0...1, of the chord from a to b. At 1/2 the result does not depend
+/// on the order of a and b.
 template <std::size_t Count>
 [[nodiscard]] ARCSPAN_COLD constexpr SurfaceVertex<Count> on_chord(const SurfaceVertex<Count>& a,
                                                                    const SurfaceVertex<Count>& b, Factor t) {

@@ -32,15 +32,16 @@ namespace detail {
 }
 
 /// Entry i is the line through k at both ends of e = i/64 ... (i + 1)/64, as a function of s = e with 15
-/// fraction bits: in the lower half of the word its slope, in the upper half its value at s = 0, so that the sum
-/// below has 29 fraction bits. Up to e = 3/4 slopes fit 16 bits; beyond it k stays 1. The last entry is for e
-/// slightly below 0, as rounding gives it at vertices.
+/// fraction bits: in the lower half of the word its slope, in the upper half its value at s = 0, so that the
+/// sum below has 29 fraction bits. Up to e = 3/4 slopes fit 16 bits; beyond it k stays 1. The last entry is
+/// for e slightly below 0, as rounding gives it at vertices.
 [[nodiscard]] consteval std::array<std::uint32_t, 64> make_lengthening_table() {
   std::array<std::uint32_t, 64> table{};
   for (std::int64_t i = 0; i < 48; ++i) {
     const std::int64_t here = lengthening_at(i);
     const std::int64_t next = lengthening_at(i + 1);
-    const std::int64_t slope = (next - here + (1 << 9)) >> 10;  // 29 fraction bits per unit of s, which is 2^-15
+    const std::int64_t slope =
+        (next - here + (1 << 9)) >> 10;  // 29 fraction bits per unit of s, which is 2^-15
     const std::int64_t at_zero = (here >> 1) - slope * (i << 9);
     const std::int64_t upper = (at_zero + (1 << 15)) >> 16;
     table[static_cast<std::size_t>(i)] =
@@ -55,9 +56,9 @@ inline constexpr std::array<std::uint32_t, 64> kLengtheningTable = make_lengthen
 
 }  // namespace detail
 
-/// Returns k = 1 / sqrt(1 - e) - 1, 15 fraction bits, for e with 30 fraction bits, -1/64...63/64. Its error is below
-/// 1.5 * 10^-4 for e in 0...1/3 (60 degrees), 2.2 * 10^-4 below 0 and 8 * 10^-4 up to 3/4, from where on k is 1. Any
-/// other argument gives some k of -4...4.
+/// Returns k = 1 / sqrt(1 - e) - 1, 15 fraction bits, for e with 30 fraction bits, -1/64...63/64. Its error
+/// is below 1.5 * 10^-4 for e in 0...1/3 (60 degrees), 2.2 * 10^-4 below 0 and 8 * 10^-4 up to 3/4, from
+/// where on k is 1. Any other argument gives some k of -4...4.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t lengthening(std::int32_t e) {
   const std::uint32_t line = detail::kLengtheningTable[(static_cast<std::uint32_t>(e) >> 24) & 63u];
   const auto s = static_cast<std::uint32_t>(e >> 15);

@@ -24,9 +24,9 @@ struct SurfaceChoice {
   NormalChords chords;
 };
 
-/// Returns true if the quadratic surfaces of a triangle are as accurate as those of an equilateral one with the
-/// squared chord `limit` (28 fraction bits). The error grows with the cube of the angle. Of triangles with the
-/// same widest chord, those with a right angle have less than half of the equilateral one's error.
+/// Returns true if the quadratic surfaces of a triangle are as accurate as those of an equilateral one with
+/// the squared chord `limit` (28 fraction bits). The error grows with the cube of the angle. Of triangles
+/// with the same widest chord, those with a right angle have less than half of the equilateral one's error.
 [[nodiscard]] constexpr bool is_accurate_quadratic(const NormalChords& chords, std::uint32_t limit) {
   const std::uint32_t widest = chords.widest();
   if (widest <= limit) return true;
@@ -36,8 +36,8 @@ struct SurfaceChoice {
 
 /// Chooses the order of a triangle. `may_bend` is false where quadratic surfaces are not to be had.
 ///
-/// A cut triangle (SurfaceVertex) and one with normals more than 60 degrees apart are always normalised unless they
-/// are dark, because the bounds of the light do not hold for them.
+/// A cut triangle (SurfaceVertex) and one with normals more than 60 degrees apart are always normalised
+/// unless they are dark, because the bounds of the light do not hold for them.
 template <class Lighting, std::size_t Count>
 [[nodiscard]] constexpr SurfaceChoice choose_order(const Lighting& lighting, const SurfaceVertex<Count>& top,
                                                    const SurfaceVertex<Count>& middle,

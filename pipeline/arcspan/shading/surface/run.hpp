@@ -48,18 +48,15 @@ struct QuadraticSteps {
   std::array<Cosine, Used> d;
   std::array<Cosine, Used> second_difference;
 
-  /// As above. With b the second difference: f(p) = at + p slope + p^2 b / 2, f(p + 1) - f(p) = slope + p b + b / 2.
-  /// What changes along x has `dropped` fraction bits less than 30.
+  /// As above. With b the second difference: f(p) = at + p slope + p^2 b / 2, f(p + 1) - f(p) = slope + p b +
+  /// b / 2. What changes along x has `dropped` fraction bits less than 30.
   ARCSPAN_INLINE constexpr void start(std::size_t i, const BentScalar& scalar, std::uint32_t p,
                                       int dropped = 0) {
-    const auto times_p = [p](std::int32_t v) {
-      return wrap_mul(v >> 13, static_cast<std::int32_t>(p >> 3));
-    };
+    const auto times_p = [p](std::int32_t v) { return wrap_mul(v >> 13, static_cast<std::int32_t>(p >> 3)); };
     // With all bits, because each pixel adds its error again. Those of large triangles are small.
     const std::int32_t change = scaled_down(scalar.second_difference, p >> 1, 15);
     const std::int32_t inside = times_p(wrap_add(scalar.left.slope, change >> 1));
-    const std::int32_t first =
-        wrap_add(wrap_add(scalar.left.slope, change), scalar.second_difference >> 1);
+    const std::int32_t first = wrap_add(wrap_add(scalar.left.slope, change), scalar.second_difference >> 1);
     x[i] = scalar.left.at + Cosine::from_raw(wrap_shl(inside, dropped));
     d[i] = Cosine::from_raw(wrap_shl(first, dropped));
     second_difference[i] = Cosine::from_raw(wrap_shl(scalar.second_difference, dropped));
@@ -75,8 +72,8 @@ struct QuadraticSteps {
   ARCSPAN_INLINE constexpr void skip(std::int32_t count) {
     const auto n = static_cast<std::uint32_t>(count);
     const auto pairs = static_cast<std::int32_t>((n * (n - 1)) >> 1);
-    x[I] += Cosine::from_raw(
-        wrap_add(wrap_mul(d[I].raw(), count), wrap_mul(second_difference[I].raw(), pairs)));
+    x[I] +=
+        Cosine::from_raw(wrap_add(wrap_mul(d[I].raw(), count), wrap_mul(second_difference[I].raw(), pairs)));
     d[I] += Cosine::from_raw(wrap_mul(second_difference[I].raw(), count));
     if constexpr (I + 1 < Used) skip<I + 1>(count);
   }

@@ -12,8 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Surfaces of small triangles (prepare/small_triangle.hpp) in barycentric coordinates b and c of the middle and
-/// the bottom vertex:
+/// Surfaces of small triangles (prepare/small_triangle.hpp) in barycentric coordinates b and c of the middle
+/// and the bottom vertex:
 ///
 ///     x = x_a + b (x_b - x_a) + c (x_c - x_a)
 ///     e = b (ab (1 - b) + twist c) + c ac (1 - c),     twist = bc - ab - ac,
@@ -65,15 +65,15 @@ class SmallMissing {
     ab_ = narrowed(chords.top_middle);
     ac_ = narrowed(chords.top_bottom);
     twist_ = narrowed(chords.middle_bottom) - ab_ - ac_;
-    // All bits count, because every pixel of a row adds the errors of these again. Sums of products may wrap, unlike
-    // the differences of e, which they end in.
+    // All bits count, because every pixel of a row adds the errors of these again. Sums of products may wrap,
+    // unlike the differences of e, which they end in.
     const std::int32_t db = triangle.d_middle;
     const std::int32_t dc = triangle.d_bottom;
     const std::int32_t ab_by_db = fine(wrap_mul(ab_, db));
     const std::int32_t ac_by_dc = fine(wrap_mul(ac_, dc));
     const std::int32_t twist_by_dc = fine(wrap_mul(twist_, dc));
-    const std::int32_t bend =
-        wrap_sub(wrap_mul(twist_by_dc - ab_by_db, wrap_add(db, 1) >> 1), wrap_mul(ac_by_dc, wrap_add(dc, 1) >> 1));
+    const std::int32_t bend = wrap_sub(wrap_mul(twist_by_dc - ab_by_db, wrap_add(db, 1) >> 1),
+                                       wrap_mul(ac_by_dc, wrap_add(dc, 1) >> 1));
     second_difference_ = Cosine::from_raw(wrap_shl(bend, 1));
     first_ = wrap_add(wrap_shl(wrap_add(wrap_mul(ab_, db), wrap_mul(ac_, dc)), kUp - 1), bend);
     first_by_b_ = twist_by_dc - 2 * ab_by_db;
@@ -110,7 +110,7 @@ class SmallMissing {
   std::int32_t ab_;
   std::int32_t ac_;
   std::int32_t twist_;
-  std::int32_t first_;  ///< first difference along a row at b = c = 0; 30 fraction bits
+  std::int32_t first_;       ///< first difference along a row at b = c = 0; 30 fraction bits
   std::int32_t first_by_b_;  ///< 15 fraction bits, as the next
   std::int32_t first_by_c_;
   Cosine second_difference_;

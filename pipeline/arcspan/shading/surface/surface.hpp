@@ -13,12 +13,13 @@
 ///
 ///     f = sum I_i l_i + sum_{i<j} b_ij l_i l_j,
 ///
-/// where l are the barycentric coordinates, I the values at the vertices and b the *bends* of the edges. Along an
-/// edge f depends on that edge alone, so that neighbouring triangles agree. Down the left edge and along the rows
-/// f is stepped by differences, without a multiply.
+/// where l are the barycentric coordinates, I the values at the vertices and b the *bends* of the edges.
+/// Along an edge f depends on that edge alone, so that neighbouring triangles agree. Down the left edge and
+/// along the rows f is stepped by differences, without a multiply.
 ///
-/// Rows of triangles narrower than a pixel have one pixel at most. Their slopes are made for a width of one pixel,
-/// and a row is started at a fraction of the width (SurfaceRow), so that slivers are as exact as other triangles.
+/// Rows of triangles narrower than a pixel have one pixel at most. Their slopes are made for a width of one
+/// pixel, and a row is started at a fraction of the width (SurfaceRow), so that slivers are as exact as other
+/// triangles.
 namespace arcspan {
 
 /// A scalar that is linear on the screen.
@@ -84,9 +85,9 @@ struct EdgeBends {
   std::int32_t middle_bottom;
 };
 
-/// The bend of an edge divided by the mean of its two values, 18 fraction bits: 4 (1 / cos(psi/2) - 1), which makes
-/// a quadratic surface go through the middle of the arc. `chord` is the squared chord s of the edge, 28 fraction
-/// bits, at most 0.33 (33 degrees), by the series s/2 + 3/32 s^2 + 5/256 s^3.
+/// The bend of an edge divided by the mean of its two values, 18 fraction bits: 4 (1 / cos(psi/2) - 1), which
+/// makes a quadratic surface go through the middle of the arc. `chord` is the squared chord s of the edge, 28
+/// fraction bits, at most 0.33 (33 degrees), by the series s/2 + 3/32 s^2 + 5/256 s^3.
 [[nodiscard]] constexpr std::int32_t sagitta_factor(std::uint32_t chord) {
   const std::uint32_t s = chord >> 13;                         // 15 fraction bits
   const std::uint32_t inner = 3072u + ((s * 5u + 128u) >> 8);  // 3/32 + 5/256 s, 15 fraction bits
@@ -100,8 +101,8 @@ struct EdgeBends {
 
 namespace detail {
 
-/// Returns v * f, rounded down, for f in 0...1. It keeps all bits by two products, because an error in a part of a
-/// surface acts as an error of the normal's length, to which highlights are most sensitive.
+/// Returns v * f, rounded down, for f in 0...1. It keeps all bits by two products, because an error in a part
+/// of a surface acts as an error of the normal's length, to which highlights are most sensitive.
 [[nodiscard]] constexpr std::int32_t part(std::int32_t v, Factor f) {
   return scaled_down(v, static_cast<std::uint32_t>(f.raw()), Factor::kFraction);
 }
@@ -128,8 +129,8 @@ template <class Method>
   return part(v, length.fraction) >> length.down;
 }
 
-/// Returns v / (length of `one` * length of `other`) with `up` more fraction bits than v, rounded to nearest. It
-/// makes differences of differences, whose rounding error is summed twice.
+/// Returns v / (length of `one` * length of `other`) with `up` more fraction bits than v, rounded to nearest.
+/// It makes differences of differences, whose rounding error is summed twice.
 [[nodiscard]] constexpr std::int32_t over_lengths(std::int32_t v, const InverseLength& one,
                                                   const InverseLength& other, int up) {
   const std::int32_t product = part(part(v, one.fraction), other.fraction);
@@ -139,8 +140,8 @@ template <class Method>
 }
 
 /// Sets up a plane along an edge, from its upper end `from`; `to_bottom` is half the change to its lower end.
-constexpr void make_linear_edge(const EdgeSetup& edge, Cosine from,
-                                                            std::int32_t to_bottom, PlaneScalar::Edge& e) {
+constexpr void make_linear_edge(const EdgeSetup& edge, Cosine from, std::int32_t to_bottom,
+                                PlaneScalar::Edge& e) {
   e.at = from + Cosine::from_raw(wrap_shl(part(to_bottom, edge.start), 1));
   e.step = Cosine{};
   if (edge.dy < 1 << Subpixel::kFraction) return;  // the edge has one row
@@ -155,10 +156,9 @@ struct SurfaceEnd {
 };
 
 /// Sets up a quadratic surface along an edge with the given bend; `pixel` is inverse_width().
-constexpr void make_quadratic_edge(const EdgeSetup& edge, const InverseLength& pixel,
-                                                               const SurfaceEnd& from, const SurfaceEnd& to,
-                                                               std::int32_t bend, const SurfaceFormat& format,
-                                                               BentScalar::Edge& e) {
+constexpr void make_quadratic_edge(const EdgeSetup& edge, const InverseLength& pixel, const SurfaceEnd& from,
+                                   const SurfaceEnd& to, std::int32_t bend, const SurfaceFormat& format,
+                                   BentScalar::Edge& e) {
   // f(t) = from + t (to - from + bend) - t^2 bend, t = 0...1 along the edge
   const Factor t = edge.start;
   const int slope_up = format.dropped - format.slope_dropped;
@@ -181,16 +181,15 @@ constexpr void make_quadratic_edge(const EdgeSetup& edge, const InverseLength& p
 
 }  // namespace detail
 
-/// Makes a plane from its values at the vertices, of any scalars of -1...1. Halves are taken where two of them are
-/// subtracted, so that the difference fits.
+/// Makes a plane from its values at the vertices, of any scalars of -1...1. Halves are taken where two of
+/// them are subtracted, so that the difference fits.
 template <class Method>
-ARCSPAN_OUTLINE constexpr void make_linear_scalar(const TriangleFrame<Method>& frame, Cosine top, Cosine middle,
-                                                  Cosine bottom, PlaneScalar& scalar) {
+ARCSPAN_OUTLINE constexpr void make_linear_scalar(const TriangleFrame<Method>& frame, Cosine top,
+                                                  Cosine middle, Cosine bottom, PlaneScalar& scalar) {
   const std::int32_t to_middle = wrap_sub(middle.raw() >> 1, top.raw() >> 1);
   const std::int32_t to_bottom = wrap_sub(bottom.raw() >> 1, top.raw() >> 1);
   const std::int32_t across = wrap_sub(to_middle, detail::part(to_bottom, frame.middle_fraction));
-  scalar.slope =
-      detail::over_length(frame.middle_left ? -across : across, detail::inverse_width(frame));
+  scalar.slope = detail::over_length(frame.middle_left ? -across : across, detail::inverse_width(frame));
   if (!frame.middle_left) {
     detail::make_linear_edge(frame.long_edge, top, to_bottom, scalar.left);
     return;
@@ -200,22 +199,21 @@ ARCSPAN_OUTLINE constexpr void make_linear_scalar(const TriangleFrame<Method>& f
     detail::make_linear_edge(frame.lower_edge, middle, wrap_sub(to_bottom, to_middle), scalar.lower);
 }
 
-/// Makes a quadratic surface. Let t be the fraction of the triangle's height, m that of the middle vertex, and q
-/// the distance from the long edge as a fraction of the widest row. Then the barycentric coordinates are
-/// l_middle = q and l_bottom = t - m q, and f = F(t) + q G(t) + q^2 H.
+/// Makes a quadratic surface. Let t be the fraction of the triangle's height, m that of the middle vertex,
+/// and q the distance from the long edge as a fraction of the widest row. Then the barycentric coordinates
+/// are l_middle = q and l_bottom = t - m q, and f = F(t) + q G(t) + q^2 H.
 template <class Method>
-ARCSPAN_OUTLINE constexpr void make_quadratic_scalar(const TriangleFrame<Method>& frame, const CornerValues& at,
-                                                     const EdgeBends& bends, const SurfaceFormat& format,
-                                                     BentScalar& scalar) {
+ARCSPAN_OUTLINE constexpr void make_quadratic_scalar(const TriangleFrame<Method>& frame,
+                                                     const CornerValues& at, const EdgeBends& bends,
+                                                     const SurfaceFormat& format, BentScalar& scalar) {
   using detail::part;
   const Factor m = frame.middle_fraction;
   const std::int32_t long_m = part(bends.top_bottom, m);
   const std::int32_t long_rest = wrap_sub(bends.top_bottom, long_m);
   // How far the middle vertex is above the long edge's chord.
-  const std::int32_t across =
-      wrap_sub(wrap_sub(at.middle, at.top), part(wrap_sub(at.bottom, at.top), m));
-  const std::int32_t h =
-      wrap_sub(part(wrap_add(wrap_sub(long_rest, bends.middle_bottom), bends.top_middle), m), bends.top_middle);
+  const std::int32_t across = wrap_sub(wrap_sub(at.middle, at.top), part(wrap_sub(at.bottom, at.top), m));
+  const std::int32_t h = wrap_sub(
+      part(wrap_add(wrap_sub(long_rest, bends.middle_bottom), bends.top_middle), m), bends.top_middle);
   // G at the three vertices.
   std::int32_t g_top = wrap_sub(wrap_add(across, bends.top_middle), long_m);
   std::int32_t g_bottom = wrap_sub(wrap_add(across, bends.middle_bottom), long_rest);

@@ -17,12 +17,12 @@ namespace arcspan {
 
 /// Where the rows of a triangle start. Set for all triangles.
 struct SurfaceRows {
-  bool middle_left;     ///< the middle vertex is on the left of the long edge
-  bool is_sliver;       ///< narrower than a pixel
-  Reciprocal inverse;   ///< of the width of a sliver, 16 fraction bits
+  bool middle_left;    ///< the middle vertex is on the left of the long edge
+  bool is_sliver;      ///< narrower than a pixel
+  Reciprocal inverse;  ///< of the width of a sliver, 16 fraction bits
 
-  /// Returns the distance from the left edge to the row's first column in the unit of the slopes: pixels, or the
-  /// width of a sliver. 16 fraction bits, below 1.
+  /// Returns the distance from the left edge to the row's first column in the unit of the slopes: pixels, or
+  /// the width of a sliver. 16 fraction bits, below 1.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t fraction(const RowStart& start) const {
     if (is_sliver) [[unlikely]]
       return sliver_fraction(start.fine);
@@ -31,7 +31,8 @@ struct SurfaceRows {
 
  private:
   /// `fine`: the distance in pixels, 32 fraction bits.
-  [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr std::uint32_t sliver_fraction(std::uint32_t fine) const {
+  [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr std::uint32_t sliver_fraction(
+      std::uint32_t fine) const {
     // The fraction of a pixel with 32 bits times `mantissa` 2^-exponent; the width has exponent - 15 bits.
     const std::uint32_t upper = fine >> (inverse.exponent - 15);
     if (upper > 0xFFFFu) return 0xFFFFu;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/numbers/direction.hpp>
 #include <arcspan/lighting/triangle_light.hpp>
+#include <arcspan/numbers/direction.hpp>
 #include <arcspan/shading/textured/texel_light.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/texture/texture.hpp>
@@ -63,7 +63,9 @@ class EnvironmentMap {
   // What Arc takes of an illumination besides (Illumination).
 
   [[nodiscard]] constexpr Scalars surface_scalars(const Direction& normal) const { return scalars(normal); }
-  [[nodiscard]] static constexpr bool is_dark(const Scalars&, const Scalars&, const Scalars&) { return false; }
+  [[nodiscard]] static constexpr bool is_dark(const Scalars&, const Scalars&, const Scalars&) {
+    return false;
+  }
   /// A plane is off by at most a sixth of the widest squared chord: half a texel.
   [[nodiscard]] constexpr TriangleLight light_over(const Scalars&, const Scalars&, const Scalars&,
                                                    std::uint32_t widest) const {

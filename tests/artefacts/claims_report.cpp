@@ -44,7 +44,7 @@ void print_recurrence() {
                 printed_recurrence_error(pixels, 22), printed_recurrence_error(pixels, 30),
                 difference_recurrence_error(pixels));
   }
-  std::puts("\nThe pipeline uses the difference form and begins anew after 256 pixels.\n");
+  std::puts("\nThe method `recurrence` uses the difference form and begins anew after 256 pixels.\n");
 }
 
 void print_segments() {

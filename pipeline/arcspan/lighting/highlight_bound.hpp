@@ -25,7 +25,7 @@ inline constexpr std::array<std::uint8_t, 16> kWiderAtSlope{101, 64, 48, 40, 34,
                                                             23,  21, 20, 19, 18, 17, 16, 16};
 }  // namespace detail
 
-/// Returns the squared chord (28 fraction bits, as `limit`) at which a patch under highlights of this slope
+/// Returns the squared chord (28 fraction bits, as `limit`) at which a surface under highlights of this slope
 /// (0...15) has the error that it has at `limit` under the brightest: `limit` times 1...6.3. The error of a
 /// highlight is that of its cosine, which grows with the cube of the angle, times the slope.
 [[nodiscard]] constexpr std::uint32_t limit_at_slope(std::uint32_t limit, std::uint8_t slope) {

@@ -195,8 +195,8 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     if constexpr (Lights == 1) return std::uint32_t{1} << 15;
     return weights_[light];
   }
-  /// The squared chord up to which a triangle of any shape with a highlight may be a patch
-  /// (is_accurate_patch()).
+  /// The squared chord up to which a triangle of any shape with a highlight may be quadratic
+  /// (is_accurate_quadratic()).
   [[nodiscard]] constexpr std::uint32_t widest_patch() const { return widest_patch_; }
 
   /// The N·L from which on highlights are not faded, 0 if they end abruptly.

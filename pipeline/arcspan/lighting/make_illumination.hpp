@@ -10,15 +10,15 @@
 
 namespace arcspan {
 
-/// Returns the squared chord, 28 fraction bits, up to which an equilateral triangle with a highlight may be a
-/// patch, so that the highlight differs by at most 1.4 8-bit steps. The difference grows with the exponent
-/// and with `height`, the height of the highlights of all lights together (8-bit steps, 5 fraction bits, at
-/// most four times 255).
+/// Returns the squared chord, 28 fraction bits, up to which an equilateral triangle with a highlight may be
+/// quadratic, so that the highlight differs by at most 1.4 8-bit steps. The difference grows with the
+/// exponent and with `height`, the height of the highlights of all lights together (8-bit steps, 5 fraction
+/// bits, at most four times 255).
 [[nodiscard]] constexpr std::uint32_t widest_patch(Highlight model, std::int32_t shininess,
                                                    std::uint32_t height) {
   // Entry i is for the exponent 2^i and white highlights by R·V: 23, 23, 23, 20, 17, 14.5, 11, 9, 7.5,
   // 6.3, 5.2 degrees. Blunt highlights would allow 29, but they end abruptly where N·L = 0, so its error
-  // counts too. Sharp ones show rounding as well, which leaves less for the patch.
+  // counts too. Sharp ones show rounding as well, which leaves less for the surface.
   constexpr std::array<std::uint32_t, 11> kChords{42678632, 42678632, 42678632, 32377278, 23458706, 17100605,
                                                   9863831,  6609772,  4593005,  3241999,  2209600};
   constexpr std::uint32_t kWhite = 255u << 5;
@@ -32,7 +32,7 @@ namespace arcspan {
   const std::uint32_t beyond = (sharpness >> doublings) - 256;
   const auto index = static_cast<std::size_t>(doublings);
   if (beyond == 0) return kChords[index];
-  constexpr std::size_t kSharp = 4;  // n = 16: beyond it, patches between two entries are less accurate
+  constexpr std::size_t kSharp = 4;  // n = 16: beyond it, surfaces between two entries are less accurate
   if (index >= kSharp) return kChords[index + 1];
   // log2(1 + x) = x + 0.344 x (1 - x), error below 0.008; 8 fraction bits
   const std::uint32_t share = beyond + ((beyond * (256 - beyond) * 88) >> 16);
@@ -182,7 +182,7 @@ constexpr void Illumination<Lights, Model, Features>::set_highlight_height(
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr void Illumination<Lights, Model, Features>::set_ramp_range() {
   // The light that saturates every channel, but at least three quarters of that of all lights at full
-  // strength: diffuse_scalar() then stays below 4/3, for which patches have room.
+  // strength: diffuse_scalar() then stays below 4/3, for which quadratic surfaces have room.
   constexpr auto kMost = static_cast<std::uint32_t>(Lights) << 15;
   this->range = kMost / 4 * 3;
   for (std::size_t c = 0; c < 3; ++c) {

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// A patch replaces the arcs of a triangle whose normals are close together (decision 5). Each scalar is the
+/// A patch replaces the arcs of a triangle whose normals are close together. Each scalar is the
 /// quadratic surface through its values at the three vertices and at the middles of the three arcs:
 ///
 ///     f = sum I_i l_i + sum b_ij l_i l_j,     b_ij = 2 (I_i + I_j) (1 / cos(psi_ij / 2) - 1),

@@ -35,8 +35,8 @@ inline constexpr std::uint32_t kWidestHighlightPatch = 71927064u;
 
 /// Returns the squared angle in rad^2 of the widest piece, for a lighting that allows patches up to the
 /// squared chord `widest_patch` (28 fraction bits). Pieces may be 1.3 times as wide as patches for the same
-/// error, because a parabola differs from an arc by less than a patch from a spherical triangle (decision
-/// 23).
+/// error, because a parabola differs from an arc by less than a patch from a spherical
+/// triangle.
 [[nodiscard]] constexpr Factor widest_piece(std::uint32_t widest_patch) {
   const std::uint32_t angle2 = widest_patch >> 13;
   return Factor::from_raw(static_cast<std::int32_t>(angle2 + (angle2 >> 1) + (angle2 >> 3)));
@@ -52,8 +52,8 @@ template <class Frame>
 
 /// Returns true if a triangle is as accurate as a patch as an equilateral one with the squared chord `limit`
 /// (28 fraction bits). The error grows with the cube of the angle. Of triangles with the same widest chord,
-/// those with a right angle have less than half of the equilateral one's error, and slender ones a third
-/// (decision 5). Beyond the limit the triangle must be 4 pixels wide, because in narrower ones the second
+/// those with a right angle have less than half of the equilateral one's error, and slender ones a third.
+/// Beyond the limit the triangle must be 4 pixels wide, because in narrower ones the second
 /// difference is so large that the rounding of a row's start would show.
 template <class Frame>
 [[nodiscard]] constexpr bool is_accurate_as_patch(const Frame& frame, std::uint32_t limit) {

@@ -104,8 +104,8 @@ TEMPLATE_TEST_CASE("a sink of some columns gets exactly those columns of the pic
   check_windows<TestType, false>(near_normals.view(), camera);
 }
 
-// Normals of this sphere are far apart, so that highlights are stepped as quartics or summed. Small triangles
-// that are cut may differ by a step (decision 26).
+// Normals of this sphere are far apart, so that its triangles are normalised. Small triangles that are cut
+// may differ by a step, because their rows start at the first drawn column.
 TEST_CASE("a sink of some columns gets exactly those columns by two lights") {
   Random random(92);
   const TestCamera camera = camera_of_sphere(random);

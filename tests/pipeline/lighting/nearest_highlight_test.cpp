@@ -259,7 +259,7 @@ TEMPLATE_TEST_CASE("a highlight that may fade in the triangle counts as if it we
   CHECK(slope_with(Coefficient::of(0.5)) == HighlightBound::kBrightest);
 }
 
-TEST_CASE("limits of patches grow as highlights become faint, by the power 2/3 of the slope") {
+TEST_CASE("limits of quadratic surfaces grow as highlights become faint, by the power 2/3 of the slope") {
   constexpr std::uint32_t kLimit = 10000000;
   for (std::uint8_t slope = 0; slope < 16; ++slope) {
     const double exact = kLimit * std::pow(16.0 / (slope + 1), 2.0 / 3);

@@ -303,7 +303,7 @@ TEST_CASE("by every method, each channel of coloured lights is that of white lig
     expected.pixels[p] = {red.pixels[p].r, green.pixels[p].g, blue.pixels[p].b};
   }
   if (model == Highlight::kBlinn && (shading == "arc" || shading == "segment")) {
-    // How wide a patch may be depends on the share that each light has in the highlights.
+    // How wide a quadratic surface may be depends on the share that each light has in the highlights.
     const Difference found = difference(coloured, expected);
     CHECK(found.largest <= 1);
     CHECK(found.differing_pixels <= 10);

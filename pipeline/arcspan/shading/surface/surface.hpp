@@ -18,8 +18,8 @@
 /// along the rows f is stepped by differences, without a multiply.
 ///
 /// Rows of triangles narrower than a pixel have one pixel at most. Their slopes are made for a width of one
-/// pixel, and a row is started at a fraction of the width (SurfaceRow), so that slivers are as exact as other
-/// triangles.
+/// pixel, and a row is started at a fraction of the width (SurfaceRows), so that slivers are as exact as
+/// other triangles.
 namespace arcspan {
 
 /// A scalar that is linear on the screen.

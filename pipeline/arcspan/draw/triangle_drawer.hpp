@@ -105,6 +105,15 @@ class TriangleDrawer {
       kHasCheapRows<TriangleCommand<Method>> && !kOptimisedForSize && kHasManyRegisters;
   static constexpr bool kDrawsSmall = Features.small_triangles && DrawsSmallTriangles<Method>;
 
+  template <class Filter, class Source>
+  [[nodiscard]] ARCSPAN_INLINE decltype(auto) vertex(Source& source, std::size_t i) const {
+    if constexpr (std::is_same_v<Filter, AllTriangles> && requires { source.transformed(i); }) {
+      return source.transformed(i);
+    } else {
+      return source.vertex(stage_, i);
+    }
+  }
+
   /// Draws the triangles of a filter.
   template <class Source, class Filter>
   ARCSPAN_OUTLINE void draw_triangles(Source& source, const Filter& filter) {
@@ -112,16 +121,9 @@ class TriangleDrawer {
     const std::size_t count = mesh.triangle_count();
     for (std::size_t i = filter.next(0, count); i < count; i = filter.next(i + 1, count)) {
       const TriangleIndices t = mesh.triangle(i);
-      const auto vertex = [&](std::size_t v) ARCSPAN_INLINE -> decltype(auto) {
-        if constexpr (std::is_same_v<Filter, AllTriangles> && requires { source.transformed(v); }) {
-          return source.transformed(v);
-        } else {
-          return source.vertex(stage_, v);
-        }
-      };
-      auto&& a = vertex(t.a);
-      auto&& b = vertex(t.b);
-      auto&& c = vertex(t.c);
+      auto&& a = vertex<Filter>(source, t.a);
+      auto&& b = vertex<Filter>(source, t.b);
+      auto&& c = vertex<Filter>(source, t.c);
       if (is_culled<Filter::kAllInside>(a, b, c)) continue;
       if (!Filter::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
         draw_clipped(t);

@@ -78,7 +78,9 @@ class VertexStage {
 
   /// @cond for draw_mesh(), not in the reference
   /// Finds the back faces.
-  void find_back_faces() { back_faces_ = BackFaces(mesh_, transform_); }
+  void find_back_faces() {
+    if (mesh_.planes() != nullptr) back_faces_ = BackFaces(mesh_, transform_);
+  }
   [[nodiscard]] ARCSPAN_INLINE constexpr ClipPosition clip_position(std::size_t i) const {
     return transform_(mesh_.position(i));
   }

@@ -24,7 +24,7 @@ template <class Method>
   const RasterPosition& b = vertices.middle->position;
   const RasterPosition& c = vertices.bottom->position;
   const std::int32_t most = kSmallSize << Subpixel::kFraction;
-  const auto apart = [most](std::int32_t p, std::int32_t q) {
+  const auto apart = [&](std::int32_t p, std::int32_t q) {
     return static_cast<std::uint32_t>(p - q + most) > 2 * static_cast<std::uint32_t>(most);
   };
   return c.y - a.y <= most && !apart(a.x, b.x) && !apart(a.x, c.x) && !apart(b.x, c.x);

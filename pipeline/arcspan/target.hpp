@@ -61,9 +61,10 @@ inline constexpr bool kHasLongMultiply = false;
 inline constexpr bool kHasLongMultiply = true;
 #endif
 
-/// True if a 64-bit sum of 32-bit products is cheaper than two sums of 32 bits (Armv7-M: SMLAL). arcspan
-/// simulate defines ARCSPAN_LONG_SUMS, because it counts the operations of such a core.
-#if defined(__thumb2__) || defined(ARCSPAN_LONG_SUMS)
+/// True if a 64-bit sum of 32-bit products is cheaper than two sums of 32 bits (Armv7-M: SMLAL; 64-bit
+/// hosts). arcspan simulate defines ARCSPAN_LONG_SUMS, because it counts the operations of such a core.
+#if defined(__thumb2__) || defined(ARCSPAN_LONG_SUMS) || \
+    (defined(__SIZEOF_POINTER__) && __SIZEOF_POINTER__ >= 8)
 inline constexpr bool kHasLongSums = true;
 #else
 inline constexpr bool kHasLongSums = false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/target.hpp>
+
 #include <cstdint>
 
 /// What an illumination tells a shading method about a triangle. Squared chords have 28 fraction bits.

@@ -77,8 +77,7 @@ int draw(const TestMesh& mesh, const TestCamera& camera, const Lighting& lightin
   std::vector<std::uint16_t> depths(DepthBuffer::words(camera.width, camera.height));
   DepthBuffer depth(depths, camera.width, camera.height);
   depth.clear();
-  CHECK(ok(
-      draw_mesh<Arc<Lighting>>(mesh.view(), camera.transform(), lighting, frame, depth).status));
+  CHECK(ok(draw_mesh<Arc<Lighting>>(mesh.view(), camera.transform(), lighting, frame, depth).status));
   int drawn = 0;
   for (const Frame::Word word : words) drawn += word == 0x0821 ? 0 : 1;
   return drawn;

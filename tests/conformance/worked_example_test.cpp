@@ -35,8 +35,7 @@ constexpr double kExactGouraud = 4.470548;
 constexpr double kExactPhong = 4.488482;
 constexpr double kExactArc = 4.488443;
 constexpr double kTolerance = 0.002;
-constexpr double kTwoTenths =
-    0.2 / 255 * 16;  // of a step of 255, where 16 is full light (docs/accuracy.md)
+constexpr double kTwoTenths = 0.2 / 255 * 16;  // of a step of 255, where 16 is full light (docs/accuracy.md)
 
 // The second light is dark. The strength of the first changes the entry of the ramp in which its N·L lies.
 using Lit = Illumination<2, Highlight::kPhong>;

@@ -29,7 +29,7 @@ namespace arcspan {
 
 /// The illumination of one object by `Lights` (1...4) lights: its constants, and the colour of a normal's
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
-/// (Phong). Arcs can carry them because they are linear in N.
+/// (Phong). They are linear on a surface because they are linear in N.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features = IlluminationFeatures{}>
 class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Features> {
  public:
@@ -176,8 +176,8 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// may_shine(). INT32_MAX if no light reaches it.
   [[nodiscard]] constexpr std::int32_t nearest_highlight(const Scalars& a, const Scalars& b, const Scalars& c,
                                                          Cosine headroom) const;
-  /// Bounds of the highlights of all normals of a triangle, by any number of lights. The chords are as above
-  /// and at most 1.
+  /// Bounds of the highlights of all normals of a triangle, by any number of lights, for methods of the
+  /// literature; `Arc` takes light_over(). `ab`, `ac`, `bc`: squared chords, 28 fraction bits, at most 1.
   [[nodiscard]] constexpr HighlightBound highlights_over(const Scalars& a, const Scalars& b, const Scalars& c,
                                                          std::uint32_t ab, std::uint32_t ac,
                                                          std::uint32_t bc) const;
@@ -268,7 +268,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     }
   }
 
-  /// nearest_highlight_between() for any number of lights and both models.
+  /// A lower bound of the half distance of one light; an end below `reach` need not be exact.
   [[nodiscard]] constexpr std::int32_t nearest_in_triangle(std::size_t light, std::int32_t reach,
                                                            const Scalars& a, const Scalars& b,
                                                            const Scalars& c, std::uint32_t ab,

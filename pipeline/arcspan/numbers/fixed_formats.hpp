@@ -13,13 +13,12 @@ namespace arcspan {
 /// fits 32 bits.
 using Subpixel = Fixed<std::int32_t, 4>;
 
-/// A scalar that the arcs carry, N·L, N·H or N·V, and its difference per pixel: Q1.30, [-2, 2). The amplitude
+/// A scalar of a normal, N·L, N·H or N·V, and its difference per pixel: Q1.30, [-2, 2). The amplitude
 /// is 1 and one bit is head-room. Differences need all 30 fraction bits, because their error grows with the
 /// length of the span (decision 4).
 using Cosine = Fixed<std::int32_t, 30>;
 
-/// Factor of an arc's start, fraction of an edge, squared chord or squared angle up to 1.1 (60 degrees):
-/// Q16.15. Kept below 2 in magnitude, so that a product of two fits 32 bits (one 16x16 multiply).
+/// Fraction of an edge, and in the literature squared chords and angles up to 1.1 (60 degrees): Q16.15. Kept below 2 in magnitude, so that a product of two fits 32 bits (one 16x16 multiply).
 using Factor = Fixed<std::int32_t, 15>;
 
 /// Component of a unit normal, Q1.14 in 16 bits: [-1, 1].

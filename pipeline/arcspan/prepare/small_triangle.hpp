@@ -10,8 +10,8 @@
 #include <type_traits>
 
 /// Triangles of a few pixels. Setting up edges, planes and rows for them would take most of their time, so
-/// the columns of a row are stepped down the edges, and everything that is interpolated follows from
-/// barycentric coordinates at each pixel (decision 35).
+/// the columns of a row are stepped down the edges, and everything that is interpolated starts in each row
+/// from the barycentric coordinates of its first pixel (decision 35).
 namespace arcspan {
 
 /// A triangle is small if its vertices are at most this many pixels apart, along x and along y.

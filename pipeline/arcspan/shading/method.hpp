@@ -77,7 +77,7 @@ concept RowWalker = PixelRun<typename W::Run, Lighting> && requires(W walker, co
 /// - `between`: the vertex at a fraction of an edge, for clipping. At 1/2 the result must not
 ///   depend on the order of the two ends.
 /// - `walk`: static Status walk(Prepared&, draw) calls `draw` with a RowWalker and returns its status. The
-///   type of the walker may depend on the triangle.
+///   type of the walker may depend on the triangle. It is a template, which the concept cannot check.
 template <class M>
 concept ShadingMethod = requires(const typename M::Lighting& lighting, const Direction& normal,
                                  const typename M::Vertex& vertex, const typename M::Face& face,

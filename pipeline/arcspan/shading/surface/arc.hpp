@@ -95,20 +95,20 @@ struct Arc {
   template <class Draw>
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     switch (prepared.path) {
-      case Path::kLinear:
-        return draw(Linear<kScalars>(prepared.rows, prepared.linear));
-      case Path::kQuadratic:
-        return draw(Quadratic<kScalars>(prepared.rows, prepared.quadratic));
-      case Path::kNormalised:
-        break;
       case Path::kLinearDiffuse:
         if constexpr (kHasDiffuse) return draw(Linear<1>(prepared.rows, prepared.linear));
         break;
+      case Path::kLinear:
+        return draw(Linear<kScalars>(prepared.rows, prepared.linear));
       case Path::kQuadraticDiffuse:
         if constexpr (kHasDiffuse) return draw(Quadratic<1>(prepared.rows, prepared.quadratic));
         break;
+      case Path::kQuadratic:
+        return draw(Quadratic<kScalars>(prepared.rows, prepared.quadratic));
       case Path::kNormalisedDiffuse:
         if constexpr (kHasDiffuse) return draw(Normalised<1>(prepared.rows, prepared.normalised));
+        break;
+      case Path::kNormalised:
         break;
     }
     return draw(Normalised<kScalars>(prepared.rows, prepared.normalised));

@@ -45,7 +45,7 @@ struct BentScalar {
     Cosine at;                 ///< on the left edge, at the row's centre line
     Cosine step;               ///< difference to the next row
     Cosine second_difference;  ///< change of `step` per row
-    std::int32_t slope;        ///< derivative along x on the edge, per pixel
+    std::int32_t slope;        ///< derivative along x on the edge, per pixel, as SurfaceFormat says
     std::int32_t slope_step;   ///< change of `slope` per row
   };
   Edge left;

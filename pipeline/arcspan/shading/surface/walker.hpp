@@ -19,7 +19,7 @@ namespace arcspan {
 struct SurfaceRows {
   bool middle_left;    ///< the middle vertex is on the left of the long edge
   bool is_sliver;      ///< narrower than a pixel
-  Reciprocal inverse;  ///< of the width of a sliver, 16 fraction bits
+  Reciprocal inverse;  ///< of the width, 16 fraction bits; used for slivers
 
   /// Returns the distance from the left edge to the row's first column in the unit of the slopes: pixels, or
   /// the width of a sliver. 16 fraction bits, below 1.

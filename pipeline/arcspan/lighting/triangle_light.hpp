@@ -20,6 +20,7 @@ enum class LightReach : std::uint8_t {
   kHighlight,  ///< all
 };
 
+/// What light_over() finds for a triangle.
 struct TriangleLight {
   LightReach reach;
   bool linear;        ///< planes are within the tolerance

@@ -128,6 +128,7 @@ struct SmallLinear {
     return run;
   }
 };
+/// The rows of a small normalised surface.
 template <class RunOf, std::size_t Count>
 struct SmallNormalised {
   using Run = RunOf;

@@ -24,6 +24,7 @@ namespace arcspan {
 
 /// A scalar that is linear on the screen.
 struct PlaneScalar {
+  /// Along the left edge.
   struct Edge {
     Cosine at;    ///< on the left edge, at the row's centre line
     Cosine step;  ///< change per row
@@ -41,6 +42,7 @@ struct PlaneScalar {
 
 /// A scalar with bends.
 struct BentScalar {
+  /// Along the left edge.
   struct Edge {
     Cosine at;                 ///< on the left edge, at the row's centre line
     Cosine step;               ///< difference to the next row
@@ -79,6 +81,7 @@ struct CornerValues {
   std::int32_t middle;
   std::int32_t bottom;
 };
+/// The bends of the three edges, 30 fraction bits.
 struct EdgeBends {
   std::int32_t top_middle;
   std::int32_t top_bottom;

@@ -44,7 +44,7 @@ template <PixelSink Sink, class Pixel>
 /// The level of a channel in row y of a gradient, 0...1023 as PackedRgb has it. `step` is the change per row
 /// with 16 fraction bits.
 [[nodiscard]] constexpr std::uint32_t gradient_level(std::uint8_t top, std::int32_t step, std::int32_t y) {
-  constexpr std::int32_t kHalf = 1 << 15;
+  constexpr std::int32_t kHalf = std::int32_t{1} << 15;
   return static_cast<std::uint32_t>(((std::int32_t{top} << 16) + step * y + kHalf) >> 14);
 }
 
@@ -59,7 +59,7 @@ template <PixelSink Sink>
   if (gradient.height < 1 || gradient.height > 32767) return Status::kInvalidArgument;
   const std::int32_t last = gradient.height - 1;
   const auto step = [last](std::uint8_t top, std::uint8_t bottom) {
-    return last == 0 ? 0 : ((std::int32_t{bottom} - top) * (1 << 16)) / last;
+    return last == 0 ? 0 : ((std::int32_t{bottom} - top) * (std::int32_t{1} << 16)) / last;
   };
   const std::int32_t r = step(gradient.top.r, gradient.bottom.r);
   const std::int32_t g = step(gradient.top.g, gradient.bottom.g);

@@ -41,9 +41,9 @@ namespace detail {
     const std::int64_t here = lengthening_at(i);
     const std::int64_t next = lengthening_at(i + 1);
     const std::int64_t slope =
-        (next - here + (1 << 9)) >> 10;  // 29 fraction bits per unit of s, which is 2^-15
+        (next - here + (std::int64_t{1} << 9)) >> 10;  // 29 fraction bits per unit of s, which is 2^-15
     const std::int64_t at_zero = (here >> 1) - slope * (i << 9);
-    const std::int64_t upper = (at_zero + (1 << 15)) >> 16;
+    const std::int64_t upper = (at_zero + (std::int64_t{1} << 15)) >> 16;
     table[static_cast<std::size_t>(i)] =
         (static_cast<std::uint32_t>(upper) << 16) | static_cast<std::uint32_t>(slope);
   }

@@ -94,7 +94,7 @@ class HighlightTable {
  private:
   static constexpr std::uint32_t kIntervals = 128;
   static constexpr int kIntervalBits = 18;
-  static_assert(kIntervals << kIntervalBits == std::uint32_t{1} << kReachBits);
+  static_assert((kIntervals << kIntervalBits) == (std::uint32_t{1} << kReachBits));
 
   /// The line through the values at both ends of an interval: in the lower half of a word its rise over the
   /// interval, 8 fraction bits, in the upper half its value at closeness 0, modulo 2^16. As a part of a sum

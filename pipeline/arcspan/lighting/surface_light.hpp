@@ -147,7 +147,7 @@ constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const 
   const std::uint32_t s = widest >> 13;  // 15 fraction bits
   const auto is_linear = [this, s](std::int32_t most) {
     const std::uint32_t light = (light_height_ * (static_cast<std::uint32_t>(most) >> 15)) >> 15;
-    return (light * s) >> 15 <= allowed_light_;
+    return ((light * s) >> 15) <= allowed_light_;
   };
   TriangleLight result{LightReach::kHighlight, false, 0, static_cast<std::int32_t>((s * 21845u) >> 18),
                        widest_diffuse_};
@@ -165,7 +165,7 @@ constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const 
   const std::uint32_t slope = ends ? 32768u : highlight_slope(nearest);
   const std::uint32_t sharp = (sharpness_ * (slope >> 3)) >> 12;
   if constexpr (Lights > 1) brightest = std::int32_t{1} << Cosine::kFraction;
-  result.linear = is_linear(brightest) && s < 4096 && (sharp * s) >> 9 <= allowed_highlight_;
+  result.linear = is_linear(brightest) && s < 4096 && ((sharp * s) >> 9) <= allowed_highlight_;
   const std::uint32_t limit = slope >= 32768u
                                   ? widest_highlight_
                                   : limit_at_slope(widest_highlight_, static_cast<std::uint8_t>(slope >> 11));

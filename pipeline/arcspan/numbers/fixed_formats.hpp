@@ -18,7 +18,8 @@ using Subpixel = Fixed<std::int32_t, 4>;
 /// length of the span (decision 4).
 using Cosine = Fixed<std::int32_t, 30>;
 
-/// Fraction of an edge, and in the literature squared chords and angles up to 1.1 (60 degrees): Q16.15. Kept below 2 in magnitude, so that a product of two fits 32 bits (one 16x16 multiply).
+/// Fraction of an edge, and in the literature squared chords and angles up to 1.1 (60 degrees): Q16.15. Kept
+/// below 2 in magnitude, so that a product of two fits 32 bits (one 16x16 multiply).
 using Factor = Fixed<std::int32_t, 15>;
 
 /// Component of a unit normal, Q1.14 in 16 bits: [-1, 1].

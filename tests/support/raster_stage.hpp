@@ -61,8 +61,7 @@ class RasterStage {
                                                                                     depth_};
     Status status = Status::kOk;
     const RowRange drawn{clip_.top - origin_.y, clip_.bottom - origin_.y};
-    switch (
-        arcspan::detail::draw_small_triangle<Method>(vertices, true, rows_, drawn, origin_, target, status)) {
+    switch (arcspan::detail::draw_small_triangle<Method>(vertices, rows_, drawn, origin_, target, status)) {
       case arcspan::detail::SmallResult::kDone:
         return ok(status);
       case arcspan::detail::SmallResult::kOutOfView:

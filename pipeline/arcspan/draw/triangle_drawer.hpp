@@ -224,7 +224,7 @@ class TriangleDrawer {
   [[nodiscard]] ARCSPAN_INLINE bool is_within_scissor(const RasterPosition& a, const RasterPosition& b,
                                                       const RasterPosition& c) {
     const ScissorTest test = scissor_.template test<true>(a, b, c);
-    crosses_ = test != ScissorTest::kInside;
+    target_.crosses = test != ScissorTest::kInside;
     return test != ScissorTest::kOutside;
   }
 
@@ -258,7 +258,7 @@ class TriangleDrawer {
   /// Draws one side of a small triangle. Returns false if the method cannot.
   ARCSPAN_OUTLINE bool draw_small_side(const SortedVertices<Method>& vertices) {
     const SmallResult result =
-        draw_small_triangle<Method>(vertices, crosses_, scissor_.viewport_rows(), scissor_.drawn_rows(),
+        draw_small_triangle<Method>(vertices, scissor_.viewport_rows(), scissor_.drawn_rows(),
                                     scissor_.origin(), target_, result_.status);
     if (result == SmallResult::kDone) ++result_.triangles;
     return result != SmallResult::kRefused;
@@ -277,11 +277,11 @@ class TriangleDrawer {
     const Rect& rect = scissor_.rect();
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;
     ++result_.triangles;
-    Target target = target_;  // a copy, because members would be loaded again for every row
-    target.crosses = crosses_;
+    // A copy, because members would be loaded again for every row; for size the rows make their own.
+    std::conditional_t<kOptimisedForSize, const Target&, const Target> target = target_;
     using Command = TriangleCommand<Method>;
     if constexpr (kHasInsideRows) {
-      if (crosses_) [[unlikely]] {
+      if (target.crosses) [[unlikely]] {
         using Crossing = RowDrawer<ScissorColumns::kCrossing, Command, Target>;
         result_.status = Method::walk(command.shade, Crossing{command, origin, target});
       } else {
@@ -296,10 +296,9 @@ class TriangleDrawer {
 
   VertexStage<Method> stage_;
   const Scissor scissor_;
-  const Target target_;
+  Target target_;  ///< `crosses` is that of the triangle being drawn
   DrawResult result_{};
   const bool two_sided_;
-  bool crosses_ = true;  ///< RowTarget::crosses
 };
 
 }  // namespace arcspan::detail

@@ -46,11 +46,10 @@ enum class SmallResult : std::uint8_t {
 };
 
 /// Draws a small triangle (is_small()) of either winding. `rows` are those of the viewport, `drawn` those of
-/// the scissor; `crosses` is false if the triangle is known to lie between the left and the right side of the
-/// scissor. Sets `status` if the result is kDone.
+/// the scissor. Sets `status` if the result is kDone.
 template <class Method, class Target>
 [[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(const SortedVertices<Method>& vertices,
-                                                                       bool crosses, const RowRange& rows,
+                                                                       const RowRange& rows,
                                                                        const RowRange& drawn,
                                                                        const RasterOrigin& origin,
                                                                        const Target& target, Status& status) {
@@ -60,7 +59,8 @@ template <class Method, class Target>
   const Rect& scissor = target.scissor;
   SmallTriangle triangle;
   if (!cover_small_triangle(p, q, r, vertices.middle_left, drawn, triangle) ||
-      (crosses && leaves_columns((scissor.left - origin.x) * 16, (scissor.right - origin.x) * 16, p, q, r) &&
+      (target.crosses &&
+       leaves_columns((scissor.left - origin.x) * 16, (scissor.right - origin.x) * 16, p, q, r) &&
        !cut_columns(scissor.left - origin.x, scissor.right - origin.x, triangle))) {
     const std::int32_t first = first_row_at(p.y);
     const std::int32_t end = first_row_at(r.y);

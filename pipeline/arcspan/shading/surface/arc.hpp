@@ -79,14 +79,12 @@ struct Arc {
     prepared.rows.is_sliver = frame.width < std::uint32_t{1} << 16;
     prepared.rows.inverse = frame.inverse_width;
     prepared.path = path_of(choice);
-    if (choice.light.reach != LightReach::kHighlight) {
-      prepare_scalar(frame, choice, 0, diffuse(lighting, choice, top), diffuse(lighting, choice, middle),
-                     diffuse(lighting, choice, bottom), prepared);
-    } else {
-      for (std::size_t i = 0; i < kScalars; ++i) {
-        prepare_scalar(frame, choice, i, scalar(lighting, choice, top, i),
-                       scalar(lighting, choice, middle, i), scalar(lighting, choice, bottom, i), prepared);
-      }
+    const bool all = choice.light.reach == LightReach::kHighlight;
+    const auto corner = [&](const Vertex& vertex, std::size_t i) {
+      return all ? scalar(lighting, choice, vertex, i) : diffuse(lighting, choice, vertex);
+    };
+    for (std::size_t i = 0; i < (all ? kScalars : 1); ++i) {
+      prepare_scalar(frame, choice, i, corner(top, i), corner(middle, i), corner(bottom, i), prepared);
     }
     if (choice.order == SurfaceOrder::kNormalised) prepare_missing(frame, choice.chords, prepared.normalised);
   }

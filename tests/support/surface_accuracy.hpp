@@ -76,7 +76,7 @@ struct SurfaceCase {
 class ErrorBins {
  public:
   void add(double error) { ++bins_[std::min(static_cast<std::size_t>(error * 64), bins_.size() - 1)]; }
-  /// What all but a thousandth of the errors are within.
+  /// Returns the error that 99.9 % of all errors do not exceed.
   [[nodiscard]] double nearly_all() const {
     std::uint64_t count = 0;
     for (const std::uint64_t bin : bins_) count += bin;
@@ -92,7 +92,7 @@ class ErrorBins {
 
 /// The errors of many pixels in 8-bit steps, and how many exceed the limits.
 struct SurfaceErrors {
-  double light_limit = 0.2;  ///< what all but a thousandth of the pixels have to be within
+  double light_limit = 0.2;  ///< 99.9 % of the pixels may be off by no more
   double highlight_limit = 3;
   std::uint64_t pixels = 0;
   std::uint64_t light_beyond = 0;
@@ -263,7 +263,7 @@ struct SurfaceShapes {
     top = std::min(top, py + 1024);
     bottom = std::max(bottom, py + 1024);
   }
-  // Of large ones some whole rows, or a part somewhere in the middle.
+  // Large triangles are compared in a few whole rows, or in a small square, to save time.
   if (size > 60 && thin > 4) {
     const auto row = static_cast<std::int32_t>(random.real(top, bottom));
     const auto column = static_cast<std::int32_t>(random.real(left, right));

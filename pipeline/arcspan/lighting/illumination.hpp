@@ -107,14 +107,15 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
     }
   }
 
-  // What `Arc` takes of an illumination (docs/decisions/0035-one-surface.md).
+  // The functions that `Arc` calls (docs/decisions/0035-one-surface.md).
 
   [[nodiscard]] constexpr Scalars surface_scalars(const Direction& normal) const { return scalars(normal); }
   /// True if no light reaches a triangle with these scalars at its vertices: with all N·L of one sign there,
   /// they have it everywhere. False where dark pixels have no path of their own.
   [[nodiscard]] constexpr bool is_dark(const Scalars& a, const Scalars& b, const Scalars& c) const;
-  /// What light reaches a triangle, and by which orders it is within the tolerance. `widest` is the widest
-  /// squared chord between its normals, 28 fraction bits, at most kWidestBounded.
+  /// Finds whether diffuse light and highlights reach a triangle, whether planes are within the tolerance,
+  /// and up to which chord quadratic surfaces are. `widest`: the widest squared chord between its normals, 28
+  /// fraction bits, at most kWidestBounded.
   [[nodiscard]] constexpr TriangleLight light_over(const Scalars& a, const Scalars& b, const Scalars& c,
                                                    std::uint32_t widest) const;
   /// Scalar i of a vertex as surface_colour() takes it: that of the highlight in the scale of HighlightTable,

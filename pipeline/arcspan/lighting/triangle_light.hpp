@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-/// What an illumination tells a shading method about a triangle. Squared chords have 28 fraction bits.
+/// The light that reaches a triangle, as an illumination finds it for a shading method.
 namespace arcspan {
 
 /// The squared chord of 60 degrees. Beyond it light_over() has no bounds.
@@ -20,13 +20,13 @@ enum class LightReach : std::uint8_t {
   kHighlight,  ///< all
 };
 
-/// What light_over() finds for a triangle.
+/// The result of light_over(): bounds over all normals of a triangle.
 struct TriangleLight {
   LightReach reach;
   bool linear;        ///< planes are within the tolerance
   std::uint8_t lit;   ///< kDiffuse: the lights that diffuse_scalar() sums up, a bit each
   std::int32_t lift;  ///< linear: half of the largest lengthening(), by which all scalars are lengthened
-  std::uint32_t quadratic_limit;  ///< squared chord up to which quadratic surfaces are within the tolerance
+  std::uint32_t quadratic_limit;  ///< squared chord, 28 bits, up to which quadratic surfaces are within it
 };
 
 }  // namespace arcspan

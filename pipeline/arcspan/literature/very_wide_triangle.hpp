@@ -78,8 +78,8 @@ struct VeryWideTriangle {
   EdgeFraction lower_edge;  ///< from its upper end
   DividedEdge<Count> long_edge;
   DividedEdge<Count> short_edge;  ///< of the current half
-  /// Of the normals at the ends of the parts, 15 fraction bits: from·from, from·to, to·from and to·to, that
-  /// of the long edge first.
+  /// The dot products of the normals at the ends of both edges' current parts, 15 fraction bits: first the
+  /// normal on the long edge, then the one on the short edge: from·from, from·to, to·from, to·to.
   std::array<std::int32_t, 4> products;
   Factor widest_piece;  ///< squared angle of a piece of a row, at most
   bool middle_left;     ///< the middle vertex is on the left of the long edge

@@ -31,7 +31,7 @@ class IlluminationCalls {
   [[nodiscard]] virtual Cosine diffuse_sum(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual PackedRgb diffuse_colour(Cosine normal_light) const = 0;
 
-  // What `Arc` takes.
+  // The functions that `Arc` calls.
   [[nodiscard]] virtual Status set_tolerance(std::int32_t steps) = 0;
   [[nodiscard]] virtual bool is_dark(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c) const = 0;
   [[nodiscard]] virtual TriangleLight light_over(const AnyScalars& a, const AnyScalars& b,
@@ -40,7 +40,7 @@ class IlluminationCalls {
   [[nodiscard]] virtual PackedRgb surface_colour(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual PixelLight surface_light(const AnyScalars& scalars) const = 0;
 
-  // What `Segment` takes besides.
+  // The further functions that `Segment` calls.
   [[nodiscard]] virtual bool lit_throughout(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
                                             std::uint32_t& lit) const = 0;
   [[nodiscard]] virtual bool may_shine(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,

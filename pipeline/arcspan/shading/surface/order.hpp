@@ -34,7 +34,8 @@ struct SurfaceChoice {
          chords.sum() - widest <= limit + (limit >> 1) + (limit >> 3);
 }
 
-/// Chooses the order of a triangle. `may_bend` is false where quadratic surfaces are not to be had.
+/// Chooses the order of a triangle. `may_bend` is false if it may not be quadratic, because it is small or
+/// too large.
 ///
 /// A cut triangle (SurfaceVertex) and one with normals more than 60 degrees apart are always normalised
 /// unless they are dark, because the bounds of the light do not hold for them.

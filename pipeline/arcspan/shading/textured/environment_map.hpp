@@ -60,7 +60,7 @@ class EnvironmentMap {
     return {Texels::ColourFormat::rgb565(Texels::stored(words_, palette_, index))};
   }
 
-  // What Arc takes of an illumination besides (Illumination).
+  // The further functions that `Arc` calls; Illumination describes them.
 
   [[nodiscard]] constexpr Scalars surface_scalars(const Direction& normal) const { return scalars(normal); }
   [[nodiscard]] static constexpr bool is_dark(const Scalars&, const Scalars&, const Scalars&) {

@@ -30,7 +30,7 @@ SurfaceErrors measure(std::size_t index, std::int32_t shininess, std::int32_t to
 
 void print_classes(int triangles) {
   std::puts(
-      "| normals apart up to | tolerance | triangles | pixels | N·L | highlight, n = 16 | n = 64 |\n"
+      "| widest angle of normals | tolerance | triangles | pixels | N·L | highlight, n = 16 | n = 64 |\n"
       "|---|---|---|---|---|---|---|");
   for (std::size_t i = 0; i + 1 < std::size(kClasses); ++i) {
     for (const std::int32_t tolerance : {0, 1}) {
@@ -90,7 +90,7 @@ void print_page(int triangles) {
       "and\n"
       "the span stage with normals packed as in a mesh. Every pixel is compared with classic Phong shading "
       "in\n"
-      "double precision. 99.9 % of the pixels within (all within), in steps of 255; by R·V.\n");
+      "double precision. The error of 99.9 % of the pixels (of all), in 255ths; highlights by R·V.\n");
   print_classes(triangles);
 }
 

@@ -24,7 +24,7 @@ namespace {
 using Light = Illumination<1, Highlight::kPhong>;
 using Frame = hal::Framebuffer<Rgb565>;
 
-/// Arc walks, linear, quadratic and wide triangles; Gouraud has other vertices.
+/// Arc draws linear, quadratic and normalised triangles; Gouraud has other vertices.
 template <class Method>
 struct Object {
   TestMesh mesh;

@@ -25,7 +25,9 @@ std::vector<CostTerm> cost_terms(std::string_view shading, const RenderJob& job,
   const auto bands = static_cast<double>(stats.bands);
   const auto pixels = static_cast<double>(draw.pixels);
   terms.push_back({"triangle", static_cast<double>(draw.triangles)});
+  terms.push_back({"small triangle", static_cast<double>(draw.small_triangles)});
   terms.push_back({"span", static_cast<double>(draw.spans)});
+  terms.push_back({"small span", static_cast<double>(draw.small_spans)});
   terms.push_back({"pixel", pixels});
   terms.push_back({"written pixel", pixels * passed});
   terms.push_back({"call", bands * static_cast<double>(meshes.size())});

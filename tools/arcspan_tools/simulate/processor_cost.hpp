@@ -18,7 +18,8 @@ struct CostTerm {
 };
 
 /// The terms of drawing a job's bands: the operations that the counting pipeline counts, those of pixels in
-/// the share that `stats` says passed the depth test; triangles, spans and pixels that were drawn; and calls.
+/// the share that `stats` says passed the depth test; triangles, spans and pixels that were drawn, and the
+/// small triangles and their spans among them, which have a set-up and a loop of their own; and calls.
 /// `stats` are those of rendering the job, with counts.
 [[nodiscard]] std::vector<CostTerm> cost_terms(std::string_view shading, const RenderJob& job,
                                                const FixedMeshes& meshes, const RenderStats& stats);

@@ -277,7 +277,7 @@ class TriangleDrawer {
     const Rect& rect = scissor_.rect();
     if (!command.has_rows_in(rect.top, rect.bottom, origin.y)) return;
     ++result_.triangles;
-    // A copy, because members would be loaded again for every row; for size the rows make their own.
+    // A copy, because members would be loaded again for every row. At -Os each run of pixels makes its own.
     std::conditional_t<kOptimisedForSize, const Target&, const Target> target = target_;
     using Command = TriangleCommand<Method>;
     if constexpr (kHasInsideRows) {

@@ -26,7 +26,8 @@ struct TriangleLight {
   bool linear;        ///< planes are within the tolerance
   std::uint8_t lit;   ///< kDiffuse: the lights that diffuse_scalar() sums up, a bit each
   std::int32_t lift;  ///< linear: half of the largest lengthening(), by which all scalars are lengthened
-  std::uint32_t quadratic_limit;  ///< squared chord, 28 bits, up to which quadratic surfaces are within it
+  /// The squared chord up to which quadratic surfaces are within the tolerance, 28 fraction bits.
+  std::uint32_t quadratic_limit;
 };
 
 }  // namespace arcspan

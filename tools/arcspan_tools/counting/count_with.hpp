@@ -84,7 +84,8 @@ T one(std::span<const std::byte> bytes) {
   return values[0];
 }
 
-/// A method that draws as `Method` does, and counts its small triangles and their spans.
+/// A method that draws as `Method` does, and adds its small triangles and their spans to `draw`, which
+/// count_draw() sets. Without small triangles there is nothing to count.
 template <class Method>
 struct CountingSmall : Method {};
 template <counted::DrawsSmallTriangles Method>

@@ -17,10 +17,14 @@ struct CostTerm {
   double amount = 0;
 };
 
-/// The terms of drawing a job's bands: the operations that the counting pipeline counts, those of pixels in
-/// the share that `stats` says passed the depth test; triangles, spans and pixels that were drawn, and the
-/// small triangles and their spans among them, which have a set-up and a loop of their own; and calls.
-/// `stats` are those of rendering the job, with counts.
+/// Returns the terms of drawing a job's bands:
+///
+/// - the operations of the counting pipeline; those of pixels times the share that passed the depth test;
+/// - the triangles, spans and pixels that are drawn, and again the small triangles and their spans, because
+///   these have a set-up and a loop of their own;
+/// - the calls of draw_mesh().
+///
+/// `stats` are those of rendering the job with RenderJob::counts.
 [[nodiscard]] std::vector<CostTerm> cost_terms(std::string_view shading, const RenderJob& job,
                                                const FixedMeshes& meshes, const RenderStats& stats);
 

@@ -27,9 +27,9 @@ namespace arcspan {
 /// Word, write() must keep their bits.
 ///
 /// Optional, and used where present: encode() also of a PackedRgb, a ColourSegment or a FineRgb, which must
-/// return encode(c.rgb8()) or encode(c.packed()) but can be faster; and, in a cursor of pixels that are whole
-/// words, pixels(), the address of the present pixel, together with skip(count), which steps over `count`
-/// pixels.
+/// return encode(c.rgb8()) or encode(c.packed()) but can be faster; encode_dithered() of a PackedRgb,
+/// likewise; and, in a cursor of pixels that are whole words, pixels(), the address of the present pixel,
+/// together with skip(count), which steps over `count` pixels.
 ///
 /// A new format is a header in this folder with a static_assert of this concept, and one entry in
 /// pixel_format_list.hpp.
@@ -71,7 +71,9 @@ struct Dithered : F {
 /// The pixel of format `F` for colour `c` at (x, y) of the picture, dithered if F::kDithers.
 template <PixelFormat F>
 [[nodiscard]] constexpr typename F::Encoded encode_at(PackedRgb c, std::int32_t x, std::int32_t y) {
-  if constexpr (F::kDithers) {
+  if constexpr (F::kDithers && requires { F::encode_dithered(c, x, y); }) {
+    return F::encode_dithered(c, x, y);
+  } else if constexpr (F::kDithers) {
     return F::encode_dithered(c.rgb8(), x, y);
   } else if constexpr (requires { F::encode(c); }) {
     return F::encode(c);

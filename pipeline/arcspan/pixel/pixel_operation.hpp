@@ -164,9 +164,7 @@ struct ScreenDoor {
       if constexpr (MaskedColour<C>) {
         if (!this->colour.covers(x, y)) return false;
       }
-      const std::int8_t threshold =
-          kDitherMatrix[static_cast<std::size_t>(y) & 3u][static_cast<std::size_t>(x) & 3u];
-      return threshold + 4 < static_cast<std::int32_t>(opacity);
+      return dither_threshold(x, y) < 8 * opacity;
     }
     [[nodiscard]] constexpr PackedRgb packed() const { return detail::packed_colour(this->colour); }
     [[nodiscard]] constexpr std::uint16_t rgb565() const { return detail::colour565(this->colour); }

@@ -46,6 +46,13 @@ struct Rgb565 {
   [[nodiscard]] static constexpr Encoded encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
     return encode(Rgb8{dithered<5>(c.r, x, y), dithered<6>(c.g, x, y), dithered<5>(c.b, x, y)});
   }
+  /// encode_dithered(c.rgb8(), x, y), with all channels in one word. No channel carries.
+  [[nodiscard]] static constexpr Encoded encode_dithered(PackedRgb c, std::int32_t x, std::int32_t y) {
+    const std::uint32_t threshold = dither_threshold(x, y);
+    const std::uint32_t taken = ((c.lanes >> 5) & 0xE01Cu) + (c.lanes >> 30 << 24);
+    const std::uint32_t added = ((threshold >> 3) * 0x2004u) + (threshold >> 4 << 24);
+    return encode(PackedRgb{c.lanes - taken + added});
+  }
   [[nodiscard]] static constexpr Rgb8 decode(Encoded encoded) {
     return {detail::expand_to_8<5>(static_cast<unsigned>(encoded >> 11)),
             detail::expand_to_8<6>(static_cast<unsigned>(encoded >> 5) & 63u),

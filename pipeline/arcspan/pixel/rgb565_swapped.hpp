@@ -35,6 +35,9 @@ struct Rgb565Swapped {
   [[nodiscard]] static constexpr Encoded encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
     return swapped(Rgb565::encode_dithered(c, x, y));
   }
+  [[nodiscard]] static constexpr Encoded encode_dithered(PackedRgb c, std::int32_t x, std::int32_t y) {
+    return swapped(Rgb565::encode_dithered(c, x, y));
+  }
   [[nodiscard]] static constexpr Rgb8 decode(Encoded encoded) { return Rgb565::decode(swapped(encoded)); }
 };
 

@@ -3,9 +3,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdlib>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
 
 using namespace arcspan;
 
@@ -50,7 +53,12 @@ TEST_CASE("rgb565_swapped is rgb565 with its bytes exchanged, from every kind of
     CHECK(Rgb565Swapped::encode(segment) == exchanged(Rgb565::encode(segment)));
     const Rgb8 colour = packed.rgb8();
     CHECK(Rgb565Swapped::encode(colour) == exchanged(Rgb565::encode(colour)));
-    CHECK(Rgb565Swapped::encode_dithered(colour, 1, 2) == exchanged(Rgb565::encode_dithered(colour, 1, 2)));
+    for (std::int32_t x = 0; x < 8; ++x) {
+      const auto code = Rgb565::encode_dithered(colour, x, -5);
+      CHECK(Rgb565::encode_dithered(packed, x, -5) == code);
+      CHECK(Rgb565Swapped::encode_dithered(colour, x, -5) == exchanged(code));
+      CHECK(Rgb565Swapped::encode_dithered(packed, x, -5) == exchanged(code));
+    }
   }
   CHECK(Rgb565Swapped::decode(0x1F00) == Rgb8{0, 0, 255});
 }
@@ -65,21 +73,36 @@ TEMPLATE_TEST_CASE("a bit cursor changes only its own pixel", "", Gray4, Gray2, 
   }
 }
 
-TEST_CASE("dither keeps the mean of a level that the format cannot show") {
-  // Over a 4x4 tile the mean of the truncated output is within one step of the matrix (1/8 of 8) of the
-  // input.
-  for (int v = 8; v < 248; ++v) {
-    int sum = 0;
-    for (int y = 0; y < 4; ++y)
-      for (int x = 0; x < 4; ++x) sum += (dithered<5>(static_cast<std::uint8_t>(v), x, y) >> 3) * 8;
-    // Truncation loses 3.5 of 8 on average and the matrix adds -0.5.
-    CHECK(std::abs(sum / 16.0 - (v - 4.0)) <= 0.5);
+TEMPLATE_TEST_CASE("dither keeps the mean of every colour within a hundredth of full scale", "", Rgb565,
+                   Rgb888, Gray8, Gray4, Gray2, Mono, Rgb332, Rgb565Swapped, Bgr888, Xrgb8888, Argb8888) {
+  constexpr bool kGrey = std::is_base_of_v<Gray8, TestType> || std::is_base_of_v<Gray4, TestType> ||
+                         std::is_base_of_v<Gray2, TestType> || std::is_base_of_v<Mono, TestType>;
+  const unsigned channels = GENERATE(7u, 1u, 2u, 4u);  // grey, red, green, blue
+  double worst = 0;
+  for (int i = 0; i <= 32; ++i) {
+    const auto level = static_cast<std::uint8_t>(std::lround(i * 255.0 / 32));
+    const auto part = [&](unsigned c) { return static_cast<std::uint8_t>((channels >> c & 1u) * level); };
+    const Rgb8 colour{part(0), part(1), part(2)};
+    std::array<double, 3> mean{};
+    for (std::int32_t y = -3; y < 5; ++y) {
+      for (std::int32_t x = 100; x < 108; ++x) {
+        const Rgb8 p = TestType::decode(encode_at<Dithered<TestType>>(
+            PackedRgb::of(4u * colour.r + 2, 4u * colour.g + 2, 4u * colour.b + 2), x, y));
+        mean = {mean[0] + p.r / 64.0, mean[1] + p.g / 64.0, mean[2] + p.b / 64.0};
+      }
+    }
+    const double luma = 0.299 * colour.r + 0.587 * colour.g + 0.114 * colour.b;  // BT.601
+    const std::array<double, 3> wanted =
+        kGrey ? std::array<double, 3>{luma, luma, luma}
+              : std::array<double, 3>{double(colour.r), double(colour.g), double(colour.b)};
+    for (std::size_t c = 0; c < 3; ++c) worst = std::max(worst, std::abs(mean[c] - wanted[c]) / 255);
   }
+  CHECK(worst <= 0.01);
 }
 
-TEST_CASE("dither saturates at both ends") {
-  for (int y = 0; y < 4; ++y) {
-    for (int x = 0; x < 4; ++x) {
+TEST_CASE("dither keeps black and full, and 8 bits") {
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 8; ++x) {
       CHECK(dithered<1>(0, x, y) < 128);
       CHECK(dithered<1>(255, x, y) >= 128);
       CHECK(dithered<8>(77, x, y) == 77);

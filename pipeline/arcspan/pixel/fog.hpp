@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/pixel_operation.hpp>
 #include <arcspan/pixel/spread_rgb565.hpp>
@@ -27,11 +28,12 @@ struct FogRange {
 /// is looked up by the depth of each pixel, so that it is right on large triangles too. It needs a depth
 /// buffer.
 ///
+/// Distances are reciprocals of depths, so the table is the finer, the nearer a depth is to the end of the
+/// fog: it has eight lines per doubling of the difference, and every depth within eight of the end.
+///
 /// Made once per camera. An operation refers to it, so it must outlive drawing.
 class Fog {
  public:
-  static constexpr std::size_t kEntries = 256;
-
   /// No fog.
   constexpr Fog() = default;
 
@@ -40,41 +42,71 @@ class Fog {
     if (range.near_plane <= 0 || range.near_plane >= range.far_plane || range.start >= range.end) {
       return Status::kInvalidArgument;
     }
-    for (std::size_t i = 0; i <= kEntries; ++i)
-      fog.shares_[i] = share_at(range, static_cast<std::int32_t>(i) * 256);
+    fog.end_ = end_depth(range);
+    const auto at = [&](std::uint32_t biased) {  // the share at a difference plus 8
+      const std::int64_t here = share_at(range, fog.end_ + 8 - static_cast<std::int32_t>(biased));
+      return static_cast<std::int32_t>(here > kFull ? kFull : here < -kFull ? -kFull : here) + kHalf;
+    };
+    for (std::uint32_t i = 0; i < 8 * kOctaves; ++i) {
+      const std::uint32_t first = 8 + (i & 7u);
+      const std::uint32_t octave = kOctaves - 1 - (i >> 3);
+      const std::int32_t here = at(first << octave);
+      fog.lines_[i] = static_cast<std::uint32_t>(here) << 16 |
+                      static_cast<std::uint32_t>(here - at((first + 1) << octave));
+    }
     fog.colour_ = PackedRgb::of(4u * colour.r + 2, 4u * colour.g + 2, 4u * colour.b + 2);
     fog.spread_ = detail::spread(detail::colour565(fog.colour_));
     return Status::kOk;
   }
 
-  /// The share of the fog at a 16-bit depth, 0...256.
+  /// The share of the fog at a 16-bit depth, 0...256: within 0.002 of that of the distance at this depth, and
+  /// 256 from the end of the fog on.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t share(std::uint16_t depth) const {
-    const std::uint32_t from = shares_[depth >> 8];
-    const std::uint32_t to = shares_[(depth >> 8) + 1u];
-    return (from * 256 + (to - from) * (depth & 255u) + 32768u) >> 16;  // `to` is not below `from`
+    const std::uint32_t biased = clamped_unsigned<16, 0>(end_ - depth) + 8;
+    const int zeros = leading_zeros(biased);
+    const std::uint32_t from_top = biased << zeros;
+    const std::uint32_t line = lines_[static_cast<std::uint32_t>(zeros - 16) * 8 + (from_top >> 28 & 7u)];
+    const std::uint32_t share = line - (line & 0xFFFFu) * (from_top >> 12 & 0xFFFFu);
+    return clamped_unsigned<9, kShareBits + 16 - 8>(static_cast<std::int32_t>(share));
   }
   [[nodiscard]] constexpr PackedRgb colour() const { return colour_; }
   /// The colour as a spread 5-6-5 pixel.
   [[nodiscard]] constexpr std::uint32_t spread_colour() const { return spread_; }
 
  private:
-  /// The share at a depth of up to 65536, 8 fraction bits of 0...256.
-  [[nodiscard]] static constexpr std::uint16_t share_at(const FogRange& range, std::int32_t depth) {
-    // By ClipTransform::depth(): near/w = 1 - (depth - 256) / 65023 * (1 - near/far).
-    constexpr std::int64_t kSpan = 65535 - 2 * 256;
-    const std::int64_t near_plane = range.near_plane;
-    const std::int64_t far_plane = range.far_plane;
-    const std::int64_t beyond = depth < 256 ? 0 : depth - 256 > kSpan ? kSpan : depth - 256;
+  static constexpr std::int32_t kNearest = 256;  ///< depths of the planes: ClipTransform::kDepthMargin
+  static constexpr std::int32_t kFarthest = 65535 - 256;
+  static constexpr std::uint32_t kOctaves = 13;  ///< of a difference plus 8: 8...65287
+  static constexpr int kShareBits = 14;
+  static constexpr std::int64_t kFull = 1 << kShareBits;
+  static constexpr std::int32_t kHalf = 1 << (kShareBits - 9);  ///< half a step of share()
+
+  /// The share at a depth, kShareBits fraction bits, not clamped: below 0 where the fog has not begun.
+  [[nodiscard]] static constexpr std::int64_t share_at(const FogRange& range, std::int32_t depth) {
+    // By ClipTransform::depth(): near/w = 1 - (depth - 256) / 65023 * (1 - near/far), so that
     // w = near far span / (far span - beyond (far - near)), with far span below 2^47.
-    const std::int64_t divisor = far_plane * kSpan - beyond * (far_plane - near_plane);
-    const std::int64_t ratio =
-        ((far_plane * kSpan) << 12) / (divisor < 1 ? 1 : divisor);  // w / near, 12 bits
-    const std::int64_t w = (near_plane * ratio) >> 12;
-    const std::int64_t share = ((w - range.start) << 16) / (std::int64_t{range.end} - range.start);
-    return static_cast<std::uint16_t>(share < 0 ? 0 : share > 65280 ? 65280 : share);
+    constexpr std::int64_t kSpan = kFarthest - kNearest;
+    const std::int64_t far_plane = range.far_plane;
+    const std::int64_t divisor = far_plane * kSpan - (depth - kNearest) * (far_plane - range.near_plane);
+    const std::int64_t ratio = ((far_plane * kSpan) << 16) / divisor;  // w / near, 16 fraction bits
+    const std::int64_t in_fog = range.near_plane * ratio - (std::int64_t{range.start} << 16);
+    return (in_fog >> (16 - kShareBits)) / (std::int64_t{range.end} - range.start);
+  }
+  /// The first depth at which the fog hides everything; that of the far plane if there is none.
+  [[nodiscard]] static constexpr std::int32_t end_depth(const FogRange& range) {
+    std::int32_t clear = kNearest - 1;
+    for (std::int32_t bit = 1 << 15; bit != 0; bit >>= 1) {
+      const std::int32_t further = clear + bit;
+      if (further < kFarthest && share_at(range, further) < kFull) clear = further;
+    }
+    return clear + 1;
   }
 
-  std::array<std::uint16_t, kEntries + 1> shares_{};
+  std::int32_t end_ = 0;  ///< no fog
+  /// Of end_ - depth + 8 = m 2^k, with m in 8...15 and k from 12 down to 0, entry 8 (12 - k) + m - 8 has the
+  /// share there, plus half a step, in its upper half, and by how much it falls up to m + 1 in its lower
+  /// half.
+  std::array<std::uint32_t, 8 * kOctaves> lines_{};
   PackedRgb colour_{};
   std::uint32_t spread_ = 0;
 };

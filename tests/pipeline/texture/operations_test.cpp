@@ -30,10 +30,10 @@ namespace {
 
 constexpr std::int32_t kWidth = 96;
 constexpr std::int32_t kHeight = 64;
-constexpr double kNear = 8000;
-constexpr double kFar = 60000;
-constexpr double kFogStart = 12000;
-constexpr double kFogEnd = 40000;
+constexpr std::int32_t kNear = 8000;
+constexpr std::int32_t kFar = 60000;
+constexpr std::int32_t kFogStart = 12000;
+constexpr std::int32_t kFogEnd = 40000;
 constexpr Rgb8 kFogColour{200, 120, 40};
 constexpr DrawFeatures kFeatures{.clips = false, .planes = false, .small_triangles = false};
 
@@ -170,10 +170,13 @@ struct Reference {
   }
 };
 
-double share_of_fog(std::uint16_t depth) {
-  const double near_over_w = 1 - std::clamp((depth - 256.0) / 65023, 0.0, 1.0) * (1 - kNear / kFar);
-  return std::clamp((kNear / near_over_w - kFogStart) / (kFogEnd - kFogStart), 0.0, 1.0);
+double share_of_fog(const FogRange& range, std::uint16_t depth) {
+  const double near_plane = range.near_plane;
+  const double near_over_w =
+      1 - std::clamp((depth - 256.0) / 65023, 0.0, 1.0) * (1 - near_plane / range.far_plane);
+  return std::clamp((near_plane / near_over_w - range.start) / (double(range.end) - range.start), 0.0, 1.0);
 }
+double share_of_fog(std::uint16_t depth) { return share_of_fog({kNear, kFar, kFogStart, kFogEnd}, depth); }
 
 /// An operation with its parameters.
 template <class Operation>
@@ -409,12 +412,36 @@ TEST_CASE("textures in bands are the picture drawn at once", "[textures]") {
   CHECK(bands.depths == whole.depths);
 }
 
+TEST_CASE("fog is within 1.5 steps of 255 at every depth, and complete at its end", "[textures]") {
+  constexpr std::int32_t kUnit = 2000;
+  const int ratio = GENERATE(2, 10, 100, 1000);
+  // In near planes: all of the range, a band, from before the near plane, up to behind the far one.
+  const auto [start, end] = GENERATE_COPY(std::pair(1.0, 1.0 * ratio), std::pair(0.4 * ratio, 0.6 * ratio),
+                                          std::pair(0.95 * ratio, 0.99 * ratio), std::pair(-2.0, 0.3 * ratio),
+                                          std::pair(0.5 * ratio, 3.0 * ratio));
+  const FogRange range{kUnit, kUnit * ratio, static_cast<std::int32_t>(kUnit * start),
+                       static_cast<std::int32_t>(kUnit * end)};
+  Fog made;
+  REQUIRE(ok(Fog::make(range, kFogColour, made)));
+  double worst = 0;
+  int incomplete = 0;
+  for (int i = 256; i <= 65535 - 256; ++i) {  // near plane to far plane
+    const auto depth = static_cast<std::uint16_t>(i);
+    const double wanted = share_of_fog(range, depth);
+    const std::uint32_t share = made.share(depth);
+    worst = std::max(worst, std::abs(share / 256.0 - wanted) * 255);
+    incomplete += (wanted >= 1 && share != 256) || (wanted <= 0 && share != 0) ? 1 : 0;
+  }
+  CHECK(worst <= 0.9);  // mixing adds half a step
+  CHECK(incomplete == 0);
+}
+
 TEST_CASE("fog grows linearly with the distance of what is drawn", "[textures]") {
   const ClipTransform transform = camera();
   for (double w = kNear; w <= kFar; w += 61) {
     const auto near_over_w = static_cast<std::int32_t>(std::lround(std::ldexp(kNear / w, 29)));
     const double share = fog().share(transform.depth(near_over_w)) / 256.0;
-    REQUIRE(std::abs(share - std::clamp((w - kFogStart) / (kFogEnd - kFogStart), 0.0, 1.0)) <= 0.008);
+    REQUIRE(std::abs(share - std::clamp((w - kFogStart) / (kFogEnd - kFogStart), 0.0, 1.0)) <= 0.004);
   }
 }
 

@@ -234,10 +234,8 @@ TEST_CASE("fog on a floor is linear in the distance before the camera", "[textur
       if (!t || !meets_floor(rays, rays.direction(x, y - 1))) continue;
       const double share = std::clamp((*t - 5) / 55, 0.0, 1.0);
       if (share > 0 && share < 1) ++in_fog;
-      // Shares are interpolated between 256 depths, which are far apart at a distance: a quarter of that is
-      // the most that a bend of the share is cut by.
-      const double apart = *t * *t / near_plane * 256 / 65023;
-      const double slack = 3 + 255 * apart / 4 / 55;
+      const double apart = *t * *t / near_plane / 65023;  // of two depths
+      const double slack = 2 + 255 * apart / 55;
       const Rgb8 c = image.at(x, y);
       const std::array<double, 3> off{c.r - (255 + (51 - 255) * share), c.g - 255 * (1 - share),
                                       c.b - (255 + (102 - 255) * share)};

@@ -128,13 +128,16 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
       if (at <= 0 || scalars[0].raw() <= 0) return diffuse_colour(scalars[0]);
       const PackedRgb highlight = highlights_.colour(fade()(highlights_.value(at) >> 16, scalars[0]));
       return diffuse_colour(scalars[0]).plus(highlight);
+    } else if constexpr (!kHasRamp) {
+      ChannelLevels levels = ambient_;
+      add_coloured<0>(scalars, levels, levels);
+      return packed_levels<std::uint32_t{1} << 19>(levels);
     } else {
       const PixelLight parts = surface_light(scalars);
       return parts.highlight.lanes == 0 ? parts.diffuse : parts.diffuse.plus(parts.highlight);
     }
   }
-  /// The parts of surface_colour(). Several coloured lights have no highlight of their own here: it is in
-  /// `diffuse`.
+  /// The parts of surface_colour().
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight surface_light(const Scalars& scalars) const;
 
   /// The scalar of which diffuse_colour() is the diffuse part of colour(), as long as every light i that is
@@ -329,7 +332,17 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   template <std::size_t I>
   ARCSPAN_INLINE constexpr void add_grey(const Scalars& scalars, GreyLight& sum) const;
   template <std::size_t I>
-  ARCSPAN_INLINE constexpr void add_coloured(const Scalars& scalars, ChannelLevels& levels) const;
+  ARCSPAN_INLINE constexpr void add_coloured(const Scalars& scalars, ChannelLevels& diffuse,
+                                             ChannelLevels& specular) const;
+  /// The colour of these levels, saturated, after `Half` was added to each.
+  template <std::uint32_t Half>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr PackedRgb packed_levels(const ChannelLevels& levels) {
+    const auto level = [&levels](std::size_t channel) {
+      const std::uint32_t rounded = (levels[channel] + Half) >> 18;
+      return rounded > 1023 ? 1023u : rounded;
+    };
+    return PackedRgb::of(level(0), level(1), level(2));
+  }
   /// True if the highlight of a light may reach N·L = 0, where it ends abruptly or fades, so that an error of
   /// N·L shows more.
   [[nodiscard]] constexpr bool may_end(std::size_t light) const;

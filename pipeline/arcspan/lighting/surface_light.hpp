@@ -196,18 +196,18 @@ ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_grey(co
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 template <std::size_t I>
 ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_coloured(
-    const Scalars& scalars, ChannelLevels& levels) const {
+    const Scalars& scalars, ChannelLevels& diffuse, ChannelLevels& specular) const {
   const std::uint32_t light = clamped(scalars[I]);
   if (light != 0) {
     const std::int32_t at = closeness(scalars, I);
     const std::uint32_t most = at > 0 ? fade()(highlights_.value(at) >> 16, scalars[I]) : 0;
     for (std::size_t c = 0; c < 3; ++c) {
       const std::uint32_t weight = weights_[I][c];
-      levels[c] += diffuse_[c] * ((light * weight) >> 15);
-      if (most != 0) levels[c] += ((highlights_.channel(c, most) * weight) >> 15) << 12;
+      diffuse[c] += diffuse_[c] * ((light * weight) >> 15);
+      if (most != 0) specular[c] += ((highlights_.channel(c, most) * weight) >> 15) << 12;
     }
   }
-  if constexpr (I + 1 < Lights) add_coloured<I + 1>(scalars, levels);
+  if constexpr (I + 1 < Lights) add_coloured<I + 1>(scalars, diffuse, specular);
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
@@ -225,13 +225,15 @@ ARCSPAN_INLINE constexpr PixelLight Illumination<Lights, Model, Features>::surfa
     if (sum.highlight == 0) return {ramp, {}};
     return {ramp, highlights_.colour(clamped_unsigned<16, 0>(static_cast<std::int32_t>(sum.highlight)))};
   } else {
-    ChannelLevels levels = ambient_;
-    add_coloured<0>(scalars, levels);
-    const auto level = [&levels](std::size_t channel) {
-      const std::uint32_t rounded = (levels[channel] + (std::uint32_t{1} << 19)) >> 18;
-      return rounded > 1023 ? 1023u : rounded;
-    };
-    return {PackedRgb::of(level(0), level(1), level(2)), {}};
+    ChannelLevels diffuse = ambient_;
+    ChannelLevels specular{};
+    add_coloured<0>(scalars, diffuse, specular);
+    constexpr std::uint32_t kFraction = (std::uint32_t{1} << 18) - 1;
+    for (std::size_t c = 0; c < 3; ++c) {
+      diffuse[c] += specular[c] & kFraction;  // so that the sum of both parts is surface_colour()
+      specular[c] &= ~kFraction;
+    }
+    return {packed_levels<std::uint32_t{1} << 19>(diffuse), packed_levels<0>(specular)};
   }
 }
 

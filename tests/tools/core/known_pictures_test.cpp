@@ -13,6 +13,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 using namespace arcspan;
@@ -102,6 +103,83 @@ Scene unlit_scene(Size size) {
 Image drawn(const RenderJob& job, const char* format = "rgb565") {
   return find_renderer("gouraud", format, false).render(job, [](std::size_t) {}).image;
 }
+
+/// A lit triangle in double precision: what each shading method makes of its lights and its texel.
+struct LitTriangle {
+  static constexpr double kAmbient = 0.1;
+  static constexpr double kDiffuse = 0.21;
+  static constexpr double kSpecular = 0.45;
+  static constexpr int kShininess = 20;
+  static constexpr std::uint32_t kTexel = 26u << 11 | 30u << 5 | 9u;  // 5-6-5
+
+  std::vector<SceneLight> lights;
+  Highlight highlight;
+  bool textured;
+  std::array<Vec3, 3> positions{Vec3{-1, -1, 0}, Vec3{1.2, -0.7, 0}, Vec3{-0.1, 1.1, 0}};
+  std::array<Vec3, 3> normals{normalised(Vec3{-0.3, -0.2, 1}), normalised(Vec3{0.3, -0.1, 1}),
+                              normalised(Vec3{0, 0.3, 1})};
+
+  [[nodiscard]] FixedModel model() const {
+    MeshData mesh;
+    mesh.positions.assign(positions.begin(), positions.end());
+    mesh.normals.assign(normals.begin(), normals.end());
+    mesh.texture_points = {{0, 0}, {1, 0}, {0, 1}};
+    mesh.triangles = {{0, 1, 2}};
+    return to_fixed(to_model(mesh));
+  }
+  [[nodiscard]] Scene scene() const {
+    Scene scene = unlit_scene({40, 40});
+    scene.camera.eye = Vec3{0, 0, 4};
+    scene.camera.target = Vec3{0, 0, 0};
+    scene.surface.ambient = kAmbient;
+    scene.surface.diffuse = kDiffuse;
+    scene.surface.specular = kSpecular;
+    scene.surface.shininess = kShininess;
+    scene.lights = lights;
+    scene.highlight = highlight;
+    scene.tolerance = 0;
+    return scene;
+  }
+
+  /// The light that a normal reflects: ambient and diffuse part, and highlights.
+  struct Light {
+    Vec3 diffuse{kAmbient, kAmbient, kAmbient};
+    Vec3 specular{};
+  };
+  [[nodiscard]] Light light(const Vec3& n) const {
+    constexpr Vec3 kEye{0, 0, 1};
+    Light sum;
+    for (const SceneLight& light : lights) {
+      const Vec3 l = normalised(light.towards);
+      const double cosine = dot(n, l);
+      if (cosine <= 0) continue;
+      sum.diffuse = sum.diffuse + light.colour * (kDiffuse * cosine);
+      const double c = highlight == Highlight::kBlinn ? dot(n, normalised(l + kEye))
+                                                      : 2 * cosine * dot(n, kEye) - dot(l, kEye);
+      if (c > 0) sum.specular = sum.specular + light.colour * (kSpecular * std::pow(c, kShininess));
+    }
+    return sum;
+  }
+  /// Highlights lie on the texture where they are computed per pixel; elsewhere they are part of the light.
+  [[nodiscard]] Vec3 reflected(const Vec3& diffuse, const Vec3& specular) const {
+    const Vec3 texel = textured ? Vec3{26 / 31.0, 30 / 63.0, 9 / 31.0} : Vec3{1, 1, 1};
+    const auto channel = [](double t, double d, double s) { return std::min(t * std::min(d, 1.0) + s, 1.0); };
+    return {channel(texel.x, diffuse.x, specular.x), channel(texel.y, diffuse.y, specular.y),
+            channel(texel.z, diffuse.z, specular.z)};
+  }
+  /// The colour at barycentric coordinates.
+  [[nodiscard]] Vec3 colour(const std::string& shading, const std::array<double, 3>& at) const {
+    const auto all = [this](const Vec3& n) {
+      const Light of_vertex = light(n);
+      return reflected(of_vertex.diffuse + of_vertex.specular, {});
+    };
+    if (shading == "flat") return all({0, 0, 1});
+    if (shading == "gouraud")
+      return all(normals[0]) * at[0] + all(normals[1]) * at[1] + all(normals[2]) * at[2];
+    const Light of_pixel = light(normalised(normals[0] * at[0] + normals[1] * at[1] + normals[2] * at[2]));
+    return reflected(of_pixel.diffuse, of_pixel.specular);
+  }
+};
 
 constexpr double kFloor = 100;  ///< half its side
 constexpr int kTiles = 40;      ///< along a side, two triangles each
@@ -411,5 +489,51 @@ TEST_CASE("a chrome ball shows its picture where the camera sees its normals poi
     CAPTURE(view.x);
     CHECK(worst <= 1);
     CHECK(compared > 3500);
+  }
+}
+
+TEST_CASE("any lights on any surface are those of double precision", "[textures]") {
+  const auto lights = static_cast<std::size_t>(GENERATE(1, 2, 3, 4));
+  const bool coloured = GENERATE(false, true);
+  const bool textured = GENERATE(false, true);
+  const Highlight highlight = GENERATE(Highlight::kBlinn, Highlight::kPhong);
+  std::vector<SceneLight> all{{0.2, 0.1, 1}, {-0.4, 0.5, 1}, {0.9, -0.1, 0.4}, {-0.7, -0.9, 0.3}};
+  if (coloured) {
+    all[0].colour = {1, 0.6, 0.2};
+    all[2].colour = {0.1, 0.4, 1};
+  }
+  all.erase(all.begin() + static_cast<std::ptrdiff_t>(lights), all.end());
+  const LitTriangle triangle{all, highlight, textured};
+  const FixedModel model = triangle.model();
+  RenderJob job = make_job(triangle.scene(), model, "triangle");
+  auto texture = std::make_shared<SurfaceTexture>();
+  texture->texels.assign(64, 0x100000 | LitTriangle::kTexel);
+  REQUIRE(ok(Texture<SurfaceTexels>::make(texture->texels, {3, 3, 1}, texture->view)));
+  if (textured) job.parts[0].texture = texture;
+  const Rays rays(place_camera(triangle.scene().camera, model, {40, 40}), {40, 40});
+  for (const std::string shading : {"flat", "gouraud", "arc", "phong"}) {
+    if (textured && shading == "phong") continue;
+    const Image image = find_renderer(shading, "rgb888", false).render(job, [](std::size_t) {}).image;
+    double worst = 0;
+    int compared = 0;
+    for (int y = 0; y < 40; ++y) {
+      for (int x = 0; x < 40; ++x) {
+        const Vec3 p = rays.eye() + rays.direction(x, y) * rays.eye().z;
+        const auto& [a, b, c] = triangle.positions;
+        const double area = cross(b - a, c - a).z;
+        const std::array<double, 3> at{cross(b - p, c - p).z / area, cross(c - p, a - p).z / area,
+                                       cross(a - p, b - p).z / area};
+        if (std::min({at[0], at[1], at[2]}) < 0) continue;
+        if (image.at(x, y) == Rgb8{}) continue;  // on an edge
+        const Vec3 wanted = triangle.colour(shading, at) * 255;
+        const Rgb8 c8 = image.at(x, y);
+        worst = std::max(
+            {worst, std::abs(c8.r - wanted.x), std::abs(c8.g - wanted.y), std::abs(c8.b - wanted.z)});
+        ++compared;
+      }
+    }
+    CAPTURE(lights, coloured, textured, highlight == Highlight::kPhong, shading);
+    CHECK(worst <= 2.5);
+    CHECK(compared > 300);
   }
 }

@@ -137,6 +137,21 @@ class TexturedWalker {
   TextureTriangle* triangle_;
 };
 
+namespace detail {
+
+/// The light of `Method` on a texture: coloured where its type says that it may be, by coloured lights or by
+/// the colours of vertices.
+template <class Method>
+[[nodiscard]] consteval TexelLight texel_light_of() {
+  if (std::same_as<Method, Unlit>) return TexelLight::kNone;
+  bool coloured = TakesVertexData<Method>;
+  if constexpr (requires { Method::Lighting::kFeatures.coloured_lights; })
+    coloured = coloured || Method::Lighting::kFeatures.coloured_lights;
+  return coloured ? TexelLight::kColoured : TexelLight::kGrey;
+}
+
+}  // namespace detail
+
 /// A shading method with a texture: each pixel shows a texel, times the light that `Method` (Unlit, Flat,
 /// Gouraud, Arc, VertexColoured) computes for it. Phong's highlights are added afterwards; those of
 /// Gouraud and Flat are part of the light. The diffuse coefficients of a textured material are usually 1
@@ -145,8 +160,7 @@ class TexturedWalker {
 /// Texels are shown of the mip level whose texels are about as large as the triangle's pixels.
 /// Perspective is correct within half a texel: a triangle is mapped linearly where that is exact enough,
 /// elsewhere in the longest pieces of a row that are.
-template <class Method, TexelFormat Texels,
-          TexelLight Colours = std::same_as<Method, Unlit> ? TexelLight::kNone : TexelLight::kGrey,
+template <class Method, TexelFormat Texels, TexelLight Colours = detail::texel_light_of<Method>(),
           TextureFilter Filter = TextureFilter::kNearest, TextureWrap Wrap = TextureWrap::kRepeat>
 struct Textured : Method {
   using Light = Method;

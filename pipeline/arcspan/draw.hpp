@@ -23,9 +23,9 @@ namespace arcspan {
 /// - `source`: where the vertices come from: a VertexCache, NoCache{} or another VertexSource.
 /// - `Features`: the parts of draw_mesh() that the program contains.
 ///
-/// To draw a picture in bands, move the sink and the depth buffer to a band and call this once per band: the
-/// rows are bit for bit those of the picture drawn at once. Columns that are cut off on the left may change
-/// the last bits of small triangles and of some methods, whose rows start at the first drawn column.
+/// A pixel depends on the scene and on its position only, bit for bit, whatever part of the picture the sink
+/// takes. To draw a picture in bands, move the sink and the depth buffer to a band and call this once per
+/// band.
 ///
 /// Returns as status kOk, or the first other status of the sink, at which drawing stops. Draws nothing and
 /// returns:

@@ -70,6 +70,7 @@ inline const CostMethod::Lighting& make_cost_lighting(const CostLight& light) {
 /// full names of its functions.
 struct CostSink {
   using Format = Rgb565;
+  using FromFirstColumn = CostSink;
   CostSink(std::uint16_t* memory, std::int32_t, std::int32_t) : colours(memory) {}
   [[nodiscard]] Rect bounds() const { return {0, 0, kCostWidth, kCostHeight}; }
   [[nodiscard]] Rgb565::Cursor open(const Span& run) { return {colours + run.y * kCostWidth, run.x}; }

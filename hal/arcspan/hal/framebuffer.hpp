@@ -26,6 +26,7 @@ class Framebuffer {
   using Format = F;
   using Word = typename F::Word;
   using RowsInMemory = Framebuffer;
+  using FromFirstColumn = Framebuffer;
 
   /// Number of Words that `rows` rows of `width` pixels need.
   [[nodiscard]] static constexpr std::size_t words(std::int32_t width, std::int32_t rows) {

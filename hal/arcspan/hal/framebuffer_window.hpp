@@ -30,6 +30,7 @@ class FramebufferWindow : public Framebuffer<F> {
  public:
   using typename Framebuffer<F>::Word;
   using RowsInMemory = FramebufferWindow;
+  using FromFirstColumn = FramebufferWindow;
 
   /// status() is kInvalidArgument unless `width`, `rows` and `first_row` are as for Framebuffer, the offset
   /// is not negative, the stride at least words_per_row(width) and the last row's end at most INT32_MAX;

@@ -73,6 +73,12 @@ concept ChecksItself = requires(const S& sink) {
   { sink.status() } -> std::same_as<Status>;
 };
 
+/// A sink whose bounds() begin at column 0, always. It declares that by `using FromFirstColumn =` its own
+/// name, for less code: no row of a triangle begins left of it and in the picture. A class derived from it is
+/// an ordinary sink, unless it declares itself as well.
+template <class S>
+concept SinkFromFirstColumn = PixelSink<S> && std::same_as<typename S::FromFirstColumn, S>;
+
 /// A sink whose rows lie in memory, so that the span stage may step from row to row instead of calling
 /// open(). close() is called for every run all the same.
 ///

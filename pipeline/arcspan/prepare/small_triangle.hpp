@@ -69,6 +69,8 @@ struct SmallTriangle {
   std::int32_t z_bottom;
   Linear dz;  ///< change of the depth per pixel
   SmallSpan spans[kSmallSize];
+  /// The pixels of rows that begin left of what is drawn. Set by hide_columns() only.
+  std::int8_t cut_counts[kSmallSize];
 
   /// Returns a barycentric coordinate from its edge function at a point inside: 16 fraction bits, rounded
   /// down, so that the sum of all three is at most 1.
@@ -220,6 +222,17 @@ using EdgeColumn = std::conditional_t<kHasLongMultiply, SteppedColumn, SettledCo
     found |= span->count;
   }
   return found != 0;
+}
+
+/// Leaves out the pixels of a triangle that are left of a column. Rows that begin there get the count 0 and
+/// cut_counts, because their runs start at `first` nevertheless.
+constexpr void hide_columns(std::int32_t left, SmallTriangle& triangle) {
+  for (std::int32_t row = 0; row < triangle.rows; ++row) {
+    SmallSpan& span = triangle.spans[row];
+    const std::int32_t count = span.first < left ? span.first + span.count - left : 0;
+    triangle.cut_counts[row] = static_cast<std::int8_t>(count > 0 ? count : 0);
+    if (span.first < left) span.count = 0;
+  }
 }
 
 /// Prepares the barycentric coordinates and the depth of a small triangle with pixels. The vertices are

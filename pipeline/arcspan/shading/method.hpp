@@ -97,6 +97,14 @@ concept PiecewiseRun = PixelRun<R, Lighting> && requires(R run, const Lighting& 
   { run.enter(lighting, left) } -> std::same_as<std::int32_t>;
 };
 
+/// True if the pieces of a run depend on the whole row: a row that the scissor cuts is then walked from its
+/// first column in the picture, and `left` counts the pixels up to its end, so that cutting changes no pixel.
+/// A PiecewiseRun whose pieces do not says so by `static constexpr bool kStartsAnywhere = true`.
+template <class R, class Lighting>
+inline constexpr bool kWalksWholeRows = PiecewiseRun<R, Lighting> && !requires {
+  requires bool{R::kStartsAnywhere};
+};
+
 /// Optional part of a run: light(lighting) returns the parts of colour(), for methods that reflect them
 /// differently (Textured).
 template <class R, class Lighting>

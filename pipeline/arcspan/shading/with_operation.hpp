@@ -17,6 +17,7 @@ namespace detail {
 /// place: small cores would copy it by memcpy.
 template <class Inner>
 struct OperationRun {
+  static constexpr bool kStartsAnywhere = requires { requires bool{Inner::kStartsAnywhere}; };
   Inner inner;
 
   /// Starts a row.

@@ -105,24 +105,46 @@ template <class Target, class Run>
 [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_span(const Span& span, Run& run, Linear z, Linear dz,
                                                         const Target& target, const RowMemory<Target>& memory,
                                                         std::int32_t below = 0) {
-  if constexpr (PiecewiseRun<Run, typename Target::Lighting>) {
-    PixelPlace<Target> place{memory.pixels.open(span, below), memory.depths.at(span, below), z};
-    for (std::int32_t left = span.count; left > 0;) {
-      const std::int32_t count = run.enter(target.lighting, left);
-      if constexpr (IndexedRows<Target>) {
-        place.cursor.skip(count);
-        place.depths += count;
-      }
-      draw_pixels(place, {span.y, span.x + span.count - left, count}, run, target, dz);
-      left -= count;
-    }
-  } else if constexpr (IndexedRows<Target>) {
+  static_assert(!PiecewiseRun<Run, typename Target::Lighting>, "draw_pieces() draws these");
+  if constexpr (IndexedRows<Target>) {
     PixelPlace<Target> place{memory.pixels.behind(span, below), memory.depths.behind(span, below), z};
     draw_pixels(place, span, run, target, dz);
   } else {
     PixelPlace<Target> place{memory.pixels.open(span, below), memory.depths.at(span, below), z};
     draw_pixels(place, span, run, target, dz);
   }
+  return target.sink.close(span);
+}
+
+/// draw_span() of a PiecewiseRun, in the current row of `memory`. The run begins `hidden` pixels left of the
+/// span, and `left` pixels are left in its row: 0 and span.count if it starts anywhere.
+template <class Target, class Run>
+[[nodiscard]] ARCSPAN_INLINE constexpr Status draw_pieces(const Span& span, std::int32_t hidden,
+                                                          std::int32_t left, Run& run, Linear z, Linear dz,
+                                                          const Target& target,
+                                                          const RowMemory<Target>& memory) {
+  PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span), z};
+  std::int32_t visible = span.count;
+  do {
+    std::int32_t count = run.enter(target.lighting, left);
+    left -= count;
+    if constexpr (kWalksWholeRows<Run, typename Target::Lighting>) {
+      if (hidden != 0) [[unlikely]] {
+        const std::int32_t passed = count < hidden ? count : hidden;
+        for (std::int32_t i = passed; i > 0; --i) run.next();
+        hidden -= passed;
+        count -= passed;
+        if (count == 0) continue;
+      }
+      if (count > visible) count = visible;
+    }
+    if constexpr (IndexedRows<Target>) {
+      place.cursor.skip(count);
+      place.depths += count;
+    }
+    draw_pixels(place, {span.y, span.x + span.count - visible, count}, run, target, dz);
+    visible -= count;
+  } while (visible > 0);
   return target.sink.close(span);
 }
 

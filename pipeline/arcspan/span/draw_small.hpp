@@ -19,6 +19,7 @@ template <class Surface, class Target>
                                                                  const Surface& surface,
                                                                  const RasterOrigin& origin,
                                                                  const Target& all) {
+  constexpr bool kFromFirstColumn = SinkFromFirstColumn<typename Target::Sink>;
   const Target target = all;  // a copy, because the members of a reference would be loaded for every pixel
   const std::int32_t first_y = triangle.row + origin.y;
   const RowMemory<Target> memory(target, first_y);
@@ -27,12 +28,18 @@ template <class Surface, class Target>
   for (std::int32_t row = 0; row < rows; ++row) {
     hide_value(row);
     const SmallSpan found = triangle.spans[row];
-    if (found.count == 0) continue;
-    const Span span{first_y + row, found.first + origin_x, found.count};
+    const bool is_hidden = found.count == 0;
+    if (is_hidden && (kFromFirstColumn || !target.crosses || triangle.cut_counts[row] == 0)) continue;
+    Span span{first_y + row, found.first + origin_x, found.count};
     const std::int32_t b = triangle.coordinate(triangle.of_middle(found.first, row));
     const std::int32_t c = triangle.coordinate(triangle.of_bottom(found.first, row));
     auto run = surface.row((triangle.row + row) * 16 + 8, b, c);
-    const Status status = draw_span(span, run, triangle.depth(b, c), triangle.dz, target, memory, row);
+    Linear z = triangle.depth(b, c);
+    if (!kFromFirstColumn && is_hidden) [[unlikely]] {
+      for (; span.x < target.scissor.left; ++span.x, z += triangle.dz) run.next();
+      span.count = triangle.cut_counts[row];
+    }
+    const Status status = draw_span(span, run, z, triangle.dz, target, memory, row);
     if (!ok(status)) return status;
   }
   return Status::kOk;
@@ -45,6 +52,22 @@ enum class SmallResult : std::uint8_t {
   kRefused     ///< nothing is drawn, because the method needs a TriangleCommand for its normals
 };
 
+/// Cuts a small triangle to the columns of the scissor, so that its rows start at their first columns in the
+/// picture. Returns false if no pixel is left.
+template <class Target>
+[[nodiscard]] constexpr bool cut_small_triangle(const Target& target, const RasterOrigin& origin,
+                                                SmallTriangle& triangle) {
+  const std::int32_t left = target.scissor.left;
+  const std::int32_t right = target.scissor.right;
+  if constexpr (SinkFromFirstColumn<typename Target::Sink>) {
+    return cut_columns(left - origin.x, right - origin.x, triangle);
+  } else {
+    if (!cut_columns((left < 0 ? left : 0) - origin.x, right - origin.x, triangle)) return false;
+    hide_columns(left - origin.x, triangle);
+    return true;
+  }
+}
+
 /// Draws a small triangle (is_small()) of either winding. `rows` are those of the viewport, `drawn` those of
 /// the scissor. Sets `status` if the result is kDone.
 template <class Method, class Target>
@@ -56,12 +79,9 @@ template <class Method, class Target>
   const RasterPosition& p = vertices.top->position;
   const RasterPosition& q = vertices.middle->position;
   const RasterPosition& r = vertices.bottom->position;
-  const Rect& scissor = target.scissor;
   SmallTriangle triangle;
   if (!cover_small_triangle(p, q, r, vertices.middle_left, drawn, triangle) ||
-      (target.crosses &&
-       leaves_columns((scissor.left - origin.x) * 16, (scissor.right - origin.x) * 16, p, q, r) &&
-       !cut_columns(scissor.left - origin.x, scissor.right - origin.x, triangle))) {
+      (target.crosses && !cut_small_triangle(target, origin, triangle))) {
     const std::int32_t first = first_row_at(p.y);
     const std::int32_t end = first_row_at(r.y);
     status = Status::kOk;

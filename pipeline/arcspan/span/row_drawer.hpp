@@ -56,6 +56,13 @@ ARCSPAN_INLINE constexpr void enter_lower(Command& command, Walker& walker) {
   walker.enter_lower();
 }
 
+/// The first column of a row that is in the picture, at most `drawn`, the first one that is drawn.
+[[nodiscard]] constexpr std::int32_t first_in_picture(std::int32_t begin, std::int32_t drawn) {
+  if (begin >= 0) [[likely]]
+    return begin;
+  return drawn < 0 ? drawn : 0;
+}
+
 /// Draws the pixels of `span` in the current row. `begin` is the row's first column; the span may start right
 /// of it.
 template <class Command, class Walker, class Target>
@@ -64,9 +71,23 @@ template <class Command, class Walker, class Target>
                                                        const Target& target,
                                                        const RowMemory<Target>& memory) {
   static_assert(RowWalker<Walker, typename Target::Lighting>);
+  using Run = typename Walker::Run;
   const RowStart start = row_start(command.left, command.right, span.x - begin, span.x);
-  typename Walker::Run run = walker.row(start);
-  return draw_span(span, run, linear_at(command.depth, start), command.depth.dx, target, memory);
+  const Linear z = linear_at(command.depth, start);
+  if constexpr (kWalksWholeRows<Run, typename Target::Lighting>) {
+    std::int32_t first = span.x;
+    if constexpr (!SinkFromFirstColumn<typename Target::Sink>) first = first_in_picture(begin, span.x);
+    Run run = walker.row(row_start(command.left, command.right, first - begin, first));
+    return draw_pieces(span, span.x - first, command.right.column() - first, run, z, command.depth.dx, target,
+                       memory);
+  } else {
+    Run run = walker.row(start);
+    if constexpr (PiecewiseRun<Run, typename Target::Lighting>) {
+      return draw_pieces(span, 0, span.count, run, z, command.depth.dx, target, memory);
+    } else {
+      return draw_span(span, run, z, command.depth.dx, target, memory);
+    }
+  }
 }
 
 /// draw_run() as a function of its own: in programs that are optimised for size gcc would keep the values of

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 namespace arcspan::hal {
 
@@ -103,6 +104,7 @@ template <PixelSink Target>
 class DamageSink {
  public:
   using Format = typename Target::Format;
+  using FromFirstColumn = std::conditional_t<SinkFromFirstColumn<Target>, DamageSink, void>;
 
   constexpr DamageSink(Target& target, Damage& damage) : target_(target), damage_(damage) {}
 

@@ -26,12 +26,12 @@ namespace arcspan {
 /// them; `Mapping` is LinearTexture or PerspectiveTexture.
 template <class Lit, class Mapping, TexelFormat Texels, TexelLight Colours, TextureFilter Filter>
 struct TexturedRun {
+  static constexpr bool kStartsAnywhere = !Mapping::kInPerspective;
   Lit light_run;
   Mapping mapping;
   std::uint32_t first;  ///< texel of the mip level
   const typename Texels::Word* words = nullptr;
   const std::uint16_t* palette = nullptr;
-  std::int32_t light_left = 0;  ///< pixels of the current piece of `light_run`
 
   /// Starts a row.
   template <class LightWalker>
@@ -39,20 +39,15 @@ struct TexturedRun {
                                        const RowStart& row)
       : light_run(light.row(row)), mapping(triangle, row), first(triangle.first) {}
 
-  /// Finds the texels, and begins a piece of the texture within a piece of the light.
+  /// Finds the texels, and begins a piece of the texture. The light must not have pieces of its own.
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(const Lighting& lighting, std::int32_t left) {
     words = lighting.texture.at(first);
     hide_value(words);  // otherwise the first texel is added for every pixel
     palette = lighting.texture.palette();
-    std::int32_t count = left;
-    if constexpr (PiecewiseRun<Lit, Lighting>) {
-      if (light_left == 0) light_left = light_run.enter(lighting, left);
-      count = light_left;
-    }
-    if constexpr (Mapping::kInPerspective) count = mapping.enter(count);
-    if constexpr (PiecewiseRun<Lit, Lighting>) light_left -= count;
-    return count;
+    static_assert(!PiecewiseRun<Lit, Lighting>);
+    if constexpr (Mapping::kInPerspective) return mapping.enter(left);
+    return left;
   }
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {

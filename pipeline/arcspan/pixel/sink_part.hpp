@@ -10,7 +10,8 @@
 namespace arcspan {
 
 /// A rectangle of another sink: a scissor. Drawing into it leaves the pixels outside of the rectangle alone.
-/// Inside, the pixels are those of drawing into the whole sink. For split screens, insets and repainting parts of a picture:
+/// Inside, the pixels are those of drawing into the whole sink. For split screens, insets and repainting
+/// parts of a picture:
 ///
 ///     SinkPart inset(frame, {200, 8, 312, 92});
 ///     draw_mesh<Method>(mesh, transform, lighting, inset, depth);

@@ -20,6 +20,7 @@
 #include <arcspan/target.hpp>
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -31,7 +32,8 @@ namespace arcspan {
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
 /// (Phong). They are linear on a surface because they are linear in N.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features = IlluminationFeatures{}>
-class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Features> {
+class Illumination : private FadeFor<Features>,
+                     private RampScaleFor<Lights, Features> {  // empty bases take no bytes
  public:
   static_assert(Lights >= 1 && Lights <= 4);
   static constexpr std::size_t kLights = Lights;
@@ -140,6 +142,19 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// The parts of surface_colour().
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight surface_light(const Scalars& scalars) const;
 
+  /// The closeness of HighlightTable at a pixel with these pixel_scalar().
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t closeness(const Scalars& scalars,
+                                                                std::size_t light) const {
+    const std::int32_t other = scalars[highlight_index(light)].raw();
+    if constexpr (Model == Highlight::kBlinn) return wrap_add(closeness_origin_[light], other);
+    return wrap_add(closeness_origin_[light], wrap_mul(scalars[light].raw() >> 15, other >> 15));
+  }
+  /// The highlight of a single light at a closeness above 0, and its fade() by N·L.
+  [[nodiscard]] constexpr PackedRgb highlight_at(std::int32_t closeness) const {
+    return highlights_(closeness);
+  }
+  [[nodiscard]] constexpr const auto& fade() const { return static_cast<const FadeFor<Features>&>(*this); }
+
   /// The scalar of which diffuse_colour() is the diffuse part of colour(), as long as every light i that is
   /// in `lit` (bit i) has N·L >= 0 and every other one N·L <= 0: N·L of one light, the mean of several by
   /// their weights. It is linear in the normal.
@@ -161,14 +176,16 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// colour() without a highlight, by the scalar of diffuse_scalar().
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb diffuse_colour(
       Cosine normal_light) const requires kHasRamp {
-    const std::uint32_t index =
-        clamped_unsigned<kRampBits, Cosine::kFraction - kRampBits>(normal_light.raw());
-    return ramp_[static_cast<std::size_t>(index)];
+    return ramp_[ramp_index(normal_light)];
   }
 
   /// The colours of diffuse_colour(), evenly spaced over scalars 0...1: 256 of one light, 512 of two, 1024 of
   /// more.
   [[nodiscard]] constexpr const auto& ramp() const requires kHasRamp { return ramp_; }
+  static constexpr std::size_t kRampSize = Lights == 1 ? 256 : Lights == 2 ? 512 : 1024;
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::size_t ramp_index(Cosine normal_light) {
+    return clamped_unsigned<kRampBits, Cosine::kFraction - kRampBits>(normal_light.raw());
+  }
 
   /// False if no normal of a triangle has a highlight. `a`, `b` and `c` are the scalars of its vertices;
   /// `headroom` is the most by which a scalar inside may exceed them.
@@ -225,16 +242,13 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
 
  private:
   /// An entry of the ramp stands for at most 1/256 of one light's diffuse part.
-  static constexpr int kRampBits = Lights == 1 ? 8 : Lights == 2 ? 9 : 10;
+  static constexpr int kRampBits = std::bit_width(kRampSize) - 1;
   [[nodiscard]] static constexpr Cosine highlight_scalar(const Scalars& scalars, std::size_t light) {
     return scalars[highlight_index(light)];
   }
   /// Several lights have a weight per channel or one for all. A single light's are in the coefficients.
   static constexpr bool kWeighsChannels = Lights > 1 && Features.coloured_lights;
   using Weights = std::conditional_t<kWeighsChannels, std::array<std::uint32_t, 3>, std::uint32_t>;
-  /// A base class, because an empty one takes no bytes.
-  using Fade = FadeFor<Features>;
-  [[nodiscard]] constexpr const Fade& fade() const { return *this; }
 
   /// The two sums of colour() over the lights per weight, 0...4 each, 15 fraction bits.
   struct LightSums {
@@ -310,13 +324,6 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
   /// Channel `c` in 256ths of an 8-bit step.
   [[nodiscard]] constexpr std::int32_t deep_level(std::size_t c, const LightSums& sums) const;
 
-  /// The closeness of HighlightTable at a pixel with these pixel_scalar().
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t closeness(const Scalars& scalars,
-                                                                std::size_t light) const {
-    const std::int32_t other = scalars[highlight_index(light)].raw();
-    if constexpr (Model == Highlight::kBlinn) return wrap_add(closeness_origin_[light], other);
-    return wrap_add(closeness_origin_[light], wrap_mul(scalars[light].raw() >> 15, other >> 15));
-  }
   /// The largest of three scalars, at least 0.
   [[nodiscard]] static constexpr std::int32_t largest(Cosine a, Cosine b, Cosine c) {
     const std::int32_t two = a.raw() > b.raw() ? a.raw() : b.raw();
@@ -358,7 +365,7 @@ class Illumination : private FadeFor<Features>, private RampScaleFor<Lights, Fea
 
   /// Entry i is ambient + diffuse * ramp_range() * (i + 1/2) / size; empty for coloured lights. The first
   /// member, so that its address needs no offset.
-  std::array<PackedRgb, kHasRamp ? std::size_t{1} << kRampBits : 0> ramp_{};
+  std::array<PackedRgb, kHasRamp ? kRampSize : 0> ramp_{};
   std::array<Direction, kScalars> axes_{};   ///< scalar i is the product of the normal and this
   std::array<std::uint32_t, 3> ambient_{};   ///< in 8-bit steps, 20 fraction bits
   std::array<std::uint32_t, 3> diffuse_{};   ///< in 8-bit steps, 5 fraction bits

@@ -117,7 +117,7 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   illumination.ambient_ = detail::scaled_channels(material.ambient, detail::kFullWeights, 20);
   illumination.diffuse_ = detail::scaled_channels(material.diffuse, weights, kCoefficientBits);
   illumination.specular_ = detail::scaled_channels(material.specular, weights, kCoefficientBits);
-  static_cast<Fade&>(illumination) = Fade(material.highlight_fade);
+  static_cast<FadeFor<Features>&>(illumination) = FadeFor<Features>(material.highlight_fade);
   if constexpr (Lights > 1 && kHasRamp) illumination.set_ramp_range();
   const std::array<std::uint32_t, 3>& specular = illumination.specular_;
   const bool white = specular[0] == specular[1] && specular[1] == specular[2];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/target.hpp>
 
@@ -18,14 +19,17 @@ inline constexpr std::uint32_t kSpreadMask = 0x07E0F81F;
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t joined(std::uint32_t spread) {
   return static_cast<std::uint16_t>(spread | (spread >> 16));
 }
-/// The sum of two spread pixels, saturated.
+/// The sum of two spread pixels, saturated. `GreenCarry` is the bit above green.
+template <std::uint32_t GreenCarry = 0x08000000>
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t saturated_sum(std::uint32_t a, std::uint32_t b) {
   constexpr std::uint32_t kRedBlueCarries = 0x00010020;
-  constexpr std::uint32_t kGreenCarry = 0x08000000;
-  const std::uint32_t sum = a + b;
-  const std::uint32_t red_blue = sum & kRedBlueCarries;
-  const std::uint32_t green = sum & kGreenCarry;
-  return (sum | (red_blue - (red_blue >> 5)) | (green - (green >> 6))) & kSpreadMask;
+  std::uint32_t sum = a + b;
+  if ((sum & (kRedBlueCarries | GreenCarry)) != 0) [[unlikely]] {
+    const std::uint32_t red_blue = sum & kRedBlueCarries;
+    const std::uint32_t green = sum & GreenCarry;
+    sum = (sum | (red_blue - (red_blue >> 5)) | (green - (green >> 6))) & ~(kRedBlueCarries | GreenCarry);
+  }
+  return sum;
 }
 /// A PackedRgb without half step as a spread pixel, rounded.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t spread(PackedRgb c) {
@@ -36,23 +40,53 @@ inline constexpr std::uint32_t kSpreadMask = 0x07E0F81F;
   return ((c.lanes - red_blue - green + kHalves) >> 5) & kSpreadMask;
 }
 /// spread * factor, rounded; factor is 0...32 and stands for 0...1.
-[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t scaled_spread(std::uint32_t spread, std::uint32_t factor,
-                                                                   std::uint32_t mask = kSpreadMask) {
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t scaled_spread(std::uint32_t spread,
+                                                                   std::uint32_t factor) {
   constexpr std::uint32_t kHalf = 0x02008010;
-  return ((spread * factor + kHalf) >> 5) & mask;
-}
-/// scaled_spread() of a 5-6-5 pixel.
-[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t scaled_pixel(std::uint32_t rgb565,
-                                                                  std::uint32_t factor) {
-  std::uint32_t mask = kSpreadMask;
-  hide_value(mask);  // otherwise compilers spend three instructions on one of its two uses
-  return scaled_spread((rgb565 * 0x10001u) & mask, factor, mask);
+  return ((spread * factor + kHalf) >> 5) & kSpreadMask;
 }
 /// a + (b - a) * factor, rounded; factor is 0...32.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t mixed_spread(std::uint32_t a, std::uint32_t b,
                                                                   std::uint32_t factor) {
   constexpr std::uint32_t kHalf = 0x02008010;
   return ((a * (32 - factor) + b * factor + kHalf) >> 5) & kSpreadMask;
+}
+
+// ---- Light
+
+/// Light has levels of 0...64, as many as the green of a 5-6-5 pixel. A product with it takes a wider spread:
+/// g in bits 27...22, r in 15...11, b in 4...0, so that each channel has six bits of room below it.
+inline constexpr std::uint32_t kWideMask = 0x0FC0F81F;
+inline constexpr std::uint32_t kWideGreenCarry = 0x10000000;
+[[nodiscard]] constexpr std::uint32_t wide_spread(std::uint32_t rgb565) {
+  return (rgb565 | (rgb565 << 17)) & kWideMask;
+}
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t joined_wide(std::uint32_t spread) {
+  return static_cast<std::uint16_t>(spread | (spread >> 17));
+}
+/// A level of light as products take it.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t light_factor(std::uint32_t level) { return level << 25; }
+
+/// A wide_spread() times the level of a light_factor(), rounded. The pixel and `mask` are given times 16, so
+/// that three bits are left of the fraction of blue.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t lit_spread(std::uint32_t pixel, std::uint32_t factor,
+                                                                std::uint32_t mask = kWideMask << 4) {
+  if constexpr (kHasLongMultiply) {
+    std::uint32_t half = 0x01002004;
+    hide_value(half);
+    return (((multiply_high(pixel, factor) + half) << 1) & mask) >> 4;
+  } else {
+    const std::uint32_t level = factor >> 25;
+    const std::uint32_t red_blue = ((pixel >> 4) & 0xF81F) * level + 0x00010020;
+    const std::uint32_t green = (pixel >> 26) * level + 32;
+    return ((red_blue >> 6) & 0xF81F) | (green >> 6 << 22);
+  }
+}
+/// lit_spread() of a 5-6-5 pixel.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t lit_pixel(std::uint32_t rgb565, std::uint32_t factor) {
+  std::uint32_t mask = kWideMask << 4;
+  hide_value(mask);  // otherwise compilers spend three instructions on one of its two uses
+  return lit_spread(((rgb565 | (rgb565 << 17)) << 4) & mask, factor, mask);
 }
 
 }  // namespace arcspan::detail

@@ -4,6 +4,7 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/prepare/linear.hpp>
+#include <arcspan/prepare/small_triangle.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/target.hpp>
 
@@ -55,8 +56,8 @@ struct GreyGouraud {
     [[nodiscard]] constexpr PixelLight light(const Lighting& lighting) const {
       return {colour(lighting), {}};
     }
-    /// The level as 0...32, rounded.
-    [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t grey_level() const { return at_ >> 26; }
+    /// The level as 0...64, rounded.
+    [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t light_factor() const { return at_ & 0xFE000000u; }
     ARCSPAN_INLINE constexpr void next() { at_ += step_; }
 
    private:
@@ -87,8 +88,43 @@ struct GreyGouraud {
     return draw(Walker(prepared));
   }
 
+  /// For small triangles of Textured: at + b (middle - at) + c (bottom - at).
+  struct Small {
+    std::uint32_t at;  ///< at the top vertex; as in Run
+    std::int32_t to_middle;
+    std::int32_t to_bottom;
+    FullLinear step;  ///< per pixel
+  };
+  struct SmallRows {
+    using Run = GreyGouraud::Run;
+    const Small& small;
+    [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t b, std::int32_t c) const {
+      const std::int32_t change =
+          wrap_add(wrap_mul(small.to_middle, b >> 1), wrap_mul(small.to_bottom, c >> 1));
+      return Run(
+          FullLinear::from_raw(static_cast<std::int32_t>(small.at + static_cast<std::uint32_t>(change))),
+          small.step);
+    }
+  };
+  template <class Raster>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_small(const Lighting&, const Raster& top,
+                                                                   const Raster& middle, const Raster& bottom,
+                                                                   const SmallTriangle& triangle,
+                                                                   Small& small) {
+    small.at = (static_cast<std::uint32_t>(top.shade.level) << 15) + static_cast<std::uint32_t>(kHalf.raw());
+    small.to_middle = middle.shade.level - top.shade.level;
+    small.to_bottom = bottom.shade.level - top.shade.level;
+    small.step = FullLinear::from_raw(wrap_add(wrap_mul(small.to_middle, triangle.d_middle >> 1),
+                                               wrap_mul(small.to_bottom, triangle.d_bottom >> 1)));
+    return true;
+  }
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
+    return draw(SmallRows{small});
+  }
+
  private:
-  static constexpr FullLinear kHalf = FullLinear::from_raw(std::int32_t{1} << 25);  ///< half of a 32nd of 256
+  static constexpr FullLinear kHalf = FullLinear::from_raw(std::int32_t{1} << 24);  ///< half of a 64th of 256
 };
 
 }  // namespace arcspan

@@ -109,7 +109,7 @@ inline constexpr bool kWalksWholeRows = PiecewiseRun<R, Lighting> && !requires {
 /// differently (Textured).
 template <class R, class Lighting>
 concept LightRun = requires(const R& run, const Lighting& lighting) {
-  { run.light(lighting) } -> std::same_as<PixelLight>;
+  { run.light(lighting) } -> std::convertible_to<PixelLight>;
 };
 
 /// Optional part of a method: set_vertex_data(mesh, i, vertex) sets what vertex i has in the mesh besides its

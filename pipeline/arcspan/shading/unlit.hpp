@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/pixel/colour.hpp>
+#include <arcspan/prepare/small_triangle.hpp>
 #include <arcspan/shading/method.hpp>
 
 namespace arcspan {
@@ -40,6 +41,22 @@ struct Unlit {
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared&, Draw&& draw) {
     return draw(Walker());
+  }
+
+  /// For small triangles of Textured.
+  struct Small {};
+  struct SmallRows {
+    using Run = Unlit::Run;
+    [[nodiscard]] constexpr Run row(std::int32_t, std::int32_t, std::int32_t) const { return {}; }
+  };
+  template <class Raster>
+  [[nodiscard]] static constexpr bool prepare_small(const Lighting&, const Raster&, const Raster&,
+                                                    const Raster&, const SmallTriangle&, Small&) {
+    return true;
+  }
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk_small(const Small&, Draw&& draw) {
+    return draw(SmallRows());
   }
 };
 

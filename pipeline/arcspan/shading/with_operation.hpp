@@ -20,9 +20,10 @@ struct OperationRun {
   static constexpr bool kStartsAnywhere = requires { requires bool{Inner::kStartsAnywhere}; };
   Inner inner;
 
-  /// Starts a row.
-  template <class Walker>
-  ARCSPAN_INLINE constexpr OperationRun(const Walker& walker, const RowStart& row) : inner(walker.row(row)) {}
+  /// Starts a row of a walker, or of a small triangle.
+  template <class Rows, class... Row>
+  ARCSPAN_INLINE constexpr explicit OperationRun(const Rows& rows, const Row&... row)
+      : inner(rows.row(row...)) {}
 
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
@@ -48,6 +49,16 @@ struct OperationWalker : Walker {
   }
 };
 
+/// The rows of a small triangle, whose runs have an operation.
+template <class Rows>
+struct OperationSmall {
+  using Run = OperationRun<typename Rows::Run>;
+  const Rows& rows;
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t y, std::int32_t b, std::int32_t c) const {
+    return Run(rows, y, b, c);
+  }
+};
+
 }  // namespace detail
 
 /// A shading method with an operation on its pixels (pixel_operation.hpp): fog, transparency. Operations
@@ -58,6 +69,7 @@ struct OperationWalker : Walker {
 template <class Coloured, class Operation>
 struct WithOperation : Coloured {
   using Method = Coloured;
+  using DrawsSmallTrianglesAs = std::conditional_t<DrawsSmallTriangles<Method>, WithOperation, void>;
   /// The lighting of the method with the parameters of the operation.
   struct Lighting : Method::Lighting {
     using Base = typename Method::Lighting;
@@ -88,6 +100,12 @@ struct WithOperation : Coloured {
     return Method::walk(prepared, [&](auto walker) {
       using Walker = decltype(walker);
       return draw(detail::OperationWalker<Walker>(walker));
+    });
+  }
+  template <class Small, class Draw>
+  [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
+    return Method::walk_small(small, [&](const auto& rows) {
+      return draw(detail::OperationSmall<std::remove_cvref_t<decltype(rows)>>{rows});
     });
   }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/prepare/small_triangle.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 
@@ -48,7 +49,7 @@ struct MappedTriangle {
       over += w;
       sum.u += w * vertices[i].shade.point.u / 65536;
       sum.v += w * vertices[i].shade.point.v / 65536;
-      if constexpr (kHasLevel<Method>) sum.level += weight[i] * vertices[i].shade.level / 2048;
+      if constexpr (kHasLevel<Method>) sum.level += weight[i] * vertices[i].shade.level / 1024;
     }
     return {sum.u / over, sum.v / over, sum.level};
   }
@@ -80,10 +81,46 @@ MappedTriangle<Method> random_triangle(Random& random, std::int32_t size, double
   return triangle;
 }
 
-/// Calls `visit(column, row, run)` for every pixel of a triangle.
+/// Calls `visit(column, row, pixel)` for every pixel of a small triangle. Does nothing if the method does not
+/// draw it as one.
+template <class Method, class Visit>
+void for_each_small_pixel(const MappedTriangle<Method>& mapped, const typename Method::Lighting& lighting,
+                          std::int32_t size, Visit visit) {
+  SortedVertices<Method> vertices{&mapped.vertices[0], &mapped.vertices[1], &mapped.vertices[2], false};
+  const std::int32_t area =
+      doubled_area(vertices.top->position, vertices.middle->position, vertices.bottom->position);
+  if (area == 0 || !is_small(vertices)) return;
+  vertices.middle_left = area < 0;
+  detail::sort_by_height(vertices);
+  SmallTriangle triangle;
+  const auto& [top, middle, bottom, middle_left] = vertices;
+  if (!is_small(vertices) || !cover_small_triangle(top->position, middle->position, bottom->position,
+                                                   middle_left, {-size, size}, triangle)) {
+    return;
+  }
+  prepare_small_triangle(top->position, middle->position, bottom->position, triangle);
+  typename Method::Small small;
+  if (!Method::prepare_small(lighting, *top, *middle, *bottom, triangle, small)) return;
+  const Status status = Method::walk_small(small, [&](const auto& rows) {
+    for (std::int32_t row = 0; row < triangle.rows; ++row) {
+      const SmallSpan span = triangle.spans[row];
+      if (span.count <= 0) continue;
+      auto pixel = rows.row(0, triangle.coordinate(triangle.of_middle(span.first, row)),
+                            triangle.coordinate(triangle.of_bottom(span.first, row)));
+      for (std::int32_t x = 0; x < span.count; ++x, pixel.next())
+        visit(span.first + x, triangle.row + row, pixel);
+    }
+    return Status::kOk;
+  });
+  REQUIRE(status == Status::kOk);
+}
+
+/// Calls `visit(column, row, pixel)` for every pixel of a triangle, and again for one that is drawn as a
+/// small one.
 template <class Method, class Visit>
 void for_each_pixel(const MappedTriangle<Method>& triangle, const typename Method::Lighting& lighting,
                     std::int32_t size, Visit visit) {
+  if constexpr (DrawsSmallTriangles<Method>) for_each_small_pixel(triangle, lighting, size, visit);
   TriangleCommand<Method> command;
   const auto& [a, b, c] = triangle.vertices;
   if (!prepare_triangle<Method>(lighting, a, b, c, {}, RowRange{-size, size}, command)) return;

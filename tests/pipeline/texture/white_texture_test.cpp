@@ -25,8 +25,7 @@ using hal::Framebuffer;
 namespace {
 
 constexpr std::int32_t kSize = 200;
-// The textured methods have no path for small triangles, whose colours differ by a step.
-constexpr DrawFeatures kFeatures{.clips = false, .planes = false, .small_triangles = false};
+constexpr DrawFeatures kFeatures{.clips = false, .planes = false};
 
 using OneLight = Illumination<1, Highlight::kBlinn>;
 using TwoLights = Illumination<2, Highlight::kPhong, IlluminationFeatures{.coloured_lights = true}>;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/shading/textured/light_tables.hpp>
+
 #include <arcspan_tools/render/any_illumination.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
@@ -16,6 +18,7 @@ class CallsOf final : public IlluminationCalls {
     std::copy(lights.begin(), lights.end(), copies.begin());
     const Status status = Wrapped::make(material, copies, to_eye, wrapped_);
     if (!ok(status)) throw Failure("illumination", to_string(status));
+    if constexpr (Tables::kHasShines) tables_ = Tables(wrapped_);
   }
 
   [[nodiscard]] bool has_ramp() const override { return Wrapped::kHasRamp; }
@@ -69,6 +72,10 @@ class CallsOf final : public IlluminationCalls {
   [[nodiscard]] PixelLight surface_light(const AnyScalars& scalars) const override {
     return wrapped_.surface_light(few_of(scalars));
   }
+  [[nodiscard]] std::uint32_t shine(const AnyScalars& scalars) const override {
+    if constexpr (Tables::kHasShines) return tables_.shine_at(wrapped_, few_of(scalars));
+    return LitTexel<TexelLight::kColoured>::shine_of(surface_light(scalars).highlight);
+  }
 
   [[nodiscard]] bool lit_throughout(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
                                     std::uint32_t& lit) const override {
@@ -89,6 +96,7 @@ class CallsOf final : public IlluminationCalls {
  private:
   static constexpr std::size_t kLights = Wrapped::kLights;
   using Scalars = typename Wrapped::Scalars;
+  using Tables = LightTables<Wrapped, TexelLight::kColoured>;
 
   [[nodiscard]] static Scalars few_of(const AnyScalars& all) {
     Scalars few;
@@ -100,6 +108,7 @@ class CallsOf final : public IlluminationCalls {
   }
 
   Wrapped wrapped_;
+  Tables tables_;
 };
 
 using Calls = std::unique_ptr<IlluminationCalls>;

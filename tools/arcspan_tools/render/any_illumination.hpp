@@ -39,6 +39,8 @@ class IlluminationCalls {
   [[nodiscard]] virtual Cosine pixel_scalar(Cosine scalar, std::size_t i) const = 0;
   [[nodiscard]] virtual PackedRgb surface_colour(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual PixelLight surface_light(const AnyScalars& scalars) const = 0;
+  /// The highlight on a texture, as a wide_spread().
+  [[nodiscard]] virtual std::uint32_t shine(const AnyScalars& scalars) const = 0;
 
   // The further functions that `Segment` calls.
   [[nodiscard]] virtual bool lit_throughout(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
@@ -109,6 +111,10 @@ class AnyIllumination {
   }
   [[nodiscard]] PixelLight surface_light(const Scalars& scalars) const {
     return calls_->surface_light(scalars);
+  }
+  /// LightTables::shine_at().
+  [[nodiscard]] std::uint32_t shine_at(const AnyIllumination&, const Scalars& scalars) const {
+    return calls_->shine(scalars);
   }
 
   [[nodiscard]] bool lit_throughout(const Scalars& a, const Scalars& b, const Scalars& c,

@@ -70,11 +70,15 @@ struct SurfaceOperation {
     }
     [[nodiscard]] std::uint32_t share() const { return (operation->opacity * texel_opacity() + 8) >> 4; }
     [[nodiscard]] std::uint16_t rgb565() const {
-      if constexpr (requires { LitTexel<TexelLight::kColoured>(colour); }) {
+      if constexpr (requires {
+                      colour.texel;
+                      colour.shine;
+                    }) {
         if (!operation->is_textured) return arcspan::detail::colour565(packed());
         if (operation->grey_light) {
-          return LitTexel<TexelLight::kGrey>(colour.texel, colour.light, grey_level(colour.light.diffuse))
-              .rgb565();
+          const PixelLight light(colour.light);
+          const std::uint32_t factor = arcspan::detail::light_factor(grey_level(light.diffuse));
+          return LitTexel<TexelLight::kGrey>(colour.texel, light, factor, colour.shine).rgb565();
         }
       }
       return arcspan::detail::colour565(colour);

@@ -34,7 +34,7 @@ class ClampedSteps {
     return joined(upper(step) * factor, lower(step) * factor);
   }
 
-  ARCSPAN_INLINE constexpr explicit ClampedSteps(const TextureTriangle& t)
+  ARCSPAN_INLINE constexpr explicit ClampedSteps(const TextureLevel& t)
       : width_bits_(t.width_bits),
         u_shift_(32 - t.spare_bits - t.width_bits),
         v_shift_(32 - t.spare_bits - t.height_bits),

@@ -8,15 +8,15 @@
 
 namespace arcspan {
 
-/// A level of light below v in a JoinedPoint: 0...32 with 12 fraction bits, in the 18 lowest bits. It is
+/// A level of light below v in a JoinedPoint: 0...64 with 11 fraction bits, in the 18 lowest bits. It is
 /// added with its half, so that it is rounded when it is cut off, and rounding errors leave it positive.
 struct JoinedLevel {
   static constexpr unsigned kBits = 18;
-  static constexpr unsigned kFraction = 12;
-  static constexpr unsigned kRoundedBits = 14;  ///< of a level with 26 fraction bits, in 32 bits
+  static constexpr unsigned kFraction = 11;
+  static constexpr unsigned kRoundedBits = 14;  ///< of a level with 25 fraction bits, in 32 bits
   static constexpr std::uint32_t kHalf = std::uint32_t{1} << (kFraction - 1);
 
-  /// A change with 26 fraction bits, as one with 12.
+  /// A change with 25 fraction bits, as one with 11.
   [[nodiscard]] static constexpr std::int32_t rounded(std::int32_t change) {
     return ((change >> (kRoundedBits - 1)) + 1) >> 1;
   }

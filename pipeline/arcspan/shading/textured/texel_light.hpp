@@ -50,49 +50,61 @@ struct UnlitTexel {
   }
 };
 
-/// The level of grey light, 0...32, rounded.
+/// The level of grey light, 0...64, rounded.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t grey_level(PackedRgb light) {
-  return ((light.lanes >> 22) + 16) >> 5;
+  return ((light.lanes >> 22) + 8) >> 4;
 }
 
-/// The colour of a texel under light (PackableColour). As a 5-6-5 pixel it is computed in one word, with
-/// light of 33 levels if that is grey; as other formats with all bits. Both are rounded.
-template <TexelLight Colours>
+/// The colour of a texel under light (PackableColour). As a 5-6-5 pixel it is computed in one word, with grey
+/// light of 65 levels and the highlight `shine`; as other formats with all bits of `light`. Both are rounded.
+/// `Light` is a PixelLight, or converts to it where that is needed.
+template <TexelLight Colours, class Light = PixelLight>
 struct LitTexel {
   std::uint16_t texel;
-  PixelLight light;
-  std::uint32_t level;  ///< of grey light, 0...32
+  Light light;
+  std::uint32_t factor;  ///< light_factor() of grey light
+  std::uint32_t shine;   ///< the highlight as a wide_spread()
 
-  ARCSPAN_INLINE constexpr LitTexel(std::uint16_t shown, const PixelLight& reflected, std::uint32_t grey)
-      : texel(shown), light{reflected.diffuse, reflected.highlight}, level(grey) {}
+  ARCSPAN_INLINE constexpr LitTexel(std::uint16_t shown, const Light& reflected, std::uint32_t grey,
+                                    std::uint32_t highlight)
+      : texel(shown), light(reflected), factor(grey), shine(highlight) {}
   // Member by member, because small cores would copy colours within operations by memcpy.
   ARCSPAN_INLINE constexpr LitTexel(const LitTexel& other)
-      : LitTexel(other.texel, other.light, other.level) {}
+      : LitTexel(other.texel, other.light, other.factor, other.shine) {}
+  /// Of light as shading passes it on.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr LitTexel of(std::uint16_t shown, const PixelLight& light) {
+    return {shown, light, detail::light_factor(grey_level(light.diffuse)), shine_of(light.highlight)};
+  }
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t shine_of(PackedRgb highlight) {
+    return highlight.lanes == 0 ? 0 : detail::wide_spread(detail::joined(detail::spread(highlight)));
+  }
 
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
     std::uint32_t lit;
     if constexpr (Colours == TexelLight::kGrey) {
-      lit = detail::scaled_pixel(texel, level);
+      lit = detail::lit_pixel(texel, factor);
     } else {
       // 0...1022 of the light becomes 0...1025, so that full light keeps the texel.
       const auto whole = [](std::uint32_t v) { return v + (v >> 8); };
-      const std::uint32_t green = (texel >> 5 & 63u) * whole(light.diffuse.lanes >> 22) + 512;
-      const std::uint32_t red = (texel >> 11) * whole((light.diffuse.lanes >> 11) & 1023u) + 512u;
-      const std::uint32_t blue = (texel & 31u) * whole(light.diffuse.lanes & 1023u) + 512;
-      lit = ((green >> 10) << 21) | ((red >> 10) << 11) | (blue >> 10);
+      const PackedRgb diffuse = static_cast<PixelLight>(light).diffuse;
+      const std::uint32_t green = (texel >> 5 & 63u) * whole(diffuse.lanes >> 22) + 512;
+      const std::uint32_t red = (texel >> 11) * whole((diffuse.lanes >> 11) & 1023u) + 512u;
+      const std::uint32_t blue = (texel & 31u) * whole(diffuse.lanes & 1023u) + 512;
+      lit = ((green >> 10) << 22) | ((red >> 10) << 11) | (blue >> 10);
     }
-    if (light.highlight.lanes != 0) lit = detail::saturated_sum(lit, detail::spread(light.highlight));
-    return detail::joined(lit);
+    if (shine != 0) lit = detail::saturated_sum<detail::kWideGreenCarry>(lit, shine);
+    return detail::joined_wide(lit);
   }
   [[nodiscard]] constexpr PackedRgb packed() const {
-    const std::uint32_t green = light.diffuse.lanes >> 22;
+    const PixelLight parts(light);
+    const std::uint32_t green = parts.diffuse.lanes >> 22;
     const bool grey = Colours == TexelLight::kGrey;
-    const std::uint32_t red = grey ? green : (light.diffuse.lanes >> 11) & 1023u;
-    const std::uint32_t blue = grey ? green : light.diffuse.lanes & 1023u;
+    const std::uint32_t red = grey ? green : (parts.diffuse.lanes >> 11) & 1023u;
+    const std::uint32_t blue = grey ? green : parts.diffuse.lanes & 1023u;
     const PackedRgb lit = PackedRgb::of(detail::lit_channel(detail::texel_red(texel), red),
                                         detail::lit_channel(detail::texel_green(texel), green),
                                         detail::lit_channel(detail::texel_blue(texel), blue));
-    return lit.plus(light.highlight);
+    return lit.plus(parts.highlight);
   }
 };
 

@@ -35,7 +35,7 @@ class TexelSteps : public JoinedPoint {
  public:
   static constexpr bool kClamps = false;
 
-  ARCSPAN_INLINE constexpr explicit TexelSteps(const TextureTriangle& t)
+  ARCSPAN_INLINE constexpr explicit TexelSteps(const TextureLevel& t)
       : height_bits_(t.height_bits), width_bits_(t.width_bits), rotation_(t.rotation), mask_(t.mask) {}
 
   /// Starts at u and v, fractions of a repetition in 32 bits.
@@ -52,10 +52,10 @@ class TexelSteps : public JoinedPoint {
   }
   ARCSPAN_INLINE constexpr void next() { at_ += step_; }
 
-  /// The level of light beside u and v (JoinedLevel), 0...32.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t level() const {
-    return (static_cast<std::uint32_t>(at_) >> JoinedLevel::kFraction) &
-           ((1u << (JoinedLevel::kBits - JoinedLevel::kFraction)) - 1);
+  /// The light_factor() of the level beside u and v (JoinedLevel).
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t light_factor() const {
+    constexpr unsigned kAbove = 32 - JoinedLevel::kBits;
+    return static_cast<std::uint32_t>(at_) << kAbove >> (kAbove + JoinedLevel::kFraction) << 25;
   }
   /// The level as a channel of PackedRgb.
   [[nodiscard]] constexpr std::uint32_t packed_level() const {
@@ -107,6 +107,13 @@ class LinearTexture {
   ARCSPAN_INLINE constexpr LinearTexture(const TextureTriangle& t, const RowStart& row) : steps_(t) {
     steps_.start_at(t.grid.at_column<Steps>(static_cast<std::uint32_t>(row.column)));
     steps_.set_step(t.grid.step);
+  }
+  /// Starts at u and v, which change by `step` per pixel.
+  ARCSPAN_INLINE constexpr LinearTexture(const TextureLevel& level, const TextureWords& at,
+                                         std::uint64_t step)
+      : steps_(level) {
+    steps_.start(at.u, at.v);
+    steps_.set_step(step);
   }
   [[nodiscard]] ARCSPAN_INLINE constexpr const Steps& steps() const { return steps_; }
   ARCSPAN_INLINE constexpr void next() { steps_.next(); }

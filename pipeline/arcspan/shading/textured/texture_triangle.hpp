@@ -24,10 +24,34 @@ struct MappedPoint {
   std::int32_t v;
 };
 
+/// A texture point as fractions of a repetition in 32 bits.
+struct TextureWords {
+  std::uint32_t u;
+  std::uint32_t v;
+};
+
 /// The vertices of a triangle for its texture, in the order top, middle, bottom.
 struct TextureCorners {
   MappedPoint at[3];
   std::int32_t near_over_w[3];
+};
+
+/// The mip level that a triangle shows.
+struct TextureLevel {
+  std::uint32_t first;      ///< first texel of the level
+  std::uint32_t mask;       ///< of a texel's index in the level
+  std::uint8_t width_bits;  ///< size of the level
+  std::uint8_t height_bits;
+  std::uint8_t rotation;    ///< (32 - width_bits) mod 32: brings row and column together in a JoinedPoint
+  std::uint8_t spare_bits;  ///< with TextureWrap::kClamp, 2 or more; otherwise unset
+
+  constexpr void set(const TextureSize& size, unsigned level) {
+    width_bits = static_cast<std::uint8_t>(size.width_bits - static_cast<int>(level));
+    height_bits = static_cast<std::uint8_t>(size.height_bits - static_cast<int>(level));
+    first = size.texels(level);
+    rotation = static_cast<std::uint8_t>((32 - width_bits) & 31);
+    mask = (std::uint32_t{1} << (width_bits + height_bits)) - 1;
+  }
 };
 
 /// How a texture lies on a triangle: the part of the command that the texture adds.
@@ -37,7 +61,7 @@ struct TextureCorners {
 ///
 /// Fractions of a repetition in 32 bits wrap. With TextureWrap::kClamp they are fractions of 2^spare_bits
 /// repetitions, signed, so that they do not, and word_shift is signed.
-struct TextureTriangle {
+struct TextureTriangle : TextureLevel {
   TextureGrid grid;  ///< set if `piece` is 0; otherwise the planes are
   /// (u - u_origin)/w and (v - v_origin)/w, in units in which 1 is the triangle's largest range of u or v, or
   /// up to twice that.
@@ -48,23 +72,10 @@ struct TextureTriangle {
   std::uint32_t v_origin;   ///< least v
   std::int32_t least_q;     ///< least 1/w of the vertices
   std::int32_t piece_q;     ///< 1/w for which `piece` is made
-  std::uint32_t first;      ///< first texel of the mip level
-  std::uint32_t mask;       ///< of a texel's index in the level
-  std::uint8_t width_bits;  ///< size of the mip level
-  std::uint8_t height_bits;
-  std::uint8_t rotation;    ///< (32 - width_bits) mod 32: brings row and column together in a JoinedPoint
   std::uint8_t word_shift;  ///< from a relative u with 28 fraction bits to the fraction of a repetition
   std::uint8_t piece;       ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
   bool middle_left;
-  std::uint8_t spare_bits;  ///< with TextureWrap::kClamp, 2 or more; otherwise unset
 
-  /// Sets the size of the mip level.
-  constexpr void set_size(int width, int height) {
-    width_bits = static_cast<std::uint8_t>(width);
-    height_bits = static_cast<std::uint8_t>(height);
-    rotation = static_cast<std::uint8_t>((32 - width) & 31);
-    mask = (std::uint32_t{1} << (width + height)) - 1;
-  }
   /// `Mapping` is PerspectiveTexture if `piece` is not 0.
   template <class Mapping>
   constexpr void next_row() {
@@ -214,7 +225,7 @@ template <class Steps, class Levels, class Frame>
   }
   if constexpr (kHasLevels) {
     GridCoordinate level;
-    constexpr int kWordShift = 3;  // from 12 fraction bits of 256ths of 8-bit steps to 26 of 32nds
+    constexpr int kWordShift = 3;  // from 12 fraction bits of 256ths of 8-bit steps to 25 of 64ths
     if (!make_grid_coordinate<Steps>(frame, levels.at, JoinedLevel::kHalf << JoinedLevel::kRoundedBits,
                                      kWordShift, JoinedLevel::kRoundedBits, level)) {
       return false;
@@ -270,11 +281,14 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
   t.piece_q = length == 0 ? INT32_MAX >> 2 : t.least_q;  // where each pixel is a piece, all are
 }
 
-/// Chooses the mip level of a triangle. `corners` are those of the frame's vertices.
-template <class Frame>
-[[nodiscard]] ARCSPAN_OUTLINE constexpr unsigned level_of(const Frame& frame, const TextureSize& size,
+/// Chooses the mip level of a triangle. `corners` are those of its vertices.
+[[nodiscard]] ARCSPAN_OUTLINE constexpr unsigned level_of(const RasterPosition& top,
+                                                          const RasterPosition& middle,
+                                                          const RasterPosition& bottom,
+                                                          const TextureSize& size,
                                                           const TextureCorners& corners) {
-  const std::int32_t area = doubled_area(frame.top->position, frame.middle->position, frame.bottom->position);
+  if (size.levels == 1) return 0;
+  const std::int32_t area = doubled_area(top, middle, bottom);
   return mip_level(size, texel_area(corners, size), static_cast<std::uint32_t>(area < 0 ? -area : area));
 }
 
@@ -286,31 +300,21 @@ template <class Frame>
   return static_cast<std::uint8_t>(std::bit_width(static_cast<std::uint32_t>(all) >> 16) + 2);
 }
 
-/// Sets the mip level, and u_origin and v_origin to the least u and v. `spare_bits` are set.
+/// Returns a texture point as fractions of a repetition in 32 bits, with TextureWrap::kClamp of 2^spare_bits
+/// repetitions. With TextureFilter::kBilinear a texel's colour is that of its middle.
 template <TextureFilter Filter, class Steps>
-constexpr void place_texture(const TextureSize& size, unsigned level, const MappedPoint& least,
-                             TextureTriangle& t) {
-  t.first = size.texels(level);
-  t.set_size(size.width_bits - static_cast<int>(level), size.height_bits - static_cast<int>(level));
-  const auto origin = [&](std::int32_t first) {
-    const std::uint32_t word = static_cast<std::uint32_t>(first) << 16;
-    if constexpr (!Steps::kClamps) return word;
-    const int bits = 16 - t.spare_bits;  // 3 at least
-    return static_cast<std::uint32_t>(wrap_shl(first, bits));
+[[nodiscard]] constexpr TextureWords words_of(const MappedPoint& point, const TextureLevel& level) {
+  const int spare = Steps::kClamps ? level.spare_bits : 0;
+  const auto word = [&](std::int32_t at, int bits) {
+    const auto wide = static_cast<std::uint32_t>(wrap_shl(at, 16 - spare));  // 3 at least
+    return Filter == TextureFilter::kBilinear ? wide - (std::uint32_t{1} << (31 - spare - bits)) : wide;
   };
-  t.u_origin = origin(least.u);
-  t.v_origin = origin(least.v);
-  if constexpr (Filter == TextureFilter::kBilinear) {
-    // A texel's colour is that of its middle.
-    const int spare = Steps::kClamps ? t.spare_bits : 0;
-    t.u_origin -= std::uint32_t{1} << (31 - spare - t.width_bits);
-    t.v_origin -= std::uint32_t{1} << (31 - spare - t.height_bits);
-  }
+  return {word(point.u, level.width_bits), word(point.v, level.height_bits)};
 }
 
 /// True if linear mapping is exact enough: it is wrong by at most d (sqrt(r) - 1) / (sqrt(r) + 1), which is
 /// less than d (r - 1) / 4 texels, if d is the range in texels and r the ratio of the distances.
-[[nodiscard]] constexpr bool is_nearly_linear(const TextureTriangle& t, std::uint32_t range_u,
+[[nodiscard]] constexpr bool is_nearly_linear(const TextureLevel& t, std::uint32_t range_u,
                                               std::uint32_t range_v, const Extent& near_over_w) {
   const std::uint32_t d_u = range_u >> (12 - t.width_bits);  // 4 fraction bits
   const std::uint32_t d_v = range_v >> (12 - t.height_bits);
@@ -329,10 +333,13 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size, cons
   const detail::Extent u(corners.at[0].u, corners.at[1].u, corners.at[2].u);
   const detail::Extent v(corners.at[0].v, corners.at[1].v, corners.at[2].v);
   const detail::Extent w(corners.near_over_w[0], corners.near_over_w[1], corners.near_over_w[2]);
-  const unsigned level = size.levels == 1 ? 0 : detail::level_of(frame, size, corners);
   const MappedPoint least{u.least, v.least};
   if constexpr (Steps::kClamps) t.spare_bits = detail::spare_bits_of(u, v);
-  detail::place_texture<Filter, Steps>(size, level, least, t);
+  t.set(size,
+        detail::level_of(frame.top->position, frame.middle->position, frame.bottom->position, size, corners));
+  const TextureWords origin = detail::words_of<Filter, Steps>(least, t);
+  t.u_origin = origin.u;
+  t.v_origin = origin.v;
   t.middle_left = frame.middle_left;
   // Shifted by this, the larger range fits 16 bits.
   const std::uint32_t range = u.range() > v.range() ? u.range() : v.range();

@@ -6,6 +6,8 @@
 #include <arcspan/shading/grey_gouraud.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/shading/textured/clamped_steps.hpp>
+#include <arcspan/shading/textured/light_tables.hpp>
+#include <arcspan/shading/textured/small_texture.hpp>
 #include <arcspan/shading/textured/texel_light.hpp>
 #include <arcspan/shading/textured/texel_sampling.hpp>
 #include <arcspan/shading/textured/texture_row.hpp>
@@ -22,33 +24,15 @@
 
 namespace arcspan {
 
-/// The pixels of a row of a textured triangle (PiecewiseRun). `Lit` is the run of the method that lights
-/// them; `Mapping` is LinearTexture or PerspectiveTexture.
+/// The current pixel of a row of a textured triangle. `Lit` is the run of the method that lights it;
+/// `Mapping` is LinearTexture or PerspectiveTexture.
 template <class Lit, class Mapping, TexelFormat Texels, TexelLight Colours, TextureFilter Filter>
-struct TexturedRun {
-  static constexpr bool kStartsAnywhere = !Mapping::kInPerspective;
+struct TexturedPixel {
   Lit light_run;
   Mapping mapping;
-  std::uint32_t first;  ///< texel of the mip level
-  const typename Texels::Word* words = nullptr;
-  const std::uint16_t* palette = nullptr;
+  const typename Texels::Word* words;  ///< of the mip level
+  const std::uint16_t* palette;
 
-  /// Starts a row.
-  template <class LightWalker>
-  ARCSPAN_INLINE constexpr TexturedRun(const LightWalker& light, const TextureTriangle& triangle,
-                                       const RowStart& row)
-      : light_run(light.row(row)), mapping(triangle, row), first(triangle.first) {}
-
-  /// Finds the texels, and begins a piece of the texture. The light must not have pieces of its own.
-  template <class Lighting>
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(const Lighting& lighting, std::int32_t left) {
-    words = lighting.texture.at(first);
-    hide_value(words);  // otherwise the first texel is added for every pixel
-    palette = lighting.texture.palette();
-    static_assert(!PiecewiseRun<Lit, Lighting>);
-    if constexpr (Mapping::kInPerspective) return mapping.enter(left);
-    return left;
-  }
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
     const SampledTexel shown = Filter == TextureFilter::kBilinear
@@ -73,25 +57,84 @@ struct TexturedRun {
     if constexpr (Colours == TexelLight::kNone) {
       return UnlitTexel{texel};
     } else if constexpr (Mapping::kHasLevel) {
-      return LitTexel<Colours>{texel, {PackedRgb::grey(steps().packed_level()), {}}, steps().level()};
+      return LitTexel<Colours>{
+          texel, {PackedRgb::grey(steps().packed_level()), {}}, steps().light_factor(), 0};
     } else {
-      const PixelLight reflected = light(lighting);
-      if constexpr (requires { light_run.grey_level(); }) {
-        return LitTexel<Colours>{texel, reflected, light_run.grey_level()};
-      } else {
-        return LitTexel<Colours>{texel, reflected, grey_level(reflected.diffuse)};
-      }
+      const auto parts = light(lighting);
+      return LitTexel<Colours, std::remove_const_t<decltype(parts)>>{texel, parts, factor(lighting, parts),
+                                                                     shine(lighting, parts)};
+    }
+  }
+  /// The light_factor() of grey light.
+  template <class Lighting>
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t factor(const Lighting& lighting,
+                                                              const auto& parts) const {
+    if constexpr (requires { light_run.light_factor(); }) {
+      return light_run.light_factor();
+    } else if constexpr (requires { lighting.factor_at(Cosine{}); }) {
+      return lighting.factor_at(light_run.diffuse_scalar(lighting));
+    } else {
+      return detail::light_factor(grey_level(static_cast<PixelLight>(parts).diffuse));
+    }
+  }
+  /// The highlight as a wide_spread().
+  template <class Lighting>
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t shine(const Lighting& lighting,
+                                                             const auto& parts) const {
+    if constexpr (requires { lighting.shine_at(lighting, light_run.scalars()); }) {
+      return lighting.shine_at(lighting, light_run.scalars());
+    } else {
+      return LitTexel<Colours>::shine_of(static_cast<PixelLight>(parts).highlight);
     }
   }
   template <class Lighting>
-  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr auto light(const Lighting& lighting) const {
     if constexpr (LightRun<Lit, Lighting>) {
       return light_run.light(lighting);
     } else if constexpr (requires { light_run.colour(lighting).packed(); }) {
-      return {light_run.colour(lighting).packed(), {}};
+      return PixelLight{light_run.colour(lighting).packed(), {}};
     } else {
-      return {light_run.colour(lighting), {}};
+      return PixelLight{light_run.colour(lighting), {}};
     }
+  }
+};
+
+/// The pixels of a row of a textured triangle (PiecewiseRun).
+template <class Lit, class Mapping, TexelFormat Texels, TexelLight Colours, TextureFilter Filter>
+struct TexturedRun : TexturedPixel<Lit, Mapping, Texels, Colours, Filter> {
+  using Pixel = TexturedPixel<Lit, Mapping, Texels, Colours, Filter>;
+  static constexpr bool kStartsAnywhere = !Mapping::kInPerspective;
+  std::uint32_t first;  ///< texel of the mip level
+
+  /// Starts a row.
+  template <class LightWalker>
+  ARCSPAN_INLINE constexpr TexturedRun(const LightWalker& light, const TextureTriangle& triangle,
+                                       const RowStart& row)
+      : Pixel{light.row(row), Mapping(triangle, row), nullptr, nullptr}, first(triangle.first) {}
+
+  /// Finds the texels, and begins a piece of the texture. The light must not have pieces of its own.
+  template <class Lighting>
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(const Lighting& lighting, std::int32_t left) {
+    static_assert(!PiecewiseRun<Lit, Lighting>);
+    this->words = lighting.texture.at(first);
+    hide_value(this->words);  // otherwise the first texel is added for every pixel
+    this->palette = lighting.texture.palette();
+    if constexpr (Mapping::kInPerspective) return this->mapping.enter(left);
+    return left;
+  }
+};
+
+/// The rows of a small textured triangle. `Light` are those of its light.
+template <class Light, class Steps, TexelFormat Texels, TexelLight Colours, TextureFilter Filter>
+struct TexturedSmall {
+  using Run = TexturedPixel<typename Light::Run, LinearTexture<Steps, false>, Texels, Colours, Filter>;
+  const Light& light;
+  const SmallTexture<Steps>& texture;
+  const typename Texels::Word* words;
+  const std::uint16_t* palette;
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t y, std::int32_t b, std::int32_t c) const {
+    return {light.row(y, b, c), texture.row(b, c), hidden(words), palette};
   }
 };
 
@@ -145,6 +188,37 @@ template <class Method>
   return coloured ? TexelLight::kColoured : TexelLight::kGrey;
 }
 
+/// A method that can light the pixels of small textured triangles.
+template <class M>
+concept HasSmallPart = requires {
+  typename M::Small;
+};
+template <class M>
+struct SmallPart {
+  struct Type {};
+};
+template <HasSmallPart M>
+struct SmallPart<M> {
+  using Type = typename M::Small;
+};
+
+/// The tables of the light of a method: LightTables of one that is interpolated by scalars (Arc).
+struct NoTables {};
+template <class M, TexelLight Colours>
+struct TablesFor {
+  using Type = NoTables;
+};
+template <class M, TexelLight Colours>
+requires(Colours != TexelLight::kNone && M::Lighting::kHasRamp && M::kScalars == M::Lighting::kScalars) &&
+    requires(const typename M::Lighting& light) {
+  light.ramp();
+}
+struct TablesFor<M, Colours> {
+  using Type = LightTables<typename M::Lighting, Colours>;
+};
+template <class M, TexelLight Colours>
+using TablesOf = typename TablesFor<M, Colours>::Type;
+
 }  // namespace detail
 
 /// A shading method with a texture: each pixel shows a texel, times the light that `Method` (Unlit, Flat,
@@ -160,24 +234,36 @@ template <class Method, TexelFormat Texels, TexelLight Colours = detail::texel_l
 struct Textured : Method {
   using Light = Method;
   /// The illumination of `Method` with the texture.
-  struct Lighting : Light::Lighting {
+  struct Lighting : detail::TablesOf<Light, Colours>, Light::Lighting {
     constexpr Lighting() = default;
     /// `light`: what Method::Lighting is made of, usually an Illumination.
     template <class L>
     requires std::constructible_from<typename Light::Lighting, const L&>
     constexpr explicit Lighting(const L& light, const Texture<Texels>& picture = {})
-        : Light::Lighting(light), texture(picture) {}
+        : Light::Lighting(light), texture(picture) {
+      make_tables();
+    }
     /// Changes the texture (PreparedMaterial::with).
     constexpr void set(const Texture<Texels>& picture) { texture = picture; }
     /// Changes the light and keeps the texture.
     template <class L>
     constexpr void relight(const L& light) {
       static_cast<typename Light::Lighting&>(*this) = typename Light::Lighting(light);
+      make_tables();
     }
     Texture<Texels> texture;
+
+   private:
+    constexpr void make_tables() {
+      using Tables = detail::TablesOf<Light, Colours>;
+      if constexpr (std::constructible_from<Tables, const typename Light::Lighting&>) {
+        static_cast<Tables&>(*this) = Tables(static_cast<const typename Light::Lighting&>(*this));
+      }
+    }
   };
   using Steps = std::conditional_t<Wrap == TextureWrap::kClamp, ClampedSteps, TexelSteps>;
   using typename Light::Face;
+  using DrawsSmallTrianglesAs = std::conditional_t<detail::HasSmallPart<Light>, Textured, void>;
   struct Vertex : Light::Vertex {
     MappedPoint point;
   };
@@ -186,6 +272,13 @@ struct Textured : Method {
     TextureTriangle texture;
 
     constexpr void move_columns(std::int32_t pixels) { texture.move_columns<Steps>(pixels); }
+  };
+  /// The part of a small triangle.
+  struct Small {
+    typename detail::SmallPart<Light>::Type light;
+    SmallTexture<Steps> texture;
+    const typename Texels::Word* words;
+    const std::uint16_t* palette;
   };
   static constexpr bool kNeedsNearOverW = true;
   /// Where u and v are linear on the screen, the level of GreyGouraud is stepped with them.
@@ -246,6 +339,28 @@ struct Textured : Method {
       }
       return draw(TexturedWalker<LightWalker, PerspectiveTexture<Steps>, Texels, Colours, Filter>(
           walker, prepared.texture));
+    });
+  }
+
+  /// Prepares a small triangle (DrawsSmallTriangles), unless its texture is seen in perspective.
+  template <class Raster>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_small(const Lighting& lighting,
+                                                                   const Raster& top, const Raster& middle,
+                                                                   const Raster& bottom,
+                                                                   const SmallTriangle& triangle,
+                                                                   Small& small) {
+    if (!small.texture.template prepare<Filter>(top, middle, bottom, lighting.texture.size(), triangle))
+      return false;
+    small.words = lighting.texture.at(small.texture.first);
+    small.palette = lighting.texture.palette();
+    return Light::prepare_small(lighting, top, middle, bottom, triangle, small.light);
+  }
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
+    return Light::walk_small(small.light, [&](const auto& light) {
+      using LightRows = std::remove_cvref_t<decltype(light)>;
+      return draw(TexturedSmall<LightRows, Steps, Texels, Colours, Filter>{light, small.texture, small.words,
+                                                                           small.palette});
     });
   }
 };

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/numbers/integer.hpp>
+#include <arcspan/prepare/small_triangle.hpp>
+#include <arcspan/prepare/triangle.hpp>
+#include <arcspan/shading/textured/texture_row.hpp>
+#include <arcspan/shading/textured/texture_triangle.hpp>
+#include <arcspan/target.hpp>
+#include <arcspan/texture/texture.hpp>
+
+#include <cstdint>
+
+namespace arcspan {
+
+/// u or v of a small triangle in barycentric coordinates: at + b (middle - at) + c (bottom - at). Products
+/// with coordinates of 16 fraction bits are fractions of a repetition in 32 bits, and wrap as those do; with
+/// TextureWrap::kClamp they are of 2^spare_bits repetitions.
+template <class Steps>
+class SmallCoordinate {
+ public:
+  constexpr void prepare(std::int32_t top, std::int32_t middle, std::int32_t bottom, std::uint32_t top_word) {
+    at_ = top_word;
+    to_middle_ = wrap_sub(middle, top);
+    to_bottom_ = wrap_sub(bottom, top);
+  }
+  /// The value at b and c.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t at(std::int32_t b, std::int32_t c,
+                                                          const TextureLevel& level) const {
+    return at_ + static_cast<std::uint32_t>(change(b, c, level));
+  }
+  /// The change where b and c change by these.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t change(
+      std::int32_t b, std::int32_t c, [[maybe_unused]] const TextureLevel& level) const {
+    if constexpr (Steps::kClamps) {
+      const std::int64_t sum = std::int64_t{to_middle_} * b + std::int64_t{to_bottom_} * c;
+      return static_cast<std::int32_t>(sum >> level.spare_bits);
+    } else {
+      return wrap_add(wrap_mul(to_middle_, b), wrap_mul(to_bottom_, c));
+    }
+  }
+
+ private:
+  std::uint32_t at_;        ///< at the top vertex
+  std::int32_t to_middle_;  ///< in repetitions, 16 fraction bits
+  std::int32_t to_bottom_;
+};
+
+/// How a texture lies on a small triangle.
+template <class Steps>
+struct SmallTexture : TextureLevel {
+  SmallCoordinate<Steps> u;
+  SmallCoordinate<Steps> v;
+  std::uint64_t step;  ///< per pixel
+
+  /// Prepares the texture of a triangle between three RasterVertex. Returns false if u and v are too far from
+  /// linear on the screen.
+  template <TextureFilter Filter, class Raster>
+  [[nodiscard]] constexpr bool prepare(const Raster& top, const Raster& middle, const Raster& bottom,
+                                       const TextureSize& size, const SmallTriangle& triangle) {
+    const TextureCorners corners{{top.shade.point, middle.shade.point, bottom.shade.point},
+                                 {top.near_over_w.value, middle.near_over_w.value, bottom.near_over_w.value}};
+    const detail::Extent range_u(corners.at[0].u, corners.at[1].u, corners.at[2].u);
+    const detail::Extent range_v(corners.at[0].v, corners.at[1].v, corners.at[2].v);
+    const detail::Extent w(corners.near_over_w[0], corners.near_over_w[1], corners.near_over_w[2]);
+    if constexpr (Steps::kClamps) spare_bits = detail::spare_bits_of(range_u, range_v);
+    set(size, detail::level_of(top.position, middle.position, bottom.position, size, corners));
+    if (!detail::is_nearly_linear(*this, range_u.range(), range_v.range(), w)) return false;
+    const TextureWords at = detail::words_of<Filter, Steps>(corners.at[0], *this);
+    u.prepare(corners.at[0].u, corners.at[1].u, corners.at[2].u, at.u);
+    v.prepare(corners.at[0].v, corners.at[1].v, corners.at[2].v, at.v);
+    const std::int32_t du = u.change(triangle.d_middle, triangle.d_bottom, *this);
+    const std::int32_t dv = v.change(triangle.d_middle, triangle.d_bottom, *this);
+    step = Steps::step(Steps::rounded(du, height_bits), dv, height_bits);
+    return true;
+  }
+  /// The texels of a row that begins at the coordinates b and c, 16 fraction bits.
+  [[nodiscard]] ARCSPAN_INLINE constexpr LinearTexture<Steps, false> row(std::int32_t b,
+                                                                         std::int32_t c) const {
+    return {*this, {u.at(b, c, *this), v.at(b, c, *this)}, step};
+  }
+};
+
+}  // namespace arcspan

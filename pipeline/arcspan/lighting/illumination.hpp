@@ -20,7 +20,6 @@
 #include <arcspan/target.hpp>
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -182,7 +181,8 @@ class Illumination : private FadeFor<Features>,
   /// The colours of diffuse_colour(), evenly spaced over scalars 0...1: 256 of one light, 512 of two, 1024 of
   /// more.
   [[nodiscard]] constexpr const auto& ramp() const requires kHasRamp { return ramp_; }
-  static constexpr std::size_t kRampSize = Lights == 1 ? 256 : Lights == 2 ? 512 : 1024;
+  static constexpr int kRampBits = Lights == 1 ? 8 : Lights == 2 ? 9 : 10;
+  static constexpr std::size_t kRampSize = std::size_t{1} << kRampBits;
   [[nodiscard]] ARCSPAN_INLINE static constexpr std::size_t ramp_index(Cosine normal_light) {
     return clamped_unsigned<kRampBits, Cosine::kFraction - kRampBits>(normal_light.raw());
   }
@@ -242,7 +242,6 @@ class Illumination : private FadeFor<Features>,
 
  private:
   /// An entry of the ramp stands for at most 1/256 of one light's diffuse part.
-  static constexpr int kRampBits = std::bit_width(kRampSize) - 1;
   [[nodiscard]] static constexpr Cosine highlight_scalar(const Scalars& scalars, std::size_t light) {
     return scalars[highlight_index(light)];
   }

@@ -20,7 +20,7 @@ inline constexpr std::uint32_t kSpreadMask = 0x07E0F81F;
   return static_cast<std::uint16_t>(spread | (spread >> 16));
 }
 /// The sum of two spread pixels, saturated. `GreenCarry` is the bit above green.
-template <std::uint32_t GreenCarry = 0x08000000>
+template <unsigned GreenCarry = 0x08000000>
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t saturated_sum(std::uint32_t a, std::uint32_t b) {
   constexpr std::uint32_t kRedBlueCarries = 0x00010020;
   std::uint32_t sum = a + b;
@@ -49,7 +49,8 @@ template <std::uint32_t GreenCarry = 0x08000000>
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t mixed_spread(std::uint32_t a, std::uint32_t b,
                                                                   std::uint32_t factor) {
   constexpr std::uint32_t kHalf = 0x02008010;
-  return ((a * (32 - factor) + b * factor + kHalf) >> 5) & kSpreadMask;
+  // Borrows of the difference cancel out in the sum.
+  return (((b - a) * factor + ((a << 5) + kHalf)) >> 5) & kSpreadMask;
 }
 
 // ---- Light
@@ -57,7 +58,7 @@ template <std::uint32_t GreenCarry = 0x08000000>
 /// Light has levels of 0...64, as many as the green of a 5-6-5 pixel. A product with it takes a wider spread:
 /// g in bits 27...22, r in 15...11, b in 4...0, so that each channel has six bits of room below it.
 inline constexpr std::uint32_t kWideMask = 0x0FC0F81F;
-inline constexpr std::uint32_t kWideGreenCarry = 0x10000000;
+inline constexpr unsigned kWideGreenCarry = 0x10000000;
 [[nodiscard]] constexpr std::uint32_t wide_spread(std::uint32_t rgb565) {
   return (rgb565 | (rgb565 << 17)) & kWideMask;
 }

@@ -40,7 +40,7 @@ Shown shown_by(const ClampedSteps& steps, const TextureSize& size) {
   const std::uint32_t row = index >> size.width_bits;
   REQUIRE(row < 1u << size.height_bits);
   if (Filter == TextureFilter::kNearest) return {column + 0.5, row + 0.5};
-  const std::uint32_t right = steps.right_of(index);
+  const std::uint32_t right = index + steps.to_right(index);
   const std::uint32_t below = steps.below(index);
   REQUIRE((right == index || (right == index + 1 && column + 1 < 1u << size.width_bits)));
   REQUIRE((below == index || (below == index + (1u << size.width_bits) && row + 1 < 1u << size.height_bits)));

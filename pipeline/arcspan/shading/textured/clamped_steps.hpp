@@ -72,10 +72,10 @@ class ClampedSteps {
     }
     return v >> v_shift_ << width_bits_ | u >> u_shift_;
   }
-  /// The index of the texel to the right of `texel`, which is that of the current row or of the one below it;
-  /// and of the texel below the current one.
-  [[nodiscard]] constexpr std::uint32_t right_of(std::uint32_t texel) const {
-    return texel + (has_next(u_, u_shift_) ? 1 : 0);
+  /// The distance of the texel to the right of the current one, and of that below it; and the index of the
+  /// texel below.
+  [[nodiscard]] constexpr std::uint32_t to_right(std::uint32_t) const {
+    return has_next(u_, u_shift_) ? 1 : 0;
   }
   [[nodiscard]] constexpr std::uint32_t below(std::uint32_t texel) const {
     return texel + (has_next(v_, v_shift_) ? std::uint32_t{1} << width_bits_ : 0);

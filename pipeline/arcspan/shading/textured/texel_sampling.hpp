@@ -32,11 +32,12 @@ template <TexelFormat Texels, class Steps>
   using ColourFormat = typename Texels::ColourFormat;
   const std::uint32_t here = steps.index();
   const std::uint32_t below = steps.below(here);
+  const std::uint32_t to_right = steps.to_right(here);
   const std::uint32_t right = steps.fraction_right();
   const std::uint32_t down = steps.fraction_below();
   const auto row = [&](std::uint32_t texel, std::uint32_t& opacity) {
     const auto a = Texels::stored(words, palette, texel);
-    const auto b = Texels::stored(words, palette, steps.right_of(texel));
+    const auto b = Texels::stored(words, palette, texel + to_right);
     opacity = (ColourFormat::alpha(a) * (32 - right) + ColourFormat::alpha(b) * right + 16) >> 5;
     return detail::mixed_spread(detail::spread(ColourFormat::rgb565(a)),
                                 detail::spread(ColourFormat::rgb565(b)), right);

@@ -64,10 +64,11 @@ class TexelSteps : public JoinedPoint {
     return raised < JoinedLevel::kHalf ? 0 : (raised - JoinedLevel::kHalf) >> 7;
   }
 
-  /// The index of the texel to the right of `texel`, and of the one below it; both wrap.
-  [[nodiscard]] constexpr std::uint32_t right_of(std::uint32_t texel) const {
+  /// The distance of the texel to the right of `texel` in its row, and the index of the one below it; both
+  /// wrap.
+  [[nodiscard]] constexpr std::uint32_t to_right(std::uint32_t texel) const {
     const std::uint32_t columns = (std::uint32_t{1} << width_bits_) - 1;
-    return (texel & ~columns) | ((texel + 1) & columns);
+    return ((texel + 1) & columns) - (texel & columns);
   }
   [[nodiscard]] constexpr std::uint32_t below(std::uint32_t texel) const {
     return (texel + (std::uint32_t{1} << width_bits_)) & mask_;

@@ -132,7 +132,7 @@ class Illumination : private FadeFor<Features>,
     } else if constexpr (!kHasRamp) {
       ChannelLevels levels = ambient_;
       add_coloured<0>(scalars, levels, levels);
-      return packed_levels<std::uint32_t{1} << 19>(levels);
+      return packed_levels<1u << 19>(levels);
     } else {
       const PixelLight parts = surface_light(scalars);
       return parts.highlight.lanes == 0 ? parts.diffuse : parts.diffuse.plus(parts.highlight);
@@ -341,7 +341,7 @@ class Illumination : private FadeFor<Features>,
   ARCSPAN_INLINE constexpr void add_coloured(const Scalars& scalars, ChannelLevels& diffuse,
                                              ChannelLevels& specular) const;
   /// The colour of these levels, saturated, after `Half` was added to each.
-  template <std::uint32_t Half>
+  template <unsigned Half>
   [[nodiscard]] ARCSPAN_INLINE static constexpr PackedRgb packed_levels(const ChannelLevels& levels) {
     const auto level = [&levels](std::size_t channel) {
       const std::uint32_t rounded = (levels[channel] + Half) >> 18;

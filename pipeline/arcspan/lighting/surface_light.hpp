@@ -233,7 +233,7 @@ ARCSPAN_INLINE constexpr PixelLight Illumination<Lights, Model, Features>::surfa
       diffuse[c] += specular[c] & kFraction;  // so that the sum of both parts is surface_colour()
       specular[c] &= ~kFraction;
     }
-    return {packed_levels<std::uint32_t{1} << 19>(diffuse), packed_levels<0>(specular)};
+    return {packed_levels<1u << 19>(diffuse), packed_levels<0>(specular)};
   }
 }
 

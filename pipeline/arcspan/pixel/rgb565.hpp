@@ -42,9 +42,7 @@ struct Rgb565 {
   requires requires(const C& c) {
     { c.rgb565() } -> std::same_as<std::uint16_t>;
   }
-  [[nodiscard]] ARCSPAN_INLINE static constexpr Encoded encode(const C& c) {
-    return c.rgb565();
-  }
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Encoded encode(const C& c) { return c.rgb565(); }
   [[nodiscard]] static constexpr Encoded encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
     return encode(Rgb8{dithered<5>(c.r, x, y), dithered<6>(c.g, x, y), dithered<5>(c.b, x, y)});
   }

@@ -39,9 +39,7 @@ int main() {
     for (Object& object : objects) object.rotation = rotation_of(EulerAngles{{turn}, {5000}, {}});
     status = pages.show([&](Pages::Frame& band) {
       DepthBuffer depth(depth_memory, 240, kRows, band.bounds().top);
-      depth.clear();
-      band.clear({0, 0, 40});
-      return draw_scene({kCamera, {kLamps}, objects}, band, depth, scene_memory).status;
+      return draw_scene({kCamera, {kLamps}, objects}, band, depth, scene_memory, {0, 0, 40}).status;
     });
   }
   return ok(status) ? 0 : 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/draw/check_call.hpp>
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/numbers/reciprocal.hpp>
@@ -82,7 +83,9 @@ class BillboardStage {
         size_(size),
         scissor_(transform.viewport(), sink.bounds()),
         target_{scissor_.rect(), lighting, sink, depth},
-        status_(check_target(scissor_, sink, depth)) {}
+        status_(check_target(scissor_, sink, depth)) {
+    check_call(lighting, depth);
+  }
 
   [[nodiscard]] bool ready() const { return !scissor_.rect().empty() && ok(status_); }
   [[nodiscard]] Status status() const { return status_; }

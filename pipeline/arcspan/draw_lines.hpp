@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/draw/check_call.hpp>
 #include <arcspan/draw/line_stage.hpp>
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
@@ -39,7 +40,9 @@ class LineStage {
       : scissor_(viewport, sink.bounds()),
         target_{scissor_.rect(), colour, sink, depth},
         bias_(bias),
-        status_(check_target(scissor_, sink, depth)) {}
+        status_(check_target(scissor_, sink, depth)) {
+    check_call(colour, depth);
+  }
 
   [[nodiscard]] bool ready() const { return !scissor_.rect().empty() && ok(status_); }
   [[nodiscard]] Status status() const { return status_; }

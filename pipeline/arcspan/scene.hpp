@@ -3,6 +3,7 @@
 
 #include <arcspan/draw.hpp>
 #include <arcspan/draw/scissor.hpp>
+#include <arcspan/pixel/background.hpp>
 #include <arcspan/scene/camera.hpp>
 #include <arcspan/scene/draw_part.hpp>
 #include <arcspan/scene/object.hpp>
@@ -91,11 +92,78 @@ struct SceneResult {
 ///   kCacheTooSmall     a mesh has more vertices than `memory` holds, which is not 0
 ///   kUnsupported       there are several lights, one of them coloured, and a material's illumination has not
 ///                      IlluminationFeatures::coloured_lights
-///   kInvalidArgument   a light's strength or colour is outside 0...1, or a part has no material
+///   kInvalidArgument   a light's strength or colour is outside 0...1, the half distance of a point light is
+///                      not above 0, or a part has no material
 template <class List, std::size_t Objects, std::size_t Vertices>
 [[nodiscard]] Status prepare_scene(const Scene& scene, SceneMemory<List, Objects, Vertices>& memory) {
   return detail::prepare(scene, memory.frame());
 }
+
+namespace detail {
+
+/// Leaves what is in the target.
+struct KeepTarget {
+  template <class Sink, class Depth>
+  [[nodiscard]] static constexpr Status clear(Sink&, const Depth&) {
+    return Status::kOk;
+  }
+};
+
+/// Clears depth and pixels.
+template <class Background>
+struct ClearTarget {
+  const Background& background;
+
+  template <class Sink, class Depth>
+  [[nodiscard]] constexpr Status clear(Sink& sink, const Depth& depth) const {
+    static_assert(Depth::kWrites || !Depth::kTests,
+                  "a pass that only tests depths needs those of an earlier one");
+    if constexpr (Depth::kTests) depth.clear();
+    if constexpr (requires { sink.clear(background); }) {
+      sink.clear(background);
+      return Status::kOk;
+    } else {
+      return draw_background(sink, background);
+    }
+  }
+};
+
+template <class Target, class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink Sink,
+          DepthTarget Depth>
+[[nodiscard]] SceneResult draw_prepared(SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory,
+                                        Sink& sink, const Depth& depth, const Target& target) {
+  constexpr bool kNearestFirst = Depth::kTests && Depth::kWrites;
+  const SceneFrame frame = memory.frame();
+  SceneResult result{frame.header.camera == nullptr ? Status::kNotReady : frame.header.status};
+  if (!ok(result.status)) return result;
+  const Viewport& viewport = frame.header.camera->viewport();
+  const Rect whole{0, 0, viewport.width, viewport.height};
+  const Rect rect = intersection(whole, sink.bounds());
+  result.status = check_target(Scissor(viewport, sink.bounds()), sink, depth);
+  if (ok(result.status)) result.status = target.clear(sink, depth);
+  const std::size_t count = frame.header.in_view;
+  for (std::size_t i = 0; i < count && ok(result.status); ++i) {
+    SceneSlot& slot = frame.slots[frame.order[kNearestFirst ? i : count - 1 - i]];
+    if (rect != whole && is_outside(slot, rect)) continue;
+    ++result.objects;
+    if (!frame.header.keeps_vertices) slot.held = nullptr;
+    const ObjectLights lights = lights_at(frame.header, *slot.object);
+    for (std::size_t p = 0; p < slot.object->part_count() && ok(result.status); ++p) {
+      const Part part = slot.object->part(p);
+      const MeshView mesh = slot.object->mesh().part(part.first, part.count);
+      const DrawResult drawn = draw_part<Vertices != 0>(
+          MethodList<typename UseOf<Methods>::Type...>{},
+          PartCall<Sink, Depth>{slot, mesh, p, *part.material, lights, frame.header.camera->rotation(), sink,
+                                depth, memory.lighting()});
+      result.status = drawn.status;
+      result.triangles += drawn.triangles;
+      result.left_out += drawn.left_out;
+    }
+  }
+  return result;
+}
+
+}  // namespace detail
 
 /// Draws the scene of the last prepare_scene() into `sink`: the whole picture, or a band of it. Objects whose
 /// bounding sphere lies outside of it are skipped. With a depth target that writes, the nearest object is
@@ -109,34 +177,16 @@ template <class List, std::size_t Objects, std::size_t Vertices>
 template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] SceneResult draw_prepared_scene(SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory,
                                               Sink& sink, const Depth& depth) {
-  constexpr bool kNearestFirst = Depth::kTests && Depth::kWrites;
-  const detail::SceneFrame frame = memory.frame();
-  SceneResult result{frame.header.camera == nullptr ? Status::kNotReady : frame.header.status};
-  if (!ok(result.status)) return result;
-  const Viewport& viewport = frame.header.camera->viewport();
-  const Rect whole{0, 0, viewport.width, viewport.height};
-  const Rect rect = detail::intersection(whole, sink.bounds());
-  result.status = detail::check_target(detail::Scissor(viewport, sink.bounds()), sink, depth);
-  const std::size_t count = frame.header.in_view;
-  for (std::size_t i = 0; i < count && ok(result.status); ++i) {
-    detail::SceneSlot& slot = frame.slots[frame.order[kNearestFirst ? i : count - 1 - i]];
-    if (rect != whole && detail::is_outside(slot, rect)) continue;
-    ++result.objects;
-    if (!frame.header.keeps_vertices) slot.held = nullptr;
-    const detail::ObjectLights lights = detail::lights_at(frame.header, *slot.object);
-    for (std::size_t p = 0; p < slot.object->part_count() && ok(result.status); ++p) {
-      const Part part = slot.object->part(p);
-      const MeshView mesh = slot.object->mesh().part(part.first, part.count);
-      const DrawResult drawn = detail::draw_part<Vertices != 0>(
-          MethodList<typename detail::UseOf<Methods>::Type...>{},
-          detail::PartCall<Sink, Depth>{slot, mesh, p, *part.material, lights,
-                                        frame.header.camera->rotation(), sink, depth, memory.lighting()});
-      result.status = drawn.status;
-      result.triangles += drawn.triangles;
-      result.left_out += drawn.left_out;
-    }
-  }
-  return result;
+  return detail::draw_prepared(memory, sink, depth, detail::KeepTarget{});
+}
+
+/// draw_prepared_scene() with all of `sink` and `depth` cleared before, unless it draws nothing. `background`
+/// is an Rgb8, a VerticalGradient or a BackgroundPicture. Returns further statuses as draw_background().
+template <class Background = Rgb8, class... Methods, std::size_t Objects, std::size_t Vertices,
+          PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_prepared_scene(SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory,
+                                              Sink& sink, const Depth& depth, const Background& background) {
+  return detail::draw_prepared(memory, sink, depth, detail::ClearTarget<Background>{background});
 }
 
 /// Draws a scene into `sink`: prepare_scene() and draw_prepared_scene(). For bands, call it once per band; to
@@ -147,6 +197,18 @@ template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink
   const Status status = prepare_scene(scene, memory);
   if (!ok(status)) return {status};
   return draw_prepared_scene(memory, sink, depth);
+}
+
+/// draw_scene() with all of `sink` and `depth` cleared before, so that neither can be forgotten. `background`
+/// is as for draw_prepared_scene().
+template <class Background = Rgb8, class... Methods, std::size_t Objects, std::size_t Vertices,
+          PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth,
+                                     SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory,
+                                     const Background& background) {
+  const Status status = prepare_scene(scene, memory);
+  if (!ok(status)) return {status};
+  return draw_prepared_scene(memory, sink, depth, background);
 }
 
 }  // namespace arcspan

@@ -40,10 +40,41 @@ enum class [[nodiscard]] Status : std::uint8_t{
 
 [[nodiscard]] constexpr bool ok(Status status) { return status == Status::kOk; }
 
+/// Functions that are never defined. A consteval function that rejects its arguments calls one of them, so
+/// that the message of the compiler contains the reason.
+namespace detail::refused {
+
+void constant_refused();  ///< for a reason that has no name of its own
+void unsupported();
+void index_out_of_range();
+void buffer_too_small();
+void near_plane_not_between_0_and_far_plane();
+void no_view_direction();
+void more_lights_than_the_method_has();
+
+}  // namespace detail::refused
+
 namespace detail {
 
-/// Never defined: a consteval function calls it to reject its arguments, so that compilers name the reason.
-void constant_refused();
+/// Rejects the arguments of a consteval function by a status that says enough.
+constexpr void refuse(Status status) {
+  switch (status) {
+    case Status::kUnsupported:
+      return refused::unsupported();
+    case Status::kIndexOutOfRange:
+      return refused::index_out_of_range();
+    case Status::kBufferTooSmall:
+      return refused::buffer_too_small();
+    case Status::kNearNotBeforeFar:
+      return refused::near_plane_not_between_0_and_far_plane();
+    case Status::kNoViewDirection:
+      return refused::no_view_direction();
+    case Status::kTooManyLights:
+      return refused::more_lights_than_the_method_has();
+    default:
+      return refused::constant_refused();
+  }
+}
 
 }  // namespace detail
 

@@ -41,6 +41,9 @@
 /// code.
 #define ARCSPAN_COLD [[gnu::cold]]
 
+/// A function that a program may define itself, in place of the library's.
+#define ARCSPAN_REPLACEABLE [[gnu::weak]]
+
 namespace arcspan {
 
 // ---- Features of the core

@@ -59,6 +59,7 @@ void print_method_rows(int triangles) {
   print_row<DichotomyModel<&quadratic_root, 3>>("dichotomy-quadratic", halved, triangles);
   print_row<DichotomyModel<&cubic_root, 3>>("dichotomy-cubic", halved, triangles);
   print_row<UnitLinearModel>("dichotomy-cubic", chord, triangles);
+  print_row<DichotomyModel<&exact_root, 3, true>>("dichotomy-root", "chord, halved by the root", triangles);
   print_row<DichotomyModel<&printed_linear_root, 3, true>>("dichotomy-printed-linear", halved, triangles);
   print_row<DichotomyModel<&printed_quadratic_root, 3, true>>("dichotomy-printed-quadratic", halved,
                                                               triangles);

@@ -11,21 +11,10 @@
   entry("phong-diffuse", PhongDiffuse) entry("phong-reciprocal-diffuse", PhongReciprocalDiffuse) \
       entry("phong-segment-diffuse", PhongSegmentDiffuse)                                        \
           entry("phong-reciprocal-segment-diffuse", PhongReciprocalSegmentDiffuse)               \
-              entry("dichotomy-root4-diffuse", DichotomyRoot4Diffuse)                            \
-                  entry("dichotomy-root8-diffuse", DichotomyRoot8Diffuse)                        \
-                      entry("dichotomy-printed-linear4-diffuse", DichotomyPrinted4Diffuse)       \
-                          entry("dichotomy-printed-linear-diffuse", DichotomyPrinted8Diffuse)
+              entry("dichotomy-root-diffuse", DichotomyRootDiffuse)                              \
+                  entry("dichotomy-printed-linear-diffuse", DichotomyPrintedDiffuse)
 
 namespace arcspan {
-
-/// 1/sqrt(2 + z) itself, by a reciprocal root, as S3 has it before it puts a polynomial there.
-struct RootItself {
-  [[nodiscard]] static constexpr std::int32_t above_half(std::uint32_t s) {
-    const ReciprocalRoot root = reciprocal_root(((4u << 16) - s) << 12);  // 1/sqrt(28 fraction bits)
-    const std::uint32_t p = root.mantissa << (32 - root.exponent);
-    return p < (1u << 17) ? 0 : static_cast<std::int32_t>(p - (1u << 17));
-  }
-};
 
 /// An illumination of one light without its highlight. N·L is its only scalar: S3's figures are for the
 /// diffuse part.
@@ -50,13 +39,6 @@ struct Diffuse : Illumination {
 template <class Illumination>
 using PhongReciprocalSegment = NormalSegments<Illumination, detail::UnitByReciprocalRoot>;
 template <class Illumination>
-using DichotomyRoot4 = Dichotomy<Illumination, RootItself, 2, true>;
-template <class Illumination>
-using DichotomyRoot8 = Dichotomy<Illumination, RootItself, 3, true>;
-template <class Illumination>
-using DichotomyPrinted4 = Dichotomy<Illumination, PrintedLinearPolynomial, 2, true>;
-
-template <class Illumination>
 using PhongDiffuse = Phong<Diffuse<Illumination>>;
 template <class Illumination>
 using PhongReciprocalDiffuse = PhongReciprocal<Diffuse<Illumination>>;
@@ -65,12 +47,8 @@ using PhongSegmentDiffuse = PhongSegment<Diffuse<Illumination>>;
 template <class Illumination>
 using PhongReciprocalSegmentDiffuse = PhongReciprocalSegment<Diffuse<Illumination>>;
 template <class Illumination>
-using DichotomyRoot4Diffuse = DichotomyRoot4<Diffuse<Illumination>>;
+using DichotomyRootDiffuse = DichotomyRoot<Diffuse<Illumination>>;
 template <class Illumination>
-using DichotomyRoot8Diffuse = DichotomyRoot8<Diffuse<Illumination>>;
-template <class Illumination>
-using DichotomyPrinted4Diffuse = DichotomyPrinted4<Diffuse<Illumination>>;
-template <class Illumination>
-using DichotomyPrinted8Diffuse = DichotomyPrintedLinear<Diffuse<Illumination>>;
+using DichotomyPrintedDiffuse = DichotomyPrintedLinear<Diffuse<Illumination>>;
 
 }  // namespace arcspan

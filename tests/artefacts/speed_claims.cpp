@@ -20,7 +20,7 @@ using namespace arcspan::tools;
 namespace {
 
 constexpr const char* kMesh = "sphere:8x4";
-constexpr int kUsualSegment = 2;
+constexpr int kUsualSegment = 0;  // that of each method
 
 /// The function that draws by a method of this name, those of this program included; null if there is none.
 RenderFunction* find_any(const std::string& shading) {
@@ -220,27 +220,27 @@ constexpr Claim kClaims[] = {
     {"Phong / segments of 4, halved by the root",
      "S3: 1.3",
      {"phong-diffuse"},
-     {"dichotomy-root4-diffuse"},
+     {"dichotomy-root-diffuse", 2},
      {"phong-reciprocal-diffuse"},
-     {"dichotomy-root4-diffuse"}},
+     {"dichotomy-root-diffuse", 2}},
     {"Phong / segments of 8, halved by the root",
      "S3: 1.48",
      {"phong-diffuse"},
-     {"dichotomy-root8-diffuse"},
+     {"dichotomy-root-diffuse", 3},
      {"phong-reciprocal-diffuse"},
-     {"dichotomy-root8-diffuse"}},
+     {"dichotomy-root-diffuse", 3}},
     {"Phong / segments of 4, halved by the printed linear polynomial",
      "S3: 1.8",
      {"phong-diffuse"},
-     {"dichotomy-printed-linear4-diffuse"},
+     {"dichotomy-printed-linear-diffuse", 2},
      {"phong-reciprocal-diffuse"},
-     {"dichotomy-printed-linear4-diffuse"}},
+     {"dichotomy-printed-linear-diffuse", 2}},
     {"Phong / segments of 8, halved by the printed linear polynomial",
      "S3: 2.09",
      {"phong-diffuse"},
-     {"dichotomy-printed-linear-diffuse"},
+     {"dichotomy-printed-linear-diffuse", 3},
      {"phong-reciprocal-diffuse"},
-     {"dichotomy-printed-linear-diffuse"}},
+     {"dichotomy-printed-linear-diffuse", 3}},
 };
 
 /// The pictures that the table of operations and the claims need.

@@ -87,7 +87,7 @@ template <std::size_t Vertices, std::size_t Triangles>
   Planes<Triangles> made{};
   MeshView mesh;
   if (!ok(shape.view(mesh)) || !ok(make_face_planes(mesh, made.planes, made.scale))) {
-    detail::constant_refused();
+    detail::refused::constant_refused();
   }
   return made;
 }

@@ -125,7 +125,7 @@ void textured_frames(TexturedSpace<Rows>& space, const Report& report) {
   using Chrome = Arc<EnvironmentMap<Palette8Texels<>>>;
   static constexpr Fog kMist = [] {
     Fog fog;
-    if (!ok(Fog::make({500, 60000, 8000, 40000}, {150, 160, 180}, fog))) detail::constant_refused();
+    if (!ok(Fog::make({500, 60000, 8000, 40000}, {150, 160, 180}, fog))) detail::refused::constant_refused();
     return fog;
   }();
 

@@ -26,6 +26,7 @@ ARCSPAN_SPAN_INSTANTIATE(ArcVector<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(DichotomyLinear<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(DichotomyQuadratic<Phong4>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(DichotomyCubic<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(DichotomyRoot<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(DichotomyPrintedLinear<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(DichotomyPrintedQuadratic<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(KuijkBlake<Blinn1>, Rgb565, DepthBuffer);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace arcspan::test {
@@ -17,6 +18,7 @@ inline constexpr double k45Degrees = 0.78539816339744831;
 [[nodiscard]] inline double cubic_root(double s) {
   return 0.5 + s * (0.0625262157 + s * (0.0114552316 + 0.0031711712 * s));
 }
+[[nodiscard]] inline double exact_root(double s) { return 1 / std::sqrt(4 - s); }
 /// S3's own, in z = 2 - s.
 [[nodiscard]] inline double printed_linear_root(double s) { return 0.64 - 0.07 * (2 - s); }
 [[nodiscard]] inline double printed_quadratic_root(double s) {

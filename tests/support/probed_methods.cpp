@@ -17,10 +17,13 @@ namespace arcspan::test {
 
 namespace {
 
-template <class Method>
+/// `segment_bits` is that of a method with segments, or 0 for its usual one.
+template <class Method, int segment_bits = 0>
 void draw(const ProbedTriangle& triangle, const Probe& probe, RunList& runs) {
   const Rect bounds = runs.bounds();
-  RasterStage<Method, RunList> stage(runs, bounds.right, bounds.bottom, probe);
+  typename Method::Lighting lighting(probe);
+  if constexpr (segment_bits != 0) (void)lighting.set_segment_bits(segment_bits);
+  RasterStage<Method, RunList> stage(runs, bounds.right, bounds.bottom, lighting);
   const auto vertex = [&](std::size_t i) {
     return RasterVertex<Method>{triangle.points[i], Method::shade_vertex(probe, triangle.normals[i])};
   };
@@ -30,14 +33,15 @@ void draw(const ProbedTriangle& triangle, const Probe& probe, RunList& runs) {
 const std::map<std::string_view, DrawProbed> kMethods{
     {"arc-vector", &draw<ArcVector<Probe>>},
     {"dichotomy-cubic", &draw<DichotomyCubic<Probe>>},
-    {"dichotomy-cubic-16", &draw<Dichotomy<Probe, CubicPolynomial, 4>>},
+    {"dichotomy-cubic-16", &draw<DichotomyCubic<Probe>, 4>},
     {"dichotomy-linear", &draw<DichotomyLinear<Probe>>},
     {"dichotomy-printed-linear", &draw<DichotomyPrintedLinear<Probe>>},
     {"dichotomy-printed-quadratic", &draw<DichotomyPrintedQuadratic<Probe>>},
     {"dichotomy-quadratic", &draw<DichotomyQuadratic<Probe>>},
-    {"dichotomy-quadratic-2", &draw<Dichotomy<Probe, QuadraticPolynomial, 1>>},
-    {"dichotomy-quadratic-4", &draw<Dichotomy<Probe, QuadraticPolynomial, 2>>},
-    {"dichotomy-quadratic-16", &draw<Dichotomy<Probe, QuadraticPolynomial, 4>>},
+    {"dichotomy-quadratic-2", &draw<DichotomyQuadratic<Probe>, 1>},
+    {"dichotomy-quadratic-4", &draw<DichotomyQuadratic<Probe>, 2>},
+    {"dichotomy-quadratic-16", &draw<DichotomyQuadratic<Probe>, 4>},
+    {"dichotomy-root", &draw<DichotomyRoot<Probe>>},
     {"duff", &draw<Duff<Probe>>},
     {"kuijk-blake", &draw<KuijkBlake<Probe>>},
     {"lyon", &draw<Lyon<Probe>>},

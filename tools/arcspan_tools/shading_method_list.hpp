@@ -32,6 +32,7 @@
   entry("dichotomy-linear", DichotomyLinear, "arcspan/literature/dichotomy.hpp") \
   entry("dichotomy-quadratic", DichotomyQuadratic, "arcspan/literature/dichotomy.hpp") \
   entry("dichotomy-cubic", DichotomyCubic, "arcspan/literature/dichotomy.hpp") \
+  entry("dichotomy-root", DichotomyRoot, "arcspan/literature/dichotomy.hpp") \
   entry("dichotomy-printed-linear", DichotomyPrintedLinear, "arcspan/literature/dichotomy.hpp") \
   entry("dichotomy-printed-quadratic", DichotomyPrintedQuadratic, "arcspan/literature/dichotomy.hpp")
 // clang-format on

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/checked.hpp>
 #include <arcspan/pixel/band.hpp>
 #include <arcspan/pixel/fill.hpp>
 #include <arcspan/pixel/mono.hpp>
@@ -51,6 +52,7 @@ class Framebuffer {
 
   /// The calls of PixelSink. `run` must lie inside bounds().
   [[nodiscard]] constexpr typename F::Cursor open(const Span& run) {
+    ARCSPAN_CHECK(arcspan::detail::is_within(run, bounds_), "Framebuffer::open: the run leaves bounds()");
     return typename F::Cursor(row(run.y), run.x);
   }
   [[nodiscard]] constexpr Status close(const Span&) { return Status::kOk; }
@@ -77,6 +79,7 @@ class Framebuffer {
 
   /// Colour of pixel (x, y), which must lie inside bounds().
   [[nodiscard]] constexpr Rgb8 pixel(std::int32_t x, std::int32_t y) const {
+    ARCSPAN_CHECK(arcspan::detail::is_within({y, x, 1}, bounds_), "Framebuffer::pixel: outside of bounds()");
     return F::decode(typename F::Cursor(row(y), x).read());
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/draw/check_call.hpp>
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/edge_drawer.hpp>
 #include <arcspan/draw/scissor.hpp>
@@ -70,6 +71,7 @@ class TriangleDrawer {
         target_{scissor_.rect(), stage_.lighting(), sink, depth},
         two_sided_(options.two_sided) {
     result_.status = check_target(scissor_, sink, depth);
+    check_mesh_call(stage, depth);
     if constexpr (Features.planes) {
       if (!two_sided_) stage_.find_back_faces();
     }

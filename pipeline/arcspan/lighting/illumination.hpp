@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/checked.hpp>
 #include <arcspan/lighting/arc_bound.hpp>
+#include <arcspan/lighting/check_light.hpp>
 #include <arcspan/lighting/directional_light.hpp>
 #include <arcspan/lighting/highlight_bound.hpp>
 #include <arcspan/lighting/highlight_fade.hpp>
@@ -59,7 +61,10 @@ class Illumination : private FadeFor<Features>,
                                                  const std::array<DirectionalLight, Lights>& lights,
                                                  const Direction& to_eye) {
     Illumination illumination;
-    if (!ok(make(material, lights, to_eye, illumination))) detail::constant_refused();
+    if (ok(make(material, lights, to_eye, illumination))) return illumination;
+    detail::refuse_material(material, Features);
+    for (const DirectionalLight& light : lights) detail::refuse_light(light.strength, light.colour);
+    detail::refused::features_lack_coloured_lights();
     return illumination;
   }
 
@@ -230,6 +235,8 @@ class Illumination : private FadeFor<Features>,
   [[nodiscard]] constexpr std::uint32_t most_specular() const { return largest_channel(specular_); }
   [[nodiscard]] constexpr const PowerTable& power() const { return power_; }
   [[nodiscard]] constexpr std::uint32_t shininess() const { return shininess_; }
+  /// False for an illumination that make() has not set, in builds with checks only (ARCSPAN_CHECKED).
+  [[nodiscard]] constexpr bool is_made() const { return !kIsChecked || made_.get() != 0; }
   /// The colour of a normal with these scalars in 256ths of an 8-bit step. Without the ramp, for any number
   /// of lights.
   [[nodiscard]] constexpr DeepColour deep_colour(const Scalars& scalars) const {
@@ -386,6 +393,7 @@ class Illumination : private FadeFor<Features>,
   std::uint32_t widest_highlight_ = 0;  ///< of those under the brightest highlight
   std::uint32_t widest_patch_ = 0;
   std::uint32_t shininess_ = 1;
+  [[no_unique_address]] detail::CheckedState made_{};
   std::uint32_t white_specular_ = 0;  ///< specular_[0] if all channels are equal, else 0
 };
 

@@ -41,16 +41,6 @@ namespace arcspan {
 
 namespace detail {
 
-[[nodiscard]] constexpr bool in_unit_range(Coefficient c) {
-  return c.raw() >= 0 && c <= Coefficient::of(1.0);
-}
-
-[[nodiscard]] constexpr bool in_unit_range(const ChannelCoefficients& c) {
-  return in_unit_range(c.r) && in_unit_range(c.g) && in_unit_range(c.b);
-}
-
-[[nodiscard]] constexpr bool is_grey(const ChannelCoefficients& c) { return c.r == c.g && c.g == c.b; }
-
 /// A value per channel, 0...1 with 15 fraction bits.
 using ChannelWeights = std::array<std::uint32_t, 3>;
 inline constexpr ChannelWeights kFullWeights{32768, 32768, 32768};
@@ -97,11 +87,8 @@ template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr Status Illumination<Lights, Model, Features>::make(
     const Material& material, const std::array<DirectionalLight, Lights>& lights, const Direction& to_eye,
     Illumination& illumination) {
-  if (!detail::in_unit_range(material.ambient) || !detail::in_unit_range(material.diffuse) ||
-      !detail::in_unit_range(material.specular) || !detail::in_unit_range(material.highlight_fade) ||
-      material.shininess < 1 || material.shininess > PowerTable::kMaxExponent) {
-    return Status::kInvalidArgument;
-  }
+  static_assert(detail::kMostShininess == PowerTable::kMaxExponent);
+  if (!detail::in_range(material)) return Status::kInvalidArgument;
   bool supported = Features.fading_highlights || material.highlight_fade.raw() == 0;
   for (const DirectionalLight& light : lights) {
     if (!detail::in_unit_range(light.strength) || !detail::in_unit_range(light.colour)) {
@@ -110,6 +97,12 @@ constexpr Status Illumination<Lights, Model, Features>::make(
     supported = supported && (Lights == 1 || Features.coloured_lights || detail::is_grey(light.colour));
   }
   if (!supported) return Status::kUnsupported;
+  ARCSPAN_CHECK(detail::is_unit(to_eye), "Illumination::make: to_eye is not a unit vector");
+  for ([[maybe_unused]] const DirectionalLight& light : lights) {
+    ARCSPAN_CHECK(light.strength.raw() == 0 || detail::is_unit(light.towards),
+                  "Illumination::make: the direction to a light is not a unit vector");
+  }
+  illumination.made_.set(1);
   // A single light's weights are multiplied into the coefficients. Several lights are weighted per pixel.
   const detail::ChannelWeights weights =
       Lights == 1 ? detail::channel_weights(lights[0]) : detail::kFullWeights;

@@ -3,6 +3,7 @@
 
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/literature/linear_scalars.hpp>
+#include <arcspan/literature/segment.hpp>
 #include <arcspan/numbers/root.hpp>
 
 #include <array>
@@ -68,6 +69,16 @@ struct PrintedQuadraticPolynomial {
   }
 };
 
+/// 1/sqrt(2 + z) itself, by a reciprocal root, as S3 has it before it puts a polynomial there. Relative error
+/// at most 2e-5 up to 45 degrees.
+struct RootItself {
+  [[nodiscard]] static constexpr std::int32_t above_half(std::uint32_t s) {
+    const ReciprocalRoot root = reciprocal_root(((4u << 16) - s) << 12);  // 1/sqrt(28 fraction bits)
+    const std::uint32_t p = root.mantissa << (32 - root.exponent);
+    return p < (1u << 17) ? 0 : static_cast<std::int32_t>(p - (1u << 17));
+  }
+};
+
 /// The squared chord of half an arc, 16 fraction bits, never negative. `s` is that of the whole arc, `q` the
 /// polynomial's above_half(s). From z' = (2 + z) p with p = 1/2 + q follows s' = s/2 - (4 - s) q.
 [[nodiscard]] constexpr std::uint32_t halved_chord(std::uint32_t s, std::int32_t q) {
@@ -84,11 +95,12 @@ struct PrintedQuadraticPolynomial {
   return Cosine::from_raw(wrap_add(mean, round_shift(wrap_mul(round_shift(mean, 15), q), 2)));
 }
 
-/// Shading by dichotomy (S3). A row is cut into segments of 2^SegmentBits pixels. At a segment's two ends the
+/// Shading by dichotomy (S3). A row is cut into segments of 2^k pixels (SegmentedIllumination, 8 by default;
+/// adaptive ones turn by up to 45 degrees). At a segment's two ends the
 /// normal is Phong's, linear on the screen and divided by its length. Every pixel between them is the middle
 /// of an arc, I = (I_left + I_right) / sqrt(2 + z), found by repeated halving. The arcs of one halving have
 /// equal lengths and share one value of the polynomial, so a pixel takes one addition and one multiply per
-/// scalar, and a segment one root. There is no division.
+/// scalar, and a segment one root. There is no division. RootItself takes one more root per halving.
 ///
 /// With `FullLast` the last segment has full length and is drawn up to the row's end, as S3 prescribes; its
 /// right end may then be outside of the triangle. Without, it has the least power of two pixels that reaches
@@ -96,24 +108,36 @@ struct PrintedQuadraticPolynomial {
 /// is Phong's; S3 leaves this case open.
 ///
 /// `Polynomial` has above_half(), as LinearPolynomial.
-template <class Illumination, class Polynomial, int SegmentBits = 3, bool FullLast = false>
-struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
-  static_assert(SegmentBits >= 1 && SegmentBits <= 4);
-  using Base = LinearScalars<Illumination, RootAndDivision>;
+template <class Illumination, class Polynomial, bool FullLast = false>
+struct Dichotomy : LinearScalars<SegmentedIllumination<Illumination, 3>, RootAndDivision> {
+  using Base = LinearScalars<SegmentedIllumination<Illumination, 3>, RootAndDivision>;
+  using typename Base::Face;
   using typename Base::Lighting;
-  using typename Base::Prepared;
   using typename Base::Vertex;
   using Scalars = std::array<Cosine, Base::kScalars>;
-  static constexpr std::int32_t kSegment = 1 << SegmentBits;
+  struct Prepared : Base::Prepared {
+    int bits;  ///< segments have 2^bits pixels
+  };
 
   /// The squared chord of 45 degrees, 28 fraction bits.
   static constexpr std::uint32_t kWidestChord = 157245849u;
+
+  template <class Method>
+  static constexpr void prepare(const Lighting& lighting, const TriangleFrame<Method>& frame,
+                                const Face& face, Prepared& prepared) {
+    Base::prepare(lighting, frame, face, prepared);
+    prepared.bits = lighting.bits;
+    if (lighting.widest == 0) return;
+    prepared.bits = literature::adaptive_segment_bits(
+        kWidestChord, prepared.normal.step(), to_normal(frame.top->shade.normal),
+        to_normal(frame.middle->shade.normal), to_normal(frame.bottom->shade.normal));
+  }
 
   class Run {
    public:
     /// Segments begin at the row's first column wherever the row is cut, so that cutting changes no pixel.
     [[nodiscard]] static constexpr Run of_row(const Prepared& prepared, const RowStart& start) {
-      const std::int32_t skipped = start.skipped & ~(kSegment - 1);
+      const std::int32_t skipped = (start.skipped >> prepared.bits) << prepared.bits;
       const RowStart first{start.fraction, start.fine, skipped,     start.inside,
                            start.width,    start.bits, start.column};
       // Columns after the first whose centres are left of the row's end; one too many does no harm.
@@ -141,10 +165,12 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
       return lighting.colour(nodes_[static_cast<std::size_t>(at_)]);
     }
     constexpr void next() {
-      if (++at_ < kSegment || following_ <= kSegment - 1) return;
-      following_ -= kSegment;
+      const std::int32_t segment = 1 << prepared_->bits;
+      if (++at_ < segment || following_ <= segment - 1) return;
+      following_ -= segment;
       at_ = 0;
-      unrolled<Base::kScalars>([this](auto i) { nodes_[0][i] = nodes_[kSegment][i]; });
+      const Scalars& last = nodes_[static_cast<std::size_t>(segment)];
+      unrolled<Base::kScalars>([&](auto i) { nodes_[0][i] = last[i]; });
       fill_segment();
     }
 
@@ -195,8 +221,8 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
     /// Goes from the segment's first pixel to its end and fills in the nodes up to there.
     constexpr void fill_segment() {
       if (following_ <= 0) return;
-      std::int32_t length = kSegment;
-      int bits = SegmentBits;
+      int bits = prepared_->bits;
+      std::int32_t length = 1 << bits;
       while (!FullLast && (length >> 1) >= following_) {
         length >>= 1;
         --bits;
@@ -206,11 +232,15 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
       make_node(nodes_[static_cast<std::size_t>(length)], inverse);
       const std::uint32_t chord = replace_unit(inverse);
       // A change of 8 per segment, in rows of few pixels, would not fit a Linear.
-      const bool steep = FullLast && exceeds(prepared_->normal.step(), 30 - SegmentBits);
+      const bool steep = FullLast && exceeds(prepared_->normal.step(), 30 - bits);
       if (chord > kWidestChord || steep) {
         make_every_node(length);
-      } else if (following_ >= kSegment) {
-        halve_whole(chord >> 12);
+      } else if (following_ < 1 << prepared_->bits) {
+        halve(length, chord >> 12);
+      } else if (bits == 2) {
+        halve_whole<2>(chord >> 12);
+      } else if (bits == 3) {
+        halve_whole<3>(chord >> 12);
       } else {
         halve(length, chord >> 12);
       }
@@ -234,7 +264,9 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
       for (std::int32_t i = 1; i < length; ++i) advance(0);
     }
 
-    /// Fills in the nodes of a whole segment by halving; `s` is its squared chord, 16 fraction bits.
+    /// Fills in the nodes of a whole segment of 2^SegmentBits pixels by halving; `s` is its squared chord, 16
+    /// fraction bits. Unrolled for the lengths that S3 has figures for.
+    template <int SegmentBits>
     constexpr void halve_whole(std::uint32_t s) {
       unrolled<SegmentBits>([&](auto level) {
         constexpr std::size_t kHalf = std::size_t{1} << (SegmentBits - 1 - decltype(level)::value);
@@ -245,7 +277,8 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
       });
     }
 
-    /// Like halve_whole(), for a segment of `length` pixels and only those nodes that the row's pixels need.
+    /// Like halve_whole(), for any segment of `length` pixels and only those nodes that the row's pixels
+    /// need.
     constexpr void halve(std::int32_t length, std::uint32_t s) {
       for (std::int32_t half = length >> 1; half != 0; half >>= 1) {
         const std::int32_t q = Polynomial::above_half(s);
@@ -273,7 +306,7 @@ struct Dichotomy : LinearScalars<Illumination, RootAndDivision> {
     std::array<Linear, Base::kScalars> scalars_;  ///< linear, at the segment's right end
     Normal unit_;                                 ///< normal_ divided by its length
     /// Scalars at the segment's pixels and at the first pixel of the next segment.
-    std::array<Scalars, (std::size_t{1} << SegmentBits) + 1> nodes_;
+    std::array<Scalars, (std::size_t{1} << kMostSegmentBits) + 1> nodes_;
     std::int32_t following_;  ///< pixels of the row after the segment's first
     std::int32_t at_;         ///< present pixel of the segment
   };
@@ -292,10 +325,12 @@ template <class Illumination>
 using DichotomyQuadratic = Dichotomy<Illumination, QuadraticPolynomial>;
 template <class Illumination>
 using DichotomyCubic = Dichotomy<Illumination, CubicPolynomial>;
-/// S3's own polynomials, and its last segments of full length.
+/// S3's own root and polynomials, and its last segments of full length.
 template <class Illumination>
-using DichotomyPrintedLinear = Dichotomy<Illumination, PrintedLinearPolynomial, 3, true>;
+using DichotomyRoot = Dichotomy<Illumination, RootItself, true>;
 template <class Illumination>
-using DichotomyPrintedQuadratic = Dichotomy<Illumination, PrintedQuadraticPolynomial, 3, true>;
+using DichotomyPrintedLinear = Dichotomy<Illumination, PrintedLinearPolynomial, true>;
+template <class Illumination>
+using DichotomyPrintedQuadratic = Dichotomy<Illumination, PrintedQuadraticPolynomial, true>;
 
 }  // namespace arcspan

@@ -9,10 +9,11 @@
 
 namespace arcspan {
 
-/// The combined method as S3 prints it: a row is cut into segments of 2^k pixels (SegmentedIllumination), the
-/// colours at their ends are those of `Unit`'s Phong, and the colour is linear between them. The last segment
-/// has full length too and is drawn up to the row's end, so that its right end may lie outside of the
-/// triangle, on the continued normal. Segments start at the first pixel of a row that is visible.
+/// The combined method as S3 prints it: a row is cut into segments of 2^k pixels, k fixed or adaptive
+/// (SegmentedIllumination), the colours at their ends are those of `Unit`'s Phong, and the colour is linear
+/// between them. The last segment has full length too and is drawn up to the row's end, so that its right end
+/// may lie outside of the triangle, on the continued normal. Segments start at the first pixel of a row that
+/// is visible.
 template <class Illumination, class Unit>
 struct NormalSegments
     : LinearNormalMethod<SegmentedIllumination<Illumination>, detail::NormalisedColour<Unit>> {
@@ -28,6 +29,10 @@ struct NormalSegments
                                 const Face& face, Prepared& prepared) {
     Base::prepare(lighting, frame, face, prepared);
     prepared.bits = lighting.bits;
+    if (lighting.widest == 0) return;
+    prepared.bits = literature::adaptive_segment_bits(
+        lighting.widest, prepared.normal.step(), to_normal(frame.top->shade), to_normal(frame.middle->shade),
+        to_normal(frame.bottom->shade));
   }
 
   /// The segments of a row (PiecewiseRun).

@@ -3,6 +3,7 @@
 
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/lighting/illumination_bounds.hpp>
+#include <arcspan/literature/linear_normal.hpp>
 #include <arcspan/literature/patch.hpp>
 #include <arcspan/literature/segment_path.hpp>
 #include <arcspan/literature/wide_rows.hpp>
@@ -19,10 +20,12 @@ namespace arcspan {
 /// The longest segments have 2^kMostSegmentBits = 16 pixels.
 inline constexpr int kMostSegmentBits = 4;
 
-/// An object's illumination, and the length of its segments: 2^bits pixels, 4 by default.
-template <class Illumination>
+/// An object's illumination, and the length of its segments: 2^UsualBits pixels unless it is set.
+template <class Illumination, int UsualBits = 2>
 struct SegmentedIllumination : Illumination {
-  int bits = 2;
+  int bits = UsualBits;
+  /// If segments are adaptive, the squared chord that one may turn by, 28 fraction bits; 0 otherwise.
+  std::uint32_t widest = 0;
 
   constexpr SegmentedIllumination() = default;
   constexpr SegmentedIllumination(const Illumination& illumination) : Illumination(illumination) {}
@@ -32,9 +35,49 @@ struct SegmentedIllumination : Illumination {
   [[nodiscard]] constexpr Status set_segment_bits(int value) {
     if (value < 1 || value > kMostSegmentBits) return Status::kInvalidArgument;
     bits = value;
+    widest = 0;
+    return Status::kOk;
+  }
+
+  /// Makes each triangle choose its segments by the accuracy wanted, as S3 asks: the longest of 1 to
+  /// 2^kMostSegmentBits pixels in whose middle linear light is at most 1/64 too dark, relative to itself. For
+  /// the light's power n, `shininess`, that error is 1 - cos^n(psi/2) at an angle psi, and at most n s/8 at
+  /// its squared chord s. The last segment of a row may leave the triangle and then err by more. Returns
+  /// kInvalidArgument and changes nothing unless `shininess` is in 1...256.
+  [[nodiscard]] constexpr Status set_adaptive_segments(std::int32_t shininess) {
+    if (shininess < 1 || shininess > 256) return Status::kInvalidArgument;
+    widest = (std::uint32_t{1} << 25) / static_cast<std::uint32_t>(shininess);
     return Status::kOk;
   }
 };
+
+namespace literature {
+
+/// Returns the bits of the longest segment, 0...kMostSegmentBits, whose unit normals are at most the squared
+/// chord `limit` (28 fraction bits) apart. `step` is the change of the triangle's linear normal per pixel.
+[[nodiscard]] constexpr int adaptive_segment_bits(std::uint32_t limit, const LinearNormal& step,
+                                                  const Normal& top, const Normal& middle,
+                                                  const Normal& bottom) {
+  const NormalChords chords{squared_chord(top, middle), squared_chord(top, bottom),
+                            squared_chord(middle, bottom)};
+  // The linear normal is nowhere shorter than sqrt(1 - s/3), which an equilateral triangle has in its middle.
+  const std::uint32_t third = chords.widest() / 3;
+  constexpr std::uint32_t kOne = std::uint32_t{1} << 28;
+  const std::uint64_t most = (std::uint64_t{limit} * (third < kOne ? kOne - third : 0)) >> 28;
+  const auto squared = [](Linear c) {
+    const std::int64_t fine = c.raw();  // 27 fraction bits
+    return static_cast<std::uint64_t>(fine * fine) >> 2;
+  };
+  std::uint64_t square = (squared(step.x) + squared(step.y) + squared(step.z)) >> 24;  // 28 fraction bits
+  int bits = 0;
+  while (bits < kMostSegmentBits && square << 2 <= most) {
+    square <<= 2;
+    ++bits;
+  }
+  return bits;
+}
+
+}  // namespace literature
 
 namespace literature {
 
@@ -201,7 +244,7 @@ struct Segment : literature::ArcMethod<SegmentedIllumination<Illumination>, Illu
                                 Prepared& prepared) {
     literature::MeasuredFrame<Frame> frame(unmeasured);
     std::uint32_t lit = 0;
-    prepared.bits = lighting.bits;
+    prepared.bits = lighting.widest == 0 ? lighting.bits : adaptive_bits(lighting.widest, unmeasured);
     prepared.middle_left = frame.middle_left;
     prepared.path = literature::choose_segment_path(lighting, frame, lit);
     const Factor widest_piece = literature::widest_piece(lighting.widest_patch());
@@ -230,6 +273,20 @@ struct Segment : literature::ArcMethod<SegmentedIllumination<Illumination>, Illu
   }
 
  private:
+  template <class Frame>
+  [[nodiscard]] static constexpr int adaptive_bits(std::uint32_t limit, const Frame& frame) {
+    const auto finer = [](NormalComponent c) { return DirectionComponent::from_raw(wrap_shl(c.raw(), 1)); };
+    const auto direction = [&finer](const Normal& n) {
+      return Direction{finer(n.x), finer(n.y), finer(n.z)};
+    };
+    const Normal& top = frame.top->shade.normal;
+    const Normal& middle = frame.middle->shade.normal;
+    const Normal& bottom = frame.bottom->shade.normal;
+    NormalPlane plane;
+    make_normal_plane(frame, direction(top), direction(middle), direction(bottom), plane);
+    return literature::adaptive_segment_bits(limit, plane.step(), top, middle, bottom);
+  }
+
   /// Makes the scalars of a patch that `prepared.path` needs; the others are 0.
   template <class Frame>
   static constexpr void prepare_patch(const Lighting& lighting, const Frame& frame,

@@ -33,6 +33,12 @@ struct PlaneScale {
   std::uint16_t radius = 0;      ///< no vertex is farther from the object's origin, in object units
 
   friend constexpr bool operator==(const PlaneScale&, const PlaneScale&) = default;
+
+  /// True if the bits are in range.
+  [[nodiscard]] constexpr bool valid() const {
+    return normal_bits >= kLeastNormalBits && normal_bits <= kMostNormalBits &&
+           offset_bits <= kMostOffsetBits;
+  }
 };
 
 }  // namespace arcspan

@@ -55,10 +55,7 @@ constexpr Status MeshView::make(std::span<const ObjectPosition> positions,
 }
 
 constexpr Status MeshView::attach(std::span<const FacePlane> planes, const PlaneScale& scale) {
-  if (planes.size() != triangle_count_ || scale.normal_bits < PlaneScale::kLeastNormalBits ||
-      scale.normal_bits > PlaneScale::kMostNormalBits || scale.offset_bits > PlaneScale::kMostOffsetBits) {
-    return Status::kInvalidArgument;
-  }
+  if (planes.size() != triangle_count_ || !scale.valid()) return Status::kInvalidArgument;
   const std::uint32_t radius = scale.radius;
   for (std::size_t i = 0; i < vertex_count_; ++i) {
     if (detail::squared_distance(positions_[i]) > radius * radius) return Status::kInvalidArgument;

@@ -30,11 +30,50 @@ struct TriangleIndices {
   std::uint16_t c = 0;
 };
 
+namespace detail {
+
+// The reasons of MeshView::of() and with().
+namespace refused {
+void positions_and_normals_differ_in_number();
+void more_than_65536_vertices();
+void indices_not_a_multiple_of_3();
+void planes_not_as_many_as_triangles();
+void plane_scale_out_of_range();
+void vertex_beyond_radius_of_planes();
+void texture_points_not_as_many_as_vertices();
+void texture_scale_out_of_range();
+void colours_not_as_many_as_vertices();
+}  // namespace refused
+
+inline constexpr std::uint32_t kMostVertices = 65536;
+
+/// Rejects a mesh unless `status`, that of MeshView::make(), is kOk.
+constexpr void refuse_mesh(Status status, std::size_t positions, std::size_t normals) {
+  if (ok(status)) return;
+  if (status != Status::kInvalidArgument) return refuse(status);
+  if (positions != normals) return refused::positions_and_normals_differ_in_number();
+  if (positions > kMostVertices) return refused::more_than_65536_vertices();
+  if (status == Status::kInvalidArgument) refused::indices_not_a_multiple_of_3();
+}
+
+constexpr void refuse_planes(bool as_many_as_triangles, const PlaneScale& scale) {
+  if (!as_many_as_triangles) refused::planes_not_as_many_as_triangles();
+  if (!scale.valid()) refused::plane_scale_out_of_range();
+  if (scale.valid()) refused::vertex_beyond_radius_of_planes();
+}
+
+constexpr void refuse_points(bool as_many_as_vertices) {
+  if (!as_many_as_vertices) refused::texture_points_not_as_many_as_vertices();
+  if (as_many_as_vertices) refused::texture_scale_out_of_range();
+}
+
+}  // namespace detail
+
 /// A view of a triangle mesh in the caller's memory, usually flash, which must outlive it. Nothing is copied.
 /// A mesh takes 10 bytes per vertex and 3 or 6 bytes per triangle. Vertex i has positions[i] and normals[i].
 class MeshView {
  public:
-  static constexpr std::uint32_t kMaxVertices = 65536;
+  static constexpr std::uint32_t kMaxVertices = detail::kMostVertices;
 
   constexpr MeshView() = default;
 
@@ -60,14 +99,14 @@ class MeshView {
                                              std::span<const PackedNormal> normals,
                                              std::span<const std::uint16_t> indices) {
     MeshView view;
-    if (!ok(make(positions, normals, indices, view))) detail::constant_refused();
+    detail::refuse_mesh(make(positions, normals, indices, view), positions.size(), normals.size());
     return view;
   }
   [[nodiscard]] static consteval MeshView of(std::span<const ObjectPosition> positions,
                                              std::span<const PackedNormal> normals,
                                              std::span<const std::uint8_t> indices) {
     MeshView view;
-    if (!ok(make(positions, normals, indices, view))) detail::constant_refused();
+    detail::refuse_mesh(make(positions, normals, indices, view), positions.size(), normals.size());
     return view;
   }
 
@@ -81,7 +120,7 @@ class MeshView {
   /// A copy with attach() done, as a constant. Planes that attach() rejects do not compile.
   [[nodiscard]] consteval MeshView with(std::span<const FacePlane> planes, const PlaneScale& scale) const {
     MeshView view = *this;
-    if (!ok(view.attach(planes, scale))) detail::constant_refused();
+    if (!ok(view.attach(planes, scale))) detail::refuse_planes(planes.size() == triangle_count_, scale);
     return view;
   }
 
@@ -93,7 +132,7 @@ class MeshView {
   [[nodiscard]] consteval MeshView with(std::span<const TexturePoint> points,
                                         const TextureScale& scale) const {
     MeshView view = *this;
-    if (!ok(view.attach(points, scale))) detail::constant_refused();
+    if (!ok(view.attach(points, scale))) detail::refuse_points(points.size() == vertex_count_);
     return view;
   }
 
@@ -103,7 +142,7 @@ class MeshView {
   /// A copy with attach() done, as a constant. Colours that attach() rejects do not compile.
   [[nodiscard]] consteval MeshView with(std::span<const Rgb8> colours) const {
     MeshView view = *this;
-    if (!ok(view.attach(colours))) detail::constant_refused();
+    if (!ok(view.attach(colours))) detail::refused::colours_not_as_many_as_vertices();
     return view;
   }
 

@@ -54,6 +54,17 @@ struct Normal {
   return static_cast<std::uint32_t>(wrap_add(wrap_add(wrap_mul(x, x), wrap_mul(y, y)), wrap_mul(z, z)));
 }
 
+namespace detail {
+
+/// True if the length is 1 within 1/64.
+[[nodiscard]] constexpr bool is_unit(const Direction& v) {
+  const auto square = [](DirectionComponent c) { return std::int64_t{c.raw()} * c.raw(); };
+  const std::int64_t off = square(v.x) + square(v.y) + square(v.z) - (std::int64_t{1} << 30);
+  return off <= std::int64_t{1} << 25 && off >= -(std::int64_t{1} << 25);
+}
+
+}  // namespace detail
+
 /// The unit vector along (x, y, z), a vector of any length. The zero vector gives the zero vector.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Direction normalised(std::int32_t x, std::int32_t y, std::int32_t z) {
   const auto magnitude = [](std::int32_t v) {

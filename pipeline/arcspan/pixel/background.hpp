@@ -50,6 +50,21 @@ template <PixelSink Sink, class Pixel>
 
 }  // namespace detail
 
+/// Draws one colour, without dither, as Framebuffer::clear() does. Returns the first status of the sink that
+/// is not kOk.
+template <PixelSink Sink>
+[[nodiscard]] constexpr Status draw_background(Sink& sink, Rgb8 colour) {
+  const Rect bounds = sink.bounds();
+  if (bounds.empty()) return Status::kOk;
+  const auto encoded = Sink::Format::encode(colour);
+  for (std::int32_t y = bounds.top; y < bounds.bottom; ++y) {
+    const Status status =
+        detail::fill_row(sink, y, [encoded](auto& cursor, std::int32_t) { cursor.write(encoded); });
+    if (!ok(status)) return status;
+  }
+  return Status::kOk;
+}
+
 /// Draws the rows of the gradient that the sink takes; rows below the gradient have its last colour. Returns
 /// kInvalidArgument and draws nothing if the height is not 1...32767, else the first status of the sink that
 /// is not kOk. The levels of a row are rounded to 8 bits, and dithered if the format dithers.

@@ -39,4 +39,10 @@ template <class WordsPerRow>
   return Status::kOk;
 }
 
+/// True if `run` has pixels, and all of them lie within `bounds`.
+[[nodiscard]] constexpr bool is_within(const Span& run, const Rect& bounds) {
+  return run.count > 0 && run.y >= bounds.top && run.y < bounds.bottom && run.x >= bounds.left &&
+         run.x <= bounds.right - run.count;
+}
+
 }  // namespace arcspan::detail

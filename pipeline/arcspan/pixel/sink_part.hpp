@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/checked.hpp>
+#include <arcspan/pixel/band.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
 
@@ -32,7 +34,10 @@ class SinkPart {
             whole.right < rect_.right ? whole.right : rect_.right,
             whole.bottom < rect_.bottom ? whole.bottom : rect_.bottom};
   }
-  [[nodiscard]] constexpr typename Format::Cursor open(const Span& run) { return sink_.open(run); }
+  [[nodiscard]] constexpr typename Format::Cursor open(const Span& run) {
+    ARCSPAN_CHECK(detail::is_within(run, bounds()), "SinkPart::open: the run leaves bounds()");
+    return sink_.open(run);
+  }
   [[nodiscard]] constexpr Status close(const Span& run) { return sink_.close(run); }
   [[nodiscard]] constexpr Status status() const {
     if constexpr (ChecksItself<Sink>) return sink_.status();

@@ -54,6 +54,7 @@ Rotation product(const Rotation& a, const Rotation& b) {
 bool Camera::place(const WorldPoint& position, const Rotation& rotation, WorldLength scale,
                    ClipTransform& transform) const {
   if (scale < kLeastScale || near_ == 0) return false;
+  ARCSPAN_CHECK(detail::is_orthonormal(rotation), "scene: the rotation of an object is not orthonormal");
   const std::array<std::int64_t, 3> from_eye = detail::difference(eye_, position);
   std::int64_t view[3] = {};
   // The near plane is converted too. Where it is farther away than the object, it hides the object.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/checked.hpp>
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/numbers/unit_vector.hpp>
 #include <arcspan/scene/world.hpp>
@@ -59,6 +60,11 @@ class Lens {
   WorldLength far_;
 };
 
+namespace detail::refused {  // further reasons of Camera::of()
+void field_of_view_out_of_range();
+void orthographic_height_out_of_range();
+}  // namespace detail::refused
+
 /// A camera in world space, with a lens and the size of its picture. It looks along -z of its own axes; y is
 /// up. The whole is a constant if made by of().
 class Camera {
@@ -84,7 +90,20 @@ class Camera {
   /// make() as a constant, which can lie in flash. Arguments that make() rejects do not compile.
   [[nodiscard]] static consteval Camera of(const LookAt& view, const Lens& lens, const Viewport& viewport) {
     Camera camera;
-    if (!ok(make(view, lens, viewport, camera))) detail::constant_refused();
+    const Status status = make(view, lens, viewport, camera);
+    if (status == Status::kInvalidArgument) {
+      if (!detail::is_picture_size(viewport)) {
+        detail::refused::picture_side_outside_1_to_2048();
+      } else if (lens.kind_ == Lens::Kind::kFieldOfView) {
+        detail::refused::field_of_view_out_of_range();
+      } else if (lens.kind_ == Lens::Kind::kFocalLength) {
+        detail::refused::focal_length_not_above_0();
+      } else {
+        detail::refused::orthographic_height_out_of_range();
+      }
+    } else if (!ok(status)) {
+      detail::refuse(status);
+    }
     return camera;
   }
 
@@ -95,6 +114,7 @@ class Camera {
   /// Moves and turns the camera freely; the rows of `rotation` are the camera's axes in world space: x to the
   /// right, y up, z backwards.
   constexpr void set_pose(const WorldPoint& eye, const Rotation& rotation) {
+    ARCSPAN_CHECK(detail::is_orthonormal(rotation), "Camera::set_pose: the rotation is not orthonormal");
     eye_ = eye;
     rotation_ = rotation;
   }

@@ -51,7 +51,7 @@ bool is_outside_range(const ClipSphere& sphere, const Extent& extent, std::int32
 [[nodiscard]] Status check_lights(const LightList& lights) {
   if (lights.lights.size() > std::tuple_size_v<decltype(ObjectLights::lights)>) return Status::kTooManyLights;
   for (const SceneLight& light : lights.lights) {
-    if (!in_unit_range(light.strength()) || !in_unit_range(light.colour())) return Status::kInvalidArgument;
+    if (!light.valid()) return Status::kInvalidArgument;
   }
   return Status::kOk;
 }

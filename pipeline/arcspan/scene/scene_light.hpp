@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/checked.hpp>
+#include <arcspan/lighting/check_light.hpp>
 #include <arcspan/lighting/directional_light.hpp>
 #include <arcspan/lighting/material.hpp>
 #include <arcspan/numbers/direction.hpp>
@@ -26,21 +28,27 @@ class SceneLight {
   [[nodiscard]] static constexpr SceneLight directional(const Direction& towards,
                                                         Coefficient strength = kFull,
                                                         const ChannelCoefficients& colour = kWhite) {
+    ARCSPAN_CHECK(detail::is_unit(towards), "SceneLight::directional: the direction is not a unit vector");
     return {towards, {}, {}, strength, colour};
   }
   /// A light at a point. An object of the scene sees it in one direction and with one strength, those at the
   /// middle of its bounding sphere: strength * half / (distance + half), which is S1's 1 / (d + K) with
-  /// K = half, scaled to `strength` at no distance. At the distance `half`, above 0, half of it is left.
+  /// K = half, scaled to `strength` at no distance. At the distance `half` half of it is left. Scenes with a
+  /// light whose `half` is not above 0 are refused (kInvalidArgument).
   [[nodiscard]] static constexpr SceneLight point(const WorldPoint& position, WorldLength half,
                                                   Coefficient strength = kFull,
                                                   const ChannelCoefficients& colour = kWhite) {
-    return {{}, position, half, strength, colour};
+    return {{}, position, half.raw() > 0 ? half : WorldLength::from_raw(-1), strength, colour};
   }
 
   /// The light as an object sees it: `at` is the middle of its bounding sphere, and `rotation` turns object
   /// space to world space. `towards` is in object space. A point light at `at` itself shines nowhere.
   [[nodiscard]] constexpr DirectionalLight seen_from(const WorldPoint& at, const Rotation& rotation) const;
 
+  /// True if the strength and the colour are in 0...1, and the half distance of a point light above 0.
+  [[nodiscard]] constexpr bool valid() const {
+    return half_.raw() >= 0 && detail::in_unit_range(strength_) && detail::in_unit_range(colour_);
+  }
   [[nodiscard]] constexpr bool is_point() const { return half_.raw() > 0; }
   [[nodiscard]] constexpr Coefficient strength() const { return strength_; }
   [[nodiscard]] constexpr const ChannelCoefficients& colour() const { return colour_; }
@@ -52,7 +60,7 @@ class SceneLight {
 
   Direction towards_;
   WorldPoint position_;
-  WorldLength half_;  ///< 0 for directional lights
+  WorldLength half_;  ///< 0 for directional lights; -1 for a point light that was given none above 0
   Coefficient strength_;
   ChannelCoefficients colour_;
 };

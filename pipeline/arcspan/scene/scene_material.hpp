@@ -95,6 +95,11 @@ struct ObjectLights {
 
 }  // namespace detail
 
+namespace detail::refused {  // further reasons of PreparedMaterial::of()
+void ambient_light_outside_0_to_1();
+void half_distance_of_light_not_above_0();
+}  // namespace detail::refused
+
 /// The base of all PreparedMaterial types: the part of a material that does not depend on the shading method.
 class SceneMaterial {
  public:
@@ -135,7 +140,16 @@ class PreparedMaterial : public SceneMaterial {
   [[nodiscard]] static consteval PreparedMaterial of(const Material& material, const LightList& lights,
                                                      const DrawOptions& options = {}) requires(kIsLit) {
     PreparedMaterial prepared;
-    if (!ok(make(material, lights, options, prepared))) detail::constant_refused();
+    const Status status = make(material, lights, options, prepared);
+    if (ok(status)) return prepared;
+    if (status == Status::kTooManyLights) detail::refuse(status);
+    if (!detail::in_unit_range(lights.ambient)) detail::refused::ambient_light_outside_0_to_1();
+    detail::refuse_material(material, detail::IlluminationOf<Lighting>::kFeatures);
+    for (const SceneLight& light : lights.lights) {
+      detail::refuse_light(light.strength(), light.colour());
+      if (!light.valid()) detail::refused::half_distance_of_light_not_above_0();
+    }
+    detail::refused::features_lack_coloured_lights();
     return prepared;
   }
   /// A material from the method's own data, such as Unlit::lighting(colour).
@@ -206,6 +220,9 @@ constexpr Status PreparedMaterial<M>::make(const Material& material, const Light
   using Illumination = detail::IlluminationOf<Lighting>;
   if (lights.lights.size() > Illumination::kLights) return Status::kTooManyLights;
   if (!detail::in_unit_range(lights.ambient)) return Status::kInvalidArgument;
+  for (const SceneLight& light : lights.lights) {
+    if (!light.valid()) return Status::kInvalidArgument;
+  }
   constexpr Direction kAhead = normalised(0, 0, 1);
   std::array<DirectionalLight, Illumination::kLights> all{};
   for (DirectionalLight& light : all) light = {kAhead, Coefficient{}, kWhite};

@@ -5,6 +5,7 @@
 #include <arcspan/pixel/band.hpp>
 #include <arcspan/pixel/fill.hpp>
 #include <arcspan/pixel/sink.hpp>
+#include <arcspan/span/depth_checks.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
@@ -78,15 +79,24 @@ class DepthBuffer {
   /// `first_row` is 0...INT32_MAX - rows; otherwise status() is kInvalidArgument and bounds() empty until the
   /// next call. Without effect if the constructor was given too little memory or a wrong size.
   constexpr void move_to(std::int32_t first_row) {
-    if (memory_ != nullptr) status_ = detail::move_band(bounds_, first_row);
+    if (memory_ == nullptr) return;
+    if (first_row != bounds_.top) checks_.note_move();
+    status_ = detail::move_band(bounds_, first_row);
   }
 
-  constexpr void clear() { fill(memory_, words(bounds_.right, bounds_.height()), kFarthest); }
+  constexpr void clear() const {
+    fill(memory_, words(bounds_.right, bounds_.height()), kFarthest);
+    checks_.note_clear();
+  }
+
+  /// Reports memory that no clear() has prepared (ARCSPAN_CHECKED).
+  constexpr void check_cleared() const { checks_.check({memory_, words(bounds_.right, bounds_.height())}); }
 
  private:
   std::uint16_t* memory_ = nullptr;
   Rect bounds_{};
   Status status_;
+  [[no_unique_address]] mutable detail::DepthChecks checks_{};
 };
 
 /// A depth buffer, or one with another test or without writing (DepthMode, span/depth_mode.hpp).

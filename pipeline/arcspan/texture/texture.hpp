@@ -48,6 +48,13 @@ enum class TextureWrap : std::uint8_t {
   kClamp,   ///< the texels along the border; 10 instructions more per pixel on a Cortex-M3
 };
 
+namespace detail::refused {  // the reasons of Texture::of()
+void texture_size_not_valid();
+void words_fewer_than_the_texture_has();
+void palette_smaller_than_the_format_has();
+void palette_for_a_format_without();
+}  // namespace detail::refused
+
 /// A picture that is mapped onto triangles, in the caller's memory, usually flash, which must outlive it.
 /// Nothing is copied. The levels follow each other, each row by row from the top left texel on.
 template <TexelFormat Texels>
@@ -86,7 +93,19 @@ class Texture {
   [[nodiscard]] static consteval Texture of(std::span<const Word> words, const TextureSize& size,
                                             std::span<const std::uint16_t> palette = {}) {
     Texture texture;
-    if (!ok(make(words, size, texture, palette))) detail::constant_refused();
+    const Status status = make(words, size, texture, palette);
+    if (status == Status::kBufferTooSmall) {
+      if (words.size() < Texture::words(size)) {
+        detail::refused::words_fewer_than_the_texture_has();
+      } else {
+        detail::refused::palette_smaller_than_the_format_has();
+      }
+    } else if (!ok(status)) {
+      if (!size.valid())
+        detail::refused::texture_size_not_valid();
+      else
+        detail::refused::palette_for_a_format_without();
+    }
     return texture;
   }
 
@@ -97,6 +116,8 @@ class Texture {
     return words_ + first / kTexelsPerWord;
   }
   [[nodiscard]] constexpr const std::uint16_t* palette() const { return palette_; }
+  /// False for a texture that make() has not set.
+  [[nodiscard]] constexpr bool is_made() const { return words_ != kBlack; }
 
  private:
   static constexpr Word kBlack[64] = {};

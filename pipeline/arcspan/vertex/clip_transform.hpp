@@ -6,6 +6,7 @@
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
+#include <arcspan/vertex/check_transform.hpp>
 #include <arcspan/vertex/placement.hpp>
 
 #include <cstddef>
@@ -117,7 +118,9 @@ class ClipTransform {
   [[nodiscard]] static consteval ClipTransform of(const Placement& placement, const Projection& projection,
                                                   const Viewport& viewport) {
     ClipTransform transform;
-    if (!ok(make(placement, projection, viewport, transform))) detail::constant_refused();
+    if (!ok(make(placement, projection, viewport, transform))) {
+      detail::refuse_transform(projection, viewport);
+    }
     return transform;
   }
 

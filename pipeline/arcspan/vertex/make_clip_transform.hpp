@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/checked.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
 #include <bit>
@@ -21,13 +22,12 @@ inline constexpr int kGuardLengthBits = kGuardBits + PixelLength::kFraction;
 /// The ranges that ClipTransform::make() states.
 [[nodiscard]] constexpr bool acceptable(const Placement& placement, const Projection& projection,
                                         const Viewport& viewport) {
+  static_assert(kMostPictureSide == 2 * kGuardBand);
   constexpr std::int64_t kMaxTranslation = std::int64_t{1} << 22;
-  constexpr std::int32_t kMaxPicture = 2 * kGuardBand;
   for (const ObjectLength t : placement.translation) {
     if (magnitude64(t.raw()) > kMaxTranslation << ObjectLength::kFraction) return false;
   }
-  return viewport.width >= 1 && viewport.height >= 1 && viewport.width <= kMaxPicture &&
-         viewport.height <= kMaxPicture && projection.focal.raw() > 0 && projection.near_plane.raw() > 0 &&
+  return is_picture_size(viewport) && projection.focal.raw() > 0 && projection.near_plane.raw() > 0 &&
          projection.far_plane > projection.near_plane;
 }
 
@@ -72,6 +72,8 @@ inline constexpr int kGuardLengthBits = kGuardBits + PixelLength::kFraction;
 constexpr Status ClipTransform::make(const Placement& placement, const Projection& projection,
                                      const Viewport& viewport, ClipTransform& transform) {
   if (!detail::acceptable(placement, projection, viewport)) return Status::kInvalidArgument;
+  ARCSPAN_CHECK(detail::is_orthonormal(placement.rotation),
+                "ClipTransform::make: the rotation is not orthonormal");
   WidePlacement wide{placement.rotation, {}, projection.near_plane.raw(), projection.focal.raw()};
   for (std::size_t i = 0; i < 3; ++i) wide.translation[i] = placement.translation[i].raw();
   transform.set_placement(wide);

@@ -205,6 +205,26 @@ TEST_CASE("SSD1306: the transactions of a start and a frame on I2C") {
   CHECK(mock.finish() == "");
 }
 
+TEST_CASE("SSD1306: glass of 72 x 40 pixels, and stripes that begin at another row") {
+  const auto start = [](const Glass& glass, const Ssd1306Wiring& wiring, Orientation orientation,
+                        const Script& settings) {
+    MockWires mock("i2c 3c 00 e3 e3\ni2c 3c 00 ae\ni2c 3c 00 e3 e3\n" + settings);
+    SolomonI2c port(mock.i2c(), SolomonI2c::kUsualAddress);
+    Ssd1306 panel(port, nullptr, mock.clock(), glass, {.orientation = orientation}, wiring);
+    CHECK(panel.start() == Status::kOk);
+    return mock.finish();
+  };
+  CHECK(start(kSsd1306Module72x40, {.internal_reference = true}, Orientation::k0,
+              "i2c 3c 00 ad 30\n"
+              "i2c 3c 00 20 00 40 a1 c8 a8 27 d3 00 da 12 81 ff 8d 14 2e a4 a6 af\n") == "");
+  // Rows 12 to 51, VCC from outside: mirrored, the last row that is scanned is the first of the memory.
+  const Glass stripe{72, 40, 30, 12, true, true, false, false};
+  CHECK(start(stripe, {.charge_pump = false}, Orientation::k0,
+              "i2c 3c 00 20 00 40 a1 c8 a8 33 d3 00 da 12 81 ff 8d 10 2e a4 a6 af\n") == "");
+  CHECK(start(stripe, {}, Orientation::k180,
+              "i2c 3c 00 20 00 40 a0 c0 a8 33 d3 34 da 12 81 ff 8d 14 2e a4 a6 af\n") == "");
+}
+
 TEST_CASE("nothing is sent after a failure, and all settings are sent before the next frame") {
   const Script window = "command 15\ndata 00 17\ncommand 75\ndata 00 0f\ncommand 5c\n";
   const Script settings =

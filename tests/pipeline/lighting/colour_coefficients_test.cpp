@@ -19,7 +19,8 @@ TEST_CASE("coefficients of bytes show these bytes in full light") {
     Material material;
     material.ambient = coefficients_of({byte, 0, 255});
     Light light;
-    REQUIRE(Light::make(material, {}, normalised(0, 0, 1), light) == Status::kOk);
+    constexpr Direction kAhead = normalised(0, 0, 1);
+    REQUIRE(Light::make(material, {DirectionalLight{kAhead}}, kAhead, light) == Status::kOk);
     CHECK(light.diffuse_colour({}).rgb8() == Rgb8{byte, 0, 255});
   }
 }

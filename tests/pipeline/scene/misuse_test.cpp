@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Each status of a scene that cannot be drawn, and input without any sense.
+#include <arcspan/checked.hpp>
+#include <arcspan/pixel/sink_part.hpp>
 #include <arcspan/shading/flat.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/scene/scene_support.hpp>
+#include <tests/support/misuse_recorder.hpp>
 #include <tests/support/test_share.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 using namespace arcspan;
@@ -97,6 +103,146 @@ TEST_CASE("lights that a method cannot show are refused") {
   CHECK(PreparedMaterial<SceneMethod>::make(Material{}, dazzling, {}, prepared) == Status::kInvalidArgument);
 }
 
+TEST_CASE("a point light whose half distance is not above 0 is refused") {
+  const Object object(kMesh, kCopper);
+  for (const std::int32_t raw : {0, -1, INT32_MIN}) {
+    const SceneLight lamps[] = {SceneLight::point(WorldPoint::of(1, 1, 1), WorldLength::from_raw(raw))};
+    CHECK(status_of({object}, {lamps}) == Status::kInvalidArgument);
+    PreparedMaterial<SceneMethod> prepared;
+    CHECK(PreparedMaterial<SceneMethod>::make(Material{}, {lamps}, {}, prepared) == Status::kInvalidArgument);
+  }
+  const SceneLight lamps[] = {SceneLight::point(WorldPoint::of(1, 1, 1), WorldLength::from_raw(1))};
+  CHECK(status_of({object}, {lamps}) == Status::kOk);
+}
+
+TEST_CASE(
+    "a scene with a background clears colours and depths, in bands and at once, and nothing if refused") {
+  const Object object(kMesh, kCopper);
+  const Scene scene{kCamera, kLights, {&object, 1}};
+  Canvas right;
+  right.picture.clear({0, 0, 40});
+  REQUIRE(draw_scene(scene, right.picture, right.depth, memory_of_scene).status == Status::kOk);
+  const auto scribble = [](Canvas& canvas) {
+    std::fill(canvas.pixels.begin(), canvas.pixels.end(), Picture::Word{99});
+    std::fill(canvas.depths.begin(), canvas.depths.end(), std::uint16_t{0});
+  };
+  Canvas whole;
+  scribble(whole);
+  CHECK(draw_scene(scene, whole.picture, whole.depth, memory_of_scene, {0, 0, 40}).status == Status::kOk);
+  CHECK(whole.pixels == right.pixels);
+  Canvas band(24);
+  REQUIRE(ok(prepare_scene(scene, memory_of_scene)));
+  for (std::int32_t top = 0; top < Canvas::kHeight; top += 24) {
+    band.picture.move_to(top);
+    band.depth.move_to(top);
+    scribble(band);
+    CHECK(draw_prepared_scene(memory_of_scene, band.picture, band.depth, {0, 0, 40}).status == Status::kOk);
+    CHECK(
+        std::equal(band.pixels.begin(), band.pixels.end(),
+                   right.pixels.begin() + static_cast<std::ptrdiff_t>(Picture::words(Canvas::kWidth, top))));
+  }
+  // A sink without clear() of its own.
+  SinkPart part(whole.picture, whole.picture.bounds());
+  scribble(whole);
+  CHECK(draw_scene(scene, part, whole.depth, memory_of_scene, Rgb8{0, 0, 40}).status == Status::kOk);
+  CHECK(whole.pixels == right.pixels);
+  scribble(whole);
+  const std::vector<Picture::Word> before = whole.pixels;
+  CHECK(draw_scene({Camera{}, kLights, {&object, 1}}, whole.picture, whole.depth, memory_of_scene, {0, 0, 40})
+            .status == Status::kNotReady);
+  CHECK(draw_scene(scene, whole.picture, band.depth, memory_of_scene, {0, 0, 40}).status ==
+        Status::kDepthMismatch);
+  CHECK(whole.pixels == before);
+}
+
+namespace {
+
+using Causes = std::vector<std::string>;
+
+/// What `call` is reported for.
+template <class Call>
+Causes causes_of(Call&& call) {
+  MisuseRecorder recorder;
+  call();
+  return recorder.take();
+}
+
+}  // namespace
+
+TEST_CASE("builds with checks report calls that cannot mean what they say") {
+  if (!kIsChecked) return;
+  const Object object(kMesh, kCopper);
+  const Scene scene{kCamera, kLights, {&object, 1}};
+  const auto drawn = [&](const DepthBuffer& depth) {
+    return causes_of([&] {
+      Canvas canvas;
+      (void)draw_scene(scene, canvas.picture, depth, memory_of_scene);
+    });
+  };
+  std::vector<std::uint16_t> memory(DepthBuffer::words(Canvas::kWidth, Canvas::kHeight));
+  const auto buffer = [&](std::int32_t rows) { return DepthBuffer(memory, Canvas::kWidth, rows); };
+  const Causes never{"draw: the depth buffer was never cleared"};
+  CHECK(drawn(buffer(Canvas::kHeight)) == never);
+  std::fill(memory.begin(), memory.end(), DepthBuffer::kFarthest);  // cleared without clear()
+  CHECK(drawn(buffer(Canvas::kHeight)).empty());
+  CHECK(drawn(buffer(Canvas::kHeight)).empty());  // as another object left it
+  const auto drawn_band = [&](bool clears) {
+    return causes_of([&] {
+      Canvas canvas(36);
+      DepthBuffer depth = buffer(36);
+      for (std::int32_t top = 0; top < Canvas::kHeight; top += 36) {
+        canvas.picture.move_to(top);
+        depth.move_to(top);
+        if (clears || top == 0) depth.clear();
+        (void)draw_scene(scene, canvas.picture, depth, memory_of_scene);
+      }
+    });
+  };
+  CHECK(drawn_band(true).empty());
+  CHECK(drawn_band(false) == Causes{"draw: the depth buffer was moved to another band, but not cleared"});
+
+  const PreparedMaterial<SceneMethod> unmade;
+  const MeshView empty;
+  const auto shown = [&](const MeshView& mesh, const SceneMaterial& material, const Rotation& rotation) {
+    return causes_of([&] {
+      Canvas canvas;
+      Object one(mesh, material, BoundingSphere{{}, 30000});
+      one.rotation = rotation;
+      (void)draw_scene({kCamera, kLights, {&one, 1}}, canvas.picture, canvas.depth, memory_of_scene);
+    });
+  };
+  CHECK(shown(kMesh, kCopper, Rotation::identity()).empty());
+  CHECK(shown(kMesh, unmade, Rotation::identity()) == Causes{"draw: the light of an object was never made"});
+  CHECK(shown(empty, kCopper, Rotation::identity()) == Causes{"draw: the mesh was never made"});
+  CHECK(shown(kMesh, kCopper, Rotation{}) == Causes{"scene: the rotation of an object is not orthonormal"});
+  CHECK(causes_of([&] { Camera(kCamera).set_pose({}, Rotation{}); }) ==
+        Causes{"Camera::set_pose: the rotation is not orthonormal"});
+  CHECK(causes_of([&] { (void)SceneLight::directional({}); }) ==
+        Causes{"SceneLight::directional: the direction is not a unit vector"});
+  using Lit = Illumination<1, Highlight::kBlinn>;
+  Lit lit;
+  const Direction ahead = arcspan::normalised(0, 0, 1);
+  CHECK(causes_of([&] { (void)Lit::make(Material{}, {DirectionalLight{}}, ahead, lit); }) ==
+        Causes{"Illumination::make: the direction to a light is not a unit vector"});
+  CHECK(causes_of([&] { (void)Lit::make(Material{}, {DirectionalLight{ahead}}, {}, lit); }) ==
+        Causes{"Illumination::make: to_eye is not a unit vector"});
+  ClipTransform transform;
+  CHECK(causes_of([&] {
+          (void)ClipTransform::make({}, {PixelLength::of(9), ObjectLength::of(1), ObjectLength::of(2)},
+                                    {9, 9}, transform);
+        }) == Causes{"ClipTransform::make: the rotation is not orthonormal"});
+}
+
+// The macro is nothing at all in other builds, so that they have the objects that they would have without it.
+#define ARCSPAN_TEXT(...) #__VA_ARGS__
+#define ARCSPAN_TEXT_OF(...) ARCSPAN_TEXT(__VA_ARGS__)
+TEST_CASE("builds without checks contain none of them") {
+  if (kIsChecked) return;
+  CHECK(std::string(ARCSPAN_TEXT_OF(ARCSPAN_CHECK(false, "cause"))) == "static_cast<void>(0)");
+  CHECK(std::is_empty_v<arcspan::detail::CheckedState>);
+  CHECK(sizeof(DepthBuffer) == sizeof(void*) + sizeof(Rect) + sizeof(void*));
+}
+
 TEST_CASE("targets that do not fit are refused") {
   const Object object(kMesh, kCopper);
   Canvas canvas;
@@ -161,6 +307,7 @@ TEST_CASE("no number leads to undefined behaviour") {
   };
   int drawn = 0;
   int accepted = 0;
+  MisuseRecorder ignored;
   for (int i = 0; i < share_of(20000); ++i) {
     const auto lens = [&] {
       switch (random.integer(0, 2)) {

@@ -44,7 +44,7 @@ constexpr Fog kMist = [] {
   Fog fog;
   const FogRange range{WorldLength::of(0.5).raw(), WorldLength::of(20).raw(), WorldLength::of(2).raw(),
                        WorldLength::of(12).raw()};
-  if (!ok(Fog::make(range, {120, 130, 140}, fog))) detail::constant_refused();
+  if (!ok(Fog::make(range, {120, 130, 140}, fog))) detail::refused::constant_refused();
   return fog;
 }();
 constexpr PreparedMaterial<Wall> kPainted = PreparedMaterial<Wall>::of(kWhitePaint, kLampLight)

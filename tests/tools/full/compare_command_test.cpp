@@ -83,10 +83,15 @@ TEST_CASE("compare draws dichotomy by one polynomial or by all") {
   };
   REQUIRE(run(base).status == 0);
   CHECK(names() == std::vector<std::string>{"flat", "dichotomy-linear", "dichotomy-quadratic",
-                                            "dichotomy-cubic", "dichotomy-printed-linear",
+                                            "dichotomy-cubic", "dichotomy-root", "dichotomy-printed-linear",
                                             "dichotomy-printed-quadratic"});
   REQUIRE(run(base + " --polynomial cubic").status == 0);
   CHECK(names() == std::vector<std::string>{"flat", "dichotomy-cubic"});
+  const auto multiplies = [&](const std::string& segment) {
+    REQUIRE(run(base + " --polynomial cubic --segment " + segment).status == 0);
+    return nlohmann::json::parse(contents(folder / "a.json"))["methods"][1].dump();
+  };
+  CHECK(multiplies("1") != multiplies("4"));
 }
 
 // Sanitized programs do not run under valgrind.

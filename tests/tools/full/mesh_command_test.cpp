@@ -67,6 +67,38 @@ TEST_CASE("mesh writes planes if they are asked for, and counts them") {
   CHECK(contents(limited).size() <= 4000);
 }
 
+TEST_CASE(
+    "a budget of bytes shrinks textures before it takes triangles, and the report says what takes what") {
+  const TemporaryFolder folder;
+  const std::string tiles = folder.file("big.ppm", "P6\n128 128\n255\n" + std::string(3 * 128 * 128, 'k'));
+  const auto made = [&](const std::string& more) {
+    const CommandRun run_of = run("mesh torus:24x12 --texture " + tiles + " -o " + (folder / "a.bin") +
+                                  " --stats " + (folder / "s.json") + more);
+    INFO(run_of.err);
+    REQUIRE(run_of.status == 0);
+    const auto json = nlohmann::json::parse(contents(folder / "s.json"));
+    std::size_t sum = 0;
+    for (const auto& share : json["mesh"]["bytes_of"]) sum += share.get<std::size_t>();
+    CHECK(sum == json["mesh"]["bytes"]);
+    CHECK(sum == contents(folder / "a.bin").size());
+    CHECK(json["ram_at_320x240"]["depths"] == 153600);
+    CHECK((run_of.out.find("shrunk") != std::string::npos) == (more.find(" --max-bytes") == 0));
+    return json;
+  };
+  const auto whole = made("");
+  CHECK(whole["textures"][0]["width"] == 128);
+  const std::size_t mesh = whole["mesh"]["bytes"].get<std::size_t>() - 128 * 128;
+  const auto half = made(" --max-bytes " + std::to_string(mesh + 64 * 64));
+  CHECK(half["textures"][0]["width"] == 64);
+  CHECK(half["mesh"]["triangles"] == whole["mesh"]["triangles"]);
+  const auto least = made(" --max-bytes " + std::to_string(mesh));
+  CHECK(least["textures"][0]["width"] == 32);
+  CHECK(least["mesh"]["triangles"] < whole["mesh"]["triangles"]);
+  // A size that was asked for stays.
+  const auto fixed = made(" --texture-size 64 --max-bytes " + std::to_string(mesh));
+  CHECK(fixed["textures"][0]["width"] == 64);
+}
+
 TEST_CASE("a damaged mesh binary is refused in one line") {
   const TemporaryFolder folder;
   const std::string bin = folder / "a.bin";

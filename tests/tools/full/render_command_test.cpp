@@ -161,9 +161,11 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
       {"--tolerance 1 --shading gouraud", "--tolerance: only --shading arc has one, not gouraud"},
       {"--tolerance 65", "--tolerance: expected an integer 0...64, not '65'"},
       {"--polynomial fourth",
-       "--polynomial: expected linear, quadratic, cubic, printed-linear or printed-quadratic, not 'fourth'"},
+       "--polynomial: expected linear, quadratic, cubic, root, printed-linear or printed-quadratic, not "
+       "'fourth'"},
+      {"--segment 5 --shading dichotomy", "--segment: expected an integer 1...4 or adaptive, not '5'"},
       {"--segment 2 --shading phong",
-       "--segment: only --shading segment and phong-segment have some, not phong"},
+       "--segment: only --shading segment, phong-segment and dichotomy have some, not phong"},
       {"--polynomial cubic", "--polynomial: only --shading dichotomy has one, not arc"},
       {"--polynomial cubic --shading phong", "--polynomial: only --shading dichotomy has one, not phong"},
       {"--illumination lambert", "--illumination: expected blinn or phong, not 'lambert'"},

@@ -50,6 +50,36 @@ TEST_CASE("what a simulated panel shows is what render draws in its format") {
   }
 }
 
+TEST_CASE("a glass of another size, a stripe of the memory, turned or inverted, shows what it should") {
+  const TemporaryFolder folder;
+  const auto drawn = [&](const std::string& size, const std::string& format) {
+    REQUIRE(run("render torus:24x12 --no-depth --size " + size + " --format " + format + " -o " +
+                (folder / "want.png"))
+                .status == 0);
+    return read_image(folder / "want.png");
+  };
+  const auto shown = [&](const std::string& options) {
+    const CommandRun r =
+        run("simulate torus:24x12 --no-depth --panel " + options + " -o " + (folder / "got.png"));
+    CAPTURE(options, r.err);
+    REQUIRE(r.status == 0);
+    return read_image(folder / "got.png");
+  };
+  const Image small = drawn("72x40", "mono");
+  CHECK(shown("ssd1306-72x40") == small);
+  CHECK(shown("ssd1306 --glass 72x40 --glass-at 28,0 --bus i2c") == small);
+  CHECK(shown("ssd1306 --glass 72x40 --glass-at 30,12 --no-charge-pump --no-internal-reference") == small);
+  CHECK(shown("ssd1306 --glass 70x40 --glass-at 30,12 --spi-mode 3") == drawn("70x40", "mono"));
+  CHECK(shown("st7789 --glass 135x240 --glass-at 52,40") == drawn("135x240", "rgb565"));
+  CHECK(shown("ssd0323 --glass 96x48 --glass-at 16,12") == drawn("96x48", "gray4"));
+  const Image half_turn = turned(turned(small));
+  CHECK(shown("ssd1306 --glass 72x40 --glass-at 30,12 --rotate 180") == half_turn);
+  CHECK(shown("ssd1306-72x40 --rotation 90") == turned(drawn("40x72", "mono")));
+  Image inverse = small;
+  for (arcspan::Rgb8& c : inverse.pixels) c = c.r != 0 ? arcspan::Rgb8{} : arcspan::Rgb8{255, 255, 255};
+  CHECK(shown("ssd1306-72x40 --inverted") == inverse);
+}
+
 TEST_CASE("a rotated picture lies turned on the glass, and bands make no difference") {
   const TemporaryFolder folder;
   REQUIRE(run("render torus:24x12 --size 320x240 -o " + (folder / "want.png")).status == 0);
@@ -115,6 +145,20 @@ TEST_CASE("simulate says in one line what is wrong, and writes nothing") {
       {"--panel ssd1306 --band 12", 1, "arcspan: --band: 12 rows, but ssd1306 needs a multiple of 8\n"},
       {"--bus i2c", 1, "arcspan: --bus: ili9341 is not simulated on I2C\n"},
       {"--spi-mhz 0", 2, "arcspan: --spi-mhz: expected a number 0.01...200, not '0'\n"},
+      {"--i2c-khz 100", 2, "arcspan: --i2c-khz: is of --bus i2c\n"},
+      {"--panel ssd1306 --bus i2c --spi-mode 3", 2, "arcspan: --spi-mode: is of --bus spi\n"},
+      {"--rotate 45", 2, "arcspan: --rotate: expected 0, 90, 180 or 270, not '45'\n"},
+      {"--no-charge-pump", 1, "arcspan: --charge-pump: only an ssd1306 has one, not ili9341\n"},
+      {"--internal-reference", 1, "arcspan: --internal-reference: only an ssd1306 has one, not ili9341\n"},
+      {"--panel ssd1306 --glass 72x40 --glass-at 60,0", 1,
+       "arcspan: --glass-at: 72x40 at 60,0 does not fit the 128x64 pixels of ssd1306\n"},
+      {"--panel ssd1306 --glass 72x41", 1,
+       "arcspan: --glass: 72x41 at 0,0 is not in steps of 1x8, as ssd1306 needs\n"},
+      {"--panel ssd1306 --glass 70x40 --rotate 90", 1,
+       "arcspan: --glass: 70x40 at 0,0 is not in steps of 8x8, as ssd1306 turned needs\n"},
+      {"--panel ssd1351 --glass-at 0,4 --glass 96x64", 1,
+       "arcspan: --glass-at: ssd1351 has its glass at row 0\n"},
+      {"--glass-at 4", 2, "arcspan: --glass-at: expected COLUMN,ROW with each 0...1000, not '4'\n"},
       {"--turntable 0", 2, "arcspan: --turntable: expected an integer 1...3600, not '0'\n"}};
   for (const auto& c : cases) {
     const CommandRun r = run("simulate torus:8x8 " + std::string(c.arguments) + " -o " + (folder / "x.png"));

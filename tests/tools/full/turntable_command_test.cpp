@@ -10,8 +10,8 @@ using namespace arcspan::test;
 
 TEST_CASE("turntable writes a GIF, an animated PNG and a folder") {
   const TemporaryFolder folder;
-  const std::string turn = "turntable torus:16x8 --size 40x30 --frames 5 --fps 20 -o ";
-  const CommandRun gif = run(turn + (folder / "a.gif"));
+  const std::string turn = "turntable torus:16x8 --size 40x30 --frames 5 -o ";
+  const CommandRun gif = run(turn + (folder / "a.gif") + " --fps 20");
   REQUIRE(gif.status == 0);
   CHECK(gif.err.empty());
   CHECK(gif.out.find("a.gif: 5 frames of 40x30, 50 ms each, drawn in ") != std::string::npos);

@@ -75,11 +75,11 @@ void choose_renderers(CompareArguments& a) {
   if (!polynomial.empty() && !contains(wanted, kDichotomy)) {
     throw CLI::ValidationError("--polynomial", "only dichotomy has one, which --shading leaves out");
   }
-  if (a.options.segment_given && !contains(wanted, "segment") && !contains(wanted, "phong-segment")) {
-    throw CLI::ValidationError("--segment",
-                               "only segment and phong-segment have some, which --shading leaves out");
+  if (a.options.is_given("--segment") && std::none_of(wanted.begin(), wanted.end(), has_segments)) {
+    throw CLI::ValidationError(
+        "--segment", "only segment, phong-segment and dichotomy have some, which --shading leaves out");
   }
-  if (a.options.tolerance_given && !contains(wanted, "arc")) {
+  if (a.options.is_given("--tolerance") && !contains(wanted, "arc")) {
     throw CLI::ValidationError("--tolerance", "only arc has one, which --shading leaves out");
   }
   a.shadings.clear();

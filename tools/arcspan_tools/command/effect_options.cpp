@@ -4,6 +4,8 @@
 #include <arcspan_tools/render/render.hpp>
 
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 namespace arcspan::tools {
 namespace {
@@ -57,6 +59,16 @@ void add_blend(CLI::App& app, Scene& scene) {
   throw CLI::ValidationError(option, complaint);
 }
 
+/// Refuses what an environment map replaces.
+void check_matcap(const RenderOptions& o) {
+  if (o.shading != "arc") refuse("--matcap", "is drawn by --shading arc, not " + o.shading);
+  std::vector<const char*> replaced(std::begin(kLightOptions), std::end(kLightOptions));
+  replaced.insert(replaced.end(), {"--colour", "--texture", "--vertex-colours"});
+  for (const char* option : replaced) {
+    if (o.is_given(option)) refuse(option, "--matcap replaces all light and colour");
+  }
+}
+
 }  // namespace
 
 void add_effects(CLI::App& app, RenderOptions& o) {
@@ -95,8 +107,11 @@ void check_effects(const CLI::App& app, const RenderOptions& o) {
       }
     }
   }
-  if (!o.matcap.empty() && o.shading != "arc")
-    refuse("--matcap", "is drawn by --shading arc, not " + o.shading);
+  if (!o.texture.empty() && !shading_draws_effects(o.shading))
+    refuse("--texture", "only --shading flat, gouraud and arc have it, not " + o.shading);
+  if (o.crease_degrees && o.shading == "flat")
+    refuse("--crease", "--shading flat takes no normals of vertices");
+  if (!o.matcap.empty()) check_matcap(o);
   if (o.scene.fog && !o.scene.depth) refuse("--fog", "needs the depth buffer (not --no-depth)");
 }
 

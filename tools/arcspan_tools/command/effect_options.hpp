@@ -10,6 +10,11 @@ namespace arcspan::tools {
 inline constexpr const char* kEffectOptions[] = {"--vertex-colours", "--alpha", "--blend", "--fog",
                                                  "--matcap"};
 
+/// The options that say how surfaces are lit.
+inline constexpr const char* kLightOptions[] = {"--tolerance", "--illumination", "--ambient",
+                                                "--diffuse",   "--specular",     "--shininess",
+                                                "--light",     "--attenuation",  "--highlight-fade"};
+
 /// Adds --vertex-colours, --alpha, --blend, --fog and --matcap.
 void add_effects(CLI::App& app, RenderOptions& options);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/effect_options.hpp>
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
@@ -7,6 +8,7 @@
 #include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/texture/plain/surface_texture.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -31,6 +33,33 @@ void put_texture(const std::string& picture, const std::string& name, Model& mod
   if (!is_used) throw Failure(name, "has no texture coordinates for --texture");
 }
 
+bool is_transparent(const ModelPart& part) {
+  const FileMaterial& material = part.look.material;
+  return material.opacity < 1 || (material.texture != nullptr && material.alpha_mode == AlphaMode::kBlend);
+}
+
+/// Names the options that have no effect on this model.
+void warn_without_effect(const RenderOptions& options, const Model& model) {
+  const auto all = [&model](const auto& is_so) {
+    return std::all_of(model.parts.begin(), model.parts.end(), is_so);
+  };
+  const auto warn_of = [&options](const char* option, const std::string& why) {
+    if (options.is_given(option)) warn(option, "has no effect: " + why);
+  };
+  const auto has_colours = [](const ModelPart& part) { return !part.mesh.colours.empty(); };
+  if (options.vertex_colours == true && options.shading != "flat" && !all(has_colours)) {
+    const bool none = std::none_of(model.parts.begin(), model.parts.end(), has_colours);
+    if (none) warn_of("--vertex-colours", "no colours of the model differ within a triangle");
+  }
+  if (all(has_colours) && !options.scene.chosen.colour)
+    warn_of("--tolerance", "the colours of the model's vertices are lit as by gouraud");
+  if (!options.scene.alpha && std::none_of(model.parts.begin(), model.parts.end(), is_transparent))
+    warn_of("--blend", "no surface is transparent (see --alpha)");
+  if (all([](const ModelPart& part) { return part.look.material.unlit; })) {
+    for (const char* option : kLightOptions) warn_of(option, "the model's materials are unlit");
+  }
+}
+
 }  // namespace
 
 Model load_model(const std::string& name, const std::optional<double>& crease_degrees,
@@ -46,9 +75,12 @@ Model load_drawn_model(RenderOptions& options) {
   if (!options.matcap.empty()) {
     options.scene.matcap = surface_texture(read_rgba(options.matcap), 0, PictureEdges::kClamp);
   }
-  const bool kept = options.vertex_colours.value_or(!options.shading_given || options.shading == "gouraud");
+  const bool kept =
+      options.shading != "flat" &&
+      options.vertex_colours.value_or(!options.is_given("--shading") || options.shading == "gouraud");
   Model model = load_model(options.mesh, options.crease_degrees, options.texture,
                            kept ? VertexColours::kKept : VertexColours::kMean);
+  warn_without_effect(options, model);
   if (shading_draws_effects(options.shading)) return model;
   const std::string by = " by --shading " + options.shading;
   if (remove_textures(model)) warn(options.mesh, "textures are not drawn" + by);

@@ -32,7 +32,8 @@ struct MeshArguments {
   std::string group;
   bool planes = false;
   bool textures = true;
-  std::string texture;  ///< a picture for all parts, or none
+  bool made_textures = false;  ///< the model has some
+  std::string texture;         ///< a picture for all parts, or none
   VertexColours colours = VertexColours::kMean;
   TextureOptions texture_options = default_model_texture_options();
   MeshLimits limits;
@@ -44,6 +45,32 @@ struct Made {
   ModelTextures textures;
 };
 
+/// The least side to which textures are shrunk before triangles are given up.
+constexpr std::int32_t kLeastShrunkSide = 32;
+
+/// Shrinks textures whose size was not asked for until the model, with all the triangles that --max-triangles
+/// leaves, is within --max-bytes or they have the least side: half the texels cost a picture less than half
+/// the triangles. Returns the options of the textures.
+TextureOptions fitting_textures(const MeshArguments& arguments, CompiledOutput output, const Model& data,
+                                const FixedModel& model) {
+  TextureOptions options = arguments.texture_options;
+  const std::optional<std::size_t> most = arguments.limits.max_bytes;
+  ModelTextures textures = make_textures(model, options);
+  if (!most || options.size || textures.textures.empty()) return options;
+  MeshLimits triangles_only = arguments.limits;
+  triangles_only.max_bytes.reset();
+  const FixedModel whole = compile_model(
+                               data, triangles_only, [](const FixedModel&) { return std::size_t{0}; },
+                               arguments.model, [](std::size_t) {})
+                               .model;
+  const auto fits = [&] { return model_bytes(output, whole, arguments.planes, textures) <= *most; };
+  while (!fits() && options.most_side > kLeastShrunkSide) {
+    options.most_side /= 2;
+    textures = make_textures(model, options);
+  }
+  return options;
+}
+
 Made make(const MeshArguments& arguments, CompiledOutput output) {
   Model data = load_model(arguments.model, {}, arguments.texture, arguments.colours);
   if (!arguments.textures) remove_textures(data);
@@ -53,7 +80,8 @@ Made make(const MeshArguments& arguments, CompiledOutput output) {
   }
   if (!arguments.group.empty()) data = select_parts(std::move(data), arguments.group, arguments.model);
   Made made{{}, to_fixed(data), {}};
-  made.textures = make_textures(made.model, arguments.texture_options);
+  const TextureOptions texture_options = fitting_textures(arguments, output, data, made.model);
+  made.textures = make_textures(made.model, texture_options);
   const BytesOf bytes_of = [output, &arguments, &made](const FixedModel& model) {
     return model_bytes(output, model, arguments.planes, made.textures);
   };
@@ -72,8 +100,10 @@ Made make(const MeshArguments& arguments, CompiledOutput output) {
     if (arguments.planes) mesh = with_planes(std::move(mesh), arguments.model);
   }
   // Simplification may have left out parts.
-  made.textures = make_textures(report.compiled.model, arguments.texture_options);
+  made.textures = make_textures(report.compiled.model, texture_options);
   report.bytes = bytes_of(report.compiled.model);
+  report.shares = byte_shares(output, report.compiled.model, made.textures);
+  report.shrunk_textures = texture_options.most_side < arguments.texture_options.most_side;
   report.textures = made.textures.textures;
   report.figures = figures_of(report.compiled.model);
   return made;
@@ -99,13 +129,14 @@ std::string name_of(const MeshArguments& arguments) {
   return identifier(from.stem().string());
 }
 
-void run_mesh(const MeshArguments& arguments) {
+void run_mesh(MeshArguments& arguments) {
   const CompiledOutput output = compiled_output(arguments.output, "mesh");
   check_results({arguments.output, arguments.picture, arguments.stats}, {arguments.model, arguments.texture});
   std::FILE* const report_to = report_stream({arguments.output, arguments.picture, arguments.stats});
   if (!arguments.picture.empty()) (void)image_format(arguments.picture);
   const Made made = make(arguments, output);
   const MeshReport& report = made.report;
+  arguments.made_textures = !report.textures.empty();
   const FixedModel& model = report.compiled.model;
   const std::string file =
       output == CompiledOutput::kBinary
@@ -133,7 +164,8 @@ void add_limits(CLI::App& mesh, MeshLimits& limits) {
   add_parsed<std::size_t>(mesh, "--max-triangles", "N", "simplify until there are no more",
                           "an integer 1...1000000000", parse_count,
                           [&limits](std::size_t n) { limits.max_triangles = n; });
-  add_parsed<std::size_t>(mesh, "--max-bytes", "N", "simplify until it takes no more",
+  add_parsed<std::size_t>(mesh, "--max-bytes", "N",
+                          "shrink textures to as few as 32x32 texels, then simplify, until it takes no more",
                           "an integer 1...1000000000", parse_count,
                           [&limits](std::size_t n) { limits.max_bytes = n; });
   add_crease(mesh, limits.crease_degrees);
@@ -181,7 +213,18 @@ void add_mesh_command(CLI::App& app) {
       "  arcspan mesh car.glb -o wheels.hpp --group wheels\n"
       "  arcspan mesh spider.obj -o spider.bin --texture-format pal4 --texture-size 64\n"
       "  arcspan mesh torus:24x12 -o bin:- | xxd -i > torus.inc");
-  mesh->callback([arguments] { run_mesh(*arguments); });
+  mesh->callback([mesh, arguments] {
+    if (!arguments->textures && !arguments->texture.empty())
+      throw CLI::ValidationError("--texture", "excludes --no-textures");
+    if (mesh->count("--name") != 0 && compiled_output(arguments->output, "mesh") == CompiledOutput::kBinary)
+      throw CLI::ValidationError("--name", "is of headers, not of binaries");
+    run_mesh(*arguments);
+    if (!arguments->made_textures) {
+      for (const char* option : {"--texture-format", "--texture-size", "--texture-levels"}) {
+        if (mesh->count(option) != 0) warn(option, "has no effect: the model has no textures");
+      }
+    }
+  });
 }
 
 }  // namespace arcspan::tools

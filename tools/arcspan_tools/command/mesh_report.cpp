@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/draw/vertex_stage.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/surface/arc.hpp>
+#include <arcspan/shading/textured/textured.hpp>
+
 #include <arcspan_tools/command/mesh_report.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/support/printable.hpp>
@@ -68,6 +73,55 @@ std::string textures_text(const MeshReport& r) {
   return text;
 }
 
+std::string shares_text(const MeshReport& r) {
+  std::string text;
+  for (const ByteShare& share : r.shares) {
+    if (share.bytes > 0)
+      text += formatted("%s%zu %s", text.empty() ? "bytes: " : ", ", share.bytes, share.name);
+  }
+  return text + "\n";
+}
+
+/// What drawing needs besides the model, for a picture of 320x240.
+struct DrawingRam {
+  std::size_t cache = 0;  ///< a vertex of `arc` with one light, for each vertex of the largest part
+  std::size_t frame = 320 * 240 * sizeof(Rgb565::Word);
+  std::size_t depth = 320 * 240 * sizeof(std::uint16_t);
+  static constexpr std::size_t kBandRows = 8;
+
+  [[nodiscard]] std::size_t band() const { return (frame + depth) / (240 / kBandRows); }
+};
+
+DrawingRam drawing_ram(const MeshReport& r) {
+  using Method = Arc<Illumination<1, Highlight::kBlinn>>;
+  using Mapped = Textured<Method, Palette8Texels<OpaqueColour>>;
+  std::size_t most = 0;
+  for (const FixedMesh& mesh : r.compiled.model.meshes) most = std::max(most, mesh.positions.size());
+  DrawingRam ram;
+  ram.cache = most * (r.textures.empty() ? sizeof(CachedVertex<Method>) : sizeof(CachedVertex<Mapped>));
+  return ram;
+}
+
+std::string ram_text(const MeshReport& r) {
+  const DrawingRam ram = drawing_ram(r);
+  return formatted(
+      "RAM to draw it: %zu bytes of vertices with arc (none without a cache), and at 320x240 in rgb565 %zu "
+      "of "
+      "colours and %zu of depths, or %zu of both in bands of %zu rows\n",
+      ram.cache, ram.frame, ram.depth, ram.band(), DrawingRam::kBandRows);
+}
+
+nlohmann::ordered_json shares_json(const MeshReport& r) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::object();
+  for (const ByteShare& share : r.shares) all[share.name] = share.bytes;
+  return all;
+}
+
+nlohmann::ordered_json ram_json(const MeshReport& r) {
+  const DrawingRam ram = drawing_ram(r);
+  return {{"vertices", ram.cache}, {"colours", ram.frame}, {"depths", ram.depth}, {"band", ram.band()}};
+}
+
 nlohmann::ordered_json textures_json(const MeshReport& r) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const MadeTexture& texture : r.textures) {
@@ -115,6 +169,8 @@ std::string to_text(const MeshReport& r) {
                     r.bytes, index_text(r).c_str(), has_planes(r) ? ", planes" : "");
   if (model.meshes.size() > 1) text += formatted(", %zu parts", model.meshes.size());
   text += "\n" + parts_text(r) + textures_text(r);
+  if (r.shrunk_textures) text += "textures: shrunk to keep --max-bytes\n";
+  text += shares_text(r) + ram_text(r);
   text += std::string("simplification: ") + to_string(r.compiled.how);
   if (r.compiled.how != Simplification::kNone) {
     text += formatted(", surface moved by about %.3g (%.2f %% of the extent)", r.compiled.error,
@@ -144,6 +200,7 @@ std::string to_json(const MeshReport& r) {
         {"vertices", r.compiled.model.vertex_count()},
         {"triangles", triangles(r)},
         {"bytes", r.bytes},
+        {"bytes_of", shares_json(r)},
         {"index_bits", index_bits(r)},
         {"planes", has_planes(r)},
         {"low", corner(r.figures.bounds.low)},
@@ -152,6 +209,7 @@ std::string to_json(const MeshReport& r) {
         {"centre", {mesh.centre.x, mesh.centre.y, mesh.centre.z}}}},
       {"parts", parts_json(r.compiled.model)},
       {"textures", textures_json(r)},
+      {"ram_at_320x240", ram_json(r)},
       {"simplification", {{"method", to_string(r.compiled.how)}, {"error", r.compiled.error}}},
       {"cache_misses_per_triangle",
        {{"before", r.compiled.cache_misses_before}, {"after", r.compiled.cache_misses}}},

@@ -3,6 +3,7 @@
 
 #include <arcspan_tools/mesh/compile/compile_mesh.hpp>
 #include <arcspan_tools/mesh/compile/mesh_figures.hpp>
+#include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/texture/plain/made_texture.hpp>
 
 #include <string>
@@ -20,6 +21,8 @@ struct MeshReport {
   double model_extent = 0;      ///< its largest, in its own units
   std::size_t dropped_faces = 0;
   std::size_t bytes = 0;
+  std::vector<ByteShare> shares{};  ///< of `bytes`
+  bool shrunk_textures = false;     ///< to keep --max-bytes
   CompiledModel compiled;
   std::vector<MadeTexture> textures{};
   MeshFigures figures;

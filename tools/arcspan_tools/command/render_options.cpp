@@ -23,9 +23,10 @@ std::optional<Vec3> parse_colour(const std::string& text) {
 namespace {
 
 constexpr std::size_t kMostLights = 4;
+constexpr std::int64_t kMostSegmentBits = 4;
 constexpr double kFarthestLight = 1000;
-constexpr const char* kPolynomials[] = {"linear", "quadratic", "cubic", "printed-linear",
-                                        "printed-quadratic"};
+constexpr const char* kPolynomials[] = {"linear", "quadratic",      "cubic",
+                                        "root",   "printed-linear", "printed-quadratic"};
 constexpr const char* kUsualPolynomial = "quadratic";
 
 std::optional<Vec3> parse_direction(const std::string& text) {
@@ -97,11 +98,11 @@ void choose_renderer(RenderOptions& o) {
   } else if (!o.polynomial.empty()) {
     throw CLI::ValidationError("--polynomial", "only --shading dichotomy has one, not " + o.shading);
   }
-  if (o.segment_given && o.shading != "segment" && o.shading != "phong-segment") {
-    throw CLI::ValidationError("--segment",
-                               "only --shading segment and phong-segment have some, not " + o.shading);
+  if (o.is_given("--segment") && !has_segments(o.shading)) {
+    throw CLI::ValidationError(
+        "--segment", "only --shading segment, phong-segment and dichotomy have some, not " + o.shading);
   }
-  if (o.tolerance_given && o.shading != "arc") {
+  if (o.is_given("--tolerance") && o.shading != "arc") {
     throw CLI::ValidationError("--tolerance", "only --shading arc has one, not " + o.shading);
   }
 }
@@ -133,16 +134,28 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
       },
       [&o](const std::string& shading) { o.shading = shading; });
   add_parsed<std::string>(
-      app, "--polynomial", "linear|quadratic|cubic|printed-linear|printed-quadratic",
-      "what dichotomy halves arcs by (default quadratic); printed are S3's own, with its last segments",
-      "linear, quadratic, cubic, printed-linear or printed-quadratic",
+      app, "--polynomial", "linear|quadratic|cubic|root|printed-linear|printed-quadratic",
+      "what dichotomy halves arcs by (default quadratic); root and printed are S3's own, with its last "
+      "segments",
+      "linear, quadratic, cubic, root, printed-linear or printed-quadratic",
       [](const std::string& text) {
         const bool known = std::count(std::begin(kPolynomials), std::end(kPolynomials), text) != 0;
         return known ? std::optional(text) : std::nullopt;
       },
       [&o](const std::string& polynomial) { o.polynomial = polynomial; });
-  add_integer(app, "--segment", "1...4", "segment's length is 2 to this power in pixels (default 2)", 1, 4,
-              o.scene.segment_bits);
+  add_parsed<std::int32_t>(
+      app, "--segment", "1...4|adaptive",
+      "a segment's length is 2 to this power in pixels (default 2, of dichotomy 3), or the longest whose "
+      "error "
+      "is at most 1/64 (of dichotomy: that turns by at most 45 degrees)",
+      "an integer 1...4 or adaptive",
+      [](const std::string& text) -> std::optional<std::int32_t> {
+        if (text == "adaptive") return kAdaptiveSegments;
+        const std::optional<std::int64_t> bits = parse_integer(text);
+        if (!bits || *bits < 1 || *bits > kMostSegmentBits) return std::nullopt;
+        return static_cast<std::int32_t>(*bits);
+      },
+      [&o](std::int32_t bits) { o.scene.segment_bits = bits; });
   add_integer(app, "--tolerance", "0...64", "what arc may be off by, in 8-bit steps (default 1)", 0, 64,
               o.scene.tolerance);
   app.parse_complete_callback([&app, &o] {
@@ -202,6 +215,14 @@ void add_camera_options(CLI::App& app, RenderOptions& o) {
 
 }  // namespace
 
+bool has_segments(const std::string& shading) {
+  return shading == "segment" || shading == "phong-segment" || shading.rfind(kDichotomy, 0) == 0;
+}
+
+bool RenderOptions::is_given(const std::string& option) const {
+  return std::find(given.begin(), given.end(), option) != given.end();
+}
+
 void refuse_adaptive() {
   throw CLI::ValidationError("--shading",
                              "adaptive is now arc with a tolerance: --shading arc --tolerance 1");
@@ -220,14 +241,13 @@ void add_crease(CLI::App& app, std::optional<double>& degrees) {
 }
 
 void note_settings(const CLI::App& app, RenderOptions& options) {
-  const CLI::Option* const shading = app.get_option_no_throw("--shading");
-  options.shading_given = shading != nullptr && shading->count() != 0;
-  options.segment_given = app.count("--segment") != 0;
-  options.tolerance_given = app.count("--tolerance") != 0;
-  options.scene.camera.fov_given = app.count("--fov") != 0;
-  options.scene.chosen = {app.count("--colour") != 0, app.count("--ambient") != 0,
-                          app.count("--diffuse") != 0, app.count("--specular") != 0,
-                          app.count("--shininess") != 0};
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() != 0) options.given.push_back(option->get_name());
+  }
+  options.scene.camera.fov_given = options.is_given("--fov");
+  options.scene.chosen = {options.is_given("--colour"), options.is_given("--ambient"),
+                          options.is_given("--diffuse"), options.is_given("--specular"),
+                          options.is_given("--shininess")};
 }
 
 std::vector<std::string> dichotomies(const std::string& polynomial) {

@@ -22,17 +22,16 @@ struct RenderOptions {
   std::string shading = "arc";
   /// The polynomial of `dichotomy`; empty if it was not given.
   std::string polynomial;
-  /// Whether `segment` and `arc` were given their settings, which are in the scene.
-  bool segment_given = false;
-  bool tolerance_given = false;
   std::optional<double> crease_degrees;  ///< make normals anew; the model's otherwise
   std::string texture;                   ///< a picture in place of the model's textures, or none
   std::string matcap;                    ///< a picture in place of light, or none
   std::optional<bool> vertex_colours;    ///< whether they are interpolated; by default as the shading wants
-  bool shading_given = false;
   Scene scene;
   /// Those given; the scene's own stays if there are none.
   std::vector<SceneLight> lights;
+  std::vector<std::string> given;  ///< names of the options that the command line has
+
+  [[nodiscard]] bool is_given(const std::string& option) const;
 };
 
 /// A colour of three channels, each 0...1.
@@ -45,6 +44,9 @@ inline constexpr const char* kAdaptive = "adaptive";
 /// The name under which the polynomials of dichotomy are offered.
 inline constexpr const char* kDichotomy = "dichotomy";
 
+/// Whether --segment has an effect on the shading or renderer of this name.
+[[nodiscard]] bool has_segments(const std::string& shading);
+
 /// The renderers of dichotomy: that of the polynomial which was asked for, or all.
 [[nodiscard]] std::vector<std::string> dichotomies(const std::string& polynomial);
 
@@ -54,7 +56,7 @@ inline constexpr const char* kDichotomy = "dichotomy";
 /// Adds --crease.
 void add_crease(CLI::App& app, std::optional<double>& degrees);
 
-/// Notes which settings were given that are otherwise chosen, or belong to single methods.
+/// Notes which options were given: some are otherwise chosen, or belong to single methods.
 void note_settings(const CLI::App& app, RenderOptions& options);
 
 /// Adds MESH and the options to a subcommand. `options` must live as long as `app`.

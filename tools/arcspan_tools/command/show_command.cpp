@@ -19,6 +19,8 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace arcspan::tools {
 namespace {
@@ -33,7 +35,8 @@ struct ShowArguments {
   bool own_format = false;  // --format was given
   std::string device;
   PanelOptions panel;
-  int turntable = 0;  // pictures a turn; 0: one picture that stands still
+  std::vector<std::string> panel_options;  // their names
+  int turntable = 0;                       // pictures a turn; 0: one picture that stands still
   double fps = 30;
   double seconds = 0;  // 0: until a signal comes
 };
@@ -176,6 +179,18 @@ void run_show(ShowArguments arguments) {
   throw ExitStatus{kSignalStatus + signal};
 }
 
+// Refuses what the display or a picture that stands still does not have.
+void check_used(const CLI::App& show, const ShowArguments& arguments) {
+  if (arguments.device.find('/') != std::string::npos) {
+    for (const std::string& option : arguments.panel_options) {
+      if (show.count(option) != 0)
+        throw CLI::ValidationError(option, "is of panels, not of " + arguments.device);
+    }
+  }
+  if (show.count("--fps") != 0 && arguments.turntable == 0)
+    throw CLI::ValidationError("--fps", "needs --turntable");
+}
+
 }  // namespace
 
 void add_show_command(CLI::App& app) {
@@ -184,9 +199,13 @@ void add_show_command(CLI::App& app) {
       app.add_subcommand("show", "Show a mesh on a display of this machine until a signal comes (Ctrl-C)");
   add_render_options(*show, arguments->options);
   std::string devices = "a graphics card, e.g. /dev/dri/card0, a framebuffer, e.g. /dev/fb0, or a panel:";
-  for (const std::string& name : panel_names()) devices += " " + name;
-  show->add_option("--device", arguments->device, devices)->required();
+  for (const std::string& name : module_names()) devices += " " + name;
+  show->add_option("--device,--panel", arguments->device, devices)->required();
+  const std::size_t first = show->get_options().size();
   add_panel_options(*show, arguments->panel);
+  const std::vector<CLI::Option*> options = show->get_options();
+  for (std::size_t i = first; i < options.size(); ++i)
+    arguments->panel_options.push_back(options[i]->get_name());
   show->add_option("--turntable", arguments->turntable,
                    "turn the mesh, N pictures a turn (default 0: it stands still)")
       ->type_name("N")
@@ -202,8 +221,10 @@ void add_show_command(CLI::App& app) {
       "  arcspan show bunny.obj --device /dev/dri/card0 --turntable 120\n"
       "  arcspan show torus:48x24 --device /dev/fb0 --seconds 10\n"
       "  arcspan show bunny.obj --device st7789 --dc GPIO25 --reset GPIO27 --backlight GPIO18\n"
-      "  arcspan show bunny.obj --device ssd1306 --i2c /dev/i2c-1");
+      "  arcspan show bunny.obj --device ssd1306 --i2c /dev/i2c-1\n"
+      "  arcspan show bunny.obj --device ssd1306-72x40 --i2c /dev/i2c-1 --rotate 180");
   show->callback([show, arguments] {
+    check_used(*show, *arguments);
     arguments->own_size = show->count("--size") > 0;
     arguments->own_format = show->count("--format") > 0;
     run_show(*arguments);

@@ -13,6 +13,7 @@
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 #include <arcspan_tools/support/result_files.hpp>
+#include <arcspan_tools/support/text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,8 @@ struct SimulateArguments {
   RenderOptions options;
   std::string output;
   DisplayOptions display;
-  std::string rotation = "0";
+  std::string panel = "ili9341";
+  GlassOptions glass;
   std::string bus = "spi";
   double spi_mhz = 20;
   double i2c_khz = 400;
@@ -52,10 +54,7 @@ DisplayOptions options_of(const SimulateArguments& arguments) {
   options.i2c = arguments.bus == "i2c";
   options.hertz = static_cast<std::uint64_t>(
       std::llround(options.i2c ? arguments.i2c_khz * 1e3 : arguments.spi_mhz * 1e6));
-  options.orientation = arguments.rotation == "90"    ? hal::Orientation::k90
-                        : arguments.rotation == "180" ? hal::Orientation::k180
-                        : arguments.rotation == "270" ? hal::Orientation::k270
-                                                      : hal::Orientation::k0;
+  options.module = find_module("--panel", arguments.panel, arguments.glass);
   if (arguments.options.scene.band_rows > 0) options.band_rows = arguments.options.scene.band_rows;
   return options;
 }
@@ -143,9 +142,11 @@ void report(const SimulateArguments& arguments, const SimulatedDisplay& display,
   const Size size = display.size();
   const bool i2c = arguments.bus == "i2c";
   std::FILE* out = report_stream({arguments.output});
-  std::fprintf(out, "%s: %dx%d, %s, rotation %s, %s at %g %s\n", arguments.display.panel.c_str(), size.width,
-               size.height, display.format().c_str(), arguments.rotation.c_str(), i2c ? "I2C" : "SPI",
-               i2c ? arguments.i2c_khz : arguments.spi_mhz, i2c ? "kHz" : "MHz");
+  const std::string bus =
+      i2c ? formatted("I2C at %g kHz", arguments.i2c_khz)
+          : formatted("SPI at %g MHz, mode %d", arguments.spi_mhz, arguments.glass.spi_mode);
+  std::fprintf(out, "%s: %dx%d, %s, rotation %d, %s\n", arguments.panel.c_str(), size.width, size.height,
+               display.format().c_str(), arguments.glass.rotation, bus.c_str());
   std::fprintf(out, "sent: %.0f bytes a frame in %.0f transfers\n",
                static_cast<double>(totals.bus.bytes) / frames,
                static_cast<double>(totals.bus.transfers) / frames);
@@ -175,12 +176,9 @@ void run_simulate(const SimulateArguments& arguments) {
   report(arguments, *display, totals);
 }
 
-void add_panel_options(CLI::App& app, SimulateArguments& a) {
-  a.display.panel = "ili9341";
-  add_choice(app, "--panel", "controller of the display", simulated_panels(), a.display.panel);
-  add_choice(app, "--rotation", "degrees clockwise that the picture is turned on the glass",
-             {"0", "90", "180", "270"}, a.rotation);
-  app.add_flag("--inverted", a.display.inverted, "let the controller show complements");
+void add_display_options(CLI::App& app, SimulateArguments& a) {
+  add_choice(app, "--panel,--device", "the display's module or controller", module_names(), a.panel);
+  add_glass_options(app, a.glass);
   app.add_flag("--changes", a.display.changes_only, "send only what changed since the last frame");
   add_choice(app, "--bus", "what the panel hangs on; i2c for ssd1306", {"spi", "i2c"}, a.bus);
   add_number(app, "--spi-mhz", "clock of the SPI bus", 0.01, 200, a.spi_mhz);
@@ -202,7 +200,7 @@ void add_simulate_command(CLI::App& app) {
   // The panel says these.
   simulate->remove_option(simulate->get_option("--size"));
   simulate->remove_option(simulate->get_option("--format"));
-  add_panel_options(*simulate, *arguments);
+  add_display_options(*simulate, *arguments);
   simulate
       ->add_option(
           "-o,--output", arguments->output,
@@ -210,9 +208,18 @@ void add_simulate_command(CLI::App& app) {
       ->required();
   simulate->footer(
       "Examples:\n"
-      "  arcspan simulate torus:48x24 --panel ili9341 --rotation 90 -o panel.png\n"
+      "  arcspan simulate torus:48x24 --panel ili9341 --rotate 90 -o panel.png\n"
+      "  arcspan simulate torus:48x24 --panel st7789 --glass 135x240 --glass-at 52,40 -o small.png\n"
       "  arcspan simulate bunny.obj --panel ssd1306 --bus i2c --turntable 36 --changes -o oled.gif");
-  simulate->callback([arguments] { run_simulate(*arguments); });
+  simulate->callback([simulate, arguments] {
+    const bool i2c = arguments->bus == "i2c";
+    for (const char* other : {"--spi-mhz", "--spi-mode", "--i2c-khz"}) {
+      const bool is_of_i2c = std::string(other) == "--i2c-khz";
+      if (simulate->count(other) != 0 && is_of_i2c != i2c)
+        throw CLI::ValidationError(other, "is of --bus " + std::string(is_of_i2c ? "i2c" : "spi"));
+    }
+    run_simulate(*arguments);
+  });
 }
 
 }  // namespace arcspan::tools

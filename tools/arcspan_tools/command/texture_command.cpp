@@ -119,7 +119,12 @@ void add_texture_command(CLI::App& app) {
       "Examples:\n"
       "  arcspan texture wood.jpg -o wood.hpp --size 128 --format pal8 --levels all --report wood.png\n"
       "  arcspan texture leaf.png -o leaf.bin --format pal4-5551 --clamp");
-  texture->callback([arguments] { run_texture(*arguments); });
+  texture->callback([texture, arguments] {
+    if (texture->count("--name") != 0 &&
+        compiled_output(arguments->output, "texture") == CompiledOutput::kBinary)
+      throw CLI::ValidationError("--name", "is of headers, not of binaries");
+    run_texture(*arguments);
+  });
 }
 
 }  // namespace arcspan::tools

@@ -82,7 +82,14 @@ void add_turntable_command(CLI::App& app) {
       "  arcspan turntable bunny.obj -o bunny.gif --size 160x120\n"
       "  arcspan turntable torus:48x24 -o turn.png --frames 72 --fps 30 --shading gouraud\n"
       "  arcspan turntable part.stl -o frames/ --frames 360 --pictures ppm");
-  turntable->callback([arguments] { run_turntable(*arguments); });
+  turntable->callback([turntable, arguments] {
+    const bool is_folder = is_frame_folder(arguments->output);
+    if (is_folder && turntable->count("--fps") != 0)
+      throw CLI::ValidationError("--fps", "is of animations, not of a folder's pictures");
+    if (!is_folder && turntable->count("--pictures") != 0)
+      throw CLI::ValidationError("--pictures", "is of folders, not of an animation");
+    run_turntable(*arguments);
+  });
 }
 
 }  // namespace arcspan::tools

@@ -12,14 +12,14 @@
 namespace arcspan::tools {
 
 /// Adds an option whose text `parse` turns into a value; nothing means that it is not `expected`. Given
-/// twice, the last counts.
+/// twice, the last counts. Messages call an option of several names, with commas between them, by its first.
 template <class T>
 void add_parsed(CLI::App& app, const std::string& name, const std::string& type, const std::string& help,
                 const std::string& expected, std::function<std::optional<T>(const std::string&)> parse,
                 std::function<void(const T&)> use) {
-  const auto take = [name, expected, parse, use](const std::string& text) {
+  const auto take = [first = name.substr(0, name.find(',')), expected, parse, use](const std::string& text) {
     const std::optional<T> value = parse(text);
-    if (!value) throw CLI::ValidationError(name, "expected " + expected + ", not '" + text + "'");
+    if (!value) throw CLI::ValidationError(first, "expected " + expected + ", not '" + text + "'");
     use(*value);
   };
   app.add_option_function<std::string>(name, take, help)

@@ -6,6 +6,7 @@
 // Operations of small machines are counted, on whatever host: those of a Cortex-M3, which has 64-bit sums of
 // products.
 #define ARCSPAN_LONG_SUMS
+#undef ARCSPAN_CHECKED  // the same library serves all builds
 #define arcspan arcspan_counted
 #define std arcspan_counted_std
 

@@ -24,7 +24,7 @@ struct CountJob {
   bool phong_highlight = false;            ///< R·V instead of N·H
   bool two_sided = false;
   bool depth = true;     ///< with a depth test; otherwise every pixel passes it
-  int segment_bits = 2;  ///< of `segment`
+  int segment_bits = 0;  ///< 2^bits pixels; 0: the usual length; negative: adaptive
   int tolerance = 1;     ///< of `arc`
   int band_rows = 0;     ///< rows of the bands that the picture is drawn in, 1 or more
 };

@@ -156,7 +156,10 @@ CountedDraw count_lit(const CountJob& job) {
   }
   typename Method<Lit>::Lighting lit(lighting);
   counted::Status set = counted::Status::kOk;
-  if constexpr (requires { lit.set_segment_bits(1); }) set = lit.set_segment_bits(job.segment_bits);
+  if constexpr (requires { lit.set_segment_bits(1); }) {
+    if (job.segment_bits < 0) set = lit.set_adaptive_segments(material.shininess);
+    if (job.segment_bits > 0) set = lit.set_segment_bits(job.segment_bits);
+  }
   if constexpr (requires { lit.set_tolerance(1); }) set = lit.set_tolerance(job.tolerance);
   if (set != counted::Status::kOk) throw std::logic_error("the counting pipeline rejects the settings");
   return count_draw<Method<Lit>>(job, lit);

@@ -34,9 +34,10 @@ Surface with_material(Surface surface, const FileMaterial& material, const Surfa
   if (!chosen.shininess && material.shininess) surface.shininess = *material.shininess;
   if (!chosen.colour) surface.emission = material.emission;
   if (material.unlit) {
-    if (!chosen.ambient) surface.ambient = 1;
-    if (!chosen.diffuse) surface.diffuse = 0;
-    if (!chosen.specular) surface.specular = 0;
+    surface.ambient = 1;
+    surface.diffuse = 0;
+    surface.specular = 0;
+    surface.ambient_colour.reset();
   }
   return surface;
 }

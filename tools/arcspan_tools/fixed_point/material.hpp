@@ -42,8 +42,8 @@ struct SurfaceChoice {
   bool shininess = false;
 };
 
-/// `surface` with what the file says of its material, except for what the user has chosen. A surface that is
-/// unlit keeps a share of light only where the user has chosen one. A textured one without a colour is white.
+/// `surface` with what the file says of its material, except for what the user has chosen. An unlit surface
+/// shows its colour, whatever shares of light the user has chosen. A textured one without a colour is white.
 [[nodiscard]] Surface with_material(Surface surface, const FileMaterial& material,
                                     const SurfaceChoice& chosen);
 

@@ -43,12 +43,14 @@ class AnimationFile : public FrameOutput {
 
 }  // namespace
 
-std::unique_ptr<FrameOutput> make_frame_output(const fs::path& path, const FrameFormat& format) {
+bool is_frame_folder(const fs::path& path) {
   std::error_code error;
+  return !path.has_filename() || output_kind(path, "png").empty() || fs::is_directory(path, error);
+}
+
+std::unique_ptr<FrameOutput> make_frame_output(const fs::path& path, const FrameFormat& format) {
+  if (is_frame_folder(path)) return std::make_unique<FrameFolder>(path, format);
   const std::string kind = output_kind(path, "png");
-  if (!path.has_filename() || kind.empty() || fs::is_directory(path, error)) {
-    return std::make_unique<FrameFolder>(path, format);
-  }
   if (kind == "gif") return std::make_unique<AnimationFile>(path, &encode_gif, format);
   if (kind == "png" || kind == "apng") return std::make_unique<AnimationFile>(path, &encode_apng, format);
   throw Failure(path.string(), "an animation's name must end in .gif or .png, a folder's in a slash");

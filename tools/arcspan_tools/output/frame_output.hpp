@@ -33,6 +33,9 @@ struct FrameFormat {
   ImageFormat pictures = ImageFormat::kPng;  ///< of a folder's frames
 };
 
+/// Whether `path` is a folder of pictures, as make_frame_output() takes it, or names one.
+[[nodiscard]] bool is_frame_folder(const std::filesystem::path& path);
+
 /// By what `path` says: .gif, .png or .apng (animations; also gif:- and png:- on standard output), or a
 /// folder if it has no extension, ends in a slash or is one. A folder is made if it is not there and gets
 /// frame-0000.png and so on. Throws Failure for other extensions, animations of more than 2^28 pixels in all,

@@ -32,6 +32,14 @@ enum class CompiledOutput { kHeader, kBinary };
 [[nodiscard]] std::size_t model_bytes(CompiledOutput output, const FixedModel& model, bool planes,
                                       const ModelTextures& textures = {});
 
+/// What the bytes of a model are for. Their sum is model_bytes().
+struct ByteShare {
+  const char* name;
+  std::size_t bytes;
+};
+[[nodiscard]] std::vector<ByteShare> byte_shares(CompiledOutput output, const FixedModel& model,
+                                                 const ModelTextures& textures);
+
 /// Whether the model is a single mesh without a material, which is written as a mesh.
 [[nodiscard]] bool is_plain_mesh(const FixedModel& model);
 

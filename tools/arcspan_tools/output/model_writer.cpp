@@ -109,6 +109,33 @@ std::size_t model_bytes(CompiledOutput output, const FixedModel& model, bool pla
   return sum + bytes_around(parts, !textures.textures.empty());
 }
 
+std::vector<ByteShare> byte_shares(CompiledOutput output, const FixedModel& model,
+                                   const ModelTextures& textures) {
+  std::size_t vertices = 0;
+  std::size_t indices = 0;
+  std::size_t planes = 0;
+  std::size_t points = 0;
+  std::size_t colours = 0;
+  for (const FixedMesh& mesh : model.meshes) {
+    vertices += mesh.positions.size();
+    indices += mesh.indices.size() * (fits_indices8(mesh.positions.size()) ? 1 : 2);
+    planes += mesh.planes.size();
+    points += mesh.texture_points.size();
+    colours += mesh.colours.size();
+  }
+  std::vector<ByteShare> shares = {{"positions", vertices * sizeof(ObjectPosition)},
+                                   {"normals", vertices * sizeof(PackedNormal)},
+                                   {"indices", indices},
+                                   {"planes", planes * sizeof(FacePlane)},
+                                   {"texture points", points * sizeof(TexturePoint)},
+                                   {"vertex colours", colours * sizeof(Rgb8)},
+                                   {"textures", textures.bytes()}};
+  std::size_t sum = 0;
+  for (const ByteShare& share : shares) sum += share.bytes;
+  shares.push_back({"materials and headers", model_bytes(output, model, planes != 0, textures) - sum});
+  return shares;
+}
+
 namespace {
 
 /// The binaries that follow the entries, and where they are.

@@ -34,7 +34,7 @@ template <class Shading>
 Curve flicker_curve(const std::string& label, const Shading& shading) {
   Curve curve;
   curve.label = label;
-  for (int turn = 0; turn <= 60; turn += 2) {
+  for (int turn = 0; turn <= 60; ++turn) {
     curve.points.emplace_back(turn, peak(ArtefactScene::turning_sphere(turn).picture(shading)));
   }
   return curve;

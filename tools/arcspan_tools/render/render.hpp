@@ -35,6 +35,9 @@ struct RenderPart {
   std::uint8_t opacity = 32;  ///< of transparency: 0...32, of kScreenDoor 0...8
 };
 
+/// RenderJob::segment_bits of segments that are as long as the accuracy allows.
+inline constexpr std::int32_t kAdaptiveSegments = -1;
+
 /// One picture for the pipeline: everything is fixed point or integer already.
 struct RenderJob {
   std::vector<RenderPart> parts;  ///< 1 or more, drawn in this order by the same transform
@@ -43,8 +46,9 @@ struct RenderJob {
   Direction to_eye;
   Highlight highlight = Highlight::kBlinn;
   bool depth = true;
-  std::int32_t segment_bits = 2;  ///< of `segment`
-  std::int32_t tolerance = 1;     ///< of `arc`, in 8-bit steps
+  /// Of methods with segments: these have 2^bits pixels. 0: the method's usual length.
+  std::int32_t segment_bits = 0;
+  std::int32_t tolerance = 1;  ///< of `arc`, in 8-bit steps
   Rgb8 background;
   std::int32_t band_rows = 0;  ///< rows per band, 1 or more; the picture's height or more is a full frame
   std::int32_t repeats = 1;    ///< draws of every band, 1 or more, for measuring; the picture is the same

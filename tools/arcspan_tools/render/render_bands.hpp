@@ -68,13 +68,18 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
   return result;
 }
 
-/// The method's lighting by an illumination, with the job's settings of the method if it has any.
+/// The method's lighting of a part by an illumination, with the job's settings of the method if it has any.
 template <class Method, class Lit>
-typename Method::Lighting lighting_of(const RenderJob& job, const Lit& illumination) {
+typename Method::Lighting lighting_of(const RenderJob& job, const RenderPart& part, const Lit& illumination) {
   typename Method::Lighting lighting(illumination);
   Status status = Status::kOk;
-  if constexpr (requires { lighting.set_segment_bits(1); })
-    status = lighting.set_segment_bits(job.segment_bits);
+  if constexpr (requires { lighting.set_segment_bits(1); }) {
+    if (job.segment_bits == kAdaptiveSegments) {
+      status = lighting.set_adaptive_segments(part.material.shininess);
+    } else if (job.segment_bits != 0) {
+      status = lighting.set_segment_bits(job.segment_bits);
+    }
+  }
   if (!ok(status)) throw Failure("--segment " + std::to_string(job.segment_bits), to_string(status));
   if constexpr (requires { lighting.set_tolerance(1); }) status = lighting.set_tolerance(job.tolerance);
   if (!ok(status)) throw Failure("--tolerance " + std::to_string(job.tolerance), to_string(status));
@@ -84,7 +89,8 @@ typename Method::Lighting lighting_of(const RenderJob& job, const Lit& illuminat
 template <class Method, class Lit>
 PartLightings<Method> lightings_of(const RenderJob& job, const std::vector<Lit>& illuminations) {
   PartLightings<Method> lightings;
-  for (const Lit& illumination : illuminations) lightings.push_back(lighting_of<Method>(job, illumination));
+  for (std::size_t i = 0; i < illuminations.size(); ++i)
+    lightings.push_back(lighting_of<Method>(job, job.parts[i], illuminations[i]));
   return lightings;
 }
 

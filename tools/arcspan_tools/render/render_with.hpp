@@ -114,7 +114,8 @@ std::unique_ptr<SurfaceDrawer> make_surface_drawer(const RenderJob& job, const R
   const auto make = [&]<class Lit>(const Lit& illumination) -> std::unique_ptr<SurfaceDrawer> {
     using Drawn = Textured<Method<Lit>, SurfaceTexels, TexelLight::kColoured>;
     const bool textured = part.texture != nullptr;
-    const typename Drawn::Lighting lighting(lighting_of<Method<Lit>>(job, illumination), texture_of(part));
+    const typename Drawn::Lighting lighting(lighting_of<Method<Lit>>(job, part, illumination),
+                                            texture_of(part));
     return std::make_unique<SurfaceDrawerOf<Drawn>>(
         job, part, lighting, operation,
         cached_vertex_bytes_of<Method>(job) + (textured ? sizeof(MappedPoint) : 0));

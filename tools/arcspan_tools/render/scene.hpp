@@ -32,7 +32,7 @@ struct Scene {
   std::int32_t band_rows = 0;  ///< 0: the whole picture at once
   bool depth = true;
   bool two_sided = false;
-  std::int32_t segment_bits = 2;  ///< of `segment`: segments have 2^bits pixels
+  std::int32_t segment_bits = 0;  ///< as in RenderJob
   std::int32_t tolerance = 1;     ///< of `arc`, in 8-bit steps
   std::optional<double> alpha;    ///< multiplies the opacity of all surfaces, 0...1
   /// How surfaces that are not opaque are blended; with `alpha`, how all are. kNone draws them opaque.

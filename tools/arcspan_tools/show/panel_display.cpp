@@ -10,7 +10,9 @@
 #include <arcspan_tools/show/panel_display.hpp>
 #include <arcspan_tools/show/panel_wires.hpp>
 #include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/text.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace arcspan::tools {
@@ -22,34 +24,41 @@ using namespace hal;
 template <class DriverType>
 struct OnSpi {
   using Driver = DriverType;
-  OnSpi(PanelWires& wires, const PanelOptions&, const Glass& glass, const PanelSettings& settings)
-      : driver(wires.spi(), wires.data_or_command(), wires.reset(), wires.clock(), glass, settings) {}
+  OnSpi(PanelWires& wires, const PanelOptions&, const PanelModule& module)
+      : driver(wires.spi(), wires.data_or_command(), wires.reset(), wires.clock(), module.glass,
+               module.settings) {}
   Driver driver;
 };
 
 template <class DriverType>
 struct OnSolomonSpi {
   using Driver = DriverType;
-  OnSolomonSpi(PanelWires& wires, const PanelOptions&, const Glass& glass, const PanelSettings& settings)
+  template <class... Wiring>
+  OnSolomonSpi(PanelWires& wires, const PanelModule& module, const Wiring&... wiring)
       : port(wires.spi(), wires.data_or_command()),
-        driver(port, wires.reset(), wires.clock(), glass, settings) {}
+        driver(port, wires.reset(), wires.clock(), module.glass, module.settings, wiring...) {}
   SolomonSpi port;
   Driver driver;
 };
 
+struct Ssd0323OnSpi : OnSolomonSpi<Ssd0323> {
+  Ssd0323OnSpi(PanelWires& wires, const PanelOptions&, const PanelModule& module)
+      : OnSolomonSpi(wires, module) {}
+};
+
+struct Ssd1306OnSpi : OnSolomonSpi<Ssd1306> {
+  Ssd1306OnSpi(PanelWires& wires, const PanelOptions&, const PanelModule& module)
+      : OnSolomonSpi(wires, module, module.wiring) {}
+};
+
 struct Ssd1306OnI2c {
   using Driver = Ssd1306;
-  Ssd1306OnI2c(PanelWires& wires, const PanelOptions& options, const Glass& glass,
-               const PanelSettings& settings)
+  Ssd1306OnI2c(PanelWires& wires, const PanelOptions& options, const PanelModule& module)
       : port(wires.i2c(), static_cast<std::uint8_t>(options.i2c_address)),
-        driver(port, wires.reset(), wires.clock(), glass, settings) {}
+        driver(port, wires.reset(), wires.clock(), module.glass, module.settings, module.wiring) {}
   SolomonI2c port;
   Ssd1306 driver;
 };
-
-PanelSettings settings_of(const PanelOptions& options) {
-  return {.orientation = static_cast<Orientation>(options.rotation / 90), .inverted = options.inverted};
-}
 
 template <class Wired>
 class PanelDisplay final : public Display {
@@ -58,14 +67,14 @@ class PanelDisplay final : public Display {
   using Format = typename Driver::Layout::Format;
   using Frame = Framebuffer<Format>;
 
-  PanelDisplay(const char* name, const PanelOptions& options, const Glass& glass)
+  PanelDisplay(const std::string& name, const PanelOptions& options, const PanelModule& module)
       : wires_(options),
-        wired_(wires_, options, glass, settings_of(options)),
+        wired_(wires_, options, module),
         memory_(Frame::words(panel().width(), panel().height())),
         frame_(memory_, panel().width(), panel().height()),
         // Twice, so that a frame is one window.
         wire_(2 * wire_bytes<Driver>(panel().width(), panel().height())),
-        description_(std::string("panel ") + name + " at " + options.bus()) {}
+        description_("panel " + name + " at " + options.bus()) {}
   // Not in the constructor: what fails here must put the panel to sleep, too.
   void start() {
     started_ = true;
@@ -118,45 +127,42 @@ class PanelDisplay final : public Display {
   bool started_ = false;
 };
 
-struct KnownPanel {
-  const char* name;
-  Glass glass;
-  std::unique_ptr<Display> (*on_spi)(const KnownPanel&, const PanelOptions&);
-  std::unique_ptr<Display> (*on_i2c)(const KnownPanel&, const PanelOptions&);
-};
+using Open = std::unique_ptr<Display>(const std::string&, const PanelOptions&, const PanelModule&);
 
 template <class Wired>
-std::unique_ptr<Display> open(const KnownPanel& panel, const PanelOptions& options) {
-  auto display = std::make_unique<PanelDisplay<Wired>>(panel.name, options, panel.glass);
+std::unique_ptr<Display> open(const std::string& name, const PanelOptions& options,
+                              const PanelModule& module) {
+  auto display = std::make_unique<PanelDisplay<Wired>>(name, options, module);
   display->start();
   return display;
 }
 
-constexpr KnownPanel kPanels[] = {
-    {"ili9341", kIli9341Module, &open<OnSpi<Ili9341>>, nullptr},
-    {"st7789", kSt7789Module, &open<OnSpi<St7789>>, nullptr},
-    {"ssd1351", kSsd1351Module, &open<OnSpi<Ssd1351>>, nullptr},
-    {"ssd1306", kSsd1306Module, &open<OnSolomonSpi<Ssd1306>>, &open<Ssd1306OnI2c>},
-    {"ssd0323", kSsd0323Module, &open<OnSolomonSpi<Ssd0323>>, nullptr}};
+struct KnownController {
+  const char* name;
+  Open* on_spi;
+  Open* on_i2c;
+};
+
+constexpr KnownController kControllers[] = {{"ili9341", &open<OnSpi<Ili9341>>, nullptr},
+                                            {"st7789", &open<OnSpi<St7789>>, nullptr},
+                                            {"ssd1351", &open<OnSpi<Ssd1351>>, nullptr},
+                                            {"ssd1306", &open<Ssd1306OnSpi>, &open<Ssd1306OnI2c>},
+                                            {"ssd0323", &open<Ssd0323OnSpi>, nullptr}};
 
 }  // namespace
 
-std::vector<std::string> panel_names() {
-  std::vector<std::string> names;
-  for (const KnownPanel& panel : kPanels) names.emplace_back(panel.name);
-  return names;
-}
-
 std::unique_ptr<Display> open_panel_display(const std::string& name, const PanelOptions& options) {
-  std::string names;
-  for (const KnownPanel& panel : kPanels) {
-    names += std::string(", ") + panel.name;
-    if (panel.name != name) continue;
-    const auto open_on = options.i2c.empty() ? panel.on_spi : panel.on_i2c;
+  const std::vector<std::string> names = module_names();
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw Failure("--device", "expected /dev/..., " + joined(names, ", ") + ", not '" + name + "'");
+  const PanelModule module = find_module("--device", name, options.glass);
+  for (const KnownController& known : kControllers) {
+    if (module.controller != known.name) continue;
+    Open* const open_on = options.i2c.empty() ? known.on_spi : known.on_i2c;
     if (open_on == nullptr) throw Failure("--i2c", name + " is on SPI only");
-    return open_on(panel, options);
+    return open_on(name, options, module);
   }
-  throw Failure("--device", "expected /dev/..." + names + ", not '" + name + "'");
+  throw Failure("--device", "no driver of " + module.controller);
 }
 
 }  // namespace arcspan::tools

@@ -9,7 +9,7 @@
 
 namespace arcspan::tools {
 
-/// The panel `name`, one of panel_names(), wired as `options` say, reset and switched on. At the end it is
+/// The panel `name`, one of module_names(), wired as `options` say, reset and switched on. At the end it is
 /// dark and asleep, its backlight off. Throws Failure.
 [[nodiscard]] std::unique_ptr<Display> open_panel_display(const std::string& name,
                                                           const PanelOptions& options);

@@ -42,11 +42,8 @@ void add_panel_options(CLI::App& app, PanelOptions& options) {
   add_bus_options(app, options);
   add_line(app, "--reset", options.reset, "line of the reset, which is active when low");
   add_line(app, "--backlight", options.backlight, "line of the backlight, on when high");
-  app.add_option("--rotate", options.rotation, "degrees clockwise (default 0)")
-      ->type_name("0|90|180|270")
-      ->check(CLI::IsMember({0, 90, 180, 270}))
-      ->group(kGroup);
-  app.add_flag("--inverted", options.inverted, "let the controller show complements")->group(kGroup);
+  add_glass_options(app, options.glass);
+  app.get_option("--i2c")->excludes("--spi-mode");
 }
 
 }  // namespace arcspan::tools

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <arcspan_tools/command/glass_options.hpp>
 
 #include <cstdint>
 #include <string>
@@ -20,15 +21,11 @@ struct PanelOptions {
   std::string reset;
   std::string backlight;
   std::string busy;
-  int rotation = 0;  ///< degrees clockwise: 0, 90, 180, 270
-  bool inverted = false;
+  GlassOptions glass;
 
   /// The device of the bus that is used.
   [[nodiscard]] const std::string& bus() const { return i2c.empty() ? spi : i2c; }
 };
-
-/// Names of the panels that `--device` takes.
-[[nodiscard]] std::vector<std::string> panel_names();
 
 void add_panel_options(CLI::App& app, PanelOptions& options);
 

@@ -19,7 +19,8 @@ void take(linux_host::GpioPin& pin, const char* option, const std::string& line,
 }
 
 linux_host::SpiSettings spi_settings_of(const PanelOptions& options) {
-  return {static_cast<std::uint32_t>(std::lround(options.spi_mhz * 1e6)), 0};
+  return {static_cast<std::uint32_t>(std::lround(options.spi_mhz * 1e6)),
+          static_cast<std::uint8_t>(options.glass.spi_mode)};
 }
 
 }  // namespace

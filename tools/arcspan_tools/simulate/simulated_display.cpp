@@ -25,8 +25,10 @@ using namespace hal;
 template <class Driver, class Model>
 struct PlainSpi {
   using Panel = Driver;
-  PlainSpi(const Glass& glass, const PanelSettings& settings, std::uint64_t hertz)
-      : device(glass), bus(device, clock, hertz), panel(bus, bus.dc, &bus.reset, clock, glass, settings) {}
+  PlainSpi(const PanelModule& module, std::uint64_t hertz)
+      : device(module.glass),
+        bus(device, clock, hertz),
+        panel(bus, bus.dc, &bus.reset, clock, module.glass, module.settings) {}
   sim::SimulatedClock clock;
   Model device;
   sim::SimulatedSpi bus;
@@ -36,11 +38,12 @@ struct PlainSpi {
 template <class Driver, class Model>
 struct PortSpi {
   using Panel = Driver;
-  PortSpi(const Glass& glass, const PanelSettings& settings, std::uint64_t hertz)
-      : device(glass),
+  template <class... Wiring>
+  PortSpi(const PanelModule& module, std::uint64_t hertz, const Wiring&... wiring)
+      : device(module.glass),
         bus(device, clock, hertz),
         port(bus, bus.dc),
-        panel(port, &bus.reset, clock, glass, settings) {}
+        panel(port, &bus.reset, clock, module.glass, module.settings, wiring...) {}
   sim::SimulatedClock clock;
   Model device;
   sim::SimulatedSpi bus;
@@ -48,13 +51,18 @@ struct PortSpi {
   Driver panel;
 };
 
+struct SimulatedSsd1306OnSpi : PortSpi<Ssd1306, sim::Ssd1306Model> {
+  SimulatedSsd1306OnSpi(const PanelModule& module, std::uint64_t hertz)
+      : PortSpi(module, hertz, module.wiring) {}
+};
+
 struct SimulatedSsd1306OnI2c {
   using Panel = Ssd1306;
-  SimulatedSsd1306OnI2c(const Glass& glass, const PanelSettings& settings, std::uint64_t hertz)
-      : device(glass),
+  SimulatedSsd1306OnI2c(const PanelModule& module, std::uint64_t hertz)
+      : device(module.glass),
         bus(device, SolomonI2c::kUsualAddress, clock, hertz),
         port(bus, SolomonI2c::kUsualAddress),
-        panel(port, nullptr, clock, glass, settings) {}
+        panel(port, nullptr, clock, module.glass, module.settings, module.wiring) {}
   sim::SimulatedClock clock;
   sim::Ssd1306Model device;
   sim::SimulatedI2c bus;
@@ -74,24 +82,24 @@ class DisplayOf final : public SimulatedDisplay {
   using Frame = typename Mode::Frame;
   using Format = typename Frame::Format;
 
-  DisplayOf(const DisplayOptions& options, const Glass& glass)
+  explicit DisplayOf(const DisplayOptions& options)
       : options_(options),
-        wired_(glass, {.orientation = options.orientation, .inverted = options.inverted}, options.hertz),
+        wired_(options.module, options.hertz),
         rows_(std::min(options.band_rows, wired_.panel.height())),
         band_(Frame::words(wired_.panel.width(), rows_)),
         wire_(wire_bytes<Driver>(wired_.panel.width(), rows_)),
         extents_(Damage::extents(wired_.panel.height())),
         damage_(extents_, wired_.panel.width(), wired_.panel.height()),
         mode_(wired_.panel, band_, wire_, rows_) {
-    const std::int32_t step = Driver::Layout::row_step(options.orientation);
+    const std::int32_t step = Driver::Layout::row_step(options.module.settings.orientation);
     if (rows_ % step != 0) {
-      throw Failure("--band", std::to_string(rows_) + " rows, but " + options.panel +
+      throw Failure("--band", std::to_string(rows_) + " rows, but " + options.module.controller +
                                   " needs a multiple of " + std::to_string(step));
     }
   }
 
   void start() override {
-    require_ok(options_.panel, wired_.panel.start());
+    require_ok(options_.module.controller, wired_.panel.start());
     forbid_complaints();
   }
 
@@ -106,7 +114,7 @@ class DisplayOf final : public SimulatedDisplay {
     const Status status = options_.changes_only
                               ? mode_.show_changes(damage_, draw)
                               : mode_.show([&draw](Frame& band) { return draw(band, band); });
-    require_ok(options_.panel, status);
+    require_ok(options_.module.controller, status);
     forbid_complaints();
   }
 
@@ -150,7 +158,8 @@ class DisplayOf final : public SimulatedDisplay {
 
   void forbid_complaints() const {
     for (const auto* list : {&wired_.device.complaints(), &wired_.bus.complaints()}) {
-      if (!list->empty()) throw Failure(options_.panel, "the controller's model complains: " + list->front());
+      if (!list->empty())
+        throw Failure(options_.module.controller, "the controller's model complains: " + list->front());
     }
   }
 
@@ -165,40 +174,33 @@ class DisplayOf final : public SimulatedDisplay {
 };
 
 template <class Wired>
-std::unique_ptr<SimulatedDisplay> make(const DisplayOptions& options, const Glass& glass) {
-  return std::make_unique<DisplayOf<Wired>>(options, glass);
+std::unique_ptr<SimulatedDisplay> make(const DisplayOptions& options) {
+  return std::make_unique<DisplayOf<Wired>>(options);
 }
 
-struct SimulatedPanel {
+struct SimulatedController {
   const char* name;
-  Glass glass;
-  std::unique_ptr<SimulatedDisplay> (*spi)(const DisplayOptions&, const Glass&);
-  std::unique_ptr<SimulatedDisplay> (*i2c)(const DisplayOptions&, const Glass&);
+  std::unique_ptr<SimulatedDisplay> (*spi)(const DisplayOptions&);
+  std::unique_ptr<SimulatedDisplay> (*i2c)(const DisplayOptions&);
 };
 
-constexpr SimulatedPanel kSimulatedPanels[] = {
-    {"ili9341", kIli9341Module, &make<PlainSpi<Ili9341, sim::DcsModel>>, nullptr},
-    {"st7789", kSt7789Module, &make<PlainSpi<St7789, sim::DcsModel>>, nullptr},
-    {"ssd1351", kSsd1351Module, &make<PlainSpi<Ssd1351, sim::Ssd1351Model>>, nullptr},
-    {"ssd1306", kSsd1306Module, &make<PortSpi<Ssd1306, sim::Ssd1306Model>>, &make<SimulatedSsd1306OnI2c>},
-    {"ssd0323", kSsd0323Module, &make<PortSpi<Ssd0323, sim::Ssd0323Model>>, nullptr}};
+constexpr SimulatedController kControllers[] = {
+    {"ili9341", &make<PlainSpi<Ili9341, sim::DcsModel>>, nullptr},
+    {"st7789", &make<PlainSpi<St7789, sim::DcsModel>>, nullptr},
+    {"ssd1351", &make<PlainSpi<Ssd1351, sim::Ssd1351Model>>, nullptr},
+    {"ssd1306", &make<SimulatedSsd1306OnSpi>, &make<SimulatedSsd1306OnI2c>},
+    {"ssd0323", &make<PortSpi<Ssd0323, sim::Ssd0323Model>>, nullptr}};
 
 }  // namespace
 
-std::vector<std::string> simulated_panels() {
-  std::vector<std::string> names;
-  for (const SimulatedPanel& panel : kSimulatedPanels) names.emplace_back(panel.name);
-  return names;
-}
-
 std::unique_ptr<SimulatedDisplay> make_display(const DisplayOptions& options) {
-  for (const SimulatedPanel& panel : kSimulatedPanels) {
-    if (options.panel != panel.name) continue;
-    const auto maker = options.i2c ? panel.i2c : panel.spi;
-    if (maker == nullptr) throw Failure("--bus", options.panel + " is not simulated on I2C");
-    return maker(options, panel.glass);
+  for (const SimulatedController& known : kControllers) {
+    if (options.module.controller != known.name) continue;
+    const auto maker = options.i2c ? known.i2c : known.spi;
+    if (maker == nullptr) throw Failure("--bus", options.module.controller + " is not simulated on I2C");
+    return maker(options);
   }
-  throw Failure("--panel", "no such panel: " + options.panel);
+  throw Failure("--panel", "no simulation of " + options.module.controller);
 }
 
 }  // namespace arcspan::tools

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/hal/panel/glass.hpp>
 #include <arcspan/hal/sim/simulated_bus.hpp>
 
+#include <arcspan_tools/command/glass_options.hpp>
 #include <arcspan_tools/image/image.hpp>
 #include <arcspan_tools/support/parse.hpp>
 
@@ -15,9 +15,7 @@
 namespace arcspan::tools {
 
 struct DisplayOptions {
-  std::string panel;  ///< one of simulated_panels()
-  hal::Orientation orientation = hal::Orientation::k0;
-  bool inverted = false;
+  PanelModule module;
   bool i2c = false;         ///< an SSD1306 on I2C
   std::uint64_t hertz = 1;  ///< of the bus, 1 or more
   std::int32_t band_rows = 8;
@@ -52,8 +50,6 @@ class SimulatedDisplay {
   /// Size of a framebuffer that holds a whole picture, in bytes.
   [[nodiscard]] virtual std::size_t frame_bytes() const = 0;
 };
-
-[[nodiscard]] std::vector<std::string> simulated_panels();
 
 /// Throws Failure if the panel has no such bus.
 [[nodiscard]] std::unique_ptr<SimulatedDisplay> make_display(const DisplayOptions& options);

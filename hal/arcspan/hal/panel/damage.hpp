@@ -45,6 +45,9 @@ class Damage {
   }
 
   [[nodiscard]] constexpr Status status() const { return status_; }
+  /// The size of the picture, as given.
+  [[nodiscard]] constexpr std::int32_t width() const { return width_; }
+  [[nodiscard]] constexpr std::int32_t height() const { return height_; }
 
   /// Begins a frame: the current frame becomes the last one.
   constexpr void begin_frame() {
@@ -58,6 +61,13 @@ class Damage {
   /// Declares the last picture unknown: the current and the next frame count as changed everywhere.
   constexpr void mark_everything() { everything_ = next_everything_ = true; }
 
+  /// Declares that frames have the background `colour` from now on: after another one all is changed.
+  constexpr void set_background(Rgb8 colour) {
+    if (colour == background_) return;
+    background_ = colour;
+    mark_everything();
+  }
+
   /// Records `run` as drawn. Ignores runs that do not lie inside the picture.
   constexpr void mark(const Span& run) {
     if (!ok(status_) || run.count <= 0 || run.y < 0 || run.y >= height_ || run.x < 0 ||
@@ -68,9 +78,10 @@ class Damage {
         .include({static_cast<std::uint16_t>(run.x), static_cast<std::uint16_t>(run.x + run.count)});
   }
 
-  /// Smallest rectangle around the changes in rows first ... end - 1, which must lie in the picture. Empty if
-  /// there are none.
+  /// Smallest rectangle around the changes in rows first ... end - 1 of the picture. Empty if there are none.
   [[nodiscard]] constexpr Rect changed_area(std::int32_t first, std::int32_t end) const {
+    if (first < 0) first = 0;
+    if (end > height_) end = height_;
     if (!ok(status_) || everything_) return {0, first, width_, end};
     Rect box{width_, end, 0, first};
     for (std::int32_t y = first; y < end; ++y) {
@@ -93,13 +104,16 @@ class Damage {
   RowExtent* memory_;
   std::int32_t width_;
   std::int32_t height_;
+  Rgb8 background_{};
   unsigned current_ = 0;
   bool everything_ = true;
   bool next_everything_ = true;
   Status status_ = Status::kOk;
 };
 
-/// A pixel sink that forwards to `target` and marks each run in `damage`. Both must outlive it.
+/// A pixel sink that forwards to `target` and marks each run in `damage`. Both must outlive it. Its status()
+/// is that of the target, or kInvalidArgument if the target has columns or rows beyond the damage, whose
+/// changes would be lost.
 template <PixelSink Target>
 class DamageSink {
  public:
@@ -109,6 +123,20 @@ class DamageSink {
   constexpr DamageSink(Target& target, Damage& damage) : target_(target), damage_(damage) {}
 
   [[nodiscard]] constexpr Rect bounds() const { return target_.bounds(); }
+  [[nodiscard]] constexpr Status status() const {
+    if constexpr (ChecksItself<Target>) {
+      if (!ok(target_.status())) return target_.status();
+    }
+    const Rect all = target_.bounds();
+    const bool fits = all.right <= damage_.width() && all.bottom <= damage_.height();
+    return fits ? Status::kOk : Status::kInvalidArgument;
+  }
+  /// Clears the target, which is damage only if the last frame had another background.
+  constexpr void clear(Rgb8 colour) requires requires(Target& target) { target.clear(colour); }
+  {
+    damage_.set_background(colour);
+    target_.clear(colour);
+  }
   [[nodiscard]] constexpr typename Format::Cursor open(const Span& run) { return target_.open(run); }
   [[nodiscard]] constexpr Status close(const Span& run) {
     damage_.mark(run);

@@ -62,10 +62,12 @@ class PageMode {
   }
 
   /// As show(), but sends only the area that differs from the last frame. `draw(sink, band)` clears `band`
-  /// and draws into `sink`. `damage` must have the panel's size. After a failure the next frame is sent
-  /// whole.
+  /// and draws into `sink`. Returns kInvalidArgument and draws nothing unless `damage` has the panel's size.
+  /// After a failure the next frame is sent whole.
   template <class Draw>
   Status show_changes(Damage& damage, Draw&& draw) {
+    if (damage.width() != panel_.width() || damage.height() != panel_.height())
+      return Status::kInvalidArgument;
     damage.begin_frame();
     const Status status = for_each_band(
         [&](Frame& band) {

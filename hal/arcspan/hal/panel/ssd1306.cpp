@@ -11,23 +11,27 @@ constexpr std::uint8_t byte(std::int32_t value) { return static_cast<std::uint8_
 
 bool Ssd1306::do_fits() const {
   const Glass& g = glass();
-  return g.width > 0 && g.width + g.column_offset <= kColumns && g.height >= 16 && g.height <= kRows &&
-         g.height % 8 == 0 && g.row_offset == 0;
+  return g.width > 0 && g.width + g.column_offset <= kColumns && g.height >= 16 &&
+         g.height + g.row_offset <= kRows && g.height % 8 == 0;
 }
 
 Status Ssd1306::do_configure() {
   const Glass& g = glass();
   const PanelSettings& s = settings();
+  // COM row_offset shows the first row of the memory. Mirrored, the last COM that is scanned does (10.1.14),
+  // so that nothing has to be offset.
+  const bool mirrored = mirrors_rows(g, s.orientation);
+  const std::int32_t offset = mirrored || g.row_offset == 0 ? 0 : kRows - g.row_offset;
   const std::uint8_t bytes[] = {
       0x20,
       0x00,                                                      // horizontal addressing (10.1.3)
       0x40,                                                      // start line 0 (10.1.6)
       byte(0xA0 | (mirrors_columns(g, s.orientation) ? 1 : 0)),  // segment re-map (10.1.8)
-      byte(0xC0 | (mirrors_rows(g, s.orientation) ? 8 : 0)),     // COM scan direction (10.1.14)
+      byte(0xC0 | (mirrored ? 8 : 0)),                           // COM scan direction (10.1.14)
       0xA8,
-      byte(g.height - 1),  // multiplex ratio (10.1.11)
+      byte(g.row_offset + g.height - 1),  // multiplex ratio (10.1.11)
       0xD3,
-      0x00,  // display offset (10.1.15)
+      byte(offset),  // display offset (10.1.15)
       0xDA,
       byte(wiring_.alternating_coms ? 0x12 : 0x02),  // COM pins (10.1.18)
       0x81,
@@ -38,7 +42,11 @@ Status Ssd1306::do_configure() {
       0xA4,                                          // show the memory (10.1.9)
       byte(s.inverted != g.inverted ? 0xA7 : 0xA6),  // (10.1.10)
       0xAF};                                         // display on (10.1.12)
-  const Status status = end_command();
+  Status status = end_command();
+  if (ok(status) && wiring_.internal_reference) {
+    constexpr std::uint8_t kReference[] = {0xAD, 0x30};  // internal, 30 uA (SSD1315 rev 1.1, IREF selection)
+    status = send(kReference);
+  }
   return ok(status) ? send(bytes) : status;
 }
 

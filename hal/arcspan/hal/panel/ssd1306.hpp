@@ -8,16 +8,24 @@ namespace arcspan::hal {
 
 /// The usual module of 128 x 64 pixels, with the controller's first column and row at the lower right.
 inline constexpr Glass kSsd1306Module{128, 64, 0, 0, true, true, false, false};
+/// The module of 0.42 inches, 72 x 40 pixels, of which some makers count 70: a stripe of the memory from
+/// column 28 on. It needs Ssd1306Wiring::internal_reference. Some of these are wired to rows 12 to 51
+/// instead.
+inline constexpr Glass kSsd1306Module72x40{72, 40, 28, 0, true, true, false, false};
 
 /// Power supply and row wiring of an SSD1306 module.
 struct Ssd1306Wiring {
   bool charge_pump = true;       ///< VCC comes from the controller's charge pump (8Dh, since rev 1.2)
   bool alternating_coms = true;  ///< rows are wired to alternating sides; false for most glasses of 32 rows
+  /// The current of the segments has the controller's own reference, 30 uA, instead of a resistor of the
+  /// module: command ADh, which the SSD1315 datasheet states, and which older SSD1306 take without effect.
+  bool internal_reference = false;
 };
 
 /// SSD1306 (Solomon Systech, rev 1.1): 128 x 64 pixels of one bit, on SPI or I2C. The controller mirrors;
 /// `Layout` exchanges the axes while it packs. The height of the glass is a multiple of 8, and so is its
-/// width if the picture is turned by 90 or 270 degrees.
+/// width if the picture is turned by 90 or 270 degrees. Glass::row_offset is the COM of the glass's first
+/// row.
 class Ssd1306 final : public SolomonPanel {
  public:
   using Layout = MonoPages;

@@ -14,6 +14,7 @@ void Ssd1306Model::do_reset() {
   multiplex_ = 64;
   offset_ = start_line_ = 0;
   contrast_ = 0x7F;
+  charge_pump_ = internal_reference_ = false;
 }
 
 int Ssd1306Model::do_parameter_count(std::uint8_t opcode) const {
@@ -23,6 +24,7 @@ int Ssd1306Model::do_parameter_count(std::uint8_t opcode) const {
     case 0x81:
     case 0x8D:
     case 0xA8:
+    case 0xAD:
     case 0xD3:
     case 0xD5:
     case 0xD9:
@@ -65,6 +67,12 @@ void Ssd1306Model::do_execute(std::uint8_t opcode) {
       break;
     case 0x81:
       contrast_ = parameters()[0];
+      break;
+    case 0x8D:
+      charge_pump_ = (parameters()[0] & 0x04) != 0;
+      break;
+    case 0xAD:
+      internal_reference_ = (parameters()[0] & 0x10) != 0;
       break;
     case 0xA0:
     case 0xA1:

@@ -11,6 +11,9 @@ class Ssd1306Model final : public SolomonModel {
  public:
   explicit Ssd1306Model(const Glass& glass);
   [[nodiscard]] std::uint8_t brightness() const { return contrast_; }
+  /// Whether the pump supplies VCC, and whether the current's reference is internal.
+  [[nodiscard]] bool charge_pump() const { return charge_pump_; }
+  [[nodiscard]] bool internal_reference() const { return internal_reference_; }
 
  private:
   static constexpr int kColumns = 128;
@@ -31,6 +34,8 @@ class Ssd1306Model final : public SolomonModel {
   int offset_ = 0;
   int start_line_ = 0;
   std::uint8_t contrast_ = 0x7F;
+  bool charge_pump_ = false;
+  bool internal_reference_ = false;
 };
 
 }  // namespace arcspan::hal::sim

@@ -43,6 +43,9 @@ class EnvironmentMap {
     set_rotation(rotation);
   }
 
+  /// False if no picture was given.
+  [[nodiscard]] constexpr bool is_made() const { return words_ != Texture<Texels>().at(0); }
+
   /// `rotation` is from object to view space, orthonormal: the rotation of the Placement.
   constexpr void set_rotation(const Rotation& rotation) {
     axes_ = {rotation.to_object(kRight), rotation.to_object(kDown)};

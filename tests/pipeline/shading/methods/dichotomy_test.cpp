@@ -85,6 +85,9 @@ TEST_CASE("the polynomials of 1/sqrt(2 + z) are as good as they say, over every 
   CHECK(second.most > 4e-5);
   const PolynomialFigures third = sweep<CubicPolynomial>(&cubic_root);
   CHECK(third.most < 1.6e-6 + 2 * kRounding);
+  const PolynomialFigures root = sweep<RootItself>(&exact_root);
+  CHECK(root.most < 2e-5);
+  CHECK(root.most_halved < 1e-4);
   const PolynomialFigures printed_first = sweep<PrintedLinearPolynomial>(&printed_linear_root);
   CHECK(printed_first.most < 2.2e-3);
   CHECK(printed_first.most > 2.1e-3);
@@ -122,6 +125,7 @@ TEST_CASE("dichotomy: its integers against its model, each polynomial and each l
 
 TEST_CASE("dichotomy as S3 prints it: its polynomials, and last segments of full length") {
   constexpr Bounds kNear{1.5e-4, 3e-5};
+  check<&exact_root, 3, true>("dichotomy-root", angles(0, 25, 81), kNear);
   check<&printed_linear_root, 3, true>("dichotomy-printed-linear", angles(0, 25, 79), kNear);
   check<&printed_quadratic_root, 3, true>("dichotomy-printed-quadratic", angles(0, 25, 80), kNear);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Colours that are interpolated along segments of rows.
+#include <arcspan/literature/phong_segment.hpp>
 #include <arcspan/literature/segment.hpp>
 #include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/pixel/rgb565.hpp>
@@ -10,6 +11,7 @@
 #include <tests/support/test_share.hpp>
 #include <tests/support/triangle_picture.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -136,6 +138,51 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("adaptive segments are as long as an error of 1/64 allows") {
+  using arcspan::literature::adaptive_segment_bits;
+  const Normal up{NormalComponent::of(0.0), NormalComponent::of(0.0), NormalComponent::of(1.0)};
+  const auto bits = [&up](double radians_per_pixel, int exponent) {
+    const auto step = Linear::from_raw(static_cast<std::int32_t>(std::ldexp(radians_per_pixel, 27)));
+    return adaptive_segment_bits((1u << 25) / static_cast<std::uint32_t>(exponent), {step, {}, {}}, up, up,
+                                 up);
+  };
+  // psi^2 n/8 = 1/64 at psi = 0.354 / sqrt(n).
+  CHECK(bits(0, 64) == 4);
+  CHECK(bits(0.353 / 16, 1) == 4);
+  CHECK(bits(0.355 / 16, 1) == 3);
+  CHECK(bits(0.353 / 8 / 16, 64) == 4);
+  CHECK(bits(0.355 / 8 / 2, 64) == 0);
+  CHECK(bits(15, 1) == 0);
+  using Lit = Illumination<1, Highlight::kBlinn>;
+  Random random(6);
+  int longer = 0;
+  for (int i = 0; i < 200; ++i) {
+    const ScreenTriangle triangle = random_screen_triangle(random, kSize, 40);
+    const Lit lit = random_light<Lit>(random, triangle.normals[0]);
+    // At N·L = 0 highlights end abruptly, within a segment too.
+    const bool lit_throughout =
+        std::all_of(triangle.normals.begin(), triangle.normals.end(),
+                    [&lit](const Direction& normal) { return lit.scalars(normal)[0] > Cosine::of(0.2); });
+    if (!lit_throughout) continue;
+    const TrianglePicture exact = picture_of<Phong<Lit>>(triangle, lit, kSize);
+    SegmentedIllumination<Lit> adaptive(lit);
+    REQUIRE(ok(adaptive.set_adaptive_segments(static_cast<std::int32_t>(lit.shininess()))));
+    const TrianglePicture near = picture_of<PhongSegment<Lit>>(triangle, adaptive, kSize);
+    int most = 0;
+    for (std::int32_t y = 0; y < kSize; ++y) {
+      for (std::int32_t x = 0; x < kSize; ++x) {
+        const int off = difference(exact.frame.pixel(x, y), near.frame.pixel(x, y));
+        most = std::max(most, off);
+      }
+    }
+    CAPTURE(i, lit.shininess(), most);
+    CHECK(most <=
+          14);  // 255/64 each of diffuse light and highlight; more in segments that leave the triangle
+    if (most > 1) ++longer;
+  }
+  CHECK(longer > 10);
+}
+
 TEST_CASE("settings out of range are refused and change nothing") {
   using Lit = Illumination<1, Highlight::kBlinn>;
   Random random(5);
@@ -144,4 +191,7 @@ TEST_CASE("settings out of range are refused and change nothing") {
   CHECK(segments.set_segment_bits(0) == Status::kInvalidArgument);
   CHECK(segments.set_segment_bits(kMostSegmentBits + 1) == Status::kInvalidArgument);
   CHECK(segments.bits == 2);
+  CHECK(segments.set_adaptive_segments(0) == Status::kInvalidArgument);
+  CHECK(segments.set_adaptive_segments(257) == Status::kInvalidArgument);
+  CHECK(segments.widest == 0);
 }

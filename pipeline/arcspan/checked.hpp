@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/target.hpp>
+
+/// Checks of debug builds. Some calls cannot mean what they say, and yet no status tells, because finding out
+/// would cost time in every frame: a depth buffer that was never cleared, a run outside of its framebuffer.
+/// Where ARCSPAN_CHECKED is defined as 1, such a call reports its cause to on_misuse(). The CMake option of
+/// that name, which is on in the debug presets, defines it for the libraries and for all that links them: all
+/// code of a program must agree. Without it nothing of this is compiled: objects are what they would be
+/// without checks.
+///
+/// What is checked, besides the statuses of each function:
+///
+///   draw calls         a depth buffer whose memory was never cleared, or not since it was moved to another
+///   band
+///                      a material or a billboard whose texture was not given
+///                      a mesh, transform or illumination that was never made
+///   framebuffers       open() of a run, or pixel(), outside of bounds()
+///   set-up             a rotation that is not orthonormal, a direction to a light or to the eye that is not
+///                      a unit vector
+namespace arcspan {
+
+/// Called with the function and the cause, such as "draw: the depth buffer was never cleared". The library's
+/// own prints it to stderr and aborts; a program replaces it by defining this function. Freestanding programs
+/// must: the library has none for them. If it returns, the call goes on as it would without checks.
+void on_misuse(const char* cause);
+
+#if defined(ARCSPAN_CHECKED) && ARCSPAN_CHECKED
+#define ARCSPAN_CHECK(right, cause) ((right) ? static_cast<void>(0) : ::arcspan::on_misuse(cause))
+inline constexpr bool kIsChecked = true;
+#else
+#define ARCSPAN_CHECK(right, cause) static_cast<void>(0)
+inline constexpr bool kIsChecked = false;
+#endif
+
+namespace detail {
+
+/// What was done to the object that has this as a member, in builds with checks: 0 for nothing. Elsewhere it
+/// is empty.
+template <bool Checked>
+struct BasicCheckedState {
+  constexpr void set(unsigned) {}
+  [[nodiscard]] constexpr unsigned get() const { return 0; }
+};
+template <>
+struct BasicCheckedState<true> {
+  constexpr void set(unsigned done) { done_ = done; }
+  [[nodiscard]] constexpr unsigned get() const { return done_; }
+
+ private:
+  unsigned done_ = 0;
+};
+using CheckedState = BasicCheckedState<kIsChecked>;
+
+}  // namespace detail
+
+}  // namespace arcspan

@@ -117,34 +117,34 @@ template <class Target, class Run>
 }
 
 /// draw_span() of a PiecewiseRun, in the current row of `memory`. The run begins `hidden` pixels left of the
-/// span, and `left` pixels are left in its row: 0 and span.count if it starts anywhere.
+/// span, and its row ends `beyond` pixels right of it: both are 0 if it starts anywhere.
 template <class Target, class Run>
 [[nodiscard]] ARCSPAN_INLINE constexpr Status draw_pieces(const Span& span, std::int32_t hidden,
-                                                          std::int32_t left, Run& run, Linear z, Linear dz,
+                                                          std::int32_t beyond, Run& run, Linear z, Linear dz,
                                                           const Target& target,
                                                           const RowMemory<Target>& memory) {
   PixelPlace<Target> place{memory.pixels.open(span), memory.depths.at(span), z};
-  std::int32_t visible = span.count;
+  std::int32_t left = hidden + span.count + beyond;
   do {
     std::int32_t count = run.enter(target.lighting, left);
     left -= count;
-    if constexpr (kWalksWholeRows<Run, typename Target::Lighting>) {
-      if (hidden != 0) [[unlikely]] {
-        const std::int32_t passed = count < hidden ? count : hidden;
-        for (std::int32_t i = passed; i > 0; --i) run.next();
-        hidden -= passed;
-        count -= passed;
-        if (count == 0) continue;
-      }
-      if (count > visible) count = visible;
+    if (hidden != 0) [[unlikely]] {
+      const std::int32_t passed = count < hidden ? count : hidden;
+      for (std::int32_t i = passed; i > 0; --i) run.next();
+      hidden -= passed;
+      count -= passed;
+      if (count == 0) continue;
     }
+    const std::int32_t behind = left - beyond;  // pixels of the span behind this piece
+    if (behind < 0) [[unlikely]]
+      count += behind;
     if constexpr (IndexedRows<Target>) {
       place.cursor.skip(count);
       place.depths += count;
     }
-    draw_pixels(place, {span.y, span.x + span.count - visible, count}, run, target, dz);
-    visible -= count;
-  } while (visible > 0);
+    const std::int32_t end = span.x + span.count - (behind < 0 ? 0 : behind);
+    draw_pixels(place, {span.y, end - count, count}, run, target, dz);
+  } while (left > beyond);
   return target.sink.close(span);
 }
 

@@ -73,19 +73,18 @@ template <class Command, class Walker, class Target>
   static_assert(RowWalker<Walker, typename Target::Lighting>);
   using Run = typename Walker::Run;
   const RowStart start = row_start(command.left, command.right, span.x - begin, span.x);
-  const Linear z = linear_at(command.depth, start);
   if constexpr (kWalksWholeRows<Run, typename Target::Lighting>) {
     std::int32_t first = span.x;
     if constexpr (!SinkFromFirstColumn<typename Target::Sink>) first = first_in_picture(begin, span.x);
     Run run = walker.row(row_start(command.left, command.right, first - begin, first));
-    return draw_pieces(span, span.x - first, command.right.column() - first, run, z, command.depth.dx, target,
-                       memory);
+    return draw_pieces(span, span.x - first, command.right.column() - (span.x + span.count), run,
+                       linear_at(command.depth, start), command.depth.dx, target, memory);
   } else {
     Run run = walker.row(start);
     if constexpr (PiecewiseRun<Run, typename Target::Lighting>) {
-      return draw_pieces(span, 0, span.count, run, z, command.depth.dx, target, memory);
+      return draw_pieces(span, 0, 0, run, linear_at(command.depth, start), command.depth.dx, target, memory);
     } else {
-      return draw_span(span, run, z, command.depth.dx, target, memory);
+      return draw_span(span, run, linear_at(command.depth, start), command.depth.dx, target, memory);
     }
   }
 }

@@ -155,7 +155,8 @@ TEST_CASE("the header of a model has its texture points and its textures") {
   CHECK(sign::kParts[0].texture == &sign::texture_1::kTexture);
   CHECK(sign::kParts[1].texture == nullptr);
   CHECK(sign::kParts[0].alpha == PartAlpha::kOpaque);
-  STATIC_REQUIRE(sign::texture_1::kTexture.size() == TextureSize{4, 3, 4});
+  // In a fourth level the halves of the board, which are islands, would have a texel each.
+  STATIC_REQUIRE(sign::texture_1::kTexture.size() == TextureSize{4, 3, 3});
   MeshView post;
   REQUIRE(ok(sign::kParts[1].make_view(post)));
   CHECK(post.texture_point(0) == TexturePoint{});
@@ -206,6 +207,42 @@ TEST_CASE("mesh: textures in both forms, in any format, and left out") {
   const std::string lamp = ARCSPAN_MODELS "/lamp.obj";
   CHECK(run("mesh " + lamp + " -o " + (folder / "t.hpp") + " --texture " + kTiles).err ==
         "arcspan: " + lamp + ": has no texture coordinates for --texture\n");
+}
+
+TEST_CASE("mesh and texture: mip levels end where islands of the texture would have less than two texels") {
+  const TemporaryFolder folder;
+  (void)folder.file("a.mtl", "newmtl m\nmap_Kd tiles.ppm\n");
+  (void)folder.file("tiles.ppm", contents(kTiles));
+  // Cells of an atlas of 4x4, of which the squares show two that lie side by side, and the whole texture.
+  const auto squares = [](const std::string& cell) {
+    return "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 0.25 0\nvt 0.25 "
+           "0.25\n"
+           "vt 0 0.25\nvt 0.5 0\nvt 0.5 0.25\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl m\n" +
+           cell;
+  };
+  const auto levels = [&](const std::string& cell) {
+    const std::string obj = folder.file("a.obj", squares(cell));
+    const CommandRun made =
+        run("mesh " + obj + " -o " + (folder / "a.hpp") + " --texture-size 64 --texture-levels all");
+    const std::size_t at = made.out.find("levels: ");
+    return std::pair(made.out.substr(at + 8, 1),
+                     made.out.find("left out, in which islands") != std::string::npos);
+  };
+  CHECK(levels("f 1/1 2/7 3/8 4/9\n") == std::pair(std::string("7"), false));
+  CHECK(levels("f 1/1 2/2 3/3 4/4\nf 2/5 5/2 6/3 3/6\n") == std::pair(std::string("4"), true));
+  // Squares that go on in the texture as they do in space are one island of 32x16 texels.
+  CHECK(levels("f 1/1 2/2 3/3 4/4\nf 2/2 5/5 6/6 3/3\n") == std::pair(std::string("4"), true));
+  CHECK(levels("f 1/1 2/1 3/1 4/1\n") == std::pair(std::string("1"), true));
+
+  RgbaImage leaves(64, 64);
+  for (Rgba8& c : leaves.pixels) c.a = 0;
+  for (int i = 0; i < 64; ++i) leaves.pixels[static_cast<std::size_t>((8 + i / 8) * 64 + 8 + i % 8)].a = 255;
+  leaves.pixels[0].a = 255;  // a speck
+  TextureOptions options{*find_texture_format("rgba5551")};
+  options.levels = 0;
+  const MadeTexture made = make_texture(leaves, options, "leaves").texture;
+  CHECK(made.size.levels == 3);
+  CHECK(left_out_text(made) == "4 levels are left out, in which islands would have less than two texels\n");
 }
 
 TEST_CASE("render: the texels are where the texture points say") {

@@ -69,6 +69,7 @@ std::string textures_text(const MeshReport& r) {
     text += formatted("  texture %zu: %ux%u texels, %s, levels: %d, %zu bytes\n", i + 1,
                       1u << texture.size.width_bits, 1u << texture.size.height_bits, texture.format.name,
                       texture.size.levels, texture.bytes());
+    if (texture.left_out > 0) text += "    " + left_out_text(texture);
   }
   return text;
 }
@@ -129,6 +130,7 @@ nlohmann::ordered_json textures_json(const MeshReport& r) {
                    {"height", 1u << texture.size.height_bits},
                    {"format", texture.format.name},
                    {"levels", texture.size.levels},
+                   {"levels_left_out", texture.left_out},
                    {"bytes", texture.bytes()}});
   }
   return all;

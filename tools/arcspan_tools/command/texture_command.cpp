@@ -45,6 +45,7 @@ std::string report_text(const TextureArguments& arguments, const RgbaImage& pict
       "\n" + printable(arguments.output) +
       formatted(": %dx%d texels, %s, %d %s, %zu bytes\n", first.width, first.height, made.texture.format.name,
                 size.levels, size.levels == 1 ? "level" : "levels", made.texture.bytes());
+  text += left_out_text(made.texture);
   return text + "against the picture" + (resized ? " at that size: " : ": ") +
          error_text(texture_error(first, drawn_level(made.texture, 0))) + "\n";
 }

@@ -59,9 +59,10 @@ void add_texture_size(CLI::App& app, const std::string& name, std::optional<Size
 }
 
 void add_texture_levels(CLI::App& app, const std::string& name, std::int32_t& levels) {
-  add_parsed<std::int32_t>(app, name, "N or all", "mip levels with the picture itself (default: 1)",
-                           "an integer 1...11 or 'all'", parse_levels,
-                           [&levels](const std::int32_t& n) { levels = n; });
+  add_parsed<std::int32_t>(
+      app, name, "N or all",
+      "mip levels with the picture itself, as far as islands of an atlas keep two texels (default: 1)",
+      "an integer 1...11 or 'all'", parse_levels, [&levels](const std::int32_t& n) { levels = n; });
 }
 
 }  // namespace arcspan::tools

@@ -80,16 +80,22 @@ unsigned alpha_bits(const FileMaterial& material, Transparency transparency) {
 /// Textures of parts, each made once.
 class PartTextures {
  public:
+  explicit PartTextures(const FixedModel& model) : model_(model) {}
+
   std::shared_ptr<const SurfaceTexture> of(const FileMaterial& material, Transparency transparency) {
     if (material.texture == nullptr) return nullptr;
     const unsigned bits = alpha_bits(material, transparency);
     const double cutoff = bits == 1 ? material.alpha_cutoff : 0;
     std::shared_ptr<const SurfaceTexture>& known = known_[{material.texture.get(), bits, cutoff}];
-    if (known == nullptr) known = surface_texture(picture_of(material), bits);
+    if (known == nullptr) {
+      known = surface_texture(picture_of(material), bits, PictureEdges::kRepeat,
+                              islands_of(model_, *material.texture));
+    }
     return known;
   }
 
  private:
+  const FixedModel& model_;
   std::map<std::tuple<const FileTexture*, unsigned, double>, std::shared_ptr<const SurfaceTexture>> known_;
 };
 
@@ -114,7 +120,7 @@ RenderJob make_job(const Scene& scene, const FixedMesh& mesh, const std::string&
 
 RenderJob make_job(const Scene& scene, const FixedModel& model, const std::string& subject) {
   Placed placed = job_without_parts(scene, model);
-  PartTextures textures;
+  PartTextures textures(model);
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
     const FileMaterial& material = model.looks[i].material;
     RenderPart part{model.meshes[i].view(subject),

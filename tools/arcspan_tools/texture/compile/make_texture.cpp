@@ -120,6 +120,11 @@ TextureAndLevels make_texture(const RgbaImage& picture, const TextureOptions& op
     for (Rgba8& c : source.pixels) c.a = 255;
   }
   TextureAndLevels made{{options.format, size}, mip_levels(source, size, options.edges)};
+  IslandSize islands = options.islands;
+  islands.include(islands_of(made.levels[0]));
+  made.texture.size.levels = levels_with_islands(size, islands);
+  made.texture.left_out = static_cast<std::uint8_t>(size.levels - made.texture.size.levels);
+  made.levels.resize(made.texture.size.levels);
   if (options.format.layout == TexelLayout::kDirect) {
     store_colours(made.levels, options.dither, made.texture);
   } else if (options.format.layout == TexelLayout::kGray) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan_tools/texture/plain/islands.hpp>
 #include <arcspan_tools/texture/plain/made_texture.hpp>
 #include <arcspan_tools/texture/plain/mip_levels.hpp>
 
@@ -17,6 +18,7 @@ struct TextureOptions {
   std::optional<Size> size{};  ///< the nearest powers of two, at most `most_side`, if unset
   std::int32_t most_side = 1 << TextureSize::kMostBits;
   std::int32_t levels = 1;  ///< 0 means all
+  IslandSize islands{};     ///< limits the levels, as do islands of opaque texels
   PictureEdges edges = PictureEdges::kRepeat;
   bool dither = false;  ///< mixes colours that the format lacks of neighbouring texels
   bool exact = false;   ///< refuses pictures whose colours would have to be reduced

@@ -48,6 +48,7 @@ ModelTextures make_textures(const FixedModel& model, const TextureOptions& optio
     const Key key{material.texture.get(), material.alpha_mode, material.alpha_cutoff};
     const auto [at, is_new] = known.try_emplace(key, made.textures.size());
     if (is_new) {
+      own.islands = islands_of(model, *material.texture);
       made.textures.push_back(make_texture(picture_of(material), own, material.texture->name).texture);
     }
     made.of_part.emplace_back(at->second);

@@ -80,6 +80,12 @@ std::string type_of(const TextureFormat& format) {
   return std::string("arcspan::") + layout + "<" + colour + ">";
 }
 
+std::string left_out_text(const MadeTexture& texture) {
+  if (texture.left_out == 0) return {};
+  return std::to_string(texture.left_out) + (texture.left_out == 1 ? " level is" : " levels are") +
+         " left out, in which islands would have less than two texels\n";
+}
+
 std::uint16_t stored_colour(Rgba8 c, unsigned alpha_bits) {
   if (alpha_bits == 0) return nearest<OpaqueColour, 11, 5, 0>(c);
   return alpha_bits == 1 ? nearest<Alpha1Colour, 11, 6, 1>(c) : nearest<Alpha4Colour, 12, 8, 4>(c);

@@ -35,6 +35,7 @@ struct TextureFormat {
 struct MadeTexture {
   TextureFormat format;
   TextureSize size;
+  std::uint8_t left_out = 0;  ///< levels that are not made, because islands would have less than two texels
   std::vector<std::uint16_t> palette{};  ///< as many colours as the format has
   std::vector<std::uint16_t> texels{};
 
@@ -43,6 +44,9 @@ struct MadeTexture {
     return 2 * palette.size() + texture_binary::texel_bytes(format.layout, size);
   }
 };
+
+/// A line for reports if levels are left out, otherwise an empty string.
+[[nodiscard]] std::string left_out_text(const MadeTexture& texture);
 
 /// `colour` as a format with `alpha_bits` stores it in 16 bits: the nearest one.
 [[nodiscard]] std::uint16_t stored_colour(Rgba8 colour, unsigned alpha_bits);

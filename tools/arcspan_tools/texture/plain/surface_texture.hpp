@@ -4,6 +4,7 @@
 #include <arcspan/texture/texture.hpp>
 
 #include <arcspan_tools/mesh/plain/model.hpp>
+#include <arcspan_tools/texture/plain/islands.hpp>
 #include <arcspan_tools/texture/plain/mip_levels.hpp>
 
 #include <cstdint>
@@ -43,9 +44,10 @@ struct SurfaceTexture {
 };
 
 /// The texture that `arcspan mesh` makes of a picture with direct texels and `alpha_bits` (0, 1 or 4), in the
-/// size that is nearest to it, with all mip levels.
+/// size that is nearest to it, with all mip levels in which `islands` have two texels.
 [[nodiscard]] std::shared_ptr<const SurfaceTexture> surface_texture(
-    const RgbaImage& picture, unsigned alpha_bits, PictureEdges edges = PictureEdges::kRepeat);
+    const RgbaImage& picture, unsigned alpha_bits, PictureEdges edges = PictureEdges::kRepeat,
+    const IslandSize& islands = {});
 
 /// A texture whose texels are white and opaque.
 [[nodiscard]] const Texture<SurfaceTexels>& white_texture();

@@ -16,6 +16,7 @@
 #include <arcspan/pixel/mono.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/pixel/sink_part.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
@@ -192,11 +193,32 @@ struct Ways {
 constexpr Ways kDepthOnly{.without_depth = false};
 constexpr Ways kNoDepthOnly{.with_depth = false};
 
+/// Draws into a whole sink and into some columns of another, and ends the program if their pixels differ.
+template <class Format, class Draw>
+void compare_part(Target<Format>& target, std::int32_t left, std::int32_t right, const Draw& draw) {
+  std::vector<typename Format::Word> memory(target.memory.size());
+  hal::Framebuffer<Format> other(memory, target.width, target.rows, target.first);
+  target.sink.clear({});
+  other.clear({});
+  const Rect all = other.bounds();
+  SinkPart part(other, {left, all.top, right, all.bottom});
+  draw(target.sink);
+  draw(part);
+  for (std::int32_t y = all.top; y < all.bottom; ++y) {
+    for (std::int32_t x = 0; x < all.right; ++x) {
+      const Rgb8 wanted = left <= x && x < right ? target.sink.pixel(x, y) : Rgb8{};
+      if (other.pixel(x, y) != wanted) std::abort();
+    }
+  }
+}
+
 template <class Method, class Format, Ways kWays = Ways{}>
 void fuzz_mesh(Input& in) {
   using I = typename Method::Lighting;
   const I lighting = take_illumination<I>(in);
   Target<Format> target(in, 96, 96);
+  const std::int32_t left = in.between(0, target.width);
+  const std::int32_t right = in.between(left, target.width);
   const Placement placement = take_placement(in);
   const Projection projection{
       PixelLength::from_raw(in.take<std::int32_t>() >> (in.take<std::uint8_t>() & 31)),
@@ -230,8 +252,15 @@ void fuzz_mesh(Input& in) {
         draw_mesh<Method>(mesh, transform, lighting, target.sink, target.depth, std::span(cache), options));
   }
   if constexpr (kWays.without_depth) {
-    static_cast<void>(
-        draw_mesh<Method>(mesh, transform, lighting, target.sink, NoDepth{}, std::span(cache), options));
+    const auto draw = [&](auto& sink) {
+      static_cast<void>(
+          draw_mesh<Method>(mesh, transform, lighting, sink, NoDepth{}, std::span(cache), options));
+    };
+    if constexpr (kWays.with_depth) {
+      compare_part(target, left, right, draw);
+    } else {
+      draw(target.sink);
+    }
   }
 }
 

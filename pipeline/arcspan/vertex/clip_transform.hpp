@@ -44,7 +44,7 @@ struct WholeEntry {
   std::int32_t raised;  ///< times 2^3, so that scaled_sum() needs the upper half of a sum only
 
   WholeEntry() = default;
-  constexpr explicit WholeEntry(std::int32_t entry) : raised(entry * (1 << kRaise)) {}
+  constexpr explicit WholeEntry(std::int32_t entry) : raised(wrap_shl(entry, kRaise)) {}
   [[nodiscard]] constexpr std::int64_t value() const { return raised >> kRaise; }
   static constexpr int kRaise = 3;
   friend constexpr bool operator==(const WholeEntry&, const WholeEntry&) = default;

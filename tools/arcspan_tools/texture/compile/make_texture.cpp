@@ -120,8 +120,7 @@ TextureAndLevels make_texture(const RgbaImage& picture, const TextureOptions& op
     for (Rgba8& c : source.pixels) c.a = 255;
   }
   TextureAndLevels made{{options.format, size}, mip_levels(source, size, options.edges)};
-  IslandSize islands = options.islands;
-  islands.include(islands_of(made.levels[0]));
+  const IslandSize islands = options.islands ? *options.islands : islands_of(made.levels[0]);
   made.texture.size.levels = levels_with_islands(size, islands);
   made.texture.left_out = static_cast<std::uint8_t>(size.levels - made.texture.size.levels);
   made.levels.resize(made.texture.size.levels);

@@ -17,8 +17,8 @@ struct TextureOptions {
   TextureFormat format;
   std::optional<Size> size{};  ///< the nearest powers of two, at most `most_side`, if unset
   std::int32_t most_side = 1 << TextureSize::kMostBits;
-  std::int32_t levels = 1;  ///< 0 means all
-  IslandSize islands{};     ///< limits the levels, as do islands of opaque texels
+  std::int32_t levels = 1;              ///< 0 means all
+  std::optional<IslandSize> islands{};  ///< limit the levels; those of opaque texels if unset
   PictureEdges edges = PictureEdges::kRepeat;
   bool dither = false;  ///< mixes colours that the format lacks of neighbouring texels
   bool exact = false;   ///< refuses pictures whose colours would have to be reduced

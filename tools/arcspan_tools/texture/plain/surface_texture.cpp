@@ -36,13 +36,10 @@ std::shared_ptr<const SurfaceTexture> surface_texture(const RgbaImage& picture, 
                                                       PictureEdges edges, const IslandSize& islands) {
   const Size sides{nearest_side(picture.width), nearest_side(picture.height)};
   TextureSize size = texture_size(sides, 0, "texture");
-  const std::vector<RgbaImage> levels = mip_levels(picture, size, edges);
-  IslandSize least = islands;
-  least.include(islands_of(levels[0]));
-  size.levels = levels_with_islands(size, least);
+  size.levels = levels_with_islands(size, islands);
   auto texture = std::make_shared<SurfaceTexture>();
-  for (unsigned i = 0; i < size.levels; ++i) {
-    for (const Rgba8 c : levels[i].pixels)
+  for (const RgbaImage& level : mip_levels(picture, size, edges)) {
+    for (const Rgba8 c : level.pixels)
       texture->texels.push_back(shown(stored_colour(c, alpha_bits), alpha_bits));
   }
   static_cast<void>(Texture<SurfaceTexels>::make(texture->texels, size, texture->view));  // there are all

@@ -51,7 +51,8 @@ Line parse(const std::string& text) {
 }
 
 FixedModel load(const Line& line) {
-  FixedModel model = to_fixed(load_model_file(line.mesh));
+  FixedModel model = to_fixed(
+      load_model_file(line.mesh, TexturePointsOf::kTexturedParts, VertexColours::kMean, kSmoothEverything));
   if (model.meshes.size() != 1) throw std::runtime_error(line.mesh + " has several parts");
   if (line.planes == "planes") model.meshes[0] = with_planes(std::move(model.meshes[0]), line.mesh);
   return model;

@@ -12,7 +12,9 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    arcspan::test::write_fixed(arcspan::tools::to_fixed(arcspan::tools::load_mesh(argv[1])), argv[2]);
+    arcspan::test::write_fixed(
+        arcspan::tools::to_fixed(arcspan::tools::load_mesh(argv[1], arcspan::tools::kSmoothEverything)),
+        argv[2]);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "fix_mesh: %s\n", e.what());
     return 1;

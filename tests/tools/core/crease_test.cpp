@@ -36,6 +36,29 @@ TEST_CASE("a cube is flat below its crease of 90 degrees and round above it") {
   for (const Vec3& n : round.normals) CHECK_FALSE(is_axis(n));
 }
 
+TEST_CASE("a file's open normals are averaged up to the crease, others are left alone") {
+  const double degrees = GENERATE(20.0, 39.0, 41.0, 90.0);
+  const double turn = degrees * kDegree;
+  // Two triangles that meet at this angle along y.
+  const Vec3 far{-std::cos(turn), 0, -std::sin(turn)};
+  RawMesh mesh;
+  mesh.triangles = {{{{{0, 0, 0}, {}}, {{1, 0, 0}, {}}, {{0, 1, 0}, {}}}},
+                    {{{{0, 1, 0}, {}}, {far, {}}, {{0, 0, 0}, {}}}}};
+  RawMesh smooth = mesh;
+  CHECK_FALSE(add_creased_normals(smooth, kSmoothEverything));
+  CHECK(smooth.triangles[0][0].normal == Vec3{});
+  RawMesh grouped = mesh;
+  grouped.smoothing = {RawMesh::kFlat, RawMesh::kSmooth + 1};
+  CHECK_FALSE(add_creased_normals(grouped, kCreaseOfFiles));
+  CHECK(add_creased_normals(mesh, kCreaseOfFiles));
+  const Vec3 own = normalised(Vec3{0, 0, 1});
+  CHECK(length(mesh.triangles[0][1].normal - own) < 1e-12);
+  CHECK((length(mesh.triangles[0][0].normal - own) < 1e-12) == (degrees > 40));
+  mesh.triangles[0][0].normal = {1, 0, 0};
+  CHECK_FALSE(add_creased_normals(mesh, kCreaseOfFiles));
+  CHECK(mesh.triangles[0][0].normal == Vec3{1, 0, 0});
+}
+
 TEST_CASE("a crease of 0 shades every face with its own normal") {
   const MeshData sphere = generate(parse_generated_mesh("sphere:16x8").value());
   const MeshData flat = with_crease(sphere, 0, "sphere");

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/mesh/crc32.hpp>
+
 #include <arcspan_tools/image/difference.hpp>
 #include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -94,7 +96,117 @@ TEST_CASE("every damaged PPM and PGM is refused with the reason") {
   CHECK(complaint("P6\n1 1\n255") == damaged("its header has no end"));
   CHECK(complaint("P6\n1 1\n") == damaged("largest value is not a number"));
   CHECK(complaint("P5\n1 1\n9\nz") == damaged("value 122 above the largest, 9"));
-  CHECK(complaint("P3\n1 1\n255\n1 2 3\n") == "not a PNG, PPM (P6) or PGM (P5) picture");
+  CHECK(complaint("P3\n1 1\n255\n1 2 3\n") == "not a PNG, JPEG, BMP, TGA, PPM (P6) or PGM (P5) picture");
+}
+
+TEST_CASE("headers that lie are refused before anything is decoded") {
+  const auto complaint = [](const std::string& bytes, const std::string& name = "a") {
+    return message_of<Failure>([&] { (void)decode_rgba(bytes, name); });
+  };
+  const auto little = [](std::uint32_t value, int bytes) {
+    std::string text;
+    for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i));
+    return text;
+  };
+  const auto bmp = [&](std::uint32_t width, std::uint32_t height) {
+    return "BM" + little(0, 8) + little(54, 4) + little(40, 4) + little(width, 4) + little(height, 4) +
+           little(1, 2) + little(24, 2) + little(0, 24) + std::string(64, '\x7F');
+  };
+  const auto tga = [&](std::uint32_t width, std::uint32_t height, int type = 2) {
+    return std::string{0, 0, static_cast<char>(type)} + little(0, 9) + little(width, 2) + little(height, 2) +
+           std::string{24, 0} + std::string(64, 1);
+  };
+  const auto jpeg = [](const std::string& segments) { return "\xFF\xD8" + segments + "\xFF\xD9"; };
+  const auto frame = [](std::uint32_t width, std::uint32_t height) {
+    const auto big = [](std::uint32_t v) {
+      return std::string{static_cast<char>(v >> 8), static_cast<char>(v)};
+    };
+    return std::string("\xFF\xC0\0\x0B\x08", 5) + big(height) + big(width) + std::string("\1\1\x11\0", 4);
+  };
+  CHECK(decode_rgba(bmp(2, 2), "a").width == 2);
+  CHECK(decode_rgba(bmp(2, 0xFFFFFFFEu), "a").height == 2);
+  CHECK(complaint(bmp(0, 2)) == "a: a BMP picture of width 0");
+  CHECK(complaint(bmp(2, 0)) == "a: a BMP picture of height 0");
+  CHECK(complaint(bmp(0xFFFFFFFFu, 2)) == "a: a BMP picture of width -1");
+  CHECK(complaint(bmp(16385, 1)) ==
+        "a: a BMP picture of 16385x1 pixels, which is too large (the limits are 16384 in each direction and "
+        "67108864 "
+        "in all)");
+  CHECK(complaint(bmp(2, 0x80000000u)).find("too large") != std::string::npos);
+  std::string other = bmp(2, 2);
+  other[14] = 16;
+  CHECK(complaint(other) == "a: a damaged BMP picture (a header of 16 bytes)");
+  CHECK(decode_rgba(tga(2, 2), "a.tga").width == 2);
+  CHECK(complaint(tga(0, 2), "a.tga") == "a.tga: a TGA picture of width 0");
+  CHECK(complaint(tga(2, 0, 10), "a.tga") == "a.tga: a TGA picture of height 0");
+  CHECK(complaint("\xFF\xFF\xD8" + std::string(64, '\1'), "a.tga") ==
+        "a.tga: a damaged TGA picture (its palette is of an unknown type)");
+  CHECK(complaint(jpeg(frame(0, 8))) == "a: a JPEG picture of width 0");
+  CHECK(complaint(jpeg(frame(8, 0))) == "a: a JPEG picture of height 0");
+  CHECK(complaint(jpeg(frame(16384, 16384))).find("16384x16384 pixels, which is too large") !=
+        std::string::npos);
+  CHECK(complaint(jpeg("")) == "a: a damaged JPEG picture (it has no frame)");
+  const auto huffman = [&](char most) {
+    return jpeg(frame(8, 8) + std::string("\xFF\xC4\1\x13\0", 5) + std::string(15, 0) + most +
+                std::string(256, 1));
+  };
+  CHECK(complaint(huffman('\xFF')).find("256") == std::string::npos);
+  std::string large = huffman('\xFF');
+  large[22] = 2;
+  CHECK(complaint(large) == "a: a damaged JPEG picture (a Huffman table of 257 codes; the limit is 256)");
+  CHECK(complaint("P6 16384 16384 255 ").find("too large (the limits are 16384") != std::string::npos);
+}
+
+namespace {
+
+std::string chunk(const std::string& type, const std::string& data) {
+  const auto big = [](std::uint32_t v) {
+    return std::string{static_cast<char>(v >> 24), static_cast<char>(v >> 16), static_cast<char>(v >> 8),
+                       static_cast<char>(v)};
+  };
+  const std::string checked = type + data;
+  return big(static_cast<std::uint32_t>(data.size())) + checked +
+         big(crc32({reinterpret_cast<const std::uint8_t*>(checked.data()), checked.size()}));
+}
+
+/// A PNG of red, green, blue and opacity, from `first` chunks and compressed data.
+std::string png(const std::string& first, const std::string& size, const std::string& data) {
+  return "\x89PNG\r\n\x1a\n" + first + chunk("IHDR", size + std::string("\x08\6\0\0\0", 5)) +
+         chunk("IDAT", data) + chunk("IEND", "");
+}
+
+}  // namespace
+
+TEST_CASE("a PNG that is too large, or unpacks to more than its size, is refused") {
+  const std::string large("\0\0\x40\0\0\0\x40\0", 8);
+  CHECK(message_of<Failure>([&] {
+          (void)decode_rgba(png("", large, "x"), "a");
+        }).find("a PNG picture of 16384x16384 pixels, which is too large") != std::string::npos);
+  const std::string none("\0\0\0\0\0\0\0\1", 8);
+  CHECK(message_of<Failure>([&] { (void)decode_rgba(png("", none, "x"), "a"); }) ==
+        "a: a PNG picture of width 0");
+  // One block of fixed codes: a 0, and then 258 copies of it per code of 13 bits, 2 MB in all.
+  constexpr std::size_t kCodes = 8000;
+  std::string bomb = std::string("\x78\x01\x63", 3) + std::string(2 * kCodes, '\0');
+  for (std::size_t code = 0; code < kCodes; ++code) {
+    // 258 is 11000101, the distance 1 is 00000.
+    for (const std::size_t one : std::initializer_list<std::size_t>{0, 1, 5, 7}) {
+      const std::size_t at = 27 + 13 * code + one;
+      bomb[at / 8] = static_cast<char>(static_cast<unsigned char>(bomb[at / 8]) | (1u << (at % 8)));
+    }
+  }
+  const std::string one("\0\0\0\1\0\0\0\1", 8);
+  CHECK(message_of<Failure>([&] { (void)decode_rgba(png("", one, bomb), "a"); }) ==
+        "a: a PNG picture that cannot be read (outofmem)");
+}
+
+TEST_CASE("a PNG of the Apple kind has its colours and opacity put right") {
+  // Stored without a zlib header: blue, green, red, opacity, of which the second is multiplied by 100 / 255.
+  const std::string data("\1\x09\0\xF6\xFF\0\x0A\x14\x1E\xFF\x14\x28\x3C\x64", 14);
+  const std::string two("\0\0\0\2\0\0\0\1", 8);
+  const RgbaImage image = decode_rgba(png(chunk("CgBI", std::string("\x50\0\x20\2", 4)), two, data), "a");
+  CHECK(image.at(0, 0) == Rgba8{30, 20, 10, 255});
+  CHECK(image.at(1, 0) == Rgba8{153, 102, 51, 100});
 }
 
 TEST_CASE("every byte of a PNG is protected by its checksums, and every cut is noticed") {

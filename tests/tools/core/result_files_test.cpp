@@ -71,25 +71,28 @@ TEST_CASE("if one of several results cannot be written, none is") {
   }
 }
 
-// The last target becomes a folder when all results are complete, so that renaming it fails after the others
-// were renamed. The pipe holds the writer until then.
+// The temporary of the last target is removed when all results are complete, so that renaming it fails after
+// the others were renamed. The pipe holds the writer until then.
 TEST_CASE("results that are in place already are taken back if a later one fails") {
   const TemporaryFolder folder;
   const std::string old = folder.file("old", "old");
   const std::string pipe = folder / "pipe";
+  const std::filesystem::path late = folder / "late";
+  std::filesystem::create_directory(late);
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   std::thread reader([&] {
-    while (folder.size() < 5) std::this_thread::sleep_for(std::chrono::milliseconds(1));  // three temporaries
-    std::filesystem::create_directory(folder / "late");
+    while (std::filesystem::is_empty(late)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    for (const auto& temporary : std::filesystem::directory_iterator(late))
+      std::filesystem::remove(temporary);
     (void)contents(pipe);
   });
   const std::string complaint = message_of<Failure>([&] {
-    write_results({{old, "new"}, {folder / "fresh", "new"}, {folder / "late", "new"}, {pipe, "x"}});
+    write_results({{old, "new"}, {folder / "fresh", "new"}, {late / "new", "new"}, {pipe, "x"}});
   });
   reader.join();
-  CHECK(complaint == (folder / "late") + ": cannot write (Is a directory)");
+  CHECK(complaint == (late / "new").string() + ": cannot write (No such file or directory)");
   CHECK(contents(old) == "old");
-  CHECK(folder.size() == 3);  // old, the pipe, the late folder
+  CHECK(folder.size() == 3);  // old, the pipe, the other folder
 }
 
 TEST_CASE("several results replace old files, which keep their permissions") {

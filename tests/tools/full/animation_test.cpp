@@ -195,7 +195,7 @@ TEST_CASE("frames in a folder appear all at once, or not at all") {
     const auto output = make_frame_output(target, format);
     output->add(frames[0]);
     output->add(frames[1]);
-    output->finish();
+    output->finish("");
   }
   CHECK(folder.size() == 1);
   CHECK(read_image(target + "/frame-0001.png") == frames[1]);

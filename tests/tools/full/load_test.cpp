@@ -42,14 +42,56 @@ TEST_CASE("OBJ polygons are triangulated and their normals face the front") {
   for (const Vec3& n : mesh.normals) CHECK(n == Vec3{0, 0, 1});
 }
 
-TEST_CASE("a concave polygon keeps its area") {
-  const MeshData mesh = loaded("a.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n");
-  double area = 0;
-  for (const auto& t : mesh.triangles) {
-    area +=
-        cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]).z / 2;
+TEST_CASE("a concave polygon is covered once, whichever way it lies") {
+  struct Polygon {
+    std::vector<std::pair<double, double>> corners;
+    double area;
+  };
+  const std::vector<Polygon> polygons = {
+      {{{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}, 10},
+      {{{0, 0}, {2, 1}, {4, 0}, {2, 4}}, 6},                   // a quad
+      {{{0, 0}, {4, 0}, {4, 4}, {2, 4}, {0, 4}, {0, 2}}, 16},  // corners on edges
+      {{{0, 0},
+        {6, 0},
+        {6, 6},
+        {2, 6},
+        {2, 2},
+        {4, 2},
+        {4, 4},
+        {3, 4},
+        {3, 3},
+        {2.5, 3},
+        {2.5, 5},
+        {5, 5},
+        {5, 1},
+        {0, 1}},
+       18},                                                                                     // a spiral
+      {{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}}, 32}};  // a hole
+  for (const Polygon& polygon : polygons) {
+    for (const int way : {0, 1, 2, 3, 4, 5}) {
+      std::string obj;
+      std::string face = "f";
+      for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
+        const auto [x, y] = polygon.corners[i];
+        const double c[3] = {way < 3 ? x : y, way < 3 ? y : x, 7};
+        for (int k = 0; k < 3; ++k) obj += (k == 0 ? "v " : " ") + std::to_string(c[(k + way) % 3]);
+        obj += "\n";
+        face += " " + std::to_string(i + 1);
+      }
+      CAPTURE(obj);
+      const MeshData mesh = loaded("a.obj", obj + face);
+      double area = 0;
+      Vec3 sum;
+      for (const auto& t : mesh.triangles) {
+        const Vec3 twice =
+            cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
+        area += length(twice) / 2;
+        sum = sum + twice * 0.5;
+      }
+      CHECK(area == Approx(polygon.area));
+      CHECK(length(sum) == Approx(polygon.area));
+    }
   }
-  CHECK(area == Approx(10.0));
 }
 
 TEST_CASE(
@@ -70,21 +112,19 @@ TEST_CASE("every wrong OBJ gets a line that names the place and the value") {
   CHECK(complaint("a.obj", " \n\n") == "empty file");
   CHECK(complaint("a.obj", "hello world\n") == "not an OBJ mesh (no vertices)");
   CHECK(complaint("a.obj", square) == "no faces");
-  CHECK(complaint("a.obj", square + "f 1 2\n") == "line 5: a face needs three corners or more (this has 2)");
   CHECK(complaint("a.obj", square + "f 1 2 7\n") == "line 5: vertex index out of range (7; there are 4)");
   CHECK(complaint("a.obj", square + "f 1 2 0\n") == "line 5: vertex index out of range (0; there are 4)");
   CHECK(complaint("a.obj", square + "f 1 2 -5\n") == "line 5: vertex index out of range (-5; there are 4)");
-  CHECK(complaint("a.obj", square + "f 1 2 3//1\n") == "line 5: normal index out of range (1; there are 0)");
-  CHECK(complaint("a.obj", square + "f 1 2 3/9\n") == "line 5: texture index out of range (9; there are 0)");
   CHECK(complaint("a.obj", square + "f 1 2 x\n") == "line 5: 'x' is not a vertex index");
   CHECK(complaint("a.obj", square + "f 1 2 1/1/1/1\n") == "line 5: '1/1/1/1' is not a corner of a face");
-  CHECK(complaint("a.obj", "v 0 zero 0\n" + square) == "line 1: 'zero' is not a number");
-  CHECK(complaint("a.obj", square + "v 0 nan 0\nf 1 2 3\n") == "line 5: 'nan' is not a finite number");
-  CHECK(complaint("a.obj", square + "v 0 1e39 0\nf 1 2 3\n") ==
+  CHECK(complaint("a.obj", "v 0 zero 0\n" + square + "f 1 2 3\n") == "line 1: 'zero' is not a number");
+  CHECK(complaint("a.obj", square + "v 0 nan 0\nf 1 2 5\n") == "line 5: 'nan' is not a finite number");
+  CHECK(complaint("a.obj", square + "v 0 0 -1.#IND\nf 1 2 5\n") == "line 5: '-1.#IND' is not a number");
+  CHECK(complaint("a.obj", square + "v 0 1e39 0\nf 1 2 5\n") ==
         "line 5: '1e39' is too large (the limit is 1e30)");
-  CHECK(complaint("a.obj", square + "v 0 1e999 0\nf 1 2 3\n") ==
+  CHECK(complaint("a.obj", square + "v 0 1e999 0\nf 1 2 5\n") ==
         "line 5: '1e999' is too large (the limit is 1e30)");
-  CHECK(complaint("a.obj", square + "v 1 2") == "line 5: a number is missing");
+  CHECK(complaint("a.obj", square + "f 1 2 5\nv 1 2") == "line 6: a number is missing");
   CHECK(complaint("a.obj", square + "f 1 1 2\n") == "no faces with an area (1 dropped)");
   CHECK(complaint("a.obj", std::string("v \0\1\2", 5)) == "not a text file (byte 0 at offset 2)");
 }
@@ -92,7 +132,7 @@ TEST_CASE("every wrong OBJ gets a line that names the place and the value") {
 TEST_CASE("a mesh that is too large names the limit") {
   std::string many = kSquare;
   for (int i = 0; i <= 262'144; ++i) many += "f 1 2 3\n";
-  CHECK(complaint("a.obj", many) == "too many faces (more than 262144, the limit)");
+  CHECK(complaint("a.obj", many) == "too many triangles (more than 262144, the limit)");
   std::string vertices;
   std::string faces;
   for (int i = 0; i < 66'000; ++i)
@@ -120,7 +160,7 @@ TEST_CASE("OFF: a cube, and what can be wrong with one") {
   CHECK(complaint("a.off", "4OFF\n") == "line 1: only three dimensions can be read, not those of '4OFF'");
   CHECK(complaint("a.off", "OFF BINARY\n\1") == "line 1: a binary OFF file cannot be read");
   CHECK(complaint("a.off", head + "5000 0 1\n") ==
-        "line 7: number of corners out of range (5000; allowed are 1 to 4096)");
+        "line 7: number of corners out of range (5000; allowed are 0 to 4096)");
   CHECK(complaint("a.off", "OFF\n") == "line 1: the file ends before its counts");
   CHECK(complaint("a.off", "OFF\n4 x 0\n") == "line 2: 'x' is not an integer (face count)");
   CHECK(complaint("a.off", "OFF\n4 999999 0\n") ==
@@ -128,7 +168,8 @@ TEST_CASE("OFF: a cube, and what can be wrong with one") {
   CHECK(complaint("a.off", head + "3 0 1 2\n") == "line 7: the file ends before face 2 of 2");
   CHECK(complaint("a.off", head + "3 0 1 4\n3 0 1 2\n") ==
         "line 7: vertex index out of range (4; allowed are 0 to 3)");
-  CHECK(complaint("a.off", "OFF 2 1 0\n0 0 0\n0 inf 0\n") == "line 3: 'inf' is not a finite number");
+  CHECK(complaint("a.off", "OFF 2 1 0\n0 0 0\n0 inf 0\n3 0 1 0\n") ==
+        "line 3: 'inf' is not a number up to 1e30 in vertex 2 of 2");
 }
 
 TEST_CASE("an empty mesh binary is refused") { CHECK(complaint("a.bin", "") == "empty file"); }
@@ -138,7 +179,7 @@ TEST_CASE("OFF: keywords of other programs, none at all, and line ends of old Ma
     return keyword + "4 1 0\n0 0 0" + more + "\n1 0 0" + more + "\n1 1 0" + more + "\n0 1 0" + more +
            "\n4 0 1 2 3\n";
   };
-  const std::vector<std::string> colours = {"vertex colours are not drawn"};
+  const std::vector<std::string> colours = {"left out: vertex colours (4)"};
   for (const char* keyword : {"OFF\n", "off\n", "OFF ", "", "STOFF\n"}) {
     CAPTURE(keyword);
     CHECK(loaded("a.off", square(keyword, "")).triangles.size() == 2);
@@ -148,7 +189,7 @@ TEST_CASE("OFF: keywords of other programs, none at all, and line ends of old Ma
   CHECK(warnings_of("a.off", square("OFF\n", " 0.1 0.2 0.3")) == colours);
   CHECK(warnings_of("a.off", square("OFF\n", "") + "\n").empty());
   CHECK(warnings_of("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n") ==
-        std::vector<std::string>{"face colours are not drawn"});
+        std::vector<std::string>{"left out: face colours (1)"});
   const std::string coloured = square("CNOFF\n", " 0 0.6 0.8 255 0 0 255");
   for (const Vec3& n : loaded("a.off", coloured).normals) CHECK(length(n - Vec3{0, 0.6, 0.8}) < 1e-6);
   CHECK(warnings_of("a.off", coloured) == colours);
@@ -163,11 +204,13 @@ TEST_CASE("STL: text and binary, and what can be wrong with them") {
   CHECK(loaded("a.stl", "solid a\n" + facet + facet + "endsolid a\n").triangles.size() == 2);
   CHECK(complaint("a.stl", "solid a\nendsolid a\n") == "no faces");
   CHECK(complaint("a.stl", "solid a\n" + facet) == "line 8: the file ends before endsolid");
-  CHECK(complaint("a.stl", "solid a\n" + facet.substr(0, 40)) == "line 4: a number is missing");
+  CHECK(complaint("a.stl", "solid a\n" + facet.substr(0, 40)) ==
+        "line 4: the file ends before the end of facet 1");
   CHECK(complaint("a.stl", "solid a\n" + facet.substr(0, 46)) ==
-        "line 4: the file ends before the facet's third vertex");
-  CHECK(complaint("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 nan 0\n") ==
-        "line 4: 'nan' is not a finite number");
+        "line 4: the file ends before the end of facet 1");
+  std::string wrong = "solid a\n" + facet + "endsolid a\n";
+  wrong.replace(wrong.find("1 0 0"), 1, "nan");
+  CHECK(complaint("a.stl", wrong) == "line 5: 'nan' is not a number up to 1e30 in the end of facet 1");
   const std::string neither = "not an STL mesh (neither text that begins with 'solid' nor binary)";
   CHECK(complaint("a.stl", "neither\n") == neither);
   CHECK(complaint("a.stl", std::string(100, 'v')) == neither);  // an OBJ file of another name
@@ -188,11 +231,12 @@ TEST_CASE("STL: text and binary, and what can be wrong with them") {
   std::string solid = binary;
   solid.replace(0, 5, "solid");
   CHECK(loaded("a.stl", solid).triangles.size() == 1);
-  CHECK(loaded("a.stl", solid + "more").triangles.size() == 1);
+  CHECK(warnings_of("a.stl", solid + "more") ==
+        std::vector<std::string>{"left out: bytes after the last of 1 triangles (4)"});
   CHECK(complaint("a.stl", solid.substr(0, 130)) == "truncated (130 bytes of 134 for 1 triangles)");
   CHECK(warnings_of("a.stl", solid).empty());
   solid[133] = static_cast<char>(0x80);
-  CHECK(warnings_of("a.stl", solid) == std::vector<std::string>{"face colours are not drawn"});
+  CHECK(warnings_of("a.stl", solid) == std::vector<std::string>{"left out: face colours (1)"});
   put(10, "\x00\x00\xC0\x7F");
   CHECK(complaint("a.stl", binary) == "a coordinate of triangle 0 is not a finite number");
   binary[82] = 0x7F;
@@ -253,8 +297,8 @@ TEST_CASE("PLY: what can be wrong with one") {
   CHECK(complaint("a.ply", head + vertices + faces + body) == "line 12: the file ends before face 1 of 1");
   CHECK(complaint("a.ply", head + vertices + faces + body + "3 0 1 3\n") ==
         "line 13: vertex index out of range (3; allowed are 0 to 2) in face 1 of 1");
-  CHECK(complaint("a.ply", head + vertices + faces + "end_header\n0 0 0\n1 no 0\n") ==
-        "line 11: 'no' is not a number");
+  CHECK(complaint("a.ply", head + vertices + faces + "end_header\n0 0 0\n1 no 0\n0 1 0\n3 0 1 2\n") ==
+        "line 11: a coordinate is not a number up to 1e30 in vertex 2 of 3");
   CHECK(complaint("a.ply", head + "element vertex 9\nproperty float x\n" + faces + "end_header\n1\n") ==
         "line 7: the vertices have no x, y and z");
   CHECK(complaint("a.ply", "ply\nformat binary_little_endian 1.0\n" + vertices + faces +
@@ -292,10 +336,11 @@ TEST_CASE("PLY: faces before vertices, triangle strips, free line breaks, and li
         "line 14: vertex index out of range (4; allowed are -1 to 3) in tristrips 1 of 1");
   CHECK(complaint("a.ply",
                   head + vertices + faces + "end_header\n0 0 0 1 0 0\n0 1 0 1 1 0\n3 0 1 2 3 2 1 3 9\n") ==
-        "line 12: more numbers than the header announces");
+        "line 12: more numbers than its counts announce");
   CHECK(complaint("a.ply", "ply\nformat binary_little_endian 1.0\n" + vertices + strips + "end_header\n" +
-                               std::string("\xFF\xFF\xFF\x7E", 4) + std::string(44, '\0')) ==
-        "line 9: a number above 1e30 in vertex 1 of 4");
+                               std::string("\xFF\xFF\xFF\x7E", 4) + std::string(44, '\0') +
+                               std::string("\3\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0", 16)) ==
+        "line 9: a coordinate is not a number up to 1e30 in vertex 1 of 4");
 }
 
 TEST_CASE("OBJ: line ends of old Macs, and a face of too many corners") {
@@ -318,12 +363,104 @@ TEST_CASE("OBJ: line ends of old Macs, and a face of too many corners") {
         "too many triangles (more than 262144, the limit)");
 }
 
-TEST_CASE("content that is not drawn gets a warning") {
+TEST_CASE("what a picture does not need is left out, with one warning that names it and its number") {
   const std::string square = kSquare;
-  using Lines = std::vector<std::string>;
+  const auto left_out = [](const std::string& obj) {
+    const std::vector<std::string> warnings = warnings_of("a.obj", obj);
+    return warnings.size() == 1 ? warnings[0] : std::to_string(warnings.size()) + " warnings";
+  };
   CHECK(warnings_of("a.obj", square + "g a\ns 1\nf 1 2 3\ns off\nf 1 3 4\n").empty());
-  CHECK(warnings_of("a.obj", square + "cstype bspline\nsurf 0 1 0 1 1 2 3 4\nf 1 2 3\n") ==
-        Lines{"curves and free-form surfaces are not drawn"});
+  CHECK(left_out(square + "cstype bspline\nsurf 0 1 0 1 1 2 3 4\nl 1 2\np 1\nf 1 2 3\n") ==
+        "left out: curves and free-form surfaces (1), lines and points (2)");
+  const std::string two = "left out: faces with fewer than three corners (1)";
+  CHECK(left_out(square + "f 1 2\nf 1 2 3\n") == two);
+  CHECK(warnings_of("a.off", "OFF 3 2 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n")[0] == two);
+  CHECK(warnings_of("a.ply",
+                    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                    "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                    "0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n")[0] == two);
+  for (const char* wrong : {"nan", "-1.#IND", "1.#QNAN", "inf", "no", "1e99"}) {
+    CAPTURE(wrong);
+    CHECK(left_out(square + "v 0 0 " + wrong + "\nf 1 2 3\n") ==
+          "left out: positions that are not finite numbers, which no face uses (1)");
+    CHECK(left_out(square + "vt 0 " + std::string(wrong) + "\nvt 0 0\nf 1/1 2/2 3\n") ==
+          "left out: texture coordinates that are not finite numbers (1)");
+    CHECK(left_out(square + "vn 0 0 " + wrong + "\nf 1//1 2 3\n") ==
+          "left out: normals that are not finite numbers (1)");
+  }
+  CHECK(
+      left_out(square + "f 1/5 2/x 3//9\n") ==
+      "left out: normals of corners that do not exist (1), texture coordinates of corners that do not exist "
+      "(2)");
+}
+
+namespace {
+
+/// A triangle of each format whose first coordinate is `number`.
+std::string triangle(const std::string& format, const std::string& number) {
+  if (format == "obj") return "v " + number + " 0 0\nv 4 0 0\nv 4 1 " + number + "\nf 1 2 3\nv 9 9 9\n";
+  if (format == "off") return "OFF 3 1 0\n" + number + " 0 0\n4 0 0\n4 1 " + number + "\n3 0 1 2\n";
+  if (format == "stl") {
+    return "solid\nfacet normal 0 0 1\nouter loop\nvertex " + number + " 0 0\nvertex 4 0 0\nvertex 4 1 " +
+           number + "\nendloop\nendfacet\nendsolid\n";
+  }
+  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty double y\nproperty float z\n"
+         "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+         number + " 0 0\n4 0 0\n4 1 " + number + "\n3 0 1 2\n";
+}
+
+}  // namespace
+
+TEST_CASE("every spelling of a number gives the mesh of the plain one, in every text format") {
+  const std::string zeros(400, '0');
+  const std::vector<std::string> of_half = {".5",
+                                            "+.5",
+                                            "+0.5",
+                                            "00.5",
+                                            ".5e0",
+                                            ".5E+00",
+                                            "5e-1",
+                                            "5.e-1",
+                                            "50.0e-02",
+                                            "0.5000000000000000000000000",
+                                            "5000000000000000000000000e-25",
+                                            "0.0000000000000000000000005e24",
+                                            "5" + zeros + "e-401",
+                                            "0." + zeros + "5e400",
+                                            "0.49999999999999999999999999999999"};
+  const std::vector<std::string> of_less = {"-2", "-2.", "-02", "-2e0", "-.2e1", "-20e-1", "-2.0", "-0.02E2"};
+  for (const char* format : {"obj", "off", "stl", "ply"}) {
+    const auto mesh = [&](const std::string& number) {
+      return loaded(std::string("a.") + format, triangle(format, number));
+    };
+    for (const auto& [plain, spellings] : {std::pair(0.5, of_half), std::pair(-2.0, of_less)}) {
+      for (const std::string& spelling : spellings) {
+        CAPTURE(format, spelling);
+        const MeshData found = mesh(spelling);
+        CHECK(found.positions == std::vector<Vec3>{{plain, 0, 0}, {4, 0, 0}, {4, 1, plain}});
+        CHECK(found.triangles.size() == 1);
+      }
+    }
+    for (const char* wrong :
+         {"0,5", "0.5f", "0x1p-1", "1/2", "+-0.5", "--2", "e5", ".", "-", "5e", "0.5d0"}) {
+      CAPTURE(format, wrong);
+      CHECK(complaint(std::string("a.") + format, triangle(format, wrong)).find("line ") == 0);
+    }
+  }
+}
+
+TEST_CASE("a text whose lines break elsewhere is the same mesh") {
+  for (const char* format : {"off", "stl", "ply"}) {
+    std::string text = triangle(format, "0.5");
+    const std::size_t header = std::string(format) == "ply" ? text.find("end_header") + 11 : 0;
+    std::replace(text.begin() + static_cast<std::ptrdiff_t>(header), text.end(), '\n', ' ');
+    CAPTURE(text);
+    CHECK(loaded(std::string("a.") + format, text).positions ==
+          std::vector<Vec3>{{0.5, 0, 0}, {4, 0, 0}, {4, 1, 0.5}});
+  }
+  // Without lines of their own faces have no colours, and colours of vertices have four numbers.
+  CHECK(loaded("a.off", "CNOFF 3 1 0 0 0 0 0 0 1 9 9 9 9 1 0 0 0 0 1 9 9 9 9 0 1 0 0 0 1 9 9 9 9 3 0 1 2")
+            .triangles.size() == 1);
 }
 
 TEST_CASE("real meshes of the loader's own collection") {
@@ -339,9 +476,8 @@ TEST_CASE("real meshes of the loader's own collection") {
     CHECK(mesh.positions.size() == mesh.normals.size());
     for (const Vec3& n : mesh.normals) CHECK(length(n) == Approx(1.0).margin(1e-9));
   }
-  for (const char* name :
-       {"OBJ/point_cloud.obj", "OFF/invalid.off", "PLY/pond.0.ply", "invalid/OutOfMemory.off",
-        "invalid/empty.obj", "invalid/malformed.obj", "invalid/malformed2.obj"}) {
+  for (const char* name : {"OBJ/point_cloud.obj", "OFF/invalid.off", "PLY/pond.0.ply",
+                           "invalid/OutOfMemory.off", "invalid/empty.obj", "invalid/malformed.obj"}) {
     CAPTURE(name);
     CHECK_THROWS_AS(load_mesh(folder + name), Failure);
   }

@@ -29,13 +29,18 @@ FileMaterial material(const std::string& statements) {
       .look.material;
 }
 
-std::string complaint_about_mtl(const std::string& mtl) {
+/// The warning about wrong statements of a material file, from the number on and without the file's name.
+std::string warning_about_mtl(const std::string& mtl) {
   const TemporaryFolder folder;
   (void)folder.file("a.mtl", mtl);
   const std::string obj = folder.file("a.obj", std::string(kFold) + "mtllib a.mtl\nusemtl m\nf 1 3 2\n");
-  const std::string message = message_of<Failure>([&] { (void)load_model_file(obj); });
-  const std::string prefix = (folder / "a.mtl") + ": ";
-  return message.rfind(prefix, 0) == 0 ? message.substr(prefix.size()) : "(without the name) " + message;
+  for (const std::string& warning : load_model_file(obj).warnings) {
+    const std::string begin = "left out: wrong statements of materials ";
+    const std::size_t name = warning.find((folder / "a.mtl") + ": ");
+    if (warning.rfind(begin, 0) != 0 || name == std::string::npos) continue;
+    return warning.substr(begin.size(), 3) + " " + warning.substr(name + (folder / "a.mtl").size() + 2);
+  }
+  return "(no warning)";
 }
 
 Model loaded_ply(const std::string& vertex_properties, const std::string& face_properties,
@@ -110,25 +115,63 @@ TEST_CASE("MTL: what is not drawn gets a warning, once") {
   };
   CHECK(warnings("Kd 1 0 0\nNi 1.5\nTf 1 1 1\nd 1\nillum 2\n").empty());
   CHECK(warnings("map_Ks wood.png\nbump b.png\nillum 3\n") ==
-        Lines{"not drawn of its materials: bump, illum 3, map_Ks"});
+        Lines{"left out: bump (2), illum 3 (2), map_Ks (2)"});
   const Lines invisible = {"fully transparent materials (d 0, Tr 1) are drawn opaque"};
   CHECK(warnings("d 0\n") == invisible);
   CHECK(warnings("Tr 1\n") == invisible);
   CHECK(warnings("d 0.01\n").empty());
   CHECK(warnings("Kd 2 0 0\n") == Lines{"colours of materials above 1 are drawn as 1"});
-  CHECK(warnings("Kd spectral a.rfl\n") == Lines{"not drawn of its materials: Kd spectral"});
+  CHECK(warnings("Kd spectral a.rfl\n") == Lines{"left out: Kd spectral (2)"});
 }
 
-TEST_CASE("MTL: what is wrong names the file, the line and the value") {
-  CHECK(complaint_about_mtl("newmtl m\nKd 1 red 0\n") == "line 2: 'red' is not a number");
-  CHECK(complaint_about_mtl("newmtl m\nKd 1 0\n") == "line 2: a number is missing");
-  CHECK(complaint_about_mtl("newmtl m\nKd -1 0 0\n") == "line 2: '-1' is not a colour (0...1)");
-  CHECK(complaint_about_mtl("newmtl m\nNs shiny\n") == "line 2: 'shiny' is not a number");
-  CHECK(complaint_about_mtl("newmtl m\nillum 11\n") ==
-        "line 2: illumination model out of range (11; allowed are 0 to 10)");
-  CHECK(complaint_about_mtl("Kd 1 0 0\n") == "line 1: 'Kd' before any newmtl");
-  CHECK(complaint_about_mtl("newmtl\n") == "line 1: a material has no name");
-  CHECK(complaint_about_mtl(std::string("newmtl m\n\0", 10)) == "not a text file (byte 0 at offset 9)");
+TEST_CASE("MTL: wrong statements are left out, with a warning that names the first one's file and line") {
+  CHECK(warning_about_mtl("newmtl m\nKd 1 red 0\n") == "(1) line 2: 'red' is not a number");
+  CHECK(warning_about_mtl("newmtl m\nKd 1 0\nKd 1 red 0\n") == "(2) line 2: a number is missing");
+  CHECK(warning_about_mtl("newmtl m\nKd -1 0 0\n") == "(1) line 2: '-1' is not a colour (0...1)");
+  CHECK(warning_about_mtl("newmtl m\nNs shiny\n") == "(1) line 2: 'shiny' is not a number");
+  CHECK(warning_about_mtl("newmtl m\nillum 11\n") ==
+        "(1) line 2: illumination model out of range (11; allowed are 0 to 10)");
+  CHECK(warning_about_mtl("Kd 1 0 0\n") == "(1) line 1: 'Kd' before any newmtl");
+  CHECK(warning_about_mtl("newmtl\n") == "(1) line 1: a material has no name");
+  CHECK(warning_about_mtl("newmtl m\nmap_Kd\n") == "(1) line 2: 'map_Kd' names no file");
+  CHECK(material("Kd 1 red 0\nKs 1 1 1\n").specular == Vec3{1, 1, 1});
+  CHECK_FALSE(material("newmtl\nKd 1 0 0\n").colour);  // not of the material before it
+}
+
+TEST_CASE("a '#' in a name belongs to it if that exists, and starts a comment otherwise") {
+  const std::string mtl = "newmtl M #1\nKd 1 0 0\nnewmtl M #2\nKd 0 1 0\nnewmtl plain # a note\nKd 0 0 1\n";
+  const auto colour = [&mtl](const std::string& statement) {
+    const Model model = loaded(std::string(kFold) + "mtllib a.mtl # all\n" + statement + "\nf 1 3 2\n", mtl);
+    CHECK(model.warnings.size() == (model.parts[0].look.material.colour ? 0 : 1));
+    return model.parts[0].look.material.colour;
+  };
+  CHECK(colour("usemtl M #1") == Vec3{1, 0, 0});
+  CHECK(colour("usemtl M #2") == Vec3{0, 1, 0});
+  CHECK(colour("usemtl M #1 # red # really") == Vec3{1, 0, 0});
+  CHECK(colour("usemtl plain") == Vec3{0, 0, 1});
+  CHECK(colour("usemtl plain # a note") == Vec3{0, 0, 1});
+  CHECK(colour("usemtl plain # another") == Vec3{0, 0, 1});
+  CHECK(colour("usemtl none # such") == std::nullopt);
+  // Faces of one material stay together, whatever the comments are.
+  const std::string same = "usemtl plain # x\nf 1 3 2\nusemtl plain\nf 1 2 4\n";
+  CHECK(loaded(std::string(kFold) + "mtllib a.mtl\n" + same, mtl).parts.size() == 1);
+
+  const TemporaryFolder folder;
+  (void)folder.file("ha#sh.mtl", "newmtl m\nKd 1 0 0\nmap_Kd ch #1.ppm\n");
+  (void)folder.file("a #2.mtl", "newmtl m\nKd 0 1 0\nmap_Kd b.ppm # no more\n");
+  (void)folder.file("ch #1.ppm", "P6 1 1 255 \1\1\1");
+  (void)folder.file("b.ppm", "P6 1 1 255 \2\2\2");
+  for (const auto& [library, red] : {std::pair("ha#sh.mtl", 1), std::pair("ha#sh.mtl # m", 1),
+                                     std::pair("a #2.mtl", 2), std::pair("none.mtl", 0)}) {
+    const Model model = load_model_file(folder.file(
+        "a.obj", std::string(kFold) + "vt 0 0\nmtllib " + library + "\no Box #1\nusemtl m\nf 1/1 3/1 2/1\n"));
+    CAPTURE(library);
+    CHECK(model.parts[0].look.names == Lines{"Box #1", "Box"});
+    CHECK(model.warnings.size() == (red == 0 ? 1 : 0));
+    if (red == 0) continue;
+    REQUIRE(model.parts[0].look.material.texture != nullptr);
+    CHECK(model.parts[0].look.material.texture->picture.pixels[0].r == red);
+  }
 }
 
 TEST_CASE(
@@ -153,7 +196,7 @@ TEST_CASE(
     CHECK(without.warnings[0].find("(mtllib) from the model's folder") != std::string::npos);
   }
   CHECK(model("sub/my own.mtl\nusemtl unknown\nf 1 2 4").warnings ==
-        Lines{"materials that are not defined are drawn in the default look: 'unknown'"});
+        Lines{"materials that are not defined (1) are drawn in the default look: 'unknown'"});
 }
 
 TEST_CASE("OBJ: faces are smoothed within their group, and not at all by s off") {
@@ -166,13 +209,14 @@ TEST_CASE("OBJ: faces are smoothed within their group, and not at all by s off")
     return std::count_if(all.begin(), all.end(), [&](const Vec3& n) { return length(n - wanted) < 1e-9; });
   };
   const Vec3 half = normalised(Vec3{1, 0, 1});
-  for (const char* same : {"", "s 1\n"}) CHECK(count(normals(same, same), half) == 2);
+  CHECK(count(normals("s 1\n", "s 1\n"), half) == 2);
+  CHECK(count(normals("", ""), half) == 0);  // where the file says nothing, 90 degrees are an edge
   CHECK(count(normals("s 1\n", "s 2\n"), half) == 0);
   CHECK(count(normals("s 1\n", "s 2\n"), {0, 0, 1}) == 3);
   CHECK(count(normals("s off\n", ""), {1, 0, 0}) == 3);
   CHECK(count(normals("s 0\n", "s 0\n"), {0, 0, 1}) == 3);
   // Normals go on across parts: a ball of several colours stays round.
-  const Model ball = loaded(std::string(kFold) + "g a\nf 1 3 2\ng b\nf 1 2 4\n");
+  const Model ball = loaded(std::string(kFold) + "s 1\ng a\nf 1 3 2\ng b\nf 1 2 4\n");
   REQUIRE(ball.parts.size() == 2);
   CHECK(count(ball.parts[0].mesh.normals, half) == 2);
   CHECK(count(ball.parts[1].mesh.normals, half) == 2);
@@ -193,8 +237,9 @@ TEST_CASE("OBJ: vertex colours, 0...1 or 0...255") {
   CHECK(bytes.parts[0].look.material.colour == Vec3{1, 0.2, 0});
   // A vertex without a colour leaves its triangles to their material.
   CHECK_FALSE(loaded(square + "\nf 1 3 4\n").parts[0].look.material.colour);
-  CHECK(message_of<Failure>([] { (void)loaded("v 0 0 0 1 x 0\nf 1 1 1\n"); }).find("line 1: 'x' is not") !=
-        std::string::npos);
+  const Model wrong = loaded(square + "x 0 0\nf 1 2 3\nf 1 3 4\n");
+  CHECK(wrong.warnings == Lines{"left out: vertex colours that are not finite numbers (1)"});
+  CHECK(wrong.parts.size() == 2);
 }
 
 TEST_CASE("vertex colours are kept where they differ within triangles, if that is asked for") {
@@ -253,6 +298,10 @@ TEST_CASE("PLY: colours of vertices and of faces, as integers and as floats") {
   const Model floats = loaded_ply("property float red\nproperty float green\nproperty float blue\n", "",
                                   "0 0 0 0 1 0.2\n1 0 0 0 1 0.2\n1 1 0 0 1 0.2\n0 1 0 0 1 0.2\n" + faces);
   CHECK(floats.parts[0].look.material.colour == Vec3{0, 1, 0.2});
+  const Model short_names =
+      loaded_ply("property uchar r\nproperty uchar g\nproperty uchar b\n", "",
+                 "0 0 0 0 0 255\n1 0 0 0 0 255\n1 1 0 0 0 255\n0 1 0 0 0 255\n" + faces);
+  CHECK(short_names.parts[0].look.material.colour == Vec3{0, 0, 1});
   const std::string wide =
       "property ushort diffuse_red\nproperty ushort diffuse_green\nproperty ushort diffuse_blue\n";
   const Model words =

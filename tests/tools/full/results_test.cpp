@@ -98,12 +98,59 @@ TEST_CASE("if one of a command's results fails, the others are not written") {
   CHECK(folder.size() == 1);
 }
 
+TEST_CASE("a command whose summary cannot be printed fails and leaves no result") {
+  const TemporaryFolder folder;
+  const std::string picture = folder.file("a.ppm", "P6 4 4 255 " + std::string(48, '\7'));
+  const std::string small = " --size 16x16 -o " + (folder / "out");
+  for (const std::string& command :
+       {"render sphere:8x4" + small + ".png", "mesh sphere:8x4 -o " + (folder / "out.hpp"),
+        "texture " + picture + " -o " + (folder / "out.bin"),
+        "turntable sphere:8x4 --frames 2" + small + ".gif", "turntable sphere:8x4 --frames 2" + small + "/",
+        "simulate sphere:8x4 -o " + (folder / "out.png"),
+        "simulate sphere:8x4 --turntable 2 -o " + (folder / "out.gif"),
+        "compare sphere:8x4 --no-instructions --shading flat" + small + ".png",
+        "bench --sphere 8x4:4 --rounds 1 --method flat --threads 1 --table " + (folder / "out.md"),
+        "diff " + picture + " " + picture + " -o " + (folder / "out.png")}) {
+    for (const char* closed : {">/dev/full", ">&-"}) {
+      CAPTURE(command, closed);
+      const int ended = std::system(
+          (std::string(ARCSPAN_COMMAND) + " " + command + " " + closed + " 2>" + (folder / "err")).c_str());
+      CHECK(WEXITSTATUS(ended) == 1);
+      CHECK(contents(folder / "err").find("arcspan: standard output: cannot write (") != std::string::npos);
+      CHECK(folder.size() == 2);
+    }
+  }
+}
+
+TEST_CASE("no message is longer than 300 characters or shows a type of C++") {
+  const TemporaryFolder folder;
+  const std::string name(5000, 'n');
+  std::string wide;
+  for (int i = 0; i < 900; ++i) wide += "\u00E4";
+  const std::string obj = folder.file("a.obj", "usemtl a\nf 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  const std::string dae = folder.file("a.dae", "<COLLADA version=\"1.4.1\"><" + std::string(9000, 'x') + ">");
+  const std::string gltf = folder.file("a.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"" + name + "\": \"");
+  for (const std::string& arguments :
+       {name, "render " + name, "render x.obj -o a.png --size " + name,
+        "render sphere:8x4 -o a.png --" + name, "render " + wide + ".obj -o a.png",
+        "render " + obj + " -o a.png --group " + name, "render " + dae + " -o a.png",
+        "render " + gltf + " -o a.png", "mesh sphere:8x4 -o a.hpp --name 9" + name, "plot " + wide}) {
+    const CommandRun done = run(arguments);
+    CAPTURE(arguments.substr(0, 80), done.err);
+    CHECK(done.status != 0);
+    CHECK(done.err.size() <= 301);
+    CHECK(done.err.find('\n') == done.err.size() - 1);
+    CHECK(done.err.find("std::") == std::string::npos);
+    CHECK(done.err.find("\\x") == std::string::npos);  // a character cut in two
+  }
+}
+
 TEST_CASE("a picture for a folder that cannot be moved there leaves the older ones as they were") {
   const TemporaryFolder folder;
   const std::string turn = "turntable torus:8x8 --size 16x16 --frames 3 -o " + (folder / "frames");
   std::filesystem::create_directories(folder / "frames/frame-0002.png");
   (void)folder.file("frames/frame-0000.png", "old");
-  check_refused(turn, (folder / "frames/frame-0002.png") + ": cannot write (Is a directory)");
+  check_refused(turn, (folder / "frames/frame-0002.png") + ": cannot write (it is a directory)");
   CHECK(contents(folder / "frames/frame-0000.png") == "old");
   CHECK_FALSE(std::filesystem::exists(folder / "frames/frame-0001.png"));
 }
@@ -166,8 +213,8 @@ TEST_CASE("names and arguments reach the terminal without line breaks and escape
 TEST_CASE("content of a mesh that is not drawn gets a warning line, whichever command loads it") {
   const TemporaryFolder folder;
   const std::string obj = folder.file("a.obj", "usemtl red\n" + std::string(kTriangle));
-  const std::string warning =
-      "arcspan: warning: " + obj + ": materials that are not defined are drawn in the default look: 'red'\n";
+  const std::string warning = "arcspan: warning: " + obj +
+                              ": materials that are not defined (1) are drawn in the default look: 'red'\n";
   for (const char* command :
        {"render", "mesh", "turntable --frames 2", "simulate", "compare --no-instructions --shading flat"}) {
     CAPTURE(command);

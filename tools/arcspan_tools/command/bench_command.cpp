@@ -87,8 +87,7 @@ void run_bench(BenchArguments arguments) {
   for (const std::string& table : arguments.tables) {
     results.push_back({table, report_kind(table) == ReportKind::kJson ? bench_json(report) : markdown});
   }
-  write_results(results);
-  std::fputs(markdown.c_str(), report_stream(written));
+  write_results(results, markdown);
 }
 
 }  // namespace

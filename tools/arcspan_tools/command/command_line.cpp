@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -27,7 +28,7 @@ constexpr int kFailed = 1;
 constexpr int kWrongArguments = 2;
 
 int complain(const std::string& what, int status) {
-  std::fprintf(stderr, "arcspan: %s\n", printable(what).c_str());
+  print_message(what);
   return status;
 }
 
@@ -104,8 +105,10 @@ int parse_and_run(CLI::App& app, int argc, const char* const* argv) {
     return complain(e.what(), kFailed);
   } catch (const std::bad_alloc&) {
     return complain("out of memory", kFailed);
-  } catch (const std::exception& e) {
-    return complain(e.what(), kFailed);
+  } catch (const std::filesystem::filesystem_error& e) {
+    return complain(e.path1().string() + ": " + e.code().message(), kFailed);
+  } catch (const std::exception&) {  // whose text is about the tool's own types
+    return complain("an error of the tool itself, which should be reported", kFailed);
   }
 }
 

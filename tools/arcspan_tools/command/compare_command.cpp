@@ -183,8 +183,7 @@ void run_compare(const CompareArguments& arguments) {
   for (const std::string& table : arguments.tables) {
     results.push_back({table, comparison_table(comparison, table_format(table))});
   }
-  write_results(results);
-  std::fputs(comparison_table(comparison, TableFormat::kMarkdown).c_str(), report_stream(written));
+  write_results(results, comparison_table(comparison, TableFormat::kMarkdown));
 }
 
 void add_options(CLI::App& app, CompareArguments& a) {

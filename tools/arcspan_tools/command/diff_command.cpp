@@ -6,6 +6,7 @@
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 #include <arcspan_tools/support/result_files.hpp>
+#include <arcspan_tools/support/text.hpp>
 
 #include <cstdio>
 #include <memory>
@@ -34,9 +35,13 @@ void run_diff(const DiffArguments& arguments) {
     throw Failure(arguments.b, "is " + size_text(b) + ", but " + arguments.a + " is " + size_text(a));
   }
   const Difference d = difference(a, b);
-  if (!arguments.out.empty()) write_image(difference_picture(a, b), arguments.out);
-  std::fprintf(report_stream({arguments.out}), "largest difference %d, mean %.4f, %zu of %zu pixels differ\n",
-               d.largest, d.mean, d.differing_pixels, a.pixels.size());
+  const std::string summary = formatted("largest difference %d, mean %.4f, %zu of %zu pixels differ\n",
+                                        d.largest, d.mean, d.differing_pixels, a.pixels.size());
+  if (arguments.out.empty()) {
+    write_results({}, summary);
+  } else {
+    write_image(difference_picture(a, b), arguments.out, summary);
+  }
   if (d.largest > arguments.limit) throw ExitStatus{1};
 }
 

@@ -9,7 +9,6 @@
 #include <arcspan_tools/texture/plain/surface_texture.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -64,8 +63,9 @@ void warn_without_effect(const RenderOptions& options, const Model& model) {
 
 Model load_model(const std::string& name, const std::optional<double>& crease_degrees,
                  const std::string& texture, VertexColours colours) {
-  Model model = load_model_file(
-      name, texture.empty() ? TexturePointsOf::kTexturedParts : TexturePointsOf::kAllParts, colours);
+  Model model =
+      load_model_file(name, texture.empty() ? TexturePointsOf::kTexturedParts : TexturePointsOf::kAllParts,
+                      colours, crease_degrees ? kSmoothEverything : kCreaseOfFiles);
   if (!texture.empty()) put_texture(texture, name, model);
   for (const std::string& warning : model.warnings) warn(name, warning);
   return crease_degrees ? with_crease(model, *crease_degrees, name) : model;
@@ -111,7 +111,7 @@ bool make_opaque(Model& model) {
 }
 
 void warn(const std::string& subject, const std::string& text) {
-  std::fprintf(stderr, "arcspan: warning: %s\n", printable(subject + ": " + text).c_str());
+  print_message("warning: " + subject + ": " + text);
 }
 
 }  // namespace arcspan::tools

@@ -93,6 +93,7 @@ Made make(const MeshArguments& arguments, CompiledOutput output) {
   report.model_bytes = bytes_of(made.model);
   report.model_extent = made.model.meshes[0].unit * 65534;
   report.dropped_faces = data.dropped_faces;
+  report.crease_degrees = data.crease_degrees;
   Progress progress("simplifying", 0);
   report.compiled = compile_model(data, arguments.limits, bytes_of, arguments.model,
                                   [&progress](std::size_t tried) { progress.show(tried); });
@@ -132,7 +133,6 @@ std::string name_of(const MeshArguments& arguments) {
 void run_mesh(MeshArguments& arguments) {
   const CompiledOutput output = compiled_output(arguments.output, "mesh");
   check_results({arguments.output, arguments.picture, arguments.stats}, {arguments.model, arguments.texture});
-  std::FILE* const report_to = report_stream({arguments.output, arguments.picture, arguments.stats});
   if (!arguments.picture.empty()) (void)image_format(arguments.picture);
   const Made made = make(arguments, output);
   const MeshReport& report = made.report;
@@ -149,8 +149,7 @@ void run_mesh(MeshArguments& arguments) {
     results.push_back({arguments.picture, encode_image(picture, image_format(arguments.picture))});
   }
   if (!arguments.stats.empty()) results.push_back({arguments.stats, to_json(report)});
-  write_results(results);
-  std::fputs(to_text(report).c_str(), report_to);
+  write_results(results, to_text(report));
   const std::string caution = warning(report);
   if (!caution.empty()) warn(arguments.model, caution);
 }

@@ -5,6 +5,7 @@
 #include <arcspan/shading/textured/textured.hpp>
 
 #include <arcspan_tools/command/mesh_report.hpp>
+#include <arcspan_tools/command/render_report.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/support/text.hpp>
@@ -166,7 +167,7 @@ std::string to_text(const MeshReport& r) {
   std::string text = printable(r.model) + formatted(": %zu vertices, %zu triangles, %zu bytes",
                                                     r.model_vertices, r.model_triangles, r.model_bytes);
   if (r.dropped_faces > 0) text += formatted(", %zu faces without area left out", r.dropped_faces);
-  text += "\n" + printable(r.output) +
+  text += crease_text(r.crease_degrees) + "\n" + printable(r.output) +
           formatted(": %zu vertices, %zu triangles, %zu bytes, %s%s", model.vertex_count(), triangles(r),
                     r.bytes, index_text(r).c_str(), has_planes(r) ? ", planes" : "");
   if (model.meshes.size() > 1) text += formatted(", %zu parts", model.meshes.size());
@@ -196,7 +197,8 @@ std::string to_json(const MeshReport& r) {
         {"vertices", r.model_vertices},
         {"triangles", r.model_triangles},
         {"bytes", r.model_bytes},
-        {"dropped_faces", r.dropped_faces}}},
+        {"dropped_faces", r.dropped_faces},
+        {"crease_degrees", crease_json(r.crease_degrees)}}},
       {"mesh",
        {{"file", r.output},
         {"vertices", r.compiled.model.vertex_count()},

@@ -6,6 +6,7 @@
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/texture/plain/made_texture.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct MeshReport {
   std::size_t model_bytes = 0;  ///< what it would have taken as it was
   double model_extent = 0;      ///< its largest, in its own units
   std::size_t dropped_faces = 0;
+  std::optional<double> crease_degrees{};  ///< as in Model
   std::size_t bytes = 0;
   std::vector<ByteShare> shares{};  ///< of `bytes`
   bool shrunk_textures = false;     ///< to keep --max-bytes

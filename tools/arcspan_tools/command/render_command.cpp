@@ -41,6 +41,7 @@ Loaded load(RenderArguments& arguments) {
   report.mesh_triangles = model.triangle_count();
   report.parts = model.parts.size();
   report.dropped_faces = model.dropped_faces;
+  report.crease_degrees = model.crease_degrees;
   report.mesh_bytes = loaded.model.bytes();
   report.load_milliseconds = elapsed.count();
   return loaded;
@@ -60,7 +61,6 @@ void run_render(RenderArguments& arguments) {
   const RenderOptions& options = arguments.options;
   const ImageFormat format = image_format(arguments.output);
   check_results({arguments.output, arguments.stats}, {options.mesh, options.texture, options.matcap});
-  std::FILE* const report = report_stream({arguments.output, arguments.stats});
   Loaded loaded = load(arguments);
   const RenderJob job = make_job(options.scene, loaded.model, options.mesh);
   warn_of_fog(options, job);
@@ -74,8 +74,7 @@ void run_render(RenderArguments& arguments) {
   loaded.report.stats = result.stats;
   std::vector<ResultFile> results = {{arguments.output, encode_image(result.image, format)}};
   if (!arguments.stats.empty()) results.push_back({arguments.stats, to_json(loaded.report)});
-  write_results(results);
-  std::fputs(to_text(loaded.report).c_str(), report);
+  write_results(results, to_text(loaded.report));
 }
 
 }  // namespace

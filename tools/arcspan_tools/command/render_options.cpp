@@ -231,7 +231,9 @@ void refuse_adaptive() {
 void add_crease(CLI::App& app, std::optional<double>& degrees) {
   add_parsed<double>(
       app, "--crease", "DEGREES",
-      "make normals anew; edges sharper than this (0...180) stay sharp (default: the model's normals)",
+      "make normals anew; edges sharper than this (0...180) stay sharp (default: the model's normals; 40 "
+      "where "
+      "it has none)",
       "a number 0...180",
       [](const std::string& text) {
         const std::optional<double> v = parse_number(text);

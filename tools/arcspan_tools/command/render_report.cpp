@@ -5,14 +5,23 @@
 #include <nlohmann/json.hpp>
 
 namespace arcspan::tools {
+
+std::string crease_text(const std::optional<double>& degrees) {
+  return degrees ? formatted(", no normals: edges above %g degrees are sharp (--crease)", *degrees) : "";
+}
+
+nlohmann::ordered_json crease_json(const std::optional<double>& degrees) {
+  return degrees ? nlohmann::ordered_json(*degrees) : nlohmann::ordered_json();
+}
+
 std::string to_text(const RenderReport& r) {
   const RenderStats& s = r.stats;
   std::string text = printable(r.mesh_name) + ": " + std::to_string(r.vertices) + " vertices, " +
                      std::to_string(r.mesh_triangles) + " triangles";
   if (r.parts > 1) text += ", " + std::to_string(r.parts) + " parts";
   if (r.dropped_faces > 0) text += ", " + std::to_string(r.dropped_faces) + " faces without area left out";
-  text += "\n" + printable(r.output) + ": " + std::to_string(r.width) + "x" + std::to_string(r.height) +
-          ", " + r.shading + " shading, " + r.format + "\n";
+  text += crease_text(r.crease_degrees) + "\n" + printable(r.output) + ": " + std::to_string(r.width) + "x" +
+          std::to_string(r.height) + ", " + r.shading + " shading, " + r.format + "\n";
   text += formatted("drawn: %u triangles, %llu spans, %llu pixels\n", s.triangles,
                     static_cast<unsigned long long>(s.spans), static_cast<unsigned long long>(s.pixels));
   text += formatted("time: %.1f ms to load, %.2f ms to draw\n", r.load_milliseconds, s.draw_milliseconds);
@@ -29,7 +38,8 @@ std::string to_json(const RenderReport& r) {
         {"vertices", r.vertices},
         {"triangles", r.mesh_triangles},
         {"parts", r.parts},
-        {"dropped_faces", r.dropped_faces}}},
+        {"dropped_faces", r.dropped_faces},
+        {"crease_degrees", crease_json(r.crease_degrees)}}},
       {"picture",
        {{"file", r.output},
         {"width", r.width},

@@ -3,7 +3,9 @@
 
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/render/render.hpp>
+#include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 
 namespace arcspan::tools {
@@ -18,6 +20,7 @@ struct RenderReport {
   std::size_t mesh_triangles = 0;
   std::size_t parts = 1;
   std::size_t dropped_faces = 0;
+  std::optional<double> crease_degrees{};  ///< as in Model
   std::size_t mesh_bytes = 0;
   std::int32_t width = 0;
   std::int32_t height = 0;
@@ -29,6 +32,10 @@ struct RenderReport {
     return mesh_bytes + stats.frame_bytes + stats.depth_bytes + stats.cache_bytes;
   }
 };
+
+/// What reports say of Model::crease_degrees.
+[[nodiscard]] std::string crease_text(const std::optional<double>& degrees);
+[[nodiscard]] nlohmann::ordered_json crease_json(const std::optional<double>& degrees);
 
 /// For people, several lines.
 [[nodiscard]] std::string to_text(const RenderReport& report);

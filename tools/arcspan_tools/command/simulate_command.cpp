@@ -80,11 +80,11 @@ class GlassOutput {
       still_ = std::move(glass);
     }
   }
-  void finish() {
+  void finish(const std::string& summary) {
     if (moving_) {
-      moving_->finish();
+      moving_->finish(summary);
     } else {
-      write_image(still_, path_);
+      write_image(still_, path_, summary);
     }
   }
 
@@ -135,35 +135,42 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   return totals;
 }
 
-void report(const SimulateArguments& arguments, const SimulatedDisplay& display, const Totals& totals) {
+std::string report(const SimulateArguments& arguments, const SimulatedDisplay& display,
+                   const Totals& totals) {
   const double frames = arguments.frames;
   const double bus_ms = static_cast<double>(totals.bus.busy_ns) / 1e6 / frames;
   const double draw_ms = static_cast<double>(totals.draw_ns) / 1e6 / frames;
   const Size size = display.size();
   const bool i2c = arguments.bus == "i2c";
-  std::FILE* out = report_stream({arguments.output});
   const std::string bus =
       i2c ? formatted("I2C at %g kHz", arguments.i2c_khz)
           : formatted("SPI at %g MHz, mode %d", arguments.spi_mhz, arguments.glass.spi_mode);
-  std::fprintf(out, "%s: %dx%d, %s, rotation %d, %s\n", arguments.panel.c_str(), size.width, size.height,
-               display.format().c_str(), arguments.glass.rotation, bus.c_str());
-  std::fprintf(out, "sent: %.0f bytes a frame in %.0f transfers\n",
-               static_cast<double>(totals.bus.bytes) / frames,
-               static_cast<double>(totals.bus.transfers) / frames);
-  std::fprintf(out, "bus: %.3f ms a frame; allows %.1f frames a second\n", bus_ms, 1000 / bus_ms);
+  std::string text = formatted(
+      "%s: %dx%d, %s, rotation %d, %s
+      ", arguments.panel.c_str(), size.width,
+      size.height,
+      display.format().c_str(), arguments.glass.rotation, bus.c_str());
+  text += formatted(
+      "sent: %.0f bytes a frame in %.0f transfers
+      ",
+          static_cast<double>(totals.bus.bytes) /
+          frames,
+      static_cast<double>(totals.bus.transfers) / frames);
+  text += formatted("bus: %.3f ms a frame; allows %.1f frames a second
+", bus_ms, 1000 / bus_ms);
   if (totals.without_figures.empty()) {
     const double frame_ms = static_cast<double>(totals.frame_ns) / 1e6 / frames;
-    std::fprintf(out,
-                 "drawing: %.0f instructions and %.3f ms a frame on a Cortex-M3 at %g MHz (an estimate, "
-                 "without clearing)\n",
-                 totals.instructions / frames, draw_ms, arguments.cpu_mhz);
-    std::fprintf(out, "both, overlapped: %.3f ms, %.1f frames a second; bottleneck: %s\n", frame_ms,
-                 1000 / frame_ms, draw_ms > bus_ms ? "shading" : "the bus");
+    text += formatted(
+        "drawing: %.0f instructions and %.3f ms a frame on a Cortex-M3 at %g MHz (an estimate, without "
+        "clearing)\n",
+        totals.instructions / frames, draw_ms, arguments.cpu_mhz);
+    text += formatted("both, overlapped: %.3f ms, %.1f frames a second; bottleneck: %s\n", frame_ms,
+                      1000 / frame_ms, draw_ms > bus_ms ? "shading" : "the bus");
   } else {
-    std::fprintf(out, "drawing: no figures of %s on a Cortex-M3\n", totals.without_figures.c_str());
+    text += formatted("drawing: no figures of %s on a Cortex-M3\n", totals.without_figures.c_str());
   }
-  std::fprintf(out, "RAM for buffers: %zu bytes; a whole frame would take %zu\n", display.buffer_bytes(),
-               display.frame_bytes());
+  return text + formatted("RAM for buffers: %zu bytes; a whole frame would take %zu\n",
+                          display.buffer_bytes(), display.frame_bytes());
 }
 
 void run_simulate(const SimulateArguments& arguments) {
@@ -172,8 +179,7 @@ void run_simulate(const SimulateArguments& arguments) {
   const std::unique_ptr<SimulatedDisplay> display = make_display(options_of(arguments));
   GlassOutput output(arguments.output, arguments.frames, display->picture());
   const Totals totals = show_all(arguments, *display, output);
-  output.finish();
-  report(arguments, *display, totals);
+  output.finish(report(arguments, *display, totals));
 }
 
 void add_display_options(CLI::App& app, SimulateArguments& a) {

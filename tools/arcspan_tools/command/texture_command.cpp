@@ -71,7 +71,6 @@ std::string name_of(const TextureArguments& arguments) {
 void run_texture(const TextureArguments& arguments) {
   const CompiledOutput output = compiled_output(arguments.output, "texture");
   check_results({arguments.output, arguments.report}, {arguments.picture});
-  std::FILE* const report_to = report_stream({arguments.output, arguments.report});
   if (!arguments.report.empty()) (void)image_format(arguments.report);
   const RgbaImage picture = read_rgba(arguments.picture);
   const TextureAndLevels made = make_texture(picture, arguments.options, arguments.picture);
@@ -84,8 +83,7 @@ void run_texture(const TextureArguments& arguments) {
     results.push_back(
         {arguments.report, encode_image(before_and_after(made), image_format(arguments.report))});
   }
-  write_results(results);
-  std::fputs(report_text(arguments, picture, made).c_str(), report_to);
+  write_results(results, report_text(arguments, picture, made));
   warn_of_opacity(arguments, picture);
 }
 

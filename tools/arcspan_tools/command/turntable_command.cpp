@@ -11,6 +11,7 @@
 #include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/support/progress.hpp>
 #include <arcspan_tools/support/result_files.hpp>
+#include <arcspan_tools/support/text.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -54,11 +55,10 @@ void run_turntable(TurntableArguments& arguments) {
     output->add(std::move(result.image));
     progress.show(frame + 1);
   }
-  output->finish();
-  std::fprintf(report_stream({arguments.output}),
-               "%s: %zu frames of %dx%d, %d ms each, drawn in %.2f ms each\n",
-               printable(arguments.output).c_str(), format.frames, format.size.width, format.size.height,
-               format.milliseconds, milliseconds / static_cast<double>(format.frames));
+  output->finish(printable(arguments.output) +
+                 formatted(": %zu frames of %dx%d, %d ms each, drawn in %.2f ms each\n", format.frames,
+                           format.size.width, format.size.height, format.milliseconds,
+                           milliseconds / static_cast<double>(format.frames)));
 }
 
 }  // namespace

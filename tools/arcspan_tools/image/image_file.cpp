@@ -4,11 +4,9 @@
 #include <arcspan_tools/image/picture_checks.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
-#include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
-#include <memory>
-#include <string_view>
+#include <algorithm>
 
 namespace arcspan::tools {
 namespace {
@@ -21,24 +19,6 @@ std::string png(const Image& image) {
   };
   stbi_write_png_to_func(append, &out, image.width, image.height, 3, image.pixels.data(), image.width * 3);
   return out;
-}
-
-Image read_png(std::string_view bytes, const std::string& subject) {
-  check_png(bytes, subject);
-  int width = 0;
-  int height = 0;
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> decoded(
-      stbi_load_from_memory(data, static_cast<int>(bytes.size()), &width, &height, nullptr, 3),
-      &stbi_image_free);
-  if (decoded == nullptr) {
-    throw Failure(subject, std::string("a PNG picture that cannot be read (") + stbi_failure_reason() + ")");
-  }
-  Image image(width, height);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    image.pixels[i] = {decoded.get()[3 * i], decoded.get()[3 * i + 1], decoded.get()[3 * i + 2]};
-  }
-  return image;
 }
 
 }  // namespace
@@ -63,15 +43,17 @@ std::string encode_image(const Image& image, ImageFormat format) {
   return png(image);
 }
 
-void write_image(const Image& image, const std::filesystem::path& path) {
-  write_whole_file(path, encode_image(image, image_format(path)));
+void write_image(const Image& image, const std::filesystem::path& path, const std::string& summary) {
+  write_whole_file(path, encode_image(image, image_format(path)), summary);
 }
 
 Image read_image(const std::filesystem::path& path) {
-  const std::string bytes = read_whole_file(path, kMostPictureBytes);
-  if (is_netpbm(bytes)) return read_netpbm(bytes, path.string());
-  if (is_png(bytes)) return read_png(bytes, path.string());
-  throw Failure(path.string(), "not a PNG, PPM (P6) or PGM (P5) picture");
+  const RgbaImage read = read_rgba(path);
+  Image image(read.width, read.height);
+  std::transform(read.pixels.begin(), read.pixels.end(), image.pixels.begin(), [](const Rgba8& c) {
+    return Rgb8{c.r, c.g, c.b};
+  });
+  return image;
 }
 
 RgbaImage read_rgba(const std::filesystem::path& path) {

@@ -20,10 +20,10 @@ enum class ImageFormat : std::uint8_t { kPpm, kPgm, kPng };
 /// The whole file.
 [[nodiscard]] std::string encode_image(const Image& image, ImageFormat format);
 
-/// Writes `image` in the format of the path's extension, whole or not at all. Throws Failure.
-void write_image(const Image& image, const std::filesystem::path& path);
+/// Writes `image` in the format of the path's extension, as write_results() does. Throws Failure.
+void write_image(const Image& image, const std::filesystem::path& path, const std::string& summary = {});
 
-/// Reads PNG, PPM or PGM. Throws Failure.
+/// read_rgba() without the opacity.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);
 
 /// Reads a picture file of any kind that decode_rgba() knows, with its opacity. Throws Failure.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/image/netpbm.hpp>
+#include <arcspan_tools/image/picture_checks.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr std::int64_t kMostSide = 16384;  // as for PNG
 constexpr std::int64_t kMostValue = 65535;
 
 std::string header(const char* kind, const Image& image) {
@@ -110,8 +110,9 @@ bool is_netpbm(std::string_view bytes) {
 Image read_netpbm(std::string_view bytes, const std::string& subject) {
   const bool grey = bytes[1] == '5';
   NetpbmReader reader(bytes, subject);
-  const std::int64_t width = reader.number("width", kMostSide);
-  const std::int64_t height = reader.number("height", kMostSide);
+  const std::int64_t width = reader.number("width", kMostPictureSide);
+  const std::int64_t height = reader.number("height", kMostPictureSide);
+  check_picture_size({grey ? "PGM" : "PPM", width, height}, subject);
   const std::int64_t maximum = reader.number("largest value", kMostValue);
   reader.begin_samples(static_cast<std::uint64_t>(width * height * (grey ? 1 : 3) * (maximum > 255 ? 2 : 1)));
   Image image(static_cast<std::int32_t>(width), static_cast<std::int32_t>(height));

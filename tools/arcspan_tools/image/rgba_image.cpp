@@ -2,26 +2,24 @@
 #include <arcspan_tools/image/netpbm.hpp>
 #include <arcspan_tools/image/picture_checks.hpp>
 #include <arcspan_tools/image/rgba_image.hpp>
+#include <arcspan_tools/image/stb_memory.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <stb/stb_image.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 #include <memory>
 
 namespace arcspan::tools {
 namespace {
 
-/// TGA has no magic number.
-bool is_named_tga(const std::string& name) {
-  std::string end = name.size() < 4 ? std::string() : name.substr(name.size() - 4);
-  std::transform(end.begin(), end.end(), end.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return end == ".tga";
-}
-
-RgbaImage decode_stb(std::string_view bytes, const char* kind, const std::string& subject) {
+RgbaImage decode_stb(std::string_view bytes, const PictureHeader& header, const std::string& subject) {
+  // The picture itself with 16 bits a channel, or what it is unpacked from: never more.
+  limit_stb_memory(8 * static_cast<std::size_t>(header.width * header.height) + 2 * bytes.size() +
+                   (1u << 20));
+  // Pictures for Apple's devices have red and blue exchanged, and colours multiplied by their opacity.
+  stbi_convert_iphone_png_to_rgb(1);
+  stbi_set_unpremultiply_on_load(1);
   int width = 0;
   int height = 0;
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
@@ -29,8 +27,8 @@ RgbaImage decode_stb(std::string_view bytes, const char* kind, const std::string
       stbi_load_from_memory(data, static_cast<int>(bytes.size()), &width, &height, nullptr, 4),
       &stbi_image_free);
   if (decoded == nullptr) {
-    throw Failure(subject,
-                  std::string("a ") + kind + " picture that cannot be read (" + stbi_failure_reason() + ")");
+    throw Failure(subject, std::string("a ") + header.kind + " picture that cannot be read (" +
+                               stbi_failure_reason() + ")");
   }
   static_assert(sizeof(Rgba8) == 4);
   RgbaImage image(width, height);
@@ -41,31 +39,13 @@ RgbaImage decode_stb(std::string_view bytes, const char* kind, const std::string
 }  // namespace
 
 RgbaImage decode_rgba(std::string_view bytes, const std::string& subject) {
-  if (is_netpbm(bytes)) {
-    const Image opaque = read_netpbm(bytes, subject);
-    RgbaImage image(opaque.width, opaque.height);
-    std::transform(opaque.pixels.begin(), opaque.pixels.end(), image.pixels.begin(), [](Rgb8 c) {
-      return Rgba8{c.r, c.g, c.b, 255};
-    });
-    return image;
-  }
-  if (is_png(bytes)) {
-    check_png(bytes, subject);
-    return decode_stb(bytes, "PNG", subject);
-  }
-  if (is_jpeg(bytes)) {
-    check_jpeg(bytes, subject);
-    return decode_stb(bytes, "JPEG", subject);
-  }
-  if (is_bmp(bytes)) {
-    check_bmp(bytes, subject);
-    return decode_stb(bytes, "BMP", subject);
-  }
-  if (!is_named_tga(subject)) {
-    throw Failure(subject, "not a PNG, JPEG, BMP, TGA, PPM (P6) or PGM (P5) picture");
-  }
-  check_tga(bytes, subject);
-  return decode_stb(bytes, "TGA", subject);
+  if (!is_netpbm(bytes)) return decode_stb(bytes, checked_picture(bytes, subject), subject);
+  const Image opaque = read_netpbm(bytes, subject);
+  RgbaImage image(opaque.width, opaque.height);
+  std::transform(opaque.pixels.begin(), opaque.pixels.end(), image.pixels.begin(), [](Rgb8 c) {
+    return Rgba8{c.r, c.g, c.b, 255};
+  });
+  return image;
 }
 
 Image on_squares(const RgbaImage& image) {

@@ -53,19 +53,19 @@ void FrameFolder::add(Image frame) {
   write_new_file(frames_.back()->path(), encode_image(frame, pictures_), folder_ / name);
 }
 
-void FrameFolder::finish() {
+void FrameFolder::finish(const std::string& summary) {
   if (exists_) {
     std::vector<FilePlacement> placements;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
       placements.push_back({*frames_[i], folder_ / name_of(i), folder_ / name_of(i)});
     }
-    return place_all(placements);
+    return place_all(placements, summary, stdout);
   }
   // mkdtemp makes folders private; the result gets the mode of a plain mkdir.
   const mode_t mask = ::umask(0);
   ::umask(mask);
   if (::chmod(collected_->path().c_str(), 0777u & ~mask) != 0) fail_with_errno(folder_, "write");
-  place_all({{collected_->folder(), folder_, folder_}});
+  place_all({{collected_->folder(), folder_, folder_}}, summary, stdout);
   for (Removal* frame : frames_) frame->cancel();
 }
 

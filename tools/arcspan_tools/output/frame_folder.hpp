@@ -19,7 +19,7 @@ class FrameFolder : public FrameOutput {
   FrameFolder(const std::filesystem::path& folder, const FrameFormat& format);
 
   void add(Image frame) override;
-  void finish() override;
+  void finish(const std::string& summary) override;
 
  private:
   [[nodiscard]] std::string name_of(std::size_t number) const;

@@ -32,7 +32,9 @@ class AnimationFile : public FrameOutput {
     frames_.reserve(format.frames);
   }
   void add(Image frame) override { frames_.push_back(std::move(frame)); }
-  void finish() override { write_whole_file(path_, encode_(frames_, milliseconds_)); }
+  void finish(const std::string& summary) override {
+    write_whole_file(path_, encode_(frames_, milliseconds_), summary);
+  }
 
  private:
   fs::path path_;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace arcspan::tools {
 
@@ -22,8 +23,8 @@ class FrameOutput {
 
   /// The next frame, of the size of the first.
   virtual void add(Image frame) = 0;
-  /// Puts everything in place, whole or not at all.
-  virtual void finish() = 0;
+  /// Prints the command's summary and puts everything in place, whole or not at all.
+  virtual void finish(const std::string& summary) = 0;
 };
 
 struct FrameFormat {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
@@ -10,7 +11,14 @@ namespace arcspan::tools {
 /// subject is the file or option at fault; main() prints the line and exits with status 1.
 class Failure : public std::runtime_error {
  public:
-  Failure(const std::string& subject, const std::string& what) : std::runtime_error(subject + ": " + what) {}
+  Failure(const std::string& subject, const std::string& what)
+      : std::runtime_error(subject + ": " + what), subject_bytes_(subject.size()) {}
+
+  /// What is wrong, without the subject.
+  [[nodiscard]] const char* reason() const { return what() + subject_bytes_ + 2; }
+
+ private:
+  std::size_t subject_bytes_;
 };
 
 }  // namespace arcspan::tools

@@ -53,7 +53,9 @@ std::FILE* report_stream(const std::vector<fs::path>& outputs) {
   return count == 1 ? stderr : stdout;
 }
 
-void write_whole_file(const fs::path& path, std::string bytes) { write_results({{path, std::move(bytes)}}); }
+void write_whole_file(const fs::path& path, std::string bytes, const std::string& summary) {
+  write_results({{path, std::move(bytes)}}, summary);
+}
 
 void write_new_file(const fs::path& path, std::string_view bytes, const fs::path& subject) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

@@ -10,7 +10,7 @@
 namespace arcspan::tools {
 
 /// Writes one result, whole or not at all, as write_results() does. Throws Failure.
-void write_whole_file(const std::filesystem::path& path, std::string bytes);
+void write_whole_file(const std::filesystem::path& path, std::string bytes, const std::string& summary = {});
 
 /// Writes a file that does not exist yet, with the permissions of the user's mask; for files in a temporary
 /// folder. `subject` names the file in the Failure that it may throw.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 
 namespace arcspan::tools {
 namespace {
@@ -61,6 +62,24 @@ std::string printable(std::string_view text) {
     text.remove_prefix(shown == 0 ? 1 : shown);
   }
   return line;
+}
+
+void print_message(std::string_view text) {
+  constexpr std::size_t kMost = 300;
+  constexpr std::string_view kGap = " ... ";
+  std::string line = "arcspan: " + printable(text);
+  if (line.size() > kMost) {
+    // Characters of several bytes are kept whole.
+    const auto is_inner = [&line](std::size_t at) {
+      return (static_cast<unsigned char>(line[at]) & 0xC0u) == 0x80u;
+    };
+    std::size_t begin = (kMost - kGap.size()) / 2;
+    std::size_t end = line.size() - begin;
+    while (is_inner(begin)) --begin;
+    while (is_inner(end)) ++end;
+    line.replace(begin, end - begin, kGap);
+  }
+  std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 }  // namespace arcspan::tools

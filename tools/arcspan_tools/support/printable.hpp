@@ -10,4 +10,8 @@ namespace arcspan::tools {
 /// written as escapes, \n, \t or \x1b. Names of files and arguments may hold any bytes.
 [[nodiscard]] std::string printable(std::string_view text);
 
+/// Prints `arcspan: TEXT` on standard error as one printable line of at most 300 characters: what is longer
+/// is shown without its middle.
+void print_message(std::string_view text);
+
 }  // namespace arcspan::tools

@@ -232,7 +232,7 @@ void check_results(const std::vector<fs::path>& results, const std::vector<fs::p
   }
 }
 
-void write_results(const std::vector<ResultFile>& results) {
+void write_results(const std::vector<ResultFile>& results, const std::string& summary) {
   std::deque<StagedFile> staged;
   for (const ResultFile& result : results) {
     if (!is_written_directly(result.path)) staged.emplace_back(result);
@@ -243,10 +243,16 @@ void write_results(const std::vector<ResultFile>& results) {
   std::vector<FilePlacement> placements;
   placements.reserve(staged.size());
   for (StagedFile& file : staged) placements.push_back(file.placement());
-  place_all(placements);
+  std::vector<fs::path> paths;
+  for (const ResultFile& result : results) paths.push_back(result.path);
+  place_all(placements, summary, report_stream(paths));
 }
 
-void place_all(const std::vector<FilePlacement>& placements) {
+void place_all(const std::vector<FilePlacement>& placements, const std::string& summary, std::FILE* stream) {
+  for (const FilePlacement& placement : placements) refuse_unwritable(placement.target, placement.subject);
+  if (std::fputs(summary.c_str(), stream) < 0 || std::fflush(stream) != 0) {
+    fail_with_errno(stream == stdout ? "standard output" : "standard error", "write");
+  }
   const SignalPause pause;
   std::deque<Placing> files;
   try {

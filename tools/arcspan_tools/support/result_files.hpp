@@ -3,6 +3,7 @@
 
 #include <arcspan_tools/support/temporaries.hpp>
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -25,8 +26,9 @@ struct ResultFile {
 /// complete, they are renamed, so that a reader never sees half a file and a failure leaves everything as it
 /// was before. Symbolic links are followed, and a file that is replaced keeps its permissions. Standard
 /// output, and targets that are no regular files (a terminal, a pipe), are written directly, before any is
-/// renamed. Throws Failure.
-void write_results(const std::vector<ResultFile>& results);
+/// renamed. `summary` is printed between the two, on report_stream(): what a user reads has happened. Throws
+/// Failure.
+void write_results(const std::vector<ResultFile>& results, const std::string& summary = {});
 
 /// A complete file or folder under a temporary name.
 struct FilePlacement {
@@ -35,8 +37,9 @@ struct FilePlacement {
   std::filesystem::path subject;  ///< the target as the user named it, for messages
 };
 
-/// Renames all temporaries to their targets or none; existing files are replaced. Throws Failure.
-void place_all(const std::vector<FilePlacement>& placements);
+/// Prints a command's summary and then renames all temporaries to their targets or none; existing files are
+/// replaced. Throws Failure, also if the summary cannot be printed.
+void place_all(const std::vector<FilePlacement>& placements, const std::string& summary, std::FILE* stream);
 
 /// The path that a file written to `path` has when all symbolic links are followed, even if it does not
 /// exist. Throws Failure for a circle of links.

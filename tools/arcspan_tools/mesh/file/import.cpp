@@ -8,34 +8,19 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <cmath>
-#include <memory>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace arcspan::tools {
 namespace {
 
-const char* extension(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::kObj:
-      return "obj";
-    case MeshFormat::kPly:
-      return "ply";
-    case MeshFormat::kStl:
-      return "stl";
-    case MeshFormat::kOff:
-      return "off";
-    case MeshFormat::kCollada:
-      return "dae";
-    case MeshFormat::k3ds:
-      return "3ds";
-    case MeshFormat::kGltf:
-      break;
-  }
-  return "";
-}
+const char* extension(MeshFormat format) { return format == MeshFormat::kCollada ? "dae" : "3ds"; }
 
 // The library guesses formats from content, too; with one loader left a file is what its name says.
 void keep_only(Assimp::Importer& importer, const char* wanted) {
@@ -53,44 +38,6 @@ void keep_only(Assimp::Importer& importer, const char* wanted) {
 }
 
 Vec3 to_vec3(const aiVector3D& v) { return {v.x, v.y, v.z}; }
-
-// The normals of STL belong to facets: taken for vertex normals they would shade every mesh flat.
-bool has_vertex_normals(const aiMesh& mesh, MeshFormat format) {
-  return mesh.HasNormals() && format != MeshFormat::kStl;
-}
-
-// Tags are whole numbers; what is none stays 0.
-std::uint32_t tag_number(ai_real value) {
-  return value > 0 && value < (1u << 24) ? static_cast<std::uint32_t>(std::lround(value)) : 0;
-}
-
-void append(ImportedMesh& out, const aiMesh& mesh, MeshFormat format, const std::string& subject) {
-  const bool with_normals = has_vertex_normals(mesh, format);
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    const aiFace& face = mesh.mFaces[f];
-    if (face.mNumIndices != 3) continue;
-    std::array<RawMesh::Corner, 3> triangle;
-    TriangleSource source;
-    for (unsigned i = 0; i < 3; ++i) {
-      const unsigned index = face.mIndices[i];
-      if (index >= mesh.mNumVertices) {
-        throw Failure(subject, "face index out of range (" + std::to_string(index) + " of " +
-                                   std::to_string(mesh.mNumVertices) + " vertices)");
-      }
-      triangle[i].position = to_vec3(mesh.mVertices[index]);
-      if (!finite(triangle[i].position)) throw Failure(subject, "a coordinate is not a finite number");
-      if (mesh.HasTextureCoords(0)) {
-        source.face = tag_number(mesh.mTextureCoords[0][index].x);
-        source.vertices[i] = tag_number(mesh.mTextureCoords[0][index].y);
-      }
-      if (!with_normals) continue;
-      const Vec3 normal = to_vec3(mesh.mNormals[index]);
-      if (finite(normal)) triangle[i].normal = normal;
-    }
-    out.triangles.push_back(triangle);
-    if (mesh.HasTextureCoords(0)) out.sources.push_back(source);
-  }
-}
 
 /// The names and the material of a mesh, as the importing library describes them.
 nlohmann::json look_of(const aiMesh& mesh, const aiNode& node, const aiScene& scene) {
@@ -121,21 +68,27 @@ nlohmann::json look_of(const aiMesh& mesh, const aiNode& node, const aiScene& sc
   return look;
 }
 
-/// A mesh of a scene, moved by its node's transform. The library's v is up.
-void append_to_scene(ImportedMesh& out, const aiMesh& mesh, const aiMatrix4x4& transform, std::uint32_t look,
-                     const std::string& subject) {
-  const std::size_t first = out.triangles.size();
-  append(out, mesh, MeshFormat::kCollada, subject);
+struct Scene {
+  std::vector<std::array<RawMesh::Corner, 3>> triangles;
+  std::vector<std::uint32_t> look_of;
+  nlohmann::json looks = nlohmann::json::array();
+};
+
+/// Adds a mesh of a scene, moved by its node's transform. The library's v is up.
+void append(Scene& out, const aiMesh& mesh, const aiMatrix4x4& transform, const std::string& subject) {
   aiMatrix3x3 of_normals(transform);
   const bool mirrors = of_normals.Determinant() < 0;
   of_normals.Inverse().Transpose();
-  std::size_t triangle = first;
   for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
     const aiFace& face = mesh.mFaces[f];
     if (face.mNumIndices != 3) continue;
-    std::array<RawMesh::Corner, 3>& corners = out.triangles[triangle++];
+    std::array<RawMesh::Corner, 3> corners;
     for (unsigned i = 0; i < 3; ++i) {
       const unsigned index = face.mIndices[i];
+      if (index >= mesh.mNumVertices) {
+        throw Failure(subject, "face index out of range (" + std::to_string(index) + " of " +
+                                   std::to_string(mesh.mNumVertices) + " vertices)");
+      }
       corners[i].position = to_vec3(transform * mesh.mVertices[index]);
       if (!finite(corners[i].position)) throw Failure(subject, "a coordinate is not a finite number");
       if (mesh.HasNormals()) {
@@ -148,18 +101,17 @@ void append_to_scene(ImportedMesh& out, const aiMesh& mesh, const aiMatrix4x4& t
       }
     }
     if (mirrors) std::swap(corners[1], corners[2]);
+    out.triangles.push_back(corners);
+    out.look_of.push_back(static_cast<std::uint32_t>(out.looks.size()));
   }
-  out.sources.resize(first);
-  out.sources.resize(out.triangles.size(), TriangleSource{look, {}});
 }
 
-ImportedMesh import_scene(const aiScene& scene, const std::string& subject) {
+Scene meshes_of(const aiScene& scene, const std::string& subject) {
   struct Visit {
     const aiNode* node;
     aiMatrix4x4 parent;
   };
-  ImportedMesh out;
-  nlohmann::json looks = nlohmann::json::array();
+  Scene out;
   std::vector<Visit> open{{scene.mRootNode, {}}};
   while (!open.empty()) {
     const Visit visit = open.back();
@@ -168,36 +120,45 @@ ImportedMesh import_scene(const aiScene& scene, const std::string& subject) {
     const aiMatrix4x4 transform = visit.parent * visit.node->mTransformation;
     for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
       const aiMesh& mesh = *scene.mMeshes[visit.node->mMeshes[i]];
-      append_to_scene(out, mesh, transform, static_cast<std::uint32_t>(looks.size()), subject);
-      looks.push_back(look_of(mesh, *visit.node, scene));
+      append(out, mesh, transform, subject);
+      out.looks.push_back(look_of(mesh, *visit.node, scene));
     }
     for (unsigned i = visit.node->mNumChildren; i > 0; --i) {
       open.push_back({visit.node->mChildren[i - 1], transform});
     }
   }
-  out.looks = looks.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   return out;
 }
 
-std::string one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text;
+template <class T>
+nlohmann::json bytes_of(const std::vector<T>& values) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  std::vector<std::uint8_t> bytes(values.size() * sizeof(T));
+  if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+  return nlohmann::json::binary(std::move(bytes));
+}
+
+/// The library's complaint. Its exceptions of the standard library say nothing to a user.
+std::string complaint(const std::string& text) {
+  if (text.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+  const bool is_sentence = text.find(' ') != std::string::npos && text.find("::") == std::string::npos;
+  return "cannot be read: " + (is_sentence ? text : "damaged");
 }
 
 }  // namespace
 
-ImportedMesh import_mesh(std::string_view screened, MeshFormat format, const std::string& subject) {
+std::string import_scene(std::string_view bytes, MeshFormat format, const std::string& subject) {
   Assimp::Importer importer;
   keep_only(importer, extension(format));
   const aiScene* scene =
-      importer.ReadFileFromMemory(screened.data(), screened.size(), aiProcess_Triangulate, extension(format));
-  if (scene == nullptr) throw Failure(subject, "cannot be read: " + one_line(importer.GetErrorString()));
-  if (is_scene(format)) return import_scene(*scene, subject);
-  ImportedMesh raw;
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m) append(raw, *scene->mMeshes[m], format, subject);
-  return raw;
+      importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, extension(format));
+  if (scene == nullptr) throw Failure(subject, complaint(importer.GetErrorString()));
+  const Scene all = meshes_of(*scene, subject);
+  std::string cbor;
+  nlohmann::json::to_cbor(
+      {{"triangles", bytes_of(all.triangles)}, {"look_of", bytes_of(all.look_of)}, {"looks", all.looks}},
+      cbor);
+  return cbor;
 }
 
 }  // namespace arcspan::tools

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/mesh/file/assemble.hpp>
 #include <arcspan_tools/mesh/file/import.hpp>
-#include <arcspan_tools/mesh/file/isolate.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/mesh/file/read_mesh.hpp>
 #include <arcspan_tools/mesh/file/scene_looks.hpp>
 #include <arcspan_tools/mesh/file/triangle_colours.hpp>
-#include <arcspan_tools/mesh/file/validate.hpp>
 #include <arcspan_tools/mesh/gltf/read_gltf.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
 #include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/isolate.hpp>
 #include <arcspan_tools/support/output_file.hpp>
-#include <arcspan_tools/support/printable.hpp>
-#include <arcspan_tools/support/progress.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -20,34 +17,38 @@
 namespace arcspan::tools {
 namespace {
 
-ImportedMesh import_isolated(std::string_view text, MeshFormat format, const std::string& subject) {
-  Progress progress("reading " + printable(subject), 0);
-  return run_isolated(
-      subject, [&] { return import_mesh(text, format, subject); },
-      [&](std::size_t received) { progress.show(received); });
-}
-
-RawModel read_raw(const std::string& name, MeshFormat format) {
-  const std::string bytes = read_whole_file(name, kMostFileBytes);
-  if (format == MeshFormat::kGltf) return read_gltf(bytes, name, side_files_of(name));
-  if (is_scene(format)) return scene_model(import_isolated(bytes, format, name), name, side_files_of(name));
-  ScreenedMesh file = screened(bytes, format, name, side_files_of(name));
-  ImportedMesh mesh = import_isolated(file.text, file.format, name);
-  return assembled(std::move(mesh), std::move(file), name);
+/// `import` turns the bytes of a scene into triangles.
+template <class Import>
+RawModel read_raw(std::string_view bytes, MeshFormat format, const std::string& subject,
+                  const SideFiles& files, const Import& import) {
+  if (bytes.find_first_not_of(std::string_view(" \t\r\n\0", 5)) == std::string_view::npos) {
+    throw Failure(subject, "empty file");
+  }
+  switch (format) {
+    case MeshFormat::kObj:
+      return read_obj(bytes, subject, files);
+    case MeshFormat::kPly:
+      return read_ply(bytes, subject);
+    case MeshFormat::kStl:
+      return read_stl(bytes, subject);
+    case MeshFormat::kOff:
+      return read_off(bytes, subject);
+    case MeshFormat::kGltf:
+      return read_gltf(bytes, subject, files);
+    case MeshFormat::kCollada:
+    case MeshFormat::k3ds:
+      break;
+  }
+  return scene_model(import(), subject, files);
 }
 
 RawModel load_raw(const std::string& name, MeshFormat format, VertexColours colours) {
-  RawModel raw = read_raw(name, format);
+  const std::string bytes = read_whole_file(name, kMostFileBytes);
+  RawModel raw = read_raw(bytes, format, name, side_files_of(name), [&] {
+    return run_isolated(name, bytes.size(), [&] { return import_scene(bytes, format, name); });
+  });
   apply_colours(raw, colours);
   return raw;
-}
-
-RawModel read_raw_from_memory(std::string_view bytes, MeshFormat format, const std::string& subject) {
-  if (format == MeshFormat::kGltf) return read_gltf(bytes, subject, no_side_files());
-  if (is_scene(format)) return scene_model(import_mesh(bytes, format, subject), subject, no_side_files());
-  ScreenedMesh file = screened(bytes, format, subject, no_side_files());
-  ImportedMesh mesh = import_mesh(file.text, file.format, subject);
-  return assembled(std::move(mesh), std::move(file), subject);
 }
 
 MeshFormat require_format(const std::string& name) {
@@ -102,23 +103,31 @@ std::optional<MeshFormat> mesh_format(const std::filesystem::path& path) {
 }
 
 Model load_model_from_memory(std::string_view bytes, MeshFormat format, const std::string& subject) {
-  RawModel raw = read_raw_from_memory(bytes, format, subject);
+  RawModel raw =
+      read_raw(bytes, format, subject, no_side_files(), [&] { return import_scene(bytes, format, subject); });
   apply_colours(raw, VertexColours::kMean);
   return weld_parts(raw, subject);
 }
 
-Model load_model_file(const std::string& name, TexturePointsOf points, VertexColours colours) {
+Model load_model_file(const std::string& name, TexturePointsOf points, VertexColours colours,
+                      double crease_degrees) {
   if (std::optional<Model> model = own_model(name, points)) {
     return colours == VertexColours::kKept ? std::move(*model) : with_mean_colours(std::move(*model), name);
   }
-  return weld_parts(load_raw(name, require_format(name), colours), name, points);
+  RawModel raw = load_raw(name, require_format(name), colours);
+  const bool creased = add_creased_normals(raw.mesh, crease_degrees);
+  Model model = weld_parts(raw, name, points);
+  if (creased) model.crease_degrees = crease_degrees;
+  return model;
 }
 
-MeshData load_mesh(const std::string& name) {
+MeshData load_mesh(const std::string& name, double crease_degrees) {
   if (std::optional<Model> model = own_model(name)) {
     return model->parts.size() == 1 ? std::move(model->parts[0].mesh) : weld(to_raw(*model).mesh, name);
   }
-  return weld(load_raw(name, require_format(name), VertexColours::kMean).mesh, name);
+  RawModel raw = load_raw(name, require_format(name), VertexColours::kMean);
+  (void)add_creased_normals(raw.mesh, crease_degrees);
+  return weld(raw.mesh, name);
 }
 
 }  // namespace arcspan::tools

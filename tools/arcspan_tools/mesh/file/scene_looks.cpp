@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/file_pictures.hpp>
 #include <arcspan_tools/mesh/file/scene_looks.hpp>
-#include <arcspan_tools/mesh/file/text_lines.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
+#include <cstdint>
+#include <cstring>
+#include <vector>
 
 namespace arcspan::tools {
 namespace {
@@ -18,32 +19,7 @@ std::optional<Vec3> colour(const nlohmann::json& look, const char* key) {
   return Vec3{channel(0), channel(1), channel(2)};
 }
 
-/// Reads the pictures of a scene, each once.
-class SceneTextures {
- public:
-  SceneTextures(const SideFiles& files, std::vector<std::string>& warnings)
-      : files_(files), warnings_(warnings) {}
-
-  std::shared_ptr<const FileTexture> picture(std::string name) {
-    if (name.starts_with("./") || name.starts_with(".\\")) name.erase(0, 2);
-    const auto [at, is_new] = known_.try_emplace(name);
-    if (!is_new) return at->second;
-    if (const std::optional<ReferredFile> file = files_(name)) {
-      at->second = std::make_shared<FileTexture>(FileTexture{name, decode_rgba(file->bytes, file->subject)});
-    } else {
-      warnings_.push_back("cannot read the texture " + in_quotes(name) +
-                          " from the model's folder; its parts are drawn without it");
-    }
-    return at->second;
-  }
-
- private:
-  const SideFiles& files_;
-  std::vector<std::string>& warnings_;
-  std::map<std::string, std::shared_ptr<const FileTexture>> known_;
-};
-
-PartLook look_of(const nlohmann::json& listed, SceneTextures& textures) {
+PartLook look_of(const nlohmann::json& listed, const SideFiles& files, FilePictures& pictures) {
   PartLook look;
   for (const nlohmann::json& name : listed["names"]) look.names.push_back(name.get<std::string>());
   FileMaterial& material = look.material;
@@ -56,25 +32,37 @@ PartLook look_of(const nlohmann::json& listed, SceneTextures& textures) {
     material.shininess =
         static_cast<std::int32_t>(std::lround(std::clamp(listed["shininess"].get<double>(), 1.0, 256.0)));
   }
-  if (listed.contains("texture")) material.texture = textures.picture(listed["texture"].get<std::string>());
+  if (listed.contains("texture")) {
+    auto name = listed["texture"].get<std::string>();
+    if (name.starts_with("./") || name.starts_with(".\\")) name.erase(0, 2);
+    material.texture = pictures.picture(files, {name});
+  }
   // A colour beside a texture is the library's own default, or black, which would hide it.
   if (material.texture != nullptr) material.colour = Vec3{1, 1, 1};
   return look;
 }
 
+template <class T>
+void take(const nlohmann::json& binary, std::vector<T>& values) {
+  const std::vector<std::uint8_t>& bytes = binary.get_binary();
+  values.resize(bytes.size() / sizeof(T));
+  if (!bytes.empty()) std::memcpy(static_cast<void*>(values.data()), bytes.data(), values.size() * sizeof(T));
+}
+
 }  // namespace
 
-RawModel scene_model(ImportedMesh mesh, const std::string& subject, const SideFiles& files) {
+RawModel scene_model(const std::string& imported, const std::string& subject, const SideFiles& files) {
+  const nlohmann::json scene = nlohmann::json::from_cbor(imported, true, false);
+  if (scene.is_discarded()) throw Failure(subject, "the mesh loader was interrupted");
   RawModel model;
-  SceneTextures textures(files, model.warnings);
-  for (const nlohmann::json& listed : nlohmann::json::parse(mesh.looks))
-    model.looks.push_back(look_of(listed, textures));
-  model.mesh.triangles = std::move(mesh.triangles);
-  for (const TriangleSource& source : mesh.sources) {
-    if (source.face >= model.looks.size()) throw Failure(subject, "the loader made up a material");
-    model.look_of.push_back(source.face);
+  FilePictures pictures;
+  for (const nlohmann::json& listed : scene["looks"]) {
+    model.looks.push_back(look_of(listed, files, pictures));
   }
-  if (model.look_of.size() != model.mesh.triangles.size()) throw Failure(subject, "no faces");
+  pictures.warn(model.warnings);
+  take(scene["triangles"], model.mesh.triangles);
+  take(scene["look_of"], model.look_of);
+  if (model.mesh.triangles.empty()) throw Failure(subject, "no faces");
   return model;
 }
 

@@ -49,6 +49,13 @@ SideFiles side_files_of(const std::string& model) {
   };
 }
 
+std::optional<ReferredFile> find_file(const SideFiles& files, const Readings& names) {
+  for (const std::string& name : names) {
+    if (std::optional<ReferredFile> file = files(name)) return file;
+  }
+  return std::nullopt;
+}
+
 SideFiles no_side_files() {
   return [](const std::string&) { return std::optional<ReferredFile>(); };
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan_tools/mesh/file/text_lines.hpp>
+
 #include <functional>
 #include <optional>
 #include <string>
@@ -20,6 +22,9 @@ using SideFiles = std::function<std::optional<ReferredFile>(const std::string& n
 /// nothing. Backslashes count as slashes. If there is no file of a name, one is read whose name differs in
 /// upper and lower case only.
 [[nodiscard]] SideFiles side_files_of(const std::string& model);
+
+/// The file that the first of these names stands for which there is.
+[[nodiscard]] std::optional<ReferredFile> find_file(const SideFiles& files, const Readings& names);
 
 /// Reads nothing.
 [[nodiscard]] SideFiles no_side_files();

@@ -15,6 +15,17 @@ char line_end_of(std::string_view text) {
   return first + 1 < text.size() && text[first + 1] == '\n' ? '\n' : '\r';
 }
 
+/// Where a comment starts in a word. Some libraries print numbers that are not finite with a '#'.
+std::size_t comment_in(std::string_view word) {
+  const std::size_t at = word.find('#');
+  if (at == std::string_view::npos) return at;
+  const std::string_view rest = word.substr(at + 1);
+  for (const std::string_view number : {"IND", "INF", "QNAN", "SNAN"}) {
+    if (at > 0 && same_letters(rest.substr(0, number.size()), number)) return std::string_view::npos;
+  }
+  return at;
+}
+
 bool has_digit(std::string_view word) { return word.find_first_of("0123456789") != std::string_view::npos; }
 
 }  // namespace
@@ -24,6 +35,7 @@ TextLines::TextLines(std::string_view text, std::string subject, Joining joining
 
 bool TextLines::next() {
   words_.clear();
+  written_.clear();
   if (rest_.empty()) return false;
   number_ = next_number_;
   for (bool continues = true; continues && !rest_.empty();) {
@@ -34,7 +46,7 @@ bool TextLines::next() {
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     continues = joining_ == Joining::kBackslash && !line.empty() && line.back() == '\\';
     if (continues) line.remove_suffix(1);
-    split(line.substr(0, line.find('#')));
+    split(line);
   }
   return true;
 }
@@ -48,14 +60,29 @@ void TextLines::next_words(const std::string& expected) {
 
 void TextLines::split(std::string_view line) {
   constexpr std::string_view kBlanks = " \t\r\n\f\v";
-  for (;;) {
+  for (bool comment = false;;) {
     const std::size_t begin = line.find_first_not_of(kBlanks);
     if (begin == std::string_view::npos) return;
     line.remove_prefix(begin);
-    const std::size_t size = std::min(line.find_first_of(kBlanks), line.size());
-    words_.push_back(line.substr(0, size));
-    line.remove_prefix(size);
+    const std::string_view word = line.substr(0, line.find_first_of(kBlanks));
+    line.remove_prefix(word.size());
+    written_.push_back(word);
+    if (comment) continue;
+    const std::string_view own = word.substr(0, comment_in(word));
+    comment = own.size() < word.size();
+    if (!own.empty()) words_.push_back(own);
   }
+}
+
+Readings TextLines::name(std::size_t first) const {
+  Readings readings;
+  std::string name;
+  for (std::size_t i = first; i < written_.size(); ++i) {
+    if (written_[i].starts_with('#')) readings.insert(readings.begin(), name);
+    name += (name.empty() ? "" : " ") + std::string(written_[i]);
+  }
+  readings.insert(readings.begin(), name);
+  return readings;
 }
 
 double TextLines::number_at(std::size_t i) const {
@@ -93,15 +120,6 @@ std::string in_quotes(std::string_view word) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return "'" + text + (word.size() > kMost ? "...'" : "'");
-}
-
-std::string rest_of_line(const TextLines& lines) {
-  std::string rest;
-  for (std::size_t i = 1; i < lines.words().size(); ++i) {
-    if (i > 1) rest += ' ';
-    rest += lines.words()[i];
-  }
-  return rest;
 }
 
 std::string plain_text(std::string_view text) {

@@ -51,8 +51,7 @@ GltfMaterial from_metallic_roughness(const JsonView& material) {
 }
 
 /// Materials of 1.0 are Phong's already; their colours are display values.
-GltfMaterial from_version_1(GltfFile& file, const JsonView& json, GltfTextures& textures,
-                            std::set<std::string>& not_drawn) {
+GltfMaterial from_version_1(GltfFile& file, const JsonView& json, GltfTextures& textures, LeftOut& left_out) {
   GltfMaterial result;
   result.material.colour = Vec3{1, 1, 1};
   const std::optional<JsonView> values = json.find("values");
@@ -62,9 +61,9 @@ GltfMaterial from_version_1(GltfFile& file, const JsonView& json, GltfTextures& 
     if (!member) return std::nullopt;
     if (!member->is_text()) return colour_or(*values, key, {});
     if (std::string(key) == "diffuse") {
-      result.material.texture = textures.read(file, *member, not_drawn);
+      result.material.texture = textures.read(file, *member, left_out);
     } else {
-      not_drawn.insert(kOtherTextures);
+      left_out.add(kOtherTextures);
     }
     return std::nullopt;
   };
@@ -85,10 +84,10 @@ bool has_other_texture(const JsonView& json) {
 
 /// Reads the texture that multiplies the colour: `key` of `json`, a set of factors.
 void read_texture(GltfFile& file, const std::optional<JsonView>& json, const char* key,
-                  GltfTextures& textures, std::set<std::string>& not_drawn, GltfMaterial& result) {
+                  GltfTextures& textures, LeftOut& left_out, GltfMaterial& result) {
   const std::optional<JsonView> info = json ? json->find(key) : std::nullopt;
   if (!info) return;
-  result.material.texture = textures.read(file, info->at("index"), not_drawn);
+  result.material.texture = textures.read(file, info->at("index"), left_out);
   result.mapping = read_gltf_mapping(*info);
 }
 
@@ -117,15 +116,12 @@ void read_alpha(const JsonView& json, double factor, FileMaterial& material) {
   }
 }
 
-void note_what_is_left_out(const JsonView& json, std::set<std::string>& not_drawn) {
-  if (has_other_texture(json)) not_drawn.insert(kOtherTextures);
+void note_what_is_left_out(const JsonView& json, LeftOut& left_out) {
+  if (has_other_texture(json)) left_out.add(kOtherTextures);
   const std::optional<JsonView> extensions = json.find("extensions");
-  for (std::size_t i = 0; extensions && i < extensions->size(); ++i) {
-    const std::string place = extensions->element(i).place();
-    const std::size_t quote = place.rfind('\'', place.size() - 3);
-    const std::string name = place.substr(quote + 1, place.size() - quote - 3);
-    if (name != "KHR_materials_unlit" && name != "KHR_materials_pbrSpecularGlossiness")
-      not_drawn.insert(name);
+  if (!extensions) return;
+  for (const std::string& name : extensions->keys()) {
+    if (name != "KHR_materials_unlit" && name != "KHR_materials_pbrSpecularGlossiness") left_out.add(name);
   }
 }
 
@@ -141,10 +137,10 @@ GltfMaterial phong_of(Vec3 base, double metallic, double roughness) {
 }
 
 GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json, GltfTextures& textures,
-                                std::set<std::string>& not_drawn) {
+                                LeftOut& left_out) {
   const std::string name = json.text_or("name", "");
   if (file.version() == 1) {
-    GltfMaterial result = from_version_1(file, json, textures, not_drawn);
+    GltfMaterial result = from_version_1(file, json, textures, left_out);
     result.material.name = name;
     return result;
   }
@@ -153,10 +149,10 @@ GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json, GltfTextur
       extensions ? extensions->find("KHR_materials_pbrSpecularGlossiness") : std::nullopt;
   GltfMaterial result = glossiness ? from_glossiness(*glossiness) : from_metallic_roughness(json);
   if (glossiness) {
-    read_texture(file, glossiness, "diffuseTexture", textures, not_drawn, result);
-    if (glossiness->find("specularGlossinessTexture")) not_drawn.insert(kOtherTextures);
+    read_texture(file, glossiness, "diffuseTexture", textures, left_out, result);
+    if (glossiness->find("specularGlossinessTexture")) left_out.add(kOtherTextures);
   } else {
-    read_texture(file, json.find("pbrMetallicRoughness"), "baseColorTexture", textures, not_drawn, result);
+    read_texture(file, json.find("pbrMetallicRoughness"), "baseColorTexture", textures, left_out, result);
   }
   read_alpha(json,
              glossiness ? alpha_or_one(glossiness, "diffuseFactor")
@@ -167,7 +163,7 @@ GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json, GltfTextur
   const std::optional<JsonView> two_sided = json.find("doubleSided");
   result.material.two_sided = two_sided && two_sided->truth();
   result.material.unlit = extensions && extensions->find("KHR_materials_unlit");
-  note_what_is_left_out(json, not_drawn);
+  note_what_is_left_out(json, left_out);
   return result;
 }
 

@@ -4,9 +4,6 @@
 #include <arcspan_tools/mesh/gltf/gltf_texture.hpp>
 #include <arcspan_tools/mesh/plain/model.hpp>
 
-#include <set>
-#include <string>
-
 namespace arcspan::tools {
 
 /// A material of a glTF file, converted to Phong's model (docs/conventions.md).
@@ -26,9 +23,8 @@ struct GltfMaterial {
 /// colour and specular as display values of sRGB.
 [[nodiscard]] GltfMaterial phong_of(Vec3 base, double metallic, double roughness);
 
-/// The material of the file, an element of `materials`, with the texture of its base colour. Adds to
-/// `not_drawn` what is left out.
+/// The material of the file, an element of `materials`, with the texture of its base colour.
 [[nodiscard]] GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json, GltfTextures& textures,
-                                              std::set<std::string>& not_drawn);
+                                              LeftOut& left_out);
 
 }  // namespace arcspan::tools

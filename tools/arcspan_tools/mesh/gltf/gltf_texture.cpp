@@ -2,8 +2,32 @@
 #include <arcspan_tools/mesh/gltf/gltf_texture.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace arcspan::tools {
+namespace {
+
+/// Adds what differs from a texture that repeats and whose nearest texel is drawn.
+void note_sampler(const JsonView& sampler, LeftOut& left_out) {
+  constexpr std::int64_t kMostNumber = 0xFFFF;
+  constexpr std::int64_t kRepeat = 10497;
+  constexpr std::int64_t kClamp = 33071;
+  constexpr std::int64_t kNearest = 9728;  // the numbers of linear filters are odd
+  for (const char* direction : {"wrapS", "wrapT"}) {
+    const std::int64_t mode = sampler.integer_or(direction, kRepeat, 0, kMostNumber);
+    if (mode == kRepeat) continue;
+    left_out.add(mode == kClamp ? "clamped edges of textures, which repeat"
+                                : "mirrored textures, which repeat");
+    break;
+  }
+  for (const char* filter : {"magFilter", "minFilter"}) {
+    if (sampler.integer_or(filter, kNearest, 0, kMostNumber) % 2 == 0) continue;
+    left_out.add("linear filters of textures");
+    break;
+  }
+}
+
+}  // namespace
 
 Uv GltfMapping::operator()(Uv point) const {
   const double c = std::cos(rotation);
@@ -34,26 +58,26 @@ GltfMapping read_gltf_mapping(const JsonView& info) {
   return mapping;
 }
 
-std::shared_ptr<const FileTexture> GltfTextures::read(GltfFile& file, const JsonView& id,
-                                                      std::set<std::string>& not_drawn) {
+std::shared_ptr<const FileTexture> GltfTextures::read(GltfFile& file, const JsonView& id, LeftOut& left_out) {
   const JsonView texture = file.element("textures", id);
+  const bool is_new = known_.insert(texture.place()).second;
+  if (const std::optional<JsonView> sampler = texture.find("sampler"); sampler && is_new) {
+    note_sampler(file.element("samplers", *sampler), left_out);
+  }
   const std::optional<JsonView> source = texture.find("source");
   if (!source) {
-    not_drawn.insert("textures of other formats");
+    if (is_new) left_out.add("textures of other formats");
     return nullptr;
   }
   const JsonView image = file.element("images", *source);
-  const auto [at, is_new] = known_.try_emplace(image.place());
-  if (!is_new) return at->second;
-  const std::optional<std::string> bytes = file.image_bytes(image);
-  if (!bytes) {
-    not_drawn.insert("textures that cannot be read from the model's folder");
-    return nullptr;
-  }
-  const std::string name = image.text_or("name", image.place());
-  at->second = std::make_shared<FileTexture>(
-      FileTexture{name, decode_rgba(*bytes, file.subject() + ": " + image.place())});
-  return at->second;
+  const std::optional<JsonView> uri = image.find("uri");
+  const std::string name =
+      uri && uri->is_text() && !uri->text().starts_with("data:") ? uri->text() : image.place();
+  return pictures_.picture(name, [&]() -> std::optional<ReferredFile> {
+    std::optional<std::string> bytes = file.image_bytes(image);
+    if (!bytes) return std::nullopt;
+    return ReferredFile{file.subject() + ": " + name, std::move(*bytes)};
+  });
 }
 
 }  // namespace arcspan::tools

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan_tools/mesh/file/file_pictures.hpp>
+#include <arcspan_tools/mesh/file/left_out.hpp>
 #include <arcspan_tools/mesh/gltf/gltf_file.hpp>
-#include <arcspan_tools/mesh/plain/model.hpp>
 
-#include <map>
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace arcspan::tools {
 
@@ -29,13 +30,17 @@ struct GltfMapping {
 /// The textures of a glTF file, each picture once.
 class GltfTextures {
  public:
-  /// The texture that `id`, an index or a name, refers to; null if its picture cannot be read, which is then
-  /// added to `not_drawn`. Throws a Failure for a damaged picture.
+  /// The texture that `id`, an index or a name, refers to; null if its picture cannot be read. What its
+  /// sampler asks for and is not drawn is added to `left_out`.
   [[nodiscard]] std::shared_ptr<const FileTexture> read(GltfFile& file, const JsonView& id,
-                                                        std::set<std::string>& not_drawn);
+                                                        LeftOut& left_out);
+
+  /// Adds a line about pictures that could not be read.
+  void warn(std::vector<std::string>& warnings) const { pictures_.warn(warnings); }
 
  private:
-  std::map<std::string, std::shared_ptr<const FileTexture>> known_;  ///< by place of the image
+  FilePictures pictures_;
+  std::set<std::string> known_;  ///< textures, by place
 };
 
 }  // namespace arcspan::tools

@@ -26,6 +26,13 @@ JsonView JsonView::element(std::size_t i) const {
   return JsonView(*at, *subject_, place_ + "[" + name + "]");
 }
 
+std::vector<std::string> JsonView::keys() const {
+  std::vector<std::string> names;
+  if (!json_->is_object()) return names;
+  for (const auto& [name, value] : json_->items()) names.push_back(name);
+  return names;
+}
+
 std::string JsonView::text() const {
   if (!json_->is_string()) fail("is not a string");
   return json_->get<std::string>();

@@ -27,6 +27,9 @@ class JsonView {
   /// Element i of an array, or member i of an object.
   [[nodiscard]] JsonView element(std::size_t i) const;
 
+  /// The names of the members of an object.
+  [[nodiscard]] std::vector<std::string> keys() const;
+
   [[nodiscard]] bool is_text() const { return json_->is_string(); }
   [[nodiscard]] std::string text() const;
   [[nodiscard]] bool truth() const;

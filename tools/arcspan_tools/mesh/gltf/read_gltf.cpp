@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/file_mesh.hpp>
 #include <arcspan_tools/mesh/file/text_lines.hpp>
-#include <arcspan_tools/mesh/file/validate.hpp>
 #include <arcspan_tools/mesh/gltf/accessor.hpp>
 #include <arcspan_tools/mesh/gltf/affine.hpp>
 #include <arcspan_tools/mesh/gltf/gltf_file.hpp>
 #include <arcspan_tools/mesh/gltf/gltf_material.hpp>
+#include <arcspan_tools/mesh/gltf/gltf_skin.hpp>
 #include <arcspan_tools/mesh/gltf/read_gltf.hpp>
 #include <arcspan_tools/support/srgb.hpp>
 #include <arcspan_tools/support/text.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -24,6 +26,7 @@ struct Primitive {
   std::optional<AccessorData> colours;
   std::optional<AccessorData> texture_points;
   std::vector<std::size_t> indices;
+  std::vector<Affine> places;  ///< of a skin, for each vertex; otherwise empty
 };
 
 Vec3 vec3(const AccessorData& data, std::size_t i) {
@@ -80,22 +83,25 @@ class GltfReader {
     std::vector<Visit> open;
     const std::vector<JsonView> roots = root_nodes();
     for (auto root = roots.rbegin(); root != roots.rend(); ++root) open.push_back({*root, {}});
-    std::set<std::string> visited;
+    std::vector<JsonView> nodes;
     while (!open.empty()) {
       const auto [node, parent] = open.back();
       open.pop_back();
-      if (!visited.insert(node.place()).second) node.fail("is a child of two nodes, or of itself");
-      const Affine transform = parent * affine_of(node);
-      read_node(node, transform);
+      const auto [placed, is_new] = transforms_.try_emplace(node.place(), parent * affine_of(node));
+      if (!is_new) node.fail("is a child of two nodes, or of itself");
+      nodes.push_back(node);
       const std::optional<JsonView> children = node.find("children");
       for (std::size_t i = children ? children->size() : 0; i > 0; --i) {
-        open.push_back({file_.element("nodes", children->element(i - 1)), transform});
+        open.push_back({file_.element("nodes", children->element(i - 1)), placed->second});
       }
     }
+    for (const JsonView& node : nodes) read_node(node, transforms_.at(node.place()));
     note_the_rest();
-    if (!not_drawn_.empty()) {
-      const std::vector<std::string> names(not_drawn_.begin(), not_drawn_.end());
-      model_.warnings.push_back("not drawn: " + joined(names, ", "));
+    left_out_.warn(model_.warnings);
+    textures_.warn(model_.warnings);
+    if (skinned_ > 0) {
+      model_.warnings.push_back("skinned meshes (" + std::to_string(skinned_) +
+                                ") are drawn in the pose of the file's nodes, without animation");
     }
     return std::move(model_);
   }
@@ -113,7 +119,7 @@ class GltfReader {
       for (std::size_t i = 0; listed && i < listed->size(); ++i) {
         nodes.push_back(file_.element("nodes", listed->element(i)));
       }
-      if (scenes->size() > 1) not_drawn_.insert("further scenes");
+      left_out_.add("further scenes", scenes->size() - 1);
       return nodes;
     }
     const std::optional<JsonView> all = root.find("nodes");
@@ -131,14 +137,31 @@ class GltfReader {
   }
 
   void read_node(const JsonView& node, const Affine& transform) {
-    if (node.find("skin")) not_drawn_.insert("skins");
-    if (const std::optional<JsonView> mesh = node.find("mesh")) read_mesh(node, *mesh, transform);
+    std::vector<Affine> joints;
+    if (const std::optional<JsonView> skin = node.find("skin"); skin && file_.version() == 2) {
+      joints = read_joints(file_, *skin, transforms_);
+      ++skinned_;
+    } else if (skin || node.find("skeletons")) {  // of 1.0
+      left_out_.add("skins");
+    }
+    note_extensions(node);
+    if (const std::optional<JsonView> mesh = node.find("mesh")) read_mesh(node, *mesh, transform, joints);
     const std::optional<JsonView> several = node.find("meshes");  // of 1.0
     for (std::size_t i = 0; several && i < several->size(); ++i)
-      read_mesh(node, several->element(i), transform);
+      read_mesh(node, several->element(i), transform, joints);
   }
 
-  void read_mesh(const JsonView& node, const JsonView& id, const Affine& transform) {
+  /// Instances of meshes (EXT_mesh_gpu_instancing), and whatever else nodes and primitives may ask for.
+  void note_extensions(const JsonView& json) {
+    const std::optional<JsonView> extensions = json.find("extensions");
+    if (!extensions) return;
+    for (const std::string& name : extensions->keys()) {
+      if (name != "KHR_lights_punctual") left_out_.add(name);
+    }
+  }
+
+  void read_mesh(const JsonView& node, const JsonView& id, const Affine& transform,
+                 const std::vector<Affine>& joints) {
     const JsonView mesh = file_.element("meshes", id);
     std::vector<std::string> names;
     // The node is last, because parts are called by their last name and nodes may share a mesh.
@@ -147,32 +170,38 @@ class GltfReader {
     }
     const JsonView primitives = mesh.at("primitives");
     for (std::size_t i = 0; i < primitives.size(); ++i) {
-      read_primitive(primitives.element(i), names, transform);
+      read_primitive(primitives.element(i), names, transform, joints);
     }
   }
 
-  void read_primitive(const JsonView& json, const std::vector<std::string>& names, const Affine& transform) {
+  void read_primitive(const JsonView& json, const std::vector<std::string>& names, const Affine& transform,
+                      const std::vector<Affine>& joints) {
     const std::int64_t mode = json.integer_or("mode", 4, 0, 6);
     if (mode < 4) {
-      not_drawn_.insert("points and lines");
+      left_out_.add("points and lines");
       return;
     }
-    if (json.find("targets")) not_drawn_.insert("morph targets");
+    if (json.find("targets")) left_out_.add("morph targets");
+    note_extensions(json);
     const GltfMaterial material = material_of(json);
-    const Primitive primitive = read_corners(json, mode, material.mapping.set);
+    Primitive primitive = read_corners(json, mode, material.mapping.set);
+    if (!joints.empty()) {
+      primitive.places = blended_joints(file_, json.at("attributes"), joints, primitive.positions.count());
+    }
     const std::uint32_t look = look_of(names, material.material);
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
       count_.add_face(3);
       std::array<std::size_t, 3> corners{primitive.indices[i], primitive.indices[i + 1],
                                          primitive.indices[i + 2]};
-      if (transform.mirrors()) std::swap(corners[1], corners[2]);
+      const Affine& first = primitive.places.empty() ? transform : primitive.places[corners[0]];
+      if (first.mirrors()) std::swap(corners[1], corners[2]);
       add_triangle(json, primitive, corners, transform, look, material);
     }
   }
 
   Primitive read_corners(const JsonView& json, std::int64_t mode, std::int64_t texture_set) {
     const JsonView attributes = json.at("attributes");
-    Primitive primitive{read_accessor(file_, attributes.at("POSITION"), 3, 3), {}, {}, {}, {}};
+    Primitive primitive{read_accessor(file_, attributes.at("POSITION"), 3, 3), {}, {}, {}, {}, {}};
     const std::size_t vertices = primitive.positions.count();
     const auto attribute = [&](const std::string& key, std::size_t least,
                                std::size_t most) -> std::optional<AccessorData> {
@@ -207,22 +236,32 @@ class GltfReader {
     TriangleColour colour{primitive.colours.has_value(), {}};
     for (std::size_t i = 0; i < 3; ++i) {
       RawMesh::Corner& corner = triangle[i];
-      corner.position = transform.point(vec3(primitive.positions, corners[i]));
+      const Affine& place = primitive.places.empty() ? transform : primitive.places[corners[i]];
+      corner.position = place.point(vec3(primitive.positions, corners[i]));
       if (!finite(corner.position) || length(corner.position) > kMostCoordinate) {
         json.at("attributes").at("POSITION").fail("a coordinate is not a number up to 1e30");
       }
       if (primitive.normals) {
-        const Vec3 normal = transform.normal(vec3(*primitive.normals, corners[i]));
-        if (finite(normal)) corner.normal = normal;
+        const Vec3 normal = place.normal(vec3(*primitive.normals, corners[i]));
+        if (finite(normal)) {
+          corner.normal = normal;
+        } else {
+          left_out_.add(kWrongNormals);
+        }
       }
       if (primitive.texture_points) {
         const double* point = primitive.texture_points->element(corners[i]);
-        corner.texture_point = material.mapping({point[0], point[1]});
+        if (std::isfinite(point[0]) && std::isfinite(point[1])) {
+          corner.texture_point = material.mapping({point[0], point[1]});
+        } else {
+          left_out_.add(kWrongTexturePoints);
+        }
       }
       if (primitive.colours) {
         const Vec3& base = material.base;
         const Vec3 c = vec3(*primitive.colours, corners[i]);
-        if (!finite(c)) json.at("attributes").at("COLOR_0").fail("a colour is not a finite number");
+        if (!finite(c)) left_out_.add(kWrongColours);
+        colour.known = colour.known && finite(c);
         colour.corners[i] = to_srgb(Vec3{c.x * base.x, c.y * base.y, c.z * base.z});
       }
     }
@@ -235,10 +274,10 @@ class GltfReader {
 
   GltfMaterial material_of(const JsonView& primitive) {
     const std::optional<JsonView> id = primitive.find("material");
-    if (!id) return {};
+    if (!id) return phong_of({1, 1, 1}, 0, 1);
     const JsonView json = file_.element("materials", *id);
     const auto [at, is_new] = materials_.try_emplace(json.place());
-    if (is_new) at->second = read_gltf_material(file_, json, textures_, not_drawn_);
+    if (is_new) at->second = read_gltf_material(file_, json, textures_, left_out_);
     return at->second;
   }
 
@@ -253,10 +292,13 @@ class GltfReader {
   void note_the_rest() {
     for (const char* list : {"animations", "cameras"}) {
       const std::optional<JsonView> all = file_.root().find(list);
-      if (all && all->size() > 0) not_drawn_.insert(list);
+      if (all) left_out_.add(list, all->size());
     }
     const std::optional<JsonView> extensions = file_.root().find("extensions");
-    if (extensions && extensions->find("KHR_lights_punctual")) not_drawn_.insert("lights");
+    const std::optional<JsonView> lights =
+        extensions ? extensions->find("KHR_lights_punctual") : std::nullopt;
+    const std::optional<JsonView> listed = lights ? lights->find("lights") : std::nullopt;
+    if (listed) left_out_.add("lights", listed->size());
   }
 
   GltfFile file_;
@@ -264,7 +306,9 @@ class GltfReader {
   RawModel model_;
   std::map<std::string, GltfMaterial> materials_;  ///< by place
   GltfTextures textures_;
-  std::set<std::string> not_drawn_;
+  NodeTransforms transforms_;
+  LeftOut left_out_;
+  std::size_t skinned_ = 0;
 };
 
 }  // namespace

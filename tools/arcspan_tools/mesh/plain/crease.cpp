@@ -33,13 +33,8 @@ std::vector<Vec3> corners_of(const RawMesh& mesh) {
   return corners;
 }
 
-/// The faces around each position.
-std::vector<std::vector<std::uint32_t>> faces_around(const Positions& positions) {
-  std::vector<std::vector<std::uint32_t>> around(positions.points.size());
-  for (std::size_t corner = 0; corner < positions.ids.size(); ++corner) {
-    around[positions.ids[corner]].push_back(static_cast<std::uint32_t>(corner / 3));
-  }
-  return around;
+bool is_open(const RawMesh& mesh, std::size_t triangle) {
+  return mesh.smoothing.empty() || mesh.smoothing[triangle] == RawMesh::kSmooth;
 }
 
 Vec3 average(const Face& own, const std::vector<std::uint32_t>& around, const std::vector<Face>& faces,
@@ -52,25 +47,48 @@ Vec3 average(const Face& own, const std::vector<std::uint32_t>& around, const st
   return length(sum) > 1e-9 * length(own.area) ? normalised(sum) : own.direction;
 }
 
-void crease(RawMesh& mesh, double degrees) {
+/// Gives corners of the triangles for which `wanted` holds normals of their own making, from such triangles.
+template <class Wanted, class Replaced>
+void crease(RawMesh& mesh, double degrees, const Wanted& wanted, const Replaced& replaced) {
   const Positions positions = positions_of(corners_of(mesh));
   const std::vector<Face> faces = faces_of(mesh);
-  const std::vector<std::vector<std::uint32_t>> around = faces_around(positions);
+  std::vector<std::vector<std::uint32_t>> around(positions.points.size());
+  for (std::size_t corner = 0; corner < positions.ids.size(); ++corner) {
+    if (wanted(corner / 3)) around[positions.ids[corner]].push_back(static_cast<std::uint32_t>(corner / 3));
+  }
   // A face is always within 0 degrees of itself, whatever rounding makes of its cosine.
   const double least_cosine = std::cos(degrees * kDegree) - 1e-12;
   for (std::size_t face = 0; face < faces.size(); ++face) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto& neighbours = around[positions.ids[3 * face + i]];
-      mesh.triangles[face][i].normal = average(faces[face], neighbours, faces, least_cosine);
+    for (std::size_t i = 0; wanted(face) && i < 3; ++i) {
+      Vec3& normal = mesh.triangles[face][i].normal;
+      if (!replaced(normal)) continue;
+      normal = average(faces[face], around[positions.ids[3 * face + i]], faces, least_cosine);
     }
   }
 }
 
+bool is_missing(const Vec3& normal) { return normal == Vec3{}; }
+
 }  // namespace
+
+bool add_creased_normals(RawMesh& mesh, double degrees) {
+  if (degrees >= kSmoothEverything) return false;
+  bool any = false;
+  for (std::size_t i = 0; i < mesh.triangles.size() && !any; ++i) {
+    for (const RawMesh::Corner& corner : mesh.triangles[i]) {
+      any = any || (is_open(mesh, i) && is_missing(corner.normal));
+    }
+  }
+  if (any)
+    crease(
+        mesh, degrees, [&mesh](std::size_t i) { return is_open(mesh, i); }, is_missing);
+  return any;
+}
 
 Model with_crease(const Model& model, double degrees, const std::string& subject) {
   RawModel raw = to_raw(model);
-  crease(raw.mesh, degrees);
+  const auto all = [](const auto&) { return true; };
+  crease(raw.mesh, degrees, all, all);
   Model creased = weld_parts(raw, subject, TexturePointsOf::kAllParts);
   creased.dropped_faces += model.dropped_faces;
   return creased;

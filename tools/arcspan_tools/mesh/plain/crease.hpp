@@ -16,4 +16,13 @@ namespace arcspan::tools {
 /// The same for a model; faces of other parts count as neighbours too.
 [[nodiscard]] Model with_crease(const Model& model, double degrees, const std::string& subject);
 
+/// Files without normals have sharp edges above this angle, in degrees.
+inline constexpr double kCreaseOfFiles = 40;
+inline constexpr double kSmoothEverything = 180;
+
+/// Gives corners that have no normal, of triangles whose smoothing the file leaves open (RawMesh::kSmooth),
+/// the average over such triangles, as with_crease() does. Returns whether there are any; none at 180
+/// degrees, where weld() averages.
+bool add_creased_normals(RawMesh& mesh, double degrees);
+
 }  // namespace arcspan::tools

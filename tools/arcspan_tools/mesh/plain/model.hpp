@@ -70,6 +70,8 @@ struct Model {
   std::vector<ModelPart> parts{};
   /// Faces of the file that have no area, left out of the parts.
   std::size_t dropped_faces = 0;
+  /// Set if the file leaves normals open: edges above so many degrees are sharp.
+  std::optional<double> crease_degrees{};
   /// A line for each kind of content of the file that is not drawn, such as its textures.
   std::vector<std::string> warnings{};
 
@@ -103,9 +105,8 @@ enum class VertexColours : std::uint8_t { kMean, kKept };
 
 /// Joins corners into vertices as weld() does, part by part and with texture points; normals are averaged
 /// across parts. Parts without triangles are left out. The limit of vertices holds for each part, that of
-/// triangles for the model. The texture of a part that has no texture point is left out, with a warning.
-/// Throws a Failure about `subject` also for texture points that are not finite or more than kMostTextures
-/// apart.
+/// triangles for the model. The texture of a part that has no texture points, or some that are more than
+/// kMostTextures apart, is left out, with a warning. Texture points must be finite.
 [[nodiscard]] Model weld_parts(const RawModel& raw, const std::string& subject,
                                TexturePointsOf points = TexturePointsOf::kTexturedParts);
 

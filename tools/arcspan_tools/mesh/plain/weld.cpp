@@ -147,21 +147,14 @@ void require_faces(const std::string& subject, bool any, std::size_t dropped) {
       subject, dropped == 0 ? "no faces" : "no faces with an area (" + std::to_string(dropped) + " dropped)");
 }
 
-void require_texture_range(const std::vector<Uv>& points, const std::string& subject) {
-  if (points.empty()) return;
-  Uv low = points[0];
-  Uv high = points[0];
-  for (const Uv& p : points) {
-    if (!std::isfinite(p.u) || !std::isfinite(p.v)) {
-      throw Failure(subject, "a texture coordinate is not a finite number");
-    }
-    low = {std::min(low.u, p.u), std::min(low.v, p.v)};
-    high = {std::max(high.u, p.u), std::max(high.v, p.v)};
-  }
-  if (high.u - low.u <= kMostTextures && high.v - low.v <= kMostTextures) return;
-  throw Failure(subject, "texture coordinates of a part are more than 4000 apart (from " +
-                             std::to_string(low.u) + ", " + std::to_string(low.v) + " to " +
-                             std::to_string(high.u) + ", " + std::to_string(high.v) + ")");
+bool is_in_texture_range(const std::vector<Uv>& points) {
+  const auto range = [&points](double Uv::*coordinate) {
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(), [&](const Uv& a, const Uv& b) {
+      return a.*coordinate < b.*coordinate;
+    });
+    return (*high).*coordinate - (*low).*coordinate;
+  };
+  return points.empty() || (range(&Uv::u) <= kMostTextures && range(&Uv::v) <= kMostTextures);
 }
 
 /// For each look, whether a corner of its triangles has what `has` asks for.
@@ -206,20 +199,28 @@ Model weld_parts(const RawModel& raw, const std::string& subject, TexturePointsO
     welders[raw.look_of[i]].add(triangle, smoothing_of(raw.mesh, i), subject);
   }
   std::size_t without_points = 0;
+  std::size_t out_of_range = 0;
   for (std::size_t i = 0; i < welders.size(); ++i) {
     if (welders[i].mesh().triangles.empty()) continue;
-    require_texture_range(welders[i].mesh().texture_points, subject);
-    model.parts.push_back({raw.looks[i], std::move(welders[i].mesh())});
-    if (!has_points[i] && std::exchange(model.parts.back().look.material.texture, nullptr) != nullptr) {
+    ModelPart& part = model.parts.emplace_back(ModelPart{raw.looks[i], std::move(welders[i].mesh())});
+    const bool in_range = is_in_texture_range(part.mesh.texture_points);
+    if (!in_range) part.mesh.texture_points.clear();
+    if (has_points[i] && in_range) continue;
+    const bool had_texture = std::exchange(part.look.material.texture, nullptr) != nullptr;
+    if (!in_range) {
+      ++out_of_range;
+    } else if (had_texture) {
       ++without_points;
     }
   }
   require_faces(subject, !model.parts.empty(), model.dropped_faces);
   model.warnings = raw.warnings;
-  if (without_points > 0) {
-    model.warnings.push_back("parts with a texture but without texture coordinates are drawn without it (" +
-                             std::to_string(without_points) + ")");
-  }
+  const auto warn = [&model](const char* what, std::size_t parts) {
+    if (parts > 0) model.warnings.push_back(what + (" (" + std::to_string(parts) + ")"));
+  };
+  warn("parts with a texture but without texture coordinates are drawn without it", without_points);
+  warn("parts whose texture coordinates are more than 4000 apart are drawn without their texture",
+       out_of_range);
   return model;
 }
 

@@ -13,7 +13,8 @@ PICTURE = 240
 BUNNY, TEAPOT = (ROOT / f"build/meshes/{name}.obj" for name in ("bunny", "teapot"))
 DUCK, WUSON = SYSTEM / "Collada/duck.dae", SYSTEM / "OBJ/WusonOBJ.obj"
 MODELS = {  # by name: file, pixels of its larger extent, options of `arcspan mesh`
-    "bunny": (BUNNY, 216, ()), "bunny, 900 triangles": (BUNNY, 216, ("--max-triangles", "900")), "teapot": (TEAPOT, 216, ()),
+    "bunny": (BUNNY, 216, ("--crease", "180")), "bunny, 900 triangles": (BUNNY, 216, ("--crease", "180", "--max-triangles", "900")),
+    "teapot": (TEAPOT, 216, ("--crease", "180")),
     "duck": (DUCK, 216, ("--no-textures",)), "wuson": (WUSON, 216, ()), "duck, 60 pixels": (DUCK, 60, ("--no-textures",))}
 DISTANCE = 4  # of the eye, in radii of the model
 

@@ -108,7 +108,7 @@ def bands(costs):
 
 
 def textures(costs):
-    return table(["light", *(f"{title}, {section}" for _, title in SHOWN for section in ("frame", "square", "turned square"))],
+    return table(["light", *(f"{title}, {section}" for _, title in SHOWN for section in ("frame", "figure", "square", "turned square"))],
                  [[about, *(f"{figure:,}" for preset, _ in SHOWN for figure in costs["textures"][preset][light].values())]
                   for light, about in TEXTURED.items()])
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The benchmark frame with a texture of 128x128 texels, mapped along the axis of the sphere, and a large
-// square that is seen at an angle: the sections of one program for each light, for scripts/firmware-costs.
+// The benchmark frame and a figure of small triangles with a texture of 128x128 texels, mapped along the
+// z-axis, and a large square that is seen at an angle: the sections of one program for each light, for
+// scripts/firmware-costs.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
 #include <arcspan/draw.hpp>
@@ -8,6 +9,7 @@
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 
+#include <tests/firmware/cost_figure.hpp>
 #include <tests/firmware/cost_stage.hpp>
 
 #include <array>
@@ -25,13 +27,14 @@ using Method = Textured<ARCSPAN_LIGHT, DirectTexels<>>;
 [[gnu::section(".bss.frame")]] std::uint16_t colours[kCostWidth * kCostHeight];
 [[gnu::section(".bss.frame")]] std::uint16_t depths[kCostWidth * kCostHeight];
 [[gnu::section(".bss.frame")]] std::uint16_t texels[128 * 128];
-[[gnu::section(".bss.frame")]] std::array<TexturePoint, 2048> points;
-[[gnu::section(".bss.frame")]] CachedVertex<Method> cache[2048];
+[[gnu::section(".bss.frame")]] std::array<TexturePoint, 4096> points;
+[[gnu::section(".bss.frame")]] CachedVertex<Method> cache[4096];
 
 bool measure(const char* name, const MeshView& mesh, const ClipTransform& transform,
              const Method::Lighting& lighting) {
-  hal::Framebuffer<Rgb565> frame(colours, kCostWidth, kCostHeight);
-  DepthBuffer depth(depths, kCostWidth, kCostHeight);
+  const Viewport& size = transform.viewport();  // of as many pixels as the benchmark frame has
+  hal::Framebuffer<Rgb565> frame(colours, size.width, size.height);
+  DepthBuffer depth(depths, size.width, size.height);
   frame.clear({0, 0, 0});
   depth.clear();
   arcspan_mark();
@@ -43,6 +46,18 @@ bool measure(const char* name, const MeshView& mesh, const ClipTransform& transf
   bare::print_line("section: between");
   bare::print_line("drawn: ", name, " triangles ", drawn.triangles, " pixels ", pixels);
   return ok(drawn.status);
+}
+
+/// Draws a mesh whose texture points are made from its positions.
+bool measure_mapped(const char* name, MeshView mesh, const ClipTransform& transform,
+                    const Method::Lighting& lighting) {
+  if (mesh.vertex_count() > points.size()) return false;
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    points[i] = {static_cast<std::int16_t>((mesh.position(i).x >> 3) + 2048),
+                 static_cast<std::int16_t>(2048 - (mesh.position(i).y >> 3))};
+  }
+  return ok(mesh.attach({points.data(), mesh.vertex_count()}, TextureScale{12})) &&
+         measure(name, mesh, transform, lighting);
 }
 
 /// Draws a square of 200x200 pixels that is turned about the vertical axis: its left and right side are
@@ -98,17 +113,17 @@ int main() {
       !ok(scenes::set_stage({kCostWidth, kCostHeight}, 72, {}, stage))) {
     return 1;
   }
-  MeshView mesh = sphere.planed;
-  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
-    points[i] = {static_cast<std::int16_t>((mesh.position(i).x >> 3) + 2048),
-                 static_cast<std::int16_t>(2048 - (mesh.position(i).y >> 3))};
-  }
-  if (!ok(mesh.attach({points.data(), mesh.vertex_count()}, TextureScale{12}))) return 2;
+  static scenes::StageSet figure_stage;
+  MeshView figure;
+  if (!ok(scenes::set_character_stage({kCostHeight, kCostWidth}, figure_stage)) ||
+      !make_character_mesh(figure))
+    return 2;
   static Method::Lighting lighting;
   if (!set_light<Method>(lighting)) return 3;
   if (!ok(Texture<DirectTexels<>>::make(texels, {7, 7, 1}, lighting.texture))) return 4;
-  return measure("sphere", mesh, stage.transform, lighting) && measure_square("facing", 0, lighting) &&
-                 measure_square("turned", 8000, lighting)
+  return measure_mapped("sphere", sphere.planed, stage.transform, lighting) &&
+                 measure_mapped("figure", figure, figure_stage.transform, lighting) &&
+                 measure_square("facing", 0, lighting) && measure_square("turned", 8000, lighting)
              ? 0
              : 5;
 }

@@ -145,19 +145,12 @@ std::string report(const SimulateArguments& arguments, const SimulatedDisplay& d
   const std::string bus =
       i2c ? formatted("I2C at %g kHz", arguments.i2c_khz)
           : formatted("SPI at %g MHz, mode %d", arguments.spi_mhz, arguments.glass.spi_mode);
-  std::string text = formatted(
-      "%s: %dx%d, %s, rotation %d, %s
-      ", arguments.panel.c_str(), size.width,
-      size.height,
-      display.format().c_str(), arguments.glass.rotation, bus.c_str());
-  text += formatted(
-      "sent: %.0f bytes a frame in %.0f transfers
-      ",
-          static_cast<double>(totals.bus.bytes) /
-          frames,
-      static_cast<double>(totals.bus.transfers) / frames);
-  text += formatted("bus: %.3f ms a frame; allows %.1f frames a second
-", bus_ms, 1000 / bus_ms);
+  std::string text = formatted("%s: %dx%d, %s, rotation %d, %s\n", arguments.panel.c_str(), size.width,
+                               size.height, display.format().c_str(), arguments.glass.rotation, bus.c_str());
+  text += formatted("sent: %.0f bytes a frame in %.0f transfers\n",
+                    static_cast<double>(totals.bus.bytes) / frames,
+                    static_cast<double>(totals.bus.transfers) / frames);
+  text += formatted("bus: %.3f ms a frame; allows %.1f frames a second\n", bus_ms, 1000 / bus_ms);
   if (totals.without_figures.empty()) {
     const double frame_ms = static_cast<double>(totals.frame_ns) / 1e6 / frames;
     text += formatted(

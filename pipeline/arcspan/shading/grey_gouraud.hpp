@@ -95,6 +95,7 @@ struct GreyGouraud {
     std::int32_t to_bottom;
     FullLinear step;  ///< per pixel
   };
+  /// Their rows.
   struct SmallRows {
     using Run = GreyGouraud::Run;
     const Small& small;

@@ -45,6 +45,7 @@ struct Unlit {
 
   /// For small triangles of Textured.
   struct Small {};
+  /// Their rows.
   struct SmallRows {
     using Run = Unlit::Run;
     [[nodiscard]] constexpr Run row(std::int32_t, std::int32_t, std::int32_t) const { return {}; }

@@ -175,8 +175,6 @@ class TexturedWalker {
   TextureTriangle* triangle_;
 };
 
-namespace detail {
-
 /// The light of `Method` on a texture: coloured where its type says that it may be, by coloured lights or by
 /// the colours of vertices.
 template <class Method>
@@ -193,21 +191,25 @@ template <class M>
 concept HasSmallPart = requires {
   typename M::Small;
 };
+/// Its part of a small triangle; empty for other methods.
 template <class M>
 struct SmallPart {
   struct Type {};
 };
+/// That of a method that has one.
 template <HasSmallPart M>
 struct SmallPart<M> {
   using Type = typename M::Small;
 };
 
-/// The tables of the light of a method: LightTables of one that is interpolated by scalars (Arc).
+/// In place of LightTables, where there are none.
 struct NoTables {};
+/// The tables of the light of a method: LightTables of one that is interpolated by scalars (Arc).
 template <class M, TexelLight Colours>
 struct TablesFor {
   using Type = NoTables;
 };
+/// Those of a method of scalars.
 template <class M, TexelLight Colours>
 requires(Colours != TexelLight::kNone && M::Lighting::kHasRamp && M::kScalars == M::Lighting::kScalars) &&
     requires(const typename M::Lighting& light) {
@@ -219,8 +221,6 @@ struct TablesFor<M, Colours> {
 template <class M, TexelLight Colours>
 using TablesOf = typename TablesFor<M, Colours>::Type;
 
-}  // namespace detail
-
 /// A shading method with a texture: each pixel shows a texel, times the light that `Method` (Unlit, Flat,
 /// Gouraud, Arc, VertexColoured) computes for it. Phong's highlights are added afterwards; those of
 /// Gouraud and Flat are part of the light. The diffuse coefficients of a textured material are usually 1
@@ -229,12 +229,12 @@ using TablesOf = typename TablesFor<M, Colours>::Type;
 /// Texels are shown of the mip level whose texels are about as large as the triangle's pixels.
 /// Perspective is correct within half a texel: a triangle is mapped linearly where that is exact enough,
 /// elsewhere in the longest pieces of a row that are.
-template <class Method, TexelFormat Texels, TexelLight Colours = detail::texel_light_of<Method>(),
+template <class Method, TexelFormat Texels, TexelLight Colours = texel_light_of<Method>(),
           TextureFilter Filter = TextureFilter::kNearest, TextureWrap Wrap = TextureWrap::kRepeat>
 struct Textured : Method {
   using Light = Method;
   /// The illumination of `Method` with the texture.
-  struct Lighting : detail::TablesOf<Light, Colours>, Light::Lighting {
+  struct Lighting : TablesOf<Light, Colours>, Light::Lighting {
     constexpr Lighting() = default;
     /// `light`: what Method::Lighting is made of, usually an Illumination.
     template <class L>
@@ -255,7 +255,7 @@ struct Textured : Method {
 
    private:
     constexpr void make_tables() {
-      using Tables = detail::TablesOf<Light, Colours>;
+      using Tables = TablesOf<Light, Colours>;
       if constexpr (std::constructible_from<Tables, const typename Light::Lighting&>) {
         static_cast<Tables&>(*this) = Tables(static_cast<const typename Light::Lighting&>(*this));
       }
@@ -263,7 +263,7 @@ struct Textured : Method {
   };
   using Steps = std::conditional_t<Wrap == TextureWrap::kClamp, ClampedSteps, TexelSteps>;
   using typename Light::Face;
-  using DrawsSmallTrianglesAs = std::conditional_t<detail::HasSmallPart<Light>, Textured, void>;
+  using DrawsSmallTrianglesAs = std::conditional_t<HasSmallPart<Light>, Textured, void>;
   struct Vertex : Light::Vertex {
     MappedPoint point;
   };
@@ -275,7 +275,7 @@ struct Textured : Method {
   };
   /// The part of a small triangle.
   struct Small {
-    typename detail::SmallPart<Light>::Type light;
+    typename SmallPart<Light>::Type light;
     SmallTexture<Steps> texture;
     const typename Texels::Word* words;
     const std::uint16_t* palette;

@@ -45,14 +45,12 @@ void texture_scale_out_of_range();
 void colours_not_as_many_as_vertices();
 }  // namespace refused
 
-inline constexpr std::uint32_t kMostVertices = 65536;
-
 /// Rejects a mesh unless `status`, that of MeshView::make(), is kOk.
 constexpr void refuse_mesh(Status status, std::size_t positions, std::size_t normals) {
   if (ok(status)) return;
   if (status != Status::kInvalidArgument) return refuse(status);
   if (positions != normals) return refused::positions_and_normals_differ_in_number();
-  if (positions > kMostVertices) return refused::more_than_65536_vertices();
+  if (positions > 65536) return refused::more_than_65536_vertices();
   if (status == Status::kInvalidArgument) refused::indices_not_a_multiple_of_3();
 }
 
@@ -73,7 +71,7 @@ constexpr void refuse_points(bool as_many_as_vertices) {
 /// A mesh takes 10 bytes per vertex and 3 or 6 bytes per triangle. Vertex i has positions[i] and normals[i].
 class MeshView {
  public:
-  static constexpr std::uint32_t kMaxVertices = detail::kMostVertices;
+  static constexpr std::uint32_t kMaxVertices = 65536;
 
   constexpr MeshView() = default;
 

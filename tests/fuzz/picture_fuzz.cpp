@@ -19,7 +19,7 @@ namespace {
 /// Bytes that hardly ever have the right checksums of a PNG get them.
 void repair(std::string& bytes) {
   if (!bytes.starts_with("\x89PNG\r\n\x1a\n")) return;
-  const auto byte = [&bytes](std::size_t at) { return static_cast<std::uint8_t>(bytes[at]); };
+  const auto byte = [&bytes](std::size_t at) { return std::size_t{static_cast<std::uint8_t>(bytes[at])}; };
   for (std::size_t at = 8; at + 12 <= bytes.size();) {
     const std::size_t size = byte(at) << 24u | byte(at + 1) << 16u | byte(at + 2) << 8u | byte(at + 3);
     if (size > bytes.size() - at - 12) return;

@@ -68,14 +68,15 @@ nlohmann::json look_of(const aiMesh& mesh, const aiNode& node, const aiScene& sc
   return look;
 }
 
-struct Scene {
+struct ImportedScene {
   std::vector<std::array<RawMesh::Corner, 3>> triangles;
   std::vector<std::uint32_t> look_of;
   nlohmann::json looks = nlohmann::json::array();
 };
 
 /// Adds a mesh of a scene, moved by its node's transform. The library's v is up.
-void append(Scene& out, const aiMesh& mesh, const aiMatrix4x4& transform, const std::string& subject) {
+void append(ImportedScene& out, const aiMesh& mesh, const aiMatrix4x4& transform,
+            const std::string& subject) {
   aiMatrix3x3 of_normals(transform);
   const bool mirrors = of_normals.Determinant() < 0;
   of_normals.Inverse().Transpose();
@@ -106,12 +107,12 @@ void append(Scene& out, const aiMesh& mesh, const aiMatrix4x4& transform, const 
   }
 }
 
-Scene meshes_of(const aiScene& scene, const std::string& subject) {
+ImportedScene meshes_of(const aiScene& scene, const std::string& subject) {
   struct Visit {
     const aiNode* node;
     aiMatrix4x4 parent;
   };
-  Scene out;
+  ImportedScene out;
   std::vector<Visit> open{{scene.mRootNode, {}}};
   while (!open.empty()) {
     const Visit visit = open.back();
@@ -153,7 +154,7 @@ std::string import_scene(std::string_view bytes, MeshFormat format, const std::s
   const aiScene* scene =
       importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, extension(format));
   if (scene == nullptr) throw Failure(subject, complaint(importer.GetErrorString()));
-  const Scene all = meshes_of(*scene, subject);
+  const ImportedScene all = meshes_of(*scene, subject);
   std::string cbor;
   nlohmann::json::to_cbor(
       {{"triangles", bytes_of(all.triangles)}, {"look_of", bytes_of(all.look_of)}, {"looks", all.looks}},

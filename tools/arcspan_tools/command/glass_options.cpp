@@ -53,8 +53,6 @@ std::optional<int> parse_rotation(const std::string& text) {
   return static_cast<int>(*degrees);
 }
 
-std::string size_text(const Size& size) { return formatted("%dx%d", size.width, size.height); }
-
 /// Refuses a glass that the controller's memory does not hold.
 void check_glass(const KnownModule& known, const Glass& glass, int rotation) {
   const Size size{glass.width, glass.height};

@@ -47,8 +47,6 @@ struct ShowStatistics {
   double send_milliseconds = 0;
 };
 
-std::string size_text(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
-
 // Size and format are those of the display unless options say otherwise.
 void fit(ShowArguments& arguments, const Display& display) {
   const Size whole = display.size();

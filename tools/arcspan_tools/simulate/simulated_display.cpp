@@ -184,7 +184,7 @@ struct SimulatedController {
   std::unique_ptr<SimulatedDisplay> (*i2c)(const DisplayOptions&);
 };
 
-constexpr SimulatedController kControllers[] = {
+constexpr SimulatedController kSimulated[] = {
     {"ili9341", &make<PlainSpi<Ili9341, sim::DcsModel>>, nullptr},
     {"st7789", &make<PlainSpi<St7789, sim::DcsModel>>, nullptr},
     {"ssd1351", &make<PlainSpi<Ssd1351, sim::Ssd1351Model>>, nullptr},
@@ -194,7 +194,7 @@ constexpr SimulatedController kControllers[] = {
 }  // namespace
 
 std::unique_ptr<SimulatedDisplay> make_display(const DisplayOptions& options) {
-  for (const SimulatedController& known : kControllers) {
+  for (const SimulatedController& known : kSimulated) {
     if (options.module.controller != known.name) continue;
     const auto maker = options.i2c ? known.i2c : known.spi;
     if (maker == nullptr) throw Failure("--bus", options.module.controller + " is not simulated on I2C");

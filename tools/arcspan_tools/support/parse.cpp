@@ -63,4 +63,8 @@ std::optional<Size> parse_size(std::string_view text) {
   return Size{static_cast<std::int32_t>(*width), static_cast<std::int32_t>(*height)};
 }
 
+std::string size_text(const Size& size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
 }  // namespace arcspan::tools

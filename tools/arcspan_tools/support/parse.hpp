@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace arcspan::tools {
@@ -26,5 +27,6 @@ struct Size {
   friend constexpr bool operator==(const Size&, const Size&) = default;
 };
 [[nodiscard]] std::optional<Size> parse_size(std::string_view text);
+[[nodiscard]] std::string size_text(const Size& size);
 
 }  // namespace arcspan::tools

@@ -132,7 +132,7 @@ ImportedScene meshes_of(const aiScene& scene, const std::string& subject) {
 }
 
 template <class T>
-nlohmann::json bytes_of(const std::vector<T>& values) {
+nlohmann::json binary_of(const std::vector<T>& values) {
   static_assert(std::is_trivially_copyable_v<T>);
   std::vector<std::uint8_t> bytes(values.size() * sizeof(T));
   if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
@@ -157,7 +157,7 @@ std::string import_scene(std::string_view bytes, MeshFormat format, const std::s
   const ImportedScene all = meshes_of(*scene, subject);
   std::string cbor;
   nlohmann::json::to_cbor(
-      {{"triangles", bytes_of(all.triangles)}, {"look_of", bytes_of(all.look_of)}, {"looks", all.looks}},
+      {{"triangles", binary_of(all.triangles)}, {"look_of", binary_of(all.look_of)}, {"looks", all.looks}},
       cbor);
   return cbor;
 }

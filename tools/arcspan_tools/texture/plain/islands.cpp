@@ -92,7 +92,8 @@ std::pair<Range, Range> take_region(std::vector<bool>& open, std::int32_t width,
     region.second.include(y);
     for (std::int32_t row = std::max(y - 1, 0); row <= std::min(y + 1, height - 1); ++row) {
       for (std::int32_t column = std::max(x - 1, 0); column <= std::min(x + 1, width - 1); ++column) {
-        const auto at = static_cast<std::size_t>(row * width + column);
+        const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                        static_cast<std::size_t>(column);
         if (!open[at]) continue;
         open[at] = false;
         next.push_back(at);

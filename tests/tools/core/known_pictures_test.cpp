@@ -498,7 +498,7 @@ TEST_CASE("any lights on any surface are those of double precision", "[textures]
   const bool coloured = GENERATE(false, true);
   const bool textured = GENERATE(false, true);
   const Highlight highlight = GENERATE(Highlight::kBlinn, Highlight::kPhong);
-  // In rgb565 products and sums are computed in 5 and 6 bits, grey light with 33 levels.
+  // In rgb565 products and sums are computed in 5 and 6 bits, grey light with 65 levels.
   const auto [format, most] = GENERATE(std::pair("rgb888", 2.5), std::pair("rgb565", 12.0));
   std::vector<SceneLight> all{{0.2, 0.1, 1}, {-0.4, 0.5, 1}, {0.9, -0.1, 0.4}, {-0.7, -0.9, 0.3}};
   if (coloured) {

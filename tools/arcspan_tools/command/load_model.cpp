@@ -8,6 +8,7 @@
 #include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/texture/plain/surface_texture.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <utility>

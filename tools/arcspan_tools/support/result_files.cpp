@@ -244,6 +244,7 @@ void write_results(const std::vector<ResultFile>& results, const std::string& su
   placements.reserve(staged.size());
   for (StagedFile& file : staged) placements.push_back(file.placement());
   std::vector<fs::path> paths;
+  paths.reserve(results.size());
   for (const ResultFile& result : results) paths.push_back(result.path);
   place_all(placements, summary, report_stream(paths));
 }

@@ -34,7 +34,8 @@ namespace arcspan {
 /// (Phong). They are linear on a surface because they are linear in N.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features = IlluminationFeatures{}>
 class Illumination : private FadeFor<Features>,
-                     private RampScaleFor<Lights, Features> {  // empty bases take no bytes
+                     private RampScaleFor<Lights, Features>,
+                     private detail::CheckedState {  // empty bases take no bytes
  public:
   static_assert(Lights >= 1 && Lights <= 4);
   static constexpr std::size_t kLights = Lights;
@@ -236,7 +237,7 @@ class Illumination : private FadeFor<Features>,
   [[nodiscard]] constexpr const PowerTable& power() const { return power_; }
   [[nodiscard]] constexpr std::uint32_t shininess() const { return shininess_; }
   /// False for an illumination that make() has not set, in builds with checks only (ARCSPAN_CHECKED).
-  [[nodiscard]] constexpr bool is_made() const { return !kIsChecked || made_.get() != 0; }
+  [[nodiscard]] constexpr bool is_made() const { return !kIsChecked || detail::CheckedState::get() != 0; }
   /// The colour of a normal with these scalars in 256ths of an 8-bit step. Without the ramp, for any number
   /// of lights.
   [[nodiscard]] constexpr DeepColour deep_colour(const Scalars& scalars) const {
@@ -393,7 +394,6 @@ class Illumination : private FadeFor<Features>,
   std::uint32_t widest_highlight_ = 0;  ///< of those under the brightest highlight
   std::uint32_t widest_patch_ = 0;
   std::uint32_t shininess_ = 1;
-  [[no_unique_address]] detail::CheckedState made_{};
   std::uint32_t white_specular_ = 0;  ///< specular_[0] if all channels are equal, else 0
 };
 

@@ -50,7 +50,7 @@ constexpr void refuse_mesh(Status status, std::size_t positions, std::size_t nor
   if (ok(status)) return;
   if (status != Status::kInvalidArgument) return refuse(status);
   if (positions != normals) return refused::positions_and_normals_differ_in_number();
-  if (positions > 65536) return refused::more_than_65536_vertices();
+  if (std::uint64_t{positions} > 65536) return refused::more_than_65536_vertices();
   if (status == Status::kInvalidArgument) refused::indices_not_a_multiple_of_3();
 }
 

@@ -190,7 +190,8 @@ class Illumination : private FadeFor<Features>,
   static constexpr int kRampBits = Lights == 1 ? 8 : Lights == 2 ? 9 : 10;
   static constexpr std::size_t kRampSize = std::size_t{1} << kRampBits;
   [[nodiscard]] ARCSPAN_INLINE static constexpr std::size_t ramp_index(Cosine normal_light) {
-    return clamped_unsigned<kRampBits, Cosine::kFraction - kRampBits>(normal_light.raw());
+    return static_cast<std::size_t>(
+        clamped_unsigned<kRampBits, Cosine::kFraction - kRampBits>(normal_light.raw()));
   }
 
   /// False if no normal of a triangle has a highlight. `a`, `b` and `c` are the scalars of its vertices;

@@ -19,15 +19,16 @@ inline constexpr std::uint32_t kSpreadMask = 0x07E0F81F;
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t joined(std::uint32_t spread) {
   return static_cast<std::uint16_t>(spread | (spread >> 16));
 }
-/// The sum of two spread pixels, saturated. `GreenCarry` is the bit above green.
-template <unsigned GreenCarry = 0x08000000>
+/// The sum of two spread pixels, saturated; `Wide` if they are a wide_spread().
+template <bool Wide = false>
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t saturated_sum(std::uint32_t a, std::uint32_t b) {
   constexpr std::uint32_t kRedBlueCarries = 0x00010020;
+  constexpr std::uint32_t kGreenCarry = Wide ? 0x10000000 : 0x08000000;  // the bit above green
   std::uint32_t sum = a + b;
-  if ((sum & (kRedBlueCarries | GreenCarry)) != 0) [[unlikely]] {
+  if ((sum & (kRedBlueCarries | kGreenCarry)) != 0) [[unlikely]] {
     const std::uint32_t red_blue = sum & kRedBlueCarries;
-    const std::uint32_t green = sum & GreenCarry;
-    sum = (sum | (red_blue - (red_blue >> 5)) | (green - (green >> 6))) & ~(kRedBlueCarries | GreenCarry);
+    const std::uint32_t green = sum & kGreenCarry;
+    sum = (sum | (red_blue - (red_blue >> 5)) | (green - (green >> 6))) & ~(kRedBlueCarries | kGreenCarry);
   }
   return sum;
 }
@@ -58,7 +59,6 @@ template <unsigned GreenCarry = 0x08000000>
 /// Light has levels of 0...64, as many as the green of a 5-6-5 pixel. A product with it takes a wider spread:
 /// g in bits 27...22, r in 15...11, b in 4...0, so that each channel has six bits of room below it.
 inline constexpr std::uint32_t kWideMask = 0x0FC0F81F;
-inline constexpr unsigned kWideGreenCarry = 0x10000000;
 [[nodiscard]] constexpr std::uint32_t wide_spread(std::uint32_t rgb565) {
   return (rgb565 | (rgb565 << 17)) & kWideMask;
 }

@@ -20,8 +20,8 @@ class DepthChecks {
   constexpr void check([[maybe_unused]] std::span<const std::uint16_t> depths) {
     if constexpr (kIsChecked) {
       if (state_.get() == kCleared) return;
-      std::size_t zeros = 0;
-      std::size_t farthest = 0;
+      [[maybe_unused]] std::size_t zeros = 0;
+      [[maybe_unused]] std::size_t farthest = 0;
       for (const std::uint16_t depth : depths) {
         if (depth == 0) ++zeros;
         if (depth == 0xFFFF) ++farthest;

@@ -92,7 +92,7 @@ struct LitTexel {
       const std::uint32_t blue = (texel & 31u) * whole(diffuse.lanes & 1023u) + 512;
       lit = ((green >> 10) << 22) | ((red >> 10) << 11) | (blue >> 10);
     }
-    if (shine != 0) lit = detail::saturated_sum<detail::kWideGreenCarry>(lit, shine);
+    if (shine != 0) lit = detail::saturated_sum<true>(lit, shine);
     return detail::joined_wide(lit);
   }
   [[nodiscard]] constexpr PackedRgb packed() const {

@@ -47,9 +47,9 @@ class Fog {
       const std::int64_t here = share_at(range, fog.end_ + 8 - static_cast<std::int32_t>(biased));
       return static_cast<std::int32_t>(here > kFull ? kFull : here < -kFull ? -kFull : here) + kHalf;
     };
-    for (std::uint32_t i = 0; i < 8 * kOctaves; ++i) {
+    for (std::size_t i = 0; i < fog.lines_.size(); ++i) {
       const std::uint32_t first = 8 + (i & 7u);
-      const std::uint32_t octave = kOctaves - 1 - (i >> 3);
+      const std::uint32_t octave = kOctaves - 1 - static_cast<std::uint32_t>(i >> 3);
       const std::int32_t here = at(first << octave);
       fog.lines_[i] = static_cast<std::uint32_t>(here) << 16 |
                       static_cast<std::uint32_t>(here - at((first + 1) << octave));
@@ -65,7 +65,8 @@ class Fog {
     const std::uint32_t biased = clamped_unsigned<16, 0>(end_ - depth) + 8;
     const int zeros = leading_zeros(biased);
     const std::uint32_t from_top = biased << zeros;
-    const std::uint32_t line = lines_[static_cast<std::uint32_t>(zeros - 16) * 8 + (from_top >> 28 & 7u)];
+    const std::uint32_t line =
+        lines_[static_cast<std::size_t>(zeros - 16) * 8 + static_cast<std::size_t>(from_top >> 28 & 7u)];
     const std::uint32_t share = line - (line & 0xFFFFu) * (from_top >> 12 & 0xFFFFu);
     return clamped_unsigned<9, kShareBits + 16 - 8>(static_cast<std::int32_t>(share));
   }
@@ -76,7 +77,7 @@ class Fog {
  private:
   static constexpr std::int32_t kNearest = 256;  ///< depths of the planes: ClipTransform::kDepthMargin
   static constexpr std::int32_t kFarthest = 65535 - 256;
-  static constexpr std::uint32_t kOctaves = 13;  ///< of a difference plus 8: 8...65287
+  static constexpr unsigned kOctaves = 13;  ///< of a difference plus 8: 8...65287
   static constexpr int kShareBits = 14;
   static constexpr std::int64_t kFull = 1 << kShareBits;
   static constexpr std::int32_t kHalf = 1 << (kShareBits - 9);  ///< half a step of share()

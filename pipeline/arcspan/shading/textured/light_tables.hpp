@@ -43,7 +43,9 @@ class LightTables {
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t shine_at(
       const Illumination& light, const Scalars& scalars) const requires kHasShines {
     if (scalars[0].raw() <= 0) return 0;
-    const std::uint32_t full = shines_[clamped_unsigned<7, kShineBits>(light.closeness(scalars, 0))];
+    const auto distance =
+        static_cast<std::size_t>(clamped_unsigned<7, kShineBits>(light.closeness(scalars, 0)));
+    const std::uint32_t full = shines_[distance];
     if constexpr (!Illumination::kFeatures.fading_highlights) return full;
     const std::uint32_t share = light.fade()(std::uint32_t{1} << 15, scalars[0]);
     return detail::lit_spread(full << 4, detail::light_factor(share >> 9));

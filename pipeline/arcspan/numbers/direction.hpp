@@ -58,9 +58,12 @@ namespace detail {
 
 /// True if the length is 1 within 1/64.
 [[nodiscard]] constexpr bool is_unit(const Direction& v) {
-  const auto square = [](DirectionComponent c) { return std::int64_t{c.raw()} * c.raw(); };
-  const std::int64_t off = square(v.x) + square(v.y) + square(v.z) - (std::int64_t{1} << 30);
-  return off <= std::int64_t{1} << 25 && off >= -(std::int64_t{1} << 25);
+  // Unsigned, because components of any value are asked about.
+  const auto square = [](DirectionComponent c) {
+    return static_cast<std::uint64_t>(std::int64_t{c.raw()} * c.raw());
+  };
+  constexpr std::uint64_t kOff = std::uint64_t{1} << 25;
+  return square(v.x) + square(v.y) + square(v.z) - ((std::uint64_t{1} << 30) - kOff) <= 2 * kOff;
 }
 
 }  // namespace detail

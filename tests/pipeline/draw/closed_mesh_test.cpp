@@ -123,9 +123,9 @@ using Balance = std::array<int, static_cast<std::size_t>(kSmall) * kSmall>;
 /// Adds `side` to each pixel for each front face of the mesh that covers it. Returns the number of these
 /// pixels.
 template <class Method>
-std::uint64_t add_fronts(const TestMesh& mesh, const TestCamera& camera, int side, RunList& runs,
+std::uint64_t add_fronts(const TestMesh& mesh, const TestCamera& camera,
+                         const typename Method::Lighting& lighting, int side, RunList& runs,
                          Balance& balance) {
-  const typename Method::Lighting lighting{};
   runs.runs.clear();
   std::uint64_t covered = 0;
   if (!ok(draw_mesh<Method>(mesh.view(), camera.transform(), lighting, runs, NoDepth{}).status))
@@ -150,13 +150,14 @@ TEMPLATE_TEST_CASE("front faces of a closed mesh cover each pixel as often as it
   camera.height = kSmall;
   camera.focal = 60;
   camera.translation = {0, 0, -4500};
+  const typename TestType::Lighting lighting = make_light<1, Highlight::kBlinn>(camera);
   int faults = 0;
   std::uint64_t covered = 0;
   for (int i = 0; i < share_of(100000); ++i) {
     const TestMesh mesh = random_closed_mesh(random);
     Balance balance{};
-    covered += add_fronts<TestType>(mesh, camera, 1, runs, balance);
-    covered += add_fronts<TestType>(mesh.inside_out(), camera, -1, runs, balance);
+    covered += add_fronts<TestType>(mesh, camera, lighting, 1, runs, balance);
+    covered += add_fronts<TestType>(mesh.inside_out(), camera, lighting, -1, runs, balance);
     faults += std::all_of(balance.begin(), balance.end(), [](int b) { return b == 0; }) ? 0 : 1;
   }
   CHECK(covered > static_cast<std::uint64_t>(share_of(100000)) * 50);

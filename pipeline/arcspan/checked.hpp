@@ -15,6 +15,7 @@
 ///   draw calls         a depth buffer whose memory was never cleared, or not since it was moved to another
 ///   band
 ///                      a material or a billboard whose texture was not given
+///                      a texture that does not repeat, given to a method that repeats all
 ///                      a mesh, transform or illumination that was never made
 ///   framebuffers       open() of a run, or pixel(), outside of bounds()
 ///   set-up             a rotation that is not orthonormal, a direction to a light or to the eye that is not

@@ -154,7 +154,8 @@ class BillboardStage {
 ///     draw_billboards<Tree>(places, {900, 1400}, transform, Tree::Lighting(PackedRgb{}, texture), frame,
 ///     depth);
 ///
-/// With TextureFilter::kBilinear take TextureWrap::kClamp too, or opposite borders of the texture are mixed.
+/// With TextureFilter::kBilinear take TextureBorders::kOfTexture and a texture that is clamped, or opposite
+/// borders of it are mixed.
 ///
 /// `middles` are in object space; a whole billboard disappears when its middle passes the near plane. Returns
 /// a status as draw_lines() does.

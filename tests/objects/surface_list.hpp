@@ -21,7 +21,7 @@ using Window =
     WithOperation<WithOperation<Textured<Arc<Phong1>, Palette8Texels<Alpha4Colour>>, Fogged>, Opacity<>>;
 using Sign = Textured<Unlit, Palette4Texels<Alpha1Colour>>;
 using Poster =
-    Textured<Unlit, DirectTexels<>, TexelLight::kNone, TextureFilter::kBilinear, TextureWrap::kClamp>;
+    Textured<Unlit, DirectTexels<>, TexelLight::kNone, TextureFilter::kBilinear, TextureBorders::kOfTexture>;
 using Wall = Textured<GreyGouraud<Blinn4>, DirectTexels<>>;
 using Stage = Textured<Gouraud<Blinn1>, GrayTexels, TexelLight::kColoured>;
 using Chrome = Arc<EnvironmentMap<DirectTexels<>>>;

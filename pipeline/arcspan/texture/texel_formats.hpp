@@ -10,27 +10,32 @@
 namespace arcspan {
 
 /// A texel's colour in 16 bits, in three ways: 5-6-5 without alpha, or fewer bits for colours and 1 or 4 bits
-/// of alpha. rgb565() returns the colour as a 5-6-5 pixel (rrrrrggggggbbbbb), alpha() the opacity in
-/// 16ths, 0...16.
+/// of alpha, which begin at bit kAlphaShift. rgb565() returns the colour as a 5-6-5 pixel (rrrrrggggggbbbbb),
+/// alpha() the opacity in 16ths, 0...16.
 struct OpaqueColour {
   static constexpr unsigned kAlphaBits = 0;
+  static constexpr unsigned kAlphaShift = 0;
   [[nodiscard]] static constexpr std::uint16_t rgb565(std::uint16_t stored) { return stored; }
   [[nodiscard]] static constexpr std::uint32_t alpha(std::uint16_t) { return 16; }
 };
 
-/// rrrrrgggggbbbbba
+/// rrrrrgggggabbbbb: a 5-6-5 pixel whose lowest bit of green is the opacity.
 struct Alpha1Colour {
   static constexpr unsigned kAlphaBits = 1;
-  [[nodiscard]] static constexpr std::uint16_t rgb565(std::uint16_t stored) {
-    // The sixth bit of green repeats its highest one.
-    return static_cast<std::uint16_t>((stored & 0xFFC0u) | ((stored >> 5) & 0x20u) | ((stored >> 1) & 0x1Fu));
+  static constexpr unsigned kAlphaShift = 5;
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint16_t rgb565(std::uint16_t stored) {
+    // The sixth bit of green repeats its highest one, where the texel is opaque; elsewhere it is 0.
+    return static_cast<std::uint16_t>(stored & ((std::uint32_t{stored} >> 5) | 0xFFDFu));
   }
-  [[nodiscard]] static constexpr std::uint32_t alpha(std::uint16_t stored) { return (stored & 1u) << 4; }
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t alpha(std::uint16_t stored) {
+    return (stored & 0x20u) != 0 ? 16 : 0;
+  }
 };
 
 /// rrrrggggbbbbaaaa
 struct Alpha4Colour {
   static constexpr unsigned kAlphaBits = 4;
+  static constexpr unsigned kAlphaShift = 0;
   [[nodiscard]] static constexpr std::uint16_t rgb565(std::uint16_t stored) {
     const std::uint32_t s = stored;
     return static_cast<std::uint16_t>((s & 0xF000u) | ((s >> 4) & 0x0800u) | ((s & 0x0F00u) >> 1) |

@@ -9,6 +9,17 @@ namespace arcspan {
 
 namespace {
 
+/// Reads a sampler_byte(); false if it is none.
+bool read_sampler(std::uint8_t byte, TextureSampler& sampler) {
+  const unsigned u = byte & 3u;
+  const unsigned v = (byte >> 2) & 3u;
+  constexpr auto kMost = static_cast<unsigned>(TextureWrap::kMirror);
+  if (u > kMost || v > kMost || byte >> 5 != 0) return false;
+  sampler = {static_cast<TextureWrap>(u), static_cast<TextureWrap>(v),
+             static_cast<TextureFilter>((byte >> 4) & 1u)};
+  return true;
+}
+
 /// Reads what the header says of the texture; false if there is no such texture.
 bool read_texture_format(const std::uint8_t* header, StoredTexture& texture) {
   const std::uint8_t texels = header[texture_binary::kLayoutAt];
@@ -17,9 +28,10 @@ bool read_texture_format(const std::uint8_t* header, StoredTexture& texture) {
                   header[texture_binary::kLevelsAt]};
   if (texels > static_cast<std::uint8_t>(TexelLayout::kGray)) return false;
   texture.layout = static_cast<TexelLayout>(texels);
+  if (!read_sampler(header[texture_binary::kSamplerAt], texture.sampler)) return false;
   const bool has_alpha = texture.alpha_bits == 1 || texture.alpha_bits == 4;
   return (texture.alpha_bits == 0 || (has_alpha && texture.layout != TexelLayout::kGray)) &&
-         texture.size.valid() && header[texture_binary::kZeroAt] == 0;
+         texture.size.valid();
 }
 
 }  // namespace

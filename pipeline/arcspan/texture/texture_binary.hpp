@@ -18,7 +18,7 @@ enum class TexelLayout : std::uint8_t { kDirect, kPalette8, kPalette4, kGray };
 /// The layout of a texture binary (docs/texture-binary.md): little-endian, offsets in bytes.
 namespace texture_binary {
 inline constexpr std::uint32_t kMagic = 0x54435241;  ///< "ARCT"
-inline constexpr std::uint16_t kVersion = 1;
+inline constexpr std::uint16_t kVersion = 2;
 
 inline constexpr std::size_t kMagicAt = 0;       ///< u32
 inline constexpr std::size_t kVersionAt = 4;     ///< u16
@@ -27,11 +27,17 @@ inline constexpr std::size_t kAlphaBitsAt = 7;   ///< u8: 0, 1 or 4
 inline constexpr std::size_t kSizeAt = 8;        ///< u32, bytes of the whole binary
 inline constexpr std::size_t kWidthBitsAt = 12;  ///< u8, TextureSize::width_bits
 inline constexpr std::size_t kHeightBitsAt = 13;
-inline constexpr std::size_t kLevelsAt = 14;  ///< u8, TextureSize::levels
-inline constexpr std::size_t kZeroAt = 15;    ///< u8, 0
+inline constexpr std::size_t kLevelsAt = 14;   ///< u8, TextureSize::levels
+inline constexpr std::size_t kSamplerAt = 15;  ///< u8, sampler_byte()
 inline constexpr std::size_t kHeaderBytes = 16;
 inline constexpr std::size_t kChecksumBytes = 4;  ///< u32, crc32() of all bytes before it
 
+/// A sampler in a byte: the wrap of u in bits 0 and 1, that of v in bits 2 and 3, the filter in bit 4.
+[[nodiscard]] constexpr std::uint8_t sampler_byte(const TextureSampler& sampler) {
+  const auto u = static_cast<unsigned>(sampler.u);
+  const auto v = static_cast<unsigned>(sampler.v);
+  return static_cast<std::uint8_t>(u | v << 2 | static_cast<unsigned>(sampler.filter) << 4);
+}
 /// The number of colours of a palette.
 [[nodiscard]] constexpr std::uint32_t palette_size(TexelLayout layout) {
   if (layout == TexelLayout::kPalette8) return 256;
@@ -55,6 +61,7 @@ struct StoredTexture {
   TexelLayout layout = TexelLayout::kDirect;
   std::uint8_t alpha_bits = 0;
   TextureSize size{};
+  TextureSampler sampler{};
   std::span<const std::uint8_t> texels;    ///< at an even address; empty if there is no texture
   std::span<const std::uint16_t> palette;  ///< as many colours as the layout has
 };
@@ -67,7 +74,8 @@ struct StoredTexture {
 ///   kInvalidArgument   `bytes` does not begin at an even address
 ///   kUnsupported       the magic number or the version is another, or this machine is big-endian
 ///   kTruncated         there are fewer bytes than a header has, or than the header states
-///   kCorrupted         the checksum is wrong, or format, sides, levels and size contradict each other
+///   kCorrupted         the checksum is wrong, the sampler unknown, or format, sides, levels and size
+///                      contradict each other
 [[nodiscard]] Status view_texture_binary(std::span<const std::uint8_t> bytes, StoredTexture& texture);
 
 namespace detail {
@@ -101,9 +109,11 @@ template <TexelFormat Texels>
   if (!has_format<Texels>(stored)) return Status::kUnsupported;
   // Cast by way of void, because alignment has been checked.
   const void* const words = stored.texels.data();
-  return Texture<Texels>::make(
-      std::span(static_cast<const Word*>(words), stored.texels.size() / sizeof(Word)), stored.size, texture,
-      stored.palette);
+  const Status status =
+      Texture<Texels>::make(std::span(static_cast<const Word*>(words), stored.texels.size() / sizeof(Word)),
+                            stored.size, texture, stored.palette);
+  if (ok(status)) texture = texture.with(stored.sampler);
+  return status;
 }
 
 /// Finds the texture in a binary and makes a texture of it. Returns kUnsupported also if the binary has

@@ -23,17 +23,18 @@ constexpr std::size_t kPixels = static_cast<std::size_t>(kView.width * kView.hei
 constexpr std::uint16_t kEmpty = 0xFFFF;
 using Sign = Textured<Unlit, DirectTexels<Alpha1Colour>>;
 using Poster = Textured<Unlit, DirectTexels<Alpha1Colour>, TexelLight::kNone, TextureFilter::kBilinear,
-                        TextureWrap::kClamp>;
+                        TextureBorders::kOfTexture>;
 
 /// 8×16 texels, each of which tells its place, all opaque but those of column 5.
 constexpr auto kTexels = [] {
   std::array<std::uint16_t, 128> texels{};
   for (std::uint16_t i = 0; i < 128; ++i) {
-    texels[i] = static_cast<std::uint16_t>(i << 4 | (i % 8 == 5 ? 0 : 1));
+    texels[i] = static_cast<std::uint16_t>(i << 6 | (i % 8 == 5 ? 0 : 0x20));
   }
   return texels;
 }();
-constexpr auto kTexture = Texture<DirectTexels<Alpha1Colour>>::of(kTexels, {3, 4, 1});
+constexpr auto kTexture = Texture<DirectTexels<Alpha1Colour>>::of(kTexels, {3, 4, 1})
+                              .with({TextureWrap::kClamp, TextureWrap::kClamp});
 
 struct Picture {
   std::vector<std::uint16_t> pixels = std::vector<std::uint16_t>(kPixels, kEmpty);

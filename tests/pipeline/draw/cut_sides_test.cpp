@@ -65,7 +65,8 @@ typename Method::Lighting lighting(const TestCamera& camera) {
     Texture<Texels> texture;
     REQUIRE(ok(Texture<Texels>::make(kTexels, {6, 6, 2}, texture)));
     typename Method::Lighting lit(lighting<typename Method::Light>(camera));
-    lit.set(texture);
+    const bool borders = Method::Lighting::kBorders == TextureBorders::kOfTexture;
+    lit.set(borders ? texture.with({TextureWrap::kMirror, TextureWrap::kClamp}) : texture);
     return lit;
   } else if constexpr (std::same_as<typename Method::Lighting, PackedRgb>) {
     return PackedRgb::grey(1022);
@@ -189,7 +190,7 @@ TEMPLATE_TEST_CASE("a sink of a part of the picture gets exactly that part", "",
 TEMPLATE_TEST_CASE(
     "a sink of a part of the picture gets exactly that part of textures", "[textures]",
     (Textured<GreyGouraud<Light>, Texels>), (Textured<Arc<Light>, Texels>),
-    (Textured<Unlit, Texels, TexelLight::kNone, TextureFilter::kBilinear, TextureWrap::kClamp>)) {
+    (Textured<Unlit, Texels, TexelLight::kNone, TextureFilter::kBilinear, TextureBorders::kOfTexture>)) {
   check_scenes<TestType>();
 }
 

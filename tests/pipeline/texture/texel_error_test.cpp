@@ -126,16 +126,18 @@ TEST_CASE("a mip level of one texel is its own neighbour") {
   }
 }
 
-TEST_CASE("a triangle shows the mip level whose texels are nearest to its pixels in size") {
+TEST_CASE(
+    "a triangle shows the mip level whose texels are nearest to the longer sides of its pixels in size") {
   using Method = Plain;
   const Method::Lighting lighting = lighting_of<Method>(8, 8, 6);
   // A right angle of some pixels at the same distance everywhere, `repetitions` of 256 texels long.
-  const auto level = [&](double repetitions, std::int16_t pixels = 64) {
+  const auto level = [&](double repetitions, std::int16_t pixels = 64, double stretch_down = 1) {
     MappedTriangle<Method> triangle;
     const auto length = static_cast<std::int32_t>(repetitions * 65536);
+    const auto down = static_cast<std::int32_t>(repetitions * stretch_down * 65536);
     triangle.vertices = {
         RasterVertex<Method>{{0, 0, 0}, {{}, {0, 0}}, {1 << 28}},
-        RasterVertex<Method>{{0, static_cast<std::int16_t>(16 * pixels), 0}, {{}, {0, length}}, {1 << 28}},
+        RasterVertex<Method>{{0, static_cast<std::int16_t>(16 * pixels), 0}, {{}, {0, down}}, {1 << 28}},
         RasterVertex<Method>{{static_cast<std::int16_t>(16 * pixels), 0, 0}, {{}, {length, 0}}, {1 << 28}}};
     TriangleCommand<Method> command;
     REQUIRE(prepare_triangle<Method>(lighting, triangle.vertices[0], triangle.vertices[1],
@@ -154,4 +156,6 @@ TEST_CASE("a triangle shows the mip level whose texels are nearest to its pixels
   CHECK(level(100) == 5);      // there is no smaller one
   CHECK(level(0.04, 4) == 1);  // 2.6 texels, on a triangle as small as those of fine meshes
   CHECK(level(0.01, 1) == 1);
+  CHECK(level(0.25, 64, 8) == 3);  // as a floor towards the horizon
+  CHECK(level(2, 64, 0.125) == 3);
 }

@@ -13,7 +13,7 @@ namespace {
 // Written by hand from docs/texture-binary.md: 8x8 texels of grey, two levels.
 const std::vector<std::uint8_t> kGrey = [] {
   std::vector<std::uint8_t> bytes{
-      'A', 'R', 'C', 'T', 1, 0, 3, 0,  // magic, version, grey, no alpha
+      'A', 'R', 'C', 'T', 2, 0, 3, 0,  // magic, version, grey, no alpha
       100, 0,   0,   0,   3, 3, 2, 0,  // size, 8x8, two levels
   };
   for (int i = 0; i < 80; ++i) bytes.push_back(static_cast<std::uint8_t>(3 * i));
@@ -22,7 +22,7 @@ const std::vector<std::uint8_t> kGrey = [] {
 
 // 16x8 texels, 4-bit palette of colours with one bit of alpha, one level.
 const std::vector<std::uint8_t> kPalette = [] {
-  std::vector<std::uint8_t> bytes{'A', 'R', 'C', 'T', 1, 0, 2, 1, 116, 0, 0, 0, 4, 3, 1, 0};
+  std::vector<std::uint8_t> bytes{'A', 'R', 'C', 'T', 2, 0, 2, 1, 116, 0, 0, 0, 4, 3, 1, 0};
   for (int i = 0; i < 16; ++i) {
     bytes.push_back(static_cast<std::uint8_t>(i));  // low byte of colour i
     bytes.push_back(0x80);
@@ -89,6 +89,24 @@ TEST_CASE("a texture binary may be followed by anything") {
   CHECK(status_of(bytes) == Status::kOk);
 }
 
+TEST_CASE("a texture binary has a sampler, which is the default in the byte that was zero") {
+  constexpr TextureWrap kWraps[] = {TextureWrap::kRepeat, TextureWrap::kClamp, TextureWrap::kMirror};
+  for (unsigned byte = 0; byte < 0x20; ++byte) {
+    if ((byte & 3) == 3 || (byte & 12) == 12) continue;
+    CAPTURE(byte);
+    std::vector<std::uint8_t> bytes = kGrey;
+    bytes[15] = static_cast<std::uint8_t>(byte);
+    bytes = closed(bytes);
+    Texture<GrayTexels> texture;
+    REQUIRE(ok(view_texture_binary(bytes, texture)));
+    const TextureSampler wanted{kWraps[byte & 3], kWraps[byte >> 2 & 3],
+                                byte >> 4 != 0 ? TextureFilter::kBilinear : TextureFilter::kNearest};
+    CHECK(texture.sampler() == wanted);
+    CHECK(texture_binary::sampler_byte(wanted) == byte);
+  }
+  CHECK(Texture<GrayTexels>().sampler() == TextureSampler{});
+}
+
 TEST_CASE("every changed bit of a texture binary is found") {
   const std::vector<std::uint8_t> whole = closed(GENERATE(false, true) ? kPalette : kGrey);
   for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
@@ -111,7 +129,7 @@ TEST_CASE("every truncation of a texture binary is found") {
 TEST_CASE("a malformed texture binary gives the status that names its mistake") {
   CHECK(status_with(0, 'B') == Status::kUnsupported);
   CHECK(status_with(4, 0) == Status::kUnsupported);
-  CHECK(status_with(4, 2) == Status::kUnsupported);
+  CHECK(status_with(4, 1) == Status::kUnsupported);
   CHECK(status_with(5, 1) == Status::kUnsupported);
   CHECK(status_with(6, 4) == Status::kCorrupted);   // no such layout
   CHECK(status_with(6, 1) == Status::kCorrupted);   // its palette is missing
@@ -122,7 +140,8 @@ TEST_CASE("a malformed texture binary gives the status that names its mistake") 
   CHECK(status_with(13, 4) == Status::kCorrupted);  // higher than its bytes
   CHECK(status_with(14, 0) == Status::kCorrupted);
   CHECK(status_with(14, 5) == Status::kCorrupted);
-  CHECK(status_with(15, 1) == Status::kCorrupted);
+  for (const int sampler : {0x03, 0x0C, 0x20, 0x40, 0x80})  // no such wrap of u, v; unknown bits
+    CHECK(status_with(15, static_cast<std::uint8_t>(sampler)) == Status::kCorrupted);
   CHECK(status_with(7, 2, kPalette) == Status::kCorrupted);  // no colour has two bits of alpha
   CHECK(status_with(7, 4, kPalette) == Status::kOk);
   CHECK(status_with(7, 0, kPalette) == Status::kOk);

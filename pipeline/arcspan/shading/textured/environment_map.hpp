@@ -60,7 +60,7 @@ class EnvironmentMap {
     const std::uint32_t column = place(scalars[0], width_bits_);
     const std::uint32_t row = place(scalars[1], height_bits_);
     const std::uint32_t index = (row << width_bits_) | column;
-    return {Texels::ColourFormat::rgb565(Texels::stored(words_, palette_, index))};
+    return UnlitTexel(Texels::ColourFormat::rgb565(Texels::stored(words_, palette_, index)));
   }
 
   // The further functions that `Arc` calls; Illumination describes them.

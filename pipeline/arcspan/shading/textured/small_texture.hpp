@@ -15,15 +15,15 @@ namespace arcspan {
 
 /// u or v of a small triangle in barycentric coordinates: at + b (middle - at) + c (bottom - at). Products
 /// with coordinates of 16 fraction bits are fractions of a repetition in 32 bits, and wrap as those do; with
-/// TextureWrap::kClamp they are of 2^spare_bits repetitions.
+/// BorderSteps they are of 2^spare_bits repetitions.
 template <class Steps>
 class SmallCoordinate {
  public:
-  constexpr void prepare(std::int32_t top, std::int32_t middle, std::int32_t bottom, std::uint32_t top_word) {
-    at_ = top_word;
+  constexpr void prepare(std::int32_t top, std::int32_t middle, std::int32_t bottom) {
     to_middle_ = wrap_sub(middle, top);
     to_bottom_ = wrap_sub(bottom, top);
   }
+  constexpr void set_top(std::uint32_t word) { at_ = word; }
   /// The value at b and c.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t at(std::int32_t b, std::int32_t c,
                                                           const TextureLevel& level) const {
@@ -32,7 +32,7 @@ class SmallCoordinate {
   /// The change where b and c change by these.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t change(
       std::int32_t b, std::int32_t c, [[maybe_unused]] const TextureLevel& level) const {
-    if constexpr (Steps::kClamps) {
+    if constexpr (Steps::kHasBorders) {
       const std::int64_t sum = std::int64_t{to_middle_} * b + std::int64_t{to_bottom_} * c;
       return static_cast<std::int32_t>(sum >> level.spare_bits);
     } else {
@@ -63,14 +63,22 @@ struct SmallTexture : TextureLevel {
     const detail::Extent range_u(corners.at[0].u, corners.at[1].u, corners.at[2].u);
     const detail::Extent range_v(corners.at[0].v, corners.at[1].v, corners.at[2].v);
     const detail::Extent w(corners.near_over_w[0], corners.near_over_w[1], corners.near_over_w[2]);
-    if constexpr (Steps::kClamps) spare_bits = detail::spare_bits_of(range_u, range_v);
-    set(size, detail::level_of(top.position, middle.position, bottom.position, size, corners));
+    if constexpr (Steps::kHasBorders) spare_bits = detail::spare_bits_of(range_u, range_v);
+    set(size, 0);
+    std::int32_t log_area = 0;
+    if (size.levels != 1) {
+      log_area = detail::log_area_of(top.position, middle.position, bottom.position, size, corners);
+      set(size, detail::least_mip_level(size, log_area));
+    }
     if (!detail::is_nearly_linear(*this, range_u.range(), range_v.range(), w)) return false;
-    const TextureWords at = detail::words_of<Filter, Steps>(corners.at[0], *this);
-    u.prepare(corners.at[0].u, corners.at[1].u, corners.at[2].u, at.u);
-    v.prepare(corners.at[0].v, corners.at[1].v, corners.at[2].v, at.v);
+    u.prepare(corners.at[0].u, corners.at[1].u, corners.at[2].u);
+    v.prepare(corners.at[0].v, corners.at[1].v, corners.at[2].v);
     const std::int32_t du = u.change(triangle.d_middle, triangle.d_bottom, *this);
     const std::int32_t dv = v.change(triangle.d_middle, triangle.d_bottom, *this);
+    if (size.levels != 1) set(size, detail::level_for<Steps>(size, log_area, du, dv, *this));
+    const std::uint32_t half = detail::half_texel_of<Filter, Steps>(*this);
+    u.set_top(detail::word_of<Steps>(corners.at[0].u, *this) - (half >> width_bits));
+    v.set_top(detail::word_of<Steps>(corners.at[0].v, *this) - (half >> height_bits));
     step = Steps::step(Steps::rounded(du, height_bits), dv, height_bits);
     return true;
   }

@@ -41,9 +41,13 @@ namespace detail {
 
 /// The colour of a texel that keeps its colour (PackableColour).
 struct UnlitTexel {
-  std::uint16_t texel;
+  std::uint32_t texel;
 
-  [[nodiscard]] constexpr std::uint16_t rgb565() const { return texel; }
+  ARCSPAN_INLINE constexpr explicit UnlitTexel(std::uint16_t shown) : texel(shown) {}
+  // Not trivial, because compilers would store what they copy within operations.
+  ARCSPAN_INLINE constexpr UnlitTexel(const UnlitTexel& other) : texel(other.texel) {}
+
+  [[nodiscard]] constexpr std::uint16_t rgb565() const { return static_cast<std::uint16_t>(texel); }
   [[nodiscard]] constexpr PackedRgb packed() const {
     return PackedRgb::of(4 * detail::texel_red(texel) + 2, 4 * detail::texel_green(texel) + 2,
                          4 * detail::texel_blue(texel) + 2);
@@ -108,14 +112,17 @@ struct LitTexel {
   }
 };
 
-/// A colour `C` of a texel whose format has alpha (AlphaColour, MaskedColour).
-template <class C>
+/// A colour `C` of a texel whose format has alpha (AlphaColour, MaskedColour). `kIsMask` if the opacity is 0
+/// or 16 only.
+template <class C, bool kIsMask>
 struct AlphaTexel : C {
   std::uint32_t opacity;  ///< 0...16
 
   [[nodiscard]] constexpr std::uint32_t alpha() const { return opacity; }
   /// Unless an operation blends, a texel is drawn if it is at least half opaque.
-  [[nodiscard]] constexpr bool covers(std::int32_t, std::int32_t) const { return opacity >= 8; }
+  [[nodiscard]] constexpr bool covers(std::int32_t, std::int32_t) const {
+    return kIsMask ? opacity != 0 : opacity >= 8;
+  }
 };
 
 }  // namespace arcspan

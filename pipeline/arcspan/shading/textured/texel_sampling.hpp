@@ -30,9 +30,10 @@ template <TexelFormat Texels, class Steps>
 [[nodiscard]] constexpr SampledTexel bilinear_texel(const typename Texels::Word* words,
                                                     const std::uint16_t* palette, const Steps& steps) {
   using ColourFormat = typename Texels::ColourFormat;
-  const std::uint32_t here = steps.index();
-  const std::uint32_t below = steps.below(here);
-  const std::uint32_t to_right = steps.to_right(here);
+  const auto& around = steps.around();
+  const std::uint32_t here = around.index();
+  const std::uint32_t below = around.below(here);
+  const std::uint32_t to_right = around.to_right(here);
   const std::uint32_t right = steps.fraction_right();
   const std::uint32_t down = steps.fraction_below();
   const auto row = [&](std::uint32_t texel, std::uint32_t& opacity) {

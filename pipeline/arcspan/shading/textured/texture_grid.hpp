@@ -37,7 +37,7 @@ struct GridCoordinate {
 
 /// u and v of a triangle where they are linear on the screen, on the grid of its pixels: a word of 64 bits
 /// with a step per column and a step per row. All wraps, so that neither the edges nor the cuts of a picture
-/// matter. `Steps` says what the word holds: TexelSteps or ClampedSteps.
+/// matter. `Steps` says what the word holds: TexelSteps or BorderSteps.
 struct TextureGrid {
   std::uint64_t at;         ///< at the centre of column 0 of the picture, in the current row
   std::uint64_t step_down;  ///< per row

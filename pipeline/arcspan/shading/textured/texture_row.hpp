@@ -33,10 +33,16 @@ inline constexpr auto kPieceInverses = make_piece_inverses();
 /// together as the index of the texel.
 class TexelSteps : public JoinedPoint {
  public:
-  static constexpr bool kClamps = false;
+  static constexpr bool kHasBorders = false;
 
-  ARCSPAN_INLINE constexpr explicit TexelSteps(const TextureLevel& t)
-      : height_bits_(t.height_bits), width_bits_(t.width_bits), rotation_(t.rotation), mask_(t.mask) {}
+  ARCSPAN_INLINE constexpr explicit TexelSteps(const TextureLevel& t) { set_size(t); }
+  /// Goes on in another level of the texture.
+  ARCSPAN_INLINE constexpr void set_size(const TextureLevel& t) {
+    height_bits_ = t.height_bits;
+    width_bits_ = t.width_bits;
+    rotation_ = t.rotation;
+    mask_ = t.mask;
+  }
 
   /// Starts at u and v, fractions of a repetition in 32 bits.
   ARCSPAN_INLINE constexpr void start(std::uint32_t u, std::uint32_t v) { at_ = joined(u, v, height_bits_); }
@@ -64,8 +70,9 @@ class TexelSteps : public JoinedPoint {
     return raised < JoinedLevel::kHalf ? 0 : (raised - JoinedLevel::kHalf) >> 7;
   }
 
-  /// The distance of the texel to the right of `texel` in its row, and the index of the one below it; both
-  /// wrap.
+  /// What knows the texels around the current pixel: the index() of one, and for it the distance of the one
+  /// to the right, and the index of the one below; both wrap.
+  [[nodiscard]] constexpr const TexelSteps& around() const { return *this; }
   [[nodiscard]] constexpr std::uint32_t to_right(std::uint32_t texel) const {
     const std::uint32_t columns = (std::uint32_t{1} << width_bits_) - 1;
     return ((texel + 1) & columns) - (texel & columns);
@@ -97,7 +104,7 @@ class TexelSteps : public JoinedPoint {
 };
 
 /// u and v along a row, linear in the whole row; with `HasLevel` also the level of light. `StepsType` is
-/// TexelSteps or ClampedSteps.
+/// TexelSteps or BorderSteps.
 template <class StepsType, bool HasLevel>
 class LinearTexture {
  public:
@@ -125,7 +132,7 @@ class LinearTexture {
 
 /// u and v along a row, in pieces over which they are linear: as many pixels as keep the error of perspective
 /// below half a texel. At the ends of pieces u = (u/w) / (1/w), by a table of reciprocals.
-template <class StepsType>
+template <class StepsType, TextureFilter Filter>
 class PerspectiveTexture {
  public:
   using Steps = StepsType;
@@ -133,27 +140,32 @@ class PerspectiveTexture {
   static constexpr bool kHasLevel = false;
 
   ARCSPAN_INLINE constexpr PerspectiveTexture(const TextureTriangle& t, const RowStart& row)
-      : steps_(t),
+      : first_(t.first),
+        level_(t.number),
+        steps_(t),
         triangle_(&t),
         u_(linear_at(t.u, row).raw()),
         v_(linear_at(t.v, row).raw()),
         q_(linear_at(t.q, row).raw()),
         at_(divided()) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr const Steps& steps() const { return steps_; }
+  /// The first texel of the mip level of the current piece.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t first() const { return first_; }
   ARCSPAN_INLINE constexpr void next() { steps_.next(); }
   /// Begins the next piece of a row of which `left` pixels are left, at least 1. Returns its length.
   ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) { return enter_outlined(left); }
 
  private:
+  static constexpr std::int32_t kUnknown = INT32_MIN;
+
   /// Relative u and v, 28 fraction bits.
   struct Relative {
     std::int32_t u;
     std::int32_t v;
   };
 
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t word(std::uint32_t origin,
-                                                            std::int32_t relative) const {
-    return origin + static_cast<std::uint32_t>(detail::to_word<Steps>(relative, triangle_->word_shift));
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t word(std::int32_t relative) const {
+    return static_cast<std::uint32_t>(detail::to_word<Steps>(relative, triangle_->word_shift));
   }
   /// u and v at the current pixel, by division.
   [[nodiscard]] ARCSPAN_INLINE constexpr Relative divided() const {
@@ -184,26 +196,59 @@ class PerspectiveTexture {
     // The last piece ends at its last pixel, because 1/w may vanish beyond the triangle.
     const bool last = length >= left;
     const std::int32_t steps = last ? left - 1 : length;
-    steps_.start(word(triangle_->u_origin, at_.u), word(triangle_->v_origin, at_.v));
-    if (steps == 0) {
-      steps_.set_step(0);
-      return left;
+    Relative end = at_;
+    std::int32_t du = 0;
+    std::int32_t dv = 0;
+    if (steps != 0) {
+      u_ = wrap_add(u_, wrap_mul(triangle_->u.dx.raw(), steps));
+      v_ = wrap_add(v_, wrap_mul(triangle_->v.dx.raw(), steps));
+      q_ = wrap_add(q_, wrap_mul(triangle_->q.dx.raw(), steps));
+      end = divided();
+      const std::int32_t inverse = detail::kPieceInverses[static_cast<std::size_t>(steps)];
+      const auto step = [&](std::int32_t from, std::int32_t to) {
+        return detail::to_word<Steps>(multiply_high(wrap_shl(wrap_sub(to, from), 2), inverse),
+                                      triangle_->word_shift);
+      };
+      du = step(at_.u, end.u);
+      dv = step(at_.v, end.v);
     }
-    u_ = wrap_add(u_, wrap_mul(triangle_->u.dx.raw(), steps));
-    v_ = wrap_add(v_, wrap_mul(triangle_->v.dx.raw(), steps));
-    q_ = wrap_add(q_, wrap_mul(triangle_->q.dx.raw(), steps));
-    const Relative end = divided();
-    const std::int32_t inverse = detail::kPieceInverses[static_cast<std::size_t>(steps)];
-    const auto step = [&](std::int32_t from, std::int32_t to) {
-      return detail::to_word<Steps>(multiply_high(wrap_shl(wrap_sub(to, from), 2), inverse),
-                                    triangle_->word_shift);
-    };
-    steps_.set_step(step(at_.u, end.u), step(at_.v, end.v));
-    at_.u = end.u;
-    at_.v = end.v;
+    if (triangle_->size.levels != 1) choose_level(steps, du, dv);
+    std::uint32_t u = triangle_->u_origin + word(at_.u);
+    std::uint32_t v = triangle_->v_origin + word(at_.v);
+    if constexpr (Filter == TextureFilter::kBilinear) {
+      u -= triangle_->half_texel_u(level_);
+      v -= triangle_->half_texel_v(level_);
+    }
+    steps_.start(u, v);
+    steps_.set_step(du, dv);
+    at_ = end;
     return last ? left : length;
   }
+  /// Chooses the mip level of a piece of steps + 1 pixels that ends at the current 1/w.
+  constexpr void choose_level(std::int32_t steps, std::int32_t du, std::int32_t dv) {
+    const TextureTriangle& t = *triangle_;
+    const std::int32_t least = t.least_q >> 1;
+    const std::int32_t middle = wrap_sub(q_, wrap_mul(t.q.dx.raw(), steps >> 1));
+    const std::int32_t log_q = detail::low_log2(static_cast<std::uint32_t>(middle < least ? least : middle));
+    const std::int32_t log_area = t.log_area - 3 * log_q;
+    // A step is K / q^2, with the same K in the whole row.
+    if (log_step_ == kUnknown && steps != 0) {
+      log_step_ = detail::log_step(t.size, du, dv, Steps::kHasBorders ? t.spare_bits : 0) + 2 * log_q;
+    }
+    const unsigned chosen = log_step_ == kUnknown
+                                ? detail::least_mip_level(t.size, log_area)
+                                : detail::mip_level(t.size, log_area, log_step_ - 2 * log_q);
+    if (chosen == level_) return;
+    level_ = chosen;
+    TextureLevel level = t;
+    level.set(t.size, chosen);
+    first_ = level.first;
+    steps_.set_size(level);
+  }
 
+  std::uint32_t first_;
+  unsigned level_;
+  std::int32_t log_step_ = kUnknown;  ///< of level 0 where 1/w is 1, 8 fraction bits
   Steps steps_;
   const TextureTriangle* triangle_;
   std::int32_t u_;  ///< u, or u/w, at the end of the current piece, as Linear

@@ -8,6 +8,7 @@
 #include <arcspan/shading/textured/joined_point.hpp>
 #include <arcspan/shading/textured/piece_length.hpp>
 #include <arcspan/shading/textured/texture_grid.hpp>
+#include <arcspan/shading/textured/texture_level.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/texture/texture.hpp>
 
@@ -17,41 +18,10 @@
 
 namespace arcspan {
 
-/// A texture point as triangles interpolate it: widths and heights of the texture, 16 fraction bits, below
-/// 2^27 in magnitude.
-struct MappedPoint {
-  std::int32_t u;
-  std::int32_t v;
-};
-
 /// A texture point as fractions of a repetition in 32 bits.
 struct TextureWords {
   std::uint32_t u;
   std::uint32_t v;
-};
-
-/// The vertices of a triangle for its texture, in the order top, middle, bottom.
-struct TextureCorners {
-  MappedPoint at[3];
-  std::int32_t near_over_w[3];
-};
-
-/// The mip level that a triangle shows.
-struct TextureLevel {
-  std::uint32_t first;      ///< first texel of the level
-  std::uint32_t mask;       ///< of a texel's index in the level
-  std::uint8_t width_bits;  ///< size of the level
-  std::uint8_t height_bits;
-  std::uint8_t rotation;    ///< (32 - width_bits) mod 32: brings row and column together in a JoinedPoint
-  std::uint8_t spare_bits;  ///< with TextureWrap::kClamp, 2 or more; otherwise unset
-
-  constexpr void set(const TextureSize& size, unsigned level) {
-    width_bits = static_cast<std::uint8_t>(size.width_bits - static_cast<int>(level));
-    height_bits = static_cast<std::uint8_t>(size.height_bits - static_cast<int>(level));
-    first = size.texels(level);
-    rotation = static_cast<std::uint8_t>((32 - width_bits) & 31);
-    mask = (std::uint32_t{1} << (width_bits + height_bits)) - 1;
-  }
 };
 
 /// How a texture lies on a triangle: the part of the command that the texture adds.
@@ -59,7 +29,7 @@ struct TextureLevel {
 /// In the plane of the screen u and v are linear only where all vertices are equally far away. Otherwise u/w,
 /// v/w and 1/w are linear, and u and v are their quotients (Blinn, "Hyperbolic Interpolation", 1992).
 ///
-/// Fractions of a repetition in 32 bits wrap. With TextureWrap::kClamp they are fractions of 2^spare_bits
+/// Fractions of a repetition in 32 bits wrap. With BorderSteps they are fractions of 2^spare_bits
 /// repetitions, signed, so that they do not, and word_shift is signed.
 struct TextureTriangle : TextureLevel {
   TextureGrid grid;  ///< set if `piece` is 0; otherwise the planes are
@@ -75,7 +45,17 @@ struct TextureTriangle : TextureLevel {
   std::uint8_t word_shift;  ///< from a relative u with 28 fraction bits to the fraction of a repetition
   std::uint8_t piece;       ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
   bool middle_left;
+  TextureSize size;
+  std::int32_t log_area;     ///< in perspective area_at(), otherwise log_area_of(); with mip levels only
+  std::uint32_t half_texel;  ///< half_texel_of()
 
+  /// Half a texel of the level of this number, with TextureFilter::kBilinear; otherwise 0.
+  [[nodiscard]] constexpr std::uint32_t half_texel_u(unsigned level) const {
+    return half_texel >> (size.width_bits - level);
+  }
+  [[nodiscard]] constexpr std::uint32_t half_texel_v(unsigned level) const {
+    return half_texel >> (size.height_bits - level);
+  }
   /// `Mapping` is PerspectiveTexture if `piece` is not 0.
   template <class Mapping>
   constexpr void next_row() {
@@ -103,10 +83,10 @@ struct TextureTriangle : TextureLevel {
 
 namespace detail {
 
-/// A relative u or v as a fraction of a repetition. With TextureWrap::kClamp the shift may be negative.
+/// A relative u or v as a fraction of a repetition. With BorderSteps the shift may be negative.
 template <class Steps>
 [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t to_word(std::int32_t relative, int word_shift) {
-  if constexpr (Steps::kClamps) {
+  if constexpr (Steps::kHasBorders) {
     const int bits = static_cast<std::int8_t>(word_shift);
     if (bits < 0) return relative >> -bits;
   }
@@ -116,7 +96,7 @@ template <class Steps>
 /// The word_shift of relative values that are shifted by `shift`.
 template <class Steps>
 [[nodiscard]] constexpr std::uint8_t word_shift_of(int shift, const TextureTriangle& t) {
-  return static_cast<std::uint8_t>(Steps::kClamps ? 4 - shift - t.spare_bits : 4 - shift);
+  return static_cast<std::uint8_t>(Steps::kHasBorders ? 4 - shift - t.spare_bits : 4 - shift);
 }
 
 /// The least and the largest of three values.
@@ -131,47 +111,33 @@ struct Extent {
   }
 };
 
-/// Returns the mip level of a triangle whose texels are about as large as pixels, or the last. `texels` is
-/// the triangle's doubled area in texels of level 0, `pixels` that in pixels, both with 8 fraction bits.
-[[nodiscard]] constexpr unsigned mip_level(const TextureSize& size, std::uint64_t texels,
-                                           std::uint32_t pixels) {
-  const int up = texels >> 32 != 0 ? 24 : 0;
-  const std::int32_t ratio = low_log2(static_cast<std::uint32_t>(texels >> up)) + 256 * up - low_log2(pixels);
-  // The level is half the logarithm of the areas' ratio, rounded.
-  const std::int32_t level = (ratio + 256) >> 9;
-  if (level <= 0) return 0;
-  return level < size.levels ? static_cast<unsigned>(level) : size.levels - 1u;
-}
-
 /// 1/w of a vertex is at least this, as Linear: so far away that a ratio of distances of 65536 is left.
 inline constexpr std::int32_t kLeastQ = 1 << 12;
 
-/// Twice the area of the corners in texels of a texture, 8 fraction bits.
-[[nodiscard]] constexpr std::uint64_t texel_area(const TextureCorners& c, const TextureSize& size) {
-  const auto part = [](std::int32_t a, std::int32_t b) { return std::int64_t{b} - a; };
-  const std::int64_t area = part(c.at[0].u, c.at[1].u) * part(c.at[0].v, c.at[2].v) -
-                            part(c.at[0].u, c.at[2].u) * part(c.at[0].v, c.at[1].v);
-  const auto magnitude = static_cast<std::uint64_t>(area < 0 ? -area : area);
-  // 32 fraction bits of repetitions, 58 bits at most; the size has 6 to 20.
-  return magnitude >> (24 - size.width_bits - size.height_bits);
+/// Computes the change per column of u or v, or of a level of light. `corners` are its relative values at the
+/// vertices, 16 bits; `word_shift` makes fractions of a repetition in 32 bits of Linear. Returns false if it
+/// is a quarter of a repetition or more.
+template <class Steps, class Frame>
+[[nodiscard]] constexpr bool find_step(const Frame& frame, const std::int32_t (&corners)[3], int word_shift,
+                                       std::int32_t& step) {
+  const Linear across = gradient_across<Linear>(frame, corners[0], corners[1], corners[2]);
+  const int bits = Steps::kHasBorders ? static_cast<std::int8_t>(word_shift) : word_shift;
+  if (bits > 29 || (bits > 0 && across.raw() >> (30 - bits) != across.raw() >> 31)) return false;
+  step = to_word<Steps>(across.raw(), word_shift);
+  return true;
 }
 
-/// Sets u or v of a triangle on the grid. `corners` are its relative values at the vertices, 16 bits;
-/// `origin` is what they are relative to, and `word_shift` makes fractions of a repetition in 32 bits of
-/// Linear. Returns false if it changes by a quarter of a repetition per column or more.
+/// Returns u or v of a triangle on the grid, with its find_step(). `origin` is what `corners` are relative
+/// to.
 template <class Steps, class Frame>
-[[nodiscard]] constexpr bool make_grid_coordinate(const Frame& frame, const std::int32_t (&corners)[3],
-                                                  std::uint32_t origin, int word_shift, unsigned rounded_bits,
-                                                  GridCoordinate& coordinate) {
-  const Linear across = gradient_across<Linear>(frame, corners[0], corners[1], corners[2]);
-  const int bits = Steps::kClamps ? static_cast<std::int8_t>(word_shift) : word_shift;
-  if (bits > 29 || (bits > 0 && across.raw() >> (30 - bits) != across.raw() >> 31)) return false;
+[[nodiscard]] constexpr GridCoordinate grid_coordinate(const Frame& frame, const std::int32_t (&corners)[3],
+                                                       std::uint32_t origin, int word_shift,
+                                                       std::int32_t step, unsigned rounded_bits) {
   BasicLinearEdge<Linear> along;
   make_linear_edge(frame.long_edge, corners[0], corners[2], along);
   const auto word = [word_shift](Linear value) { return to_word<Steps>(value.raw(), word_shift); };
-  coordinate = GridCoordinate(origin + static_cast<std::uint32_t>(word(along.at)), word(along.step),
-                              Steps::rounded(word(across), rounded_bits), frame.long_walk);
-  return true;
+  return {origin + static_cast<std::uint32_t>(word(along.at)), word(along.step),
+          Steps::rounded(step, rounded_bits), frame.long_walk};
 }
 
 /// The levels of light at the vertices of a triangle, 0...65280, in the order of TextureCorners; empty if the
@@ -183,10 +149,10 @@ struct CornerLevels {
 
 /// log2 of the most steps along columns and rows whose summed rounding errors stay within 1/32 of a texel.
 /// Each step rounds u by half of 2^(height_bits - 32), beside a level v by half of 2^-14 texels, and with
-/// ClampedSteps both by 2^(spare_bits - 32).
+/// BorderSteps both by 2^(spare_bits - 32).
 template <class Steps, bool HasLevel>
 [[nodiscard]] constexpr unsigned most_step_bits(const TextureTriangle& t) {
-  if constexpr (Steps::kClamps) {
+  if constexpr (Steps::kHasBorders) {
     return 27u - t.spare_bits - (t.width_bits > t.height_bits ? t.width_bits : t.height_bits);
   }
   const unsigned bits = 28u - t.width_bits - t.height_bits;
@@ -207,36 +173,41 @@ template <class Steps, class Levels, class Frame>
   if (steps >> most_step_bits<Steps, kHasLevels>(t) != 0) return false;
   t.word_shift = word_shift_of<Steps>(shift, t);
   t.piece = 0;
-  const auto make = [&](std::int32_t MappedPoint::*part, std::uint32_t origin, unsigned rounded_bits,
-                        GridCoordinate& coordinate) {
-    std::int32_t relative[3];
-    for (int i = 0; i < 3; ++i) {
-      const std::int32_t distance = wrap_sub(corners.at[i].*part, least.*part);
-      relative[i] = shift >= 0 ? distance << shift : distance >> -shift;
-    }
-    return make_grid_coordinate<Steps>(frame, relative, origin, t.word_shift, rounded_bits, coordinate);
-  };
-  const unsigned rounded_bits_of_v = kHasLevels ? JoinedLevel::kBits - t.height_bits : 0;
-  GridCoordinate u;
-  GridCoordinate v;
-  if (!make(&MappedPoint::u, t.u_origin, t.height_bits, u) ||
-      !make(&MappedPoint::v, t.v_origin, rounded_bits_of_v, v)) {
-    return false;
+  std::int32_t u[3];
+  std::int32_t v[3];
+  for (int i = 0; i < 3; ++i) {
+    const std::int32_t along_u = wrap_sub(corners.at[i].u, least.u);
+    const std::int32_t along_v = wrap_sub(corners.at[i].v, least.v);
+    u[i] = shift >= 0 ? along_u << shift : along_u >> -shift;
+    v[i] = shift >= 0 ? along_v << shift : along_v >> -shift;
   }
+  std::int32_t du;
+  std::int32_t dv;
+  if (!find_step<Steps>(frame, u, t.word_shift, du) || !find_step<Steps>(frame, v, t.word_shift, dv))
+    return false;
   if constexpr (kHasLevels) {
-    GridCoordinate level;
+    std::int32_t step;
     constexpr int kWordShift = 3;  // from 12 fraction bits of 256ths of 8-bit steps to 25 of 64ths
-    if (!make_grid_coordinate<Steps>(frame, levels.at, JoinedLevel::kHalf << JoinedLevel::kRoundedBits,
-                                     kWordShift, JoinedLevel::kRoundedBits, level)) {
-      return false;
-    }
-    v.at =
-        static_cast<std::uint32_t>(JoinedPoint::rounded(static_cast<std::int32_t>(v.at), rounded_bits_of_v));
-    v.step_down = JoinedPoint::rounded(v.step_down, rounded_bits_of_v);
-    t.grid.make<Steps>(u, v, t.height_bits);
-    t.grid.add_level(level);
+    if (!find_step<Steps>(frame, levels.at, kWordShift, step)) return false;
+    if (t.size.levels != 1) t.set(t.size, level_for<Steps>(t.size, t.log_area, du, dv, t));
+    const unsigned rounded_bits = JoinedLevel::kBits - t.height_bits;
+    GridCoordinate at_v = grid_coordinate<Steps>(frame, v, t.v_origin - t.half_texel_v(t.number),
+                                                 t.word_shift, dv, rounded_bits);
+    at_v.at =
+        static_cast<std::uint32_t>(JoinedPoint::rounded(static_cast<std::int32_t>(at_v.at), rounded_bits));
+    at_v.step_down = JoinedPoint::rounded(at_v.step_down, rounded_bits);
+    t.grid.make<Steps>(grid_coordinate<Steps>(frame, u, t.u_origin - t.half_texel_u(t.number), t.word_shift,
+                                              du, t.height_bits),
+                       at_v, t.height_bits);
+    t.grid.add_level(grid_coordinate<Steps>(frame, levels.at, JoinedLevel::kHalf << JoinedLevel::kRoundedBits,
+                                            kWordShift, step, JoinedLevel::kRoundedBits));
   } else {
-    t.grid.make<Steps>(u, v, t.height_bits);
+    if (t.size.levels != 1) t.set(t.size, level_for<Steps>(t.size, t.log_area, du, dv, t));
+    t.grid.make<Steps>(
+        grid_coordinate<Steps>(frame, u, t.u_origin - t.half_texel_u(t.number), t.word_shift, du,
+                               t.height_bits),
+        grid_coordinate<Steps>(frame, v, t.v_origin - t.half_texel_v(t.number), t.word_shift, dv, 0),
+        t.height_bits);
   }
   return true;
 }
@@ -268,7 +239,14 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
   planes.make(q[0], q[1], q[2], t.q);
   over_w(f_u, t.u);
   over_w(f_v, t.v);
-  t.least_q = Extent(q[0], q[1], q[2]).least;
+  const Extent q_extent(q[0], q[1], q[2]);
+  t.least_q = q_extent.least;
+  if (t.size.levels != 1) {
+    // Areas of a plane in perspective: that of a triangle is D / (q0 q1 q2), of a pixel D / q^3.
+    for (const std::int32_t corner : q) t.log_area += low_log2(static_cast<std::uint32_t>(corner));
+    // The level with the finest texels, which limits the pieces.
+    t.set(t.size, least_mip_level(t.size, area_at(t.log_area, q_extent.most) - 3 * kLogError));
+  }
   PerspectiveSlope slope_u{t.u.dx.raw(), t.q.dx.raw()};
   PerspectiveSlope slope_v{t.v.dx.raw(), t.q.dx.raw()};
   for (int i = 0; i < 3; ++i) {
@@ -281,17 +259,6 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
   t.piece_q = length == 0 ? INT32_MAX >> 2 : t.least_q;  // where each pixel is a piece, all are
 }
 
-/// Chooses the mip level of a triangle. `corners` are those of its vertices.
-[[nodiscard]] ARCSPAN_OUTLINE constexpr unsigned level_of(const RasterPosition& top,
-                                                          const RasterPosition& middle,
-                                                          const RasterPosition& bottom,
-                                                          const TextureSize& size,
-                                                          const TextureCorners& corners) {
-  if (size.levels == 1) return 0;
-  const std::int32_t area = doubled_area(top, middle, bottom);
-  return mip_level(size, texel_area(corners, size), static_cast<std::uint32_t>(area < 0 ? -area : area));
-}
-
 /// The spare bits of a triangle with these u and v: one for the sign, one for errors of rounding.
 [[nodiscard]] constexpr std::uint8_t spare_bits_of(const Extent& u, const Extent& v) {
   // A set of bits at least as high as every magnitude.
@@ -300,16 +267,20 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
   return static_cast<std::uint8_t>(std::bit_width(static_cast<std::uint32_t>(all) >> 16) + 2);
 }
 
-/// Returns a texture point as fractions of a repetition in 32 bits, with TextureWrap::kClamp of 2^spare_bits
-/// repetitions. With TextureFilter::kBilinear a texel's colour is that of its middle.
+/// Half a texel of a level of 2^0 texels, as fractions of 2^spare_bits repetitions in 32 bits: with
+/// TextureFilter::kBilinear a texel's colour is that of its middle. Otherwise 0.
 template <TextureFilter Filter, class Steps>
-[[nodiscard]] constexpr TextureWords words_of(const MappedPoint& point, const TextureLevel& level) {
-  const int spare = Steps::kClamps ? level.spare_bits : 0;
-  const auto word = [&](std::int32_t at, int bits) {
-    const auto wide = static_cast<std::uint32_t>(wrap_shl(at, 16 - spare));  // 3 at least
-    return Filter == TextureFilter::kBilinear ? wide - (std::uint32_t{1} << (31 - spare - bits)) : wide;
-  };
-  return {word(point.u, level.width_bits), word(point.v, level.height_bits)};
+[[nodiscard]] constexpr std::uint32_t half_texel_of(const TextureLevel& level) {
+  if (Filter != TextureFilter::kBilinear) return 0;
+  return std::uint32_t{1} << (31 - (Steps::kHasBorders ? level.spare_bits : 0));
+}
+
+/// Returns a texture coordinate as a fraction of a repetition in 32 bits, with BorderSteps of
+/// 2^spare_bits repetitions.
+template <class Steps>
+[[nodiscard]] constexpr std::uint32_t word_of(std::int32_t at, const TextureLevel& level) {
+  return static_cast<std::uint32_t>(
+      wrap_shl(at, 16 - (Steps::kHasBorders ? level.spare_bits : 0)));  // 3 at least
 }
 
 /// True if linear mapping is exact enough: it is wrong by at most d (sqrt(r) - 1) / (sqrt(r) + 1), which is
@@ -326,7 +297,7 @@ template <TextureFilter Filter, class Steps>
 
 /// Prepares the texture of a triangle, and its light if `levels` has some and `piece` becomes 0. `corners`
 /// are those of the frame's vertices.
-/// `Steps` is TexelSteps, or ClampedSteps with TextureWrap::kClamp.
+/// `Steps` is TexelSteps or BorderSteps.
 template <TextureFilter Filter, class Steps, class Levels, class Frame>
 constexpr void prepare_texture(const Frame& frame, const TextureSize& size, const TextureCorners& corners,
                                const Levels& levels, TextureTriangle& t) {
@@ -334,12 +305,17 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size, cons
   const detail::Extent v(corners.at[0].v, corners.at[1].v, corners.at[2].v);
   const detail::Extent w(corners.near_over_w[0], corners.near_over_w[1], corners.near_over_w[2]);
   const MappedPoint least{u.least, v.least};
-  if constexpr (Steps::kClamps) t.spare_bits = detail::spare_bits_of(u, v);
-  t.set(size,
-        detail::level_of(frame.top->position, frame.middle->position, frame.bottom->position, size, corners));
-  const TextureWords origin = detail::words_of<Filter, Steps>(least, t);
-  t.u_origin = origin.u;
-  t.v_origin = origin.v;
+  if constexpr (Steps::kHasBorders) t.spare_bits = detail::spare_bits_of(u, v);
+  t.size = size;
+  t.half_texel = detail::half_texel_of<Filter, Steps>(t);
+  t.set(size, 0);
+  if (size.levels != 1) {
+    t.log_area = detail::log_area_of(frame.top->position, frame.middle->position, frame.bottom->position,
+                                     size, corners);
+    t.set(size, detail::least_mip_level(size, t.log_area));
+  }
+  t.u_origin = detail::word_of<Steps>(least.u, t);
+  t.v_origin = detail::word_of<Steps>(least.v, t);
   t.middle_left = frame.middle_left;
   // Shifted by this, the larger range fits 16 bits.
   const std::uint32_t range = u.range() > v.range() ? u.range() : v.range();

@@ -5,7 +5,7 @@
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/shading/grey_gouraud.hpp>
 #include <arcspan/shading/method.hpp>
-#include <arcspan/shading/textured/clamped_steps.hpp>
+#include <arcspan/shading/textured/border_steps.hpp>
 #include <arcspan/shading/textured/light_tables.hpp>
 #include <arcspan/shading/textured/small_texture.hpp>
 #include <arcspan/shading/textured/texel_light.hpp>
@@ -42,7 +42,8 @@ struct TexturedPixel {
       return lit(lighting, shown.rgb565);
     } else {
       using Opaque = decltype(lit(lighting, shown.rgb565));
-      return AlphaTexel<Opaque>{lit(lighting, shown.rgb565), shown.opacity};
+      constexpr bool kIsMask = Texels::ColourFormat::kAlphaBits == 1 && Filter == TextureFilter::kNearest;
+      return AlphaTexel<Opaque, kIsMask>{lit(lighting, shown.rgb565), shown.opacity};
     }
   }
   ARCSPAN_INLINE constexpr void next() {
@@ -55,16 +56,25 @@ struct TexturedPixel {
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto lit(const Lighting& lighting, std::uint16_t texel) const {
     if constexpr (Colours == TexelLight::kNone) {
-      return UnlitTexel{texel};
+      return UnlitTexel(texel);
     } else if constexpr (Mapping::kHasLevel) {
       return LitTexel<Colours>{
           texel, {PackedRgb::grey(steps().packed_level()), {}}, steps().light_factor(), 0};
-    } else {
+    } else if constexpr (kLooksUp<Lighting>) {
       const auto parts = light(lighting);
       return LitTexel<Colours, std::remove_const_t<decltype(parts)>>{texel, parts, factor(lighting, parts),
                                                                      shine(lighting, parts)};
+    } else {
+      return LitTexel<Colours>::of(texel, PixelLight(light(lighting)));
     }
   }
+  /// A part of the light is looked up, so that the rest may be left out. Otherwise all is computed, once.
+  template <class Lighting>
+  static constexpr bool kLooksUp = requires(const Lit& run, const Lighting& lighting) {
+    run.light_factor();
+  }
+  || requires(const Lighting& lighting) { lighting.factor_at(Cosine{}); }
+  || requires(const Lit& run, const Lighting& lighting) { lighting.shine_at(lighting, run.scalars()); };
   /// The light_factor() of grey light.
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t factor(const Lighting& lighting,
@@ -116,11 +126,16 @@ struct TexturedRun : TexturedPixel<Lit, Mapping, Texels, Colours, Filter> {
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(const Lighting& lighting, std::int32_t left) {
     static_assert(!PiecewiseRun<Lit, Lighting>);
-    this->words = lighting.texture.at(first);
+    std::int32_t count = left;
+    std::uint32_t texel = first;
+    if constexpr (Mapping::kInPerspective) {
+      count = this->mapping.enter(left);
+      texel = this->mapping.first();
+    }
+    this->words = lighting.texture.at(texel);
     hide_value(this->words);  // otherwise the first texel is added for every pixel
     this->palette = lighting.texture.palette();
-    if constexpr (Mapping::kInPerspective) return this->mapping.enter(left);
-    return left;
+    return count;
   }
 };
 
@@ -230,11 +245,13 @@ using TablesOf = typename TablesFor<M, Colours>::Type;
 /// Perspective is correct within half a texel: a triangle is mapped linearly where that is exact enough,
 /// elsewhere in the longest pieces of a row that are.
 template <class Method, TexelFormat Texels, TexelLight Colours = texel_light_of<Method>(),
-          TextureFilter Filter = TextureFilter::kNearest, TextureWrap Wrap = TextureWrap::kRepeat>
+          TextureFilter Filter = TextureFilter::kNearest, TextureBorders Borders = TextureBorders::kRepeat>
 struct Textured : Method {
   using Light = Method;
   /// The illumination of `Method` with the texture.
   struct Lighting : TablesOf<Light, Colours>, Light::Lighting {
+    static constexpr TextureBorders kBorders = Borders;
+
     constexpr Lighting() = default;
     /// `light`: what Method::Lighting is made of, usually an Illumination.
     template <class L>
@@ -261,7 +278,7 @@ struct Textured : Method {
       }
     }
   };
-  using Steps = std::conditional_t<Wrap == TextureWrap::kClamp, ClampedSteps, TexelSteps>;
+  using Steps = std::conditional_t<Borders == TextureBorders::kOfTexture, BorderSteps, TexelSteps>;
   using typename Light::Face;
   using DrawsSmallTrianglesAs = std::conditional_t<HasSmallPart<Light>, Textured, void>;
   struct Vertex : Light::Vertex {
@@ -282,7 +299,7 @@ struct Textured : Method {
   };
   static constexpr bool kNeedsNearOverW = true;
   /// Where u and v are linear on the screen, the level of GreyGouraud is stepped with them.
-  static constexpr bool kJoinsLevel = Colours == TexelLight::kGrey && !Steps::kClamps &&
+  static constexpr bool kJoinsLevel = Colours == TexelLight::kGrey && !Steps::kHasBorders &&
                                       std::same_as<Light, GreyGouraud<typename Light::Lighting>>;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
@@ -306,6 +323,7 @@ struct Textured : Method {
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face& face,
                                 Prepared& prepared) {
+    if constexpr (Steps::kHasBorders) prepared.texture.set_wraps(lighting.texture.sampler());
     const TextureCorners corners{
         {frame.top->shade.point, frame.middle->shade.point, frame.bottom->shade.point},
         {frame.top->near_over_w.value, frame.middle->near_over_w.value, frame.bottom->near_over_w.value}};
@@ -337,7 +355,7 @@ struct Textured : Method {
               walker, prepared.texture));
         }
       }
-      return draw(TexturedWalker<LightWalker, PerspectiveTexture<Steps>, Texels, Colours, Filter>(
+      return draw(TexturedWalker<LightWalker, PerspectiveTexture<Steps, Filter>, Texels, Colours, Filter>(
           walker, prepared.texture));
     });
   }
@@ -349,6 +367,7 @@ struct Textured : Method {
                                                                    const Raster& bottom,
                                                                    const SmallTriangle& triangle,
                                                                    Small& small) {
+    if constexpr (Steps::kHasBorders) small.texture.set_wraps(lighting.texture.sampler());
     if (!small.texture.template prepare<Filter>(top, middle, bottom, lighting.texture.size(), triangle))
       return false;
     small.words = lighting.texture.at(small.texture.first);

@@ -29,7 +29,7 @@ struct FogRange {
 /// buffer.
 ///
 /// Distances are reciprocals of depths, so the table is the finer, the nearer a depth is to the end of the
-/// fog: it has eight lines per doubling of the difference, and every depth within eight of the end.
+/// fog: it has 128 shares per doubling of the difference, and one for every depth within 128 of the end.
 ///
 /// Made once per camera. An operation refers to it, so it must outlive drawing.
 class Fog {
@@ -43,32 +43,31 @@ class Fog {
       return Status::kInvalidArgument;
     }
     fog.end_ = end_depth(range);
-    const auto at = [&](std::uint32_t biased) {  // the share at a difference plus 8
-      const std::int64_t here = share_at(range, fog.end_ + 8 - static_cast<std::int32_t>(biased));
-      return static_cast<std::int32_t>(here > kFull ? kFull : here < -kFull ? -kFull : here) + kHalf;
+    const auto at = [&](std::uint32_t difference) {
+      const std::int64_t share = share_at(range, fog.end_ - static_cast<std::int32_t>(difference));
+      return static_cast<std::uint32_t>(share < 0 ? 0 : share < kFull ? share : kFull);
     };
-    for (std::size_t i = 0; i < fog.lines_.size(); ++i) {
-      const std::uint32_t first = 8 + (i & 7u);
-      const std::uint32_t octave = kOctaves - 1 - static_cast<std::uint32_t>(i >> 3);
-      const std::int32_t here = at(first << octave);
-      fog.lines_[i] = static_cast<std::uint32_t>(here) << 16 |
-                      static_cast<std::uint32_t>(here - at((first + 1) << octave));
+    for (unsigned i = 0; i < kPerOctave * kOctaves; ++i) {
+      // The mean of the first and the last depth of the entry.
+      const unsigned octave = kOctaves - 1 - i / kPerOctave;
+      const std::uint32_t first = (std::uint32_t{kPerOctave + i % kPerOctave} << octave) - kPerOctave;
+      const std::uint32_t both = at(first) + at(first + (std::uint32_t{1} << octave) - 1);
+      fog.shares_[i] = static_cast<std::uint8_t>((both * 255 + (1u << kShareBits)) >> (kShareBits + 1));
     }
     fog.colour_ = PackedRgb::of(4u * colour.r + 2, 4u * colour.g + 2, 4u * colour.b + 2);
     fog.spread_ = detail::spread(detail::colour565(fog.colour_));
     return Status::kOk;
   }
 
-  /// The share of the fog at a 16-bit depth, 0...256: within 0.002 of that of the distance at this depth, and
-  /// 256 from the end of the fog on.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t share(std::uint16_t depth) const {
-    const std::uint32_t biased = clamped_unsigned<16, 0>(end_ - depth) + 8;
+  /// The share of the fog at a 16-bit depth, 0...255: within 1.5 of that of the distance at this depth if the
+  /// planes are at most 1:1000, and 255 from the end of the fog on.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t share(std::uint32_t depth) const {
+    const std::uint32_t biased =
+        clamped_unsigned<16, 0>(end_ - static_cast<std::int32_t>(depth)) + kPerOctave;
     const int zeros = leading_zeros(biased);
-    const std::uint32_t from_top = biased << zeros;
-    const std::uint32_t line =
-        lines_[static_cast<std::size_t>(zeros - 16) * 8 + static_cast<std::size_t>(from_top >> 28 & 7u)];
-    const std::uint32_t share = line - (line & 0xFFFFu) * (from_top >> 12 & 0xFFFFu);
-    return clamped_unsigned<9, kShareBits + 16 - 8>(static_cast<std::int32_t>(share));
+    // The highest eight bits are 128...255.
+    return shares_[static_cast<std::size_t>(static_cast<std::uint32_t>(zeros - kSecondZeros) * kPerOctave +
+                                            (biased << zeros >> 24))];
   }
   [[nodiscard]] constexpr PackedRgb colour() const { return colour_; }
   /// The colour as a spread 5-6-5 pixel.
@@ -77,10 +76,11 @@ class Fog {
  private:
   static constexpr std::int32_t kNearest = 256;  ///< depths of the planes: ClipTransform::kDepthMargin
   static constexpr std::int32_t kFarthest = 65535 - 256;
-  static constexpr unsigned kOctaves = 13;  ///< of a difference plus 8: 8...65287
+  static constexpr unsigned kPerOctave = 128;
+  static constexpr unsigned kOctaves = 10;  ///< of a difference plus 128: 128...65407
+  static constexpr int kSecondZeros = 16;   ///< leading zeros of the second octave
   static constexpr int kShareBits = 14;
   static constexpr std::int64_t kFull = 1 << kShareBits;
-  static constexpr std::int32_t kHalf = 1 << (kShareBits - 9);  ///< half a step of share()
 
   /// The share at a depth, kShareBits fraction bits, not clamped: below 0 where the fog has not begun.
   [[nodiscard]] static constexpr std::int64_t share_at(const FogRange& range, std::int32_t depth) {
@@ -104,10 +104,9 @@ class Fog {
   }
 
   std::int32_t end_ = 0;  ///< no fog
-  /// Of end_ - depth + 8 = m 2^k, with m in 8...15 and k from 12 down to 0, entry 8 (12 - k) + m - 8 has the
-  /// share there, plus half a step, in its upper half, and by how much it falls up to m + 1 in its lower
-  /// half.
-  std::array<std::uint32_t, 8 * kOctaves> lines_{};
+  /// Of end_ - depth + 128 = m 2^k with m in 128...255, entry 128 (9 - k) + m - 128: the share there in
+  /// 255ths.
+  std::array<std::uint8_t, kPerOctave * kOctaves> shares_{};
   PackedRgb colour_{};
   std::uint32_t spread_ = 0;
 };
@@ -128,19 +127,21 @@ struct Fogged {
     /// The colour in fog of a known depth.
     struct InFog : WrappedColour<C> {
       const Fog* fog;
-      std::uint32_t share;  ///< 0...256
+      std::uint32_t share;  ///< 0...255
 
       [[nodiscard]] constexpr PackedRgb packed() const {
-        return detail::by_channel(
-            detail::packed_colour(this->colour), fog->colour(),
-            [this](std::uint32_t a, std::uint32_t b) { return (a * (256 - share) + b * share + 128) >> 8; });
+        const std::uint32_t of_256 = share + (share >> 7);
+        return detail::by_channel(detail::packed_colour(this->colour), fog->colour(),
+                                  [of_256](std::uint32_t a, std::uint32_t b) {
+                                    return (a * (256 - of_256) + b * of_256 + 128) >> 8;
+                                  });
       }
       [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
         return detail::joined(detail::mixed_spread(detail::spread(detail::colour565(this->colour)),
                                                    fog->spread_colour(), (share + 4) >> 3));
       }
     };
-    [[nodiscard]] ARCSPAN_INLINE constexpr InFog at_depth(std::uint16_t depth) const {
+    [[nodiscard]] ARCSPAN_INLINE constexpr InFog at_depth(std::uint32_t depth) const {
       return {{this->colour}, fog, fog->share(depth)};
     }
     /// Without fog, for runs that have no depth.

@@ -6,6 +6,7 @@
 #include <arcspan/pixel/spread_rgb565.hpp>
 #include <arcspan/target.hpp>
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +14,8 @@
 
 /// What happens to the colour of a pixel before it is stored: fog, then transparency. Each operation is a
 /// function object that takes a colour and returns a colour of another type, with one more of the members
-/// below. shading/with_operation.hpp adds an operation to a shading method.
+/// below; or in_row(x, y) returns that function object for the pixels from (x, y) on, with next().
+/// shading/with_operation.hpp adds an operation to a shading method.
 namespace arcspan {
 
 /// Optional part of a colour: covers(x, y) is false where the pixel is not drawn, and its depth neither.
@@ -28,9 +30,9 @@ concept AlphaColour = requires(const C& c) {
   { c.alpha() } -> std::same_as<std::uint32_t>;
 };
 
-/// Optional part of a colour: at_depth(depth) is the colour of a pixel with this 16-bit depth.
+/// Optional part of a colour: at_depth(depth) is the colour of a pixel with this depth of 16 bits.
 template <class C>
-concept DepthColour = requires(const C& c, std::uint16_t depth) {
+concept DepthColour = requires(const C& c, std::uint32_t depth) {
   {c.at_depth(depth)};
 };
 
@@ -89,7 +91,7 @@ enum class Blend : std::uint8_t { kAlpha, kAdd, kMultiply };
 /// is to be drawn after everything behind it, the farthest first.
 template <Blend Mode = Blend::kAlpha>
 struct Opacity {
-  std::uint8_t opacity = 32;  ///< 0...32
+  std::uint32_t opacity = 32;  ///< 0...32
 
   /// A colour that is blended (BlendedColour).
   template <class C>
@@ -137,7 +139,7 @@ struct Opacity {
       }
     }
     template <class D = C>
-    [[nodiscard]] constexpr auto at_depth(std::uint16_t depth) const requires DepthColour<D> {
+    [[nodiscard]] constexpr auto at_depth(std::uint32_t depth) const requires DepthColour<D> {
       const auto nearer = this->colour.at_depth(depth);
       return Result<std::remove_const_t<decltype(nearer)>>{{nearer}, opacity};
     }
@@ -151,33 +153,64 @@ struct Opacity {
   }
 };
 
+namespace detail {
+
+/// Entry [n][y] has a bit for each column x of eight, which is set where n / 8 of the pixels of row y are
+/// drawn.
+consteval std::array<std::array<std::uint8_t, 8>, 9> make_door_rows() {
+  std::array<std::array<std::uint8_t, 8>, 9> rows{};
+  for (std::uint32_t n = 0; n <= 8; ++n) {
+    for (std::uint32_t at = 0; at < 64; ++at) {
+      if (kDitherMatrix[at >> 3][at & 7] < 8 * n)
+        rows[n][at >> 3] |= static_cast<std::uint8_t>(128u >> (at & 7));
+    }
+  }
+  return rows;
+}
+inline constexpr auto kDoorRows = make_door_rows();
+
+}  // namespace detail
+
 /// Draws a share of a surface's pixels, in the pattern of kDitherMatrix: transparency that needs no order.
 struct ScreenDoor {
-  std::uint8_t opacity = 8;  ///< of 8 pixels
+  std::uint32_t opacity = 8;  ///< of 8 pixels; more is all
 
   /// A colour that is drawn in a share of the pixels (MaskedColour).
   template <class C>
   struct Result : WrappedColour<C> {
-    std::uint32_t opacity;
+    bool drawn;
 
-    [[nodiscard]] constexpr bool covers(std::int32_t x, std::int32_t y) const {
+    [[nodiscard]] ARCSPAN_INLINE constexpr bool covers(std::int32_t x, std::int32_t y) const {
       if constexpr (MaskedColour<C>) {
         if (!this->colour.covers(x, y)) return false;
       }
-      return dither_threshold(x, y) < 8 * opacity;
+      return drawn;
     }
     [[nodiscard]] constexpr PackedRgb packed() const { return detail::packed_colour(this->colour); }
     [[nodiscard]] constexpr std::uint16_t rgb565() const { return detail::colour565(this->colour); }
     template <class D = C>
-    [[nodiscard]] constexpr auto at_depth(std::uint16_t depth) const requires DepthColour<D> {
+    [[nodiscard]] constexpr auto at_depth(std::uint32_t depth) const requires DepthColour<D> {
       const auto nearer = this->colour.at_depth(depth);
-      return Result<std::remove_const_t<decltype(nearer)>>{{nearer}, opacity};
+      return Result<std::remove_const_t<decltype(nearer)>>{{nearer}, drawn};
     }
   };
 
-  template <class C>
-  [[nodiscard]] ARCSPAN_INLINE constexpr auto operator()(const C& colour) const {
-    return Result<C>{{colour}, opacity};
+  /// The pixels of a row.
+  struct Row {
+    std::uint32_t drawn;  ///< the highest bit is that of the current pixel, the next one that of the next
+
+    template <class C>
+    [[nodiscard]] ARCSPAN_INLINE constexpr auto operator()(const C& colour) const {
+      return Result<C>{{colour}, static_cast<std::int32_t>(drawn) < 0};
+    }
+    ARCSPAN_INLINE constexpr void next() { drawn = (drawn << 1) | (drawn >> 31); }
+  };
+  [[nodiscard]] ARCSPAN_INLINE constexpr Row in_row(std::int32_t x, std::int32_t y) const {
+    const std::uint32_t bits =
+        detail::kDoorRows[opacity < 8 ? opacity : 8][static_cast<std::uint32_t>(y) & 7u];
+    const std::uint32_t four = bits * 0x01010101u;
+    const auto column = static_cast<std::uint32_t>(x);
+    return {(four << (column & 31u)) | (four >> ((0u - column) & 31u))};
   }
 };
 

@@ -8,39 +8,68 @@
 #include <concepts>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 namespace arcspan {
 
 namespace detail {
 
+/// An operation for the pixels of a row from (x, y) on.
+template <class Operation>
+[[nodiscard]] ARCSPAN_INLINE constexpr auto in_row(const Operation& operation,
+                                                   [[maybe_unused]] std::int32_t x,
+                                                   [[maybe_unused]] std::int32_t y) {
+  if constexpr (requires { operation.in_row(x, y); })
+    return operation.in_row(x, y);
+  else
+    return operation;
+}
+
 /// The run of a method, with an operation on its colours. An aggregate, so that the inner run is made in
 /// place: small cores would copy it by memcpy.
-template <class Inner>
+template <class Inner, class Operation>
 struct OperationRun {
   static constexpr bool kStartsAnywhere = requires { requires bool{Inner::kStartsAnywhere}; };
   Inner inner;
+  decltype(in_row(std::declval<const Operation&>(), 0, 0)) operation;
 
   /// Starts a row of a walker, or of a small triangle.
   template <class Rows, class... Row>
   ARCSPAN_INLINE constexpr explicit OperationRun(const Rows& rows, const Row&... row)
       : inner(rows.row(row...)) {}
 
+  /// The next pixel is (x, y).
+  template <class Lighting>
+  ARCSPAN_INLINE constexpr void begin(const Lighting& lighting, std::int32_t x, std::int32_t y) {
+    if constexpr (requires { inner.begin(base_of(lighting), x, y); }) inner.begin(base_of(lighting), x, y);
+    operation = in_row(lighting.operation, x, y);
+  }
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
-    return lighting.operation(inner.colour(static_cast<const typename Lighting::Base&>(lighting)));
+    return operation(inner.colour(base_of(lighting)));
   }
-  ARCSPAN_INLINE constexpr void next() { inner.next(); }
+  ARCSPAN_INLINE constexpr void next() {
+    inner.next();
+    if constexpr (requires { operation.next(); }) operation.next();
+  }
   template <class Lighting>
   requires PiecewiseRun<Inner, typename Lighting::Base>
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(const Lighting& lighting, std::int32_t left) {
-    return inner.enter(static_cast<const typename Lighting::Base&>(lighting), left);
+    return inner.enter(base_of(lighting), left);
+  }
+
+ private:
+  template <class Lighting>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr const typename Lighting::Base& base_of(
+      const Lighting& lighting) {
+    return lighting;
   }
 };
 
 /// The walker of a method, whose runs have an operation.
-template <class Walker>
+template <class Walker, class Operation>
 struct OperationWalker : Walker {
-  using Run = OperationRun<typename Walker::Run>;
+  using Run = OperationRun<typename Walker::Run, Operation>;
   constexpr explicit OperationWalker(const Walker& walker) : Walker(walker) {}
   // Not trivial, because compilers call memcpy for the whole on small cores.
   ARCSPAN_INLINE constexpr OperationWalker(const OperationWalker& other) : Walker(other) {}
@@ -50,9 +79,9 @@ struct OperationWalker : Walker {
 };
 
 /// The rows of a small triangle, whose runs have an operation.
-template <class Rows>
+template <class Rows, class Operation>
 struct OperationSmall {
-  using Run = OperationRun<typename Rows::Run>;
+  using Run = OperationRun<typename Rows::Run, Operation>;
   const Rows& rows;
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t y, std::int32_t b, std::int32_t c) const {
     return Run(rows, y, b, c);
@@ -99,13 +128,13 @@ struct WithOperation : Coloured {
                                                             Draw&& draw) {
     return Method::walk(prepared, [&](auto walker) {
       using Walker = decltype(walker);
-      return draw(detail::OperationWalker<Walker>(walker));
+      return draw(detail::OperationWalker<Walker, Operation>(walker));
     });
   }
   template <class Small, class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
     return Method::walk_small(small, [&](const auto& rows) {
-      return draw(detail::OperationSmall<std::remove_cvref_t<decltype(rows)>>{rows});
+      return draw(detail::OperationSmall<std::remove_cvref_t<decltype(rows)>, Operation>{rows});
     });
   }
 };

@@ -69,6 +69,8 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
   const auto count = static_cast<std::ptrdiff_t>(span.count);
   const std::ptrdiff_t last = kIndexed ? 0 : count;
   std::ptrdiff_t i = kIndexed ? -count : 0;
+  if constexpr (requires { run.begin(target.lighting, span.x, span.y); })
+    run.begin(target.lighting, span.x, span.y);
   do {  // a test at the end, which -Os would not move there
     if constexpr (kIndexed) hide_value(i);
     const std::uint16_t depth = depth_of(place.z);

@@ -34,6 +34,7 @@ template <class Walker, class Target>
   using Format = typename Target::Format;
   if constexpr (!kHasManyRegisters) return draw_one_colour(at, walker, z, {}, target, memory);
   typename Walker::Run run = walker.row({});
+  if constexpr (requires { run.begin(target.lighting, at.x, at.y); }) run.begin(target.lighting, at.x, at.y);
   const std::uint16_t depth = depth_of(z);
   std::uint16_t* const stored = memory.depths.at(at);
   typename Format::Cursor cursor = memory.pixels.open(at);

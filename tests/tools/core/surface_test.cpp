@@ -35,6 +35,7 @@ using hal::Framebuffer;
 namespace {
 
 using Lit = Illumination<1, Highlight::kBlinn>;
+constexpr TextureSampler kClamped{TextureWrap::kClamp, TextureWrap::kClamp};
 
 /// 32×16 pixels of many colours and opacities.
 RgbaImage picture() {
@@ -71,9 +72,9 @@ Scene small_scene() {
 /// The levels of picture() as a firmware stores them.
 template <TexelColour C>
 std::vector<std::uint16_t> stored_levels(const RgbaImage& image, const TextureSize& size,
-                                         PictureEdges edges) {
+                                         const TextureSampler& sampler = {}) {
   std::vector<std::uint16_t> words;
-  for (const RgbaImage& level : mip_levels(image, size, edges)) {
+  for (const RgbaImage& level : mip_levels(image, size, sampler)) {
     for (const Rgba8 c : level.pixels) words.push_back(stored_colour(c, C::kAlphaBits));
   }
   return words;
@@ -134,7 +135,7 @@ TEST_CASE("blended textures in fog are those of firmware", "[textures]") {
   using Foggy = WithOperation<Textured<Gouraud<Lit>, DirectTexels<Alpha4Colour>>, Fogged>;
   using Glass = WithOperation<Foggy, Opacity<>>;
   const TextureSize size{5, 4, 5};
-  const auto words = stored_levels<Alpha4Colour>(picture(), size, PictureEdges::kRepeat);
+  const auto words = stored_levels<Alpha4Colour>(picture(), size);
   Texture<DirectTexels<Alpha4Colour>> texture;
   REQUIRE(ok(Texture<DirectTexels<Alpha4Colour>>::make(words, size, texture)));
   const Foggy::Lighting light(
@@ -159,7 +160,7 @@ TEST_CASE("masked textures behind a screen door are those of firmware, under col
   using Surface = Textured<Gouraud<Lit>, DirectTexels<Alpha1Colour>, TexelLight::kColoured>;
   using Screen = WithOperation<Surface, ScreenDoor>;
   const TextureSize size{5, 4, 5};
-  const auto words = stored_levels<Alpha1Colour>(picture_of(material), size, PictureEdges::kRepeat);
+  const auto words = stored_levels<Alpha1Colour>(picture_of(material), size);
   Texture<DirectTexels<Alpha1Colour>> texture;
   REQUIRE(ok(Texture<DirectTexels<Alpha1Colour>>::make(words, size, texture)));
   const Screen::Lighting light(Surface::Lighting(light_of(job), texture), ScreenDoor{6});
@@ -190,24 +191,60 @@ TEST_CASE("textures times vertex colours are those of firmware", "[textures]") {
   const RenderJob job = make_job(scene, fixed, "m");
   using Surface = Textured<VertexColoured<Lit>, DirectTexels<>, TexelLight::kColoured>;
   const TextureSize size{5, 4, 5};
-  const auto words =
-      stored_levels<OpaqueColour>(picture_of(model.parts[0].look.material), size, PictureEdges::kRepeat);
+  const auto words = stored_levels<OpaqueColour>(picture_of(model.parts[0].look.material), size);
   Texture<DirectTexels<>> texture;
   REQUIRE(ok(Texture<DirectTexels<>>::make(words, size, texture)));
   CHECK(drawn(job, "arc", {"rgb565", false}) ==
         firmware<Surface, Rgb565>(job, Surface::Lighting(light_of(job), texture)));
 }
 
+/// Checks the pixels of a sphere with a texture that has a sampler, with vertex colours or without.
+template <template <class> class Shading, TextureFilter Filter, TextureBorders Borders>
+void check_sampler(const char* shading, Model model, TextureWrap u, TextureWrap v) {
+  const TextureSampler sampler{u, v, Filter};
+  FileMaterial& material = model.parts[0].look.material;
+  material.texture = std::make_shared<FileTexture>(FileTexture{"p", picture()});
+  material.sampler = sampler;
+  for (Uv& p : model.parts[0].mesh.texture_points) p = {3 * p.u - 1, 3 * p.v - 1};
+  const Scene scene = small_scene();
+  const FixedModel fixed = to_fixed(model);
+  const RenderJob job = make_job(scene, fixed, "m");
+  using Surface = Textured<Shading<Lit>, DirectTexels<>, texel_light_of<Shading<Lit>>(), Filter, Borders>;
+  const TextureSize size{5, 4, 5};
+  const auto words = stored_levels<OpaqueColour>(picture_of(material), size, sampler);
+  Texture<DirectTexels<>> texture;
+  REQUIRE(ok(Texture<DirectTexels<>>::make(words, size, texture)));
+  const Image image = drawn(job, shading, {"rgb565", false});
+  CHECK(image ==
+        firmware<Surface, Rgb565>(job, typename Surface::Lighting(light_of(job), texture.with(sampler))));
+  if (!sampler.repeats()) {  // borders are in the picture
+    CHECK(image != firmware<Surface, Rgb565>(job, typename Surface::Lighting(light_of(job), texture)));
+  }
+}
+
+TEST_CASE("samplers of textures are those of firmware", "[textures]") {
+  constexpr auto kNearest = TextureFilter::kNearest;
+  constexpr auto kBilinear = TextureFilter::kBilinear;
+  constexpr auto kBorders = TextureBorders::kOfTexture;
+  check_sampler<VertexColoured, kBilinear, TextureBorders::kRepeat>(
+      "arc", coloured_sphere(), TextureWrap::kRepeat, TextureWrap::kRepeat);
+  check_sampler<VertexColoured, kNearest, kBorders>("arc", coloured_sphere(), TextureWrap::kRepeat,
+                                                    TextureWrap::kClamp);
+  check_sampler<VertexColoured, kBilinear, kBorders>("arc", coloured_sphere(), TextureWrap::kMirror,
+                                                     TextureWrap::kClamp);
+  check_sampler<Gouraud, kBilinear, kBorders>("gouraud", sphere(), TextureWrap::kClamp, TextureWrap::kMirror);
+}
+
 TEST_CASE("an environment map whose light is added is that of firmware", "[textures]") {
   Scene scene = small_scene();
   scene.transparency = Transparency::kAdd;
   scene.alpha = 0.5;
-  scene.matcap = surface_texture(picture(), 0, PictureEdges::kClamp);
+  scene.matcap = surface_texture(picture(), 0, kClamped);
   scene.surface.colour = {1, 1, 1};
   const FixedModel model = to_fixed(coloured_sphere());
   const RenderJob job = make_job(scene, model, "m");
   const TextureSize size{5, 4, 5};
-  const auto words = stored_levels<OpaqueColour>(picture(), size, PictureEdges::kClamp);
+  const auto words = stored_levels<OpaqueColour>(picture(), size, kClamped);
   Texture<DirectTexels<>> texture;
   REQUIRE(ok(Texture<DirectTexels<>>::make(words, size, texture)));
   using Map = EnvironmentMap<DirectTexels<>>;

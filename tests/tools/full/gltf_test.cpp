@@ -12,6 +12,9 @@
 #include <cstring>
 #include <numbers>
 
+using arcspan::TextureFilter;
+using arcspan::TextureSampler;
+using arcspan::TextureWrap;
 using namespace arcspan::tools;
 using namespace arcspan::test;
 using nlohmann::json;
@@ -378,18 +381,30 @@ TEST_CASE("glTF: the texture of the base colour, beside the file or within it") 
 
   gltf["images"][0] = {{"uri", "data:image/png;base64,UDUKMSAxCjI1NQqA"}};
   gltf["textures"][0]["sampler"] = 0;
-  const auto warnings = [&](const json& sampler) {
+  const auto read = [&](const json& sampler) {
     gltf["samplers"] = json::array({sampler});
-    return load_model_file(folder.file("sampler.gltf", gltf.dump())).warnings;
+    return load_model_file(folder.file("sampler.gltf", gltf.dump()));
   };
-  CHECK(warnings({{"wrapS", 10497}, {"magFilter", 9728}, {"minFilter", 9986}}).empty());
-  CHECK(warnings({{"wrapT", 33071}, {"wrapS", 33071}}) ==
-        Lines{"left out: clamped edges of textures, which repeat (1)"});
-  CHECK(warnings({{"wrapT", 33648}}) == Lines{"left out: mirrored textures, which repeat (1)"});
-  for (const json& linear :
-       {json{{"magFilter", 9729}}, json{{"minFilter", 9987}}, json{{"minFilter", 9985}}}) {
-    CHECK(warnings(linear) == Lines{"left out: linear filters of textures (1)"});
+  const auto sampler_of = [&](const json& sampler) {
+    const Model model = read(sampler);
+    CHECK(model.warnings.empty());
+    return model.parts[0].look.material.sampler;
+  };
+  constexpr auto kRepeat = TextureWrap::kRepeat;
+  constexpr auto kBilinear = TextureFilter::kBilinear;
+  CHECK(sampler_of(json::object()) == TextureSampler{});
+  CHECK(sampler_of({{"wrapS", 10497}, {"magFilter", 9728}, {"minFilter", 9986}}) == TextureSampler{});
+  CHECK(sampler_of({{"wrapS", 33071}}) == TextureSampler{TextureWrap::kClamp, kRepeat});
+  CHECK(sampler_of({{"wrapT", 33648}}) == TextureSampler{kRepeat, TextureWrap::kMirror});
+  for (const json& linear : {json{{"magFilter", 9729}}, json{{"minFilter", 9987}}, json{{"minFilter", 9985}},
+                             json{{"magFilter", 9729}, {"minFilter", 9987}}}) {
+    CHECK(sampler_of(linear) == TextureSampler{kRepeat, kRepeat, kBilinear});
   }
+  const Model unlike = read({{"magFilter", 9729}, {"minFilter", 9984}, {"wrapS", 10000}});
+  CHECK(unlike.warnings ==
+        Lines{"left out: filters of textures that differ far away (1), unknown wrapping of "
+              "textures, which repeat (1)"});
+  CHECK(unlike.parts[0].look.material.sampler == TextureSampler{kRepeat, kRepeat, kBilinear});
 }
 
 TEST_CASE("glTF 1.0: lists by name, Phong's materials as they are") {
@@ -476,7 +491,7 @@ TEST_CASE("glTF: models of the loader's own collection") {
   const Model truck = load_model_file(folder + "glTF/CesiumMilkTruck/CesiumMilkTruck.gltf");
   REQUIRE(truck.parts.size() == 5);
   CHECK(truck.triangle_count() == 3624);
-  CHECK(truck.warnings == Lines{"left out: animations (2), linear filters of textures (1)"});
+  CHECK(truck.warnings == Lines{"left out: animations (2)"});
   const Model engine = load_model_file(folder + "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb");
   CHECK(engine.parts.size() > 29);
   CHECK(engine.triangle_count() == 110'336);

@@ -124,6 +124,16 @@ TEST_CASE(
     CHECK(instructions(method + " --band 320 --planes") < whole);
     CHECK(instructions(method + " --band 16") > whole);
   }
+#ifndef ARCSPAN_SANITIZED
+  // What it says of other methods is what it says of them alone.
+  const std::string by_arc = run("simulate torus:24x12 -o " + (folder / "panel.png")).out;
+  const std::size_t others = by_arc.find("by other methods: flat ");
+  REQUIRE(others != std::string::npos);
+  CHECK(std::atof(by_arc.c_str() + others + 23) == instructions("--shading flat"));
+  const std::size_t gouraud = by_arc.find(", gouraud ", others);
+  REQUIRE(gouraud != std::string::npos);
+  CHECK(std::atof(by_arc.c_str() + gouraud + 10) == instructions("--shading gouraud"));
+#endif
   const auto without = [&folder](const std::string& options) {
     const std::string out = run("simulate torus:24x12 " + options + " -o " + (folder / "panel.png")).out;
     const std::size_t at = out.find("drawing: ");

@@ -35,6 +35,12 @@ TEST_CASE("texture: a header, a binary, the error and the picture of both") {
   CHECK(picture.height == 256);
   CHECK(picture.at(255 + 8 + 8, 8).r > 200);  // the red tile of the texture
   CHECK(run("texture " + kTiles + " -o bin:- --format gray").out.starts_with("ARCT"));
+  CHECK(header.find(".with") == std::string::npos);
+  CHECK(run("texture " + kTiles + " -o bin:- --wrap clamp,mirror --filter bilinear").out.at(15) ==
+        (1 | 2 << 2 | 1 << 4));
+  CHECK(run("texture " + kTiles + " -o hpp:- --filter bilinear --wrap mirror")
+            .out.find("        .with({arcspan::TextureWrap::kMirror, arcspan::TextureWrap::kMirror,\n"
+                      "               arcspan::TextureFilter::kBilinear});\n") != std::string::npos);
   CHECK(run("texture " + kTiles + " -o " + (folder / "t.bin")).out.find("against the picture: exact") !=
         std::string::npos);
 }
@@ -49,6 +55,13 @@ TEST_CASE("texture: mistakes are one line, and nothing is written") {
         "arcspan: --size: expected sides such as 128 or 128x64, not 'big'\n");
   CHECK(error(kTiles + " -o " + out + " --levels 0") ==
         "arcspan: --levels: expected an integer 1...11 or 'all', not '0'\n");
+  for (const char* wrong : {"clamp,", "clamp,clamp,clamp", "border"}) {
+    CHECK(error(kTiles + " -o " + out + " --wrap " + wrong) ==
+          std::string("arcspan: --wrap: expected repeat|clamp|mirror, or two of them with a comma, not '") +
+              wrong + "'\n");
+  }
+  CHECK(error(kTiles + " -o " + out + " --filter linear") ==
+        "arcspan: --filter: expected nearest|bilinear, not 'linear'\n");
   CHECK(error(kTiles + " -o " + out + " --format dxt1").find("--format: expected rgb565|rgba5551|") !=
         std::string::npos);
   CHECK(error(kTiles + " -o " + (folder / "out.png")) ==

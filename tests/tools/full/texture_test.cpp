@@ -50,6 +50,7 @@ void check_library_reads(const MadeTexture& made) {
   Texture<Texels> texture;
   REQUIRE(ok(view_texture_binary(bytes, texture)));
   CHECK(texture.size() == made.size);
+  CHECK(texture.sampler() == made.sampler);
   for (unsigned level = 0; level < made.size.levels; ++level) {
     const RgbaImage drawn = drawn_level(made, level);
     const typename Texels::Word* words = texture.at(made.size.texels(level));
@@ -171,8 +172,13 @@ TEST_CASE("the edges of a picture are filtered as the texture is used") {
   TextureOptions options = as("rgb565");
   options.size = Size{8, 8};
   CHECK(make_texture(picture, options, "test").levels[0].at(0, 0).r > 10);  // the white of the other end
-  options.edges = PictureEdges::kClamp;
-  CHECK(make_texture(picture, options, "test").levels[0].at(0, 0).r == 0);
+  for (const TextureWrap wrap : {TextureWrap::kClamp, TextureWrap::kMirror}) {
+    options.sampler = {TextureWrap::kRepeat, wrap, TextureFilter::kBilinear};
+    CHECK(make_texture(picture, options, "test").levels[0].at(0, 0).r == 0);
+    check_library_reads<DirectTexels<>>(make_texture(picture, options, "test").texture);
+  }
+  options.sampler = {TextureWrap::kClamp, TextureWrap::kRepeat};
+  CHECK(make_texture(picture, options, "test").levels[0].at(0, 0).r > 10);
 }
 
 TEST_CASE("a palette holds the colours of the picture, if it can; otherwise they are chosen") {

@@ -28,6 +28,8 @@ namespace {
 const std::string kSign = ARCSPAN_MODELS "/sign.obj";
 const std::string kTiles = ARCSPAN_MODELS "/tiles.ppm";
 
+constexpr TextureSampler kClamped{TextureWrap::kClamp, TextureWrap::kClamp};
+
 /// A square of two faces, the second with a texture coordinate of its own, and its material.
 const std::string kSquare =
     "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 3 0.25\n"
@@ -72,8 +74,10 @@ TEST_CASE("what is wrong with a model's textures is left out, with a warning") {
   using Lines = std::vector<std::string>;
   CHECK(loaded(kSquare, "newmtl m\nmap_Kd none.png\n").warnings ==
         Lines{"left out: textures (1): 'none.png' (not in the model's folder)"});
-  const Model options = loaded(kSquare, "newmtl m\nKd 0 0 0\nmap_Kd -s 2 2 1 -clamp on tiles.ppm\n");
-  CHECK(options.warnings == Lines{"left out: map_Kd -clamp (1), map_Kd -s (1)"});
+  const Model options =
+      loaded(kSquare, "newmtl m\nKd 0 0 0\nmap_Kd -s 2 2 1 -clamp on -blendv on tiles.ppm\n");
+  CHECK(options.warnings == Lines{"left out: map_Kd -blendv (1), map_Kd -s (1)"});
+  CHECK(options.parts[0].look.material.sampler == kClamped);
   CHECK(options.parts[0].look.material.texture != nullptr);
   CHECK(options.parts[0].look.material.colour == Vec3{1, 1, 1});  // black would hide it
   const Model bare =
@@ -83,9 +87,13 @@ TEST_CASE("what is wrong with a model's textures is left out, with a warning") {
         Lines{"parts with a texture but without texture coordinates are drawn without it (1)"});
   const Model far = loaded("vt 5000 0\n" + kSquare + "f 1/1 2/2 3/3\n", "newmtl m\nmap_Kd tiles.ppm\n");
   CHECK(far.parts[0].look.material.texture == nullptr);
-  CHECK(
-      far.warnings ==
-      Lines{"parts whose texture coordinates are more than 4000 apart are drawn without their texture (1)"});
+  const Lines far_away{
+      "parts whose texture coordinates are more than 4000 apart, or 2000 from a clamped texture, are drawn "
+      "without their texture (1)"};
+  CHECK(far.warnings == far_away);
+  const std::string beyond = "vt 2100 0\nvt 2101 0\nvt 2100 1\n" + kSquare + "f 1/1 2/2 3/3\n";
+  CHECK(loaded(beyond, "newmtl m\nmap_Kd -clamp off tiles.ppm\n").warnings.empty());
+  CHECK(loaded(beyond, "newmtl m\nmap_Kd -clamp on tiles.ppm\n").warnings == far_away);
   const std::string tiles = contents(kTiles);
   for (const std::string& picture :
        {tiles.substr(0, 100), std::string("GIF89a"), std::string("RIFF----WEBPVP8 "), std::string()}) {
@@ -112,6 +120,43 @@ TEST_CASE("texture points have as many fraction bits as their range leaves, wher
   CHECK(far.texture_scale.fraction_bits == 13);
   CHECK(far.texture_points == scaled(0, 1).texture_points);
   CHECK(scaled(0, 1300).texture_scale.fraction_bits == 4);
+}
+
+TEST_CASE("texture points are moved only as far as their texture repeats") {
+  const auto first_of = [](double offset, TextureWrap u, TextureWrap v) {
+    Model model = loaded(kSquare, "newmtl m\nmap_Kd tiles.ppm\n");
+    for (Uv& p : model.parts[0].mesh.texture_points) p = {offset + p.u, offset + p.v};
+    model.parts[0].look.material.sampler = {u, v};
+    const FixedMesh mesh = to_fixed(model).meshes[0];
+    const double bits = mesh.texture_scale.fraction_bits;
+    return Uv{mesh.texture_points[0].u / std::exp2(bits), mesh.texture_points[0].v / std::exp2(bits)};
+  };
+  // Coordinates of 0 ... 3 and of 0 ... 1, the first of them 0 and 1.
+  CHECK(first_of(0, TextureWrap::kRepeat, TextureWrap::kRepeat) == Uv{-1, 1});
+  CHECK(first_of(7, TextureWrap::kRepeat, TextureWrap::kMirror) == Uv{-1, 2});
+  CHECK(first_of(7, TextureWrap::kMirror, TextureWrap::kClamp) == Uv{-1, 8});
+  CHECK(first_of(6, TextureWrap::kClamp, TextureWrap::kMirror) == Uv{6, 1});
+}
+
+TEST_CASE("a model with a sampler is the same as a header, as a binary and compiled again") {
+  const TemporaryFolder folder;
+  (void)folder.file("tiles.ppm", contents(kTiles));
+  (void)folder.file("a.mtl", "newmtl m\nmap_Kd -clamp on tiles.ppm\n");
+  const std::string obj = folder.file("a.obj", kSquare);
+  const std::string bin = folder / "a.bin";
+  REQUIRE(run("mesh " + obj + " -o " + bin).status == 0);
+  CHECK(load_model_file(bin).parts[0].look.material.sampler == kClamped);
+  REQUIRE(run("mesh " + bin + " -o " + (folder / "again.bin")).status == 0);
+  CHECK(contents(folder / "again.bin") == contents(bin));
+  CHECK(run("mesh " + obj + " -o hpp:-")
+            .out.find("        .with({arcspan::TextureWrap::kClamp, arcspan::TextureWrap::kClamp});\n") !=
+        std::string::npos);
+  (void)folder.file("a.mtl", "newmtl m\nmap_Kd tiles.ppm\n");
+  const auto picture = [&](const std::string& model) {
+    REQUIRE(run("render " + model + " -o " + (folder / "p.ppm") + " --size 64x48").status == 0);
+    return contents(folder / "p.ppm");
+  };
+  CHECK(picture(obj) != picture(bin));
 }
 
 TEST_CASE("a PLY has texture coordinates of its vertices") {

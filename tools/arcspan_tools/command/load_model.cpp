@@ -73,7 +73,8 @@ Model load_model(const std::string& name, const std::optional<double>& crease_de
 
 Model load_drawn_model(RenderOptions& options) {
   if (!options.matcap.empty()) {
-    options.scene.matcap = surface_texture(read_rgba(options.matcap), 0, PictureEdges::kClamp);
+    options.scene.matcap =
+        surface_texture(read_rgba(options.matcap), 0, {TextureWrap::kClamp, TextureWrap::kClamp});
   }
   const bool kept =
       options.shading != "flat" &&

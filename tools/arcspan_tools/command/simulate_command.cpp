@@ -45,6 +45,7 @@ struct Totals {
   std::uint64_t frame_ns = 0;
   hal::sim::BusCount bus;
   std::string without_figures;  ///< empty: all was estimated
+  std::string other_methods;    ///< what the first frame would take by them
 };
 
 constexpr std::int32_t kTurnMilliseconds = 2000;
@@ -100,6 +101,21 @@ std::string without_figures(const std::string& shading, const RenderJob& job) {
   return job.lights.size() != 1 ? "several lights" : shading + " shading";
 }
 
+/// What a frame would take by the methods for products other than its own, for choosing one.
+std::string by_other_methods(const std::string& shading, const RenderJob& job, const FixedMeshes& meshes,
+                             const RenderStats& stats) {
+  const std::optional<double> own = draw_instructions(shading, job, meshes, stats);
+  std::string text;
+  for (const char* other : {"flat", "gouraud", "arc"}) {
+    if (!own || shading == other) continue;
+    const std::optional<double> instructions = draw_instructions(other, job, meshes, stats);
+    if (!instructions) continue;
+    text += formatted("%s%s %.0f (%+.0f %%)", text.empty() ? "" : ", ", other, *instructions,
+                      100 * (*instructions / *own - 1));
+  }
+  return text;
+}
+
 Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, GlassOutput& output) {
   RenderOptions options = arguments.options;
   options.scene.size = display.size();
@@ -119,6 +135,7 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
     const RenderJob job = make_job(scene, model, options.mesh);
     const RenderResult drawn = renderer.render(job, [](std::size_t) {});
     const std::optional<double> instructions = draw_instructions(options.shading, job, model, drawn.stats);
+    if (i == 0) totals.other_methods = by_other_methods(options.shading, job, model, drawn.stats);
     if (!instructions) totals.without_figures = without_figures(options.shading, job);
     const auto draw_ns = static_cast<std::uint64_t>(instructions.value_or(0) * 1000 / arguments.cpu_mhz);
     const std::uint64_t before = display.now_ns();
@@ -157,6 +174,8 @@ std::string report(const SimulateArguments& arguments, const SimulatedDisplay& d
         "drawing: %.0f instructions and %.3f ms a frame on a Cortex-M3 at %g MHz (an estimate, without "
         "clearing)\n",
         totals.instructions / frames, draw_ms, arguments.cpu_mhz);
+    if (!totals.other_methods.empty())
+      text += formatted("the first frame by other methods: %s\n", totals.other_methods.c_str());
     text += formatted("both, overlapped: %.3f ms, %.1f frames a second; bottleneck: %s\n", frame_ms,
                       1000 / frame_ms, draw_ms > bus_ms ? "shading" : "the bus");
   } else {

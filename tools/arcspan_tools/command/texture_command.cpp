@@ -105,9 +105,7 @@ void add_texture_command(CLI::App& app) {
                     "mix colours that the format lacks of neighbouring texels");
   texture->add_flag("--exact", arguments->options.exact,
                     "refuse a picture that would have to be resized or has too many colours for the palette");
-  texture->add_flag_callback(
-      "--clamp", [arguments] { arguments->options.edges = PictureEdges::kClamp; },
-      "filter for a texture that does not repeat");
+  add_sampler(*texture, arguments->options.sampler);
   texture->add_option("--name", arguments->name, "the header's namespace (default: from the file's name)")
       ->check([](const std::string& text) {
         return is_identifier(text) ? "" : "'" + text + "' cannot name a namespace";
@@ -117,7 +115,7 @@ void add_texture_command(CLI::App& app) {
   texture->footer(
       "Examples:\n"
       "  arcspan texture wood.jpg -o wood.hpp --size 128 --format pal8 --levels all --report wood.png\n"
-      "  arcspan texture leaf.png -o leaf.bin --format pal4-5551 --clamp");
+      "  arcspan texture leaf.png -o leaf.bin --format pal4-5551 --wrap clamp");
   texture->callback([texture, arguments] {
     if (texture->count("--name") != 0 &&
         compiled_output(arguments->output, "texture") == CompiledOutput::kBinary)

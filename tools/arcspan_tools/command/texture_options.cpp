@@ -18,6 +18,25 @@ std::optional<Size> parse_sides(const std::string& text) {
   return parse_size(text.find('x') == std::string::npos ? text + "x" + text : text);
 }
 
+std::optional<TextureWrap> parse_wrap(const std::string& text) {
+  if (text == "repeat") return TextureWrap::kRepeat;
+  if (text == "clamp") return TextureWrap::kClamp;
+  return text == "mirror" ? std::optional(TextureWrap::kMirror) : std::nullopt;
+}
+
+/// The wraps of u and v: one for both, or two.
+std::optional<TextureSampler> parse_wraps(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  const std::optional<TextureWrap> u = parse_wrap(text.substr(0, comma));
+  const std::optional<TextureWrap> v = comma == std::string::npos ? u : parse_wrap(text.substr(comma + 1));
+  return u && v ? std::optional(TextureSampler{*u, *v}) : std::nullopt;
+}
+
+std::optional<TextureFilter> parse_filter(const std::string& text) {
+  if (text == "nearest") return TextureFilter::kNearest;
+  return text == "bilinear" ? std::optional(TextureFilter::kBilinear) : std::nullopt;
+}
+
 std::optional<std::int32_t> parse_levels(const std::string& text) {
   constexpr std::int64_t kMost = TextureSize::kMostBits + 1;
   if (text == "all") return 0;
@@ -56,6 +75,21 @@ void add_texture_size(CLI::App& app, const std::string& name, std::optional<Size
       app, name, "N or WIDTHxHEIGHT",
       "sides in texels, powers of two from 8 to 1024 (default: the ones nearest to the picture's)",
       "sides such as 128 or 128x64", parse_sides, [&size](const Size& s) { size = s; });
+}
+
+void add_sampler(CLI::App& app, TextureSampler& sampler) {
+  const std::string wraps = "repeat|clamp|mirror";
+  add_parsed<TextureSampler>(
+      app, "--wrap", wraps,
+      "what the texture shows beyond its borders, or, with a comma between, to the sides and above and below "
+      "(default: repeat); edges are filtered alike",
+      wraps + ", or two of them with a comma", parse_wraps, [&sampler](const TextureSampler& wrap) {
+        sampler = {wrap.u, wrap.v, sampler.filter};
+      });
+  const std::string filters = "nearest|bilinear";
+  add_parsed<TextureFilter>(
+      app, "--filter", filters, "the filter that the texture is meant for (default: nearest)", filters,
+      parse_filter, [&sampler](const TextureFilter& filter) { sampler.filter = filter; });
 }
 
 void add_texture_levels(CLI::App& app, const std::string& name, std::int32_t& levels) {

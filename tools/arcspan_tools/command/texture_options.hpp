@@ -24,6 +24,9 @@ void add_texture_format(CLI::App& app, const std::string& name, TextureFormat& f
 /// Adds the option `name` that takes the sides of a texture: N, or WIDTHxHEIGHT.
 void add_texture_size(CLI::App& app, const std::string& name, std::optional<Size>& size);
 
+/// Adds --wrap and --filter, which say how a texture is meant to be shown.
+void add_sampler(CLI::App& app, TextureSampler& sampler);
+
 /// Adds the option `name` that takes a number of mip levels, or `all`.
 void add_texture_levels(CLI::App& app, const std::string& name, std::int32_t& levels);
 

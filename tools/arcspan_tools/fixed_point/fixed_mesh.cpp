@@ -34,35 +34,39 @@ PackedNormal packed(Vec3 normal) {
   return pack_normal(component(normal.x), component(normal.y), component(normal.z));
 }
 
-/// The texture point in the middle of all, rounded down.
-Uv middle_of(const std::vector<Uv>& points) {
+/// The point near the middle of all from which a texture looks as it does from 0.
+Uv origin_of(const std::vector<Uv>& points, const TextureSampler& sampler) {
   Uv low = points[0];
   Uv high = points[0];
   for (const Uv& p : points) {
     low = {std::min(low.u, p.u), std::min(low.v, p.v)};
     high = {std::max(high.u, p.u), std::max(high.v, p.v)};
   }
-  return {std::floor((low.u + high.u) / 2), std::floor((low.v + high.v) / 2)};
+  const auto origin = [](TextureWrap wrap, double middle) {
+    if (wrap == TextureWrap::kClamp) return 0.0;
+    return wrap == TextureWrap::kMirror ? 2 * std::floor(middle / 2) : std::floor(middle);
+  };
+  return {origin(sampler.u, (low.u + high.u) / 2), origin(sampler.v, (low.v + high.v) / 2)};
 }
 
-void set_texture_points(const std::vector<Uv>& points, FixedMesh& fixed) {
+void set_texture_points(const std::vector<Uv>& points, const TextureSampler& sampler, FixedMesh& fixed) {
   if (points.empty()) return;
-  const Uv middle = middle_of(points);
+  const Uv origin = origin_of(points, sampler);
   double farthest = 0;
   for (const Uv& p : points) {
-    farthest = std::max({farthest, std::abs(p.u - middle.u), std::abs(p.v - middle.v)});
+    farthest = std::max({farthest, std::abs(p.u - origin.u), std::abs(p.v - origin.v)});
   }
   constexpr double kMost = 32767;
   int bits = TextureScale::kMostBits;
   while (bits > TextureScale::kLeastBits && std::ldexp(farthest, bits) > kMost) --bits;
   fixed.texture_scale.fraction_bits = static_cast<std::uint8_t>(bits);
   for (const Uv& p : points) {
-    fixed.texture_points.push_back({static_cast<std::int16_t>(rounded(std::ldexp(p.u - middle.u, bits))),
-                                    static_cast<std::int16_t>(rounded(std::ldexp(p.v - middle.v, bits)))});
+    fixed.texture_points.push_back({static_cast<std::int16_t>(rounded(std::ldexp(p.u - origin.u, bits))),
+                                    static_cast<std::int16_t>(rounded(std::ldexp(p.v - origin.v, bits)))});
   }
 }
 
-FixedMesh fixed_within(const Box& box, const MeshData& mesh) {
+FixedMesh fixed_within(const Box& box, const MeshData& mesh, const TextureSampler& sampler = {}) {
   constexpr double kSteps = 65534;  // -32767...32767
   const Vec3 extent = box.high - box.low;
   FixedMesh fixed;
@@ -77,7 +81,7 @@ FixedMesh fixed_within(const Box& box, const MeshData& mesh) {
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t index : triangle) fixed.indices.push_back(static_cast<std::uint16_t>(index));
   }
-  set_texture_points(mesh.texture_points, fixed);
+  set_texture_points(mesh.texture_points, sampler, fixed);
   fixed.colours = mesh.colours;
   return fixed;
 }
@@ -114,7 +118,7 @@ FixedModel to_fixed(const Model& model) {
   for (const ModelPart& part : model.parts) extend(box, part.mesh);
   FixedModel fixed;
   for (const ModelPart& part : model.parts) {
-    fixed.meshes.push_back(fixed_within(box, part.mesh));
+    fixed.meshes.push_back(fixed_within(box, part.mesh, part.look.material.sampler));
     fixed.looks.push_back(part.look);
   }
   return fixed;

@@ -57,8 +57,8 @@ class FixedMeshes : public std::span<const FixedMesh> {
 };
 
 /// Centres and scales `mesh` so that its largest extent fills 16 bits, and rounds. Texture points are moved
-/// by whole widths and heights of the texture, which repeats, so that they have as many fraction bits as
-/// possible. They must be finite and at most kMostTextures apart.
+/// by whole widths and heights of the texture, by even ones where it is mirrored and not at all where it is
+/// clamped, so that they have as many fraction bits as possible. They must be in the range of weld_parts().
 [[nodiscard]] FixedMesh to_fixed(const MeshData& mesh);
 
 /// Centres and scales all parts of `model` alike, so that its largest extent fills 16 bits, and rounds.

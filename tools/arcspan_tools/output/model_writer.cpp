@@ -74,6 +74,7 @@ PartAlpha part_alpha(const FileMaterial& material) {
 bool is_plain_mesh(const FixedModel& model) {
   FileMaterial named;
   named.name = model.looks[0].material.name;
+  named.sampler = model.looks[0].material.sampler;  // says nothing without a texture
   return model.meshes.size() == 1 && model.looks[0].material == named;
 }
 

@@ -23,6 +23,19 @@ ArrayText texts_of(const std::vector<std::uint16_t>& values) {
   return text;
 }
 
+const char* wrap_text(TextureWrap wrap) {
+  if (wrap == TextureWrap::kRepeat) return "arcspan::TextureWrap::kRepeat";
+  return wrap == TextureWrap::kClamp ? "arcspan::TextureWrap::kClamp" : "arcspan::TextureWrap::kMirror";
+}
+
+/// The call that gives a texture its sampler, unless it is the default.
+std::string sampler_text(const TextureSampler& sampler) {
+  if (sampler == TextureSampler{}) return {};
+  const bool bilinear = sampler.filter == TextureFilter::kBilinear;
+  return std::string("\n        .with({") + wrap_text(sampler.u) + ", " + wrap_text(sampler.v) +
+         (bilinear ? ",\n               arcspan::TextureFilter::kBilinear})" : "})");
+}
+
 std::string side(unsigned bits) { return std::to_string(1u << bits); }
 
 }  // namespace
@@ -37,7 +50,8 @@ std::string texture_arrays(const MadeTexture& texture) {
   return text + "inline constexpr arcspan::Texture<" + type_of(texture.format) +
          "> kTexture =\n    arcspan::Texture<" + type_of(texture.format) + ">::of(kTexels, {" +
          std::to_string(size.width_bits) + ", " + std::to_string(size.height_bits) + ", " +
-         std::to_string(size.levels) + "}" + (palette ? ", kPalette" : "") + ");\n\n";
+         std::to_string(size.levels) + "}" + (palette ? ", kPalette" : "") + ")" +
+         sampler_text(texture.sampler) + ";\n\n";
 }
 
 std::string texture_header(const MadeTexture& texture, const std::string& name, const std::string& origin) {
@@ -60,7 +74,8 @@ std::string texture_binary_file(const MadeTexture& texture) {
   append_number(out, static_cast<std::uint8_t>(layout), 1);
   append_number(out, texture.format.alpha_bits, 1);
   append_number(out, bytes, 4);
-  for (const std::uint8_t value : {size.width_bits, size.height_bits, size.levels, std::uint8_t{0}}) {
+  for (const std::uint8_t value :
+       {size.width_bits, size.height_bits, size.levels, texture_binary::sampler_byte(texture.sampler)}) {
     append_number(out, value, 1);
   }
   for (const std::uint16_t colour : texture.palette) append_number(out, colour, 2);

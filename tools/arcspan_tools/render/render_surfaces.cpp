@@ -29,7 +29,6 @@ Drawers make_drawers(const RenderJob& job, const std::vector<std::unique_ptr<Ill
                      MakeSurfaceDrawer& make) {
   using Chrome = Arc<EnvironmentMap<SurfaceTexels>>;
   using Painted = VertexColoured<AnyIllumination<true>>;
-  using Coloured = Textured<Painted, SurfaceTexels, TexelLight::kColoured>;
   Drawers drawers;
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
     const RenderPart& part = job.parts[i];
@@ -40,9 +39,13 @@ Drawers make_drawers(const RenderJob& job, const std::vector<std::unique_ptr<Ill
           job, part, EnvironmentMap<SurfaceTexels>(job.matcap->view, job.rotation), operation,
           sizeof(CachedVertex<Chrome>)));
     } else if (part.vertex_colours) {
-      drawers.push_back(std::make_unique<SurfaceDrawerOf<Coloured>>(
-          job, part, Coloured::Lighting(AnyIllumination<true>(*calls[i]), texture_of(part)), operation,
-          part.texture == nullptr ? sizeof(CachedVertex<Painted>) : sizeof(CachedVertex<Coloured>)));
+      drawers.push_back(make_for_sampler(part, [&]<TextureFilter kFilter, TextureBorders kBorders>() {
+        using Coloured = Textured<Painted, SurfaceTexels, TexelLight::kColoured, kFilter, kBorders>;
+        const typename Coloured::Lighting lighting(AnyIllumination<true>(*calls[i]), texture_of(part));
+        return std::unique_ptr<SurfaceDrawer>(std::make_unique<SurfaceDrawerOf<Coloured>>(
+            job, part, lighting, operation,
+            part.texture == nullptr ? sizeof(CachedVertex<Painted>) : sizeof(CachedVertex<Coloured>)));
+      }));
     } else {
       drawers.push_back(make(job, part, *calls[i], operation));
     }

@@ -111,14 +111,15 @@ template <template <class> class Method, bool kAsksForRamp>
 std::unique_ptr<SurfaceDrawer> make_surface_drawer(const RenderJob& job, const RenderPart& part,
                                                    IlluminationCalls& calls,
                                                    const SurfaceOperation& operation) {
-  const auto make = [&]<class Lit>(const Lit& illumination) -> std::unique_ptr<SurfaceDrawer> {
-    using Drawn = Textured<Method<Lit>, SurfaceTexels, TexelLight::kColoured>;
-    const bool textured = part.texture != nullptr;
-    const typename Drawn::Lighting lighting(lighting_of<Method<Lit>>(job, part, illumination),
-                                            texture_of(part));
-    return std::make_unique<SurfaceDrawerOf<Drawn>>(
-        job, part, lighting, operation,
-        cached_vertex_bytes_of<Method>(job) + (textured ? sizeof(MappedPoint) : 0));
+  const std::size_t vertex_bytes =
+      cached_vertex_bytes_of<Method>(job) + (part.texture != nullptr ? sizeof(MappedPoint) : 0);
+  const auto make = [&]<class Lit>(const Lit& illumination) {
+    const auto lit = lighting_of<Method<Lit>>(job, part, illumination);
+    return make_for_sampler(part, [&]<TextureFilter kFilter, TextureBorders kBorders>() {
+      using Drawn = Textured<Method<Lit>, SurfaceTexels, TexelLight::kColoured, kFilter, kBorders>;
+      return std::unique_ptr<SurfaceDrawer>(std::make_unique<SurfaceDrawerOf<Drawn>>(
+          job, part, typename Drawn::Lighting(lit, texture_of(part)), operation, vertex_bytes));
+    });
   };
   if constexpr (kAsksForRamp) {
     if (!calls.has_ramp()) return make(AnyIllumination<false>(calls));

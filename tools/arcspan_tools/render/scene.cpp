@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/texture/texture_binary.hpp>
+
 #include <arcspan_tools/fixed_point/rounding.hpp>
 #include <arcspan_tools/render/scene.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -86,9 +88,10 @@ class PartTextures {
     if (material.texture == nullptr) return nullptr;
     const unsigned bits = alpha_bits(material, transparency);
     const double cutoff = bits == 1 ? material.alpha_cutoff : 0;
-    std::shared_ptr<const SurfaceTexture>& known = known_[{material.texture.get(), bits, cutoff}];
+    std::shared_ptr<const SurfaceTexture>& known =
+        known_[{material.texture.get(), bits, cutoff, texture_binary::sampler_byte(material.sampler)}];
     if (known == nullptr) {
-      known = surface_texture(picture_of(material), bits, PictureEdges::kRepeat,
+      known = surface_texture(picture_of(material), bits, material.sampler,
                               islands_of(model_, *material.texture));
     }
     return known;
@@ -96,7 +99,8 @@ class PartTextures {
 
  private:
   const FixedModel& model_;
-  std::map<std::tuple<const FileTexture*, unsigned, double>, std::shared_ptr<const SurfaceTexture>> known_;
+  using Key = std::tuple<const FileTexture*, unsigned, double, std::uint8_t>;
+  std::map<Key, std::shared_ptr<const SurfaceTexture>> known_;
 };
 
 /// Puts blended parts behind the others, the farthest first.

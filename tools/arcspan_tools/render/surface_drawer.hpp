@@ -63,6 +63,19 @@ using MakeSurfaceDrawer = std::unique_ptr<SurfaceDrawer>(const RenderJob& job, c
   return part.texture == nullptr ? white_texture() : part.texture->view;
 }
 
+/// Returns make<Filter, Borders>() for the sampler of a part's texture.
+template <class Make>
+std::unique_ptr<SurfaceDrawer> make_for_sampler(const RenderPart& part, const Make& make) {
+  const TextureSampler& sampler = texture_of(part).sampler();
+  const auto with_filter = [&]<TextureFilter kFilter>() {
+    return sampler.repeats() ? make.template operator()<kFilter, TextureBorders::kRepeat>()
+                             : make.template operator()<kFilter, TextureBorders::kOfTexture>();
+  };
+  return sampler.filter == TextureFilter::kBilinear
+             ? with_filter.template operator()<TextureFilter::kBilinear>()
+             : with_filter.template operator()<TextureFilter::kNearest>();
+}
+
 /// Whether a part has a texture, vertex colours or transparency, or the job fog or an environment map.
 [[nodiscard]] bool has_surfaces(const RenderJob& job);
 

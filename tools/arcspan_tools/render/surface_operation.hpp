@@ -56,10 +56,10 @@ struct SurfaceOperation {
       if (is_blended(operation->transparency)) return share() != 0;
       if (texel_opacity() < 8) return false;
       return operation->transparency != Transparency::kScreenDoor ||
-             ScreenDoor{operation->opacity}(packed()).covers(x, y);
+             ScreenDoor{operation->opacity}.in_row(x, y)(packed()).covers(x, y);
     }
-    [[nodiscard]] SurfacePixel at_depth(std::uint16_t depth) const {
-      return {packed(), rgb565(), depth, texel_opacity(), operation};
+    [[nodiscard]] SurfacePixel at_depth(std::uint32_t depth) const {
+      return {packed(), rgb565(), static_cast<std::uint16_t>(depth), texel_opacity(), operation};
     }
     [[nodiscard]] PackedRgb packed() const { return arcspan::detail::packed_colour(colour); }
 

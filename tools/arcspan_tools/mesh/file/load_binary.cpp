@@ -117,6 +117,7 @@ FileMaterial file_material(const arcspan::ModelPart& part) {
   material.specular = share(part.material.specular, 1);
   material.shininess = part.material.shininess;
   material.two_sided = part.two_sided;
+  material.sampler = part.texture.sampler;
   material.alpha_mode = part.alpha == PartAlpha::kMasked    ? AlphaMode::kMask
                         : part.alpha == PartAlpha::kBlended ? AlphaMode::kBlend
                                                             : AlphaMode::kOpaque;

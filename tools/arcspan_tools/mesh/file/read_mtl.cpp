@@ -52,6 +52,7 @@ class MtlReader {
       if (illum_ > 2) materials_.left_out.add("illum " + std::to_string(illum_));
       set_highlight();
     } else if (keyword == "map_Kd") {
+      material_->look.sampler = {};
       material_->colour_map = file_name();
     } else if (keyword == "map_d") {
       material_->opacity_map = file_name();
@@ -81,6 +82,11 @@ class MtlReader {
     const std::vector<std::string_view>& words = lines_.words();
     std::size_t at = 1;
     while (at < words.size() && words[at].starts_with("-")) {
+      if (words[0] == "map_Kd" && words[at] == "-clamp" && at + 1 < words.size()) {
+        clamp(words[at + 1] == "on");
+        at += 2;
+        continue;
+      }
       materials_.left_out.add(std::string(words[0]) + " " + std::string(words[at]));
       at += 1 + arguments_of(words[at]);
       // -o, -s and -t have one to three numbers.
@@ -89,6 +95,11 @@ class MtlReader {
     Readings name = lines_.name(at);
     if (name[0].empty()) lines_.fail(in_quotes(words[0]) + " names no file");
     return name;
+  }
+
+  void clamp(bool on) {
+    const TextureWrap wrap = on ? TextureWrap::kClamp : TextureWrap::kRepeat;
+    material_->look.sampler = {wrap, wrap};
   }
 
   /// The least number of words after an option of a map.

@@ -38,8 +38,9 @@ struct MtlMaterials {
 
 /// Adds the materials of an MTL file. Kd is the colour, Ks and Ns the highlight, Ke the emission. Ka is the
 /// ambient colour if its channels differ; grey ones, which exporters write without a meaning, leave it to Kd.
-/// illum 0 is unlit, 1 has no highlight. d, or 1 - Tr, is the opacity. map_Kd is a texture; a Kd of black is
-/// then taken for white, because it would hide it. A wrong statement is left out and counted.
+/// illum 0 is unlit, 1 has no highlight. d, or 1 - Tr, is the opacity. map_Kd is a texture, clamped with
+/// -clamp on; a Kd of black is then taken for white, because it would hide it. A wrong statement is left out
+/// and counted.
 void read_mtl(std::string_view bytes, const std::string& subject, MtlMaterials& materials);
 
 /// Adds a line for each kind of content of `materials` that is not drawn.

@@ -61,7 +61,7 @@ GltfMaterial from_version_1(GltfFile& file, const JsonView& json, GltfTextures& 
     if (!member) return std::nullopt;
     if (!member->is_text()) return colour_or(*values, key, {});
     if (std::string(key) == "diffuse") {
-      result.material.texture = textures.read(file, *member, left_out);
+      textures.read(file, *member, left_out, result.material);
     } else {
       left_out.add(kOtherTextures);
     }
@@ -87,7 +87,7 @@ void read_texture(GltfFile& file, const std::optional<JsonView>& json, const cha
                   GltfTextures& textures, LeftOut& left_out, GltfMaterial& result) {
   const std::optional<JsonView> info = json ? json->find(key) : std::nullopt;
   if (!info) return;
-  result.material.texture = textures.read(file, info->at("index"), left_out);
+  textures.read(file, info->at("index"), left_out, result.material);
   result.mapping = read_gltf_mapping(*info);
 }
 

@@ -7,24 +7,26 @@
 namespace arcspan::tools {
 namespace {
 
-/// Adds what differs from a texture that repeats and whose nearest texel is drawn.
-void note_sampler(const JsonView& sampler, LeftOut& left_out) {
-  constexpr std::int64_t kMostNumber = 0xFFFF;
+TextureWrap wrap_of(const JsonView& sampler, const char* axis, LeftOut& left_out) {
   constexpr std::int64_t kRepeat = 10497;
   constexpr std::int64_t kClamp = 33071;
+  constexpr std::int64_t kMirror = 33648;
+  const std::int64_t mode = sampler.integer_or(axis, kRepeat, 0, 0xFFFF);
+  if (mode == kClamp) return TextureWrap::kClamp;
+  if (mode == kMirror) return TextureWrap::kMirror;
+  if (mode != kRepeat) left_out.add("unknown wrapping of textures, which repeat");
+  return TextureWrap::kRepeat;
+}
+
+/// magFilter, or minFilter if that is all that the file states. What minFilter says of mip levels is not
+/// drawn: a triangle has one.
+TextureFilter filter_of(const JsonView& sampler, LeftOut& left_out) {
   constexpr std::int64_t kNearest = 9728;  // the numbers of linear filters are odd
-  for (const char* direction : {"wrapS", "wrapT"}) {
-    const std::int64_t mode = sampler.integer_or(direction, kRepeat, 0, kMostNumber);
-    if (mode == kRepeat) continue;
-    left_out.add(mode == kClamp ? "clamped edges of textures, which repeat"
-                                : "mirrored textures, which repeat");
-    break;
-  }
-  for (const char* filter : {"magFilter", "minFilter"}) {
-    if (sampler.integer_or(filter, kNearest, 0, kMostNumber) % 2 == 0) continue;
-    left_out.add("linear filters of textures");
-    break;
-  }
+  const std::int64_t small = sampler.integer_or("minFilter", kNearest, 0, 0xFFFF);
+  const std::int64_t large = sampler.integer_or("magFilter", small, 0, 0xFFFF);
+  if (sampler.find("minFilter") && (small - large) % 2 != 0)
+    left_out.add("filters of textures that differ far away");
+  return large % 2 == 0 ? TextureFilter::kNearest : TextureFilter::kBilinear;
 }
 
 }  // namespace
@@ -58,18 +60,25 @@ GltfMapping read_gltf_mapping(const JsonView& info) {
   return mapping;
 }
 
-std::shared_ptr<const FileTexture> GltfTextures::read(GltfFile& file, const JsonView& id, LeftOut& left_out) {
+void GltfTextures::read(GltfFile& file, const JsonView& id, LeftOut& left_out, FileMaterial& material) {
   const JsonView texture = file.element("textures", id);
-  const bool is_new = known_.insert(texture.place()).second;
-  if (const std::optional<JsonView> sampler = texture.find("sampler"); sampler && is_new) {
-    note_sampler(file.element("samplers", *sampler), left_out);
-  }
+  LeftOut known;  // of a texture that was read before
+  LeftOut& new_left_out = known_.insert(texture.place()).second ? left_out : known;
   const std::optional<JsonView> source = texture.find("source");
   if (!source) {
-    if (is_new) left_out.add("textures of other formats");
-    return nullptr;
+    new_left_out.add("textures of other formats");
+    return;
   }
-  const JsonView image = file.element("images", *source);
+  if (const std::optional<JsonView> name = texture.find("sampler")) {
+    const JsonView sampler = file.element("samplers", *name);
+    material.sampler = {wrap_of(sampler, "wrapS", new_left_out), wrap_of(sampler, "wrapT", new_left_out),
+                        filter_of(sampler, new_left_out)};
+  }
+  material.texture = picture(file, *source);
+}
+
+std::shared_ptr<const FileTexture> GltfTextures::picture(GltfFile& file, const JsonView& source) {
+  const JsonView image = file.element("images", source);
   const std::optional<JsonView> uri = image.find("uri");
   const std::string name =
       uri && uri->is_text() && !uri->text().starts_with("data:") ? uri->text() : image.place();

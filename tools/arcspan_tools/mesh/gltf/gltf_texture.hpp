@@ -30,15 +30,16 @@ struct GltfMapping {
 /// The textures of a glTF file, each picture once.
 class GltfTextures {
  public:
-  /// The texture that `id`, an index or a name, refers to; null if its picture cannot be read. What its
-  /// sampler asks for and is not drawn is added to `left_out`.
-  [[nodiscard]] std::shared_ptr<const FileTexture> read(GltfFile& file, const JsonView& id,
-                                                        LeftOut& left_out);
+  /// Gives a material the texture that `id`, an index or a name, refers to, with its sampler; none if its
+  /// picture cannot be read. What its sampler asks for and is not drawn is added to `left_out`.
+  void read(GltfFile& file, const JsonView& id, LeftOut& left_out, FileMaterial& material);
 
   /// Adds a line about pictures that could not be read.
   void warn(std::vector<std::string>& warnings) const { pictures_.warn(warnings); }
 
  private:
+  [[nodiscard]] std::shared_ptr<const FileTexture> picture(GltfFile& file, const JsonView& source);
+
   FilePictures pictures_;
   std::set<std::string> known_;  ///< textures, by place
 };

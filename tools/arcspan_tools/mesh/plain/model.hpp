@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/texture/texture.hpp>
+
 #include <arcspan_tools/image/rgba_image.hpp>
 #include <arcspan_tools/mesh/plain/mesh_data.hpp>
 
@@ -39,6 +41,7 @@ struct FileMaterial {
   bool unlit = false;                            ///< the colour is shown as it is, without light
   bool two_sided = false;                        ///< back faces are drawn too
   std::shared_ptr<const FileTexture> texture{};  ///< multiplies `colour`; null if there is none
+  TextureSampler sampler{};                      ///< of the texture
   AlphaMode alpha_mode = AlphaMode::kOpaque;     ///< of the texture
   double alpha_cutoff = 0.5;
   double opacity = 1;  ///< of the whole surface, 0...1
@@ -106,7 +109,8 @@ enum class VertexColours : std::uint8_t { kMean, kKept };
 /// Joins corners into vertices as weld() does, part by part and with texture points; normals are averaged
 /// across parts. Parts without triangles are left out. The limit of vertices holds for each part, that of
 /// triangles for the model. The texture of a part that has no texture points, or some that are more than
-/// kMostTextures apart, is left out, with a warning. Texture points must be finite.
+/// kMostTextures apart or half of it away from a clamped texture, is left out, with a warning. Texture points
+/// must be finite.
 [[nodiscard]] Model weld_parts(const RawModel& raw, const std::string& subject,
                                TexturePointsOf points = TexturePointsOf::kTexturedParts);
 

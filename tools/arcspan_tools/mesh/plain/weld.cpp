@@ -147,14 +147,16 @@ void require_faces(const std::string& subject, bool any, std::size_t dropped) {
       subject, dropped == 0 ? "no faces" : "no faces with an area (" + std::to_string(dropped) + " dropped)");
 }
 
-bool is_in_texture_range(const std::vector<Uv>& points) {
-  const auto range = [&points](double Uv::*coordinate) {
+/// Texture points are stored from 0 on where the texture is clamped, otherwise from near their middle.
+bool is_in_texture_range(const std::vector<Uv>& points, const TextureSampler& sampler) {
+  const auto is_in_range = [&points](double Uv::*coordinate, TextureWrap wrap) {
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), [&](const Uv& a, const Uv& b) {
       return a.*coordinate < b.*coordinate;
     });
-    return (*high).*coordinate - (*low).*coordinate;
+    if (wrap != TextureWrap::kClamp) return (*high).*coordinate - (*low).*coordinate <= kMostTextures;
+    return std::max((*high).*coordinate, -((*low).*coordinate)) <= kMostTextures / 2;
   };
-  return points.empty() || (range(&Uv::u) <= kMostTextures && range(&Uv::v) <= kMostTextures);
+  return points.empty() || (is_in_range(&Uv::u, sampler.u) && is_in_range(&Uv::v, sampler.v));
 }
 
 /// For each look, whether a corner of its triangles has what `has` asks for.
@@ -203,7 +205,7 @@ Model weld_parts(const RawModel& raw, const std::string& subject, TexturePointsO
   for (std::size_t i = 0; i < welders.size(); ++i) {
     if (welders[i].mesh().triangles.empty()) continue;
     ModelPart& part = model.parts.emplace_back(ModelPart{raw.looks[i], std::move(welders[i].mesh())});
-    const bool in_range = is_in_texture_range(part.mesh.texture_points);
+    const bool in_range = is_in_texture_range(part.mesh.texture_points, part.look.material.sampler);
     if (!in_range) part.mesh.texture_points.clear();
     if (has_points[i] && in_range) continue;
     const bool had_texture = std::exchange(part.look.material.texture, nullptr) != nullptr;
@@ -219,8 +221,10 @@ Model weld_parts(const RawModel& raw, const std::string& subject, TexturePointsO
     if (parts > 0) model.warnings.push_back(what + (" (" + std::to_string(parts) + ")"));
   };
   warn("parts with a texture but without texture coordinates are drawn without it", without_points);
-  warn("parts whose texture coordinates are more than 4000 apart are drawn without their texture",
-       out_of_range);
+  warn(
+      "parts whose texture coordinates are more than 4000 apart, or 2000 from a clamped texture, are drawn "
+      "without their texture",
+      out_of_range);
   return model;
 }
 

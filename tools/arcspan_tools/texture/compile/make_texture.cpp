@@ -119,7 +119,8 @@ TextureAndLevels make_texture(const RgbaImage& picture, const TextureOptions& op
   if (options.format.alpha_bits == 0 && !std::all_of(source.pixels.begin(), source.pixels.end(), is_opaque)) {
     for (Rgba8& c : source.pixels) c.a = 255;
   }
-  TextureAndLevels made{{options.format, size}, mip_levels(source, size, options.edges)};
+  TextureAndLevels made{{options.format, size}, mip_levels(source, size, options.sampler)};
+  made.texture.sampler = options.sampler;
   const IslandSize islands = options.islands ? *options.islands : islands_of(made.levels[0]);
   made.texture.size.levels = levels_with_islands(size, islands);
   made.texture.left_out = static_cast<std::uint8_t>(size.levels - made.texture.size.levels);

@@ -19,7 +19,7 @@ struct TextureOptions {
   std::int32_t most_side = 1 << TextureSize::kMostBits;
   std::int32_t levels = 1;              ///< 0 means all
   std::optional<IslandSize> islands{};  ///< limit the levels; those of opaque texels if unset
-  PictureEdges edges = PictureEdges::kRepeat;
+  TextureSampler sampler{};
   bool dither = false;  ///< mixes colours that the format lacks of neighbouring texels
   bool exact = false;   ///< refuses pictures whose colours would have to be reduced
 };

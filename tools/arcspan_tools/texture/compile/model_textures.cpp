@@ -34,7 +34,7 @@ std::size_t ModelTextures::bytes() const {
 }
 
 ModelTextures make_textures(const FixedModel& model, const TextureOptions& options) {
-  using Key = std::tuple<const FileTexture*, AlphaMode, double>;
+  using Key = std::tuple<const FileTexture*, AlphaMode, double, std::uint8_t>;
   ModelTextures made;
   TextureOptions own = options;
   own.format = common_format(model, options.format);
@@ -45,9 +45,11 @@ ModelTextures make_textures(const FixedModel& model, const TextureOptions& optio
       made.of_part.emplace_back();
       continue;
     }
-    const Key key{material.texture.get(), material.alpha_mode, material.alpha_cutoff};
+    const Key key{material.texture.get(), material.alpha_mode, material.alpha_cutoff,
+                  texture_binary::sampler_byte(material.sampler)};
     const auto [at, is_new] = known.try_emplace(key, made.textures.size());
     if (is_new) {
+      own.sampler = material.sampler;
       own.islands = islands_of(model, *material.texture);
       made.textures.push_back(make_texture(picture_of(material), own, material.texture->name).texture);
     }

@@ -31,6 +31,12 @@ Rgba8 drawn(std::uint16_t stored) {
   return widened(C::rgb565(stored), C::alpha(stored));
 }
 
+/// The bits of an opaque texel's alpha.
+template <TexelColour C>
+constexpr std::uint16_t opaque_bits() {
+  return static_cast<std::uint16_t>(((1u << C::kAlphaBits) - 1) << C::kAlphaShift);
+}
+
 /// For each of 256 levels, the stored channel at bit `shift` that is drawn nearest to it.
 template <TexelColour C>
 std::array<std::uint16_t, 256> nearest_levels(unsigned shift, unsigned bits, std::uint8_t Rgba8::*channel) {
@@ -39,7 +45,10 @@ std::array<std::uint16_t, 256> nearest_levels(unsigned shift, unsigned bits, std
     int least = 256;
     for (unsigned value = 0; value < 1u << bits; ++value) {
       const auto stored = static_cast<std::uint16_t>(value << shift);
-      const int error = std::abs(drawn<C>(stored).*channel - level);
+      // Colours of opaque texels; their alpha is not a part of what is stored.
+      const auto shown =
+          static_cast<std::uint16_t>(channel == &Rgba8::a ? stored : stored | opaque_bits<C>());
+      const int error = std::abs(drawn<C>(shown).*channel - level);
       if (error >= least) continue;
       least = error;
       table[static_cast<std::size_t>(level)] = stored;
@@ -55,7 +64,7 @@ std::uint16_t nearest(Rgba8 c) {
   static const auto kReds = nearest_levels<C>(red, kBits, &Rgba8::r);
   static const auto kGreens = nearest_levels<C>(green, C::kAlphaBits == 0 ? 6 : kBits, &Rgba8::g);
   static const auto kBlues = nearest_levels<C>(blue, kBits, &Rgba8::b);
-  static const auto kAlphas = nearest_levels<C>(0, C::kAlphaBits, &Rgba8::a);
+  static const auto kAlphas = nearest_levels<C>(C::kAlphaShift, C::kAlphaBits, &Rgba8::a);
   return static_cast<std::uint16_t>(kReds[c.r] | kGreens[c.g] | kBlues[c.b] | kAlphas[c.a]);
 }
 
@@ -88,7 +97,7 @@ std::string left_out_text(const MadeTexture& texture) {
 
 std::uint16_t stored_colour(Rgba8 c, unsigned alpha_bits) {
   if (alpha_bits == 0) return nearest<OpaqueColour, 11, 5, 0>(c);
-  return alpha_bits == 1 ? nearest<Alpha1Colour, 11, 6, 1>(c) : nearest<Alpha4Colour, 12, 8, 4>(c);
+  return alpha_bits == 1 ? nearest<Alpha1Colour, 11, 6, 0>(c) : nearest<Alpha4Colour, 12, 8, 4>(c);
 }
 
 Rgba8 drawn_colour(std::uint16_t stored, unsigned alpha_bits) {

@@ -38,6 +38,7 @@ struct MadeTexture {
   std::uint8_t left_out = 0;  ///< levels that are not made, because islands would have less than two texels
   std::vector<std::uint16_t> palette{};  ///< as many colours as the format has
   std::vector<std::uint16_t> texels{};
+  TextureSampler sampler{};
 
   /// The bytes that a firmware stores.
   [[nodiscard]] std::size_t bytes() const {

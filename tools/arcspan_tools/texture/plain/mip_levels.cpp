@@ -22,14 +22,18 @@ std::uint8_t bits_of(std::int32_t side, const std::string& subject) {
                 "a texture's side must be a power of two from 8 to 1024, not " + std::to_string(side));
 }
 
+stbir_edge edge_of(TextureWrap wrap) {
+  if (wrap == TextureWrap::kRepeat) return STBIR_EDGE_WRAP;
+  return wrap == TextureWrap::kClamp ? STBIR_EDGE_CLAMP : STBIR_EDGE_REFLECT;
+}
+
 RgbaImage resized(const RgbaImage& from, std::int32_t width, std::int32_t height, stbir_filter filter,
-                  PictureEdges edges) {
+                  const TextureSampler& sampler) {
   RgbaImage to(width, height);
-  const stbir_edge edge = edges == PictureEdges::kRepeat ? STBIR_EDGE_WRAP : STBIR_EDGE_CLAMP;
   constexpr int kAlphaAt = 3;
-  const int done =
-      stbir_resize_uint8_generic(&from.pixels[0].r, from.width, from.height, 0, &to.pixels[0].r, width,
-                                 height, 0, 4, kAlphaAt, 0, edge, filter, STBIR_COLORSPACE_SRGB, nullptr);
+  const int done = stbir_resize(&from.pixels[0].r, from.width, from.height, 0, &to.pixels[0].r, width, height,
+                                0, STBIR_TYPE_UINT8, 4, kAlphaAt, 0, edge_of(sampler.u), edge_of(sampler.v),
+                                filter, filter, STBIR_COLORSPACE_SRGB, nullptr);
   if (done == 0) throw std::bad_alloc();  // nothing else can go wrong in it
   return to;
 }
@@ -53,15 +57,16 @@ TextureSize texture_size(const Size& sides, std::int32_t levels, const std::stri
   return size;
 }
 
-std::vector<RgbaImage> mip_levels(const RgbaImage& picture, const TextureSize& size, PictureEdges edges) {
+std::vector<RgbaImage> mip_levels(const RgbaImage& picture, const TextureSize& size,
+                                  const TextureSampler& sampler) {
   const std::int32_t width = 1 << size.width_bits;
   const std::int32_t height = 1 << size.height_bits;
   std::vector<RgbaImage> levels;
   const bool fits = picture.width == width && picture.height == height;
-  levels.push_back(fits ? picture : resized(picture, width, height, STBIR_FILTER_DEFAULT, edges));
+  levels.push_back(fits ? picture : resized(picture, width, height, STBIR_FILTER_DEFAULT, sampler));
   // Each is made of the largest, so that it is rounded once.
   for (unsigned i = 1; i < size.levels; ++i) {
-    levels.push_back(resized(levels[0], width >> i, height >> i, STBIR_FILTER_BOX, edges));
+    levels.push_back(resized(levels[0], width >> i, height >> i, STBIR_FILTER_BOX, sampler));
   }
   return levels;
 }

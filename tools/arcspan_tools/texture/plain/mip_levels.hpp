@@ -11,10 +11,6 @@
 
 namespace arcspan::tools {
 
-/// Which pixels a filter uses beyond the edges of a picture: those at the opposite edge (kRepeat, for
-/// textures that repeat), or the nearest one at the edge (kClamp).
-enum class PictureEdges { kRepeat, kClamp };
-
 /// The power of two from 8 to 1024 that is nearest to a side of a picture.
 [[nodiscard]] std::int32_t nearest_side(std::int32_t side);
 
@@ -23,8 +19,8 @@ enum class PictureEdges { kRepeat, kClamp };
 [[nodiscard]] TextureSize texture_size(const Size& sides, std::int32_t levels, const std::string& subject);
 
 /// The levels of a texture: the picture at its size, and its halves. Pixels are averaged in linear light,
-/// weighted by their opacity.
+/// weighted by their opacity. Beyond the edges they continue as `sampler` says.
 [[nodiscard]] std::vector<RgbaImage> mip_levels(const RgbaImage& picture, const TextureSize& size,
-                                                PictureEdges edges);
+                                                const TextureSampler& sampler);
 
 }  // namespace arcspan::tools

@@ -33,16 +33,18 @@ RgbaImage picture_of(const FileMaterial& material) {
 }
 
 std::shared_ptr<const SurfaceTexture> surface_texture(const RgbaImage& picture, unsigned alpha_bits,
-                                                      PictureEdges edges, const IslandSize& islands) {
+                                                      const TextureSampler& sampler,
+                                                      const IslandSize& islands) {
   const Size sides{nearest_side(picture.width), nearest_side(picture.height)};
   TextureSize size = texture_size(sides, 0, "texture");
   size.levels = levels_with_islands(size, islands);
   auto texture = std::make_shared<SurfaceTexture>();
-  for (const RgbaImage& level : mip_levels(picture, size, edges)) {
+  for (const RgbaImage& level : mip_levels(picture, size, sampler)) {
     for (const Rgba8 c : level.pixels)
       texture->texels.push_back(shown(stored_colour(c, alpha_bits), alpha_bits));
   }
   static_cast<void>(Texture<SurfaceTexels>::make(texture->texels, size, texture->view));  // there are all
+  texture->view = texture->view.with(sampler);
   return texture;
 }
 

@@ -45,9 +45,10 @@ struct SurfaceTexture {
 
 /// The texture that `arcspan mesh` makes of a picture with direct texels and `alpha_bits` (0, 1 or 4), in the
 /// size that is nearest to it, with all mip levels in which `islands` have two texels.
-[[nodiscard]] std::shared_ptr<const SurfaceTexture> surface_texture(
-    const RgbaImage& picture, unsigned alpha_bits, PictureEdges edges = PictureEdges::kRepeat,
-    const IslandSize& islands = {});
+[[nodiscard]] std::shared_ptr<const SurfaceTexture> surface_texture(const RgbaImage& picture,
+                                                                    unsigned alpha_bits,
+                                                                    const TextureSampler& sampler = {},
+                                                                    const IslandSize& islands = {});
 
 /// A texture whose texels are white and opaque.
 [[nodiscard]] const Texture<SurfaceTexels>& white_texture();

@@ -16,6 +16,8 @@ MODELS = {  # by name: file, pixels of its larger extent, options of `arcspan me
     "bunny": (BUNNY, 216, ("--crease", "180")), "bunny, 900 triangles": (BUNNY, 216, ("--crease", "180", "--max-triangles", "900")),
     "teapot": (TEAPOT, 216, ("--crease", "180")),
     "duck": (DUCK, 216, ("--no-textures",)), "wuson": (WUSON, 216, ()), "duck, 60 pixels": (DUCK, 60, ("--no-textures",))}
+# The product of cost_textures.cpp, with its texture.
+TEXTURED_MODEL = {"product": (DUCK, 216, ("--max-triangles", "970", "--texture-format", "rgb565", "--texture-levels", "all"))}
 DISTANCE = 4  # of the eye, in radii of the model
 
 
@@ -58,17 +60,20 @@ def camera(binary, pixels):
     return [round(256 * v) for v in (x, y, z)], round(2048 * focal), *(round(256 * v) for v in planes)
 
 
-def records(arcspan, folder):
-    """The names of the models that are there, and what the emulator loads for tests/firmware/cost_models.cpp. Compiles them into
-    `folder` by the command `arcspan`."""
+def records(arcspan, folder, models=MODELS):
+    """The names of the models that are there, and what the emulator loads: tests/firmware/cost_record.hpp. Compiles them into
+    `folder` by the command `arcspan`. A record has the mesh of a model, or all of it if that has a texture."""
     names, data = [], b""
-    for number, (name, (file, pixels, options)) in enumerate(MODELS.items()):
+    for number, (name, (file, pixels, options)) in enumerate(models.items()):
         if not file.exists():
             continue
         compiled = pathlib.Path(folder, f"{number}.bin")
         subprocess.run([arcspan, "mesh", file, "--planes", *options, "-o", compiled], check=True, capture_output=True)
-        binary = mesh_of(compiled.read_bytes())
+        written = compiled.read_bytes()
+        binary = mesh_of(written)
         translation, focal, near, far = camera(binary, pixels)
+        if models is TEXTURED_MODEL:
+            binary = written + bytes(-len(written) % 4)
         data += struct.pack("<24sI8i", name.encode(), len(binary), PICTURE, PICTURE, *translation, focal, near, far) + binary
         names.append(name)
     return names, data + bytes(64)

@@ -8,8 +8,8 @@ import re
 import sys
 import textwrap
 
-from cost_scenes import (ARCS, BANDS, EXTREMES, FEW, HEADLINE, LINES, NAMES, OTHER, RADII, RISCV, SPHERES, TARGETS,
-                         TEXTURED)
+from cost_scenes import (ARCS, BANDS, EXTREMES, FEW, HEADLINE, LINES, NAMES, OPERATIONS, OTHER, RADII, RISCV, SPHERES, TARGETS,
+                         TEXTURED, TEXTURED_SCENES)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = "docs/performance.md"
@@ -108,9 +108,17 @@ def bands(costs):
 
 
 def textures(costs):
-    return table(["light", *(f"{title}, {section}" for _, title in SHOWN for section in ("frame", "figure", "square", "turned square"))],
-                 [[about, *(f"{figure:,}" for preset, _ in SHOWN for figure in costs["textures"][preset][light].values())]
-                  for light, about in TEXTURED.items()])
+    preset, title = SHOWN[0]
+    small, small_title = SHOWN[1]
+    sections = (*TEXTURED_SCENES, "facing", "turned")
+    return table(["light", *sections, *(f"{name}, {small_title}" for name in TEXTURED_SCENES)],
+                 [[about, *(f"{costs['textures'][preset][light][name]:,}" for name in sections),
+                   *(f"{costs['textures'][small][light][name]:,}" for name in TEXTURED_SCENES)] for light, about in TEXTURED.items()])
+
+
+def operations(costs):
+    return table(["operation", *(title for _, title in SHOWN)],
+                 [[about, *(f"{costs['operations'][preset][kind]}" for preset, _ in SHOWN)] for kind, about in OPERATIONS.items()])
 
 
 def lines_and_points(costs):
@@ -135,7 +143,7 @@ def stack(costs):
 
 
 TABLES = {"frame": frame, "models": models, "parts": parts, "marginal": marginal, "spheres": spheres, "others": others, "bands": bands,
-          "textures": textures, "lines": lines_and_points, "programs": programs, "stack": stack}
+          "textures": textures, "operations": operations, "lines": lines_and_points, "programs": programs, "stack": stack}
 
 
 def filled(page, costs, wanted):

@@ -23,7 +23,11 @@ FINE_ONLY = ("arc-0", "arc", "segment", "segment-8", "segment-16", "recurrence",
 BANDS = {"whole, cache": "whole frame, vertex cache", "whole, no cache": "whole frame, no cache",  # sections of cost_bands.hpp
          "bands, cache": "bands, vertex cache", "bands, no cache": "bands, no cache",
          "bands, kept": "bands, `VertexCache`", "bands, kept with rows": "bands, `VertexCache` with rows"}
-TEXTURED = {"unlit": "none", "greygouraud": "`GreyGouraud`", "arc": "`Arc`"}  # cost_textures.cpp, by light
+TEXTURED = {"unlit": "none", "flat": "`Flat`", "greygouraud": "`GreyGouraud`", "arc": "`Arc`"}  # cost_textures.cpp, by light
+TEXTURED_SCENES = ("character", "product", "room", "dashboard")  # its sections of whole pictures
+OPERATIONS = {"plain": "none", "alpha-1": "masked by a bit of alpha", "screen-door": "`ScreenDoor`, half of the pixels",  # cost_operations.cpp
+              "opacity": "`Opacity`", "add": "`Opacity<Blend::kAdd>`", "multiply": "`Opacity<Blend::kMultiply>`",
+              "alpha-4": "`Opacity` by 4 bits of alpha", "fog": "`Fogged`", "bilinear": "none, bilinear texels"}
 LINES = {"level": ("line, level", "short", "long"), "flat": ("line, wider than high", "short", "long"),  # of cost_lines.cpp
          "tall": ("line, higher than wide", "short", "long"), "points": ("point", "small", "large"),
          "sprites": ("billboard", "small", "large")}

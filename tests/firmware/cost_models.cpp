@@ -6,42 +6,10 @@
 #include <arcspan/mesh/mesh_binary.hpp>
 
 #include <tests/firmware/cost_method.hpp>
-
-#include <cstddef>
-#include <cstdint>
-
-namespace arcspan {
-
-/// A mesh binary, its camera and the size of the picture. A record of 0 bytes is the end.
-struct ModelRecord {
-  char name[24];  ///< ends with zeros
-  std::uint32_t bytes;
-  std::int32_t width;
-  std::int32_t height;
-  std::int32_t translation[3];  ///< ObjectLength
-  std::int32_t focal;           ///< PixelLength
-  std::int32_t near_plane;      ///< ObjectLength
-  std::int32_t far_plane;       ///< ObjectLength
-};
-
-}  // namespace arcspan
-
-/// Where the emulator loads the records, each followed by its binary, which is padded to a multiple of 4
-/// bytes.
-extern "C" const std::byte arcspan_models[];
+#include <tests/firmware/cost_record.hpp>
 
 namespace arcspan {
 namespace {
-
-/// Light and rotation are those of scenes::set_stage().
-bool set_model_stage(const ModelRecord& model, scenes::StageSet& stage) {
-  if (!ok(scenes::set_stage({model.width, model.height}, 1, {}, stage))) return false;
-  Placement placement{scenes::stage_rotation({}), {}};
-  for (std::size_t i = 0; i < 3; ++i) placement.translation[i] = ObjectLength::from_raw(model.translation[i]);
-  const Projection projection{PixelLength::from_raw(model.focal), ObjectLength::from_raw(model.near_plane),
-                              ObjectLength::from_raw(model.far_plane)};
-  return ok(ClipTransform::make(placement, projection, {model.width, model.height}, stage.transform));
-}
 
 bool draw_model(const ModelRecord& model, std::span<const std::uint8_t> binary) {
   static scenes::StageSet stage;
@@ -62,15 +30,10 @@ bool draw_model(const ModelRecord& model, std::span<const std::uint8_t> binary) 
 }
 
 bool draw_models() {
-  const std::byte* at = arcspan_models;
-  for (;;) {
-    const auto& model = *static_cast<const ModelRecord*>(static_cast<const void*>(at));
-    if (model.bytes == 0) return true;
-    at += sizeof(ModelRecord);
-    if (!draw_model(model, {static_cast<const std::uint8_t*>(static_cast<const void*>(at)), model.bytes}))
-      return false;
-    at += model.bytes;
+  for (const ModelRecord* model = &first_record(); model->bytes != 0; model = &next_record(*model)) {
+    if (!draw_model(*model, binary_of(*model))) return false;
   }
+  return true;
 }
 
 }  // namespace

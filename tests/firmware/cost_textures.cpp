@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The benchmark frame and a figure of small triangles with a texture of 128x128 texels, mapped along the
-// z-axis, and a large square that is seen at an angle: the sections of one program for each light, for
-// scripts/firmware-costs.
+// What users draw with textures, and a large square that is seen at an angle: the sections of one program for
+// each light, for scripts/firmware-costs. The product is a model that the emulator loads into memory;
+// everything else has a texture of 128x128 texels with mip levels, that of the character mapped along the
+// z-axis.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/model/model_binary.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 
 #include <tests/firmware/cost_figure.hpp>
+#include <tests/firmware/cost_places.hpp>
+#include <tests/firmware/cost_record.hpp>
 #include <tests/firmware/cost_stage.hpp>
 
 #include <array>
@@ -26,7 +30,7 @@ using Method = Textured<ARCSPAN_LIGHT, DirectTexels<>>;
 
 [[gnu::section(".bss.frame")]] std::uint16_t colours[kCostWidth * kCostHeight];
 [[gnu::section(".bss.frame")]] std::uint16_t depths[kCostWidth * kCostHeight];
-[[gnu::section(".bss.frame")]] std::uint16_t texels[128 * 128];
+[[gnu::section(".bss.frame")]] std::uint16_t texels[21845];  // of all levels
 [[gnu::section(".bss.frame")]] std::array<TexturePoint, 4096> points;
 [[gnu::section(".bss.frame")]] CachedVertex<Method> cache[4096];
 
@@ -41,7 +45,8 @@ bool measure(const char* name, const MeshView& mesh, const ClipTransform& transf
   const DrawResult drawn = draw_mesh<Method>(mesh, transform, lighting, frame, depth, cache);
   arcspan_mark();
   std::uint32_t pixels = 0;
-  for (const std::uint16_t at : depths) pixels += at != DepthBuffer::kFarthest ? 1 : 0;
+  for (std::int32_t i = 0; i < size.width * size.height; ++i)
+    pixels += depths[i] != DepthBuffer::kFarthest ? 1 : 0;
   bare::print_line("section: ", name);
   bare::print_line("section: between");
   bare::print_line("drawn: ", name, " triangles ", drawn.triangles, " pixels ", pixels);
@@ -82,6 +87,23 @@ bool measure_square(const char* name, std::int32_t depth, const Method::Lighting
          measure(name, mesh, transform, lighting);
 }
 
+/// Draws the model that is loaded, with its texture, which `lighting` gets.
+bool measure_model(Method::Lighting& lighting) {
+  static scenes::StageSet stage;
+  static std::array<ModelPart, 1> parts;
+  std::size_t count = 0;
+  const ModelRecord& model = first_record();
+  return ok(view_model_binary(binary_of(model), parts, count)) && count == 1 &&
+         parts[0].mesh.vertex_count() <= points.size() &&
+         ok(view_texture(parts[0].texture, lighting.texture)) && set_model_stage(model, stage) &&
+         measure("product", parts[0].mesh, stage.transform, lighting);
+}
+
+bool measure_place(const char* name, bool (*make)(CostPlace&), const Method::Lighting& lighting) {
+  static CostPlace place;
+  return make(place) && measure(name, place.mesh, place.transform, lighting);
+}
+
 /// Sets a white material under the light of the benchmark frame, if the method takes light.
 template <class M>
 bool set_light(typename M::Lighting& lighting) {
@@ -105,25 +127,20 @@ bool set_light(typename M::Lighting& lighting) {
 }  // namespace
 
 int main() {
-  for (std::size_t i = 0; i < 128 * 128; ++i) texels[i] = static_cast<std::uint16_t>(i * 40503u >> 3);
-  static SphereMemory memory;
-  SphereMeshes sphere;
-  static scenes::StageSet stage;
-  if (!make_sphere_meshes(32, 16, memory, sphere) ||
-      !ok(scenes::set_stage({kCostWidth, kCostHeight}, 72, {}, stage))) {
-    return 1;
-  }
+  for (std::size_t i = 0; i < std::size(texels); ++i) texels[i] = static_cast<std::uint16_t>(i * 40503u >> 3);
   static scenes::StageSet figure_stage;
   MeshView figure;
   if (!ok(scenes::set_character_stage({kCostHeight, kCostWidth}, figure_stage)) ||
       !make_character_mesh(figure))
-    return 2;
+    return 1;
   static Method::Lighting lighting;
-  if (!set_light<Method>(lighting)) return 3;
-  if (!ok(Texture<DirectTexels<>>::make(texels, {7, 7, 1}, lighting.texture))) return 4;
-  return measure_mapped("sphere", sphere.planed, stage.transform, lighting) &&
-                 measure_mapped("figure", figure, figure_stage.transform, lighting) &&
-                 measure_square("facing", 0, lighting) && measure_square("turned", 8000, lighting)
+  if (!set_light<Method>(lighting)) return 2;
+  if (!ok(Texture<DirectTexels<>>::make(texels, {7, 7, 8}, lighting.texture))) return 3;
+  return measure_mapped("character", figure, figure_stage.transform, lighting) &&
+                 measure_place("room", make_room, lighting) &&
+                 measure_place("dashboard", make_dashboard, lighting) &&
+                 measure_square("facing", 0, lighting) && measure_square("turned", 8000, lighting) &&
+                 measure_model(lighting)
              ? 0
-             : 5;
+             : 4;
 }

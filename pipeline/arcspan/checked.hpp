@@ -35,8 +35,6 @@ inline constexpr bool kIsChecked = true;
 inline constexpr bool kIsChecked = false;
 #endif
 
-namespace detail {
-
 /// What was done to the object that has this as a member, in builds with checks: 0 for nothing. Elsewhere it
 /// is empty.
 template <bool Checked>
@@ -44,6 +42,7 @@ struct BasicCheckedState {
   constexpr void set(unsigned) {}
   [[nodiscard]] constexpr unsigned get() const { return 0; }
 };
+/// That of builds with checks.
 template <>
 struct BasicCheckedState<true> {
   constexpr void set(unsigned done) { done_ = done; }
@@ -52,8 +51,7 @@ struct BasicCheckedState<true> {
  private:
   unsigned done_ = 0;
 };
+/// That of this build.
 using CheckedState = BasicCheckedState<kIsChecked>;
-
-}  // namespace detail
 
 }  // namespace arcspan

@@ -35,7 +35,7 @@ namespace arcspan {
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features = IlluminationFeatures{}>
 class Illumination : private FadeFor<Features>,
                      private RampScaleFor<Lights, Features>,
-                     private detail::CheckedState {  // empty bases take no bytes
+                     private CheckedState {  // empty bases take no bytes
  public:
   static_assert(Lights >= 1 && Lights <= 4);
   static constexpr std::size_t kLights = Lights;
@@ -238,7 +238,7 @@ class Illumination : private FadeFor<Features>,
   [[nodiscard]] constexpr const PowerTable& power() const { return power_; }
   [[nodiscard]] constexpr std::uint32_t shininess() const { return shininess_; }
   /// False for an illumination that make() has not set, in builds with checks only (ARCSPAN_CHECKED).
-  [[nodiscard]] constexpr bool is_made() const { return !kIsChecked || detail::CheckedState::get() != 0; }
+  [[nodiscard]] constexpr bool is_made() const { return !kIsChecked || CheckedState::get() != 0; }
   /// The colour of a normal with these scalars in 256ths of an 8-bit step. Without the ramp, for any number
   /// of lights.
   [[nodiscard]] constexpr DeepColour deep_colour(const Scalars& scalars) const {

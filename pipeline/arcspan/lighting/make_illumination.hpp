@@ -102,7 +102,7 @@ constexpr Status Illumination<Lights, Model, Features>::make(
     ARCSPAN_CHECK(light.strength.raw() == 0 || detail::is_unit(light.towards),
                   "Illumination::make: the direction to a light is not a unit vector");
   }
-  static_cast<detail::CheckedState&>(illumination).set(1);
+  static_cast<CheckedState&>(illumination).set(1);
   // A single light's weights are multiplied into the coefficients. Several lights are weighted per pixel.
   const detail::ChannelWeights weights =
       Lights == 1 ? detail::channel_weights(lights[0]) : detail::kFullWeights;

@@ -66,8 +66,9 @@ class Fog {
         clamped_unsigned<16, 0>(end_ - static_cast<std::int32_t>(depth)) + kPerOctave;
     const int zeros = leading_zeros(biased);
     // The highest eight bits are 128...255.
-    return shares_[static_cast<std::size_t>(static_cast<std::uint32_t>(zeros - kSecondZeros) * kPerOctave +
-                                            (biased << zeros >> 24))];
+    const std::uint32_t entry =
+        static_cast<std::uint32_t>(zeros - kSecondZeros) * kPerOctave + (biased << zeros >> 24);
+    return shares_[static_cast<std::size_t>(entry)];
   }
   [[nodiscard]] constexpr PackedRgb colour() const { return colour_; }
   /// The colour as a spread 5-6-5 pixel.

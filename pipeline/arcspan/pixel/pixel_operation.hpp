@@ -159,8 +159,8 @@ namespace detail {
 /// drawn.
 consteval std::array<std::array<std::uint8_t, 8>, 9> make_door_rows() {
   std::array<std::array<std::uint8_t, 8>, 9> rows{};
-  for (std::uint32_t n = 0; n <= 8; ++n) {
-    for (std::uint32_t at = 0; at < 64; ++at) {
+  for (std::size_t n = 0; n <= 8; ++n) {
+    for (std::size_t at = 0; at < 64; ++at) {
       if (kDitherMatrix[at >> 3][at & 7] < 8 * n)
         rows[n][at >> 3] |= static_cast<std::uint8_t>(128u >> (at & 7));
     }
@@ -206,8 +206,8 @@ struct ScreenDoor {
     ARCSPAN_INLINE constexpr void next() { drawn = (drawn << 1) | (drawn >> 31); }
   };
   [[nodiscard]] ARCSPAN_INLINE constexpr Row in_row(std::int32_t x, std::int32_t y) const {
-    const std::uint32_t bits =
-        detail::kDoorRows[opacity < 8 ? opacity : 8][static_cast<std::uint32_t>(y) & 7u];
+    const std::size_t row = static_cast<std::size_t>(y) & 7u;
+    const std::uint32_t bits = detail::kDoorRows[opacity < 8 ? static_cast<std::size_t>(opacity) : 8u][row];
     const std::uint32_t four = bits * 0x01010101u;
     const auto column = static_cast<std::uint32_t>(x);
     return {(four << (column & 31u)) | (four >> ((0u - column) & 31u))};

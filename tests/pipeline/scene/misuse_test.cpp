@@ -239,7 +239,7 @@ TEST_CASE("builds with checks report calls that cannot mean what they say") {
 TEST_CASE("builds without checks contain none of them") {
   if (kIsChecked) return;
   CHECK(std::string(ARCSPAN_TEXT_OF(ARCSPAN_CHECK(false, "cause"))) == "static_cast<void>(0)");
-  CHECK(std::is_empty_v<arcspan::detail::CheckedState>);
+  CHECK(std::is_empty_v<arcspan::CheckedState>);
   CHECK(sizeof(DepthBuffer) == sizeof(void*) + sizeof(Rect) + sizeof(void*));
 }
 

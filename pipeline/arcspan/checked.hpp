@@ -10,10 +10,10 @@
 /// code of a program must agree. Without it nothing of this is compiled: objects are what they would be
 /// without checks.
 ///
-/// What is checked, besides the statuses of each function:
+/// These calls are reported:
 ///
-///   draw calls         a depth buffer whose memory was never cleared, or not since it was moved to another
-///   band
+///   draw calls         a depth buffer whose memory was never cleared, or not since the buffer was moved to
+///                      another band
 ///                      a material or a billboard whose texture was not given
 ///                      a texture that does not repeat, given to a method that repeats all
 ///                      a mesh, transform or illumination that was never made
@@ -35,14 +35,14 @@ inline constexpr bool kIsChecked = true;
 inline constexpr bool kIsChecked = false;
 #endif
 
-/// What was done to the object that has this as a member, in builds with checks: 0 for nothing. Elsewhere it
-/// is empty.
+/// A number that an object keeps for its checks: which of its functions were called; 0 for none. In builds
+/// without checks (`Checked` is false) it takes no memory and get() is 0.
 template <bool Checked>
 struct BasicCheckedState {
   constexpr void set(unsigned) {}
   [[nodiscard]] constexpr unsigned get() const { return 0; }
 };
-/// That of builds with checks.
+/// In builds with checks.
 template <>
 struct BasicCheckedState<true> {
   constexpr void set(unsigned done) { done_ = done; }
@@ -51,7 +51,7 @@ struct BasicCheckedState<true> {
  private:
   unsigned done_ = 0;
 };
-/// That of this build.
+/// BasicCheckedState for this build.
 using CheckedState = BasicCheckedState<kIsChecked>;
 
 }  // namespace arcspan

@@ -12,9 +12,9 @@
 #include <arcspan/shading/unlit.hpp>
 #include <arcspan/shading/with_operation.hpp>
 
+#include <tests/firmware/cost_places.hpp>
 #include <tests/firmware/cost_stage.hpp>
 
-#include <array>
 #include <type_traits>
 
 using namespace arcspan;
@@ -27,34 +27,17 @@ namespace {
 
 std::uint32_t most_pixels = 0;  ///< that a section has drawn: those of the square
 
-/// Places the square in front of the camera.
-bool set_stage(MeshView& mesh, ClipTransform& transform) {
-  static constexpr std::array<ObjectPosition, 4> kSquare{
-      {{-8000, -8000, 0}, {8000, -8000, 0}, {8000, 8000, 0}, {-8000, 8000, 0}}};
-  static constexpr std::array<PackedNormal, 4> kNormals{};
-  static constexpr std::array<std::uint16_t, 6> kIndices{0, 1, 2, 0, 2, 3};
-  static constexpr std::array<TexturePoint, 4> kCorners{{{0, 4096}, {4096, 4096}, {4096, 0}, {0, 0}}};
-  Placement placement{Rotation::identity(), {}};
-  placement.translation[2] = ObjectLength::of(-24000);
-  return ok(MeshView::make(kSquare, kNormals, kIndices, mesh)) &&
-         ok(mesh.attach(kCorners, TextureScale{12})) &&
-         ok(ClipTransform::make(placement,
-                                {PixelLength::of(300), ObjectLength::of(1000), ObjectLength::of(60000)},
-                                {kCostWidth, kCostHeight}, transform));
-}
-
 /// Draws the square in a section.
 template <class Method>
 [[gnu::noinline]] bool measure(const char* name, const typename Method::Lighting& lighting) {
-  static MeshView mesh;
-  static ClipTransform transform;
-  if (!set_stage(mesh, transform)) return false;
+  static CostPlace place;
+  if (!make_square(0, place)) return false;
   hal::Framebuffer<Rgb565> frame(colours, kCostWidth, kCostHeight);
   DepthBuffer depth(depths, kCostWidth, kCostHeight);
   frame.clear({0, 0, 0});
   depth.clear();
   arcspan_mark();
-  const DrawResult drawn = draw_mesh<Method>(mesh, transform, lighting, frame, depth);
+  const DrawResult drawn = draw_mesh<Method>(place.mesh, place.transform, lighting, frame, depth);
   arcspan_mark();
   bare::print_line("section: ", name);
   bare::print_line("section: between");

@@ -145,4 +145,21 @@ bool make_dashboard(CostPlace& place) {
   return set_camera(placement, PixelLength::of(300), place);
 }
 
+bool make_square(std::int32_t depth, CostPlace& place) {
+  const auto z = static_cast<std::int16_t>(depth);
+  const auto minus = static_cast<std::int16_t>(-depth);
+  static std::array<ObjectPosition, 4> corners;
+  corners = {{{-8000, -8000, minus}, {8000, -8000, z}, {8000, 8000, z}, {-8000, 8000, minus}}};
+  static constexpr std::array<PackedNormal, 4> kNormals{};
+  static constexpr std::array<std::uint16_t, 6> kIndices{0, 1, 2, 0, 2, 3};
+  static constexpr std::array<TexturePoint, 4> kCorners{{{0, 4096}, {4096, 4096}, {4096, 0}, {0, 0}}};
+  Placement placement{Rotation::identity(), {}};
+  placement.translation[2] = ObjectLength::of(-24000);
+  return ok(MeshView::make(corners, kNormals, kIndices, place.mesh)) &&
+         ok(place.mesh.attach(kCorners, TextureScale{12})) &&
+         ok(ClipTransform::make(placement,
+                                {PixelLength::of(300), ObjectLength::of(1000), ObjectLength::of(60000)},
+                                {320, 240}, place.transform));
+}
+
 }  // namespace arcspan

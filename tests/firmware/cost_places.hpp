@@ -20,4 +20,8 @@ struct CostPlace {
 /// from above.
 [[nodiscard]] bool make_dashboard(CostPlace& place);
 
+/// A square of 200x200 pixels that is turned about the vertical axis: its left and right side are nearer and
+/// farther by `depth`, the distance of its middle being 24000. The texture lies on it once.
+[[nodiscard]] bool make_square(std::int32_t depth, CostPlace& place);
+
 }  // namespace arcspan

@@ -65,26 +65,9 @@ bool measure_mapped(const char* name, MeshView mesh, const ClipTransform& transf
          measure(name, mesh, transform, lighting);
 }
 
-/// Draws a square of 200x200 pixels that is turned about the vertical axis: its left and right side are
-/// nearer and farther by `depth`, the distance of its middle being 24000.
 bool measure_square(const char* name, std::int32_t depth, const Method::Lighting& lighting) {
-  const auto z = static_cast<std::int16_t>(depth);
-  const auto minus = static_cast<std::int16_t>(-depth);
-  static std::array<ObjectPosition, 4> corners;
-  corners = {{{-8000, -8000, minus}, {8000, -8000, z}, {8000, 8000, z}, {-8000, 8000, minus}}};
-  static constexpr std::array<PackedNormal, 4> kNormals{};
-  static constexpr std::array<std::uint16_t, 6> kIndices{0, 1, 2, 0, 2, 3};
-  static constexpr std::array<TexturePoint, 4> kCorners{{{0, 4096}, {4096, 4096}, {4096, 0}, {0, 0}}};
-  MeshView mesh;
-  if (!ok(MeshView::make(corners, kNormals, kIndices, mesh)) || !ok(mesh.attach(kCorners, TextureScale{12})))
-    return false;
-  Placement placement{Rotation::identity(), {}};
-  placement.translation[2] = ObjectLength::of(-24000);
-  ClipTransform transform;
-  return ok(ClipTransform::make(placement,
-                                {PixelLength::of(300), ObjectLength::of(1000), ObjectLength::of(60000)},
-                                {kCostWidth, kCostHeight}, transform)) &&
-         measure(name, mesh, transform, lighting);
+  static CostPlace place;
+  return make_square(depth, place) && measure(name, place.mesh, place.transform, lighting);
 }
 
 /// Draws the model that is loaded, with its texture, which `lighting` gets.

@@ -59,7 +59,7 @@ class Fog {
     return Status::kOk;
   }
 
-  /// The share of the fog at a 16-bit depth, 0...255: within 1.5 of that of the distance at this depth if the
+  /// The share of the fog at a 16-bit depth, 0...255: within 1.4 of that of the distance at this depth if the
   /// planes are at most 1:1000, and 255 from the end of the fog on.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t share(std::uint32_t depth) const {
     const std::uint32_t biased =
@@ -105,8 +105,8 @@ class Fog {
   }
 
   std::int32_t end_ = 0;  ///< no fog
-  /// Of end_ - depth + 128 = m 2^k with m in 128...255, entry 128 (9 - k) + m - 128: the share there in
-  /// 255ths.
+  /// Shares in 255ths. With end_ - depth + 128 = m 2^k, m in 128...255, a depth has entry
+  /// 128 (9 - k) + m - 128.
   std::array<std::uint8_t, kPerOctave * kOctaves> shares_{};
   PackedRgb colour_{};
   std::uint32_t spread_ = 0;

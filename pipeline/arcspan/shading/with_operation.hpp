@@ -31,7 +31,8 @@ template <class Inner, class Operation>
 struct OperationRun {
   static constexpr bool kStartsAnywhere = requires { requires bool{Inner::kStartsAnywhere}; };
   Inner inner;
-  decltype(in_row(std::declval<const Operation&>(), 0, 0)) operation;
+  /// Has a value before begin(), because next() passes the pixels left of the sink before that.
+  decltype(in_row(std::declval<const Operation&>(), 0, 0)) operation{};
 
   /// Starts a row of a walker, or of a small triangle.
   template <class Rows, class... Row>

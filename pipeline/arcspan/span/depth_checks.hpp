@@ -9,7 +9,7 @@
 
 namespace arcspan::detail {
 
-/// What builds with checks know of a depth buffer's memory (ARCSPAN_CHECKED). Elsewhere it is empty.
+/// Whether the memory of a depth buffer was cleared, in builds with ARCSPAN_CHECKED. In others it is empty.
 class DepthChecks {
  public:
   constexpr void note_move() { state_.set(kMoved); }

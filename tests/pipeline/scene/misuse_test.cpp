@@ -159,7 +159,7 @@ namespace {
 
 using Causes = std::vector<std::string>;
 
-/// What `call` is reported for.
+/// The cause that `call` gives to on_misuse().
 template <class Call>
 Causes causes_of(Call&& call) {
   MisuseRecorder recorder;

@@ -45,7 +45,7 @@ struct Totals {
   std::uint64_t frame_ns = 0;
   hal::sim::BusCount bus;
   std::string without_figures;  ///< empty: all was estimated
-  std::string other_methods;    ///< what the first frame would take by them
+  std::string other_methods;    ///< by_other_methods() of the first frame
 };
 
 constexpr std::int32_t kTurnMilliseconds = 2000;
@@ -101,17 +101,17 @@ std::string without_figures(const std::string& shading, const RenderJob& job) {
   return job.lights.size() != 1 ? "several lights" : shading + " shading";
 }
 
-/// What a frame would take by the methods for products other than its own, for choosing one.
-std::string by_other_methods(const std::string& shading, const RenderJob& job, const FixedMeshes& meshes,
-                             const RenderStats& stats) {
-  const std::optional<double> own = draw_instructions(shading, job, meshes, stats);
+/// Estimates for the other main methods, for choosing one: "flat 569880 (-42 %), ...", compared with the
+/// frame's own method, which takes `own` instructions.
+std::string by_other_methods(double own, const std::string& shading, const RenderJob& job,
+                             const FixedMeshes& meshes, const RenderStats& stats) {
   std::string text;
   for (const char* other : {"flat", "gouraud", "arc"}) {
-    if (!own || shading == other) continue;
+    if (shading == other) continue;
     const std::optional<double> instructions = draw_instructions(other, job, meshes, stats);
     if (!instructions) continue;
     text += formatted("%s%s %.0f (%+.0f %%)", text.empty() ? "" : ", ", other, *instructions,
-                      100 * (*instructions / *own - 1));
+                      100 * (*instructions / own - 1));
   }
   return text;
 }
@@ -135,7 +135,8 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
     const RenderJob job = make_job(scene, model, options.mesh);
     const RenderResult drawn = renderer.render(job, [](std::size_t) {});
     const std::optional<double> instructions = draw_instructions(options.shading, job, model, drawn.stats);
-    if (i == 0) totals.other_methods = by_other_methods(options.shading, job, model, drawn.stats);
+    if (instructions && i == 0)
+      totals.other_methods = by_other_methods(*instructions, options.shading, job, model, drawn.stats);
     if (!instructions) totals.without_figures = without_figures(options.shading, job);
     const auto draw_ns = static_cast<std::uint64_t>(instructions.value_or(0) * 1000 / arguments.cpu_mhz);
     const std::uint64_t before = display.now_ns();

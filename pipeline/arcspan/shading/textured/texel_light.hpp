@@ -75,7 +75,7 @@ struct LitTexel {
   // Member by member, because small cores would copy colours within operations by memcpy.
   ARCSPAN_INLINE constexpr LitTexel(const LitTexel& other)
       : LitTexel(other.texel, other.light, other.factor, other.shine) {}
-  /// Of light as shading passes it on.
+  /// A texel under `light`, from which factor and shine are computed.
   [[nodiscard]] ARCSPAN_INLINE static constexpr LitTexel of(std::uint16_t shown, const PixelLight& light) {
     return {shown, light, detail::light_factor(grey_level(light.diffuse)), shine_of(light.highlight)};
   }

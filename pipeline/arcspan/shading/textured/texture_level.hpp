@@ -30,7 +30,7 @@ struct TextureLevel {
   std::uint32_t mask;       ///< of a texel's index in the level
   std::uint8_t width_bits;  ///< size of the level
   std::uint8_t height_bits;
-  std::uint8_t number;
+  std::uint8_t number;    ///< 0 is the picture itself
   std::uint8_t rotation;  ///< (32 - width_bits) mod 32: brings row and column together in a JoinedPoint
   // Of BorderSteps, otherwise unset:
   std::uint8_t spare_bits;  ///< 2 or more

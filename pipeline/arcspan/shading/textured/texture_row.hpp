@@ -70,8 +70,9 @@ class TexelSteps : public JoinedPoint {
     return raised < JoinedLevel::kHalf ? 0 : (raised - JoinedLevel::kHalf) >> 7;
   }
 
-  /// What knows the texels around the current pixel: the index() of one, and for it the distance of the one
-  /// to the right, and the index of the one below; both wrap.
+  /// An object with the four texels around the current pixel: index() is that of the texel at the pixel,
+  /// to_right() the distance from it to the next one in its row, below() the index of the one in the next
+  /// row. Both wrap.
   [[nodiscard]] constexpr const TexelSteps& around() const { return *this; }
   [[nodiscard]] constexpr std::uint32_t to_right(std::uint32_t texel) const {
     const std::uint32_t columns = (std::uint32_t{1} << width_bits_) - 1;
@@ -246,8 +247,8 @@ class PerspectiveTexture {
     steps_.set_size(level);
   }
 
-  std::uint32_t first_;
-  unsigned level_;
+  std::uint32_t first_;               ///< texel of the current level
+  unsigned level_;                    ///< its number
   std::int32_t log_step_ = kUnknown;  ///< of level 0 where 1/w is 1, 8 fraction bits
   Steps steps_;
   const TextureTriangle* triangle_;

@@ -62,7 +62,7 @@ struct TexturedPixel {
           texel, {PackedRgb::grey(steps().packed_level()), {}}, steps().light_factor(), 0};
     } else if constexpr (kLooksUp<Lighting>) {
       const auto parts = light(lighting);
-      return LitTexel<Colours, std::remove_const_t<decltype(parts)>>{texel, parts, factor(lighting, parts),
+      return LitTexel<Colours, std::remove_const_t<decltype(parts)>>{texel, parts, factor(lighting),
                                                                      shine(lighting, parts)};
     } else {
       return LitTexel<Colours>::of(texel, PixelLight(light(lighting)));
@@ -75,16 +75,15 @@ struct TexturedPixel {
   }
   || requires(const Lighting& lighting) { lighting.factor_at(Cosine{}); }
   || requires(const Lit& run, const Lighting& lighting) { lighting.shine_at(lighting, run.scalars()); };
-  /// The light_factor() of grey light.
+  /// The light_factor() of grey light that is looked up; coloured light has none.
   template <class Lighting>
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t factor(const Lighting& lighting,
-                                                              const auto& parts) const {
-    if constexpr (requires { light_run.light_factor(); }) {
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t factor(const Lighting& lighting) const {
+    if constexpr (Colours == TexelLight::kColoured) {
+      return 0;
+    } else if constexpr (requires { light_run.light_factor(); }) {
       return light_run.light_factor();
-    } else if constexpr (requires { lighting.factor_at(Cosine{}); }) {
-      return lighting.factor_at(light_run.diffuse_scalar(lighting));
     } else {
-      return detail::light_factor(grey_level(static_cast<PixelLight>(parts).diffuse));
+      return lighting.factor_at(light_run.diffuse_scalar(lighting));
     }
   }
   /// The highlight as a wide_spread().

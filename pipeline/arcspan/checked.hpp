@@ -3,17 +3,17 @@
 
 #include <arcspan/target.hpp>
 
-/// Checks of debug builds. Some calls cannot mean what they say, and yet no status tells, because finding out
-/// would cost time in every frame: a depth buffer that was never cleared, a run outside of its framebuffer.
-/// Where ARCSPAN_CHECKED is defined as 1, such a call reports its cause to on_misuse(). The CMake option of
-/// that name, which is on in the debug presets, defines it for the libraries and for all that links them: all
-/// code of a program must agree. Without it nothing of this is compiled: objects are what they would be
-/// without checks.
+/// Checks of debug builds. Some misuse is not reported by a Status, because finding it would cost time in
+/// every frame: a depth buffer that was never cleared, a run of pixels outside of its framebuffer. Where
+/// ARCSPAN_CHECKED is defined as 1, such a call reports its cause to on_misuse(). The CMake option of that
+/// name, which is on in the debug presets, defines it for the libraries and for all that links them: all code
+/// of a program must agree. Without it the checks compile to nothing, and no type has another size.
 ///
 /// These calls are reported:
 ///
-///   draw calls         a depth buffer whose memory was never cleared, or not since the buffer was moved to
-///                      another band
+///   draw calls         a depth buffer whose memory does not look cleared: depths of 0 and none of 0xFFFF,
+///   or,
+///                      since it was moved to another band, any that is not 0xFFFF
 ///                      a material or a billboard whose texture was not given
 ///                      a texture that does not repeat, given to a method that repeats all
 ///                      a mesh, transform or illumination that was never made

@@ -28,8 +28,9 @@ struct FogRange {
 /// is looked up by the depth of each pixel, so that it is right on large triangles too. It needs a depth
 /// buffer.
 ///
-/// Distances are reciprocals of depths, so the table is the finer, the nearer a depth is to the end of the
-/// fog: it has 128 shares per doubling of the difference, and one for every depth within 128 of the end.
+/// The farther away, the more distance a step of depth stands for. So the table has its finest entries near
+/// the depth where the fog ends. It is indexed by d = end depth - depth: an entry for each d below 128, and
+/// 128 entries for each doubling of d + 128.
 ///
 /// Made once per camera. An operation refers to it, so it must outlive drawing.
 class Fog {
@@ -151,6 +152,7 @@ struct Fogged {
 
   template <class C>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto operator()(const C& colour) const {
+    static_assert(!BlendedColour<C>, "Opacity is the last operation");
     return Result<C>{{colour}, fog};
   }
 };

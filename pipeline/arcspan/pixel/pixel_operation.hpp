@@ -12,9 +12,10 @@
 #include <cstdint>
 #include <type_traits>
 
-/// What happens to the colour of a pixel before it is stored: fog, then transparency. Each operation is a
-/// function object that takes a colour and returns a colour of another type, with one more of the members
-/// below; or in_row(x, y) returns that function object for the pixels from (x, y) on, with next().
+/// What happens to the colour of a pixel before it is stored: fog, then transparency. An operation is a
+/// function object that takes a colour and returns a colour of another type, which has one of the optional
+/// members below. If the operation depends on the position, it has in_row(x, y) instead, which returns a
+/// function object for the run of pixels that begins there; its next() moves to the next pixel.
 /// shading/with_operation.hpp adds an operation to a shading method.
 namespace arcspan {
 
@@ -36,8 +37,8 @@ concept DepthColour = requires(const C& c, std::uint32_t depth) {
   {c.at_depth(depth)};
 };
 
-/// Optional part of a colour: over() is the colour over one that is there already, as PackedRgb without half
-/// steps or as a 5-6-5 pixel.
+/// Optional part of a colour: over(below) is the colour blended with `below`, the pixel that is there, as
+/// PackedRgb with half steps; over565(pixel) the same as 5-6-5 pixels. Blending is the last operation.
 template <class C>
 concept BlendedColour = requires(const C& c, PackedRgb below, std::uint16_t pixel) {
   { c.over(below) } -> std::same_as<PackedRgb>;
@@ -64,7 +65,7 @@ template <class C>
   }
 }
 
-/// The colour c of each channel, computed by function(channel of a, channel of b), 0...1023.
+/// The colour whose channels are function(channel of a, channel of b), all 0...1023.
 template <class Function>
 [[nodiscard]] constexpr PackedRgb by_channel(PackedRgb a, PackedRgb b, const Function& function) {
   return PackedRgb::of(function((a.lanes >> 11) & 1023u, (b.lanes >> 11) & 1023u),
@@ -73,7 +74,7 @@ template <class Function>
 
 }  // namespace detail
 
-/// A colour within the result of an operation: its optional members are those of the result too.
+/// The base of an operation's result: the colour that the operation took, and its covers() if it has one.
 template <class C>
 struct WrappedColour {
   C colour;
@@ -83,9 +84,12 @@ struct WrappedColour {
   }
 };
 
-/// How a transparent surface covers what is there: by its opacity; or its light is added; or what is there is
-/// seen through it, multiplied by its colour, as through coloured glass.
-enum class Blend : std::uint8_t { kAlpha, kAdd, kMultiply };
+/// How a transparent surface is blended with the pixel that is there.
+enum class Blend : std::uint8_t {
+  kAlpha,    ///< mixed by the surface's opacity
+  kAdd,      ///< the surface's colour times its opacity is added
+  kMultiply  ///< the pixel is multiplied by the surface's colour, as seen through coloured glass
+};
 
 /// Blends a surface with what was drawn before it, by a constant opacity and by the alpha of its texels. It
 /// is to be drawn after everything behind it, the farthest first.
@@ -114,10 +118,11 @@ struct Opacity {
         if constexpr (Mode == Blend::kAlpha) {
           return (a * opacity + b * (32 - opacity) + 16) >> 5;
         } else if constexpr (Mode == Blend::kAdd) {
-          const std::uint32_t sum = ((a * opacity + 16) >> 5) + b;
+          const std::uint32_t light = a < 2 ? 0 : a - 2;  // b has the half step already
+          const std::uint32_t sum = ((light * opacity + 16) >> 5) + b;
           return sum > 1023 ? 1023u : sum;
         } else {
-          // Where nothing is opaque, what is below stays.
+          // With opacity 0 the pixel stays as it is.
           const std::uint32_t product = (a * b + 511) / 1024;
           return (product * opacity + b * (32 - opacity) + 16) >> 5;
         }
@@ -147,6 +152,7 @@ struct Opacity {
 
   template <class C>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto operator()(const C& colour) const {
+    static_assert(!BlendedColour<C>, "a pixel is blended once: Opacity is the last operation");
     std::uint32_t share = opacity;
     if constexpr (AlphaColour<C>) share = (share * colour.alpha() + 8) >> 4;
     return Result<C>{{colour}, share};
@@ -155,8 +161,8 @@ struct Opacity {
 
 namespace detail {
 
-/// Entry [n][y] has a bit for each column x of eight, which is set where n / 8 of the pixels of row y are
-/// drawn.
+/// Entry [n][y] has a bit for each of eight columns, the highest for column 0. It is set if the pixel of row
+/// y is drawn when n / 8 of each block of 8x8 pixels are.
 consteval std::array<std::array<std::uint8_t, 8>, 9> make_door_rows() {
   std::array<std::array<std::uint8_t, 8>, 9> rows{};
   for (std::size_t n = 0; n <= 8; ++n) {
@@ -201,6 +207,7 @@ struct ScreenDoor {
 
     template <class C>
     [[nodiscard]] ARCSPAN_INLINE constexpr auto operator()(const C& colour) const {
+      static_assert(!BlendedColour<C>, "Opacity is the last operation");
       return Result<C>{{colour}, static_cast<std::int32_t>(drawn) < 0};
     }
     ARCSPAN_INLINE constexpr void next() { drawn = (drawn << 1) | (drawn >> 31); }

@@ -412,6 +412,21 @@ TEST_CASE("textures in bands are the picture drawn at once", "[textures]") {
   CHECK(bands.depths == whole.depths);
 }
 
+TEST_CASE("black that is added changes no pixel, white saturates", "[textures]") {
+  constexpr PackedRgb kBlack = PackedRgb::of(2, 2, 2);  // with half steps
+  constexpr PackedRgb kWhite = PackedRgb::of(1022, 1022, 1022);
+  for (const std::uint32_t opacity : {0u, 1u, 17u, 32u}) {
+    const Opacity<Blend::kAdd> add{opacity};
+    for (std::uint32_t level = 0; level < 256; ++level) {
+      const std::uint32_t below = 4 * level + 2;
+      const Rgb8 kept = add(kBlack).over(PackedRgb::of(below, below, below)).rgb8();
+      REQUIRE(kept == Rgb8{static_cast<std::uint8_t>(level), static_cast<std::uint8_t>(level),
+                           static_cast<std::uint8_t>(level)});
+    }
+    CHECK(add(kWhite).over(kWhite).rgb8() == Rgb8{255, 255, 255});
+  }
+}
+
 TEST_CASE("fog is within 1.5 steps of 255 at every depth, and complete at its end", "[textures]") {
   constexpr std::int32_t kUnit = 2000;
   const int ratio = GENERATE(2, 10, 100, 1000);

@@ -53,9 +53,10 @@ struct TextureLevel {
 
 namespace detail {
 
-/// Returns the mip level whose texels are about as large as pixels, or the last. A pixel covers 2^log_area
-/// texels of level 0, and 2^log_step along the row; 8 fraction bits. What it covers across the row follows
-/// from both, and the longer side decides, so that a floor shows no moire towards the horizon.
+/// Returns a mip level. `log_area` is the binary logarithm of the texels of level 0 that a pixel covers,
+/// `log_step` that of the texels from a pixel to the next one in its row; both have 8 fraction bits. Across
+/// the row a pixel covers area / step texels. The level is the logarithm of the longer side, rounded and
+/// limited to the levels that there are: by the shorter one a floor would show moire towards the horizon.
 [[nodiscard]] constexpr unsigned mip_level(const TextureSize& size, std::int32_t log_area,
                                            std::int32_t log_step) {
   const std::int32_t across = log_area - log_step;
@@ -64,7 +65,8 @@ namespace detail {
   return level < size.levels ? static_cast<unsigned>(level) : size.levels - 1u;
 }
 
-/// log2 of the texels of level 0 that a pixel covers where 1/w is q; `log_area` is that where it is 1.
+/// The `log_area` of mip_level() of a pixel where the raw value of 1/w is q. The area falls with the cube of
+/// q; `log_area` is its logarithm for a raw value of 1.
 [[nodiscard]] constexpr std::int32_t area_at(std::int32_t log_area, std::int32_t q) {
   return log_area - 3 * low_log2(static_cast<std::uint32_t>(q));
 }

@@ -19,7 +19,7 @@ TextureWrap wrap_of(const JsonView& sampler, const char* axis, LeftOut& left_out
 }
 
 /// magFilter, or minFilter if that is all that the file states. What minFilter says of mip levels is not
-/// drawn: a triangle has one.
+/// drawn: a triangle, or a piece of a row in perspective, has one level.
 TextureFilter filter_of(const JsonView& sampler, LeftOut& left_out) {
   constexpr std::int64_t kNearest = 9728;  // the numbers of linear filters are odd
   const std::int64_t small = sampler.integer_or("minFilter", kNearest, 0, 0xFFFF);

@@ -65,7 +65,65 @@ Errors largest_errors(std::uint64_t seed, int count, std::int32_t size, double r
   return worst;
 }
 
+/// The level of `texture` that a run shows.
+template <class Run>
+unsigned level_of(const Run& run, const Texture<DirectTexels<>>& texture) {
+  unsigned level = 0;
+  while (texture.at(texture.size().texels(level)) != run.words) ++level;
+  return level;
+}
+
+/// The level of a pixel in double precision: the logarithm of its longer side in texels.
+template <class Method>
+double level_wanted(const MappedTriangle<Method>& triangle, std::int32_t x, std::int32_t y,
+                    const TextureSize& size) {
+  const auto texels = [&](std::int32_t column, std::int32_t row) {
+    const auto point = triangle.at(column, row);
+    return std::pair(std::ldexp(point.u, size.width_bits), std::ldexp(point.v, size.height_bits));
+  };
+  // The change per pixel, from the pixels at both sides.
+  const auto [left_u, left_v] = texels(x - 1, y);
+  const auto [right_u, right_v] = texels(x + 1, y);
+  const auto [upper_u, upper_v] = texels(x, y - 1);
+  const auto [lower_u, lower_v] = texels(x, y + 1);
+  const double du = (right_u - left_u) / 2;
+  const double dv = (right_v - left_v) / 2;
+  const double area = std::abs(du * (lower_v - upper_v) - dv * (lower_u - upper_u)) / 2;
+  const double step = std::max(std::abs(du), std::abs(dv));
+  return std::clamp(std::log2(std::max(step, area / step)), 0.0, size.levels - 1.0);
+}
+
 }  // namespace
+
+TEST_CASE("with mip levels, every piece of a row shows the level of its pixels, within half a texel of it") {
+  constexpr unsigned kBits = 9;
+  Random random(31);
+  const Plain::Lighting lighting = lighting_of<Plain>(kBits, kBits, kBits + 1);
+  const TextureSize& size = lighting.texture.size();
+  int pixels = 0;
+  int wrong = 0;
+  int changes = 0;  // of the level within a row
+  double worst = 0;
+  for (int i = 0; i < test::share_of(300); ++i) {
+    const MappedTriangle<Plain> triangle =
+        random_triangle<Plain>(random, 240, 8, random.decades(100, 8000) / (1 << kBits));
+    std::pair<std::int32_t, unsigned> last{INT32_MIN, 0};
+    for_each_pixel(triangle, lighting, 240, [&](std::int32_t x, std::int32_t y, const auto& run) {
+      const unsigned level = level_of(run, lighting.texture);
+      const auto point = triangle.at(x, y);
+      worst = std::max({worst, texels_off(run.steps().u(), point.u, kBits - level),
+                        texels_off(run.steps().v(), point.v, kBits - level)});
+      ++pixels;
+      wrong += std::abs(level - level_wanted(triangle, x, y, size)) > 0.75 ? 1 : 0;
+      changes += last.first == y && last.second != level ? 1 : 0;
+      last = {y, level};
+    });
+  }
+  CAPTURE(pixels, wrong, changes, worst);
+  CHECK(changes > pixels / 1000);
+  CHECK(wrong < pixels / 100);
+  CHECK(worst <= 0.5);
+}
 
 TEST_CASE("no pixel shows a point of the texture more than half a texel away") {
   const int count = test::share_of(300);

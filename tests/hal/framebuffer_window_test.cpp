@@ -4,14 +4,18 @@
 #include <arcspan/hal/framebuffer_window.hpp>
 #include <arcspan/pixel/gray2.hpp>
 #include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/mono.hpp>
 #include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/shading/flat.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/frames/integer_shapes.hpp>
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 using namespace arcspan;
@@ -57,9 +61,10 @@ TEMPLATE_TEST_CASE("a window in a picture has the pixels of a framebuffer, and n
   std::vector<typename TestType::Word> memory(Framebuffer<TestType>::words(kAround, kRows));
   Framebuffer<TestType> around(memory, kAround, kRows);
   around.clear(kOutside);
-  const hal::RowLayout layout{
-      around.stride(), kTop * around.stride() + static_cast<std::int32_t>(TestType::words_per_row(kLeft))};
-  FramebufferWindow<TestType> window(memory, kWidth, kHeight, layout);
+  const std::size_t offset = static_cast<std::size_t>(kTop * around.stride_bytes()) +
+                             TestType::words_per_row(kLeft) * sizeof(typename TestType::Word);
+  const auto bytes = std::as_writable_bytes(std::span(memory)).subspan(offset);
+  FramebufferWindow<TestType> window(bytes, {0, 0, kWidth, kHeight}, around.stride_bytes());
   REQUIRE(ok(window.status()));
   draw_sphere(window);
 
@@ -73,32 +78,85 @@ TEMPLATE_TEST_CASE("a window in a picture has the pixels of a framebuffer, and n
   }
 }
 
-TEST_CASE("a window moves to other rows of the picture") {
+TEST_CASE("a window has the pixels of its columns, and moves to other rows") {
   std::array<std::uint16_t, 20> memory{};
-  FramebufferWindow<Rgb565> window(memory, 3, 2, {5, 1}, 10);
+  const auto bytes = std::as_writable_bytes(std::span(memory)).subspan(2);
+  FramebufferWindow<Rgb565> window(bytes, {7, 10, 10, 12}, 10);
   REQUIRE(ok(window.status()));
-  CHECK(window.bounds() == Rect{0, 10, 3, 12});
+  CHECK(window.bounds() == Rect{7, 10, 10, 12});
+  for (const std::int32_t row : {-1, INT32_MAX - 1}) {
+    window.move_to(row);
+    CHECK(window.status() == Status::kInvalidArgument);
+    CHECK(window.bounds().empty());
+  }
   window.move_to(4);
-  CHECK(window.bounds() == Rect{0, 4, 3, 6});
-  window.open({5, 2, 1}).write(0x1234);
+  CHECK(window.status() == Status::kOk);
+  CHECK(window.bounds() == Rect{7, 4, 10, 6});
+  window.open({5, 9, 1}).write(0x1234);
   CHECK(memory[1 + 5 + 2] == 0x1234);
+  CHECK(window.row(5)[9] == 0x1234);
+  CHECK(window.pixel(9, 5) == Rgb565::decode(0x1234));
+}
+
+TEST_CASE("rows of three-byte pixels may begin at any byte") {
+  std::array<std::byte, 1 + 3 * 11 + 9> memory{};
+  FramebufferWindow<Rgb888> window(std::span{memory}.subspan(1), {5, 0, 8, 4}, 11);
+  REQUIRE(ok(window.status()));
+  window.open({3, 6, 1}).write({1, 2, 3});
+  CHECK(memory[1 + 3 * 11 + 3] == std::byte{1});
+  CHECK(memory[1 + 3 * 11 + 5] == std::byte{3});
+  const auto short_of = std::span(memory).subspan(2);
+  CHECK(FramebufferWindow<Rgb888>(short_of, {5, 0, 8, 4}, 11).status() == Status::kBufferTooSmall);
+}
+
+TEST_CASE("several pixels of a word lie in it as in the picture") {
+  std::array<std::byte, 6> memory{};
+  FramebufferWindow<Mono> window(memory, {11, 2, 18, 4}, 3);  // columns 8...15 and 16...23
+  REQUIRE(ok(window.status()));
+  window.clear({255, 255, 255});
+  using Bytes = std::array<std::byte, 6>;
+  CHECK(memory == Bytes{std::byte{0x1F}, std::byte{0xC0}, {}, std::byte{0x1F}, std::byte{0xC0}, {}});
+  CHECK(FramebufferWindow<Mono>(memory, {11, 2, 18, 4}, 1).status() == Status::kInvalidArgument);
+  CHECK(FramebufferWindow<Mono>(memory, {11, 2, 18, 4}, 2).status() == Status::kOk);
 }
 
 TEST_CASE("a window refuses rows that overlap or that its memory does not hold") {
-  using Window = FramebufferWindow<Rgb565>;
-  std::array<std::uint16_t, 20> memory{};
-  CHECK(Window(memory, 4, 4, {5, 1}).status() == Status::kOk);
-  CHECK(Window(memory, 5, 4, {5, 0}).status() == Status::kOk);
-  CHECK(Window(memory, 4, 4, {5, 2}).status() == Status::kBufferTooSmall);
-  CHECK(Window(memory, 4, 4, {6, 0}).status() == Status::kBufferTooSmall);
-  CHECK(Window(memory, 6, 1, {5, 0}).status() == Status::kInvalidArgument);
-  CHECK(Window(memory, 1, 1, {5, -1}).status() == Status::kInvalidArgument);
-  CHECK(Window(memory, -1, 1, {5, 0}).status() == Status::kInvalidArgument);
-  CHECK(Window(memory, 1, 2, {INT32_MAX, INT32_MAX}).status() == Status::kInvalidArgument);
-  CHECK(Window(memory, 1, 1, {INT32_MAX, INT32_MAX - 1}).status() == Status::kBufferTooSmall);
-  CHECK(Window(memory, 1, 1, {1, 0}, -1).status() == Status::kInvalidArgument);
-  CHECK(Window(memory, 4, 4, {5, 2}).bounds().empty());
-  Window refused(memory, 4, 4, {5, 2});
+  alignas(4) std::array<std::byte, 40> memory{};
+  const auto status = [&](std::size_t from, const Rect& held, std::int32_t stride_bytes) {
+    return FramebufferWindow<Rgb565>(std::span(memory).subspan(from), held, stride_bytes).status();
+  };
+  CHECK(status(2, {0, 0, 4, 4}, 10) == Status::kOk);
+  CHECK(status(2, {9, 7, 13, 11}, 10) == Status::kOk);
+  CHECK(status(0, {0, 0, 5, 4}, 10) == Status::kOk);
+  CHECK(status(0, {0, 3, 0, 9}, 0) == Status::kOk);
+  CHECK(status(0, {0, 3, 4, 3}, 8) == Status::kOk);
+  CHECK(status(4, {0, 0, 4, 4}, 10) == Status::kBufferTooSmall);
+  CHECK(status(4, {9, 7, 13, 11}, 10) == Status::kBufferTooSmall);
+  CHECK(status(0, {0, 0, 4, 4}, 12) == Status::kBufferTooSmall);
+  CHECK(status(0, {0, 0, 32767, 32767}, 65534) == Status::kBufferTooSmall);
+  const Rect wrong[] = {{-1, 0, 1, 1},
+                        {0, -1, 1, 1},
+                        {2, 0, 1, 1},
+                        {0, 2, 1, 1},
+                        {32767, 0, 32768, 1},
+                        {0, 32767, 1, 32768},
+                        {INT32_MIN, 0, INT32_MAX, 1},
+                        {INT32_MIN, INT32_MIN, 0, 0}};
+  for (const Rect& held : wrong) {
+    CAPTURE(held.left, held.top, held.right, held.bottom);
+    CHECK(status(0, held, 10) == Status::kInvalidArgument);
+  }
+  CHECK(status(0, {0, 0, 6, 1}, 10) == Status::kInvalidArgument);
+  CHECK(status(0, {0, 0, 1, 1}, -2) == Status::kInvalidArgument);
+  CHECK(status(0, {0, 0, 1, 1}, INT32_MIN) == Status::kInvalidArgument);
+  CHECK(status(0, {0, 0, 4, 2}, 11) == Status::kInvalidArgument);  // Rgb565 has words of two bytes
+  CHECK(status(1, {0, 0, 4, 2}, 10) == Status::kInvalidArgument);
+  CHECK(status(0, {0, 0, 1, 2}, INT32_MAX - 1) == Status::kInvalidArgument);
+  CHECK(status(0, {0, 0, 1, 1}, INT32_MAX - 1) == Status::kOk);
+  FramebufferWindow<Rgb565> refused(std::span{memory}.subspan(4), {0, 0, 4, 4}, 10);
+  CHECK(refused.bounds().empty());
+  refused.move_to(3);
   refused.clear({255, 255, 255});
-  CHECK(memory == std::array<std::uint16_t, 20>{});
+  CHECK(refused.status() == Status::kBufferTooSmall);
+  CHECK(memory == std::array<std::byte, 40>{});
 }

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 namespace arcspan::hal {
 
@@ -39,12 +40,12 @@ class Framebuffer {
   /// kOk bounds() is empty, and draw_mesh() returns the status.
   constexpr Framebuffer(std::span<Word> memory, std::int32_t width, std::int32_t rows,
                         std::int32_t first_row = 0)
-      : status_(detail::check_band_size(width, rows, F::words_per_row, memory.size())) {
+      : status_(arcspan::detail::check_band_size(width, rows, F::words_per_row, memory.size())) {
     if (!ok(status_)) return;
-    memory_ = memory.data();
-    stride_ = static_cast<std::int32_t>(F::words_per_row(width));
+    column_0_ = memory.data();
+    stride_bytes_ = static_cast<std::int32_t>(F::words_per_row(width) * sizeof(Word));
     bounds_ = {0, 0, width, rows};
-    status_ = detail::move_band(bounds_, first_row);
+    status_ = arcspan::detail::move_band(bounds_, first_row);
   }
 
   [[nodiscard]] constexpr Status status() const { return status_; }
@@ -61,19 +62,16 @@ class Framebuffer {
   /// 0...INT32_MAX - rows; otherwise status() is kInvalidArgument and bounds() empty until the next call.
   /// Without effect if the constructor was given too little memory or a wrong size.
   constexpr void move_to(std::int32_t first_row) {
-    if (memory_ != nullptr) status_ = detail::move_band(bounds_, first_row);
+    if (stride_bytes_ != kRefused) status_ = arcspan::detail::move_band(bounds_, first_row);
   }
 
   /// Sets every pixel to `colour`.
   constexpr void clear(Rgb8 colour) {
     const typename F::Encoded encoded = F::encode(colour);
     if constexpr (requires(typename F::Cursor cursor) { cursor.pixels(); }) {
-      fill(memory_, words(bounds_.right, bounds_.height()), encoded);
+      fill(column_0_, words(bounds_.right, arcspan::detail::band_rows(bounds_)), encoded);
     } else {
-      for (std::int32_t y = bounds_.top; y < bounds_.bottom; ++y) {
-        typename F::Cursor cursor(row(y), 0);
-        for (std::int32_t left = bounds_.right; left > 0; --left, cursor.next()) cursor.write(encoded);
-      }
+      clear_rows(encoded);
     }
   }
 
@@ -83,26 +81,45 @@ class Framebuffer {
     return F::decode(typename F::Cursor(row(y), x).read());
   }
 
-  /// First Word of row y of the picture. The row must lie inside bounds().
-  [[nodiscard]] constexpr Word* row(std::int32_t y) const { return memory_ + (y - bounds_.top) * stride_; }
-  /// Words from one row to the next.
-  [[nodiscard]] constexpr std::int32_t stride() const { return stride_; }
+  /// The Word of column 0 of row y of the picture, as SinkInMemory has it. The row must lie inside bounds().
+  [[nodiscard]] constexpr Word* row(std::int32_t y) const { return row_at(y - bounds_.top); }
+  /// Bytes from one row to the next.
+  [[nodiscard]] constexpr std::int32_t stride_bytes() const { return stride_bytes_; }
 
  protected:
-  /// A framebuffer whose rows begin `stride` Words apart; `status` is that of its arguments.
-  constexpr Framebuffer(Status status, Word* memory, std::int32_t stride, std::int32_t width,
-                        std::int32_t rows, std::int32_t first_row)
+  /// The memory of the rectangle `held`. `column_0` is where column 0 of its first row is or would be;
+  /// `status` is that of the arguments.
+  constexpr Framebuffer(Status status, Word* column_0, std::int32_t stride_bytes, const Rect& held)
       : status_(status) {
     if (!ok(status_)) return;
-    memory_ = memory;
-    stride_ = stride;
-    bounds_ = {0, 0, width, rows};
-    status_ = detail::move_band(bounds_, first_row);
+    column_0_ = column_0;
+    stride_bytes_ = stride_bytes;
+    bounds_ = held;
+  }
+
+  /// clear() for rows that are not next to each other, or for several pixels per Word.
+  constexpr void clear_rows(typename F::Encoded encoded) {
+    for (std::int32_t i = 0; i < arcspan::detail::band_rows(bounds_); ++i) {
+      typename F::Cursor cursor(row_at(i), bounds_.left);
+      if constexpr (requires { cursor.pixels(); }) {
+        fill(cursor.pixels(), static_cast<std::size_t>(bounds_.width()), encoded);
+      } else {
+        for (std::int32_t left = bounds_.width(); left > 0; --left, cursor.next()) cursor.write(encoded);
+      }
+    }
   }
 
  private:
-  Word* memory_ = nullptr;
-  std::int32_t stride_ = 0;
+  static constexpr std::int32_t kRefused = -1;
+
+  /// The Word of column 0 of the i-th row. The product has 64 bits where memory can be as large.
+  [[nodiscard]] constexpr Word* row_at(std::int32_t i) const {
+    using Offset = std::common_type_t<std::ptrdiff_t, std::int32_t>;
+    return arcspan::detail::moved_by_bytes(column_0_, static_cast<Offset>(i) * stride_bytes_);
+  }
+
+  Word* column_0_ = nullptr;              ///< of the first row
+  std::int32_t stride_bytes_ = kRefused;  ///< kRefused if the constructor's arguments were
   Rect bounds_{};
   Status status_;
 };

@@ -3,7 +3,6 @@
 
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/band.hpp>
-#include <arcspan/pixel/fill.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/status.hpp>
 
@@ -13,69 +12,61 @@
 
 namespace arcspan::hal {
 
-/// How the rows of a window lie in memory, in Words of the format.
-struct RowLayout {
-  std::int32_t stride = 0;  ///< from one row to the next, 0...INT32_MAX
-  std::int32_t offset = 0;  ///< from the start of the memory to the window's first pixel, 0...INT32_MAX
-};
-
-/// A Framebuffer whose rows are not next to each other in memory: a window in a larger picture, or rows that
-/// are padded to an alignment. Words between its rows are neither read nor written. The bits that a last Word
-/// has beyond the window's width keep their value.
+/// A rectangle of the picture in memory of somebody else, whose rows may be padded: a part of a larger
+/// buffer, or the buffer that a user interface lends for drawing. Bytes between its rows are neither read nor
+/// written, and bits of other columns keep their value.
 ///
-/// The window of a picture with `stride` Words per row whose upper left pixel is (x, y) has the offset
-/// y * stride + words_per_row(x), where x must be a multiple of the pixels per Word.
+/// The memory begins with the Word of the rectangle's upper left pixel. Where several pixels share a Word,
+/// columns lie in it as in a row that begins with column 0.
 template <PixelFormat F>
 class FramebufferWindow : public Framebuffer<F> {
  public:
   using typename Framebuffer<F>::Word;
   using RowsInMemory = FramebufferWindow;
-  using FromFirstColumn = FramebufferWindow;
 
-  /// status() is kInvalidArgument unless `width`, `rows` and `first_row` are as for Framebuffer, the offset
-  /// is not negative, the stride at least words_per_row(width) and the last row's end at most INT32_MAX;
-  /// kBufferTooSmall if it lies behind `memory`.
-  constexpr FramebufferWindow(std::span<Word> memory, std::int32_t width, std::int32_t rows,
-                              const RowLayout& layout, std::int32_t first_row = 0)
-      : Framebuffer<F>(check(memory.size(), width, rows, layout), memory.data() + start(memory, layout),
-                       layout.stride, width, rows, first_row) {}
+  /// bounds() is `held`, in pixels of the picture; `stride_bytes` bytes lie between the beginnings of two
+  /// rows. status() is kInvalidArgument unless the sides of `held` are in 0...32767 and in order, the stride
+  /// holds a row, stride and memory are aligned for a Word and the last row ends at most INT32_MAX bytes
+  /// behind the first Word; kBufferTooSmall if it ends behind `memory`.
+  FramebufferWindow(std::span<std::byte> memory, const Rect& held, std::int32_t stride_bytes)
+      : Framebuffer<F>(check(memory, held, stride_bytes), column_0(memory, held), stride_bytes, held) {}
 
   /// Sets every pixel of the window to `colour`.
-  constexpr void clear(Rgb8 colour) {
-    const typename F::Encoded encoded = F::encode(colour);
-    const Rect bounds = this->bounds();
-    for (std::int32_t y = bounds.top; y < bounds.bottom; ++y) {
-      if constexpr (requires(typename F::Cursor cursor) { cursor.pixels(); }) {
-        fill(this->row(y), static_cast<std::size_t>(bounds.right), encoded);
-      } else {
-        typename F::Cursor cursor(this->row(y), 0);
-        for (std::int32_t left = bounds.right; left > 0; --left, cursor.next()) cursor.write(encoded);
-      }
-    }
-  }
+  void clear(Rgb8 colour) { this->clear_rows(F::encode(colour)); }
 
  private:
-  [[nodiscard]] static constexpr Status check(std::size_t words, std::int32_t width, std::int32_t rows,
-                                              const RowLayout& layout) {
-    const Status status = arcspan::detail::check_band_size(width, rows, F::words_per_row, SIZE_MAX);
-    if (!ok(status)) return status;
-    const std::size_t row = F::words_per_row(width);
-    if (layout.offset < 0 || layout.stride < 0 || static_cast<std::size_t>(layout.stride) < row)
-      return Status::kInvalidArgument;
-    if (rows == 0) return Status::kOk;
-    const std::uint64_t end =
-        static_cast<std::uint64_t>(layout.offset) +
-        static_cast<std::uint64_t>(layout.stride) * static_cast<std::uint32_t>(rows - 1) + row;
-    if (end > INT32_MAX) return Status::kInvalidArgument;  // rows are addressed by 32-bit products
-    return end <= words ? Status::kOk : Status::kBufferTooSmall;
+  /// The distance of columns that begin a Word.
+  static constexpr std::int32_t kColumnStep = [] {
+    std::int32_t step = 1;
+    while (static_cast<std::size_t>(step) * F::kBitsPerPixel % (8 * sizeof(Word)) != 0) ++step;
+    return step;
+  }();
+
+  /// The column that begins the Word of column x.
+  [[nodiscard]] static constexpr std::int32_t first_of_word(std::int32_t x) { return x - x % kColumnStep; }
+  [[nodiscard]] static Word* column_0(std::span<std::byte> memory, const Rect& held) {
+    return arcspan::detail::column_0_of(static_cast<Word*>(static_cast<void*>(memory.data())),
+                                        F::words_per_row(first_of_word(held.left)));
   }
-  /// The offset, or 0 if it lies behind the memory.
-  [[nodiscard]] static constexpr std::size_t start(std::span<Word> memory, const RowLayout& layout) {
-    const auto offset = static_cast<std::size_t>(layout.offset < 0 ? 0 : layout.offset);
-    return offset <= memory.size() ? offset : 0;
+  [[nodiscard]] static Status check(std::span<std::byte> memory, const Rect& held,
+                                    std::int32_t stride_bytes) {
+    const Status status = arcspan::detail::check_band_rect(held, F::words_per_row, SIZE_MAX);
+    if (!ok(status)) return status;
+    const auto row = static_cast<std::uint32_t>(F::words_per_row(held.right - first_of_word(held.left))) *
+                     static_cast<std::uint32_t>(sizeof(Word));
+    const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(memory.data());
+    if (stride_bytes < 0 || static_cast<std::uint32_t>(stride_bytes) < row ||
+        static_cast<std::uint32_t>(stride_bytes) % alignof(Word) != 0 || address % alignof(Word) != 0)
+      return Status::kInvalidArgument;
+    if (held.empty()) return Status::kOk;
+    const std::uint64_t end =
+        static_cast<std::uint64_t>(stride_bytes) * static_cast<std::uint32_t>(held.height() - 1) + row;
+    if (end > INT32_MAX) return Status::kInvalidArgument;  // rows are addressed by 32-bit products
+    return end <= memory.size() ? Status::kOk : Status::kBufferTooSmall;
   }
 };
 
 static_assert(SinkInMemory<FramebufferWindow<Rgb565>> && SinkInMemory<FramebufferWindow<Mono>>);
+static_assert(!SinkFromFirstColumn<FramebufferWindow<Rgb565>>);
 
 }  // namespace arcspan::hal

@@ -3,12 +3,14 @@
 
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
-/// Checks of framebuffers and depth buffers. Both hold a band: some rows of a picture, in memory of the
-/// caller, which move_to() turns into other rows.
+/// Checks and addresses of framebuffers and depth buffers. Both hold a band: a rectangle of a picture, in
+/// memory of the caller, which move_to() turns into other rows.
 namespace arcspan::detail {
 
 /// The largest width and the largest number of rows of a band. The words of such a band fit 31 bits.
@@ -26,17 +28,46 @@ template <class WordsPerRow>
   return words < needed ? Status::kBufferTooSmall : Status::kOk;
 }
 
+/// check_band_size() of a rectangle of the picture. Its sides are in 0...kMostBandSide, else
+/// kInvalidArgument.
+template <class WordsPerRow>
+[[nodiscard]] constexpr Status check_band_rect(const Rect& held, const WordsPerRow& words_per_row,
+                                               std::size_t words) {
+  for (const std::int32_t side : {held.left, held.top, held.right, held.bottom})
+    if (side < 0 || side > kMostBandSide) return Status::kInvalidArgument;
+  return check_band_size(held.width(), held.height(), words_per_row, words);
+}
+
+/// The rows of the memory behind `bounds`, which are also known while move_band() has made it empty.
+[[nodiscard]] constexpr std::int32_t band_rows(const Rect& bounds) {
+  return bounds.bottom < bounds.top ? bounds.top - bounds.bottom : bounds.height();
+}
+
 /// Moves the rows of `bounds` to `first_row` and returns kOk. If `first_row` is negative or the rows would
-/// end beyond INT32_MAX, returns kInvalidArgument and makes `bounds` empty by moving its left side to its
-/// right one; the next valid row undoes that.
+/// end beyond INT32_MAX, returns kInvalidArgument and makes `bounds` empty by exchanging its top and its
+/// bottom; the next valid row undoes that.
 [[nodiscard]] constexpr Status move_band(Rect& bounds, std::int32_t first_row) {
-  const std::int32_t rows = bounds.height();
+  const std::int32_t rows = band_rows(bounds);
   const bool valid = first_row >= 0 && first_row <= INT32_MAX - rows;
-  bounds.left = valid ? 0 : bounds.right;
-  if (!valid) return Status::kInvalidArgument;
-  bounds.top = first_row;
-  bounds.bottom = first_row + rows;
-  return Status::kOk;
+  bounds.top = valid ? first_row : rows;
+  bounds.bottom = valid ? first_row + rows : 0;
+  return valid ? Status::kOk : Status::kInvalidArgument;
+}
+
+/// The Word `bytes` bytes behind `at` in its array, which must be aligned for a Word.
+template <class Word, class Bytes>
+[[nodiscard]] ARCSPAN_INLINE constexpr Word* moved_by_bytes(Word* at, Bytes bytes) {
+  if (std::is_constant_evaluated()) return at + bytes / static_cast<Bytes>(sizeof(Word));
+  return static_cast<Word*>(static_cast<void*>(static_cast<std::byte*>(static_cast<void*>(at)) + bytes));
+}
+
+/// The address of column 0 of a row whose Words begin at `first`, `words` Words right of column 0. That
+/// column need not be in memory: the address is computed by integers, because pointers must not leave an
+/// array.
+template <class Word>
+[[nodiscard]] constexpr Word* column_0_of(Word* first, std::size_t words) {
+  if (std::is_constant_evaluated()) return first - words;
+  return reinterpret_cast<Word*>(reinterpret_cast<std::uintptr_t>(first) - words * sizeof(Word));
 }
 
 /// True if `run` has pixels, and all of them lie within `bounds`.

@@ -82,14 +82,16 @@ concept SinkFromFirstColumn = PixelSink<S> && std::same_as<typename S::FromFirst
 /// A sink whose rows lie in memory, so that the span stage may step from row to row instead of calling
 /// open(). close() is called for every run all the same.
 ///
-/// row(y) is the first pixel of row y within bounds(); row y + 1 begins stride() Words behind it. A sink
-/// declares itself by `using RowsInMemory =` its own name. A class derived from it is an ordinary sink,
-/// unless it declares itself as well, so that its own open() is called.
+/// row(y) is the Word of column 0 of row y of the picture, where that is or would be: bounds() may begin
+/// right of it, and only Words of bounds() are read and written. row(y + 1) is stride_bytes() bytes behind
+/// it, a multiple of the Word's alignment. A sink declares itself by `using RowsInMemory =` its own name. A
+/// class derived from it is an ordinary sink, unless it declares itself as well, so that its own open() is
+/// called.
 template <class S>
 concept SinkInMemory = PixelSink<S> && std::same_as<typename S::RowsInMemory, S> &&
     requires(const S& sink, std::int32_t y) {
   { sink.row(y) } -> std::same_as<typename S::Format::Word*>;
-  { sink.stride() } -> std::same_as<std::int32_t>;
+  { sink.stride_bytes() } -> std::same_as<std::int32_t>;
 };
 
 }  // namespace arcspan

@@ -44,7 +44,9 @@ class SinkPart {
     return Status::kOk;
   }
   [[nodiscard]] constexpr auto* row(std::int32_t y) const requires SinkInMemory<Sink> { return sink_.row(y); }
-  [[nodiscard]] constexpr std::int32_t stride() const requires SinkInMemory<Sink> { return sink_.stride(); }
+  [[nodiscard]] constexpr std::int32_t stride_bytes() const requires SinkInMemory<Sink> {
+    return sink_.stride_bytes();
+  }
 
  private:
   Sink& sink_;

@@ -40,7 +40,7 @@ struct NoDepth {
   }
 };
 
-/// A 16-bit depth buffer over memory of the caller, of the size of the picture or of a band of it.
+/// A 16-bit depth buffer over memory of the caller: of the whole picture, of a band or of a rectangle of it.
 class DepthBuffer {
  public:
   static constexpr bool kTests = true;
@@ -61,39 +61,64 @@ class DepthBuffer {
   /// bounds() is empty, and draw_mesh() returns the status.
   constexpr DepthBuffer(std::span<std::uint16_t> memory, std::int32_t width, std::int32_t rows,
                         std::int32_t first_row = 0)
-      : status_(detail::check_band_size(
-            width, rows, [](std::int32_t columns) { return words(columns, 1); }, memory.size())) {
+      : status_(detail::check_band_size(width, rows, words_per_row, memory.size())) {
     if (!ok(status_)) return;
-    memory_ = memory.data();
-    bounds_ = {0, 0, width, rows};
+    hold(memory, {0, 0, width, rows});
     status_ = detail::move_band(bounds_, first_row);
+  }
+
+  /// The depths of the rectangle `held` of the picture, without gaps between its rows. `memory` must hold
+  /// words(held.width(), held.height()), else status() is kBufferTooSmall. It is kInvalidArgument unless the
+  /// sides of `held` are in 0...32767 and in order.
+  constexpr DepthBuffer(std::span<std::uint16_t> memory, const Rect& held)
+      : status_(detail::check_band_rect(held, words_per_row, memory.size())) {
+    if (ok(status_)) hold(memory, held);
   }
 
   [[nodiscard]] constexpr Status status() const { return status_; }
   [[nodiscard]] constexpr Rect bounds() const { return bounds_; }
+  /// The depth of column 0 of row y of the picture, where that is or would be: bounds() may begin right of
+  /// it. The row must lie inside bounds().
   [[nodiscard]] constexpr std::uint16_t* row(std::int32_t y) const {
-    return memory_ + (y - bounds_.top) * bounds_.right;
+    return column_0_ + (y - bounds_.top) * stride_;
   }
+  /// Depths from one row to the next.
+  [[nodiscard]] constexpr std::int32_t stride() const { return stride_; }
 
   /// Makes the memory represent the rows from `first_row` on. The depths in it stay until clear().
   /// `first_row` is 0...INT32_MAX - rows; otherwise status() is kInvalidArgument and bounds() empty until the
   /// next call. Without effect if the constructor was given too little memory or a wrong size.
   constexpr void move_to(std::int32_t first_row) {
-    if (memory_ == nullptr) return;
+    if (stride_ == kRefused) return;
     if (first_row != bounds_.top) checks_.note_move();
     status_ = detail::move_band(bounds_, first_row);
   }
 
   constexpr void clear() const {
-    fill(memory_, words(bounds_.right, bounds_.height()), kFarthest);
+    const std::span<std::uint16_t> all = memory();
+    fill(all.data(), all.size(), kFarthest);
     checks_.note_clear();
   }
 
   /// Reports memory that no clear() has prepared (ARCSPAN_CHECKED).
-  constexpr void check_cleared() const { checks_.check({memory_, words(bounds_.right, bounds_.height())}); }
+  constexpr void check_cleared() const { checks_.check(memory()); }
 
  private:
-  std::uint16_t* memory_ = nullptr;
+  static constexpr std::int32_t kRefused = -1;
+
+  [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) { return words(width, 1); }
+
+  constexpr void hold(std::span<std::uint16_t> memory, const Rect& held) {
+    column_0_ = detail::column_0_of(memory.data(), words_per_row(held.left));
+    stride_ = held.width();
+    bounds_ = held;
+  }
+  [[nodiscard]] constexpr std::span<std::uint16_t> memory() const {
+    return {column_0_ + bounds_.left, words(bounds_.width(), detail::band_rows(bounds_))};
+  }
+
+  std::uint16_t* column_0_ = nullptr;  ///< of the first row
+  std::int32_t stride_ = kRefused;     ///< in depths; kRefused if the constructor's arguments were
   Rect bounds_{};
   Status status_;
   [[no_unique_address]] mutable detail::DepthChecks checks_{};

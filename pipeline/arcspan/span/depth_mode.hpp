@@ -39,6 +39,7 @@ class DepthMode {
   [[nodiscard]] constexpr Status status() const { return buffer_->status(); }
   [[nodiscard]] constexpr Rect bounds() const { return buffer_->bounds(); }
   [[nodiscard]] constexpr std::uint16_t* row(std::int32_t y) const { return buffer_->row(y); }
+  [[nodiscard]] constexpr std::int32_t stride() const { return buffer_->stride(); }
   constexpr void check_cleared() const { buffer_->check_cleared(); }
 
  private:

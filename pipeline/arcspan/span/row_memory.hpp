@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/pixel/band.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/target.hpp>
@@ -39,27 +40,27 @@ template <SinkInMemory Sink>
 requires kHasManyRegisters class PixelRows<Sink> {
  public:
   ARCSPAN_INLINE constexpr PixelRows(Sink& sink, std::int32_t y)
-      : row_(hidden(sink.row(y))), stride_(sink.stride()) {}
+      : row_(hidden(sink.row(y))), stride_bytes_(sink.stride_bytes()) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Sink::Format::Cursor open(const Span& span,
                                                                             std::int32_t rows = 0) const {
-    return typename Sink::Format::Cursor(row_ + rows * stride_, span.x);
+    return typename Sink::Format::Cursor(moved_by_bytes(row_, rows * stride_bytes_), span.x);
   }
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Sink::Format::Cursor behind(const Span& span,
                                                                               std::int32_t rows = 0) const {
-    return typename Sink::Format::Cursor(row_ + rows * stride_, span.x + span.count);
+    return typename Sink::Format::Cursor(moved_by_bytes(row_, rows * stride_bytes_), span.x + span.count);
   }
   /// The cursor at a column of the current row, in formats of one word per pixel.
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Sink::Format::Cursor at_column(std::ptrdiff_t x) const {
     return typename Sink::Format::Cursor(row_ + x, 0);
   }
   ARCSPAN_INLINE constexpr void next() {
-    row_ += stride_;
+    row_ = moved_by_bytes(row_, stride_bytes_);
     hide_value(row_);
   }
 
  private:
   typename Sink::Format::Word* row_;
-  std::int32_t stride_;
+  std::int32_t stride_bytes_;
 };
 
 /// The rows of a depth buffer, from row y of the picture downwards, as an address that is stepped.
@@ -67,7 +68,7 @@ template <class Depth, bool Steps = kHasManyRegisters>
 class DepthRows {
  public:
   ARCSPAN_INLINE constexpr DepthRows(const Depth& depth, std::int32_t y)
-      : row_(hidden(depth.row(y))), stride_(depth.bounds().right) {}
+      : row_(hidden(depth.row(y))), stride_(depth.stride()) {}
   /// The depth of the span's first pixel.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t* at(const Span& span, std::int32_t rows = 0) const {
     return row_ + (rows * stride_ + span.x);

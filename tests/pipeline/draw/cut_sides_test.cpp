@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
 // A sink that takes a part of the picture gets exactly that part: a pixel is a function of the scene and of
-// its position, wherever the sink is cut off.
+// its position, wherever the sink is cut off. The memory of a part has no other pixels, neither of colours
+// nor of depths, and its rows are padded.
 #include <arcspan/draw.hpp>
-#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/hal/framebuffer_window.hpp>
 #include <arcspan/literature/segment.hpp>
+#include <arcspan/pixel/gray2.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/mono.hpp>
+#include <arcspan/pixel/rgb332.hpp>
 #include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/pixel/xrgb8888.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
 #include <arcspan/shading/grey_gouraud.hpp>
@@ -28,29 +35,59 @@ namespace {
 using Light = Illumination<1, Highlight::kPhong>;
 using TwoLights = Illumination<2, Highlight::kPhong>;
 using Texels = DirectTexels<>;
-using Frame = hal::Framebuffer<Rgb565>;
 constexpr Rgb8 kBackground{9, 8, 7};
 constexpr DrawFeatures kFeatures{.planes = false};
 
-/// Memory of a whole picture that takes a part of it, and says so or not that it is memory.
-template <bool InMemory>
-struct Window : Frame {
-  using RowsInMemory = std::conditional_t<InMemory, Window, void>;
-  Rect part;
-  Window(std::span<Frame::Word> memory, const TestCamera& camera, const Rect& taken)
-      : Frame(memory, camera.width, camera.height), part(taken) {}
-  [[nodiscard]] Rect bounds() const { return part; }
+/// A window that does not say that its rows lie in memory.
+template <class Format>
+struct OpenedWindow : hal::FramebufferWindow<Format> {
+  using hal::FramebufferWindow<Format>::FramebufferWindow;
 };
-static_assert(SinkInMemory<Window<true>> && !SinkInMemory<Window<false>>);
-static_assert(SinkFromFirstColumn<Frame> && !SinkFromFirstColumn<Window<true>>);
+template <class Format, bool InMemory>
+using Window = std::conditional_t<InMemory, hal::FramebufferWindow<Format>, OpenedWindow<Format>>;
+static_assert(SinkInMemory<Window<Rgb565, true>> && !SinkInMemory<Window<Rgb565, false>>);
+static_assert(SinkFromFirstColumn<hal::Framebuffer<Rgb565>> && !SinkFromFirstColumn<Window<Rgb565, true>>);
 
+/// A whole picture.
+template <class Format>
 struct Picture {
-  std::vector<Frame::Word> colours;
+  std::vector<typename Format::Word> colours;
   std::vector<std::uint16_t> depths;
+  hal::Framebuffer<Format> frame;
+  DepthBuffer depth;
 
   explicit Picture(const TestCamera& camera)
-      : colours(Frame::words(camera.width, camera.height)),
-        depths(DepthBuffer::words(camera.width, camera.height)) {}
+      : colours(hal::Framebuffer<Format>::words(camera.width, camera.height)),
+        depths(DepthBuffer::words(camera.width, camera.height)),
+        frame(colours, camera.width, camera.height),
+        depth(depths, camera.width, camera.height) {}
+};
+
+/// Memory of a part of a picture, with bytes before it and between its rows.
+template <class Format>
+struct PartMemory {
+  Rect part;
+  std::size_t before;
+  std::int32_t stride_bytes;
+  std::vector<std::byte> bytes;
+  std::vector<std::uint16_t> depths;
+
+  PartMemory(const Rect& taken, Random& random) : part(taken) {
+    using Word = typename Format::Word;
+    constexpr auto kAlignment = static_cast<std::int32_t>(alignof(Word));
+    before = static_cast<std::size_t>(kAlignment * random.integer(0, 3));
+    const std::size_t row = (Format::words_per_row(part.width()) + 1) * sizeof(Word);
+    stride_bytes = static_cast<std::int32_t>(row) + kAlignment * random.integer(0, 7);
+    bytes.assign(before + static_cast<std::size_t>(stride_bytes * part.height()), std::byte{0xA5});
+    depths.assign(DepthBuffer::words(part.width(), part.height()), 0);
+  }
+  template <class Sink>
+  [[nodiscard]] Sink window() {
+    Sink sink(std::span{bytes}.subspan(before), part, stride_bytes);
+    REQUIRE(ok(sink.status()));
+    REQUIRE(sink.bounds() == part);
+    return sink;
+  }
 };
 
 template <class Method>
@@ -79,8 +116,7 @@ typename Method::Lighting lighting(const TestCamera& camera) {
 
 /// Draws into a frame, or into a window of it.
 template <class Method, class Sink>
-void draw(const MeshView& mesh, const TestCamera& camera, Sink&& sink, Picture& picture) {
-  DepthBuffer depth(picture.depths, camera.width, camera.height);
+void draw(const MeshView& mesh, const TestCamera& camera, Sink& sink, const DepthBuffer& depth) {
   sink.clear(kBackground);
   depth.clear();
   const auto light = lighting<Method>(camera);
@@ -89,26 +125,36 @@ void draw(const MeshView& mesh, const TestCamera& camera, Sink&& sink, Picture& 
                  .status));
 }
 
-/// The pixels at which a picture is not the part of `whole` that a window takes, and nothing elsewhere.
-int differences(const Picture& picture, const Picture& whole, std::int32_t width, const Rect& part) {
-  int count = 0;
-  for (std::size_t i = 0; i < whole.colours.size(); ++i) {
-    const auto x = static_cast<std::int32_t>(i) % width;
-    const auto y = static_cast<std::int32_t>(i) / width;
-    const bool inside = part.left <= x && x < part.right && part.top <= y && y < part.bottom;
-    const bool same = picture.colours[i] == (inside ? whole.colours[i] : Rgb565::encode(kBackground)) &&
-                      picture.depths[i] == (inside ? whole.depths[i] : DepthBuffer::kFarthest);
-    count += same ? 0 : 1;
+/// Draws a part of `whole`, and compares all bytes of its memory.
+template <class Method, class Format, bool InMemory>
+void check_window(const MeshView& mesh, const TestCamera& camera, const Picture<Format>& whole,
+                  const Rect& part, Random& random) {
+  CAPTURE(InMemory, part.left, part.top, part.right, part.bottom);
+  PartMemory<Format> drawn(part, random);
+  PartMemory<Format> wanted = drawn;
+  auto window = drawn.template window<Window<Format, InMemory>>();
+  const DepthBuffer depth(drawn.depths, part);
+  REQUIRE(depth.bounds() == part);
+  draw<Method>(mesh, camera, window, depth);
+  auto copy = wanted.template window<hal::FramebufferWindow<Format>>();
+  auto wanted_depth = wanted.depths.begin();
+  for (std::int32_t y = part.top; y < part.bottom; ++y) {
+    typename Format::Cursor from(whole.frame.row(y), part.left);
+    for (std::int32_t x = part.left; x < part.right; ++x, from.next()) {
+      copy.open({y, x, 1}).write(from.read());
+      *wanted_depth++ = whole.depth.row(y)[x];
+    }
   }
-  return count;
+  CHECK(drawn.bytes == wanted.bytes);
+  CHECK(drawn.depths == wanted.depths);
 }
 
-template <class Method, bool InMemory>
+template <class Method, class Format, bool InMemory>
 void check_windows(const MeshView& mesh, const TestCamera& camera, Random& random) {
   const std::int32_t width = camera.width;
   const std::int32_t height = camera.height;
-  Picture whole(camera);
-  draw<Method>(mesh, camera, Frame(whole.colours, width, height), whole);
+  Picture<Format> whole(camera);
+  draw<Method>(mesh, camera, whole.frame, whole.depth);
   std::vector<Rect> parts{{0, 0, width - 1, height}, {1, 0, width, height}, {0, 1, width, height},
                           {0, 0, width, height - 1}, {40, 20, 40, 50},      {0, 0, width / 2, height}};
   for (int i = 0; i < 14; ++i) {
@@ -117,12 +163,7 @@ void check_windows(const MeshView& mesh, const TestCamera& camera, Random& rando
     const std::int32_t right = i % 3 == 0 ? left + 1 : i % 3 == 1 ? width : random.integer(left, width);
     parts.push_back({left, i % 2 == 0 ? 0 : top, right, i % 4 == 1 ? top + 1 : height});
   }
-  for (const Rect& part : parts) {
-    Picture picture(camera);
-    draw<Method>(mesh, camera, Window<InMemory>(picture.colours, camera, part), picture);
-    CAPTURE(InMemory, part.left, part.top, part.right, part.bottom);
-    CHECK(differences(picture, whole, width, part) == 0);
-  }
+  for (const Rect& part : parts) check_window<Method, Format, InMemory>(mesh, camera, whole, part, random);
 }
 
 /// A mesh with points of the texture.
@@ -168,16 +209,16 @@ TestMesh shards(Random& random) {
   return mesh;
 }
 
-template <class Method, bool InMemory = true>
+template <class Method, class Format = Rgb565, bool InMemory = true>
 void check_scenes() {
   Random random(91);
   // Normals of the second sphere are so far apart that its triangles are normalised.
   for (const int rings : {16, 9}) {
     const Scene ball(make_sphere(rings, 2 * rings, 3000, 0, random), {0, 0, -7500}, random);
-    check_windows<Method, InMemory>(ball.view(), ball.camera, random);
+    check_windows<Method, Format, InMemory>(ball.view(), ball.camera, random);
   }
   const Scene mixture(shards(random), {0, 0, -6000}, random);
-  check_windows<Method, InMemory>(mixture.view(), mixture.camera, random);
+  check_windows<Method, Format, InMemory>(mixture.view(), mixture.camera, random);
 }
 
 }  // namespace
@@ -194,7 +235,16 @@ TEMPLATE_TEST_CASE(
   check_scenes<TestType>();
 }
 
-TEST_CASE("a sink that is no memory gets exactly its part") { check_scenes<Arc<Light>, false>(); }
+TEMPLATE_TEST_CASE("a sink of a part of the picture gets exactly that part in every kind of format", "",
+                   Dithered<Rgb565>, Rgb888, Xrgb8888, Dithered<Rgb332>, Dithered<Gray4>, Gray2,
+                   Dithered<Mono>) {
+  check_scenes<Arc<Light>, TestType>();
+  check_scenes<Gouraud<Light>, TestType>();
+}
+
+TEMPLATE_TEST_CASE("a sink that is no memory gets exactly its part", "", Rgb565, Dithered<Mono>) {
+  check_scenes<Arc<Light>, TestType, false>();
+}
 
 TEST_CASE("a two-sided triangle across the near plane covers the same pixels turned over") {
   // Slivers, because the rest of one may be bent by rounding, and then shows how it is split.
@@ -215,12 +265,12 @@ TEST_CASE("a two-sided triangle across the near plane covers the same pixels tur
     const std::uint16_t b = mesh.add(first + off(random.decades(2, 200)), {0, 0, 1});
     const std::uint16_t c = mesh.add(middle + off(size), {0, 0, 1});
     mesh.triangle(a, b, c);
-    Picture picture(camera);
-    draw<Unlit>(mesh.view(), camera, Frame(picture.colours, camera.width, camera.height), picture);
+    Picture<Rgb565> picture(camera);
+    draw<Unlit>(mesh.view(), camera, picture.frame, picture.depth);
     mesh.indices = {c, b, a};
     std::rotate(mesh.indices.begin(), mesh.indices.begin() + i % 3, mesh.indices.end());
-    Picture turned(camera);
-    draw<Unlit>(mesh.view(), camera, Frame(turned.colours, camera.width, camera.height), turned);
+    Picture<Rgb565> turned(camera);
+    draw<Unlit>(mesh.view(), camera, turned.frame, turned.depth);
     for (std::size_t p = 0; p < picture.colours.size(); ++p)
       different += picture.colours[p] != turned.colours[p] ? 1 : 0;
   }

@@ -74,6 +74,44 @@ TEST_CASE("a depth buffer must cover the band that is drawn") {
   CHECK(status(width, kRows, INT32_MAX) == Status::kInvalidArgument);
 }
 
+TEST_CASE("a depth buffer of a rectangle must cover what is drawn") {
+  Scene scene;
+  const std::int32_t width = scene.camera.width;
+  Frame band(scene.colours, width, kRows, kRows);
+  const auto status = [&](const Rect& held) {
+    const DepthBuffer depth(scene.depths, held);
+    return scene.draw(band, depth).status;
+  };
+  CHECK(status({0, kRows, width, 2 * kRows}) == Status::kOk);
+  CHECK(status({1, kRows, width, 2 * kRows}) == Status::kDepthMismatch);
+  CHECK(status({0, kRows, width - 1, 2 * kRows}) == Status::kDepthMismatch);
+  CHECK(status({0, kRows + 1, width, 2 * kRows}) == Status::kDepthMismatch);
+  CHECK(status({0, kRows, width, 2 * kRows + 1}) == Status::kBufferTooSmall);
+  CHECK(status({0, -1, width, 1}) == Status::kInvalidArgument);
+  CHECK(status({-1, 0, 1, 1}) == Status::kInvalidArgument);
+  CHECK(status({0, kRows, width, 32768}) == Status::kInvalidArgument);
+  CHECK(status({0, 2 * kRows, width, kRows}) == Status::kInvalidArgument);
+  CHECK(status({INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX}) == Status::kInvalidArgument);
+}
+
+TEST_CASE("a depth buffer of a rectangle has its columns, and moves to other rows") {
+  std::vector<std::uint16_t> memory(DepthBuffer::words(4, 3) + 1, 7);
+  DepthBuffer depth(memory, {5, 2, 9, 5});
+  CHECK(depth.status() == Status::kOk);
+  CHECK(depth.bounds() == Rect{5, 2, 9, 5});
+  CHECK(depth.stride() == 4);
+  CHECK(depth.row(2) + 5 == memory.data());
+  depth.move_to(-1);
+  CHECK(depth.bounds().empty());
+  depth.move_to(20);
+  CHECK(depth.bounds() == Rect{5, 20, 9, 23});
+  CHECK(depth.row(22) + 8 == memory.data() + 11);
+  depth.clear();
+  CHECK(memory[0] == DepthBuffer::kFarthest);
+  CHECK(memory[11] == DepthBuffer::kFarthest);
+  CHECK(memory[12] == 7);
+}
+
 TEST_CASE("rows of a band below the picture need no depths") {
   Scene scene;
   const std::int32_t width = scene.camera.width;

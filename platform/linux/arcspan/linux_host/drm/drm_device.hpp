@@ -4,6 +4,7 @@
 #include <arcspan/hal/framebuffer_window.hpp>
 #include <arcspan/linux_host/result.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -46,10 +47,12 @@ class DrmDevice {
   [[nodiscard]] hal::FramebufferWindow<F> window(const Rect& area) const {
     const bool inside = area.left >= 0 && area.left <= area.right && area.right <= width() && area.top >= 0 &&
                         area.top <= area.bottom && area.bottom <= height();
-    const std::int32_t offset = inside ? area.top * stride() + area.left : -1;
-    const std::size_t words = 8 * sizeof(typename F::Word) == bits() ? memory_words() : 0;
-    const std::span<typename F::Word> rows(static_cast<typename F::Word*>(memory()), words);
-    return {rows, inside ? area.width() : 0, inside ? area.height() : 0, {stride(), offset}};
+    constexpr auto kWord = static_cast<std::int32_t>(sizeof(typename F::Word));
+    const Rect held = inside ? Rect{0, 0, area.width(), area.height()} : Rect{0, 0, -1, 0};
+    if (!inside || 8 * sizeof(typename F::Word) != bits()) return {{}, held, kWord * stride()};
+    const std::span bytes(static_cast<std::byte*>(memory()), memory_words() * sizeof(typename F::Word));
+    const auto offset = static_cast<std::size_t>(area.top * stride() + area.left) * sizeof(typename F::Word);
+    return {bytes.subspan(offset < bytes.size() ? offset : bytes.size()), held, kWord * stride()};
   }
 
   /// Shows the hidden picture and hides the visible one, which can then be drawn. Waits until this is done,

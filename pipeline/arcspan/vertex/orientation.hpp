@@ -26,6 +26,40 @@ struct Quaternion {
   RotationEntry z;
 };
 
+namespace detail {
+
+/// w, x, y and z with 30 fraction bits, halved if one is above 1, so that sums of four products fit 63 bits.
+/// The zero quaternion gives 1.
+[[nodiscard]] constexpr std::array<std::int64_t, 4> quaternion_components(const Quaternion& q) {
+  std::array<std::int64_t, 4> c = {q.w.raw(), q.x.raw(), q.y.raw(), q.z.raw()};
+  bool has_large = false;
+  bool has_any = false;
+  for (const std::int64_t v : c) {
+    has_large = has_large || v > kOne30 || v < -kOne30;
+    has_any = has_any || v != 0;
+  }
+  if (!has_any) c[0] = kOne30;
+  if (has_large) {
+    for (std::int64_t& v : c) v /= 2;
+  }
+  return c;
+}
+
+}  // namespace detail
+
+/// The rotation by `b`, then by `a`, as a quaternion of unit length: any number of products does not drift
+/// from it. Its components are Q1.30 in [-1, 1], within 3 * 2^-30 of the exact ones if those of `a` and `b`
+/// are in [-1, 1]. Neither need be of unit length, and the zero quaternion gives no rotation.
+[[nodiscard]] ARCSPAN_OUTLINE constexpr Quaternion operator*(const Quaternion& a, const Quaternion& b) {
+  const auto [aw, ax, ay, az] = detail::quaternion_components(a);
+  const auto [bw, bx, by, bz] = detail::quaternion_components(b);
+  const std::array<std::int32_t, 4> u =
+      unit_vector30<4>({aw * bw - ax * bx - ay * by - az * bz, aw * bx + ax * bw + ay * bz - az * by,
+                        aw * by - ax * bz + ay * bw + az * bx, aw * bz + ax * by - ay * bx + az * bw});
+  return {RotationEntry::from_raw(u[0]), RotationEntry::from_raw(u[1]), RotationEntry::from_raw(u[2]),
+          RotationEntry::from_raw(u[3])};
+}
+
 [[nodiscard]] constexpr Rotation rotation_of(const EulerAngles& angles) {
   return Rotation::about_y(angles.yaw) * Rotation::about_x(angles.pitch) * Rotation::about_z(angles.roll);
 }

@@ -7,7 +7,9 @@
 #include <tests/support/test_share.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 
@@ -18,6 +20,33 @@ namespace {
 
 double entry(const Rotation& rotation, std::size_t i, std::size_t j) {
   return std::ldexp(rotation.m[i][j].raw(), -30);
+}
+
+/// w, x, y, z.
+using Components = std::array<double, 4>;
+
+Components components(const Quaternion& q) {
+  const auto real = [](RotationEntry c) { return std::ldexp(c.raw(), -30); };
+  return {real(q.w), real(q.x), real(q.y), real(q.z)};
+}
+
+double length(const Components& q) { return std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])); }
+
+/// Hamilton's product, of unit length.
+Components product(const Components& a, const Components& b) {
+  Components p = {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+                  a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+                  a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+                  a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
+  const double size = length(p);
+  for (double& c : p) c /= size;
+  return p;
+}
+
+double difference(const Components& a, const Components& b) {
+  double worst = 0;
+  for (std::size_t i = 0; i < 4; ++i) worst = std::max(worst, std::abs(a[i] - b[i]));
+  return worst;
 }
 
 RotationEntry component(double v) {
@@ -73,6 +102,79 @@ TEST_CASE("Euler angles are applied in the order roll, pitch, yaw") {
     }
   }
   CHECK(worst < 0x1p-26);
+}
+
+TEST_CASE("a product of quaternions of any length is exact to three steps") {
+  Random random(1803);
+  double worst = 0;
+  double worst_length = 0;
+  for (int i = 0; i < share_of(20000); ++i) {
+    const auto quaternion = [&] {
+      const double size = random.decades(1e-8, 1);
+      Quaternion q{};
+      for (RotationEntry* c : {&q.w, &q.x, &q.y, &q.z}) *c = component(size * random.real(-1, 1));
+      return q;
+    };
+    const Quaternion a = quaternion();
+    const Quaternion b = quaternion();
+    if (length(components(a)) == 0 || length(components(b)) == 0) continue;
+    const Components found = components(a * b);
+    worst = std::max(worst, difference(found, product(components(a), components(b))));
+    worst_length = std::max(worst_length, std::abs(length(found) - 1));
+  }
+  CHECK(worst <= 3 * 0x1p-30);
+  CHECK(worst_length <= 3 * 0x1p-30);
+}
+
+TEST_CASE("a product of quaternions turns as the product of their rotations") {
+  Random random(1804);
+  double worst = 0;
+  for (int i = 0; i < share_of(5000); ++i) {
+    const auto any = [&] { return RotationEntry::from_raw(static_cast<std::int32_t>(random.bits())); };
+    const Quaternion a{any(), any(), any(), any()};  // components in [-2, 2), too
+    const Quaternion b{any(), any(), any(), any()};
+    const Rotation joined = rotation_of(a * b);
+    const Rotation wanted = rotation_of(a) * rotation_of(b);
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = 0; c < 3; ++c)
+        worst = std::max(worst, std::abs(entry(joined, r, c) - entry(wanted, r, c)));
+    }
+  }
+  CHECK(worst < 0x1p-26);
+}
+
+TEST_CASE("many small turns keep a quaternion's length and add up") {
+  // A turn by 2 atan(1 / 512) about a slanted axis, as a trackball makes it of a drag.
+  const Quaternion turn{component(1.0), component(0.6 / 512), component(0), component(0.8 / 512)};
+  Quaternion sum{component(1.0), {}, {}, {}};
+  constexpr int kTurns = 20000;
+  double worst_length = 0;
+  for (int i = 0; i < kTurns; ++i) {
+    sum = turn * sum;
+    worst_length = std::max(worst_length, std::abs(length(components(sum)) - 1));
+  }
+  CHECK(worst_length <= 3 * 0x1p-30);
+  const Components axis = components(turn);
+  const double sine = std::hypot(axis[1], axis[3]);
+  const double angle = kTurns * std::atan2(sine, axis[0]);
+  const Components wanted = {std::cos(angle), std::sin(angle) * axis[1] / sine, 0,
+                             std::sin(angle) * axis[3] / sine};
+  CHECK(difference(components(sum), wanted) < kTurns * 0x1p-30);
+}
+
+TEST_CASE("extreme quaternions have products of unit length") {
+  const auto raw = [](std::int32_t v) { return RotationEntry::from_raw(v); };
+  const Quaternion zero{};
+  const Quaternion least{raw(INT32_MIN), raw(INT32_MIN), raw(INT32_MIN), raw(INT32_MIN)};
+  const Quaternion mixed{raw(INT32_MIN), raw(INT32_MAX), raw(INT32_MIN), raw(INT32_MAX)};
+  const Quaternion small{raw(0), raw(0), raw(-1), raw(0)};
+  for (const Quaternion& a : {zero, least, mixed, small}) {
+    for (const Quaternion& b : {zero, least, mixed, small})
+      CHECK(std::abs(length(components(a * b)) - 1) <= 3 * 0x1p-30);
+  }
+  CHECK(components(zero * zero) == Components{1, 0, 0, 0});
+  CHECK(components(small * zero) == Components{0, 0, -1, 0});
+  CHECK(components(small * small) == Components{-1, 0, 0, 0});
 }
 
 TEST_CASE("the zero quaternion turns nothing, and unit axes are exact") {

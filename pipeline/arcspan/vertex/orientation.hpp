@@ -18,7 +18,8 @@ struct EulerAngles {
   Turn roll;
 };
 
-/// A rotation by a quaternion w + xi + yj + zk. It need not be of unit length.
+/// A rotation by a quaternion w + xi + yj + zk. It need not be of unit length. For a trackball of radius r
+/// pixels, a drag by dx to the right and dy down turns by {2 r, dy, dx, 0}, as raw numbers, in view space.
 struct Quaternion {
   RotationEntry w;
   RotationEntry x;

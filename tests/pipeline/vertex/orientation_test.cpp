@@ -162,6 +162,17 @@ TEST_CASE("many small turns keep a quaternion's length and add up") {
   CHECK(difference(components(sum), wanted) < kTurns * 0x1p-30);
 }
 
+TEST_CASE("a drag turns the front of a trackball with it") {
+  const auto raw = [](std::int32_t v) { return RotationEntry::from_raw(v); };
+  const auto dragged = [&](std::int32_t dx, std::int32_t dy) {
+    return rotation_of(Quaternion{raw(200), raw(dy), raw(dx), raw(0)} * Quaternion{raw(1), {}, {}, {}});
+  };
+  // The third column is where the point in front of the ball goes; y is up.
+  const double turn = 2 * std::atan(10.0 / 200);
+  CHECK(std::abs(entry(dragged(10, 0), 0, 2) - std::sin(turn)) < 0x1p-27);
+  CHECK(std::abs(entry(dragged(0, 10), 1, 2) + std::sin(turn)) < 0x1p-27);
+}
+
 TEST_CASE("extreme quaternions have products of unit length") {
   const auto raw = [](std::int32_t v) { return RotationEntry::from_raw(v); };
   const Quaternion zero{};

@@ -59,8 +59,8 @@ Result find_stride(std::uint32_t width, std::uint32_t height, std::uint32_t bits
   const std::uint32_t bytes = bits / 8;
   if (pitch % bytes != 0 || pitch / bytes < width)
     return Result::refused("the rows of the driver's memory do not hold whole pixels");
-  // FramebufferWindow addresses pixels by 32-bit numbers.
-  if (std::uint64_t{pitch} * height > size || size / bytes > INT32_MAX)
+  // FramebufferWindow addresses bytes by 32-bit numbers.
+  if (std::uint64_t{pitch} * height > size || size > INT32_MAX)
     return Result::refused("the driver's memory has another size than the picture");
   stride = static_cast<std::int32_t>(pitch / bytes);
   return {};

@@ -153,6 +153,9 @@ TEST_CASE("a window refuses rows that overlap or that its memory does not hold")
   CHECK(status(1, {0, 0, 4, 2}, 10) == Status::kInvalidArgument);
   CHECK(status(0, {0, 0, 1, 2}, INT32_MAX - 1) == Status::kInvalidArgument);
   CHECK(status(0, {0, 0, 1, 1}, INT32_MAX - 1) == Status::kOk);
+  FramebufferWindow<Rgb565> empty({}, {7, 2, 7, 9}, 0);
+  empty.clear({255, 255, 255});
+  CHECK(empty.status() == Status::kOk);
   FramebufferWindow<Rgb565> refused(std::span{memory}.subspan(4), {0, 0, 4, 4}, 10);
   CHECK(refused.bounds().empty());
   refused.move_to(3);

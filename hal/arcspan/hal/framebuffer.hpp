@@ -97,6 +97,7 @@ class Framebuffer {
 
   /// clear() for rows that are not next to each other, or for several pixels per Word.
   constexpr void clear_rows(typename F::Encoded encoded) {
+    if (bounds_.width() == 0) return;
     for (std::int32_t i = 0; i < arcspan::detail::band_rows(bounds_); ++i) {
       typename F::Cursor cursor(row_at(i), bounds_.left);
       if constexpr (requires { cursor.pixels(); }) {

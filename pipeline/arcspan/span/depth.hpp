@@ -107,7 +107,8 @@ class DepthBuffer {
   [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) { return words(width, 1); }
 
   [[nodiscard]] constexpr std::span<std::uint16_t> memory() const {
-    return {column_0_ + bounds_.left, words(bounds_.width(), detail::band_rows(bounds_))};
+    const std::size_t count = words(bounds_.width(), detail::band_rows(bounds_));
+    return {count == 0 ? nullptr : column_0_ + bounds_.left, count};
   }
 
   std::uint16_t* column_0_ = nullptr;  ///< of the first row

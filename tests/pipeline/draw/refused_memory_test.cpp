@@ -112,6 +112,17 @@ TEST_CASE("a depth buffer of a rectangle has its columns, and moves to other row
   CHECK(memory[12] == 7);
 }
 
+TEST_CASE("a depth buffer of an empty rectangle needs no memory") {
+  for (const Rect& held : {Rect{7, 2, 7, 9}, Rect{7, 2, 9, 2}}) {
+    DepthBuffer depth({}, held);
+    CHECK(depth.status() == Status::kOk);
+    CHECK(depth.bounds() == held);
+    depth.clear();
+    depth.move_to(5);
+    CHECK(depth.status() == Status::kOk);
+  }
+}
+
 TEST_CASE("rows of a band below the picture need no depths") {
   Scene scene;
   const std::int32_t width = scene.camera.width;

@@ -60,7 +60,7 @@ class Framebuffer {
   /// 0...INT32_MAX - rows; otherwise status() is kInvalidArgument and bounds() empty until the next call.
   /// Without effect if the constructor was given too little memory or a wrong size.
   constexpr void move_to(std::int32_t first_row) {
-    if (stride_bytes_ != kRefused) status_ = arcspan::detail::move_band(bounds_, first_row);
+    if (stride_ != kRefused) status_ = arcspan::detail::move_band(bounds_, first_row);
   }
 
   /// Sets every pixel to `colour`.
@@ -82,7 +82,7 @@ class Framebuffer {
   /// The Word of column 0 of row y of the picture, as SinkInMemory has it. The row must lie inside bounds().
   [[nodiscard]] constexpr Word* row(std::int32_t y) const { return row_at(y - bounds_.top); }
   /// Bytes from one row to the next.
-  [[nodiscard]] constexpr std::int32_t stride_bytes() const { return stride_bytes_; }
+  [[nodiscard]] constexpr std::int32_t stride_bytes() const { return stride_ * kUnit; }
 
  protected:
   /// The memory of the rectangle `held`. `column_0` is where column 0 of its first row is or would be;
@@ -91,7 +91,7 @@ class Framebuffer {
       : status_(status) {
     if (!ok(status_)) return;
     column_0_ = column_0;
-    stride_bytes_ = stride_bytes;
+    stride_ = stride_bytes / kUnit;
     bounds_ = held;
   }
 
@@ -110,15 +110,16 @@ class Framebuffer {
 
  private:
   static constexpr std::int32_t kRefused = -1;
+  static constexpr auto kUnit = static_cast<std::int32_t>(sizeof(arcspan::detail::RowUnit<Word>));
 
   /// The Word of column 0 of the i-th row. The product has 64 bits where memory can be as large.
   [[nodiscard]] constexpr Word* row_at(std::int32_t i) const {
     using Offset = std::common_type_t<std::ptrdiff_t, std::int32_t>;
-    return arcspan::detail::moved_by_bytes(column_0_, static_cast<Offset>(i) * stride_bytes_);
+    return arcspan::detail::moved_by_units(column_0_, static_cast<Offset>(i) * stride_);
   }
 
-  Word* column_0_ = nullptr;              ///< of the first row
-  std::int32_t stride_bytes_ = kRefused;  ///< kRefused if the constructor's arguments were
+  Word* column_0_ = nullptr;        ///< of the first row
+  std::int32_t stride_ = kRefused;  ///< in RowUnits; kRefused if the constructor's arguments were
   Rect bounds_{};
   Status status_;
 };

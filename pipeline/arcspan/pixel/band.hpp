@@ -47,11 +47,20 @@ template <class WordsPerRow>
   return valid ? Status::kOk : Status::kInvalidArgument;
 }
 
-/// The Word `bytes` bytes behind `at` in its array, which must be aligned for a Word.
-template <class Word, class Bytes>
-[[nodiscard]] ARCSPAN_INLINE constexpr Word* moved_by_bytes(Word* at, Bytes bytes) {
-  if (std::is_constant_evaluated()) return at + bytes / static_cast<Bytes>(sizeof(Word));
-  return static_cast<Word*>(static_cast<void*>(static_cast<std::byte*>(static_cast<void*>(at)) + bytes));
+/// The unit of distances between rows: a Word if its alignment is its size, so that every row begins a whole
+/// number of Words behind the first, else a byte (Rgb888).
+template <class Word>
+using RowUnit = std::conditional_t<sizeof(Word) == alignof(Word), Word, std::byte>;
+
+/// The Word `units` RowUnits behind `at` in its memory.
+template <class Word, class Units>
+[[nodiscard]] ARCSPAN_INLINE constexpr Word* moved_by_units(Word* at, Units units) {
+  if constexpr (std::is_same_v<RowUnit<Word>, Word>) {
+    return at + units;
+  } else {
+    if (std::is_constant_evaluated()) return at + units / static_cast<Units>(sizeof(Word));
+    return static_cast<Word*>(static_cast<void*>(static_cast<std::byte*>(static_cast<void*>(at)) + units));
+  }
 }
 
 /// The address of column 0 of a row whose Words begin at `first`, `words` Words right of column 0. That

@@ -40,27 +40,29 @@ template <SinkInMemory Sink>
 requires kHasManyRegisters class PixelRows<Sink> {
  public:
   ARCSPAN_INLINE constexpr PixelRows(Sink& sink, std::int32_t y)
-      : row_(hidden(sink.row(y))), stride_bytes_(sink.stride_bytes()) {}
+      : row_(hidden(sink.row(y))), stride_(sink.stride_bytes() / kUnit) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Sink::Format::Cursor open(const Span& span,
                                                                             std::int32_t rows = 0) const {
-    return typename Sink::Format::Cursor(moved_by_bytes(row_, rows * stride_bytes_), span.x);
+    return typename Sink::Format::Cursor(moved_by_units(row_, rows * stride_), span.x);
   }
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Sink::Format::Cursor behind(const Span& span,
                                                                               std::int32_t rows = 0) const {
-    return typename Sink::Format::Cursor(moved_by_bytes(row_, rows * stride_bytes_), span.x + span.count);
+    return typename Sink::Format::Cursor(moved_by_units(row_, rows * stride_), span.x + span.count);
   }
   /// The cursor at a column of the current row, in formats of one word per pixel.
   [[nodiscard]] ARCSPAN_INLINE constexpr typename Sink::Format::Cursor at_column(std::ptrdiff_t x) const {
     return typename Sink::Format::Cursor(row_ + x, 0);
   }
   ARCSPAN_INLINE constexpr void next() {
-    row_ = moved_by_bytes(row_, stride_bytes_);
+    row_ = moved_by_units(row_, stride_);
     hide_value(row_);
   }
 
  private:
+  static constexpr auto kUnit = static_cast<std::int32_t>(sizeof(RowUnit<typename Sink::Format::Word>));
+
   typename Sink::Format::Word* row_;
-  std::int32_t stride_bytes_;
+  std::int32_t stride_;  ///< in RowUnits
 };
 
 /// The rows of a depth buffer, from row y of the picture downwards, as an address that is stepped.

@@ -40,10 +40,13 @@ class Framebuffer {
   /// kOk bounds() is empty, and draw_mesh() returns the status.
   constexpr Framebuffer(std::span<Word> memory, std::int32_t width, std::int32_t rows,
                         std::int32_t first_row = 0)
-      : Framebuffer(arcspan::detail::check_band({0, 0, width, rows}, F::words_per_row, memory.size()),
-                    memory.data(), static_cast<std::int32_t>(F::words_per_row(width) * sizeof(Word)),
-                    {0, 0, width, rows}) {
-    move_to(first_row);
+      : status_(arcspan::detail::check_band_size(width, rows, F::words_per_row, memory.size())) {
+    if (!ok(status_)) return;
+    column_0_ = memory.data();
+    stride_ = static_cast<std::int32_t>(F::words_per_row(width) *
+                                        (sizeof(Word) / sizeof(arcspan::detail::RowUnit<Word>)));
+    bounds_ = {0, 0, width, rows};
+    status_ = arcspan::detail::move_band(bounds_, first_row);
   }
 
   [[nodiscard]] constexpr Status status() const { return status_; }

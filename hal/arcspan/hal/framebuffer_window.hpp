@@ -50,7 +50,7 @@ class FramebufferWindow : public Framebuffer<F> {
   }
   [[nodiscard]] static Status check(std::span<std::byte> memory, const Rect& held,
                                     std::int32_t stride_bytes) {
-    const Status status = arcspan::detail::check_band(held, F::words_per_row, SIZE_MAX);
+    const Status status = arcspan::detail::check_band_rect(held, F::words_per_row, SIZE_MAX);
     if (!ok(status)) return status;
     const auto row = static_cast<std::uint32_t>(F::words_per_row(held.right - first_of_word(held.left))) *
                      static_cast<std::uint32_t>(sizeof(Word));

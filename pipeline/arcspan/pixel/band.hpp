@@ -16,19 +16,26 @@ namespace arcspan::detail {
 /// The largest width and the largest number of rows of a band. The words of such a band fit 31 bits.
 inline constexpr std::int32_t kMostBandSide = 32767;
 
-/// Returns kInvalidArgument if a side of `held` is outside 0...kMostBandSide or they are not in order,
-/// kBufferTooSmall if `words` words of memory do not hold the rectangle, else kOk. `words_per_row` is a
-/// function of the width and at most four times that, so that the product fits 32 bits; std::size_t may have
-/// 16.
+/// Returns kInvalidArgument if a side is outside 0...kMostBandSide, kBufferTooSmall if `words` words of
+/// memory do not hold the band, else kOk. `words_per_row` is a function of the width and at most four times
+/// that, so that the product fits 32 bits; std::size_t may have 16.
 template <class WordsPerRow>
-[[nodiscard]] constexpr Status check_band(const Rect& held, const WordsPerRow& words_per_row,
-                                          std::size_t words) {
-  const bool valid = held.left >= 0 && held.left <= held.right && held.right <= kMostBandSide &&
-                     held.top >= 0 && held.top <= held.bottom && held.bottom <= kMostBandSide;
-  if (!valid) return Status::kInvalidArgument;
+[[nodiscard]] constexpr Status check_band_size(std::int32_t width, std::int32_t rows,
+                                               const WordsPerRow& words_per_row, std::size_t words) {
+  if (width < 0 || rows < 0 || width > kMostBandSide || rows > kMostBandSide) return Status::kInvalidArgument;
   const std::uint32_t needed =
-      static_cast<std::uint32_t>(words_per_row(held.width())) * static_cast<std::uint32_t>(held.height());
+      static_cast<std::uint32_t>(words_per_row(width)) * static_cast<std::uint32_t>(rows);
   return words < needed ? Status::kBufferTooSmall : Status::kOk;
+}
+
+/// check_band_size() of a rectangle of the picture, with kInvalidArgument also if one of its sides is outside
+/// 0...kMostBandSide.
+template <class WordsPerRow>
+[[nodiscard]] constexpr Status check_band_rect(const Rect& held, const WordsPerRow& words_per_row,
+                                               std::size_t words) {
+  for (const std::int32_t side : {held.left, held.top, held.right, held.bottom})
+    if (side < 0 || side > kMostBandSide) return Status::kInvalidArgument;
+  return check_band_size(held.width(), held.height(), words_per_row, words);
 }
 
 /// The rows of the memory behind `bounds`, which are also known while move_band() has made it empty.

@@ -61,17 +61,16 @@ class DepthBuffer {
   /// bounds() is empty, and draw_mesh() returns the status.
   constexpr DepthBuffer(std::span<std::uint16_t> memory, std::int32_t width, std::int32_t rows,
                         std::int32_t first_row = 0)
-      : DepthBuffer(memory, {0, 0, width, rows}) {
-    if (ok(status_)) status_ = detail::move_band(bounds_, first_row);
+      : status_(detail::check_band_size(width, rows, words_per_row, memory.size())) {
+    if (!ok(status_)) return;
+    hold(memory, {0, 0, width, rows});
+    status_ = detail::move_band(bounds_, first_row);
   }
   /// The depths of the rectangle `held` of the picture, of words(held.width(), held.height()). status() is
   /// kInvalidArgument unless the sides of `held` are in 0...32767 and in order.
   constexpr DepthBuffer(std::span<std::uint16_t> memory, const Rect& held)
-      : status_(detail::check_band(held, words_per_row, memory.size())) {
-    if (!ok(status_)) return;
-    column_0_ = detail::column_0_of(memory.data(), words_per_row(held.left));
-    stride_ = held.width();
-    bounds_ = held;
+      : status_(detail::check_band_rect(held, words_per_row, memory.size())) {
+    if (ok(status_)) hold(memory, held);
   }
 
   [[nodiscard]] constexpr Status status() const { return status_; }
@@ -106,6 +105,11 @@ class DepthBuffer {
 
   [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) { return words(width, 1); }
 
+  constexpr void hold(std::span<std::uint16_t> memory, const Rect& held) {
+    column_0_ = detail::column_0_of(memory.data(), words_per_row(held.left));
+    stride_ = held.width();
+    bounds_ = held;
+  }
   [[nodiscard]] constexpr std::span<std::uint16_t> memory() const {
     const std::size_t count = words(bounds_.width(), detail::band_rows(bounds_));
     return {count == 0 ? nullptr : column_0_ + bounds_.left, count};

@@ -10,6 +10,7 @@
 #include <arcspan/scene/scene_frame.hpp>
 #include <arcspan/scene/scene_light.hpp>
 #include <arcspan/scene/scene_material.hpp>
+#include <arcspan/scene/scene_memory.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstddef>
@@ -17,59 +18,6 @@
 #include <span>
 
 namespace arcspan {
-
-template <class List, std::size_t Objects, std::size_t Vertices = 0>
-class SceneMemory;
-
-/// The memory of a scene that is being drawn, of the caller's: usually static. `Objects` is the most that are
-/// in view at a time. `Vertices` is at least the number of vertices of the largest mesh, or 0: then each
-/// triangle transforms its own three vertices. If there is room for the vertices of all objects in view, they
-/// are kept from band to band. It needs no initialisation and may be used for any scene.
-template <class... Methods, std::size_t Objects, std::size_t Vertices>
-class SceneMemory<MethodList<Methods...>, Objects, Vertices> {
- public:
-  static_assert(sizeof...(Methods) > 0 && Objects <= 65535);
-
-  /// @cond for draw_mesh() and draw_scene(), not in the reference
-  [[nodiscard]] void* lighting() { return lighting_; }
-  [[nodiscard]] detail::SceneFrame frame() {
-    return {header_,
-            {static_cast<detail::SceneSlot*>(static_cast<void*>(slots_)), Objects},
-            order_,
-            {vertices_, kVertexBytes * Vertices},
-            kFacts};
-  }
-  /// @endcond
-
- private:
-  static constexpr const detail::UseFacts* kFacts[] = {
-      &detail::kUseFacts<typename detail::UseOf<Methods>::Type>...};
-  static constexpr std::size_t kVertexBytes = [] {
-    std::size_t most = 0;
-    for (const detail::UseFacts* const facts : kFacts) {
-      if (facts->vertex_bytes > most) most = facts->vertex_bytes;
-    }
-    return most;
-  }();
-
-  template <class... Used>
-  static constexpr std::size_t most_lighting_bytes(MethodList<Used...>) {
-    std::size_t most = 1;
-    for (const std::size_t bytes : {sizeof(typename Used::Method::Lighting)...})
-      most = bytes > most ? bytes : most;
-    return most;
-  }
-  static constexpr std::size_t kLightingBytes =
-      most_lighting_bytes(MethodList<typename detail::UseOf<Methods>::Type...>{});
-
-  detail::SceneHeader header_;
-  std::uint16_t order_[Objects > 0 ? Objects : 1] = {};
-  // Bytes, because initialised slots would take flash too.
-  alignas(
-      detail::SceneSlot) unsigned char slots_[sizeof(detail::SceneSlot) * (Objects > 0 ? Objects : 1)] = {};
-  alignas(8) unsigned char lighting_[kLightingBytes] = {};
-  alignas(8) unsigned char vertices_[kVertexBytes * Vertices + 1] = {};
-};
 
 /// The result of drawing a scene or a band of it.
 struct SceneResult {
@@ -94,8 +42,10 @@ struct SceneResult {
 ///                      IlluminationFeatures::coloured_lights
 ///   kInvalidArgument   a light's strength or colour is outside 0...1, the half distance of a point light is
 ///                      not above 0, or a part has no material
-template <class List, std::size_t Objects, std::size_t Vertices>
-[[nodiscard]] Status prepare_scene(const Scene& scene, SceneMemory<List, Objects, Vertices>& memory) {
+///   kBufferTooSmall    `memory` is a view that was given too little
+template <SceneMemoryType Memory>
+[[nodiscard]] Status prepare_scene(const Scene& scene, Memory& memory) {
+  if (!ok(memory.status())) return memory.status();
   return detail::prepare(scene, memory.frame());
 }
 
@@ -128,11 +78,11 @@ struct ClearTarget {
   }
 };
 
-template <class Target, class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink Sink,
-          DepthTarget Depth>
-[[nodiscard]] SceneResult draw_prepared(SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory,
-                                        Sink& sink, const Depth& depth, const Target& target) {
+template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_prepared(Memory& memory, Sink& sink, const Depth& depth,
+                                        const Target& target) {
   constexpr bool kNearestFirst = Depth::kTests && Depth::kWrites;
+  if (!ok(memory.status())) return {memory.status()};
   const SceneFrame frame = memory.frame();
   SceneResult result{frame.header.camera == nullptr ? Status::kNotReady : frame.header.status};
   if (!ok(result.status)) return result;
@@ -151,8 +101,8 @@ template <class Target, class... Methods, std::size_t Objects, std::size_t Verti
     for (std::size_t p = 0; p < slot.object->part_count() && ok(result.status); ++p) {
       const Part part = slot.object->part(p);
       const MeshView mesh = slot.object->mesh().part(part.first, part.count);
-      const DrawResult drawn = draw_part<Vertices != 0>(
-          MethodList<typename UseOf<Methods>::Type...>{},
+      const DrawResult drawn = draw_part<Memory::kHasVertices>(
+          typename Memory::Uses{},
           PartCall<Sink, Depth>{slot, mesh, p, *part.material, lights, frame.header.camera->rotation(), sink,
                                 depth, memory.lighting()});
       result.status = drawn.status;
@@ -174,26 +124,23 @@ template <class Target, class... Methods, std::size_t Objects, std::size_t Verti
 ///   kDepthMismatch   `depth` does not cover the common bounds of the picture and the sink
 ///   kLightChanged    see Use
 ///   others           as draw_mesh()
-template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink Sink, DepthTarget Depth>
-[[nodiscard]] SceneResult draw_prepared_scene(SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory,
-                                              Sink& sink, const Depth& depth) {
+template <SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_prepared_scene(Memory& memory, Sink& sink, const Depth& depth) {
   return detail::draw_prepared(memory, sink, depth, detail::KeepTarget{});
 }
 
 /// draw_prepared_scene() with all of `sink` and `depth` cleared before, unless it draws nothing. `background`
 /// is an Rgb8, a VerticalGradient or a BackgroundPicture. Returns further statuses as draw_background().
-template <class Background = Rgb8, class... Methods, std::size_t Objects, std::size_t Vertices,
-          PixelSink Sink, DepthTarget Depth>
-[[nodiscard]] SceneResult draw_prepared_scene(SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory,
-                                              Sink& sink, const Depth& depth, const Background& background) {
+template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_prepared_scene(Memory& memory, Sink& sink, const Depth& depth,
+                                              const Background& background) {
   return detail::draw_prepared(memory, sink, depth, detail::ClearTarget<Background>{background});
 }
 
 /// Draws a scene into `sink`: prepare_scene() and draw_prepared_scene(). For bands, call it once per band; to
 /// save the preparation, call the two yourself.
-template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink Sink, DepthTarget Depth>
-[[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth,
-                                     SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory) {
+template <SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory) {
   const Status status = prepare_scene(scene, memory);
   if (!ok(status)) return {status};
   return draw_prepared_scene(memory, sink, depth);
@@ -201,10 +148,8 @@ template <class... Methods, std::size_t Objects, std::size_t Vertices, PixelSink
 
 /// draw_scene() with all of `sink` and `depth` cleared before, so that neither can be forgotten. `background`
 /// is as for draw_prepared_scene().
-template <class Background = Rgb8, class... Methods, std::size_t Objects, std::size_t Vertices,
-          PixelSink Sink, DepthTarget Depth>
-[[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth,
-                                     SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory,
+template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory,
                                      const Background& background) {
   const Status status = prepare_scene(scene, memory);
   if (!ok(status)) return {status};

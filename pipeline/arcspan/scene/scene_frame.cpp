@@ -123,7 +123,7 @@ void insert_into_order(const SceneFrame& frame, std::size_t last) {
   std::size_t vertex_bytes = 0;
   const Status status = check_object(object, scene.lights, frame, vertex_bytes);
   if (!ok(status)) return status;
-  const std::size_t vertices = frame.vertices.empty() ? 0 : object.mesh().vertex_count();
+  const std::size_t vertices = frame.has_vertices ? object.mesh().vertex_count() : 0;
   if (vertices != 0 && vertex_bytes > frame.vertices.size() / vertices) return Status::kCacheTooSmall;
   const std::size_t last = frame.header.in_view;
   if (last >= frame.slots.size()) {

@@ -58,6 +58,7 @@ struct SceneFrame {
   std::span<SceneSlot> slots;
   std::span<std::uint16_t> order;  ///< indices of slots, the nearest object first
   std::span<unsigned char> vertices;
+  bool has_vertices;  ///< otherwise each triangle transforms its own
   std::span<const UseFacts* const> uses;
 };
 

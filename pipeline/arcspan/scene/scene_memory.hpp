@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/scene/draw_part.hpp>
+#include <arcspan/scene/scene_frame.hpp>
+#include <arcspan/scene/scene_material.hpp>
+#include <arcspan/status.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan {
+
+namespace detail {
+
+template <class List>
+struct MethodsInMemory;
+
+/// The shading methods that a scene's memory lists, and the sizes that they need.
+template <class... Methods>
+struct MethodsInMemory<MethodList<Methods...>> {
+  static_assert(sizeof...(Methods) > 0);
+  using Uses = MethodList<typename UseOf<Methods>::Type...>;
+
+  static constexpr const UseFacts* kFacts[] = {&kUseFacts<typename UseOf<Methods>::Type>...};
+  static constexpr std::size_t kVertexBytes = [] {
+    std::size_t most = 0;
+    for (const UseFacts* const facts : kFacts) {
+      if (facts->vertex_bytes > most) most = facts->vertex_bytes;
+    }
+    return most;
+  }();
+  static constexpr std::size_t kLightingBytes = [] {
+    std::size_t most = 1;
+    for (const std::size_t bytes : {sizeof(typename UseOf<Methods>::Type::Method::Lighting)...})
+      most = bytes > most ? bytes : most;
+    return most;
+  }();
+};
+
+}  // namespace detail
+
+/// The memory of a scene that is being drawn, of the caller's: usually static. `Objects` is the most that are
+/// in view at a time. `Vertices` is at least the number of vertices of the largest mesh, or 0: then each
+/// triangle transforms its own three vertices. If there is room for the vertices of all objects in view, they
+/// are kept from band to band. It needs no initialisation and may be used for any scene. `List` is a
+/// MethodList.
+template <class List, std::size_t Objects, std::size_t Vertices = 0>
+class SceneMemory : detail::MethodsInMemory<List> {
+  using Methods = detail::MethodsInMemory<List>;
+
+ public:
+  static_assert(Objects <= 65535);
+
+  /// @cond for draw_mesh() and draw_scene(), not in the reference
+  using typename Methods::Uses;
+  static constexpr bool kHasVertices = Vertices != 0;
+  [[nodiscard]] static constexpr Status status() { return Status::kOk; }
+  [[nodiscard]] void* lighting() { return lighting_; }
+  [[nodiscard]] detail::SceneFrame frame() {
+    return {header_,      {static_cast<detail::SceneSlot*>(static_cast<void*>(slots_)), Objects},
+            order_,       {vertices_, Methods::kVertexBytes * Vertices},
+            kHasVertices, Methods::kFacts};
+  }
+  /// @endcond
+
+ private:
+  detail::SceneHeader header_;
+  std::uint16_t order_[Objects > 0 ? Objects : 1] = {};
+  // Bytes, because initialised slots would take flash too.
+  alignas(
+      detail::SceneSlot) unsigned char slots_[sizeof(detail::SceneSlot) * (Objects > 0 ? Objects : 1)] = {};
+  alignas(8) unsigned char lighting_[Methods::kLightingBytes] = {};
+  alignas(8) unsigned char vertices_[Methods::kVertexBytes * Vertices + 1] = {};
+};
+
+/// What a SceneMemoryView has room for, as the arguments of SceneMemory.
+struct SceneLimits {
+  std::uint16_t objects = 0;
+  std::uint32_t vertices = 0;  ///< 0 refuses every object that has vertices
+};
+
+/// A SceneMemory in bytes of the caller's, whose limits are known when the program runs. Scenes are drawn by
+/// the code that keeps vertices. It may be moved, the bytes may not.
+template <class List>
+class SceneMemoryView : detail::MethodsInMemory<List> {
+  using Methods = detail::MethodsInMemory<List>;
+
+ public:
+  /// The bytes that `limits` need, at any address; SIZE_MAX if they are more than that.
+  [[nodiscard]] static constexpr std::size_t bytes(const SceneLimits& limits) {
+    const std::uint64_t all = kAlignment - 1 + bytes_but_vertices(limits.objects) +
+                              std::uint64_t{Methods::kVertexBytes} * limits.vertices;
+    return all < SIZE_MAX ? static_cast<std::size_t>(all) : SIZE_MAX;
+  }
+
+  /// Without memory: status() is kBufferTooSmall.
+  SceneMemoryView() = default;
+  /// status() is kBufferTooSmall unless `memory` has bytes(limits). prepare_scene() returns it.
+  SceneMemoryView(std::span<std::byte> memory, const SceneLimits& limits) {
+    const std::size_t wanted = bytes(limits);
+    if (memory.size() < wanted || wanted == SIZE_MAX) return;
+    const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(memory.data());
+    first_ = memory.data() + (kAlignment - address % kAlignment) % kAlignment;
+    limits_ = limits;
+  }
+
+  [[nodiscard]] Status status() const { return first_ != nullptr ? Status::kOk : Status::kBufferTooSmall; }
+  [[nodiscard]] const SceneLimits& limits() const { return limits_; }
+
+  /// @cond for draw_mesh() and draw_scene(), not in the reference
+  using typename Methods::Uses;
+  static constexpr bool kHasVertices = true;
+  [[nodiscard]] void* lighting() { return first_; }
+  [[nodiscard]] detail::SceneFrame frame() {
+    std::byte* const slots = first_ + kLighting;
+    std::byte* const order = slots + sizeof(detail::SceneSlot) * limits_.objects;
+    std::byte* const vertices = first_ + static_cast<std::size_t>(bytes_but_vertices(limits_.objects));
+    return {
+        header_,
+        {static_cast<detail::SceneSlot*>(static_cast<void*>(slots)), limits_.objects},
+        {static_cast<std::uint16_t*>(static_cast<void*>(order)), limits_.objects},
+        {static_cast<unsigned char*>(static_cast<void*>(vertices)), Methods::kVertexBytes * limits_.vertices},
+        kHasVertices,
+        Methods::kFacts};
+  }
+  /// @endcond
+
+ private:
+  static constexpr std::size_t kAlignment = 8;
+  static_assert(alignof(detail::SceneSlot) <= kAlignment);
+  [[nodiscard]] static constexpr std::uint64_t aligned(std::uint64_t bytes) {
+    return (bytes + kAlignment - 1) / kAlignment * kAlignment;
+  }
+  static constexpr auto kLighting = static_cast<std::size_t>(aligned(Methods::kLightingBytes));
+  /// Lighting, slots and their order, in this order.
+  [[nodiscard]] static constexpr std::uint64_t bytes_but_vertices(std::uint32_t objects) {
+    constexpr std::uint64_t kObjectBytes = sizeof(detail::SceneSlot) + sizeof(std::uint16_t);
+    return aligned(kLighting + kObjectBytes * objects);
+  }
+
+  detail::SceneHeader header_{};
+  std::byte* first_ = nullptr;  ///< aligned; null without memory
+  SceneLimits limits_{};
+};
+
+/// A SceneMemory or a SceneMemoryView.
+template <class Memory>
+concept SceneMemoryType = requires(Memory& memory) {
+  typename Memory::Uses;
+  { memory.frame() } -> std::same_as<detail::SceneFrame>;
+};
+
+}  // namespace arcspan

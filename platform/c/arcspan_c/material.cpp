@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_c/scene.hpp>
+
+#include <new>
+#include <type_traits>
+
+namespace arcspan::c {
+
+namespace {
+
+/// Whether a material is for the method and the texture format of a Choice.
+template <class Chosen>
+[[nodiscard]] bool is_chosen(const MaterialSource& source) {
+  using Texels = typename Chosen::Texels;
+  if (source.method != Chosen::kNumber) return false;
+  if (source.texture.texels.empty() != std::is_void_v<Texels>) return false;
+  if constexpr (std::is_void_v<Texels>) {
+    return true;
+  } else {
+    return has_format<Texels>(source.texture);
+  }
+}
+
+template <class Chosen>
+[[nodiscard]] Status make_by(MadeMaterial& made, const LightList& lights) {
+  using Texels = typename Chosen::Texels;
+  using Prepared = PreparedMaterial<typename Chosen::Method>;
+  const MaterialSource& source = made.source;
+  auto& prepared = *new (made.prepared) Prepared;
+  Status status = Prepared::make(source.material, lights, source.options, prepared);
+  if (ok(status)) status = prepared.set_tolerance(source.tolerance);
+  if constexpr (!std::is_void_v<Texels>) {
+    Texture<Texels> texture;
+    if (ok(status)) status = view_texture(source.texture, texture);
+    if (ok(status)) prepared = prepared.with(texture);
+  }
+  return status;
+}
+
+template <class... Chosen>
+[[nodiscard]] Status make_by_one_of(ChoiceList<Chosen...>, MadeMaterial& made, const LightList& lights) {
+  Status status = Status::kUnsupported;
+  (void)((is_chosen<Chosen>(made.source) && (status = make_by<Chosen>(made, lights), true)) || ...);
+  return status;
+}
+
+}  // namespace
+
+Status make_material(MadeMaterial& made, const LightList& lights) {
+  return make_by_one_of(Choices{}, made, lights);
+}
+
+Status make_materials(arcspan_scene& scene) {
+  Status status = Status::kOk;
+  for (std::size_t i = 0; i < scene.material_count && ok(status); ++i) {
+    status = make_material(scene.materials[i], scene.light_list());
+  }
+  return status;
+}
+
+bool is_same(const MaterialSource& a, const MaterialSource& b) {
+  return is_same(a.material.ambient, b.material.ambient) && is_same(a.material.diffuse, b.material.diffuse) &&
+         is_same(a.material.specular, b.material.specular) && a.material.shininess == b.material.shininess &&
+         a.texture.texels.data() == b.texture.texels.data() && a.method == b.method &&
+         a.tolerance == b.tolerance && a.options.two_sided == b.options.two_sided;
+}
+
+}  // namespace arcspan::c

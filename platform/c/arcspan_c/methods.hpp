@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan.h>
+#include <arcspan/scene/draw_part.hpp>
+#include <arcspan/scene/scene_material.hpp>
+#include <arcspan/shading/flat.hpp>
+#include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/grey_gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
+#include <arcspan/shading/textured/textured.hpp>
+#include <arcspan/texture/texel_formats.hpp>
+#include <arcspan_config.h>
+
+#include <type_traits>
+
+/// The shading methods that arcspan_config.h chooses, for the sources of the C interface and for models that
+/// `arcspan mesh --c` has written.
+namespace arcspan::c {
+
+using Light = Illumination<ARCSPAN_C_LIGHTS, ARCSPAN_C_PHONG ? Highlight::kPhong : Highlight::kBlinn,
+                           IlluminationFeatures{.coloured_lights = ARCSPAN_C_COLOURED_LIGHTS != 0}>;
+
+/// A method, and how a program chooses it. `T` is the format of its texture, or void.
+template <arcspan_method Number, class M, class T>
+struct Choice {
+  static constexpr arcspan_method kNumber = Number;
+  using Method = M;
+  using Texels = T;
+};
+
+template <class... Choices>
+struct ChoiceList {
+  using Methods = MethodList<typename Choices::Method...>;
+};
+
+namespace detail {
+
+template <class T>
+struct Wrapped {
+  using Arcs = Textured<Arc<Light>, T>;
+  // One product per pixel where all lights are grey.
+  using Gourauds =
+      Textured<std::conditional_t<ARCSPAN_C_COLOURED_LIGHTS != 0, Gouraud<Light>, GreyGouraud<Light>>, T>;
+  using Flats = Textured<Flat<Light>, T>;
+};
+template <>
+struct Wrapped<void> {
+  using Arcs = Arc<Light>;
+  using Gourauds = Gouraud<Light>;
+  using Flats = Flat<Light>;
+};
+
+template <class... Lists>
+struct Joined;
+template <class... A>
+struct Joined<ChoiceList<A...>> {
+  using List = ChoiceList<A...>;
+};
+template <class... A, class... B, class... Lists>
+struct Joined<ChoiceList<A...>, ChoiceList<B...>, Lists...> {
+  using List = typename Joined<ChoiceList<A..., B...>, Lists...>::List;
+};
+
+template <bool Enabled, class C>
+using If = std::conditional_t<Enabled, ChoiceList<C>, ChoiceList<>>;
+
+/// The methods of one format of textures, or without texture.
+template <bool Enabled, class T>
+using MethodsOf =
+    typename Joined<If<Enabled && ARCSPAN_C_ARC != 0, Choice<ARCSPAN_ARC, typename Wrapped<T>::Arcs, T>>,
+                    If<Enabled && ARCSPAN_C_GOURAUD != 0, Choice<ARCSPAN_GOURAUD, typename Wrapped<T>::Gourauds, T>>,
+                    If<Enabled && ARCSPAN_C_FLAT != 0, Choice<ARCSPAN_FLAT, typename Wrapped<T>::Flats, T>>>::List;
+
+}  // namespace detail
+
+/// All that is compiled.
+using Choices = detail::Joined<detail::MethodsOf<true, void>,
+                               detail::MethodsOf<ARCSPAN_C_TEXTURES_RGB565 != 0, DirectTexels<>>,
+                               detail::MethodsOf<ARCSPAN_C_TEXTURES_PALETTE8 != 0, Palette8Texels<>>,
+                               detail::MethodsOf<ARCSPAN_C_TEXTURES_PALETTE4 != 0, Palette4Texels<>>>::List;
+using Methods = Choices::Methods;
+
+}  // namespace arcspan::c

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan.h>
+#include <arcspan/mesh/bounding_sphere.hpp>
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/scene/scene_light.hpp>
+#include <arcspan/scene/scene_material.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan_c/methods.hpp>
+
+#include <cstdint>
+
+namespace arcspan::c {
+
+/// A part of a model that `arcspan mesh --c` has written.
+struct ModelPart {
+  Status (*make_view)(MeshView& mesh);
+  BoundingSphere sphere;
+  const SceneMaterial* material;
+};
+
+/// The light that prepared materials in flash are made for: as many as there are lights, of strength 1.
+inline constexpr SceneLight kModelLights[] = {SceneLight::directional(normalised(0, 0, 1))};
+
+/// The method of parts with textures of the format T (void: without) in models in flash: the best one that is
+/// compiled.
+template <class T>
+struct ModelMethod {
+  template <class First, class... Others>
+  static First first(ChoiceList<First, Others...>);
+  using List = arcspan::c::detail::MethodsOf<true, T>;
+  using Type = typename decltype(first(List{}))::Method;
+};
+
+}  // namespace arcspan::c
+
+/// The type that arcspan.h declares.
+struct arcspan_model {
+  const arcspan::c::ModelPart* parts;
+  std::uint16_t count;
+};

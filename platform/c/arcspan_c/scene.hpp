@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan.h>
+#include <arcspan/lighting/material.hpp>
+#include <arcspan/scene/object.hpp>
+#include <arcspan/scene/scene_light.hpp>
+#include <arcspan/texture/texture_binary.hpp>
+#include <arcspan_c/methods.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace arcspan::c {
+
+/// The largest PreparedMaterial.
+template <class... C>
+[[nodiscard]] consteval std::size_t material_bytes(ChoiceList<C...>) {
+  std::size_t most = 0;
+  for (const std::size_t bytes : {sizeof(PreparedMaterial<typename C::Method>)...}) {
+    if (bytes > most) most = bytes;
+  }
+  return most;
+}
+
+/// What a material of a part of a binary is made of.
+struct MaterialSource {
+  Material material;
+  StoredTexture texture;  ///< its texels are empty if there is none
+  DrawOptions options;
+  arcspan_method method;
+  std::uint8_t tolerance;
+};
+
+/// A material that is prepared at run time.
+struct MadeMaterial {
+  MaterialSource source;
+  alignas(8) unsigned char prepared[material_bytes(Choices{})];  ///< a PreparedMaterial
+
+  [[nodiscard]] const SceneMaterial& scene_material() const {
+    return *static_cast<const SceneMaterial*>(static_cast<const void*>(prepared));
+  }
+};
+
+/// Makes `made.prepared` of its source for the lights. Returns kUnsupported for a method or texture that is not compiled,
+/// else the status of PreparedMaterial::make() or set_tolerance().
+[[nodiscard]] Status make_material(MadeMaterial& made, const LightList& lights);
+
+/// make_material() for all of a scene, after its lights have changed.
+[[nodiscard]] Status make_materials(arcspan_scene& scene);
+
+/// As many of one light as a scene has room for.
+[[nodiscard]] constexpr std::array<SceneLight, ARCSPAN_C_LIGHTS> all_lights(const SceneLight& light) {
+  return []<std::size_t... I>(const SceneLight& one, std::index_sequence<I...>) {
+    return std::array{(static_cast<void>(I), one)...};
+  }
+  (light, std::make_index_sequence<ARCSPAN_C_LIGHTS>());
+}
+
+[[nodiscard]] constexpr bool is_same(const ChannelCoefficients& a, const ChannelCoefficients& b) {
+  return a.r == b.r && a.g == b.g && a.b == b.b;
+}
+/// Whether both would be prepared alike.
+[[nodiscard]] bool is_same(const MaterialSource& a, const MaterialSource& b);
+
+}  // namespace arcspan::c
+
+/// The type that arcspan.h declares. Arrays have the lengths of `limits`.
+struct arcspan_scene {
+  arcspan_scene_limits limits;
+  std::uint16_t object_count;
+  std::uint16_t material_count;
+  std::size_t light_count;
+  std::array<arcspan::SceneLight, ARCSPAN_C_LIGHTS> lights;
+  arcspan::ChannelCoefficients ambient;
+  arcspan::Object* objects;
+  arcspan::MeshView* meshes;      ///< of the objects
+  std::uint16_t* parts;           ///< at an object's first part their number, at its others 0
+  arcspan::c::MadeMaterial* materials;
+
+  [[nodiscard]] arcspan::LightList light_list() const {
+    return {std::span<const arcspan::SceneLight>(lights).first(light_count), ambient};
+  }
+  /// The parts of an object; none if there is no such object.
+  [[nodiscard]] std::span<arcspan::Object> parts_of(arcspan_object object) const {
+    if (object >= object_count) return {};
+    return {objects + object, parts[object]};
+  }
+};

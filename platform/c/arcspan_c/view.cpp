@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/scene.hpp>
+#include <arcspan_c/memory.hpp>
+#include <arcspan_c/scene.hpp>
+#include <arcspan_c/view.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <span>
+
+using namespace arcspan;
+
+namespace {
+
+using Memory = SceneMemoryView<c::Methods>;
+
+[[nodiscard]] WorldPoint world_point(const arcspan_point& p) {
+  return {WorldLength::from_raw(p.x), WorldLength::from_raw(p.y), WorldLength::from_raw(p.z)};
+}
+
+[[nodiscard]] Lens lens_of(const arcspan_lens& lens) {
+  const auto nearest = WorldLength::from_raw(lens.nearest);
+  const auto farthest = WorldLength::from_raw(lens.farthest);
+  if (lens.angle == 0) return Lens::orthographic(WorldLength::from_raw(lens.extent), nearest, farthest);
+  return Lens::field_of_view(Turn{lens.angle}, nearest, farthest);
+}
+
+[[nodiscard]] c::DrawFunction draw_function(arcspan_format format) {
+  switch (format) {
+#if ARCSPAN_C_RGB565
+    case ARCSPAN_RGB565:
+      return c::draw_rgb565;
+#endif
+#if ARCSPAN_C_RGB565_SWAPPED
+    case ARCSPAN_RGB565_SWAPPED:
+      return c::draw_rgb565_swapped;
+#endif
+#if ARCSPAN_C_RGB888
+    case ARCSPAN_RGB888:
+      return c::draw_rgb888;
+#endif
+#if ARCSPAN_C_BGR888
+    case ARCSPAN_BGR888:
+      return c::draw_bgr888;
+#endif
+#if ARCSPAN_C_XRGB8888
+    case ARCSPAN_XRGB8888:
+      return c::draw_xrgb8888;
+#endif
+#if ARCSPAN_C_ARGB8888
+    case ARCSPAN_ARGB8888:
+      return c::draw_argb8888;
+#endif
+#if ARCSPAN_C_GRAY8
+    case ARCSPAN_GRAY8:
+      return c::draw_gray8;
+#endif
+#if ARCSPAN_C_GRAY4
+    case ARCSPAN_GRAY4:
+      return c::draw_gray4;
+#endif
+#if ARCSPAN_C_MONO
+    case ARCSPAN_MONO:
+      return c::draw_mono;
+#endif
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace
+
+size_t arcspan_view_bytes(const arcspan_view_limits* limits) {
+  c::MemoryParts parts;
+  (void)parts.take<arcspan_view>();
+  (void)parts.take(Memory::bytes({limits->objects, limits->vertices}), 1);
+  return parts.bytes();
+}
+
+arcspan_status arcspan_view_make(void* memory, size_t bytes, const arcspan_view_limits* limits,
+                                 arcspan_scene* scene, arcspan_view** view) {
+  const std::size_t wanted = arcspan_view_bytes(limits);
+  if (memory == nullptr || bytes < wanted || wanted == SIZE_MAX) return ARCSPAN_BUFFER_TOO_SMALL;
+  c::MemoryParts parts(memory);
+  arcspan_view* const at = parts.take<arcspan_view>();
+  const SceneLimits of_memory{limits->objects, limits->vertices};
+  const std::size_t memory_bytes = Memory::bytes(of_memory);
+  auto* const rest = static_cast<std::byte*>(parts.take(memory_bytes, 1));
+  *view = new (at) arcspan_view{*scene, Camera(), Memory({rest, memory_bytes}, of_memory), Status::kNotReady};
+  return ARCSPAN_OK;
+}
+
+arcspan_status arcspan_set_camera(arcspan_view* view, const arcspan_lens* lens, arcspan_point eye,
+                                  arcspan_point target, arcspan_point up) {
+  LookAt look{world_point(eye), world_point(target)};
+  if (up.x != 0 || up.y != 0 || up.z != 0) look.up = normalised(up.x, up.y, up.z);
+  const Viewport viewport{lens->width, lens->height};
+  return static_cast<arcspan_status>(Camera::make(look, lens_of(*lens), viewport, view->camera));
+}
+
+arcspan_status arcspan_prepare(arcspan_view* view, arcspan_rect* drawn) {
+  const arcspan_scene& scene = view->scene;
+  const std::span<const Object> objects(scene.objects, scene.object_count);
+  view->status = prepare_scene({view->camera, scene.light_list(), objects}, view->memory);
+  if (drawn != nullptr) {
+    const Viewport& viewport = view->camera.viewport();
+    *drawn = {0, 0, viewport.width, viewport.height};
+  }
+  return static_cast<arcspan_status>(view->status);
+}
+
+arcspan_status arcspan_draw(arcspan_view* view, const arcspan_target* target) {
+  const c::DrawFunction draw = draw_function(target->format);
+  const Status status = draw == nullptr ? Status::kUnsupported : draw(*view, *target);
+  return static_cast<arcspan_status>(status);
+}
+
+size_t arcspan_depth_words(arcspan_rect held) {
+  const Rect rect = c::rect_of(held);
+  return rect.empty() ? 0 : DepthBuffer::words(rect.width(), rect.height());
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/scene/camera.hpp>
+#include <arcspan/scene/scene_memory.hpp>
+#include <arcspan_c/methods.hpp>
+#include <arcspan_c/scene.hpp>
+
+/// The type that arcspan.h declares.
+struct arcspan_view {
+  arcspan_scene& scene;
+  arcspan::Camera camera;
+  arcspan::SceneMemoryView<arcspan::c::Methods> memory;
+  arcspan::Status status;  ///< of the last arcspan_prepare()
+};
+
+namespace arcspan::c {
+
+[[nodiscard]] constexpr Rect rect_of(const arcspan_rect& r) { return {r.left, r.top, r.right, r.bottom}; }
+
+/// Draws into a target of one format.
+using DrawFunction = Status (*)(arcspan_view& view, const arcspan_target& target);
+
+// Each is defined in a source of its own, of formats/, if the format is compiled: several in one source cost 1.8 % of every
+// frame, because the compiler inlines less.
+Status draw_rgb565(arcspan_view& view, const arcspan_target& target);
+Status draw_rgb565_swapped(arcspan_view& view, const arcspan_target& target);
+Status draw_rgb888(arcspan_view& view, const arcspan_target& target);
+Status draw_bgr888(arcspan_view& view, const arcspan_target& target);
+Status draw_xrgb8888(arcspan_view& view, const arcspan_target& target);
+Status draw_argb8888(arcspan_view& view, const arcspan_target& target);
+Status draw_gray8(arcspan_view& view, const arcspan_target& target);
+Status draw_gray4(arcspan_view& view, const arcspan_target& target);
+Status draw_mono(arcspan_view& view, const arcspan_target& target);
+
+}  // namespace arcspan::c

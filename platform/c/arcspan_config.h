@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/* What the C interface (arcspan.h) holds. What is enabled takes flash whether or not it is called. Set these macros by
+ * the compiler's command line, by CMake (ARCSPAN_C_OPTIONS) or Kconfig, or in a header of yours that
+ * ARCSPAN_CONFIG_FILE names, with its quotes. All sources of a program must see the same values. */
+#ifndef ARCSPAN_CONFIG_H
+#define ARCSPAN_CONFIG_H
+
+#ifdef ARCSPAN_CONFIG_FILE
+#include ARCSPAN_CONFIG_FILE
+#endif
+
+/* The most lights of a scene, 1...4. With 1, the light's strength and colour are a part of the materials and the light
+ * is directional. With more, lights of all kinds may change from frame to frame, for some instructions per pixel. */
+#ifndef ARCSPAN_C_LIGHTS
+#define ARCSPAN_C_LIGHTS 1
+#endif
+/* 1 if several lights may have colours. A single light always may. */
+#ifndef ARCSPAN_C_COLOURED_LIGHTS
+#define ARCSPAN_C_COLOURED_LIGHTS 0
+#endif
+/* The cosine that highlights are a power of: 1 that of the reflected ray (R.V), 0 that of the half vector (N.H). */
+#ifndef ARCSPAN_C_PHONG
+#define ARCSPAN_C_PHONG 1
+#endif
+
+/* Shading methods (arcspan_method). */
+#ifndef ARCSPAN_C_ARC
+#define ARCSPAN_C_ARC 1
+#endif
+#ifndef ARCSPAN_C_GOURAUD
+#define ARCSPAN_C_GOURAUD 0
+#endif
+#ifndef ARCSPAN_C_FLAT
+#define ARCSPAN_C_FLAT 0
+#endif
+/* Layouts of textures; a part with a texture of another is refused. Each compiles every shading method once more, so
+ * usually one of them is enabled: arcspan mesh --texture-format makes it. Opaque texels only. */
+#ifndef ARCSPAN_C_TEXTURES_RGB565
+#define ARCSPAN_C_TEXTURES_RGB565 0
+#endif
+#ifndef ARCSPAN_C_TEXTURES_PALETTE8
+#define ARCSPAN_C_TEXTURES_PALETTE8 0
+#endif
+#ifndef ARCSPAN_C_TEXTURES_PALETTE4
+#define ARCSPAN_C_TEXTURES_PALETTE4 0
+#endif
+
+/* Pixel formats (arcspan_format). Each holds all the code that draws. */
+#ifndef ARCSPAN_C_RGB565
+#define ARCSPAN_C_RGB565 1
+#endif
+#ifndef ARCSPAN_C_RGB565_SWAPPED
+#define ARCSPAN_C_RGB565_SWAPPED 0
+#endif
+#ifndef ARCSPAN_C_RGB888
+#define ARCSPAN_C_RGB888 0
+#endif
+#ifndef ARCSPAN_C_BGR888
+#define ARCSPAN_C_BGR888 0
+#endif
+#ifndef ARCSPAN_C_XRGB8888
+#define ARCSPAN_C_XRGB8888 0
+#endif
+#ifndef ARCSPAN_C_ARGB8888
+#define ARCSPAN_C_ARGB8888 0
+#endif
+#ifndef ARCSPAN_C_GRAY8
+#define ARCSPAN_C_GRAY8 0
+#endif
+#ifndef ARCSPAN_C_GRAY4
+#define ARCSPAN_C_GRAY4 0
+#endif
+#ifndef ARCSPAN_C_MONO
+#define ARCSPAN_C_MONO 0
+#endif
+
+#endif

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* arcspan from C (C99): 3D scenes in integers, without heap, into memory of the caller's.
  *
- * A scene holds lights and objects. A view is a camera with the memory for drawing the scene as it sees it; a scene may
- * have several. A frame is one arcspan_prepare() and then arcspan_draw() for each band or rectangle of it. Nothing of a
- * scene or view may be changed from the beginning of arcspan_prepare() to the end of the last arcspan_draw().
- * docs/c-interface.md has an example; arcspan_config.h chooses what is compiled.
+ * A scene holds lights and objects. A view is a camera with the memory for drawing the scene as it sees it; a
+ * scene may have several. A frame is one arcspan_prepare() and then arcspan_draw() for each band or rectangle
+ * of it. Nothing of a scene or view may be changed from the beginning of arcspan_prepare() to the end of the
+ * last arcspan_draw(). docs/c-interface.md has an example; arcspan_config.h chooses what is compiled.
  *
  * World space is right-handed, in any unit. Pictures have x to the right and y down. */
 #ifndef ARCSPAN_H
@@ -14,7 +14,10 @@
 #include <stdint.h>
 
 #ifdef __cplusplus
+#define ARCSPAN_CAST(type, number) static_cast<type>(number)
 extern "C" {
+#else
+#define ARCSPAN_CAST(type, number) ((type)(number))
 #endif
 
 /* The result of a function: 0 if it did what it says. The meanings are those of arcspan/status.hpp. */
@@ -30,17 +33,17 @@ typedef uint8_t arcspan_status;
 #define ARCSPAN_LIGHT_CHANGED 20
 
 /* A short lower-case text for logs, also for numbers that are no status. */
-const char *arcspan_status_text(arcspan_status status);
+const char* arcspan_status_text(arcspan_status status);
 
 /* A length or coordinate in world space: 16 fraction bits, below 32768 in magnitude. */
 typedef int32_t arcspan_length;
-#define ARCSPAN_LENGTH(number) ((arcspan_length)((number)*65536.0))
+#define ARCSPAN_LENGTH(number) ARCSPAN_CAST(arcspan_length, (number)*65536.0)
 /* A share, 0...1 as 0...32768. */
 typedef uint16_t arcspan_share;
-#define ARCSPAN_SHARE(number) ((arcspan_share)((number)*32768.0 + 0.5))
+#define ARCSPAN_SHARE(number) ARCSPAN_CAST(arcspan_share, (number)*32768.0 + 0.5)
 /* An angle: 65536 per turn. */
 typedef uint16_t arcspan_turn;
-#define ARCSPAN_DEGREES(number) ((arcspan_turn)(int32_t)((number)*65536.0 / 360))
+#define ARCSPAN_DEGREES(number) ARCSPAN_CAST(arcspan_turn, ARCSPAN_CAST(int32_t, (number)*65536.0 / 360))
 
 typedef struct {
   arcspan_length x, y, z;
@@ -61,29 +64,29 @@ typedef struct {
 typedef struct arcspan_scene arcspan_scene;
 typedef struct {
   uint16_t objects;   /* parts of all models together */
-  uint16_t materials; /* different materials of parts from binaries: 2 KB each, with Gouraud or Flat alone less */
+  uint16_t materials; /* different ones of parts from binaries, about 2 KB each */
 } arcspan_scene_limits;
 
 /* The bytes of memory, at any address, that arcspan_scene_make() takes. */
-size_t arcspan_scene_bytes(const arcspan_scene_limits *limits);
+size_t arcspan_scene_bytes(const arcspan_scene_limits* limits);
 /* Makes an empty scene in `memory`, with one white light from behind the viewer's left shoulder. Returns
  * ARCSPAN_BUFFER_TOO_SMALL if `bytes` are fewer than arcspan_scene_bytes(). */
-arcspan_status arcspan_scene_make(void *memory, size_t bytes, const arcspan_scene_limits *limits,
-                                  arcspan_scene **scene);
+arcspan_status arcspan_scene_make(void* memory, size_t bytes, const arcspan_scene_limits* limits,
+                                  arcspan_scene** scene);
 
 typedef struct {
-  arcspan_point at;     /* a direction towards the light, of any length but 0; of a point light its position */
-  arcspan_length half;  /* 0: directional. Of a point light the distance at which half of its strength is left */
+  arcspan_point at;    /* directional: towards the light, of any length but 0; point light: its position */
+  arcspan_length half; /* directional: 0; point light: the distance at which half of its strength is left */
   arcspan_share strength;
   arcspan_shares colour;
 } arcspan_light;
 
-/* Sets all lights, at most ARCSPAN_C_LIGHTS, and the colour of the ambient light. With ARCSPAN_C_LIGHTS of 1, materials
- * that were made at run time are made again if the strength or the colours change; objects from arcspan_add_model()
- * then need a white light of strength 1. Returns, and changes nothing,
- * ARCSPAN_INVALID_ARGUMENT for a number out of range or a direction of 0, or ARCSPAN_UNSUPPORTED for lights that are
- * not compiled. */
-arcspan_status arcspan_set_lights(arcspan_scene *scene, const arcspan_light *lights, size_t count,
+/* Sets all lights, at most ARCSPAN_C_LIGHTS, and the colour of the ambient light. With ARCSPAN_C_LIGHTS of 1,
+ * materials that were made at run time are made again if the strength or the colours change; objects from
+ * arcspan_add_model() then need a white light of strength 1. Returns, and changes nothing,
+ * ARCSPAN_INVALID_ARGUMENT for a number out of range or a direction of 0, or ARCSPAN_UNSUPPORTED for lights
+ * that are not compiled. */
+arcspan_status arcspan_set_lights(arcspan_scene* scene, const arcspan_light* lights, size_t count,
                                   arcspan_shares ambient);
 
 typedef uint8_t arcspan_method;
@@ -99,71 +102,87 @@ typedef struct {
 /* How the parts of a binary are drawn. */
 typedef struct {
   arcspan_method method;
-  uint8_t tolerance;  /* of ARCSPAN_ARC, 0...64 steps of 255; usually 1 */
-  uint8_t two_sided;  /* 1 draws back faces of all parts, 0 those that the model says */
-  const arcspan_material *material; /* for all parts; NULL: that of the part, or white where a mesh has none */
+  uint8_t tolerance; /* of ARCSPAN_ARC, 0...64 steps of 255; usually 1 */
+  uint8_t two_sided; /* 1 draws back faces of all parts, 0 those that the model says */
+  /* For all parts. NULL: that of each part, and white plastic for a mesh. */
+  const arcspan_material* material;
 } arcspan_look;
 
 /* Names an object of a scene: one or more parts that are moved together. */
 typedef uint16_t arcspan_object;
 
-/* Adds the mesh or model in a binary of `arcspan mesh -o NAME.bin`, which is used in place: it must begin at an even
- * address and stay. All of it is checked. `look` may be NULL: ARCSPAN_ARC with tolerance 1. Returns a status of
- * view_mesh_binary() or view_model_binary(), ARCSPAN_BUFFER_TOO_SMALL if the scene has no room for all parts,
- * ARCSPAN_UNSUPPORTED for a method or texture that is not compiled. */
-arcspan_status arcspan_add_binary(arcspan_scene *scene, const void *binary, size_t bytes, const arcspan_look *look,
-                                  arcspan_object *object);
+/* Adds the mesh or model in a binary of `arcspan mesh -o NAME.bin`, which is used in place: it must begin at
+ * an even address and stay. All of it is checked. `look` may be NULL: ARCSPAN_ARC with tolerance 1. Returns a
+ * status of view_mesh_binary() or view_model_binary(), ARCSPAN_BUFFER_TOO_SMALL if the scene has no room for
+ * all parts, ARCSPAN_UNSUPPORTED for a method or texture that is not compiled. */
+arcspan_status arcspan_add_binary(arcspan_scene* scene, const void* binary, size_t bytes,
+                                  const arcspan_look* look, arcspan_object* object);
 
 /* A model with prepared materials, all in flash: `arcspan mesh MODEL -o NAME.cpp --c` defines it.
  * Declare it by `extern const arcspan_model NAME;`. */
 typedef struct arcspan_model arcspan_model;
-arcspan_status arcspan_add_model(arcspan_scene *scene, const arcspan_model *model, arcspan_object *object);
+arcspan_status arcspan_add_model(arcspan_scene* scene, const arcspan_model* model, arcspan_object* object);
 
 /* An object stands in the origin, is not turned and has a scale of 1 when it is added. The functions return
  * ARCSPAN_INVALID_ARGUMENT for another number than an object's. */
-arcspan_status arcspan_set_position(arcspan_scene *scene, arcspan_object object, arcspan_point position);
+arcspan_status arcspan_set_position(arcspan_scene* scene, arcspan_object object, arcspan_point position);
 /* The world length of 32768 object units, 2^-10...32767; meshes of the tool fill +-32767 units. */
-arcspan_status arcspan_set_scale(arcspan_scene *scene, arcspan_object object, arcspan_length scale);
+arcspan_status arcspan_set_scale(arcspan_scene* scene, arcspan_object object, arcspan_length scale);
 /* Roll about z, then pitch about x, then yaw about y. */
-arcspan_status arcspan_set_angles(arcspan_scene *scene, arcspan_object object, arcspan_turn yaw, arcspan_turn pitch,
-                                  arcspan_turn roll);
+arcspan_status arcspan_set_angles(arcspan_scene* scene, arcspan_object object, arcspan_turn yaw,
+                                  arcspan_turn pitch, arcspan_turn roll);
 /* w + xi + yj + zk, of any length; 30 fraction bits. */
 typedef struct {
   int32_t w, x, y, z;
 } arcspan_quaternion;
-arcspan_status arcspan_set_quaternion(arcspan_scene *scene, arcspan_object object, arcspan_quaternion rotation);
+arcspan_status arcspan_set_quaternion(arcspan_scene* scene, arcspan_object object,
+                                      arcspan_quaternion rotation);
 /* The rotation by `b`, then by `a`, of unit length, so that products do not drift. */
 arcspan_quaternion arcspan_multiply(arcspan_quaternion a, arcspan_quaternion b);
-arcspan_status arcspan_set_visible(arcspan_scene *scene, arcspan_object object, int visible);
+arcspan_status arcspan_set_visible(arcspan_scene* scene, arcspan_object object, int visible);
 
 /* Views */
 
 typedef struct arcspan_view arcspan_view;
 typedef struct {
-  uint16_t objects;  /* parts in view at a time */
-  uint32_t vertices; /* at least those of the largest part; with room for all parts in view, each is transformed once */
+  uint16_t objects; /* parts in view at a time */
+  /* At least those of the largest part. If there is room for those of all parts in view, each of them is
+   * transformed once per frame, otherwise once per arcspan_draw(). */
+  uint32_t vertices;
 } arcspan_view_limits;
 
+/* The least limits with which all objects of `scene` can be drawn. */
+arcspan_view_limits arcspan_limits_of(const arcspan_scene* scene);
+
 /* The bytes of memory, at any address, that arcspan_view_make() takes. */
-size_t arcspan_view_bytes(const arcspan_view_limits *limits);
+size_t arcspan_view_bytes(const arcspan_view_limits* limits);
 /* Makes a view of `scene`, which must stay. It draws nothing before arcspan_set_camera(). */
-arcspan_status arcspan_view_make(void *memory, size_t bytes, const arcspan_view_limits *limits, arcspan_scene *scene,
-                                 arcspan_view **view);
+arcspan_status arcspan_view_make(void* memory, size_t bytes, const arcspan_view_limits* limits,
+                                 arcspan_scene* scene, arcspan_view** view);
 
 typedef struct {
   uint16_t width, height; /* of the picture, 1...2048 pixels */
   arcspan_turn angle;     /* between its upper and lower edge, below half a turn; 0: parallel */
   arcspan_length extent;  /* of a parallel picture: the world length of its height */
-  arcspan_length nearest, farthest; /* nearer parts are clipped, farther ones share a depth; 0 < nearest < farthest */
+  /* Parts nearer than `nearest` are clipped, those beyond `farthest` share a depth; 0 < nearest < farthest.
+   */
+  arcspan_length nearest, farthest;
 } arcspan_lens;
-/* Sets lens and position. `up` appears upright; {0, 0, 0} is {0, 1, 0}. Returns, and changes nothing, ARCSPAN_INVALID_ARGUMENT for an
- * argument out of range, or the status of Camera::make() for a camera that has no direction. */
-arcspan_status arcspan_set_camera(arcspan_view *view, const arcspan_lens *lens, arcspan_point eye, arcspan_point target,
-                                  arcspan_point up);
+/* Sets lens and position. `up` appears upright; {0, 0, 0} is {0, 1, 0}. Returns, and changes nothing,
+ * ARCSPAN_INVALID_ARGUMENT for an argument out of range, or the status of Camera::make() for a camera that
+ * has no direction. */
+arcspan_status arcspan_set_camera(arcspan_view* view, const arcspan_lens* lens, arcspan_point eye,
+                                  arcspan_point target, arcspan_point up);
 
-/* Prepares a frame, and sets `drawn` to the rectangle of the picture outside of which it has no pixel. `drawn` may be
- * NULL. Returns the statuses of prepare_scene(); then nothing is drawn until the next frame. */
-arcspan_status arcspan_prepare(arcspan_view *view, arcspan_rect *drawn);
+/* `rotation` after a drag over the picture by `dx` pixels to the right and `dy` downwards, as if the object
+ * were a ball that fills it. Before arcspan_set_camera() it does not change. */
+arcspan_quaternion arcspan_dragged(const arcspan_view* view, arcspan_quaternion rotation, int32_t dx,
+                                   int32_t dy);
+
+/* Prepares a frame, and sets `drawn` to the rectangle of the picture outside of which it has no pixel.
+ * `drawn` may be NULL. Returns the statuses of prepare_scene(); then nothing is drawn until the
+ * next frame. */
+arcspan_status arcspan_prepare(arcspan_view* view, arcspan_rect* drawn);
 
 typedef uint8_t arcspan_format;
 #define ARCSPAN_RGB565 0
@@ -178,22 +197,22 @@ typedef uint8_t arcspan_format;
 
 /* A rectangle of the picture in memory. */
 typedef struct {
-  void *pixels;        /* its upper left one */
-  size_t bytes;        /* of memory from there on */
-  int32_t stride;      /* bytes from row to row */
+  void* pixels;   /* its upper left one */
+  size_t bytes;   /* of memory from there on */
+  int32_t stride; /* bytes from row to row */
   arcspan_format format;
-  arcspan_rect held;   /* the rectangle, within 0...32767 */
-  uint16_t *depth;     /* memory for depths: arcspan_depth_words(held) */
+  arcspan_rect held; /* the rectangle, within 0...32767 */
+  uint16_t* depth;   /* memory for depths: arcspan_depth_words(held) */
   size_t depth_words;
-  const arcspan_rgb *background; /* NULL: pixels that no object covers keep their colour */
+  const arcspan_rgb* background; /* NULL: pixels that no object covers keep their colour */
 } arcspan_target;
 
 /* width * height, or 0 for an empty rectangle. */
 size_t arcspan_depth_words(arcspan_rect held);
-/* Draws the rectangle of the last frame that was prepared. Returns its status, ARCSPAN_UNSUPPORTED for a format that is
- * not compiled, ARCSPAN_INVALID_ARGUMENT or ARCSPAN_BUFFER_TOO_SMALL for a target that does not fit its memory, and then
- * draws nothing; ARCSPAN_LIGHT_CHANGED as arcspan_set_lights() says. */
-arcspan_status arcspan_draw(arcspan_view *view, const arcspan_target *target);
+/* Draws the rectangle of the last frame that was prepared. Returns its status, ARCSPAN_UNSUPPORTED for a
+ * format that is not compiled, ARCSPAN_INVALID_ARGUMENT or ARCSPAN_BUFFER_TOO_SMALL for a target that does
+ * not fit its memory, and then draws nothing; ARCSPAN_LIGHT_CHANGED as arcspan_set_lights() says. */
+arcspan_status arcspan_draw(arcspan_view* view, const arcspan_target* target);
 
 #ifdef __cplusplus
 }

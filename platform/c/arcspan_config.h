@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What the C interface (arcspan.h) holds. What is enabled takes flash whether or not it is called. Set these macros by
- * the compiler's command line, by CMake (ARCSPAN_C_OPTIONS) or Kconfig, or in a header of yours that
- * ARCSPAN_CONFIG_FILE names, with its quotes. All sources of a program must see the same values. */
+/* What the C interface (arcspan.h) holds. What is enabled takes flash whether or not it is called. Set these
+ * macros by the compiler's command line, by CMake (ARCSPAN_C_OPTIONS) or Kconfig, or in a header of yours
+ * that ARCSPAN_CONFIG_FILE names, with its quotes. All sources of a program must see the same values. */
 #ifndef ARCSPAN_CONFIG_H
 #define ARCSPAN_CONFIG_H
 
@@ -9,8 +9,9 @@
 #include ARCSPAN_CONFIG_FILE
 #endif
 
-/* The most lights of a scene, 1...4. With 1, the light's strength and colour are a part of the materials and the light
- * is directional. With more, lights of all kinds may change from frame to frame, for some instructions per pixel. */
+/* The most lights of a scene, 1...4. With 1, the light's strength and colour are a part of the materials and
+ * the light is directional. With more, lights of all kinds may change from frame to frame, for some
+ * instructions per pixel. */
 #ifndef ARCSPAN_C_LIGHTS
 #define ARCSPAN_C_LIGHTS 1
 #endif
@@ -18,7 +19,8 @@
 #ifndef ARCSPAN_C_COLOURED_LIGHTS
 #define ARCSPAN_C_COLOURED_LIGHTS 0
 #endif
-/* The cosine that highlights are a power of: 1 that of the reflected ray (R.V), 0 that of the half vector (N.H). */
+/* The cosine that highlights are a power of: 1 that of the reflected ray (R.V), 0 that of the half vector
+ * (N.H). */
 #ifndef ARCSPAN_C_PHONG
 #define ARCSPAN_C_PHONG 1
 #endif
@@ -33,8 +35,8 @@
 #ifndef ARCSPAN_C_FLAT
 #define ARCSPAN_C_FLAT 0
 #endif
-/* Layouts of textures; a part with a texture of another is refused. Each compiles every shading method once more, so
- * usually one of them is enabled: arcspan mesh --texture-format makes it. Opaque texels only. */
+/* Layouts of textures; a part with a texture of another is refused. Each compiles every shading method once
+ * more, so usually one of them is enabled: arcspan mesh --texture-format makes it. Opaque texels only. */
 #ifndef ARCSPAN_C_TEXTURES_RGB565
 #define ARCSPAN_C_TEXTURES_RGB565 0
 #endif

@@ -21,12 +21,12 @@ namespace arcspan {
   // counts too. Sharp ones show rounding as well, which leaves less for the surface.
   constexpr std::array<std::uint32_t, 11> kChords{42678632, 42678632, 42678632, 32377278, 23458706, 17100605,
                                                   9863831,  6609772,  4593005,  3241999,  2209600};
-  constexpr std::uint32_t kWhite = 255u << 5;
+  constexpr std::uint32_t kWhiteHeight = 255u << 5;
   // N·H turns by half the angle of R·V, so its highlights are as wide as those of a quarter of the exponent.
   const std::uint32_t exponent = static_cast<std::uint32_t>(shininess)
                                  << (model == Highlight::kPhong ? 8 : 6);
   // The exponent of a white highlight that is as sharp, 8 fraction bits.
-  const std::uint32_t sharpness = exponent * height / kWhite;
+  const std::uint32_t sharpness = exponent * height / kWhiteHeight;
   if (sharpness <= 256) return kChords[0];
   const int doublings = static_cast<int>(std::bit_width(sharpness)) - 9;
   const std::uint32_t beyond = (sharpness >> doublings) - 256;

@@ -18,8 +18,7 @@ class MemoryParts {
 
   /// Room for `count` objects of `size` bytes, or null in the first pass.
   void* take(std::size_t size, std::size_t count) {
-    const std::uint64_t taken =
-        (std::uint64_t{size} * count + kAlignment - 1) / kAlignment * kAlignment;
+    const std::uint64_t taken = (std::uint64_t{size} * count + kAlignment - 1) / kAlignment * kAlignment;
     bytes_ += taken;
     if (next_ == nullptr) return nullptr;
     std::byte* const at = next_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan.h>
 #include <arcspan/scene/draw_part.hpp>
 #include <arcspan/scene/scene_material.hpp>
 #include <arcspan/shading/flat.hpp>
@@ -10,6 +9,8 @@
 #include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/texture/texel_formats.hpp>
+
+#include <arcspan.h>
 #include <arcspan_config.h>
 
 #include <type_traits>
@@ -67,10 +68,10 @@ using If = std::conditional_t<Enabled, ChoiceList<C>, ChoiceList<>>;
 
 /// The methods of one format of textures, or without texture.
 template <bool Enabled, class T>
-using MethodsOf =
-    typename Joined<If<Enabled && ARCSPAN_C_ARC != 0, Choice<ARCSPAN_ARC, typename Wrapped<T>::Arcs, T>>,
-                    If<Enabled && ARCSPAN_C_GOURAUD != 0, Choice<ARCSPAN_GOURAUD, typename Wrapped<T>::Gourauds, T>>,
-                    If<Enabled && ARCSPAN_C_FLAT != 0, Choice<ARCSPAN_FLAT, typename Wrapped<T>::Flats, T>>>::List;
+using MethodsOf = typename Joined<
+    If<Enabled && ARCSPAN_C_ARC != 0, Choice<ARCSPAN_ARC, typename Wrapped<T>::Arcs, T>>,
+    If<Enabled && ARCSPAN_C_GOURAUD != 0, Choice<ARCSPAN_GOURAUD, typename Wrapped<T>::Gourauds, T>>,
+    If<Enabled && ARCSPAN_C_FLAT != 0, Choice<ARCSPAN_FLAT, typename Wrapped<T>::Flats, T>>>::List;
 
 }  // namespace detail
 

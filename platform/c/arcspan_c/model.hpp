@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan.h>
 #include <arcspan/mesh/bounding_sphere.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/scene/scene_light.hpp>
 #include <arcspan/scene/scene_material.hpp>
 #include <arcspan/status.hpp>
+
+#include <arcspan.h>
 #include <arcspan_c/methods.hpp>
 
 #include <cstdint>

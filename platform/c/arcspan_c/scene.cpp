@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/status.hpp>
 #include <arcspan/vertex/orientation.hpp>
+
 #include <arcspan_c/memory.hpp>
 #include <arcspan_c/scene.hpp>
 
@@ -28,8 +29,9 @@ struct SceneParts {
 };
 
 [[nodiscard]] SceneParts take_parts(c::MemoryParts& memory, const arcspan_scene_limits& limits) {
-  return {memory.take<arcspan_scene>(), memory.take<Object>(limits.objects), memory.take<MeshView>(limits.objects),
-          memory.take<std::uint16_t>(limits.objects), memory.take<c::MadeMaterial>(limits.materials)};
+  return {memory.take<arcspan_scene>(), memory.take<Object>(limits.objects),
+          memory.take<MeshView>(limits.objects), memory.take<std::uint16_t>(limits.objects),
+          memory.take<c::MadeMaterial>(limits.materials)};
 }
 
 constexpr SceneLight kFirstLight = SceneLight::directional(normalised(-1, 1, 2));
@@ -55,7 +57,8 @@ constexpr SceneLight kFirstLight = SceneLight::directional(normalised(-1, 1, 2))
   if (!has_direction || !scene_light(light).valid()) return Status::kInvalidArgument;
   const bool grey = light.colour.r == light.colour.g && light.colour.g == light.colour.b;
   if (ARCSPAN_C_LIGHTS == 1 && light.half != 0) return Status::kUnsupported;
-  if (ARCSPAN_C_LIGHTS > 1 && count > 1 && ARCSPAN_C_COLOURED_LIGHTS == 0 && !grey) return Status::kUnsupported;
+  if (ARCSPAN_C_LIGHTS > 1 && count > 1 && ARCSPAN_C_COLOURED_LIGHTS == 0 && !grey)
+    return Status::kUnsupported;
   return Status::kOk;
 }
 
@@ -79,7 +82,8 @@ template <class Change>
   return parts.empty() ? ARCSPAN_INVALID_ARGUMENT : ARCSPAN_OK;
 }
 
-[[nodiscard]] arcspan_status set_rotation(arcspan_scene* scene, arcspan_object object, const Rotation& rotation) {
+[[nodiscard]] arcspan_status set_rotation(arcspan_scene* scene, arcspan_object object,
+                                          const Rotation& rotation) {
   return change(scene, object, [&](Object& part) { part.rotation = rotation; });
 }
 
@@ -104,8 +108,9 @@ arcspan_status arcspan_scene_make(void* memory, size_t bytes, const arcspan_scen
   if (memory == nullptr || bytes < wanted || wanted == SIZE_MAX) return ARCSPAN_BUFFER_TOO_SMALL;
   c::MemoryParts all(memory);
   const SceneParts parts = take_parts(all, *limits);
-  *scene = new (parts.scene) arcspan_scene{*limits,       0,           0, 1, c::all_lights(kFirstLight), kWhite,
-                                           parts.objects, parts.meshes, parts.parts, parts.materials};
+  *scene = new (parts.scene) arcspan_scene{
+      *limits,        0, 0, 1, c::all_lights(kFirstLight), kWhite, parts.objects, parts.meshes, parts.parts,
+      parts.materials};
   return ARCSPAN_OK;
 }
 
@@ -142,7 +147,8 @@ arcspan_status arcspan_set_angles(arcspan_scene* scene, arcspan_object object, a
   return set_rotation(scene, object, rotation_of(EulerAngles{{yaw}, {pitch}, {roll}}));
 }
 
-arcspan_status arcspan_set_quaternion(arcspan_scene* scene, arcspan_object object, arcspan_quaternion rotation) {
+arcspan_status arcspan_set_quaternion(arcspan_scene* scene, arcspan_object object,
+                                      arcspan_quaternion rotation) {
   return set_rotation(scene, object, rotation_of(quaternion(rotation)));
 }
 

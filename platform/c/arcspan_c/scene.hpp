@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan.h>
 #include <arcspan/lighting/material.hpp>
 #include <arcspan/scene/object.hpp>
 #include <arcspan/scene/scene_light.hpp>
 #include <arcspan/texture/texture_binary.hpp>
+
+#include <arcspan.h>
 #include <arcspan_c/methods.hpp>
 
 #include <array>
@@ -45,8 +46,8 @@ struct MadeMaterial {
   }
 };
 
-/// Makes `made.prepared` of its source for the lights. Returns kUnsupported for a method or texture that is not compiled,
-/// else the status of PreparedMaterial::make() or set_tolerance().
+/// Makes `made.prepared` of its source for the lights. Returns kUnsupported for a method or texture that is
+/// not compiled, else the status of PreparedMaterial::make() or set_tolerance().
 [[nodiscard]] Status make_material(MadeMaterial& made, const LightList& lights);
 
 /// make_material() for all of a scene, after its lights have changed.
@@ -77,8 +78,8 @@ struct arcspan_scene {
   std::array<arcspan::SceneLight, ARCSPAN_C_LIGHTS> lights;
   arcspan::ChannelCoefficients ambient;
   arcspan::Object* objects;
-  arcspan::MeshView* meshes;      ///< of the objects
-  std::uint16_t* parts;           ///< at an object's first part their number, at its others 0
+  arcspan::MeshView* meshes;  ///< of the objects
+  std::uint16_t* parts;       ///< at an object's first part their number, at its others 0
   arcspan::c::MadeMaterial* materials;
 
   [[nodiscard]] arcspan::LightList light_list() const {

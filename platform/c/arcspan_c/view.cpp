@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/scene.hpp>
+
 #include <arcspan_c/memory.hpp>
 #include <arcspan_c/scene.hpp>
 #include <arcspan_c/view.hpp>
@@ -71,6 +72,15 @@ using Memory = SceneMemoryView<c::Methods>;
 
 }  // namespace
 
+arcspan_view_limits arcspan_limits_of(const arcspan_scene* scene) {
+  arcspan_view_limits limits{scene->object_count, 0};
+  for (const Object& object : std::span(scene->objects, scene->object_count)) {
+    const auto vertices = static_cast<std::uint32_t>(object.mesh().vertex_count());
+    if (vertices > limits.vertices) limits.vertices = vertices;
+  }
+  return limits;
+}
+
 size_t arcspan_view_bytes(const arcspan_view_limits* limits) {
   c::MemoryParts parts;
   (void)parts.take<arcspan_view>();
@@ -97,6 +107,23 @@ arcspan_status arcspan_set_camera(arcspan_view* view, const arcspan_lens* lens, 
   if (up.x != 0 || up.y != 0 || up.z != 0) look.up = normalised(up.x, up.y, up.z);
   const Viewport viewport{lens->width, lens->height};
   return static_cast<arcspan_status>(Camera::make(look, lens_of(*lens), viewport, view->camera));
+}
+
+arcspan_quaternion arcspan_dragged(const arcspan_view* view, arcspan_quaternion rotation, int32_t dx,
+                                   int32_t dy) {
+  const Viewport& viewport = view->camera.viewport();
+  const std::int32_t diameter = viewport.width < viewport.height ? viewport.width : viewport.height;
+  if (diameter == 0) return rotation;
+  constexpr std::int32_t kMost = 4096;
+  const auto limited = [](std::int32_t d) { return d < -kMost ? -kMost : d > kMost ? kMost : d; };
+  const std::int64_t right = limited(dx);
+  const std::int64_t down = limited(dy);
+  // The axis is at a right angle to the drag, on the screen. 17 fraction bits leave room for 4096 pixels.
+  const auto& rows = view->camera.rotation().m;
+  const auto along = [&](std::size_t i) {
+    return static_cast<std::int32_t>((down * rows[0][i].raw() + right * rows[1][i].raw()) >> 13);
+  };
+  return arcspan_multiply({diameter << 17, along(0), along(1), along(2)}, rotation);
 }
 
 arcspan_status arcspan_prepare(arcspan_view* view, arcspan_rect* drawn) {

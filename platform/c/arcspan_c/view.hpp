@@ -4,6 +4,7 @@
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/scene/camera.hpp>
 #include <arcspan/scene/scene_memory.hpp>
+
 #include <arcspan_c/methods.hpp>
 #include <arcspan_c/scene.hpp>
 
@@ -22,8 +23,8 @@ namespace arcspan::c {
 /// Draws into a target of one format.
 using DrawFunction = Status (*)(arcspan_view& view, const arcspan_target& target);
 
-// Each is defined in a source of its own, of formats/, if the format is compiled: several in one source cost 1.8 % of every
-// frame, because the compiler inlines less.
+// Each is defined in a source of its own, of formats/, if the format is compiled: several in one source
+// cost 1.8 % of every frame, because the compiler inlines less.
 Status draw_rgb565(arcspan_view& view, const arcspan_target& target);
 Status draw_rgb565_swapped(arcspan_view& view, const arcspan_target& target);
 Status draw_rgb888(arcspan_view& view, const arcspan_target& target);

@@ -31,6 +31,7 @@ struct MeshArguments {
   std::string stats;
   std::string group;
   bool planes = false;
+  bool for_c = false;
   bool textures = true;
   bool made_textures = false;  ///< the model has some
   std::string texture;         ///< a picture for all parts, or none
@@ -131,18 +132,19 @@ std::string name_of(const MeshArguments& arguments) {
 }
 
 void run_mesh(MeshArguments& arguments) {
-  const CompiledOutput output = compiled_output(arguments.output, "mesh");
+  const CompiledOutput output = compiled_mesh_output(arguments.output, arguments.for_c);
   check_results({arguments.output, arguments.picture, arguments.stats}, {arguments.model, arguments.texture});
   if (!arguments.picture.empty()) (void)image_format(arguments.picture);
   const Made made = make(arguments, output);
   const MeshReport& report = made.report;
   arguments.made_textures = !report.textures.empty();
   const FixedModel& model = report.compiled.model;
+  const auto write_text = arguments.for_c ? model_c_source : model_header;
   const std::string file =
       output == CompiledOutput::kBinary
           ? model_binary_file(model, made.textures)
-          : model_header(model, name_of(arguments),
-                         std::filesystem::path(arguments.model).filename().string(), made.textures);
+          : write_text(model, name_of(arguments), std::filesystem::path(arguments.model).filename().string(),
+                       made.textures);
   std::vector<ResultFile> results = {{arguments.output, file}};
   if (!arguments.picture.empty()) {
     const Image picture = before_and_after(made, arguments.model);
@@ -184,7 +186,8 @@ void add_mesh_command(CLI::App& app) {
                    "materials; hpp:- and bin:- are standard output")
       ->required();
   add_limits(*mesh, arguments->limits);
-  mesh->add_option("--name", arguments->name, "the header's namespace (default: from the file's name)")
+  mesh->add_option("--name", arguments->name,
+                   "the header's namespace, or the model for C (default: from the file's name)")
       ->check([](const std::string& text) {
         return is_identifier(text) ? "" : "'" + text + "' cannot name a namespace";
       });
@@ -203,6 +206,9 @@ void add_mesh_command(CLI::App& app) {
       "--vertex-colours", [arguments] { arguments->colours = VertexColours::kKept; },
       "write vertex colours, 3 bytes each, for VertexColoured (default: parts in the triangles' mean "
       "colours)");
+  mesh->add_flag("--c", arguments->for_c,
+                 "a C++ source (.cpp) with the model and its prepared materials for arcspan.h, in C: extern "
+                 "const arcspan_model NAME");
   mesh->add_option("--picture", arguments->picture, "draw the model before and after, side by side");
   mesh->add_option("--stats", arguments->stats, "write the printed figures as JSON");
   mesh->footer(
@@ -215,7 +221,8 @@ void add_mesh_command(CLI::App& app) {
   mesh->callback([mesh, arguments] {
     if (!arguments->textures && !arguments->texture.empty())
       throw CLI::ValidationError("--texture", "excludes --no-textures");
-    if (mesh->count("--name") != 0 && compiled_output(arguments->output, "mesh") == CompiledOutput::kBinary)
+    if (mesh->count("--name") != 0 &&
+        compiled_mesh_output(arguments->output, arguments->for_c) == CompiledOutput::kBinary)
       throw CLI::ValidationError("--name", "is of headers, not of binaries");
     run_mesh(*arguments);
     if (!arguments->made_textures) {

@@ -37,6 +37,12 @@ CompiledOutput compiled_output(const std::filesystem::path& path, const std::str
   throw Failure(path.string(), "a compiled " + kind + "'s name must end in .hpp, .h or .bin");
 }
 
+CompiledOutput compiled_mesh_output(const std::filesystem::path& path, bool for_c) {
+  if (!for_c) return compiled_output(path, "mesh");
+  if (output_kind(path, "cpp") == "cpp") return CompiledOutput::kHeader;
+  throw Failure(path.string(), "a model for C is a C++ source, whose name must end in .cpp");
+}
+
 std::size_t mesh_bytes(CompiledOutput output, std::size_t vertices, std::size_t triangles, bool planes,
                        bool texture_points, bool colours) {
   if (output == CompiledOutput::kHeader) {

@@ -19,6 +19,10 @@ namespace arcspan::tools {
 /// used in place.
 enum class CompiledOutput { kHeader, kBinary };
 
+/// The form of `arcspan mesh`: for_c is a C++ source (.cpp, cpp:-), otherwise as compiled_output(). Throws a
+/// Failure for another extension.
+[[nodiscard]] CompiledOutput compiled_mesh_output(const std::filesystem::path& path, bool for_c);
+
 /// By the extension: .hpp or .h, .bin. On standard output a header; `bin:-` is the other. Throws a Failure
 /// about a compiled `kind`.
 [[nodiscard]] CompiledOutput compiled_output(const std::filesystem::path& path, const std::string& kind);
@@ -52,6 +56,10 @@ struct ByteShare {
 /// was made from.
 [[nodiscard]] std::string model_header(const FixedModel& model, const std::string& name,
                                        const std::string& origin, const ModelTextures& textures = {});
+
+/// A C++ source that defines the model `name` for the C interface: its arrays, and its materials prepared.
+[[nodiscard]] std::string model_c_source(const FixedModel& model, const std::string& name,
+                                         const std::string& origin, const ModelTextures& textures = {});
 
 /// The binary of docs/mesh-binary.md.
 [[nodiscard]] std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/mesh/bounding_sphere.hpp>
+
 #include <arcspan_tools/output/array_text.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/output/texture_writer.hpp>
@@ -213,14 +215,60 @@ std::string single_text(const FixedModel& model, const ModelTextures& textures) 
          ";\n\n";
 }
 
+std::string model_namespace(const FixedModel& model, const std::string& name, const ModelTextures& textures) {
+  return "namespace " + name + " {\n\n" + unit_and_origin(model.meshes[0]) +
+         (model.meshes.size() == 1 ? single_text(model, textures) : parts_text(model, textures)) +
+         "}  // namespace " + name + "\n";
+}
+
+std::string braced_sphere(const FixedMesh& mesh) {
+  const BoundingSphere sphere = bounding_sphere(mesh.view("the compiled mesh"));
+  return "{" + braced_position(sphere.middle) + ", " + std::to_string(sphere.radius) + "}";
+}
+
+/// Materials that are prepared by the compiler, and the list of parts of a model for the C interface. The
+/// arrays are in the namespace `arrays`.
+std::string prepared_text(const FixedModel& model, const std::string& arrays, const ModelTextures& textures) {
+  const bool single = model.meshes.size() == 1;
+  const std::vector<std::string> names = namespaces_of(model, textures.textures.size());
+  std::string text;
+  std::string list;
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    const std::string part = arrays + (single ? "" : "::" + names[i]) + "::";
+    const std::string material = "kPrepared" + std::to_string(i + 1);
+    std::optional<std::size_t> number;
+    if (!textures.textures.empty()) number = textures.of_part[i];
+    text +=
+        "\nconstexpr auto " + material + " = arcspan::PreparedMaterial<arcspan::c::ModelMethod<" +
+        (number ? type_of(textures.textures[*number].format) : "void") + ">::Type>::of(\n    " +
+        (is_plain_mesh(model) ? "arcspan::plastic({255, 255, 255}), {arcspan::c::kModelLights})"
+                              : part + "kMaterial, {arcspan::c::kModelLights}, {" + part + "kTwoSided})") +
+        (number ? ".with(" + arrays + "::" + (single ? "" : texture_namespace(*number) + "::") + "kTexture)"
+                : "") +
+        ";\n";
+    list += "    {" + part + "make_view, " + braced_sphere(model.meshes[i]) + ", &" + material + "},\n";
+  }
+  return text + "\nconstexpr arcspan::c::ModelPart kPreparedParts[] = {\n" + list + "};\n";
+}
+
 }  // namespace
 
 std::string model_header(const FixedModel& model, const std::string& name, const std::string& origin,
                          const ModelTextures& textures) {
-  return comment(model, origin, textures) + "#pragma once\n\n" + includes(model, textures) + "namespace " +
-         name + " {\n\n" + unit_and_origin(model.meshes[0]) +
-         (model.meshes.size() == 1 ? single_text(model, textures) : parts_text(model, textures)) +
-         "}  // namespace " + name + "\n";
+  return comment(model, origin, textures) + "#pragma once\n\n" + includes(model, textures) +
+         model_namespace(model, name, textures);
+}
+
+std::string model_c_source(const FixedModel& model, const std::string& name, const std::string& origin,
+                           const ModelTextures& textures) {
+  const std::string arrays = name + "_arrays";
+  return comment(model, origin, textures) + "//\n// In C: extern const arcspan_model " + name +
+         ";\n// clang-format off\n#include <arcspan/lighting/colour_coefficients.hpp>\n#include <arcspan_c/model.hpp>\n" +
+         includes(model, textures) + model_namespace(model, arrays, textures) + "\nnamespace {\n" +
+         prepared_text(model, arrays, textures) +
+         "\n}  // namespace\n\nextern \"C\" {\nextern const arcspan_model " + name +
+         ";\n}\nconst arcspan_model " + name + " = {kPreparedParts, " + std::to_string(model.meshes.size()) +
+         "};\n";
 }
 
 }  // namespace arcspan::tools

@@ -3,6 +3,7 @@
 
 #if ARCSPAN_C_GRAY4
 #include <arcspan/pixel/gray4.hpp>
+
 #include <arcspan_c/draw_format.hpp>
 
 arcspan::Status arcspan::c::draw_gray4(arcspan_view& view, const arcspan_target& target) {

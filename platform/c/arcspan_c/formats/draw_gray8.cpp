@@ -3,6 +3,7 @@
 
 #if ARCSPAN_C_GRAY8
 #include <arcspan/pixel/gray8.hpp>
+
 #include <arcspan_c/draw_format.hpp>
 
 arcspan::Status arcspan::c::draw_gray8(arcspan_view& view, const arcspan_target& target) {

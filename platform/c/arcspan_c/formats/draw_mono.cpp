@@ -3,6 +3,7 @@
 
 #if ARCSPAN_C_MONO
 #include <arcspan/pixel/mono.hpp>
+
 #include <arcspan_c/draw_format.hpp>
 
 arcspan::Status arcspan::c::draw_mono(arcspan_view& view, const arcspan_target& target) {

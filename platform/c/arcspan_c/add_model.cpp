@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_c/model.hpp>
+#include <arcspan_c/new_object.hpp>
+
+#include <cstddef>
+
+using namespace arcspan;
+
+arcspan_status arcspan_add_model(arcspan_scene* scene, const arcspan_model* model, arcspan_object* object) {
+  c::NewObject added(*scene);
+  Status status = Status::kOk;
+  for (std::size_t i = 0; i < model->count && ok(status); ++i) {
+    const c::ModelPart& part = model->parts[i];
+    MeshView mesh;
+    status = part.make_view(mesh);
+    if (ok(status)) status = added.add(mesh, *part.material, part.sphere);
+  }
+  return added.finish(status, object);
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_c/scene.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+
+namespace arcspan::c {
+
+/// An object whose parts are being added behind the objects of a scene. It is in the scene after finish();
+/// before, nothing of the scene has changed.
+class NewObject {
+ public:
+  explicit NewObject(arcspan_scene& scene) : scene_(scene), material_count_(scene.material_count) {}
+
+  /// Adds a part of a prepared material. Returns kBufferTooSmall if there is no room for it.
+  [[nodiscard]] Status add(const MeshView& mesh, const SceneMaterial& material,
+                           const BoundingSphere& sphere) {
+    const std::size_t at = std::size_t{scene_.object_count} + parts_;
+    if (at >= scene_.limits.objects) return Status::kBufferTooSmall;
+    const MeshView& kept = *new (&scene_.meshes[at]) MeshView(mesh);
+    new (&scene_.objects[at]) Object(kept, material, sphere);
+    scene_.parts[at] = 0;
+    ++parts_;
+    return Status::kOk;
+  }
+  /// Adds a part of a material that is prepared now, unless the scene has the same.
+  [[nodiscard]] Status add(const MeshView& mesh, const MaterialSource& source, const BoundingSphere& sphere) {
+    std::uint16_t i = 0;
+    while (i < material_count_ && !is_same(scene_.materials[i].source, source)) ++i;
+    if (i == scene_.limits.materials) return Status::kBufferTooSmall;
+    MadeMaterial& made = scene_.materials[i];
+    if (i == material_count_) {
+      made.source = source;
+      const Status status = make_material(made, scene_.light_list());
+      if (!ok(status)) return status;
+      ++material_count_;
+    }
+    return add(mesh, made.scene_material(), sphere);
+  }
+  [[nodiscard]] arcspan_status finish(Status status, arcspan_object* object) const {
+    if (ok(status) && parts_ == 0) status = Status::kInvalidArgument;
+    if (!ok(status)) return static_cast<arcspan_status>(status);
+    if (object != nullptr) *object = scene_.object_count;
+    scene_.parts[scene_.object_count] = parts_;
+    scene_.object_count = static_cast<std::uint16_t>(scene_.object_count + parts_);
+    scene_.material_count = material_count_;
+    return ARCSPAN_OK;
+  }
+
+ private:
+  arcspan_scene& scene_;
+  std::uint16_t material_count_;
+  std::uint16_t parts_ = 0;
+};
+
+}  // namespace arcspan::c

@@ -1,0 +1,363 @@
+/* SPDX-License-Identifier: MIT */
+#include "lv_arcspan_view_private.h"
+
+#define VIEW_CLASS (&lv_arcspan_view_class)
+
+/* A key or a step of an encoder turns by as much as a drag over this part of the picture. */
+#define KEY_STEPS 16
+
+static void constructor(const lv_obj_class_t* class_p, lv_obj_t* obj);
+static void destructor(const lv_obj_class_t* class_p, lv_obj_t* obj);
+static void event(const lv_obj_class_t* class_p, lv_event_t* e);
+
+const lv_obj_class_t lv_arcspan_view_class = {
+    .base_class = &lv_obj_class,
+    .constructor_cb = constructor,
+    .destructor_cb = destructor,
+    .event_cb = event,
+    .width_def = LV_DPI_DEF,
+    .height_def = LV_DPI_DEF,
+    .editable = LV_OBJ_CLASS_EDITABLE_TRUE,
+    .group_def = LV_OBJ_CLASS_GROUP_DEF_TRUE,
+    .instance_size = sizeof(lv_arcspan_view_t),
+    .name = "lv_arcspan_view",
+};
+
+/* The part of the widget that is the picture, on the screen. */
+static lv_area_t picture_area(const lv_arcspan_view_t* view) {
+  lv_area_t area;
+  lv_obj_get_content_coords(&view->obj, &area);
+  return area;
+}
+
+/* The rectangle of the last frame on the screen. Returns false if it is empty. */
+static bool drawn_area(const lv_arcspan_view_t* view, lv_area_t* area) {
+  const lv_area_t picture = picture_area(view);
+  const arcspan_rect* const drawn = &view->drawn;
+  *area = (lv_area_t){picture.x1 + drawn->left, picture.y1 + drawn->top, picture.x1 + drawn->right - 1,
+                      picture.y1 + drawn->bottom - 1};
+  return drawn->left < drawn->right && drawn->top < drawn->bottom;
+}
+
+static void invalidate_drawn(lv_arcspan_view_t* view) {
+  lv_area_t area;
+  if (drawn_area(view, &area)) lv_obj_invalidate_area(&view->obj, &area);
+}
+
+/* Frames */
+
+static void free_view(lv_arcspan_view_t* view) {
+  lv_free(view->view_memory);
+  view->view_memory = NULL;
+  view->view = NULL;
+}
+
+/* Makes memory for all objects that the scene has now. */
+static arcspan_status make_view(lv_arcspan_view_t* view) {
+  const arcspan_view_limits limits = arcspan_limits_of(view->scene);
+  const bool has_room = view->view != NULL && view->limits.objects >= limits.objects &&
+                        view->limits.vertices >= limits.vertices;
+  if (has_room) return ARCSPAN_OK;
+  free_view(view);
+  const size_t bytes = arcspan_view_bytes(&limits);
+  view->view_memory = lv_malloc(bytes);
+  view->limits = limits;
+  return arcspan_view_make(view->view_memory, bytes, &limits, view->scene, &view->view);
+}
+
+static arcspan_status set_camera(lv_arcspan_view_t* view) {
+  const lv_area_t picture = picture_area(view);
+  const lv_arcspan_camera_t* const camera = &view->camera;
+  const int32_t width = lv_area_get_width(&picture);
+  const int32_t height = lv_area_get_height(&picture);
+  if (width <= 0 || height <= 0 || width > UINT16_MAX || height > UINT16_MAX) return ARCSPAN_INVALID_ARGUMENT;
+  const arcspan_lens lens = {(uint16_t)width, (uint16_t)height, camera->angle,
+                             camera->extent,  camera->nearest,  camera->farthest};
+  return arcspan_set_camera(view->view, &lens, camera->eye, camera->target, camera->up);
+}
+
+static arcspan_status turn_object(lv_arcspan_view_t* view) {
+  if (view->turned == LV_ARCSPAN_NO_OBJECT) return ARCSPAN_OK;
+  const arcspan_status status = arcspan_set_quaternion(view->scene, view->turned, view->rotation);
+  return status == ARCSPAN_OK ? arcspan_set_scale(view->scene, view->turned, view->scale) : status;
+}
+
+/* Prepares the frame that is drawn from now on. */
+static void prepare(lv_arcspan_view_t* view) {
+  view->changed = false;
+  view->drawn = (arcspan_rect){0, 0, 0, 0};
+  view->status = ARCSPAN_NOT_READY;
+  if (view->scene == NULL) return;
+  view->status = make_view(view);
+  if (view->status == ARCSPAN_OK) view->status = set_camera(view);
+  if (view->status == ARCSPAN_OK) view->status = turn_object(view);
+  if (view->status == ARCSPAN_OK) view->status = arcspan_prepare(view->view, &view->drawn);
+  if (view->status == ARCSPAN_OK) return;
+  view->drawn = (arcspan_rect){0, 0, 0, 0};
+  ++view->dropped;
+  LV_LOG_WARN("arcspan: a frame is not drawn: %s", arcspan_status_text(view->status));
+}
+
+/* Of the display, before it finds out what to draw. */
+static void on_refresh_start(lv_event_t* e) {
+  lv_arcspan_view_t* const view = lv_event_get_user_data(e);
+  if (!view->changed || !lv_obj_is_visible(&view->obj)) return;
+  lv_obj_update_layout(&view->obj);
+  invalidate_drawn(view);
+  prepare(view);
+  invalidate_drawn(view);
+}
+
+/* Asks for a refresh, in which the frame is prepared. Nothing is invalidated now, because a frame may be
+ * under way. */
+static void change(lv_arcspan_view_t* view) {
+  view->changed = true;
+  lv_display_send_event(lv_obj_get_display(&view->obj), LV_EVENT_REFR_REQUEST, NULL);
+}
+
+/* Drawing */
+
+/* Draws the part of the scene in `strip` in a layer, and the layer with an opacity and, unless `radius` is 0,
+ * with the round corners of `corners`. */
+static void add_layer(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area_t* strip, lv_opa_t opa,
+                      const lv_area_t* corners, int32_t radius) {
+  const lv_area_t picture = picture_area(view);
+  lv_layer_t* const scene = lv_draw_layer_create(layer, LV_COLOR_FORMAT_ARGB8888, strip);
+  if (scene == NULL) {
+    view->status = ARCSPAN_BUFFER_TOO_SMALL;
+    ++view->dropped;
+    return;
+  }
+  scene->opa = LV_OPA_COVER;
+  lv_arcspan_unit_add_task(scene, view, strip, (lv_point_t){picture.x1, picture.y1});
+  if (radius > 0) {
+    lv_draw_mask_rect_dsc_t mask;
+    lv_draw_mask_rect_dsc_init(&mask);
+    mask.area = *corners;
+    mask.radius = radius;
+    lv_draw_mask_rect(scene, &mask);
+  }
+  lv_draw_image_dsc_t descriptor;
+  lv_draw_image_dsc_init(&descriptor);
+  descriptor.base.obj = &view->obj;
+  descriptor.src = scene;
+  descriptor.opa = opa;
+  lv_draw_layer(layer, &descriptor, strip);
+}
+
+/* The same in strips, whose layers are as large as those that LVGL allocates for its own. */
+static void add_layers(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area_t* area, lv_opa_t opa,
+                       const lv_area_t* corners, int32_t radius) {
+  int32_t rows = LV_DRAW_LAYER_SIMPLE_BUF_SIZE / (4 * lv_area_get_width(area));
+  if (rows < 1) rows = 1;
+  lv_area_t strip = *area;
+  for (; strip.y1 <= area->y2; strip.y1 += rows) {
+    strip.y2 = LV_MIN(strip.y1 + rows - 1, area->y2);
+    add_layer(layer, view, &strip, opa, corners, radius);
+  }
+}
+
+/* The inner edge of the border, and its radius, which clip_corner clips by. */
+static int32_t corner_radius(const lv_obj_t* obj, lv_area_t* corners) {
+  const int32_t border = lv_obj_get_style_border_width(obj, LV_PART_MAIN);
+  lv_area_copy(corners, &obj->coords);
+  const int32_t shorter = LV_MIN(lv_area_get_width(corners), lv_area_get_height(corners));
+  const int32_t radius = LV_MIN(lv_obj_get_style_radius(obj, LV_PART_MAIN), shorter / 2) - border;
+  lv_area_increase(corners, -border, -border);
+  return lv_obj_get_style_clip_corner(obj, LV_PART_MAIN) && radius > 0 ? radius : 0;
+}
+
+/* Draws the rows of `area` from `top` to `bottom` straight, or with round corners if `radius` is not 0. */
+static void add_rows(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area_t* area, int32_t top,
+                     int32_t bottom, const lv_area_t* corners, int32_t radius) {
+  lv_area_t rows = *area;
+  rows.y1 = LV_MAX(area->y1, top);
+  rows.y2 = LV_MIN(area->y2, bottom);
+  if (rows.y1 > rows.y2) return;
+  const bool is_cut = radius > 0 && (rows.x1 < corners->x1 + radius || rows.x2 > corners->x2 - radius);
+  if (is_cut) {
+    add_layers(layer, view, &rows, LV_OPA_COVER, corners, radius);
+  } else {
+    const lv_area_t picture = picture_area(view);
+    lv_arcspan_unit_add_task(layer, view, &rows, (lv_point_t){picture.x1, picture.y1});
+  }
+}
+
+static void draw_main(lv_event_t* e) {
+  lv_arcspan_view_t* const view = (lv_arcspan_view_t*)lv_event_get_current_target_obj(e);
+  lv_layer_t* const layer = lv_event_get_layer(e);
+  if (view->scene == NULL || !lv_arcspan_unit_init()) return;
+  /* Without a refresh, as lv_snapshot_take() draws. */
+  if (view->changed && view->status == ARCSPAN_NOT_READY) prepare(view);
+  lv_area_t area;
+  if (!drawn_area(view, &area) || !lv_area_intersect(&area, &area, &layer->_clip_area)) return;
+  const lv_opa_t opa = lv_obj_get_style_opa_recursive(&view->obj, LV_PART_MAIN);
+  if (opa <= LV_OPA_MIN) return;
+  lv_area_t corners;
+  const int32_t radius = corner_radius(&view->obj, &corners);
+  if (opa < LV_OPA_MAX) {
+    add_layers(layer, view, &area, opa, &corners, radius);
+    return;
+  }
+  add_rows(layer, view, &area, area.y1, corners.y1 + radius - 1, &corners, radius);
+  add_rows(layer, view, &area, corners.y1 + radius, corners.y2 - radius, &corners, 0);
+  add_rows(layer, view, &area, corners.y2 - radius + 1, area.y2, &corners, radius);
+}
+
+/* Input */
+
+static void turn_by_user(lv_arcspan_view_t* view, int32_t dx, int32_t dy) {
+  if (view->turned == LV_ARCSPAN_NO_OBJECT || view->view == NULL || (dx == 0 && dy == 0)) return;
+  lv_arcspan_view_set_rotation(&view->obj, arcspan_dragged(view->view, view->rotation, dx, dy));
+  lv_obj_send_event(&view->obj, LV_EVENT_VALUE_CHANGED, NULL);
+}
+
+static void on_drag(lv_arcspan_view_t* view) {
+  lv_indev_t* const indev = lv_indev_active();
+  if (indev == NULL) return;
+  lv_point_t moved;
+  lv_indev_get_vect(indev, &moved);
+  turn_by_user(view, moved.x, moved.y);
+}
+
+static void on_key(lv_arcspan_view_t* view, uint32_t key) {
+  const lv_area_t picture = picture_area(view);
+  const int32_t step = LV_MIN(lv_area_get_width(&picture), lv_area_get_height(&picture)) / KEY_STEPS;
+  const int32_t dx = key == LV_KEY_RIGHT ? step : key == LV_KEY_LEFT ? -step : 0;
+  const int32_t dy = key == LV_KEY_DOWN ? step : key == LV_KEY_UP ? -step : 0;
+  turn_by_user(view, dx, dy);
+}
+
+static void on_rotary(lv_arcspan_view_t* view, int32_t steps) {
+  const lv_area_t picture = picture_area(view);
+  turn_by_user(view, steps * lv_area_get_width(&picture) / KEY_STEPS, 0);
+}
+
+#if LV_USE_GESTURE_RECOGNITION
+/* The scale of a pinch is relative to its beginning. */
+static void on_gesture(lv_arcspan_view_t* view, lv_event_t* e) {
+  if (view->turned == LV_ARCSPAN_NO_OBJECT || lv_event_get_gesture_type(e) != LV_INDEV_GESTURE_PINCH) return;
+  const lv_indev_gesture_state_t state = lv_event_get_gesture_state(e, LV_INDEV_GESTURE_PINCH);
+  if (!view->pinched) view->pinch_scale = view->scale;
+  view->pinched = state == LV_INDEV_GESTURE_STATE_RECOGNIZED;
+  const float scale = (float)view->pinch_scale * lv_event_get_pinch_scale(e);
+  if (!(scale >= 64.0F && scale <= 2147483520.0F)) return; /* the range of arcspan_set_scale() */
+  lv_arcspan_view_set_scale(&view->obj, (arcspan_length)scale);
+  lv_obj_send_event(&view->obj, LV_EVENT_VALUE_CHANGED, NULL);
+}
+#endif
+
+/* The class */
+
+static void constructor(const lv_obj_class_t* class_p, lv_obj_t* obj) {
+  LV_UNUSED(class_p);
+  lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
+  view->camera = (lv_arcspan_camera_t){.angle = ARCSPAN_DEGREES(45),
+                                       .nearest = ARCSPAN_LENGTH(1),
+                                       .farthest = ARCSPAN_LENGTH(16),
+                                       .eye = {0, 0, ARCSPAN_LENGTH(3)}};
+  view->rotation = (arcspan_quaternion){1 << 30, 0, 0, 0};
+  view->scale = ARCSPAN_LENGTH(1);
+  view->turned = LV_ARCSPAN_NO_OBJECT;
+  view->status = ARCSPAN_NOT_READY;
+  lv_obj_remove_flag(obj, LV_OBJ_FLAG_SCROLLABLE);
+  lv_display_add_event_cb(lv_obj_get_display(obj), on_refresh_start, LV_EVENT_REFR_START, view);
+}
+
+static void destructor(const lv_obj_class_t* class_p, lv_obj_t* obj) {
+  LV_UNUSED(class_p);
+  /* Of all displays, because its parent may have changed. */
+  for (lv_display_t* display = lv_display_get_next(NULL); display != NULL;
+       display = lv_display_get_next(display)) {
+    lv_display_remove_event_cb_with_user_data(display, on_refresh_start, obj);
+  }
+  free_view((lv_arcspan_view_t*)obj);
+}
+
+static void event(const lv_obj_class_t* class_p, lv_event_t* e) {
+  LV_UNUSED(class_p);
+  if (lv_obj_event_base(VIEW_CLASS, e) != LV_RESULT_OK) return;
+  lv_arcspan_view_t* const view = (lv_arcspan_view_t*)lv_event_get_current_target_obj(e);
+  switch (lv_event_get_code(e)) {
+    case LV_EVENT_DRAW_MAIN:
+      draw_main(e);
+      break;
+    case LV_EVENT_SIZE_CHANGED:
+    case LV_EVENT_STYLE_CHANGED:
+      change(view);
+      break;
+    case LV_EVENT_PRESSING:
+      on_drag(view);
+      break;
+    case LV_EVENT_KEY:
+      on_key(view, lv_event_get_key(e));
+      break;
+    case LV_EVENT_ROTARY:
+      on_rotary(view, lv_event_get_rotary_diff(e));
+      break;
+#if LV_USE_GESTURE_RECOGNITION
+    case LV_EVENT_GESTURE:
+      on_gesture(view, e);
+      break;
+#endif
+    default:
+      break;
+  }
+}
+
+/* The interface */
+
+lv_obj_t* lv_arcspan_view_create(lv_obj_t* parent) {
+  if (!lv_arcspan_unit_init()) return NULL;
+  lv_obj_t* const obj = lv_obj_class_create_obj(VIEW_CLASS, parent);
+  if (obj != NULL) lv_obj_class_init_obj(obj);
+  return obj;
+}
+
+void lv_arcspan_view_set_scene(lv_obj_t* obj, arcspan_scene* scene) {
+  lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
+  if (view->scene != scene) free_view(view);
+  view->scene = scene;
+  change(view);
+}
+
+void lv_arcspan_view_set_camera(lv_obj_t* obj, const lv_arcspan_camera_t* camera) {
+  lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
+  view->camera = *camera;
+  change(view);
+}
+
+void lv_arcspan_view_set_turned(lv_obj_t* obj, arcspan_object object) {
+  lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
+  view->turned = object;
+  lv_obj_set_flag(obj, LV_OBJ_FLAG_SCROLL_CHAIN, object == LV_ARCSPAN_NO_OBJECT);
+  change(view);
+}
+
+void lv_arcspan_view_set_rotation(lv_obj_t* obj, arcspan_quaternion rotation) {
+  lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
+  view->rotation = rotation;
+  change(view);
+}
+
+arcspan_quaternion lv_arcspan_view_get_rotation(const lv_obj_t* obj) {
+  return ((const lv_arcspan_view_t*)obj)->rotation;
+}
+
+void lv_arcspan_view_set_scale(lv_obj_t* obj, arcspan_length scale) {
+  lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
+  view->scale = scale;
+  change(view);
+}
+
+arcspan_length lv_arcspan_view_get_scale(const lv_obj_t* obj) {
+  return ((const lv_arcspan_view_t*)obj)->scale;
+}
+
+void lv_arcspan_view_update(lv_obj_t* obj) { change((lv_arcspan_view_t*)obj); }
+
+arcspan_status lv_arcspan_view_get_status(const lv_obj_t* obj) {
+  return ((const lv_arcspan_view_t*)obj)->status;
+}
+
+uint32_t lv_arcspan_view_get_dropped(const lv_obj_t* obj) { return ((const lv_arcspan_view_t*)obj)->dropped; }

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef LV_ARCSPAN_VIEW_PRIVATE_H
+#define LV_ARCSPAN_VIEW_PRIVATE_H
+
+#include "lv_arcspan_view.h"
+
+/* Widgets and draw units outside of LVGL need its private headers, which change between minor versions. */
+#include <src/lvgl_private.h>
+
+#if LVGL_VERSION_MAJOR != 9 || LVGL_VERSION_MINOR != 6
+#error "platform/lvgl is for LVGL 9.6"
+#endif
+
+typedef struct {
+  lv_obj_t obj;
+  arcspan_scene* scene;
+  void* view_memory;
+  arcspan_view* view;         /* in view_memory; NULL before the first frame, and without memory for one */
+  arcspan_view_limits limits; /* of `view` */
+  lv_arcspan_camera_t camera;
+  arcspan_quaternion rotation;
+  arcspan_length scale;
+  arcspan_object turned;
+  arcspan_status status;
+  bool changed;       /* since the last frame */
+  arcspan_rect drawn; /* by the last frame, in the picture; empty if it is not shown */
+  uint32_t dropped;
+#if LV_USE_GESTURE_RECOGNITION
+  bool pinched;               /* a pinch is under way */
+  arcspan_length pinch_scale; /* the scale at its beginning */
+#endif
+} lv_arcspan_view_t;
+
+/* Queues the drawing of the last frame of `view`, whose picture begins at `origin`: an image task whose
+ * source is the widget. Counts a dropped rectangle if that is not possible. */
+void lv_arcspan_unit_add_task(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area_t* area,
+                              lv_point_t origin);
+
+/* Registers the draw unit, unless it is. Returns false if there is no memory for it. */
+bool lv_arcspan_unit_init(void);
+
+#endif

@@ -2,6 +2,7 @@
 #include <arcspan/mesh/crc32.hpp>
 #include <arcspan/numbers/little_endian.hpp>
 #include <arcspan/texture/texture_binary.hpp>
+#include <arcspan/texture/texture_chunk.hpp>
 
 #include <bit>
 
@@ -34,33 +35,56 @@ bool read_texture_format(const std::uint8_t* header, StoredTexture& texture) {
          texture.size.valid();
 }
 
-}  // namespace
-
-Status view_texture_binary(std::span<const std::uint8_t> bytes, StoredTexture& texture) {
+/// Reads and checks the header of a texture that ends with `checksum` bytes, and its `size`.
+Status read_header(std::span<const std::uint8_t> bytes, std::uint32_t checksum, std::size_t& size) {
   if (std::endian::native != std::endian::little) return Status::kUnsupported;
   const std::uint8_t* const at = bytes.data();
   if ((reinterpret_cast<std::uintptr_t>(at) & 1u) != 0) return Status::kInvalidArgument;
   if (bytes.size() >= texture_binary::kVersionAt &&
       little_u32(at + texture_binary::kMagicAt) != texture_binary::kMagic)
     return Status::kUnsupported;
-  if (bytes.size() < texture_binary::kHeaderBytes + texture_binary::kChecksumBytes) return Status::kTruncated;
+  if (bytes.size() < texture_binary::kHeaderBytes + checksum) return Status::kTruncated;
   if (little_u16(at + texture_binary::kVersionAt) != texture_binary::kVersion) return Status::kUnsupported;
   StoredTexture found;
-  const std::uint32_t size = little_u32(at + texture_binary::kSizeAt);
-  if (!read_texture_format(at, found) || size != texture_binary::bytes(found.layout, found.size))
+  const std::uint32_t stated = little_u32(at + texture_binary::kSizeAt);
+  if (!read_texture_format(at, found) ||
+      stated - checksum !=
+          texture_binary::bytes(found.layout, found.size) - std::uint32_t{texture_binary::kChecksumBytes})
     return Status::kCorrupted;
-  if (bytes.size() < size) return Status::kTruncated;
-  // Sizes fit std::size_t, because the whole binary is in memory.
-  const std::size_t covered = static_cast<std::size_t>(size) - texture_binary::kChecksumBytes;
-  if (crc32(bytes.first(covered)) != little_u32(at + covered)) return Status::kCorrupted;
+  if (bytes.size() < stated) return Status::kTruncated;
+  size = static_cast<std::size_t>(stated);  // fits, because the whole binary is in memory
+  return Status::kOk;
+}
+
+}  // namespace
+
+Status detail::check_texture_chunk(std::span<const std::uint8_t> bytes) {
+  std::size_t size = 0;
+  const Status status = read_header(bytes, 0, size);
+  if (status == Status::kTruncated || (ok(status) && size != bytes.size())) return Status::kCorrupted;
+  return status;
+}
+
+StoredTexture detail::texture_of_chunk(const std::uint8_t* bytes) {
+  StoredTexture found;
+  (void)read_texture_format(bytes, found);  // has been checked
   const auto colours = static_cast<std::size_t>(texture_binary::palette_size(found.layout));
+  const std::uint8_t* const arrays = bytes + texture_binary::kHeaderBytes;
   // Cast by way of void, because alignment has been checked.
-  const void* const palette = at + texture_binary::kHeaderBytes;
+  const void* const palette = arrays;
   found.palette = {static_cast<const std::uint16_t*>(palette), colours};
-  found.texels =
-      bytes.subspan(texture_binary::kHeaderBytes + 2 * colours,
-                    static_cast<std::size_t>(texture_binary::texel_bytes(found.layout, found.size)));
-  texture = found;
+  found.texels = {arrays + 2 * colours,
+                  static_cast<std::size_t>(texture_binary::texel_bytes(found.layout, found.size))};
+  return found;
+}
+
+Status view_texture_binary(std::span<const std::uint8_t> bytes, StoredTexture& texture) {
+  std::size_t size = 0;
+  const Status status = read_header(bytes, texture_binary::kChecksumBytes, size);
+  if (!ok(status)) return status;
+  const std::size_t covered = size - texture_binary::kChecksumBytes;
+  if (crc32(bytes.first(covered)) != little_u32(bytes.data() + covered)) return Status::kCorrupted;
+  texture = detail::texture_of_chunk(bytes.data());
   return Status::kOk;
 }
 

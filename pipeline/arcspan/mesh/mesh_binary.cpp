@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/mesh/crc32.hpp>
 #include <arcspan/mesh/mesh_binary.hpp>
-#include <arcspan/mesh/mesh_chunk.hpp>
+#include <arcspan/mesh/mesh_reader.hpp>
 #include <arcspan/numbers/little_endian.hpp>
-
-#include <bit>
 
 namespace arcspan {
 
@@ -12,167 +10,17 @@ namespace {
 
 using namespace mesh_binary;
 
-// The arrays of the binary are read in place.
-static_assert(sizeof(ObjectPosition) == 6 && alignof(ObjectPosition) <= 2);
-static_assert(sizeof(PackedNormal) == 4 && alignof(PackedNormal) <= 2);
-static_assert(sizeof(FacePlane) == 4 && alignof(FacePlane) == 1);
-static_assert(sizeof(TexturePoint) == 4 && alignof(TexturePoint) <= 2);
-static_assert(sizeof(Rgb8) == 3 && alignof(Rgb8) == 1);
-
-constexpr std::uint32_t kMostTriangles = std::uint32_t{1} << 26;
-
 ObjectPosition position_at(const std::uint8_t* bytes, std::size_t at) {
   return {static_cast<std::int16_t>(little_u16(bytes + at)),
           static_cast<std::int16_t>(little_u16(bytes + at + 2)),
           static_cast<std::int16_t>(little_u16(bytes + at + 4))};
 }
 
-struct Header {
-  std::uint32_t size;
-  std::uint32_t vertices;
-  std::uint32_t triangles;
-  bool indices8;
-  bool planes;
-  bool texture_points;
-  bool colours;
-};
-
-/// Reads what a header says.
-Header header_at(const std::uint8_t* at) {
-  const std::uint16_t flags = little_u16(at + kFlagsAt);
-  return {little_u32(at + kSizeAt), little_u32(at + kVerticesAt), little_u32(at + kTrianglesAt),
-          (flags & kIndices8) != 0, (flags & kPlanes) != 0,       (flags & kTexturePoints) != 0,
-          (flags & kColours) != 0};
-}
-
-/// Reads and checks the header of a mesh that ends with `checksum` bytes.
-Status read_header(std::span<const std::uint8_t> bytes, std::uint32_t checksum, Header& header) {
-  if (std::endian::native != std::endian::little) return Status::kUnsupported;
-  const std::uint8_t* at = bytes.data();
-  if ((reinterpret_cast<std::uintptr_t>(at) & 1u) != 0) return Status::kInvalidArgument;
-  if (bytes.size() >= kVersionAt && little_u32(at + kMagicAt) != kMagic) return Status::kUnsupported;
-  if (bytes.size() < kHeaderBytes + checksum) return Status::kTruncated;
-  const std::uint16_t version = little_u16(at + kVersionAt);
-  if (version < kVersion || version > kVersionOfColours) return Status::kUnsupported;
-  header = header_at(at);
-  // Each version has one flag more.
-  if (little_u16(at + kFlagsAt) >= (1u << version) || header.vertices > MeshView::kMaxVertices ||
-      header.triangles > kMostTriangles ||
-      header.size - checksum != mesh_binary::bytes(header.vertices, header.triangles, header.indices8,
-                                                   header.planes, header.texture_points, header.colours) -
-                                    std::uint32_t{kChecksumBytes}) {
-    return Status::kCorrupted;
-  }
-  return bytes.size() < header.size ? Status::kTruncated : Status::kOk;
-}
-
 }  // namespace
 
-/// The arrays of a mesh, where they lie in its binary.
-struct detail::MeshArrays {
-  std::size_t vertices;
-  std::size_t triangles;
-  const ObjectPosition* positions;
-  const PackedNormal* normals;
-  const std::uint8_t* indices8 = nullptr;  ///< one of both is null
-  const std::uint16_t* indices16 = nullptr;
-  const std::uint8_t* plane_scale = nullptr;  ///< null without planes
-  const FacePlane* planes = nullptr;
-  const std::uint8_t* texture_scale = nullptr;  ///< null without texture points
-  const TexturePoint* texture_points = nullptr;
-  const Rgb8* colours = nullptr;  ///< null without colours
-
-  MeshArrays(const Header& header, const std::uint8_t* binary);
-
-  [[nodiscard]] PlaneScale scale_of_planes() const {
-    return {static_cast<std::int8_t>(plane_scale[0]), plane_scale[1], little_u16(plane_scale + 2)};
-  }
-  /// A view of arrays that check() has accepted.
-  [[nodiscard]] MeshView checked_view() const;
-  /// Makes a view, after all checks of MeshView.
-  [[nodiscard]] Status check(MeshView& view) const;
-  /// Attaches what is there besides vertices and triangles.
-  [[nodiscard]] Status check_attached(MeshView& view) const;
-};
-
-// Pointers are cast by way of void, because alignment has been checked. Sizes fit std::size_t, because the
-// whole binary is in memory.
-detail::MeshArrays::MeshArrays(const Header& header, const std::uint8_t* binary)
-    : vertices(static_cast<std::size_t>(header.vertices)),
-      triangles(static_cast<std::size_t>(header.triangles)) {
-  std::size_t at = kHeaderBytes;
-  const auto next = [&at, binary](std::size_t bytes) -> const void* {
-    const void* const array = binary + at;
-    at += bytes;
-    return array;
-  };
-  positions = static_cast<const ObjectPosition*>(next(6 * vertices));
-  normals = static_cast<const PackedNormal*>(next(4 * vertices));
-  if (header.indices8) {
-    indices8 = static_cast<const std::uint8_t*>(next(3 * triangles));
-  } else {
-    indices16 = static_cast<const std::uint16_t*>(next(6 * triangles));
-  }
-  at += (0 - (at - kHeaderBytes)) & 3u;
-  if (header.planes) {
-    plane_scale = static_cast<const std::uint8_t*>(next(kScaleBytes));
-    planes = static_cast<const FacePlane*>(next(sizeof(FacePlane) * triangles));
-  }
-  if (header.texture_points) {
-    texture_scale = static_cast<const std::uint8_t*>(next(kTextureScaleBytes));
-    texture_points = static_cast<const TexturePoint*>(next(sizeof(TexturePoint) * vertices));
-  }
-  if (header.colours) colours = static_cast<const Rgb8*>(next(0));
-}
-
-MeshView detail::MeshArrays::checked_view() const {
-  MeshView view({positions, vertices}, {normals, vertices}, triangles);
-  view.indices8_ = indices8;
-  view.indices16_ = indices16;
-  view.planes_ = planes;
-  if (planes != nullptr) view.plane_scale_ = scale_of_planes();
-  view.texture_points_ = texture_points;
-  if (texture_points != nullptr) view.texture_scale_ = {texture_scale[0]};
-  view.colours_ = colours;
-  return view;
-}
-
-Status detail::MeshArrays::check_attached(MeshView& view) const {
-  Status status = Status::kOk;
-  if (planes != nullptr) status = view.attach(std::span(planes, triangles), scale_of_planes());
-  if (ok(status) && texture_points != nullptr) {
-    if (little_u32(texture_scale) > 0xFF) return Status::kCorrupted;
-    status = view.attach(std::span(texture_points, vertices), {texture_scale[0]});
-  }
-  if (ok(status) && colours != nullptr) status = view.attach(std::span(colours, vertices));
-  return ok(status) ? status : Status::kCorrupted;
-}
-
-Status detail::MeshArrays::check(MeshView& view) const {
-  const std::span vertex_positions(positions, vertices);
-  const std::span vertex_normals(normals, vertices);
-  const Status status =
-      indices8 != nullptr
-          ? MeshView::make(vertex_positions, vertex_normals, std::span(indices8, 3 * triangles), view)
-          : MeshView::make(vertex_positions, vertex_normals, std::span(indices16, 3 * triangles), view);
-  return ok(status) ? check_attached(view) : status;
-}
-
-Status detail::check_mesh_chunk(std::span<const std::uint8_t> bytes) {
-  Header header{};
-  const Status status = read_header(bytes, 0, header);
-  if (status == Status::kTruncated || (ok(status) && header.size != bytes.size())) return Status::kCorrupted;
-  MeshView view;
-  return ok(status) ? MeshArrays(header, bytes.data()).check(view) : status;
-}
-
-MeshView detail::mesh_of_chunk(const std::uint8_t* bytes) {
-  return MeshArrays(header_at(bytes), bytes).checked_view();
-}
-
 Status view_mesh_binary(std::span<const std::uint8_t> bytes, MeshView& view, MeshBounds* bounds) {
-  Header header{};
-  Status status = read_header(bytes, kChecksumBytes, header);
+  detail::MeshHeader header{};
+  Status status = detail::read_mesh_header(bytes, kChecksumBytes, header);
   if (!ok(status)) return status;
   const std::size_t covered = static_cast<std::size_t>(header.size) - kChecksumBytes;
   if (crc32(bytes.first(covered)) != little_u32(bytes.data() + covered)) return Status::kCorrupted;

@@ -32,7 +32,7 @@ struct TriangleIndices {
 
 namespace detail {
 
-struct MeshArrays;  // mesh_binary.cpp
+struct MeshArrays;  // mesh_reader.hpp
 
 // The reasons of MeshView::of() and with().
 namespace refused {

@@ -8,8 +8,6 @@ namespace arcspan {
 
 namespace {
 
-using namespace mesh_binary;
-
 ObjectPosition position_at(const std::uint8_t* bytes, std::size_t at) {
   return {static_cast<std::int16_t>(little_u16(bytes + at)),
           static_cast<std::int16_t>(little_u16(bytes + at + 2)),
@@ -20,16 +18,17 @@ ObjectPosition position_at(const std::uint8_t* bytes, std::size_t at) {
 
 Status view_mesh_binary(std::span<const std::uint8_t> bytes, MeshView& view, MeshBounds* bounds) {
   detail::MeshHeader header{};
-  Status status = detail::read_mesh_header(bytes, kChecksumBytes, header);
+  Status status = detail::read_mesh_header(bytes, mesh_binary::kChecksumBytes, header);
   if (!ok(status)) return status;
-  const std::size_t covered = static_cast<std::size_t>(header.size) - kChecksumBytes;
+  const std::size_t covered = static_cast<std::size_t>(header.size) - mesh_binary::kChecksumBytes;
   if (crc32(bytes.first(covered)) != little_u32(bytes.data() + covered)) return Status::kCorrupted;
   MeshView found;
   status = detail::MeshArrays(header, bytes.data()).check(found);
   if (!ok(status)) return status;
   view = found;
   if (bounds != nullptr) {
-    *bounds = {position_at(bytes.data(), kLowAt), position_at(bytes.data(), kHighAt)};
+    *bounds = {position_at(bytes.data(), mesh_binary::kLowAt),
+               position_at(bytes.data(), mesh_binary::kHighAt)};
   }
   return Status::kOk;
 }

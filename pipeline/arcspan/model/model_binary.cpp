@@ -9,8 +9,6 @@ namespace arcspan {
 
 namespace {
 
-using namespace model_binary;
-
 constexpr std::uint16_t kWhole = 1u << Coefficient::kFraction;
 
 ChannelCoefficients channels_at(const std::uint8_t* at) {
@@ -26,14 +24,16 @@ BoundingSphere sphere_at(const std::uint8_t* at) {
 
 /// Whether a record of chunk PART makes sense in a model of so many textures.
 bool is_valid_part(const std::uint8_t* record, std::uint32_t textures) {
-  for (std::size_t at = kAmbientAt; at < kShininessAt; at += 2) {
+  for (std::size_t at = model_binary::kAmbientAt; at < model_binary::kShininessAt; at += 2) {
     if (little_u16(record + at) > kWhole) return false;
   }
-  const std::uint16_t shininess = little_u16(record + kShininessAt);
-  const std::uint16_t texture = little_u16(record + kTextureAt);
+  const std::uint16_t shininess = little_u16(record + model_binary::kShininessAt);
+  const std::uint16_t texture = little_u16(record + model_binary::kTextureAt);
   // No other flags, and one of alpha only.
-  return shininess >= 1 && shininess <= 256 && little_u16(record + kFlagsAt) < (kMasked | kBlended) &&
-         (texture == kNoTexture || texture < textures) && record[kNameAt + kNameBytes - 1] == 0;
+  return shininess >= 1 && shininess <= 256 &&
+         little_u16(record + model_binary::kFlagsAt) < (model_binary::kMasked | model_binary::kBlended) &&
+         (texture == model_binary::kNoTexture || texture < textures) &&
+         record[model_binary::kNameAt + model_binary::kNameBytes - 1] == 0;
 }
 
 /// What the chunks of meshes and textures have in common.
@@ -45,11 +45,11 @@ struct ChunkFigures {
 
 /// Checks a chunk of a known tag, and adds it to `figures`. Chunks come in the order of their numbers.
 Status check_chunk(const Chunk& chunk, ChunkFigures& figures) {
-  if (chunk.tag == kTextureTag) {
+  if (chunk.tag == model_binary::kTextureTag) {
     if (chunk.number != figures.textures++) return Status::kCorrupted;
     return detail::check_texture_chunk(chunk.bytes);
   }
-  if (chunk.tag != kMeshTag) return Status::kOk;
+  if (chunk.tag != model_binary::kMeshTag) return Status::kOk;
   if (chunk.number != figures.meshes++) return Status::kCorrupted;
   const Status status = detail::check_mesh_chunk(chunk.bytes);
   if (!ok(status)) return status;
@@ -61,30 +61,32 @@ Status check_chunk(const Chunk& chunk, ChunkFigures& figures) {
 }  // namespace
 
 std::size_t StoredModel::most_vertices() const {
-  return head_ == nullptr ? 0 : static_cast<std::size_t>(little_u32(head_ + kVerticesAt));
+  return head_ == nullptr ? 0 : static_cast<std::size_t>(little_u32(head_ + model_binary::kVerticesAt));
 }
 
 BoundingSphere StoredModel::sphere() const {
-  return head_ == nullptr ? BoundingSphere{} : sphere_at(head_ + kSphereAt);
+  return head_ == nullptr ? BoundingSphere{} : sphere_at(head_ + model_binary::kSphereAt);
 }
 
 ModelPart StoredModel::part(std::size_t i) const {
   ARCSPAN_CHECK(i < part_count_, "StoredModel::part: the model has no such part");
-  const std::uint8_t* const record = parts_ + i * kPartBytes;
-  const std::uint16_t flags = little_u16(record + kFlagsAt);
-  const std::uint16_t texture = little_u16(record + kTextureAt);
-  const void* const name = record + kNameAt;  // signedness of characters does not matter
+  const std::uint8_t* const record = parts_ + i * model_binary::kPartBytes;
+  const std::uint16_t flags = little_u16(record + model_binary::kFlagsAt);
+  const std::uint16_t texture = little_u16(record + model_binary::kTextureAt);
+  const void* const name = record + model_binary::kNameAt;  // signedness of characters does not matter
   ModelPart part;
-  part.mesh = detail::mesh_of_chunk(chunks_.find(kMeshTag, static_cast<std::uint32_t>(i)).data());
-  part.material = {channels_at(record + kAmbientAt), channels_at(record + kDiffuseAt),
-                   channels_at(record + kSpecularAt), little_u16(record + kShininessAt)};
-  part.two_sided = (flags & kTwoSided) != 0;
+  part.mesh =
+      detail::mesh_of_chunk(chunks_.find(model_binary::kMeshTag, static_cast<std::uint32_t>(i)).data());
+  part.material = {
+      channels_at(record + model_binary::kAmbientAt), channels_at(record + model_binary::kDiffuseAt),
+      channels_at(record + model_binary::kSpecularAt), little_u16(record + model_binary::kShininessAt)};
+  part.two_sided = (flags & model_binary::kTwoSided) != 0;
   part.name = static_cast<const char*>(name);
-  if (texture != kNoTexture)
-    part.texture = detail::texture_of_chunk(chunks_.find(kTextureTag, texture).data());
-  if ((flags & kMasked) != 0) part.alpha = PartAlpha::kMasked;
-  if ((flags & kBlended) != 0) part.alpha = PartAlpha::kBlended;
-  part.sphere = sphere_at(record + kPartSphereAt);
+  if (texture != model_binary::kNoTexture)
+    part.texture = detail::texture_of_chunk(chunks_.find(model_binary::kTextureTag, texture).data());
+  if ((flags & model_binary::kMasked) != 0) part.alpha = PartAlpha::kMasked;
+  if ((flags & model_binary::kBlended) != 0) part.alpha = PartAlpha::kBlended;
+  part.sphere = sphere_at(record + model_binary::kPartSphereAt);
   return part;
 }
 
@@ -92,13 +94,14 @@ ModelPart StoredModel::part(std::size_t i) const {
 Status StoredModel::find_chunks(std::span<const std::uint8_t> bytes) {
   const Status status = view_chunk_list(bytes, chunks_);
   if (!ok(status)) return status;
-  const std::span<const std::uint8_t> head = chunks_.find(kModelTag);
-  const std::span<const std::uint8_t> parts = chunks_.find(kPartsTag);
-  if (head.size() != kModelBytes || parts.data() == nullptr || parts.size() % kPartBytes != 0)
+  const std::span<const std::uint8_t> head = chunks_.find(model_binary::kModelTag);
+  const std::span<const std::uint8_t> parts = chunks_.find(model_binary::kPartsTag);
+  if (head.size() != model_binary::kModelBytes || parts.data() == nullptr ||
+      parts.size() % model_binary::kPartBytes != 0)
     return Status::kCorrupted;
   head_ = head.data();
   parts_ = parts.data();
-  part_count_ = parts.size() / kPartBytes;
+  part_count_ = parts.size() / model_binary::kPartBytes;
   return Status::kOk;
 }
 
@@ -109,10 +112,10 @@ Status StoredModel::check() const {
     const Status status = check_chunk(chunks_[i], figures);
     if (!ok(status)) return status;
   }
-  if (figures.meshes != part_count_ || figures.most_vertices != little_u32(head_ + kVerticesAt))
+  if (figures.meshes != part_count_ || figures.most_vertices != little_u32(head_ + model_binary::kVerticesAt))
     return Status::kCorrupted;
   for (std::size_t i = 0; i < part_count_; ++i) {
-    if (!is_valid_part(parts_ + i * kPartBytes, figures.textures)) return Status::kCorrupted;
+    if (!is_valid_part(parts_ + i * model_binary::kPartBytes, figures.textures)) return Status::kCorrupted;
   }
   return Status::kOk;
 }

@@ -6,6 +6,7 @@ import math
 import pathlib
 import struct
 import subprocess
+import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SYSTEM = pathlib.Path("/usr/share/assimp/models")
@@ -22,9 +23,14 @@ DISTANCE = 4  # of the eye, in radii of the model
 
 
 def mesh_of(written):
-    """The mesh binary in what the command wrote: that itself, or a model binary of one part."""
+    """The mesh binary in what the command wrote: that itself, or one made of the mesh of a model binary of one part."""
     begin = written.index(b"ARCM")
     size, = struct.unpack_from("<I", written, begin + 8)
+    if begin != 0:  # chunks have no checksum
+        chunk = bytearray(written[begin:begin + size])
+        size += 4
+        struct.pack_into("<I", chunk, 8, size)
+        return bytes(chunk) + struct.pack("<I", zlib.crc32(chunk)) + bytes(-size % 4)
     return written[begin:begin + size] + bytes(-size % 4)
 
 

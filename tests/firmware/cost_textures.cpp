@@ -73,13 +73,12 @@ bool measure_square(const char* name, std::int32_t depth, const Method::Lighting
 /// Draws the model that is loaded, with its texture, which `lighting` gets.
 bool measure_model(Method::Lighting& lighting) {
   static scenes::StageSet stage;
-  static std::array<ModelPart, 1> parts;
-  std::size_t count = 0;
+  StoredModel stored;
   const ModelRecord& model = first_record();
-  return ok(view_model_binary(binary_of(model), parts, count)) && count == 1 &&
-         parts[0].mesh.vertex_count() <= points.size() &&
-         ok(view_texture(parts[0].texture, lighting.texture)) && set_model_stage(model, stage) &&
-         measure("product", parts[0].mesh, stage.transform, lighting);
+  if (!ok(view_model_binary(binary_of(model), stored)) || stored.part_count() != 1) return false;
+  const ModelPart part = stored.part(0);
+  return part.mesh.vertex_count() <= points.size() && ok(view_texture(part.texture, lighting.texture)) &&
+         set_model_stage(model, stage) && measure("product", part.mesh, stage.transform, lighting);
 }
 
 bool measure_place(const char* name, bool (*make)(CostPlace&), const Method::Lighting& lighting) {

@@ -29,22 +29,27 @@ void put_u32(std::uint8_t* at, std::uint32_t value) {
   for (int i = 0; i < 4; ++i) at[i] = static_cast<std::uint8_t>(value >> (8 * i));
 }
 
-/// Makes magic number, version (1 to `versions`), size and checksum right. All three kinds
-/// have version and size at the same offsets. The checksum is at the end unless `covered` says where.
-void close(Bytes bytes, const char* magic, unsigned versions, std::size_t covered) {
+/// Makes magic number, version (`first` or one of the `versions` - 1 after it) and size right. All kinds have
+/// them at the same offsets.
+void close_header(Bytes bytes, const char* magic, unsigned first, unsigned versions) {
   std::memcpy(bytes.data(), magic, 4);
-  bytes[4] = static_cast<std::uint8_t>(1 + bytes[4] % versions);
+  bytes[4] = static_cast<std::uint8_t>(first + bytes[4] % versions);
   bytes[5] = 0;
   put_u32(bytes.data() + mesh_binary::kSizeAt, static_cast<std::uint32_t>(bytes.size()));
+}
+
+/// Makes the last four bytes the checksum of the others.
+void close(Bytes bytes) {
+  const std::size_t covered = bytes.size() - 4;
   put_u32(bytes.data() + covered, crc32(bytes.first(covered)));
 }
 
-void close_mesh(Bytes bytes) {
-  if (bytes.size() >= mesh_binary::kHeaderBytes + 4) close(bytes, "ARCM", 3, bytes.size() - 4);
+void close_mesh_header(Bytes bytes) {
+  if (bytes.size() >= mesh_binary::kHeaderBytes) close_header(bytes, "ARCM", 1, 4);
 }
 
-void close_texture(Bytes bytes) {
-  if (bytes.size() >= texture_binary::kHeaderBytes + 4) close(bytes, "ARCT", 1, bytes.size() - 4);
+void close_texture_header(Bytes bytes) {
+  if (bytes.size() >= texture_binary::kHeaderBytes) close_header(bytes, "ARCT", 2, 1);
 }
 
 /// The bytes that offset and size at `at` name, or none.
@@ -54,19 +59,21 @@ Bytes range_at(Bytes bytes, const std::uint8_t* at) {
   return begin <= bytes.size() && size <= bytes.size() - begin ? bytes.subspan(begin, size) : Bytes();
 }
 
-/// A model of one part.
-void close_model(Bytes bytes) {
-  constexpr std::size_t kLargest = model_binary::kHeaderBytes + model_binary::kTexturedPartBytes;
-  if (bytes.size() < kLargest + 4) return;
-  const bool textured = bytes[4] % 2 == 1;  // close() makes it version 2
-  const std::size_t covered =
-      model_binary::kHeaderBytes + (textured ? model_binary::kTexturedPartBytes : model_binary::kPartBytes);
-  bytes[model_binary::kPartsAt] = 1;
-  bytes[model_binary::kPartsAt + 1] = 0;
-  const std::uint8_t* const part = bytes.data() + model_binary::kHeaderBytes;
-  close_mesh(range_at(bytes, part + model_binary::kMeshAt));
-  if (textured) close_texture(range_at(bytes, part + model_binary::kTextureAt));
-  close(bytes, "ARCP", 2, covered);
+/// Also makes the headers of meshes and textures right that a table of chunks names.
+void close_model_header(Bytes bytes) {
+  if (bytes.size() < chunk_list::kHeaderBytes + 4) return;
+  close_header(bytes, "ARCP", 3, 1);
+  const std::size_t most = (bytes.size() - chunk_list::kHeaderBytes - 4) / chunk_list::kEntryBytes;
+  std::uint8_t* const count = bytes.data() + chunk_list::kChunksAt;
+  *count = static_cast<std::uint8_t>(*count % (most < 255 ? most + 1 : 255));
+  count[1] = 0;
+  for (std::size_t i = 0; i < *count; ++i) {
+    const std::uint8_t* const entry = bytes.data() + chunk_list::kHeaderBytes + i * chunk_list::kEntryBytes;
+    const Bytes chunk = range_at(bytes, entry + chunk_list::kBeginAt);
+    if (chunk.data() < entry) continue;  // it would write over this entry
+    if (std::memcmp(entry, "MESH", 4) == 0) close_mesh_header(chunk);
+    if (std::memcmp(entry, "TXTR", 4) == 0) close_texture_header(chunk);
+  }
 }
 
 volatile std::int32_t kept;  // the reads must stay
@@ -109,15 +116,25 @@ void read_all(const StoredTexture& stored) {
 }
 
 void read_model(std::span<const std::uint8_t> bytes) {
-  ModelPart parts[2];
-  std::size_t count = 0;
-  if (!ok(view_model_binary(bytes, parts, count))) return;
-  require(count <= std::size(parts));
-  for (const ModelPart& part : std::span(parts).first(count)) {
+  StoredModel model;
+  if (!ok(view_model_binary(bytes, model))) {
+    require(model.part_count() == 0);
+    return;
+  }
+  for (std::size_t i = 0; i < model.part_count(); ++i) {
+    const ModelPart part = model.part(i);
     read_all(part.mesh);
+    require(part.mesh.vertex_count() <= model.most_vertices());
     require(std::strlen(part.name) < model_binary::kNameBytes);
     if (!part.texture.texels.empty()) read_all(part.texture);
   }
+  std::int32_t sum = 0;
+  for (std::size_t i = 0; i < model.chunks().size(); ++i) {
+    const Chunk chunk = model.chunks()[i];
+    for (const std::uint8_t byte : chunk.bytes) sum += byte;
+    require(model.chunks().find(chunk.tag, chunk.number).data() == chunk.bytes.data());
+  }
+  kept = sum;
 }
 
 }  // namespace
@@ -131,9 +148,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Bytes bytes(memory.get(), length);
   const unsigned kind = (data[0] >> 1) % 3;
   if ((data[0] & 1u) != 0) {
-    if (kind == 0) close_mesh(bytes);
-    if (kind == 1) close_texture(bytes);
-    if (kind == 2) close_model(bytes);
+    if (kind == 0) close_mesh_header(bytes);
+    if (kind == 1) close_texture_header(bytes);
+    if (kind == 2) close_model_header(bytes);
+    if (length >= 4) close(bytes);
   }
   MeshView mesh;
   if (ok(view_mesh_binary(bytes, mesh))) {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What sets a scene up at run time, as all_stages.cpp has the stages.
+// What sets a scene up at run time, and what is done with its pixels, as all_stages.cpp has the stages.
+#include <arcspan/convert_drawn.hpp>
+#include <arcspan/hal/framebuffer_window.hpp>
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/mesh/face_normal.hpp>
 #include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/pixel/bgr888.hpp>
+#include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/texture/texture_binary.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 
@@ -46,6 +51,15 @@ Status make_planes(std::span<FacePlane> memory, MeshView& mesh) {
 
 Status make_texture(std::span<const std::uint8_t> binary, Texture<Palette4Texels<Alpha1Colour>>& texture) {
   return view_texture_binary(binary, texture);
+}
+
+Status convert(const hal::Framebuffer<Rgb565>& band, const DepthBuffer& depth,
+               hal::FramebufferWindow<Dithered<Gray4>>& target) {
+  return convert_drawn(band, depth, target);
+}
+Status convert(const hal::Framebuffer<Rgb565>& band, const DepthBuffer& depth,
+               hal::FramebufferWindow<Bgr888>& target) {
+  return convert_drawn(band, depth, target);
 }
 
 }  // namespace arcspan

@@ -32,6 +32,8 @@ struct TriangleIndices {
 
 namespace detail {
 
+struct MeshArrays;  // mesh_reader.hpp
+
 // The reasons of MeshView::of() and with().
 namespace refused {
 void positions_and_normals_differ_in_number();
@@ -192,6 +194,8 @@ class MeshView {
   [[nodiscard]] constexpr const std::uint16_t* indices16() const { return indices16_; }
 
  private:
+  friend struct detail::MeshArrays;  // binaries, whose arrays have been checked
+
   constexpr MeshView(std::span<const ObjectPosition> positions, std::span<const PackedNormal> normals,
                      std::size_t triangle_count)
       : positions_(positions.data()),

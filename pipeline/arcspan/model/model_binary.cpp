@@ -1,124 +1,131 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/mesh/crc32.hpp>
-#include <arcspan/mesh/mesh_binary.hpp>
+#include <arcspan/checked.hpp>
+#include <arcspan/mesh/mesh_chunk.hpp>
 #include <arcspan/model/model_binary.hpp>
 #include <arcspan/numbers/little_endian.hpp>
-
-#include <bit>
+#include <arcspan/texture/texture_chunk.hpp>
 
 namespace arcspan {
 
 namespace {
 
-namespace layout = model_binary;
+constexpr std::uint16_t kWhole = 1u << Coefficient::kFraction;
 
-/// Reads one value per channel; false if one is above 1.
-bool read_channels(const std::uint8_t* at, ChannelCoefficients& channels) {
-  constexpr std::uint16_t kWhole = 1u << Coefficient::kFraction;
-  if (little_u16(at) > kWhole || little_u16(at + 2) > kWhole || little_u16(at + 4) > kWhole) return false;
-  channels = {Coefficient::from_raw(little_u16(at)), Coefficient::from_raw(little_u16(at + 2)),
-              Coefficient::from_raw(little_u16(at + 4))};
-  return true;
+ChannelCoefficients channels_at(const std::uint8_t* at) {
+  return {Coefficient::from_raw(little_u16(at)), Coefficient::from_raw(little_u16(at + 2)),
+          Coefficient::from_raw(little_u16(at + 4))};
 }
 
-struct Overview {
-  std::size_t parts;
-  std::size_t part_bytes;  ///< of an entry
+BoundingSphere sphere_at(const std::uint8_t* at) {
+  return {{static_cast<std::int16_t>(little_u16(at)), static_cast<std::int16_t>(little_u16(at + 2)),
+           static_cast<std::int16_t>(little_u16(at + 4))},
+          little_u16(at + 6)};
+}
+
+/// Whether a record of chunk PART makes sense in a model of so many textures.
+bool is_valid_part(const std::uint8_t* record, std::uint32_t textures) {
+  for (std::size_t at = model_binary::kAmbientAt; at < model_binary::kShininessAt; at += 2) {
+    if (little_u16(record + at) > kWhole) return false;
+  }
+  const std::uint16_t shininess = little_u16(record + model_binary::kShininessAt);
+  const std::uint16_t texture = little_u16(record + model_binary::kTextureAt);
+  // No other flags, and one of alpha only.
+  return shininess >= 1 && shininess <= 256 &&
+         little_u16(record + model_binary::kFlagsAt) < (model_binary::kMasked | model_binary::kBlended) &&
+         (texture == model_binary::kNoTexture || texture < textures) &&
+         record[model_binary::kNameAt + model_binary::kNameBytes - 1] == 0;
+}
+
+/// What the chunks of meshes and textures have in common.
+struct ChunkFigures {
+  std::uint32_t meshes = 0;
+  std::uint32_t textures = 0;
+  std::size_t most_vertices = 0;
 };
 
-/// Reads and checks all that the header says; its parts are checked one by one afterwards.
-Status read_header(std::span<const std::uint8_t> bytes, Overview& overview) {
-  if (std::endian::native != std::endian::little) return Status::kUnsupported;
-  const std::uint8_t* at = bytes.data();
-  if ((reinterpret_cast<std::uintptr_t>(at) & 1u) != 0) return Status::kInvalidArgument;
-  if (bytes.size() >= layout::kVersionAt && little_u32(at + layout::kMagicAt) != layout::kMagic)
-    return Status::kUnsupported;
-  if (bytes.size() < layout::kHeaderBytes) return Status::kTruncated;
-  const std::uint16_t version = little_u16(at + layout::kVersionAt);
-  if (version != layout::kVersion && version != layout::kVersionOfTextures) return Status::kUnsupported;
-  const std::size_t part_bytes =
-      version == layout::kVersion ? layout::kPartBytes : layout::kTexturedPartBytes;
-  const std::size_t parts = little_u16(at + layout::kPartsAt);
-  const auto covered =  // below 2^22, for which std::size_t may be too short
-      static_cast<std::uint32_t>(layout::kHeaderBytes) +
-      static_cast<std::uint32_t>(parts) * static_cast<std::uint32_t>(part_bytes);
-  const std::uint32_t size = little_u32(at + layout::kSizeAt);
-  if (size < covered + layout::kChecksumBytes) return Status::kCorrupted;
-  if (bytes.size() < size) return Status::kTruncated;
-  if (crc32(bytes.first(static_cast<std::size_t>(covered))) != little_u32(at + covered))
-    return Status::kCorrupted;
-  overview = {parts, part_bytes};
-  return Status::kOk;
-}
-
-/// The bytes that two numbers of an entry, offset and size, name; false if they are not within the binary.
-bool read_range(std::span<const std::uint8_t> binary, const std::uint8_t* at,
-                std::span<const std::uint8_t>& range) {
-  const std::uint32_t begin = little_u32(at);
-  const std::uint32_t size = little_u32(at + 4);
-  if (begin % 2 != 0 || begin > binary.size() || size > binary.size() - begin) return false;
-  // Both are within the binary, so they fit std::size_t, which may have 16 bits.
-  range = binary.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(size));
-  return true;
-}
-
-bool read_material(const std::uint8_t* entry, Material& material) {
-  const std::uint16_t shininess = little_u16(entry + layout::kShininessAt);
-  material.shininess = shininess;
-  return read_channels(entry + layout::kAmbientAt, material.ambient) &&
-         read_channels(entry + layout::kDiffuseAt, material.diffuse) &&
-         read_channels(entry + layout::kSpecularAt, material.specular) && shininess >= 1 && shininess <= 256;
-}
-
-/// Reads the texture of an entry of version 2.
-Status read_texture(std::span<const std::uint8_t> binary, const std::uint8_t* entry, ModelPart& part) {
-  const std::uint16_t flags = little_u16(entry + layout::kFlagsAt);
-  if ((flags & layout::kMasked) != 0) part.alpha = PartAlpha::kMasked;
-  if ((flags & layout::kBlended) != 0) part.alpha = PartAlpha::kBlended;
-  if (little_u32(entry + layout::kTextureAt) == 0) return Status::kOk;
-  std::span<const std::uint8_t> bytes;
-  if (!read_range(binary, entry + layout::kTextureAt, bytes)) return Status::kCorrupted;
-  return view_texture_binary(bytes, part.texture);
-}
-
-Status read_part(std::span<const std::uint8_t> binary, const std::uint8_t* entry, bool textured,
-                 ModelPart& part) {
-  part = {};
-  std::span<const std::uint8_t> bytes;
-  const std::uint16_t flags = little_u16(entry + layout::kFlagsAt);
-  if (!read_range(binary, entry + layout::kMeshAt, bytes) || !read_material(entry, part.material) ||
-      flags >= 2 * (textured ? layout::kBlended : layout::kTwoSided) ||
-      entry[layout::kNameAt + layout::kNameBytes - 1] != 0) {
-    return Status::kCorrupted;
+/// Checks a chunk of a known tag, and adds it to `figures`. Chunks come in the order of their numbers.
+Status check_chunk(const Chunk& chunk, ChunkFigures& figures) {
+  if (chunk.tag == model_binary::kTextureTag) {
+    if (chunk.number != figures.textures++) return Status::kCorrupted;
+    return detail::check_texture_chunk(chunk.bytes);
   }
-  // Cast by way of void, because signedness of characters does not matter.
-  const void* name = entry + layout::kNameAt;
-  part.name = static_cast<const char*>(name);
-  part.two_sided = (flags & layout::kTwoSided) != 0;
-  Status status = view_mesh_binary(bytes, part.mesh);
-  if (ok(status) && textured) status = read_texture(binary, entry, part);
-  // A mesh or texture that is cut short within a whole file is a fault of the file.
-  return status == Status::kTruncated ? Status::kCorrupted : status;
+  if (chunk.tag != model_binary::kMeshTag) return Status::kOk;
+  if (chunk.number != figures.meshes++) return Status::kCorrupted;
+  const Status status = detail::check_mesh_chunk(chunk.bytes);
+  if (!ok(status)) return status;
+  const std::size_t vertices = detail::mesh_of_chunk(chunk.bytes.data()).vertex_count();
+  if (vertices > figures.most_vertices) figures.most_vertices = vertices;
+  return Status::kOk;
 }
 
 }  // namespace
 
-Status view_model_binary(std::span<const std::uint8_t> bytes, std::span<ModelPart> parts,
-                         std::size_t& count) {
-  Overview overview{};
-  const Status status = read_header(bytes, overview);
+std::size_t StoredModel::most_vertices() const {
+  return head_ == nullptr ? 0 : static_cast<std::size_t>(little_u32(head_ + model_binary::kVerticesAt));
+}
+
+BoundingSphere StoredModel::sphere() const {
+  return head_ == nullptr ? BoundingSphere{} : sphere_at(head_ + model_binary::kSphereAt);
+}
+
+ModelPart StoredModel::part(std::size_t i) const {
+  ARCSPAN_CHECK(i < part_count_, "StoredModel::part: the model has no such part");
+  const std::uint8_t* const record = parts_ + i * model_binary::kPartBytes;
+  const std::uint16_t flags = little_u16(record + model_binary::kFlagsAt);
+  const std::uint16_t texture = little_u16(record + model_binary::kTextureAt);
+  const void* const name = record + model_binary::kNameAt;  // signedness of characters does not matter
+  ModelPart part;
+  part.mesh =
+      detail::mesh_of_chunk(chunks_.find(model_binary::kMeshTag, static_cast<std::uint32_t>(i)).data());
+  part.material = {
+      channels_at(record + model_binary::kAmbientAt), channels_at(record + model_binary::kDiffuseAt),
+      channels_at(record + model_binary::kSpecularAt), little_u16(record + model_binary::kShininessAt)};
+  part.two_sided = (flags & model_binary::kTwoSided) != 0;
+  part.name = static_cast<const char*>(name);
+  if (texture != model_binary::kNoTexture)
+    part.texture = detail::texture_of_chunk(chunks_.find(model_binary::kTextureTag, texture).data());
+  if ((flags & model_binary::kMasked) != 0) part.alpha = PartAlpha::kMasked;
+  if ((flags & model_binary::kBlended) != 0) part.alpha = PartAlpha::kBlended;
+  part.sphere = sphere_at(record + model_binary::kPartSphereAt);
+  return part;
+}
+
+/// Sets the members, of a list of chunks that is valid.
+Status StoredModel::find_chunks(std::span<const std::uint8_t> bytes) {
+  const Status status = view_chunk_list(bytes, chunks_);
   if (!ok(status)) return status;
-  const std::size_t found = overview.parts;
-  count = found;
-  if (found > parts.size()) return Status::kBufferTooSmall;
-  const std::span<const std::uint8_t> binary =
-      bytes.first(static_cast<std::size_t>(little_u32(bytes.data() + layout::kSizeAt)));
-  for (std::size_t i = 0; i < found; ++i) {
-    const std::uint8_t* entry = bytes.data() + layout::kHeaderBytes + i * overview.part_bytes;
-    const Status read = read_part(binary, entry, overview.part_bytes == layout::kTexturedPartBytes, parts[i]);
-    if (!ok(read)) return read;
+  const std::span<const std::uint8_t> head = chunks_.find(model_binary::kModelTag);
+  const std::span<const std::uint8_t> parts = chunks_.find(model_binary::kPartsTag);
+  if (head.size() != model_binary::kModelBytes || parts.data() == nullptr ||
+      parts.size() % model_binary::kPartBytes != 0)
+    return Status::kCorrupted;
+  head_ = head.data();
+  parts_ = parts.data();
+  part_count_ = parts.size() / model_binary::kPartBytes;
+  return Status::kOk;
+}
+
+/// Checks what is in the chunks, each once.
+Status StoredModel::check() const {
+  ChunkFigures figures;
+  for (std::size_t i = 0; i < chunks_.size(); ++i) {
+    const Status status = check_chunk(chunks_[i], figures);
+    if (!ok(status)) return status;
+  }
+  if (figures.meshes != part_count_ || figures.most_vertices != little_u32(head_ + model_binary::kVerticesAt))
+    return Status::kCorrupted;
+  for (std::size_t i = 0; i < part_count_; ++i) {
+    if (!is_valid_part(parts_ + i * model_binary::kPartBytes, figures.textures)) return Status::kCorrupted;
   }
   return Status::kOk;
+}
+
+Status view_model_binary(std::span<const std::uint8_t> bytes, StoredModel& model) {
+  StoredModel found;
+  Status status = found.find_chunks(bytes);
+  if (ok(status)) status = found.check();
+  if (ok(status)) model = found;
+  return status;
 }
 
 }  // namespace arcspan

@@ -213,23 +213,23 @@ TEST_CASE("the library reads the textures of the model binary that was written")
   const std::string text = model_binary_file(model, textures);
   CHECK(text.size() == model_bytes(CompiledOutput::kBinary, model, false, textures));
   const std::vector<std::uint8_t> good(text.begin(), text.end());
-  arcspan::ModelPart parts[2];
-  std::size_t count = 0;
-  REQUIRE(ok(view_model_binary(good, parts, count)));
-  REQUIRE(count == 2);
+  StoredModel stored;
+  REQUIRE(ok(view_model_binary(good, stored)));
+  REQUIRE(stored.part_count() == 2);
+  const arcspan::ModelPart board = stored.part(0);
   Texture<Palette4Texels<>> texture;
-  REQUIRE(ok(view_texture(parts[0].texture, texture)));
+  REQUIRE(ok(view_texture(board.texture, texture)));
   CHECK(texture.size() == TextureSize{4, 3, 1});
-  CHECK(parts[1].texture.texels.empty());
-  for (std::size_t i = 0; i < parts[0].mesh.vertex_count(); ++i) {
-    CHECK(parts[0].mesh.texture_point(i) == model.meshes[0].texture_points[i]);
+  CHECK(stored.part(1).texture.texels.empty());
+  for (std::size_t i = 0; i < board.mesh.vertex_count(); ++i) {
+    CHECK(board.mesh.texture_point(i) == model.meshes[0].texture_points[i]);
   }
   for (std::size_t at = 0; at < good.size(); ++at) {
     std::vector<std::uint8_t> wrong = good;
     wrong[at] ^= 0x10;
-    CHECK_FALSE(ok(view_model_binary(wrong, parts, count)));
+    CHECK_FALSE(ok(view_model_binary(wrong, stored)));
     wrong.resize(at);
-    CHECK_FALSE(ok(view_model_binary(wrong, parts, count)));
+    CHECK_FALSE(ok(view_model_binary(wrong, stored)));
   }
 }
 

@@ -54,14 +54,18 @@ std::size_t mesh_bytes(CompiledOutput output, std::size_t vertices, std::size_t 
   return mesh_binary::bytes(vertices, triangles, fits_indices8(vertices), planes, texture_points, colours);
 }
 
-std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures) {
+namespace {
+
+/// A mesh binary, of which `checksum` bytes are still to be appended.
+std::string mesh_before_checksum(const FixedMesh& mesh, const MeshFigures& figures, std::size_t checksum) {
   const std::size_t vertices = mesh.positions.size();
   const std::size_t triangles = mesh.indices.size() / 3;
   const bool indices8 = fits_indices8(vertices);
   const bool planes = !mesh.planes.empty();
   const bool points = !mesh.texture_points.empty();
   const bool colours = !mesh.colours.empty();
-  const std::size_t size = mesh_binary::bytes(vertices, triangles, indices8, planes, points, colours);
+  const std::size_t size = mesh_binary::bytes(vertices, triangles, indices8, planes, points, colours) -
+                           mesh_binary::kChecksumBytes;
   std::string out;
   append_number(out, mesh_binary::kMagic, 4);
   append_number(out,
@@ -74,7 +78,7 @@ std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures) 
                 (indices8 ? mesh_binary::kIndices8 : 0u) | (planes ? mesh_binary::kPlanes : 0u) |
                     (points ? mesh_binary::kTexturePoints : 0u) | (colours ? mesh_binary::kColours : 0u),
                 2);
-  append_number(out, static_cast<std::uint32_t>(size), 4);
+  append_number(out, static_cast<std::uint32_t>(size + checksum), 4);
   append_number(out, static_cast<std::uint32_t>(vertices), 4);
   append_number(out, static_cast<std::uint32_t>(triangles), 4);
   for (const ObjectPosition& p : {figures.bounds.low, figures.bounds.high}) put_i16(out, {p.x, p.y, p.z});
@@ -87,7 +91,18 @@ std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures) 
   for (const Rgb8& c : mesh.colours) {
     for (const std::uint8_t channel : {c.r, c.g, c.b}) append_number(out, channel, 1);
   }
-  out.resize(size - mesh_binary::kChecksumBytes, '\0');
+  out.resize(size, '\0');
+  return out;
+}
+
+}  // namespace
+
+std::string mesh_chunk(const FixedMesh& mesh, const MeshFigures& figures) {
+  return mesh_before_checksum(mesh, figures, 0);
+}
+
+std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures) {
+  std::string out = mesh_before_checksum(mesh, figures, mesh_binary::kChecksumBytes);
   append_checksum(out);
   return out;
 }

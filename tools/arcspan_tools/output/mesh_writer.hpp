@@ -64,6 +64,9 @@ struct ByteShare {
 /// The binary of docs/mesh-binary.md.
 [[nodiscard]] std::string mesh_binary_file(const FixedMesh& mesh, const MeshFigures& figures);
 
+/// The same without its checksum, as a chunk of a model binary.
+[[nodiscard]] std::string mesh_chunk(const FixedMesh& mesh, const MeshFigures& figures);
+
 /// The binary of docs/model-binary.md, or of a plain mesh that of docs/mesh-binary.md.
 [[nodiscard]] std::string model_binary_file(const FixedModel& model, const ModelTextures& textures = {});
 

@@ -3,6 +3,7 @@
 
 #include <arcspan_tools/fixed_point/material.hpp>
 #include <arcspan_tools/output/bytes.hpp>
+#include <arcspan_tools/output/chunk_writer.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/output/texture_writer.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -17,44 +18,11 @@ namespace {
 
 namespace layout = arcspan::model_binary;
 
-void append(std::string& out, double value) { append_number(out, std::bit_cast<std::uint64_t>(value), 8); }
-
-void append(std::string& out, const ChannelCoefficients& c) {
-  for (const Coefficient channel : {c.r, c.g, c.b})
-    append_number(out, static_cast<std::uint64_t>(channel.raw()), 2);
-}
-
-/// The bytes around the mesh and texture binaries.
-std::size_t bytes_around(std::size_t parts, bool textured) {
-  return layout::kHeaderBytes + parts * (textured ? layout::kTexturedPartBytes : layout::kPartBytes) +
-         layout::kChecksumBytes;
-}
-
-std::uint16_t flags_of(const FileMaterial& material, bool textured) {
-  const PartAlpha alpha = textured ? part_alpha(material) : PartAlpha::kOpaque;
-  return static_cast<std::uint16_t>((material.two_sided ? layout::kTwoSided : 0) |
-                                    (alpha == PartAlpha::kMasked ? layout::kMasked : 0) |
-                                    (alpha == PartAlpha::kBlended ? layout::kBlended : 0));
-}
-
-/// A binary within the file.
-struct Place {
-  std::size_t begin = 0;
-  std::size_t bytes = 0;
-};
-
-/// An entry as version 1 has it.
-void append_entry(std::string& out, const PartLook& look, std::string name, const Place& mesh,
-                  bool textured) {
-  const Material material = material_of(look);
-  append_number(out, mesh.begin, 4);
-  append_number(out, mesh.bytes, 4);
-  for (const ChannelCoefficients& c : {material.ambient, material.diffuse, material.specular}) append(out, c);
-  append_number(out, static_cast<std::uint64_t>(material.shininess), 2);
-  append_number(out, flags_of(look.material, textured), 2);
-  append_number(out, 0, 2);
-  name.resize(layout::kNameBytes - 1);
-  out += name + '\0';
+/// The chunks and what is around them, of meshes and textures that take `payload` bytes as chunks.
+std::size_t container_bytes(std::size_t parts, std::size_t textures, std::size_t payload) {
+  const std::size_t chunks = 2 + parts + textures;
+  return chunk_list::kHeaderBytes + chunks * chunk_list::kEntryBytes + layout::kModelBytes +
+         parts * layout::kPartBytes + payload + chunk_list::kChecksumBytes;
 }
 
 std::string name_of(const PartLook& look, std::size_t number) {
@@ -104,10 +72,11 @@ std::size_t model_bytes(CompiledOutput output, const FixedModel& model, bool pla
   if (is_plain_mesh(model)) return sum;
   const std::size_t parts = model.meshes.size();
   if (output == CompiledOutput::kHeader) return sum + parts * sizeof(Material) + textures.bytes();
+  sum -= parts * mesh_binary::kChecksumBytes;  // chunks have none
   for (const MadeTexture& texture : textures.textures) {
-    sum += texture_binary::bytes(texture.format.layout, texture.size);
+    sum += texture_binary::bytes(texture.format.layout, texture.size) - texture_binary::kChecksumBytes;
   }
-  return sum + bytes_around(parts, !textures.textures.empty());
+  return container_bytes(parts, textures.textures.size(), sum);
 }
 
 std::vector<ByteShare> byte_shares(CompiledOutput output, const FixedModel& model,
@@ -139,54 +108,67 @@ std::vector<ByteShare> byte_shares(CompiledOutput output, const FixedModel& mode
 
 namespace {
 
-/// The binaries that follow the entries, and where they are.
-struct Binaries {
-  std::string bytes{};
-  std::vector<Place> meshes{};    ///< of the parts
-  std::vector<Place> textures{};  ///< of ModelTextures
-};
+void append(std::string& out, double value) { append_number(out, std::bit_cast<std::uint64_t>(value), 8); }
 
-Binaries binaries_of(const FixedModel& model, const ModelTextures& textures, std::size_t begin) {
-  Binaries all;
-  const auto add = [&all, begin](const std::string& binary, std::vector<Place>& places) {
-    places.push_back({begin + all.bytes.size(), binary.size()});
-    all.bytes += binary;
-  };
-  for (const FixedMesh& mesh : model.meshes) add(mesh_binary_file(mesh, figures_of(mesh)), all.meshes);
-  for (const MadeTexture& texture : textures.textures) add(texture_binary_file(texture), all.textures);
-  return all;
+void append(std::string& out, const ChannelCoefficients& c) {
+  for (const Coefficient channel : {c.r, c.g, c.b})
+    append_number(out, static_cast<std::uint64_t>(channel.raw()), 2);
+}
+
+void append(std::string& out, const BoundingSphere& sphere) {
+  for (const std::int16_t value : {sphere.middle.x, sphere.middle.y, sphere.middle.z})
+    append_number(out, static_cast<std::uint16_t>(value), 2);
+  append_number(out, sphere.radius, 2);
+}
+
+std::uint16_t flags_of(const FileMaterial& material) {
+  const PartAlpha alpha = part_alpha(material);
+  return static_cast<std::uint16_t>((material.two_sided ? layout::kTwoSided : 0) |
+                                    (alpha == PartAlpha::kMasked ? layout::kMasked : 0) |
+                                    (alpha == PartAlpha::kBlended ? layout::kBlended : 0));
+}
+
+std::string model_chunk(const FixedModel& model) {
+  std::size_t most = 0;
+  for (const FixedMesh& mesh : model.meshes) most = std::max(most, mesh.positions.size());
+  std::string out;
+  append_number(out, most, 4);
+  append(out, sphere_of(model));
+  const FixedMesh& first = model.meshes[0];
+  for (const double value : {first.unit, first.centre.x, first.centre.y, first.centre.z}) append(out, value);
+  return out;
+}
+
+std::string parts_chunk(const FixedModel& model, const ModelTextures& textures) {
+  std::vector<std::string> names = part_names(model);
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Material material = material_of(model.looks[i]);
+    for (const ChannelCoefficients& c : {material.ambient, material.diffuse, material.specular})
+      append(out, c);
+    append_number(out, static_cast<std::uint64_t>(material.shininess), 2);
+    append_number(out, flags_of(model.looks[i].material), 2);
+    const bool textured = !textures.textures.empty() && textures.of_part[i].has_value();
+    append_number(out, textured ? *textures.of_part[i] : layout::kNoTexture, 2);
+    append(out, sphere_of(model.meshes[i]));
+    names[i].resize(layout::kNameBytes - 1);
+    out += names[i] + '\0';
+  }
+  return out;
 }
 
 }  // namespace
 
 std::string model_binary_file(const FixedModel& model, const ModelTextures& textures) {
   if (is_plain_mesh(model)) return mesh_binary_file(model.meshes[0], figures_of(model.meshes[0]));
-  constexpr std::size_t kMostParts = 0xFFFF;
-  if (model.meshes.size() > kMostParts) throw Failure("model", "more than 65535 parts");
-  const std::vector<std::string> names = part_names(model);
-  const bool textured = !textures.textures.empty();
-  const std::size_t around = bytes_around(names.size(), textured);
-  const Binaries binaries = binaries_of(model, textures, around);
-  std::size_t most = 0;
-  for (const FixedMesh& mesh : model.meshes) most = std::max(most, mesh.positions.size());
-  std::string out;
-  append_number(out, layout::kMagic, 4);
-  append_number(out, textured ? layout::kVersionOfTextures : layout::kVersion, 2);
-  append_number(out, names.size(), 2);
-  append_number(out, around + binaries.bytes.size(), 4);
-  append_number(out, most, 4);
-  const FixedMesh& first = model.meshes[0];
-  for (const double value : {first.unit, first.centre.x, first.centre.y, first.centre.z}) append(out, value);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    append_entry(out, model.looks[i], names[i], binaries.meshes[i], textured);
-    if (!textured) continue;
-    const std::optional<std::size_t> number = textures.of_part[i];
-    const Place place = number ? binaries.textures[*number] : Place{};
-    append_number(out, place.begin, 4);
-    append_number(out, place.bytes, 4);
-  }
-  append_checksum(out);
-  return out + binaries.bytes;
+  std::vector<FileChunk> chunks;  // in the order of their tags
+  for (std::size_t i = 0; i < model.meshes.size(); ++i)
+    chunks.push_back({layout::kMeshTag, i, mesh_chunk(model.meshes[i], figures_of(model.meshes[i]))});
+  chunks.push_back({layout::kModelTag, 0, model_chunk(model)});
+  chunks.push_back({layout::kPartsTag, 0, parts_chunk(model, textures)});
+  for (std::size_t i = 0; i < textures.textures.size(); ++i)
+    chunks.push_back({layout::kTextureTag, i, texture_chunk(textures.textures[i])});
+  return chunk_file(chunks);
 }
 
 }  // namespace arcspan::tools

@@ -38,6 +38,29 @@ std::string sampler_text(const TextureSampler& sampler) {
 
 std::string side(unsigned bits) { return std::to_string(1u << bits); }
 
+/// A texture binary, of which `checksum` bytes are still to be appended.
+std::string texture_before_checksum(const MadeTexture& texture, std::size_t checksum) {
+  const TextureSize& size = texture.size;
+  const TexelLayout layout = texture.format.layout;
+  const std::size_t bytes = texture_binary::bytes(layout, size) - texture_binary::kChecksumBytes;
+  std::string out;
+  append_number(out, texture_binary::kMagic, 4);
+  append_number(out, texture_binary::kVersion, 2);
+  append_number(out, static_cast<std::uint8_t>(layout), 1);
+  append_number(out, texture.format.alpha_bits, 1);
+  append_number(out, bytes + checksum, 4);
+  for (const std::uint8_t value :
+       {size.width_bits, size.height_bits, size.levels, texture_binary::sampler_byte(texture.sampler)}) {
+    append_number(out, value, 1);
+  }
+  for (const std::uint16_t colour : texture.palette) append_number(out, colour, 2);
+  for (const std::uint16_t word : words_of(texture)) {
+    append_number(out, word, layout == TexelLayout::kDirect ? 2 : 1);
+  }
+  out.resize(bytes, '\0');
+  return out;
+}
+
 }  // namespace
 
 std::string texture_arrays(const MadeTexture& texture) {
@@ -64,25 +87,10 @@ std::string texture_header(const MadeTexture& texture, const std::string& name, 
          name + " {\n\n" + texture_arrays(texture) + "}  // namespace " + name + "\n";
 }
 
+std::string texture_chunk(const MadeTexture& texture) { return texture_before_checksum(texture, 0); }
+
 std::string texture_binary_file(const MadeTexture& texture) {
-  const TextureSize& size = texture.size;
-  const TexelLayout layout = texture.format.layout;
-  const std::uint32_t bytes = texture_binary::bytes(layout, size);
-  std::string out;
-  append_number(out, texture_binary::kMagic, 4);
-  append_number(out, texture_binary::kVersion, 2);
-  append_number(out, static_cast<std::uint8_t>(layout), 1);
-  append_number(out, texture.format.alpha_bits, 1);
-  append_number(out, bytes, 4);
-  for (const std::uint8_t value :
-       {size.width_bits, size.height_bits, size.levels, texture_binary::sampler_byte(texture.sampler)}) {
-    append_number(out, value, 1);
-  }
-  for (const std::uint16_t colour : texture.palette) append_number(out, colour, 2);
-  for (const std::uint16_t word : words_of(texture)) {
-    append_number(out, word, layout == TexelLayout::kDirect ? 2 : 1);
-  }
-  out.resize(bytes - texture_binary::kChecksumBytes, '\0');
+  std::string out = texture_before_checksum(texture, texture_binary::kChecksumBytes);
   append_checksum(out);
   return out;
 }

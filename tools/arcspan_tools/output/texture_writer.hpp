@@ -19,4 +19,7 @@ namespace arcspan::tools {
 /// The binary of docs/texture-binary.md.
 [[nodiscard]] std::string texture_binary_file(const MadeTexture& texture);
 
+/// The same without its checksum, as a chunk of a model binary.
+[[nodiscard]] std::string texture_chunk(const MadeTexture& texture);
+
 }  // namespace arcspan::tools

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/mesh/bounding_sphere.hpp>
 #include <arcspan/mesh/mesh_binary.hpp>
 
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
@@ -21,6 +22,9 @@ struct MeshFigures {
 
 /// Those of all parts together.
 [[nodiscard]] MeshFigures figures_of(const FixedModel& model);
+
+/// The smallest sphere around the middle of the box of all meshes; of one mesh bounding_sphere().
+[[nodiscard]] BoundingSphere sphere_of(FixedMeshes meshes);
 
 /// Whether the mesh's indices fit 8 bits.
 [[nodiscard]] bool fits_indices8(std::size_t vertices);

@@ -124,23 +124,28 @@ FileMaterial file_material(const arcspan::ModelPart& part) {
   return material;
 }
 
+/// Of a binary whose version the library does not read, its own or that of a mesh or texture in it.
+[[noreturn]] void refuse_version(std::span<const std::uint8_t> bytes, const std::string& subject) {
+  const unsigned version = bytes.size() < 6 ? 0 : bytes[4] | (unsigned{bytes[5]} << 8u);
+  if (version == chunk_list::kVersion) throw Failure(subject, "has a mesh or texture of an unknown version");
+  throw Failure(subject, "a model binary of version " + std::to_string(version) +
+                             ", not 3: write it again by arcspan mesh MODEL -o NAME.bin");
+}
+
 Model model_of_parts(std::span<const std::uint8_t> bytes, const std::string& subject) {
-  std::vector<arcspan::ModelPart> parts;
-  std::size_t count = 0;
-  Status status = view_model_binary(bytes, parts, count);
-  if (status == Status::kBufferTooSmall) {
-    parts.resize(count);
-    status = view_model_binary(bytes, parts, count);
-  }
-  if (status == Status::kUnsupported) throw Failure(subject, "not a model binary of version 1 or 2");
+  StoredModel binary;
+  const Status status = view_model_binary(bytes, binary);
+  if (status == Status::kUnsupported) refuse_version(bytes, subject);
   if (!ok(status)) refuse_damaged(subject, "model", status);
-  const double unit = double_at(bytes, model_binary::kUnitAt);
-  const Vec3 origin{double_at(bytes, model_binary::kOriginAt), double_at(bytes, model_binary::kOriginAt + 8),
-                    double_at(bytes, model_binary::kOriginAt + 16)};
+  const std::span<const std::uint8_t> head = binary.chunks().find(model_binary::kModelTag);
+  const double unit = double_at(head, model_binary::kUnitAt);
+  const Vec3 origin{double_at(head, model_binary::kOriginAt), double_at(head, model_binary::kOriginAt + 8),
+                    double_at(head, model_binary::kOriginAt + 16)};
   if (!(unit > 0 && unit < 1e30) || !finite(origin)) refuse_damaged(subject, "model", Status::kCorrupted);
   Model model;
   std::map<const std::uint8_t*, std::shared_ptr<const FileTexture>> textures;  // parts may share one
-  for (const arcspan::ModelPart& part : parts) {
+  for (std::size_t i = 0; i < binary.part_count(); ++i) {
+    const arcspan::ModelPart part = binary.part(i);
     MeshData mesh = to_data(part.mesh, !part.texture.texels.empty());
     for (Vec3& p : mesh.positions) p = origin + p * unit;
     FileMaterial material = file_material(part);
@@ -159,7 +164,7 @@ Model model_of_parts(std::span<const std::uint8_t> bytes, const std::string& sub
 Model model_from_binary(std::string_view bytes, const std::string& subject) {
   if (bytes.empty()) throw Failure(subject, "empty file");
   // Words, for the alignment that a string need not have.
-  std::vector<std::uint16_t> words(bytes.size() / 2 + 1);
+  std::vector<std::uint32_t> words(bytes.size() / 4 + 1);
   std::memcpy(words.data(), bytes.data(), bytes.size());
   const std::span binary(reinterpret_cast<const std::uint8_t*>(words.data()), bytes.size());
   if (bytes.starts_with("ARCP")) return model_of_parts(binary, subject);

@@ -260,7 +260,7 @@ static void constructor(const lv_obj_class_t* class_p, lv_obj_t* obj) {
   view->scale = ARCSPAN_LENGTH(1);
   view->turned = LV_ARCSPAN_NO_OBJECT;
   view->status = ARCSPAN_NOT_READY;
-  lv_obj_remove_flag(obj, LV_OBJ_FLAG_SCROLLABLE);
+  lv_obj_set_scrollable(obj, false);
   lv_display_add_event_cb(lv_obj_get_display(obj), on_refresh_start, LV_EVENT_REFR_START, view);
 }
 
@@ -330,7 +330,8 @@ void lv_arcspan_view_set_camera(lv_obj_t* obj, const lv_arcspan_camera_t* camera
 void lv_arcspan_view_set_turned(lv_obj_t* obj, arcspan_object object) {
   lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
   view->turned = object;
-  lv_obj_set_flag(obj, LV_OBJ_FLAG_SCROLL_CHAIN, object == LV_ARCSPAN_NO_OBJECT);
+  lv_obj_set_scroll_chain_hor(obj, object == LV_ARCSPAN_NO_OBJECT);
+  lv_obj_set_scroll_chain_ver(obj, object == LV_ARCSPAN_NO_OBJECT);
   change(view);
 }
 

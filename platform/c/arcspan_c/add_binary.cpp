@@ -2,6 +2,7 @@
 #include <arcspan/lighting/colour_coefficients.hpp>
 #include <arcspan/mesh/mesh_binary.hpp>
 #include <arcspan/model/model_binary.hpp>
+
 #include <arcspan_c/new_object.hpp>
 
 #include <cstddef>
@@ -64,4 +65,3 @@ arcspan_status arcspan_add_binary(arcspan_scene* scene, const void* binary, size
   }
   return added.finish(status, object);
 }
-

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// Meshes and models in binaries, as `arcspan mesh` writes them, are drawn from C with the pixels of C++, or
+// refused.
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/model/model_binary.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/scene.hpp>
+
+#include <arcspan.h>
+#include <arcspan_c/methods.hpp>
+#include <catch2/catch.hpp>
+
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace arcspan;
+
+constexpr std::uint16_t kSide = 64;
+constexpr arcspan_rgb kBlack = {0, 0, 0};
+constexpr arcspan_lens kLens = {kSide, kSide, ARCSPAN_DEGREES(44), 0, ARCSPAN_LENGTH(1), ARCSPAN_LENGTH(9)};
+constexpr arcspan_point kEye = {ARCSPAN_LENGTH(1), ARCSPAN_LENGTH(1.5), ARCSPAN_LENGTH(3)};
+
+/// A file of the build folder, at an aligned address.
+struct Binary {
+  std::vector<std::uint32_t> words;
+  std::size_t size = 0;
+
+  explicit Binary(const std::string& name) {
+    std::ifstream file(ARCSPAN_C_BINARIES + name, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    REQUIRE(!bytes.empty());
+    size = bytes.size();
+    words.resize(size / 4 + 1);
+    bytes.copy(reinterpret_cast<char*>(words.data()), size);
+  }
+  [[nodiscard]] unsigned char* data() { return reinterpret_cast<unsigned char*>(words.data()); }
+};
+
+struct Scene2 {
+  std::vector<unsigned char> memory;
+  arcspan_scene* scene = nullptr;
+
+  explicit Scene2(arcspan_scene_limits limits) : memory(arcspan_scene_bytes(&limits)) {
+    REQUIRE(arcspan_scene_make(memory.data(), memory.size(), &limits, &scene) == ARCSPAN_OK);
+  }
+  [[nodiscard]] std::vector<std::uint16_t> drawn() const {
+    const arcspan_view_limits limits = arcspan_limits_of(scene);
+    std::vector<unsigned char> view_memory(arcspan_view_bytes(&limits));
+    arcspan_view* view = nullptr;
+    REQUIRE(arcspan_view_make(view_memory.data(), view_memory.size(), &limits, scene, &view) == ARCSPAN_OK);
+    REQUIRE(arcspan_set_camera(view, &kLens, kEye, {0, 0, 0}, {0, 0, 0}) == ARCSPAN_OK);
+    REQUIRE(arcspan_prepare(view, nullptr) == ARCSPAN_OK);
+    std::vector<std::uint16_t> pixels(kSide * kSide), depths(kSide * kSide);
+    const arcspan_target target{pixels.data(),        2 * pixels.size(), 2 * kSide,     ARCSPAN_RGB565,
+                                {0, 0, kSide, kSide}, depths.data(),     depths.size(), &kBlack};
+    REQUIRE(arcspan_draw(view, &target) == ARCSPAN_OK);
+    return pixels;
+  }
+};
+
+/// The parts of a model by the method M, or with a texture by T.
+template <class M, class T>
+std::vector<std::uint16_t> drawn_by_cpp(Binary& binary) {
+  StoredModel model;
+  REQUIRE(ok(view_model_binary({binary.data(), binary.size}, model)));
+  const SceneLight light = SceneLight::directional(normalised(-1, 1, 2));
+  const LightList lights{{&light, 1}};
+  std::vector<MeshView> meshes(model.part_count());
+  std::vector<PreparedMaterial<M>> plain(model.part_count());
+  std::vector<PreparedMaterial<T>> textured(model.part_count());
+  std::vector<Object> objects;
+  for (std::size_t i = 0; i < model.part_count(); ++i) {
+    const ModelPart part = model.part(i);
+    meshes[i] = part.mesh;
+    if (part.texture.texels.empty()) {
+      REQUIRE(ok(PreparedMaterial<M>::make(part.material, lights, {part.two_sided}, plain[i])));
+      objects.emplace_back(meshes[i], plain[i], part.sphere);
+    } else {
+      Texture<Palette8Texels<>> texture;
+      REQUIRE(ok(view_texture(part.texture, texture)));
+      REQUIRE(ok(PreparedMaterial<T>::make(part.material, lights, {part.two_sided}, textured[i])));
+      textured[i] = textured[i].with(texture);
+      objects.emplace_back(meshes[i], textured[i], part.sphere);
+    }
+  }
+  Camera camera;
+  REQUIRE(
+      ok(Camera::make({WorldPoint::of(1, 1.5, 3), {}},
+                      Lens::field_of_view(Turn{ARCSPAN_DEGREES(44)}, WorldLength::of(1), WorldLength::of(9)),
+                      {kSide, kSide}, camera)));
+  using Frame = hal::Framebuffer<Rgb565>;
+  std::vector<std::uint16_t> pixels(kSide * kSide), depths(kSide * kSide);
+  Frame frame(pixels, kSide, kSide);
+  static SceneMemory<MethodList<M, T>, 16, 1024> memory;
+  REQUIRE(ok(draw_scene({camera, lights, objects}, frame, DepthBuffer(depths, kSide, kSide), memory, Rgb8{})
+                 .status));
+  return pixels;
+}
+
+TEST_CASE("models in binaries are drawn from C with the pixels of C++") {
+  using Smooth = Arc<c::Light>;
+  using Faceted = Flat<c::Light>;
+  for (const char* const name : {"lamp.bin", "sign.bin"}) {
+    CAPTURE(name);
+    Binary binary(name);
+    Scene2 smooth({16, 16});
+    REQUIRE(arcspan_add_binary(smooth.scene, binary.data(), binary.size, nullptr, nullptr) == ARCSPAN_OK);
+    CHECK(smooth.drawn() == drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(binary));
+    Scene2 faceted({16, 16});
+    const arcspan_look look{ARCSPAN_FLAT, 1, 0, nullptr};
+    REQUIRE(arcspan_add_binary(faceted.scene, binary.data(), binary.size, &look, nullptr) == ARCSPAN_OK);
+    CHECK(faceted.drawn() == drawn_by_cpp<Faceted, Textured<Faceted, Palette8Texels<>>>(binary));
+    CHECK(faceted.drawn() != smooth.drawn());
+  }
+}
+
+TEST_CASE("parts of the same material share it, and move together") {
+  Binary lamp("lamp.bin");
+  StoredModel model;
+  REQUIRE(ok(view_model_binary({lamp.data(), lamp.size}, model)));
+  const auto parts = static_cast<std::uint16_t>(model.part_count());
+  REQUIRE(parts > 1);
+  // Twice, with materials for one.
+  Scene2 two({static_cast<std::uint16_t>(2 * parts), parts});
+  arcspan_object first = 99, second = 99;
+  REQUIRE(arcspan_add_binary(two.scene, lamp.data(), lamp.size, nullptr, &first) == ARCSPAN_OK);
+  REQUIRE(arcspan_add_binary(two.scene, lamp.data(), lamp.size, nullptr, &second) == ARCSPAN_OK);
+  CHECK(first == 0);
+  CHECK(second == parts);
+  Scene2 one({parts, parts});
+  REQUIRE(arcspan_add_binary(one.scene, lamp.data(), lamp.size, nullptr, nullptr) == ARCSPAN_OK);
+  const auto alone = one.drawn();
+  CHECK(two.drawn() == alone);
+  REQUIRE(arcspan_set_position(two.scene, second, {0, 0, ARCSPAN_LENGTH(-100)}) == ARCSPAN_OK);
+  CHECK(two.drawn() == alone);
+  CHECK(arcspan_set_visible(two.scene, first, 0) == ARCSPAN_OK);
+  CHECK(two.drawn() == std::vector<std::uint16_t>(kSide * kSide, 0));
+  // A part of an object is no object.
+  CHECK(arcspan_set_visible(two.scene, 1, 1) == ARCSPAN_INVALID_ARGUMENT);
+}
+
+TEST_CASE("materials of binaries follow the light") {
+  Binary ball("ball.bin");
+  const arcspan_shares white{32768, 32768, 32768};
+  const arcspan_light dim{{-1, 1, 2}, 0, 12000, white};
+  Scene2 before({1, 1});
+  REQUIRE(arcspan_set_lights(before.scene, &dim, 1, white) == ARCSPAN_OK);
+  REQUIRE(arcspan_add_binary(before.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
+  Scene2 after({1, 1});
+  REQUIRE(arcspan_add_binary(after.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
+  const auto bright = after.drawn();
+  REQUIRE(arcspan_set_lights(after.scene, &dim, 1, white) == ARCSPAN_OK);
+  CHECK(after.drawn() == before.drawn());
+  CHECK(after.drawn() != bright);
+}
+
+TEST_CASE("binaries that cannot be drawn change nothing in a scene") {
+  Binary lamp("lamp.bin");
+  Binary ball("ball.bin");
+  Binary direct("sign-rgb565.bin");
+  Scene2 scene({16, 16});
+  const auto add = [&](Binary& binary, std::size_t size, const arcspan_look* look) {
+    return arcspan_add_binary(scene.scene, binary.data(), size, look, nullptr);
+  };
+  CHECK(add(lamp, lamp.size - 1, nullptr) == static_cast<int>(Status::kTruncated));
+  CHECK(add(ball, ball.size - 1, nullptr) == static_cast<int>(Status::kTruncated));
+  CHECK(add(ball, 0, nullptr) == static_cast<int>(Status::kTruncated));
+  CHECK(arcspan_add_binary(scene.scene, lamp.data() + 1, lamp.size - 1, nullptr, nullptr) ==
+        ARCSPAN_INVALID_ARGUMENT);
+  lamp.data()[lamp.size / 2] ^= 1;
+  CHECK(add(lamp, lamp.size, nullptr) == static_cast<int>(Status::kCorrupted));
+  lamp.data()[lamp.size / 2] ^= 1;
+  const arcspan_look gouraud{ARCSPAN_GOURAUD, 1, 0, nullptr};
+  CHECK(add(lamp, lamp.size, &gouraud) == ARCSPAN_UNSUPPORTED);
+  CHECK(add(direct, direct.size, nullptr) == ARCSPAN_UNSUPPORTED);
+  const arcspan_look tolerance{ARCSPAN_ARC, 65, 0, nullptr};
+  CHECK(add(lamp, lamp.size, &tolerance) == ARCSPAN_INVALID_ARGUMENT);
+  const arcspan_material bright{{40000, 0, 0}, {0, 0, 0}, {0, 0, 0}, 16};
+  const arcspan_look too_bright{ARCSPAN_ARC, 1, 0, &bright};
+  CHECK(add(lamp, lamp.size, &too_bright) == ARCSPAN_INVALID_ARGUMENT);
+  CHECK(arcspan_limits_of(scene.scene).objects == 0);
+  Scene2 no_materials({16, 1});
+  CHECK(arcspan_add_binary(no_materials.scene, lamp.data(), lamp.size, nullptr, nullptr) ==
+        ARCSPAN_BUFFER_TOO_SMALL);
+  Scene2 no_objects({1, 16});
+  CHECK(arcspan_add_binary(no_objects.scene, lamp.data(), lamp.size, nullptr, nullptr) ==
+        ARCSPAN_BUFFER_TOO_SMALL);
+  CHECK(arcspan_add_binary(no_objects.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
+}
+
+}  // namespace

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+// lv_arcspan_view in the real LVGL.
+#include <tests/lvgl/screen.hpp>
+
+#include <algorithm>
+
+namespace {
+
+using namespace arcspan::test;
+
+constexpr lv_color_format_t kFormats[] = {LV_COLOR_FORMAT_RGB565,   LV_COLOR_FORMAT_RGB565_SWAPPED,
+                                          LV_COLOR_FORMAT_RGB888,   LV_COLOR_FORMAT_XRGB8888,
+                                          LV_COLOR_FORMAT_ARGB8888, LV_COLOR_FORMAT_L8};
+
+arcspan_format format_of(lv_color_format_t format) {
+  switch (format) {
+    case LV_COLOR_FORMAT_RGB565_SWAPPED:
+      return ARCSPAN_RGB565_SWAPPED;
+    case LV_COLOR_FORMAT_RGB888:
+      return ARCSPAN_BGR888;
+    case LV_COLOR_FORMAT_XRGB8888:
+      return ARCSPAN_XRGB8888;
+    case LV_COLOR_FORMAT_ARGB8888:
+      return ARCSPAN_ARGB8888;
+    case LV_COLOR_FORMAT_L8:
+      return ARCSPAN_GRAY8;
+    default:
+      return ARCSPAN_RGB565;
+  }
+}
+
+bool is_in(const lv_point_t& point, const lv_area_t& area) {
+  return point.x >= area.x1 && point.x <= area.x2 && point.y >= area.y1 && point.y <= area.y2;
+}
+
+std::vector<std::uint8_t> shown(const DisplaySetting& setting) {
+  Screen screen(setting);
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  lv_obj_t* const label = lv_label_create(view);
+  lv_label_set_text(label, "above");
+  lv_obj_center(label);
+  screen.refresh();
+  CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_OK);
+  CHECK(lv_arcspan_view_get_dropped(view) == 0);
+  return screen.pixels;
+}
+
+TEST_CASE("partial, direct and full rendering show the same pixels, in every format, in padded rows") {
+  for (const lv_color_format_t format : kFormats) {
+    CAPTURE(format);
+    const auto direct = shown({format, LV_DISPLAY_RENDER_MODE_DIRECT});
+    CHECK((shown({format, LV_DISPLAY_RENDER_MODE_FULL}) == direct));
+    CHECK((shown({format, LV_DISPLAY_RENDER_MODE_PARTIAL, 20}) == direct));
+    CHECK((shown({format, LV_DISPLAY_RENDER_MODE_PARTIAL, 7}) == direct));
+  }
+}
+
+TEST_CASE("the picture is the one that arcspan_draw() draws over the background") {
+  for (const lv_color_format_t format : kFormats) {
+    CAPTURE(format);
+    Screen screen({format, LV_DISPLAY_RENDER_MODE_PARTIAL, 16});
+    BallScene balls;
+    lv_obj_t* const view = make_view(balls);
+    lv_obj_set_style_bg_opa(view, LV_OPA_COVER, 0);
+    lv_obj_set_style_bg_color(view, lv_color_black(), 0);
+    lv_obj_set_style_border_width(view, 0, 0);
+    lv_obj_set_style_radius(view, 0, 0);
+    lv_obj_set_style_pad_all(view, 0, 0);
+    screen.refresh();
+
+    const arcspan_view_limits limits = arcspan_limits_of(balls.scene);
+    std::vector<unsigned char> memory(arcspan_view_bytes(&limits));
+    arcspan_view* bare = nullptr;
+    REQUIRE(arcspan_view_make(memory.data(), memory.size(), &limits, balls.scene, &bare) == ARCSPAN_OK);
+    const arcspan_lens lens{100, 80, ARCSPAN_DEGREES(45), 0, ARCSPAN_LENGTH(1), ARCSPAN_LENGTH(16)};
+    REQUIRE(arcspan_set_camera(bare, &lens, {0, 0, ARCSPAN_LENGTH(3)}, {0, 0, 0}, {0, 0, 0}) == ARCSPAN_OK);
+    REQUIRE(arcspan_prepare(bare, nullptr) == ARCSPAN_OK);
+    const std::size_t pixel = screen.pixel_bytes();
+    std::vector<std::uint8_t> pixels(100 * 80 * pixel);
+    std::vector<std::uint16_t> depths(100 * 80);
+    const arcspan_rgb black{0, 0, 0};
+    const arcspan_target target{pixels.data(),     pixels.size(),   static_cast<std::int32_t>(100 * pixel),
+                                format_of(format), {0, 0, 100, 80}, depths.data(),
+                                depths.size(),     &black};
+    REQUIRE(arcspan_draw(bare, &target) == ARCSPAN_OK);
+    for (std::int32_t y = 0; y < 80; ++y) {
+      for (std::int32_t x = 0; x < 100; ++x) {
+        const auto at = pixels.begin() + (y * 100 + x) * static_cast<std::int32_t>(pixel);
+        std::vector<std::uint8_t> expected(at, at + static_cast<std::int32_t>(pixel));
+        std::vector<std::uint8_t> found = screen.pixel(20 + x, 10 + y);
+        if (format == LV_COLOR_FORMAT_XRGB8888) expected[3] = found[3];  // of no meaning
+        REQUIRE(found == expected);
+      }
+    }
+  }
+}
+
+TEST_CASE("400 random repaints show what one redraw of all shows") {
+  std::mt19937 random(7);
+  const auto number = [&](std::int32_t least, std::int32_t most) {
+    return std::uniform_int_distribution<std::int32_t>(least, most)(random);
+  };
+  Screen screen({LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL, 12});
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  lv_obj_set_style_radius(view, 25, 0);
+  lv_obj_set_style_clip_corner(view, true, 0);
+  arcspan_quaternion rotation{1 << 30, 0, 0, 0};
+  for (int i = 0; i < 400; ++i) {
+    switch (number(0, 4)) {
+      case 0:
+        rotation = arcspan_multiply(
+            {1 << 30, number(-100000000, 100000000), number(-100000000, 100000000), 0}, rotation);
+        lv_arcspan_view_set_rotation(view, rotation);
+        break;
+      case 1:
+        lv_obj_set_pos(view, number(-60, 120), number(-50, 90));
+        break;
+      case 2:
+        lv_arcspan_view_set_scale(view, number(10000, 100000));
+        break;
+      case 3:
+        lv_obj_set_style_opa(view, number(0, 1) == 0 ? LV_OPA_COVER : LV_OPA_50, 0);
+        break;
+      default: {
+        const std::int32_t x = number(0, Screen::kWidth - 1);
+        const std::int32_t y = number(0, Screen::kHeight - 1);
+        const lv_area_t area{x, y, number(x, Screen::kWidth - 1), number(y, Screen::kHeight - 1)};
+        lv_obj_invalidate_area(lv_screen_active(), &area);
+      }
+    }
+    screen.refresh();
+    if (i % 10 != 9) continue;
+    const auto so_far = screen.pixels;
+    REQUIRE((screen.redrawn() == so_far));
+  }
+  CHECK(lv_arcspan_view_get_dropped(view) == 0);
+}
+
+TEST_CASE("a change invalidates the rectangles of the old and of the new frame, and nothing else") {
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  screen.refresh();
+  const auto before = screen.pixels;
+  screen.invalidated.clear();
+  lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(0.5));
+  CHECK(screen.invalidated.empty());  // not before the refresh
+  screen.refresh();
+  REQUIRE(screen.invalidated.size() == 2);
+  const auto& old_area = screen.invalidated[0];
+  const auto& new_area = screen.invalidated[1];
+  CHECK((is_in({new_area.x1, new_area.y1}, old_area) && is_in({new_area.x2, new_area.y2}, old_area)));
+  CHECK(lv_area_get_size(&new_area) < lv_area_get_size(&old_area) / 2);
+  for (std::int32_t y = 0; y < Screen::kHeight; ++y) {  // what has changed lies within, up to its sides
+    for (std::int32_t x = 0; x < Screen::kWidth; ++x) {
+      const auto at = static_cast<std::size_t>(2 * (y * Screen::kWidth + x));
+      const bool changed = before[at] != screen.pixels[at] || before[at + 1] != screen.pixels[at + 1];
+      if (changed) REQUIRE(is_in({x, y}, old_area));
+    }
+  }
+  screen.invalidated.clear();
+  screen.refresh();
+  CHECK(screen.invalidated.empty());
+}
+
+TEST_CASE("nothing is done while a view is hidden, and its next frame is right") {
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  screen.refresh();
+  lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(0.5));
+  screen.refresh();
+  const auto small = screen.pixels;
+  lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(1));
+  lv_obj_set_hidden(view, true);
+  screen.refresh();
+  const std::uint32_t flushes = screen.flushes;
+  screen.invalidated.clear();
+  lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(0.5));
+  screen.refresh();
+  CHECK(screen.invalidated.empty());
+  CHECK(screen.flushes == flushes);
+  lv_obj_set_hidden(view, false);
+  screen.refresh();
+  CHECK((screen.pixels == small));
+}
+
+TEST_CASE("a rotation that is set while a frame is drawn waits for the next one") {
+  Screen screen({LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL, 8});
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  screen.refresh();
+  const auto first = screen.pixels;
+  screen.flush_data = view;
+  screen.in_flush = [](void* data) {
+    lv_arcspan_view_set_rotation(static_cast<lv_obj_t*>(data), {1 << 30, 1 << 29, 1 << 28, 0});
+  };
+  CHECK((screen.redrawn() == first));
+  screen.in_flush = nullptr;
+  screen.refresh();
+  CHECK((screen.pixels != first));
+  const auto turned = screen.pixels;
+  CHECK((screen.redrawn() == turned));
+}
+
+TEST_CASE("memory that cannot be allocated drops rectangles, and the next frame is right") {
+  const auto expected = shown({});
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  lv_obj_t* const label = lv_label_create(view);
+  lv_label_set_text(label, "above");
+  lv_obj_center(label);
+  SECTION("of the view") {
+    fail_allocations_from(2000);
+    screen.refresh();
+    CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_BUFFER_TOO_SMALL);
+    CHECK(lv_arcspan_view_get_dropped(view) > 0);
+    CHECK((screen.pixels != expected));
+  }
+  SECTION("of a layer") {
+    lv_obj_set_style_opa(view, LV_OPA_50, 0);
+    screen.refresh();
+    fail_allocations_from(3000);
+    (void)screen.redrawn();
+    CHECK(lv_arcspan_view_get_dropped(view) > 0);
+    lv_obj_set_style_opa(view, LV_OPA_COVER, 0);
+  }
+  fail_allocations_from(0);
+  lv_arcspan_view_update(view);
+  CHECK((screen.redrawn() == expected));
+  CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_OK);
+}
+
+TEST_CASE("depths of fewer rows than asked for draw the same, in strips") {
+  const auto expected = shown({LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_FULL});
+  fail_allocations_from(6000);  // of the view there are fewer, of depths more
+  CHECK((shown({LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_FULL}) == expected));
+}
+
+TEST_CASE(
+    "an update without a scene, a scene that is taken away, two widgets, deletion and a second lv_init()") {
+  BallScene balls;
+  for (int i = 0; i < 2; ++i) {
+    Screen screen;
+    const auto empty = screen.redrawn();
+    lv_obj_t* const view = lv_arcspan_view_create(lv_screen_active());
+    lv_obj_remove_style_all(view);
+    lv_obj_set_pos(view, 20, 10);
+    lv_obj_set_size(view, 100, 80);
+    screen.refresh();
+    CHECK((screen.pixels == empty));
+    lv_arcspan_view_set_scene(view, balls.scene);
+    screen.refresh();
+    const auto one = screen.pixels;
+    CHECK(one != empty);
+    lv_arcspan_view_set_scene(view, nullptr);
+    screen.refresh();
+    CHECK((screen.pixels == empty));
+    lv_arcspan_view_set_scene(view, balls.scene);
+    lv_obj_t* const second = lv_arcspan_view_create(lv_screen_active());
+    lv_obj_remove_style_all(second);
+    lv_obj_set_size(second, 30, 30);
+    lv_arcspan_view_set_scene(second, balls.scene);
+    screen.refresh();
+    CHECK((screen.pixels != one));
+    lv_obj_delete(second);
+    screen.refresh();
+    CHECK((screen.pixels == one));
+  }
+}
+
+}  // namespace

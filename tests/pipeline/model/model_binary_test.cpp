@@ -5,10 +5,10 @@
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/model/chunk_bytes.hpp>
+#include <tests/support/random.hpp>
 #include <tests/support/test_share.hpp>
 
 #include <cstring>
-#include <random>
 #include <string_view>
 
 using namespace arcspan;
@@ -355,13 +355,13 @@ TEST_CASE("a model binary is refused where its container is, and the model keeps
 
 TEST_CASE("bytes that are changed under a right checksum are refused, or all parts can be read") {
   const Bytes good = file_of(model_chunks());
-  std::mt19937 random(45);
-  const auto below = [&random](std::size_t n) { return random() % static_cast<std::uint32_t>(n); };
+  Random random(45);
+  const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random.bits() % n); };
   int accepted = 0;
   const int cases = share_of(40'000);
   for (int i = 0; i < cases; ++i) {
     Bytes file = good;
-    for (std::uint32_t changes = 1 + below(3); changes > 0; --changes) {
+    for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
       // Numbers of structure are small, or those of other places.
       file[below(file.size() - 4)] =
           below(2) == 0 ? static_cast<std::uint8_t>(below(256)) : good[below(good.size())];

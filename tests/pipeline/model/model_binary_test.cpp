@@ -5,10 +5,10 @@
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/model/chunk_bytes.hpp>
+#include <tests/support/random.hpp>
 #include <tests/support/test_share.hpp>
 
 #include <cstring>
-#include <random>
 #include <string_view>
 
 using namespace arcspan;
@@ -36,17 +36,17 @@ Bytes closed_chunk(Bytes out) {
   return out;
 }
 
-/// A triangle with 8-bit indices, a plane, texture points and colours.
+/// Both sides of a triangle with 8-bit indices, planes, texture points and colours.
 Bytes full_mesh() {
-  Bytes out = mesh_header(15, 3, 1);
-  append_u16(out, {4, 5, 6, -2, -32768, 6, 1, 32767, 6});    // positions
-  append_u16(out, {0, 0, 1, 2, 32767, 0});                   // normals
-  out.insert(out.end(), {2, 0, 1, 0, 0, 0});                 // indices, padding
-  out.insert(out.end(), {0xFB, 14, 0x12, 0x80});             // scale of planes: -5, 14, 32786
-  out.insert(out.end(), {0x81, 2, 0x7F, 0xFF});              // plane
-  out.insert(out.end(), {12, 0, 0, 0});                      // scale of texture points
-  append_u16(out, {0x1000, 1, -1, 2, -32768, 32767});        // texture points
-  out.insert(out.end(), {255, 1, 2, 3, 254, 4, 0, 5, 128});  // colours
+  Bytes out = mesh_header(15, 3, 2);
+  append_u16(out, {4, 5, 6, -2, -32768, 6, 1, 32767, 6});             // positions
+  append_u16(out, {0, 0, 1, 2, 32767, 0});                            // normals
+  out.insert(out.end(), {2, 0, 1, 2, 1, 0});                          // indices
+  out.insert(out.end(), {0xFB, 14, 0x12, 0x80});                      // scale of planes: -5, 14, 32786
+  out.insert(out.end(), {0x81, 2, 0x7F, 0xFF, 0x7F, 0xFE, 0x81, 1});  // planes
+  out.insert(out.end(), {12, 0, 0, 0});                               // scale of texture points
+  append_u16(out, {0x1000, 1, -1, 2, -32768, 32767});                 // texture points
+  out.insert(out.end(), {255, 1, 2, 3, 254, 4, 0, 5, 128});           // colours
   return closed_chunk(out);
 }
 
@@ -201,13 +201,15 @@ TEST_CASE("the meshes of a model binary have all their arrays, or those that are
   REQUIRE(ok(view_model_binary(file, model)));
   const MeshView full = model.part(0).mesh;
   REQUIRE(full.vertex_count() == 3);
-  REQUIRE(full.triangle_count() == 1);
+  REQUIRE(full.triangle_count() == 2);
   CHECK(full.position(1) == ObjectPosition{-2, -32768, 6});
   CHECK(full.normal(2) == PackedNormal{32767, 0});
   CHECK(full.triangle(0).a == 2);
   CHECK(full.triangle(0).c == 1);
+  CHECK(full.triangle(1).b == 1);
   REQUIRE(full.planes() != nullptr);
   CHECK(full.planes()[0] == FacePlane{-127, 2, 127, -1});
+  CHECK(full.planes()[1] == FacePlane{127, -2, -127, 1});
   CHECK(full.plane_scale() == PlaneScale{-5, 14, 32786});
   CHECK(full.texture_scale() == TextureScale{12});
   CHECK(full.texture_point(2) == TexturePoint{-32768, 32767});
@@ -262,6 +264,7 @@ TEST_CASE("a model binary may have no parts") {
   Bytes head = model_chunk();
   put(head, 0, 0, 4);
   CHECK(status_of({{"MODL", 0, head}, {"PART", 0, {}}}) == Status::kOk);
+  CHECK(status_of({{"MODL", 0, head}}) == Status::kCorrupted);
   StoredModel none;
   CHECK(none.part_count() == 0);
   CHECK(none.most_vertices() == 0);
@@ -285,6 +288,9 @@ TEST_CASE("a model binary needs its chunks, each of the right size") {
   chunks = model_chunks();
   chunks[kModel].number = 1;
   CHECK(status_of(chunks) == Status::kCorrupted);
+  chunks = model_chunks();
+  std::swap(chunks[kMesh0].bytes, chunks[kMesh1].bytes);  // the largest part is the first
+  CHECK(status_of(chunks) == Status::kOk);
   CHECK(status_with(kModel, 0, 3, 4) == Status::kCorrupted);  // vertices of the largest part
   CHECK(status_with(kModel, 0, 5, 4) == Status::kCorrupted);
 }
@@ -321,7 +327,7 @@ TEST_CASE("the meshes and textures in a model binary are checked as those by the
   CHECK(status_with(kMesh1, 32 + 40 + 10, 4, 2) == Status::kIndexOutOfRange);
   CHECK(status_with(kMesh0, 68, 9, 1) == Status::kCorrupted);    // scale of planes
   CHECK(status_with(kMesh0, 70, 100, 2) == Status::kCorrupted);  // radius of planes
-  CHECK(status_with(kMesh0, 76, 3, 1) == Status::kCorrupted);    // scale of texture points
+  CHECK(status_with(kMesh0, 80, 3, 1) == Status::kCorrupted);    // scale of texture points
   CHECK(status_with(kTexture0, 0, 'B', 1) == Status::kUnsupported);
   CHECK(status_with(kTexture1, 4, 1, 2) == Status::kUnsupported);  // the version
   CHECK(status_with(kTexture0, 6, 4, 1) == Status::kCorrupted);    // layout
@@ -349,13 +355,13 @@ TEST_CASE("a model binary is refused where its container is, and the model keeps
 
 TEST_CASE("bytes that are changed under a right checksum are refused, or all parts can be read") {
   const Bytes good = file_of(model_chunks());
-  std::mt19937 random(45);
-  const auto below = [&random](std::size_t n) { return random() % static_cast<std::uint32_t>(n); };
+  Random random(45);
+  const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random.bits() % n); };
   int accepted = 0;
   const int cases = share_of(40'000);
   for (int i = 0; i < cases; ++i) {
     Bytes file = good;
-    for (std::uint32_t changes = 1 + below(3); changes > 0; --changes) {
+    for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
       // Numbers of structure are small, or those of other places.
       file[below(file.size() - 4)] =
           below(2) == 0 ? static_cast<std::uint8_t>(below(256)) : good[below(good.size())];

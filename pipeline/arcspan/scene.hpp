@@ -32,6 +32,7 @@ class SceneMemory<MethodList<Methods...>, Objects, Vertices> {
 
   /// @cond for draw_mesh() and draw_scene(), not in the reference
   [[nodiscard]] void* lighting() { return lighting_; }
+  [[nodiscard]] std::span<unsigned char> scratch() { return {lighting_, kLightingBytes}; }
   [[nodiscard]] detail::SceneFrame frame() {
     return {header_,
             {static_cast<detail::SceneSlot*>(static_cast<void*>(slots_)), Objects},

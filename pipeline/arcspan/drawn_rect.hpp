@@ -13,7 +13,7 @@ namespace detail {
 /// Returns the drawn rectangle of part `number` of the object of a slot, whose material is for `Used`.
 template <class Used, bool KeepsVertices>
 [[nodiscard]] Rect drawn_rect_of_part(SceneSlot& slot, const MeshView& mesh, std::size_t number,
-                                 const SceneMaterial& material) {
+                                      const SceneMaterial& material) {
   using Method = typename Used::Method;
   const ExtentOptions options{material.options().two_sided, Used::kFeatures.clips, DrawsEdges<Method>};
   VertexStage<Method> stage(mesh, slot.transform,
@@ -57,11 +57,12 @@ template <class... Used, std::size_t Objects, std::size_t Vertices>
 
 /// Returns the rectangle of the picture that the scene of the last prepare_scene() draws into: every pixel of
 /// draw_prepared_scene() lies in it, and it is the smallest rectangle of pixels around the triangles that are
-/// drawn as their vertices lie on the screen. Triangles that are culled or out of view do not count, but hidden
-/// ones and transparent pixels do. Rect{} if nothing is drawn, or if prepare_scene() did not return kOk.
+/// drawn as their vertices lie on the screen. Triangles that are culled or out of view do not count, but
+/// hidden ones and transparent pixels do. Rect{} if nothing is drawn, or if prepare_scene() did not return
+/// kOk.
 ///
-/// For the part of a picture that has to be drawn again, or sent. With room for the vertices of all objects in
-/// view (SceneMemory), the vertices are kept, and drawing does not transform them again.
+/// For the part of a picture that has to be drawn again, or sent. With room for the vertices of all objects
+/// in view (SceneMemory), the vertices are kept, and drawing does not transform them again.
 template <class... Methods, std::size_t Objects, std::size_t Vertices>
 [[nodiscard]] Rect drawn_rect(SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory) {
   const detail::SceneFrame frame = memory.frame();

@@ -9,24 +9,23 @@
 
 namespace arcspan {
 
-/// Returns what the scene of the last prepare_scene() shows in the pixel in column x and row y of the picture:
-/// the object, its part and the triangle that a draw call with a DepthBuffer leaves there, by the same culling,
-/// clipping and order of equal depths. Nothing outside of the picture.
+/// Returns what the scene of the last prepare_scene() shows in the pixel in column x and row y of the
+/// picture: the object, its part and the triangle that a draw call with a DepthBuffer leaves there, by the
+/// same culling, clipping and order of equal depths. Nothing outside of the picture.
 ///
 /// Nothing is shaded, so the time does not depend on materials: textures and operations do not make a pixel
-/// transparent, and where a textured or a clipped triangle of up to 15x15 pixels is less than 8 steps of depth
-/// from another surface, either may be picked. Objects whose bounding spheres miss the pixel are skipped. Of
-/// the triangles of the others, only those around the pixel are transformed.
+/// transparent, and where a textured or a clipped triangle of up to 15x15 pixels is less than 8 steps of
+/// depth from another surface, either may be picked. Objects whose bounding spheres miss the pixel are
+/// skipped. Of the triangles of the others, only those around the pixel are transformed.
 ///
-/// It needs no picture and no depths. The memory in which draw calls make a material (SceneMemory) holds a byte
-/// for each vertex meanwhile; for a mesh with more vertices, triangles take twice as long.
+/// It needs no picture and no depths. The memory in which draw calls make a material (SceneMemory) holds a
+/// byte for each vertex meanwhile; for a mesh with more vertices, triangles take twice as long.
 template <class... Methods, std::size_t Objects, std::size_t Vertices>
 [[nodiscard]] Picked pick(SceneMemory<MethodList<Methods...>, Objects, Vertices>& memory, std::int32_t x,
                           std::int32_t y) {
-  static constexpr detail::PickUse kUses[] = {
-      {&detail::kUseFacts<typename detail::UseOf<Methods>::Type>,
-       &detail::draw_unshaded<typename detail::UseOf<Methods>::Type>,
-       DrawsEdges<typename detail::UseOf<Methods>::Type::Method>}...};
+  static constexpr detail::PickUse kUses[] = {{&detail::kUseFacts<typename detail::UseOf<Methods>::Type>,
+                                               &detail::draw_unshaded<typename detail::UseOf<Methods>::Type>,
+                                               DrawsEdges<typename detail::UseOf<Methods>::Type::Method>}...};
   return detail::pick_in(memory.frame(), kUses, memory.scratch(), x, y);
 }
 

@@ -136,12 +136,12 @@ class Camera {
   [[nodiscard]] bool place(const WorldPoint& position, const Rotation& rotation, WorldLength scale,
                            ClipTransform& transform) const;
 
-  /// Returns where a point of the world appears. It is within 1/16 of a pixel, and the rounding of 16 fraction
-  /// bits of a world unit, of the exact place. A camera that has not been made sees nothing (`in_front` is
-  /// false).
+  /// Returns where a point of the world appears. It is within 1/16 of a pixel, and the rounding of 16
+  /// fraction bits of a world unit, of the exact place. A camera that has not been made sees nothing
+  /// (`in_front` is false).
   [[nodiscard]] ScreenPoint project(const WorldPoint& point) const;
-  /// Returns where `point` of an object's mesh appears, in object units: bit for bit where draw_scene() puts a
-  /// vertex at that position. `in_front` is false also if place() refuses the object.
+  /// Returns where `point` of an object's mesh appears, in object units: bit for bit where draw_scene() puts
+  /// a vertex at that position. `in_front` is false also if place() refuses the object.
   [[nodiscard]] ScreenPoint project(const Object& object, const ObjectPosition& point) const;
 
  private:

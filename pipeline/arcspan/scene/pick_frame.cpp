@@ -16,7 +16,9 @@ struct KeptSides {
 struct FoundSides {
   const MeshView& mesh;
   const PixelSide& side;
-  [[nodiscard]] ARCSPAN_INLINE std::uint32_t operator()(std::size_t i) const { return side(mesh.position(i)); }
+  [[nodiscard]] ARCSPAN_INLINE std::uint32_t operator()(std::size_t i) const {
+    return side(mesh.position(i));
+  }
 };
 
 /// The first of the triangles i ... end - 1 whose vertices do not all lie on one side, or `end`.

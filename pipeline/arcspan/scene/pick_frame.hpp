@@ -59,8 +59,8 @@ template <class Used>
 [[nodiscard]] Status draw_unshaded(const PickCall& call, const MeshView& triangle) {
   using Method = typename Used::Method;
   constexpr bool kSmall = Used::kFeatures.small_triangles && DrawsSmallTriangles<Method>;
-  using Plain = std::conditional_t<DrawsEdges<Method>, Wireframe<>,
-                                   std::conditional_t<kSmall, UnlitSmall, Unlit>>;
+  using Plain =
+      std::conditional_t<DrawsEdges<Method>, Wireframe<>, std::conditional_t<kSmall, UnlitSmall, Unlit>>;
   constexpr DrawFeatures kFeatures{
       .clips = Used::kFeatures.clips, .planes = false, .small_triangles = kSmall};
   typename Plain::Lighting lighting{};

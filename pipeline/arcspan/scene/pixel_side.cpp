@@ -11,7 +11,8 @@ PixelSide make_pixel_side(const SceneSlot& slot, PictureAxis axis, std::int32_t 
   const auto row = static_cast<std::size_t>(axis);
   const Viewport& viewport = transform.viewport();
   const std::int32_t size = axis == PictureAxis::kColumns ? viewport.width : viewport.height;
-  // The pixel's centre is `offset` half pixels from the middle of the picture, where 2 kGuardBand c = offset w.
+  // The pixel's centre is `offset` half pixels from the middle of the picture, where 2 kGuardBand c = offset
+  // w.
   const std::int64_t offset = 2 * pixel + 1 - size;
   const auto of_plane = [&](std::int64_t c, std::int64_t w) { return 2 * kGuardBand * c - offset * w; };
   std::int64_t factors[3];  // below 2^41; 14 fraction bits more than clip space

@@ -12,9 +12,9 @@
 namespace arcspan::detail {
 
 /// The side of a pixel's column (or row) that a vertex lies on. The plane through the eye and the middle of
-/// the column is a linear function of the position, so that vertices need not be transformed: a triangle whose
-/// vertices all lie on one side has no pixel in the column. Near the middle, within a tolerance for all that
-/// rounding may move a vertex, a vertex lies on neither side.
+/// the column is a linear function of the position, so that vertices need not be transformed: a triangle
+/// whose vertices all lie on one side has no pixel in the column. Near the middle, within a tolerance for all
+/// that rounding may move a vertex, a vertex lies on neither side.
 ///
 /// |f| < 2^31 for all positions: the coefficients add up to at most 2^14, and the tolerance is below 2^28.
 struct PixelSide {

@@ -53,14 +53,17 @@ struct AreaBench {
                              BackgroundPicture<Format>{words, bench.panel.width(), bench.panel.height()});
     };
   }
-  /// What the glass has to show after a rectangle of `picture` has been sent.
-  void expect(const Scene<Bench>& picture, const Rect& area) {
+  /// Notes that the glass has to show a rectangle of `picture`.
+  void note(const Scene<Bench>& picture, const Rect& area) {
     for (std::int32_t y = area.top; y < area.bottom; ++y) {
       for (std::int32_t x = area.left; x < area.right; ++x) {
         typename Format::Cursor(shown.frame.row(y), x)
             .write(typename Format::Cursor(picture.frame.row(y), x).read());
       }
     }
+  }
+  /// Checks the glass.
+  void check() {
     CHECK(bench.device.picture() == expected(shown.frame, bench.panel.settings().orientation));
     CHECK(complaints(bench) == "");
   }
@@ -114,12 +117,14 @@ TEMPLATE_TEST_CASE("a rectangle of the picture is drawn and sent, and nothing el
       const std::size_t pixels = TestType::Driver::Layout::bytes(sent);
       CHECK(bytes >= pixels);
       if constexpr (TestType::kPins) CHECK(bytes < pixels + 16 * test.parts.size());  // windows
-      test.expect(next, sent);
+      test.note(next, sent);
+      test.check();
     }
     // The whole picture is a rectangle too.
     const Scene<TestType> next(test.bench.panel, 77);
     REQUIRE(test.mode.show_area(all, test.draw(next)) == Status::kOk);
-    test.expect(next, all);
+    test.note(next, all);
+    test.check();
   }
 }
 
@@ -128,7 +133,8 @@ TEST_CASE("two rectangles are sent as one if that takes no more pixels") {
   const Scene<Ili9341Bench> next(test.bench.panel, 2);
   const auto drawn = [&](const Rect& before, const Rect& now) {
     REQUIRE(test.mode.show_areas(before, now, test.draw(next)) == Status::kOk);
-    for (const Rect& part : test.parts) test.expect(next, part);
+    for (const Rect& part : test.parts) test.note(next, part);
+    test.check();
     return test.drawn_pixels();
   };
   CHECK(drawn({10, 10, 20, 20}, {12, 12, 22, 22}) == 12 * 12);
@@ -168,5 +174,6 @@ TEST_CASE("a rectangle that cannot be drawn or sent says why, and sends nothing"
   CHECK(test.mode.show_area(area, draw) == Status::kNotReady);
   REQUIRE(panel.wake() == Status::kOk);
   REQUIRE(test.mode.show_area({INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX}, test.draw(next)) == Status::kOk);
-  test.expect(next, panel.bounds());
+  test.note(next, panel.bounds());
+  test.check();
 }

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The cost of a scene of 20 spheres with 20 materials, of the benchmark frame drawn as a scene of one object
-// and by draw_mesh(), and of picking from a fine sphere: sections for scene_cost_test.py.
+// The cost of a scene of 20 spheres with 20 materials, and of the benchmark frame drawn as a scene of one
+// object and by draw_mesh(): sections for scene_cost_test.py.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
-#include <arcspan/drawn_rect.hpp>
 #include <arcspan/hal/framebuffer.hpp>
-#include <arcspan/pick.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/scene.hpp>
 
@@ -98,39 +96,6 @@ bool measure_mesh(const Object& object) {
   return ok(drawn.status);
 }
 
-/// The rectangle of an object, its frame after that, and a pixel of it that is picked.
-bool measure_interaction(const Object& object) {
-  hal::Framebuffer<Rgb565> frame(colours, kCostWidth, kCostHeight);
-  DepthBuffer depth(depths, kCostWidth, kCostHeight);
-  const Scene scene{kCamera, kLights, {&object, 1}};
-  frame.clear({0, 0, 0});
-  depth.clear();
-  Status status = prepare_scene(scene, memory_of_scene);
-  arcspan_mark();
-  const SceneResult drawn = draw_prepared_scene(memory_of_scene, frame, depth);
-  arcspan_mark();
-  bare::print_line("section: draw fine");
-  bare::print_line("section: between");
-  frame.clear({0, 0, 0});
-  depth.clear();
-  if (ok(status)) status = prepare_scene(scene, memory_of_scene);
-  arcspan_mark();
-  const Rect rect = drawn_rect(memory_of_scene);
-  arcspan_mark();
-  const SceneResult again = draw_prepared_scene(memory_of_scene, frame, depth);
-  arcspan_mark();
-  const Picked picked = pick(memory_of_scene, kCostWidth / 2 + 9, kCostHeight / 2 + 5);
-  arcspan_mark();
-  bare::print_line("section: rectangle");
-  bare::print_line("section: draw in rectangle");
-  bare::print_line("section: pick");
-  bare::print_line("section: between");
-  bare::print_line("picked: ", picked.triangle, " of ", object.mesh().triangle_count(), ", ",
-                   object.mesh().vertex_count(), " vertices, ", memory_of_scene.scratch().size(), " bytes");
-  return ok(status) && ok(drawn.status) && ok(again.status) && again.triangles == drawn.triangles &&
-         !rect.empty() && picked.object == &object;
-}
-
 }  // namespace
 
 int main() {
@@ -142,13 +107,6 @@ int main() {
   one.scale = WorldLength::of(2);
   one.rotation = kPose;
   if (!measure("one", kCamera, {&one, 1}) || !measure_mesh(one)) return 2;
-  static SphereMemory finest_memory;
-  SphereMeshes finest;
-  if (!make_sphere_meshes(64, 30, finest_memory, finest)) return 4;
-  Object picked(finest.planed, kMaterials[0]);
-  picked.scale = WorldLength::of(2);
-  picked.rotation = kPose;
-  if (!measure_interaction(picked)) return 5;
 
   static std::array<Object, kSpheres> objects = [&]<std::size_t... I>(std::index_sequence<I...>) {
     return std::array<Object, kSpheres>{Object(coarse.planed, kMaterials[I])...};

@@ -116,9 +116,13 @@ TEST_CASE("the picked triangle is the one whose colour is in the picture") {
     static SceneMemory<SceneMethods, 12> memory;
     CHECK(compare_pixels<Unlit>(memory, 4532) > share_of(300) * 2);
   }
-  SECTION("without") {
-    static SceneMemory<MethodList<Unlit>, 12> memory;
-    CHECK(compare_pixels<Unlit>(memory, 4533) > share_of(300) * 2);
+  SECTION("without, and nothing behind the memory is touched") {
+    static struct {
+      SceneMemory<MethodList<Unlit>, 12> memory;
+      std::uint8_t behind[256];
+    } held;
+    CHECK(compare_pixels<Unlit>(held.memory, 4533) > share_of(300) * 2);
+    for (const std::uint8_t byte : held.behind) REQUIRE(byte == 0);
   }
   SECTION("edges") {
     static SceneMemory<MethodList<SceneMethod, Unlit, Wireframe<>>, 12> memory;
@@ -158,6 +162,33 @@ TEST_CASE("depths of shaded triangles are picked as they are drawn, whatever the
     REQUIRE(again.pixels == canvas.pixels);
   }
   CHECK(hits > share_of(200) * 2);
+}
+
+TEST_CASE("of equal depths the object is picked that is drawn first: the nearest") {
+  static SceneMemory<SceneMethods, 12> memory;
+  // A triangle in the middle of the picture beyond the far plane, where all depths are the same, and one
+  // beside it that is nearer, so that the middles of spheres are before the far plane.
+  TestMesh mesh;
+  const Vec3 front{0, 0, 1};
+  const std::uint16_t a = mesh.add({-20000, -20000, -20000}, front);
+  const std::uint16_t b = mesh.add({20000, -20000, -20000}, front);
+  const std::uint16_t c = mesh.add({0, 20000, -20000}, front);
+  mesh.triangle(a, b, c);
+  mesh.triangle(mesh.add({-30000, 30000, 20000}, front), mesh.add({-29000, 30000, 20000}, front),
+                mesh.add({-30000, 31000, 20000}, front));
+  const MeshView view = mesh.view();
+  Camera camera;
+  REQUIRE(Camera::make({WorldPoint::of(0, 0, 9), {}},
+                       Lens::field_of_view(Turn{10000}, WorldLength::of(0.5), WorldLength::of(9.7)), kScreen,
+                       camera) == Status::kOk);
+  std::vector<Object> objects(2, Object(view, kRed));
+  for (Object& object : objects) object.scale = to_world(2);
+  objects[1].position = WorldPoint::of(0, 0, 0.2);
+  REQUIRE(ok(prepare_scene({camera, kLights, objects}, memory)));
+  const Picked picked = pick(memory, Canvas::kWidth / 2, Canvas::kHeight / 2);
+  CHECK(picked.object == &objects[1]);
+  CHECK(picked.triangle == 0);
+  CHECK(picked.depth == 65535 - ClipTransform::kDepthMargin);
 }
 
 TEST_CASE("nothing is picked outside of the picture, before a scene or after a refused one") {

@@ -18,6 +18,13 @@ namespace {
 
 constexpr std::int32_t kRows = 8;
 
+/// A glass whose rows end within a byte of the framebuffer.
+struct NarrowSsd1306Bench : SolomonSpiBench<Ssd1306, sim::Ssd1306Model> {
+  explicit NarrowSsd1306Bench(const PanelSettings& s = {},
+                              const Glass& g = {12, 64, 50, 0, true, true, false, false})
+      : SolomonSpiBench(g, s) {}
+};
+
 /// A panel with page mode and the picture that its glass should show.
 template <class Bench>
 struct AreaBench {
@@ -89,7 +96,7 @@ Rect clipped(const Rect& r, const Rect& all) {
 
 TEMPLATE_TEST_CASE("a rectangle of the picture is drawn and sent, and nothing else", "", Ili9341Bench,
                    St7789Bench, Ssd1351SmallBench, Ssd0323Bench, Ssd0323MiddleBench, Ssd1306Bench,
-                   Ssd1306I2cBench) {
+                   NarrowSsd1306Bench, Ssd1306I2cBench) {
   test::Random random(4541);
   for (const Orientation o : {Orientation::k0, Orientation::k90, Orientation::k180, Orientation::k270}) {
     AreaBench<TestType> test(o);

@@ -26,7 +26,7 @@ PixelSide make_pixel_side(const SceneSlot& slot, PictureAxis axis, std::int32_t 
   const std::int64_t farthest = std::int64_t{slot.sphere.middle.w} + slot.sphere.radius_ahead;
   const std::int64_t across = (farthest >> 2) + (edges ? 2 * farthest : 0);
   const std::int64_t rounding = kRounding * (2 * kGuardBand + (offset < 0 ? -offset : offset));
-  const std::int64_t tolerance = (across + rounding) * (1 << 14);
+  const std::int64_t tolerance = (across + rounding) * (std::int32_t{1} << 14);
   const auto excess = [](std::uint64_t v, int bits) {
     const int width = static_cast<int>(std::bit_width(v));
     return width > bits ? width - bits : 0;
@@ -35,9 +35,11 @@ PixelSide make_pixel_side(const SceneSlot& slot, PictureAxis axis, std::int32_t 
   const int for_tolerance = excess(static_cast<std::uint64_t>(tolerance), 27);
   const int shift = for_factors > for_tolerance ? for_factors : for_tolerance;
   // Each factor is rounded down by less than 1, times a coordinate of up to 2^15.
-  const auto reach = static_cast<std::int32_t>(tolerance >> shift) + 3 * (1 << 15) + 2;
+  constexpr std::int32_t kOfFactors = 3 * (std::int32_t{1} << 15);
+  const std::int32_t reach = static_cast<std::int32_t>(tolerance >> shift) + kOfFactors + 2;
   constexpr std::int64_t kMost = std::int64_t{1} << 30;
-  const std::int64_t origin = of_plane(transform.offset(row), transform.offset(2)) * (1 << 14) >> shift;
+  const std::int64_t origin =
+      of_plane(transform.offset(row), transform.offset(2)) * (std::int32_t{1} << 14) >> shift;
   const auto at = static_cast<std::int32_t>(origin < -kMost ? -kMost : origin > kMost ? kMost : origin);
   const auto factor = [&](std::size_t j) { return static_cast<std::int32_t>(factors[j] >> shift); };
   return {factor(0), factor(1), factor(2), at + reach, 2 * reach};

@@ -152,6 +152,11 @@ TEST_CASE("two rectangles are sent as one if that takes no more pixels") {
   CHECK(drawn({10, 10, 20, 20}, {}) == 10 * 10);
   CHECK(drawn({}, {10, 10, 20, 20}) == 10 * 10);
   CHECK(drawn({}, {}) == 0);
+  // Parts outside of the panel do not count.
+  constexpr Rect kWhole{INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX};
+  CHECK(drawn({10, 10, 20, 20}, kWhole) == 240 * 320);
+  CHECK(drawn({-900, 10, 20, 20}, {200, 10, 900, 20}) == 20 * 10 + 40 * 10);
+  CHECK(drawn({INT32_MAX, 0, INT32_MIN, 9}, {INT32_MIN, 5, -9, 9}) == 0);
 }
 
 TEST_CASE("a rectangle that cannot be drawn or sent says why, and sends nothing") {

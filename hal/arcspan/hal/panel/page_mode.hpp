@@ -98,12 +98,9 @@ class PageMode {
   Status show_area(const Rect& area, Draw&& draw) {
     Status status = check();
     if (!ok(status)) return status;
-    const Rect all = panel_.bounds();
-    const Rect visible{area.left > 0 ? area.left : 0, area.top > 0 ? area.top : 0,
-                       area.right < all.right ? area.right : all.right,
-                       area.bottom < all.bottom ? area.bottom : all.bottom};
+    const Rect visible = on_panel(area);
     if (visible.empty()) return Status::kOk;
-    if (band_memory_.size() < Frame::words(all.right, rows_)) return Status::kBufferTooSmall;
+    if (band_memory_.size() < Frame::words(panel_.width(), rows_)) return Status::kBufferTooSmall;
     const Rect sent = widened<Layout>(visible, panel_.settings().orientation);
     const std::int32_t rows = part_rows(sent);
     for (std::int32_t top = sent.top; ok(status) && top < sent.bottom; top += rows) {
@@ -121,13 +118,12 @@ class PageMode {
   /// has no more pixels than the two have, else of one after the other.
   template <class Draw>
   Status show_areas(const Rect& before, const Rect& now, Draw&& draw) {
-    const auto pixels = [](const Rect& r) {
-      return r.empty() ? std::int64_t{0} : std::int64_t{r.width()} * r.height();
-    };
-    const Rect both = bounding_rect(before, now);
-    if (pixels(both) <= pixels(before) + pixels(now)) return show_area(both, draw);
-    const Status status = show_area(before, draw);
-    return ok(status) ? show_area(now, draw) : status;
+    const Rect first = on_panel(before);
+    const Rect second = on_panel(now);
+    const Rect both = bounding_rect(first, second);
+    if (pixels(both) <= pixels(first) + pixels(second)) return show_area(both, draw);
+    const Status status = show_area(first, draw);
+    return ok(status) ? show_area(second, draw) : status;
   }
 
  private:
@@ -153,6 +149,16 @@ class PageMode {
     const Status last = panel_.finish();
     return ok(status) ? last : status;
   }
+
+  /// The part of a rectangle that lies on the panel; Rect{} if there is none.
+  [[nodiscard]] Rect on_panel(const Rect& area) const {
+    const Rect all = panel_.bounds();
+    const Rect visible{area.left > 0 ? area.left : 0, area.top > 0 ? area.top : 0,
+                       area.right < all.right ? area.right : all.right,
+                       area.bottom < all.bottom ? area.bottom : all.bottom};
+    return visible.empty() ? Rect{} : visible;
+  }
+  [[nodiscard]] static std::int32_t pixels(const Rect& visible) { return visible.width() * visible.height(); }
 
   /// How many rows of `area` are drawn at a time: a multiple of the layout's row step, at least one of them,
   /// because `area` is no wider than the panel.

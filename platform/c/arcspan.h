@@ -174,6 +174,24 @@ typedef struct {
 arcspan_status arcspan_set_camera(arcspan_view* view, const arcspan_lens* lens, arcspan_point eye,
                                   arcspan_point target, arcspan_point up);
 
+/* What is seen in a pixel. */
+typedef struct {
+  int found;             /* 0: nothing, and the rest is 0 */
+  arcspan_object object; /* of the part */
+  uint16_t part;         /* of the object, from 0 */
+  uint32_t triangle;     /* of the part's mesh */
+} arcspan_picked;
+/* Finds what the last frame that was prepared shows in column x and row y of the picture. Nothing is drawn.
+ */
+arcspan_status arcspan_pick(arcspan_view* view, int32_t x, int32_t y, arcspan_picked* picked);
+
+/* Where a point of the world is in the picture: sixteenths of pixels, from its left and upper edge. */
+typedef struct {
+  int32_t x, y;   /* 0 if it is nearer than the lens's `nearest` */
+  int in_picture; /* 0: nearer than that, or outside of the picture */
+} arcspan_screen_point;
+arcspan_screen_point arcspan_project(const arcspan_view* view, arcspan_point point);
+
 /* `rotation` after a drag over the picture by `dx` pixels to the right and `dy` downwards, as if the object
  * were a ball that fills it. Before arcspan_set_camera() it does not change. */
 arcspan_quaternion arcspan_dragged(const arcspan_view* view, arcspan_quaternion rotation, int32_t dx,

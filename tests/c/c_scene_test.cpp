@@ -9,11 +9,13 @@
 #include <arcspan_c/model.hpp>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 extern "C" {
@@ -202,6 +204,50 @@ TEST_CASE("a drag turns the nearest point of an object with it") {
   const arcspan_quaternion back = arcspan_dragged(balls.view, right, -16, 0);
   CHECK(std::abs(back.y) <= 256);  // 18 fraction bits of the sides of the picture
   CHECK(arcspan_dragged(balls.view, none, INT32_MIN, INT32_MAX).w != 0);
+}
+
+TEST_CASE("the rectangle of a frame is that of the pixels that change") {
+  Balls balls;
+  arcspan_rect drawn{};
+  REQUIRE(arcspan_prepare(balls.view, &drawn) == ARCSPAN_OK);
+  std::vector<std::uint16_t> pixels(kWidth * kHeight, 0x1234), depths;
+  arcspan_target target = whole_target(pixels.data(), 2 * pixels.size(), 2 * kWidth, ARCSPAN_RGB565, depths);
+  target.background = nullptr;
+  REQUIRE(arcspan_draw(balls.view, &target) == ARCSPAN_OK);
+  arcspan_rect changed{kWidth, kHeight, 0, 0};
+  for (std::int32_t y = 0; y < kHeight; ++y) {
+    for (std::int32_t x = 0; x < kWidth; ++x) {
+      if (pixels[static_cast<std::size_t>(y * kWidth + x)] == 0x1234) continue;
+      changed = {std::min(changed.left, x), std::min(changed.top, y), std::max(changed.right, x + 1),
+                 std::max(changed.bottom, y + 1)};
+    }
+  }
+  CHECK((drawn.left <= changed.left && drawn.left >= changed.left - 1));
+  CHECK((drawn.top <= changed.top && drawn.top >= changed.top - 1));
+  CHECK((drawn.right >= changed.right && drawn.right <= changed.right + 1));
+  CHECK((drawn.bottom >= changed.bottom && drawn.bottom <= changed.bottom + 1));
+}
+
+TEST_CASE("a pixel leads to its object, and a point to its pixel") {
+  Balls balls;
+  arcspan_picked picked{1, 2, 3, 4};
+  CHECK(arcspan_pick(balls.view, 10, 10, &picked) == ARCSPAN_NOT_READY);
+  CHECK(picked.found == 0);
+  REQUIRE(arcspan_prepare(balls.view, nullptr) == ARCSPAN_OK);
+  for (const auto& [object, at] :
+       {std::pair{balls.left, arcspan_point{ARCSPAN_LENGTH(-0.7), 0, 0}},
+        std::pair{balls.right, arcspan_point{ARCSPAN_LENGTH(0.7), ARCSPAN_LENGTH(0.2), 0}}}) {
+    const arcspan_screen_point middle = arcspan_project(balls.view, at);
+    CHECK(middle.in_picture == 1);
+    REQUIRE(arcspan_pick(balls.view, middle.x / 16, middle.y / 16, &picked) == ARCSPAN_OK);
+    CHECK(picked.found == 1);
+    CHECK(picked.object == object);
+    CHECK(picked.part == 0);
+    CHECK(picked.triangle < 224);
+  }
+  REQUIRE(arcspan_pick(balls.view, 0, 0, &picked) == ARCSPAN_OK);
+  CHECK(picked.found == 0);
+  CHECK(arcspan_project(balls.view, {0, 0, ARCSPAN_LENGTH(5)}).in_picture == 0);
 }
 
 TEST_CASE("memory that is too small by a byte is refused") {

@@ -22,6 +22,8 @@ template class DamageSink<Framebuffer<Rgb565>>;
 template class PageMode<Ili9341>;
 template class PageMode<Ssd0323>;
 template class PageMode<Ssd1306>;
+using DrawWindow = Status (*)(PageMode<Ssd1306>::Window&);
+template Status PageMode<Ssd1306>::show_areas(const Rect&, const Rect&, DrawWindow&&);
 template Status send_area(Ili9341&, const Framebuffer<Rgb565>&, const Rect&, std::span<std::uint8_t>);
 template Status send_area(St7789&, const Framebuffer<Rgb565>&, const Rect&, std::span<std::uint8_t>);
 template Status send_area(Ssd1351&, const Framebuffer<Rgb565>&, const Rect&, std::span<std::uint8_t>);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Scenes of several methods, as all_stages.cpp has draw_mesh().
+#include <arcspan/drawn_rect.hpp>
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/pick.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/scene.hpp>
 #include <arcspan/shading/flat.hpp>
@@ -14,6 +16,10 @@ using Methods = MethodList<Gouraud<SceneLighting>, Unlit, Use<Flat<SingleLightin
 
 template SceneResult draw_scene(const Scene&, hal::Framebuffer<Rgb565>&, const DepthBuffer&,
                                 SceneMemory<Methods, 4, 100>&);
+
+template Rect drawn_rect(SceneMemory<Methods, 4, 100>&);
+template Rect drawn_rect(SceneMemory<Methods, 4>&, const Object&);
+template Picked pick(SceneMemory<Methods, 4, 100>&, std::int32_t, std::int32_t);
 
 Status make_camera(const LookAt& view, const Lens& lens, const Viewport& viewport, Camera& camera) {
   return Camera::make(view, lens, viewport, camera);

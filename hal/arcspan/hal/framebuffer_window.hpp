@@ -31,6 +31,12 @@ class FramebufferWindow : public Framebuffer<F> {
   FramebufferWindow(std::span<std::byte> memory, const Rect& held, std::int32_t stride_bytes)
       : Framebuffer<F>(check(memory, held, stride_bytes), column_0(memory, held), stride_bytes, held) {}
 
+  /// The least `stride_bytes` of a rectangle: that of rows without padding. The sides of `held` are in
+  /// 0...32767 and in order.
+  [[nodiscard]] static constexpr std::int32_t least_stride(const Rect& held) {
+    return static_cast<std::int32_t>(F::words_per_row(held.right - first_of_word(held.left)) * sizeof(Word));
+  }
+
   /// Sets every pixel of the window to `colour`.
   void clear(Rgb8 colour) { this->clear_rows(F::encode(colour)); }
 
@@ -52,8 +58,7 @@ class FramebufferWindow : public Framebuffer<F> {
                                     std::int32_t stride_bytes) {
     const Status status = arcspan::detail::check_band_rect(held, F::words_per_row, SIZE_MAX);
     if (!ok(status)) return status;
-    const auto row = static_cast<std::uint32_t>(F::words_per_row(held.right - first_of_word(held.left))) *
-                     static_cast<std::uint32_t>(sizeof(Word));
+    const auto row = static_cast<std::uint32_t>(least_stride(held));
     const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(memory.data());
     if (stride_bytes < 0 || static_cast<std::uint32_t>(stride_bytes) < row ||
         static_cast<std::uint32_t>(stride_bytes) % alignof(Word) != 0 || address % alignof(Word) != 0)

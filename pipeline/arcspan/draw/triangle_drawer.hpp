@@ -207,20 +207,11 @@ class TriangleDrawer {
     }
   }
 
-  /// The vertices of a triangle in the order in which the side `facing` shows them counter-clockwise, from
-  /// the lowest index on. So the fan of the rest of a clipped triangle depends neither on which vertex is
-  /// named first nor on which side is the front.
-  [[nodiscard]] static constexpr TriangleIndices ordered(const TriangleIndices& t, Facing facing) {
-    const TriangleIndices o = facing == Facing::kFront ? t : TriangleIndices{t.a, t.c, t.b};
-    if (o.a <= o.b && o.a <= o.c) return o;
-    return o.b <= o.c ? TriangleIndices{o.b, o.c, o.a} : TriangleIndices{o.c, o.a, o.b};
-  }
-
   /// Clips the triangle and draws the rest if it shows the side `facing`. Clipped vertices have normals that
   /// are not in the mesh, so each side is clipped with its own shading.
   ARCSPAN_OUTLINE ARCSPAN_COLD void draw_clipped(const TriangleIndices& t, Facing facing) {
     Raster inside[ClipPolygon<Method>::kCapacity];
-    const std::size_t count = clip_triangle(stage_, ordered(t, facing), facing, inside);
+    const std::size_t count = clip_triangle(stage_, in_clip_order(t, facing), facing, inside);
     const bool front = facing == Facing::kFront;
     for (std::size_t i = 2; i < count && ok(result_.status); ++i) {
       const Raster& p = inside[0];

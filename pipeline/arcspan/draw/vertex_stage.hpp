@@ -109,6 +109,15 @@ class VertexStage {
 
 namespace detail {
 
+/// The vertices of a triangle in the order in which the side `facing` shows them counter-clockwise, from the
+/// lowest index on. So the fan of the rest of a clipped triangle depends neither on which vertex is named
+/// first nor on which side is the front.
+[[nodiscard]] constexpr TriangleIndices in_clip_order(const TriangleIndices& t, Facing facing) {
+  const TriangleIndices o = facing == Facing::kFront ? t : TriangleIndices{t.a, t.c, t.b};
+  if (o.a <= o.b && o.a <= o.c) return o;
+  return o.b <= o.c ? TriangleIndices{o.b, o.c, o.a} : TriangleIndices{o.c, o.a, o.b};
+}
+
 /// Clips a triangle, shaded as its side `facing`; sets `inside` to the vertices of the rest, of which there
 /// are at most ClipPolygon::kCapacity, and returns their number. A function of its own, so that the stack of
 /// the stages that follow does not hold the polygons.

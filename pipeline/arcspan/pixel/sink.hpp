@@ -31,6 +31,14 @@ struct Rect {
   friend constexpr bool operator==(const Rect&, const Rect&) = default;
 };
 
+/// The smallest rectangle that contains both; an empty one has no place.
+[[nodiscard]] constexpr Rect bounding_rect(const Rect& a, const Rect& b) {
+  if (a.empty()) return b.empty() ? Rect{} : b;
+  if (b.empty()) return a;
+  return {a.left < b.left ? a.left : b.left, a.top < b.top ? a.top : b.top,
+          a.right > b.right ? a.right : b.right, a.bottom > b.bottom ? a.bottom : b.bottom};
+}
+
 /// The receiver of drawn pixels: a framebuffer, a band of one, a line buffer. The smallest complete sink:
 ///
 ///     struct GreyPicture {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/scene/camera.hpp>
+#include <arcspan/scene/object.hpp>
 
 #include <bit>
 
@@ -73,6 +74,18 @@ bool Camera::place(const WorldPoint& position, const Rotation& rotation, WorldLe
   transform.set_lens(lens_);
   transform.set_placement(placement);
   return true;
+}
+
+ScreenPoint Camera::project(const WorldPoint& point) const {
+  ClipTransform transform;
+  if (!place(point, Rotation::identity(), WorldLength::of(1.0), transform)) return {};
+  return screen_point(transform, {0, 0, 0});
+}
+
+ScreenPoint Camera::project(const Object& object, const ObjectPosition& point) const {
+  ClipTransform transform;
+  if (!place(object.position, object.rotation, object.scale, transform)) return {};
+  return screen_point(transform, point);
 }
 
 }  // namespace arcspan

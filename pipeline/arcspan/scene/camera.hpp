@@ -8,6 +8,7 @@
 #include <arcspan/status.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 #include <arcspan/vertex/rotation.hpp>
+#include <arcspan/vertex/screen_point.hpp>
 
 #include <array>
 #include <bit>
@@ -15,6 +16,8 @@
 #include <cstdint>
 
 namespace arcspan {
+
+class Object;  // forward: scene/object.hpp
 
 /// Where a camera stands and which point appears in the middle of its picture.
 struct LookAt {
@@ -132,6 +135,14 @@ class Camera {
   /// object is more than 2^31 times as far away as it is large, so that it covers no pixel.
   [[nodiscard]] bool place(const WorldPoint& position, const Rotation& rotation, WorldLength scale,
                            ClipTransform& transform) const;
+
+  /// Returns where a point of the world appears. It is within 1/16 of a pixel, and the rounding of 16
+  /// fraction bits of a world unit, of the exact place. A camera that has not been made sees nothing
+  /// (`in_front` is false).
+  [[nodiscard]] ScreenPoint project(const WorldPoint& point) const;
+  /// Returns where `point` of an object's mesh appears, in object units: bit for bit where draw_scene() puts
+  /// a vertex at that position. `in_front` is false also if place() refuses the object.
+  [[nodiscard]] ScreenPoint project(const Object& object, const ObjectPosition& point) const;
 
  private:
   /// An orthographic lens has its eye this many times the distance of its planes before them.

@@ -59,6 +59,7 @@ class SceneMemory : detail::MethodsInMemory<List> {
   static constexpr bool kHasVertices = Vertices != 0;
   [[nodiscard]] static constexpr Status status() { return Status::kOk; }
   [[nodiscard]] void* lighting() { return lighting_; }
+  [[nodiscard]] std::span<unsigned char> scratch() { return {lighting_, Methods::kLightingBytes}; }
   [[nodiscard]] detail::SceneFrame frame() {
     return {header_,      {static_cast<detail::SceneSlot*>(static_cast<void*>(slots_)), Objects},
             order_,       {vertices_, Methods::kVertexBytes * Vertices},
@@ -114,6 +115,9 @@ class SceneMemoryView : detail::MethodsInMemory<List> {
   using typename Methods::Uses;
   static constexpr bool kHasVertices = true;
   [[nodiscard]] void* lighting() { return first_; }
+  [[nodiscard]] std::span<unsigned char> scratch() {
+    return {static_cast<unsigned char*>(lighting()), Methods::kLightingBytes};
+  }
   [[nodiscard]] detail::SceneFrame frame() {
     std::byte* const slots = first_ + kLighting;
     std::byte* const order = slots + sizeof(detail::SceneSlot) * limits_.objects;

@@ -13,12 +13,10 @@ using namespace arcspan;
 
 namespace {
 
+using c::coefficients;
+
 constexpr arcspan_look kUsualLook = {ARCSPAN_ARC, 1, 0, nullptr};
 constexpr Material kWhitePlastic = plastic({255, 255, 255});
-
-[[nodiscard]] ChannelCoefficients coefficients(const arcspan_shares& s) {
-  return {Coefficient::from_raw(s.r), Coefficient::from_raw(s.g), Coefficient::from_raw(s.b)};
-}
 
 [[nodiscard]] c::MaterialSource source_of(const arcspan_look& look, const Material& material, bool two_sided,
                                           const StoredTexture& texture) {

@@ -20,6 +20,8 @@ static_assert(ARCSPAN_INVALID_ARGUMENT == static_cast<int>(Status::kInvalidArgum
 
 namespace {
 
+using c::coefficients;
+
 struct SceneParts {
   arcspan_scene* scene;
   Object* objects;
@@ -36,17 +38,11 @@ struct SceneParts {
 
 constexpr SceneLight kFirstLight = SceneLight::directional(normalised(-1, 1, 2));
 
-[[nodiscard]] ChannelCoefficients coefficients(const arcspan_shares& s) {
-  return {Coefficient::from_raw(s.r), Coefficient::from_raw(s.g), Coefficient::from_raw(s.b)};
-}
-
 [[nodiscard]] SceneLight scene_light(const arcspan_light& light) {
   const Coefficient strength = Coefficient::from_raw(light.strength);
   const ChannelCoefficients colour = coefficients(light.colour);
   if (light.half != 0) {
-    const WorldPoint at{WorldLength::from_raw(light.at.x), WorldLength::from_raw(light.at.y),
-                        WorldLength::from_raw(light.at.z)};
-    return SceneLight::point(at, WorldLength::from_raw(light.half), strength, colour);
+    return SceneLight::point(c::world_point(light.at), WorldLength::from_raw(light.half), strength, colour);
   }
   return SceneLight::directional(normalised(light.at.x, light.at.y, light.at.z), strength, colour);
 }
@@ -132,8 +128,7 @@ arcspan_status arcspan_set_lights(arcspan_scene* scene, const arcspan_light* lig
 }
 
 arcspan_status arcspan_set_position(arcspan_scene* scene, arcspan_object object, arcspan_point position) {
-  const WorldPoint at{WorldLength::from_raw(position.x), WorldLength::from_raw(position.y),
-                      WorldLength::from_raw(position.z)};
+  const WorldPoint at = c::world_point(position);
   return change(scene, object, [&](Object& part) { part.position = at; });
 }
 

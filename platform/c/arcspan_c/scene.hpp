@@ -27,6 +27,13 @@ template <class... C>
   return most;
 }
 
+[[nodiscard]] constexpr WorldPoint world_point(const arcspan_point& p) {
+  return {WorldLength::from_raw(p.x), WorldLength::from_raw(p.y), WorldLength::from_raw(p.z)};
+}
+[[nodiscard]] constexpr ChannelCoefficients coefficients(const arcspan_shares& s) {
+  return {Coefficient::from_raw(s.r), Coefficient::from_raw(s.g), Coefficient::from_raw(s.b)};
+}
+
 /// What a material of a part of a binary is made of.
 struct MaterialSource {
   Material material;

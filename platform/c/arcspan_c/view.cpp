@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/drawn_rect.hpp>
 #include <arcspan/scene.hpp>
 
 #include <arcspan_c/memory.hpp>
@@ -14,11 +15,8 @@ using namespace arcspan;
 
 namespace {
 
+using c::world_point;
 using Memory = SceneMemoryView<c::Methods>;
-
-[[nodiscard]] WorldPoint world_point(const arcspan_point& p) {
-  return {WorldLength::from_raw(p.x), WorldLength::from_raw(p.y), WorldLength::from_raw(p.z)};
-}
 
 [[nodiscard]] Lens lens_of(const arcspan_lens& lens) {
   const auto nearest = WorldLength::from_raw(lens.nearest);
@@ -131,8 +129,8 @@ arcspan_status arcspan_prepare(arcspan_view* view, arcspan_rect* drawn) {
   const std::span<const Object> objects(scene.objects, scene.object_count);
   view->status = prepare_scene({view->camera, scene.light_list(), objects}, view->memory);
   if (drawn != nullptr) {
-    const Viewport& viewport = view->camera.viewport();
-    *drawn = {0, 0, viewport.width, viewport.height};
+    const Rect rect = ok(view->status) ? drawn_rect(view->memory) : Rect{};
+    *drawn = {rect.left, rect.top, rect.right, rect.bottom};
   }
   return static_cast<arcspan_status>(view->status);
 }

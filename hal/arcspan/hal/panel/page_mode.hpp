@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/hal/framebuffer_window.hpp>
 #include <arcspan/hal/panel/damage.hpp>
 #include <arcspan/hal/panel/panel.hpp>
 #include <arcspan/hal/panel/wire_layout.hpp>
@@ -39,6 +40,7 @@ class PageMode {
  public:
   using Layout = typename P::Layout;
   using Frame = Framebuffer<typename Layout::Format>;
+  using Window = FramebufferWindow<typename Layout::Format>;
 
   constexpr PageMode(P& panel, std::span<typename Frame::Word> band, std::span<std::uint8_t> wire,
                      std::int32_t rows)
@@ -81,6 +83,49 @@ class PageMode {
     return status;
   }
 
+  /// Draws and sends one rectangle of the picture: as far as it lies on the panel, and widened to the
+  /// layout's steps. Calls `draw(Window& window)` for each part of it from top to bottom; `window.bounds()`
+  /// is that part, in pixels of the picture. The pixels are those of the whole frame, if `draw` draws the
+  /// same.
+  ///
+  /// A part is as high as the memory allows, and has at most as many pixels as `rows` rows of the panel: a
+  /// narrow rectangle takes fewer parts than the frame has bands, and memory for the depths of a band serves
+  /// DepthBuffer(memory, window.bounds()). Nothing is drawn or sent of an empty rectangle. Returns as show().
+  ///
+  /// A program that draws whole frames too saves code if it draws them by show_area(panel.bounds(), draw). A
+  /// Damage does not see what is drawn here: call its mark_everything() before show_changes().
+  template <class Draw>
+  Status show_area(const Rect& area, Draw&& draw) {
+    Status status = check();
+    if (!ok(status)) return status;
+    const Rect visible = on_panel(area);
+    if (visible.empty()) return Status::kOk;
+    if (band_memory_.size() < Frame::words(panel_.width(), rows_)) return Status::kBufferTooSmall;
+    const Rect sent = widened<Layout>(visible, panel_.settings().orientation);
+    const std::int32_t rows = part_rows(sent);
+    for (std::int32_t top = sent.top; ok(status) && top < sent.bottom; top += rows) {
+      const Rect part{sent.left, top, sent.right, top + rows < sent.bottom ? top + rows : sent.bottom};
+      Window window(std::as_writable_bytes(band_memory_), part, Window::least_stride(part));
+      status = window.status();
+      if (ok(status)) status = Status{draw(window)};
+      if (ok(status)) status = start_sending(window, part);
+    }
+    const Status last = panel_.finish();
+    return ok(status) ? last : status;
+  }
+
+  /// show_area() of two rectangles, such as those where an object was and is: of the one around both if that
+  /// has no more pixels than the two have, else of one after the other.
+  template <class Draw>
+  Status show_areas(const Rect& before, const Rect& now, Draw&& draw) {
+    const Rect first = on_panel(before);
+    const Rect second = on_panel(now);
+    const Rect both = bounding_rect(first, second);
+    if (pixels(both) <= pixels(first) + pixels(second)) return show_area(both, draw);
+    const Status status = show_area(first, draw);
+    return ok(status) ? show_area(second, draw) : status;
+  }
+
  private:
   [[nodiscard]] Status check() const {
     const std::int32_t step = Layout::row_step(panel_.settings().orientation);
@@ -103,6 +148,29 @@ class PageMode {
     }
     const Status last = panel_.finish();
     return ok(status) ? last : status;
+  }
+
+  /// The part of a rectangle that lies on the panel; Rect{} if there is none.
+  [[nodiscard]] Rect on_panel(const Rect& area) const {
+    const Rect all = panel_.bounds();
+    const Rect visible{area.left > 0 ? area.left : 0, area.top > 0 ? area.top : 0,
+                       area.right < all.right ? area.right : all.right,
+                       area.bottom < all.bottom ? area.bottom : all.bottom};
+    return visible.empty() ? Rect{} : visible;
+  }
+  [[nodiscard]] static std::int32_t pixels(const Rect& visible) { return visible.width() * visible.height(); }
+
+  /// How many rows of `area` are drawn at a time: a multiple of the layout's row step, at least one of them,
+  /// because `area` is no wider than the panel.
+  [[nodiscard]] std::int32_t part_rows(const Rect& area) const {
+    const auto bytes = static_cast<std::uint32_t>(std::as_bytes(band_memory_).size());
+    const std::uint32_t by_memory = bytes / static_cast<std::uint32_t>(Window::least_stride(area));
+    const std::uint32_t by_pixels = static_cast<std::uint32_t>(panel_.width()) *
+                                    static_cast<std::uint32_t>(rows_) /
+                                    static_cast<std::uint32_t>(area.width());
+    const auto step = static_cast<std::uint32_t>(Layout::row_step(panel_.settings().orientation));
+    const std::uint32_t rows = by_memory < by_pixels ? by_memory : by_pixels;
+    return static_cast<std::int32_t>(rows - rows % step);
   }
 
   Status start_sending(const Frame& band, const Rect& changed) {

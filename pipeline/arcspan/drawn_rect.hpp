@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/scene.hpp>
+#include <arcspan/scene/screen_extent.hpp>
+
+#include <cstddef>
+
+namespace arcspan {
+
+namespace detail {
+
+/// Returns the drawn rectangle of part `number` of the object of a slot, whose material is for `Used`.
+template <class Used, bool KeepsVertices>
+[[nodiscard]] Rect drawn_rect_of_part(SceneSlot& slot, const MeshView& mesh, std::size_t number,
+                                      const SceneMaterial& material) {
+  using Method = typename Used::Method;
+  const ExtentOptions options{material.options().two_sided, Used::kFeatures.clips, DrawsEdges<Method>};
+  VertexStage<Method> stage(mesh, slot.transform,
+                            static_cast<const PreparedMaterial<Used>&>(material).lighting(),
+                            SlotVertices<Method>::shading_of(number));
+  if constexpr (Used::kFeatures.planes) {
+    if (!options.two_sided) stage.find_back_faces();
+  }
+  ScreenExtent extent;
+  if constexpr (KeepsVertices) {
+    SlotVertices<Method> vertices(slot, kUseFacts<Used>);
+    if (!ok(vertices.begin(stage, options.two_sided))) return {};
+    include_triangles(stage, vertices, options, extent);
+  } else {
+    NoCache vertices;
+    include_triangles(stage, vertices, options, extent);
+  }
+  return pixels_of(extent, options.edges, slot.transform.viewport());
+}
+
+/// Returns the drawn rectangle of the object of a slot, whose materials are for one of `Used`.
+template <bool KeepsVertices, class... Used>
+[[nodiscard]] Rect drawn_rect_of(MethodList<Used...>, const SceneHeader& header, SceneSlot& slot) {
+  if (!header.keeps_vertices) slot.held = nullptr;
+  Rect rect{};
+  for (std::size_t number = 0; number < slot.object->part_count(); ++number) {
+    const Part part = slot.object->part(number);
+    const MeshView mesh = slot.object->mesh().part(part.first, part.count);
+    const auto include = [&]<class U>() {
+      if (part.material->use() != &kUseFacts<U>) return;
+      rect = bounding_rect(rect, drawn_rect_of_part<U, KeepsVertices>(slot, mesh, number, *part.material));
+    };
+    (include.template operator()<Used>(), ...);
+  }
+  return rect;
+}
+
+}  // namespace detail
+
+/// Returns the rectangle of the picture that the scene of the last prepare_scene() draws into: every pixel of
+/// draw_prepared_scene() lies in it, and it is the smallest rectangle of pixels around the triangles that are
+/// drawn as their vertices lie on the screen. Triangles that are culled or out of view do not count, but
+/// hidden ones and transparent pixels do. Rect{} if nothing is drawn, or if prepare_scene() did not return
+/// kOk.
+///
+/// For the part of a picture that has to be drawn again, or sent. With room for the vertices of all objects
+/// in view (SceneMemory), the vertices are kept, and drawing does not transform them again.
+template <SceneMemoryType Memory>
+[[nodiscard]] Rect drawn_rect(Memory& memory) {
+  if (!ok(memory.status())) return {};
+  const detail::SceneFrame frame = memory.frame();
+  Rect rect{};
+  for (detail::SceneSlot& slot : frame.slots.first(frame.header.in_view)) {
+    rect = bounding_rect(
+        rect, detail::drawn_rect_of<Memory::kHasVertices>(typename Memory::Uses{}, frame.header, slot));
+  }
+  return rect;
+}
+
+/// Returns the rectangle of one object, an element of Scene::objects, as above. Rect{} if it is not in view.
+template <SceneMemoryType Memory>
+[[nodiscard]] Rect drawn_rect(Memory& memory, const Object& object) {
+  if (!ok(memory.status())) return {};
+  const detail::SceneFrame frame = memory.frame();
+  for (detail::SceneSlot& slot : frame.slots.first(frame.header.in_view)) {
+    if (slot.object != &object) continue;
+    return detail::drawn_rect_of<Memory::kHasVertices>(typename Memory::Uses{}, frame.header, slot);
+  }
+  return {};
+}
+
+}  // namespace arcspan

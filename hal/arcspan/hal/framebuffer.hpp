@@ -43,8 +43,7 @@ class Framebuffer {
       : status_(arcspan::detail::check_band_size(width, rows, F::words_per_row, memory.size())) {
     if (!ok(status_)) return;
     column_0_ = memory.data();
-    stride_ = static_cast<std::int32_t>(F::words_per_row(width) *
-                                        (sizeof(Word) / sizeof(arcspan::detail::RowUnit<Word>)));
+    stride_ = static_cast<std::int32_t>(F::words_per_row(width) * (sizeof(Word) / kUnit));
     bounds_ = {0, 0, width, rows};
     status_ = arcspan::detail::move_band(bounds_, first_row);
   }
@@ -113,7 +112,7 @@ class Framebuffer {
 
  private:
   static constexpr std::int32_t kRefused = -1;
-  static constexpr auto kUnit = static_cast<std::int32_t>(sizeof(arcspan::detail::RowUnit<Word>));
+  static constexpr std::int32_t kUnit = arcspan::detail::kRowUnitBytes<Word>;
 
   /// The Word of column 0 of the i-th row. The product has 64 bits where memory can be as large.
   [[nodiscard]] constexpr Word* row_at(std::int32_t i) const {

@@ -26,7 +26,8 @@ class FramebufferWindow : public Framebuffer<F> {
 
   /// bounds() is `held`, in pixels of the picture; `stride_bytes` bytes lie between the beginnings of two
   /// rows. status() is kInvalidArgument unless the sides of `held` are in 0...32767 and in order, the stride
-  /// holds a row, stride and memory are aligned for a Word and the last row ends at most INT32_MAX bytes
+  /// holds a row, the stride is a multiple of a Word that is an
+  /// integer, the memory is aligned for a Word and the last row ends at most INT32_MAX bytes
   /// behind the first Word; kBufferTooSmall if it ends behind `memory`.
   FramebufferWindow(std::span<std::byte> memory, const Rect& held, std::int32_t stride_bytes)
       : Framebuffer<F>(check(memory, held, stride_bytes), column_0(memory, held), stride_bytes, held) {}
@@ -61,7 +62,7 @@ class FramebufferWindow : public Framebuffer<F> {
     const auto row = static_cast<std::uint32_t>(least_stride(held));
     const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(memory.data());
     if (stride_bytes < 0 || static_cast<std::uint32_t>(stride_bytes) < row ||
-        static_cast<std::uint32_t>(stride_bytes) % alignof(Word) != 0 || address % alignof(Word) != 0)
+        stride_bytes % arcspan::detail::kRowUnitBytes<Word> != 0 || address % alignof(Word) != 0)
       return Status::kInvalidArgument;
     if (held.empty()) return Status::kOk;
     const std::uint64_t end =

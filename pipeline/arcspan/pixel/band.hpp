@@ -54,10 +54,11 @@ template <class WordsPerRow>
   return valid ? Status::kOk : Status::kInvalidArgument;
 }
 
-/// The unit of distances between rows: a Word if its alignment is its size, so that every row begins a whole
-/// number of Words behind the first, else a byte (Rgb888).
+/// The unit of distances between rows: a Word if it is an integer, else a byte (Rgb888).
 template <class Word>
-using RowUnit = std::conditional_t<sizeof(Word) == alignof(Word), Word, std::byte>;
+using RowUnit = std::conditional_t<std::is_integral_v<Word>, Word, std::byte>;
+template <class Word>
+inline constexpr std::int32_t kRowUnitBytes = std::is_integral_v<Word> ? std::int32_t{sizeof(Word)} : 1;
 
 /// The Word `units` RowUnits behind `at` in its memory.
 template <class Word, class Units>

@@ -59,7 +59,7 @@ requires kHasManyRegisters class PixelRows<Sink> {
   }
 
  private:
-  static constexpr auto kUnit = static_cast<std::int32_t>(sizeof(RowUnit<typename Sink::Format::Word>));
+  static constexpr std::int32_t kUnit = kRowUnitBytes<typename Sink::Format::Word>;
 
   typename Sink::Format::Word* row_;
   std::int32_t stride_;  ///< in RowUnits

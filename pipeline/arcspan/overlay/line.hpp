@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/overlay/area.hpp>
+#include <arcspan/pixel/colour.hpp>
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstdint>
+
+namespace arcspan::overlay {
+
+namespace detail {
+
+/// One coordinate of a line as the other one, the longer, advances: start + minor * i / major, rounded to the
+/// nearest, at step i. Halves are rounded up.
+class LineStep {
+ public:
+  /// Begins at step `i`; minor <= major and i <= major.
+  constexpr LineStep(std::int32_t start, std::uint32_t minor, std::uint32_t major, std::uint32_t i,
+                     bool backwards)
+      : at_(start), minor_(minor), major_(major), backwards_(backwards) {
+    if (major == 0) return;
+    std::uint32_t whole = 0;
+    if (i != 0) {
+      const std::uint64_t product = std::uint64_t{i} * minor;
+      whole = static_cast<std::uint32_t>(product / major);
+      rest_ = static_cast<std::uint32_t>(product - std::uint64_t{whole} * major);
+    }
+    at_ = backwards ? wrap_sub(at_, static_cast<std::int32_t>(whole))
+                    : wrap_add(at_, static_cast<std::int32_t>(whole));
+  }
+
+  /// The rounded coordinate. A half goes towards the larger coordinate in both directions.
+  [[nodiscard]] constexpr std::int32_t at() const {
+    const std::uint32_t to_next = major_ - rest_;
+    if (backwards_) return rest_ > to_next ? wrap_sub(at_, 1) : at_;
+    return rest_ != 0 && rest_ >= to_next ? wrap_add(at_, 1) : at_;
+  }
+  constexpr void advance() {
+    if (rest_ >= major_ - minor_) {  // the sum would have 33 bits
+      rest_ -= major_ - minor_;
+      at_ = backwards_ ? wrap_sub(at_, 1) : wrap_add(at_, 1);
+    } else {
+      rest_ += minor_;
+    }
+  }
+
+ private:
+  std::int32_t at_;
+  std::uint32_t minor_;
+  std::uint32_t major_;
+  std::uint32_t rest_ = 0;  ///< of the division, less than major_
+  bool backwards_;
+};
+
+/// The distance of two coordinates.
+[[nodiscard]] constexpr std::uint32_t distance(std::int32_t a, std::int32_t b) {
+  return a < b ? static_cast<std::uint32_t>(b) - static_cast<std::uint32_t>(a)
+               : static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b);
+}
+
+/// Draws a line that is at least as wide as high, from its left end to its right one: a run per row.
+template <PixelSink Sink>
+[[nodiscard]] constexpr Status draw_wide_line(Sink& sink, Point from, Point to, const Rect& clip,
+                                              typename Sink::Format::Encoded colour) {
+  const std::int32_t first = from.x < clip.left ? clip.left : from.x;
+  const std::int32_t last = to.x < clip.right ? to.x : clip.right - 1;
+  LineStep step(from.y, distance(from.y, to.y), distance(from.x, to.x), distance(from.x, first),
+                to.y < from.y);
+  for (std::int32_t x = first; x <= last;) {
+    const std::int32_t y = step.at();
+    std::int32_t end = x;
+    do {
+      ++end;
+      step.advance();
+    } while (end <= last && step.at() == y);
+    if (y >= clip.top && y < clip.bottom) {
+      const Status status = fill_run(sink, {y, x, end - x}, colour);
+      if (!ok(status)) return status;
+    }
+    x = end;
+  }
+  return Status::kOk;
+}
+
+/// Draws a line that is higher than wide, from its upper end to its lower one: a pixel per row.
+template <PixelSink Sink>
+[[nodiscard]] constexpr Status draw_high_line(Sink& sink, Point from, Point to, const Rect& clip,
+                                              typename Sink::Format::Encoded colour) {
+  const std::int32_t first = from.y < clip.top ? clip.top : from.y;
+  const std::int32_t last = to.y < clip.bottom ? to.y : clip.bottom - 1;
+  LineStep step(from.x, distance(from.x, to.x), distance(from.y, to.y), distance(from.y, first),
+                to.x < from.x);
+  for (std::int32_t y = first; y <= last; ++y, step.advance()) {
+    const std::int32_t x = step.at();
+    if (x < clip.left || x >= clip.right) continue;
+    const Status status = fill_run(sink, {y, x, 1}, colour);
+    if (!ok(status)) return status;
+  }
+  return Status::kOk;
+}
+
+}  // namespace detail
+
+/// Draws a line one pixel wide from the middle of pixel `a` to that of pixel `b`, both included. It has one
+/// pixel in each column if it is at least as wide as high, else one in each row: the one that contains the
+/// line at the centre of that column or row, as draw_lines() draws edges; on the border of two pixels the
+/// lower or the right one. The line from b to a has the same pixels. Returns the first status of the sink
+/// that is not kOk, else kOk.
+template <PixelSink Sink>
+constexpr Status draw_line(Sink& sink, Point a, Point b, Rgb8 colour) {
+  if (const Status status = detail::status_of(sink); !ok(status)) return status;
+  const Rect clip = sink.bounds();
+  const std::int32_t top = a.y < b.y ? a.y : b.y;
+  const std::int32_t bottom = a.y < b.y ? b.y : a.y;
+  if (clip.empty() || bottom < clip.top || top >= clip.bottom) return Status::kOk;
+  const auto encoded = Sink::Format::encode(colour);
+  if (detail::distance(a.x, b.x) >= detail::distance(a.y, b.y)) {
+    const bool in_order = a.x <= b.x;
+    return detail::draw_wide_line(sink, in_order ? a : b, in_order ? b : a, clip, encoded);
+  }
+  const bool in_order = a.y <= b.y;
+  return detail::draw_high_line(sink, in_order ? a : b, in_order ? b : a, clip, encoded);
+}
+
+}  // namespace arcspan::overlay

@@ -127,15 +127,15 @@ class Font {
     if (line_height < 1 || line_height > INT16_MAX || ranges.size() > 0xFFFF) return Status::kInvalidArgument;
     if (glyphs.empty()) return Status::kIndexOutOfRange;
     line_height_ = bottom_ = line_height;
-    if (!include(glyphs[0], 0, bitmaps.size())) return Status::kBufferTooSmall;
+    if (!include(glyphs.data(), 1, 0, bitmaps.size())) return Status::kBufferTooSmall;
     std::uint32_t next = 0;
     for (const GlyphRange& range : ranges) {
       if (range.count == 0 || range.first < next || range.first > 0x110000u - range.count)
         return Status::kInvalidArgument;
       if (std::uint32_t{range.glyph} + range.count > glyphs.size()) return Status::kIndexOutOfRange;
       next = range.first + range.count;
-      for (const Glyph& glyph : glyphs.subspan(range.glyph, range.count))
-        if (!include(glyph, range.bitmaps, bitmaps.size())) return Status::kBufferTooSmall;
+      if (!include(glyphs.data() + range.glyph, range.count, range.bitmaps, bitmaps.size()))
+        return Status::kBufferTooSmall;
     }
     ranges_ = ranges.data();
     glyphs_ = glyphs.data();
@@ -144,13 +144,18 @@ class Font {
     return Status::kOk;
   }
 
-  /// Makes top_ and bottom_ include a glyph. Returns false if its bitmap is not within `bytes` bytes.
-  constexpr bool include(const Glyph& glyph, std::uint32_t base, std::size_t bytes) {
-    const std::uint32_t size = (std::uint32_t{glyph.width} * glyph.height * Bits + 7) / 8 + kPadding;
-    if (glyph.top < top_) top_ = glyph.top;
-    const std::int32_t bottom = std::int32_t{glyph.top} + glyph.height;
-    if (bottom > bottom_) bottom_ = bottom;
-    return base <= bytes && glyph.bitmap + size <= bytes - base;
+  /// Makes top_ and bottom_ include `count` glyphs. Returns false if one of their bitmaps, which count from
+  /// byte `base`, is not within `bytes` bytes. (Compilers limit the steps of constants: no calls per glyph.)
+  constexpr bool include(const Glyph* glyph, std::uint32_t count, std::uint32_t base, std::size_t bytes) {
+    if (base > bytes) return false;
+    for (const Glyph* const end = glyph + count; glyph != end; ++glyph) {
+      if (glyph->top < top_) top_ = glyph->top;
+      if (std::int32_t{glyph->top} + glyph->height > bottom_)
+        bottom_ = std::int32_t{glyph->top} + glyph->height;
+      const std::uint32_t size = (std::uint32_t{glyph->width} * glyph->height * Bits + 7) / 8 + kPadding;
+      if (glyph->bitmap + size > bytes - base) return false;
+    }
+    return true;
   }
 
   const GlyphRange* ranges_ = nullptr;

@@ -10,8 +10,9 @@
 
 /// Text and simple shapes over a picture: free functions that write into any PixelSink what lies within its
 /// bounds(). A program calls them for each band after it has drawn the scene and before it sends the band.
-/// Coordinates are pixels of the picture and may have any value, so that the same calls with the same
-/// arguments draw a picture as a whole, band by band or rectangle by rectangle.
+/// Coordinates are pixels of the picture and need not lie within it, so that the same calls with the same
+/// arguments draw a picture as a whole, band by band or rectangle by rectangle. Those beyond +-2^30 are
+/// taken modulo 2^32: what begins there is not seen in a picture whose sides are less than 2^30.
 namespace arcspan::overlay {
 
 /// A pixel of the picture, which need not lie within it: column x, row y, y down.
@@ -24,25 +25,14 @@ struct Point {
 
 namespace detail {
 
-/// a + b, saturated. No rectangle holds a pixel in column or row INT32_MAX.
-[[nodiscard]] constexpr std::int32_t saturated_add(std::int32_t a, std::int32_t b) {
-  const std::int32_t sum = wrap_add(a, b);
-  if (((a ^ sum) & (b ^ sum)) < 0) [[unlikely]]
-    return a < 0 ? INT32_MIN : INT32_MAX;
-  return sum;
-}
-
-/// a - b, saturated.
-[[nodiscard]] constexpr std::int32_t saturated_sub(std::int32_t a, std::int32_t b) {
-  const std::int32_t difference = wrap_sub(a, b);
-  if (((a ^ b) & (a ^ difference)) < 0) [[unlikely]]
-    return a < 0 ? INT32_MIN : INT32_MAX;
-  return difference;
-}
-
 /// The rectangle of `width` by `height` pixels whose upper left pixel is `at`.
 [[nodiscard]] constexpr Rect rect_at(Point at, std::int32_t width, std::int32_t height) {
-  return {at.x, at.y, saturated_add(at.x, width), saturated_add(at.y, height)};
+  return {at.x, at.y, wrap_add(at.x, width), wrap_add(at.y, height)};
+}
+
+/// The distance of the sides of a rectangle, 0 if they are not in order.
+[[nodiscard]] constexpr std::uint32_t extent(std::int32_t first, std::int32_t end) {
+  return first < end ? static_cast<std::uint32_t>(end) - static_cast<std::uint32_t>(first) : 0;
 }
 
 /// The pixels that two rectangles share; empty() if there are none.

@@ -9,6 +9,7 @@
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
+#include <concepts>
 #include <cstdint>
 
 namespace arcspan::overlay {
@@ -22,6 +23,10 @@ struct Alignment {
   VerticalAlignment vertical = VerticalAlignment::kTop;
 };
 
+/// How a caption is aligned: by an Alignment, or, in less code, by a HorizontalAlignment and at the top.
+template <class A>
+concept CaptionAlignment = std::same_as<A, Alignment> || std::same_as<A, HorizontalAlignment>;
+
 /// The columns and rows that a caption takes.
 struct TextSize {
   std::int32_t width = 0;
@@ -32,122 +37,119 @@ struct TextSize {
 
 namespace detail {
 
-/// The lines of a caption that is `width` pixels wide. A line ends at a newline, at the last spaces before
-/// the first glyph that would leave the width, or, in a word that is too long, before that glyph; it has at
-/// least one glyph. Spaces at the end of a line are not part of it, and those where it was broken not of the
-/// next.
-template <unsigned Bits>
-class CaptionLines {
- public:
-  constexpr CaptionLines(const Font<Bits>& font, Utf8Text text, std::int32_t width)
-      : font_(font), rest_(text), most_(width) {}
-
-  /// Makes the next line the current one. Returns false if there is none.
-  constexpr bool next() {
-    if (rest_.empty()) return false;
-    const char* const begin = rest_.begin();
-    line_ = {{begin, begin}, 0};
-    Line shorter = line_;  // the line up to the last spaces, and the text behind them
-    Utf8Text behind;
-    std::int32_t pen = 0;
-    while (!rest_.empty()) {
-      const Utf8Text before = rest_;
-      const std::uint32_t code = rest_.take();
-      if (code == '\n') break;
-      const std::int32_t end = saturated_add(pen, font_.find(code).glyph->advance);
-      if (code <= ' ') {
-        shorter = line_;
-        behind = rest_;
-      } else if (end > most_ && before.begin() != begin) {
-        const bool is_long_word = shorter.text.empty();
-        line_ = is_long_word ? Line{{begin, before.begin()}, pen} : shorter;
-        rest_ = is_long_word ? before : behind;
-        break;
-      } else {
-        line_ = {{begin, rest_.begin()}, end};
-      }
-      pen = end;
-    }
-    return true;
-  }
-
-  [[nodiscard]] constexpr Utf8Text text() const { return line_.text; }
-  [[nodiscard]] constexpr std::int32_t width() const { return line_.width; }
-
- private:
-  struct Line {
-    Utf8Text text;
-    std::int32_t width;
-  };
-
-  const Font<Bits>& font_;
-  Utf8Text rest_;
-  std::int32_t most_;
-  Line line_{};
+/// A line of a caption, and the text behind it.
+struct CaptionLine {
+  const char* end;
+  const char* next;
+  std::uint32_t width;
 };
 
-/// The width and the height of a rectangle, 0 or more, saturated.
-[[nodiscard]] constexpr TextSize size_of(const Rect& rect) {
-  if (rect.empty()) return {};
-  return {saturated_sub(rect.right, rect.left), saturated_sub(rect.bottom, rect.top)};
-}
-
-/// Rows between the top of a rectangle of `height` rows and the first line of a caption within it. If not all
-/// lines fit, the first ones are shown.
+/// The first line of a text, which is not empty(), in `most` columns. It ends at a newline, at the last
+/// spaces before the first glyph that would leave the columns, or, in a word that is too long, before that
+/// glyph; it has at least one glyph. Spaces at its end are not part of it, and those where it is broken not
+/// of the next.
 template <unsigned Bits>
-[[nodiscard]] constexpr std::int32_t rows_above(CaptionLines<Bits> lines, std::int32_t line_height,
-                                                std::int32_t height, VerticalAlignment alignment) {
-  if (alignment == VerticalAlignment::kTop) return 0;
-  while (height > 0 && lines.next()) height = saturated_sub(height, line_height);
-  if (height <= 0) return 0;
-  return alignment == VerticalAlignment::kMiddle ? height / 2 : height;
-}
-
-/// Columns between the left of a rectangle and a line, of which the rectangle has `room` more. A glyph wider
-/// than the rectangle begins at its left.
-[[nodiscard]] constexpr std::int32_t columns_before(std::int32_t room, HorizontalAlignment alignment) {
-  if (alignment == HorizontalAlignment::kLeft || room <= 0) return 0;
-  return alignment == HorizontalAlignment::kCentre ? room / 2 : room;
+[[nodiscard]] constexpr CaptionLine first_line(const Font<Bits>& font, Utf8Text text, std::uint32_t most) {
+  CaptionLine line{text.begin(), text.end(), 0};
+  CaptionLine shorter = line;  // up to the last spaces; its width is 0 if there were none
+  std::uint32_t pen = 0;
+  while (!text.empty()) {
+    const char* const before = text.begin();
+    const std::uint32_t code = text.take();
+    const std::uint32_t end = pen + font.find(code).glyph->advance;
+    if (code <= ' ') {
+      shorter = {line.end, text.begin(), line.width};
+      if (code == '\n') return shorter;
+    } else if (end > most && pen != 0) {
+      return shorter.width != 0 ? shorter : CaptionLine{before, before, pen};
+    } else {
+      line.end = text.begin();
+      line.width = end;
+    }
+    pen = end;
+  }
+  return line;
 }
 
 }  // namespace detail
 
-/// Draws text in lines within `area`, and nothing outside of it. A line ends at a newline, or at spaces where
-/// the next word would leave the area; words wider than the area are broken. Glyphs are those of draw_text().
-/// Returns the first status of the sink that is not kOk, else kOk.
-template <PixelSink Sink, unsigned Bits, TextStyle Style>
-constexpr Status draw_caption(Sink& sink, const Font<Bits>& font, const Rect& area, Utf8Text text,
-                              const Style& style, const Alignment& alignment = {}) {
-  const TextSize size = detail::size_of(area);
-  const Rect clip = detail::intersection(area, sink.bounds());
-  return detail::draw_lines(sink, font, clip, style, [&](const auto& pass) {
-    detail::CaptionLines<Bits> lines(font, text, size.width);
-    const std::int32_t above = detail::rows_above(lines, font.line_height(), size.height, alignment.vertical);
-    std::int32_t y = detail::saturated_add(area.top, above);
-    while (detail::saturated_add(y, font.top() - 1) < clip.bottom && lines.next()) {
-      if (detail::line_meets(font, y, clip)) {
-        const std::int32_t before =
-            detail::columns_before(detail::saturated_sub(size.width, lines.width()), alignment.horizontal);
-        const Status status = pass(lines.text(), {detail::saturated_add(area.left, before), y});
-        if (!ok(status)) return status;
-      }
-      y = detail::saturated_add(y, font.line_height());
-    }
-    return Status::kOk;
-  });
-}
-
 /// The size of a caption in an area `width` pixels wide: its longest line, and the height of its lines, which
-/// may be more than an area has. Saturated.
+/// may be more than an area has.
 template <unsigned Bits>
 [[nodiscard]] constexpr TextSize caption_size(const Font<Bits>& font, Utf8Text text,
-                                              std::int32_t width = INT32_MAX) {
+                                              std::uint32_t width = UINT32_MAX) {
   TextSize size;
-  for (detail::CaptionLines<Bits> lines(font, text, width); lines.next();) {
-    if (lines.width() > size.width) size.width = lines.width();
-    size.height = detail::saturated_add(size.height, font.line_height());
+  while (!text.empty()) {
+    const detail::CaptionLine line = detail::first_line(font, text, width);
+    const auto columns = static_cast<std::int32_t>(line.width);
+    if (columns > size.width) size.width = columns;
+    size.height = wrap_add(size.height, font.line_height());
+    text = {line.next, text.end()};
   }
   return size;
+}
+
+namespace detail {
+
+/// Where something `size` wide stands in `room`: 0 at its beginning, 1 in the middle, 2 at its end; at its
+/// beginning if it is too large.
+[[nodiscard]] constexpr std::int32_t aligned(std::uint32_t room, std::uint32_t size, int alignment) {
+  if (size >= room || alignment == 0) return 0;
+  const std::uint32_t free = room - size;
+  return static_cast<std::int32_t>(alignment == 1 ? free / 2 : free);
+}
+
+/// The lines of a caption.
+template <unsigned Bits, CaptionAlignment Aligned>
+struct CaptionLines {
+  const Font<Bits>& font;
+  const Rect& area;
+  Utf8Text text;
+  Aligned alignment;
+
+  template <class Pass>
+  [[nodiscard]] constexpr Status draw(const Pass& pass) const {
+    const std::uint32_t width = extent(area.left, area.right);
+    Point at{area.left, area.top};
+    if constexpr (std::same_as<Aligned, Alignment>) {
+      const auto rows = static_cast<std::uint32_t>(caption_size(font, text, width).height);
+      at.y =
+          wrap_add(at.y, aligned(extent(area.top, area.bottom), rows, static_cast<int>(alignment.vertical)));
+    }
+    for (Utf8Text rest = text; !rest.empty();) {
+      const CaptionLine line = first_line(font, rest, width);
+      if (meets_rows(font, at.y, pass.clip)) {
+        at.x = wrap_add(area.left, aligned(width, line.width, horizontal()));
+        const Status status = pass({rest.begin(), line.end}, at);
+        if (!ok(status)) return status;
+      }
+      at.y = wrap_add(at.y, font.line_height());
+      rest = {line.next, rest.end()};
+    }
+    return Status::kOk;
+  }
+
+  [[nodiscard]] constexpr int horizontal() const {
+    if constexpr (std::same_as<Aligned, Alignment>)
+      return static_cast<int>(alignment.horizontal);
+    else
+      return static_cast<int>(alignment);
+  }
+};
+
+}  // namespace detail
+
+/// Draws text in lines within `area`, and nothing outside of it. A line ends at a newline, or at spaces where
+/// the next word would leave the area; words wider than the area are broken. If not all lines fit, the first
+/// ones are shown. Glyphs are those of draw_text(). Returns the first status of the sink that is not kOk,
+/// else kOk.
+template <PixelSink Sink, unsigned Bits, TextStyle Style, CaptionAlignment Aligned = HorizontalAlignment>
+constexpr Status draw_caption(Sink& sink, const Font<Bits>& font, const Rect& area, Utf8Text text,
+                              const Style& style, Aligned alignment = {}) {
+  const Rect clip = detail::intersection(area, sink.bounds());
+  if (clip.empty()) return detail::status_of(sink);
+  return detail::draw_styled(sink, font, clip, style,
+                             detail::CaptionLines<Bits, Aligned>{font, area, text, alignment});
 }
 
 }  // namespace arcspan::overlay

@@ -38,11 +38,10 @@ struct BitMask {
   const Glyph& glyph;
   const std::uint8_t* bitmap;
 
-  /// Pixels of row `y` of the box from column `x` on, the left one in the highest bit; 0 beyond `count`. All
-  /// of them lie in the box.
-  [[nodiscard]] constexpr std::uint32_t columns(std::int32_t x, std::int32_t y, std::int32_t count) const {
-    const auto row = static_cast<std::uint32_t>(y) * glyph.width;
-    return highest_bits(bits_at(bitmap, row + static_cast<std::uint32_t>(x)), count);
+  /// Pixels of row `y` of the box from column `x` on, the left one in the highest bit. Beyond the box they
+  /// are any.
+  [[nodiscard]] constexpr std::uint32_t columns(std::int32_t x, std::int32_t y) const {
+    return bits_at(bitmap, static_cast<std::uint32_t>(y * glyph.width + x));
   }
 };
 
@@ -51,39 +50,53 @@ struct BitOutline {
   static constexpr std::int32_t kMargin = 1;
   static constexpr std::int32_t kColumns = 30;
 
-  BitMask mask;
+  const Glyph& glyph;
+  const std::uint8_t* bitmap;
 
-  [[nodiscard]] constexpr std::uint32_t columns(std::int32_t x, std::int32_t y, std::int32_t count) const {
-    const std::uint32_t three =
-        columns_or_none(x - 1, y - 1) | columns_or_none(x - 1, y) | columns_or_none(x - 1, y + 1);
-    return highest_bits(three | (three << 1) | (three << 2), count);
+  /// As BitMask::columns(), kColumns of them.
+  [[nodiscard]] constexpr std::uint32_t columns(std::int32_t x, std::int32_t y) const {
+    std::uint32_t three = 0;
+    for (std::int32_t row = y - 1; row <= y + 1; ++row)
+      if (row >= 0 && row < glyph.height) three |= columns_or_none(x - 1, row);
+    return highest_bits(three | (three << 1) | (three << 2), kColumns);
   }
 
  private:
-  /// 32 pixels from column x on, which may be -2 or more.
+  /// 32 pixels from column x on, which is -2 or more.
   [[nodiscard]] constexpr std::uint32_t columns_or_none(std::int32_t x, std::int32_t y) const {
-    if (y < 0 || y >= mask.glyph.height) return 0;
     const std::int32_t left = x < 0 ? 0 : x;
-    if (left >= mask.glyph.width) return 0;
-    return mask.columns(left, y, mask.glyph.width - left) >> (left - x);
+    if (left >= glyph.width) return 0;
+    const std::uint32_t bits = bits_at(bitmap, static_cast<std::uint32_t>(y * glyph.width + left));
+    return highest_bits(bits, glyph.width - left) >> (left - x);
   }
 };
 
-/// Writes the pixels of a mask of bits, run by run.
+/// The part of a glyph's box, with the margin of a mask around it, that lies within `clip`. It is relative to
+/// the upper left pixel of the box, which is at `at`.
+template <class Mask>
+[[nodiscard]] constexpr Rect part_within(const Rect& clip, Point at, const Glyph& glyph) {
+  constexpr std::int32_t kMargin = Mask::kMargin;
+  return intersection({wrap_sub(clip.left, at.x), wrap_sub(clip.top, at.y), wrap_sub(clip.right, at.x),
+                       wrap_sub(clip.bottom, at.y)},
+                      {-kMargin, -kMargin, glyph.width + kMargin, glyph.height + kMargin});
+}
+
+/// Writes the pixels of a glyph by a mask of bits, run by run; `at` is the upper left pixel of its box.
 template <class Mask, PixelSink Sink>
-[[nodiscard]] constexpr Status draw_mask(Sink& sink, const Mask& mask, Point at, const Rect& visible,
-                                         typename Sink::Format::Encoded colour) {
-  for (std::int32_t y = visible.top; y < visible.bottom; ++y) {
-    for (std::int32_t x = visible.left; x < visible.right; x += Mask::kColumns) {
-      const std::int32_t left = visible.right - x;
-      std::uint32_t word = mask.columns(x - at.x, y - at.y, left < Mask::kColumns ? left : Mask::kColumns);
+[[nodiscard]] constexpr Status draw_glyph(Sink& sink, const Mask& mask, Point at, const Rect& clip,
+                                          typename Sink::Format::Encoded colour) {
+  const Rect part = part_within<Mask>(clip, at, mask.glyph);
+  for (std::int32_t y = part.top; y < part.bottom; ++y) {
+    for (std::int32_t x = part.left; x < part.right; x += Mask::kColumns) {
+      std::uint32_t word = highest_bits(mask.columns(x, y), part.right - x);
       for (std::int32_t column = x; word != 0;) {
         const int skipped = leading_zeros(word);
         word <<= skipped;
         const int count = leading_zeros(~word);
-        const Status status = fill_run(sink, {y, column + skipped, count}, colour);
+        column += skipped;
+        const Status status = fill_run(sink, {at.y + y, at.x + column, count}, colour);
         if (!ok(status)) return status;
-        column += skipped + count;
+        column += count;
         word = count < 32 ? word << count : 0;
       }
     }
@@ -109,15 +122,16 @@ struct CoverageMask {
 struct CoverageOutline {
   static constexpr std::int32_t kMargin = 1;
 
-  CoverageMask mask;
+  const Glyph& glyph;
+  const std::uint8_t* bitmap;
 
   [[nodiscard]] constexpr std::uint32_t at(std::int32_t x, std::int32_t y) const {
     std::uint32_t most = 0;
     for (std::int32_t row = y - 1; row <= y + 1; ++row) {
-      if (row < 0 || row >= mask.glyph.height) continue;
+      if (row < 0 || row >= glyph.height) continue;
       for (std::int32_t column = x - 1; column <= x + 1; ++column) {
-        if (column < 0 || column >= mask.glyph.width) continue;
-        const std::uint32_t coverage = mask.at(column, row);
+        if (column < 0 || column >= glyph.width) continue;
+        const std::uint32_t coverage = CoverageMask{glyph, bitmap}.at(column, row);
         if (coverage > most) most = coverage;
       }
     }
@@ -137,25 +151,25 @@ template <PixelSink Sink>
   return sink.close(run);
 }
 
-/// Mixes the pixels of a mask of coverages, run by run.
+/// Mixes the pixels of a glyph by a mask of coverages, run by run; `at` is the upper left pixel of its box.
 template <class Mask, PixelSink Sink>
-[[nodiscard]] constexpr Status draw_mask(Sink& sink, const Mask& mask, Point at, const Rect& visible,
-                                         const MixedColour<typename Sink::Format>& colour) {
+[[nodiscard]] constexpr Status draw_glyph(Sink& sink, const Mask& mask, Point at, const Rect& clip,
+                                          const MixedColour<typename Sink::Format>& colour) {
   constexpr std::int32_t kMost = 32;
   std::uint8_t coverage[kMost];
-  for (std::int32_t y = visible.top; y < visible.bottom; ++y) {
-    for (std::int32_t x = visible.left; x < visible.right;) {
+  const Rect part = part_within<Mask>(clip, at, mask.glyph);
+  for (std::int32_t y = part.top; y < part.bottom; ++y) {
+    for (std::int32_t x = part.left; x < part.right;) {
       std::int32_t count = 0;
-      for (; count < kMost && x + count < visible.right; ++count) {
-        const std::uint32_t covered = mask.at(x + count - at.x, y - at.y);
-        if (covered == 0) break;
-        coverage[count] = static_cast<std::uint8_t>(covered);
+      for (; count < kMost && x + count < part.right; ++count) {
+        coverage[count] = static_cast<std::uint8_t>(mask.at(x + count, y));
+        if (coverage[count] == 0) break;
       }
       if (count == 0) {
         ++x;
         continue;
       }
-      const Status status = mix_run(sink, {y, x, count}, coverage, colour);
+      const Status status = mix_run(sink, {at.y + y, at.x + x, count}, coverage, colour);
       if (!ok(status)) return status;
       x += count;
     }

@@ -57,7 +57,6 @@ class Font {
   struct Found {
     const Glyph* glyph;
     const std::uint8_t* bitmap;
-    bool missing;  ///< it is the placeholder
   };
 
   /// A font without any pixel. A place for make().
@@ -105,12 +104,14 @@ class Font {
       const std::uint32_t index = code - range.first;
       if (index < range.count) {
         const Glyph& glyph = glyphs_[range.glyph + index];
-        return {&glyph, bitmaps_ + static_cast<std::size_t>(range.bitmaps + glyph.bitmap), false};
+        return {&glyph, bitmaps_ + static_cast<std::size_t>(range.bitmaps + glyph.bitmap)};
       }
     }
-    return {glyphs_, bitmaps_ + glyphs_->bitmap, true};
+    return {glyphs_, bitmaps_ + glyphs_->bitmap};
   }
 
+  /// The glyph that find() returns for code points that the font does not have.
+  [[nodiscard]] constexpr const Glyph* placeholder() const { return glyphs_; }
   /// Rows from the top of a line to that of the next one.
   [[nodiscard]] constexpr std::int32_t line_height() const { return line_height_; }
   /// The first row that the line or a glyph takes, relative to the top of the line: 0 or less.
@@ -181,7 +182,7 @@ template <unsigned Bits>
   std::size_t count = 0;
   while (!text.empty()) {
     const std::uint32_t code = text.take();
-    if (code != '\n' && font.find(code).missing) ++count;
+    if (code != '\n' && font.find(code).glyph == font.placeholder()) ++count;
   }
   return count;
 }

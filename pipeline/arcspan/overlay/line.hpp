@@ -13,35 +13,31 @@ namespace arcspan::overlay {
 
 namespace detail {
 
-/// One coordinate of a line as the other one, the longer, advances: start + minor * i / major, rounded to the
-/// nearest, at step i. Halves are rounded up.
+/// One coordinate of a line as the other one, the longer, advances: start +- minor * i / major at step i,
+/// rounded to the nearest. Halves go to the larger coordinate.
 class LineStep {
  public:
   /// Begins at step `i`; minor <= major and i <= major.
   constexpr LineStep(std::int32_t start, std::uint32_t minor, std::uint32_t major, std::uint32_t i,
                      bool backwards)
-      : at_(start), minor_(minor), major_(major), backwards_(backwards) {
-    if (major == 0) return;
-    std::uint32_t whole = 0;
-    if (i != 0) {
-      const std::uint64_t product = std::uint64_t{i} * minor;
-      whole = static_cast<std::uint32_t>(product / major);
-      rest_ = static_cast<std::uint32_t>(product - std::uint64_t{whole} * major);
-    }
-    at_ = backwards ? wrap_sub(at_, static_cast<std::int32_t>(whole))
-                    : wrap_add(at_, static_cast<std::int32_t>(whole));
+      : at_(start),
+        rest_((backwards && major != 0 ? major - 1 : major) / 2),
+        minor_(minor),
+        major_(major),
+        step_(backwards ? -1 : 1) {
+    if (i == 0) return;
+    const std::uint64_t product = std::uint64_t{i} * minor + rest_;
+    const auto whole = static_cast<std::uint32_t>(product / major);
+    rest_ = static_cast<std::uint32_t>(product - std::uint64_t{whole} * major);
+    at_ = wrap_add(at_, wrap_mul(static_cast<std::int32_t>(whole), step_));
   }
 
-  /// The rounded coordinate. A half goes towards the larger coordinate in both directions.
-  [[nodiscard]] constexpr std::int32_t at() const {
-    const std::uint32_t to_next = major_ - rest_;
-    if (backwards_) return rest_ > to_next ? wrap_sub(at_, 1) : at_;
-    return rest_ != 0 && rest_ >= to_next ? wrap_add(at_, 1) : at_;
-  }
+  [[nodiscard]] constexpr std::int32_t at() const { return at_; }
   constexpr void advance() {
-    if (rest_ >= major_ - minor_) {  // the sum would have 33 bits
-      rest_ -= major_ - minor_;
-      at_ = backwards_ ? wrap_sub(at_, 1) : wrap_add(at_, 1);
+    const std::uint32_t room = major_ - minor_;  // the sum of rest_ and minor_ may have 33 bits
+    if (rest_ >= room) {
+      rest_ -= room;
+      at_ = wrap_add(at_, step_);
     } else {
       rest_ += minor_;
     }
@@ -49,10 +45,10 @@ class LineStep {
 
  private:
   std::int32_t at_;
+  std::uint32_t rest_;  ///< of the division by major_, with the half that rounds
   std::uint32_t minor_;
   std::uint32_t major_;
-  std::uint32_t rest_ = 0;  ///< of the division, less than major_
-  bool backwards_;
+  std::int32_t step_;
 };
 
 /// The distance of two coordinates.

@@ -95,8 +95,8 @@ struct NeedleEdge {
   if (!needle.valid()) return {};
   const Rect box = detail::corner_box(detail::needle_corners(needle));
   const Point& pivot = needle.pivot;
-  return {detail::saturated_add(pivot.x, box.left), detail::saturated_add(pivot.y, box.top),
-          detail::saturated_add(pivot.x, box.right), detail::saturated_add(pivot.y, box.bottom)};
+  return {wrap_add(pivot.x, box.left), wrap_add(pivot.y, box.top), wrap_add(pivot.x, box.right),
+          wrap_add(pivot.y, box.bottom)};
 }
 
 /// Draws a needle: the pixels whose centres lie within it, by the fill rule of triangles. Returns
@@ -108,9 +108,8 @@ constexpr Status draw_needle(Sink& sink, const Needle& needle, Rgb8 colour) {
   const std::array<RasterPosition, 4> corners = detail::needle_corners(needle);
   const Rect bounds = sink.bounds();
   const Point& pivot = needle.pivot;
-  const Rect near{detail::saturated_sub(bounds.left, pivot.x), detail::saturated_sub(bounds.top, pivot.y),
-                  detail::saturated_sub(bounds.right, pivot.x),
-                  detail::saturated_sub(bounds.bottom, pivot.y)};
+  const Rect near{wrap_sub(bounds.left, pivot.x), wrap_sub(bounds.top, pivot.y),
+                  wrap_sub(bounds.right, pivot.x), wrap_sub(bounds.bottom, pivot.y)};
   const Rect visible = detail::intersection(detail::corner_box(corners), near);
   if (visible.empty()) return Status::kOk;
   std::array<detail::NeedleEdge, 4> edges{};

@@ -51,10 +51,11 @@ template <PixelSink Sink>
 constexpr Status draw_frame(Sink& sink, const Rect& rect, Rgb8 colour, std::int32_t thickness = 1) {
   if (const Status status = detail::status_of(sink); !ok(status)) return status;
   if (rect.empty() || thickness <= 0) return Status::kOk;
-  const Rect inner{detail::saturated_add(rect.left, thickness), detail::saturated_add(rect.top, thickness),
-                   detail::saturated_sub(rect.right, thickness),
-                   detail::saturated_sub(rect.bottom, thickness)};
-  if (inner.empty()) return fill_rectangle(sink, rect, colour);
+  const auto twice = 2 * static_cast<std::uint32_t>(thickness);
+  if (twice >= detail::extent(rect.left, rect.right) || twice >= detail::extent(rect.top, rect.bottom))
+    return fill_rectangle(sink, rect, colour);
+  const Rect inner{rect.left + thickness, rect.top + thickness, rect.right - thickness,
+                   rect.bottom - thickness};
   const Rect sides[] = {{rect.left, rect.top, rect.right, inner.top},
                         {rect.left, inner.top, inner.left, inner.bottom},
                         {inner.right, inner.top, rect.right, inner.bottom},

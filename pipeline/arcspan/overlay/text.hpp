@@ -35,52 +35,32 @@ concept TextStyle = std::same_as<S, Rgb8> || std::same_as<S, OutlinedText> || st
 
 namespace detail {
 
-/// Draws the glyphs of lines by one mask and in one colour: their pixels, or their outlines.
+/// Draws the glyphs of lines in one colour: their pixels or, if `Outlined`, their outlines.
 template <bool Outlined, PixelSink Sink, unsigned Bits>
-class GlyphPass {
- public:
-  constexpr GlyphPass(Sink& sink, const Font<Bits>& font, const Rect& clip, Rgb8 colour)
-      : sink_(sink), font_(font), clip_(clip), colour_(Sink::Format::encode(colour)) {}
-
-  /// Draws the line whose pen begins at column at.x and whose top is row at.y.
-  [[nodiscard]] constexpr Status operator()(Utf8Text line, Point at) const {
-    // The box of a glyph begins at most 128 columns left of its pen, and its outline one more.
-    while (!line.empty() && saturated_sub(at.x, 129) < clip_.right) {
-      const auto found = font_.find(line.take());
-      const Status status = draw(found, at);
-      if (!ok(status)) return status;
-      at.x = saturated_add(at.x, found.glyph->advance);
-    }
-    return Status::kOk;
-  }
-
- private:
-  using Encoded = typename Sink::Format::Encoded;
-  using Colour = std::conditional_t<Bits == 1, Encoded, MixedColour<typename Sink::Format>>;
+struct GlyphPass {
+  using Colour =
+      std::conditional_t<Bits == 1, typename Sink::Format::Encoded, MixedColour<typename Sink::Format>>;
   using Mask = std::conditional_t<Bits == 1, std::conditional_t<Outlined, BitOutline, BitMask>,
                                   std::conditional_t<Outlined, CoverageOutline, CoverageMask>>;
 
-  [[nodiscard]] constexpr Status draw(const typename Font<Bits>::Found& found, Point pen) const {
-    const Glyph& glyph = *found.glyph;
-    if (glyph.width == 0) return Status::kOk;
-    const Point at{saturated_add(pen.x, glyph.left), saturated_add(pen.y, glyph.top)};
-    Rect box = rect_at(at, glyph.width, glyph.height);
-    if constexpr (Outlined) {
-      box = {saturated_sub(box.left, 1), saturated_sub(box.top, 1), saturated_add(box.right, 1),
-             saturated_add(box.bottom, 1)};
-    }
-    const Rect visible = intersection(box, clip_);
-    if (visible.empty()) return Status::kOk;
-    if constexpr (Outlined)
-      return draw_mask(sink_, Mask{{glyph, found.bitmap}}, at, visible, colour_);
-    else
-      return draw_mask(sink_, Mask{glyph, found.bitmap}, at, visible, colour_);
-  }
+  Sink& sink;
+  const Font<Bits>& font;
+  const Rect& clip;
+  Colour colour;
 
-  Sink& sink_;
-  const Font<Bits>& font_;
-  Rect clip_;
-  Colour colour_;
+  /// Draws the line whose pen begins at column at.x and whose top is row at.y.
+  [[nodiscard]] constexpr Status operator()(Utf8Text line, Point at) const {
+    constexpr std::int32_t kMostLeft = 129;  // columns from the pen to the left, with an outline
+    while (!line.empty() && wrap_sub(at.x, clip.right) < kMostLeft) {
+      const auto found = font.find(line.take());
+      const Glyph& glyph = *found.glyph;
+      const Status status = draw_glyph(sink, Mask{glyph, found.bitmap},
+                                       {wrap_add(at.x, glyph.left), wrap_add(at.y, glyph.top)}, clip, colour);
+      if (!ok(status)) return status;
+      at.x = wrap_add(at.x, glyph.advance);
+    }
+    return Status::kOk;
+  }
 };
 
 /// Fills the rectangles behind lines.
@@ -88,40 +68,57 @@ template <PixelSink Sink, unsigned Bits>
 struct BackgroundPass {
   Sink& sink;
   const Font<Bits>& font;
-  Rect clip;
-  Rgb8 colour;
+  const Rect& clip;
+  typename Sink::Format::Encoded colour;
 
   [[nodiscard]] constexpr Status operator()(Utf8Text line, Point at) const {
     const Rect box = rect_at(at, text_width(font, line), font.line_height());
-    return fill_within(sink, intersection(box, clip), Sink::Format::encode(colour));
+    return fill_within(sink, intersection(box, clip), colour);
   }
 };
 
-/// Draws lines in a style. `for_lines(pass)` calls pass(line, at) for each line and returns the first status
+/// Draws lines in a style. lines.draw(pass) calls pass(line, at) for each line and returns the first status
 /// that is not kOk. No outline or background covers the glyphs of another line, because the glyphs come last.
-template <PixelSink Sink, unsigned Bits, TextStyle Style, class ForLines>
-[[nodiscard]] constexpr Status draw_lines(Sink& sink, const Font<Bits>& font, const Rect& clip,
-                                          const Style& style, const ForLines& for_lines) {
+template <PixelSink Sink, unsigned Bits, TextStyle Style, class Lines>
+[[nodiscard]] constexpr Status draw_styled(Sink& sink, const Font<Bits>& font, const Rect& clip,
+                                           const Style& style, const Lines& lines) {
+  using Format = typename Sink::Format;
+  using Glyphs = GlyphPass<false, Sink, Bits>;
   if (const Status status = status_of(sink); !ok(status)) return status;
-  if (clip.empty()) return Status::kOk;
   if constexpr (std::same_as<Style, Rgb8>) {
-    return for_lines(GlyphPass<false, Sink, Bits>(sink, font, clip, style));
+    return lines.draw(Glyphs{sink, font, clip, typename Glyphs::Colour(Format::encode(style))});
   } else {
     Status status = Status::kOk;
-    if constexpr (std::same_as<Style, OutlinedText>)
-      status = for_lines(GlyphPass<true, Sink, Bits>(sink, font, clip, style.outline));
-    else
-      status = for_lines(BackgroundPass<Sink, Bits>{sink, font, clip, style.background});
+    if constexpr (std::same_as<Style, OutlinedText>) {
+      using Outlines = GlyphPass<true, Sink, Bits>;
+      status =
+          lines.draw(Outlines{sink, font, clip, typename Outlines::Colour(Format::encode(style.outline))});
+    } else {
+      status = lines.draw(BackgroundPass<Sink, Bits>{sink, font, clip, Format::encode(style.background)});
+    }
     if (!ok(status)) return status;
-    return for_lines(GlyphPass<false, Sink, Bits>(sink, font, clip, style.colour));
+    return lines.draw(Glyphs{sink, font, clip, typename Glyphs::Colour(Format::encode(style.colour))});
   }
 }
 
-/// True if a line whose top is row `y` may have pixels in `clip`, its outline included.
+/// True if a line whose top is row `y` may have pixels in the rows of `clip`, its outline included.
 template <unsigned Bits>
-[[nodiscard]] constexpr bool line_meets(const Font<Bits>& font, std::int32_t y, const Rect& clip) {
-  return saturated_add(y, font.top() - 1) < clip.bottom && saturated_add(y, font.bottom() + 1) > clip.top;
+[[nodiscard]] constexpr bool meets_rows(const Font<Bits>& font, std::int32_t y, const Rect& clip) {
+  return wrap_sub(clip.bottom, y) >= font.top() && wrap_sub(clip.top, y) <= font.bottom();
 }
+
+/// A single line.
+template <unsigned Bits>
+struct OneLine {
+  const Font<Bits>& font;
+  Point at;
+  Utf8Text text;
+
+  template <class Pass>
+  [[nodiscard]] constexpr Status draw(const Pass& pass) const {
+    return meets_rows(font, at.y, pass.clip) ? pass(text, at) : Status::kOk;
+  }
+};
 
 }  // namespace detail
 
@@ -132,9 +129,7 @@ template <unsigned Bits>
 template <PixelSink Sink, unsigned Bits, TextStyle Style>
 constexpr Status draw_text(Sink& sink, const Font<Bits>& font, Point at, Utf8Text text, const Style& style) {
   const Rect clip = sink.bounds();
-  return detail::draw_lines(sink, font, clip, style, [&](const auto& pass) {
-    return detail::line_meets(font, at.y, clip) ? pass(text, at) : Status::kOk;
-  });
+  return detail::draw_styled(sink, font, clip, style, detail::OneLine<Bits>{font, at, text});
 }
 
 }  // namespace arcspan::overlay

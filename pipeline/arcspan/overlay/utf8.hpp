@@ -40,28 +40,27 @@ class Utf8Text {
   /// Subparts").
   constexpr std::uint32_t take() {
     constexpr std::uint32_t kReplacement = 0xFFFD;
-    const std::uint32_t lead = byte();
-    ++begin_;
+    const std::uint32_t lead = static_cast<unsigned char>(*begin_++);
     if (lead < 0x80) return lead;
     if (lead < 0xC2 || lead > 0xF4) return kReplacement;
-    // The range of the second byte excludes the rest of what is no code point (table 3-7 there).
-    std::uint32_t low = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;
-    std::uint32_t high = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
-    const int more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : 1;
+    int more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : 1;
     std::uint32_t code = lead & (0x3Fu >> more);
-    for (int i = 0; i < more; ++i) {
-      if (empty() || byte() < low || byte() > high) return kReplacement;
-      code = (code << 6) | (byte() & 0x3Fu);
+    // The range of the second byte leaves out the rest of what is no code point (table 3-7 there).
+    const std::uint32_t border = more == 3 ? 0x90 : 0xA0;
+    std::uint32_t low = lead == 0xE0 || lead == 0xF0 ? border : 0x80;
+    std::uint32_t end = lead == 0xED || lead == 0xF4 ? border : 0xC0;
+    for (; more != 0; --more) {
+      const std::uint32_t byte = empty() ? 0u : static_cast<unsigned char>(*begin_);
+      if (byte < low || byte >= end) return kReplacement;
+      code = (code << 6) | (byte & 0x3Fu);
       low = 0x80;
-      high = 0xBF;
+      end = 0xC0;
       ++begin_;
     }
     return code;
   }
 
  private:
-  [[nodiscard]] constexpr std::uint32_t byte() const { return static_cast<unsigned char>(*begin_); }
-
   const char* begin_ = nullptr;
   const char* end_ = nullptr;
 };

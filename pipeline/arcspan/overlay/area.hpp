@@ -25,6 +25,8 @@ struct Point {
 
 namespace detail {
 
+using arcspan::detail::intersection;
+
 /// The rectangle of `width` by `height` pixels whose upper left pixel is `at`.
 [[nodiscard]] constexpr Rect rect_at(Point at, std::int32_t width, std::int32_t height) {
   return {at.x, at.y, wrap_add(at.x, width), wrap_add(at.y, height)};
@@ -33,12 +35,6 @@ namespace detail {
 /// The distance of the sides of a rectangle, 0 if they are not in order.
 [[nodiscard]] constexpr std::uint32_t extent(std::int32_t first, std::int32_t end) {
   return first < end ? static_cast<std::uint32_t>(end) - static_cast<std::uint32_t>(first) : 0;
-}
-
-/// The pixels that two rectangles share; empty() if there are none.
-[[nodiscard]] constexpr Rect intersection(const Rect& a, const Rect& b) {
-  return {a.left > b.left ? a.left : b.left, a.top > b.top ? a.top : b.top,
-          a.right < b.right ? a.right : b.right, a.bottom < b.bottom ? a.bottom : b.bottom};
 }
 
 /// What a sink says about itself before anything is drawn.

@@ -61,7 +61,8 @@ template <unsigned Bits>
       shorter = {line.end, text.begin(), line.width};
       if (code == '\n') return shorter;
     } else if (end > most && pen != 0) {
-      return shorter.width != 0 ? shorter : CaptionLine{before, before, pen};
+      const bool is_long_word = shorter.width == 0 && line.width != 0;
+      return is_long_word ? CaptionLine{before, before, pen} : shorter;
     } else {
       line.end = text.begin();
       line.width = end;

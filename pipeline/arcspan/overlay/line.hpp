@@ -14,14 +14,14 @@ namespace arcspan::overlay {
 namespace detail {
 
 /// One coordinate of a line as the other one, the longer, advances: start +- minor * i / major at step i,
-/// rounded to the nearest. Halves go to the larger coordinate.
+/// rounded to the nearest. A half is a step further if `half_steps`.
 class LineStep {
  public:
   /// Begins at step `i`; minor <= major and i <= major.
   constexpr LineStep(std::int32_t start, std::uint32_t minor, std::uint32_t major, std::uint32_t i,
-                     bool backwards)
+                     bool backwards, bool half_steps)
       : at_(start),
-        rest_((backwards && major != 0 ? major - 1 : major) / 2),
+        rest_((half_steps || major == 0 ? major : major - 1) / 2),
         minor_(minor),
         major_(major),
         step_(backwards ? -1 : 1) {
@@ -64,7 +64,7 @@ template <PixelSink Sink>
   const std::int32_t first = from.x < clip.left ? clip.left : from.x;
   const std::int32_t last = to.x < clip.right ? to.x : clip.right - 1;
   LineStep step(from.y, distance(from.y, to.y), distance(from.x, to.x), distance(from.x, first),
-                to.y < from.y);
+                to.y < from.y, true);
   for (std::int32_t x = first; x <= last;) {
     const std::int32_t y = step.at();
     std::int32_t end = x;
@@ -88,7 +88,7 @@ template <PixelSink Sink>
   const std::int32_t first = from.y < clip.top ? clip.top : from.y;
   const std::int32_t last = to.y < clip.bottom ? to.y : clip.bottom - 1;
   LineStep step(from.x, distance(from.x, to.x), distance(from.y, to.y), distance(from.y, first),
-                to.x < from.x);
+                to.x < from.x, to.x < from.x);
   for (std::int32_t y = first; y <= last; ++y, step.advance()) {
     const std::int32_t x = step.at();
     if (x < clip.left || x >= clip.right) continue;
@@ -102,9 +102,9 @@ template <PixelSink Sink>
 
 /// Draws a line one pixel wide from the middle of pixel `a` to that of pixel `b`, both included. It has one
 /// pixel in each column if it is at least as wide as high, else one in each row: the one that contains the
-/// line at the centre of that column or row, as draw_lines() draws edges; on the border of two pixels the
-/// lower or the right one. The line from b to a has the same pixels. Returns the first status of the sink
-/// that is not kOk, else kOk.
+/// line at the centre of that column or row. Where that is the border of two pixels, the line counts as a
+/// little further left, as in draw_lines(). The line from b to a has the same pixels. Returns the first
+/// status of the sink that is not kOk, else kOk.
 template <PixelSink Sink>
 constexpr Status draw_line(Sink& sink, Point a, Point b, Rgb8 colour) {
   if (const Status status = detail::status_of(sink); !ok(status)) return status;

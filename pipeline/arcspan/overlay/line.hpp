@@ -20,32 +20,37 @@ class LineStep {
   /// Begins at step `i`; minor <= major and i <= major.
   constexpr LineStep(std::int32_t start, std::uint32_t minor, std::uint32_t major, std::uint32_t i,
                      bool backwards, bool half_steps)
-      : at_(start),
-        rest_((half_steps || major == 0 ? major : major - 1) / 2),
-        minor_(minor),
-        major_(major),
-        step_(backwards ? -1 : 1) {
-    if (i == 0) return;
-    const std::uint64_t product = std::uint64_t{i} * minor + rest_;
-    const auto whole = static_cast<std::uint32_t>(product / major);
-    rest_ = static_cast<std::uint32_t>(product - std::uint64_t{whole} * major);
-    at_ = wrap_add(at_, wrap_mul(static_cast<std::int32_t>(whole), step_));
+      : minor_(minor), major_(major), step_(backwards ? -1 : 1) {
+    std::uint32_t steps = 0;
+    // minor * i by doubling: a product of 64 bits would have to be divided.
+    for (std::uint32_t bit = std::uint32_t{1} << 31; i != 0 && bit != 0; bit >>= 1) {
+      steps = 2 * steps + add(rest_);
+      if ((i & bit) != 0) steps += add(minor);
+    }
+    steps += add((half_steps || major == 0 ? major : major - 1) / 2);
+    at_ = wrap_add(start, wrap_mul(static_cast<std::int32_t>(steps), step_));
   }
 
   [[nodiscard]] constexpr std::int32_t at() const { return at_; }
   constexpr void advance() {
-    const std::uint32_t room = major_ - minor_;  // the sum of rest_ and minor_ may have 33 bits
-    if (rest_ >= room) {
-      rest_ -= room;
-      at_ = wrap_add(at_, step_);
-    } else {
-      rest_ += minor_;
-    }
+    if (add(minor_) != 0) at_ = wrap_add(at_, step_);
   }
 
  private:
-  std::int32_t at_;
-  std::uint32_t rest_;  ///< of the division by major_, with the half that rounds
+  /// Adds `part` / major_, at most 1, and returns the whole steps. The sum of rest_ and `part` may have 33
+  /// bits.
+  constexpr std::uint32_t add(std::uint32_t part) {
+    const std::uint32_t room = major_ - part;
+    if (rest_ >= room) {
+      rest_ -= room;
+      return 1;
+    }
+    rest_ += part;
+    return 0;
+  }
+
+  std::int32_t at_ = 0;
+  std::uint32_t rest_ = 0;  ///< of the division by major_
   std::uint32_t minor_;
   std::uint32_t major_;
   std::int32_t step_;
@@ -63,8 +68,8 @@ template <PixelSink Sink>
                                               typename Sink::Format::Encoded colour) {
   const std::int32_t first = from.x < clip.left ? clip.left : from.x;
   const std::int32_t last = to.x < clip.right ? to.x : clip.right - 1;
-  LineStep step(from.y, distance(from.y, to.y), distance(from.x, to.x), distance(from.x, first),
-                to.y < from.y, true);
+  LineStep step(from.y, distance(from.y, to.y), distance(from.x, to.x),
+                first <= to.x ? distance(from.x, first) : 0, to.y < from.y, true);
   for (std::int32_t x = first; x <= last;) {
     const std::int32_t y = step.at();
     std::int32_t end = x;
@@ -87,8 +92,8 @@ template <PixelSink Sink>
                                               typename Sink::Format::Encoded colour) {
   const std::int32_t first = from.y < clip.top ? clip.top : from.y;
   const std::int32_t last = to.y < clip.bottom ? to.y : clip.bottom - 1;
-  LineStep step(from.x, distance(from.x, to.x), distance(from.y, to.y), distance(from.y, first),
-                to.x < from.x, to.x < from.x);
+  LineStep step(from.x, distance(from.x, to.x), distance(from.y, to.y),
+                first <= to.y ? distance(from.y, first) : 0, to.x < from.x, to.x < from.x);
   for (std::int32_t y = first; y <= last; ++y, step.advance()) {
     const std::int32_t x = step.at();
     if (x < clip.left || x >= clip.right) continue;

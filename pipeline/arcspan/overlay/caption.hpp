@@ -102,7 +102,7 @@ namespace detail {
 
 /// The lines of a caption.
 template <unsigned Bits, CaptionAlignment Aligned>
-struct CaptionLines {
+struct WrappedText {
   const Font<Bits>& font;
   const Rect& area;
   Utf8Text text;
@@ -150,7 +150,7 @@ constexpr Status draw_caption(Sink& sink, const Font<Bits>& font, const Rect& ar
   const Rect clip = detail::intersection(area, sink.bounds());
   if (clip.empty()) return detail::status_of(sink);
   return detail::draw_styled(sink, font, clip, style,
-                             detail::CaptionLines<Bits, Aligned>{font, area, text, alignment});
+                             detail::WrappedText<Bits, Aligned>{font, area, text, alignment});
 }
 
 }  // namespace arcspan::overlay

@@ -83,21 +83,20 @@ template <PixelSink Sink, unsigned Bits, TextStyle Style, class Lines>
 [[nodiscard]] constexpr Status draw_styled(Sink& sink, const Font<Bits>& font, const Rect& clip,
                                            const Style& style, const Lines& lines) {
   using Format = typename Sink::Format;
-  using Glyphs = GlyphPass<false, Sink, Bits>;
+  using Ink = GlyphPass<false, Sink, Bits>;
   if (const Status status = status_of(sink); !ok(status)) return status;
   if constexpr (std::same_as<Style, Rgb8>) {
-    return lines.draw(Glyphs{sink, font, clip, typename Glyphs::Colour(Format::encode(style))});
+    return lines.draw(Ink{sink, font, clip, typename Ink::Colour(Format::encode(style))});
   } else {
     Status status = Status::kOk;
     if constexpr (std::same_as<Style, OutlinedText>) {
-      using Outlines = GlyphPass<true, Sink, Bits>;
-      status =
-          lines.draw(Outlines{sink, font, clip, typename Outlines::Colour(Format::encode(style.outline))});
+      using Outline = GlyphPass<true, Sink, Bits>;
+      status = lines.draw(Outline{sink, font, clip, typename Outline::Colour(Format::encode(style.outline))});
     } else {
       status = lines.draw(BackgroundPass<Sink, Bits>{sink, font, clip, Format::encode(style.background)});
     }
     if (!ok(status)) return status;
-    return lines.draw(Glyphs{sink, font, clip, typename Glyphs::Colour(Format::encode(style.colour))});
+    return lines.draw(Ink{sink, font, clip, typename Ink::Colour(Format::encode(style.colour))});
   }
 }
 

@@ -27,7 +27,7 @@ class LineStep {
       steps = 2 * steps + add(rest_);
       if ((i & bit) != 0) steps += add(minor);
     }
-    steps += add((half_steps || major == 0 ? major : major - 1) / 2);
+    if (major != 0) steps += add((half_steps ? major : major - 1) / 2);
     at_ = wrap_add(start, wrap_mul(static_cast<std::int32_t>(steps), step_));
   }
 

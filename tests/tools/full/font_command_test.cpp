@@ -31,7 +31,7 @@ TEST_CASE("font: a header that is drawn, the report and the picture") {
   CHECK(made.err.empty());
   REQUIRE(made.status == 0);
   CHECK(made.out == hpp +
-                        ": 27 characters of 1 bit per pixel, lines of 8 rows, 377 bytes\n"
+                        ": 27 characters of 1 bit per pixel, lines of 8 rows, 387 bytes\n"
                         "other characters are shown as U+FFFD\n");
   const std::string header = contents(hpp);
   CHECK(
@@ -62,6 +62,11 @@ TEST_CASE("font: the headers of the build have the letters") {
         "..........\n");
   CHECK(overlay::missing_glyphs(small_font::kFont, "A\u00B0\u00B1") == 1);
   CHECK(smooth_font::kFont.line_height() == 5);
+}
+
+TEST_CASE("font: the font that a caption is measured with is the one that the command makes") {
+  const CommandRun made = run("font " + kSmall + " --scale 3 --name label_font -o hpp:-");
+  CHECK(made.out == contents(ARCSPAN_MODELS "/../../firmware/label_font.hpp"));
 }
 
 TEST_CASE("font: mistakes are one line, and nothing is written") {

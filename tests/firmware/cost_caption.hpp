@@ -5,7 +5,7 @@
 #include <arcspan/overlay/caption.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 
-#include <tests/firmware/label_font.hpp>
+#include <tests/firmware/label_font.inc>  // as the command writes it, not as clang-format would
 
 using namespace arcspan;
 

@@ -66,7 +66,7 @@ TEST_CASE("font: the headers of the build have the letters") {
 
 TEST_CASE("font: the font that a caption is measured with is the one that the command makes") {
   const CommandRun made = run("font " + kSmall + " --scale 3 --name label_font -o hpp:-");
-  CHECK(made.out == contents(ARCSPAN_MODELS "/../../firmware/label_font.hpp"));
+  CHECK(made.out == contents(ARCSPAN_MODELS "/../../firmware/label_font.inc"));
 }
 
 TEST_CASE("font: mistakes are one line, and nothing is written") {

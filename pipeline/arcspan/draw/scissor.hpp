@@ -15,11 +15,6 @@
 
 namespace arcspan::detail {
 
-[[nodiscard]] constexpr Rect intersection(const Rect& a, const Rect& b) {
-  return {a.left > b.left ? a.left : b.left, a.top > b.top ? a.top : b.top,
-          a.right < b.right ? a.right : b.right, a.bottom < b.bottom ? a.bottom : b.bottom};
-}
-
 /// Where a triangle is, as seen from the scissor.
 enum class ScissorTest : std::uint8_t {
   kInside,    ///< within its columns

@@ -39,6 +39,16 @@ struct Rect {
           a.right > b.right ? a.right : b.right, a.bottom > b.bottom ? a.bottom : b.bottom};
 }
 
+namespace detail {
+
+/// The pixels that two rectangles share; empty() if there are none.
+[[nodiscard]] constexpr Rect intersection(const Rect& a, const Rect& b) {
+  return {a.left > b.left ? a.left : b.left, a.top > b.top ? a.top : b.top,
+          a.right < b.right ? a.right : b.right, a.bottom < b.bottom ? a.bottom : b.bottom};
+}
+
+}  // namespace detail
+
 /// The receiver of drawn pixels: a framebuffer, a band of one, a line buffer. The smallest complete sink:
 ///
 ///     struct GreyPicture {

@@ -28,12 +28,7 @@ class SinkPart {
 
   constexpr SinkPart(Sink& sink, const Rect& rect) : sink_(sink), rect_(rect) {}
 
-  [[nodiscard]] constexpr Rect bounds() const {
-    const Rect whole = sink_.bounds();
-    return {whole.left > rect_.left ? whole.left : rect_.left, whole.top > rect_.top ? whole.top : rect_.top,
-            whole.right < rect_.right ? whole.right : rect_.right,
-            whole.bottom < rect_.bottom ? whole.bottom : rect_.bottom};
-  }
+  [[nodiscard]] constexpr Rect bounds() const { return detail::intersection(sink_.bounds(), rect_); }
   [[nodiscard]] constexpr typename Format::Cursor open(const Span& run) {
     ARCSPAN_CHECK(detail::is_within(run, bounds()), "SinkPart::open: the run leaves bounds()");
     return sink_.open(run);

@@ -68,7 +68,7 @@ template <SceneMemoryType Memory>
   Rect rect{};
   for (detail::SceneSlot& slot : frame.slots.first(frame.header.in_view)) {
     rect = bounding_rect(
-        rect, detail::drawn_rect_of<Memory::kHasVertices>(typename Memory::Uses{}, frame.header, slot));
+        rect, detail::drawn_rect_of<Memory::kHasVertices>(typename Memory::UseList{}, frame.header, slot));
   }
   return rect;
 }
@@ -80,7 +80,7 @@ template <SceneMemoryType Memory>
   const detail::SceneFrame frame = memory.frame();
   for (detail::SceneSlot& slot : frame.slots.first(frame.header.in_view)) {
     if (slot.object != &object) continue;
-    return detail::drawn_rect_of<Memory::kHasVertices>(typename Memory::Uses{}, frame.header, slot);
+    return detail::drawn_rect_of<Memory::kHasVertices>(typename Memory::UseList{}, frame.header, slot);
   }
   return {};
 }

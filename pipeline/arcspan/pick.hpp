@@ -12,10 +12,10 @@ namespace arcspan {
 namespace detail {
 
 template <class List>
-struct PickUses;
+struct PickList;
 /// How triangles of the materials of a SceneMemory are drawn unshaded.
 template <class... Used>
-struct PickUses<MethodList<Used...>> {
+struct PickList<MethodList<Used...>> {
   static constexpr PickUse kAll[] = {
       {&kUseFacts<Used>, &draw_unshaded<Used>, DrawsEdges<typename Used::Method>}...};
 };
@@ -36,8 +36,8 @@ struct PickUses<MethodList<Used...>> {
 template <SceneMemoryType Memory>
 [[nodiscard]] Picked pick(Memory& memory, std::int32_t x, std::int32_t y) {
   if (!ok(memory.status())) return {memory.status()};
-  return detail::pick_in(memory.frame(), detail::PickUses<typename Memory::Uses>::kAll, memory.scratch(), x,
-                         y);
+  return detail::pick_in(memory.frame(), detail::PickList<typename Memory::UseList>::kAll, memory.scratch(),
+                         x, y);
 }
 
 }  // namespace arcspan

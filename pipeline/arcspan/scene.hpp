@@ -102,7 +102,7 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
       const Part part = slot.object->part(p);
       const MeshView mesh = slot.object->mesh().part(part.first, part.count);
       const DrawResult drawn = draw_part<Memory::kHasVertices>(
-          typename Memory::Uses{},
+          typename Memory::UseList{},
           PartCall<Sink, Depth>{slot, mesh, p, *part.material, lights, frame.header.camera->rotation(), sink,
                                 depth, memory.lighting()});
       result.status = drawn.status;

@@ -7,7 +7,7 @@
 #include <arcspan/scene.hpp>
 
 #include <arcspan.h>
-#include <arcspan_c/methods.hpp>
+#include <arcspan_c/compiled_methods.hpp>
 #include <catch2/catch.hpp>
 
 #include <cstdint>

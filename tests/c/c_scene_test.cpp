@@ -86,7 +86,7 @@ std::vector<typename F::Word> drawn_by_cpp() {
   std::vector<std::uint16_t> depths(DepthBuffer::words(kWidth, kHeight));
   Frame frame(memory, kWidth, kHeight);
   const DepthBuffer depth(depths, kWidth, kHeight);
-  static SceneMemory<c::Methods, 2, 512> scene_memory;
+  static SceneMemory<c::CompiledMethods, 2, 512> scene_memory;
   REQUIRE(ok(draw_scene({camera, {{&light, 1}}, objects}, frame, depth, scene_memory,
                         Rgb8{kGround.r, kGround.g, kGround.b})
                  .status));

@@ -6,4 +6,6 @@
 static_assert(ARCSPAN_C_LIGHTS == 2 && ARCSPAN_C_FLAT == 1 && ARCSPAN_C_ARC == 0);
 static_assert(ARCSPAN_C_GRAY8 == 1 && ARCSPAN_C_RGB565 == 0);
 
-arcspan_status draw_gray(arcspan_view* view, const arcspan_target* target) { return arcspan_draw(view, target); }
+arcspan_status draw_gray(arcspan_view* view, const arcspan_target* target) {
+  return arcspan_draw(view, target);
+}

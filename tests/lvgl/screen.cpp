@@ -71,7 +71,8 @@ void Screen::flush(lv_display_t* display, const lv_area_t* area, std::uint8_t* b
 
 void Screen::on_invalidate(lv_event_t* e) {
   const lv_area_t& area = *lv_event_get_invalidated_area(e);
-  // By the same event LVGL asks how many rows may be drawn at a time, with an area of one column at the origin.
+  // By the same event LVGL asks how many rows may be drawn at a time, with an area of one column at the
+  // origin.
   const bool is_question = area.x1 == 0 && area.y1 == 0 && area.x2 == 0;
   if (!is_question) static_cast<Screen*>(lv_event_get_user_data(e))->invalidated.push_back(area);
 }

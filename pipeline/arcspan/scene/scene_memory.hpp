@@ -22,7 +22,7 @@ struct MethodsInMemory;
 template <class... Methods>
 struct MethodsInMemory<MethodList<Methods...>> {
   static_assert(sizeof...(Methods) > 0);
-  using Uses = MethodList<typename UseOf<Methods>::Type...>;
+  using UseList = MethodList<typename UseOf<Methods>::Type...>;
 
   static constexpr const UseFacts* kFacts[] = {&kUseFacts<typename UseOf<Methods>::Type>...};
   static constexpr std::size_t kVertexBytes = [] {
@@ -49,21 +49,21 @@ struct MethodsInMemory<MethodList<Methods...>> {
 /// MethodList.
 template <class List, std::size_t Objects, std::size_t Vertices = 0>
 class SceneMemory : detail::MethodsInMemory<List> {
-  using Methods = detail::MethodsInMemory<List>;
+  using Listed = detail::MethodsInMemory<List>;
 
  public:
   static_assert(Objects <= 65535);
 
   /// @cond for draw_mesh() and draw_scene(), not in the reference
-  using typename Methods::Uses;
+  using typename Listed::UseList;
   static constexpr bool kHasVertices = Vertices != 0;
   [[nodiscard]] static constexpr Status status() { return Status::kOk; }
   [[nodiscard]] void* lighting() { return lighting_; }
-  [[nodiscard]] std::span<unsigned char> scratch() { return {lighting_, Methods::kLightingBytes}; }
+  [[nodiscard]] std::span<unsigned char> scratch() { return {lighting_, Listed::kLightingBytes}; }
   [[nodiscard]] detail::SceneFrame frame() {
     return {header_,      {static_cast<detail::SceneSlot*>(static_cast<void*>(slots_)), Objects},
-            order_,       {vertices_, Methods::kVertexBytes * Vertices},
-            kHasVertices, Methods::kFacts};
+            order_,       {vertices_, Listed::kVertexBytes * Vertices},
+            kHasVertices, Listed::kFacts};
   }
   /// @endcond
 
@@ -73,8 +73,8 @@ class SceneMemory : detail::MethodsInMemory<List> {
   // Bytes, because initialised slots would take flash too.
   alignas(
       detail::SceneSlot) unsigned char slots_[sizeof(detail::SceneSlot) * (Objects > 0 ? Objects : 1)] = {};
-  alignas(8) unsigned char lighting_[Methods::kLightingBytes] = {};
-  alignas(8) unsigned char vertices_[Methods::kVertexBytes * Vertices + 1] = {};
+  alignas(8) unsigned char lighting_[Listed::kLightingBytes] = {};
+  alignas(8) unsigned char vertices_[Listed::kVertexBytes * Vertices + 1] = {};
 };
 
 /// What a SceneMemoryView has room for, as the arguments of SceneMemory.
@@ -87,13 +87,13 @@ struct SceneLimits {
 /// the code that keeps vertices. It may be moved, the bytes may not.
 template <class List>
 class SceneMemoryView : detail::MethodsInMemory<List> {
-  using Methods = detail::MethodsInMemory<List>;
+  using Listed = detail::MethodsInMemory<List>;
 
  public:
   /// The bytes that `limits` need, at any address; SIZE_MAX if they are more than that.
   [[nodiscard]] static constexpr std::size_t bytes(const SceneLimits& limits) {
     const std::uint64_t all = kAlignment - 1 + bytes_but_vertices(limits.objects) +
-                              std::uint64_t{Methods::kVertexBytes} * limits.vertices;
+                              std::uint64_t{Listed::kVertexBytes} * limits.vertices;
     return all < SIZE_MAX ? static_cast<std::size_t>(all) : SIZE_MAX;
   }
 
@@ -112,11 +112,11 @@ class SceneMemoryView : detail::MethodsInMemory<List> {
   [[nodiscard]] const SceneLimits& limits() const { return limits_; }
 
   /// @cond for draw_mesh() and draw_scene(), not in the reference
-  using typename Methods::Uses;
+  using typename Listed::UseList;
   static constexpr bool kHasVertices = true;
   [[nodiscard]] void* lighting() { return first_; }
   [[nodiscard]] std::span<unsigned char> scratch() {
-    return {static_cast<unsigned char*>(lighting()), Methods::kLightingBytes};
+    return {static_cast<unsigned char*>(lighting()), Listed::kLightingBytes};
   }
   [[nodiscard]] detail::SceneFrame frame() {
     std::byte* const slots = first_ + kLighting;
@@ -126,9 +126,9 @@ class SceneMemoryView : detail::MethodsInMemory<List> {
         header_,
         {static_cast<detail::SceneSlot*>(static_cast<void*>(slots)), limits_.objects},
         {static_cast<std::uint16_t*>(static_cast<void*>(order)), limits_.objects},
-        {static_cast<unsigned char*>(static_cast<void*>(vertices)), Methods::kVertexBytes * limits_.vertices},
+        {static_cast<unsigned char*>(static_cast<void*>(vertices)), Listed::kVertexBytes * limits_.vertices},
         kHasVertices,
-        Methods::kFacts};
+        Listed::kFacts};
   }
   /// @endcond
 
@@ -138,7 +138,7 @@ class SceneMemoryView : detail::MethodsInMemory<List> {
   [[nodiscard]] static constexpr std::uint64_t aligned(std::uint64_t bytes) {
     return (bytes + kAlignment - 1) / kAlignment * kAlignment;
   }
-  static constexpr auto kLighting = static_cast<std::size_t>(aligned(Methods::kLightingBytes));
+  static constexpr auto kLighting = static_cast<std::size_t>(aligned(Listed::kLightingBytes));
   /// Lighting, slots and their order, in this order.
   [[nodiscard]] static constexpr std::uint64_t bytes_but_vertices(std::uint32_t objects) {
     constexpr std::uint64_t kObjectBytes = sizeof(detail::SceneSlot) + sizeof(std::uint16_t);
@@ -153,7 +153,7 @@ class SceneMemoryView : detail::MethodsInMemory<List> {
 /// A SceneMemory or a SceneMemoryView.
 template <class Memory>
 concept SceneMemoryType = requires(Memory& memory) {
-  typename Memory::Uses;
+  typename Memory::UseList;
   { memory.frame() } -> std::same_as<detail::SceneFrame>;
 };
 

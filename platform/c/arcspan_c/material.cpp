@@ -47,7 +47,7 @@ template <class... Chosen>
 }  // namespace
 
 Status make_material(MadeMaterial& made, const LightList& lights) {
-  return make_by_one_of(Choices{}, made, lights);
+  return make_by_one_of(AllChoices{}, made, lights);
 }
 
 Status make_materials(arcspan_scene& scene) {

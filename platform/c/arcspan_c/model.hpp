@@ -8,7 +8,7 @@
 #include <arcspan/status.hpp>
 
 #include <arcspan.h>
-#include <arcspan_c/methods.hpp>
+#include <arcspan_c/compiled_methods.hpp>
 
 #include <cstdint>
 

@@ -7,7 +7,7 @@
 #include <arcspan/texture/texture_binary.hpp>
 
 #include <arcspan.h>
-#include <arcspan_c/methods.hpp>
+#include <arcspan_c/compiled_methods.hpp>
 
 #include <array>
 #include <cstddef>
@@ -46,7 +46,7 @@ struct MaterialSource {
 /// A material that is prepared at run time.
 struct MadeMaterial {
   MaterialSource source;
-  alignas(8) unsigned char prepared[material_bytes(Choices{})];  ///< a PreparedMaterial
+  alignas(8) unsigned char prepared[material_bytes(AllChoices{})];  ///< a PreparedMaterial
 
   [[nodiscard]] const SceneMaterial& scene_material() const {
     return *static_cast<const SceneMaterial*>(static_cast<const void*>(prepared));

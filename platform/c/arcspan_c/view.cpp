@@ -16,7 +16,7 @@ using namespace arcspan;
 namespace {
 
 using c::world_point;
-using Memory = SceneMemoryView<c::Methods>;
+using Memory = SceneMemoryView<c::CompiledMethods>;
 
 [[nodiscard]] Lens lens_of(const arcspan_lens& lens) {
   const auto nearest = WorldLength::from_raw(lens.nearest);

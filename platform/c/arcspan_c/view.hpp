@@ -5,14 +5,14 @@
 #include <arcspan/scene/camera.hpp>
 #include <arcspan/scene/scene_memory.hpp>
 
-#include <arcspan_c/methods.hpp>
+#include <arcspan_c/compiled_methods.hpp>
 #include <arcspan_c/scene.hpp>
 
 /// The type that arcspan.h declares.
 struct arcspan_view {
   arcspan_scene& scene;
   arcspan::Camera camera;
-  arcspan::SceneMemoryView<arcspan::c::Methods> memory;
+  arcspan::SceneMemoryView<arcspan::c::CompiledMethods> memory;
   arcspan::Status status;  ///< of the last arcspan_prepare()
 };
 

@@ -263,7 +263,8 @@ std::string model_c_source(const FixedModel& model, const std::string& name, con
                            const ModelTextures& textures) {
   const std::string arrays = name + "_arrays";
   return comment(model, origin, textures) + "//\n// In C: extern const arcspan_model " + name +
-         ";\n// clang-format off\n#include <arcspan/lighting/colour_coefficients.hpp>\n#include <arcspan_c/model.hpp>\n" +
+         ";\n// clang-format off\n#include <arcspan/lighting/colour_coefficients.hpp>\n#include "
+         "<arcspan_c/model.hpp>\n" +
          includes(model, textures) + model_namespace(model, arrays, textures) + "\nnamespace {\n" +
          prepared_text(model, arrays, textures) +
          "\n}  // namespace\n\nextern \"C\" {\nextern const arcspan_model " + name +

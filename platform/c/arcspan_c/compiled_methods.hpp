@@ -32,24 +32,24 @@ struct Choice {
 
 template <class... Choices>
 struct ChoiceList {
-  using Methods = MethodList<typename Choices::Method...>;
+  using ListedMethods = MethodList<typename Choices::Method...>;
 };
 
 namespace detail {
 
 template <class T>
 struct Wrapped {
-  using Arcs = Textured<Arc<Light>, T>;
+  using ByArc = Textured<Arc<Light>, T>;
   // One product per pixel where all lights are grey.
-  using Gourauds =
+  using ByGouraud =
       Textured<std::conditional_t<ARCSPAN_C_COLOURED_LIGHTS != 0, Gouraud<Light>, GreyGouraud<Light>>, T>;
-  using Flats = Textured<Flat<Light>, T>;
+  using ByFlat = Textured<Flat<Light>, T>;
 };
 template <>
 struct Wrapped<void> {
-  using Arcs = Arc<Light>;
-  using Gourauds = Gouraud<Light>;
-  using Flats = Flat<Light>;
+  using ByArc = Arc<Light>;
+  using ByGouraud = Gouraud<Light>;
+  using ByFlat = Flat<Light>;
 };
 
 template <class... Lists>
@@ -69,17 +69,18 @@ using If = std::conditional_t<Enabled, ChoiceList<C>, ChoiceList<>>;
 /// The methods of one format of textures, or without texture.
 template <bool Enabled, class T>
 using MethodsOf = typename Joined<
-    If<Enabled && ARCSPAN_C_ARC != 0, Choice<ARCSPAN_ARC, typename Wrapped<T>::Arcs, T>>,
-    If<Enabled && ARCSPAN_C_GOURAUD != 0, Choice<ARCSPAN_GOURAUD, typename Wrapped<T>::Gourauds, T>>,
-    If<Enabled && ARCSPAN_C_FLAT != 0, Choice<ARCSPAN_FLAT, typename Wrapped<T>::Flats, T>>>::List;
+    If<Enabled && ARCSPAN_C_ARC != 0, Choice<ARCSPAN_ARC, typename Wrapped<T>::ByArc, T>>,
+    If<Enabled && ARCSPAN_C_GOURAUD != 0, Choice<ARCSPAN_GOURAUD, typename Wrapped<T>::ByGouraud, T>>,
+    If<Enabled && ARCSPAN_C_FLAT != 0, Choice<ARCSPAN_FLAT, typename Wrapped<T>::ByFlat, T>>>::List;
 
 }  // namespace detail
 
 /// All that is compiled.
-using Choices = detail::Joined<detail::MethodsOf<true, void>,
-                               detail::MethodsOf<ARCSPAN_C_TEXTURES_RGB565 != 0, DirectTexels<>>,
-                               detail::MethodsOf<ARCSPAN_C_TEXTURES_PALETTE8 != 0, Palette8Texels<>>,
-                               detail::MethodsOf<ARCSPAN_C_TEXTURES_PALETTE4 != 0, Palette4Texels<>>>::List;
-using Methods = Choices::Methods;
+using AllChoices =
+    detail::Joined<detail::MethodsOf<true, void>,
+                   detail::MethodsOf<ARCSPAN_C_TEXTURES_RGB565 != 0, DirectTexels<>>,
+                   detail::MethodsOf<ARCSPAN_C_TEXTURES_PALETTE8 != 0, Palette8Texels<>>,
+                   detail::MethodsOf<ARCSPAN_C_TEXTURES_PALETTE4 != 0, Palette4Texels<>>>::List;
+using CompiledMethods = AllChoices::ListedMethods;
 
 }  // namespace arcspan::c

@@ -46,7 +46,7 @@ int main(void) {
   arcspan_scene* scene;
   arcspan_view* view;
   arcspan_status status = make(&scene, &view);
-  if (status == ARCSPAN_OK) status = arcspan_prepare(view, NULL);
+  if (status == ARCSPAN_OK) status = arcspan_prepare(view);
   printf("P6\n%d %d\n255\n", kWidth, kHeight);
   for (int top = 0; top < kHeight && status == ARCSPAN_OK; top += kRows) {
     const int rows = kHeight - top < kRows ? kHeight - top : kRows;

@@ -197,10 +197,11 @@ arcspan_screen_point arcspan_project(const arcspan_view* view, arcspan_point poi
 arcspan_quaternion arcspan_dragged(const arcspan_view* view, arcspan_quaternion rotation, int32_t dx,
                                    int32_t dy);
 
-/* Prepares a frame, and sets `drawn` to the rectangle of the picture outside of which it has no pixel.
- * `drawn` may be NULL. Returns the statuses of prepare_scene(); then nothing is drawn until the
- * next frame. */
-arcspan_status arcspan_prepare(arcspan_view* view, arcspan_rect* drawn);
+/* Prepares a frame. Returns the statuses of prepare_scene(); then nothing is drawn until the next frame. */
+arcspan_status arcspan_prepare(arcspan_view* view);
+/* The rectangle of the picture outside of which the frame has no pixel; empty if there is none. The vertices
+ * are transformed for it, and not again for drawing if the view has room for those of all parts in view. */
+arcspan_rect arcspan_drawn_rect(arcspan_view* view);
 
 typedef uint8_t arcspan_format;
 #define ARCSPAN_RGB565 0

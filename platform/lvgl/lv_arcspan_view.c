@@ -91,9 +91,11 @@ static void prepare(lv_arcspan_view_t* view) {
   view->status = make_view(view);
   if (view->status == ARCSPAN_OK) view->status = set_camera(view);
   if (view->status == ARCSPAN_OK) view->status = turn_object(view);
-  if (view->status == ARCSPAN_OK) view->status = arcspan_prepare(view->view, &view->drawn);
-  if (view->status == ARCSPAN_OK) return;
-  view->drawn = (arcspan_rect){0, 0, 0, 0};
+  if (view->status == ARCSPAN_OK) view->status = arcspan_prepare(view->view);
+  if (view->status == ARCSPAN_OK) {
+    view->drawn = arcspan_drawn_rect(view->view);
+    return;
+  }
   ++view->dropped;
   LV_LOG_WARN("arcspan: a frame is not drawn: %s", arcspan_status_text(view->status));
 }

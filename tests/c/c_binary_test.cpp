@@ -54,7 +54,7 @@ struct Scene2 {
     arcspan_view* view = nullptr;
     REQUIRE(arcspan_view_make(view_memory.data(), view_memory.size(), &limits, scene, &view) == ARCSPAN_OK);
     REQUIRE(arcspan_set_camera(view, &kLens, kEye, {0, 0, 0}, {0, 0, 0}) == ARCSPAN_OK);
-    REQUIRE(arcspan_prepare(view, nullptr) == ARCSPAN_OK);
+    REQUIRE(arcspan_prepare(view) == ARCSPAN_OK);
     std::vector<std::uint16_t> pixels(kSide * kSide), depths(kSide * kSide);
     const arcspan_target target{pixels.data(),        2 * pixels.size(), 2 * kSide,     ARCSPAN_RGB565,
                                 {0, 0, kSide, kSide}, depths.data(),     depths.size(), &kBlack};

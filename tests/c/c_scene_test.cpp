@@ -105,8 +105,7 @@ void check_format(arcspan_format format) {
   const auto expected = drawn_by_cpp<F>();
   const std::size_t row = expected.size() / kHeight * sizeof(typename F::Word);
   Balls balls;
-  arcspan_rect drawn{};
-  REQUIRE(arcspan_prepare(balls.view, &drawn) == ARCSPAN_OK);
+  REQUIRE(arcspan_prepare(balls.view) == ARCSPAN_OK);
   std::vector<std::uint16_t> depths;
   // Whole, with rows that are padded.
   const std::size_t stride = row + 8;
@@ -147,7 +146,7 @@ TEST_CASE("C draws the pixels of C++, whole, padded and in rectangles") {
 
 TEST_CASE("without a background, C draws over the pixels that are there") {
   Balls balls;
-  REQUIRE(arcspan_prepare(balls.view, nullptr) == ARCSPAN_OK);
+  REQUIRE(arcspan_prepare(balls.view) == ARCSPAN_OK);
   std::vector<std::uint16_t> pixels(kWidth * kHeight, 0x1234);
   std::vector<std::uint16_t> depths;
   arcspan_target target = whole_target(pixels.data(), 2 * pixels.size(), 2 * kWidth, ARCSPAN_RGB565, depths);
@@ -164,8 +163,8 @@ TEST_CASE("two views show one scene") {
   arcspan_view* second = nullptr;
   REQUIRE(arcspan_view_make(memory.data(), memory.size(), &limits, balls.scene, &second) == ARCSPAN_OK);
   REQUIRE(arcspan_set_camera(second, &kLens, {ARCSPAN_LENGTH(4), 0, 0}, {0, 0, 0}, {0, 0, 0}) == ARCSPAN_OK);
-  REQUIRE(arcspan_prepare(balls.view, nullptr) == ARCSPAN_OK);
-  REQUIRE(arcspan_prepare(second, nullptr) == ARCSPAN_OK);
+  REQUIRE(arcspan_prepare(balls.view) == ARCSPAN_OK);
+  REQUIRE(arcspan_prepare(second) == ARCSPAN_OK);
   std::vector<std::uint16_t> first_pixels(kWidth * kHeight), second_pixels(kWidth * kHeight), depths;
   arcspan_target target =
       whole_target(second_pixels.data(), 2 * second_pixels.size(), 2 * kWidth, ARCSPAN_RGB565, depths);
@@ -208,8 +207,9 @@ TEST_CASE("a drag turns the nearest point of an object with it") {
 
 TEST_CASE("the rectangle of a frame is that of the pixels that change") {
   Balls balls;
-  arcspan_rect drawn{};
-  REQUIRE(arcspan_prepare(balls.view, &drawn) == ARCSPAN_OK);
+  CHECK(arcspan_drawn_rect(balls.view).right == 0);
+  REQUIRE(arcspan_prepare(balls.view) == ARCSPAN_OK);
+  const arcspan_rect drawn = arcspan_drawn_rect(balls.view);
   std::vector<std::uint16_t> pixels(kWidth * kHeight, 0x1234), depths;
   arcspan_target target = whole_target(pixels.data(), 2 * pixels.size(), 2 * kWidth, ARCSPAN_RGB565, depths);
   target.background = nullptr;
@@ -233,7 +233,7 @@ TEST_CASE("a pixel leads to its object, and a point to its pixel") {
   arcspan_picked picked{1, 2, 3, 4};
   CHECK(arcspan_pick(balls.view, 10, 10, &picked) == ARCSPAN_NOT_READY);
   CHECK(picked.found == 0);
-  REQUIRE(arcspan_prepare(balls.view, nullptr) == ARCSPAN_OK);
+  REQUIRE(arcspan_prepare(balls.view) == ARCSPAN_OK);
   for (const auto& [object, at] :
        {std::pair{balls.left, arcspan_point{ARCSPAN_LENGTH(-0.7), 0, 0}},
         std::pair{balls.right, arcspan_point{ARCSPAN_LENGTH(0.7), ARCSPAN_LENGTH(0.2), 0}}}) {
@@ -277,19 +277,19 @@ TEST_CASE("a view with too little room for objects or vertices says so, and the 
       whole_target(pixels.data(), 2 * pixels.size(), 2 * kWidth, ARCSPAN_RGB565, depths);
   CHECK(arcspan_draw(balls.view, &target) == ARCSPAN_NOT_READY);
   balls.make_view({1, enough.vertices});
-  CHECK(arcspan_prepare(balls.view, nullptr) == ARCSPAN_TOO_MANY_OBJECTS);
+  CHECK(arcspan_prepare(balls.view) == ARCSPAN_TOO_MANY_OBJECTS);
   CHECK(arcspan_draw(balls.view, &target) == ARCSPAN_TOO_MANY_OBJECTS);
   CHECK(pixels == std::vector<std::uint16_t>(kWidth * kHeight, 0x1234));
   REQUIRE(arcspan_set_visible(balls.scene, balls.right, 0) == ARCSPAN_OK);
-  CHECK(arcspan_prepare(balls.view, nullptr) == ARCSPAN_OK);
+  CHECK(arcspan_prepare(balls.view) == ARCSPAN_OK);
   CHECK(arcspan_draw(balls.view, &target) == ARCSPAN_OK);
   balls.make_view({2, enough.vertices / 4});  // other methods have larger vertices
-  CHECK(arcspan_prepare(balls.view, nullptr) == ARCSPAN_CACHE_TOO_SMALL);
+  CHECK(arcspan_prepare(balls.view) == ARCSPAN_CACHE_TOO_SMALL);
 }
 
 TEST_CASE("targets that do not fit their memory are refused") {
   Balls balls;
-  REQUIRE(arcspan_prepare(balls.view, nullptr) == ARCSPAN_OK);
+  REQUIRE(arcspan_prepare(balls.view) == ARCSPAN_OK);
   std::vector<std::uint16_t> pixels(kWidth * kHeight), depths;
   const arcspan_target right =
       whole_target(pixels.data(), 2 * pixels.size(), 2 * kWidth, ARCSPAN_RGB565, depths);
@@ -329,12 +329,12 @@ TEST_CASE("lights that are not compiled or out of range change nothing") {
   std::vector<std::uint16_t> pixels(kWidth * kHeight), depths;
   const arcspan_target target =
       whole_target(pixels.data(), 2 * pixels.size(), 2 * kWidth, ARCSPAN_RGB565, depths);
-  REQUIRE(arcspan_prepare(balls.view, nullptr) == ARCSPAN_OK);
+  REQUIRE(arcspan_prepare(balls.view) == ARCSPAN_OK);
   REQUIRE(arcspan_draw(balls.view, &target) == ARCSPAN_OK);
   CHECK(pixels == drawn_by_cpp<Rgb565>());
   // Materials in flash are for full white light where there is one light.
   REQUIRE(status_of([](arcspan_light& l) { l.strength = 16384; }) == ARCSPAN_OK);
-  REQUIRE(arcspan_prepare(balls.view, nullptr) == ARCSPAN_OK);
+  REQUIRE(arcspan_prepare(balls.view) == ARCSPAN_OK);
   CHECK(arcspan_draw(balls.view, &target) == ARCSPAN_LIGHT_CHANGED);
 }
 
@@ -352,7 +352,7 @@ TEST_CASE("cameras out of range are refused, and the last one stays") {
         ARCSPAN_INVALID_ARGUMENT);  // parallel, of extent 0
   CHECK(status_of([](arcspan_lens& l) { l.farthest = l.nearest; }) != ARCSPAN_OK);
   CHECK(arcspan_set_camera(balls.view, &kLens, kEye, kEye, {0, 0, 0}) != ARCSPAN_OK);
-  CHECK(arcspan_prepare(balls.view, nullptr) == ARCSPAN_OK);
+  CHECK(arcspan_prepare(balls.view) == ARCSPAN_OK);
   CHECK(status_of([](arcspan_lens& l) { l.angle = 0, l.extent = ARCSPAN_LENGTH(3); }) == ARCSPAN_OK);
 }
 

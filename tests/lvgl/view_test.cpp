@@ -75,7 +75,7 @@ TEST_CASE("the picture is the one that arcspan_draw() draws over the background"
     REQUIRE(arcspan_view_make(memory.data(), memory.size(), &limits, balls.scene, &bare) == ARCSPAN_OK);
     const arcspan_lens lens{100, 80, ARCSPAN_DEGREES(45), 0, ARCSPAN_LENGTH(1), ARCSPAN_LENGTH(16)};
     REQUIRE(arcspan_set_camera(bare, &lens, {0, 0, ARCSPAN_LENGTH(3)}, {0, 0, 0}, {0, 0, 0}) == ARCSPAN_OK);
-    REQUIRE(arcspan_prepare(bare, nullptr) == ARCSPAN_OK);
+    REQUIRE(arcspan_prepare(bare) == ARCSPAN_OK);
     const std::size_t pixel = screen.pixel_bytes();
     std::vector<std::uint8_t> pixels(100 * 80 * pixel);
     std::vector<std::uint16_t> depths(100 * 80);

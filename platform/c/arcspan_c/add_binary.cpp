@@ -61,5 +61,6 @@ arcspan_status arcspan_add_binary(arcspan_scene* scene, const void* binary, size
   } else if (status == Status::kUnsupported) {  // another magic number
     status = add_mesh(added, data, used);
   }
+  scene->make_materials = c::make_materials;
   return added.finish(status, object);
 }

@@ -104,9 +104,17 @@ arcspan_status arcspan_scene_make(void* memory, size_t bytes, const arcspan_scen
   if (memory == nullptr || bytes < wanted || wanted == SIZE_MAX) return ARCSPAN_BUFFER_TOO_SMALL;
   c::MemoryParts all(memory);
   const SceneParts parts = take_parts(all, *limits);
-  *scene = new (parts.scene) arcspan_scene{
-      *limits,        0, 0, 1, c::all_lights(kFirstLight), kWhite, parts.objects, parts.meshes, parts.parts,
-      parts.materials};
+  *scene = new (parts.scene) arcspan_scene{*limits,
+                                           0,
+                                           0,
+                                           1,
+                                           c::all_lights(kFirstLight),
+                                           kWhite,
+                                           parts.objects,
+                                           parts.meshes,
+                                           parts.parts,
+                                           parts.materials,
+                                           nullptr};
   return ARCSPAN_OK;
 }
 
@@ -123,8 +131,9 @@ arcspan_status arcspan_set_lights(arcspan_scene* scene, const arcspan_light* lig
   for (std::size_t i = 0; i < count; ++i) scene->lights[i] = scene_light(lights[i]);
   scene->light_count = count;
   scene->ambient = ambient_light;
-  if (are_alike(before.light_list(), scene->light_list())) return ARCSPAN_OK;
-  return static_cast<arcspan_status>(c::make_materials(*scene));
+  if (scene->make_materials == nullptr || are_alike(before.light_list(), scene->light_list()))
+    return ARCSPAN_OK;
+  return static_cast<arcspan_status>(scene->make_materials(*scene));
 }
 
 arcspan_status arcspan_set_position(arcspan_scene* scene, arcspan_object object, arcspan_point position) {

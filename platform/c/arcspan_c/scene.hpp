@@ -57,7 +57,7 @@ struct MadeMaterial {
 /// not compiled, else the status of PreparedMaterial::make() or set_tolerance().
 [[nodiscard]] Status make_material(MadeMaterial& made, const LightList& lights);
 
-/// make_material() for all of a scene, after its lights have changed.
+/// make_material() for all of a scene, after its lights have changed. Of arcspan_scene::make_materials.
 [[nodiscard]] Status make_materials(arcspan_scene& scene);
 
 /// As many of one light as a scene has room for.
@@ -88,6 +88,8 @@ struct arcspan_scene {
   arcspan::MeshView* meshes;  ///< of the objects
   std::uint16_t* parts;       ///< at an object's first part their number, at its others 0
   arcspan::c::MadeMaterial* materials;
+  /// Set by arcspan_add_binary(), so that programs with models in flash only do not hold its code.
+  arcspan::Status (*make_materials)(arcspan_scene& scene);
 
   [[nodiscard]] arcspan::LightList light_list() const {
     return {std::span<const arcspan::SceneLight>(lights).first(light_count), ambient};

@@ -124,15 +124,16 @@ arcspan_quaternion arcspan_dragged(const arcspan_view* view, arcspan_quaternion 
   return arcspan_multiply({diameter << 17, along(0), along(1), along(2)}, rotation);
 }
 
-arcspan_status arcspan_prepare(arcspan_view* view, arcspan_rect* drawn) {
+arcspan_status arcspan_prepare(arcspan_view* view) {
   const arcspan_scene& scene = view->scene;
   const std::span<const Object> objects(scene.objects, scene.object_count);
   view->status = prepare_scene({view->camera, scene.light_list(), objects}, view->memory);
-  if (drawn != nullptr) {
-    const Rect rect = ok(view->status) ? drawn_rect(view->memory) : Rect{};
-    *drawn = {rect.left, rect.top, rect.right, rect.bottom};
-  }
   return static_cast<arcspan_status>(view->status);
+}
+
+arcspan_rect arcspan_drawn_rect(arcspan_view* view) {
+  const Rect rect = ok(view->status) ? drawn_rect(view->memory) : Rect{};
+  return {rect.left, rect.top, rect.right, rect.bottom};
 }
 
 arcspan_status arcspan_draw(arcspan_view* view, const arcspan_target* target) {

@@ -11,11 +11,11 @@ target_compile_options(
             -Wconversion
             -Wsign-conversion
             -Wshadow
-            -Wold-style-cast
+            $<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast>
             -Wcast-align
             -Wundef
-            -Wnon-virtual-dtor
-            -Woverloaded-virtual
+            $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor>
+            $<$<COMPILE_LANGUAGE:CXX>:-Woverloaded-virtual>
             # Not for boards: their start-up code defines what compilers and vector tables call by reserved names.
             $<$<AND:$<CXX_COMPILER_ID:Clang>,$<NOT:$<BOOL:${ARCSPAN_BOARD}>>>:-Wreserved-identifier>
             # gcc 12 sees overlapping copies in "literal" + std::string where there are none (its bug 105651).

@@ -23,11 +23,20 @@ const lv_obj_class_t lv_arcspan_view_class = {
     .name = "lv_arcspan_view",
 };
 
-/* The part of the widget that is the picture, on the screen. */
+/* The picture of the last frame on the screen. Styles are asked once per frame, because that takes long. */
 static lv_area_t picture_area(const lv_arcspan_view_t* view) {
+  const lv_area_t* const widget = &view->obj.coords;
+  const lv_area_t* const inset = &view->inset;
+  return (lv_area_t){widget->x1 + inset->x1, widget->y1 + inset->y1, widget->x2 - inset->x2,
+                     widget->y2 - inset->y2};
+}
+
+static void measure_picture(lv_arcspan_view_t* view) {
+  const lv_area_t* const widget = &view->obj.coords;
   lv_area_t area;
   lv_obj_get_content_coords(&view->obj, &area);
-  return area;
+  view->inset =
+      (lv_area_t){area.x1 - widget->x1, area.y1 - widget->y1, widget->x2 - area.x2, widget->y2 - area.y2};
 }
 
 /* The rectangle of the last frame on the screen. Returns false if it is empty. */
@@ -88,6 +97,7 @@ static void prepare(lv_arcspan_view_t* view) {
   view->drawn = (arcspan_rect){0, 0, 0, 0};
   view->status = ARCSPAN_NOT_READY;
   if (view->scene == NULL) return;
+  measure_picture(view);
   view->status = make_view(view);
   if (view->status == ARCSPAN_OK) view->status = set_camera(view);
   if (view->status == ARCSPAN_OK) view->status = turn_object(view);
@@ -161,12 +171,13 @@ static void add_layers(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area
 
 /* The inner edge of the border, and its radius, which clip_corner clips by. */
 static int32_t corner_radius(const lv_obj_t* obj, lv_area_t* corners) {
-  const int32_t border = lv_obj_get_style_border_width(obj, LV_PART_MAIN);
   lv_area_copy(corners, &obj->coords);
+  if (!lv_obj_get_style_clip_corner(obj, LV_PART_MAIN)) return 0;
+  const int32_t border = lv_obj_get_style_border_width(obj, LV_PART_MAIN);
   const int32_t shorter = LV_MIN(lv_area_get_width(corners), lv_area_get_height(corners));
   const int32_t radius = LV_MIN(lv_obj_get_style_radius(obj, LV_PART_MAIN), shorter / 2) - border;
   lv_area_increase(corners, -border, -border);
-  return lv_obj_get_style_clip_corner(obj, LV_PART_MAIN) && radius > 0 ? radius : 0;
+  return LV_MAX(radius, 0);
 }
 
 /* Draws the rows of `area` from `top` to `bottom` straight, or with round corners if `radius` is not 0. */

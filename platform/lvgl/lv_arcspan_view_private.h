@@ -23,6 +23,7 @@ typedef struct {
   arcspan_object turned;
   arcspan_status status;
   bool changed;       /* since the last frame */
+  lv_area_t inset;    /* of the picture of the last frame from the sides of the widget, as positive numbers */
   arcspan_rect drawn; /* by the last frame, in the picture; empty if it is not shown */
   uint32_t dropped;
 #if LV_USE_GESTURE_RECOGNITION

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lv_arcspan_view in the real LVGL.
+#include <tests/lvgl/frames.h>
 #include <tests/lvgl/screen.hpp>
 
 #include <algorithm>
@@ -44,6 +45,15 @@ std::vector<std::uint8_t> shown(const DisplaySetting& setting) {
   CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_OK);
   CHECK(lv_arcspan_view_get_dropped(view) == 0);
   return screen.pixels;
+}
+
+TEST_CASE("the frames that boards draw have the same hashes here") {
+  REQUIRE(lvgl_frames_start() == ARCSPAN_OK);
+  for (int i = 0; i < LVGL_FRAMES; ++i) {
+    CAPTURE(i);
+    CHECK(lvgl_frames_next() == lvgl_frame_hashes[i]);
+  }
+  lv_deinit();
 }
 
 TEST_CASE("partial, direct and full rendering show the same pixels, in every format, in padded rows") {

@@ -7,6 +7,7 @@
 #include <tests/pipeline/scene/scene_support.hpp>
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 using namespace arcspan;
@@ -51,7 +52,7 @@ TEST_CASE("a scene in bytes of the caller's is drawn as in SceneMemory, at any a
   const std::size_t bytes = View::bytes(balls.limits());
   for (std::size_t offset = 0; offset < 9; ++offset) {
     std::vector<std::byte> memory(bytes + offset, std::byte{0xA5});  // sanitizers see what is beyond
-    View view(std::span(memory).subspan(offset), balls.limits());
+    View view(std::span<std::byte>(memory).subspan(offset), balls.limits());
     REQUIRE(ok(view.status()));
     CHECK((drawn(balls, view) == expected));
     CHECK(drawn_rect(view) == rect);

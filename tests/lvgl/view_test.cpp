@@ -233,7 +233,7 @@ TEST_CASE("memory that cannot be allocated drops rectangles, and the next frame 
   SECTION("of a layer") {
     lv_obj_set_style_opa(view, LV_OPA_50, 0);
     screen.refresh();
-    fail_allocations_from(3000);
+    fail_allocations_from(1500);
     (void)screen.redrawn();
     CHECK(lv_arcspan_view_get_dropped(view) > 0);
     lv_obj_set_style_opa(view, LV_OPA_COVER, 0);

@@ -106,6 +106,7 @@ static void prepare(lv_arcspan_view_t* view) {
     view->drawn = arcspan_drawn_rect(view->view);
     return;
   }
+  view->changed = view->status == ARCSPAN_BUFFER_TOO_SMALL; /* there may be memory at the next refresh */
   ++view->dropped;
   LV_LOG_WARN("arcspan: a frame is not drawn: %s", arcspan_status_text(view->status));
 }

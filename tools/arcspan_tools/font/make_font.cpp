@@ -73,7 +73,8 @@ ScaledGlyph reduced(const SourceGlyph& glyph, std::int32_t down, unsigned bits) 
     for (std::int32_t x = 0; x < glyph.width; ++x) {
       const std::int32_t column = floor_of(glyph.left + x, down) - made.left;
       const std::int32_t row = floor_of(glyph.top + y, down) - made.top;
-      set[static_cast<std::size_t>(row * made.width + column)] += glyph.at(x, y) ? 1 : 0;
+      set[static_cast<std::size_t>(row) * static_cast<std::size_t>(made.width) +
+          static_cast<std::size_t>(column)] += glyph.at(x, y) ? 1 : 0;
     }
   }
   std::transform(set.begin(), set.end(), made.coverage.begin(),

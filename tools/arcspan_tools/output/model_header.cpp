@@ -226,27 +226,34 @@ std::string braced_sphere(const FixedMesh& mesh) {
   return "{" + braced_position(sphere.middle) + ", " + std::to_string(sphere.radius) + "}";
 }
 
-/// Materials that are prepared by the compiler, and the list of parts of a model for the C interface. The
-/// arrays are in the namespace `arrays`.
+/// A material that the compiler prepares: that of the part in the namespace `part`, and the texture in the
+/// namespace `skin` of the format `texels`, unless that is void.
+std::string prepared_material(const std::string& material, const std::string& part, const std::string& texels,
+                              const std::string& skin, bool is_plain) {
+  const std::string made_of = is_plain
+                                  ? "arcspan::plastic({255, 255, 255}), {arcspan::c::kModelLights}"
+                                  : part + "kMaterial, {arcspan::c::kModelLights}, {" + part + "kTwoSided}";
+  return "\nconstexpr auto " + material + " = arcspan::PreparedMaterial<arcspan::c::ModelMethod<" + texels +
+         ">::Type>::of(\n    " + made_of + ")" + (texels == "void" ? "" : ".with(" + skin + "kTexture)") +
+         ";\n";
+}
+
+/// The prepared materials, and the list of parts of a model for the C interface. The arrays are in the
+/// namespace `arrays`.
 std::string prepared_text(const FixedModel& model, const std::string& arrays, const ModelTextures& textures) {
   const bool single = model.meshes.size() == 1;
   const std::vector<std::string> names = namespaces_of(model, textures.textures.size());
   std::string text;
   std::string list;
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
-    const std::string part = arrays + (single ? "" : "::" + names[i]) + "::";
+    const std::string part = arrays + "::" + (single ? "" : names[i] + "::");
     const std::string material = "kPrepared" + std::to_string(i + 1);
     std::optional<std::size_t> number;
     if (!textures.textures.empty()) number = textures.of_part[i];
-    text +=
-        "\nconstexpr auto " + material + " = arcspan::PreparedMaterial<arcspan::c::ModelMethod<" +
-        (number ? type_of(textures.textures[*number].format) : "void") + ">::Type>::of(\n    " +
-        (is_plain_mesh(model) ? "arcspan::plastic({255, 255, 255}), {arcspan::c::kModelLights})"
-                              : part + "kMaterial, {arcspan::c::kModelLights}, {" + part + "kTwoSided})") +
-        (number ? ".with(" + arrays + "::" + (single ? "" : texture_namespace(*number) + "::") + "kTexture)"
-                : "") +
-        ";\n";
-    list += "    {" + part + "make_view, " + braced_sphere(model.meshes[i]) + ", &" + material + "},\n";
+    const std::string texels = number ? type_of(textures.textures[*number].format) : "void";
+    const std::string skin = arrays + "::" + (single || !number ? "" : texture_namespace(*number) + "::");
+    text.append(prepared_material(material, part, texels, skin, is_plain_mesh(model)));
+    list.append("    {" + part + "make_view, " + braced_sphere(model.meshes[i]) + ", &" + material + "},\n");
   }
   return text + "\nconstexpr arcspan::c::ModelPart kPreparedParts[] = {\n" + list + "};\n";
 }

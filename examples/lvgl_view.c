@@ -14,6 +14,8 @@ static void on_timer(lv_timer_t* timer) {
   lv_arcspan_view_set_rotation(view, arcspan_multiply(step, lv_arcspan_view_get_rotation(view)));
 }
 
+static void on_delete(lv_event_t* e) { lv_timer_delete(lv_event_get_user_data(e)); }
+
 static void on_slider(lv_event_t* e) {
   lv_obj_t* const view = lv_event_get_user_data(e);
   const int32_t percent = lv_slider_get_value(lv_event_get_target_obj(e));
@@ -33,7 +35,7 @@ arcspan_status show_ball(void) {
   lv_obj_set_size(view, LV_PCT(100), LV_PCT(80));
   lv_arcspan_view_set_scene(view, scene);
   lv_arcspan_view_set_turned(view, object);
-  lv_timer_create(on_timer, 33, view);
+  lv_obj_add_event_cb(view, on_delete, LV_EVENT_DELETE, lv_timer_create(on_timer, 33, view));
 
   lv_obj_t* const label = lv_label_create(view);
   lv_label_set_text(label, "arcspan");

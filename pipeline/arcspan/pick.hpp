@@ -24,7 +24,7 @@ struct PickList<MethodList<Used...>> {
 
 /// Returns what the scene of the last prepare_scene() shows in the pixel in column x and row y of the
 /// picture: the object, its part and the triangle that a draw call with a DepthBuffer leaves there, by the
-/// same culling, clipping and order of equal depths. Nothing outside of the picture.
+/// same culling, clipping and order of equal depths. Outside of the picture nothing is found.
 ///
 /// Nothing is shaded, so the time does not depend on materials: textures and operations do not make a pixel
 /// transparent, and where a textured or a clipped triangle of up to 15x15 pixels is less than 8 steps of

@@ -36,13 +36,6 @@ int memcmp(const void* left, const void* right, std::size_t count) {
   return 0;
 }
 
-/// Compilers make calls of loops that look for the end of a text.
-std::size_t strlen(const char* text) {
-  const char* end = text;
-  while (*end != 0) ++end;
-  return static_cast<std::size_t>(end - text);
-}
-
 /// Fills the vtable slots of pure virtual functions. A call would be a fault.
 [[noreturn]] void __cxa_pure_virtual() { __builtin_trap(); }
 

@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* arcspan from C (C99): 3D scenes in integers, without heap, into memory of the caller's.
+/* Draws 3D scenes from C99, with integers only and without a heap. All memory comes from the caller.
  *
  * A scene holds lights and objects. A view is a camera with the memory for drawing the scene as it sees it; a
- * scene may have several. A frame is one arcspan_prepare() and then arcspan_draw() for each band or rectangle
- * of it. Nothing of a scene or view may be changed from the beginning of arcspan_prepare() to the end of the
- * last arcspan_draw(). docs/c-interface.md has an example; arcspan_config.h chooses what is compiled.
+ * scene may have several. A frame is one arcspan_prepare(), then an arcspan_draw() for each band or rectangle
+ * of it. Nothing of a scene or view may change from the beginning of arcspan_prepare() to the end of the last
+ * arcspan_draw(). docs/c-interface.md has an example; arcspan_config.h chooses what is compiled.
+ *
+ * The memory of scenes and views, models and binaries must stay where they are as long as they are used.
+ * Nothing has to be destroyed. A scene that is made anew in the same memory needs new views. Two views may be
+ * drawn by two cores at the same time.
  *
  * World space is right-handed, in any unit. Pictures have x to the right and y down. */
 #ifndef ARCSPAN_H
@@ -20,30 +24,38 @@ extern "C" {
 #define ARCSPAN_CAST(type, number) ((type)(number))
 #endif
 
-/* The result of a function: 0 if it did what it says. The meanings are those of arcspan/status.hpp. */
+/* The result of a function: ARCSPAN_OK, or why it failed. A call that fails changes nothing, unless it says
+ * otherwise. */
 typedef uint8_t arcspan_status;
 #define ARCSPAN_OK 0
-#define ARCSPAN_INVALID_ARGUMENT 1
-#define ARCSPAN_BUFFER_TOO_SMALL 3
-#define ARCSPAN_UNSUPPORTED 4 /* not compiled: see arcspan_config.h */
-#define ARCSPAN_NOT_READY 5
-#define ARCSPAN_DEPTH_MISMATCH 12
-#define ARCSPAN_CACHE_TOO_SMALL 13
-#define ARCSPAN_TOO_MANY_OBJECTS 18
-#define ARCSPAN_LIGHT_CHANGED 20
+#define ARCSPAN_INVALID_ARGUMENT 1     /* a number is out of range, or an object is none of the scene */
+#define ARCSPAN_INDEX_OUT_OF_RANGE 2   /* an index of a mesh names no vertex */
+#define ARCSPAN_BUFFER_TOO_SMALL 3     /* memory is smaller than asked for, or a scene has no room */
+#define ARCSPAN_UNSUPPORTED 4          /* not compiled: see arcspan_config.h; a binary of another version */
+#define ARCSPAN_NOT_READY 5            /* no camera, or no frame has been prepared */
+#define ARCSPAN_TRUNCATED 10           /* a binary ends too early */
+#define ARCSPAN_CORRUPTED 11           /* a binary contradicts its checksum or itself */
+#define ARCSPAN_CACHE_TOO_SMALL 13     /* a part has more vertices than the view has room for */
+#define ARCSPAN_NEAR_NOT_BEFORE_FAR 14 /* the planes of a lens are not 0 < nearest < farthest */
+#define ARCSPAN_NO_VIEW_DIRECTION 15   /* the eye is at its target, or looks along `up` */
+#define ARCSPAN_TOO_MANY_OBJECTS 18    /* more parts are in view than the view has room for */
+#define ARCSPAN_LIGHT_CHANGED 20       /* a material in flash is for another light */
 
 /* A short lower-case text for logs, also for numbers that are no status. */
 const char* arcspan_status_text(arcspan_status status);
 
+/* The macros make numbers of constants, rounded; with variables they would link floating point. */
+
 /* A length or coordinate in world space: 16 fraction bits, below 32768 in magnitude. */
 typedef int32_t arcspan_length;
-#define ARCSPAN_LENGTH(number) ARCSPAN_CAST(arcspan_length, (number)*65536.0)
-/* A share, 0...1 as 0...32768. */
+#define ARCSPAN_LENGTH(number) ARCSPAN_CAST(arcspan_length, (number)*65536.0 + ((number) < 0 ? -0.5 : 0.5))
+/* A fraction from 0 to 1: 15 fraction bits, 0...32768. */
 typedef uint16_t arcspan_share;
 #define ARCSPAN_SHARE(number) ARCSPAN_CAST(arcspan_share, (number)*32768.0 + 0.5)
 /* An angle: 65536 per turn. */
 typedef uint16_t arcspan_turn;
-#define ARCSPAN_DEGREES(number) ARCSPAN_CAST(arcspan_turn, ARCSPAN_CAST(int32_t, (number)*65536.0 / 360))
+#define ARCSPAN_DEGREES(number) \
+  ARCSPAN_CAST(arcspan_turn, ARCSPAN_CAST(int32_t, (number)*65536.0 / 360 + ((number) < 0 ? -0.5 : 0.5)))
 
 typedef struct {
   arcspan_length x, y, z;
@@ -64,7 +76,7 @@ typedef struct {
 typedef struct arcspan_scene arcspan_scene;
 typedef struct {
   uint16_t objects;   /* parts of all models together */
-  uint16_t materials; /* different ones of parts from binaries, about 2 KB each */
+  uint16_t materials; /* different materials of all binaries together; each takes about 2 KB */
 } arcspan_scene_limits;
 
 /* The bytes of memory, at any address, that arcspan_scene_make() takes. */
@@ -81,11 +93,14 @@ typedef struct {
   arcspan_shares colour;
 } arcspan_light;
 
-/* Sets all lights, at most ARCSPAN_C_LIGHTS, and the colour of the ambient light. With ARCSPAN_C_LIGHTS of 1,
- * materials that were made at run time are made again if the strength or the colours change; objects from
- * arcspan_add_model() then need a white light of strength 1. Returns, and changes nothing,
- * ARCSPAN_INVALID_ARGUMENT for a number out of range or a direction of 0, or ARCSPAN_UNSUPPORTED for lights
- * that are not compiled. */
+/* Sets all lights, at most ARCSPAN_C_LIGHTS, and the colour of the ambient light. Materials of binaries are
+ * prepared again if they depend on what changes: the ambient light and, with ARCSPAN_C_LIGHTS of 1, strength
+ * and colour. Those of models in flash are for a white ambient light, which they keep, and with
+ * ARCSPAN_C_LIGHTS of 1 for a white light of strength 1: with another, arcspan_draw() returns
+ * ARCSPAN_LIGHT_CHANGED. Returns
+ *
+ *   ARCSPAN_INVALID_ARGUMENT   a strength or colour is above 1, a direction is 0, `half` is negative
+ *   ARCSPAN_UNSUPPORTED        more lights, a point light or a coloured light than is compiled */
 arcspan_status arcspan_set_lights(arcspan_scene* scene, const arcspan_light* lights, size_t count,
                                   arcspan_shares ambient);
 
@@ -103,8 +118,8 @@ typedef struct {
 typedef struct {
   arcspan_method method;
   uint8_t tolerance; /* of ARCSPAN_ARC, 0...64 steps of 255; usually 1 */
-  uint8_t two_sided; /* 1 draws back faces of all parts, 0 those that the model says */
-  /* For all parts. NULL: that of each part, and white plastic for a mesh. */
+  uint8_t two_sided; /* 1: back faces of all parts are drawn; 0: of the parts that the model marks */
+  /* For all parts. NULL: each part keeps its own; a mesh without material is white plastic. */
   const arcspan_material* material;
 } arcspan_look;
 
@@ -112,19 +127,25 @@ typedef struct {
 typedef uint16_t arcspan_object;
 
 /* Adds the mesh or model in a binary of `arcspan mesh -o NAME.bin`, which is used in place: it must begin at
- * an even address and stay. All of it is checked. `look` may be NULL: ARCSPAN_ARC with tolerance 1. Returns a
- * status of view_mesh_binary() or view_model_binary(), ARCSPAN_BUFFER_TOO_SMALL if the scene has no room for
- * all parts, ARCSPAN_UNSUPPORTED for a method or texture that is not compiled. */
+ * a multiple of 4. All of it is checked. NULL for `look` is ARCSPAN_ARC with tolerance 1; `object` may be
+ * NULL. Returns
+ *
+ *   ARCSPAN_INVALID_ARGUMENT   the address, or a number of `look` is out of range
+ *   ARCSPAN_BUFFER_TOO_SMALL   the scene has no room for all parts or materials
+ *   ARCSPAN_UNSUPPORTED        the binary has another version; the method or the layout of a texture is not
+ *                              compiled; this machine is big-endian
+ *   ARCSPAN_TRUNCATED, ARCSPAN_CORRUPTED, ARCSPAN_INDEX_OUT_OF_RANGE   the binary is damaged */
 arcspan_status arcspan_add_binary(arcspan_scene* scene, const void* binary, size_t bytes,
                                   const arcspan_look* look, arcspan_object* object);
 
-/* A model with prepared materials, all in flash: `arcspan mesh MODEL -o NAME.cpp --c` defines it.
- * Declare it by `extern const arcspan_model NAME;`. */
+/* A model with prepared materials, all in flash: `arcspan mesh MODEL -o NAME.cpp --c` defines it. Declare it
+ * by `extern const arcspan_model NAME;`. Returns ARCSPAN_BUFFER_TOO_SMALL if the scene has no room for all
+ * parts. `object` may be NULL. */
 typedef struct arcspan_model arcspan_model;
 arcspan_status arcspan_add_model(arcspan_scene* scene, const arcspan_model* model, arcspan_object* object);
 
-/* An object stands in the origin, is not turned and has a scale of 1 when it is added. The functions return
- * ARCSPAN_INVALID_ARGUMENT for another number than an object's. */
+/* An object stands in the origin, is not turned and has a scale of 1 when it is added. These functions return
+ * ARCSPAN_INVALID_ARGUMENT if `object` does not name an object of the scene, or a scale is out of range. */
 arcspan_status arcspan_set_position(arcspan_scene* scene, arcspan_object object, arcspan_point position);
 /* The world length of 32768 object units, 2^-10...32767; meshes of the tool fill +-32767 units. */
 arcspan_status arcspan_set_scale(arcspan_scene* scene, arcspan_object object, arcspan_length scale);
@@ -135,6 +156,8 @@ arcspan_status arcspan_set_angles(arcspan_scene* scene, arcspan_object object, a
 typedef struct {
   int32_t w, x, y, z;
 } arcspan_quaternion;
+#define ARCSPAN_NO_ROTATION \
+  { INT32_C(1) << 30, 0, 0, 0 }
 arcspan_status arcspan_set_quaternion(arcspan_scene* scene, arcspan_object object,
                                       arcspan_quaternion rotation);
 /* The rotation by `b`, then by `a`, of unit length, so that products do not drift. */
@@ -151,12 +174,14 @@ typedef struct {
   uint32_t vertices;
 } arcspan_view_limits;
 
-/* The least limits with which all objects of `scene` can be drawn. */
-arcspan_view_limits arcspan_limits_of(const arcspan_scene* scene);
+/* The least limits with which all objects of `scene` can be drawn; with 1 for `keeps_vertices` those with
+ * which each vertex is transformed once per frame. */
+arcspan_view_limits arcspan_limits_of(const arcspan_scene* scene, int keeps_vertices);
 
 /* The bytes of memory, at any address, that arcspan_view_make() takes. */
 size_t arcspan_view_bytes(const arcspan_view_limits* limits);
-/* Makes a view of `scene`, which must stay. It draws nothing before arcspan_set_camera(). */
+/* Makes a view of `scene`. It draws nothing before arcspan_set_camera(). Returns ARCSPAN_BUFFER_TOO_SMALL if
+ * `bytes` are fewer than arcspan_view_bytes(). */
 arcspan_status arcspan_view_make(void* memory, size_t bytes, const arcspan_view_limits* limits,
                                  arcspan_scene* scene, arcspan_view** view);
 
@@ -168,9 +193,8 @@ typedef struct {
    */
   arcspan_length nearest, farthest;
 } arcspan_lens;
-/* Sets lens and position. `up` appears upright; {0, 0, 0} is {0, 1, 0}. Returns, and changes nothing,
- * ARCSPAN_INVALID_ARGUMENT for an argument out of range, or the status of Camera::make() for a camera that
- * has no direction. */
+/* Sets lens and position. `up` appears upright; {0, 0, 0} is {0, 1, 0}. Returns ARCSPAN_INVALID_ARGUMENT,
+ * ARCSPAN_NEAR_NOT_BEFORE_FAR or ARCSPAN_NO_VIEW_DIRECTION. */
 arcspan_status arcspan_set_camera(arcspan_view* view, const arcspan_lens* lens, arcspan_point eye,
                                   arcspan_point target, arcspan_point up);
 
@@ -181,8 +205,8 @@ typedef struct {
   uint16_t part;         /* of the object, from 0 */
   uint32_t triangle;     /* of the part's mesh */
 } arcspan_picked;
-/* Finds what the last frame that was prepared shows in column x and row y of the picture. Nothing is drawn.
- */
+/* Finds what the last frame that was prepared shows in column x and row y of the picture; outside of it
+ * nothing is found. Nothing is drawn. Returns the status of the frame. */
 arcspan_status arcspan_pick(arcspan_view* view, int32_t x, int32_t y, arcspan_picked* picked);
 
 /* Where a point of the world is in the picture: sixteenths of pixels, from its left and upper edge. */
@@ -197,7 +221,9 @@ arcspan_screen_point arcspan_project(const arcspan_view* view, arcspan_point poi
 arcspan_quaternion arcspan_dragged(const arcspan_view* view, arcspan_quaternion rotation, int32_t dx,
                                    int32_t dy);
 
-/* Prepares a frame. Returns the statuses of prepare_scene(); then nothing is drawn until the next frame. */
+/* Prepares a frame. If it returns another status than ARCSPAN_OK, nothing is drawn until the next frame:
+ * ARCSPAN_NOT_READY without a camera, ARCSPAN_TOO_MANY_OBJECTS or ARCSPAN_CACHE_TOO_SMALL beyond the limits.
+ */
 arcspan_status arcspan_prepare(arcspan_view* view);
 /* The rectangle of the picture outside of which the frame has no pixel; empty if there is none. The vertices
  * are transformed for it, and not again for drawing if the view has room for those of all parts in view. */
@@ -226,11 +252,14 @@ typedef struct {
   const arcspan_rgb* background; /* NULL: pixels that no object covers keep their colour */
 } arcspan_target;
 
-/* width * height, or 0 for an empty rectangle. */
+/* width * height; 0 for a rectangle that is empty or not within 0...32767. */
 size_t arcspan_depth_words(arcspan_rect held);
-/* Draws the rectangle of the last frame that was prepared. Returns its status, ARCSPAN_UNSUPPORTED for a
- * format that is not compiled, ARCSPAN_INVALID_ARGUMENT or ARCSPAN_BUFFER_TOO_SMALL for a target that does
- * not fit its memory, and then draws nothing; ARCSPAN_LIGHT_CHANGED as arcspan_set_lights() says. */
+/* Draws the rectangle of the last frame that was prepared. Returns the status of that frame, or
+ *
+ *   ARCSPAN_UNSUPPORTED        the format is not compiled
+ *   ARCSPAN_INVALID_ARGUMENT   sides, stride or an address of the target is out of range
+ *   ARCSPAN_BUFFER_TOO_SMALL   the rectangle does not fit the memory of pixels or depths
+ *   ARCSPAN_LIGHT_CHANGED      see arcspan_set_lights(); what was drawn before stays */
 arcspan_status arcspan_draw(arcspan_view* view, const arcspan_target* target);
 
 #ifdef __cplusplus

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What the C interface (arcspan.h) holds. What is enabled takes flash whether or not it is called. Set these
- * macros by the compiler's command line, by CMake (ARCSPAN_C_OPTIONS) or Kconfig, or in a header of yours
- * that ARCSPAN_CONFIG_FILE names, with its quotes. All sources of a program must see the same values. */
+/* Chooses the code that is compiled into the C interface (arcspan.h). What is enabled takes flash whether or
+ * not it is called. Set these macros by the compiler's command line, by CMake (ARCSPAN_C_OPTIONS) or Kconfig,
+ * or in a header of yours that ARCSPAN_CONFIG_FILE names, with its quotes. All sources of a program must see
+ * the same values. */
 #ifndef ARCSPAN_CONFIG_H
 #define ARCSPAN_CONFIG_H
 
@@ -19,8 +20,7 @@
 #ifndef ARCSPAN_C_COLOURED_LIGHTS
 #define ARCSPAN_C_COLOURED_LIGHTS 0
 #endif
-/* The cosine that highlights are a power of: 1 that of the reflected ray (R.V), 0 that of the half vector
- * (N.H). */
+/* The model of highlights: 1 is Phong's (R.V), 0 is Blinn's (N.H). */
 #ifndef ARCSPAN_C_PHONG
 #define ARCSPAN_C_PHONG 1
 #endif

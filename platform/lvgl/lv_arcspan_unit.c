@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The draw unit behind lv_arcspan_view. Its tasks are image tasks of a colour format that no other unit
- * takes, so that LVGL orders, clips and layers them as all others. */
+/* The draw unit behind lv_arcspan_view. Its tasks are image tasks of a colour format that other units that
+ * draw into memory do not take, so that LVGL orders, clips and layers them as all others. LVGL 9.6 does not
+ * check whether there is memory for a unit or a task, so neither does this file. */
 #include "lv_arcspan_view_private.h"
 
 /* Of the formats from LV_COLOR_FORMAT_PROPRIETARY_START on, those that LVGL does not use. */
@@ -38,15 +39,14 @@ static arcspan_format format_of(lv_color_format_t format) {
 static int32_t rows_with_depth(scene_unit_t* unit, int32_t width, int32_t rows) {
   const size_t row = (size_t)width;
   if (unit->depth_words >= row * (size_t)rows) return rows;
+  lv_free(unit->depth); /* first, because its contents are of no use */
+  unit->depth = NULL;
+  unit->depth_words = 0;
   for (int32_t wanted = rows; wanted > 0; wanted /= 2) {
-    if (unit->depth_words >= row * (size_t)wanted) return wanted;
-    uint16_t* const depth = lv_malloc(sizeof(uint16_t) * row * (size_t)wanted);
-    if (depth != NULL) {
-      lv_free(unit->depth);
-      unit->depth = depth;
-      unit->depth_words = row * (size_t)wanted;
-      return wanted;
-    }
+    unit->depth = lv_malloc(sizeof(uint16_t) * row * (size_t)wanted);
+    if (unit->depth == NULL) continue;
+    unit->depth_words = row * (size_t)wanted;
+    return wanted;
   }
   return 0;
 }
@@ -77,14 +77,16 @@ static arcspan_status draw(scene_unit_t* unit, const lv_arcspan_view_t* view, lv
   lv_area_t rest;
   if (!lv_area_intersect(&rest, &task->area, &task->clip_area)) return ARCSPAN_OK;
   if (!lv_area_intersect(&rest, &rest, &layer->buf_area)) return ARCSPAN_OK;
+#if LV_DRAW_TRANSFORM_USE_MATRIX
+  if (!lv_matrix_is_identity(&task->matrix)) return ARCSPAN_UNSUPPORTED;
+#endif
+  if (view->view == NULL) return ARCSPAN_NOT_READY;
+  const int32_t rows = rows_with_depth(unit, lv_area_get_width(&rest), lv_area_get_height(&rest));
+  if (rows == 0) return ARCSPAN_BUFFER_TOO_SMALL;
   arcspan_status status = ARCSPAN_OK;
-  while (rest.y1 <= rest.y2 && status == ARCSPAN_OK) {
-    const int32_t rows = rows_with_depth(unit, lv_area_get_width(&rest), lv_area_get_height(&rest));
-    if (rows == 0) return ARCSPAN_BUFFER_TOO_SMALL;
-    lv_area_t strip = rest;
-    strip.y2 = rest.y1 + rows - 1;
+  for (lv_area_t strip = rest; strip.y1 <= rest.y2 && status == ARCSPAN_OK; strip.y1 += rows) {
+    strip.y2 = LV_MIN(strip.y1 + rows - 1, rest.y2);
     status = draw_rows(unit, view, layer, &strip, origin);
-    rest.y1 += rows;
   }
   return status;
 }
@@ -93,9 +95,6 @@ static int32_t evaluate(lv_draw_unit_t* unit, lv_draw_task_t* task) {
   LV_UNUSED(unit);
   if (task->type != LV_DRAW_TASK_TYPE_IMAGE) return 0;
   if (((const lv_draw_image_dsc_t*)task->draw_dsc)->header.cf != SCENE_FORMAT) return 0;
-#if LV_DRAW_TRANSFORM_USE_MATRIX
-  if (!lv_matrix_is_identity(&task->matrix)) return 0;
-#endif
   task->preferred_draw_unit_id = UNIT_ID;
   task->preference_score = 0;
   return 1;
@@ -113,6 +112,7 @@ static int32_t dispatch(lv_draw_unit_t* base, lv_layer_t* layer) {
   }
   if (status != ARCSPAN_OK) {
     view->status = status;
+    view->changed = true; /* to be tried again by the next refresh */
     ++view->dropped;
     LV_LOG_WARN("arcspan: a rectangle is not drawn: %s", arcspan_status_text(status));
   }
@@ -135,27 +135,22 @@ static bool is_registered(void) {
   return false;
 }
 
-bool lv_arcspan_unit_init(void) {
-  if (is_registered()) return true;
+void lv_arcspan_unit_init(void) {
+  if (is_registered()) return;
   scene_unit_t* const unit = lv_draw_create_unit(sizeof(scene_unit_t));
-  if (unit == NULL) return false;
   unit->base.name = UNIT_NAME;
   unit->base.evaluate_cb = evaluate;
   unit->base.dispatch_cb = dispatch;
   unit->base.delete_cb = delete_unit;
-  return true;
 }
 
 void lv_arcspan_unit_add_task(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area_t* area,
                               lv_point_t origin) {
   lv_draw_task_t* const task = lv_draw_add_task(layer, area, LV_DRAW_TASK_TYPE_IMAGE);
-  if (task == NULL) {
-    ++view->dropped;
-    return;
-  }
   lv_draw_image_dsc_t* const descriptor = task->draw_dsc;
   lv_draw_image_dsc_init(descriptor);
   descriptor->base.obj = &view->obj;
+  descriptor->base.user_data = view; /* units that take every image leave those with user data alone */
   descriptor->src = view;
   descriptor->header.cf = SCENE_FORMAT;
   descriptor->image_area = (lv_area_t){origin.x, origin.y, area->x2, area->y2};

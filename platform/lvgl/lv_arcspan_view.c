@@ -18,7 +18,6 @@ const lv_obj_class_t lv_arcspan_view_class = {
     .width_def = LV_DPI_DEF,
     .height_def = LV_DPI_DEF,
     .editable = LV_OBJ_CLASS_EDITABLE_TRUE,
-    .group_def = LV_OBJ_CLASS_GROUP_DEF_TRUE,
     .instance_size = sizeof(lv_arcspan_view_t),
     .name = "lv_arcspan_view",
 };
@@ -63,13 +62,22 @@ static void free_view(lv_arcspan_view_t* view) {
 
 /* Makes memory for all objects that the scene has now. */
 static arcspan_status make_view(lv_arcspan_view_t* view) {
-  const arcspan_view_limits limits = arcspan_limits_of(view->scene);
-  const bool has_room = view->view != NULL && view->limits.objects >= limits.objects &&
-                        view->limits.vertices >= limits.vertices;
+  arcspan_view_limits limits = arcspan_limits_of(view->scene, 0);
+  const bool has_room = view->view != NULL && view->seen == view->scene &&
+                        view->limits.objects >= limits.objects && view->limits.vertices >= limits.vertices;
   if (has_room) return ARCSPAN_OK;
   free_view(view);
-  const size_t bytes = arcspan_view_bytes(&limits);
+  view->seen = view->scene;
+  /* A frame is drawn in several rectangles. If there is memory, each vertex is transformed once for all. */
+  const arcspan_view_limits least = limits;
+  limits = arcspan_limits_of(view->scene, 1);
+  size_t bytes = arcspan_view_bytes(&limits);
   view->view_memory = lv_malloc(bytes);
+  if (view->view_memory == NULL) {
+    limits = least;
+    bytes = arcspan_view_bytes(&limits);
+    view->view_memory = lv_malloc(bytes);
+  }
   view->limits = limits;
   return arcspan_view_make(view->view_memory, bytes, &limits, view->scene, &view->view);
 }
@@ -96,7 +104,10 @@ static void prepare(lv_arcspan_view_t* view) {
   view->changed = false;
   view->drawn = (arcspan_rect){0, 0, 0, 0};
   view->status = ARCSPAN_NOT_READY;
-  if (view->scene == NULL) return;
+  if (view->scene == NULL) {
+    free_view(view);
+    return;
+  }
   measure_picture(view);
   view->status = make_view(view);
   if (view->status == ARCSPAN_OK) view->status = set_camera(view);
@@ -114,8 +125,9 @@ static void prepare(lv_arcspan_view_t* view) {
 /* Of the display, before it finds out what to draw. */
 static void on_refresh_start(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
-  if (!view->changed || !lv_obj_is_visible(&view->obj)) return;
+  if (!view->changed) return;
   lv_obj_update_layout(&view->obj);
+  if (!lv_obj_is_visible(&view->obj)) return;
   invalidate_drawn(view);
   prepare(view);
   invalidate_drawn(view);
@@ -200,9 +212,9 @@ static void add_rows(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area_t
 static void draw_main(lv_event_t* e) {
   lv_arcspan_view_t* const view = (lv_arcspan_view_t*)lv_event_get_current_target_obj(e);
   lv_layer_t* const layer = lv_event_get_layer(e);
-  if (view->scene == NULL || !lv_arcspan_unit_init()) return;
-  /* Without a refresh, as lv_snapshot_take() draws. */
-  if (view->changed && view->status == ARCSPAN_NOT_READY) prepare(view);
+  lv_arcspan_unit_init(); /* lv_deinit() may have freed it */
+  /* Without a refresh before it, as lv_snapshot_take() draws. */
+  if (view->changed && view->view == NULL) prepare(view);
   lv_area_t area;
   if (!drawn_area(view, &area) || !lv_area_intersect(&area, &area, &layer->_clip_area)) return;
   const lv_opa_t opa = lv_obj_get_style_opa_recursive(&view->obj, LV_PART_MAIN);
@@ -322,34 +334,41 @@ static void event(const lv_obj_class_t* class_p, lv_event_t* e) {
 /* The interface */
 
 lv_obj_t* lv_arcspan_view_create(lv_obj_t* parent) {
-  if (!lv_arcspan_unit_init()) return NULL;
+  lv_arcspan_unit_init();
   lv_obj_t* const obj = lv_obj_class_create_obj(VIEW_CLASS, parent);
   if (obj != NULL) lv_obj_class_init_obj(obj);
   return obj;
 }
 
 void lv_arcspan_view_set_scene(lv_obj_t* obj, arcspan_scene* scene) {
+  LV_CHECK_OBJ(obj, VIEW_CLASS, return );
   lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
-  if (view->scene != scene) free_view(view);
-  view->scene = scene;
+  view->scene = scene; /* the frame of the former one may still be drawn */
   change(view);
 }
 
 void lv_arcspan_view_set_camera(lv_obj_t* obj, const lv_arcspan_camera_t* camera) {
+  LV_CHECK_OBJ(obj, VIEW_CLASS, return );
   lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
   view->camera = *camera;
   change(view);
 }
 
 void lv_arcspan_view_set_turned(lv_obj_t* obj, arcspan_object object) {
+  LV_CHECK_OBJ(obj, VIEW_CLASS, return );
   lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
+  const bool is_turned = object != LV_ARCSPAN_NO_OBJECT;
+  if (is_turned && view->turned == LV_ARCSPAN_NO_OBJECT && lv_obj_get_group(obj) == NULL &&
+      lv_group_get_default() != NULL) {
+    lv_group_add_obj(lv_group_get_default(), obj);
+  }
   view->turned = object;
-  lv_obj_set_scroll_chain_hor(obj, object == LV_ARCSPAN_NO_OBJECT);
-  lv_obj_set_scroll_chain_ver(obj, object == LV_ARCSPAN_NO_OBJECT);
+  lv_obj_set_scroll_chain(obj, !is_turned);
   change(view);
 }
 
 void lv_arcspan_view_set_rotation(lv_obj_t* obj, arcspan_quaternion rotation) {
+  LV_CHECK_OBJ(obj, VIEW_CLASS, return );
   lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
   view->rotation = rotation;
   change(view);
@@ -360,6 +379,7 @@ arcspan_quaternion lv_arcspan_view_get_rotation(const lv_obj_t* obj) {
 }
 
 void lv_arcspan_view_set_scale(lv_obj_t* obj, arcspan_length scale) {
+  LV_CHECK_OBJ(obj, VIEW_CLASS, return );
   lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
   view->scale = scale;
   change(view);

@@ -24,7 +24,7 @@ typedef struct {
   arcspan_point eye, target, up;
 } lv_arcspan_camera_t;
 
-/* The object that drags, keys and pinches turn and scale, if nothing is set. */
+/* For lv_arcspan_view_set_turned(): no object. */
 #define LV_ARCSPAN_NO_OBJECT 0xFFFFu
 
 LV_ATTRIBUTE_EXTERN_DATA extern const lv_obj_class_t lv_arcspan_view_class;
@@ -33,14 +33,16 @@ LV_ATTRIBUTE_EXTERN_DATA extern const lv_obj_class_t lv_arcspan_view_class;
  * memory. */
 lv_obj_t* lv_arcspan_view_create(lv_obj_t* parent);
 
-/* Shows a scene, which must stay until another one or NULL is shown or the widget is deleted. Several widgets
- * may show one scene. */
+/* Shows a scene, or none (NULL). The former one must stay until the next refresh, or until the widget is
+ * deleted. Several widgets may show one scene, but only one of them may turn an object of it; call
+ * lv_arcspan_view_update() for the others when it does. */
 void lv_arcspan_view_set_scene(lv_obj_t* obj, arcspan_scene* scene);
 void lv_arcspan_view_set_camera(lv_obj_t* obj, const lv_arcspan_camera_t* camera);
 
 /* Names the object that a drag over the picture, arrow keys, an encoder that edits the widget and pinches
- * turn and scale. They send LV_EVENT_VALUE_CHANGED. LV_ARCSPAN_NO_OBJECT, the default, leaves input alone.
- * The object gets the rotation and the scale of the widget: none and 1 at first. */
+ * turn and scale. They send LV_EVENT_VALUE_CHANGED. The widget then joins the default group, unless it is in
+ * one. The object gets the rotation and the scale of the widget: none and 1 at first. With
+ * LV_ARCSPAN_NO_OBJECT, the default, input does nothing. */
 void lv_arcspan_view_set_turned(lv_obj_t* obj, arcspan_object object);
 void lv_arcspan_view_set_rotation(lv_obj_t* obj, arcspan_quaternion rotation);
 arcspan_quaternion lv_arcspan_view_get_rotation(const lv_obj_t* obj);
@@ -50,10 +52,11 @@ arcspan_length lv_arcspan_view_get_scale(const lv_obj_t* obj);
 /* To be called after a change of the scene itself, by a function of arcspan.h: it is then drawn anew. */
 void lv_arcspan_view_update(lv_obj_t* obj);
 
-/* The status of the last frame: ARCSPAN_OK, or why it is not shown. */
+/* ARCSPAN_OK, or why the last frame is not shown or a rectangle of it is missing. */
 arcspan_status lv_arcspan_view_get_status(const lv_obj_t* obj);
-/* How many rectangles could not be drawn, because there was no memory for depths or a layer, or for another
- * reason that lv_arcspan_view_get_status() then tells. */
+/* How many frames and rectangles have not been drawn since the widget was made. The next refresh tries them
+ * again.
+ */
 uint32_t lv_arcspan_view_get_dropped(const lv_obj_t* obj);
 
 #ifdef __cplusplus

@@ -17,6 +17,7 @@ typedef struct {
   void* view_memory;
   arcspan_view* view;         /* in view_memory; NULL before the first frame, and without memory for one */
   arcspan_view_limits limits; /* of `view` */
+  const arcspan_scene* seen;  /* by `view` */
   lv_arcspan_camera_t camera;
   arcspan_quaternion rotation;
   arcspan_length scale;
@@ -33,11 +34,11 @@ typedef struct {
 } lv_arcspan_view_t;
 
 /* Queues the drawing of the last frame of `view`, whose picture begins at `origin`: an image task whose
- * source is the widget. Counts a dropped rectangle if that is not possible. */
+ * source is the widget. */
 void lv_arcspan_unit_add_task(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area_t* area,
                               lv_point_t origin);
 
-/* Registers the draw unit, unless it is. Returns false if there is no memory for it. */
-bool lv_arcspan_unit_init(void);
+/* Registers the draw unit, unless it is. */
+void lv_arcspan_unit_init(void);
 
 #endif

@@ -49,7 +49,7 @@ struct Scene2 {
     REQUIRE(arcspan_scene_make(memory.data(), memory.size(), &limits, &scene) == ARCSPAN_OK);
   }
   [[nodiscard]] std::vector<std::uint16_t> drawn() const {
-    const arcspan_view_limits limits = arcspan_limits_of(scene);
+    const arcspan_view_limits limits = arcspan_limits_of(scene, 0);
     std::vector<unsigned char> view_memory(arcspan_view_bytes(&limits));
     arcspan_view* view = nullptr;
     REQUIRE(arcspan_view_make(view_memory.data(), view_memory.size(), &limits, scene, &view) == ARCSPAN_OK);
@@ -173,13 +173,15 @@ TEST_CASE("binaries that cannot be drawn change nothing in a scene") {
   const auto add = [&](Binary& binary, std::size_t size, const arcspan_look* look) {
     return arcspan_add_binary(scene.scene, binary.data(), size, look, nullptr);
   };
-  CHECK(add(lamp, lamp.size - 1, nullptr) == static_cast<int>(Status::kTruncated));
-  CHECK(add(ball, ball.size - 1, nullptr) == static_cast<int>(Status::kTruncated));
-  CHECK(add(ball, 0, nullptr) == static_cast<int>(Status::kTruncated));
+  CHECK(add(lamp, lamp.size - 1, nullptr) == ARCSPAN_TRUNCATED);
+  CHECK(add(ball, ball.size - 1, nullptr) == ARCSPAN_TRUNCATED);
+  CHECK(add(ball, 0, nullptr) == ARCSPAN_TRUNCATED);
   CHECK(arcspan_add_binary(scene.scene, lamp.data() + 1, lamp.size - 1, nullptr, nullptr) ==
         ARCSPAN_INVALID_ARGUMENT);
+  CHECK(arcspan_add_binary(scene.scene, lamp.data() + 2, lamp.size - 2, nullptr, nullptr) ==
+        ARCSPAN_INVALID_ARGUMENT);
   lamp.data()[lamp.size / 2] ^= 1;
-  CHECK(add(lamp, lamp.size, nullptr) == static_cast<int>(Status::kCorrupted));
+  CHECK(add(lamp, lamp.size, nullptr) == ARCSPAN_CORRUPTED);
   lamp.data()[lamp.size / 2] ^= 1;
   const arcspan_look gouraud{ARCSPAN_GOURAUD, 1, 0, nullptr};
   CHECK(add(lamp, lamp.size, &gouraud) == ARCSPAN_UNSUPPORTED);
@@ -189,7 +191,7 @@ TEST_CASE("binaries that cannot be drawn change nothing in a scene") {
   const arcspan_material bright{{40000, 0, 0}, {0, 0, 0}, {0, 0, 0}, 16};
   const arcspan_look too_bright{ARCSPAN_ARC, 1, 0, &bright};
   CHECK(add(lamp, lamp.size, &too_bright) == ARCSPAN_INVALID_ARGUMENT);
-  CHECK(arcspan_limits_of(scene.scene).objects == 0);
+  CHECK(arcspan_limits_of(scene.scene, 0).objects == 0);
   Scene2 no_materials({16, 1});
   CHECK(arcspan_add_binary(no_materials.scene, lamp.data(), lamp.size, nullptr, nullptr) ==
         ARCSPAN_BUFFER_TOO_SMALL);

@@ -55,7 +55,7 @@ struct Balls {
     REQUIRE(arcspan_set_position(scene, right, {ARCSPAN_LENGTH(0.7), ARCSPAN_LENGTH(0.2), 0}) == ARCSPAN_OK);
     REQUIRE(arcspan_set_scale(scene, right, ARCSPAN_LENGTH(0.75)) == ARCSPAN_OK);
     REQUIRE(arcspan_set_angles(scene, left, 3000, 4000, 5000) == ARCSPAN_OK);
-    make_view(arcspan_limits_of(scene));
+    make_view(arcspan_limits_of(scene, 0));
   }
   void make_view(arcspan_view_limits limits) {
     view_memory.assign(arcspan_view_bytes(&limits), 0xA5);
@@ -158,7 +158,7 @@ TEST_CASE("without a background, C draws over the pixels that are there") {
 
 TEST_CASE("two views show one scene") {
   Balls balls;
-  arcspan_view_limits limits = arcspan_limits_of(balls.scene);
+  arcspan_view_limits limits = arcspan_limits_of(balls.scene, 0);
   std::vector<unsigned char> memory(arcspan_view_bytes(&limits));
   arcspan_view* second = nullptr;
   REQUIRE(arcspan_view_make(memory.data(), memory.size(), &limits, balls.scene, &second) == ARCSPAN_OK);
@@ -271,7 +271,7 @@ TEST_CASE("memory that is too small by a byte is refused") {
 
 TEST_CASE("a view with too little room for objects or vertices says so, and the next frame is right") {
   Balls balls;
-  const arcspan_view_limits enough = arcspan_limits_of(balls.scene);
+  const arcspan_view_limits enough = arcspan_limits_of(balls.scene, 0);
   std::vector<std::uint16_t> pixels(kWidth * kHeight, 0x1234), depths;
   const arcspan_target target =
       whole_target(pixels.data(), 2 * pixels.size(), 2 * kWidth, ARCSPAN_RGB565, depths);

@@ -102,7 +102,7 @@ uint32_t lvgl_frames_bare(void) {
   static arcspan_view* bare;
   static arcspan_quaternion rotation = {1 << 30, 0, 0, 0};
   if (bare == NULL) {
-    const arcspan_view_limits limits = arcspan_limits_of(scene);
+    const arcspan_view_limits limits = arcspan_limits_of(scene, 0);
     (void)arcspan_view_make(bare_memory, sizeof bare_memory, &limits, scene, &bare);
   }
   lv_area_t picture;

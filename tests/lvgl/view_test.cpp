@@ -79,7 +79,7 @@ TEST_CASE("the picture is the one that arcspan_draw() draws over the background"
     lv_obj_set_style_pad_all(view, 0, 0);
     screen.refresh();
 
-    const arcspan_view_limits limits = arcspan_limits_of(balls.scene);
+    const arcspan_view_limits limits = arcspan_limits_of(balls.scene, 0);
     std::vector<unsigned char> memory(arcspan_view_bytes(&limits));
     arcspan_view* bare = nullptr;
     REQUIRE(arcspan_view_make(memory.data(), memory.size(), &limits, balls.scene, &bare) == ARCSPAN_OK);
@@ -239,9 +239,59 @@ TEST_CASE("memory that cannot be allocated drops rectangles, and the next frame 
     lv_obj_set_style_opa(view, LV_OPA_COVER, 0);
   }
   fail_allocations_from(0);
-  lv_arcspan_view_update(view);
+  screen.refresh();  // without a further change
+  CHECK((screen.pixels == expected));
   CHECK((screen.redrawn() == expected));
   CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_OK);
+}
+
+TEST_CASE("another scene may be shown in a flush, out of sight, and before a snapshot") {
+  BallScene first;
+  BallScene second;
+  REQUIRE(arcspan_set_scale(second.scene, second.object, ARCSPAN_LENGTH(0.4)) == ARCSPAN_OK);
+  std::vector<std::uint8_t> expected;
+  {
+    Screen screen;
+    lv_obj_t* const view = make_view(second);
+    lv_arcspan_view_set_turned(view, LV_ARCSPAN_NO_OBJECT);
+    REQUIRE(arcspan_set_scale(second.scene, second.object, ARCSPAN_LENGTH(0.4)) == ARCSPAN_OK);
+    expected = screen.redrawn();
+  }
+  Screen screen({LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL, 8});
+  lv_obj_t* const view = make_view(first);
+  lv_arcspan_view_set_turned(view, LV_ARCSPAN_NO_OBJECT);
+  const auto before = screen.redrawn();
+  struct Change {
+    lv_obj_t* view;
+    arcspan_scene* scene;
+  } change{view, second.scene};
+  SECTION("in a flush") {
+    screen.flush_data = &change;
+    screen.in_flush = [](void* data) {
+      const auto& wanted = *static_cast<Change*>(data);
+      lv_arcspan_view_set_scene(wanted.view, wanted.scene);
+    };
+    CHECK((screen.redrawn() == before));
+    screen.in_flush = nullptr;
+  }
+  SECTION("out of sight") {
+    lv_obj_set_pos(view, 1000, 10);
+    screen.refresh();
+    lv_arcspan_view_set_scene(view, second.scene);
+    screen.refresh();
+    lv_obj_set_pos(view, 20, 10);
+  }
+#if LV_USE_SNAPSHOT
+  SECTION("before a snapshot") {
+    lv_arcspan_view_set_scene(view, second.scene);
+    lv_draw_buf_t* const picture = lv_snapshot_take(view, LV_COLOR_FORMAT_ARGB8888);
+    REQUIRE(picture != nullptr);
+    lv_draw_buf_destroy(picture);
+  }
+#endif
+  screen.refresh();
+  CHECK((screen.pixels == expected));
+  CHECK((screen.redrawn() == expected));
 }
 
 TEST_CASE("depths of fewer rows than asked for draw the same, in strips") {

@@ -139,11 +139,12 @@ void insert_into_order(const SceneFrame& frame, std::size_t last) {
 
 /// Gives each slot vertices of its own, if there is room for all, else all slots the same.
 void share_vertices(const SceneFrame& frame) {
-  constexpr std::size_t kAlignment = 8;
-  const auto aligned = [](std::size_t bytes) { return (bytes + kAlignment - 1) & ~(kAlignment - 1); };
+  const auto aligned = [](std::size_t bytes) {
+    return (bytes + kVertexAlignment - 1) / kVertexAlignment * kVertexAlignment;
+  };
   const std::span<SceneSlot> slots = frame.slots.first(frame.header.in_view);
-  std::uint32_t all = 0;
-  for (const SceneSlot& slot : slots) all += static_cast<std::uint32_t>(aligned(slot.vertex_bytes));
+  std::uint64_t all = 0;
+  for (const SceneSlot& slot : slots) all += aligned(slot.vertex_bytes);
   frame.header.keeps_vertices = all <= frame.vertices.size();
   unsigned char* at = frame.vertices.data();
   for (SceneSlot& slot : slots) {

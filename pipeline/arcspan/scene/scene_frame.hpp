@@ -52,6 +52,9 @@ struct SceneHeader {
   Status status = Status::kOk;
 };
 
+/// The vertices of each slot begin at a multiple of it in a SceneMemory.
+inline constexpr std::size_t kVertexAlignment = 8;
+
 /// A view of a SceneMemory.
 struct SceneFrame {
   SceneHeader& header;

@@ -32,6 +32,11 @@ struct MethodsInMemory<MethodList<Methods...>> {
     }
     return most;
   }();
+  /// The bytes of the vertices of so many objects, each of which begins at a multiple of kVertexAlignment.
+  template <class Count>
+  [[nodiscard]] static constexpr Count vertex_memory(Count objects, Count vertices) {
+    return static_cast<Count>(kVertexBytes * vertices + (kVertexAlignment - 1) * objects);
+  }
   static constexpr std::size_t kLightingBytes = [] {
     std::size_t most = 1;
     for (const std::size_t bytes : {sizeof(typename UseOf<Methods>::Type::Method::Lighting)...})
@@ -42,7 +47,7 @@ struct MethodsInMemory<MethodList<Methods...>> {
 
 }  // namespace detail
 
-/// The memory of a scene that is being drawn, of the caller's: usually static. `Objects` is the most that are
+/// Memory for drawing a scene, usually a static variable. `Objects` is the most that are
 /// in view at a time. `Vertices` is at least the number of vertices of the largest mesh, or 0: then each
 /// triangle transforms its own three vertices. If there is room for the vertices of all objects in view, they
 /// are kept from band to band. It needs no initialisation and may be used for any scene. `List` is a
@@ -62,7 +67,7 @@ class SceneMemory : detail::MethodsInMemory<List> {
   [[nodiscard]] std::span<unsigned char> scratch() { return {lighting_, Listed::kLightingBytes}; }
   [[nodiscard]] detail::SceneFrame frame() {
     return {header_,      {static_cast<detail::SceneSlot*>(static_cast<void*>(slots_)), Objects},
-            order_,       {vertices_, Listed::kVertexBytes * Vertices},
+            order_,       {vertices_, kVertexMemory},
             kHasVertices, Listed::kFacts};
   }
   /// @endcond
@@ -74,7 +79,8 @@ class SceneMemory : detail::MethodsInMemory<List> {
   alignas(
       detail::SceneSlot) unsigned char slots_[sizeof(detail::SceneSlot) * (Objects > 0 ? Objects : 1)] = {};
   alignas(8) unsigned char lighting_[Listed::kLightingBytes] = {};
-  alignas(8) unsigned char vertices_[Listed::kVertexBytes * Vertices + 1] = {};
+  static constexpr std::size_t kVertexMemory = kHasVertices ? Listed::vertex_memory(Objects, Vertices) : 0;
+  alignas(8) unsigned char vertices_[kVertexMemory + 1] = {};
 };
 
 /// What a SceneMemoryView has room for, as the arguments of SceneMemory.
@@ -83,8 +89,8 @@ struct SceneLimits {
   std::uint32_t vertices = 0;  ///< 0 refuses every object that has vertices
 };
 
-/// A SceneMemory in bytes of the caller's, whose limits are known when the program runs. Scenes are drawn by
-/// the code that keeps vertices. It may be moved, the bytes may not.
+/// A SceneMemory over bytes that the caller provides, with limits that are set when the program runs. Scenes
+/// are drawn by the code that keeps vertices. It may be moved, the bytes may not.
 template <class List>
 class SceneMemoryView : detail::MethodsInMemory<List> {
   using Listed = detail::MethodsInMemory<List>;
@@ -93,7 +99,7 @@ class SceneMemoryView : detail::MethodsInMemory<List> {
   /// The bytes that `limits` need, at any address; SIZE_MAX if they are more than that.
   [[nodiscard]] static constexpr std::size_t bytes(const SceneLimits& limits) {
     const std::uint64_t all = kAlignment - 1 + bytes_but_vertices(limits.objects) +
-                              std::uint64_t{Listed::kVertexBytes} * limits.vertices;
+                              Listed::template vertex_memory<std::uint64_t>(limits.objects, limits.vertices);
     return all < SIZE_MAX ? static_cast<std::size_t>(all) : SIZE_MAX;
   }
 
@@ -122,13 +128,14 @@ class SceneMemoryView : detail::MethodsInMemory<List> {
     std::byte* const slots = first_ + kLighting;
     std::byte* const order = slots + sizeof(detail::SceneSlot) * limits_.objects;
     std::byte* const vertices = first_ + static_cast<std::size_t>(bytes_but_vertices(limits_.objects));
-    return {
-        header_,
-        {static_cast<detail::SceneSlot*>(static_cast<void*>(slots)), limits_.objects},
-        {static_cast<std::uint16_t*>(static_cast<void*>(order)), limits_.objects},
-        {static_cast<unsigned char*>(static_cast<void*>(vertices)), Listed::kVertexBytes * limits_.vertices},
-        kHasVertices,
-        Listed::kFacts};
+    return {header_,
+            {static_cast<detail::SceneSlot*>(static_cast<void*>(slots)), limits_.objects},
+            {static_cast<std::uint16_t*>(static_cast<void*>(order)), limits_.objects},
+            {static_cast<unsigned char*>(static_cast<void*>(vertices)),
+             static_cast<std::size_t>(
+                 Listed::template vertex_memory<std::uint64_t>(limits_.objects, limits_.vertices))},
+            kHasVertices,
+            Listed::kFacts};
   }
   /// @endcond
 

@@ -13,7 +13,11 @@ static_assert(ARCSPAN_INVALID_ARGUMENT == static_cast<int>(Status::kInvalidArgum
               ARCSPAN_BUFFER_TOO_SMALL == static_cast<int>(Status::kBufferTooSmall) &&
               ARCSPAN_UNSUPPORTED == static_cast<int>(Status::kUnsupported) &&
               ARCSPAN_NOT_READY == static_cast<int>(Status::kNotReady) &&
-              ARCSPAN_DEPTH_MISMATCH == static_cast<int>(Status::kDepthMismatch) &&
+              ARCSPAN_INDEX_OUT_OF_RANGE == static_cast<int>(Status::kIndexOutOfRange) &&
+              ARCSPAN_TRUNCATED == static_cast<int>(Status::kTruncated) &&
+              ARCSPAN_CORRUPTED == static_cast<int>(Status::kCorrupted) &&
+              ARCSPAN_NEAR_NOT_BEFORE_FAR == static_cast<int>(Status::kNearNotBeforeFar) &&
+              ARCSPAN_NO_VIEW_DIRECTION == static_cast<int>(Status::kNoViewDirection) &&
               ARCSPAN_CACHE_TOO_SMALL == static_cast<int>(Status::kCacheTooSmall) &&
               ARCSPAN_TOO_MANY_OBJECTS == static_cast<int>(Status::kTooManyObjects) &&
               ARCSPAN_LIGHT_CHANGED == static_cast<int>(Status::kLightChanged));

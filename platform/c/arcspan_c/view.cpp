@@ -70,13 +70,16 @@ using Memory = SceneMemoryView<c::CompiledMethods>;
 
 }  // namespace
 
-arcspan_view_limits arcspan_limits_of(const arcspan_scene* scene) {
-  arcspan_view_limits limits{scene->object_count, 0};
+arcspan_view_limits arcspan_limits_of(const arcspan_scene* scene, int keeps_vertices) {
+  std::uint64_t largest = 0;
+  std::uint64_t all = 0;
   for (const Object& object : std::span(scene->objects, scene->object_count)) {
-    const auto vertices = static_cast<std::uint32_t>(object.mesh().vertex_count());
-    if (vertices > limits.vertices) limits.vertices = vertices;
+    const std::size_t vertices = object.mesh().vertex_count();
+    if (vertices > largest) largest = vertices;
+    all += vertices;
   }
-  return limits;
+  const std::uint64_t wanted = keeps_vertices != 0 ? all : largest;
+  return {scene->object_count, static_cast<std::uint32_t>(wanted < UINT32_MAX ? wanted : UINT32_MAX)};
 }
 
 size_t arcspan_view_bytes(const arcspan_view_limits* limits) {
@@ -144,5 +147,10 @@ arcspan_status arcspan_draw(arcspan_view* view, const arcspan_target* target) {
 
 size_t arcspan_depth_words(arcspan_rect held) {
   const Rect rect = c::rect_of(held);
-  return rect.empty() ? 0 : DepthBuffer::words(rect.width(), rect.height());
+  constexpr std::int32_t kMost = 32767;
+  const bool is_inside = rect.left >= 0 && rect.top >= 0 && rect.right <= kMost && rect.bottom <= kMost;
+  if (!is_inside || rect.empty()) return 0;
+  const std::uint64_t words =
+      std::uint64_t{static_cast<std::uint32_t>(rect.width())} * static_cast<std::uint32_t>(rect.height());
+  return words < SIZE_MAX ? static_cast<std::size_t>(words) : SIZE_MAX;
 }

@@ -49,12 +49,17 @@ TEST_CASE("a scene in bytes of the caller's is drawn as in SceneMemory, at any a
   static SceneMemory<SceneMethods, 2, 200> constant;
   const auto expected = drawn(balls, constant);
   const Rect rect = drawn_rect(constant);
+  // An odd number of vertices whose sizes are no multiples of 8.
+  static SceneMemory<MethodList<Unlit>, 2, 51> small;
+  CHECK(small.frame().vertices.size() >= 51 * sizeof(CachedVertex<Unlit>) + 14);
   const std::size_t bytes = View::bytes(balls.limits());
   for (std::size_t offset = 0; offset < 9; ++offset) {
     std::vector<std::byte> memory(bytes + offset, std::byte{0xA5});  // sanitizers see what is beyond
     View view(std::span<std::byte>(memory).subspan(offset), balls.limits());
     REQUIRE(ok(view.status()));
     CHECK((drawn(balls, view) == expected));
+    CHECK(view.frame()
+              .header.keeps_vertices);  // of objects that begin at multiples of 8, in both kinds of memory
     CHECK(drawn_rect(view) == rect);
     CHECK(pick(view, Canvas::kWidth / 4, Canvas::kHeight / 2).object == &balls.objects[0]);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Compilers call it for loops that look for the end of a text, which no code of this project has. For programs with
-// libraries that do, without -fno-tree-loop-distribute-patterns the loop below would be such a call.
+// Compilers call it for loops that look for the end of a text, which no code of this project has. For
+// programs with libraries that do, without -fno-tree-loop-distribute-patterns the loop below would be such a
+// call.
 #include <cstddef>
 
 extern "C" std::size_t strlen(const char* text) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Compilers call it for loops that look for the end of a text, which no code of this project has. For
-// programs with libraries that do, without -fno-tree-loop-distribute-patterns the loop below would be such a
-// call.
+// Compilers turn loops that look for the end of a text into calls of strlen(). This project has no such loop;
+// programs with libraries that do are linked with this file, which is compiled with
+// -fno-tree-loop-distribute-patterns, because the loop below would be a call of itself.
 #include <cstddef>
 
 extern "C" std::size_t strlen(const char* text) {

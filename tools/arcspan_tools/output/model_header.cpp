@@ -238,6 +238,11 @@ std::string prepared_material(const std::string& material, const std::string& pa
          ";\n";
 }
 
+/// An entry of the list of parts.
+std::string prepared_part(const std::string& part, const FixedMesh& mesh, const std::string& material) {
+  return "    {" + part + "make_view, " + braced_sphere(mesh) + ", &" + material + "},\n";
+}
+
 /// The prepared materials, and the list of parts of a model for the C interface. The arrays are in the
 /// namespace `arrays`.
 std::string prepared_text(const FixedModel& model, const std::string& arrays, const ModelTextures& textures) {
@@ -253,7 +258,7 @@ std::string prepared_text(const FixedModel& model, const std::string& arrays, co
     const std::string texels = number ? type_of(textures.textures[*number].format) : "void";
     const std::string skin = arrays + "::" + (single || !number ? "" : texture_namespace(*number) + "::");
     text.append(prepared_material(material, part, texels, skin, is_plain_mesh(model)));
-    list.append("    {" + part + "make_view, " + braced_sphere(model.meshes[i]) + ", &" + material + "},\n");
+    list.append(prepared_part(part, model.meshes[i], material));
   }
   return text + "\nconstexpr arcspan::c::ModelPart kPreparedParts[] = {\n" + list + "};\n";
 }

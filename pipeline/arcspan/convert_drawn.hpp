@@ -12,7 +12,7 @@ namespace arcspan {
 
 namespace detail {
 
-[[nodiscard]] constexpr bool is_within(const Rect& inner, const Rect& outer) {
+[[nodiscard]] constexpr bool contains(const Rect& outer, const Rect& inner) {
   return inner.left >= outer.left && inner.top >= outer.top && inner.right <= outer.right &&
          inner.bottom <= outer.bottom;
 }
@@ -49,8 +49,8 @@ template <class Source, class Target>
   }
   if (!ok(depth.status())) return depth.status();
   if (source.bounds().empty()) return Status::kOk;
-  if (!is_within(source.bounds(), target.bounds())) return Status::kInvalidArgument;
-  return is_within(source.bounds(), depth.bounds()) ? Status::kOk : Status::kDepthMismatch;
+  if (!contains(target.bounds(), source.bounds())) return Status::kInvalidArgument;
+  return contains(depth.bounds(), source.bounds()) ? Status::kOk : Status::kDepthMismatch;
 }
 
 }  // namespace detail

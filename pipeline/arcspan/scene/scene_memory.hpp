@@ -6,7 +6,6 @@
 #include <arcspan/scene/scene_material.hpp>
 #include <arcspan/status.hpp>
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -53,14 +52,14 @@ struct MethodsInMemory<MethodList<Methods...>> {
 /// are kept from band to band. It needs no initialisation and may be used for any scene. `List` is a
 /// MethodList.
 template <class List, std::size_t Objects, std::size_t Vertices = 0>
-class SceneMemory : detail::MethodsInMemory<List> {
+class SceneMemory {
   using Listed = detail::MethodsInMemory<List>;
 
  public:
   static_assert(Objects <= 65535);
 
   /// @cond for draw_mesh() and draw_scene(), not in the reference
-  using typename Listed::UseList;
+  using UseList = typename Listed::UseList;
   static constexpr bool kHasVertices = Vertices != 0;
   [[nodiscard]] static constexpr Status status() { return Status::kOk; }
   [[nodiscard]] void* lighting() { return lighting_; }
@@ -92,7 +91,7 @@ struct SceneLimits {
 /// A SceneMemory over bytes that the caller provides, with limits that are set when the program runs. Scenes
 /// are drawn by the code that keeps vertices. It may be moved, the bytes may not.
 template <class List>
-class SceneMemoryView : detail::MethodsInMemory<List> {
+class SceneMemoryView {
   using Listed = detail::MethodsInMemory<List>;
 
  public:
@@ -118,7 +117,7 @@ class SceneMemoryView : detail::MethodsInMemory<List> {
   [[nodiscard]] const SceneLimits& limits() const { return limits_; }
 
   /// @cond for draw_mesh() and draw_scene(), not in the reference
-  using typename Listed::UseList;
+  using UseList = typename Listed::UseList;
   static constexpr bool kHasVertices = true;
   [[nodiscard]] void* lighting() { return first_; }
   [[nodiscard]] std::span<unsigned char> scratch() {
@@ -161,7 +160,7 @@ class SceneMemoryView : detail::MethodsInMemory<List> {
 template <class Memory>
 concept SceneMemoryType = requires(Memory& memory) {
   typename Memory::UseList;
-  { memory.frame() } -> std::same_as<detail::SceneFrame>;
+  memory.frame();
 };
 
 }  // namespace arcspan

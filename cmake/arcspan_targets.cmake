@@ -17,7 +17,7 @@ target_compile_options(
             $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor>
             $<$<COMPILE_LANGUAGE:CXX>:-Woverloaded-virtual>
             # Not for boards: their start-up code defines what compilers and vector tables call by reserved names.
-            $<$<AND:$<CXX_COMPILER_ID:Clang>,$<NOT:$<BOOL:${ARCSPAN_BOARD}>>>:-Wreserved-identifier>
+            $<$<AND:$<COMPILE_LANG_AND_ID:CXX,Clang>,$<NOT:$<BOOL:${ARCSPAN_BOARD}>>>:-Wreserved-identifier>
             # gcc 12 sees overlapping copies in "literal" + std::string where there are none (its bug 105651).
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
             $<$<BOOL:${ARCSPAN_WERROR}>:-Werror>)

@@ -78,7 +78,7 @@ TEST_CASE("a point of the world appears where double precision has it") {
     seen += inside ? 1 : 0;
   }
   CHECK(seen > share_of(20000) / 20);
-  CHECK(behind > share_of(20000) / 4);
+  CHECK(behind > share_of(20000) / 5);
   CHECK(worst < 1.0 / 16);
 }
 

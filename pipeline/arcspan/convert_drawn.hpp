@@ -12,11 +12,6 @@ namespace arcspan {
 
 namespace detail {
 
-[[nodiscard]] constexpr bool contains(const Rect& outer, const Rect& inner) {
-  return inner.left >= outer.left && inner.top >= outer.top && inner.right <= outer.right &&
-         inner.bottom <= outer.bottom;
-}
-
 /// The pixel of format F for a colour of 8 bits per channel at (x, y) of the picture, dithered if
 /// F::kDithers.
 template <PixelFormat F>
@@ -41,12 +36,8 @@ template <class From, PixelSink Target>
 template <class Source, class Target>
 [[nodiscard]] constexpr Status check_conversion(const Source& source, const DepthBuffer& depth,
                                                 const Target& target) {
-  if constexpr (ChecksItself<Source>) {
-    if (!ok(source.status())) return source.status();
-  }
-  if constexpr (ChecksItself<Target>) {
-    if (!ok(target.status())) return target.status();
-  }
+  if (const Status status = status_of(source); !ok(status)) return status;
+  if (const Status status = status_of(target); !ok(status)) return status;
   if (!ok(depth.status())) return depth.status();
   if (source.bounds().empty()) return Status::kOk;
   if (!contains(target.bounds(), source.bounds())) return Status::kInvalidArgument;
@@ -64,7 +55,8 @@ template <class Source, class Target>
 /// A pixel becomes Target::Format::encode(Source::Format::decode(pixel)), or encode_dithered() of it if the
 /// target's format dithers. From a source of 8 bits per channel (Rgb888, Xrgb8888, ...) this is the pixel
 /// that drawing into `target` gives, except for one that is blended, because blending computes in the format.
-/// What a source has dropped stays lost: a target of 24 bits has 32 and 64 levels after Rgb565.
+/// Bits that the source does not store stay lost: after Rgb565 a target of 24 bits has 32 or 64 levels per
+/// channel.
 ///
 /// A surface that writes no depth (ReadOnlyDepth) is copied only where something behind it wrote it. The
 /// target gets a run for every row of neighbouring pixels. Returns

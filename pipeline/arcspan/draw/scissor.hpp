@@ -43,8 +43,7 @@ class Scissor {
   [[nodiscard]] constexpr bool is_band() const { return is_band_; }
   /// True if `bounds` covers the rectangle, or if that is empty.
   [[nodiscard]] constexpr bool is_within(const Rect& bounds) const {
-    return rect_.empty() || (bounds.left <= rect_.left && bounds.top <= rect_.top &&
-                             bounds.right >= rect_.right && bounds.bottom >= rect_.bottom);
+    return rect_.empty() || contains(bounds, rect_);
   }
   [[nodiscard]] constexpr const RasterOrigin& origin() const { return origin_; }
   /// The rows of the whole viewport, relative to origin().
@@ -93,9 +92,7 @@ class Scissor {
 /// Returns the reason why nothing can be drawn into a sink and a depth buffer, or kOk.
 template <class Sink, class Depth>
 [[nodiscard]] constexpr Status check_target(const Scissor& scissor, const Sink& sink, const Depth& depth) {
-  if constexpr (ChecksItself<Sink>) {
-    if (!ok(sink.status())) return sink.status();
-  }
+  if (const Status status = status_of(sink); !ok(status)) return status;
   if constexpr (Depth::kTests) {
     if (!ok(depth.status())) return depth.status();
     if (!scissor.is_within(depth.bounds())) return Status::kDepthMismatch;

@@ -10,7 +10,7 @@
 /// Mesh binaries as chunks of a model binary: without a checksum, because the file has one.
 namespace arcspan::detail {
 
-/// Checks a chunk at an even address as view_mesh_binary() checks a binary, but for the checksum. The chunk's
+/// Checks a chunk at an even address as view_mesh_binary() checks a binary, without the checksum. The chunk's
 /// header states its size. Returns kOk, kUnsupported, kCorrupted (also if the chunk is shorter or longer than
 /// it states) or kIndexOutOfRange.
 [[nodiscard]] Status check_mesh_chunk(std::span<const std::uint8_t> bytes);

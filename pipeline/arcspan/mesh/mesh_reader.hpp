@@ -24,7 +24,7 @@ static_assert(sizeof(Rgb8) == 3 && alignof(Rgb8) == 1);
 
 inline constexpr std::uint32_t kMostTriangles = std::uint32_t{1} << 26;
 
-/// What the header of a mesh binary says.
+/// The header of a mesh binary: sizes and the arrays that follow.
 struct MeshHeader {
   std::uint32_t size;
   std::uint32_t vertices;

@@ -36,7 +36,7 @@ bool is_valid_part(const std::uint8_t* record, std::uint32_t textures) {
          record[model_binary::kNameAt + model_binary::kNameBytes - 1] == 0;
 }
 
-/// What the chunks of meshes and textures have in common.
+/// Counts of the chunks that have been checked.
 struct ChunkFigures {
   std::uint32_t meshes = 0;
   std::uint32_t textures = 0;

@@ -26,6 +26,7 @@ struct Point {
 namespace detail {
 
 using arcspan::detail::intersection;
+using arcspan::detail::status_of;
 
 /// The rectangle of `width` by `height` pixels whose upper left pixel is `at`.
 [[nodiscard]] constexpr Rect rect_at(Point at, std::int32_t width, std::int32_t height) {
@@ -35,13 +36,6 @@ using arcspan::detail::intersection;
 /// The distance of the sides of a rectangle, 0 if they are not in order.
 [[nodiscard]] constexpr std::uint32_t extent(std::int32_t first, std::int32_t end) {
   return first < end ? static_cast<std::uint32_t>(end) - static_cast<std::uint32_t>(first) : 0;
-}
-
-/// What a sink says about itself before anything is drawn.
-template <class Sink>
-[[nodiscard]] constexpr Status status_of(const Sink& sink) {
-  if constexpr (ChecksItself<Sink>) return sink.status();
-  return Status::kOk;
 }
 
 /// Writes `encoded` into each pixel of a run, which lies within the sink's bounds().

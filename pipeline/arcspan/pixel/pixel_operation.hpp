@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <type_traits>
 
-/// What happens to the colour of a pixel before it is stored: fog, then transparency. An operation is a
+/// Operations change the colour of a pixel before it is stored: fog, then transparency. An operation is a
 /// function object that takes a colour and returns a colour of another type, which has one of the optional
 /// members below. If the operation depends on the position, it has in_row(x, y) instead, which returns a
 /// function object for the run of pixels that begins there; its next() moves to the next pixel.

@@ -46,6 +46,11 @@ namespace detail {
   return {a.left > b.left ? a.left : b.left, a.top > b.top ? a.top : b.top,
           a.right < b.right ? a.right : b.right, a.bottom < b.bottom ? a.bottom : b.bottom};
 }
+/// True if all sides of `inner` lie within `outer`.
+[[nodiscard]] constexpr bool contains(const Rect& outer, const Rect& inner) {
+  return outer.left <= inner.left && outer.top <= inner.top && outer.right >= inner.right &&
+         outer.bottom >= inner.bottom;
+}
 
 }  // namespace detail
 
@@ -90,6 +95,17 @@ template <class S>
 concept ChecksItself = requires(const S& sink) {
   { sink.status() } -> std::same_as<Status>;
 };
+
+namespace detail {
+
+/// The status of a sink that has one, else kOk.
+template <class Sink>
+[[nodiscard]] constexpr Status status_of(const Sink& sink) {
+  if constexpr (ChecksItself<Sink>) return sink.status();
+  return Status::kOk;
+}
+
+}  // namespace detail
 
 /// A sink whose bounds() begin at column 0, always. It declares that by `using FromFirstColumn =` its own
 /// name, for less code: no row of a triangle begins left of it and in the picture. A class derived from it is

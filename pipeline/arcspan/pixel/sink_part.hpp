@@ -34,10 +34,7 @@ class SinkPart {
     return sink_.open(run);
   }
   [[nodiscard]] constexpr Status close(const Span& run) { return sink_.close(run); }
-  [[nodiscard]] constexpr Status status() const {
-    if constexpr (ChecksItself<Sink>) return sink_.status();
-    return Status::kOk;
-  }
+  [[nodiscard]] constexpr Status status() const { return detail::status_of(sink_); }
   [[nodiscard]] constexpr auto* row(std::int32_t y) const requires SinkInMemory<Sink> { return sink_.row(y); }
   [[nodiscard]] constexpr std::int32_t stride_bytes() const requires SinkInMemory<Sink> {
     return sink_.stride_bytes();

@@ -151,12 +151,14 @@ class Camera {
   [[nodiscard]] constexpr Status set_lens(const Lens& lens, const Viewport& viewport);
   [[nodiscard]] constexpr Status set_parallel(const Lens& lens, const Viewport& viewport);
 
+  // The widest members come first. Where padding lies between members, clang 14 puts the result of of() in
+  // the wrong place if the camera is a variable.
+  std::int64_t near_ = 0;      ///< 16 fraction bits; kParallel times the planes' distance if orthographic
+  std::int64_t set_back_ = 0;  ///< distance from the eye of an orthographic lens to eye_, 16 fraction bits
   Rotation rotation_ = Rotation::identity();
   WorldPoint eye_{};
-  ClipTransform lens_;     ///< viewport and depths; an object's transform is a copy with another placement
-  std::int64_t near_ = 0;  ///< 16 fraction bits; kParallel times the planes' distance if orthographic
-  std::int64_t set_back_ = 0;  ///< distance from the eye of an orthographic lens to eye_, 16 fraction bits
-  std::int32_t focal_ = 0;     ///< times 2^focal_bits_: 11 fraction bits of a pixel
+  ClipTransform lens_;      ///< viewport and depths; an object's transform is a copy with another placement
+  std::int32_t focal_ = 0;  ///< times 2^focal_bits_: 11 fraction bits of a pixel
   int focal_bits_ = 0;
   bool parallel_ = false;
 };

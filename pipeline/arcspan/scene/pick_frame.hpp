@@ -18,7 +18,7 @@
 
 namespace arcspan {
 
-/// What pick() has found.
+/// The result of pick().
 struct Picked {
   Status status = Status::kOk;     ///< that of prepare_scene(), or kNotReady before it
   const Object* object = nullptr;  ///< an element of Scene::objects, or null if there is nothing
@@ -46,7 +46,7 @@ struct UnlitSmall : Unlit {
   using DrawsSmallTrianglesAs = UnlitSmall;
 };
 
-/// What a triangle is drawn with.
+/// The arguments by which pick() draws a triangle.
 struct PickCall {
   const SceneSlot& slot;
   const SceneMaterial& material;

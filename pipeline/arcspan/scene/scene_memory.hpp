@@ -82,7 +82,7 @@ class SceneMemory {
   alignas(8) unsigned char vertices_[kVertexMemory + 1] = {};
 };
 
-/// What a SceneMemoryView has room for, as the arguments of SceneMemory.
+/// The room of a SceneMemoryView, as the arguments of SceneMemory state it.
 struct SceneLimits {
   std::uint16_t objects = 0;
   std::uint32_t vertices = 0;  ///< 0 refuses every object that has vertices

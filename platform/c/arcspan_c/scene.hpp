@@ -34,7 +34,7 @@ template <class... C>
   return {Coefficient::from_raw(s.r), Coefficient::from_raw(s.g), Coefficient::from_raw(s.b)};
 }
 
-/// What a material of a part of a binary is made of.
+/// The data from which a material of a part of a binary is prepared.
 struct MaterialSource {
   Material material;
   StoredTexture texture;  ///< its texels are empty if there is none

@@ -64,6 +64,18 @@ TEST_CASE("look_at turns the camera to its target with `up` upwards") {
   CHECK(worst < 0x1p-26);
 }
 
+TEST_CASE("a camera made of constants is the same as a constant and as a variable") {
+  static constexpr Camera constant = Camera::of({WorldPoint::of(0, 0, 4), {}}, kLens, kScreen);
+  const Camera variable = Camera::of({WorldPoint::of(0, 0, 4), {}}, kLens, kScreen);
+  ClipTransform expected;
+  ClipTransform found;
+  REQUIRE(constant.place(WorldPoint::of(-0.8, 0, 0), Rotation::identity(), WorldLength::of(1), expected));
+  REQUIRE(variable.place(WorldPoint::of(-0.8, 0, 0), Rotation::identity(), WorldLength::of(1), found));
+  const ClipPosition a = expected({100, -2000, 30000});
+  const ClipPosition b = found({100, -2000, 30000});
+  CHECK((a.x == b.x && a.y == b.y && a.w == b.w));
+}
+
 TEST_CASE("vertices of objects of any scale appear where double precision has them") {
   Random random(1812);
   double worst = 0;  // in sixteenths of a pixel, beyond the clip coordinates' last units

@@ -17,17 +17,13 @@ namespace {
 
 using View = SceneMemoryView<SceneMethods>;
 
-// Not in the initialisers of members, which clang 14 evaluates wrongly if they call consteval functions.
-constexpr WorldPoint kLeft = WorldPoint::of(-0.8, 0, 0);
-constexpr WorldPoint kRight = WorldPoint::of(0.9, 0.3, -1);
-constexpr Camera kCamera = Camera::of({WorldPoint::of(0, 0, 4), {}}, kLens, kScreen);
-
 struct TwoBalls {
   Random random{7};
   TestMesh shape = make_sphere(6, 8, 32000, 0, random);
   MeshView mesh = shape.view();
-  Object objects[2] = {{mesh, kCopper, kLeft}, {mesh, kRed, kRight}};
-  Camera camera = kCamera;
+  Object objects[2] = {{mesh, kCopper, WorldPoint::of(-0.8, 0, 0)},
+                       {mesh, kRed, WorldPoint::of(0.9, 0.3, -1)}};
+  Camera camera = Camera::of({WorldPoint::of(0, 0, 4), {}}, kLens, kScreen);
 
   [[nodiscard]] Scene scene() const { return {camera, kLights, objects}; }
   [[nodiscard]] SceneLimits limits() const {

@@ -34,7 +34,8 @@ TEST_CASE("a point of the world appears where double precision has it") {
   double worst = 0;  // in pixels
   int seen = 0;
   int behind = 0;
-  for (int i = 0; i < share_of(20000); ++i) {
+  const int cases = std::max(share_of(20000), 4000);  // with fewer, chance decides what is counted
+  for (int i = 0; i < cases; ++i) {
     const Viewport viewport{random.integer(1, 2048), random.integer(1, 2048)};
     const double focal = random.integer(20, 3000);
     const double near_plane = random.decades(0.02, 10);
@@ -77,8 +78,8 @@ TEST_CASE("a point of the world appears where double precision has it") {
       REQUIRE(screen_rect(screen, viewport) == Rect{0, 0, viewport.width, viewport.height});
     seen += inside ? 1 : 0;
   }
-  CHECK(seen > share_of(20000) / 20);
-  CHECK(behind > share_of(20000) / 5);
+  CHECK(seen > cases / 20);
+  CHECK(behind > cases / 4);
   CHECK(worst < 1.0 / 16);
 }
 

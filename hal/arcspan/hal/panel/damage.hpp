@@ -124,9 +124,8 @@ class DamageSink {
 
   [[nodiscard]] constexpr Rect bounds() const { return target_.bounds(); }
   [[nodiscard]] constexpr Status status() const {
-    if constexpr (ChecksItself<Target>) {
-      if (!ok(target_.status())) return target_.status();
-    }
+    const Status status = arcspan::detail::status_of(target_);
+    if (!ok(status)) return status;
     const Rect all = target_.bounds();
     const bool fits = all.right <= damage_.width() && all.bottom <= damage_.height();
     return fits ? Status::kOk : Status::kInvalidArgument;

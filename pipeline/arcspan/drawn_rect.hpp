@@ -54,10 +54,10 @@ template <bool KeepsVertices, class... Used>
 }  // namespace detail
 
 /// Returns the rectangle of the picture that the scene of the last prepare_scene() draws into: every pixel of
-/// draw_prepared_scene() lies in it, and it is the smallest rectangle of pixels around the triangles that are
-/// drawn as their vertices lie on the screen. Triangles that are culled or out of view do not count, but
-/// hidden ones and transparent pixels do. Rect{} if nothing is drawn, or if prepare_scene() did not return
-/// kOk.
+/// draw_prepared_scene() lies in it. It is the smallest rectangle of pixels around the places on the screen of
+/// the vertices of all drawn triangles, after clipping. Triangles that are culled or out of view are not
+/// included, nor are invisible objects; triangles behind others and transparent pixels are. Rect{} if nothing
+/// is drawn, or if prepare_scene() did not return kOk.
 ///
 /// For the part of a picture that has to be drawn again, or sent. With room for the vertices of all objects
 /// in view (SceneMemory), the vertices are kept, and drawing does not transform them again.

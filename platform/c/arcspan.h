@@ -95,9 +95,9 @@ typedef struct {
 
 /* Sets all lights, at most ARCSPAN_C_LIGHTS, and the colour of the ambient light. Materials of binaries are
  * prepared again if they depend on what changes: the ambient light and, with ARCSPAN_C_LIGHTS of 1, strength
- * and colour. Those of models in flash are for a white ambient light, which they keep, and with
- * ARCSPAN_C_LIGHTS of 1 for a white light of strength 1: with another, arcspan_draw() returns
- * ARCSPAN_LIGHT_CHANGED. Returns
+ * and colour. Materials of models in flash are not. They always have a white ambient light. With
+ * ARCSPAN_C_LIGHTS of 1 they are made for a white light of strength 1; with another strength or colour
+ * arcspan_draw() returns ARCSPAN_LIGHT_CHANGED. Returns
  *
  *   ARCSPAN_INVALID_ARGUMENT   a strength or colour is above 1, a direction is 0, `half` is negative
  *   ARCSPAN_UNSUPPORTED        more lights, a point light or a coloured light than is compiled */

@@ -54,8 +54,8 @@ template <bool KeepsVertices, class... Used>
 }  // namespace detail
 
 /// Returns the rectangle of the picture that the scene of the last prepare_scene() draws into: every pixel of
-/// draw_prepared_scene() lies in it. It is the smallest rectangle of pixels around the places on the screen of
-/// the vertices of all drawn triangles, after clipping. Triangles that are culled or out of view are not
+/// draw_prepared_scene() lies in it. It is the smallest rectangle of pixels around the places on the screen
+/// of the vertices of all drawn triangles, after clipping. Triangles that are culled or out of view are not
 /// included, nor are invisible objects; triangles behind others and transparent pixels are. Rect{} if nothing
 /// is drawn, or if prepare_scene() did not return kOk.
 ///

@@ -24,6 +24,8 @@ std::size_t triangles(const MeshReport& r) { return r.compiled.model.triangle_co
 
 bool has_planes(const MeshReport& r) { return !r.compiled.model.meshes[0].planes.empty(); }
 
+bool has_neighbours(const MeshReport& r) { return !r.compiled.model.meshes[0].neighbours.empty(); }
+
 /// 8 or 16; 0 if parts differ.
 int index_bits(const MeshReport& r) {
   const std::vector<FixedMesh>& meshes = r.compiled.model.meshes;
@@ -168,8 +170,9 @@ std::string to_text(const MeshReport& r) {
                                                     r.model_vertices, r.model_triangles, r.model_bytes);
   if (r.dropped_faces > 0) text += formatted(", %zu faces without area left out", r.dropped_faces);
   text += crease_text(r.crease_degrees) + "\n" + printable(r.output) +
-          formatted(": %zu vertices, %zu triangles, %zu bytes, %s%s", model.vertex_count(), triangles(r),
-                    r.bytes, index_text(r).c_str(), has_planes(r) ? ", planes" : "");
+          formatted(": %zu vertices, %zu triangles, %zu bytes, %s%s%s", model.vertex_count(), triangles(r),
+                    r.bytes, index_text(r).c_str(), has_planes(r) ? ", planes" : "",
+                    has_neighbours(r) ? ", neighbours" : "");
   if (model.meshes.size() > 1) text += formatted(", %zu parts", model.meshes.size());
   text += "\n" + parts_text(r) + textures_text(r);
   if (r.shrunk_textures) text += "textures: shrunk to keep --max-bytes\n";
@@ -207,6 +210,7 @@ std::string to_json(const MeshReport& r) {
         {"bytes_of", shares_json(r)},
         {"index_bits", index_bits(r)},
         {"planes", has_planes(r)},
+        {"neighbours", has_neighbours(r)},
         {"low", corner(r.figures.bounds.low)},
         {"high", corner(r.figures.bounds.high)},
         {"unit", mesh.unit},

@@ -67,7 +67,7 @@ struct ByteShare {
 /// The same without its checksum, as a chunk of a model binary.
 [[nodiscard]] std::string mesh_chunk(const FixedMesh& mesh, const MeshFigures& figures);
 
-/// The binary of docs/model-binary.md, or of a plain mesh that of docs/mesh-binary.md.
+/// The binary of docs/model-binary.md, or of a plain mesh without neighbours that of docs/mesh-binary.md.
 [[nodiscard]] std::string model_binary_file(const FixedModel& model, const ModelTextures& textures = {});
 
 /// Names of the parts for people, no two alike.

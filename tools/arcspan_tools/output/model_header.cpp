@@ -43,6 +43,21 @@ std::string colour_array(const FixedMesh& mesh) {
   return colours.array("arcspan::Rgb8", "kColours");
 }
 
+std::string neighbour_array(const FixedMesh& mesh) {
+  ArrayText bytes;
+  for (const std::uint8_t byte : mesh.neighbours) bytes.add(std::to_string(byte));
+  return bytes.array("std::uint8_t", "kNeighbours");
+}
+
+/// The function that makes the view of the neighbours.
+constexpr const char* kMakeNeighbours =
+    "/// The neighbours of the triangles of make_view(), for outlines; kOk unless the arrays were edited.\n"
+    "inline arcspan::Status make_neighbours(const arcspan::MeshView& view,\n"
+    "                                       arcspan::MeshNeighbours& neighbours) {\n"
+    "  return arcspan::MeshNeighbours::make(view, kNeighbours, neighbours);\n}\n\n";
+
+bool has_neighbours(const FixedModel& model) { return !model.meshes[0].neighbours.empty(); }
+
 // Enough digits that the same number is read back; the shortest such text.
 std::string shortest_number(double value) {
   char digits[32];
@@ -93,14 +108,15 @@ std::string mesh_text(const FixedMesh& mesh) {
   const bool planes = !mesh.planes.empty();
   const bool points = !mesh.texture_points.empty();
   const bool colours = !mesh.colours.empty();
+  const bool neighbours = !mesh.neighbours.empty();
   const std::string index_type = fits_indices8(mesh.positions.size()) ? "std::uint8_t" : "std::uint16_t";
   return positions.array("arcspan::ObjectPosition", "kPositions") +
          normals.array("arcspan::PackedNormal", "kNormals") + indices.array(index_type, "kIndices") +
          (planes ? plane_arrays(mesh) : "") + (points ? texture_point_arrays(mesh) : "") +
-         (colours ? colour_array(mesh) : "") +
+         (colours ? colour_array(mesh) : "") + (neighbours ? neighbour_array(mesh) : "") +
          "/// A view of the mesh; kOk unless the arrays were edited.\n"
          "inline arcspan::Status make_view(arcspan::MeshView& view) {\n" +
-         view_text(planes, points, colours) + "}\n\n";
+         view_text(planes, points, colours) + "}\n\n" + (neighbours ? kMakeNeighbours : "");
 }
 
 std::string braced_coefficients(const ChannelCoefficients& c) {
@@ -172,7 +188,8 @@ std::string parts_text(const FixedModel& model, const ModelTextures& textures) {
     text += "/// " + harmless(titles[i]) + "\nnamespace " + names[i] + " {\n\n" + mesh_text(model.meshes[i]) +
             material_text(model.looks[i]) + "}  // namespace " + names[i] + "\n\n";
     list += "    {" + names[i] + "::make_view, &" + names[i] + "::kMaterial, " + names[i] + "::kTwoSided" +
-            texture_members(model, textures, i) + "},\n";
+            texture_members(model, textures, i) +
+            (has_neighbours(model) ? ", " + names[i] + "::make_neighbours" : "") + "},\n";
     most = std::max(most, model.meshes[i].positions.size());
   }
   return text +
@@ -185,6 +202,10 @@ std::string parts_text(const FixedModel& model, const ModelTextures& textures) {
               ? ""
               : "  const arcspan::Texture<" + type_of(textures.textures[0].format) +
                     ">* texture;  ///< null if it has none\n  arcspan::PartAlpha alpha;\n") +
+         (has_neighbours(model)
+              ? "  arcspan::Status (*make_neighbours)(const arcspan::MeshView& view,\n"
+                "                                     arcspan::MeshNeighbours& neighbours);\n"
+              : "") +
          "};\n"
          "inline constexpr Part kParts[] = {\n" +
          list +
@@ -198,6 +219,7 @@ std::string includes(const FixedModel& model, const ModelTextures& textures) {
   const bool single = model.meshes.size() == 1;
   std::string text;
   if (!is_plain_mesh(model)) text += "#include <arcspan/lighting/material.hpp>\n";
+  if (has_neighbours(model)) text += "#include <arcspan/mesh/mesh_neighbours.hpp>\n";
   text += "#include <arcspan/mesh/mesh_view.hpp>\n";
   if (!textures.textures.empty()) {
     text += "#include <arcspan/model/model_binary.hpp>\n#include <arcspan/texture/texture.hpp>\n";

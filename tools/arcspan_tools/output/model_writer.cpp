@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/model/model_binary.hpp>
+#include <arcspan/model/model_neighbours.hpp>
 
 #include <arcspan_tools/fixed_point/material.hpp>
 #include <arcspan_tools/output/bytes.hpp>
@@ -18,11 +19,23 @@ namespace {
 
 namespace layout = arcspan::model_binary;
 
-/// The chunks and what is around them, of meshes and textures that take `payload` bytes as chunks.
-std::size_t container_bytes(std::size_t parts, std::size_t textures, std::size_t payload) {
-  const std::size_t chunks = 2 + parts + textures;
+/// The chunks and what is around them, of meshes, textures and neighbours of parts that take `payload` bytes
+/// as chunks.
+std::size_t container_bytes(std::size_t parts, std::size_t textures, std::size_t neighbours,
+                            std::size_t payload) {
+  const std::size_t chunks = 2 + parts + textures + neighbours;
   return chunk_list::kHeaderBytes + chunks * chunk_list::kEntryBytes + layout::kModelBytes +
          parts * layout::kPartBytes + payload + chunk_list::kChecksumBytes;
+}
+
+/// Whether a binary of the model is a mesh binary, which has no place for neighbours.
+bool is_mesh_binary(const FixedModel& model) {
+  return is_plain_mesh(model) && model.meshes[0].neighbours.empty();
+}
+
+/// The bytes of a chunk with what fills it up.
+std::size_t filled_up(std::size_t bytes) {
+  return (bytes + chunk_list::kAlignment - 1) / chunk_list::kAlignment * chunk_list::kAlignment;
 }
 
 std::string name_of(const PartLook& look, std::size_t number) {
@@ -65,18 +78,23 @@ std::vector<std::string> part_names(const FixedModel& model) {
 std::size_t model_bytes(CompiledOutput output, const FixedModel& model, bool planes,
                         const ModelTextures& textures) {
   std::size_t sum = 0;
+  std::size_t neighbours = 0;  // parts that have them
   for (const FixedMesh& mesh : model.meshes) {
     sum += mesh_bytes(output, mesh.positions.size(), mesh.indices.size() / 3, planes,
                       !mesh.texture_points.empty(), !mesh.colours.empty());
+    const std::size_t bytes = mesh.neighbours.size();
+    sum += output == CompiledOutput::kHeader ? bytes : filled_up(bytes);
+    neighbours += bytes != 0 ? 1 : 0;
   }
-  if (is_plain_mesh(model)) return sum;
   const std::size_t parts = model.meshes.size();
-  if (output == CompiledOutput::kHeader) return sum + parts * sizeof(Material) + textures.bytes();
+  if (output == CompiledOutput::kHeader)
+    return is_plain_mesh(model) ? sum : sum + parts * sizeof(Material) + textures.bytes();
+  if (is_mesh_binary(model)) return sum;
   sum -= parts * mesh_binary::kChecksumBytes;  // chunks have none
   for (const MadeTexture& texture : textures.textures) {
     sum += texture_binary::bytes(texture.format.layout, texture.size) - texture_binary::kChecksumBytes;
   }
-  return container_bytes(parts, textures.textures.size(), sum);
+  return container_bytes(parts, textures.textures.size(), neighbours, sum);
 }
 
 std::vector<ByteShare> byte_shares(CompiledOutput output, const FixedModel& model,
@@ -86,12 +104,14 @@ std::vector<ByteShare> byte_shares(CompiledOutput output, const FixedModel& mode
   std::size_t planes = 0;
   std::size_t points = 0;
   std::size_t colours = 0;
+  std::size_t neighbours = 0;
   for (const FixedMesh& mesh : model.meshes) {
     vertices += mesh.positions.size();
     indices += mesh.indices.size() * (fits_indices8(mesh.positions.size()) ? 1 : 2);
     planes += mesh.planes.size();
     points += mesh.texture_points.size();
     colours += mesh.colours.size();
+    neighbours += mesh.neighbours.size();
   }
   std::vector<ByteShare> shares = {{"positions", vertices * sizeof(ObjectPosition)},
                                    {"normals", vertices * sizeof(PackedNormal)},
@@ -99,6 +119,7 @@ std::vector<ByteShare> byte_shares(CompiledOutput output, const FixedModel& mode
                                    {"planes", planes * sizeof(FacePlane)},
                                    {"texture points", points * sizeof(TexturePoint)},
                                    {"vertex colours", colours * sizeof(Rgb8)},
+                                   {"neighbours", neighbours},
                                    {"textures", textures.bytes()}};
   std::size_t sum = 0;
   for (const ByteShare& share : shares) sum += share.bytes;
@@ -160,11 +181,16 @@ std::string parts_chunk(const FixedModel& model, const ModelTextures& textures) 
 }  // namespace
 
 std::string model_binary_file(const FixedModel& model, const ModelTextures& textures) {
-  if (is_plain_mesh(model)) return mesh_binary_file(model.meshes[0], figures_of(model.meshes[0]));
+  if (is_mesh_binary(model)) return mesh_binary_file(model.meshes[0], figures_of(model.meshes[0]));
   std::vector<FileChunk> chunks;  // in the order of their tags
   for (std::size_t i = 0; i < model.meshes.size(); ++i)
     chunks.push_back({layout::kMeshTag, i, mesh_chunk(model.meshes[i], figures_of(model.meshes[i]))});
   chunks.push_back({layout::kModelTag, 0, model_chunk(model)});
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    const std::vector<std::uint8_t>& bytes = model.meshes[i].neighbours;
+    if (!bytes.empty())
+      chunks.push_back({layout::kNeighboursTag, i, std::string(bytes.begin(), bytes.end())});
+  }
   chunks.push_back({layout::kPartsTag, 0, parts_chunk(model, textures)});
   for (std::size_t i = 0; i < textures.textures.size(); ++i)
     chunks.push_back({layout::kTextureTag, i, texture_chunk(textures.textures[i])});

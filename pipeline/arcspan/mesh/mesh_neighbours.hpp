@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan {
+
+/// What is beyond an edge of a triangle: 2 bits of the byte that a triangle begins with (MeshNeighbours).
+enum class EdgeKind : std::uint8_t {
+  kBorder = 0,   ///< nothing
+  kEarlier = 1,  ///< a triangle with a smaller number, which says more about the edge
+  kLater = 2,    ///< a triangle with a greater number; the distance to it follows
+  kCrease = 3,   ///< the same where light or colour breaks, so that the edge is seen between two fronts
+};
+
+namespace detail {
+
+// The reasons of MeshNeighbours::of().
+namespace refused {
+void neighbours_not_of_as_many_triangles();
+void neighbours_of_another_mesh();
+}  // namespace refused
+
+/// The edge of triangle `t` from its corner 0, 1 or 2 to the next one; `c` is unused.
+[[nodiscard]] constexpr TriangleIndices edge_of(const TriangleIndices& t, unsigned edge) {
+  if (edge == 0) return {t.a, t.b, 0};
+  return edge == 1 ? TriangleIndices{t.b, t.c, 0} : TriangleIndices{t.c, t.a, 0};
+}
+
+/// The kind of edge 0, 1 or 2 in the byte of a triangle.
+[[nodiscard]] ARCSPAN_INLINE constexpr EdgeKind edge_kind(unsigned kinds, unsigned edge) {
+  return static_cast<EdgeKind>((kinds >> (2 * edge)) & 3u);
+}
+
+/// True if a distance follows for an edge of this kind.
+[[nodiscard]] ARCSPAN_INLINE constexpr bool has_distance(EdgeKind kind) { return kind >= EdgeKind::kLater; }
+
+/// Reads a distance of at least 1 that MeshNeighbours::make() has accepted: 7 bits per byte, the lower ones
+/// first; the upper bit is set if a byte follows.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::size_t read_distance(const std::uint8_t*& at) {
+  std::size_t distance = *at++;
+  if (distance < 128) [[likely]] {
+    return distance + 1;
+  }
+  distance -= 128;
+  for (int shift = 7;; shift += 7) {
+    const std::size_t byte = *at++;
+    distance += (byte & 127u) << shift;
+    if (byte < 128) return distance + 1;
+  }
+}
+
+}  // namespace detail
+
+/// A view of the neighbours of a mesh's triangles in memory of the caller, usually flash, which must outlive
+/// it: about 2.8 bytes per triangle, written by `arcspan mesh --outlines`. Outlines need it.
+///
+/// For each triangle in the order of the mesh there is a byte with the EdgeKind of its edges ab (bits 0, 1),
+/// bc (2, 3) and ca (4, 5), then for each edge of them that is kLater or kCrease the number of the triangle
+/// beyond it: how much greater it is than that of this one, minus 1, 7 bits per byte, the lower ones first,
+/// with the upper bit set in all bytes but the last. Edges are the same if their ends are at the same
+/// positions, in the opposite order, whatever normals and texture points they have.
+class MeshNeighbours {
+ public:
+  constexpr MeshNeighbours() = default;
+
+  /// Makes a view of neighbours, which are checked here once, so that reading them need not. Returns:
+  ///
+  ///   kOk                `neighbours` is set; otherwise it is not changed
+  ///   kCorrupted         `bytes` end too early or too late for mesh.triangle_count() triangles, hold unknown
+  ///                      bits, or name each other not in pairs
+  ///   kIndexOutOfRange   a number names no triangle
+  ///   kInvalidArgument   an edge is none of the triangle beyond it: the neighbours are those of another mesh
+  static constexpr Status make(const MeshView& mesh, std::span<const std::uint8_t> bytes,
+                               MeshNeighbours& neighbours);
+
+  /// make() as a constant. Neighbours that make() rejects do not compile.
+  [[nodiscard]] static consteval MeshNeighbours of(const MeshView& mesh,
+                                                   std::span<const std::uint8_t> bytes) {
+    MeshNeighbours neighbours;
+    const Status status = make(mesh, bytes, neighbours);
+    if (status == Status::kInvalidArgument) detail::refused::neighbours_of_another_mesh();
+    if (status == Status::kIndexOutOfRange) detail::refused::index_out_of_range();
+    if (status == Status::kCorrupted) detail::refused::neighbours_not_of_as_many_triangles();
+    return neighbours;
+  }
+
+  /// 0 if the view was never made.
+  [[nodiscard]] constexpr std::size_t triangle_count() const { return triangle_count_; }
+  /// The bytes of the first triangle, or null.
+  [[nodiscard]] constexpr const std::uint8_t* bytes() const { return bytes_; }
+
+ private:
+  const std::uint8_t* bytes_ = nullptr;
+  std::size_t triangle_count_ = 0;
+};
+
+namespace detail {
+
+/// Checks the bytes of neighbours one after another.
+class NeighbourCheck {
+ public:
+  constexpr NeighbourCheck(const MeshView& mesh, std::span<const std::uint8_t> bytes)
+      : mesh_(mesh), bytes_(bytes) {}
+
+  [[nodiscard]] constexpr Status run() {
+    const std::size_t count = mesh_.triangle_count();
+    Status status = Status::kOk;
+    for (std::size_t i = 0; i < count && ok(status); ++i) status = check_triangle(i);
+    if (!ok(status)) return status;
+    return at_ == bytes_.size() && named_ == 0 ? Status::kOk : Status::kCorrupted;
+  }
+
+ private:
+  constexpr Status check_triangle(std::size_t i) {
+    if (at_ == bytes_.size() || bytes_[at_] > 63) return Status::kCorrupted;
+    const unsigned kinds = bytes_[at_++];
+    Status status = Status::kOk;
+    for (unsigned edge = 0; edge < 3 && ok(status); ++edge) {
+      const EdgeKind kind = edge_kind(kinds, edge);
+      if (kind == EdgeKind::kEarlier) {
+        if (named_-- == 0) return Status::kCorrupted;
+      } else if (has_distance(kind)) {
+        ++named_;
+        status = check_distance(i, edge);
+      }
+    }
+    return status;
+  }
+
+  /// Of at most 5 bytes; numbers have fewer than 32 bits.
+  constexpr Status check_distance(std::size_t i, unsigned edge) {
+    std::uint64_t distance = 1;
+    for (int shift = 0; shift < 35; shift += 7) {
+      if (at_ == bytes_.size()) return Status::kCorrupted;
+      const std::uint8_t byte = bytes_[at_++];
+      distance += std::uint64_t{byte & 127u} << shift;
+      if (byte >= 128) continue;
+      if (distance >= mesh_.triangle_count() - i) return Status::kIndexOutOfRange;
+      return is_reversed_in(edge_of(mesh_.triangle(i), edge),
+                            mesh_.triangle(i + static_cast<std::size_t>(distance)))
+                 ? Status::kOk
+                 : Status::kInvalidArgument;
+    }
+    return Status::kCorrupted;
+  }
+
+  /// True if the triangle has an edge from the end of `edge` to its beginning.
+  [[nodiscard]] constexpr bool is_reversed_in(const TriangleIndices& edge, const TriangleIndices& t) const {
+    for (unsigned other = 0; other < 3; ++other) {
+      const TriangleIndices candidate = edge_of(t, other);
+      if (mesh_.position(edge.a) == mesh_.position(candidate.b) &&
+          mesh_.position(edge.b) == mesh_.position(candidate.a))
+        return true;
+    }
+    return false;
+  }
+
+  const MeshView& mesh_;
+  std::span<const std::uint8_t> bytes_;
+  std::size_t at_ = 0;
+  std::size_t named_ = 0;  ///< edges named by earlier triangles and not met yet
+};
+
+}  // namespace detail
+
+constexpr Status MeshNeighbours::make(const MeshView& mesh, std::span<const std::uint8_t> bytes,
+                                      MeshNeighbours& neighbours) {
+  const Status status = detail::NeighbourCheck(mesh, bytes).run();
+  if (!ok(status)) return status;
+  neighbours.bytes_ = bytes.data();
+  neighbours.triangle_count_ = mesh.triangle_count();
+  return Status::kOk;
+}
+
+}  // namespace arcspan

@@ -5,6 +5,7 @@
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/edge_drawer.hpp>
 #include <arcspan/draw/scissor.hpp>
+#include <arcspan/draw/triangle_sides.hpp>
 #include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/mesh/face_normal.hpp>
@@ -127,6 +128,7 @@ class TriangleDrawer {
       auto&& b = vertex<Filter>(source, t.b);
       auto&& c = vertex<Filter>(source, t.c);
       if (is_culled<Filter::kAllInside>(a, b, c)) continue;
+      if constexpr (NotesSides<Source>) source.note_side(i, side_of<Method>(a, b, c, two_sided_));
       if (!Filter::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
         draw_clipped(t);
       } else if constexpr (Filter::kAllInside && !kOptimisedForSize) {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/pixel/pixel_format.hpp>
+#include <arcspan/pixel/spread_rgb565.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstdint>
+
+namespace arcspan::detail {
+
+/// True if a mixture of two pixels of this format shows as one: not with two or four levels.
+template <PixelFormat F>
+inline constexpr bool kCanBlend = F::kBitsPerPixel >= 4;
+
+/// A format that is 5-6-5 words with their bytes exchanged.
+template <class F>
+concept SwappedRgb565 = requires(std::uint16_t v) { F::swapped(v); };
+
+/// The pixel with a share of `share` / 32 of `other`, 0...32, and the rest of `pixel`.
+template <PixelFormat F>
+[[nodiscard]] ARCSPAN_INLINE constexpr typename F::Encoded blended(typename F::Encoded pixel,
+                                                                   typename F::Encoded other,
+                                                                   std::uint32_t share) {
+  if constexpr (requires { requires F::kIsRgb565; }) {
+    return joined(mixed_spread(spread(pixel), spread(other), share));
+  } else if constexpr (SwappedRgb565<F>) {
+    return F::swapped(joined(mixed_spread(spread(F::swapped(pixel)), spread(F::swapped(other)), share)));
+  } else {
+    const auto mixed = [share](std::uint32_t a, std::uint32_t b) {
+      return static_cast<std::uint8_t>((a * (32 - share) + b * share + 16) >> 5);
+    };
+    const Rgb8 a = F::decode(pixel);
+    const Rgb8 b = F::decode(other);
+    return F::encode(Rgb8{mixed(a.r, b.r), mixed(a.g, b.g), mixed(a.b, b.b)});
+  }
+}
+
+}  // namespace arcspan::detail

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/outline/blend.hpp>
+#include <arcspan/outline/outline_gap.hpp>
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/span/depth.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan::detail {
+
+/// The gaps of a picture or a band. While it is made, the depth of a pixel outside of an outline holds the
+/// number of its latest gap: if there is such a gap and it names the pixel, it is one, otherwise a depth. So
+/// no map is needed. Pixels are only read until the list is complete, so that the result does not depend on
+/// what was blended before, nor on the rows that a band leaves out.
+template <PixelSink Sink>
+class GapList {
+ public:
+  using Format = typename Sink::Format;
+  using Gap = OutlineGap<Format>;
+
+  GapList(Sink& sink, const DepthBuffer& depth, std::span<Gap> memory)
+      : sink_(sink), depth_(depth), memory_(memory.first(memory.size() < kMost ? memory.size() : kMost)) {}
+
+  /// Puts a gap whose outline has the depth `z`, unless the pixel outside is nearer. Of several outlines in
+  /// one gap the outermost counts; of two surfaces that meet in it the first.
+  ARCSPAN_INLINE void put(std::int32_t x, std::int32_t y, GapPlace place, std::int32_t outward,
+                          std::uint32_t corner, std::uint16_t z) {
+    std::uint16_t* const at = depth_.row(y) + x;
+    std::uint16_t number = *at;
+    std::uint16_t depth = number;
+    if (!is_gap_of(number, x, y)) {
+      number = kNone;
+    } else {
+      depth = memory_[number].held.list.depth;
+    }
+    if (is_nearer(depth, z)) return;
+    if (number != kNone && moved_outward(number, place, outward, corner)) return;
+    if (has_opposite(x + column_step(place), y + row_step(place), opposite(place))) return;
+    if (count_ == memory_.size()) {
+      apply();
+      was_full_ = true;
+      number = kNone;
+    }
+    Gap& gap = memory_[count_];
+    gap.x = static_cast<std::int16_t>(x);
+    gap.y = static_cast<std::int16_t>(y);
+    gap.held.list = {depth, number};
+    gap.outward = static_cast<std::int8_t>(outward);
+    gap.corner = static_cast<std::uint8_t>(corner);
+    gap.place = place;
+    *at = static_cast<std::uint16_t>(count_++);
+  }
+
+  /// Restores the depths, blends the pixels of all gaps, and empties the list.
+  ARCSPAN_OUTLINE void apply() {
+    for (std::size_t i = 0; i < count_; ++i) restore(memory_[i]);
+    for (std::size_t i = 0; i < count_ && ok(status_); ++i) blend(memory_[i]);
+    count_ = 0;
+  }
+
+  /// That of the sink; kBufferTooSmall if the list was full.
+  [[nodiscard]] Status status() const {
+    return ok(status_) && was_full_ ? Status::kBufferTooSmall : status_;
+  }
+
+ private:
+  static constexpr std::uint16_t kNone = 0xFFFF;
+  static constexpr std::size_t kMost = kNone;  ///< no cleared depth is a number
+
+  [[nodiscard]] ARCSPAN_INLINE bool is_gap_of(std::uint16_t number, std::int32_t x, std::int32_t y) const {
+    return number < count_ && memory_[number].x == x && memory_[number].y == y;
+  }
+
+  /// Looks for the gap in `place` among those of a pixel. If there is one, moves its outline outward if the
+  /// new one is, and returns true.
+  [[nodiscard]] bool moved_outward(std::uint16_t number, GapPlace place, std::int32_t outward,
+                                   std::uint32_t corner) {
+    for (; number != kNone; number = memory_[number].held.list.next) {
+      Gap& gap = memory_[number];
+      if (gap.place != place) continue;
+      if (outward > gap.outward) {
+        gap.outward = static_cast<std::int8_t>(outward);
+        gap.corner = static_cast<std::uint8_t>(corner);
+      }
+      return true;
+    }
+    return false;
+  }
+
+  /// True if pixel (x, y) is the one outside of a gap in `place`.
+  [[nodiscard]] ARCSPAN_INLINE bool has_opposite(std::int32_t x, std::int32_t y, GapPlace place) const {
+    std::uint16_t number = depth_.row(y)[x];
+    if (!is_gap_of(number, x, y)) return false;
+    for (; number != kNone; number = memory_[number].held.list.next)
+      if (memory_[number].place == place) return true;
+    return false;
+  }
+
+  [[nodiscard]] typename Format::Encoded pixel(std::int32_t x, std::int32_t y) const {
+    return typename Format::Cursor(sink_.row(y), x).read();
+  }
+
+  void restore(Gap& gap) {
+    depth_.row(gap.y)[gap.x] = gap.held.list.depth;
+    const auto outer = pixel(gap.x, gap.y);
+    gap.held.blending = {outer, pixel(gap.x + column_step(gap.place), gap.y + row_step(gap.place))};
+  }
+
+  /// The outline lies in the nearer pixel, and may cut a corner of the other one.
+  void blend(const Gap& gap) {
+    const std::uint32_t of_other = gap.corner;
+    const std::uint32_t of_nearer =
+        static_cast<std::uint32_t>(gap.outward < 0 ? -gap.outward : gap.outward) + gap.corner;
+    const bool is_in_outer = gap.outward > 0;
+    const auto& pixels = gap.held.blending;
+    blend(gap.x, gap.y, pixels.inner, is_in_outer ? of_nearer : of_other);
+    blend(gap.x + column_step(gap.place), gap.y + row_step(gap.place), pixels.outer,
+          is_in_outer ? of_other : of_nearer);
+  }
+
+  void blend(std::int32_t x, std::int32_t y, typename Format::Encoded other, std::uint32_t share) {
+    if (share == 0 || !ok(status_)) return;
+    const Span run{y, x, 1};
+    auto cursor = sink_.open(run);
+    cursor.write(blended<Format>(cursor.read(), other, share));
+    status_ = sink_.close(run);
+  }
+
+  Sink& sink_;
+  const DepthBuffer& depth_;
+  std::span<Gap> memory_;
+  std::size_t count_ = 0;
+  Status status_ = Status::kOk;
+  bool was_full_ = false;
+};
+
+}  // namespace arcspan::detail

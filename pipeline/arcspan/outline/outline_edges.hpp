@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/draw/triangle_sides.hpp>
+#include <arcspan/mesh/mesh_neighbours.hpp>
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan/vertex/clip_transform.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan {
+
+/// An edge of a triangle that is an outline on the screen. The triangle lies on the left of the way `from` ->
+/// `to`, as seen by one who goes along it: right of an edge that leads down.
+struct OutlineEdge {
+  RasterPosition from;
+  RasterPosition to;
+};
+
+/// The outlines of the objects of a frame, in memory of the caller: 12 bytes per edge. They are found once
+/// per frame, after or before the objects are drawn, and smoothed in each band.
+class OutlineEdges {
+ public:
+  constexpr explicit OutlineEdges(std::span<OutlineEdge> memory) : memory_(memory) {}
+
+  /// Forgets the edges, for the next frame.
+  constexpr void clear() { count_ = 0; }
+
+  /// Adds the outlines of an object: edges of seen triangles beyond which there is no triangle, one that is
+  /// not seen, or one whose other side is seen, and creases between seen triangles. Triangles that are kCut
+  /// have none. All objects of a frame have transforms of the same viewport.
+  ///
+  /// `sides` are those of NotedSides or find_sides() for the same mesh and transform. Returns kOk, or adds
+  /// nothing and returns:
+  ///
+  ///   kUnsupported       the mesh has no neighbours: the view was never made
+  ///   kInvalidArgument   the neighbours have another number of triangles than the mesh, there are fewer sides
+  ///                      than triangles, or the viewport is another than that of earlier objects
+  ///   kBufferTooSmall    the memory does not hold the edges of all objects so far
+  Status add(const MeshView& mesh, const MeshNeighbours& neighbours, const ClipTransform& transform,
+             std::span<const TriangleSide> sides);
+
+  [[nodiscard]] constexpr std::span<const OutlineEdge> edges() const { return memory_.first(count_); }
+  /// The viewport of the objects; meaningless if there are no edges.
+  [[nodiscard]] constexpr const Viewport& viewport() const { return viewport_; }
+
+ private:
+  std::span<OutlineEdge> memory_;
+  std::size_t count_ = 0;
+  Viewport viewport_{};
+};
+
+}  // namespace arcspan

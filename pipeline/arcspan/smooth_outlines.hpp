@@ -75,7 +75,7 @@ class OutlineSmoother {
   ARCSPAN_INLINE void put(const GapWalk& walk, std::int32_t x, std::int32_t y, GapPlace place, bool forward) {
     const std::int32_t offset = walk.offset();
     const std::int32_t rounded = (offset + 1024) >> 11;
-    gaps_.put(x, y, place, forward ? rounded : -rounded, walk.corner(offset), walk.depth());
+    gaps_.put(x, y, {place, forward ? rounded : -rounded, walk.corner(offset)}, walk.depth());
   }
 
   const RasterOrigin origin_;

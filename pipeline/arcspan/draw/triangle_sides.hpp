@@ -5,6 +5,7 @@
 #include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/pixel/fill.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
@@ -57,9 +58,11 @@ template <class Method>
 }
 
 /// Returns kBufferTooSmall unless `sides` holds all triangles of a mesh, else makes them kHidden.
-[[nodiscard]] constexpr Status hide_all(const MeshView& mesh, std::span<TriangleSide> sides) {
+[[nodiscard]] inline Status hide_all(const MeshView& mesh, std::span<TriangleSide> sides) {
   if (sides.size() < mesh.triangle_count()) return Status::kBufferTooSmall;
-  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) sides[i] = TriangleSide::kHidden;
+  static_assert(sizeof(TriangleSide) == 1);
+  fill(static_cast<std::uint8_t*>(static_cast<void*>(sides.data())), mesh.triangle_count(),
+       static_cast<std::uint8_t>(TriangleSide::kHidden));
   return Status::kOk;
 }
 

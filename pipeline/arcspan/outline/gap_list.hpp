@@ -25,42 +25,43 @@ class GapList {
   using Gap = OutlineGap<Format>;
 
   GapList(Sink& sink, const DepthBuffer& depth, std::span<Gap> memory)
-      : sink_(sink), depth_(depth), memory_(memory.first(memory.size() < kMost ? memory.size() : kMost)) {}
+      : sink_(sink),
+        depth_(depth),
+        gaps_(memory.data()),
+        most_(memory.size() < kMost ? static_cast<std::uint32_t>(memory.size()) : kMost) {}
 
-  /// Puts a gap whose outline has the depth `z`, unless the pixel outside is nearer. Of several outlines in
-  /// one gap the outermost counts; of two surfaces that meet in it the first.
-  ARCSPAN_INLINE void put(std::int32_t x, std::int32_t y, GapPlace place, std::int32_t outward,
-                          std::uint32_t corner, std::uint16_t z) {
+  /// Puts the outline of pixel (x, y), which is outside, with depth `z`, unless the pixel is nearer. Of several
+  /// outlines in one gap the outermost counts; of two surfaces that meet in it the first.
+  ARCSPAN_INLINE void put(std::int32_t x, std::int32_t y, GapOutline outline, std::uint16_t z) {
     std::uint16_t* const at = depth_.row(y) + x;
-    std::uint16_t number = *at;
-    std::uint16_t depth = number;
-    if (!is_gap_of(number, x, y)) {
+    std::uint32_t number = *at;
+    std::uint32_t depth = number;
+    if (!is_gap_of(number, x, y)) [[likely]] {
       number = kNone;
     } else {
-      depth = memory_[number].held.list.depth;
+      depth = gaps_[number].held.list.depth;
     }
-    if (is_nearer(depth, z)) return;
-    if (number != kNone && moved_outward(number, place, outward, corner)) return;
+    if (is_nearer(static_cast<std::uint16_t>(depth), z)) return;
+    if (number != kNone && moved_outward(number, outline)) return;
+    const GapPlace place = outline.place();
     if (has_opposite(x + column_step(place), y + row_step(place), opposite(place))) return;
-    if (count_ == memory_.size()) {
+    if (count_ == most_) [[unlikely]] {
       apply();
       was_full_ = true;
       number = kNone;
     }
-    Gap& gap = memory_[count_];
+    Gap& gap = gaps_[count_];
     gap.x = static_cast<std::int16_t>(x);
     gap.y = static_cast<std::int16_t>(y);
-    gap.held.list = {depth, number};
-    gap.outward = static_cast<std::int8_t>(outward);
-    gap.corner = static_cast<std::uint8_t>(corner);
-    gap.place = place;
+    gap.held.list = {static_cast<std::uint16_t>(depth), static_cast<std::uint16_t>(number)};
+    gap.outline = outline.word();
     *at = static_cast<std::uint16_t>(count_++);
   }
 
   /// Restores the depths, blends the pixels of all gaps, and empties the list.
   ARCSPAN_OUTLINE void apply() {
-    for (std::size_t i = 0; i < count_; ++i) restore(memory_[i]);
-    for (std::size_t i = 0; i < count_ && ok(status_); ++i) blend(memory_[i]);
+    for (std::uint32_t i = 0; i < count_; ++i) restore(gaps_[i]);
+    for (std::uint32_t i = 0; i < count_ && ok(status_); ++i) blend(gaps_[i]);
     count_ = 0;
   }
 
@@ -70,24 +71,20 @@ class GapList {
   }
 
  private:
-  static constexpr std::uint16_t kNone = 0xFFFF;
-  static constexpr std::size_t kMost = kNone;  ///< no cleared depth is a number
+  static constexpr std::uint32_t kNone = 0xFFFF;
+  static constexpr std::uint32_t kMost = kNone;  ///< no cleared depth is a number
 
-  [[nodiscard]] ARCSPAN_INLINE bool is_gap_of(std::uint16_t number, std::int32_t x, std::int32_t y) const {
-    return number < count_ && memory_[number].x == x && memory_[number].y == y;
+  [[nodiscard]] ARCSPAN_INLINE bool is_gap_of(std::uint32_t number, std::int32_t x, std::int32_t y) const {
+    return number < count_ && gaps_[number].x == x && gaps_[number].y == y;
   }
 
-  /// Looks for the gap in `place` among those of a pixel. If there is one, moves its outline outward if the
-  /// new one is, and returns true.
-  [[nodiscard]] bool moved_outward(std::uint16_t number, GapPlace place, std::int32_t outward,
-                                   std::uint32_t corner) {
-    for (; number != kNone; number = memory_[number].held.list.next) {
-      Gap& gap = memory_[number];
-      if (gap.place != place) continue;
-      if (outward > gap.outward) {
-        gap.outward = static_cast<std::int8_t>(outward);
-        gap.corner = static_cast<std::uint8_t>(corner);
-      }
+  /// Looks for the gap in the same place among those of a pixel. If there is one, moves its outline outward if
+  /// the new one is, and returns true.
+  ARCSPAN_OUTLINE bool moved_outward(std::uint32_t number, GapOutline outline) {
+    for (; number != kNone; number = gaps_[number].held.list.next) {
+      Gap& gap = gaps_[number];
+      if (GapOutline(gap.outline).place() != outline.place()) continue;
+      if (outline.word() > gap.outline) gap.outline = outline.word();
       return true;
     }
     return false;
@@ -95,10 +92,12 @@ class GapList {
 
   /// True if pixel (x, y) is the one outside of a gap in `place`.
   [[nodiscard]] ARCSPAN_INLINE bool has_opposite(std::int32_t x, std::int32_t y, GapPlace place) const {
-    std::uint16_t number = depth_.row(y)[x];
-    if (!is_gap_of(number, x, y)) return false;
-    for (; number != kNone; number = memory_[number].held.list.next)
-      if (memory_[number].place == place) return true;
+    std::uint32_t number = depth_.row(y)[x];
+    if (!is_gap_of(number, x, y)) [[likely]] {
+      return false;
+    }
+    for (; number != kNone; number = gaps_[number].held.list.next)
+      if (GapOutline(gaps_[number].outline).place() == place) return true;
     return false;
   }
 
@@ -107,20 +106,22 @@ class GapList {
   }
 
   void restore(Gap& gap) {
+    const GapPlace place = GapOutline(gap.outline).place();
     depth_.row(gap.y)[gap.x] = gap.held.list.depth;
     const auto outer = pixel(gap.x, gap.y);
-    gap.held.blending = {outer, pixel(gap.x + column_step(gap.place), gap.y + row_step(gap.place))};
+    gap.held.blending = {outer, pixel(gap.x + column_step(place), gap.y + row_step(place))};
   }
 
   /// The outline lies in the nearer pixel, and may cut a corner of the other one.
   void blend(const Gap& gap) {
-    const std::uint32_t of_other = gap.corner;
-    const std::uint32_t of_nearer =
-        static_cast<std::uint32_t>(gap.outward < 0 ? -gap.outward : gap.outward) + gap.corner;
-    const bool is_in_outer = gap.outward > 0;
+    const GapOutline outline(gap.outline);
+    const std::int32_t outward = outline.outward();
+    const std::uint32_t of_other = outline.corner();
+    const std::uint32_t of_nearer = static_cast<std::uint32_t>(outward < 0 ? -outward : outward) + of_other;
+    const bool is_in_outer = outward > 0;
     const auto& pixels = gap.held.blending;
     blend(gap.x, gap.y, pixels.inner, is_in_outer ? of_nearer : of_other);
-    blend(gap.x + column_step(gap.place), gap.y + row_step(gap.place), pixels.outer,
+    blend(gap.x + column_step(outline.place()), gap.y + row_step(outline.place()), pixels.outer,
           is_in_outer ? of_other : of_nearer);
   }
 
@@ -134,8 +135,9 @@ class GapList {
 
   Sink& sink_;
   const DepthBuffer& depth_;
-  std::span<Gap> memory_;
-  std::size_t count_ = 0;
+  Gap* const gaps_;
+  const std::uint32_t most_;
+  std::uint32_t count_ = 0;
   Status status_ = Status::kOk;
   bool was_full_ = false;
 };

@@ -12,31 +12,51 @@ namespace {
 /// Finds the outlines of one object.
 class EdgeFinder {
  public:
-  EdgeFinder(const MeshView& mesh, const ClipTransform& transform, std::span<const TriangleSide> sides,
+  EdgeFinder(const MeshView& mesh, const VertexPositions& positions, std::span<const TriangleSide> sides,
              std::span<OutlineEdge> memory)
-      : mesh_(mesh), transform_(transform), sides_(sides), memory_(memory) {}
+      : mesh_(mesh), positions_(positions), sides_(sides), memory_(memory) {}
 
   void find(const std::uint8_t* at) {
-    for (std::size_t i = 0; i < mesh_.triangle_count(); ++i) {
-      unsigned kinds = *at++;
-      const TriangleSide side = sides_[i];
-      for (unsigned edge = 0; edge < 3; ++edge, kinds >>= 2) {
-        const EdgeKind kind = detail::edge_kind(kinds, 0);
-        if (kind == EdgeKind::kEarlier) continue;
-        if (kind == EdgeKind::kBorder) {
-          if (is_seen(side)) put(i, edge, side);
-          continue;
-        }
-        const TriangleSide beyond = sides_[i + detail::read_distance(at)];
-        if (side != beyond || kind == EdgeKind::kCrease) put_between(i, edge, side, beyond, kind);
-      }
-    }
+    const std::size_t count = mesh_.triangle_count();
+    for (std::size_t i = 0; i < count; ++i) at = find_of_triangle(i, at);
   }
 
   /// Edges found, also those for which there was no memory.
   [[nodiscard]] std::size_t count() const { return count_; }
 
  private:
+  /// Returns the bytes of the next triangle.
+  ARCSPAN_INLINE const std::uint8_t* find_of_triangle(std::size_t i, const std::uint8_t* at) {
+    constexpr unsigned kLowerBits = 0x15;  // of all three edges
+    const std::uint8_t* const begin = at;
+    const unsigned kinds = *at++;
+    // Most triangles have neither borders nor creases, and most of their neighbours the same side and a number
+    // of one byte. Which edge it is does not matter then.
+    if (((kinds ^ (kinds >> 1)) & kLowerBits) != kLowerBits) return put_differing(i, begin);
+    const TriangleSide* const side = &sides_[i];
+    for (unsigned later = kinds & (kLowerBits << 1); later != 0; later &= later - 1) {
+      const unsigned distance = *at++;
+      if (distance >= 128 || side[distance + 1] != *side) [[unlikely]] {
+        return put_differing(i, begin);
+      }
+    }
+    return at;
+  }
+
+  /// Puts the outlines among the edges of a triangle. Returns the bytes of the next one.
+  ARCSPAN_OUTLINE const std::uint8_t* put_differing(std::size_t i, const std::uint8_t* at) {
+    unsigned kinds = *at++;
+    const TriangleSide side = sides_[i];
+    for (unsigned edge = 0; edge < 3; ++edge, kinds >>= 2) {
+      const EdgeKind kind = detail::edge_kind(kinds, 0);
+      if (kind == EdgeKind::kBorder && is_seen(side)) put(i, edge, side);
+      if (!detail::has_distance(kind)) continue;
+      const TriangleSide beyond = sides_[i + detail::read_distance(at)];
+      if (side != beyond || kind == EdgeKind::kCrease) put_between(i, edge, side, beyond, kind);
+    }
+    return at;
+  }
+
   /// Puts an edge between two triangles.
   void put_between(std::size_t i, unsigned edge, TriangleSide side, TriangleSide beyond, EdgeKind kind) {
     if (side == TriangleSide::kCut || beyond == TriangleSide::kCut) return;
@@ -60,15 +80,15 @@ class EdgeFinder {
   void put(std::size_t i, unsigned edge, TriangleSide side) {
     if (count_ < memory_.size()) {
       const TriangleIndices ends = detail::edge_of(mesh_.triangle(i), edge);
-      const RasterPosition a = project(transform_(mesh_.position(ends.a)), transform_);
-      const RasterPosition b = project(transform_(mesh_.position(ends.b)), transform_);
+      const RasterPosition a = positions_(mesh_, ends.a);
+      const RasterPosition b = positions_(mesh_, ends.b);
       memory_[count_] = side == TriangleSide::kFront ? OutlineEdge{a, b} : OutlineEdge{b, a};
     }
     ++count_;
   }
 
   const MeshView& mesh_;
-  const ClipTransform& transform_;
+  const VertexPositions& positions_;
   std::span<const TriangleSide> sides_;
   std::span<OutlineEdge> memory_;
   std::size_t count_ = 0;
@@ -76,14 +96,19 @@ class EdgeFinder {
 
 }  // namespace
 
+RasterPosition VertexPositions::operator()(const MeshView& mesh, std::size_t i) const {
+  if (cached_ == nullptr) return project(transform_(mesh.position(i)), transform_);
+  return *static_cast<const RasterPosition*>(static_cast<const void*>(cached_ + i * stride_));
+}
+
 Status OutlineEdges::add(const MeshView& mesh, const MeshNeighbours& neighbours,
-                         const ClipTransform& transform, std::span<const TriangleSide> sides) {
+                         const VertexPositions& positions, std::span<const TriangleSide> sides) {
   if (neighbours.triangle_count() == 0 && mesh.triangle_count() != 0) return Status::kUnsupported;
-  const Viewport& viewport = transform.viewport();
+  const Viewport& viewport = positions.viewport();
   if (neighbours.triangle_count() != mesh.triangle_count() || sides.size() < mesh.triangle_count() ||
-      (count_ != 0 && !(viewport == viewport_)))
+      positions.count() < mesh.vertex_count() || (count_ != 0 && !(viewport == viewport_)))
     return Status::kInvalidArgument;
-  EdgeFinder finder(mesh, transform, sides, memory_.subspan(count_));
+  EdgeFinder finder(mesh, positions, sides, memory_.subspan(count_));
   finder.find(neighbours.bytes());
   if (finder.count() > memory_.size() - count_) return Status::kBufferTooSmall;
   viewport_ = viewport;

@@ -21,6 +21,34 @@ struct OutlineEdge {
   RasterPosition to;
 };
 
+/// Where the vertices of a mesh are on the screen.
+class VertexPositions {
+ public:
+  /// Each vertex is transformed when it is asked for.
+  explicit constexpr VertexPositions(const ClipTransform& transform)
+      : transform_(transform), count_(MeshView::kMaxVertices) {}
+  /// Those of the vertices in the memory of a VertexCache that was used with `transform`, to draw the mesh or
+  /// to find its sides.
+  template <class Method>
+  VertexPositions(const ClipTransform& transform, std::span<const CachedVertex<Method>> vertices)
+      : transform_(transform), count_(vertices.size()), stride_(sizeof(CachedVertex<Method>)) {
+    if (!vertices.empty())
+      cached_ = static_cast<const std::uint8_t*>(static_cast<const void*>(&vertices.front().raster.position));
+  }
+
+  /// The position of vertex `i` of a mesh, which must be below count() and inside the clip volume.
+  [[nodiscard]] RasterPosition operator()(const MeshView& mesh, std::size_t i) const;
+  /// The number of vertices whose positions are there.
+  [[nodiscard]] constexpr std::size_t count() const { return count_; }
+  [[nodiscard]] constexpr const Viewport& viewport() const { return transform_.viewport(); }
+
+ private:
+  const ClipTransform& transform_;
+  const std::uint8_t* cached_ = nullptr;  ///< the first position, or null
+  std::size_t count_;
+  std::size_t stride_ = 0;  ///< bytes from one to the next
+};
+
 /// The outlines of the objects of a frame, in memory of the caller: 12 bytes per edge. They are found once
 /// per frame, after or before the objects are drawn, and smoothed in each band.
 class OutlineEdges {
@@ -34,14 +62,14 @@ class OutlineEdges {
   /// not seen, or one whose other side is seen, and creases between seen triangles. Triangles that are kCut
   /// have none. All objects of a frame have transforms of the same viewport.
   ///
-  /// `sides` are those of NotedSides or find_sides() for the same mesh and transform. Returns kOk, or adds
-  /// nothing and returns:
+  /// `sides` are those of NotedSides or find_sides() for the same mesh and the transform of `positions`. Returns
+  /// kOk, or adds nothing and returns:
   ///
   ///   kUnsupported       the mesh has no neighbours: the view was never made
   ///   kInvalidArgument   the neighbours have another number of triangles than the mesh, there are fewer sides
-  ///                      than triangles, or the viewport is another than that of earlier objects
+  ///                      than triangles or fewer positions than vertices, or the viewport is another than that of earlier objects
   ///   kBufferTooSmall    the memory does not hold the edges of all objects so far
-  Status add(const MeshView& mesh, const MeshNeighbours& neighbours, const ClipTransform& transform,
+  Status add(const MeshView& mesh, const MeshNeighbours& neighbours, const VertexPositions& positions,
              std::span<const TriangleSide> sides);
 
   [[nodiscard]] constexpr std::span<const OutlineEdge> edges() const { return memory_.first(count_); }

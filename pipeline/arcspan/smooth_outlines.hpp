@@ -18,69 +18,89 @@ namespace arcspan {
 
 namespace detail {
 
-/// Finds the gaps of outlines in a rectangle of the picture.
+/// Finds the gaps of outlines in a rectangle of the picture, which is not empty. Steep edges are walked by rows,
+/// flat ones by columns. Both are the same if x and y are exchanged: what is said of rows and columns here is true
+/// of columns and rows then.
 template <PixelSink Sink>
 class OutlineSmoother {
  public:
-  OutlineSmoother(const Scissor& scissor, GapList<Sink>& gaps)
-      : origin_(scissor.origin()), rect_(scissor.rect()), gaps_(gaps) {}
+  OutlineSmoother(const Scissor& scissor, const DepthBuffer& depth, GapList<Sink>& gaps)
+      : gaps_(gaps),
+        depths_(depth.row(scissor.rect().top)),
+        rect_(scissor.rect()),
+        by_rows_{relative(rect_, scissor.origin()), depth.stride(), 1, scissor.origin(), false},
+        by_columns_{exchanged(by_rows_.rect), 1, depth.stride(), exchanged(scissor.origin()), true} {}
 
   void smooth(const OutlineEdge& edge) {
     const std::int32_t dx = edge.to.x - edge.from.x;
     const std::int32_t dy = edge.to.y - edge.from.y;
     if (magnitude(dy) >= magnitude(dx)) {
       // The surface lies right of an edge that leads down.
-      if (dy > 0) walk_rows(edge.from, edge.to, GapPlace::kRight);
-      if (dy < 0) walk_rows(edge.to, edge.from, GapPlace::kLeft);
+      if (dy > 0) walk(by_rows_, edge.from, edge.to, GapPlace::kRight);
+      if (dy < 0) walk(by_rows_, edge.to, edge.from, GapPlace::kLeft);
     } else if (dx > 0) {
-      walk_columns(edge.from, edge.to, GapPlace::kAbove);
+      walk(by_columns_, exchanged(edge.from), exchanged(edge.to), GapPlace::kAbove);
     } else {
-      walk_columns(edge.to, edge.from, GapPlace::kBelow);
+      walk(by_columns_, exchanged(edge.to), exchanged(edge.from), GapPlace::kBelow);
     }
   }
 
  private:
+  /// How edges are walked.
+  struct Direction {
+    Rect rect;  ///< relative to the origin
+    std::int32_t row_stride;  ///< of depths
+    std::int32_t column_stride;
+    RasterOrigin origin;
+    bool exchanged;
+  };
+
   [[nodiscard]] static constexpr std::int32_t magnitude(std::int32_t v) { return v < 0 ? -v : v; }
   [[nodiscard]] static constexpr RasterPosition exchanged(const RasterPosition& p) { return {p.y, p.x, p.z}; }
+  [[nodiscard]] static constexpr RasterOrigin exchanged(const RasterOrigin& o) { return {o.y, o.x}; }
+  [[nodiscard]] static constexpr Rect exchanged(const Rect& r) { return {r.top, r.left, r.bottom, r.right}; }
+  [[nodiscard]] static constexpr Rect relative(const Rect& r, const RasterOrigin& o) {
+    return {r.left - o.x, r.top - o.y, r.right - o.x, r.bottom - o.y};
+  }
 
-  ARCSPAN_OUTLINE void walk_rows(const RasterPosition& top, const RasterPosition& bottom, GapPlace place) {
-    GapWalk walk(top, bottom, {rect_.top - origin_.y, rect_.bottom - origin_.y}, false);
-    for (; !walk.done(); walk.next()) {
-      const std::int32_t column = walk.column() + origin_.x;
-      if (column <= rect_.left || column >= rect_.right) continue;
-      put(walk, place == GapPlace::kRight ? column - 1 : column, walk.row() + origin_.y, place,
-          place == GapPlace::kLeft);
+  ARCSPAN_OUTLINE void walk(const Direction& direction, const RasterPosition& top,
+                            const RasterPosition& bottom, GapPlace place) {
+    if (is_outside_columns(direction.rect, top.x, bottom.x)) return;
+    GapWalk walk(top, bottom, {direction.rect.top, direction.rect.bottom}, direction.exchanged);
+    if (walk.done()) return;
+    // The pixel outside is on the left if the surface is on the right, or below.
+    const std::int32_t side = place == GapPlace::kRight || place == GapPlace::kBelow ? -1 : 0;
+    const std::int32_t inward = side == 0 ? -direction.column_stride : direction.column_stride;
+    const std::int32_t leftmost = direction.rect.left + 1;
+    const auto width = static_cast<std::uint32_t>(direction.rect.right - leftmost);
+    std::uint16_t* row = depths_ + (walk.row() + direction.origin.y - (direction.exchanged ? 0 : rect_.top)) *
+                                       direction.row_stride;
+    for (; !walk.done(); walk.next(), row += direction.row_stride) {
+      if (static_cast<std::uint32_t>(walk.column() - leftmost) >= width) continue;
+      const std::int32_t column = walk.column() + side + direction.origin.x;
+      const std::int32_t line = walk.row() + direction.origin.y;
+      std::uint16_t* const at =
+          row + (column - (direction.exchanged ? rect_.top : 0)) * direction.column_stride;
+      const std::int32_t offset = walk.offset();
+      const std::int32_t rounded = (offset + 1024) >> 11;
+      const std::int32_t outward = (rounded ^ side) - side;
+      gaps_.put(direction.exchanged ? line : column, direction.exchanged ? column : line,
+                {place, outward, walk.corner(offset)}, walk.depth(), at, at + inward);
     }
   }
 
-  ARCSPAN_OUTLINE void walk_columns(const RasterPosition& left, const RasterPosition& right, GapPlace place) {
-    if (is_outside_rows(left, right)) return;
-    GapWalk walk(exchanged(left), exchanged(right), {rect_.left - origin_.x, rect_.right - origin_.x}, true);
-    for (; !walk.done(); walk.next()) {
-      const std::int32_t row = walk.column() + origin_.y;
-      if (row <= rect_.top || row >= rect_.bottom) continue;
-      put(walk, walk.row() + origin_.x, place == GapPlace::kBelow ? row - 1 : row, place,
-          place == GapPlace::kAbove);
-    }
+  /// True if the edge certainly runs between no two columns of the rectangle.
+  [[nodiscard]] static bool is_outside_columns(const Rect& rect, std::int32_t a, std::int32_t b) {
+    const std::int32_t left = rect.left * 16;
+    const std::int32_t right = rect.right * 16;
+    return (a < left && b < left) || (a > right && b > right);
   }
 
-  /// True if no row of the edge has a row of the rectangle above and below it.
-  [[nodiscard]] bool is_outside_rows(const RasterPosition& a, const RasterPosition& b) const {
-    const std::int32_t top = (rect_.top - origin_.y) * 16;
-    const std::int32_t bottom = (rect_.bottom - origin_.y) * 16;
-    return (a.y < top && b.y < top) || (a.y > bottom && b.y > bottom);
-  }
-
-  /// `forward`: the pixel outside is the one of the greater column or row.
-  ARCSPAN_INLINE void put(const GapWalk& walk, std::int32_t x, std::int32_t y, GapPlace place, bool forward) {
-    const std::int32_t offset = walk.offset();
-    const std::int32_t rounded = (offset + 1024) >> 11;
-    gaps_.put(x, y, {place, forward ? rounded : -rounded, walk.corner(offset)}, walk.depth());
-  }
-
-  const RasterOrigin origin_;
-  const Rect rect_;
   GapList<Sink>& gaps_;
+  std::uint16_t* const depths_;  ///< column 0 of the first row of the rectangle
+  const Rect rect_;
+  const Direction by_rows_;
+  const Direction by_columns_;
 };
 
 }  // namespace detail
@@ -124,7 +144,7 @@ template <PixelSink Sink>
     if (scissor.rect().empty()) return Status::kOk;
     if (memory.empty()) return Status::kBufferTooSmall;
     detail::GapList<Sink> gaps(sink, depth, memory);
-    detail::OutlineSmoother<Sink> smoother(scissor, gaps);
+    detail::OutlineSmoother<Sink> smoother(scissor, depth, gaps);
     for (const OutlineEdge& edge : outlines.edges()) smoother.smooth(edge);
     gaps.apply();
     return gaps.status();

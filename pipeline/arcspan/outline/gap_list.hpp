@@ -30,21 +30,21 @@ class GapList {
         gaps_(memory.data()),
         most_(memory.size() < kMost ? static_cast<std::uint32_t>(memory.size()) : kMost) {}
 
-  /// Puts the outline of pixel (x, y), which is outside, with depth `z`, unless the pixel is nearer. Of several
-  /// outlines in one gap the outermost counts; of two surfaces that meet in it the first.
-  ARCSPAN_INLINE void put(std::int32_t x, std::int32_t y, GapOutline outline, std::uint16_t z) {
-    std::uint16_t* const at = depth_.row(y) + x;
+  /// Puts the outline of pixel (x, y), which is outside, with depth `z`, unless the pixel is nearer. `at` is the
+  /// pixel's depth in the buffer, `inner` that of the pixel on the other side of the outline. Of several outlines in
+  /// one gap the outermost counts; of two surfaces that meet in it the first.
+  ARCSPAN_INLINE void put(std::int32_t x, std::int32_t y, GapOutline outline, std::uint16_t z,
+                          std::uint16_t* at, const std::uint16_t* inner) {
     std::uint32_t number = *at;
     std::uint32_t depth = number;
-    if (!is_gap_of(number, x, y)) [[likely]] {
+    if (number >= count_ || !is_gap_of(number, x, y)) [[likely]] {
       number = kNone;
     } else {
       depth = gaps_[number].held.list.depth;
     }
     if (is_nearer(static_cast<std::uint16_t>(depth), z)) return;
     if (number != kNone && moved_outward(number, outline)) return;
-    const GapPlace place = outline.place();
-    if (has_opposite(x + column_step(place), y + row_step(place), opposite(place))) return;
+    if (*inner < count_ && has_opposite(*inner, x, y, outline)) return;
     if (count_ == most_) [[unlikely]] {
       apply();
       was_full_ = true;
@@ -74,8 +74,9 @@ class GapList {
   static constexpr std::uint32_t kNone = 0xFFFF;
   static constexpr std::uint32_t kMost = kNone;  ///< no cleared depth is a number
 
+  /// `number` is below count_.
   [[nodiscard]] ARCSPAN_INLINE bool is_gap_of(std::uint32_t number, std::int32_t x, std::int32_t y) const {
-    return number < count_ && gaps_[number].x == x && gaps_[number].y == y;
+    return gaps_[number].x == x && gaps_[number].y == y;
   }
 
   /// Looks for the gap in the same place among those of a pixel. If there is one, moves its outline outward if
@@ -90,14 +91,14 @@ class GapList {
     return false;
   }
 
-  /// True if pixel (x, y) is the one outside of a gap in `place`.
-  [[nodiscard]] ARCSPAN_INLINE bool has_opposite(std::int32_t x, std::int32_t y, GapPlace place) const {
-    std::uint32_t number = depth_.row(y)[x];
-    if (!is_gap_of(number, x, y)) [[likely]] {
-      return false;
-    }
+  /// True if the pixel on the other side of the outline has a gap for the same place. `number`, below count_, is
+  /// what its depth holds.
+  ARCSPAN_OUTLINE bool has_opposite(std::uint32_t number, std::int32_t x, std::int32_t y,
+                                    GapOutline outline) const {
+    const GapPlace place = outline.place();
+    if (!is_gap_of(number, x + column_step(place), y + row_step(place))) return false;
     for (; number != kNone; number = gaps_[number].held.list.next)
-      if (GapOutline(gaps_[number].outline).place() == place) return true;
+      if (GapOutline(gaps_[number].outline).place() == opposite(place)) return true;
     return false;
   }
 

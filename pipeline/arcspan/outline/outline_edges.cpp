@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/outline/outline_edges.hpp>
 
+#include <array>
+
 namespace arcspan {
 
 namespace {
@@ -8,6 +10,23 @@ namespace {
 [[nodiscard]] bool is_seen(TriangleSide side) {
   return side == TriangleSide::kFront || side == TriangleSide::kBack;
 }
+
+constexpr std::uint8_t kNotPlain = 3;
+
+/// For the first byte of a triangle: how many numbers of neighbours follow if it has neither borders nor
+/// creases, and at most two.
+constexpr std::array<std::uint8_t, 64> kNumbersOfPlain = [] {
+  std::array<std::uint8_t, 64> numbers{};
+  for (unsigned kinds = 0; kinds < 64; ++kinds) {
+    for (unsigned edge = 0; edge < 3; ++edge) {
+      const EdgeKind kind = detail::edge_kind(kinds, edge);
+      if (kind == EdgeKind::kLater) ++numbers[kinds];
+      if (kind == EdgeKind::kBorder || kind == EdgeKind::kCrease) numbers[kinds] = kNotPlain;
+    }
+    if (numbers[kinds] > kNotPlain) numbers[kinds] = kNotPlain;
+  }
+  return numbers;
+}();
 
 /// Finds the outlines of one object.
 class EdgeFinder {
@@ -25,22 +44,26 @@ class EdgeFinder {
   [[nodiscard]] std::size_t count() const { return count_; }
 
  private:
-  /// Returns the bytes of the next triangle.
+  /// Returns the bytes of the next triangle. Most triangles are plain, and most of their neighbours have the
+  /// same side and a number of one byte. Which edge it is does not matter then.
   ARCSPAN_INLINE const std::uint8_t* find_of_triangle(std::size_t i, const std::uint8_t* at) {
-    constexpr unsigned kLowerBits = 0x15;  // of all three edges
-    const std::uint8_t* const begin = at;
-    const unsigned kinds = *at++;
-    // Most triangles have neither borders nor creases, and most of their neighbours the same side and a number
-    // of one byte. Which edge it is does not matter then.
-    if (((kinds ^ (kinds >> 1)) & kLowerBits) != kLowerBits) return put_differing(i, begin);
     const TriangleSide* const side = &sides_[i];
-    for (unsigned later = kinds & (kLowerBits << 1); later != 0; later &= later - 1) {
-      const unsigned distance = *at++;
-      if (distance >= 128 || side[distance + 1] != *side) [[unlikely]] {
-        return put_differing(i, begin);
-      }
+    const auto differs = [side](unsigned distance) {
+      return distance >= 128 || side[distance + 1] != *side;
+    };
+    switch (kNumbersOfPlain[*at]) {
+      case 0:
+        return at + 1;
+      case 1:
+        if (!differs(at[1])) return at + 2;
+        break;
+      case 2:
+        if (!differs(at[1]) && !differs(at[2])) return at + 3;
+        break;
+      default:
+        break;
     }
-    return at;
+    return put_differing(i, at);
   }
 
   /// Puts the outlines among the edges of a triangle. Returns the bytes of the next one.

@@ -18,9 +18,9 @@ namespace arcspan {
 
 namespace detail {
 
-/// Finds the gaps of outlines in a rectangle of the picture, which is not empty. Steep edges are walked by rows,
-/// flat ones by columns. Both are the same if x and y are exchanged: what is said of rows and columns here is true
-/// of columns and rows then.
+/// Finds the gaps of outlines in a rectangle of the picture, which is not empty. Steep edges are walked by
+/// rows, flat ones by columns. Both are the same if x and y are exchanged: what is said of rows and columns
+/// here is true of columns and rows then.
 template <PixelSink Sink>
 class OutlineSmoother {
  public:
@@ -48,7 +48,7 @@ class OutlineSmoother {
  private:
   /// How edges are walked.
   struct Direction {
-    Rect rect;  ///< relative to the origin
+    Rect rect;                ///< relative to the origin
     std::int32_t row_stride;  ///< of depths
     std::int32_t column_stride;
     RasterOrigin origin;
@@ -105,25 +105,26 @@ class OutlineSmoother {
 
 }  // namespace detail
 
-/// Smooths the outlines of a picture, or of a band or rectangle of one: blends each pixel that an outline cuts
-/// with its neighbour on the other side, by the area on that side. Call it once, after all opaque objects are
-/// drawn with `depth`, and before transparent ones. Pixels change in the common bounds of the viewport and the
-/// sink, next to outlines that nothing nearer hides. Inside surfaces, and where the picture shows only one
-/// side of the outline, nothing changes.
+/// Smooths the outlines of a picture, or of a band or rectangle of one: blends each pixel that an outline
+/// cuts with its neighbour on the other side, by the area on that side. Call it once, after all opaque
+/// objects are drawn with `depth`, and before transparent ones. Pixels change in the common bounds of the
+/// viewport and the sink, next to outlines that nothing nearer hides. Inside surfaces, and where the picture
+/// shows only one side of the outline, nothing changes.
 ///
 /// - `sink`: one whose pixels lie in memory (SinkInMemory), of at least 4 bits.
 /// - `depth`: the depth buffer that the objects were drawn with. Its contents are the same afterwards.
 /// - `memory`: a gap for each place where an outline passes between two pixels, at most 65535: about as many
 ///   as outlines have pixels. Contents before and after do not matter.
 ///
-/// In bands the pixels are, bit for bit, those of the whole picture, if a band is drawn with one row more above
-/// and below it, is smoothed with them, and is sent without them; likewise a rectangle, with one pixel on all
-/// four sides.
+/// In bands the pixels are, bit for bit, those of the whole picture, if a band is drawn with one row more
+/// above and below it, is smoothed with them, and is sent without them; likewise a rectangle, with one pixel
+/// on all four sides.
 ///
 /// Returns kOk, or the first other status of the sink, at which blending stops, or
 ///
 ///   kBufferTooSmall   `memory` was full: its gaps were blended, and it was begun anew, as often as needed.
-///                     Where it was, pixels may have been blended twice. With no memory at all nothing changes.
+///                     Where it was, pixels may have been blended twice. With no memory at all nothing
+///                     changes.
 ///
 /// Changes nothing and returns:
 ///

@@ -51,8 +51,8 @@ template <class Method>
                                                const CachedVertex<Method>& c, bool two_sided) {
   if ((a.outcode & b.outcode & c.outcode) != 0) return TriangleSide::kHidden;
   if ((a.outcode | b.outcode | c.outcode) == 0 &&
-      is_culled_by_area<Method>(
-          doubled_area(a.raster.position, b.raster.position, c.raster.position), two_sided))
+      is_culled_by_area<Method>(doubled_area(a.raster.position, b.raster.position, c.raster.position),
+                                two_sided))
     return TriangleSide::kHidden;
   return side_of(a, b, c, two_sided);
 }

@@ -15,7 +15,9 @@ inline constexpr bool kCanBlend = F::kBitsPerPixel >= 4;
 
 /// A format that is 5-6-5 words with their bytes exchanged.
 template <class F>
-concept SwappedRgb565 = requires(std::uint16_t v) { F::swapped(v); };
+concept SwappedRgb565 = requires(std::uint16_t v) {
+  F::swapped(v);
+};
 
 /// The pixel with a share of `share` / 32 of `other`, 0...32, and the rest of `pixel`.
 template <PixelFormat F>

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 namespace arcspan::detail {
 
@@ -28,11 +29,12 @@ class GapList {
       : sink_(sink),
         depth_(depth),
         gaps_(memory.data()),
+        inward_{1, -1, words_per_row(sink), -words_per_row(sink)},
         most_(memory.size() < kMost ? static_cast<std::uint32_t>(memory.size()) : kMost) {}
 
-  /// Puts the outline of pixel (x, y), which is outside, with depth `z`, unless the pixel is nearer. `at` is the
-  /// pixel's depth in the buffer, `inner` that of the pixel on the other side of the outline. Of several outlines in
-  /// one gap the outermost counts; of two surfaces that meet in it the first.
+  /// Puts the outline of pixel (x, y), which is outside, with depth `z`, unless the pixel is nearer. `at` is
+  /// the pixel's depth in the buffer, `inner` that of the pixel on the other side of the outline. Of several
+  /// outlines in one gap the outermost counts; of two surfaces that meet in it the first.
   ARCSPAN_INLINE void put(std::int32_t x, std::int32_t y, GapOutline outline, std::uint16_t z,
                           std::uint16_t* at, const std::uint16_t* inner) {
     std::uint32_t number = *at;
@@ -66,9 +68,7 @@ class GapList {
   }
 
   /// That of the sink; kBufferTooSmall if the list was full.
-  [[nodiscard]] Status status() const {
-    return ok(status_) && was_full_ ? Status::kBufferTooSmall : status_;
-  }
+  [[nodiscard]] Status status() const { return ok(status_) && was_full_ ? Status::kBufferTooSmall : status_; }
 
  private:
   static constexpr std::uint32_t kNone = 0xFFFF;
@@ -79,8 +79,8 @@ class GapList {
     return gaps_[number].x == x && gaps_[number].y == y;
   }
 
-  /// Looks for the gap in the same place among those of a pixel. If there is one, moves its outline outward if
-  /// the new one is, and returns true.
+  /// Looks for the gap in the same place among those of a pixel. If there is one, moves its outline outward
+  /// if the new one is, and returns true.
   ARCSPAN_OUTLINE bool moved_outward(std::uint32_t number, GapOutline outline) {
     for (; number != kNone; number = gaps_[number].held.list.next) {
       Gap& gap = gaps_[number];
@@ -91,8 +91,8 @@ class GapList {
     return false;
   }
 
-  /// True if the pixel on the other side of the outline has a gap for the same place. `number`, below count_, is
-  /// what its depth holds.
+  /// True if the pixel on the other side of the outline has a gap for the same place. `number`, below count_,
+  /// is what its depth holds.
   ARCSPAN_OUTLINE bool has_opposite(std::uint32_t number, std::int32_t x, std::int32_t y,
                                     GapOutline outline) const {
     const GapPlace place = outline.place();
@@ -102,41 +102,59 @@ class GapList {
     return false;
   }
 
-  [[nodiscard]] typename Format::Encoded pixel(std::int32_t x, std::int32_t y) const {
-    return typename Format::Cursor(sink_.row(y), x).read();
+  using Cursor = typename Format::Cursor;
+  [[nodiscard]] static std::int32_t words_per_row(const Sink& sink) {
+    return sink.stride_bytes() / std::int32_t{sizeof(typename Format::Word)};
+  }
+  /// Rows are a whole number of pixels apart.
+  static constexpr bool kHasWordPixels =
+      std::is_integral_v<typename Format::Word> && requires(Cursor cursor) {
+    cursor.pixels();
+  };
+
+  /// The pixels of a gap.
+  struct Pixels {
+    Cursor outer;
+    Cursor inner;
+  };
+  [[nodiscard]] ARCSPAN_INLINE Pixels pixels_of(const Gap& gap, GapPlace place) const {
+    const Cursor outer(sink_.row(gap.y), gap.x);
+    if constexpr (kHasWordPixels) {
+      return {outer, Cursor(outer.pixels(), inward_[static_cast<std::size_t>(place)])};
+    } else {
+      return {outer, Cursor(sink_.row(gap.y + row_step(place)), gap.x + column_step(place))};
+    }
   }
 
   void restore(Gap& gap) {
-    const GapPlace place = GapOutline(gap.outline).place();
     depth_.row(gap.y)[gap.x] = gap.held.list.depth;
-    const auto outer = pixel(gap.x, gap.y);
-    gap.held.blending = {outer, pixel(gap.x + column_step(place), gap.y + row_step(place))};
+    const Pixels pixels = pixels_of(gap, GapOutline(gap.outline).place());
+    gap.held.blending = {pixels.outer.read(), pixels.inner.read()};
   }
 
   /// The outline lies in the nearer pixel, and may cut a corner of the other one.
   void blend(const Gap& gap) {
     const GapOutline outline(gap.outline);
+    const GapPlace place = outline.place();
     const std::int32_t outward = outline.outward();
-    const std::uint32_t of_other = outline.corner();
-    const std::uint32_t of_nearer = static_cast<std::uint32_t>(outward < 0 ? -outward : outward) + of_other;
-    const bool is_in_outer = outward > 0;
-    const auto& pixels = gap.held.blending;
-    blend(gap.x, gap.y, pixels.inner, is_in_outer ? of_nearer : of_other);
-    blend(gap.x + column_step(outline.place()), gap.y + row_step(outline.place()), pixels.outer,
-          is_in_outer ? of_other : of_nearer);
-  }
-
-  void blend(std::int32_t x, std::int32_t y, typename Format::Encoded other, std::uint32_t share) {
-    if (share == 0 || !ok(status_)) return;
-    const Span run{y, x, 1};
-    auto cursor = sink_.open(run);
-    cursor.write(blended<Format>(cursor.read(), other, share));
-    status_ = sink_.close(run);
+    const std::uint32_t corner = outline.corner();
+    const std::uint32_t of_outer = outward > 0 ? static_cast<std::uint32_t>(outward) + corner : corner;
+    const std::uint32_t of_inner = outward < 0 ? static_cast<std::uint32_t>(-outward) + corner : corner;
+    Pixels pixels = pixels_of(gap, place);
+    if (of_outer != 0) {
+      pixels.outer.write(blended<Format>(pixels.outer.read(), gap.held.blending.inner, of_outer));
+      status_ = sink_.close({gap.y, gap.x, 1});
+    }
+    if (of_inner != 0 && ok(status_)) {
+      pixels.inner.write(blended<Format>(pixels.inner.read(), gap.held.blending.outer, of_inner));
+      status_ = sink_.close({gap.y + row_step(place), gap.x + column_step(place), 1});
+    }
   }
 
   Sink& sink_;
   const DepthBuffer& depth_;
   Gap* const gaps_;
+  const std::int32_t inward_[4];  ///< Words from the outer pixel of a gap to the inner one, by its place
   const std::uint32_t most_;
   std::uint32_t count_ = 0;
   Status status_ = Status::kOk;

@@ -52,8 +52,7 @@ class GapWalk {
   /// The area in 32nds of the corner that an edge at this offset() cuts off the farther pixel. The edge
   /// leaves the nearer one at u = slope / 2 - |offset| before the row's end; the corner is u^2 / (2 slope).
   [[nodiscard]] std::uint32_t corner(std::int32_t offset) const {
-    const std::int32_t beyond =
-        static_cast<std::int32_t>(slope_ >> 1) - (offset < 0 ? -offset : offset);
+    const std::int32_t beyond = static_cast<std::int32_t>(slope_ >> 1) - (offset < 0 ? -offset : offset);
     if (beyond <= 0) return 0;
     const auto u = static_cast<std::uint32_t>(beyond) >> 6;  // at most 2^9
     return (u * u * inverse_slope_ + (1u << 25)) >> 26;      // the product is at most 2^28

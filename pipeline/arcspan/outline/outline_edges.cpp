@@ -11,19 +11,20 @@ namespace {
   return side == TriangleSide::kFront || side == TriangleSide::kBack;
 }
 
-constexpr std::uint8_t kNotPlain = 3;
+constexpr std::uint8_t kNotPlain = 4;
 
 /// For the first byte of a triangle: how many numbers of neighbours follow if it has neither borders nor
-/// creases, and at most two.
+/// creases, else kNotPlain.
 constexpr std::array<std::uint8_t, 64> kNumbersOfPlain = [] {
   std::array<std::uint8_t, 64> numbers{};
   for (unsigned kinds = 0; kinds < 64; ++kinds) {
+    bool plain = true;
     for (unsigned edge = 0; edge < 3; ++edge) {
       const EdgeKind kind = detail::edge_kind(kinds, edge);
       if (kind == EdgeKind::kLater) ++numbers[kinds];
-      if (kind == EdgeKind::kBorder || kind == EdgeKind::kCrease) numbers[kinds] = kNotPlain;
+      if (kind == EdgeKind::kBorder || kind == EdgeKind::kCrease) plain = false;
     }
-    if (numbers[kinds] > kNotPlain) numbers[kinds] = kNotPlain;
+    if (!plain) numbers[kinds] = kNotPlain;
   }
   return numbers;
 }();
@@ -48,9 +49,7 @@ class EdgeFinder {
   /// same side and a number of one byte. Which edge it is does not matter then.
   ARCSPAN_INLINE const std::uint8_t* find_of_triangle(std::size_t i, const std::uint8_t* at) {
     const TriangleSide* const side = &sides_[i];
-    const auto differs = [side](unsigned distance) {
-      return distance >= 128 || side[distance + 1] != *side;
-    };
+    const auto differs = [side](unsigned distance) { return distance >= 128 || side[distance + 1] != *side; };
     switch (kNumbersOfPlain[*at]) {
       case 0:
         return at + 1;
@@ -59,6 +58,9 @@ class EdgeFinder {
         break;
       case 2:
         if (!differs(at[1]) && !differs(at[2])) return at + 3;
+        break;
+      case 3:
+        if (!differs(at[1]) && !differs(at[2]) && !differs(at[3])) return at + 4;
         break;
       default:
         break;

@@ -62,12 +62,14 @@ class OutlineEdges {
   /// not seen, or one whose other side is seen, and creases between seen triangles. Triangles that are kCut
   /// have none. All objects of a frame have transforms of the same viewport.
   ///
-  /// `sides` are those of NotedSides or find_sides() for the same mesh and the transform of `positions`. Returns
-  /// kOk, or adds nothing and returns:
+  /// `sides` are those of NotedSides or find_sides() for the same mesh and the transform of `positions`.
+  /// Returns kOk, or adds nothing and returns:
   ///
   ///   kUnsupported       the mesh has no neighbours: the view was never made
-  ///   kInvalidArgument   the neighbours have another number of triangles than the mesh, there are fewer sides
-  ///                      than triangles or fewer positions than vertices, or the viewport is another than that of earlier objects
+  ///   kInvalidArgument   the neighbours have another number of triangles than the mesh, there are fewer
+  ///   sides
+  ///                      than triangles or fewer positions than vertices, or the viewport is another than
+  ///                      that of earlier objects
   ///   kBufferTooSmall    the memory does not hold the edges of all objects so far
   Status add(const MeshView& mesh, const MeshNeighbours& neighbours, const VertexPositions& positions,
              std::span<const TriangleSide> sides);

@@ -24,6 +24,7 @@ class GapList {
  public:
   using Format = typename Sink::Format;
   using Gap = OutlineGap<Format>;
+  using Held = typename Gap::Held;
 
   GapList(Sink& sink, const DepthBuffer& depth, std::span<Gap> memory)
       : sink_(sink),
@@ -55,7 +56,8 @@ class GapList {
     Gap& gap = gaps_[count_];
     gap.x = static_cast<std::int16_t>(x);
     gap.y = static_cast<std::int16_t>(y);
-    gap.held.list = {static_cast<std::uint16_t>(depth), static_cast<std::uint16_t>(number)};
+    gap.held =
+        Held(typename Gap::InList{static_cast<std::uint16_t>(depth), static_cast<std::uint16_t>(number)});
     gap.outline = outline.word();
     *at = static_cast<std::uint16_t>(count_++);
   }
@@ -129,7 +131,7 @@ class GapList {
   void restore(Gap& gap) {
     depth_.row(gap.y)[gap.x] = gap.held.list.depth;
     const Pixels pixels = pixels_of(gap, GapOutline(gap.outline).place());
-    gap.held.blending = {pixels.outer.read(), pixels.inner.read()};
+    gap.held = Held(typename Gap::InBlending{pixels.outer.read(), pixels.inner.read()});
   }
 
   /// The outline lies in the nearer pixel, and may cut a corner of the other one.

@@ -42,11 +42,15 @@ struct OutlineGap {
   union Held {
     InList list;
     InBlending blending;
+
+    constexpr Held() : list{} {}
+    constexpr explicit Held(const InList& l) : list(l) {}
+    constexpr explicit Held(const InBlending& b) : blending(b) {}
   };
 
   std::int16_t x;  ///< the pixel outside
   std::int16_t y;
-  Held held;
+  Held held{};
   std::uint16_t outline;  ///< detail::GapOutline
 };
 

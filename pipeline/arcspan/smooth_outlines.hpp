@@ -4,8 +4,8 @@
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/outline/gap_list.hpp>
 #include <arcspan/outline/gap_walk.hpp>
-#include <arcspan/outline/outline_edges.hpp>
 #include <arcspan/outline/outline_gap.hpp>
+#include <arcspan/outline/outline_list.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/status.hpp>
@@ -132,7 +132,7 @@ class OutlineSmoother {
 ///   kDepthMismatch    `depth` does not cover the common bounds of the viewport and the sink
 ///   others            the status() of a Framebuffer or DepthBuffer that is not kOk
 template <PixelSink Sink>
-[[nodiscard]] ARCSPAN_OUTLINE Status smooth_outlines(const OutlineEdges& outlines, Sink& sink,
+[[nodiscard]] ARCSPAN_OUTLINE Status smooth_outlines(const OutlineList& outlines, Sink& sink,
                                                      const DepthBuffer& depth,
                                                      std::span<OutlineGap<typename Sink::Format>> memory) {
   if constexpr (!SinkInMemory<Sink> || !detail::kCanBlend<typename Sink::Format>) {

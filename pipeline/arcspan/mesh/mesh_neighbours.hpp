@@ -59,7 +59,7 @@ void neighbours_of_another_mesh();
 }  // namespace detail
 
 /// A view of the neighbours of a mesh's triangles in memory of the caller, usually flash, which must outlive
-/// it: about 2.8 bytes per triangle, written by `arcspan mesh --outlines`. Outlines need it.
+/// it: about 2.8 bytes per triangle, written by `arcspan mesh --outlines`. OutlineList need it.
 ///
 /// For each triangle in the order of the mesh there is a byte with the EdgeKind of its edges ab (bits 0, 1),
 /// bc (2, 3) and ca (4, 5), then for each edge of them that is kLater or kCrease the number of the triangle

@@ -17,8 +17,8 @@ namespace arcspan::detail {
 
 /// The gaps of a picture or a band. While it is made, the depth of a pixel outside of an outline holds the
 /// number of its latest gap: if there is such a gap and it names the pixel, it is one, otherwise a depth. So
-/// no map is needed. Pixels are only read until the list is complete, so that the result does not depend on
-/// what was blended before, nor on the rows that a band leaves out.
+/// no map is needed. GapPixels are only read until the list is complete, so that the result does not depend
+/// on what was blended before, nor on the rows that a band leaves out.
 template <PixelSink Sink>
 class GapList {
  public:
@@ -115,11 +115,11 @@ class GapList {
   };
 
   /// The pixels of a gap.
-  struct Pixels {
+  struct GapPixels {
     Cursor outer;
     Cursor inner;
   };
-  [[nodiscard]] ARCSPAN_INLINE Pixels pixels_of(const Gap& gap, GapPlace place) const {
+  [[nodiscard]] ARCSPAN_INLINE GapPixels pixels_of(const Gap& gap, GapPlace place) const {
     const Cursor outer(sink_.row(gap.y), gap.x);
     if constexpr (kHasWordPixels) {
       return {outer, Cursor(outer.pixels(), inward_[static_cast<std::size_t>(place)])};
@@ -130,7 +130,7 @@ class GapList {
 
   void restore(Gap& gap) {
     depth_.row(gap.y)[gap.x] = gap.held.list.depth;
-    const Pixels pixels = pixels_of(gap, GapOutline(gap.outline).place());
+    const GapPixels pixels = pixels_of(gap, GapOutline(gap.outline).place());
     gap.held = Held(typename Gap::InBlending{pixels.outer.read(), pixels.inner.read()});
   }
 
@@ -142,7 +142,7 @@ class GapList {
     const std::uint32_t corner = outline.corner();
     const std::uint32_t of_outer = outward > 0 ? static_cast<std::uint32_t>(outward) + corner : corner;
     const std::uint32_t of_inner = outward < 0 ? static_cast<std::uint32_t>(-outward) + corner : corner;
-    Pixels pixels = pixels_of(gap, place);
+    GapPixels pixels = pixels_of(gap, place);
     if (of_outer != 0) {
       pixels.outer.write(blended<Format>(pixels.outer.read(), gap.held.blending.inner, of_outer));
       status_ = sink_.close({gap.y, gap.x, 1});

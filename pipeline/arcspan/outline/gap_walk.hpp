@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/outline/outline_edges.hpp>
+#include <arcspan/outline/outline_list.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/linear.hpp>

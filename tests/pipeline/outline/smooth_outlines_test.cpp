@@ -92,11 +92,11 @@ struct Scene {
   std::vector<TestCamera> cameras;
   std::vector<ClipTransform> transforms;
   std::vector<OutlineEdge> memory;
-  OutlineEdges outlines;
+  OutlineList outlines;
 };
 
 template <PixelFormat F>
-Status smooth(const OutlineEdges& outlines, PictureOf<F>& picture, std::size_t gaps = 4000) {
+Status smooth(const OutlineList& outlines, PictureOf<F>& picture, std::size_t gaps = 4000) {
   std::vector<OutlineGap<F>> memory(gaps);
   return smooth_outlines(outlines, picture.frame, picture.depth, std::span(memory));
 }
@@ -119,7 +119,7 @@ struct Drawing {
     for (std::size_t i = 0; i < 3; ++i) mesh.add({9000.0 * (i == 1), 9000.0 * (i == 2), 0}, {0, 0, 1});
     for (std::size_t i = 0; i < triangles; ++i) mesh.triangle(0, 1, 2);
     memory.resize(3 * triangles);
-    outlines = OutlineEdges(memory);
+    outlines = OutlineList(memory);
     TestCamera from;
     from.width = 32;
     from.height = 32;
@@ -135,7 +135,7 @@ struct Drawing {
   }
   ClipTransform transform;
   std::vector<OutlineEdge> memory;
-  OutlineEdges outlines;
+  OutlineList outlines;
 };
 
 /// The raster position of a point of the picture, in sixteenths of a pixel.

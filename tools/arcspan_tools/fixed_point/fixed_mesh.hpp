@@ -22,7 +22,7 @@ struct FixedMesh {
   PlaneScale plane_scale;
   std::vector<TexturePoint> texture_points;  ///< none, or one for each vertex
   TextureScale texture_scale;
-  std::vector<Rgb8> colours;  ///< none, or one for each vertex
+  std::vector<Rgb8> colours;             ///< none, or one for each vertex
   std::vector<std::uint8_t> neighbours;  ///< none, or those of arcspan::MeshNeighbours
   double unit = 1;
   Vec3 centre;
@@ -30,8 +30,7 @@ struct FixedMesh {
   [[nodiscard]] std::size_t bytes() const {
     return positions.size() * sizeof(ObjectPosition) + normals.size() * sizeof(PackedNormal) +
            indices.size() * sizeof(std::uint16_t) + planes.size() * sizeof(FacePlane) +
-           texture_points.size() * sizeof(TexturePoint) + colours.size() * sizeof(Rgb8) +
-           neighbours.size();
+           texture_points.size() * sizeof(TexturePoint) + colours.size() * sizeof(Rgb8) + neighbours.size();
   }
   /// Valid as long as this object is; throws Failure if the pipeline does not take it.
   [[nodiscard]] MeshView view(const std::string& subject) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/outline/outline_edges.hpp>
+#include <arcspan/outline/outline_list.hpp>
 
 #include <array>
 
@@ -126,8 +126,8 @@ RasterPosition VertexPositions::operator()(const MeshView& mesh, std::size_t i) 
   return *static_cast<const RasterPosition*>(static_cast<const void*>(cached_ + i * stride_));
 }
 
-Status OutlineEdges::add(const MeshView& mesh, const MeshNeighbours& neighbours,
-                         const VertexPositions& positions, std::span<const TriangleSide> sides) {
+Status OutlineList::add(const MeshView& mesh, const MeshNeighbours& neighbours,
+                        const VertexPositions& positions, std::span<const TriangleSide> sides) {
   if (neighbours.triangle_count() == 0 && mesh.triangle_count() != 0) return Status::kUnsupported;
   const Viewport& viewport = positions.viewport();
   if (neighbours.triangle_count() != mesh.triangle_count() || sides.size() < mesh.triangle_count() ||

@@ -51,9 +51,9 @@ class VertexPositions {
 
 /// The outlines of the objects of a frame, in memory of the caller: 12 bytes per edge. They are found once
 /// per frame, after or before the objects are drawn, and smoothed in each band.
-class OutlineEdges {
+class OutlineList {
  public:
-  constexpr explicit OutlineEdges(std::span<OutlineEdge> memory) : memory_(memory) {}
+  constexpr explicit OutlineList(std::span<OutlineEdge> memory) : memory_(memory) {}
 
   /// Forgets the edges, for the next frame.
   constexpr void clear() { count_ = 0; }

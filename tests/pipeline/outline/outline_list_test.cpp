@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which edges are outlines: closed ones, borders, folds and creases, and each reason to refuse.
-#include <arcspan/outline/outline_edges.hpp>
+#include <arcspan/outline/outline_list.hpp>
 #include <arcspan/shading/flat.hpp>
 
 #include <catch2/catch.hpp>
@@ -47,7 +47,7 @@ std::vector<OutlineEdge> outlines_of(const MeshView& mesh, const TestCamera& fro
                                      const std::vector<TriangleSide>& sides, bool creases = false) {
   const TestNeighbours neighbours(mesh, creases);
   std::vector<OutlineEdge> memory(6 * mesh.triangle_count());
-  OutlineEdges edges(memory);
+  OutlineList edges(memory);
   const ClipTransform transform = from.transform();
   REQUIRE(ok(edges.add(mesh, neighbours.view, VertexPositions(transform), sides)));
   return {edges.edges().begin(), edges.edges().end()};
@@ -187,7 +187,7 @@ TEST_CASE("Outline edges: a cache has the positions that the transform gives") {
   REQUIRE(ok(find_sides<Method>(mesh, transform, light, cache, sides)));
   const TestNeighbours neighbours(mesh);
   std::vector<OutlineEdge> memory(mesh.triangle_count());
-  OutlineEdges edges(memory);
+  OutlineList edges(memory);
   const std::span<const CachedVertex<Method>> cached(vertices);
   REQUIRE(ok(edges.add(mesh, neighbours.view, VertexPositions(transform, cached), sides)));
   const auto expected = outlines_of(mesh, from, sides);
@@ -208,7 +208,7 @@ TEST_CASE("Outline edges: what is refused adds nothing") {
   const TestNeighbours neighbours(mesh.view());
   const std::vector<TriangleSide> sides = sides_of(mesh.view(), from);
   std::vector<OutlineEdge> memory(7, kUntouched);
-  OutlineEdges edges(memory);
+  OutlineList edges(memory);
   CHECK(edges.add(mesh.view(), {}, positions, sides) == Status::kUnsupported);
   CHECK(edges.add(mesh.view(), neighbours.view, positions, std::span(sides).first(1)) ==
         Status::kInvalidArgument);

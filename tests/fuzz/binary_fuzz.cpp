@@ -6,6 +6,7 @@
 #include <arcspan/mesh/crc32.hpp>
 #include <arcspan/mesh/mesh_binary.hpp>
 #include <arcspan/model/model_binary.hpp>
+#include <arcspan/model/model_neighbours.hpp>
 #include <arcspan/numbers/little_endian.hpp>
 #include <arcspan/texture/texture_binary.hpp>
 
@@ -115,6 +116,29 @@ void read_all(const StoredTexture& stored) {
   read_as<GrayTexels>(stored);
 }
 
+/// Reads all that neighbours say, as OutlineList::add() does.
+void read_all(const MeshView& mesh, const MeshNeighbours& neighbours) {
+  require(neighbours.triangle_count() == mesh.triangle_count());
+  const std::uint8_t* at = neighbours.bytes();
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    const unsigned kinds = *at++;
+    require(kinds < 64);
+    for (unsigned edge = 0; edge < 3; ++edge) {
+      if (!detail::has_distance(detail::edge_kind(kinds, edge))) continue;
+      require(i + detail::read_distance(at) < mesh.triangle_count());
+    }
+  }
+}
+
+void read_neighbours(const StoredModel& model, std::size_t i) {
+  MeshNeighbours neighbours;
+  if (ok(view_neighbours(model, i, neighbours))) {
+    read_all(model.part(i).mesh, neighbours);
+  } else {
+    require(neighbours.bytes() == nullptr);
+  }
+}
+
 void read_model(std::span<const std::uint8_t> bytes) {
   StoredModel model;
   if (!ok(view_model_binary(bytes, model))) {
@@ -124,6 +148,7 @@ void read_model(std::span<const std::uint8_t> bytes) {
   for (std::size_t i = 0; i < model.part_count(); ++i) {
     const ModelPart part = model.part(i);
     read_all(part.mesh);
+    read_neighbours(model, i);
     require(part.mesh.vertex_count() <= model.most_vertices());
     require(std::strlen(part.name) < model_binary::kNameBytes);
     if (!part.texture.texels.empty()) read_all(part.texture);

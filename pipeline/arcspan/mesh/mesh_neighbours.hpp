@@ -44,16 +44,16 @@ void neighbours_of_another_mesh();
 /// Reads a distance of at least 1 that MeshNeighbours::make() has accepted: 7 bits per byte, the lower ones
 /// first; the upper bit is set if a byte follows.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::size_t read_distance(const std::uint8_t*& at) {
-  std::size_t distance = *at++;
-  if (distance < 128) [[likely]] {
-    return distance + 1;
+  std::uint32_t distance = *at++;
+  if (distance >= 128) [[unlikely]] {
+    std::uint32_t byte = distance;
+    distance &= 127u;
+    for (int shift = 7; byte >= 128; shift += 7) {
+      byte = *at++;
+      distance += (byte & 127u) << shift;
+    }
   }
-  distance -= 128;
-  for (int shift = 7;; shift += 7) {
-    const std::size_t byte = *at++;
-    distance += (byte & 127u) << shift;
-    if (byte < 128) return distance + 1;
-  }
+  return static_cast<std::size_t>(distance) + 1;
 }
 
 }  // namespace detail
@@ -165,7 +165,7 @@ class NeighbourCheck {
   const MeshView& mesh_;
   std::span<const std::uint8_t> bytes_;
   std::size_t at_ = 0;
-  std::size_t named_ = 0;  ///< edges named by earlier triangles and not met yet
+  std::uint32_t named_ = 0;  ///< edges named by earlier triangles and not met yet
 };
 
 }  // namespace detail

@@ -54,8 +54,8 @@ class GapWalk {
   [[nodiscard]] std::uint32_t corner(std::int32_t offset) const {
     const std::int32_t beyond = static_cast<std::int32_t>(slope_ >> 1) - (offset < 0 ? -offset : offset);
     if (beyond <= 0) return 0;
-    const auto u = static_cast<std::uint32_t>(beyond) >> 6;  // at most 2^9
-    return (u * u * inverse_slope_ + (1u << 25)) >> 26;      // the product is at most 2^28
+    const auto u = static_cast<std::uint32_t>(beyond) >> 6;            // at most 2^9
+    return (u * u * inverse_slope_ + (std::uint32_t{1} << 25)) >> 26;  // the product is at most 2^28
   }
 
   void next() {

@@ -26,7 +26,7 @@ class VertexPositions {
  public:
   /// Each vertex is transformed when it is asked for.
   explicit constexpr VertexPositions(const ClipTransform& transform)
-      : transform_(transform), count_(MeshView::kMaxVertices) {}
+      : transform_(transform), count_(SIZE_MAX) {}
   /// Those of the vertices in the memory of a VertexCache that was used with `transform`, to draw the mesh or
   /// to find its sides.
   template <class Method>

@@ -67,6 +67,28 @@ TEST_CASE("mesh writes planes if they are asked for, and counts them") {
   CHECK(contents(limited).size() <= 4000);
 }
 
+TEST_CASE("mesh writes neighbours if they are asked for, counts them, and reads its binary again") {
+  const TemporaryFolder folder;
+  const std::string outlined = folder / "outlined.bin";
+  const CommandRun made =
+      run("mesh torus:24x12 --outlines -o " + outlined + " --stats " + (folder / "s.json"));
+  REQUIRE(made.status == 0);
+  CHECK(made.out.find(" bytes, 16-bit indices, neighbours\n") != std::string::npos);
+  CHECK(contents(outlined).starts_with("ARCP"));
+  const auto json = nlohmann::json::parse(contents(folder / "s.json"));
+  CHECK(json["mesh"]["neighbours"] == true);
+  CHECK(json["mesh"]["bytes"] == contents(outlined).size());
+  CHECK(json["mesh"]["bytes_of"]["neighbours"] <= 576 * 7 / 2);
+  CHECK(run("mesh " + outlined + " -o " + (folder / "again.hpp")).status == 0);
+  const std::string limited = folder / "limited.hpp";
+  REQUIRE(
+      run("mesh torus:24x12 --outlines --max-bytes 4000 -o " + limited + " --stats " + (folder / "l.json"))
+          .status == 0);
+  CHECK(nlohmann::json::parse(contents(folder / "l.json"))["mesh"]["bytes"] <= 4000);
+  CHECK(run("mesh torus:24x12 --outlines --c -o " + (folder / "c.cpp")).status != 0);
+  CHECK_FALSE(std::filesystem::exists(folder / "c.cpp"));
+}
+
 TEST_CASE(
     "a budget of bytes shrinks textures before it takes triangles, and the report says what takes what") {
   const TemporaryFolder folder;

@@ -2,6 +2,7 @@
 #include <arcspan_tools/command/effect_options.hpp>
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/image/image_file.hpp>
+#include <arcspan_tools/mesh/compile/neighbours.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/mesh/plain/crease.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -87,6 +88,11 @@ Model load_drawn_model(RenderOptions& options) {
   if (remove_textures(model)) warn(options.mesh, "textures are not drawn" + by);
   if (make_opaque(model)) warn(options.mesh, "transparent materials are drawn opaque" + by);
   return model;
+}
+
+FixedModel to_fixed(const Model& model, const RenderOptions& options) {
+  FixedModel fixed = to_fixed(model);
+  return options.smooths() ? with_neighbours(std::move(fixed), options.mesh) : fixed;
 }
 
 bool remove_textures(Model& model) {

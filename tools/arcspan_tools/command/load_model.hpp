@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan_tools/command/render_options.hpp>
+#include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/plain/model.hpp>
 
 #include <optional>
@@ -18,6 +19,9 @@ namespace arcspan::tools {
 /// The model that options ask for; reads the picture of --matcap into their scene. What the shading does not
 /// draw is removed, with a warning.
 [[nodiscard]] Model load_drawn_model(RenderOptions& options);
+
+/// That model in fixed point, with the neighbours of its triangles if outlines are smoothed.
+[[nodiscard]] FixedModel to_fixed(const Model& model, const RenderOptions& options);
 
 /// Removes the textures and the texture points of all parts. Returns whether there were any.
 bool remove_textures(Model& model);

@@ -31,7 +31,7 @@ struct Loaded {
 Loaded load(RenderArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const Model model = load_drawn_model(arguments.options);
-  Loaded loaded{to_fixed(model), {}};
+  Loaded loaded{to_fixed(model, arguments.options), {}};
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   RenderReport& report = loaded.report;
   report.mesh_name = arguments.options.mesh;
@@ -44,6 +44,7 @@ Loaded load(RenderArguments& arguments) {
   report.crease_degrees = model.crease_degrees;
   report.mesh_bytes = loaded.model.bytes();
   report.load_milliseconds = elapsed.count();
+  report.smooth = arguments.options.smooths();
   return loaded;
 }
 
@@ -82,6 +83,7 @@ void run_render(RenderArguments& arguments) {
 void add_render_command(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* render = app.add_subcommand("render", "Draw a mesh with the integer pipeline");
+  add_smooth(*render, arguments->options);
   add_render_options(*render, arguments->options);
   render
       ->add_option("-o,--output", arguments->output,

@@ -3,6 +3,7 @@
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/texture_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
+#include <arcspan_tools/render/job_outlines.hpp>
 #include <arcspan_tools/render/render.hpp>
 #include <arcspan_tools/support/text.hpp>
 
@@ -107,6 +108,13 @@ void choose_renderer(RenderOptions& o) {
   }
 }
 
+// --smooth that was asked for and has no effect.
+void check_smooth(const RenderOptions& o) {
+  if (!o.is_given("--smooth") || !o.smooth || o.smooths()) return;
+  if (!o.scene.depth) throw CLI::ValidationError("--smooth", "needs a depth buffer, not --no-depth");
+  throw CLI::ValidationError("--smooth", "needs at least 4 bits per pixel, not --format " + o.format);
+}
+
 // They hold for the whole model, in place of what its file says.
 void add_surface_options(CLI::App& app, RenderOptions& o) {
   Surface& surface = o.scene.surface;
@@ -161,6 +169,7 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
   app.parse_complete_callback([&app, &o] {
     note_settings(app, o);
     choose_renderer(o);
+    check_smooth(o);
     check_effects(app, o);
   });
   add_parsed<Highlight>(
@@ -214,6 +223,8 @@ void add_camera_options(CLI::App& app, RenderOptions& o) {
 }
 
 }  // namespace
+
+bool RenderOptions::smooths() const { return smooth && scene.depth && can_smooth({format, dither}); }
 
 bool has_segments(const std::string& shading) {
   return shading == "segment" || shading == "phong-segment" || shading.rfind(kDichotomy, 0) == 0;
@@ -270,6 +281,11 @@ std::vector<std::string> shading_choices() {
     }
   }
   return choices;
+}
+
+void add_smooth(CLI::App& app, RenderOptions& options) {
+  app.add_flag("--smooth,!--no-smooth", options.smooth,
+               "smooth outlines (default with a depth buffer and at least 4 bits per pixel)");
 }
 
 void add_render_options(CLI::App& app, RenderOptions& options) {

@@ -26,12 +26,15 @@ struct RenderOptions {
   std::string texture;                   ///< a picture in place of the model's textures, or none
   std::string matcap;                    ///< a picture in place of light, or none
   std::optional<bool> vertex_colours;    ///< whether they are interpolated; by default as the shading wants
+  bool smooth = true;                    ///< outlines, where depth and format allow it
   Scene scene;
   /// Those given; the scene's own stays if there are none.
   std::vector<SceneLight> lights;
   std::vector<std::string> given;  ///< names of the options that the command line has
 
   [[nodiscard]] bool is_given(const std::string& option) const;
+  /// Whether outlines are smoothed.
+  [[nodiscard]] bool smooths() const;
 };
 
 /// A colour of three channels, each 0...1.
@@ -58,6 +61,9 @@ void add_crease(CLI::App& app, std::optional<double>& degrees);
 
 /// Notes which options were given: some are otherwise chosen, or belong to single methods.
 void note_settings(const CLI::App& app, RenderOptions& options);
+
+/// Adds --smooth and --no-smooth. Call it before add_render_options().
+void add_smooth(CLI::App& app, RenderOptions& options);
 
 /// Adds MESH and the options to a subcommand. `options` must live as long as `app`.
 void add_render_options(CLI::App& app, RenderOptions& options);

@@ -25,14 +25,17 @@ std::string to_text(const RenderReport& r) {
   text += formatted("drawn: %u triangles, %llu spans, %llu pixels\n", s.triangles,
                     static_cast<unsigned long long>(s.spans), static_cast<unsigned long long>(s.pixels));
   text += formatted("time: %.1f ms to load, %.2f ms to draw\n", r.load_milliseconds, s.draw_milliseconds);
-  text += formatted("pipeline memory: %zu bytes (mesh %zu, frame %zu, depth %zu, vertex cache %zu)\n",
+  if (r.smooth)
+    text += formatted("smoothed: %zu outline edges, %.2f ms\n", s.outline_edges, s.smooth_milliseconds);
+  text += formatted("pipeline memory: %zu bytes (mesh %zu, frame %zu, depth %zu, vertex cache %zu",
                     r.memory_bytes(), r.mesh_bytes, s.frame_bytes, s.depth_bytes, s.cache_bytes);
-  return text;
+  if (r.smooth) text += formatted(", outlines %zu", s.outline_bytes);
+  return text + ")\n";
 }
 
 std::string to_json(const RenderReport& r) {
   const RenderStats& s = r.stats;
-  const nlohmann::ordered_json json = {
+  nlohmann::ordered_json json = {
       {"mesh",
        {{"name", r.mesh_name},
         {"vertices", r.vertices},
@@ -56,6 +59,11 @@ std::string to_json(const RenderReport& r) {
         {"depth", s.depth_bytes},
         {"vertex_cache", s.cache_bytes}}},
   };
+  if (r.smooth) {
+    json["drawn"]["outline_edges"] = s.outline_edges;
+    json["milliseconds"]["smooth"] = s.smooth_milliseconds;
+    json["bytes"]["outlines"] = s.outline_bytes;
+  }
   // Names of files may be any bytes.
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

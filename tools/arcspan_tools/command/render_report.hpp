@@ -25,11 +25,12 @@ struct RenderReport {
   std::int32_t width = 0;
   std::int32_t height = 0;
   double load_milliseconds = 0;
+  bool smooth = false;  ///< outlines
   RenderStats stats;
 
-  /// Everything the pipeline works on: mesh, frame or band, depth, vertex cache.
+  /// Everything the pipeline works on: mesh, frame or band, depth, vertex cache, outlines.
   [[nodiscard]] std::size_t memory_bytes() const {
-    return mesh_bytes + stats.frame_bytes + stats.depth_bytes + stats.cache_bytes;
+    return mesh_bytes + stats.frame_bytes + stats.depth_bytes + stats.cache_bytes + stats.outline_bytes;
   }
 };
 

@@ -170,7 +170,7 @@ int show_until_stopped(ShowArguments& arguments, const FixedModel& model) {
 
 void run_show(ShowArguments arguments) {
   // If the mesh cannot be loaded, the display is not opened.
-  const FixedModel model = to_fixed(load_drawn_model(arguments.options));
+  const FixedModel model = to_fixed(load_drawn_model(arguments.options), arguments.options);
   const int signal = show_until_stopped(arguments, model);
   if (signal == 0) return;
   (void)std::raise(signal);  // ends as others do, so that a shell or a service manager sees why
@@ -195,6 +195,7 @@ void add_show_command(CLI::App& app) {
   auto arguments = std::make_shared<ShowArguments>();
   CLI::App* show =
       app.add_subcommand("show", "Show a mesh on a display of this machine until a signal comes (Ctrl-C)");
+  add_smooth(*show, arguments->options);
   add_render_options(*show, arguments->options);
   std::string devices = "a graphics card, e.g. /dev/dri/card0, a framebuffer, e.g. /dev/fb0, or a panel:";
   for (const std::string& name : module_names()) devices += " " + name;

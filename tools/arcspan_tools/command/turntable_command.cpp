@@ -42,23 +42,29 @@ void run_turntable(TurntableArguments& arguments) {
   const FrameFormat format = format_of(arguments);
   check_results({arguments.output}, {options.mesh, options.texture, options.matcap});
   const std::unique_ptr<FrameOutput> output = make_frame_output(arguments.output, format);
-  const FixedModel model = to_fixed(load_drawn_model(options));
+  const FixedModel model = to_fixed(load_drawn_model(options), options);
   const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);
   const Turntable turntable(options.scene, model, format.frames);
   Progress progress("drawing", format.frames);
   double milliseconds = 0;
+  double smooth_milliseconds = 0;
   for (std::size_t frame = 0; frame < format.frames; ++frame) {
     RenderJob job = make_job(turntable.scene(frame), model, options.mesh);
     job.counts = false;
     RenderResult result = renderer.render(job, [](std::size_t) {});
     milliseconds += result.stats.draw_milliseconds;
+    smooth_milliseconds += result.stats.smooth_milliseconds;
     output->add(std::move(result.image));
     progress.show(frame + 1);
   }
-  output->finish(printable(arguments.output) +
-                 formatted(": %zu frames of %dx%d, %d ms each, drawn in %.2f ms each\n", format.frames,
-                           format.size.width, format.size.height, format.milliseconds,
-                           milliseconds / static_cast<double>(format.frames)));
+  const auto frames = static_cast<double>(format.frames);
+  std::string text =
+      printable(arguments.output) + formatted(": %zu frames of %dx%d, %d ms each, drawn in %.2f ms each",
+                                              format.frames, format.size.width, format.size.height,
+                                              format.milliseconds, milliseconds / frames);
+  if (options.smooths())
+    text += formatted(", outlines smoothed in %.2f ms each", smooth_milliseconds / frames);
+  output->finish(text + "\n");
 }
 
 }  // namespace
@@ -67,6 +73,7 @@ void add_turntable_command(CLI::App& app) {
   auto arguments = std::make_shared<TurntableArguments>();
   CLI::App* turntable =
       app.add_subcommand("turntable", "Draw a turn of a mesh as an animation or numbered pictures");
+  add_smooth(*turntable, arguments->options);
   add_render_options(*turntable, arguments->options);
   turntable
       ->add_option(

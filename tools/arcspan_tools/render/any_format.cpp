@@ -3,6 +3,7 @@
 
 #include <arcspan_tools/render/any_format.hpp>
 #include <arcspan_tools/render/band_depth.hpp>
+#include <arcspan_tools/render/job_outlines.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <string>
@@ -28,6 +29,9 @@ class FormatStore final : public PixelStore {
   void read_row(std::int32_t y, std::span<Rgb8> row) const override { decode_row(frame_, y, row); }
   void move_to(std::int32_t first_row) override { frame_.move_to(first_row); }
   void clear(Rgb8 colour) override { frame_.clear(colour); }
+  std::size_t smooth(const OutlineList& outlines, const DepthBuffer& depth) override {
+    return smooth_frame(outlines, frame_, depth);
+  }
   [[nodiscard]] Rect bounds() const override { return frame_.bounds(); }
   [[nodiscard]] std::size_t bytes() const override { return memory_.size() * sizeof(typename Format::Word); }
 

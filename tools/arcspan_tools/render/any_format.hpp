@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/outline/outline_list.hpp>
 #include <arcspan/span/depth.hpp>
 
 #include <arcspan_tools/render/pixel_choice.hpp>
@@ -26,6 +27,8 @@ class PixelStore {
   virtual void read_row(std::int32_t y, std::span<Rgb8> row) const = 0;
   virtual void move_to(std::int32_t first_row) = 0;
   virtual void clear(Rgb8 colour) = 0;
+  /// smooth_frame(), if can_smooth() the format.
+  virtual std::size_t smooth(const OutlineList& outlines, const DepthBuffer& depth) = 0;
   [[nodiscard]] virtual Rect bounds() const = 0;
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 };
@@ -48,6 +51,7 @@ class NoPixels final : public PixelStore {
     bounds_ = {bounds_.left, first_row, bounds_.right, first_row + bounds_.height()};
   }
   void clear(Rgb8) override {}
+  std::size_t smooth(const OutlineList&, const DepthBuffer&) override { return 0; }
   [[nodiscard]] Rect bounds() const override { return bounds_; }
   [[nodiscard]] std::size_t bytes() const override { return 0; }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/mesh/mesh_neighbours.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/pixel/fog.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
@@ -32,7 +33,8 @@ struct RenderPart {
   std::shared_ptr<const SurfaceTexture> texture{};  ///< multiplies the light on it; null if there is none
   bool vertex_colours = false;  ///< those of the mesh multiply the light, which is that of Gouraud shading
   Transparency transparency = Transparency::kNone;
-  std::uint8_t opacity = 32;  ///< of transparency: 0...32, of kScreenDoor 0...8
+  std::uint8_t opacity = 32;    ///< of transparency: 0...32, of kScreenDoor 0...8
+  MeshNeighbours neighbours{};  ///< for smooth outlines; all parts have some, or none has
 };
 
 /// RenderJob::segment_bits of segments that are as long as the accuracy allows.
@@ -80,6 +82,9 @@ struct RenderStats {
   std::size_t frame_bytes = 0;
   std::size_t depth_bytes = 0;
   std::size_t cache_bytes = 0;
+  std::size_t outline_edges = 0;   ///< 0 without smoothing, like what follows
+  std::size_t outline_bytes = 0;   ///< sides of triangles, edges and gaps
+  double smooth_milliseconds = 0;  ///< processor time of finding outlines and smoothing them
 };
 
 struct RenderResult {

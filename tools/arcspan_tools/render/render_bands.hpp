@@ -4,6 +4,7 @@
 #include <arcspan/draw.hpp>
 
 #include <arcspan_tools/render/band_depth.hpp>
+#include <arcspan_tools/render/job_outlines.hpp>
 #include <arcspan_tools/render/render.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/processor_time.hpp>
@@ -48,23 +49,27 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
   const std::int32_t rows = std::clamp(job.band_rows, 1, size.height);
   RenderResult result;
   result.image = Image(size.width, size.height);
-  BandDepth depth(size.width, rows);
-  Band band(pixels, size.width, rows, job.depth ? nullptr : &depth.buffer());
+  JobOutlines outlines(job);
+  const std::int32_t drawn_rows = rows == size.height ? rows : rows + outlines.margin();
+  BandDepth depth(size.width, drawn_rows);
+  Band band(pixels, size.width, drawn_rows, job.depth ? nullptr : &depth.buffer());
   std::vector<CachedVertex<Method>> cache(most_vertices(job));
   result.stats.frame_bytes = band.bytes();
   result.stats.depth_bytes = job.depth ? depth.bytes() : 0;
   for (std::int32_t first = 0; first < size.height; first += rows) {
     double milliseconds = 0;
     for (std::int32_t repeat = 0; repeat < job.repeats; ++repeat) {
-      band.start(first, job.background);
-      depth.start(first);
+      band.start(outlines.first_row(first), job.background);
+      depth.start(outlines.first_row(first));
       milliseconds += draw_into<Method>(band, job, lightings, depth.buffer(), std::span(cache), result.stats);
+      outlines.smooth_after(job.parts.size() - 1, band, depth.buffer(), result.stats);
     }
     result.stats.draw_milliseconds += milliseconds / job.repeats;
     copy_rows(band, first, rows, result.image);
     ++result.stats.bands;
     rows_done(static_cast<std::size_t>(first + rows));
   }
+  outlines.finish(job.repeats, result.stats);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <arcspan/shading/vertex_coloured.hpp>
 
 #include <arcspan_tools/render/band_depth.hpp>
+#include <arcspan_tools/render/job_outlines.hpp>
 #include <arcspan_tools/render/surface_drawer.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/processor_time.hpp>
@@ -53,13 +54,16 @@ Drawers make_drawers(const RenderJob& job, const std::vector<std::unique_ptr<Ill
   return drawers;
 }
 
-/// Draws all parts once; returns the triangles.
-std::uint32_t draw_parts(const Drawers& drawers, SurfaceSink& sink, const DepthBuffer& depth) {
+/// Draws all parts once, and calls drawn_part(i) after each. Returns the triangles.
+template <class Drawn>
+std::uint32_t draw_parts(const Drawers& drawers, SurfaceSink& sink, const DepthBuffer& depth,
+                         const Drawn& drawn_part) {
   std::uint32_t triangles = 0;
-  for (const std::unique_ptr<SurfaceDrawer>& drawer : drawers) {
-    const DrawResult drawn = drawer->draw(sink, ReadOnlyDepth(depth));
+  for (std::size_t i = 0; i < drawers.size(); ++i) {
+    const DrawResult drawn = drawers[i]->draw(sink, ReadOnlyDepth(depth));
     if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
     triangles += drawn.triangles;
+    drawn_part(i);
   }
   return triangles;
 }
@@ -70,7 +74,7 @@ void count_spans(const RenderJob& job, const Drawers& drawers, RenderStats& stat
   NoPixels nothing({0, 0, size.width, size.height});
   const BandDepth depth(size.width, size.height);
   SurfaceSink sink(nothing, depth.buffer(), false);
-  stats.triangles = draw_parts(drawers, sink, depth.buffer());
+  stats.triangles = draw_parts(drawers, sink, depth.buffer(), [](std::size_t) {});
   stats.spans = sink.spans();
   stats.pixels = sink.pixels();
   stats.written = nothing.written();
@@ -93,8 +97,10 @@ RenderResult render_surfaces(const RenderJob& job,
   const std::int32_t rows = std::clamp(job.band_rows, 1, size.height);
   RenderResult result;
   result.image = Image(size.width, size.height);
-  BandDepth depth(size.width, rows);
-  const std::unique_ptr<PixelStore> store = make_pixel_store(pixels, size.width, rows);
+  JobOutlines outlines(job);
+  const std::int32_t drawn_rows = rows == size.height ? rows : rows + outlines.margin();
+  BandDepth depth(size.width, drawn_rows);
+  const std::unique_ptr<PixelStore> store = make_pixel_store(pixels, size.width, drawn_rows);
   result.stats.frame_bytes = store->bytes();
   result.stats.depth_bytes = job.depth ? depth.bytes() : 0;
   for (const std::unique_ptr<SurfaceDrawer>& drawer : drawers) {
@@ -105,18 +111,23 @@ RenderResult render_surfaces(const RenderJob& job,
   for (std::int32_t first = 0; first < size.height; first += rows) {
     double milliseconds = 0;
     for (std::int32_t repeat = 0; repeat < job.repeats; ++repeat) {
-      store->move_to(first);
+      store->move_to(outlines.first_row(first));
       store->clear(job.background);
-      depth.start(first);
+      depth.start(outlines.first_row(first));
       const double start = processor_milliseconds();
-      result.stats.triangles = std::max(result.stats.triangles, draw_parts(drawers, sink, depth.buffer()));
-      milliseconds += processor_milliseconds() - start;
+      const double smoothed = result.stats.smooth_milliseconds;
+      const std::uint32_t triangles = draw_parts(drawers, sink, depth.buffer(), [&](std::size_t part) {
+        outlines.smooth_after(part, *store, depth.buffer(), result.stats);
+      });
+      result.stats.triangles = std::max(result.stats.triangles, triangles);
+      milliseconds += processor_milliseconds() - start - (result.stats.smooth_milliseconds - smoothed);
     }
     result.stats.draw_milliseconds += milliseconds / job.repeats;
     copy_rows(*store, first, rows, result.image);
     ++result.stats.bands;
     rows_done(static_cast<std::size_t>(first) + static_cast<std::size_t>(rows));
   }
+  outlines.finish(job.repeats, result.stats);
   if (job.counts) count_spans(job, drawers, result.stats);
   return result;
 }

@@ -113,6 +113,15 @@ void order_parts(RenderJob& job, const Placement& placement) {
   });
 }
 
+/// The neighbours of a mesh for smooth outlines, if it has some.
+MeshNeighbours neighbours_in(const FixedMesh& mesh, const MeshView& view, const std::string& subject) {
+  MeshNeighbours neighbours;
+  if (mesh.neighbours.empty()) return neighbours;
+  const Status status = MeshNeighbours::make(view, mesh.neighbours, neighbours);
+  if (!ok(status)) throw Failure(subject, to_string(status));
+  return neighbours;
+}
+
 }  // namespace
 
 RenderJob make_job(const Scene& scene, const FixedMesh& mesh, const std::string& subject) {
@@ -132,6 +141,7 @@ RenderJob make_job(const Scene& scene, const FixedModel& model, const std::strin
                     scene.two_sided || material.two_sided};
     set_transparency(scene, material, part);
     part.texture = textures.of(material, part.transparency);
+    part.neighbours = neighbours_in(model.meshes[i], part.mesh, subject);
     part.vertex_colours = !model.meshes[i].colours.empty() && !scene.chosen.colour;
     placed.job.parts.push_back(std::move(part));
   }

@@ -44,8 +44,9 @@ struct Scene {
 /// `scene` with `mesh`, in fixed point. The mesh must outlive the job; `subject` names it in a Failure.
 [[nodiscard]] RenderJob make_job(const Scene& scene, const FixedMesh& mesh, const std::string& subject);
 
-/// The same for a model, with its materials. Parts that are blended come last, the farthest first: the one
-/// whose bounding sphere has the farthest middle, as draw_scene() orders objects.
+/// The same for a model, with its materials. Outlines are smoothed if its meshes have neighbours. Parts that
+/// are blended come last, the farthest first: the one whose bounding sphere has the farthest middle, as
+/// draw_scene() orders objects.
 [[nodiscard]] RenderJob make_job(const Scene& scene, const FixedModel& model, const std::string& subject);
 
 }  // namespace arcspan::tools

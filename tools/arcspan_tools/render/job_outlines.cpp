@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/draw/triangle_sides.hpp>
+#include <arcspan/pixel/pixel_format_list.hpp>
+#include <arcspan/shading/unlit.hpp>
+
+#include <arcspan_tools/render/job_outlines.hpp>
+
+namespace arcspan::tools {
+
+bool can_smooth(const PixelChoice& pixels) {
+#define ARCSPAN_IF_CHOSEN(name, Format) \
+  if (pixels.format == #name) return arcspan::detail::kCanBlend<Format>;
+  ARCSPAN_FOR_EACH_PIXEL_FORMAT(ARCSPAN_IF_CHOSEN)
+#undef ARCSPAN_IF_CHOSEN
+  return false;
+}
+
+JobOutlines::JobOutlines(const RenderJob& job) {
+  const double start = processor_milliseconds();
+  std::size_t edges = 0;  // a crease is two
+  for (const RenderPart& part : job.parts) edges += 3 * part.neighbours.triangle_count();
+  if (edges == 0) return;
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    if (i == 0 || is_blended(job.parts[i].transparency)) groups_.emplace_back(edges);
+    add(job, i, groups_.back());
+  }
+  find_milliseconds_ = processor_milliseconds() - start;
+}
+
+void JobOutlines::add(const RenderJob& job, std::size_t part, Group& group) {
+  group.last_part = part;
+  const MeshView& mesh = job.parts[part].mesh;
+  // Which sides are seen does not depend on the shading.
+  std::vector<CachedVertex<Unlit>> vertices(mesh.vertex_count());
+  VertexCache<Unlit> cache(vertices);
+  sides_.resize(std::max(sides_.size(), mesh.triangle_count()));
+  Status status =
+      find_sides<Unlit>(mesh, job.transform, Unlit::lighting({}), cache, sides_, {job.parts[part].two_sided});
+  const VertexPositions positions(job.transform, std::span<const CachedVertex<Unlit>>(vertices));
+  if (ok(status)) status = group.outlines.add(mesh, job.parts[part].neighbours, positions, sides_);
+  if (!ok(status)) throw Failure("outlines", to_string(status));
+}
+
+void JobOutlines::finish(std::int32_t repeats, RenderStats& stats) const {
+  stats.smooth_milliseconds = stats.smooth_milliseconds / repeats + find_milliseconds_;
+  stats.outline_bytes = sides_.size() * sizeof(TriangleSide) + gap_bytes_;
+  for (const Group& group : groups_) {
+    stats.outline_edges += group.outlines.edges().size();
+    stats.outline_bytes += group.outlines.edges().size() * sizeof(OutlineEdge);
+  }
+}
+
+}  // namespace arcspan::tools

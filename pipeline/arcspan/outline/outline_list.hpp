@@ -26,12 +26,12 @@ class VertexPositions {
  public:
   /// Each vertex is transformed when it is asked for.
   explicit constexpr VertexPositions(const ClipTransform& transform)
-      : transform_(transform), count_(SIZE_MAX) {}
+      : transform_(&transform), count_(SIZE_MAX) {}
   /// Those of the vertices in the memory of a VertexCache that was used with `transform`, to draw the mesh or
   /// to find its sides.
   template <class Method>
   VertexPositions(const ClipTransform& transform, std::span<const CachedVertex<Method>> vertices)
-      : transform_(transform), count_(vertices.size()), stride_(sizeof(CachedVertex<Method>)) {
+      : transform_(&transform), count_(vertices.size()), stride_(sizeof(CachedVertex<Method>)) {
     if (!vertices.empty())
       cached_ = static_cast<const std::uint8_t*>(static_cast<const void*>(&vertices.front().raster.position));
   }
@@ -40,10 +40,10 @@ class VertexPositions {
   [[nodiscard]] RasterPosition operator()(const MeshView& mesh, std::size_t i) const;
   /// The number of vertices whose positions are there.
   [[nodiscard]] constexpr std::size_t count() const { return count_; }
-  [[nodiscard]] constexpr const Viewport& viewport() const { return transform_.viewport(); }
+  [[nodiscard]] constexpr const Viewport& viewport() const { return transform_->viewport(); }
 
  private:
-  const ClipTransform& transform_;
+  const ClipTransform* transform_;
   const std::uint8_t* cached_ = nullptr;  ///< the first position, or null
   std::size_t count_;
   std::size_t stride_ = 0;  ///< bytes from one to the next

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace arcspan {
 
@@ -60,6 +61,9 @@ class SlotVertices {
     return vertex;
   }
   [[nodiscard]] static constexpr const TriangleRows* rows() { return nullptr; }
+  [[nodiscard]] std::span<const CachedVertex<Method>> all() const {
+    return {vertices_, slot_.object->mesh().vertex_count()};
+  }
 
   /// The number of the shading of all parts from the 255th on, which shade their vertices anew.
   static constexpr std::uint8_t kSharedShading = 255;

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/draw/triangle_sides.hpp>
+#include <arcspan/mesh/mesh_neighbours.hpp>
+#include <arcspan/outline/outline_list.hpp>
+#include <arcspan/scene.hpp>
+#include <arcspan/smooth_outlines.hpp>
+
+#include <cstddef>
+#include <span>
+
+namespace arcspan {
+
+/// A mesh of the objects of a scene, and the neighbours of its triangles. Both must outlive the frame.
+struct OutlinedMesh {
+  const MeshView* mesh;  ///< the one that objects refer to
+  const MeshNeighbours* neighbours;
+};
+
+/// What smooth outlines of a scene need. All memory is the caller's and needs no initialisation.
+template <PixelFormat F>
+struct SceneOutlines {
+  std::span<const OutlinedMesh> meshes;
+  std::span<TriangleSide> sides;  ///< as many as the largest mesh has triangles
+  OutlineList edges;              ///< over memory for the outlines of all objects in view
+  std::span<OutlineGap<F>> gaps;  ///< as smooth_outlines() takes them
+};
+
+namespace detail {
+
+/// A part of an object whose sides are to be found.
+struct SidesCall {
+  SceneSlot& slot;
+  const MeshView& mesh;  ///< of the part
+  const SceneMaterial& material;
+  std::span<TriangleSide> sides;
+  VertexPositions& positions;  ///< gets those of the slot's vertices, if it has some
+};
+
+template <class Used, bool KeepsVertices>
+[[nodiscard]] Status find_part_sides(const SidesCall& call) {
+  using Method = typename Used::Method;
+  const auto& lighting = static_cast<const PreparedMaterial<Used>&>(call.material).lighting();
+  const ClipTransform& transform = call.slot.transform;
+  if constexpr (KeepsVertices) {
+    SlotVertices<Method> vertices(call.slot, kUseFacts<Used>);
+    call.positions = VertexPositions(transform, vertices.all());
+    return find_sides<Method>(call.mesh, transform, lighting, vertices, call.sides, call.material.options());
+  } else {
+    return find_sides<Method>(call.mesh, transform, lighting, NoCache{}, call.sides, call.material.options());
+  }
+}
+
+/// Finds the sides of a part by the method of its material, which is listed.
+template <bool KeepsVertices, class... Used>
+[[nodiscard]] Status find_part_sides(MethodList<Used...>, const SidesCall& call) {
+  Status status = Status::kOk;
+  (void)((call.material.use() == &kUseFacts<Used> &&
+          (status = find_part_sides<Used, KeepsVertices>(call), true)) ||
+         ...);
+  return status;
+}
+
+/// The neighbours of a mesh, or null.
+[[nodiscard]] inline const MeshNeighbours* neighbours_in(std::span<const OutlinedMesh> meshes,
+                                                         const MeshView& mesh) {
+  for (const OutlinedMesh& each : meshes)
+    if (each.mesh == &mesh) return each.neighbours;
+  return nullptr;
+}
+
+/// Adds the outlines of an object to `outlines`.
+template <SceneMemoryType Memory, PixelFormat F>
+[[nodiscard]] Status add_outlines(SceneSlot& slot, SceneOutlines<F>& outlines) {
+  const Object& object = *slot.object;
+  const MeshView& mesh = object.mesh();
+  const MeshNeighbours* const neighbours = neighbours_in(outlines.meshes, mesh);
+  if (neighbours == nullptr) return Status::kUnsupported;
+  Status status = hide_all(mesh, outlines.sides);
+  VertexPositions positions(slot.transform);
+  const UseFacts* use = nullptr;
+  for (std::size_t i = 0; i < object.part_count() && ok(status); ++i) {
+    const Part part = object.part(i);
+    const MeshView triangles = mesh.part(part.first, part.count);
+    status = find_part_sides<Memory::kHasVertices>(
+        typename Memory::UseList{},
+        {slot, triangles, *part.material, outlines.sides.subspan(part.first, part.count), positions});
+    // Parts by different uses share the memory of their vertices.
+    if (use != nullptr && use != part.material->use()) positions = VertexPositions(slot.transform);
+    use = part.material->use();
+  }
+  return ok(status) ? outlines.edges.add(mesh, *neighbours, positions, outlines.sides) : status;
+}
+
+}  // namespace detail
+
+/// Finds the outlines of all objects in view, once per frame after prepare_scene(). The outlines of earlier
+/// frames are forgotten. In each band, after draw_prepared_scene() with a DepthBuffer, call
+///
+///     smooth_outlines(outlines.edges, sink, depth, outlines.gaps);
+///
+/// A scene whose surfaces are blended with what is behind them is drawn afterwards, with a ReadOnlyDepth. Its
+/// outlines are found and smoothed in the same way, with a SceneOutlines of its own.
+///
+/// Returns kOk, or the first of the following; objects that it does not concern are smoothed all the same:
+///
+///   kNotReady          nothing is prepared
+///   kUnsupported       `outlines.meshes` does not name the mesh of an object in view
+///   kInvalidArgument   the neighbours are those of another mesh
+///   kBufferTooSmall    `outlines` has fewer sides than a mesh has triangles, or room for fewer edges
+template <SceneMemoryType Memory, PixelFormat F>
+[[nodiscard]] Status find_outlines(Memory& memory, SceneOutlines<F>& outlines) {
+  outlines.edges.clear();
+  if (!ok(memory.status())) return memory.status();
+  const detail::SceneFrame frame = memory.frame();
+  if (frame.header.camera == nullptr) return Status::kNotReady;
+  Status first = frame.header.status;
+  for (std::size_t i = 0; i < frame.header.in_view; ++i) {
+    detail::SceneSlot& slot = frame.slots[i];
+    if (!frame.header.keeps_vertices) slot.held = nullptr;
+    const Status status = detail::add_outlines<Memory>(slot, outlines);
+    if (ok(first)) first = status;
+  }
+  return first;
+}
+
+/// draw_scene() with smooth outlines. The status is the first that is not kOk: that of draw_scene(), of
+/// find_outlines() or of smooth_outlines(). With the last two the scene is drawn, and smoothed as far as they
+/// state.
+template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory,
+                                     const Background& background,
+                                     SceneOutlines<typename Sink::Format>& outlines) {
+  static_assert(Depth::kWrites, "outlines are compared with depths");
+  Status found = prepare_scene(scene, memory);
+  if (!ok(found)) return {found};
+  found = find_outlines(memory, outlines);
+  SceneResult result = draw_prepared_scene(memory, sink, depth, background);
+  if (!ok(result.status)) return result;
+  const Status smoothed = smooth_outlines(outlines.edges, sink, depth, outlines.gaps);
+  result.status = ok(found) ? smoothed : found;
+  return result;
+}
+
+}  // namespace arcspan

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Smooth outlines of whole scenes, against the same calls for each object alone.
+#include <arcspan/scene_outlines.hpp>
+
+#include <catch2/catch.hpp>
+#include <tests/pipeline/scene/random_scene.hpp>
+#include <tests/support/neighbours.hpp>
+#include <tests/support/test_share.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+using namespace arcspan;
+using namespace arcspan::test;
+
+namespace {
+
+/// A mesh of two parts and one without.
+struct Meshes {
+  Random random{11};
+  TestMesh ball = make_sphere(7, 9, 32000, 0, random);
+  TestMesh lump = make_sphere(4, 6, 32000, 6000, random);
+  MeshView ball_mesh = ball.view();
+  MeshView lump_mesh = lump.view();
+  TestNeighbours ball_neighbours{ball_mesh, true};
+  TestNeighbours lump_neighbours{lump_mesh};
+  OutlinedMesh outlined[2] = {{&ball_mesh, &ball_neighbours.view}, {&lump_mesh, &lump_neighbours.view}};
+  Part same[2] = {{&kCopper, 0, 30}, {&kJade, 30, ball_mesh.triangle_count() - 30}};
+  Part different[2] = {{&kRed, 0, 17}, {&kCopper, 40, ball_mesh.triangle_count() - 40}};
+};
+
+struct Room {
+  std::vector<TriangleSide> sides;
+  std::vector<OutlineEdge> edges;
+  std::vector<OutlineGap<Rgb888>> gaps;
+  SceneOutlines<Rgb888> outlines;
+
+  explicit Room(const Meshes& meshes, std::size_t most_edges = 2000)
+      : sides(200),
+        edges(most_edges),
+        gaps(5000),
+        outlines{meshes.outlined, sides, OutlineList(edges), gaps} {}
+};
+
+RandomObjects random_objects(Random& random, const Meshes& meshes) {
+  RandomObjects made{random_camera(random), {}};
+  made.objects = {{meshes.ball_mesh, kCopper},
+                  {meshes.ball_mesh, std::span(meshes.same)},
+                  {meshes.ball_mesh, std::span(meshes.different)},
+                  {meshes.lump_mesh, kRed}};
+  for (Object& object : made.objects) place_at_random(random, object, 2.5);
+  return made;
+}
+
+/// Adds the outlines of an object by calls that know nothing of scenes.
+void add_alone(const Meshes& meshes, const Camera& camera, const Object& object, OutlineList& edges) {
+  ClipTransform transform;
+  if (!camera.place(object.position, object.rotation, object.scale, transform)) return;
+  const MeshView& mesh = object.mesh();
+  std::vector<TriangleSide> sides(mesh.triangle_count(), TriangleSide::kHidden);
+  for (std::size_t i = 0; i < object.part_count(); ++i) {
+    const Part part = object.part(i);
+    std::vector<TriangleSide> of_part(part.count);
+    REQUIRE(ok(find_sides<Unlit>(mesh.part(part.first, part.count), transform, Unlit::lighting({}), NoCache{},
+                                 of_part)));
+    std::copy(of_part.begin(), of_part.end(), sides.begin() + static_cast<std::ptrdiff_t>(part.first));
+  }
+  const auto& neighbours = &mesh == &meshes.ball_mesh ? meshes.ball_neighbours : meshes.lump_neighbours;
+  REQUIRE(ok(edges.add(mesh, neighbours.view, VertexPositions(transform), sides)));
+}
+
+/// The words of a picture that is drawn in bands.
+template <class Memory>
+std::vector<Picture::Word> drawn_in_bands(const Scene& scene, Memory& memory, Room& room, std::int32_t rows) {
+  REQUIRE(ok(prepare_scene(scene, memory)));
+  std::vector<Picture::Word> all;
+  Canvas band(rows + 2);
+  for (std::int32_t row = 0; row < Canvas::kHeight; row += rows) {
+    const std::int32_t first = row == 0 ? 0 : row - 1;
+    band.move_to(first);
+    REQUIRE(ok(draw_prepared_scene(memory, band.picture, band.depth).status));
+    // After drawing, although that may have left the vertices of another object.
+    if (row == 0) REQUIRE(ok(find_outlines(memory, room.outlines)));
+    REQUIRE(ok(smooth_outlines(room.outlines.edges, band.picture, band.depth, room.outlines.gaps)));
+    const auto begin = band.pixels.begin() + std::ptrdiff_t{row - first} * Canvas::kWidth;
+    all.insert(all.end(), begin, begin + std::ptrdiff_t{rows} * Canvas::kWidth);
+  }
+  return all;
+}
+
+TEST_CASE("outlines of scenes are smoothed as those of their objects, also in bands") {
+  const Meshes meshes;
+  static SceneMemory<SceneMethods, 4, 400> own_vertices;
+  static SceneMemory<SceneMethods, 4, 100> shared_vertices;
+  static SceneMemory<SceneMethods, 4> no_vertices;
+  Random random(3);
+  int smoothed = 0;
+  for (int repeat = 0; repeat < share_of(200); ++repeat) {
+    const RandomObjects objects = random_objects(random, meshes);
+    Room room(meshes);
+    Canvas plain;
+    REQUIRE(
+        ok(draw_scene(objects.scene(), plain.picture, plain.depth, own_vertices, Rgb8{10, 20, 30}).status));
+    std::vector<OutlineEdge> memory(2000);
+    OutlineList edges(memory);
+    for (std::size_t i = 0; i < own_vertices.frame().header.in_view; ++i)
+      add_alone(meshes, objects.camera, *own_vertices.frame().slots[i].object, edges);
+    REQUIRE(ok(smooth_outlines(edges, plain.picture, plain.depth, std::span(room.gaps))));
+    Canvas by_scene;
+    REQUIRE(ok(draw_scene(objects.scene(), by_scene.picture, by_scene.depth, own_vertices, Rgb8{10, 20, 30},
+                          room.outlines)
+                   .status));
+    CHECK(by_scene.pixels == plain.pixels);
+    CHECK(by_scene.depths == plain.depths);
+    CHECK(drawn_in_bands(objects.scene(), own_vertices, room, 24) == plain.pixels);
+    CHECK(drawn_in_bands(objects.scene(), shared_vertices, room, 12) == plain.pixels);
+    CHECK(drawn_in_bands(objects.scene(), no_vertices, room, 36) == plain.pixels);
+    if (!edges.edges().empty()) ++smoothed;
+  }
+  CHECK(smoothed >= share_of(200) * 3 / 4);
+}
+
+TEST_CASE("a scene of which an object cannot be smoothed is drawn, with the others smoothed") {
+  const Meshes meshes;
+  static SceneMemory<SceneMethods, 2, 200> memory;
+  const Object both[2] = {{meshes.ball_mesh, kCopper, WorldPoint::of(-0.8, 0, 0)},
+                          {meshes.lump_mesh, kRed, WorldPoint::of(0.9, 0.3, -1)}};
+  const Camera camera = Camera::of({WorldPoint::of(0, 0, 4), {}}, kLens, kScreen);
+  const auto drawn = [&](std::span<const Object> objects, Room& room, Status expected) {
+    Canvas canvas;
+    const SceneResult result =
+        draw_scene({camera, kLights, objects}, canvas.picture, canvas.depth, memory, Rgb8{}, room.outlines);
+    CHECK(result.status == expected);
+    CHECK(result.objects == objects.size());
+    return room.outlines.edges.edges().size();
+  };
+  Room room(meshes);
+  const std::size_t of_both = drawn(both, room, Status::kOk);
+  const std::size_t of_first = drawn(std::span(both).first(1), room, Status::kOk);
+  const std::size_t of_second = drawn(std::span(both).last(1), room, Status::kOk);
+  CHECK(of_both == of_first + of_second);
+  REQUIRE(of_first > of_second);
+
+  SECTION("without neighbours") {
+    room.outlines.meshes = std::span(meshes.outlined).first(1);
+    CHECK(drawn(both, room, Status::kUnsupported) == of_first);
+  }
+  SECTION("with those of another mesh") {
+    const OutlinedMesh swapped[2] = {{&meshes.ball_mesh, &meshes.lump_neighbours.view}, meshes.outlined[1]};
+    room.outlines.meshes = swapped;
+    CHECK(drawn(both, room, Status::kInvalidArgument) == of_second);
+  }
+  SECTION("with too few sides") {
+    room.outlines.sides = std::span(room.sides).first(meshes.ball_mesh.triangle_count() - 1);
+    CHECK(drawn(both, room, Status::kBufferTooSmall) == of_second);
+  }
+  SECTION("with too few edges") {
+    Room small(meshes, of_first - 1);
+    CHECK(drawn(both, small, Status::kBufferTooSmall) == of_second);
+  }
+  SECTION("with too few gaps, or none") {
+    room.outlines.gaps = std::span(room.gaps).first(9);
+    CHECK(drawn(both, room, Status::kBufferTooSmall) == of_both);
+    room.outlines.gaps = {};
+    CHECK(drawn(both, room, Status::kBufferTooSmall) == of_both);
+  }
+}
+
+TEST_CASE("outlines are not found before a scene is prepared") {
+  const Meshes meshes;
+  Room room(meshes);
+  static SceneMemory<SceneMethods, 2, 200> memory;
+  CHECK(find_outlines(memory, room.outlines) == Status::kNotReady);
+  SceneMemoryView<SceneMethods> nothing;
+  CHECK(find_outlines(nothing, room.outlines) == Status::kBufferTooSmall);
+}
+
+}  // namespace

@@ -7,6 +7,11 @@
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/temporary_folder.hpp>
 
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
 using namespace arcspan::tools;
 using namespace arcspan::test;
 
@@ -254,4 +259,67 @@ TEST_CASE("what is wrong with files: one line, status 1, nothing left behind") {
         bad + ": a picture's name must end in .png, .ppm or .pgm");
   check("sphere:99999x9 -o " + out, "sphere:99999x9: too many vertices (799994; the limit is 65536)");
   CHECK(folder.size() == 1);
+}
+
+TEST_CASE("outlines are smoothed where depth and format allow it, in bands as in the whole picture") {
+  const TemporaryFolder folder;
+  const auto drawn = [&folder](const std::string& options) {
+    const CommandRun result = run("render torus:16x8 --size 96x72 -o " + (folder / "a.ppm") + " " + options);
+    REQUIRE(result.status == 0);
+    const bool says_so = result.out.find("smoothed: ") != std::string::npos;
+    CHECK(says_so == (result.out.find(", outlines ") != std::string::npos));
+    return std::pair(contents(folder / "a.ppm"), says_so);
+  };
+  for (const char* format :
+       {"rgb565", "rgb888", "gray8", "gray4", "rgb565_swapped", "bgr888", "xrgb8888", "argb8888", "rgb332"}) {
+    CAPTURE(format);
+    const std::string choice = std::string("--format ") + format;
+    const auto smooth = drawn(choice);
+    CHECK(smooth.second);
+    CHECK(drawn(choice + " --band 11") == smooth);
+    CHECK(drawn(choice + " --no-smooth").first != smooth.first);
+  }
+  for (const char* other : {"--format mono", "--format gray2", "--no-depth"}) {
+    const auto plain = drawn(other);
+    CHECK_FALSE(plain.second);
+    CHECK(drawn(std::string(other) + " --no-smooth") == plain);
+  }
+  for (const char* blended : {"--alpha 0.5", "--alpha 0.7 --two-sided", "--alpha 0.5 --blend screen-door"}) {
+    CAPTURE(blended);
+    const auto smooth = drawn(blended);
+    CHECK(drawn(std::string(blended) + " --band 11") == smooth);
+    CHECK(drawn(std::string(blended) + " --no-smooth").first != smooth.first);
+  }
+}
+
+TEST_CASE("smoothing that cannot be is refused if it was asked for") {
+  const TemporaryFolder folder;
+  const auto refused = [&folder](const std::string& options) {
+    const CommandRun result = run("render torus:16x8 -o " + (folder / "a.png") + " --smooth " + options);
+    CHECK(result.status != 0);
+    return result.err;
+  };
+  CHECK(refused("--no-depth").find("--smooth: needs a depth buffer, not --no-depth") != std::string::npos);
+  CHECK(refused("--format mono").find("--smooth: needs at least 4 bits per pixel, not --format mono") !=
+        std::string::npos);
+}
+
+TEST_CASE("several samples a pixel are the mean of a larger picture") {
+  const TemporaryFolder folder;
+  REQUIRE(run("render torus:16x8 --size 40x30 --samples 3 -o " + (folder / "mean.png")).status == 0);
+  REQUIRE(run("render torus:16x8 --size 120x90 -o " + (folder / "large.png")).status == 0);
+  const Image mean = read_image(folder / "mean.png");
+  const Image large = read_image(folder / "large.png");
+  REQUIRE(mean.width == 40);
+  REQUIRE(mean.height == 30);
+  for (std::int32_t y = 0; y < 30; ++y) {
+    for (std::int32_t x = 0; x < 40; ++x) {
+      double green = 0;
+      for (std::int32_t i = 0; i < 9; ++i) green += large.at(3 * x + i % 3, 3 * y + i / 3).g;
+      CHECK(std::abs(green / 9 - mean.at(x, y).g) <= 0.5);
+    }
+  }
+  const CommandRun result = run("render torus:16x8 --size 700x30 --samples 3 -o " + (folder / "a.png"));
+  CHECK(result.status != 0);
+  CHECK(result.err.find("--samples: 3 times 700x30 is more than 2048x2048") != std::string::npos);
 }

@@ -4,7 +4,9 @@
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/render_report.hpp>
+#include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/image/image_file.hpp>
+#include <arcspan_tools/image/reduced.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 #include <arcspan_tools/support/progress.hpp>
 #include <arcspan_tools/support/result_files.hpp>
@@ -21,6 +23,7 @@ struct RenderArguments {
   RenderOptions options;
   std::string output;
   std::string stats;
+  std::int32_t samples = 1;  ///< along each side of a pixel
 };
 
 struct Loaded {
@@ -58,22 +61,38 @@ void warn_of_fog(const RenderOptions& options, const RenderJob& job) {
   if (fog->far_distance <= job.nearest) warn("--fog", "hides all of " + place);
 }
 
+/// The size of what is drawn for a picture of the size that was asked for.
+Size drawn_size(const RenderArguments& arguments) {
+  const Size& size = arguments.options.scene.size;
+  const std::int32_t n = arguments.samples;
+  const Size drawn{n * size.width, n * size.height};
+  if (drawn.width <= kMostPictureSide && drawn.height <= kMostPictureSide) return drawn;
+  throw CLI::ValidationError(
+      "--samples", formatted("%d times %dx%d is more than %dx%d, which is the largest picture", n, size.width,
+                             size.height, kMostPictureSide, kMostPictureSide));
+}
+
 void run_render(RenderArguments& arguments) {
   const RenderOptions& options = arguments.options;
   const ImageFormat format = image_format(arguments.output);
   check_results({arguments.output, arguments.stats}, {options.mesh, options.texture, options.matcap});
   Loaded loaded = load(arguments);
-  const RenderJob job = make_job(options.scene, loaded.model, options.mesh);
-  warn_of_fog(options, job);
   const Size size = options.scene.size;
-  Progress progress("drawing", static_cast<std::size_t>(size.height));
+  Scene scene = options.scene;
+  scene.size = drawn_size(arguments);
+  const RenderJob job = make_job(scene, loaded.model, options.mesh);
+  warn_of_fog(options, job);
+  Progress progress("drawing", static_cast<std::size_t>(scene.size.height));
   const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);
   const RenderResult result = renderer.render(job, [&progress](std::size_t rows) { progress.show(rows); });
   loaded.report.format = options.format + (renderer.pixels.dithers ? ", dithered" : "");
+  if (arguments.samples > 1)
+    loaded.report.format += formatted(", %dx%d samples a pixel", arguments.samples, arguments.samples);
   loaded.report.width = size.width;
   loaded.report.height = size.height;
   loaded.report.stats = result.stats;
-  std::vector<ResultFile> results = {{arguments.output, encode_image(result.image, format)}};
+  std::vector<ResultFile> results = {
+      {arguments.output, encode_image(reduced(result.image, arguments.samples), format)}};
   if (!arguments.stats.empty()) results.push_back({arguments.stats, to_json(loaded.report)});
   write_results(results, to_text(loaded.report));
 }
@@ -89,6 +108,10 @@ void add_render_command(CLI::App& app) {
       ->add_option("-o,--output", arguments->output,
                    "the picture: .png, .ppm or .pgm; - is standard output (PNG), so are ppm:- and pgm:-")
       ->required();
+  add_integer(
+      *render, "--samples", "N",
+      "N*N samples a pixel (default 1), for pictures on paper: draws N times as large, and takes the mean", 1,
+      8, arguments->samples);
   render->add_option("--stats", arguments->stats, "write the printed figures as JSON");
   render->footer(
       "Examples:\n"

@@ -29,8 +29,8 @@ class FormatStore final : public PixelStore {
   void read_row(std::int32_t y, std::span<Rgb8> row) const override { decode_row(frame_, y, row); }
   void move_to(std::int32_t first_row) override { frame_.move_to(first_row); }
   void clear(Rgb8 colour) override { frame_.clear(colour); }
-  std::size_t smooth(const OutlineList& outlines, const DepthBuffer& depth) override {
-    return smooth_frame(outlines, frame_, depth);
+  void smooth(const OutlineList& outlines, const DepthBuffer& depth, SmoothCost& cost) override {
+    smooth_frame(outlines, frame_, depth, cost);
   }
   [[nodiscard]] Rect bounds() const override { return frame_.bounds(); }
   [[nodiscard]] std::size_t bytes() const override { return memory_.size() * sizeof(typename Format::Word); }

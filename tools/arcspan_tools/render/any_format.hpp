@@ -16,6 +16,12 @@
 
 namespace arcspan::tools {
 
+/// What smoothing takes, all bands and repeats together.
+struct SmoothCost {
+  double milliseconds = 0;    ///< of processor time
+  std::size_t gap_bytes = 0;  ///< of the band that needs most
+};
+
 /// Pixels of a format that is known at run time only, in a hal::Framebuffer of that format.
 class PixelStore {
  public:
@@ -27,8 +33,8 @@ class PixelStore {
   virtual void read_row(std::int32_t y, std::span<Rgb8> row) const = 0;
   virtual void move_to(std::int32_t first_row) = 0;
   virtual void clear(Rgb8 colour) = 0;
-  /// smooth_frame(), if can_smooth() the format.
-  virtual std::size_t smooth(const OutlineList& outlines, const DepthBuffer& depth) = 0;
+  /// smooth_frame() (job_outlines.hpp).
+  virtual void smooth(const OutlineList& outlines, const DepthBuffer& depth, SmoothCost& cost) = 0;
   [[nodiscard]] virtual Rect bounds() const = 0;
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 };
@@ -51,7 +57,7 @@ class NoPixels final : public PixelStore {
     bounds_ = {bounds_.left, first_row, bounds_.right, first_row + bounds_.height()};
   }
   void clear(Rgb8) override {}
-  std::size_t smooth(const OutlineList&, const DepthBuffer&) override { return 0; }
+  void smooth(const OutlineList&, const DepthBuffer&, SmoothCost&) override {}
   [[nodiscard]] Rect bounds() const override { return bounds_; }
   [[nodiscard]] std::size_t bytes() const override { return 0; }
 

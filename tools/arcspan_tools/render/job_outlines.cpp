@@ -42,8 +42,8 @@ void JobOutlines::add(const RenderJob& job, std::size_t part, Group& group) {
 }
 
 void JobOutlines::finish(std::int32_t repeats, RenderStats& stats) const {
-  stats.smooth_milliseconds = stats.smooth_milliseconds / repeats + find_milliseconds_;
-  stats.outline_bytes = sides_.size() * sizeof(TriangleSide) + gap_bytes_;
+  stats.smooth_milliseconds = find_milliseconds_ + cost_.milliseconds / repeats;
+  stats.outline_bytes = sides_.size() * sizeof(TriangleSide) + cost_.gap_bytes;
   for (const Group& group : groups_) {
     stats.outline_edges += group.outlines.edges().size();
     stats.outline_bytes += group.outlines.edges().size() * sizeof(OutlineEdge);

@@ -62,7 +62,7 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
       band.start(outlines.first_row(first), job.background);
       depth.start(outlines.first_row(first));
       milliseconds += draw_into<Method>(band, job, lightings, depth.buffer(), std::span(cache), result.stats);
-      outlines.smooth_after(job.parts.size() - 1, band, depth.buffer(), result.stats);
+      outlines.smooth_after(job.parts.size() - 1, band, depth.buffer());
     }
     result.stats.draw_milliseconds += milliseconds / job.repeats;
     copy_rows(band, first, rows, result.image);

@@ -29,8 +29,8 @@ class DirectBand {
     frame_.clear(background);
   }
   void read_row(std::int32_t y, std::span<Rgb8> row) const { decode_row(frame_, y, row); }
-  std::size_t smooth(const OutlineList& outlines, const DepthBuffer& depth) {
-    return smooth_frame(outlines, frame_, depth);
+  void smooth(const OutlineList& outlines, const DepthBuffer& depth, SmoothCost& cost) {
+    smooth_frame(outlines, frame_, depth, cost);
   }
   [[nodiscard]] std::size_t bytes() const { return memory_.size() * sizeof(Rgb565::Word); }
 

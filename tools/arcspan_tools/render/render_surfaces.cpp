@@ -54,18 +54,26 @@ Drawers make_drawers(const RenderJob& job, const std::vector<std::unique_ptr<Ill
   return drawers;
 }
 
-/// Draws all parts once, and calls drawn_part(i) after each. Returns the triangles.
-template <class Drawn>
-std::uint32_t draw_parts(const Drawers& drawers, SurfaceSink& sink, const DepthBuffer& depth,
-                         const Drawn& drawn_part) {
+/// What drawing all parts once took.
+struct PartsDrawn {
   std::uint32_t triangles = 0;
+  double milliseconds = 0;  ///< of processor time
+};
+
+/// Draws all parts once, and calls after(i) after each.
+template <class After>
+PartsDrawn draw_parts(const Drawers& drawers, SurfaceSink& sink, const DepthBuffer& depth,
+                      const After& after) {
+  PartsDrawn all;
   for (std::size_t i = 0; i < drawers.size(); ++i) {
+    const double start = processor_milliseconds();
     const DrawResult drawn = drawers[i]->draw(sink, ReadOnlyDepth(depth));
+    all.milliseconds += processor_milliseconds() - start;
     if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
-    triangles += drawn.triangles;
-    drawn_part(i);
+    all.triangles += drawn.triangles;
+    after(i);
   }
-  return triangles;
+  return all;
 }
 
 /// Counts by drawing into nothing.
@@ -74,7 +82,7 @@ void count_spans(const RenderJob& job, const Drawers& drawers, RenderStats& stat
   NoPixels nothing({0, 0, size.width, size.height});
   const BandDepth depth(size.width, size.height);
   SurfaceSink sink(nothing, depth.buffer(), false);
-  stats.triangles = draw_parts(drawers, sink, depth.buffer(), [](std::size_t) {});
+  stats.triangles = draw_parts(drawers, sink, depth.buffer(), [](std::size_t) {}).triangles;
   stats.spans = sink.spans();
   stats.pixels = sink.pixels();
   stats.written = nothing.written();
@@ -114,13 +122,11 @@ RenderResult render_surfaces(const RenderJob& job,
       store->move_to(outlines.first_row(first));
       store->clear(job.background);
       depth.start(outlines.first_row(first));
-      const double start = processor_milliseconds();
-      const double smoothed = result.stats.smooth_milliseconds;
-      const std::uint32_t triangles = draw_parts(drawers, sink, depth.buffer(), [&](std::size_t part) {
-        outlines.smooth_after(part, *store, depth.buffer(), result.stats);
+      const PartsDrawn drawn = draw_parts(drawers, sink, depth.buffer(), [&](std::size_t part) {
+        outlines.smooth_after(part, *store, depth.buffer());
       });
-      result.stats.triangles = std::max(result.stats.triangles, triangles);
-      milliseconds += processor_milliseconds() - start - (result.stats.smooth_milliseconds - smoothed);
+      result.stats.triangles = std::max(result.stats.triangles, drawn.triangles);
+      milliseconds += drawn.milliseconds;
     }
     result.stats.draw_milliseconds += milliseconds / job.repeats;
     copy_rows(*store, first, rows, result.image);

@@ -39,8 +39,8 @@ class AnyBand {
     store_->clear(background);
   }
   void read_row(std::int32_t y, std::span<Rgb8> row) const { store_->read_row(y, row); }
-  std::size_t smooth(const OutlineList& outlines, const DepthBuffer& depth) {
-    return store_->smooth(outlines, depth);
+  void smooth(const OutlineList& outlines, const DepthBuffer& depth, SmoothCost& cost) {
+    store_->smooth(outlines, depth, cost);
   }
   [[nodiscard]] std::size_t bytes() const { return store_->bytes(); }
 

@@ -262,6 +262,26 @@ size_t arcspan_depth_words(arcspan_rect held);
  *   ARCSPAN_LIGHT_CHANGED      see arcspan_set_lights(); what was drawn before stays */
 arcspan_status arcspan_draw(arcspan_view* view, const arcspan_target* target);
 
+/* Memory for smooth outlines. What does not fit stays as it is without smoothing. */
+typedef struct {
+  uint32_t triangles; /* of the largest part; a byte each */
+  uint32_t edges;     /* of all outlines in view; 12 bytes each */
+  uint32_t gaps;      /* where outlines pass between two pixels of a target; 16 bytes each */
+} arcspan_outline_limits;
+/* The bytes of memory, at any address, that arcspan_smooth_outlines() takes. */
+size_t arcspan_outline_bytes(const arcspan_outline_limits* limits);
+/* Smooths the outlines of all frames from the next arcspan_prepare() on; not any more if `memory` is NULL. The
+ * models must be written by `arcspan mesh --outlines`. The outermost pixels of a target are right only at the
+ * sides of the picture: a rectangle that is shown needs a target that is larger by one pixel on all others.
+ *
+ * arcspan_draw() then returns, after it has drawn, ARCSPAN_UNSUPPORTED if a part in view has no neighbours or
+ * the format is ARCSPAN_MONO, and ARCSPAN_BUFFER_TOO_SMALL if a limit was reached.
+ *
+ * Returns ARCSPAN_UNSUPPORTED without ARCSPAN_C_OUTLINES, and ARCSPAN_BUFFER_TOO_SMALL if `bytes` are fewer
+ * than arcspan_outline_bytes(). */
+arcspan_status arcspan_smooth_outlines(arcspan_view* view, void* memory, size_t bytes,
+                                       const arcspan_outline_limits* limits);
+
 #ifdef __cplusplus
 }
 #endif

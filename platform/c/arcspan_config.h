@@ -47,6 +47,11 @@
 #define ARCSPAN_C_TEXTURES_PALETTE4 0
 #endif
 
+/* 1 if arcspan_smooth_outlines() does something. */
+#ifndef ARCSPAN_C_OUTLINES
+#define ARCSPAN_C_OUTLINES 0
+#endif
+
 /* Pixel formats (arcspan_format). Each holds all the code that draws. */
 #ifndef ARCSPAN_C_RGB565
 #define ARCSPAN_C_RGB565 1

@@ -3,24 +3,30 @@
 // refused.
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/model/model_binary.hpp>
+#include <arcspan/model/model_neighbours.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/scene.hpp>
+#include <arcspan/scene_outlines.hpp>
 
 #include <arcspan.h>
 #include <arcspan_c/compiled_methods.hpp>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
+extern "C" {
+extern const arcspan_model outlined;
+}
+
 namespace {
 
 using namespace arcspan;
 
-constexpr std::uint16_t kSide = 64;
+constexpr std::int32_t kSide = 64;
 constexpr arcspan_rgb kBlack = {0, 0, 0};
 constexpr arcspan_lens kLens = {kSide, kSide, ARCSPAN_DEGREES(44), 0, ARCSPAN_LENGTH(1), ARCSPAN_LENGTH(9)};
 constexpr arcspan_point kEye = {ARCSPAN_LENGTH(1), ARCSPAN_LENGTH(1.5), ARCSPAN_LENGTH(3)};
@@ -48,24 +54,49 @@ struct Scene2 {
   explicit Scene2(arcspan_scene_limits limits) : memory(arcspan_scene_bytes(&limits)) {
     REQUIRE(arcspan_scene_make(memory.data(), memory.size(), &limits, &scene) == ARCSPAN_OK);
   }
-  [[nodiscard]] std::vector<std::uint16_t> drawn() const {
+  /// The picture, drawn in rectangles of `side` pixels; with outlines in memory of `outlines`.
+  [[nodiscard]] std::vector<std::uint16_t> drawn(const arcspan_outline_limits* outlines = nullptr,
+                                                 arcspan_status expected = ARCSPAN_OK,
+                                                 std::int32_t side = kSide) const {
     const arcspan_view_limits limits = arcspan_limits_of(scene, 0);
     std::vector<unsigned char> view_memory(arcspan_view_bytes(&limits));
     arcspan_view* view = nullptr;
     REQUIRE(arcspan_view_make(view_memory.data(), view_memory.size(), &limits, scene, &view) == ARCSPAN_OK);
     REQUIRE(arcspan_set_camera(view, &kLens, kEye, {0, 0, 0}, {0, 0, 0}) == ARCSPAN_OK);
+    std::vector<unsigned char> outline_memory(outlines != nullptr ? arcspan_outline_bytes(outlines) : 0);
+    if (outlines != nullptr) {
+      REQUIRE(arcspan_smooth_outlines(view, outline_memory.data(), outline_memory.size() - 1, outlines) ==
+              ARCSPAN_BUFFER_TOO_SMALL);
+      REQUIRE(arcspan_smooth_outlines(view, outline_memory.data(), outline_memory.size(), outlines) ==
+              ARCSPAN_OK);
+    }
     REQUIRE(arcspan_prepare(view) == ARCSPAN_OK);
-    std::vector<std::uint16_t> pixels(kSide * kSide), depths(kSide * kSide);
-    const arcspan_target target{pixels.data(),        2 * pixels.size(), 2 * kSide,     ARCSPAN_RGB565,
-                                {0, 0, kSide, kSide}, depths.data(),     depths.size(), &kBlack};
-    REQUIRE(arcspan_draw(view, &target) == ARCSPAN_OK);
+    std::vector<std::uint16_t> pixels(kSide * kSide), depths(kSide * kSide), part(kSide * kSide);
+    arcspan_status first = ARCSPAN_OK;
+    for (std::int32_t y = 0; y < kSide; y += side) {
+      for (std::int32_t x = 0; x < kSide; x += side) {
+        // One pixel more on all sides.
+        const arcspan_rect held{x == 0 ? 0 : x - 1, y == 0 ? 0 : y - 1, std::min(x + side + 1, kSide),
+                                std::min(y + side + 1, kSide)};
+        const std::int32_t width = held.right - held.left;
+        const arcspan_target target{part.data(), 2 * part.size(), 2 * width,     ARCSPAN_RGB565,
+                                    held,        depths.data(),   depths.size(), &kBlack};
+        const arcspan_status status = arcspan_draw(view, &target);
+        if (first == ARCSPAN_OK) first = status;
+        for (std::int32_t row = y; row < std::min(y + side, held.bottom); ++row) {
+          const auto begin = part.begin() + (row - held.top) * width + (x - held.left);
+          std::copy(begin, begin + std::min(side, kSide - x), pixels.begin() + row * kSide + x);
+        }
+      }
+    }
+    CHECK(first == expected);
     return pixels;
   }
 };
 
 /// The parts of a model by the method M, or with a texture by T.
 template <class M, class T>
-std::vector<std::uint16_t> drawn_by_cpp(Binary& binary) {
+std::vector<std::uint16_t> drawn_by_cpp(Binary& binary, bool smooth = false) {
   StoredModel model;
   REQUIRE(ok(view_model_binary({binary.data(), binary.size}, model)));
   const SceneLight light = SceneLight::directional(normalised(-1, 1, 2));
@@ -97,8 +128,23 @@ std::vector<std::uint16_t> drawn_by_cpp(Binary& binary) {
   std::vector<std::uint16_t> pixels(kSide * kSide), depths(kSide * kSide);
   Frame frame(pixels, kSide, kSide);
   static SceneMemory<MethodList<M, T>, 16, 1024> memory;
-  REQUIRE(ok(draw_scene({camera, lights, objects}, frame, DepthBuffer(depths, kSide, kSide), memory, Rgb8{})
-                 .status));
+  const DepthBuffer depth(depths, kSide, kSide);
+  const Scene scene{camera, lights, objects};
+  if (!smooth) {
+    REQUIRE(ok(draw_scene(scene, frame, depth, memory, Rgb8{}).status));
+    return pixels;
+  }
+  std::vector<MeshNeighbours> neighbours(model.part_count());
+  std::vector<OutlinedMesh> outlined;
+  for (std::size_t i = 0; i < model.part_count(); ++i) {
+    REQUIRE(ok(view_neighbours(model, i, neighbours[i])));
+    outlined.push_back({&meshes[i], &neighbours[i]});
+  }
+  std::vector<TriangleSide> sides(2000);
+  std::vector<OutlineEdge> edges(2000);
+  std::vector<OutlineGap<Rgb565>> gaps(2000);
+  SceneOutlines<Rgb565> outlines{outlined, sides, OutlineList(edges), gaps};
+  REQUIRE(ok(draw_scene(scene, frame, depth, memory, Rgb8{}, outlines).status));
   return pixels;
 }
 
@@ -123,6 +169,36 @@ TEST_CASE("models in binaries are drawn from C with the pixels of C++") {
   REQUIRE(arcspan_add_binary(smooth.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
   REQUIRE(arcspan_add_binary(faceted.scene, ball.data(), ball.size, &look, nullptr) == ARCSPAN_OK);
   CHECK((faceted.drawn() != smooth.drawn()));
+}
+
+TEST_CASE("outlines are smoothed from C as from C++, whole and in rectangles") {
+  using Smooth = Arc<c::Light>;
+  const arcspan_outline_limits limits{2000, 2000, 2000};
+  Binary lamp("outlined-lamp.bin");
+  const auto expected = drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(lamp, true);
+  Scene2 stored({16, 16});
+  REQUIRE(arcspan_add_binary(stored.scene, lamp.data(), lamp.size, nullptr, nullptr) == ARCSPAN_OK);
+  const auto plain = stored.drawn();
+  CHECK(plain != expected);
+  CHECK(stored.drawn(&limits) == expected);
+  CHECK(stored.drawn(&limits, ARCSPAN_OK, 20) == expected);
+  Scene2 in_flash({16, 0});
+  REQUIRE(arcspan_add_model(in_flash.scene, &outlined, nullptr) == ARCSPAN_OK);
+  CHECK(in_flash.drawn(&limits, ARCSPAN_OK, 20) != in_flash.drawn());
+
+  const arcspan_outline_limits few_triangles{3, 2000, 2000};
+  CHECK(stored.drawn(&few_triangles, ARCSPAN_BUFFER_TOO_SMALL) != expected);
+  const arcspan_outline_limits no_edges{2000, 0, 2000};
+  CHECK(stored.drawn(&no_edges, ARCSPAN_BUFFER_TOO_SMALL) == plain);
+  const arcspan_outline_limits no_gaps{2000, 2000, 0};
+  CHECK(stored.drawn(&no_gaps, ARCSPAN_BUFFER_TOO_SMALL) == plain);
+  for (const char* const name : {"lamp.bin", "ball.bin"}) {
+    CAPTURE(name);
+    Binary without(name);
+    Scene2 scene({16, 16});
+    REQUIRE(arcspan_add_binary(scene.scene, without.data(), without.size, nullptr, nullptr) == ARCSPAN_OK);
+    CHECK(scene.drawn(&limits, ARCSPAN_UNSUPPORTED) == scene.drawn());
+  }
 }
 
 TEST_CASE("parts of the same material share it, and move together") {

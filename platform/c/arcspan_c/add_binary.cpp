@@ -2,6 +2,7 @@
 #include <arcspan/lighting/colour_coefficients.hpp>
 #include <arcspan/mesh/mesh_binary.hpp>
 #include <arcspan/model/model_binary.hpp>
+#include <arcspan/model/model_neighbours.hpp>
 
 #include <arcspan_c/new_object.hpp>
 
@@ -34,14 +35,29 @@ constexpr Material kWhitePlastic = plastic({255, 255, 255});
   MeshView mesh;
   const Status status = view_mesh_binary(binary, mesh);
   if (!ok(status)) return status;
-  return object.add(mesh, source_of(look, kWhitePlastic, false, {}), bounding_sphere(mesh));
+  return object.add(mesh, nullptr, source_of(look, kWhitePlastic, false, {}), bounding_sphere(mesh));
+}
+
+/// Sets `neighbours` to those of part `i` if outlines are compiled and the model has some.
+[[nodiscard]] Status find_neighbours([[maybe_unused]] const StoredModel& model,
+                                     [[maybe_unused]] std::size_t i,
+                                     [[maybe_unused]] MeshNeighbours& neighbours) {
+#if ARCSPAN_C_OUTLINES
+  const Status status = view_neighbours(model, i, neighbours);
+  if (status != Status::kUnsupported) return status;
+#endif
+  return Status::kOk;
 }
 
 [[nodiscard]] Status add_parts(c::NewObject& object, const StoredModel& model, const arcspan_look& look) {
   for (std::size_t i = 0; i < model.part_count(); ++i) {
     const ModelPart part = model.part(i);
-    const Status status =
-        object.add(part.mesh, source_of(look, part.material, part.two_sided, part.texture), part.sphere);
+    MeshNeighbours neighbours;
+    Status status = find_neighbours(model, i, neighbours);
+    if (ok(status)) {
+      status = object.add(part.mesh, &neighbours,
+                          source_of(look, part.material, part.two_sided, part.texture), part.sphere);
+    }
     if (!ok(status)) return status;
   }
   return Status::kOk;

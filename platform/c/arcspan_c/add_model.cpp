@@ -13,7 +13,10 @@ arcspan_status arcspan_add_model(arcspan_scene* scene, const arcspan_model* mode
     const c::ModelPart& part = model->parts[i];
     MeshView mesh;
     status = part.make_view(mesh);
-    if (ok(status)) status = added.add(mesh, *part.material, part.sphere);
+    MeshNeighbours neighbours;
+    if (ok(status) && ARCSPAN_C_OUTLINES != 0 && part.make_neighbours != nullptr)
+      status = part.make_neighbours(mesh, neighbours);
+    if (ok(status)) status = added.add(mesh, &neighbours, *part.material, part.sphere);
   }
   return added.finish(status, object);
 }

@@ -11,6 +11,17 @@
 
 namespace arcspan::c {
 
+/// Smooths the outlines of what was drawn.
+template <class Window>
+[[nodiscard]] Status smooth_drawn(const ViewOutlines& outlines, Window& window, const DepthBuffer& depth) {
+  using Gap = OutlineGap<typename Window::Format>;
+  static_assert(sizeof(Gap) <= kGapBytes && alignof(Gap) <= kGapAlignment);
+  const std::span<Gap> gaps(static_cast<Gap*>(static_cast<void*>(outlines.gaps.data())),
+                            outlines.gaps.size() / kGapBytes);
+  const Status status = smooth_outlines(outlines.edges, window, depth, gaps);
+  return ok(outlines.status) ? status : outlines.status;
+}
+
 /// arcspan_draw() for the format F.
 template <PixelFormat F>
 [[nodiscard]] Status draw_format(arcspan_view& view, const arcspan_target& target) {
@@ -25,7 +36,11 @@ template <PixelFormat F>
   if (target.background != nullptr) {
     window.clear({target.background->r, target.background->g, target.background->b});
   }
-  return draw_prepared_scene(view.memory, window, depth).status;
+  const Status drawn = draw_prepared_scene(view.memory, window, depth).status;
+#if ARCSPAN_C_OUTLINES
+  if (ok(drawn) && !view.outlines.sides.empty()) return smooth_drawn(view.outlines, window, depth);
+#endif
+  return drawn;
 }
 
 }  // namespace arcspan::c

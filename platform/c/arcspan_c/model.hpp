@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/mesh/bounding_sphere.hpp>
+#include <arcspan/mesh/mesh_neighbours.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/scene/scene_light.hpp>
 #include <arcspan/scene/scene_material.hpp>
@@ -19,6 +20,7 @@ struct ModelPart {
   Status (*make_view)(MeshView& mesh);
   BoundingSphere sphere;
   const SceneMaterial* material;
+  Status (*make_neighbours)(const MeshView& mesh, MeshNeighbours& neighbours) = nullptr;
 };
 
 /// The light that prepared materials in flash are made for: as many as there are lights, of strength 1.

@@ -15,19 +15,26 @@ class NewObject {
  public:
   explicit NewObject(arcspan_scene& scene) : scene_(scene), material_count_(scene.material_count) {}
 
-  /// Adds a part of a prepared material. Returns kBufferTooSmall if there is no room for it.
-  [[nodiscard]] Status add(const MeshView& mesh, const SceneMaterial& material,
-                           const BoundingSphere& sphere) {
+  /// Adds a part of a prepared material; `neighbours` are null if the mesh has none. Returns kBufferTooSmall
+  /// if there is no room for it.
+  [[nodiscard]] Status add(const MeshView& mesh, [[maybe_unused]] const MeshNeighbours* neighbours,
+                           const SceneMaterial& material, const BoundingSphere& sphere) {
     const std::size_t at = std::size_t{scene_.object_count} + parts_;
     if (at >= scene_.limits.objects) return Status::kBufferTooSmall;
     const MeshView& kept = *new (&scene_.meshes[at]) MeshView(mesh);
     new (&scene_.objects[at]) Object(kept, material, sphere);
+#if ARCSPAN_C_OUTLINES
+    const auto* const all =
+        new (&scene_.neighbours[at]) MeshNeighbours(neighbours != nullptr ? *neighbours : MeshNeighbours());
+    new (&scene_.outlined[at]) OutlinedMesh{&kept, all};
+#endif
     scene_.parts[at] = 0;
     ++parts_;
     return Status::kOk;
   }
   /// Adds a part of a material that is prepared now, unless the scene has the same.
-  [[nodiscard]] Status add(const MeshView& mesh, const MaterialSource& source, const BoundingSphere& sphere) {
+  [[nodiscard]] Status add(const MeshView& mesh, const MeshNeighbours* neighbours,
+                           const MaterialSource& source, const BoundingSphere& sphere) {
     std::uint16_t i = 0;
     while (i < material_count_ && !is_same(scene_.materials[i].source, source)) ++i;
     if (i == scene_.limits.materials) return Status::kBufferTooSmall;
@@ -38,7 +45,7 @@ class NewObject {
       if (!ok(status)) return status;
       ++material_count_;
     }
-    return add(mesh, made.scene_material(), sphere);
+    return add(mesh, neighbours, made.scene_material(), sphere);
   }
   [[nodiscard]] arcspan_status finish(Status status, arcspan_object* object) const {
     if (ok(status) && parts_ == 0) status = Status::kInvalidArgument;

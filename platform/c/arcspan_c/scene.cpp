@@ -30,14 +30,22 @@ struct SceneParts {
   arcspan_scene* scene;
   Object* objects;
   MeshView* meshes;
+#if ARCSPAN_C_OUTLINES
+  MeshNeighbours* neighbours;
+  OutlinedMesh* outlined;
+#endif
   std::uint16_t* parts;
   c::MadeMaterial* materials;
 };
 
 [[nodiscard]] SceneParts take_parts(c::MemoryParts& memory, const arcspan_scene_limits& limits) {
-  return {memory.take<arcspan_scene>(), memory.take<Object>(limits.objects),
-          memory.take<MeshView>(limits.objects), memory.take<std::uint16_t>(limits.objects),
-          memory.take<c::MadeMaterial>(limits.materials)};
+  return {
+    memory.take<arcspan_scene>(), memory.take<Object>(limits.objects), memory.take<MeshView>(limits.objects),
+#if ARCSPAN_C_OUTLINES
+        memory.take<MeshNeighbours>(limits.objects), memory.take<OutlinedMesh>(limits.objects),
+#endif
+        memory.take<std::uint16_t>(limits.objects), memory.take<c::MadeMaterial>(limits.materials)
+  };
 }
 
 constexpr SceneLight kFirstLight = SceneLight::directional(normalised(-1, 1, 2));
@@ -108,17 +116,13 @@ arcspan_status arcspan_scene_make(void* memory, size_t bytes, const arcspan_scen
   if (memory == nullptr || bytes < wanted || wanted == SIZE_MAX) return ARCSPAN_BUFFER_TOO_SMALL;
   c::MemoryParts all(memory);
   const SceneParts parts = take_parts(all, *limits);
-  *scene = new (parts.scene) arcspan_scene{*limits,
-                                           0,
-                                           0,
-                                           1,
-                                           c::all_lights(kFirstLight),
-                                           kWhite,
-                                           parts.objects,
-                                           parts.meshes,
-                                           parts.parts,
-                                           parts.materials,
-                                           nullptr};
+  *scene = new (parts.scene) arcspan_scene {
+    *limits, 0, 0, 1, c::all_lights(kFirstLight), kWhite, parts.objects, parts.meshes,
+#if ARCSPAN_C_OUTLINES
+        parts.neighbours, parts.outlined,
+#endif
+        parts.parts, parts.materials, nullptr
+  };
   return ARCSPAN_OK;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <arcspan/lighting/material.hpp>
+#include <arcspan/mesh/mesh_neighbours.hpp>
 #include <arcspan/scene/object.hpp>
 #include <arcspan/scene/scene_light.hpp>
+#include <arcspan/scene_outlines.hpp>
 #include <arcspan/texture/texture_binary.hpp>
 
 #include <arcspan.h>
@@ -86,7 +88,11 @@ struct arcspan_scene {
   arcspan::ChannelCoefficients ambient;
   arcspan::Object* objects;
   arcspan::MeshView* meshes;  ///< of the objects
-  std::uint16_t* parts;       ///< at an object's first part their number, at its others 0
+#if ARCSPAN_C_OUTLINES
+  arcspan::MeshNeighbours* neighbours;  ///< of the meshes
+  arcspan::OutlinedMesh* outlined;      ///< both
+#endif
+  std::uint16_t* parts;  ///< at an object's first part their number, at its others 0
   arcspan::c::MadeMaterial* materials;
   /// Set by arcspan_add_binary(), so that programs with models in flash only do not hold its code.
   arcspan::Status (*make_materials)(arcspan_scene& scene);

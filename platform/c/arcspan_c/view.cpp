@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/drawn_rect.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/scene.hpp>
 
 #include <arcspan_c/memory.hpp>
@@ -127,10 +128,68 @@ arcspan_quaternion arcspan_dragged(const arcspan_view* view, arcspan_quaternion 
   return arcspan_multiply({diameter << 17, along(0), along(1), along(2)}, rotation);
 }
 
+#if ARCSPAN_C_OUTLINES
+
+namespace {
+
+struct OutlineParts {
+  TriangleSide* sides;
+  OutlineEdge* edges;
+  std::byte* gaps;
+};
+
+[[nodiscard]] OutlineParts take_parts(c::MemoryParts& memory, const arcspan_outline_limits& limits) {
+  return {memory.take<TriangleSide>(limits.triangles), memory.take<OutlineEdge>(limits.edges),
+          static_cast<std::byte*>(memory.take(c::kGapBytes, limits.gaps))};
+}
+
+void find_outlines_of(arcspan_view& view) {
+  const arcspan_scene& scene = view.scene;
+  SceneOutlines<Rgb565> outlines{
+      {scene.outlined, scene.object_count}, view.outlines.sides, view.outlines.edges, {}};
+  view.outlines.status = find_outlines(view.memory, outlines);
+  view.outlines.edges = outlines.edges;
+}
+
+}  // namespace
+
+size_t arcspan_outline_bytes(const arcspan_outline_limits* limits) {
+  c::MemoryParts parts;
+  (void)take_parts(parts, *limits);
+  return parts.bytes();
+}
+
+arcspan_status arcspan_smooth_outlines(arcspan_view* view, void* memory, size_t bytes,
+                                       const arcspan_outline_limits* limits) {
+  view->outlines = {};
+  if (memory == nullptr) return ARCSPAN_OK;
+  const std::size_t wanted = arcspan_outline_bytes(limits);
+  if (bytes < wanted || wanted == SIZE_MAX) return ARCSPAN_BUFFER_TOO_SMALL;
+  c::MemoryParts all(memory);
+  const OutlineParts parts = take_parts(all, *limits);
+  view->outlines = {{parts.sides, limits->triangles},
+                    OutlineList({parts.edges, limits->edges}),
+                    {parts.gaps, c::kGapBytes * limits->gaps}};
+  return ARCSPAN_OK;
+}
+
+#else
+
+size_t arcspan_outline_bytes(const arcspan_outline_limits*) { return 0; }
+
+arcspan_status arcspan_smooth_outlines(arcspan_view*, void*, size_t, const arcspan_outline_limits*) {
+  return ARCSPAN_UNSUPPORTED;
+}
+
+#endif
+
 arcspan_status arcspan_prepare(arcspan_view* view) {
   const arcspan_scene& scene = view->scene;
   const std::span<const Object> objects(scene.objects, scene.object_count);
   view->status = prepare_scene({view->camera, scene.light_list(), objects}, view->memory);
+#if ARCSPAN_C_OUTLINES
+  if (ok(view->status) && !view->outlines.sides.empty()) find_outlines_of(*view);
+#endif
   return static_cast<arcspan_status>(view->status);
 }
 

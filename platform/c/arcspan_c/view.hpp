@@ -8,12 +8,34 @@
 #include <arcspan_c/compiled_methods.hpp>
 #include <arcspan_c/scene.hpp>
 
+#include <cstddef>
+#include <span>
+
+namespace arcspan::c {
+
+/// Of a gap, in every format.
+inline constexpr std::size_t kGapBytes = 16;
+inline constexpr std::size_t kGapAlignment = 4;
+
+/// What arcspan_smooth_outlines() gives a view; without sides nothing is smoothed.
+struct ViewOutlines {
+  std::span<TriangleSide> sides{};
+  OutlineList edges{{}};
+  std::span<std::byte> gaps{};
+  Status status = Status::kOk;  ///< of finding the outlines of the frame
+};
+
+}  // namespace arcspan::c
+
 /// The type that arcspan.h declares.
 struct arcspan_view {
   arcspan_scene& scene;
   arcspan::Camera camera;
   arcspan::SceneMemoryView<arcspan::c::CompiledMethods> memory;
   arcspan::Status status;  ///< of the last arcspan_prepare()
+#if ARCSPAN_C_OUTLINES
+  arcspan::c::ViewOutlines outlines{};
+#endif
 };
 
 namespace arcspan::c {

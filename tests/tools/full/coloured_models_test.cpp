@@ -177,7 +177,8 @@ TEST_CASE("vertex colours are interpolated, unless another shading is chosen or 
   const std::string front = "--eye 0,0,3 --target 0,0,0 --ambient 1 --diffuse 0 --specular 0 --size 120x120 ";
   const auto colours = [&](const std::string& options) {
     const std::string model = files.folder.file("t.obj", triangle);
-    REQUIRE(run("render " + model + " -o " + (files.folder / "t.png") + " --format rgb888 " + front + options)
+    REQUIRE(run("render " + model + " -o " + (files.folder / "t.png") + " --format rgb888 --no-smooth " +
+                front + options)
                 .status == 0);
     const Image picture = read_image(files.folder / "t.png");
     std::set<int> reds;
@@ -234,7 +235,8 @@ TEST_CASE("render makes normals anew by --crease") {
   const Files files;
   const std::string smooth = "mtllib colours.mtl\nusemtl red\ns 1\n" + box(0, 0, 0, 1, 1, 1);
   const auto faces = [&](const std::string& options) {
-    const Image picture = files.render("box.obj", smooth, "--eye 3,2.5,4 --specular 0 " + options);
+    const Image picture =
+        files.render("box.obj", smooth, "--no-smooth --eye 3,2.5,4 --specular 0 " + options);
     std::set<std::uint8_t> levels;
     for (const Rgb8 c : picture.pixels) levels.insert(c.r);
     return levels.size();

@@ -232,8 +232,6 @@ void add_mesh_command(CLI::App& app) {
   mesh->callback([mesh, arguments] {
     if (!arguments->textures && !arguments->texture.empty())
       throw CLI::ValidationError("--texture", "excludes --no-textures");
-    if (arguments->outlines && arguments->for_c)
-      throw CLI::ValidationError("--outlines", "excludes --c: the C interface does not smooth outlines");
     if (mesh->count("--name") != 0 &&
         compiled_mesh_output(arguments->output, arguments->for_c) == CompiledOutput::kBinary)
       throw CLI::ValidationError("--name", "is of headers, not of binaries");

@@ -44,8 +44,9 @@ struct Totals {
   std::uint64_t draw_ns = 0;
   std::uint64_t frame_ns = 0;
   hal::sim::BusCount bus;
-  std::string without_figures;  ///< empty: all was estimated
-  std::string other_methods;    ///< by_other_methods() of the first frame
+  std::string without_figures;    ///< empty: all was estimated
+  std::string other_methods;      ///< by_other_methods() of the first frame
+  std::size_t outline_bytes = 0;  ///< the most of a frame; 0 without smoothing
 };
 
 constexpr std::int32_t kTurnMilliseconds = 2000;
@@ -120,7 +121,10 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   RenderOptions options = arguments.options;
   options.scene.size = display.size();
   options.scene.band_rows = options_of(arguments).band_rows;
-  FixedModel model = to_fixed(load_drawn_model(options));
+  options.format = display.format();
+  if (options.is_given("--smooth") && options.smooth && !options.smooths())
+    warn("--smooth", "has no effect: the panel has fewer than 4 bits per pixel");
+  FixedModel model = to_fixed(load_drawn_model(options), options);
   if (arguments.planes) {
     for (FixedMesh& mesh : model.meshes) mesh = with_planes(std::move(mesh), options.mesh);
   }
@@ -141,6 +145,7 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
     const auto draw_ns = static_cast<std::uint64_t>(instructions.value_or(0) * 1000 / arguments.cpu_mhz);
     const std::uint64_t before = display.now_ns();
     display.show(drawn.image, job.background, draw_ns);
+    totals.outline_bytes = std::max(totals.outline_bytes, drawn.stats.outline_bytes);
     totals.instructions += instructions.value_or(0);
     totals.draw_ns += draw_ns;
     totals.frame_ns += display.now_ns() - before;
@@ -182,6 +187,9 @@ std::string report(const SimulateArguments& arguments, const SimulatedDisplay& d
   } else {
     text += formatted("drawing: no figures of %s on a Cortex-M3\n", totals.without_figures.c_str());
   }
+  if (totals.outline_bytes != 0)
+    text += formatted("outlines: smoothed, with %zu bytes of RAM; neither is in the other figures\n",
+                      totals.outline_bytes);
   return text + formatted("RAM for buffers: %zu bytes; a whole frame would take %zu\n",
                           display.buffer_bytes(), display.frame_bytes());
 }
@@ -215,6 +223,7 @@ void add_simulate_command(CLI::App& app) {
   auto arguments = std::make_shared<SimulateArguments>();
   CLI::App* simulate = app.add_subcommand(
       "simulate", "Draw a mesh on a simulated panel, through its driver and a model of its controller");
+  add_smooth(*simulate, arguments->options);
   add_render_options(*simulate, arguments->options);
   // The panel says these.
   simulate->remove_option(simulate->get_option("--size"));

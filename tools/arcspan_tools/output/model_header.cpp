@@ -262,7 +262,8 @@ std::string prepared_material(const std::string& material, const std::string& pa
 
 /// An entry of the list of parts.
 std::string prepared_part(const std::string& part, const FixedMesh& mesh, const std::string& material) {
-  return "    {" + part + "make_view, " + braced_sphere(mesh) + ", &" + material + "},\n";
+  return "    {" + part + "make_view, " + braced_sphere(mesh) + ", &" + material +
+         (mesh.neighbours.empty() ? "" : ", " + part + "make_neighbours") + "},\n";
 }
 
 /// The prepared materials, and the list of parts of a model for the C interface. The arrays are in the

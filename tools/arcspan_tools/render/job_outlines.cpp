@@ -27,7 +27,7 @@ JobOutlines::JobOutlines(const RenderJob& job) {
   find_milliseconds_ = processor_milliseconds() - start;
 }
 
-void JobOutlines::add(const RenderJob& job, std::size_t part, Group& group) {
+void JobOutlines::add(const RenderJob& job, std::size_t part, SmoothedParts& group) {
   group.last_part = part;
   const MeshView& mesh = job.parts[part].mesh;
   // Which sides are seen does not depend on the shading.
@@ -44,7 +44,7 @@ void JobOutlines::add(const RenderJob& job, std::size_t part, Group& group) {
 void JobOutlines::finish(std::int32_t repeats, RenderStats& stats) const {
   stats.smooth_milliseconds = find_milliseconds_ + cost_.milliseconds / repeats;
   stats.outline_bytes = sides_.size() * sizeof(TriangleSide) + cost_.gap_bytes;
-  for (const Group& group : groups_) {
+  for (const SmoothedParts& group : groups_) {
     stats.outline_edges += group.outlines.edges().size();
     stats.outline_bytes += group.outlines.edges().size() * sizeof(OutlineEdge);
   }

@@ -62,7 +62,7 @@ class JobOutlines {
   /// smooth(), which is smooth_frame().
   template <class Store>
   void smooth_after(std::size_t part, Store& store, const DepthBuffer& depth) {
-    for (const Group& group : groups_) {
+    for (const SmoothedParts& group : groups_) {
       if (group.last_part == part) store.smooth(group.outlines, depth, cost_);
     }
   }
@@ -72,17 +72,17 @@ class JobOutlines {
 
  private:
   /// Parts that are smoothed together.
-  struct Group {
-    explicit Group(std::size_t edges) : memory(edges), outlines(memory) {}
+  struct SmoothedParts {
+    explicit SmoothedParts(std::size_t edges) : memory(edges), outlines(memory) {}
 
     std::vector<OutlineEdge> memory;
     OutlineList outlines;
     std::size_t last_part = 0;
   };
 
-  void add(const RenderJob& job, std::size_t part, Group& group);
+  void add(const RenderJob& job, std::size_t part, SmoothedParts& group);
 
-  std::vector<Group> groups_;
+  std::vector<SmoothedParts> groups_;
   std::vector<TriangleSide> sides_;  ///< of one part after another
   double find_milliseconds_ = 0;
   SmoothCost cost_;

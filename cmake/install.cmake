@@ -42,4 +42,5 @@ endif()
 
 if(TARGET arcspan)
   install(TARGETS arcspan RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(FILES ${PROJECT_SOURCE_DIR}/packaging/arcspan.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()

@@ -3,6 +3,8 @@
 
 #if __cplusplus < 202002L
 #error "arcspan needs C++20: compile with -std=c++20 or newer"
+// No such file: it ends the compilation here, where thousands of errors would follow.
+#include "add -std=gnu++20 to the compiler flags"
 #endif
 
 #include <cstdint>

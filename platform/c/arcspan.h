@@ -17,12 +17,23 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#define ARCSPAN_VERSION_MAJOR 0
+#define ARCSPAN_VERSION_MINOR 1
+#define ARCSPAN_VERSION_PATCH 0
+#define ARCSPAN_VERSION_TEXT "0.1.0"
+/* A number to compare: 10203 is version 1.2.3. */
+#define ARCSPAN_VERSION \
+  (ARCSPAN_VERSION_MAJOR * 10000L + ARCSPAN_VERSION_MINOR * 100L + ARCSPAN_VERSION_PATCH)
+
 #ifdef __cplusplus
 #define ARCSPAN_CAST(type, number) static_cast<type>(number)
 extern "C" {
 #else
 #define ARCSPAN_CAST(type, number) ((type)(number))
 #endif
+
+/* The version of the compiled library, "1.2.3": ARCSPAN_VERSION_TEXT, unless this header is another one's. */
+const char* arcspan_version(void);
 
 /* The result of a function: ARCSPAN_OK, or why it failed. A call that fails changes nothing, unless it says
  * otherwise. */

@@ -4,6 +4,7 @@
 #include <arcspan/pixel/bgr888.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/scene.hpp>
+#include <arcspan/version.hpp>
 
 #include <arcspan.h>
 #include <arcspan_c/model.hpp>
@@ -308,6 +309,15 @@ TEST_CASE("targets that do not fit their memory are refused") {
   CHECK(status_with([](arcspan_target& t) { t.format = 200; }) == ARCSPAN_UNSUPPORTED);
   CHECK(std::string(arcspan_status_text(ARCSPAN_UNSUPPORTED)) == "unsupported");
   CHECK(std::string(arcspan_status_text(255)) == "unknown status");
+}
+
+TEST_CASE("headers and libraries have the version of the project") {
+  CHECK(std::string(arcspan_version()) == ARCSPAN_PROJECT_VERSION);
+  CHECK(std::string(arcspan::version()) == ARCSPAN_PROJECT_VERSION);
+  CHECK(std::string(ARCSPAN_VERSION_TEXT) == ARCSPAN_PROJECT_VERSION);
+  CHECK(std::to_string(ARCSPAN_VERSION / 10000) + "." + std::to_string(ARCSPAN_VERSION / 100 % 100) + "." +
+            std::to_string(ARCSPAN_VERSION % 100) ==
+        ARCSPAN_PROJECT_VERSION);
 }
 
 TEST_CASE("lights that are not compiled or out of range change nothing") {

@@ -60,9 +60,9 @@ struct Gouraud {
     using Run = Gouraud::Run;
     constexpr explicit Walker(Prepared& prepared) : p_(&prepared) {}
     [[nodiscard]] constexpr Run row(const RowStart& start) const {
-      return {FineRgb::of(word(linear_at(p_->r, start)), word(linear_at(p_->g, start)),
-                          word(linear_at(p_->b, start))),
-              FineRgb::of(word(p_->r.dx), word(p_->g.dx), word(p_->b.dx))};
+      return {FineRgb::of(raw_bits(linear_at(p_->r, start)), raw_bits(linear_at(p_->g, start)),
+                          raw_bits(linear_at(p_->b, start))),
+              FineRgb::of(raw_bits(p_->r.dx), raw_bits(p_->g.dx), raw_bits(p_->b.dx))};
     }
     ARCSPAN_INLINE constexpr void next_row() {
       reload_from_memory(p_->r.left.at);
@@ -79,7 +79,7 @@ struct Gouraud {
     }
 
    private:
-    [[nodiscard]] static constexpr std::uint32_t word(FullLinear value) {
+    [[nodiscard]] static constexpr std::uint32_t raw_bits(FullLinear value) {
       return static_cast<std::uint32_t>(value.raw());
     }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/status.hpp>
+#include <arcspan/version.hpp>
 #include <arcspan/vertex/orientation.hpp>
 
 #include <arcspan_c/memory.hpp>
@@ -101,6 +102,8 @@ template <class Change>
 }
 
 }  // namespace
+
+const char* arcspan_version(void) { return version(); }
 
 const char* arcspan_status_text(arcspan_status status) { return to_string(static_cast<Status>(status)); }
 

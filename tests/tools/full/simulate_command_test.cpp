@@ -145,6 +145,23 @@ TEST_CASE(
   CHECK(without("--fog 1,9") == "drawing: no figures of textures and effects on a Cortex-M3");
 }
 
+TEST_CASE("the bus has the clock of the controller's data sheet, and simulate warns of a higher one") {
+  const TemporaryFolder folder;
+  const auto simulated = [&folder](const std::string& options) {
+    return run("simulate sphere:8x4 " + options + " -o " + (folder / "panel.png"));
+  };
+  CHECK(simulated("").out.find("SPI at 10 MHz") != std::string::npos);
+  CHECK(simulated("--panel ssd1351").out.find("SPI at 4.5 MHz") != std::string::npos);
+  CHECK(simulated("--panel st7789 --spi-mhz 15").err.empty());
+  CHECK(simulated("--panel st7789 --spi-mhz 40").err ==
+        "arcspan: warning: --spi-mhz: 40 is more than the 15 MHz of the data sheet of st7789; many modules "
+        "work, none has to\n");
+  CHECK(simulated("--panel ssd1306 --bus i2c --i2c-khz 400").err.empty());
+  CHECK(simulated("--panel ssd1306 --bus i2c --i2c-khz 1000").err ==
+        "arcspan: warning: --i2c-khz: 1000 is more than the 400 kHz of the data sheet of ssd1306; many "
+        "modules work, none has to\n");
+}
+
 TEST_CASE("simulate says in one line what is wrong, and writes nothing") {
   const TemporaryFolder folder;
   const struct {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/version.hpp>
+
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/unexpected.hpp>
@@ -117,7 +119,7 @@ int parse_and_run(CLI::App& app, int argc, const char* const* argv) {
 int run_command_line(int argc, const char* const* argv) {
   prepare_process();
   CLI::App app("Phong-shaded 3D in integers: tools for the desk", "arcspan");
-  app.set_version_flag("--version", ARCSPAN_VERSION);
+  app.set_version_flag("--version", ARCSPAN_VERSION_TEXT);
   app.require_subcommand(0, 1);
   app.footer(
       "`arcspan COMMAND --help` shows a command's options and examples. Results go to standard output or\n"

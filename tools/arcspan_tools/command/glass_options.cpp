@@ -23,19 +23,20 @@ struct KnownModule {
   const char* name;
   const char* controller;
   Glass glass;
-  Size memory;         ///< of the controller
-  Size step;           ///< a glass has a multiple of these
-  std::int32_t least;  ///< rows of a glass
-  bool row_offset;     ///< the glass may begin at another row than the first
+  Size memory;          ///< of the controller
+  Size step;            ///< a glass has a multiple of these
+  std::int32_t least;   ///< rows of a glass
+  bool row_offset;      ///< the glass may begin at another row than the first
+  double most_spi_mhz;  ///< 1 / the least serial clock cycle for writing, of the data sheet
 };
 
 constexpr KnownModule kModules[] = {
-    {"ili9341", "ili9341", kIli9341Module, {240, 320}, {1, 1}, 1, true},
-    {"st7789", "st7789", kSt7789Module, {240, 320}, {1, 1}, 1, true},
-    {"ssd1351", "ssd1351", kSsd1351Module, {128, 128}, {1, 1}, 16, false},
-    {kSsd1306, kSsd1306, kSsd1306Module, {128, 64}, {1, 8}, 16, true},
-    {"ssd1306-72x40", kSsd1306, kSsd1306Module72x40, {128, 64}, {1, 8}, 16, true},
-    {"ssd0323", "ssd0323", kSsd0323Module, {128, 64}, {2, 1}, 16, true},
+    {"ili9341", "ili9341", kIli9341Module, {240, 320}, {1, 1}, 1, true, 10},
+    {"st7789", "st7789", kSt7789Module, {240, 320}, {1, 1}, 1, true, 15},
+    {"ssd1351", "ssd1351", kSsd1351Module, {128, 128}, {1, 1}, 16, false, 4.5},
+    {kSsd1306, kSsd1306, kSsd1306Module, {128, 64}, {1, 8}, 16, true, 10},
+    {"ssd1306-72x40", kSsd1306, kSsd1306Module72x40, {128, 64}, {1, 8}, 16, true, 10},
+    {"ssd0323", "ssd0323", kSsd0323Module, {128, 64}, {2, 1}, 16, true, 4},
 };
 
 std::optional<std::array<int, 2>> parse_place(const std::string& text) {
@@ -124,7 +125,7 @@ void add_glass_options(CLI::App& app, GlassOptions& options) {
 PanelModule find_module(const std::string& option, const std::string& name, const GlassOptions& options) {
   for (const KnownModule& known : kModules) {
     if (name != known.name) continue;
-    PanelModule module{known.controller, known.glass, {}, {}};
+    PanelModule module{known.controller, known.glass, {}, {}, known.most_spi_mhz};
     if (options.size) {
       module.glass.width = static_cast<std::uint16_t>(options.size->width);
       module.glass.height = static_cast<std::uint16_t>(options.size->height);

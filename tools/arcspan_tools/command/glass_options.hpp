@@ -33,6 +33,7 @@ struct PanelModule {
   hal::Glass glass;
   hal::PanelSettings settings;
   hal::Ssd1306Wiring wiring;  ///< of an ssd1306
+  double most_spi_mhz = 0;    ///< for writing, by the data sheet
 };
 
 /// The names of all modules: controllers, which stand for the usual modules, and others.

@@ -12,6 +12,7 @@
 #include <arcspan_tools/simulate/simulated_display.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/parse.hpp>
 #include <arcspan_tools/support/result_files.hpp>
 #include <arcspan_tools/support/text.hpp>
 
@@ -19,6 +20,8 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace arcspan::tools {
@@ -31,7 +34,7 @@ struct SimulateArguments {
   std::string panel = "ili9341";
   GlassOptions glass;
   std::string bus = "spi";
-  double spi_mhz = 20;
+  double spi_mhz = 0;  ///< 0: the most that the controller takes
   double i2c_khz = 400;
   double cpu_mhz = 50;
   std::int32_t frames = 1;
@@ -194,9 +197,26 @@ std::string report(const SimulateArguments& arguments, const SimulatedDisplay& d
                           display.buffer_bytes(), display.frame_bytes());
 }
 
-void run_simulate(const SimulateArguments& arguments) {
+// The SSD1306 on I2C: a clock cycle takes at least 2.5 us.
+constexpr double kMostI2cKhz = 400;
+
+void warn_of_clock(const SimulateArguments& arguments, const PanelModule& module) {
+  const auto compare = [&module](const char* option, double given, double most, const char* unit) {
+    if (given <= most) return;
+    warn(option,
+         formatted("%g is more than the %g %s of the data sheet of %s; many modules work, none has to", given,
+                   most, unit, module.controller.c_str()));
+  };
+  if (arguments.bus == "i2c") return compare("--i2c-khz", arguments.i2c_khz, kMostI2cKhz, "kHz");
+  compare("--spi-mhz", arguments.spi_mhz, module.most_spi_mhz, "MHz");
+}
+
+void run_simulate(SimulateArguments arguments) {
   const RenderOptions& given = arguments.options;
   check_results({arguments.output}, {given.mesh, given.texture, given.matcap});
+  const PanelModule module = find_module("--panel", arguments.panel, arguments.glass);
+  if (arguments.spi_mhz == 0) arguments.spi_mhz = module.most_spi_mhz;
+  warn_of_clock(arguments, module);
   const std::unique_ptr<SimulatedDisplay> display = make_display(options_of(arguments));
   GlassOutput output(arguments.output, arguments.frames, display->picture());
   const Totals totals = show_all(arguments, *display, output);
@@ -208,7 +228,15 @@ void add_display_options(CLI::App& app, SimulateArguments& a) {
   add_glass_options(app, a.glass);
   app.add_flag("--changes", a.display.changes_only, "send only what changed since the last frame");
   add_choice(app, "--bus", "what the panel hangs on; i2c for ssd1306", {"spi", "i2c"}, a.bus);
-  add_number(app, "--spi-mhz", "clock of the SPI bus", 0.01, 200, a.spi_mhz);
+  add_parsed<double>(
+      app, "--spi-mhz", "0.01...200",
+      "clock of the SPI bus (default: the most that the controller's data sheet allows)",
+      "a number 0.01...200",
+      [](const std::string& text) {
+        const std::optional<double> mhz = parse_number(text);
+        return mhz && *mhz >= 0.01 && *mhz <= 200 ? mhz : std::nullopt;
+      },
+      [&a](double mhz) { a.spi_mhz = mhz; });
   add_number(app, "--i2c-khz", "clock of the I2C bus", 1, 5000, a.i2c_khz);
   add_number(app, "--cpu-mhz", "million instructions a second of the processor that draws", 0.1, 10000,
              a.cpu_mhz);

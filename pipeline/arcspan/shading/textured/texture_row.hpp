@@ -165,7 +165,7 @@ class PerspectiveTexture {
     std::int32_t v;
   };
 
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t word(std::int32_t relative) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t grid_word(std::int32_t relative) const {
     return static_cast<std::uint32_t>(detail::to_word<Steps>(relative, triangle_->word_shift));
   }
   /// u and v at the current pixel, by division.
@@ -214,8 +214,8 @@ class PerspectiveTexture {
       dv = step(at_.v, end.v);
     }
     if (triangle_->size.levels != 1) choose_level(steps, du, dv);
-    std::uint32_t u = triangle_->u_origin + word(at_.u);
-    std::uint32_t v = triangle_->v_origin + word(at_.v);
+    std::uint32_t u = triangle_->u_origin + grid_word(at_.u);
+    std::uint32_t v = triangle_->v_origin + grid_word(at_.v);
     if constexpr (Filter == TextureFilter::kBilinear) {
       u -= triangle_->half_texel_u(level_);
       v -= triangle_->half_texel_v(level_);

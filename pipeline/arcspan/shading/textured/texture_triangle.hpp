@@ -135,8 +135,8 @@ template <class Steps, class Frame>
                                                        std::int32_t step, unsigned rounded_bits) {
   BasicLinearEdge<Linear> along;
   make_linear_edge(frame.long_edge, corners[0], corners[2], along);
-  const auto word = [word_shift](Linear value) { return to_word<Steps>(value.raw(), word_shift); };
-  return {origin + static_cast<std::uint32_t>(word(along.at)), word(along.step),
+  const auto grid_word = [word_shift](Linear value) { return to_word<Steps>(value.raw(), word_shift); };
+  return {origin + static_cast<std::uint32_t>(grid_word(along.at)), grid_word(along.step),
           Steps::rounded(step, rounded_bits), frame.long_walk};
 }
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The public signatures of Zephyr 3.7 that examples/zephyr uses. Nothing is implemented.
+#pragma once
+#include <errno.h>
+#include <stdint.h>
+
+extern "C" {
+struct device {
+  const char* name;
+};
+extern const struct device display_stub;
+#define DT_CHOSEN(name) name##_stub
+#define zephyr_display_stub display_stub
+#define DEVICE_DT_GET(node) (&node)
+bool device_is_ready(const struct device* dev);
+
+enum display_pixel_format {
+  PIXEL_FORMAT_RGB_888 = 1,
+  PIXEL_FORMAT_MONO01 = 2,
+  PIXEL_FORMAT_MONO10 = 4,
+  PIXEL_FORMAT_ARGB_8888 = 8,
+  PIXEL_FORMAT_RGB_565 = 16,
+  PIXEL_FORMAT_BGR_565 = 32,
+};
+enum display_orientation { DISPLAY_ORIENTATION_NORMAL };
+struct display_capabilities {
+  uint16_t x_resolution;
+  uint16_t y_resolution;
+  uint32_t supported_pixel_formats;
+  uint32_t screen_info;
+  enum display_pixel_format current_pixel_format;
+  enum display_orientation current_orientation;
+};
+struct display_buffer_descriptor {
+  uint32_t buf_size;
+  uint16_t width;
+  uint16_t height;
+  uint16_t pitch;
+};
+void display_get_capabilities(const struct device* dev, struct display_capabilities* capabilities);
+int display_blanking_off(const struct device* dev);
+int display_write(const struct device* dev, const uint16_t x, const uint16_t y,
+                  const struct display_buffer_descriptor* desc, const void* buf);
+
+void log_error(const char* format, ...) __attribute__((format(printf, 1, 2)));
+#define LOG_MODULE_REGISTER(name) static_assert(true)
+#define LOG_ERR(...) log_error(__VA_ARGS__)
+}

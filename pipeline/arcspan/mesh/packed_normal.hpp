@@ -42,15 +42,27 @@ constexpr void octahedral_fold(std::int32_t& u, std::int32_t& v) {
   v = v < 0 ? -folded_v : folded_v;
 }
 
+/// A vector along a normal, |x| + |y| + |z| = kOctahedralOne.
+struct OctahedralPoint {
+  std::int32_t x;
+  std::int32_t y;
+  std::int32_t z;
+};
+
+/// The point of a packed normal on the octahedron.
+[[nodiscard]] ARCSPAN_INLINE constexpr OctahedralPoint octahedral_point(PackedNormal packed) {
+  std::int32_t x = packed.u < -kOctahedralOne ? -kOctahedralOne : packed.u;
+  std::int32_t y = packed.v < -kOctahedralOne ? -kOctahedralOne : packed.v;
+  const std::int32_t z = kOctahedralOne - octahedral_magnitude(x) - octahedral_magnitude(y);
+  if (z < 0) octahedral_fold(x, y);
+  return {x, y, z};
+}
+
 }  // namespace detail
 
 /// The unit vector of a packed normal. Every bit pattern is valid; -32768 counts as -32767.
 [[nodiscard]] ARCSPAN_OUTLINE_IF_TIGHT inline Direction unpack_normal(PackedNormal packed) {
-  constexpr std::int32_t kOne = detail::kOctahedralOne;
-  std::int32_t x = packed.u < -kOne ? -kOne : packed.u;
-  std::int32_t y = packed.v < -kOne ? -kOne : packed.v;
-  const std::int32_t z = kOne - detail::octahedral_magnitude(x) - detail::octahedral_magnitude(y);
-  if (z < 0) detail::octahedral_fold(x, y);
+  const auto [x, y, z] = detail::octahedral_point(packed);
   // |x| + |y| + |z| = 1 implies 1/3 <= x^2 + y^2 + z^2 <= 1, so the root needs no scaling before.
   const auto square = static_cast<std::uint32_t>(x * x + y * y + z * z);
   const auto length = static_cast<std::int32_t>(detail::reciprocal_root_mantissa(square << 2));

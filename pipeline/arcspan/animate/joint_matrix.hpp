@@ -29,8 +29,8 @@ class JointMatrix {
     const Row& m = rows_[row];
     return (m.offset + m.x * x + m.y * y + m.z * z) >> down_;
   }
-  /// Component `row` of a normal in the pose, kNormalBits fraction bits. The magnitudes of x, y and z, 15
-  /// fraction bits, add up to 1 at most; the result is not of unit length.
+  /// Component `row` of a normal in the pose, kNormalBits fraction bits. (x, y, z) has 15 fraction bits and
+  /// at most unit length; the result is not of unit length.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t normal(std::size_t row, std::int32_t x, std::int32_t y,
                                                              std::int32_t z) const {
     const Row& m = rows_[row];

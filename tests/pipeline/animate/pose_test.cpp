@@ -44,15 +44,15 @@ struct Errors {
   double normal = 0;
 };
 
+void include(const Rig::Placed& truth, ObjectPosition p, Direction n, Errors& errors) {
+  const Vec3 off = Vec3{double(p.x), double(p.y), double(p.z)} - truth.position;
+  errors.position = std::max(errors.position, length(off));
+  errors.normal = std::max(errors.normal, degrees(angle_between(to_vec3(n), truth.normal)));
+}
+
 void compare(const Rig& rig, const Shown& shown, const std::vector<Affine>& pose, Errors& errors) {
-  for (std::size_t i = 0; i < rig.vertices.size(); ++i) {
-    const Rig::Placed truth = rig.placed(i, pose, {});
-    const ObjectPosition p = shown.mesh.position(i);
-    const Vec3 off = Vec3{double(p.x), double(p.y), double(p.z)} - truth.position;
-    errors.position = std::max(errors.position, length(off));
-    errors.normal =
-        std::max(errors.normal, degrees(angle_between(to_vec3(shown.mesh.direction(i)), truth.normal)));
-  }
+  for (std::size_t i = 0; i < rig.vertices.size(); ++i)
+    include(rig.placed(i, pose, {}), shown.mesh.position(i), shown.mesh.direction(i), errors);
 }
 
 constexpr double kLength = 40000;
@@ -195,6 +195,74 @@ TEST_CASE("too little memory for a pose is refused, and nothing is written") {
   CHECK(SkinnedMesh::make(shown.part.mesh, shown.animation, 1, shown.joints, mesh) ==
         Status::kInvalidArgument);
   CHECK(mesh.view().vertex_count() == 0);
+}
+
+TEST_CASE("morph targets move vertices and normals, before joints do") {
+  Rig rig = tube(4, 3, 20000, 3000, 1);
+  rig.targets = 3;
+  Random random(47);
+  for (RigVertex& vertex : rig.vertices) {
+    for (int target = 0; target < 3; ++target) {
+      if (random.chance(0.5)) continue;
+      const Vec3 by = 1500 * random_unit(random);
+      vertex.morphs.push_back({target,
+                               {std::round(by.x), std::round(by.y), std::round(by.z)},
+                               0.4 * random_unit(random)});
+    }
+  }
+  rig.clips.push_back(bending(rig, Interpolation::kLinear, 25));
+  rig.clips[0].channels.push_back({0,
+                                   ChannelPath::kMorphWeights,
+                                   Interpolation::kCubic,
+                                   {0, 900'000, 2'000'000},
+                                   {{0, 0, 0}, {0, 0.5, 1}, {1, 0, 0}, {0, 0, 0.5}, {1, 0.25, -0.5},
+                                    {0.5, 1, 0}, {0, 0, 0}, {0, 1, 1.5}, {0, 0, 0}}});
+  Shown shown(rig);
+  std::int16_t weights[3];
+  CHECK(pose_morph(shown.animation, 0, {}, std::span(weights).first(2)) == Status::kBufferTooSmall);
+  MorphedMesh morphed;
+  CHECK(MorphedMesh::make(shown.part.mesh, shown.animation, 0, std::span(weights).first(2), morphed) ==
+        Status::kBufferTooSmall);
+  REQUIRE(ok(MorphedMesh::make(shown.part.mesh, shown.animation, 0, weights, morphed)));
+  MorphedSkinnedMesh mesh;
+  REQUIRE(ok(MorphedSkinnedMesh::make(morphed, shown.animation, 0, shown.joints, mesh)));
+  Errors errors;
+  for (std::uint32_t time = 0; time <= 2'000'000; time += 83'333) {
+    const ClipBlend blend{{shown.animation.clip(0), time}, {}, 0};
+    shown.pose(blend);
+    REQUIRE(ok(pose_morph(shown.animation, 0, blend, weights)));
+    const std::vector<Affine> pose = rig.pose(0, time);
+    const std::vector<double> morph = rig.morph(0, time);
+    for (std::size_t i = 0; i < rig.vertices.size(); ++i)
+      include(rig.placed(i, pose, morph), mesh.position(i), mesh.direction(i), errors);
+  }
+  INFO("position " << errors.position << " object units, normal " << errors.normal << " degrees");
+  CHECK(errors.position < 20000.0 / 4096);
+  CHECK(errors.normal < 0.12);
+}
+
+TEST_CASE("between two clips morph weights are between theirs, or those at rest") {
+  Rig rig = tube(2, 1, 20000, 3000, 1);
+  rig.targets = 1;
+  rig.vertices[0].morphs = {{0, {1000, 0, 0}, {0, 0, 0}}};
+  rig.clips.push_back({"a", 1000, {{0, ChannelPath::kMorphWeights, Interpolation::kStep, {0}, {{1}}}}});
+  rig.clips.push_back({"b", 1000, {{1, ChannelPath::kScale, Interpolation::kStep, {0}, {{1, 1, 1}}}}});
+  Shown shown(rig);
+  std::int16_t weight = 0;
+  const ClipMoment a{shown.animation.clip(0), 0};
+  const ClipMoment b{shown.animation.clip(1), 0};
+  REQUIRE(ok(pose_morph(shown.animation, 0, {a, b, 16384}, std::span(&weight, 1))));
+  CHECK(weight == 3072);
+  REQUIRE(ok(pose_morph(shown.animation, 0, {b, a, 16384}, std::span(&weight, 1))));
+  CHECK(weight == 1024);
+}
+
+TEST_CASE("a mesh without morph targets is no morphed one") {
+  const Rig rig = tube(2, 1, 20000, 3000, 1);
+  const Shown shown(rig);
+  MorphedMesh morphed;
+  CHECK(MorphedMesh::make(shown.part.mesh, shown.animation, 0, {}, morphed) == Status::kInvalidArgument);
+  CHECK(morphed.view().vertex_count() == 0);
 }
 
 TEST_CASE("a whole mesh may follow one joint") {

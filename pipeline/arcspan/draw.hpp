@@ -43,7 +43,7 @@ requires VertexSource<std::remove_cvref_t<Source>, Method, Mesh>
                                                    const Depth& depth, Source&& source,
                                                    const DrawOptions& options = {}) {
   detail::TriangleDrawer<Method, Features, Sink, Depth, Mesh> drawer({mesh, transform, lighting}, sink, depth,
-                                                               options);
+                                                                     options);
   drawer.draw(source);
   return drawer.result();
 }

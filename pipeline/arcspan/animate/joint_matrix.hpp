@@ -9,8 +9,8 @@
 
 namespace arcspan {
 
-/// What a joint does to the vertices of a mesh in a pose: it takes them from their places in the mesh to those
-/// in the pose. It has 52 bytes.
+/// What a joint does to the vertices of a mesh in a pose: it takes them from their places in the mesh to
+/// those in the pose. It has 52 bytes.
 class JointMatrix {
  public:
   /// Places by single joints, which are then weighted, have two fraction bits.

@@ -12,8 +12,8 @@
 
 namespace arcspan {
 
-/// A mesh whose vertices are moved by morph targets (DrawableMesh). It holds references, and computes a vertex
-/// whenever it is asked for it:
+/// A mesh whose vertices are moved by morph targets (DrawableMesh). It holds references, and computes a
+/// vertex whenever it is asked for it:
 ///
 ///     p = v + sum of weight * what the target adds, rounded once and saturated at 16 bits
 ///

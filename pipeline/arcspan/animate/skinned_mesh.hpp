@@ -17,13 +17,13 @@
 
 namespace arcspan {
 
-/// A mesh whose vertices follow the joints of a skin (DrawableMesh). It holds references, and computes a vertex
-/// whenever it is asked for it:
+/// A mesh whose vertices follow the joints of a skin (DrawableMesh). It holds references, and computes a
+/// vertex whenever it is asked for it:
 ///
 ///     p = (sum of w_k * ((M_k v) rounded to a quarter of an object unit)) rounded to an object unit
 ///
-/// with the weights w_k in 1024ths, saturated at 16 bits. The normal is the sum of w_k * (M_k n), scaled to unit
-/// length; a sum of 0 gives +z. Every core computes the same bits.
+/// with the weights w_k in 1024ths, saturated at 16 bits. The normal is the sum of w_k * (M_k n), scaled to
+/// unit length; a sum of 0 gives +z. Every core computes the same bits.
 ///
 /// Rest is the mesh as it is before the joints move it: a MeshView, or a MorphedMesh.
 template <class Rest>
@@ -36,8 +36,8 @@ class BasicSkinnedMesh {
   /// pose_joints() sets for the part's skin, must outlive `skinned`. Returns:
   ///
   ///   kOk                `skinned` is set; otherwise it is not changed
-  ///   kInvalidArgument   the part follows no joint of the animation, or `mesh` has another number of vertices
-  ///   kBufferTooSmall    there are fewer `joints` than the part's skin has
+  ///   kInvalidArgument   the part follows no joint of the animation, or `mesh` has another number of
+  ///   vertices kBufferTooSmall    there are fewer `joints` than the part's skin has
   [[nodiscard]] static Status make(const Rest& mesh, const StoredAnimation& animation, std::size_t part,
                                    std::span<const JointMatrix> joints, BasicSkinnedMesh& skinned);
 
@@ -100,7 +100,8 @@ struct WeightedJoints {
 
   /// The sum of coordinates(joint, row) times the weights. It wraps where a position is far out of range.
   template <class Coordinates>
-  [[nodiscard]] ARCSPAN_INLINE inline WeightedSum sum(std::size_t count, const Coordinates& coordinates) const {
+  [[nodiscard]] ARCSPAN_INLINE inline WeightedSum sum(std::size_t count,
+                                                      const Coordinates& coordinates) const {
     const auto row = [&](std::size_t i) {
       std::int32_t sum = wrap_mul(coordinates(*joints[0], i), weights[0]);
       for (std::size_t k = 1; k < count; ++k)
@@ -132,10 +133,9 @@ ARCSPAN_INLINE inline ObjectPosition BasicSkinnedMesh<Rest>::position(std::size_
   const std::int32_t x = v.x;
   const std::int32_t y = v.y;
   const std::int32_t z = v.z;
-  const detail::WeightedSum sum =
-      detail::weighted_sum(weights_.record(i), joints_, [=](const JointMatrix& joint, std::size_t row) {
-        return joint.place(row, x, y, z);
-      });
+  const detail::WeightedSum sum = detail::weighted_sum(
+      weights_.record(i), joints_,
+      [=](const JointMatrix& joint, std::size_t row) { return joint.place(row, x, y, z); });
   constexpr int kDown = JointMatrix::kPlaceBits + animation_binary::kWeightBits;
   return detail::saturated_position(round_shift(sum.x, kDown), round_shift(sum.y, kDown),
                                     round_shift(sum.z, kDown));
@@ -145,10 +145,9 @@ template <class Rest>
 ARCSPAN_INLINE inline Direction BasicSkinnedMesh<Rest>::direction(std::size_t i) const {
   const detail::OctahedralPoint n = detail::long_normal(*mesh_, i);
   // Each product is below 2^30, and so is the sum, because the weights add up to 1024.
-  const detail::WeightedSum sum =
-      detail::weighted_sum(weights_.record(i), joints_, [n](const JointMatrix& joint, std::size_t row) {
-        return joint.normal(row, n.x, n.y, n.z);
-      });
+  const detail::WeightedSum sum = detail::weighted_sum(
+      weights_.record(i), joints_,
+      [n](const JointMatrix& joint, std::size_t row) { return joint.normal(row, n.x, n.y, n.z); });
   return normalised(sum.x, sum.y, (sum.x | sum.y | sum.z) == 0 ? 1 : sum.z);
 }
 

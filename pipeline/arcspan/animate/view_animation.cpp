@@ -118,8 +118,8 @@ Status check_weights(Bytes chunk, std::size_t part_vertices, std::span<const Sto
   const auto* const first = as<std::uint16_t>(at + binary::kFirstAt);
   for (std::size_t i = 0; i < static_cast<std::size_t>(vertices); ++i) {
     if (first[i] >= words) return Status::kCorrupted;
-    const Status status = check_record(first + static_cast<std::size_t>(vertices) + first[i],
-                                       words - first[i], skin.size());
+    const Status status =
+        check_record(first + static_cast<std::size_t>(vertices) + first[i], words - first[i], skin.size());
     if (!ok(status)) return status;
   }
   return Status::kOk;

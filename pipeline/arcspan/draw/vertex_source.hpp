@@ -39,7 +39,8 @@ struct TriangleRows {
 ///   it, if need be, by stage.shade(), so a reference keeps the shading for further triangles.
 /// - rows(): the rows of all triangles of the mesh, by which triangles of other bands are skipped, or null.
 template <class S, class Method, class Mesh = MeshView>
-concept VertexSource = requires(S& source, const VertexStage<Method, Mesh>& stage, std::size_t i, bool two_sided) {
+concept VertexSource = requires(S& source, const VertexStage<Method, Mesh>& stage, std::size_t i,
+                                bool two_sided) {
   { source.begin(stage, two_sided) } -> std::same_as<Status>;
   requires std::same_as<std::remove_reference_t<decltype(source.vertex(stage, i))>, CachedVertex<Method>>;
   { source.rows() } -> std::same_as<const TriangleRows*>;
@@ -125,9 +126,9 @@ struct NoCache {
 ///     }
 ///
 /// A call for another mesh, another transform or another value of DrawOptions::two_sided than those of the
-/// first call since clear() draws nothing and returns kCacheMismatch. Changes of the lighting and of a pose are
-/// not noticed: vertices that have been shaded keep the earlier ones. With too little memory for the mesh a call
-/// draws nothing and returns kCacheTooSmall.
+/// first call since clear() draws nothing and returns kCacheMismatch. Changes of the lighting and of a pose
+/// are not noticed: vertices that have been shaded keep the earlier ones. With too little memory for the mesh
+/// a call draws nothing and returns kCacheTooSmall.
 ///
 /// draw_mesh() writes to the cache as it needs further vertices, so every thread or core needs one of its
 /// own, unless the cache was filled by fill(): from then on, until clear(), it is only read.

@@ -35,7 +35,8 @@ enum class Facing : std::uint8_t { kFront, kBack };
 
 }  // namespace detail
 
-/// Transforms and shades the vertices of one mesh. (Mesh is not MeshView if they are posed.) A vertex source (draw/vertex_source.hpp) gets it.
+/// Transforms and shades the vertices of one mesh. (Mesh is not MeshView if they are posed.) A vertex source
+/// (draw/vertex_source.hpp) gets it.
 template <class Method, DrawableMesh Mesh = MeshView>
 class VertexStage {
  public:

@@ -18,8 +18,8 @@ namespace arcspan {
 /// - position(i): where vertex i is, i < view().vertex_count().
 /// - direction(i): its unit normal.
 ///
-/// Both are asked for whenever a vertex is needed, in any order, possibly several times in a picture, and must
-/// give the same each time. They may be asked for by several cores at once.
+/// Both are asked for whenever a vertex is needed, in any order, possibly several times in a picture, and
+/// must give the same each time. They may be asked for by several cores at once.
 template <class M>
 concept DrawableMesh = requires(const M& mesh, std::size_t i) {
   { mesh.view() } -> std::same_as<const MeshView&>;

@@ -17,7 +17,8 @@ struct TwoClips {
   TwoClips() {
     Rig rig = tube(2, 1, 20000, 1000, 1);
     rig.clips.push_back(bending(rig, Interpolation::kLinear, 20));
-    rig.clips.push_back({"short", 1'000'000, {{0, ChannelPath::kScale, Interpolation::kStep, {0}, {{1, 1, 1}}}}});
+    rig.clips.push_back(
+        {"short", 1'000'000, {{0, ChannelPath::kScale, Interpolation::kStep, {0}, {{1, 1, 1}}}}});
     file = rig.file();
     StoredModel model;
     StoredAnimation animation;

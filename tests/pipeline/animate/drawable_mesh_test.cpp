@@ -131,5 +131,6 @@ TEST_CASE("the planes of a mesh are not used where it is posed") {
   REQUIRE(ok(mesh.attach(planes, {0, 16, 65535})));  // as if all faced the same way
   SkinnedMesh skinned;
   REQUIRE(ok(SkinnedMesh::make(mesh, scene.animation, 0, scene.joints, skinned)));
-  CHECK(drawn<Gouraud<Light>>(scene, skinned, NoCache{}) == drawn<Gouraud<Light>>(scene, scene.mesh, NoCache{}));
+  CHECK(drawn<Gouraud<Light>>(scene, skinned, NoCache{}) ==
+        drawn<Gouraud<Light>>(scene, scene.mesh, NoCache{}));
 }

@@ -112,9 +112,15 @@ TEST_CASE("joints may be scaled and moved by keys") {
                              ChannelPath::kTranslation,
                              Interpolation::kCubic,
                              {0, 700'000, 2'000'000},
-                             {{0, 0, 0}, {at.x, at.y, at.z}, {300, 0, 900},
-                              {0, 700, 0}, {at.x + 500, at.y, at.z - 800}, {0, -700, 100},
-                              {10, 20, 30}, {at.x, at.y + 1000, at.z}, {0, 0, 0}}});
+                             {{0, 0, 0},
+                              {at.x, at.y, at.z},
+                              {300, 0, 900},
+                              {0, 700, 0},
+                              {at.x + 500, at.y, at.z - 800},
+                              {0, -700, 100},
+                              {10, 20, 30},
+                              {at.x, at.y + 1000, at.z},
+                              {0, 0, 0}}});
     clip.channels.push_back({node,
                              ChannelPath::kScale,
                              Interpolation::kLinear,
@@ -128,16 +134,14 @@ TEST_CASE("joints may be scaled and moved by keys") {
 TEST_CASE("a joint may be five times as large as it was bound") {
   Rig rig = tube(2, 2, 5000, 1000, 1);
   rig.clips.push_back(
-      {"large", 2'000'000,
-       {{1, ChannelPath::kScale, Interpolation::kStep, {0}, {{5, 5, 5}}}}});
+      {"large", 2'000'000, {{1, ChannelPath::kScale, Interpolation::kStep, {0}, {{5, 5, 5}}}}});
   check_errors(rig);
 }
 
 TEST_CASE("positions out of range are saturated") {
   Rig rig = tube(2, 2, 40000, 1000, 1);
   rig.clips.push_back(
-      {"out", 2'000'000,
-       {{1, ChannelPath::kScale, Interpolation::kStep, {0}, {{2.5, 2.5, 2.5}}}}});
+      {"out", 2'000'000, {{1, ChannelPath::kScale, Interpolation::kStep, {0}, {{2.5, 2.5, 2.5}}}}});
   Shown shown(rig);
   shown.pose({{shown.animation.clip(0), 0}, {}, 0});
   const ObjectPosition p = shown.mesh.position(rig.vertices.size() - 1);
@@ -205,9 +209,8 @@ TEST_CASE("morph targets move vertices and normals, before joints do") {
     for (int target = 0; target < 3; ++target) {
       if (random.chance(0.5)) continue;
       const Vec3 by = 1500 * random_unit(random);
-      vertex.morphs.push_back({target,
-                               {std::round(by.x), std::round(by.y), std::round(by.z)},
-                               0.4 * random_unit(random)});
+      vertex.morphs.push_back(
+          {target, {std::round(by.x), std::round(by.y), std::round(by.z)}, 0.4 * random_unit(random)});
     }
   }
   rig.clips.push_back(bending(rig, Interpolation::kLinear, 25));
@@ -215,8 +218,15 @@ TEST_CASE("morph targets move vertices and normals, before joints do") {
                                    ChannelPath::kMorphWeights,
                                    Interpolation::kCubic,
                                    {0, 900'000, 2'000'000},
-                                   {{0, 0, 0}, {0, 0.5, 1}, {1, 0, 0}, {0, 0, 0.5}, {1, 0.25, -0.5},
-                                    {0.5, 1, 0}, {0, 0, 0}, {0, 1, 1.5}, {0, 0, 0}}});
+                                   {{0, 0, 0},
+                                    {0, 0.5, 1},
+                                    {1, 0, 0},
+                                    {0, 0, 0.5},
+                                    {1, 0.25, -0.5},
+                                    {0.5, 1, 0},
+                                    {0, 0, 0},
+                                    {0, 1, 1.5},
+                                    {0, 0, 0}}});
   Shown shown(rig);
   std::int16_t weights[3];
   CHECK(pose_morph(shown.animation, 0, {}, std::span(weights).first(2)) == Status::kBufferTooSmall);

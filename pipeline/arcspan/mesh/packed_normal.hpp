@@ -42,6 +42,22 @@ constexpr void octahedral_fold(std::int32_t& u, std::int32_t& v) {
   v = v < 0 ? -folded_v : folded_v;
 }
 
+/// A vector along a normal, |x| + |y| + |z| = kOctahedralOne.
+struct OctahedralPoint {
+  std::int32_t x;
+  std::int32_t y;
+  std::int32_t z;
+};
+
+/// The point of a packed normal on the octahedron.
+[[nodiscard]] ARCSPAN_INLINE constexpr OctahedralPoint octahedral_point(PackedNormal packed) {
+  std::int32_t x = packed.u < -kOctahedralOne ? -kOctahedralOne : packed.u;
+  std::int32_t y = packed.v < -kOctahedralOne ? -kOctahedralOne : packed.v;
+  const std::int32_t z = kOctahedralOne - octahedral_magnitude(x) - octahedral_magnitude(y);
+  if (z < 0) octahedral_fold(x, y);
+  return {x, y, z};
+}
+
 }  // namespace detail
 
 /// The unit vector of a packed normal. Every bit pattern is valid; -32768 counts as -32767.

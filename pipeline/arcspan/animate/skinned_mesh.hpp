@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/animate/joint_matrix.hpp>
+#include <arcspan/animate/morphed_mesh.hpp>
+#include <arcspan/animate/saturated_position.hpp>
+#include <arcspan/animate/stored_animation.hpp>
+#include <arcspan/mesh/drawable_mesh.hpp>
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/numbers/direction.hpp>
+#include <arcspan/numbers/integer.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan {
+
+/// A mesh whose vertices follow the joints of a skin (DrawableMesh). It holds references, and computes a
+/// vertex whenever it is asked for it:
+///
+///     p = (sum of w_k * ((M_k v) rounded to a quarter of an object unit)) rounded to an object unit
+///
+/// with the weights w_k in 1024ths, saturated at 16 bits. The normal is the sum of w_k * (M_k n), scaled to
+/// unit length; a sum of 0 gives +z. Every core computes the same bits.
+///
+/// Rest is the mesh as it is before the joints move it: a MeshView, or a MorphedMesh.
+template <class Rest>
+class BasicSkinnedMesh {
+ public:
+  /// A mesh without vertices.
+  constexpr BasicSkinnedMesh() = default;
+
+  /// Makes a mesh of part `part` of an animated model. `mesh` is that part's; it and `joints`, which
+  /// pose_joints() sets for the part's skin, must outlive `skinned`. Returns:
+  ///
+  ///   kOk                `skinned` is set; otherwise it is not changed
+  ///   kInvalidArgument   the part follows no joint of the animation, or `mesh` has another number of
+  ///   vertices kBufferTooSmall    there are fewer `joints` than the part's skin has
+  [[nodiscard]] static Status make(const Rest& mesh, const StoredAnimation& animation, std::size_t part,
+                                   std::span<const JointMatrix> joints, BasicSkinnedMesh& skinned);
+
+  [[nodiscard]] constexpr const MeshView& view() const { return mesh_->view(); }
+  /// Position of vertex i, which must be below view().vertex_count(), in the pose.
+  [[nodiscard]] ARCSPAN_INLINE ObjectPosition position(std::size_t i) const;
+  /// Unit normal of vertex i in the pose.
+  [[nodiscard]] ARCSPAN_INLINE Direction direction(std::size_t i) const;
+
+ private:
+  static constexpr Rest kNoMesh{};
+
+  const Rest* mesh_ = &kNoMesh;
+  const JointMatrix* joints_ = nullptr;
+  StoredWeights weights_;
+};
+
+/// A mesh in flash that follows joints.
+using SkinnedMesh = BasicSkinnedMesh<MeshView>;
+/// One that morph targets change before.
+using MorphedSkinnedMesh = BasicSkinnedMesh<MorphedMesh>;
+
+namespace detail {
+
+/// A vector along the normal of vertex i, 15 fraction bits, of at most unit length.
+[[nodiscard]] ARCSPAN_INLINE inline OctahedralPoint long_normal(const MeshView& mesh, std::size_t i) {
+  return octahedral_point(mesh.normal(i));
+}
+[[nodiscard]] inline OctahedralPoint long_normal(const MorphedMesh& mesh, std::size_t i) {
+  const Direction n = mesh.direction(i);
+  return {n.x.raw(), n.y.raw(), n.z.raw()};
+}
+
+/// Sums of three coordinates.
+struct WeightedSum {
+  std::int32_t x;
+  std::int32_t y;
+  std::int32_t z;
+};
+
+/// The joints of a vertex with their weights in 1024ths.
+template <std::size_t Most>
+struct WeightedJoints {
+  const JointMatrix* joints[Most];
+  std::int32_t weights[Most];
+
+  /// Reads a record of chunk WGHT of `count` joints, at most Most.
+  ARCSPAN_INLINE WeightedJoints(const std::uint16_t* words, const JointMatrix* all, std::size_t count) {
+    const std::uint32_t low = words[0];
+    std::int32_t left = 1 << animation_binary::kWeightBits;
+    for (std::size_t k = 1; k < count; ++k) {
+      const std::uint32_t word = words[k];
+      weights[k] = static_cast<std::int32_t>(((word >> 8) << 2) | ((low >> (8 + 2 * k)) & 3u));
+      left -= weights[k];
+      joints[k] = &all[word & 0xFFu];
+    }
+    joints[0] = &all[low & 0xFFu];
+    weights[0] = left;
+  }
+
+  /// The sum of coordinates(joint, row) times the weights. It wraps where a position is far out of range.
+  template <class Coordinates>
+  [[nodiscard]] ARCSPAN_INLINE inline WeightedSum sum(std::size_t count,
+                                                      const Coordinates& coordinates) const {
+    const auto row = [&](std::size_t i) {
+      std::int32_t sum = wrap_mul(coordinates(*joints[0], i), weights[0]);
+      for (std::size_t k = 1; k < count; ++k)
+        sum = wrap_add(sum, wrap_mul(coordinates(*joints[k], i), weights[k]));
+      return sum;
+    };
+    return {row(0), row(1), row(2)};
+  }
+};
+
+/// The weighted sum over the joints of a record of chunk WGHT. Most vertices have one or two joints.
+template <class Coordinates>
+[[nodiscard]] ARCSPAN_INLINE inline WeightedSum weighted_sum(const std::uint16_t* words,
+                                                             const JointMatrix* joints,
+                                                             const Coordinates& coordinates) {
+  const std::size_t count = ((words[0] >> 8) & 3u) + 1u;
+  if constexpr (!kOptimisedForSize) {
+    if (count == 1) return WeightedJoints<1>(words, joints, 1).sum(1, coordinates);
+    if (count == 2) return WeightedJoints<2>(words, joints, 2).sum(2, coordinates);
+  }
+  return WeightedJoints<4>(words, joints, count).sum(count, coordinates);
+}
+
+}  // namespace detail
+
+template <class Rest>
+ARCSPAN_INLINE inline ObjectPosition BasicSkinnedMesh<Rest>::position(std::size_t i) const {
+  const ObjectPosition v = mesh_->position(i);
+  const std::int32_t x = v.x;
+  const std::int32_t y = v.y;
+  const std::int32_t z = v.z;
+  const detail::WeightedSum sum = detail::weighted_sum(
+      weights_.record(i), joints_,
+      [=](const JointMatrix& joint, std::size_t row) { return joint.place(row, x, y, z); });
+  constexpr int kDown = JointMatrix::kPlaceBits + animation_binary::kWeightBits;
+  return detail::saturated_position(round_shift(sum.x, kDown), round_shift(sum.y, kDown),
+                                    round_shift(sum.z, kDown));
+}
+
+template <class Rest>
+ARCSPAN_INLINE inline Direction BasicSkinnedMesh<Rest>::direction(std::size_t i) const {
+  const detail::OctahedralPoint n = detail::long_normal(*mesh_, i);
+  // Each product is below 2^30, and so is the sum, because the weights add up to 1024.
+  const detail::WeightedSum sum = detail::weighted_sum(
+      weights_.record(i), joints_,
+      [n](const JointMatrix& joint, std::size_t row) { return joint.normal(row, n.x, n.y, n.z); });
+  return normalised(sum.x, sum.y, (sum.x | sum.y | sum.z) == 0 ? 1 : sum.z);
+}
+
+template <class Rest>
+Status BasicSkinnedMesh<Rest>::make(const Rest& mesh, const StoredAnimation& animation, std::size_t part,
+                                    std::span<const JointMatrix> joints, BasicSkinnedMesh& skinned) {
+  const StoredWeights weights = animation.weights(part);
+  if (!weights.exist() ||
+      (!weights.are_of_one_joint() && weights.vertex_count() != mesh.view().vertex_count()))
+    return Status::kInvalidArgument;
+  if (joints.size() < animation.skin(weights.skin()).size()) return Status::kBufferTooSmall;
+  skinned.mesh_ = &mesh;
+  skinned.joints_ = joints.data();
+  skinned.weights_ = weights;
+  return Status::kOk;
+}
+
+static_assert(DrawableMesh<SkinnedMesh> && DrawableMesh<MorphedSkinnedMesh> && DrawableMesh<MorphedMesh>);
+
+}  // namespace arcspan

@@ -4,6 +4,7 @@
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
+#include <arcspan/mesh/drawable_mesh.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/pixel/fill.hpp>
 #include <arcspan/prepare/triangle.hpp>
@@ -82,13 +83,13 @@ class NotedSides {
  public:
   constexpr NotedSides(Source& source, std::span<TriangleSide> sides) : source_(source), sides_(sides) {}
 
-  template <class Method>
-  [[nodiscard]] Status begin(const VertexStage<Method>& stage, bool two_sided) {
+  template <class Method, class Mesh>
+  [[nodiscard]] Status begin(const VertexStage<Method, Mesh>& stage, bool two_sided) {
     const Status status = detail::hide_all(stage.mesh(), sides_);
     return ok(status) ? source_.begin(stage, two_sided) : status;
   }
-  template <class Method>
-  [[nodiscard]] ARCSPAN_INLINE decltype(auto) vertex(const VertexStage<Method>& stage, std::size_t i) {
+  template <class Method, class Mesh>
+  [[nodiscard]] ARCSPAN_INLINE decltype(auto) vertex(const VertexStage<Method, Mesh>& stage, std::size_t i) {
     return source_.vertex(stage, i);
   }
   [[nodiscard]] static constexpr const TriangleRows* rows() { return nullptr; }
@@ -104,21 +105,22 @@ class NotedSides {
 ///
 /// Returns kOk, kBufferTooSmall if `sides` holds fewer than mesh.triangle_count(), or what source.begin()
 /// returns; `sides` is then undefined.
-template <class Method, class Source>
-requires VertexSource<std::remove_cvref_t<Source>, Method>
-[[nodiscard]] Status find_sides(const MeshView& mesh, const ClipTransform& transform,
+template <class Method, DrawableMesh Mesh, class Source>
+requires VertexSource<std::remove_cvref_t<Source>, Method, Mesh>
+[[nodiscard]] Status find_sides(const Mesh& mesh, const ClipTransform& transform,
                                 const typename Method::Lighting& lighting, Source&& source,
                                 std::span<TriangleSide> sides, const DrawOptions& options = {}) {
-  VertexStage<Method> stage(mesh, transform, lighting);
+  VertexStage<Method, Mesh> stage(mesh, transform, lighting);
   if (!options.two_sided) stage.find_back_faces();
-  Status status = detail::hide_all(mesh, sides);
+  const MeshView& triangles = stage.mesh();
+  Status status = detail::hide_all(triangles, sides);
   if (ok(status)) status = source.begin(stage, options.two_sided);
   if (!ok(status)) return status;
   const BackFaces& back_faces = stage.back_faces();
-  const std::size_t count = mesh.triangle_count();
+  const std::size_t count = triangles.triangle_count();
   const auto next = [&](std::size_t i) { return back_faces.known() ? back_faces.next_front(i, count) : i; };
   for (std::size_t i = next(0); i < count; i = next(i + 1)) {
-    const TriangleIndices t = mesh.triangle(i);
+    const TriangleIndices t = triangles.triangle(i);
     auto&& a = source.vertex(stage, t.a);
     auto&& b = source.vertex(stage, t.b);
     auto&& c = source.vertex(stage, t.c);

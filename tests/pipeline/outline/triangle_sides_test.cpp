@@ -4,6 +4,7 @@
 #include <arcspan/draw/triangle_sides.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/mesh/make_face_planes.hpp>
+#include <arcspan/outline/outline_list.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/shading/flat.hpp>
 
@@ -137,6 +138,47 @@ TEST_CASE("Triangle sides: a cache that holds rows of bands gives those of the w
   Frame band(memory, from.width, 8, 40);
   REQUIRE(ok(draw_mesh<Method>(mesh, from.transform(), light, band, NoDepth{}, source).status));
   CHECK(noted == found);
+}
+
+/// A mesh whose vertices are posed: narrower than the mesh that it is made of.
+struct Narrowed {
+  const MeshView& wide;
+
+  [[nodiscard]] const MeshView& view() const { return wide; }
+  [[nodiscard]] ObjectPosition position(std::size_t i) const {
+    ObjectPosition p = wide.position(i);
+    p.x = static_cast<std::int16_t>(p.x / 3);
+    return p;
+  }
+  [[nodiscard]] Direction direction(std::size_t i) const { return wide.direction(i); }
+};
+
+TEST_CASE("Triangle sides: those of a posed mesh are those of its vertices") {
+  Random random(49);
+  const TestMesh wide = make_sphere(9, 14, 9000, 0, random);
+  TestMesh narrow = wide;
+  const MeshView mesh = wide.view();
+  const Narrowed posed{mesh};
+  for (std::size_t i = 0; i < narrow.positions.size(); ++i) narrow.positions[i] = posed.position(i);
+  const MeshView kept = narrow.view();
+  const TestCamera from = camera(random, 9000, false);
+  const ClipTransform transform = from.transform();
+  const auto light = make_light<1, Highlight::kBlinn>(from);
+  std::vector<TriangleSide> expected(mesh.triangle_count());
+  std::vector<TriangleSide> found(mesh.triangle_count());
+  std::vector<TriangleSide> noted(mesh.triangle_count());
+  REQUIRE(ok(find_sides<Method>(kept, transform, light, NoCache{}, expected)));
+  std::vector<CachedVertex<Method>> vertices(mesh.vertex_count());
+  VertexCache<Method> cache(vertices);
+  REQUIRE(ok(find_sides<Method>(posed, transform, light, cache, found)));
+  CHECK(found == expected);
+  Picture picture(from.width, from.height);
+  NotedSides source(cache, noted);
+  REQUIRE(ok(draw_mesh<Method>(posed, transform, light, picture.frame, picture.depth, source).status));
+  CHECK(noted == expected);
+  const VertexPositions positions(transform, std::span<const CachedVertex<Method>>(vertices));
+  const VertexPositions transformed(transform);
+  for (std::size_t i = 0; i < vertices.size(); ++i) CHECK(positions(mesh, i) == transformed(kept, i));
 }
 
 TEST_CASE("Triangle sides: too little memory is refused, and nothing is drawn") {

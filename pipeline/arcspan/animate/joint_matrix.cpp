@@ -8,7 +8,7 @@ namespace arcspan {
 
 namespace {
 
-constexpr int kEntryBits = animation_binary::kMatrixBits;
+constexpr int kJointBits = animation_binary::kMatrixBits;
 constexpr int kMostBits = 14;
 
 std::uint32_t magnitude(std::int32_t v) {
@@ -18,18 +18,18 @@ std::uint32_t magnitude(std::int32_t v) {
 /// Fraction bits with which each entry fits 16 bits, and each row times a position plus its offset 32 bits.
 int fraction_bits(const NodeMatrix& matrix) {
   std::uint32_t entries = 0;
-  std::uint64_t rows = 0;  // with kEntryBits fraction bits
+  std::uint64_t rows = 0;  // with kJointBits fraction bits
   for (std::size_t i = 0; i < 3; ++i) {
     std::uint64_t row = std::uint64_t{magnitude(matrix.offset[i].raw())}
-                        << (kEntryBits - ObjectLength::kFraction);
+                        << (kJointBits - ObjectLength::kFraction);
     for (const std::int32_t entry : matrix.entries[i]) {
       entries |= magnitude(entry);
       row += std::uint64_t{magnitude(entry)} << 15;
     }
     rows |= row;
   }
-  const int by_entry = kEntryBits + 15 - static_cast<int>(std::bit_width(entries));
-  const int by_row = kEntryBits + 30 - static_cast<int>(std::bit_width(rows));
+  const int by_entry = kJointBits + 15 - static_cast<int>(std::bit_width(entries));
+  const int by_row = kJointBits + 30 - static_cast<int>(std::bit_width(rows));
   const int bits = by_entry < by_row ? by_entry : by_row;
   return bits < kMostBits ? bits : kMostBits;
 }
@@ -47,7 +47,7 @@ JointMatrix::JointMatrix(const NodeMatrix& matrix) {
   down_ = bits - kPlaceBits;
   const std::int64_t half = std::int64_t{1} << (down_ - 1);
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto entry = [&](std::size_t j) { return short_entry(matrix.entries[i][j], kEntryBits - bits); };
+    const auto entry = [&](std::size_t j) { return short_entry(matrix.entries[i][j], kJointBits - bits); };
     const std::int64_t offset = std::int64_t{matrix.offset[i].raw()} * (std::int64_t{1} << bits);
     rows_[i] = {entry(0), entry(1), entry(2),
                 static_cast<std::int32_t>((offset >> ObjectLength::kFraction) + half)};

@@ -6,7 +6,7 @@ namespace arcspan {
 
 namespace {
 
-constexpr int kBits = animation_binary::kMorphWeightBits;
+constexpr int kMorphBits = animation_binary::kMorphWeightBits;
 
 /// Sums of products of a weight and what a target adds. 256 targets fit 64 bits.
 struct MorphSum {
@@ -24,7 +24,7 @@ struct MorphSum {
 /// What is added to a coordinate: rounded, and limited to 2^20 so that the sum fits.
 std::int32_t whole(std::int64_t sum) {
   constexpr std::int32_t kMost = 1 << 20;
-  const std::int64_t rounded = (sum + (1 << (kBits - 1))) >> kBits;
+  const std::int64_t rounded = (sum + (1 << (kMorphBits - 1))) >> kMorphBits;
   if (rounded > kMost) return kMost;
   return rounded < -kMost ? -kMost : static_cast<std::int32_t>(rounded);
 }

@@ -8,7 +8,7 @@ namespace arcspan {
 
 namespace {
 
-constexpr int kBits = animation_binary::kMatrixBits;
+constexpr int kOneBits = animation_binary::kMatrixBits;
 
 /// Saturated so that a sum of three products of two such numbers fits 64 bits.
 std::int32_t saturated(std::int64_t value) {
@@ -28,8 +28,8 @@ void set_rotation(const std::int32_t (&q)[4], std::int32_t (&entries)[3][3]) {
   const std::uint32_t length = squares[0] + squares[1] + squares[2] + squares[3];  // below 2^32
   const WideReciprocal inverse = wide_reciprocal(length);
   const auto mantissa = static_cast<std::int32_t>(inverse.mantissa - (inverse.mantissa >> 31));
-  // Twice the quotient with kBits fraction bits.
-  const int down = inverse.exponent - 1 - kBits;
+  // Twice the quotient with kOneBits fraction bits.
+  const int down = inverse.exponent - 1 - kOneBits;
   const auto quotient = [=](std::int32_t c) {
     return static_cast<std::int32_t>((std::int64_t{c} * mantissa + (std::int64_t{1} << (down - 1))) >> down);
   };
@@ -44,7 +44,7 @@ void set_rotation(const std::int32_t (&q)[4], std::int32_t (&entries)[3][3]) {
 
 void set_identity(std::int32_t (&entries)[3][3]) {
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) entries[i][j] = i == j ? 1 << kBits : 0;
+    for (std::size_t j = 0; j < 3; ++j) entries[i][j] = i == j ? 1 << kOneBits : 0;
   }
 }
 
@@ -58,7 +58,7 @@ void scale_columns(const std::int32_t (&scale)[3], std::int32_t (&entries)[3][3]
 }
 
 /// `a` + (b - a) * weight / 65536; both are below 2^30 in magnitude.
-std::int32_t between(std::int32_t a, std::int32_t b, std::uint32_t weight) {
+std::int32_t mixed(std::int32_t a, std::int32_t b, std::uint32_t weight) {
   return a + scaled_down(b - a, weight, 16);
 }
 
@@ -74,8 +74,8 @@ NodePose rest_pose(const StoredNode& node) {
 NodePose blended(const NodePose& a, const NodePose& b, std::uint32_t weight) {
   NodePose pose;
   for (std::size_t i = 0; i < 3; ++i) {
-    pose.translation[i] = between(a.translation[i], b.translation[i], weight);
-    pose.scale[i] = between(a.scale[i], b.scale[i], weight);
+    pose.translation[i] = mixed(a.translation[i], b.translation[i], weight);
+    pose.scale[i] = mixed(a.scale[i], b.scale[i], weight);
   }
   std::int32_t from[4];
   std::int32_t to[4];
@@ -103,7 +103,7 @@ NodeMatrix operator*(const NodeMatrix& outer, const NodeMatrix& inner) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::int32_t(&row)[3] = outer.entries[i];
     const auto sum = [&row](std::int32_t x, std::int32_t y, std::int32_t z) {
-      return (std::int64_t{row[0]} * x + std::int64_t{row[1]} * y + std::int64_t{row[2]} * z) >> kBits;
+      return (std::int64_t{row[0]} * x + std::int64_t{row[1]} * y + std::int64_t{row[2]} * z) >> kOneBits;
     };
     for (std::size_t j = 0; j < 3; ++j)
       product.entries[i][j] = saturated(sum(inner.entries[0][j], inner.entries[1][j], inner.entries[2][j]));

@@ -13,11 +13,6 @@ namespace {
 namespace binary = animation_binary;
 using Bytes = std::span<const std::uint8_t>;
 
-template <class T>
-const T* as(const std::uint8_t* at) {
-  return static_cast<const T*>(static_cast<const void*>(at));
-}
-
 bool is_name(const std::uint8_t* name) { return name[binary::kNameBytes - 1] == 0; }
 
 bool is_within(std::int32_t value, std::int32_t limit) { return value >= -limit && value <= limit; }
@@ -50,7 +45,7 @@ bool has_records(Bytes chunk, std::size_t bytes, std::size_t most) {
 
 Status check_nodes(Bytes chunk) {
   if (!has_records(chunk, sizeof(StoredNode), binary::kMostNodes)) return Status::kCorrupted;
-  const auto* const nodes = as<StoredNode>(chunk.data() + binary::kCountBytes);
+  const auto* const nodes = detail::records_at<StoredNode>(chunk.data() + binary::kCountBytes);
   const std::size_t count = little_u16(chunk.data());
   for (std::size_t i = 0; i < count; ++i) {
     const StoredNode& node = nodes[i];
@@ -72,7 +67,7 @@ Status check_names(Bytes chunk, std::size_t nodes) {
 
 Status check_skin(Bytes chunk, std::size_t nodes) {
   if (nodes == 0 || !has_records(chunk, sizeof(StoredJoint), binary::kMostJoints)) return Status::kCorrupted;
-  const auto* const joints = as<StoredJoint>(chunk.data() + binary::kCountBytes);
+  const auto* const joints = detail::records_at<StoredJoint>(chunk.data() + binary::kCountBytes);
   for (std::size_t i = 0; i < little_u16(chunk.data()); ++i) {
     if (joints[i].node >= nodes) return Status::kIndexOutOfRange;
     if (joints[i].zero != 0) return Status::kCorrupted;
@@ -115,7 +110,7 @@ Status check_weights(Bytes chunk, std::size_t part_vertices, std::span<const Sto
       std::uint64_t{chunk.size()} != binary::kFirstAt + 2 * (std::uint64_t{vertices} + words))
     return Status::kCorrupted;
   if (vertices == 0 && joint >= skin.size()) return Status::kIndexOutOfRange;
-  const auto* const first = as<std::uint16_t>(at + binary::kFirstAt);
+  const auto* const first = detail::records_at<std::uint16_t>(at + binary::kFirstAt);
   for (std::size_t i = 0; i < static_cast<std::size_t>(vertices); ++i) {
     if (first[i] >= words) return Status::kCorrupted;
     const Status status =
@@ -163,7 +158,7 @@ Status check_morph(Bytes chunk, std::size_t part_vertices) {
 
 Status check_bounds(Bytes chunk, std::size_t joints) {
   if (joints == 0 || !has_records(chunk, sizeof(JointBound), binary::kMostJoints)) return Status::kCorrupted;
-  const auto* const bounds = as<JointBound>(chunk.data() + binary::kCountBytes);
+  const auto* const bounds = detail::records_at<JointBound>(chunk.data() + binary::kCountBytes);
   for (std::size_t i = 0; i < little_u16(chunk.data()); ++i) {
     if (bounds[i].joint >= joints) return Status::kIndexOutOfRange;
     if (bounds[i].zero != 0 || (i != 0 && bounds[i].joint <= bounds[i - 1].joint)) return Status::kCorrupted;
@@ -345,7 +340,8 @@ Status view_animation(const StoredModel& model, StoredAnimation& animation) {
   if (nodes.data() != nullptr) {
     const Status status = check_nodes(nodes);
     if (!ok(status)) return status;
-    found.nodes_ = {as<StoredNode>(nodes.data() + binary::kCountBytes), little_u16(nodes.data())};
+    found.nodes_ = {detail::records_at<StoredNode>(nodes.data() + binary::kCountBytes),
+                    little_u16(nodes.data())};
   }
   const AnimationCheck check(model, found, found.nodes_.size());
   for (const auto step :

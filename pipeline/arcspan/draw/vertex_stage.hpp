@@ -35,8 +35,7 @@ enum class Facing : std::uint8_t { kFront, kBack };
 
 }  // namespace detail
 
-/// Transforms and shades the vertices of one mesh. (Mesh is not MeshView if they are posed.) A vertex source
-/// (draw/vertex_source.hpp) gets it.
+/// Transforms and shades the vertices of one mesh, for a vertex source (draw/vertex_source.hpp).
 template <class Method, DrawableMesh Mesh = MeshView>
 class VertexStage {
  public:
@@ -93,9 +92,8 @@ class VertexStage {
   }
   /// Shades vertex i with its normal for the front, with the opposite normal for the back.
   ARCSPAN_OUTLINE void shade(std::size_t i, detail::Facing facing, typename Method::Vertex& shade) const {
-    // Without a function in between, by which gcc decides otherwise about this one.
     if constexpr (std::is_same_v<Mesh, MeshView>) {
-      const Direction normal = unpack_normal(mesh_.normal(i));
+      const Direction normal = unpack_normal(mesh_.normal(i));  // direction() makes gcc choose otherwise
       shade = Method::shade_vertex(lighting_, facing == detail::Facing::kBack ? -normal : normal);
     } else {
       const Direction normal = mesh_.direction(i);

@@ -80,7 +80,7 @@ class ClipPlayer {
   Playing next_;
   std::uint32_t faded_ = 0;        ///< microseconds, below fade_length_ while there is a fade
   std::uint32_t fade_length_ = 0;  ///< 0 without a fade
-  ClipSpeed speed_ = ClipSpeed::from_raw(1 << ClipSpeed::kFraction);
+  ClipSpeed speed_ = ClipSpeed::from_raw(std::int32_t{1} << ClipSpeed::kFraction);
 };
 
 }  // namespace arcspan

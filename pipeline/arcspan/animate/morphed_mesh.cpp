@@ -23,8 +23,8 @@ struct MorphSum {
 
 /// What is added to a coordinate: rounded, and limited to 2^20 so that the sum fits.
 std::int32_t whole(std::int64_t sum) {
-  constexpr std::int32_t kMost = 1 << 20;
-  const std::int64_t rounded = (sum + (1 << (kMorphBits - 1))) >> kMorphBits;
+  constexpr std::int32_t kMost = std::int32_t{1} << 20;
+  const std::int64_t rounded = (sum + (std::int32_t{1} << (kMorphBits - 1))) >> kMorphBits;
   if (rounded > kMost) return kMost;
   return rounded < -kMost ? -kMost : static_cast<std::int32_t>(rounded);
 }

@@ -393,7 +393,7 @@ TEST_CASE("Smooth outlines: a full list is applied and begun anew, and says so")
     CHECK(picture.depths == depths);
     std::size_t differ = 0;
     for (std::size_t i = 0; i < picture.colours.size(); ++i)
-      differ += picture.colours[i] != enough.colours[i] ? 1 : 0;
+      differ += picture.colours[i] != enough.colours[i] ? 1u : 0u;
     CHECK(differ < 200);  // where pixels were blended twice
   }
   Picture none(scene.bounds());

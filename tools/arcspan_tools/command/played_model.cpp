@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/load_model.hpp>
+#include <arcspan_tools/command/played_model.hpp>
+
+namespace arcspan::tools {
+
+PlayedModel::PlayedModel(RenderOptions& options, std::size_t frames, double seconds)
+    : model_(load_drawn_model(options)) {
+  if (options.clip.empty()) {
+    current_ = to_fixed(model_);
+    return;
+  }
+  const RigClip& clip = find_clip(model_, options.clip, options.mesh);
+  clip_.emplace(model_, clip, looped_times(clip, frames, seconds), options.crease_degrees, options.mesh);
+  positions_ = clip_->positions();
+}
+
+const FixedModel& PlayedModel::frame(std::size_t frame) {
+  if (clip_) current_ = clip_->frame(frame);
+  return current_;
+}
+
+}  // namespace arcspan::tools

@@ -156,7 +156,9 @@ void run_compare(const CompareArguments& arguments) {
   std::vector<std::filesystem::path> written(arguments.tables.begin(), arguments.tables.end());
   written.emplace_back(arguments.output);
   check_results(written, {options.mesh});
-  Model loaded = load_model(options.mesh, options.crease_degrees, options.texture);
+  Model loaded =
+      load_model(options.mesh, options.crease_degrees, options.texture, VertexColours::kMean, options.pose);
+  warn_of_clips(loaded, options.mesh);
   if (make_opaque(loaded)) warn(options.mesh, "transparent surfaces are compared opaque");
   const FixedModel skinned = to_fixed(loaded);
   const bool has_textures = remove_textures(loaded);

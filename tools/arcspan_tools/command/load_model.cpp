@@ -63,13 +63,19 @@ void warn_without_effect(const RenderOptions& options, const Model& model) {
 }  // namespace
 
 Model load_model(const std::string& name, const std::optional<double>& crease_degrees,
-                 const std::string& texture, VertexColours colours) {
+                 const std::string& texture, VertexColours colours, const std::optional<PoseChoice>& pose) {
   Model model =
       load_model_file(name, texture.empty() ? TexturePointsOf::kTexturedParts : TexturePointsOf::kAllParts,
                       colours, crease_degrees ? kSmoothEverything : kCreaseOfFiles);
   if (!texture.empty()) put_texture(texture, name, model);
   for (const std::string& warning : model.warnings) warn(name, warning);
+  if (pose) model = posed(model, *pose, name);
   return crease_degrees ? with_crease(model, *crease_degrees, name) : model;
+}
+
+void warn_of_clips(const Model& model, const std::string& name) {
+  if (model.rig == nullptr || model.rig->clips.empty()) return;
+  warn(name, "clips are not played, the model stands at rest: " + clip_list(*model.rig) + "; see --pose");
 }
 
 Model load_drawn_model(RenderOptions& options) {
@@ -80,8 +86,9 @@ Model load_drawn_model(RenderOptions& options) {
   const bool kept =
       options.shading != "flat" &&
       options.vertex_colours.value_or(!options.is_given("--shading") || options.shading == "gouraud");
-  Model model = load_model(options.mesh, options.crease_degrees, options.texture,
-                           kept ? VertexColours::kKept : VertexColours::kMean);
+  Model model = load_model(options.mesh, options.plays() ? std::nullopt : options.crease_degrees,
+                           options.texture, kept ? VertexColours::kKept : VertexColours::kMean, options.pose);
+  if (!options.plays()) warn_of_clips(model, options.mesh);
   warn_without_effect(options, model);
   if (shading_draws_effects(options.shading)) return model;
   const std::string by = " by --shading " + options.shading;

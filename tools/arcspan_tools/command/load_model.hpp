@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan_tools/command/pose_options.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/plain/model.hpp>
@@ -12,12 +13,17 @@ namespace arcspan::tools {
 
 /// load_model_file(), and its warnings on standard error. With `crease_degrees` the normals are made anew:
 /// see with_crease(). `texture`, unless it is empty, is a picture file that replaces the textures of all
-/// parts that have texture points.
+/// parts that have texture points. Without a `pose` a model with clips keeps its rig; it loses it by one, and
+/// by `crease_degrees`.
 [[nodiscard]] Model load_model(const std::string& name, const std::optional<double>& crease_degrees = {},
-                               const std::string& texture = {}, VertexColours colours = VertexColours::kMean);
+                               const std::string& texture = {}, VertexColours colours = VertexColours::kMean,
+                               const std::optional<PoseChoice>& pose = {});
 
-/// The model that options ask for; reads the picture of --matcap into their scene. What the shading does not
-/// draw is removed, with a warning.
+/// Says which clips of a model are not played, if it has some.
+void warn_of_clips(const Model& model, const std::string& name);
+
+/// The model that options ask for, whose normals are not made anew if a clip is to be played; reads the
+/// picture of --matcap into their scene. What the shading does not draw is removed, with a warning.
 [[nodiscard]] Model load_drawn_model(RenderOptions& options);
 
 /// That model in fixed point, with the neighbours of its triangles if outlines are smoothed.

@@ -8,10 +8,14 @@
 #include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/image/side_by_side.hpp>
+#include <arcspan_tools/mesh/compile/animation_error.hpp>
+#include <arcspan_tools/mesh/compile/make_animation.hpp>
 #include <arcspan_tools/mesh/compile/neighbours.hpp>
+#include <arcspan_tools/mesh/compile/stored_rig.hpp>
 #include <arcspan_tools/mesh/compile/tidy.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/render/scene.hpp>
+#include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/output_file.hpp>
 #include <arcspan_tools/support/parse.hpp>
 #include <arcspan_tools/support/progress.hpp>
@@ -39,6 +43,9 @@ struct MeshArguments {
   bool made_textures = false;  ///< the model has some
   std::string texture;         ///< a picture for all parts, or none
   VertexColours colours = VertexColours::kMean;
+  std::optional<PoseChoice> pose;
+  ClipOptions clips;
+  std::int32_t error_pixels = 240;
   TextureOptions texture_options = default_model_texture_options();
   MeshLimits limits;
 };
@@ -76,23 +83,49 @@ TextureOptions fitting_textures(const MeshArguments& arguments, CompiledOutput o
   return options;
 }
 
+/// The model with what of its rig is stored, if it has one.
+FixedModel with_animation(FixedModel model, const MeshArguments& arguments) {
+  if (model.rig == nullptr) return model;
+  model.animation = std::make_shared<FixedAnimation>(make_animation(model, arguments.clips, arguments.model));
+  return model;
+}
+
+/// Refuses what a model that moves cannot have; a C source holds it as it stands at rest.
+void check_rig(const MeshArguments& arguments, Model& model) {
+  if (model.rig == nullptr) return;
+  if (arguments.for_c) {
+    warn(arguments.model,
+         "its joints and clips are not written for C, the model stands at rest (see --pose)");
+    model = posed(model, PoseChoice{}, arguments.model);
+    return;
+  }
+  const std::string needs = "needs --pose with a model that moves: ";
+  if (arguments.planes) throw Failure("--planes", needs + "planes do not");
+  if (arguments.limits.crease_degrees)
+    throw Failure("--crease", needs + "normals are made anew for one pose");
+}
+
 Made make(const MeshArguments& arguments, CompiledOutput output) {
-  Model data = load_model(arguments.model, {}, arguments.texture, arguments.colours);
+  Model data = load_model(arguments.model, {}, arguments.texture, arguments.colours, arguments.pose);
+  check_rig(arguments, data);
   if (!arguments.textures) remove_textures(data);
   const auto is_glass = [](const ModelPart& part) { return part.look.material.opacity < 1; };
   if (std::any_of(data.parts.begin(), data.parts.end(), is_glass)) {
     warn(arguments.model, "the opacity of materials is not written");
   }
   if (!arguments.group.empty()) data = select_parts(std::move(data), arguments.group, arguments.model);
+  data = as_stored(data);
   Made made{{}, to_fixed(data), {}};
   const TextureOptions texture_options = fitting_textures(arguments, output, data, made.model);
   made.textures = make_textures(made.model, texture_options);
   const BytesOf bytes_of = [output, &arguments, &made](const FixedModel& model) {
-    if (!arguments.outlines) return model_bytes(output, model, arguments.planes, made.textures);
-    // The bytes of neighbours depend on the order that the triangles will have.
-    FixedModel in_order = model;
-    for (FixedMesh& mesh : in_order.meshes) mesh = ordered(mesh);
-    return model_bytes(output, with_neighbours(in_order, arguments.model), arguments.planes, made.textures);
+    FixedModel whole = with_animation(model, arguments);
+    if (arguments.outlines) {
+      // The bytes of neighbours depend on the order that the triangles will have.
+      for (FixedMesh& mesh : whole.meshes) mesh = ordered(mesh);
+      whole = with_neighbours(std::move(whole), arguments.model);
+    }
+    return model_bytes(output, whole, arguments.planes, made.textures);
   };
   MeshReport& report = made.report;
   report.model = arguments.model;
@@ -112,7 +145,10 @@ Made make(const MeshArguments& arguments, CompiledOutput output) {
   }
   // Simplification may have left out parts.
   made.textures = make_textures(report.compiled.model, texture_options);
-  report.bytes = bytes_of(report.compiled.model);
+  report.compiled.model = with_animation(report.compiled.model, arguments);
+  if (report.compiled.model.rig != nullptr) report.animation = animation_error(report.compiled.model);
+  report.error_pixels = arguments.error_pixels;
+  report.bytes = model_bytes(output, report.compiled.model, arguments.planes, made.textures);
   report.shares = byte_shares(output, report.compiled.model, made.textures);
   report.shrunk_textures = texture_options.most_side < arguments.texture_options.most_side;
   report.textures = made.textures.textures;
@@ -165,6 +201,25 @@ void run_mesh(MeshArguments& arguments) {
   if (!caution.empty()) warn(arguments.model, caution);
 }
 
+/// `DEGREES,SHARE`.
+std::optional<ClipOptions> parse_clip_tolerance(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return std::nullopt;
+  const std::optional<double> degrees = parse_number(text.substr(0, comma));
+  const std::optional<double> share = parse_number(text.substr(comma + 1));
+  const auto fits = [](const std::optional<double>& v, double most) { return v && *v >= 0 && *v <= most; };
+  if (!fits(degrees, 90) || !fits(share, 1)) return std::nullopt;
+  return ClipOptions{*degrees, *share};
+}
+
+void add_clip_tolerance(CLI::App& mesh, ClipOptions& clips) {
+  add_parsed<ClipOptions>(
+      mesh, "--clip-tolerance", "DEGREES,SHARE",
+      "leave out keys of clips as long as each node is within so many degrees and this share of the model's "
+      "extent (default: the file's keys)",
+      "two numbers, 0...90 and 0...1", parse_clip_tolerance, [&clips](const ClipOptions& o) { clips = o; });
+}
+
 void add_limits(CLI::App& mesh, MeshLimits& limits) {
   const auto parse_count = [](const std::string& text) -> std::optional<std::size_t> {
     const std::optional<std::int64_t> value = parse_integer(text);
@@ -194,6 +249,11 @@ void add_mesh_command(CLI::App& app) {
                    "a header of constexpr arrays (.hpp, .h) or a binary (.bin), with all parts and their "
                    "materials; hpp:- and bin:- are standard output")
       ->required();
+  add_pose(*mesh, arguments->pose);
+  add_clip_tolerance(*mesh, arguments->clips);
+  add_integer(*mesh, "--error-pixels", "N",
+              "largest extent of the model in the picture for which the error of clips is told (default 240)",
+              1, kMostPictureSide, arguments->error_pixels);
   add_limits(*mesh, arguments->limits);
   mesh->add_option("--name", arguments->name,
                    "the header's namespace, or the model for C (default: from the file's name)")
@@ -226,6 +286,8 @@ void add_mesh_command(CLI::App& app) {
       "Examples:\n"
       "  arcspan mesh bunny.obj -o bunny.hpp --max-bytes 16384 --picture bunny.png\n"
       "  arcspan mesh part.stl -o part.bin --crease 40 --max-triangles 800\n"
+      "  arcspan mesh man.glb -o man.bin --clip-tolerance 0.1,0.0002\n"
+      "  arcspan mesh man.glb -o standing.bin --pose rest\n"
       "  arcspan mesh car.glb -o wheels.hpp --group wheels\n"
       "  arcspan mesh spider.obj -o spider.bin --texture-format pal4 --texture-size 64\n"
       "  arcspan mesh torus:24x12 -o bin:- | xxd -i > torus.inc");

@@ -77,6 +77,80 @@ std::string textures_text(const MeshReport& r) {
   return text;
 }
 
+/// Keys of all channels of a clip.
+std::size_t key_count(const FixedClip& clip) {
+  std::size_t sum = 0;
+  for (const FixedChannel& channel : clip.channels) sum += channel.times.size();
+  return sum;
+}
+
+std::size_t joint_count(const FixedAnimation& animation) {
+  std::size_t sum = 0;
+  for (const FixedSkin& skin : animation.skins) sum += skin.size();
+  return sum;
+}
+
+/// How many vertices follow 1, 2, 3 and 4 joints.
+std::array<std::size_t, kMostWeights> influence_counts(const FixedAnimation& animation) {
+  std::array<std::size_t, kMostWeights> counts{};
+  for (const FixedPartMotion& part : animation.parts) {
+    for (const FixedWeights& weights : part.weights) ++counts[weights.count - 1];
+  }
+  return counts;
+}
+
+std::size_t morph_target_count(const FixedAnimation& animation) {
+  std::size_t sum = 0;
+  for (const FixedPartMotion& part : animation.parts) sum += part.morph ? part.morph->weights.size() : 0;
+  return sum;
+}
+
+/// The share of the extent by which a vertex is off.
+double error_share(const MeshReport& r) { return r.animation->position / 65534; }
+
+std::string animation_text(const MeshReport& r) {
+  if (!r.animation) return {};
+  const FixedAnimation& animation = *r.compiled.model.animation;
+  const auto counts = influence_counts(animation);
+  std::string text = formatted("moves: %zu nodes, %zu joints, %zu morph targets", animation.nodes.size(),
+                               joint_count(animation), morph_target_count(animation));
+  text += formatted("; vertices with 1, 2, 3 and 4 weights: %zu, %zu, %zu, %zu\n", counts[0], counts[1],
+                    counts[2], counts[3]);
+  for (const FixedClip& clip : animation.clips) {
+    text += "  clip " + printable(clip.name) +
+            formatted(": %g s, %zu channels, %zu keys\n", clip.duration / 1e6, clip.channels.size(),
+                      key_count(clip));
+  }
+  const std::string where = r.animation->clip.empty() ? "at rest"
+                                                      : "clip " + printable(r.animation->clip) +
+                                                            formatted(" at %.3f s", r.animation->seconds);
+  return text +
+         formatted("error of what is stored: %.3g/2048 of the extent, that is %.3g of %d pixels (",
+                   2048 * error_share(r), r.error_pixels * error_share(r), r.error_pixels) +
+         where + formatted("), normals %.3g degrees\n", r.animation->normal_degrees);
+}
+
+nlohmann::ordered_json animation_json(const MeshReport& r) {
+  const FixedAnimation& animation = *r.compiled.model.animation;
+  nlohmann::ordered_json clips = nlohmann::ordered_json::array();
+  for (const FixedClip& clip : animation.clips) {
+    clips.push_back({{"name", clip.name},
+                     {"seconds", clip.duration / 1e6},
+                     {"channels", clip.channels.size()},
+                     {"keys", key_count(clip)}});
+  }
+  return {{"nodes", animation.nodes.size()},
+          {"joints", joint_count(animation)},
+          {"morph_targets", morph_target_count(animation)},
+          {"vertices_by_weights", influence_counts(animation)},
+          {"clips", clips},
+          {"error",
+           {{"extent", error_share(r)},
+            {"pixels", r.error_pixels * error_share(r)},
+            {"of_pixels", r.error_pixels},
+            {"normal_degrees", r.animation->normal_degrees}}}};
+}
+
 std::string shares_text(const MeshReport& r) {
   std::string text;
   for (const ByteShare& share : r.shares) {
@@ -174,7 +248,7 @@ std::string to_text(const MeshReport& r) {
                     r.bytes, index_text(r).c_str(), has_planes(r) ? ", planes" : "",
                     has_neighbours(r) ? ", neighbours" : "");
   if (model.meshes.size() > 1) text += formatted(", %zu parts", model.meshes.size());
-  text += "\n" + parts_text(r) + textures_text(r);
+  text += "\n" + parts_text(r) + textures_text(r) + animation_text(r);
   if (r.shrunk_textures) text += "textures: shrunk to keep --max-bytes\n";
   text += shares_text(r) + ram_text(r);
   text += std::string("simplification: ") + to_string(r.compiled.how);
@@ -194,7 +268,7 @@ std::string to_text(const MeshReport& r) {
 
 std::string to_json(const MeshReport& r) {
   const FixedMesh& mesh = r.compiled.model.meshes[0];
-  const nlohmann::ordered_json json = {
+  nlohmann::ordered_json json = {
       {"model",
        {{"name", r.model},
         {"vertices", r.model_vertices},
@@ -224,6 +298,7 @@ std::string to_json(const MeshReport& r) {
       {"widest_normal_angle_degrees", r.figures.widest_angle_degrees},
       {"triangles_above_60_degrees", r.figures.wide_triangles},
   };
+  if (r.animation) json["animation"] = animation_json(r);
   // Names of files may be any bytes.
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

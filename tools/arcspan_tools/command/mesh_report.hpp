@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan_tools/mesh/compile/animation_error.hpp>
 #include <arcspan_tools/mesh/compile/compile_mesh.hpp>
 #include <arcspan_tools/mesh/compile/mesh_figures.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
@@ -28,6 +29,8 @@ struct MeshReport {
   CompiledModel compiled;
   std::vector<MadeTexture> textures{};
   MeshFigures figures;
+  std::optional<AnimationError> animation{};  ///< of a model that moves
+  std::int32_t error_pixels = 240;            ///< of the model's extent in a picture
 };
 
 /// For people, several lines.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <arcspan_tools/command/clip_sheet.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
@@ -8,6 +9,7 @@
 #include <arcspan_tools/image/image_file.hpp>
 #include <arcspan_tools/image/reduced.hpp>
 #include <arcspan_tools/support/output_file.hpp>
+#include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/support/progress.hpp>
 #include <arcspan_tools/support/result_files.hpp>
 #include <arcspan_tools/support/text.hpp>
@@ -72,6 +74,17 @@ Size drawn_size(const RenderArguments& arguments) {
                              size.height, kMostPictureSide, kMostPictureSide));
 }
 
+void run_sheet(RenderArguments& arguments) {
+  RenderOptions& options = arguments.options;
+  (void)image_format(arguments.output);
+  check_results({arguments.output}, {options.mesh, options.texture, options.matcap});
+  const Model model = load_drawn_model(options);
+  const Image sheet = clip_sheet(options, model);
+  write_image(sheet, arguments.output,
+              printable(arguments.output) + ": clips of " + printable(options.mesh) + ": " +
+                  printable(clip_list(*model.rig)) + "\n");
+}
+
 void run_render(RenderArguments& arguments) {
   const RenderOptions& options = arguments.options;
   const ImageFormat format = image_format(arguments.output);
@@ -113,14 +126,28 @@ void add_render_command(CLI::App& app) {
       "N*N samples a pixel (default 1), for pictures on paper: draws N times as large, and takes the mean", 1,
       8, arguments->samples);
   render->add_option("--stats", arguments->stats, "write the printed figures as JSON");
+  render->add_flag("--clips", arguments->options.all_clips,
+                   "a sheet of all clips of the file (.gltf, .glb): a row for each, with eight pictures");
   render->footer(
       "Examples:\n"
       "  arcspan render bunny.obj -o bunny.png --size 640x480\n"
       "  arcspan render torus:48x24 -o torus.png --shading gouraud --light 1,1,1 --light -1,0,0.5\n"
       "  arcspan render part.obj -o part.png --texture wood.jpg\n"
       "  arcspan render bunny.obj -o bunny.png --matcap gold.png --fog 2,4#0.6,0.7,0.8\n"
+      "  arcspan render man.glb -o step.png --pose Walk@0.25\n"
+      "  arcspan render man.glb -o clips.png --clips --size 120x160\n"
       "  arcspan render part.stl -o - --format mono --size 128x64 | display");
-  render->callback([arguments] { run_render(*arguments); });
+  render->callback([render, arguments] {
+    for (const char* option : {"--stats", "--pose"}) {
+      if (arguments->options.all_clips && render->count(option) != 0)
+        throw CLI::ValidationError(option, "excludes --clips");
+    }
+    if (arguments->options.all_clips) {
+      run_sheet(*arguments);
+    } else {
+      run_render(*arguments);
+    }
+  });
 }
 
 }  // namespace arcspan::tools

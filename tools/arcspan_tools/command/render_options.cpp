@@ -293,6 +293,7 @@ void add_render_options(CLI::App& app, RenderOptions& options) {
                  "an .obj, .gltf, .glb, .dae, .3ds, .ply, .stl, .off or .bin (mesh binary) file, or "
                  "sphere:32x16, torus:48x24")
       ->required();
+  add_pose(app, options.pose);
   add_picture_options(app, options);
   add_shading_options(app, options);
   add_camera_options(app, options);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <arcspan_tools/command/pose_options.hpp>
 #include <arcspan_tools/render/scene.hpp>
 
 #include <optional>
@@ -27,11 +28,16 @@ struct RenderOptions {
   std::string matcap;                    ///< a picture in place of light, or none
   std::optional<bool> vertex_colours;    ///< whether they are interpolated; by default as the shading wants
   bool smooth = true;                    ///< outlines, where depth and format allow it
+  std::optional<PoseChoice> pose;        ///< of the model; the file's otherwise
+  std::string clip;                      ///< the clip that is played, of commands that play some, or none
+  bool all_clips = false;                ///< all clips are played
   Scene scene;
   /// Those given; the scene's own stays if there are none.
   std::vector<SceneLight> lights;
   std::vector<std::string> given;  ///< names of the options that the command line has
 
+  /// Whether clips are played, so that the model keeps its rig.
+  [[nodiscard]] bool plays() const { return all_clips || !clip.empty(); }
   [[nodiscard]] bool is_given(const std::string& option) const;
   /// Whether outlines are smoothed.
   [[nodiscard]] bool smooths() const;

@@ -6,6 +6,7 @@
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/number_range.hpp>
+#include <arcspan_tools/command/played_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/render/turntable.hpp>
 #include <arcspan_tools/show/display.hpp>
@@ -74,19 +75,22 @@ Clock::duration to_duration(double seconds) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
+std::size_t pictures_of(const ShowArguments& arguments) {
+  return static_cast<std::size_t>(std::max(arguments.turntable, 1));
+}
+
 // Draws and shows frames until the time is over or a signal comes, which is returned (0 for none).
 class Show {
  public:
-  Show(const ShowArguments& arguments, const FixedModel& model, Display& display,
-       linux_host::SignalWatch& signals)
+  Show(const ShowArguments& arguments, PlayedModel& model, Display& display, linux_host::SignalWatch& signals)
       : arguments_(arguments),
         model_(model),
         display_(display),
         signals_(signals),
         renderer_(
             find_renderer(arguments.options.shading, arguments.options.format, arguments.options.dither)),
-        pictures_(static_cast<std::size_t>(std::max(arguments.turntable, 1))),
-        turntable_(arguments.options.scene, model, pictures_) {}
+        pictures_(pictures_of(arguments)),
+        turntable_(arguments.options.scene, model.extent(), pictures_) {}
 
   [[nodiscard]] int run() {
     const Clock::time_point begin = Clock::now();
@@ -108,11 +112,10 @@ class Show {
 
  private:
   void show_frame() {
-    const Scene scene = arguments_.turntable == 0
-                            ? arguments_.options.scene
-                            : turntable_.scene(static_cast<std::size_t>(statistics_.frames) % pictures_);
+    const std::size_t picture = static_cast<std::size_t>(statistics_.frames) % pictures_;
+    const Scene scene = arguments_.turntable == 0 ? arguments_.options.scene : turntable_.scene(picture);
     const Clock::time_point begin = Clock::now();
-    RenderJob job = make_job(scene, model_, arguments_.options.mesh);
+    RenderJob job = make_job(scene, model_.frame(picture), arguments_.options.mesh);
     job.counts = false;
     const RenderResult drawn = renderer_.render(job, [](std::size_t) {});
     const Clock::time_point ready = Clock::now();
@@ -134,7 +137,7 @@ class Show {
   }
 
   const ShowArguments& arguments_;
-  const FixedModel& model_;
+  PlayedModel& model_;
   Display& display_;
   linux_host::SignalWatch& signals_;
   const Renderer& renderer_;
@@ -152,7 +155,7 @@ std::unique_ptr<Display> open_display(const ShowArguments& arguments) {
 }
 
 // Returns the signal that ended it, when everything is given back.
-int show_until_stopped(ShowArguments& arguments, const FixedModel& model) {
+int show_until_stopped(ShowArguments& arguments, PlayedModel& model) {
   // Before the display is opened: from here on a signal waits until the display can be left clean.
   linux_host::SignalWatch signals;
   const std::unique_ptr<Display> display = open_display(arguments);
@@ -170,7 +173,8 @@ int show_until_stopped(ShowArguments& arguments, const FixedModel& model) {
 
 void run_show(ShowArguments arguments) {
   // If the mesh cannot be loaded, the display is not opened.
-  const FixedModel model = to_fixed(load_drawn_model(arguments.options), arguments.options);
+  const std::size_t pictures = pictures_of(arguments);
+  PlayedModel model(arguments.options, pictures, static_cast<double>(pictures) / arguments.fps);
   const int signal = show_until_stopped(arguments, model);
   if (signal == 0) return;
   (void)std::raise(signal);  // ends as others do, so that a shell or a service manager sees why
@@ -185,8 +189,11 @@ void check_used(const CLI::App& show, const ShowArguments& arguments) {
         throw CLI::ValidationError(option, "is of panels, not of " + arguments.device);
     }
   }
-  if (show.count("--fps") != 0 && arguments.turntable == 0)
-    throw CLI::ValidationError("--fps", "needs --turntable");
+  check_clip(show);
+  for (const char* option : {"--fps", "--clip"}) {
+    if (show.count(option) != 0 && arguments.turntable == 0)
+      throw CLI::ValidationError(option, "needs --turntable");
+  }
 }
 
 }  // namespace
@@ -209,6 +216,7 @@ void add_show_command(CLI::App& app) {
                    "turn the mesh, N pictures a turn (default 0: it stands still)")
       ->type_name("N")
       ->check(CLI::Range(0, 3600));
+  add_clip(*show, arguments->options.clip);
   show->add_option("--fps", arguments->fps, "most pictures a second of a turntable (default 30)")
       ->type_name("0.1...1000")
       ->check(number_range(0.1, 1000, "0.1...1000"));

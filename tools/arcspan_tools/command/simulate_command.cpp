@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/load_model.hpp>
+#include <arcspan_tools/command/played_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/image/image_file.hpp>
@@ -127,18 +128,20 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   options.format = display.format();
   if (options.is_given("--smooth") && options.smooth && !options.smooths())
     warn("--smooth", "has no effect: the panel has fewer than 4 bits per pixel");
-  FixedModel model = to_fixed(load_drawn_model(options), options);
-  if (arguments.planes) {
-    for (FixedMesh& mesh : model.meshes) mesh = with_planes(std::move(mesh), options.mesh);
+  PlayedModel played(options, static_cast<std::size_t>(arguments.frames), kTurnMilliseconds / 1000.0);
+  FixedModel planed = played.frame(0);
+  for (FixedMesh& mesh : planed.meshes) {
+    if (arguments.planes) mesh = with_planes(std::move(mesh), options.mesh);
   }
   const Renderer& renderer = find_renderer(options.shading, display.format(), options.dither);
   const auto frames = static_cast<std::size_t>(arguments.frames);
-  const Turntable turntable(options.scene, model, frames);
+  const Turntable turntable(options.scene, played.extent(), frames);
   display.start();
   const hal::sim::BusCount start = display.count();
   Totals totals;
   for (std::size_t i = 0; i < frames; ++i) {
     const Scene scene = frames == 1 ? options.scene : turntable.scene(i);
+    const FixedModel& model = arguments.planes ? planed : played.frame(i);
     const RenderJob job = make_job(scene, model, options.mesh);
     const RenderResult drawn = renderer.render(job, [](std::size_t) {});
     const std::optional<double> instructions = draw_instructions(options.shading, job, model, drawn.stats);
@@ -243,6 +246,7 @@ void add_display_options(CLI::App& app, SimulateArguments& a) {
   app.add_flag("--planes", a.planes, "estimate for a mesh with planes, as `arcspan mesh --planes` makes it");
   add_integer(app, "--turntable", "N", "frames of a turn, 1...3600 (default 1: a still picture)", 1, 3600,
               a.frames);
+  add_clip(app, a.options.clip);
 }
 
 }  // namespace
@@ -268,6 +272,11 @@ void add_simulate_command(CLI::App& app) {
       "  arcspan simulate torus:48x24 --panel st7789 --glass 135x240 --glass-at 52,40 -o small.png\n"
       "  arcspan simulate bunny.obj --panel ssd1306 --bus i2c --turntable 36 --changes -o oled.gif");
   simulate->callback([simulate, arguments] {
+    check_clip(*simulate);
+    if (simulate->count("--clip") != 0 && arguments->frames == 1)
+      throw CLI::ValidationError("--clip", "needs --turntable");
+    if (simulate->count("--clip") != 0 && arguments->planes)
+      throw CLI::ValidationError("--planes", "excludes --clip: planes do not move");
     const bool i2c = arguments->bus == "i2c";
     for (const char* other : {"--spi-mhz", "--spi-mode", "--i2c-khz"}) {
       const bool is_of_i2c = std::string(other) == "--i2c-khz";

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/load_model.hpp>
+#include <arcspan_tools/command/played_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/image/image_file.hpp>
@@ -42,14 +43,15 @@ void run_turntable(TurntableArguments& arguments) {
   const FrameFormat format = format_of(arguments);
   check_results({arguments.output}, {options.mesh, options.texture, options.matcap});
   const std::unique_ptr<FrameOutput> output = make_frame_output(arguments.output, format);
-  const FixedModel model = to_fixed(load_drawn_model(options), options);
+  const double seconds = static_cast<double>(format.frames) / arguments.frames_per_second;
+  PlayedModel model(options, format.frames, seconds);
   const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);
-  const Turntable turntable(options.scene, model, format.frames);
+  const Turntable turntable(options.scene, model.extent(), format.frames);
   Progress progress("drawing", format.frames);
   double milliseconds = 0;
   double smooth_milliseconds = 0;
   for (std::size_t frame = 0; frame < format.frames; ++frame) {
-    RenderJob job = make_job(turntable.scene(frame), model, options.mesh);
+    RenderJob job = make_job(turntable.scene(frame), model.frame(frame), options.mesh);
     job.counts = false;
     RenderResult result = renderer.render(job, [](std::size_t) {});
     milliseconds += result.stats.draw_milliseconds;
@@ -80,6 +82,7 @@ void add_turntable_command(CLI::App& app) {
           "-o,--output", arguments->output,
           "an animation (.gif, .png; gif:- and png:- are standard output), or a folder for numbered pictures")
       ->required();
+  add_clip(*turntable, arguments->options.clip);
   add_integer(*turntable, "--frames", "N", "pictures of a turn, 2...3600 (default 36)", 2, 3600,
               arguments->frames);
   add_number(*turntable, "--fps", "pictures a second of an animation", 1, 50, arguments->frames_per_second);
@@ -88,8 +91,10 @@ void add_turntable_command(CLI::App& app) {
       "Examples:\n"
       "  arcspan turntable bunny.obj -o bunny.gif --size 160x120\n"
       "  arcspan turntable torus:48x24 -o turn.png --frames 72 --fps 30 --shading gouraud\n"
+      "  arcspan turntable man.glb -o walk.gif --clip Walk --frames 48\n"
       "  arcspan turntable part.stl -o frames/ --frames 360 --pictures ppm");
   turntable->callback([turntable, arguments] {
+    check_clip(*turntable);
     const bool is_folder = is_frame_folder(arguments->output);
     if (is_folder && turntable->count("--fps") != 0)
       throw CLI::ValidationError("--fps", "is of animations, not of a folder's pictures");

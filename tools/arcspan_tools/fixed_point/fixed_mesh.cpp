@@ -12,17 +12,10 @@
 namespace arcspan::tools {
 namespace {
 
-struct Box {
-  Vec3 low;
-  Vec3 high;
-};
-
-/// Makes `box` hold the mesh too.
-void extend(Box& box, const MeshData& mesh) {
-  for (const Vec3& p : mesh.positions) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-  }
+Box box_of(const MeshData& mesh) {
+  Box box{mesh.positions[0], mesh.positions[0]};
+  for (const Vec3& p : mesh.positions) box = joined(box, {p, p});
+  return box;
 }
 
 std::int16_t to_unit(double length, double unit) { return static_cast<std::int16_t>(rounded(length / unit)); }
@@ -83,6 +76,7 @@ FixedMesh fixed_within(const Box& box, const MeshData& mesh, const TextureSample
   }
   set_texture_points(mesh.texture_points, sampler, fixed);
   fixed.colours = mesh.colours;
+  fixed.sources = mesh.sources;
   return fixed;
 }
 
@@ -106,17 +100,24 @@ std::size_t FixedModel::bytes() const {
   return sum;
 }
 
-FixedMesh to_fixed(const MeshData& mesh) {
-  Box box{mesh.positions[0], mesh.positions[0]};
-  extend(box, mesh);
-  return fixed_within(box, mesh);
+Box joined(const Box& a, const Box& b) {
+  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
+          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
 }
 
-FixedModel to_fixed(const Model& model) {
-  const Vec3& any = model.parts[0].mesh.positions[0];
-  Box box{any, any};
-  for (const ModelPart& part : model.parts) extend(box, part.mesh);
+Box box_of(const Model& model) {
+  Box box = box_of(model.parts[0].mesh);
+  for (const ModelPart& part : model.parts) box = joined(box, box_of(part.mesh));
+  return box;
+}
+
+FixedMesh to_fixed(const MeshData& mesh) { return fixed_within(box_of(mesh), mesh); }
+
+FixedModel to_fixed(const Model& model) { return to_fixed(model, model.reach.value_or(box_of(model))); }
+
+FixedModel to_fixed(const Model& model, const Box& box) {
   FixedModel fixed;
+  fixed.rig = model.rig;
   for (const ModelPart& part : model.parts) {
     fixed.meshes.push_back(fixed_within(box, part.mesh, part.look.material.sampler));
     fixed.looks.push_back(part.look);

@@ -3,9 +3,11 @@
 
 #include <arcspan/mesh/mesh_view.hpp>
 
+#include <arcspan_tools/fixed_point/fixed_animation.hpp>
 #include <arcspan_tools/mesh/plain/model.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +26,7 @@ struct FixedMesh {
   TextureScale texture_scale;
   std::vector<Rgb8> colours;             ///< none, or one for each vertex
   std::vector<std::uint8_t> neighbours;  ///< none, or those of arcspan::MeshNeighbours
+  std::vector<std::uint32_t> sources;    ///< none, or for each vertex one of the rig, as in MeshData
   double unit = 1;
   Vec3 centre;
 
@@ -40,7 +43,9 @@ struct FixedMesh {
 /// that one transform places them.
 struct FixedModel {
   std::vector<FixedMesh> meshes;
-  std::vector<PartLook> looks;  ///< of each mesh
+  std::vector<PartLook> looks;                        ///< of each mesh
+  std::shared_ptr<const Rig> rig{};                   ///< null if the model stands still
+  std::shared_ptr<const FixedAnimation> animation{};  ///< what of the rig is stored, once it was made
 
   [[nodiscard]] std::size_t vertex_count() const;
   [[nodiscard]] std::size_t triangle_count() const;
@@ -57,13 +62,23 @@ class FixedMeshes : public std::span<const FixedMesh> {
   [[nodiscard]] const Vec3& centre() const { return front().centre; }
 };
 
+/// The smallest box around both.
+[[nodiscard]] Box joined(const Box& a, const Box& b);
+
+/// The smallest box around all parts of `model`.
+[[nodiscard]] Box box_of(const Model& model);
+
 /// Centres and scales `mesh` so that its largest extent fills 16 bits, and rounds. Texture points are moved
 /// by whole widths and heights of the texture, by even ones where it is mirrored and not at all where it is
 /// clamped, so that they have as many fraction bits as possible. They must be in the range of weld_parts().
 [[nodiscard]] FixedMesh to_fixed(const MeshData& mesh);
 
-/// Centres and scales all parts of `model` alike, so that its largest extent fills 16 bits, and rounds.
+/// Centres and scales all parts of `model` alike, so that its largest extent, or that of all its poses, fills
+/// 16 bits, and rounds.
 [[nodiscard]] FixedModel to_fixed(const Model& model);
+
+/// The same for a model within `box`, whose largest extent fills 16 bits.
+[[nodiscard]] FixedModel to_fixed(const Model& model, const Box& box);
 
 /// The same mesh with the planes of its triangles; throws as FixedMesh::view() does.
 [[nodiscard]] FixedMesh with_planes(FixedMesh mesh, const std::string& subject);

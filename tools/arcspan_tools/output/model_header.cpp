@@ -237,6 +237,18 @@ std::string single_text(const FixedModel& model, const ModelTextures& textures) 
          ";\n\n";
 }
 
+/// The header of a model that moves: its binary.
+std::string binary_header(const FixedModel& model, const std::string& name, const std::string& origin,
+                          const ModelTextures& textures) {
+  ArrayText bytes;
+  for (const char byte : model_binary_file(model, textures))
+    bytes.add(std::to_string(static_cast<unsigned char>(byte)));
+  return comment(model, origin, textures) + "#pragma once\n\n#include <cstdint>\n\nnamespace " + name +
+         " {\n\n/// A model binary with nodes, skins and clips, for "
+         "arcspan::view_model_binary().\nalignas(4) " +
+         bytes.array("std::uint8_t", "kModel") + "}  // namespace " + name + "\n";
+}
+
 std::string model_namespace(const FixedModel& model, const std::string& name, const ModelTextures& textures) {
   return "namespace " + name + " {\n\n" + unit_and_origin(model.meshes[0]) +
          (model.meshes.size() == 1 ? single_text(model, textures) : parts_text(model, textures)) +
@@ -290,6 +302,7 @@ std::string prepared_text(const FixedModel& model, const std::string& arrays, co
 
 std::string model_header(const FixedModel& model, const std::string& name, const std::string& origin,
                          const ModelTextures& textures) {
+  if (model.rig != nullptr) return binary_header(model, name, origin, textures);
   return comment(model, origin, textures) + "#pragma once\n\n" + includes(model, textures) +
          model_namespace(model, name, textures);
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/animate/animation_binary.hpp>
 #include <arcspan/model/model_binary.hpp>
 #include <arcspan/model/model_neighbours.hpp>
 
 #include <arcspan_tools/fixed_point/material.hpp>
+#include <arcspan_tools/output/animation_writer.hpp>
 #include <arcspan_tools/output/bytes.hpp>
 #include <arcspan_tools/output/chunk_writer.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
@@ -38,6 +40,34 @@ std::size_t filled_up(std::size_t bytes) {
   return (bytes + chunk_list::kAlignment - 1) / chunk_list::kAlignment * chunk_list::kAlignment;
 }
 
+std::vector<FileChunk> chunks_of(const FixedModel& model) {
+  if (model.animation == nullptr) return {};
+  return animation_chunks(*model.animation, "the model");
+}
+
+/// Bytes of a chunk in the container.
+std::size_t bytes_in_file(const FileChunk& chunk) {
+  return chunk_list::kEntryBytes + filled_up(chunk.bytes.size());
+}
+
+/// Names of the shares of chunks.
+const char* share_of(std::uint32_t tag) {
+  if (tag == animation_binary::kWeightsTag) return "weights";
+  if (tag == animation_binary::kMorphTag) return "morph targets";
+  if (tag == animation_binary::kBoundsTag) return "bounds";
+  return tag == animation_binary::kClipTag ? "clips" : "nodes and joints";
+}
+
+void add_animation_shares(const FixedModel& model, std::vector<ByteShare>& shares) {
+  const std::vector<FileChunk> chunks = chunks_of(model);
+  for (const char* name : {"nodes and joints", "weights", "morph targets", "bounds", "clips"}) {
+    ByteShare share{name, 0};
+    for (const FileChunk& chunk : chunks)
+      share.bytes += std::string_view(name) == share_of(chunk.tag) ? bytes_in_file(chunk) : 0;
+    shares.push_back(share);
+  }
+}
+
 std::string name_of(const PartLook& look, std::size_t number) {
   if (!look.names.empty()) return look.names.back();
   return look.material.name.empty() ? "part " + std::to_string(number) : look.material.name;
@@ -56,7 +86,7 @@ bool is_plain_mesh(const FixedModel& model) {
   FileMaterial named;
   named.name = model.looks[0].material.name;
   named.sampler = model.looks[0].material.sampler;  // says nothing without a texture
-  return model.meshes.size() == 1 && model.looks[0].material == named;
+  return model.meshes.size() == 1 && model.rig == nullptr && model.looks[0].material == named;
 }
 
 std::vector<std::string> part_names(const FixedModel& model) {
@@ -77,6 +107,7 @@ std::vector<std::string> part_names(const FixedModel& model) {
 
 std::size_t model_bytes(CompiledOutput output, const FixedModel& model, bool planes,
                         const ModelTextures& textures) {
+  if (model.rig != nullptr) output = CompiledOutput::kBinary;  // a header holds the bytes of one
   std::size_t sum = 0;
   std::size_t neighbours = 0;  // parts that have them
   for (const FixedMesh& mesh : model.meshes) {
@@ -87,6 +118,7 @@ std::size_t model_bytes(CompiledOutput output, const FixedModel& model, bool pla
     neighbours += bytes != 0 ? 1 : 0;
   }
   const std::size_t parts = model.meshes.size();
+  for (const FileChunk& chunk : chunks_of(model)) sum += bytes_in_file(chunk);
   if (output == CompiledOutput::kHeader)
     return is_plain_mesh(model) ? sum : sum + parts * sizeof(Material) + textures.bytes();
   if (is_mesh_binary(model)) return sum;
@@ -121,6 +153,7 @@ std::vector<ByteShare> byte_shares(CompiledOutput output, const FixedModel& mode
                                    {"vertex colours", colours * sizeof(Rgb8)},
                                    {"neighbours", neighbours},
                                    {"textures", textures.bytes()}};
+  if (model.animation != nullptr) add_animation_shares(model, shares);
   std::size_t sum = 0;
   for (const ByteShare& share : shares) sum += share.bytes;
   shares.push_back({"materials and headers", model_bytes(output, model, planes != 0, textures) - sum});
@@ -182,7 +215,7 @@ std::string parts_chunk(const FixedModel& model, const ModelTextures& textures) 
 
 std::string model_binary_file(const FixedModel& model, const ModelTextures& textures) {
   if (is_mesh_binary(model)) return mesh_binary_file(model.meshes[0], figures_of(model.meshes[0]));
-  std::vector<FileChunk> chunks;  // in the order of their tags
+  std::vector<FileChunk> chunks = chunks_of(model);
   for (std::size_t i = 0; i < model.meshes.size(); ++i)
     chunks.push_back({layout::kMeshTag, i, mesh_chunk(model.meshes[i], figures_of(model.meshes[i]))});
   chunks.push_back({layout::kModelTag, 0, model_chunk(model)});
@@ -194,6 +227,8 @@ std::string model_binary_file(const FixedModel& model, const ModelTextures& text
   chunks.push_back({layout::kPartsTag, 0, parts_chunk(model, textures)});
   for (std::size_t i = 0; i < textures.textures.size(); ++i)
     chunks.push_back({layout::kTextureTag, i, texture_chunk(textures.textures[i])});
+  std::stable_sort(chunks.begin(), chunks.end(),
+                   [](const FileChunk& a, const FileChunk& b) { return a.tag < b.tag; });
   return chunk_file(chunks);
 }
 

@@ -18,6 +18,7 @@ constexpr double kDefaultCrease = 60;
 /// compacted() of each part; parts that have no triangle left are dropped.
 FixedModel compacted(const FixedModel& model) {
   FixedModel out;
+  out.rig = model.rig;
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
     FixedMesh mesh = compacted(model.meshes[i]);
     if (mesh.indices.empty()) continue;
@@ -38,13 +39,17 @@ class Search {
     const Outcome whole = attempt(Simplification::kNone, model_.triangle_count());
     if (whole == Outcome::kFits) return best_;
     if (whole == Outcome::kEmpty) throw Failure(subject_, "no triangle has an area in 16-bit positions");
-    for (const Simplification how :
-         {Simplification::kWithNormals, Simplification::kByPosition, Simplification::kByCells}) {
-      if (search(how)) return best_;
+    if (search(Simplification::kWithNormals)) return best_;
+    // New vertices would follow no joints.
+    const bool keeps_vertices = model_.rig != nullptr;
+    for (const Simplification how : {Simplification::kByPosition, Simplification::kByCells}) {
+      if (!keeps_vertices && search(how)) return best_;
     }
-    throw Failure(subject_, "cannot be simplified to " + wanted() + " (the least is " +
+    throw Failure(subject_, "cannot be simplified to " + wanted() +
+                                (keeps_vertices ? " with its joints and clips" : "") + " (the least is " +
                                 std::to_string(least_triangles_) + " triangles in " +
-                                std::to_string(least_bytes_) + " bytes)");
+                                std::to_string(least_bytes_) + " bytes)" +
+                                (keeps_vertices ? "; see --pose" : ""));
   }
 
  private:
@@ -64,6 +69,9 @@ class Search {
     if (simplified.model.triangle_count() == 0) return Outcome::kEmpty;
     FixedModel fixed = compacted(to_fixed(simplified.model));
     if (fixed.meshes.empty()) return Outcome::kEmpty;
+    for (FixedMesh& mesh : fixed.meshes) {
+      if (!mesh.sources.empty()) mesh = with_separate_slots(ordered(mesh));  // may have more vertices
+    }
     const std::size_t triangles = fixed.triangle_count();
     const std::size_t bytes = bytes_of_(fixed);
     least_triangles_ = std::min(least_triangles_, triangles);
@@ -116,7 +124,7 @@ CompiledModel compile_model(const Model& model, const MeshLimits& limits, const 
     const std::size_t count = mesh.indices.size() / 3;
     const double share = static_cast<double>(count) / triangles;
     compiled.cache_misses_before += share * cache_misses_per_triangle(mesh);
-    mesh = ordered(mesh);
+    if (mesh.sources.empty()) mesh = ordered(mesh);  // others are in order
     compiled.cache_misses += share * cache_misses_per_triangle(mesh);
   }
   return compiled;

@@ -89,6 +89,7 @@ MeshData without_unused(const MeshData& mesh, const std::vector<unsigned>& indic
     out.normals.push_back(mesh.normals[i]);
     if (!mesh.texture_points.empty()) out.texture_points.push_back(mesh.texture_points[i]);
     if (!mesh.colours.empty()) out.colours.push_back(mesh.colours[i]);
+    if (!mesh.sources.empty()) out.sources.push_back(mesh.sources[i]);
   }
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
     out.triangles.push_back({now[indices[i]], now[indices[i + 1]], now[indices[i + 2]]});
@@ -100,6 +101,8 @@ MeshData without_unused(const MeshData& mesh, const std::vector<unsigned>& indic
 Model reduced(const Model& model, const LibraryMesh& library, const std::vector<unsigned>& indices) {
   Model out;
   out.dropped_faces = model.dropped_faces;
+  out.rig = model.rig;
+  out.reach = model.reach;
   const std::vector<std::vector<unsigned>> parts = by_part(library, indices);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].empty()) continue;

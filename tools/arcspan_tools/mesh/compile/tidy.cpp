@@ -4,13 +4,14 @@
 
 #include <array>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace arcspan::tools {
 namespace {
 
-/// Position, normal, texture point and colour.
-using Vertex = std::array<std::int16_t, 10>;
+/// Position, normal, texture point, colour, and what moves it.
+using Vertex = std::pair<std::array<std::int16_t, 10>, std::uint32_t>;
 
 bool has_area(const ObjectPosition& a, const ObjectPosition& b, const ObjectPosition& c) {
   const std::int64_t ux = b.x - a.x;
@@ -47,13 +48,15 @@ FixedMesh compacted(const FixedMesh& mesh) {
     const auto next = static_cast<std::uint16_t>(out.positions.size());
     const bool coloured = !mesh.colours.empty();
     const Rgb8 c = coloured ? mesh.colours[i] : Rgb8{};
+    const std::uint32_t source = mesh.sources.empty() ? kNoSource : mesh.sources[i];
     const auto [at, is_new] =
-        known.try_emplace(Vertex{p.x, p.y, p.z, n.u, n.v, t.u, t.v, c.r, c.g, c.b}, next);
+        known.try_emplace(Vertex{{p.x, p.y, p.z, n.u, n.v, t.u, t.v, c.r, c.g, c.b}, source}, next);
     if (is_new) {
       out.positions.push_back(p);
       out.normals.push_back(n);
       if (textured) out.texture_points.push_back(t);
       if (coloured) out.colours.push_back(c);
+      if (!mesh.sources.empty()) out.sources.push_back(source);
     }
     return at->second;
   };
@@ -77,14 +80,44 @@ FixedMesh ordered(const FixedMesh& mesh) {
   out.normals.resize(used);
   if (!mesh.texture_points.empty()) out.texture_points.resize(used);
   if (!mesh.colours.empty()) out.colours.resize(used);
+  if (!mesh.sources.empty()) out.sources.resize(used);
   for (std::size_t i = 0; i < vertices; ++i) {
     if (place[i] >= used) continue;  // nothing uses it
     out.positions[place[i]] = mesh.positions[i];
     out.normals[place[i]] = mesh.normals[i];
     if (!mesh.texture_points.empty()) out.texture_points[place[i]] = mesh.texture_points[i];
     if (!mesh.colours.empty()) out.colours[place[i]] = mesh.colours[i];
+    if (!mesh.sources.empty()) out.sources[place[i]] = mesh.sources[i];
   }
   for (const unsigned index : to) out.indices.push_back(static_cast<std::uint16_t>(place[index]));
+  return out;
+}
+
+FixedMesh with_separate_slots(const FixedMesh& mesh) {
+  FixedMesh out = without_arrays(mesh);
+  constexpr std::uint32_t kUnused = 0xFFFFFFFF;
+  std::vector<std::uint32_t> number(mesh.positions.size(), kUnused);  // the newest of each vertex
+  const auto copy = [&](std::uint16_t i) {
+    number[i] = static_cast<std::uint32_t>(out.positions.size());
+    out.positions.push_back(mesh.positions[i]);
+    out.normals.push_back(mesh.normals[i]);
+    if (!mesh.texture_points.empty()) out.texture_points.push_back(mesh.texture_points[i]);
+    if (!mesh.colours.empty()) out.colours.push_back(mesh.colours[i]);
+    if (!mesh.sources.empty()) out.sources.push_back(mesh.sources[i]);
+  };
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const std::uint16_t* t = mesh.indices.data() + i;
+    auto next = static_cast<std::uint32_t>(out.positions.size());
+    std::array<std::uint32_t, 3> slots{};
+    for (std::size_t k = 0; k < 3; ++k)
+      slots[k] = (number[t[k]] == kUnused ? next++ : number[t[k]]) % kVertexSlots;
+    const bool collide = slots[0] == slots[1] || slots[1] == slots[2] || slots[2] == slots[0];
+    if (collide && out.positions.size() + 3 > kMaxVertices) return mesh;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (collide || number[t[k]] == kUnused) copy(t[k]);
+      out.indices.push_back(static_cast<std::uint16_t>(number[t[k]]));
+    }
+  }
   return out;
 }
 

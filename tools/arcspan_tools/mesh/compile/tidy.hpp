@@ -15,6 +15,14 @@ namespace arcspan::tools {
 /// that a flash with read-ahead or a small data cache reads them one after the other.
 [[nodiscard]] FixedMesh ordered(const FixedMesh& mesh);
 
+/// Slots of a small cache in which vertices are kept by their number.
+inline constexpr std::size_t kVertexSlots = 64;
+
+/// `mesh` with its vertices in the order of their first use and none of its triangles with two vertices whose
+/// numbers are alike modulo kVertexSlots; some vertices are there twice for that. A mesh that would have more
+/// vertices than kMaxVertices then stays as it is.
+[[nodiscard]] FixedMesh with_separate_slots(const FixedMesh& mesh);
+
 /// Vertices that a first-in, first-out cache of 16 loads per triangle: 0.5 at best, 3 at worst.
 [[nodiscard]] double cache_misses_per_triangle(const FixedMesh& mesh);
 

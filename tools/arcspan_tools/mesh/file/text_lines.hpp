@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan_tools/mesh/plain/mesh_data.hpp>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -8,9 +10,6 @@
 #include <vector>
 
 namespace arcspan::tools {
-
-/// The largest number in a mesh file, for which products of three still fit a double.
-inline constexpr double kMostCoordinate = 1e30;
 
 /// What a name in a text may be, with single blanks between its words: as it is written, or less what follows
 /// a word that begins with '#', which may be a comment. The first of these that exists is meant.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan_tools/mesh/gltf/gltf_file.hpp>
+#include <arcspan_tools/support/vec3.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +16,7 @@ struct AccessorData {
   std::vector<double> values;  ///< integers that are normalised are 0...1 or -1...1
 
   [[nodiscard]] std::size_t count() const { return values.size() / components; }
+  [[nodiscard]] Vec3 vec3(std::size_t i) const { return {element(i)[0], element(i)[1], element(i)[2]}; }
   [[nodiscard]] const double* element(std::size_t i) const { return values.data() + i * components; }
 };
 

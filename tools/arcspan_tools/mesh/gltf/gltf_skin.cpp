@@ -1,72 +1,96 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/mesh/gltf/accessor.hpp>
 #include <arcspan_tools/mesh/gltf/gltf_skin.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace arcspan::tools {
-namespace {
 
-constexpr Affine kZero{{}, {}, {}, {}};
-
-void add(Affine& sum, const Affine& a, double weight) {
-  sum.x = sum.x + a.x * weight;
-  sum.y = sum.y + a.y * weight;
-  sum.z = sum.z + a.z * weight;
-  sum.translation = sum.translation + a.translation * weight;
-}
-
-Affine affine_of(const double* m) {
-  return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
-}
-
-}  // namespace
-
-std::vector<Affine> read_joints(GltfFile& file, const JsonView& id, const NodeTransforms& nodes) {
-  const JsonView skin = file.element("skins", id);
-  const JsonView joints = skin.at("joints");
-  const std::optional<JsonView> bind = skin.find("inverseBindMatrices");
+RigSkin read_gltf_skin(GltfFile& file, const JsonView& id, const GltfNodes& nodes) {
+  const JsonView json = file.element("skins", id);
+  const JsonView joints = json.at("joints");
+  const std::optional<JsonView> bind = json.find("inverseBindMatrices");
   std::optional<AccessorData> matrices;
   if (bind) matrices = read_accessor(file, *bind, 16, 16);
   if (matrices && matrices->count() < joints.size()) bind->fail("has fewer elements than there are joints");
-  std::vector<Affine> all;
+  if (joints.size() == 0) joints.fail("is empty");
+  RigSkin skin;
+  skin.name = json.text_or("name", "");
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    const auto node = nodes.find(file.element("nodes", joints.element(i)).place());
-    if (node == nodes.end()) joints.element(i).fail("is a node that is not in the scene");
-    all.push_back(matrices ? node->second * affine_of(matrices->element(i)) : node->second);
+    const auto node = nodes.places.find(file.element("nodes", joints.element(i)).place());
+    if (node == nodes.places.end()) joints.element(i).fail("is a node that is not in the scene");
+    skin.joints.push_back(node->second);
+    skin.inverse_bind.push_back(matrices ? affine_of(matrices->element(i)) : Affine{});
+    const Affine& m = skin.inverse_bind.back();
+    if (!(finite(m.x) && finite(m.y) && finite(m.z) && finite(m.translation)))
+      bind->fail("matrix " + std::to_string(i) + " has a number that is not finite");
   }
-  return all;
+  return skin;
 }
 
-std::vector<Affine> blended_joints(GltfFile& file, const JsonView& attributes,
-                                   const std::vector<Affine>& joints, std::size_t vertices) {
-  std::vector<Affine> sums;
-  std::vector<double> weights(vertices);
+GltfWeights::GltfWeights(GltfFile& file, const JsonView& attributes, std::size_t vertices, std::size_t joints)
+    : joint_count_(joints) {
   for (int set = 0;; ++set) {
     const std::optional<JsonView> joint_id = attributes.find("JOINTS_" + std::to_string(set));
     const std::optional<JsonView> weight_id = attributes.find("WEIGHTS_" + std::to_string(set));
     if (!joint_id || !weight_id) break;
-    sums.resize(vertices, kZero);
-    const AccessorData of = read_accessor(file, *joint_id, 4, 4);
-    const AccessorData by = read_accessor(file, *weight_id, 4, 4);
-    if (of.count() < vertices) joint_id->fail("has fewer elements than there are positions");
-    if (by.count() < vertices) weight_id->fail("has fewer elements than there are positions");
+    const Set& read =
+        sets_.emplace_back(Set{read_accessor(file, *joint_id, 4, 4), read_accessor(file, *weight_id, 4, 4)});
+    if (read.joints.count() < vertices) joint_id->fail("has fewer elements than there are positions");
+    if (read.weights.count() < vertices) weight_id->fail("has fewer elements than there are positions");
     for (std::size_t i = 0; i < 4 * vertices; ++i) {
-      const double joint = of.values[i];
-      const double weight = by.values[i];
-      if (weight == 0) continue;
-      if (!(joint >= 0 && joint < static_cast<double>(joints.size())))
+      const double joint = read.joints.values[i];
+      const double weight = read.weights.values[i];
+      if (!(weight >= 0 && std::isfinite(weight)))
+        weight_id->fail("vertex " + std::to_string(i / 4) + " has a weight that is negative or not finite");
+      if (weight != 0 && !(joint >= 0 && joint < static_cast<double>(joints)))
         joint_id->fail("a joint is out of range");
-      add(sums[i / 4], joints[static_cast<std::size_t>(joint)], weight);
-      weights[i / 4] += weight;
     }
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    const Affine sum = sums[i];
-    sums[i] = kZero;
-    add(sums[i], weights[i] == 0 ? Affine{} : sum, weights[i] == 0 ? 1 : 1 / weights[i]);
+  if (sets_.empty()) attributes.fail("has no JOINTS_0 and WEIGHTS_0 for the skin of its node");
+  for (std::size_t i = 0; i < vertices; ++i) {
+    const std::size_t count = influences(i).size();
+    if (count > kMostWeights) ++with_many_;
+    if (count == 0) ++without_;
   }
-  return sums;
+}
+
+std::vector<GltfWeights::Influence> GltfWeights::influences(std::size_t vertex) const {
+  std::vector<Influence> found;
+  for (const Set& set : sets_) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double weight = set.weights.element(vertex)[i];
+      if (weight == 0) continue;
+      const auto joint = static_cast<std::size_t>(set.joints.element(vertex)[i]);
+      const auto same = std::find_if(found.begin(), found.end(),
+                                     [joint](const Influence& other) { return other.joint == joint; });
+      if (same == found.end()) {
+        found.push_back({joint, weight});
+      } else {
+        same->weight += weight;
+      }
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
+  return found;
+}
+
+void GltfWeights::bind(std::size_t vertex, RigVertex& out) const {
+  std::vector<Influence> found = influences(vertex);
+  if (found.empty()) {
+    const double first = sets_[0].joints.element(vertex)[0];
+    const bool is_joint = first >= 0 && first < static_cast<double>(joint_count_);
+    found.push_back({is_joint ? static_cast<std::size_t>(first) : 0, 1});
+  }
+  if (found.size() > kMostWeights) found.resize(kMostWeights);
+  double sum = 0;
+  for (const Influence& influence : found) sum += influence.weight;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    out.joints[i] = found[i].joint;
+    out.weights[i] = found[i].weight / sum;
+  }
 }
 
 }  // namespace arcspan::tools

@@ -1,26 +1,45 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/mesh/gltf/affine.hpp>
-#include <arcspan_tools/mesh/gltf/gltf_file.hpp>
+#include <arcspan_tools/mesh/gltf/accessor.hpp>
+#include <arcspan_tools/mesh/gltf/gltf_nodes.hpp>
 
-#include <map>
-#include <string>
 #include <vector>
 
 namespace arcspan::tools {
 
-/// Transforms of nodes to the scene, by place.
-using NodeTransforms = std::map<std::string, Affine>;
+/// Reads the skin that `id` refers to. Throws a Failure that names the place.
+[[nodiscard]] RigSkin read_gltf_skin(GltfFile& file, const JsonView& id, const GltfNodes& nodes);
 
-/// The transforms of a skin's joints as the nodes of the file stand: that of the joint's node times its
-/// inverse bind matrix. `id` refers to the skin. Throws a Failure that names the place.
-[[nodiscard]] std::vector<Affine> read_joints(GltfFile& file, const JsonView& id,
-                                              const NodeTransforms& nodes);
+/// Joints and weights of a primitive's vertices.
+class GltfWeights {
+ public:
+  /// Reads JOINTS_0, WEIGHTS_0 and further sets; a primitive with a skin must have one. Throws a Failure that
+  /// names the place.
+  GltfWeights(GltfFile& file, const JsonView& attributes, std::size_t vertices, std::size_t joints);
 
-/// The transform of each of so many vertices of a primitive: the sum of its joints' transforms by its
-/// weights, which are divided by their sum. An empty list if the attributes name no joints.
-[[nodiscard]] std::vector<Affine> blended_joints(GltfFile& file, const JsonView& attributes,
-                                                 const std::vector<Affine>& joints, std::size_t vertices);
+  /// Gives a vertex its joints, the largest weight first and the sum 1. A vertex whose weights are all zero
+  /// follows its first joint.
+  void bind(std::size_t vertex, RigVertex& out) const;
+  /// Vertices that have more weights than are kept, or none.
+  [[nodiscard]] std::size_t with_many_weights() const { return with_many_; }
+  [[nodiscard]] std::size_t without_weights() const { return without_; }
+
+ private:
+  struct Influence {
+    std::size_t joint = 0;
+    double weight = 0;
+  };
+  [[nodiscard]] std::vector<Influence> influences(std::size_t vertex) const;
+
+  struct Set {
+    AccessorData joints;
+    AccessorData weights;
+  };
+  std::vector<Set> sets_;
+  std::size_t joint_count_;
+  std::size_t with_many_ = 0;
+  std::size_t without_ = 0;
+};
 
 }  // namespace arcspan::tools

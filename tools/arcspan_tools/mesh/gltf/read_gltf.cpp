@@ -2,18 +2,21 @@
 #include <arcspan_tools/mesh/file/file_mesh.hpp>
 #include <arcspan_tools/mesh/file/text_lines.hpp>
 #include <arcspan_tools/mesh/gltf/accessor.hpp>
-#include <arcspan_tools/mesh/gltf/affine.hpp>
+#include <arcspan_tools/mesh/gltf/gltf_clips.hpp>
 #include <arcspan_tools/mesh/gltf/gltf_file.hpp>
 #include <arcspan_tools/mesh/gltf/gltf_material.hpp>
+#include <arcspan_tools/mesh/gltf/gltf_nodes.hpp>
 #include <arcspan_tools/mesh/gltf/gltf_skin.hpp>
+#include <arcspan_tools/mesh/gltf/gltf_vertices.hpp>
 #include <arcspan_tools/mesh/gltf/read_gltf.hpp>
+#include <arcspan_tools/mesh/plain/rig_pose.hpp>
 #include <arcspan_tools/support/srgb.hpp>
 #include <arcspan_tools/support/text.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
+#include <memory>
 #include <utility>
 
 namespace arcspan::tools {
@@ -26,36 +29,15 @@ struct Primitive {
   std::optional<AccessorData> colours;
   std::optional<AccessorData> texture_points;
   std::vector<std::size_t> indices;
-  std::vector<Affine> places;  ///< of a skin, for each vertex; otherwise empty
 };
 
-Vec3 vec3(const AccessorData& data, std::size_t i) {
-  const double* v = data.element(i);
-  return {v[0], v[1], v[2]};
-}
-
-Affine affine_of(const JsonView& node) {
-  if (const std::optional<JsonView> matrix = node.find("matrix")) {
-    const std::vector<double> m = matrix->numbers(16, 16);
-    return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
-  }
-  const auto numbers = [&node](const char* key, const std::vector<double>& value) {
-    const std::optional<JsonView> member = node.find(key);
-    return member ? member->numbers(value.size(), value.size()) : value;
-  };
-  const std::vector<double> t = numbers("translation", {0, 0, 0});
-  const std::vector<double> q = numbers("rotation", {0, 0, 0, 1});
-  const std::vector<double> s = numbers("scale", {1, 1, 1});
-  const Vec3 axis{q[0], q[1], q[2]};
-  const double squared = dot(axis, axis) + q[3] * q[3];
-  if (!(squared > 0)) node.at("rotation").fail("is no rotation");
-  const auto rotated = [&](Vec3 v) {
-    const Vec3 half = cross(axis, v) + v * q[3];
-    return v + cross(axis, half) * (2 / squared);
-  };
-  return {
-      rotated({1, 0, 0}) * s[0], rotated({0, 1, 0}) * s[1], rotated({0, 0, 1}) * s[2], {t[0], t[1], t[2]}};
-}
+/// How a corner of a primitive gets to its place.
+struct CornerPlace {
+  Affine transform;
+  Vec3 position;  ///< with its morph targets
+  Vec3 normal;
+  std::uint32_t source = kNoSource;
+};
 
 /// The corners of the triangles of a strip (5) or a fan (6), or as they are (4).
 std::vector<std::size_t> triangulated(const std::vector<std::size_t>& corners, std::int64_t mode) {
@@ -76,79 +58,77 @@ class GltfReader {
       : file_(bytes, subject, files), count_(subject) {}
 
   RawModel read() {
-    struct Visit {
-      JsonView node;
-      Affine parent;
-    };
-    std::vector<Visit> open;
-    const std::vector<JsonView> roots = root_nodes();
-    for (auto root = roots.rbegin(); root != roots.rend(); ++root) open.push_back({*root, {}});
-    std::vector<JsonView> nodes;
-    while (!open.empty()) {
-      const auto [node, parent] = open.back();
-      open.pop_back();
-      const auto [placed, is_new] = transforms_.try_emplace(node.place(), parent * affine_of(node));
-      if (!is_new) node.fail("is a child of two nodes, or of itself");
-      nodes.push_back(node);
-      const std::optional<JsonView> children = node.find("children");
-      for (std::size_t i = children ? children->size() : 0; i > 0; --i) {
-        open.push_back({file_.element("nodes", children->element(i - 1)), placed->second});
-      }
+    nodes_ = read_gltf_nodes(file_, left_out_);
+    if (file_.version() == 2) {
+      const auto targets = [this](std::size_t node) { return morph_targets(nodes_.json[node]); };
+      rig_->clips = read_gltf_clips(file_, nodes_, targets, left_out_, model_.warnings);
     }
-    for (const JsonView& node : nodes) read_node(node, transforms_.at(node.place()));
+    rig_->nodes = nodes_.nodes;
+    note_moved_nodes();
+    for (std::size_t i = 0; i < nodes_.json.size(); ++i) instances_.push_back(read_instance(i));
+    const RigPoser rest(*rig_, rest_pose(*rig_));
+    rest_ = &rest;
+    for (std::size_t i = 0; i < nodes_.json.size(); ++i) read_node(i);
     note_the_rest();
     left_out_.warn(model_.warnings);
     textures_.warn(model_.warnings);
-    if (skinned_ > 0) {
-      model_.warnings.push_back("skinned meshes (" + std::to_string(skinned_) +
-                                ") are drawn in the pose of the file's nodes, without animation");
-    }
+    if (!rig_->instances.empty()) model_.rig = rig_;
     return std::move(model_);
   }
 
  private:
-  /// The nodes of the scene; of all nodes those without a parent if the file has no scene.
-  std::vector<JsonView> root_nodes() {
-    const JsonView root = file_.root();
-    const std::optional<JsonView> scene = root.find("scene");
-    const std::optional<JsonView> scenes = root.find("scenes");
-    std::vector<JsonView> nodes;
-    if (scenes && scenes->size() > 0) {
-      const JsonView chosen = scene ? file_.element("scenes", *scene) : scenes->element(0);
-      const std::optional<JsonView> listed = chosen.find("nodes");
-      for (std::size_t i = 0; listed && i < listed->size(); ++i) {
-        nodes.push_back(file_.element("nodes", listed->element(i)));
-      }
-      left_out_.add("further scenes", scenes->size() - 1);
-      return nodes;
-    }
-    const std::optional<JsonView> all = root.find("nodes");
-    std::set<std::string> children;
-    for (std::size_t i = 0; all && i < all->size(); ++i) {
-      const std::optional<JsonView> own = all->element(i).find("children");
-      for (std::size_t c = 0; own && c < own->size(); ++c) {
-        children.insert(file_.element("nodes", own->element(c)).place());
-      }
-    }
-    for (std::size_t i = 0; all && i < all->size(); ++i) {
-      if (children.count(all->element(i).place()) == 0) nodes.push_back(all->element(i));
-    }
-    return nodes;
+  /// Morph targets of the first primitive of a node's mesh, which all of them share.
+  [[nodiscard]] std::size_t morph_targets(const JsonView& node) const {
+    const std::optional<JsonView> id = node.find("mesh");
+    if (!id) return 0;
+    const JsonView primitives = file_.element("meshes", *id).at("primitives");
+    if (primitives.size() == 0) return 0;
+    const std::optional<JsonView> targets = primitives.element(0).find("targets");
+    return targets ? targets->size() : 0;
   }
 
-  void read_node(const JsonView& node, const Affine& transform) {
-    std::vector<Affine> joints;
-    if (const std::optional<JsonView> skin = node.find("skin"); skin && file_.version() == 2) {
-      joints = read_joints(file_, *skin, transforms_);
-      ++skinned_;
-    } else if (skin || node.find("skeletons")) {  // of 1.0
-      left_out_.add("skins");
+  /// Notes which nodes a clip moves, with all that hang on them.
+  void note_moved_nodes() {
+    moved_.resize(nodes_.nodes.size());
+    for (const RigClip& clip : rig_->clips) {
+      for (const RigChannel& channel : clip.channels)
+        moved_[channel.node] = moved_[channel.node] || channel.path != ChannelPath::kMorphWeights;
     }
+    for (std::size_t i = 0; i < moved_.size(); ++i) {
+      const std::optional<std::size_t> parent = nodes_.nodes[i].parent;
+      if (parent && moved_[*parent]) moved_[i] = true;
+    }
+  }
+
+  /// The instance of the rig that a node is, if something moves its mesh.
+  std::optional<std::size_t> read_instance(std::size_t node) {
+    const JsonView& json = nodes_.json[node];
+    if (file_.version() != 2 || !json.find("mesh")) return std::nullopt;
+    RigInstance instance{node, {}, std::vector<double>(morph_targets(json))};
+    if (const std::optional<JsonView> skin = json.find("skin")) instance.skin = skin_of(*skin);
+    if (!instance.skin && instance.morph_weights.empty() && !moved_[node]) return std::nullopt;
+    const std::optional<JsonView> of_node = json.find("weights");
+    const std::optional<JsonView> of_mesh = file_.element("meshes", json.at("mesh")).find("weights");
+    if (const std::optional<JsonView>& weights = of_node ? of_node : of_mesh;
+        weights && !instance.morph_weights.empty())
+      instance.morph_weights = weights->numbers(instance.morph_weights.size(), instance.morph_weights.size());
+    rig_->instances.push_back(instance);
+    return rig_->instances.size() - 1;
+  }
+
+  std::size_t skin_of(const JsonView& id) {
+    const auto [at, is_new] = skins_.try_emplace(file_.element("skins", id).place(), rig_->skins.size());
+    if (is_new) rig_->skins.push_back(read_gltf_skin(file_, id, nodes_));
+    return at->second;
+  }
+
+  void read_node(std::size_t number) {
+    const JsonView& node = nodes_.json[number];
+    if (file_.version() == 1 && (node.find("skin") || node.find("skeletons"))) left_out_.add("skins");
     note_extensions(node);
-    if (const std::optional<JsonView> mesh = node.find("mesh")) read_mesh(node, *mesh, transform, joints);
+    if (const std::optional<JsonView> mesh = node.find("mesh")) read_mesh(number, *mesh);
     const std::optional<JsonView> several = node.find("meshes");  // of 1.0
-    for (std::size_t i = 0; several && i < several->size(); ++i)
-      read_mesh(node, several->element(i), transform, joints);
+    for (std::size_t i = 0; several && i < several->size(); ++i) read_mesh(number, several->element(i));
   }
 
   /// Instances of meshes (EXT_mesh_gpu_instancing), and whatever else nodes and primitives may ask for.
@@ -160,48 +140,76 @@ class GltfReader {
     }
   }
 
-  void read_mesh(const JsonView& node, const JsonView& id, const Affine& transform,
-                 const std::vector<Affine>& joints) {
+  void read_mesh(std::size_t node, const JsonView& id) {
     const JsonView mesh = file_.element("meshes", id);
     std::vector<std::string> names;
     // The node is last, because parts are called by their last name and nodes may share a mesh.
-    for (const std::string& name : {mesh.text_or("name", ""), node.text_or("name", "")}) {
+    for (const std::string& name : {mesh.text_or("name", ""), nodes_.nodes[node].name}) {
       if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
     const JsonView primitives = mesh.at("primitives");
     for (std::size_t i = 0; i < primitives.size(); ++i) {
-      read_primitive(primitives.element(i), names, transform, joints);
+      read_primitive(primitives.element(i), names, node);
     }
   }
 
-  void read_primitive(const JsonView& json, const std::vector<std::string>& names, const Affine& transform,
-                      const std::vector<Affine>& joints) {
+  void read_primitive(const JsonView& json, const std::vector<std::string>& names, std::size_t node) {
     const std::int64_t mode = json.integer_or("mode", 4, 0, 6);
     if (mode < 4) {
       left_out_.add("points and lines");
       return;
     }
-    if (json.find("targets")) left_out_.add("morph targets");
+    const std::optional<std::size_t> instance = instances_[node];
+    if (!instance && json.find("targets")) left_out_.add("morph targets");  // of 1.0
     note_extensions(json);
     const GltfMaterial material = material_of(json);
-    Primitive primitive = read_corners(json, mode, material.mapping.set);
-    if (!joints.empty()) {
-      primitive.places = blended_joints(file_, json.at("attributes"), joints, primitive.positions.count());
-    }
-    const std::uint32_t look = look_of(names, material.material);
+    const Primitive primitive = read_corners(json, mode, material.mapping.set);
+    std::optional<GltfVertices> moved;
+    if (instance) moved.emplace(read_vertices(json, primitive, *instance));
+    std::map<std::size_t, std::uint32_t> known;  // vertices of the rig, by index
+    const auto place = [&](std::size_t corner) {
+      CornerPlace at{rest_->nodes()[node], primitive.positions.vec3(corner), {}};
+      if (primitive.normals) at.normal = primitive.normals->vec3(corner);
+      if (!moved) return at;
+      const auto [found, is_new] = known.try_emplace(corner);
+      if (is_new) found->second = rig_vertices_.add(moved->vertex(corner, *instance));
+      const RigVertex& vertex = rig_->vertices[found->second];
+      at = {rest_->place(vertex), rest_->shaped_position(vertex), at.normal, found->second};
+      if (finite(at.normal)) at.normal = rest_->shaped_normal(vertex);
+      return at;
+    };
+    const std::optional<std::size_t> morphs = moved && moved->morph_targets() > 0 ? instance : std::nullopt;
+    const std::uint32_t look = look_of(names, material.material, morphs);
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
       count_.add_face(3);
       std::array<std::size_t, 3> corners{primitive.indices[i], primitive.indices[i + 1],
                                          primitive.indices[i + 2]};
-      const Affine& first = primitive.places.empty() ? transform : primitive.places[corners[0]];
-      if (first.mirrors()) std::swap(corners[1], corners[2]);
-      add_triangle(json, primitive, corners, transform, look, material);
+      if (place(corners[0]).transform.mirrors()) std::swap(corners[1], corners[2]);
+      const std::array<CornerPlace, 3> places{place(corners[0]), place(corners[1]), place(corners[2])};
+      add_triangle(json, primitive, corners, places, look, material);
     }
+  }
+
+  GltfVertices read_vertices(const JsonView& json, const Primitive& primitive, std::size_t instance) {
+    const RigInstance& of = rig_->instances[instance];
+    const std::size_t joints = of.skin ? rig_->skins[*of.skin].joints.size() : 0;
+    GltfVertices vertices(file_, json, primitive.positions, primitive.normals, joints);
+    if (vertices.morph_targets() != of.morph_weights.size())
+      json.fail("has another number of morph targets than the first primitive of its mesh");
+    if (vertices.weights()) {
+      left_out_.add("weights above four for a vertex", vertices.weights()->with_many_weights());
+      const std::size_t without = vertices.weights()->without_weights();
+      if (without > 0) {
+        model_.warnings.push_back(json.place() + ".attributes.WEIGHTS_0: vertices without a weight (" +
+                                  std::to_string(without) + ") follow their first joint");
+      }
+    }
+    return vertices;
   }
 
   Primitive read_corners(const JsonView& json, std::int64_t mode, std::int64_t texture_set) {
     const JsonView attributes = json.at("attributes");
-    Primitive primitive{read_accessor(file_, attributes.at("POSITION"), 3, 3), {}, {}, {}, {}, {}};
+    Primitive primitive{read_accessor(file_, attributes.at("POSITION"), 3, 3), {}, {}, {}, {}};
     const std::size_t vertices = primitive.positions.count();
     const auto attribute = [&](const std::string& key, std::size_t least,
                                std::size_t most) -> std::optional<AccessorData> {
@@ -230,19 +238,20 @@ class GltfReader {
   }
 
   void add_triangle(const JsonView& json, const Primitive& primitive,
-                    const std::array<std::size_t, 3>& corners, const Affine& transform, std::uint32_t look,
-                    const GltfMaterial& material) {
+                    const std::array<std::size_t, 3>& corners, const std::array<CornerPlace, 3>& places,
+                    std::uint32_t look, const GltfMaterial& material) {
     std::array<RawMesh::Corner, 3> triangle;
     TriangleColour colour{primitive.colours.has_value(), {}};
     for (std::size_t i = 0; i < 3; ++i) {
       RawMesh::Corner& corner = triangle[i];
-      const Affine& place = primitive.places.empty() ? transform : primitive.places[corners[i]];
-      corner.position = place.point(vec3(primitive.positions, corners[i]));
+      const CornerPlace& place = places[i];
+      corner.position = place.transform.point(place.position);
+      corner.source = place.source;
       if (!finite(corner.position) || length(corner.position) > kMostCoordinate) {
         json.at("attributes").at("POSITION").fail("a coordinate is not a number up to 1e30");
       }
       if (primitive.normals) {
-        const Vec3 normal = place.normal(vec3(*primitive.normals, corners[i]));
+        const Vec3 normal = place.transform.normal(place.normal);
         if (finite(normal)) {
           corner.normal = normal;
         } else {
@@ -259,7 +268,7 @@ class GltfReader {
       }
       if (primitive.colours) {
         const Vec3& base = material.base;
-        const Vec3 c = vec3(*primitive.colours, corners[i]);
+        const Vec3 c = primitive.colours->vec3(corners[i]);
         if (!finite(c)) left_out_.add(kWrongColours);
         colour.known = colour.known && finite(c);
         colour.corners[i] = to_srgb(Vec3{c.x * base.x, c.y * base.y, c.z * base.z});
@@ -281,18 +290,24 @@ class GltfReader {
     return at->second;
   }
 
-  std::uint32_t look_of(const std::vector<std::string>& names, const FileMaterial& material) {
+  /// The look of a part. Instances with morph targets are parts of their own, because a part has one list of
+  /// targets.
+  std::uint32_t look_of(const std::vector<std::string>& names, const FileMaterial& material,
+                        std::optional<std::size_t> morphing_instance) {
     const PartLook look{names, material};
-    const auto found = std::find(model_.looks.begin(), model_.looks.end(), look);
-    const auto number = static_cast<std::uint32_t>(found - model_.looks.begin());
-    if (found == model_.looks.end()) model_.looks.push_back(look);
-    return number;
+    for (std::size_t i = 0; i < model_.looks.size(); ++i) {
+      if (model_.looks[i] == look && morphing_[i] == morphing_instance) return static_cast<std::uint32_t>(i);
+    }
+    model_.looks.push_back(look);
+    morphing_.push_back(morphing_instance);
+    return static_cast<std::uint32_t>(model_.looks.size() - 1);
   }
 
   void note_the_rest() {
     for (const char* list : {"animations", "cameras"}) {
       const std::optional<JsonView> all = file_.root().find(list);
-      if (all) left_out_.add(list, all->size());
+      const bool is_read = file_.version() == 2 && list == std::string_view("animations");
+      if (all && !is_read) left_out_.add(list, all->size());
     }
     const std::optional<JsonView> extensions = file_.root().find("extensions");
     const std::optional<JsonView> lights =
@@ -306,9 +321,15 @@ class GltfReader {
   RawModel model_;
   std::map<std::string, GltfMaterial> materials_;  ///< by place
   GltfTextures textures_;
-  NodeTransforms transforms_;
+  GltfNodes nodes_;
   LeftOut left_out_;
-  std::size_t skinned_ = 0;
+  std::shared_ptr<Rig> rig_ = std::make_shared<Rig>();
+  RigVertices rig_vertices_{rig_->vertices};
+  const RigPoser* rest_ = nullptr;                     ///< while meshes are read
+  std::vector<bool> moved_;                            ///< nodes that a clip moves, or one above them
+  std::vector<std::optional<std::size_t>> instances_;  ///< of each node
+  std::vector<std::optional<std::size_t>> morphing_;   ///< of each look, the instance with morph targets
+  std::map<std::string, std::size_t> skins_;           ///< by place
 };
 
 }  // namespace

@@ -10,8 +10,9 @@
 namespace arcspan::tools {
 
 /// Reads the scene of a glTF file: the meshes of its nodes where their transforms put them, with their
-/// materials and vertex colours. Textures, animations, skins and other things that are not drawn get a
-/// warning. Throws a Failure that names the place in the file.
+/// materials and vertex colours. What moves them in a file of version 2.0 (skins, morph targets, animations
+/// of nodes) is the model's rig. Things that are not drawn get a warning. Throws a Failure that names the
+/// place in the file.
 [[nodiscard]] RawModel read_gltf(std::string_view bytes, const std::string& subject, const SideFiles& files);
 
 }  // namespace arcspan::tools

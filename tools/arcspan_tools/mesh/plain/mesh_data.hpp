@@ -19,6 +19,12 @@ inline constexpr std::size_t kMaxVertices = 65'536;
 /// Most triangles of a mesh: twice what a closed surface of kMaxVertices has.
 inline constexpr std::size_t kMaxTriangles = 262'144;
 
+/// The largest number in a mesh file, for which products of three still fit a double.
+inline constexpr double kMostCoordinate = 1e30;
+
+/// A vertex that no rig moves (see rig.hpp).
+inline constexpr std::uint32_t kNoSource = 0xFFFFFFFF;
+
 /// How far the texture points of a mesh may be apart in each direction, in widths or heights of the texture:
 /// the pipeline's have 16 bits, of which 4 are fraction bits at least.
 inline constexpr double kMostTextures = 4000;
@@ -32,6 +38,12 @@ struct Uv {
   friend constexpr bool operator==(const Uv&, const Uv&) = default;
 };
 
+/// A box along the axes.
+struct Box {
+  Vec3 low;
+  Vec3 high;
+};
+
 /// A triangle mesh in doubles: position i, normal i (unit length) and texture point i belong together;
 /// triangles are counter-clockwise seen from the front.
 struct MeshData {
@@ -42,6 +54,8 @@ struct MeshData {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// Faces of the file that have no area, left out of `triangles`.
   std::size_t dropped_faces = 0;
+  /// Empty, or for each vertex an index into the vertices of the model's rig, or kNoSource.
+  std::vector<std::uint32_t> sources{};
 };
 
 /// Triangles whose corners carry their own copies of positions and normals, as loaders give them.
@@ -51,7 +65,8 @@ struct RawMesh {
     /// Zero where the file gives no normal.
     Vec3 normal;
     std::optional<Uv> texture_point{};
-    std::optional<Rgb8> colour{};  ///< all corners of a part have one, or none
+    std::optional<Rgb8> colour{};      ///< all corners of a part have one, or none
+    std::uint32_t source = kNoSource;  ///< an index into the vertices of the model's rig
   };
   /// The smoothing group of triangles whose corners without a normal get that of their own triangle.
   static constexpr std::uint32_t kFlat = 0;

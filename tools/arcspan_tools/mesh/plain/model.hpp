@@ -5,6 +5,7 @@
 
 #include <arcspan_tools/image/rgba_image.hpp>
 #include <arcspan_tools/mesh/plain/mesh_data.hpp>
+#include <arcspan_tools/mesh/plain/rig.hpp>
 
 #include <array>
 #include <cstddef>
@@ -77,6 +78,10 @@ struct Model {
   std::optional<double> crease_degrees{};
   /// A line for each kind of content of the file that is not drawn, such as its textures.
   std::vector<std::string> warnings{};
+  /// What moves the vertices; null if nothing does. They are where it is at rest.
+  std::shared_ptr<const Rig> rig{};
+  /// Set if the vertices are where the rig stores them: around them in all poses.
+  std::optional<Box> reach{};
 
   [[nodiscard]] std::size_t vertex_count() const;
   [[nodiscard]] std::size_t triangle_count() const;
@@ -97,6 +102,8 @@ struct RawModel {
   std::vector<std::string> warnings{};
   /// Empty, or the colours of each triangle; not yet part of mesh or looks.
   std::vector<TriangleColour> colours{};
+  /// What moves the corners; null if nothing does.
+  std::shared_ptr<const Rig> rig{};
 };
 
 /// Which parts of a model keep their texture points. Vertices are split where these differ.
@@ -117,7 +124,7 @@ enum class VertexColours : std::uint8_t { kMean, kKept };
 /// The model of a mesh without materials.
 [[nodiscard]] Model to_model(MeshData mesh);
 
-/// The triangles of a model, with the normals of their corners.
+/// The triangles of a model, with the normals of their corners and without its rig.
 [[nodiscard]] RawModel to_raw(const Model& model);
 
 /// The parts that have `name` among their names. Throws a Failure about `subject` that lists the names if

@@ -28,6 +28,7 @@ struct Vertex {
   Vec3 normal;
   Uv texture_point;
   Rgb8 colour;
+  std::uint32_t source;
 
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
@@ -37,7 +38,8 @@ struct JoinHash {
     const std::uint64_t of_point =
         VertexHash::mix(VertexHash::mix(of_vectors, v.texture_point.u), v.texture_point.v);
     return VertexHash::folded(
-        VertexHash::mix(of_point, v.colour.r * 65536.0 + v.colour.g * 256.0 + v.colour.b));
+        VertexHash::mix(VertexHash::mix(of_point, v.colour.r * 65536.0 + v.colour.g * 256.0 + v.colour.b),
+                        static_cast<double>(v.source)));
   }
 };
 
@@ -47,6 +49,16 @@ Uv canonical(Uv p) { return {p.u + 0.0, p.v + 0.0}; }
 
 Vec3 area_vector(const std::array<RawMesh::Corner, 3>& t) {
   return cross(t[1].position - t[0].position, t[2].position - t[0].position);
+}
+
+/// Whether the triangle of a rig has an area where the rig stores it, because it may have one in a pose.
+bool has_area_elsewhere(const std::array<RawMesh::Corner, 3>& t, const Rig* rig) {
+  std::array<RawMesh::Corner, 3> stored = t;
+  for (RawMesh::Corner& corner : stored) {
+    if (rig == nullptr || corner.source == kNoSource) return false;
+    corner.position = rig->vertices[corner.source].position;
+  }
+  return length(area_vector(stored)) > 0;
 }
 
 std::uint32_t smoothing_of(const RawMesh& raw, std::size_t triangle) {
@@ -97,8 +109,11 @@ void check_limit(const std::string& subject, const char* what, std::size_t count
 /// Makes vertices of the corners of one mesh.
 class Welder {
  public:
-  Welder(const NormalAt& averaged, bool with_points, bool with_colours)
-      : averaged_(averaged), with_points_(with_points), with_colours_(with_colours) {}
+  Welder(const NormalAt& averaged, bool with_points, bool with_colours, bool with_sources)
+      : averaged_(averaged),
+        with_points_(with_points),
+        with_colours_(with_colours),
+        with_sources_(with_sources) {}
 
   void add(const std::array<RawMesh::Corner, 3>& triangle, std::uint32_t group, const std::string& subject) {
     std::array<std::uint32_t, 3> indices{};
@@ -108,7 +123,7 @@ class Welder {
       const Vec3 normal = own == Vec3{} ? missing_normal(triangle, position, group) : own;
       const Uv point = with_points_ ? canonical(triangle[i].texture_point.value_or(Uv{})) : Uv{};
       const Rgb8 colour = triangle[i].colour.value_or(Rgb8{});
-      indices[i] = index_of({position, normal, point, colour});
+      indices[i] = index_of({position, normal, point, colour, triangle[i].source});
     }
     check_limit(subject, "vertices", mesh_.positions.size(), kMaxVertices);
     mesh_.triangles.push_back(indices);
@@ -118,8 +133,9 @@ class Welder {
  private:
   [[nodiscard]] Vec3 missing_normal(const std::array<RawMesh::Corner, 3>& triangle, const Vec3& position,
                                     std::uint32_t group) const {
-    return canonical(group == RawMesh::kFlat ? normalised(area_vector(triangle))
-                                             : averaged_.at({position, group}));
+    if (group == RawMesh::kFlat) return canonical(normalised(area_vector(triangle)));
+    const auto found = averaged_.find({position, group});
+    return found == averaged_.end() ? Vec3{} : canonical(found->second);
   }
 
   std::uint32_t index_of(const Vertex& vertex) {
@@ -130,6 +146,7 @@ class Welder {
       mesh_.normals.push_back(vertex.normal);
       if (with_points_) mesh_.texture_points.push_back(vertex.texture_point);
       if (with_colours_) mesh_.colours.push_back(vertex.colour);
+      if (with_sources_) mesh_.sources.push_back(vertex.source);
     }
     return at->second;
   }
@@ -138,6 +155,7 @@ class Welder {
   const NormalAt& averaged_;
   bool with_points_;
   bool with_colours_;
+  bool with_sources_;
   std::unordered_map<Vertex, std::uint32_t, JoinHash> known_;
 };
 
@@ -186,15 +204,18 @@ Model weld_parts(const RawModel& raw, const std::string& subject, TexturePointsO
       looks_with(raw, [](const RawMesh::Corner& corner) { return corner.texture_point.has_value(); });
   const std::vector<bool> has_colours =
       looks_with(raw, [](const RawMesh::Corner& corner) { return corner.colour.has_value(); });
+  const std::vector<bool> has_sources =
+      looks_with(raw, [](const RawMesh::Corner& corner) { return corner.source != kNoSource; });
   std::vector<Welder> welders;
   for (std::size_t i = 0; i < raw.looks.size(); ++i) {
     const bool wanted = points == TexturePointsOf::kAllParts || raw.looks[i].material.texture != nullptr;
-    welders.emplace_back(averaged, wanted && has_points[i], has_colours[i]);
+    welders.emplace_back(averaged, wanted && has_points[i], has_colours[i], has_sources[i]);
   }
   Model model;
+  model.rig = raw.rig;
   for (std::size_t i = 0; i < raw.mesh.triangles.size(); ++i) {
     const auto& triangle = raw.mesh.triangles[i];
-    if (length(area_vector(triangle)) == 0) {
+    if (length(area_vector(triangle)) == 0 && !has_area_elsewhere(triangle, raw.rig.get())) {
       ++model.dropped_faces;
       continue;
     }

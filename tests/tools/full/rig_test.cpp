@@ -1,0 +1,497 @@
+// SPDX-License-Identifier: MIT
+// Skins, morph targets and clips of glTF: posed in doubles, stored in fixed point, and posed by the pipeline.
+#include <arcspan/animate/pose.hpp>
+#include <arcspan/animate/skinned_mesh.hpp>
+
+#include <arcspan_tools/mesh/compile/animation_error.hpp>
+#include <arcspan_tools/mesh/compile/compile_mesh.hpp>
+#include <arcspan_tools/mesh/compile/make_animation.hpp>
+#include <arcspan_tools/mesh/compile/part_motion.hpp>
+#include <arcspan_tools/mesh/compile/stored_rig.hpp>
+#include <arcspan_tools/mesh/compile/thin_keys.hpp>
+#include <arcspan_tools/mesh/compile/tidy.hpp>
+#include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/mesh/plain/generate.hpp>
+#include <arcspan_tools/mesh/plain/rig_pose.hpp>
+#include <arcspan_tools/output/mesh_writer.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <catch2/catch.hpp>
+#include <tests/tools/gltf_rig.hpp>
+#include <tests/tools/temporary_folder.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+using namespace arcspan::tools;
+using namespace arcspan::test;
+using nlohmann::json;
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+Model loaded(const GltfRig& rig) {
+  const TemporaryFolder folder;
+  return load_model_file(folder.file("rig.glb", rig.glb()));
+}
+
+std::string complaint(const GltfRig& rig) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("rig.glb", rig.glb());
+  const std::string message = message_of<Failure>([&] { (void)load_model_file(path); });
+  return message.rfind(path + ": ", 0) == 0 ? message.substr(path.size() + 2)
+                                            : "(without the name) " + message;
+}
+
+Model posed_at(const Model& model, std::size_t clip, double time) {
+  return posed(model, pose_at(*model.rig, model.rig->clips.at(clip), time), "rig");
+}
+
+/// Where the vertex is that a rig stores at `stored`.
+Vec3 where(const Model& model, Vec3 stored, const RigPose& pose) {
+  const RigPoser poser(*model.rig, pose);
+  for (const RigVertex& vertex : model.rig->vertices) {
+    if (length(vertex.position - stored) < 1e-6) return poser.position(vertex);
+  }
+  FAIL("no vertex is stored there");
+  return {};
+}
+
+/// The tube bends by 90 degrees in a second and back in another.
+GltfRig bending() {
+  GltfRig rig = bending_tube();
+  rig.clip("bend");
+  rig.channel(2, "rotation", {0, .5f, 1, 2},
+              rig.quadruples(joined({turn_z(0), turn_z(45), turn_z(90), turn_z(0)})));
+  return rig;
+}
+
+/// A square of one node whose clip has one channel.
+GltfRig moved_square(const char* path, const Floats& times, const Floats& values, const char* interpolation) {
+  GltfRig rig;
+  rig.json["nodes"] = json::parse(R"([{"mesh": 0}])");
+  rig.json["meshes"] = {
+      {{"primitives", {{{"attributes", {{"POSITION", rig.vectors({0, 0, 0, 1, 0, 0, 1, 1, 0})}}}}}}}};
+  rig.clip("move");
+  const bool rotates = std::string(path) == "rotation";
+  rig.channel(0, path, times, rotates ? rig.quadruples(values) : rig.vectors(values), interpolation);
+  return rig;
+}
+
+FixedModel stored(const Model& model, const ClipOptions& options = {}) {
+  FixedModel fixed =
+      compile_model(
+          as_stored(model), {}, [](const FixedModel&) { return std::size_t{0}; }, "rig", [](std::size_t) {})
+          .model;
+  fixed.animation = std::make_shared<FixedAnimation>(make_animation(fixed, options, "rig"));
+  return fixed;
+}
+
+/// A model binary at an aligned address.
+struct Binary {
+  std::vector<std::uint32_t> words;
+  arcspan::StoredModel model;
+  arcspan::StoredAnimation animation;
+
+  explicit Binary(const FixedModel& fixed) {
+    const std::string text = model_binary_file(fixed);
+    words.resize((text.size() + 3) / 4);
+    std::memcpy(words.data(), text.data(), text.size());
+    REQUIRE(arcspan::view_model_binary({reinterpret_cast<const std::uint8_t*>(words.data()), text.size()},
+                                       model) == arcspan::Status::kOk);
+    REQUIRE(arcspan::view_animation(model, animation) == arcspan::Status::kOk);
+  }
+};
+
+/// The largest distance of a vertex that the pipeline poses from where doubles put the file's, in object
+/// units.
+double worst_of_pipeline(const FixedModel& fixed, std::size_t clip, double time) {
+  const Binary binary(fixed);
+  const arcspan::ClipMoment moment{binary.animation.clip(clip), static_cast<std::uint32_t>(time * 1e6)};
+  std::vector<arcspan::NodeMatrix> nodes(binary.animation.nodes().size());
+  REQUIRE(ok(arcspan::pose_nodes(binary.animation, {moment, {}, 0}, nodes)));
+  const RigPoser poser(*fixed.rig, pose_at(*fixed.rig, fixed.rig->clips.at(clip), time));
+  double worst = 0;
+  for (std::size_t part = 0; part < fixed.meshes.size(); ++part) {
+    const FixedMesh& mesh = fixed.meshes[part];
+    const auto skin = binary.animation.skin(binary.animation.weights(part).skin());
+    std::vector<arcspan::JointMatrix> joints(skin.size());
+    REQUIRE(ok(arcspan::pose_joints(skin, nodes, joints)));
+    const arcspan::ModelPart of = binary.model.part(part);
+    arcspan::SkinnedMesh skinned;
+    REQUIRE(ok(arcspan::SkinnedMesh::make(of.mesh, binary.animation, part, joints, skinned)));
+    for (std::size_t i = 0; i < mesh.sources.size(); ++i) {
+      const arcspan::ObjectPosition p = skinned.position(i);
+      const Vec3 right =
+          (poser.position(fixed.rig->vertices[mesh.sources[i]]) - mesh.centre) * (1 / mesh.unit);
+      worst = std::max(worst, length(Vec3{double(p.x), double(p.y), double(p.z)} - right));
+    }
+  }
+  return worst;
+}
+
+RigChannel turning(std::size_t keys, double degrees) {
+  RigChannel channel;
+  channel.path = ChannelPath::kRotation;
+  channel.components = 4;
+  for (std::size_t i = 0; i < keys; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(keys - 1);
+    channel.times.push_back(t);
+    for (const float c : turn_z(degrees * std::sin(t * 3))) channel.values.push_back(c);
+  }
+  return channel;
+}
+
+double degrees_apart(const std::vector<double>& a, const std::vector<double>& b) {
+  const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+  const double size = std::sqrt((a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + a[3] * a[3]) *
+                                (b[0] * b[0] + b[1] * b[1] + b[2] * b[2] + b[3] * b[3]));
+  return 2 * std::acos(std::min(std::abs(cosine) / size, 1.0)) / kDegree;
+}
+
+}  // namespace
+
+TEST_CASE("rigs: a tube bends at its joint, wherever the node of its mesh is") {
+  const Model model = loaded(bending());
+  CHECK(model.warnings.empty());
+  REQUIRE(model.rig->clips.size() == 1);
+  CHECK(model.rig->clips[0].name == "bend");
+  CHECK(model.rig->clips[0].duration() == 2);
+  const RigPose bent = pose_at(*model.rig, model.rig->clips[0], 1);
+  const RigPose half = pose_at(*model.rig, model.rig->clips[0], 0.25);
+  // The upper end turns about (0, 1); the lower end stays.
+  CHECK(length(where(model, {.2f, 2, .2f}, bent) - Vec3{-1, 1.2, .2}) < 1e-6);
+  CHECK(length(where(model, {.2f, 0, .2f}, bent) - Vec3{.2, 0, .2}) < 1e-6);
+  const double s = std::sin(22.5 * kDegree);
+  const double c = std::cos(22.5 * kDegree);
+  CHECK(length(where(model, {.2f, 2, .2f}, half) - Vec3{.2 * c - s, 1 + .2 * s + c, .2}) < 1e-6);
+  // In the middle half of each: (.2, 1) and (0, 1.2).
+  CHECK(length(where(model, {.2f, 1, .2f}, bent) - Vec3{.1, 1.1, .2}) < 1e-6);
+}
+
+TEST_CASE("rigs: a posed model has the vertices, triangles and turned normals of the model at rest") {
+  const Model model = loaded(bending());
+  const Model bent = posed_at(model, 0, 1);
+  CHECK(bent.rig == nullptr);
+  REQUIRE(bent.parts.size() == 1);
+  CHECK(bent.parts[0].mesh.triangles == model.parts[0].mesh.triangles);
+  CHECK(bent.parts[0].mesh.sources.empty());
+  std::size_t turned = 0;
+  for (std::size_t i = 0; i < model.parts[0].mesh.positions.size(); ++i) {
+    if (model.parts[0].mesh.positions[i].y < 1.9) continue;
+    const Vec3 n = model.parts[0].mesh.normals[i];
+    CHECK(length(bent.parts[0].mesh.normals[i] - Vec3{-n.y, n.x, n.z}) < 1e-6);
+    ++turned;
+  }
+  CHECK(turned == 4);
+  CHECK(posed(model, rest_pose(*model.rig), "rig").parts[0].mesh.positions == model.parts[0].mesh.positions);
+}
+
+TEST_CASE("rigs: linear, step and cubic keys, before the first and after the last") {
+  const auto x = [](const GltfRig& rig, double time) {
+    const Model model = loaded(rig);
+    return where(model, {0, 0, 0}, pose_at(*model.rig, model.rig->clips[0], time)).x;
+  };
+  const Floats times = {1, 2};
+  const GltfRig linear = moved_square("translation", times, {0, 0, 0, 4, 0, 0}, "LINEAR");
+  CHECK(x(linear, 0) == 0);
+  CHECK(x(linear, 1.25) == 1);
+  CHECK(x(linear, 9) == 4);
+  const GltfRig step = moved_square("translation", times, {0, 0, 0, 4, 0, 0}, "STEP");
+  CHECK(x(step, 1.99) == 0);
+  CHECK(x(step, 2) == 4);
+  // in, value, out of each key: leaves at 2 per second, arrives at 8 per second.
+  const GltfRig cubic = moved_square("translation", times,
+                                     {9, 9, 9, 0, 0, 0, 2, 0, 0, 8, 0, 0, 4, 0, 0, 9, 9, 9}, "CUBICSPLINE");
+  CHECK(x(cubic, 1) == 0);
+  CHECK(x(cubic, 1.5) == Approx(2 + 2. / 8 - 8. / 8));
+  CHECK(x(cubic, 2) == 4);
+}
+
+TEST_CASE("rigs: rotations take the shorter way") {
+  Floats other = turn_z(40);
+  for (float& c : other) c = -c;
+  const Model model = loaded(moved_square("rotation", {0, 1}, joined({turn_z(0), other}), "LINEAR"));
+  const Vec3 p = where(model, {1, 0, 0}, pose_at(*model.rig, model.rig->clips[0], 0.25));
+  CHECK(length(p - Vec3{std::cos(10 * kDegree), std::sin(10 * kDegree), 0}) < 1e-6);
+}
+
+TEST_CASE("rigs: of eight weights the four largest are kept, and their sum is 1") {
+  GltfRig rig = bending();
+  json& primitive = rig.json["meshes"][0]["primitives"][0];
+  const std::size_t vertices = 36;
+  Floats first;
+  Floats second;
+  std::vector<std::uint8_t> joints;
+  for (std::size_t i = 0; i < vertices; ++i) {
+    for (const float w : {.1f, .05f, .3f, .2f}) first.push_back(w);
+    for (const float w : {.15f, .1f, .06f, .04f}) second.push_back(w);
+    for (const std::uint8_t j : {0, 1, 2, 3}) joints.push_back(j);
+  }
+  rig.json["nodes"] = json::parse(
+      R"([{"mesh": 0, "skin": 0, "children": [1, 2, 3, 4, 5, 6, 7, 8]}, {}, {}, {}, {}, {}, {}, {}, {}])");
+  rig.json["skins"][0] = {{"joints", {1, 2, 3, 4, 5, 6, 7, 8}}};
+  std::vector<std::uint8_t> others = joints;
+  for (std::uint8_t& j : others) j = static_cast<std::uint8_t>(j + 4);
+  primitive["attributes"]["JOINTS_0"] = rig.accessor("VEC4", 4, joints);
+  primitive["attributes"]["WEIGHTS_0"] = rig.quadruples(first);
+  primitive["attributes"]["JOINTS_1"] = rig.accessor("VEC4", 4, others);
+  primitive["attributes"]["WEIGHTS_1"] = rig.quadruples(second);
+  const Model model = loaded(rig);
+  const RigVertex& vertex = model.rig->vertices[0];
+  CHECK(vertex.joints == std::array<std::size_t, 4>{2, 3, 4, 0});
+  CHECK(vertex.weights[0] == Approx(.4));
+  CHECK(std::accumulate(vertex.weights.begin(), vertex.weights.end(), 0.0) == Approx(1));
+  CHECK(model.warnings == Lines{"left out: weights above four for a vertex (36)"});
+}
+
+TEST_CASE("rigs: morph targets with normals, at the weights of the file and of a clip") {
+  GltfRig rig;
+  rig.json["nodes"] = json::parse(R"([{"mesh": 0}])");
+  rig.json["meshes"] = {{{"weights", {0.5}},
+                         {"primitives",
+                          {{{"attributes",
+                             {{"POSITION", rig.vectors({0, 0, 0, 1, 0, 0, 0, 1, 0})},
+                              {"NORMAL", rig.vectors({0, 0, 1, 0, 0, 1, 0, 0, 1})}}},
+                            {"targets",
+                             {{{"POSITION", rig.vectors({0, 0, 2, 0, 0, 0, 0, 0, 0})},
+                               {"NORMAL", rig.vectors({1, 0, 0, 0, 0, 0, 0, 0, 0})}}}}}}}}};
+  rig.clip("swell");
+  rig.channel(0, "weights", {0, 1}, rig.scalars({0, 1}));
+  const Model model = loaded(rig);
+  const auto z = [&](const Model& m) {
+    double most = 0;
+    for (const Vec3& p : m.parts[0].mesh.positions) most = std::max(most, p.z);
+    return most;
+  };
+  CHECK(z(model) == 1);
+  CHECK(z(posed_at(model, 0, 0)) == 0);
+  const Model whole = posed_at(model, 0, 1);
+  CHECK(z(whole) == 2);
+  const std::vector<Vec3>& normals = whole.parts[0].mesh.normals;
+  CHECK(std::any_of(normals.begin(), normals.end(), [](Vec3 n) {
+    return length(n - normalised(Vec3{1, 0, 1})) < 1e-6;
+  }));
+  const FixedModel fixed = stored(model);
+  REQUIRE(fixed.animation->parts[0].morph);
+  CHECK(fixed.animation->parts[0].weights.empty());  // no node moves it
+  CHECK(fixed.animation->parts[0].morph->weights == std::vector<std::int16_t>{2048});
+  CHECK(fixed.animation->parts[0].morph->has_normals);
+  const AnimationError error = animation_error(fixed);
+  CHECK(error.position < 2);
+  CHECK(error.normal_degrees < 0.05);
+  const Binary binary(fixed);
+  CHECK(binary.animation.morph(0).target_count() == 1);
+  CHECK(binary.animation.clip(0).channels().size() == 1);
+}
+
+TEST_CASE("rigs: what is wrong with an animation leaves it out, with the place") {
+  const auto warning = [](const char* pointer, const json& value) {
+    GltfRig rig = bending();
+    rig.json[json::json_pointer(pointer)] = value;
+    const Lines lines = loaded(rig).warnings;
+    return lines.size() == 1 ? lines[0] : "(" + std::to_string(lines.size()) + " warnings)";
+  };
+  const std::string begin = "an animation is left out: animations[0].";
+  CHECK(warning("/animations/0/samplers/0/interpolation", "SMOOTH") ==
+        begin + "samplers[0].interpolation: 'SMOOTH' is not an interpolation");
+  CHECK(warning("/animations/0/samplers/0/input", 99) ==
+        begin + "samplers[0].input: there is no accessors[99]");
+  CHECK(warning("/animations/0/channels/0/sampler", 5) ==
+        begin + "channels[0].sampler: is not an integer 0 to 0 (5)");
+  CHECK(warning("/animations/0/channels/0/target/path", "weights") ==
+        begin + "channels[0].target.path: the node's mesh has no morph targets");
+  GltfRig rig = bending_tube();
+  rig.clip("back");
+  rig.channel(2, "rotation", {0, 1, 1}, rig.quadruples(joined({turn_z(0), turn_z(9), turn_z(0)})));
+  CHECK(loaded(rig).warnings == Lines{begin + "samplers[0].input: key 2 is not later than the one before"});
+  rig = bending_tube();
+  rig.clip("short");
+  rig.channel(2, "rotation", {0, 1}, rig.quadruples(turn_z(0)));
+  CHECK(loaded(rig).warnings == Lines{begin + "samplers[0].output: has fewer values than there are keys"});
+  rig = bending_tube();
+  rig.clip("none");
+  rig.channel(2, "rotation", {0, 1}, rig.quadruples({0, 0, 0, 1, 0, 0, 0, 0}));
+  CHECK(loaded(rig).warnings == Lines{begin + "samplers[0].output: key 1 is no rotation"});
+}
+
+TEST_CASE("rigs: what is wrong with a skin is said with the place") {
+  const std::string primitive = "meshes[0].primitives[0]";
+  GltfRig rig = bending();
+  rig.json["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0");
+  CHECK(complaint(rig) == primitive + ".attributes: has no JOINTS_0 and WEIGHTS_0 for the skin of its node");
+  rig = bending();
+  rig.json["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] = rig.quadruples(Floats(4 * 36, 0.f));
+  CHECK(loaded(rig).warnings ==
+        Lines{primitive + ".attributes.WEIGHTS_0: vertices without a weight (36) follow their first joint"});
+  rig = bending();
+  rig.json["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] = rig.quadruples(Floats(4 * 36, -1.f));
+  CHECK(complaint(rig) ==
+        primitive + ".attributes.WEIGHTS_0: vertex 0 has a weight that is negative or not finite");
+  rig = bending();
+  rig.json["skins"][0]["joints"] = json::array();
+  CHECK(complaint(rig) == "skins[0].joints: is empty");
+  rig = bending();
+  rig.json["accessors"][0]["count"] = 4'000'000'000;
+  CHECK(complaint(rig) == "accessors[0].count: is not an integer 0 to 4194304 (4000000000)");
+  rig = bending();
+  rig.json.erase("scene");
+  rig.json.erase("scenes");
+  rig.json["nodes"][2]["children"] = {0};
+  CHECK(complaint(rig) == "nodes[0]: is a child of itself");
+  rig = bending();
+  rig.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  CHECK(complaint(rig) == "needs the extension 'KHR_draco_mesh_compression', which cannot be read");
+}
+
+TEST_CASE("rigs: a node of no size at rest has its triangles when a clip gives it one") {
+  GltfRig rig = moved_square("scale", {0, 1}, {0, 0, 0, 2, 2, 2}, "LINEAR");
+  rig.json["nodes"][0]["scale"] = {0, 0, 0};
+  const Model model = loaded(rig);
+  REQUIRE(model.triangle_count() == 1);
+  CHECK(model.parts[0].mesh.positions.size() == 3);
+  const Model grown = posed_at(model, 0, 1);
+  double farthest = 0;
+  for (const Vec3& p : grown.parts[0].mesh.positions) farthest = std::max(farthest, length(p));
+  CHECK(farthest == Approx(std::sqrt(8)));
+}
+
+TEST_CASE("rigs: keys that linear interpolation gives within the tolerance are left out") {
+  const RigChannel channel = turning(101, 60);
+  const RigChannel few = thinned(channel, {0.5, 0, 0});
+  CHECK(few.keys() < 15);
+  CHECK(few.keys() > 4);
+  CHECK(few.times.back() == 1);
+  double worst = 0;
+  for (int i = 0; i <= 1000; ++i)
+    worst = std::max(worst, degrees_apart(channel.at(i / 1000.), few.at(i / 1000.)));
+  CHECK(worst <= 0.51);
+  CHECK(worst > 0.2);
+  CHECK(thinned(channel, {}).keys() == 101);
+  CHECK(thinned(turning(50, 0), {}).keys() == 1);
+}
+
+TEST_CASE("rigs: keys are added where components do not interpolate a rotation well") {
+  RigChannel channel = turning(2, 0);
+  channel.values.clear();
+  for (const float c : joined({turn_z(0), turn_z(170)})) channel.values.push_back(c);
+  const RigChannel close = with_close_rotations(channel);
+  CHECK(close.keys() > 2);
+  double worst = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    const double time = i / 1000.;
+    const auto next = std::upper_bound(close.times.begin(), close.times.end() - 1, time);
+    const auto key = static_cast<std::size_t>(next - close.times.begin()) - 1;
+    const double t = (time - close.times[key]) / (close.times[key + 1] - close.times[key]);
+    std::vector<double> mixed(4);
+    for (std::size_t k = 0; k < 4; ++k)
+      mixed[k] = close.value(key)[k] * (1 - t) + close.value(key + 1)[k] * t;
+    worst = std::max(worst, degrees_apart(mixed, channel.at(time)));
+  }
+  CHECK(worst < 0.021);
+  CHECK(with_close_rotations(turning(100, 30)).keys() == 100);
+}
+
+TEST_CASE("rigs: weights in 1024ths add up, and are as near as they can be") {
+  for (const std::vector<double>& weights : std::vector<std::vector<double>>{{1},
+                                                                             {.5, .5},
+                                                                             {1. / 3, 1. / 3, 1. / 3},
+                                                                             {.9999, .0001},
+                                                                             {.4, .3, .2, .1},
+                                                                             {.7, .29, .0096, .0004}}) {
+    const std::vector<std::uint16_t> fixed = fixed_weights(weights);
+    CHECK(std::accumulate(fixed.begin(), fixed.end(), 0) == 1024);
+    for (std::size_t i = 0; i < fixed.size(); ++i) {
+      CHECK(fixed[i] > 0);
+      CHECK(std::abs(fixed[i] - weights[i] * 1024) < 1.01);
+    }
+  }
+  CHECK(fixed_weights({.9999, .0001}).size() == 1);
+}
+
+TEST_CASE(
+    "rigs: no triangle has two vertices in one slot of 64, and vertices come in the order of their use") {
+  const FixedMesh torus = ordered(to_fixed(generate(*parse_generated_mesh("torus:48x24"))));
+  const FixedMesh apart = with_separate_slots(torus);
+  REQUIRE(apart.indices.size() == torus.indices.size());
+  std::size_t before = 0;
+  std::uint16_t newest = 0;
+  for (std::size_t i = 0; i < apart.indices.size(); i += 3) {
+    std::set<std::size_t> slots;
+    std::set<std::size_t> old;
+    for (std::size_t k = i; k < i + 3; ++k) {
+      slots.insert(apart.indices[k] % kVertexSlots);
+      old.insert(torus.indices[k] % kVertexSlots);
+      CHECK(apart.indices[k] <= newest + 1);
+      newest = std::max(newest, apart.indices[k]);
+      const arcspan::ObjectPosition& a = apart.positions[apart.indices[k]];
+      const arcspan::ObjectPosition& b = torus.positions[torus.indices[k]];
+      CHECK((a.x == b.x && a.y == b.y && a.z == b.z));
+    }
+    CHECK(slots.size() == 3);
+    before += old.size() < 3 ? 1 : 0;
+  }
+  CHECK(before > 0);
+  CHECK(apart.positions.size() <= torus.positions.size() + 3 * before);
+}
+
+TEST_CASE("rigs: the pipeline poses what is stored as doubles pose the file") {
+  for (const float scale : {1.f, 0.01f, 40.f}) {
+    CAPTURE(scale);
+    GltfRig rig = bending_tube(17, scale);
+    rig.clip("bend");
+    rig.channel(2, "rotation", {0, .5f, 1}, rig.quadruples(joined({turn_z(0), turn_z(45), turn_z(-90)})));
+    rig.channel(1, "translation", {0, 1}, rig.vectors({0, 0, 0, .5f / scale, 0, 0}));
+    rig.channel(1, "scale", {0, 1}, rig.vectors({1, 1, 1, 1.5f, 1.5f, 1.5f}), "STEP");
+    rig.clip("wave");
+    rig.channel(2, "rotation", {0, 1},
+                rig.quadruples(joined(
+                    {Floats(4), turn_z(0), Floats{0, 0, 1, 0}, Floats{0, 0, .5f, 0}, turn_z(60), Floats(4)})),
+                "CUBICSPLINE");
+    const FixedModel fixed = stored(loaded(rig));
+    const AnimationError error = animation_error(fixed);
+    CHECK(error.position < 32);  // 1/2048 of the extent
+    CHECK(error.normal_degrees < 0.3);
+    for (const double time : {0., .25, .5, .8, 1.}) {
+      CHECK(worst_of_pipeline(fixed, 0, time) < 32);
+      CHECK(worst_of_pipeline(fixed, 1, time) < 32);
+    }
+  }
+}
+
+TEST_CASE("rigs: a mesh at a moving node follows one joint") {
+  GltfRig rig = moved_square("rotation", {0, 1}, joined({turn_z(0), turn_z(80)}), "LINEAR");
+  rig.json["nodes"] = json::parse(R"([{"mesh": 0, "translation": [3, 0, 0]}])");
+  const FixedModel fixed = stored(loaded(rig));
+  const Binary binary(fixed);
+  CHECK(binary.animation.weights(0).are_of_one_joint());
+  CHECK(binary.animation.find_node("") != arcspan::StoredAnimation::kNone);
+  for (const double time : {0., .3, 1.}) CHECK(worst_of_pipeline(fixed, 0, time) < 32);
+}
+
+TEST_CASE("rigs: what the format cannot hold is said with the node") {
+  GltfRig rig = moved_square("rotation", {0, 1}, joined({turn_z(0), turn_z(80)}), "LINEAR");
+  rig.json["nodes"] = json::parse(R"([{"mesh": 0}, {"name": "bent", "children": [0],
+    "matrix": [1, 0, 0, 0, 0.5, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}])");
+  rig.json["scenes"][0]["nodes"] = {1};
+  CHECK(message_of<Failure>([&] { (void)stored(loaded(rig)); }) ==
+        "rig: the node 0 'bent' is flat or sheared; --pose leaves the nodes out");
+}
+
+TEST_CASE("rigs: models of the loader's own collection") {
+  const std::string folder = "/usr/share/assimp/models/glTF2/";
+  if (!std::filesystem::exists(folder)) return;
+  const Model skin = load_model_file(folder + "simple_skin/simple_skin.gltf");
+  CHECK(skin.rig->skins[0].joints.size() == 2);
+  CHECK(skin.rig->clips[0].name == "clip1");
+  const AnimationError of_skin = animation_error(stored(skin));
+  CHECK(of_skin.position < 32);
+  const Model cube =
+      load_model_file(folder + "glTF-Sample-Models/AnimatedMorphCube-glTF/AnimatedMorphCube.gltf");
+  CHECK(cube.rig->clips[0].name == "Square");
+  CHECK(cube.rig->instances[0].morph_weights.size() == 2);
+  const FixedModel fixed = stored(cube);
+  CHECK(animation_error(fixed).position < 32);
+  CHECK(Binary(fixed).animation.morph(0).target_count() == 2);
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/load_model.hpp>
+#include <arcspan_tools/command/played_model.hpp>
+#include <arcspan_tools/mesh/compile/neighbours.hpp>
+
+#include <utility>
+
+namespace arcspan::tools {
+
+PlayedModel::PlayedModel(RenderOptions& options, std::size_t frames, double seconds)
+    : options_(options), model_(load_drawn_model(options)) {
+  if (options.clip.empty()) {
+    current_ = to_fixed(model_, options);
+    return;
+  }
+  const RigClip& clip = find_clip(model_, options.clip, options.mesh);
+  clip_.emplace(model_, clip, looped_times(clip, frames, seconds), options.crease_degrees, options.mesh);
+  positions_ = clip_->positions();
+}
+
+const FixedModel& PlayedModel::frame(std::size_t frame) {
+  if (clip_) current_ = clip_->frame(frame);
+  // Seams of the mesh may part when it moves.
+  if (clip_ && options_.smooths()) current_ = with_neighbours(std::move(current_), options_.mesh);
+  return current_;
+}
+
+}  // namespace arcspan::tools

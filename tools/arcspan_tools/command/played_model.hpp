@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/command/render_options.hpp>
+#include <arcspan_tools/render/clip_frames.hpp>
+
+#include <cstddef>
+#include <optional>
+
+namespace arcspan::tools {
+
+/// The model that options ask for in each picture of a turn: always the same, or with --clip at times of a
+/// clip.
+class PlayedModel {
+ public:
+  /// Loads the model by load_drawn_model() of `options`, which must outlive the object, for so many pictures
+  /// that take so many seconds.
+  PlayedModel(RenderOptions& options, std::size_t frames, double seconds);
+
+  /// The model in a picture, until the next call.
+  [[nodiscard]] const FixedModel& frame(std::size_t frame);
+  /// What a camera has to see: the model, or its positions in all frames.
+  [[nodiscard]] FixedMeshes extent() const { return clip_ ? FixedMeshes(positions_) : FixedMeshes(current_); }
+
+ private:
+  const RenderOptions& options_;
+  Model model_;
+  FixedModel current_;
+  std::optional<ClipFrames> clip_;
+  FixedMesh positions_;
+};
+
+}  // namespace arcspan::tools

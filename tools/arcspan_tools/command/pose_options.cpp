@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/pose_options.hpp>
+#include <arcspan_tools/command/typed_options.hpp>
+#include <arcspan_tools/mesh/plain/rig_pose.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/parse.hpp>
+#include <arcspan_tools/support/text.hpp>
+
+namespace arcspan::tools {
+namespace {
+
+constexpr const char* kRest = "rest";
+
+std::optional<PoseChoice> parse_pose(const std::string& text) {
+  if (text == kRest) return PoseChoice{};
+  const std::size_t at = text.rfind('@');  // names may have one too
+  if (at == std::string::npos || at == 0) return std::nullopt;
+  const std::optional<double> seconds = parse_number(text.substr(at + 1));
+  if (!seconds || !(*seconds >= 0)) return std::nullopt;
+  return PoseChoice{text.substr(0, at), *seconds};
+}
+
+}  // namespace
+
+void add_pose(CLI::App& app, std::optional<PoseChoice>& pose) {
+  add_parsed<PoseChoice>(
+      app, "--pose", "CLIP@T",
+      "the model as it is at T seconds of a clip of its file (.gltf, .glb); rest is without a clip, as it is "
+      "by default",
+      "CLIP@SECONDS or rest", parse_pose, [&pose](const PoseChoice& choice) { pose = choice; });
+}
+
+void add_clip(CLI::App& app, std::string& clip) {
+  app.add_option("--clip", clip, "play this clip of the file (.gltf, .glb), a whole number of times a turn")
+      ->type_name("NAME");
+}
+
+void check_clip(const CLI::App& app) {
+  if (app.count("--clip") != 0 && app.count("--pose") != 0)
+    throw CLI::ValidationError("--clip", "excludes --pose");
+}
+
+std::string clip_list(const Rig& rig) {
+  constexpr std::size_t kMostListed = 20;
+  std::vector<std::string> names;
+  for (const RigClip& clip : rig.clips) {
+    if (names.size() == kMostListed) {
+      names.emplace_back("...");
+      break;
+    }
+    names.push_back(clip.name + formatted(" (%g s)", clip.duration()));
+  }
+  return joined(names, ", ");
+}
+
+const RigClip& find_clip(const Model& model, const std::string& name, const std::string& subject) {
+  if (model.rig == nullptr || model.rig->clips.empty()) throw Failure(subject, "has no clips");
+  for (const RigClip& clip : model.rig->clips) {
+    if (clip.name == name) return clip;
+  }
+  throw Failure(subject, "no clip '" + name + "' (there are: " + clip_list(*model.rig) + ")");
+}
+
+Model posed(const Model& model, const PoseChoice& pose, const std::string& subject) {
+  if (pose.clip.empty()) return model.rig ? posed(model, rest_pose(*model.rig), subject) : model;
+  const RigClip& clip = find_clip(model, pose.clip, subject);
+  if (pose.seconds > clip.duration()) {
+    throw Failure("--pose", formatted("%g is after the end of the clip '", pose.seconds) + clip.name +
+                                formatted("' at %g s", clip.duration()));
+  }
+  return posed(model, pose_at(*model.rig, clip, pose.seconds), subject);
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/compile/stored_rig.hpp>
+#include <arcspan_tools/mesh/plain/rig_pose.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace arcspan::tools {
+
+std::vector<Affine> storage_places(const Rig& rig) {
+  const RigPoser rest(rig, rest_pose(rig));
+  std::vector<Affine> places;
+  for (std::size_t i = 0; i < rig.instances.size(); ++i) {
+    RigVertex first;
+    first.instance = i;
+    first.weights[0] = 1;
+    const Affine place = rest.place(first);
+    places.push_back(inverse(place) ? place : Affine{});
+  }
+  return places;
+}
+
+std::vector<double> key_times(const RigClip& clip, std::size_t most) {
+  std::set<double> keys;
+  for (const RigChannel& channel : clip.channels) keys.insert(channel.times.begin(), channel.times.end());
+  std::vector<double> times(keys.begin(), keys.end());
+  const std::size_t count = times.size();
+  for (std::size_t i = 1; i < count; ++i) times.push_back((times[i - 1] + times[i]) / 2);
+  std::sort(times.begin(), times.end());
+  std::vector<double> some;
+  const std::size_t wanted = std::min(most, times.size());
+  for (std::size_t i = 0; i < wanted; ++i) some.push_back(times[i * times.size() / wanted]);
+  return some;
+}
+
+namespace {
+
+void extend(Box& box, Vec3 p) {
+  box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+  box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+}
+
+/// Makes `box` hold the vertices of `model` in a pose.
+void extend(Box& box, const Model& model, const RigPose& pose) {
+  const RigPoser poser(*model.rig, pose);
+  for (const ModelPart& part : model.parts) {
+    for (const std::uint32_t source : part.mesh.sources) {
+      if (source != kNoSource) extend(box, poser.position(model.rig->vertices[source]));
+    }
+  }
+}
+
+/// The largest coordinate of what morph targets add.
+double largest_delta(const Model& model) {
+  const std::vector<Affine> places = storage_places(*model.rig);
+  double largest = 0;
+  for (const RigVertex& vertex : model.rig->vertices) {
+    for (const MorphDelta& delta : vertex.deltas) {
+      const Vec3 d = places[vertex.instance].direction(delta.position);
+      largest = std::max({largest, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    }
+  }
+  return largest;
+}
+
+/// A box around the stored vertices and all poses.
+Box reach_of(const Model& model) {
+  constexpr double kMargin = 0.02;  // of the extent, on each side
+  constexpr std::size_t kMostPosed = 4'000'000;
+  const Vec3 any = model.parts[0].mesh.positions[0];
+  Box box{any, any};
+  for (const ModelPart& part : model.parts) {
+    for (const Vec3& p : part.mesh.positions) extend(box, p);
+  }
+  extend(box, model, rest_pose(*model.rig));
+  const std::size_t clips = std::max<std::size_t>(model.rig->clips.size(), 1);
+  const std::size_t most = std::max<std::size_t>(kMostPosed / (model.vertex_count() * clips), 16);
+  for (const RigClip& clip : model.rig->clips) {
+    for (const double time : key_times(clip, most)) extend(box, model, pose_at(*model.rig, clip, time));
+  }
+  // What a morph target adds has 16 bits, too.
+  const Vec3 middle = (box.low + box.high) * 0.5;
+  const double most_added = largest_delta(model);
+  for (const double sign : {-1.0, 1.0}) extend(box, middle + Vec3{sign, 0, 0} * most_added);
+  const Vec3 margin = (box.high - box.low) * kMargin;
+  return {box.low - margin, box.high + margin};
+}
+
+}  // namespace
+
+Model as_stored(const Model& model) {
+  Model out = model;
+  if (model.rig == nullptr) return out;
+  const Rig& rig = *model.rig;
+  const std::vector<Affine> places = storage_places(rig);
+  const RigPoser rest(rig, rest_pose(rig));
+  for (ModelPart& part : out.parts) {
+    MeshData& mesh = part.mesh;
+    for (std::size_t i = 0; i < mesh.sources.size(); ++i) {
+      if (mesh.sources[i] == kNoSource) continue;
+      const RigVertex& vertex = rig.vertices[mesh.sources[i]];
+      const Affine& place = places[vertex.instance];
+      mesh.positions[i] = place.point(vertex.position);
+      mesh.normals[i] = normalised(place.normal(stored_normal(vertex, mesh.normals[i], rest)));
+    }
+  }
+  out.reach = reach_of(out);
+  return out;
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/mesh/plain/model.hpp>
+#include <arcspan_tools/mesh/plain/rig.hpp>
+
+#include <string>
+#include <vector>
+
+namespace arcspan::tools {
+
+/// The space in which the vertices of each instance of a rig are stored, as a transform from that of its
+/// mesh: where its node, or the first joint of its skin, puts it at rest. There a model whose skin is not
+/// used stands upright and has its size.
+[[nodiscard]] std::vector<Affine> storage_places(const Rig& rig);
+
+/// `model` with its vertices as they are stored for its rig, in place of the pose at rest, and with `reach`:
+/// a box around them, and around the poses at all keys of all clips and in the middle of each two, with a
+/// margin for poses that programs make.
+[[nodiscard]] Model as_stored(const Model& model);
+
+/// The times of the keys of a clip and those in the middle of each two; of more than `most` times so many.
+[[nodiscard]] std::vector<double> key_times(const RigClip& clip, std::size_t most);
+
+}  // namespace arcspan::tools

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/plain/rig_pose.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+namespace arcspan::tools {
+namespace {
+
+void move(NodeTransform& node, const RigChannel& channel, double time) {
+  const std::vector<double> v = channel.at(time);
+  if (channel.path == ChannelPath::kTranslation) node.translation = {v[0], v[1], v[2]};
+  if (channel.path == ChannelPath::kRotation) node.rotation = {v[0], v[1], v[2], v[3]};
+  if (channel.path == ChannelPath::kScale) node.scale = {v[0], v[1], v[2]};
+}
+
+}  // namespace
+
+RigPose rest_pose(const Rig& rig) {
+  RigPose pose;
+  for (const RigNode& node : rig.nodes) pose.nodes.push_back(node.matrix ? *node.matrix : node.rest.affine());
+  for (const RigInstance& instance : rig.instances) pose.morph_weights.push_back(instance.morph_weights);
+  return pose;
+}
+
+RigPose pose_at(const Rig& rig, const RigClip& clip, double time) {
+  RigPose pose = rest_pose(rig);
+  std::vector<NodeTransform> moved;
+  for (const RigNode& node : rig.nodes) moved.push_back(node.rest);
+  for (const RigChannel& channel : clip.channels) {
+    if (channel.path != ChannelPath::kMorphWeights) {
+      move(moved[channel.node], channel, time);
+      pose.nodes[channel.node] = moved[channel.node].affine();
+      continue;
+    }
+    for (std::size_t i = 0; i < rig.instances.size(); ++i) {
+      if (rig.instances[i].node == channel.node) pose.morph_weights[i] = channel.at(time);
+    }
+  }
+  return pose;
+}
+
+RigPoser::RigPoser(const Rig& rig, const RigPose& pose) : rig_(rig), morph_weights_(pose.morph_weights) {
+  for (std::size_t i = 0; i < rig.nodes.size(); ++i) {
+    const std::optional<std::size_t> parent = rig.nodes[i].parent;
+    nodes_.push_back(parent ? nodes_[*parent] * pose.nodes[i] : pose.nodes[i]);
+  }
+  for (const RigSkin& skin : rig.skins) {
+    std::vector<Affine>& joints = joints_.emplace_back();
+    for (std::size_t i = 0; i < skin.joints.size(); ++i)
+      joints.push_back(nodes_[skin.joints[i]] * skin.inverse_bind[i]);
+  }
+}
+
+Affine RigPoser::place(const RigVertex& vertex) const {
+  const RigInstance& instance = rig_.instances[vertex.instance];
+  if (!instance.skin) return nodes_[instance.node];
+  const std::vector<Affine>& joints = joints_[*instance.skin];
+  Affine sum{{}, {}, {}, {}};
+  for (std::size_t i = 0; i < kMostWeights; ++i) {
+    if (vertex.weights[i] != 0) add_weighted(sum, joints[vertex.joints[i]], vertex.weights[i]);
+  }
+  return sum;
+}
+
+Vec3 RigPoser::shaped_position(const RigVertex& vertex) const {
+  Vec3 sum = vertex.position;
+  const std::vector<double>& weights = morph_weights_[vertex.instance];
+  for (std::size_t i = 0; i < vertex.deltas.size(); ++i) sum = sum + vertex.deltas[i].position * weights[i];
+  return sum;
+}
+
+Vec3 RigPoser::shaped_normal(const RigVertex& vertex) const {
+  Vec3 sum = vertex.normal;
+  const std::vector<double>& weights = morph_weights_[vertex.instance];
+  for (std::size_t i = 0; i < vertex.deltas.size(); ++i) sum = sum + vertex.deltas[i].normal * weights[i];
+  return sum;
+}
+
+Vec3 RigPoser::normal(const RigVertex& vertex) const {
+  const Affine place = this->place(vertex);
+  const Vec3 shaped = shaped_normal(vertex);
+  return rig_.instances[vertex.instance].skin ? place.direction(shaped) : place.normal(shaped);
+}
+
+Vec3 stored_normal(const RigVertex& vertex, Vec3 at_rest, const RigPoser& rest) {
+  if (vertex.normal != Vec3{}) return vertex.normal;
+  const Affine place = rest.place(vertex);
+  const Vec3 back{dot(place.x, at_rest), dot(place.y, at_rest), dot(place.z, at_rest)};
+  return length(back) > 0 ? normalised(back) : at_rest;
+}
+
+Model posed(const Model& model, const RigPose& pose, const std::string& subject) {
+  Model out = model;
+  out.rig = nullptr;
+  if (model.rig == nullptr) return out;
+  const RigPoser rest(*model.rig, rest_pose(*model.rig));
+  const RigPoser poser(*model.rig, pose);
+  for (ModelPart& part : out.parts) {
+    MeshData& mesh = part.mesh;
+    for (std::size_t i = 0; i < mesh.sources.size(); ++i) {
+      if (mesh.sources[i] == kNoSource) continue;
+      RigVertex vertex = model.rig->vertices[mesh.sources[i]];
+      vertex.normal = stored_normal(vertex, mesh.normals[i], rest);
+      mesh.positions[i] = poser.position(vertex);
+      if (!finite(mesh.positions[i]) || length(mesh.positions[i]) > kMostCoordinate)
+        throw Failure(subject, "a coordinate of the pose is not a number up to 1e30");
+      const Vec3 normal = poser.normal(vertex);
+      // A joint of no size leaves no normal, and none is seen.
+      if (finite(normal) && length(normal) > 0) mesh.normals[i] = normalised(normal);
+    }
+    mesh.sources.clear();
+  }
+  return out;
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/mesh/plain/model.hpp>
+#include <arcspan_tools/mesh/plain/rig.hpp>
+
+#include <vector>
+
+namespace arcspan::tools {
+
+/// Where the nodes of a rig are at a moment.
+struct RigPose {
+  std::vector<Affine> nodes{};                       ///< within their parents
+  std::vector<std::vector<double>> morph_weights{};  ///< of each instance
+};
+
+/// The pose of the file's nodes, without a clip.
+[[nodiscard]] RigPose rest_pose(const Rig& rig);
+
+/// The pose of a clip at `time`, in seconds; what the clip does not move is at rest.
+[[nodiscard]] RigPose pose_at(const Rig& rig, const RigClip& clip, double time);
+
+/// Poses vertices: morph targets first, then the joints of the skin, whatever the mesh's own node does, or
+/// else the node. The rig must outlive this.
+class RigPoser {
+ public:
+  RigPoser(const Rig& rig, const RigPose& pose);
+
+  /// Transform of the model's space from that of the mesh, for this vertex: Σ weight · node · inverse bind.
+  [[nodiscard]] Affine place(const RigVertex& vertex) const;
+  /// In the space of the mesh, with its morph targets.
+  [[nodiscard]] Vec3 shaped_position(const RigVertex& vertex) const;
+  [[nodiscard]] Vec3 shaped_normal(const RigVertex& vertex) const;
+
+  [[nodiscard]] Vec3 position(const RigVertex& vertex) const {
+    return place(vertex).point(shaped_position(vertex));
+  }
+  /// In the model's space, of any length: by the linear part of the sum of joints, as is usual, or by the
+  /// node.
+  [[nodiscard]] Vec3 normal(const RigVertex& vertex) const;
+  /// Transforms of all nodes to the model's space.
+  [[nodiscard]] const std::vector<Affine>& nodes() const { return nodes_; }
+
+ private:
+  const Rig& rig_;
+  std::vector<Affine> nodes_;
+  std::vector<std::vector<Affine>> joints_;  ///< of each skin: node · inverse bind
+  std::vector<std::vector<double>> morph_weights_;
+};
+
+/// The normal of a vertex of a rigged mesh in the space where the rig stores it: the file's, or one that was
+/// made in the rest pose, taken back from there.
+[[nodiscard]] Vec3 stored_normal(const RigVertex& vertex, Vec3 at_rest, const RigPoser& rest);
+
+/// `model` in a pose of its rig, as a model without one. Throws a Failure about `subject` if a position is
+/// too large for a model.
+[[nodiscard]] Model posed(const Model& model, const RigPose& pose, const std::string& subject);
+
+}  // namespace arcspan::tools

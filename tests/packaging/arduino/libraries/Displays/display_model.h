@@ -41,7 +41,7 @@ class DisplayModel {
  private:
   static void require(bool is_true, const char* complaint) {
     if (is_true) return;
-    puts(complaint);
+    fprintf(stderr, "%s\n", complaint);
     abort();
   }
   uint32_t sum() const {

@@ -29,6 +29,9 @@ class JointMatrix {
     const Row& m = rows_[row];
     return (m.offset + m.x * x + m.y * y + m.z * z) >> down_;
   }
+  /// How far apart coordinates `row` of two places may be whose positions are `length` apart: object units,
+  /// rounded up.
+  [[nodiscard]] std::int32_t reach(std::size_t row, std::uint16_t length) const;
   /// Component `row` of a normal in the pose, kNormalBits fraction bits. (x, y, z) has 15 fraction bits and
   /// at most unit length; the result is not of unit length.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t normal(std::size_t row, std::int32_t x, std::int32_t y,

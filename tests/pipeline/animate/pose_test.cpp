@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Skinned vertices of generated rigs against the same in double precision.
+#include <arcspan/animate/attachment.hpp>
 #include <arcspan/animate/pose.hpp>
+#include <arcspan/animate/posed_bound.hpp>
 #include <arcspan/animate/skinned_mesh.hpp>
 
 #include <catch2/catch.hpp>
@@ -280,4 +282,48 @@ TEST_CASE("a whole mesh may follow one joint") {
   rig.follows_joint = 1;
   rig.clips.push_back(bending(rig, Interpolation::kLinear, 25));
   check_errors(rig);
+}
+
+TEST_CASE("the bound of a pose holds all vertices, and is not much larger than the bounds of its joints") {
+  Rig rig = tube(6, 4, kLength, 4000, 1);
+  rig.clips.push_back(bending(rig, Interpolation::kLinear, 60));
+  Shown shown(rig);
+  const std::span<const JointBound> bounds = shown.animation.bounds(0);
+  for (std::uint32_t time = 0; time <= 2'000'000; time += 125'000) {
+    shown.pose({{shown.animation.clip(0), time}, {}, 0});
+    const BoundingSphere sphere = posed_bound(bounds, shown.joints);
+    const Vec3 middle{double(sphere.middle.x), double(sphere.middle.y), double(sphere.middle.z)};
+    double farthest = 0;
+    for (std::size_t i = 0; i < rig.vertices.size(); ++i) {
+      const ObjectPosition p = shown.mesh.position(i);
+      farthest = std::max(farthest, length(Vec3{double(p.x), double(p.y), double(p.z)} - middle));
+    }
+    CHECK(farthest <= sphere.radius);
+    CHECK(sphere.radius < farthest + 24000);  // a sphere of a joint has a radius of up to 13,000
+  }
+  CHECK(posed_bound({}, shown.joints).radius == 56756);
+  CHECK(posed_bound(bounds, std::span(shown.joints).first(5)).radius == 56756);
+}
+
+TEST_CASE("an object is held where its node is, whatever the scale of the node") {
+  Rig rig = tube(4, 2, 20000, 3000, 1);
+  rig.nodes[2].scale = {1.5, 1.5, 1.5};
+  rig.clips.push_back(bending(rig, Interpolation::kLinear, 40));
+  Shown shown(rig);
+  shown.pose({{shown.animation.clip(0), 300'000}, {}, 0});
+  Placement body{Rotation::about_y({9000}), {}};
+  body.translation[0] = ObjectLength::of(100);
+  body.translation[2] = ObjectLength::of(-90000);
+  const Affine view = affine({100, 0, -90000}, about({0, 1, 0}, 9000 * 360.0 / 65536), {1, 1, 1});
+  const Affine node = view * rig.pose(0, 300'000)[3];
+  const Placement held = attached(body, shown.nodes[3]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double translations[3] = {node.t.x, node.t.y, node.t.z};
+    CHECK(held.translation[i].raw() / 256.0 == Approx(translations[i]).margin(4));
+    for (std::size_t j = 0; j < 3; ++j)
+      CHECK(std::ldexp(held.rotation.m[i][j].raw(), -30) == Approx(node.m[i][j] / 1.5).margin(0.001));
+  }
+  const Placement still = attached(body, {});
+  CHECK(still.translation[2] == ObjectLength::of(-90000));
+  CHECK(std::abs(still.rotation.m[0][0].raw() - body.rotation.m[0][0].raw()) < 4);
 }

@@ -4,7 +4,7 @@
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/triangle_drawer.hpp>
 #include <arcspan/draw/vertex_source.hpp>
-#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/mesh/drawable_mesh.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/depth.hpp>
@@ -18,6 +18,7 @@ namespace arcspan {
 /// Draws a mesh: transforms, clips, culls and shades its triangles by `Method` and writes them to `sink`
 /// within the common bounds of the viewport and the sink.
 ///
+/// - `mesh`: a MeshView, or another DrawableMesh whose vertices are posed.
 /// - `lighting`: the illumination in the object's space.
 /// - `depth`: a DepthBuffer that covers these bounds, a DepthMode of one for another test, or NoDepth{}.
 /// - `source`: where the vertices come from: a VertexCache, NoCache{} or another VertexSource.
@@ -35,30 +36,32 @@ namespace arcspan {
 ///   kCacheMismatch    a VertexCache holds another object
 ///   others            the status() of a Framebuffer or DepthBuffer that is not kOk
 template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth,
-          class Source>
-requires VertexSource<std::remove_cvref_t<Source>, Method>
-[[nodiscard]] ARCSPAN_OUTLINE DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
+          class Source, DrawableMesh Mesh>
+requires VertexSource<std::remove_cvref_t<Source>, Method, Mesh>
+[[nodiscard]] ARCSPAN_OUTLINE DrawResult draw_mesh(const Mesh& mesh, const ClipTransform& transform,
                                                    const typename Method::Lighting& lighting, Sink& sink,
                                                    const Depth& depth, Source&& source,
                                                    const DrawOptions& options = {}) {
-  detail::TriangleDrawer<Method, Features, Sink, Depth> drawer({mesh, transform, lighting}, sink, depth,
-                                                               options);
+  detail::TriangleDrawer<Method, Features, Sink, Depth, Mesh> drawer({mesh, transform, lighting}, sink, depth,
+                                                                     options);
   drawer.draw(source);
   return drawer.result();
 }
 
 /// Draws a mesh as above without a cache: every triangle transforms its own three vertices.
-template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth>
-[[nodiscard]] DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
+template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth,
+          DrawableMesh Mesh>
+[[nodiscard]] DrawResult draw_mesh(const Mesh& mesh, const ClipTransform& transform,
                                    const typename Method::Lighting& lighting, Sink& sink,
                                    const Depth& depth) {
   return draw_mesh<Method, Features>(mesh, transform, lighting, sink, depth, NoCache{});
 }
 
 /// Draws a mesh as above with a VertexCache for this call, which is made of the memory `cache`: for at least
-/// mesh.vertex_count() vertices, or for none, in which case there is no cache.
-template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth>
-[[nodiscard]] DrawResult draw_mesh(const MeshView& mesh, const ClipTransform& transform,
+/// mesh.view().vertex_count() vertices, or for none, in which case there is no cache.
+template <ShadingMethod Method, DrawFeatures Features = DrawFeatures{}, PixelSink Sink, DepthTarget Depth,
+          DrawableMesh Mesh>
+[[nodiscard]] DrawResult draw_mesh(const Mesh& mesh, const ClipTransform& transform,
                                    const typename Method::Lighting& lighting, Sink& sink, const Depth& depth,
                                    std::span<CachedVertex<Method>> cache, const DrawOptions& options = {}) {
   if (cache.empty()) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a mesh, a texture and a model binary. If the first byte is odd, its next two bits choose
-// a kind whose magic number, version, size and checksum are made right, so that what lies behind them is
-// reached. A binary is either refused or all of it can be read; the bytes lie in memory of exactly their
-// size, so that the address sanitizer sees one read too many.
+// Arbitrary bytes as a mesh, a texture and a model binary, with animation. If the first byte is odd, its next
+// two bits choose a kind whose magic number, version, size and checksum are made right, so that what lies
+// behind them is reached. A binary is either refused or all of it can be read; the bytes lie in memory of
+// exactly their size, so that the address sanitizer sees one read too many.
+#include <arcspan/animate/pose.hpp>
+#include <arcspan/animate/skinned_mesh.hpp>
 #include <arcspan/mesh/crc32.hpp>
 #include <arcspan/mesh/mesh_binary.hpp>
 #include <arcspan/model/model_binary.hpp>
@@ -115,6 +117,58 @@ void read_all(const StoredTexture& stored) {
   read_as<GrayTexels>(stored);
 }
 
+/// The vertices of a part that follows joints and may have morph targets, in some pose.
+void read_posed(const StoredAnimation& animation, const MeshView& mesh, std::size_t part,
+                const ClipBlend& blend, std::span<const NodeMatrix> nodes) {
+  std::int16_t weights[animation_binary::kMostTargets];
+  JointMatrix joints[animation_binary::kMostJoints];
+  require(ok(pose_morph(animation, part, blend, weights)));
+  const std::size_t skin = animation.weights(part).skin();
+  require(ok(pose_joints(animation.skin(skin), nodes, joints)));
+  SkinnedMesh skinned;
+  require(ok(SkinnedMesh::make(mesh, animation, part, joints, skinned)));
+  MorphedMesh morphed;
+  MorphedSkinnedMesh both;
+  const bool morphs = ok(MorphedMesh::make(mesh, animation, part, weights, morphed));
+  require(morphs == (animation.morph(part).target_count() != 0));
+  if (morphs) require(ok(MorphedSkinnedMesh::make(morphed, animation, part, joints, both)));
+  std::int32_t sum = 0;
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    sum += skinned.position(i).x + skinned.direction(i).y.raw();
+    if (morphs) sum += both.position(i).x + both.direction(i).y.raw();
+    const VertexJoints joint = animation.weights(part).vertex(i);
+    require(joint.count >= 1 && joint.weights[0] >= 1);
+  }
+  for (const JointBound& bound : animation.bounds(part)) sum += bound.sphere.radius;
+  kept = sum;
+}
+
+void read_animation(const StoredModel& model) {
+  StoredAnimation animation;
+  if (!ok(view_animation(model, animation))) {
+    require(animation.nodes().empty());
+    return;
+  }
+  NodeMatrix nodes[animation_binary::kMostNodes];
+  for (std::size_t clip = 0; clip <= animation.clip_count(); ++clip) {
+    // At last none.
+    const StoredClip played = clip < animation.clip_count() ? animation.clip(clip) : StoredClip();
+    require(std::strlen(played.name()) < animation_binary::kNameBytes);
+    for (const std::uint32_t time : {0u, played.duration() / 3, played.duration()}) {
+      const ClipBlend blend{{played, time},
+                            {animation.clip_count() != 0 ? animation.clip(0) : StoredClip(), time},
+                            time % 65537};
+      require(ok(pose_nodes(animation, blend, nodes)));
+      for (std::size_t part = 0; part < model.part_count(); ++part) {
+        if (animation.weights(part).exist())
+          read_posed(animation, model.part(part).mesh, part, blend, {nodes, animation.nodes().size()});
+      }
+    }
+  }
+  for (std::size_t i = 0; i < animation.nodes().size(); ++i)
+    require(animation.find_node(animation.node_name(i)) <= i);
+}
+
 void read_model(std::span<const std::uint8_t> bytes) {
   StoredModel model;
   if (!ok(view_model_binary(bytes, model))) {
@@ -128,6 +182,7 @@ void read_model(std::span<const std::uint8_t> bytes) {
     require(std::strlen(part.name) < model_binary::kNameBytes);
     if (!part.texture.texels.empty()) read_all(part.texture);
   }
+  read_animation(model);
   std::int32_t sum = 0;
   for (std::size_t i = 0; i < model.chunks().size(); ++i) {
     const Chunk chunk = model.chunks()[i];

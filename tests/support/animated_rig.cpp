@@ -430,10 +430,8 @@ std::vector<RigWeight> chain_weights(double at, int joints, int influences) {
 Rig tube(int joints, int influences, double length, double radius, double bind_scale) {
   Rig rig;
   // Above the chain a node that is moved, turned and scaled, as exporters write it.
-  rig.nodes.push_back({-1,
-                       {300, -200, 100},
-                       about({1, 2, 3}, 40),
-                       {1 / bind_scale, 1 / bind_scale, 1 / bind_scale}});
+  rig.nodes.push_back(
+      {-1, {300, -200, 100}, about({1, 2, 3}, 40), {1 / bind_scale, 1 / bind_scale, 1 / bind_scale}});
   const Affine above = affine(rig.nodes[0].translation, rig.nodes[0].rotation, rig.nodes[0].scale);
   const double step = length / (joints - 1);
   Affine chain = above.inverse();  // bound straight along y of the object
@@ -453,11 +451,11 @@ Rig tube(int joints, int influences, double length, double radius, double bind_s
       const double angle = 2 * std::numbers::pi * side / kSides;
       const Vec3 normal{std::cos(angle), 0, -std::sin(angle)};
       const Vec3 p = radius * normal + Vec3{0, length * ring / kRings - length / 2, 0};
-      rig.vertices.push_back({{std::round(p.x), std::round(p.y), std::round(p.z)},
-                              normal,
-                              chain_weights((joints - 1) * static_cast<double>(ring) / kRings, joints,
-                                            influences),
-                              {}});
+      rig.vertices.push_back(
+          {{std::round(p.x), std::round(p.y), std::round(p.z)},
+           normal,
+           chain_weights((joints - 1) * static_cast<double>(ring) / kRings, joints, influences),
+           {}});
       if (ring == kRings) continue;
       const int a = ring * kSides + side;
       const int b = ring * kSides + (side + 1) % kSides;

@@ -103,9 +103,9 @@ struct Rig {
   [[nodiscard]] Bytes file() const { return file_of(chunks()); }
 };
 
-/// A tube along y of `length` with `joints` joints, that is bound straight. Vertices have `influences` weights
-/// (1...4). The joints are bound in a space that is `bind_scale` times as large, below a node that is turned
-/// and scaled back.
+/// A tube along y of `length` with `joints` joints, that is bound straight. Vertices have `influences`
+/// weights (1...4). The joints are bound in a space that is `bind_scale` times as large, below a node that is
+/// turned and scaled back.
 [[nodiscard]] Rig tube(int joints, int influences, double length, double radius, double bind_scale);
 
 /// A clip of 2 s in which each joint of a tube turns, with keys of this kind.

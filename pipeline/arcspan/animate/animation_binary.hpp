@@ -54,15 +54,15 @@ inline constexpr std::size_t kChannelsAt = 4;  ///< u16, and a u16 that is zero
 inline constexpr std::size_t kNameAt = 8;
 inline constexpr std::size_t kClipBytes = kNameAt + kNameBytes;  ///< before the channels
 
-inline constexpr std::uint32_t kLongestTime = std::uint32_t{1} << 30;   ///< microseconds
-inline constexpr std::int32_t kLongestLength = (1 << 30) - 1;           ///< raw ObjectLength
-inline constexpr std::int32_t kLargestScale = 64 * 65536;               ///< raw WorldLength
-inline constexpr std::int32_t kRotationOne = 32767;                     ///< 1 in a StoredRotation
-inline constexpr int kTangentBits = 13;                                 ///< fraction bits of a tangent of rotations
-inline constexpr int kMorphWeightBits = 12;                             ///< fraction bits of a morph weight
-inline constexpr int kMorphNormalBits = 14;                             ///< fraction bits of a morphed normal
-inline constexpr int kMatrixBits = 24;                                  ///< fraction bits of an entry of a matrix
-inline constexpr int kWeightBits = 10;                                  ///< fraction bits of the weight of a joint
+inline constexpr std::uint32_t kLongestTime = std::uint32_t{1} << 30;        ///< microseconds
+inline constexpr std::int32_t kLongestLength = (std::int32_t{1} << 30) - 1;  ///< raw ObjectLength
+inline constexpr std::int32_t kLargestScale = std::int32_t{64} << 16;        ///< raw WorldLength
+inline constexpr std::int32_t kRotationOne = 32767;                          ///< 1 in a StoredRotation
+inline constexpr int kTangentBits = 13;      ///< fraction bits of a tangent of rotations
+inline constexpr int kMorphWeightBits = 12;  ///< fraction bits of a morph weight
+inline constexpr int kMorphNormalBits = 14;  ///< fraction bits of a morphed normal
+inline constexpr int kMatrixBits = 24;       ///< fraction bits of an entry of a matrix
+inline constexpr int kWeightBits = 10;       ///< fraction bits of the weight of a joint
 }  // namespace animation_binary
 
 /// A translation, in object units.

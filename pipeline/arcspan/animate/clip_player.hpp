@@ -48,8 +48,8 @@ class ClipPlayer {
 
   /// Plays another clip from its beginning, at once.
   void play(const StoredClip& clip, AtClipEnd at_end = AtClipEnd::kRepeat);
-  /// Fades to another clip, which begins now, in so many microseconds; both move meanwhile. If a fade is under
-  /// way, its first clip ends at once.
+  /// Fades to another clip, which begins now, in so many microseconds; both move meanwhile. If a fade is
+  /// under way, its first clip ends at once.
   void fade_to(const StoredClip& clip, std::uint32_t microseconds, AtClipEnd at_end = AtClipEnd::kRepeat);
   /// Sets the speed of all clips. Fades take the same time at every speed.
   void set_speed(ClipSpeed speed) { speed_ = speed; }
@@ -80,7 +80,7 @@ class ClipPlayer {
   Playing next_;
   std::uint32_t faded_ = 0;        ///< microseconds, below fade_length_ while there is a fade
   std::uint32_t fade_length_ = 0;  ///< 0 without a fade
-  ClipSpeed speed_ = ClipSpeed::from_raw(1 << ClipSpeed::kFraction);
+  ClipSpeed speed_ = ClipSpeed::from_raw(std::int32_t{1} << ClipSpeed::kFraction);
 };
 
 }  // namespace arcspan

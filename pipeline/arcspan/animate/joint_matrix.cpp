@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/animate/joint_matrix.hpp>
-#include <arcspan/numbers/integer.hpp>
+#include <arcspan/numbers/root.hpp>
 
 #include <bit>
 
@@ -52,6 +52,13 @@ JointMatrix::JointMatrix(const NodeMatrix& matrix) {
     rows_[i] = {entry(0), entry(1), entry(2),
                 static_cast<std::int32_t>((offset >> ObjectLength::kFraction) + half)};
   }
+}
+
+std::int32_t JointMatrix::reach(std::size_t row, std::uint16_t length) const {
+  const Row& m = rows_[row];
+  const auto square = [](std::int32_t c) { return static_cast<std::uint32_t>(c * c); };  // at most 2^30
+  const std::uint32_t most = integer_root(square(m.x) + square(m.y) + square(m.z)) + 1;  // at most 56757
+  return static_cast<std::int32_t>((most * length) >> (down_ + kPlaceBits)) + 1;
 }
 
 }  // namespace arcspan

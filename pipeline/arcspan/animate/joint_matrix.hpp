@@ -9,8 +9,8 @@
 
 namespace arcspan {
 
-/// What a joint does to the vertices of a mesh in a pose: it takes them from their places in the mesh to those
-/// in the pose. It has 52 bytes.
+/// What a joint does to the vertices of a mesh in a pose: it takes them from their places in the mesh to
+/// those in the pose. It has 52 bytes.
 class JointMatrix {
  public:
   /// Places by single joints, which are then weighted, have two fraction bits.
@@ -29,8 +29,11 @@ class JointMatrix {
     const Row& m = rows_[row];
     return (m.offset + m.x * x + m.y * y + m.z * z) >> down_;
   }
-  /// Component `row` of a normal in the pose, kNormalBits fraction bits. The magnitudes of x, y and z, 15
-  /// fraction bits, add up to 1 at most; the result is not of unit length.
+  /// How far apart coordinates `row` of two places may be whose positions are `length` apart: object units,
+  /// rounded up.
+  [[nodiscard]] std::int32_t reach(std::size_t row, std::uint16_t length) const;
+  /// Component `row` of a normal in the pose, kNormalBits fraction bits. (x, y, z) has 15 fraction bits and
+  /// at most unit length; the result is not of unit length.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t normal(std::size_t row, std::int32_t x, std::int32_t y,
                                                              std::int32_t z) const {
     const Row& m = rows_[row];

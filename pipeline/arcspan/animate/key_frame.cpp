@@ -32,9 +32,9 @@ struct CubicFactors {
 /// Components i of the two values at a place, and of the tangents between them, in a channel of values of
 /// `width` numbers.
 template <class Number>
-class Keys {
+class KeyValues {
  public:
-  Keys(const Number* values, std::size_t width, Interpolation interpolation, const KeyPlace& place)
+  KeyValues(const Number* values, std::size_t width, Interpolation interpolation, const KeyPlace& place)
       : width_(width), is_cubic_(interpolation == Interpolation::kCubic) {
     at_ = values + place.key * stride() + (is_cubic_ ? width : 0);
   }
@@ -44,8 +44,7 @@ class Keys {
   [[nodiscard]] std::int32_t in(std::size_t i) const { return at_[stride() - width_ + i]; }
   /// The cubic at component i; tangents have `tangent_up` fraction bits fewer than values.
   [[nodiscard]] std::int64_t cubic(const CubicFactors& factors, std::size_t i, int tangent_up) const {
-    const std::int64_t tangents =
-        std::int64_t{out(i)} * factors.out + std::int64_t{in(i)} * factors.in;
+    const std::int64_t tangents = std::int64_t{out(i)} * factors.out + std::int64_t{in(i)} * factors.in;
     return std::int64_t{from(i)} * factors.from + std::int64_t{to(i)} * factors.to +
            tangents * (std::int64_t{1} << tangent_up);
   }
@@ -66,7 +65,7 @@ std::int32_t limited(std::int64_t value, std::int32_t most) {
 
 /// Component i of a vector at a place.
 template <class Number>
-std::int32_t vector_at(const Keys<Number>& keys, Interpolation interpolation, const KeyPlace& place,
+std::int32_t vector_at(const KeyValues<Number>& keys, Interpolation interpolation, const KeyPlace& place,
                        std::size_t i, std::int32_t most) {
   if (interpolation == Interpolation::kStep || place.fraction == 0) return keys.from(i);
   if (interpolation == Interpolation::kCubic) {
@@ -81,13 +80,13 @@ std::int32_t vector_at(const Keys<Number>& keys, Interpolation interpolation, co
 /// Three numbers of 32 bits.
 void set_vector(const std::int32_t* values, Interpolation interpolation, const KeyPlace& place,
                 std::int32_t most, std::int32_t (&vector)[3]) {
-  const Keys<std::int32_t> keys(values, 3, interpolation, place);
+  const KeyValues<std::int32_t> keys(values, 3, interpolation, place);
   for (std::size_t i = 0; i < 3; ++i) vector[i] = vector_at(keys, interpolation, place, i, most);
 }
 
 void set_rotation(const std::int16_t* values, Interpolation interpolation, const KeyPlace& place,
                   std::int32_t (&q)[4]) {
-  const Keys<std::int16_t> keys(values, 4, interpolation, place);
+  const KeyValues<std::int16_t> keys(values, 4, interpolation, place);
   if (interpolation == Interpolation::kCubic && place.fraction != 0) {
     const CubicFactors factors(place.fraction);
     std::int64_t c[4];
@@ -178,8 +177,8 @@ void ClipSampler::blend_weights(std::size_t part, std::span<const std::int16_t> 
     return;
   }
   const KeyPlace place = place_in(*channel);
-  const Keys<std::int16_t> keys(clip_.values<std::int16_t>(*channel), rest.size(), channel->interpolation,
-                                place);
+  const KeyValues<std::int16_t> keys(clip_.values<std::int16_t>(*channel), rest.size(),
+                                     channel->interpolation, place);
   for (std::size_t i = 0; i < rest.size(); ++i)
     weights[i] = between(weights[i], vector_at(keys, channel->interpolation, place, i, 32767), weight);
 }

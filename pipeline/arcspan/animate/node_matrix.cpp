@@ -12,7 +12,7 @@ constexpr int kBits = animation_binary::kMatrixBits;
 
 /// Saturated so that a sum of three products of two such numbers fits 64 bits.
 std::int32_t saturated(std::int64_t value) {
-  constexpr std::int32_t kMost = (1 << 30) - 1;
+  constexpr std::int32_t kMost = (std::int32_t{1} << 30) - 1;
   if (value > kMost) return kMost;
   return value < -kMost ? -kMost : static_cast<std::int32_t>(value);
 }
@@ -44,14 +44,14 @@ void set_rotation(const std::int32_t (&q)[4], std::int32_t (&entries)[3][3]) {
 
 void set_identity(std::int32_t (&entries)[3][3]) {
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) entries[i][j] = i == j ? 1 << kBits : 0;
+    for (std::size_t j = 0; j < 3; ++j) entries[i][j] = i == j ? std::int32_t{1} << kBits : 0;
   }
 }
 
 /// Multiplies column j by scale[j].
 void scale_columns(const std::int32_t (&scale)[3], std::int32_t (&entries)[3][3]) {
   for (std::size_t j = 0; j < 3; ++j) {
-    if (scale[j] == 1 << WorldLength::kFraction) continue;
+    if (scale[j] == std::int32_t{1} << WorldLength::kFraction) continue;
     for (std::size_t i = 0; i < 3; ++i)
       entries[i][j] = saturated((std::int64_t{entries[i][j]} * scale[j]) >> WorldLength::kFraction);
   }

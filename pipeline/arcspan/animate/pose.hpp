@@ -14,8 +14,8 @@ namespace arcspan {
 
 /// Sets the matrices of all nodes, each from its own space to that of the object, at a moment of one or two
 /// clips. Nodes that a clip does not move are at rest. `nodes` is the caller's memory, 48 bytes per node;
-/// animation.nodes().size() of them are set. Two clips of the same animation may be blended; a clip of another
-/// must not be given. Returns:
+/// animation.nodes().size() of them are set. Two clips of the same animation may be blended; a clip of
+/// another must not be given. Returns:
 ///
 ///   kOk
 ///   kBufferTooSmall   `nodes` is too short; nothing is changed
@@ -31,8 +31,8 @@ namespace arcspan {
 [[nodiscard]] Status pose_joints(std::span<const StoredJoint> skin, std::span<const NodeMatrix> nodes,
                                  std::span<JointMatrix> joints);
 
-/// Sets the weights of the morph targets of a part, 12 fraction bits. `weights` is the caller's memory, 2 bytes
-/// per target; as many as the part has targets are set. Returns:
+/// Sets the weights of the morph targets of a part, 12 fraction bits. `weights` is the caller's memory, 2
+/// bytes per target; as many as the part has targets are set. Returns:
 ///
 ///   kOk               also if the part has no targets
 ///   kBufferTooSmall   `weights` is too short; nothing is changed

@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Quaternions of four integers x, y, z, w below 2^15 in magnitude. Their length does not matter: what is made
-/// of them is divided by it, so that they do not drift.
+/// Quaternions of four integers x, y, z, w below 2^15 in magnitude. Their length does not matter: what is
+/// made of them is divided by it, so that they do not drift.
 namespace arcspan::detail {
 
 /// Sets `q` to a multiple of (c[0] ... c[3]) whose largest component has 15 bits, or less if it has less.
@@ -28,8 +28,8 @@ void shorten(const Component (&c)[4], std::int32_t (&q)[4]) {
   }
 }
 
-/// Sets `unit` to a multiple of `q` whose length is 2^15 within 2; to 0 if `q` is 0. Components of 2^15 are one
-/// less.
+/// Sets `unit` to a multiple of `q` whose length is 2^15 within 2; to 0 if `q` is 0. Components of 2^15 are
+/// one less.
 inline void make_unit(const std::int32_t (&q)[4], std::int32_t (&unit)[4]) {
   std::uint32_t square = 0;
   for (const std::int32_t c : q) square += static_cast<std::uint32_t>(c * c);

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <arcspan/animate/joint_matrix.hpp>
+#include <arcspan/animate/morphed_mesh.hpp>
+#include <arcspan/animate/saturated_position.hpp>
 #include <arcspan/animate/stored_animation.hpp>
+#include <arcspan/mesh/drawable_mesh.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/numbers/integer.hpp>
@@ -14,53 +17,58 @@
 
 namespace arcspan {
 
-/// A mesh whose vertices follow the joints of a skin (DrawableMesh). It holds references, and computes a vertex
-/// whenever it is asked for it:
+/// A mesh whose vertices follow the joints of a skin (DrawableMesh). It holds references, and computes a
+/// vertex whenever it is asked for it:
 ///
 ///     p = (sum of w_k * ((M_k v) rounded to a quarter of an object unit)) rounded to an object unit
 ///
-/// with the weights w_k in 1024ths, saturated at 16 bits. The normal is the sum of w_k * (M_k n), scaled to unit
-/// length; a sum of 0 gives +z. Every core computes the same bits.
-class SkinnedMesh {
+/// with the weights w_k in 1024ths, saturated at 16 bits. The normal is the sum of w_k * (M_k n), scaled to
+/// unit length; a sum of 0 gives +z. Every core computes the same bits.
+///
+/// Rest is the mesh as it is before the joints move it: a MeshView, or a MorphedMesh.
+template <class Rest>
+class BasicSkinnedMesh {
  public:
   /// A mesh without vertices.
-  constexpr SkinnedMesh() = default;
+  constexpr BasicSkinnedMesh() = default;
 
   /// Makes a mesh of part `part` of an animated model. `mesh` is that part's; it and `joints`, which
   /// pose_joints() sets for the part's skin, must outlive `skinned`. Returns:
   ///
   ///   kOk                `skinned` is set; otherwise it is not changed
-  ///   kInvalidArgument   the part follows no joint of the animation, or `mesh` has another number of vertices
-  ///   kBufferTooSmall    there are fewer `joints` than the part's skin has
-  [[nodiscard]] static Status make(const MeshView& mesh, const StoredAnimation& animation, std::size_t part,
-                                   std::span<const JointMatrix> joints, SkinnedMesh& skinned);
+  ///   kInvalidArgument   the part follows no joint of the animation, or `mesh` has another number of
+  ///   vertices kBufferTooSmall    there are fewer `joints` than the part's skin has
+  [[nodiscard]] static Status make(const Rest& mesh, const StoredAnimation& animation, std::size_t part,
+                                   std::span<const JointMatrix> joints, BasicSkinnedMesh& skinned);
 
-  [[nodiscard]] constexpr const MeshView& view() const { return *mesh_; }
+  [[nodiscard]] constexpr const MeshView& view() const { return mesh_->view(); }
   /// Position of vertex i, which must be below view().vertex_count(), in the pose.
   [[nodiscard]] ARCSPAN_INLINE ObjectPosition position(std::size_t i) const;
   /// Unit normal of vertex i in the pose.
   [[nodiscard]] ARCSPAN_INLINE Direction direction(std::size_t i) const;
 
  private:
-  static constexpr MeshView kNoMesh{};
+  static constexpr Rest kNoMesh{};
 
-  const MeshView* mesh_ = &kNoMesh;
+  const Rest* mesh_ = &kNoMesh;
   const JointMatrix* joints_ = nullptr;
   StoredWeights weights_;
 };
 
+/// A mesh in flash that follows joints.
+using SkinnedMesh = BasicSkinnedMesh<MeshView>;
+/// One that morph targets change before.
+using MorphedSkinnedMesh = BasicSkinnedMesh<MorphedMesh>;
+
 namespace detail {
 
-/// Saturated to 16 bits, with one test where nothing is.
-[[nodiscard]] ARCSPAN_INLINE inline ObjectPosition saturated_position(std::int32_t x, std::int32_t y,
-                                                                      std::int32_t z) {
-  const auto above = [](std::int32_t c) { return static_cast<std::uint32_t>(c) + 32768u; };
-  if ((above(x) | above(y) | above(z)) >= 65536u) {
-    x = clamped_to_bits<16>(x);
-    y = clamped_to_bits<16>(y);
-    z = clamped_to_bits<16>(z);
-  }
-  return {static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), static_cast<std::int16_t>(z)};
+/// A vector along the normal of vertex i, 15 fraction bits, of at most unit length.
+[[nodiscard]] ARCSPAN_INLINE inline OctahedralPoint long_normal(const MeshView& mesh, std::size_t i) {
+  return octahedral_point(mesh.normal(i));
+}
+[[nodiscard]] inline OctahedralPoint long_normal(const MorphedMesh& mesh, std::size_t i) {
+  const Direction n = mesh.direction(i);
+  return {n.x.raw(), n.y.raw(), n.z.raw()};
 }
 
 /// Sums of three coordinates.
@@ -92,7 +100,8 @@ struct WeightedJoints {
 
   /// The sum of coordinates(joint, row) times the weights. It wraps where a position is far out of range.
   template <class Coordinates>
-  [[nodiscard]] ARCSPAN_INLINE inline WeightedSum sum(std::size_t count, const Coordinates& coordinates) const {
+  [[nodiscard]] ARCSPAN_INLINE inline WeightedSum sum(std::size_t count,
+                                                      const Coordinates& coordinates) const {
     const auto row = [&](std::size_t i) {
       std::int32_t sum = wrap_mul(coordinates(*joints[0], i), weights[0]);
       for (std::size_t k = 1; k < count; ++k)
@@ -118,28 +127,44 @@ template <class Coordinates>
 
 }  // namespace detail
 
-ARCSPAN_INLINE inline ObjectPosition SkinnedMesh::position(std::size_t i) const {
-  const ObjectPosition& v = mesh_->position(i);
+template <class Rest>
+ARCSPAN_INLINE inline ObjectPosition BasicSkinnedMesh<Rest>::position(std::size_t i) const {
+  const ObjectPosition v = mesh_->position(i);
   const std::int32_t x = v.x;
   const std::int32_t y = v.y;
   const std::int32_t z = v.z;
-  const detail::WeightedSum sum =
-      detail::weighted_sum(weights_.record(i), joints_, [=](const JointMatrix& joint, std::size_t row) {
-        return joint.place(row, x, y, z);
-      });
+  const detail::WeightedSum sum = detail::weighted_sum(
+      weights_.record(i), joints_,
+      [=](const JointMatrix& joint, std::size_t row) { return joint.place(row, x, y, z); });
   constexpr int kDown = JointMatrix::kPlaceBits + animation_binary::kWeightBits;
   return detail::saturated_position(round_shift(sum.x, kDown), round_shift(sum.y, kDown),
                                     round_shift(sum.z, kDown));
 }
 
-ARCSPAN_INLINE inline Direction SkinnedMesh::direction(std::size_t i) const {
-  const auto n = detail::octahedral_point(mesh_->normal(i));
-  // Each product is below 2^29, and so is the sum, because the weights add up to 1024.
-  const detail::WeightedSum sum =
-      detail::weighted_sum(weights_.record(i), joints_, [n](const JointMatrix& joint, std::size_t row) {
-        return joint.normal(row, n.x, n.y, n.z);
-      });
+template <class Rest>
+ARCSPAN_INLINE inline Direction BasicSkinnedMesh<Rest>::direction(std::size_t i) const {
+  const detail::OctahedralPoint n = detail::long_normal(*mesh_, i);
+  // Each product is below 2^30, and so is the sum, because the weights add up to 1024.
+  const detail::WeightedSum sum = detail::weighted_sum(
+      weights_.record(i), joints_,
+      [n](const JointMatrix& joint, std::size_t row) { return joint.normal(row, n.x, n.y, n.z); });
   return normalised(sum.x, sum.y, (sum.x | sum.y | sum.z) == 0 ? 1 : sum.z);
 }
+
+template <class Rest>
+Status BasicSkinnedMesh<Rest>::make(const Rest& mesh, const StoredAnimation& animation, std::size_t part,
+                                    std::span<const JointMatrix> joints, BasicSkinnedMesh& skinned) {
+  const StoredWeights weights = animation.weights(part);
+  if (!weights.exist() ||
+      (!weights.are_of_one_joint() && weights.vertex_count() != mesh.view().vertex_count()))
+    return Status::kInvalidArgument;
+  if (joints.size() < animation.skin(weights.skin()).size()) return Status::kBufferTooSmall;
+  skinned.mesh_ = &mesh;
+  skinned.joints_ = joints.data();
+  skinned.weights_ = weights;
+  return Status::kOk;
+}
+
+static_assert(DrawableMesh<SkinnedMesh> && DrawableMesh<MorphedSkinnedMesh> && DrawableMesh<MorphedMesh>);
 
 }  // namespace arcspan

@@ -58,10 +58,10 @@ VertexJoints StoredWeights::vertex(std::size_t i) const {
 
 StoredMorph::StoredMorph(const std::uint8_t* chunk) {
   const std::size_t targets = little_u16(chunk + animation_binary::kTargetsAt);
-  const auto vertices = static_cast<std::size_t>(little_u32(chunk + animation_binary::kMorphVerticesAt));
+  vertices_ = static_cast<std::size_t>(little_u32(chunk + animation_binary::kMorphVerticesAt));
   weights_ = {as<std::int16_t>(chunk + animation_binary::kMorphWeightsAt), targets};
   const std::size_t first = animation_binary::kMorphWeightsAt + 2 * targets;
-  const std::size_t end = first + 2 * (vertices + 1);
+  const std::size_t end = first + 2 * (vertices_ + 1);
   first_ = as<std::uint16_t>(chunk + first);
   records_ = as<MorphRecord>(chunk + (end + 3) / 4 * 4);
   stride_ = (little_u16(chunk + animation_binary::kFlagsAt) & animation_binary::kMorphedNormals) != 0 ? 2 : 1;

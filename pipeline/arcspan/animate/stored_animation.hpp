@@ -59,6 +59,7 @@ class StoredMorph {
   explicit StoredMorph(const std::uint8_t* chunk);
 
   [[nodiscard]] constexpr std::size_t target_count() const { return weights_.size(); }
+  [[nodiscard]] constexpr std::size_t vertex_count() const { return vertices_; }
   /// The weights of the targets when no clip sets them, 12 fraction bits.
   [[nodiscard]] constexpr std::span<const std::int16_t> weights() const { return weights_; }
   [[nodiscard]] constexpr bool has_normals() const { return stride_ != 1; }
@@ -73,7 +74,8 @@ class StoredMorph {
   std::span<const std::int16_t> weights_;
   const std::uint16_t* first_ = nullptr;
   const MorphRecord* records_ = nullptr;
-  std::size_t stride_ = 1;
+  std::size_t vertices_ = 0;
+  std::size_t stride_ = 1;  ///< of records, in MorphRecords
 };
 
 /// What is animated in a model binary, made by view_animation(). It takes a few words and can be copied. The

@@ -45,7 +45,8 @@ bool is_valid(const StoredRotation& q) {
 bool has_records(Bytes chunk, std::size_t bytes, std::size_t most) {
   if (chunk.size() < binary::kCountBytes || little_u16(chunk.data() + 2) != 0) return false;
   const std::size_t count = little_u16(chunk.data());
-  return count >= 1 && count <= most && chunk.size() - binary::kCountBytes == count * bytes;
+  return count >= 1 && count <= most &&
+         chunk.size() - binary::kCountBytes == static_cast<std::uint32_t>(count) * bytes;
 }
 
 Status check_nodes(Bytes chunk) {
@@ -63,7 +64,8 @@ Status check_nodes(Bytes chunk) {
 }
 
 Status check_names(Bytes chunk, std::size_t nodes) {
-  if (nodes == 0 || chunk.size() != nodes * binary::kNameBytes) return Status::kCorrupted;
+  if (nodes == 0 || chunk.size() != static_cast<std::uint32_t>(nodes) * binary::kNameBytes)
+    return Status::kCorrupted;
   for (std::size_t i = 0; i < nodes; ++i) {
     if (!is_name(chunk.data() + i * binary::kNameBytes)) return Status::kCorrupted;
   }
@@ -118,8 +120,8 @@ Status check_weights(Bytes chunk, std::size_t part_vertices, std::span<const Sto
   const auto* const first = as<std::uint16_t>(at + binary::kFirstAt);
   for (std::size_t i = 0; i < static_cast<std::size_t>(vertices); ++i) {
     if (first[i] >= words) return Status::kCorrupted;
-    const Status status = check_record(first + static_cast<std::size_t>(vertices) + first[i],
-                                       words - first[i], skin.size());
+    const Status status =
+        check_record(first + static_cast<std::size_t>(vertices) + first[i], words - first[i], skin.size());
     if (!ok(status)) return status;
   }
   return Status::kOk;
@@ -230,7 +232,8 @@ Status check_channel(Bytes chunk, const StoredChannel& channel, std::size_t morp
     return Status::kCorrupted;
   const auto head =
       static_cast<std::uint32_t>(binary::kClipBytes + clip.channels().size() * sizeof(StoredChannel));
-  const std::uint32_t values = (channel.interpolation == Interpolation::kCubic ? 3u : 1u) * channel.keys;
+  const std::uint32_t values =
+      std::uint32_t{channel.keys} * (channel.interpolation == Interpolation::kCubic ? 3u : 1u);
   if (!lies_within(chunk, head, channel.times, std::uint32_t{channel.keys} * 4) ||
       !lies_within(chunk, head, channel.values, values * bytes_of_value(channel, morph_targets)) ||
       !are_times(clip.times(channel), channel.keys, clip.duration()) || !has_valid_values(clip, channel))

@@ -14,9 +14,9 @@
 namespace arcspan::detail {
 
 /// Draws the edges of triangles as lines (DrawsEdges).
-template <class Method, class Target>
+template <class Method, class Target, class Mesh>
 struct EdgeDrawer {
-  const VertexStage<Method>& stage;
+  const VertexStage<Method, Mesh>& stage;
   const Scissor& scissor;
   const Target& target;
   bool two_sided;

@@ -60,12 +60,14 @@ class BandTriangles {
 
 /// Draws the triangles of one draw_mesh() call: culls, clips, shades, prepares and hands the commands
 /// to the span stage.
-template <ShadingMethod Method, DrawFeatures Features, PixelSink Sink, DepthTarget Depth>
+template <ShadingMethod Method, DrawFeatures Features, PixelSink Sink, DepthTarget Depth,
+          DrawableMesh Mesh = MeshView>
 class TriangleDrawer {
  public:
   using Vertex = CachedVertex<Method>;
 
-  TriangleDrawer(const VertexStage<Method>& stage, Sink& sink, const Depth& depth, const DrawOptions& options)
+  TriangleDrawer(const VertexStage<Method, Mesh>& stage, Sink& sink, const Depth& depth,
+                 const DrawOptions& options)
       : stage_(stage),
         scissor_(stage.transform().viewport(), sink.bounds()),
         target_{scissor_.rect(), stage_.lighting(), sink, depth},
@@ -162,7 +164,7 @@ class TriangleDrawer {
     const RasterPosition& r = c.raster.position;
     if constexpr (DrawsEdges<Method>) {
       bool drawn = false;
-      const EdgeDrawer<Method, Target> edges{stage_, scissor_, target_, two_sided_, result_, drawn};
+      const EdgeDrawer<Method, Target, Mesh> edges{stage_, scissor_, target_, two_sided_, result_, drawn};
       edges.template draw<Features.clips>(t, a, b, c);
       if (drawn) ++result_.triangles;
     } else if (is_within_scissor(p, q, r)) {
@@ -235,7 +237,7 @@ class TriangleDrawer {
   [[nodiscard]] Face shaded_face([[maybe_unused]] const TriangleIndices& t,
                                  [[maybe_unused]] Facing facing) const {
     if constexpr (Method::kNeedsFaceNormal) {
-      const MeshView& mesh = stage_.mesh();
+      const Mesh& mesh = stage_.posed();
       const Direction normal = face_normal(mesh.position(t.a), mesh.position(t.b), mesh.position(t.c));
       return Method::shade_face(stage_.lighting(), facing == Facing::kBack ? -normal : normal);
     } else {
@@ -297,7 +299,7 @@ class TriangleDrawer {
     }
   }
 
-  VertexStage<Method> stage_;
+  VertexStage<Method, Mesh> stage_;
   const Scissor scissor_;
   Target target_;  ///< `crosses` is that of the triangle being drawn
   DrawResult result_{};

@@ -38,8 +38,9 @@ struct TriangleRows {
 ///   valid and keeps its contents until the triangle is drawn, or a CachedVertex by value. draw_mesh() shades
 ///   it, if need be, by stage.shade(), so a reference keeps the shading for further triangles.
 /// - rows(): the rows of all triangles of the mesh, by which triangles of other bands are skipped, or null.
-template <class S, class Method>
-concept VertexSource = requires(S& source, const VertexStage<Method>& stage, std::size_t i, bool two_sided) {
+template <class S, class Method, class Mesh = MeshView>
+concept VertexSource = requires(S& source, const VertexStage<Method, Mesh>& stage, std::size_t i,
+                                bool two_sided) {
   { source.begin(stage, two_sided) } -> std::same_as<Status>;
   requires std::same_as<std::remove_reference_t<decltype(source.vertex(stage, i))>, CachedVertex<Method>>;
   { source.rows() } -> std::same_as<const TriangleRows*>;
@@ -92,12 +93,12 @@ template <class Method>
 
 /// Every triangle transforms its own three vertices (VertexSource). Needs no memory.
 struct NoCache {
-  template <class Method>
-  [[nodiscard]] static constexpr Status begin(const VertexStage<Method>&, bool) {
+  template <class Method, class Mesh>
+  [[nodiscard]] static constexpr Status begin(const VertexStage<Method, Mesh>&, bool) {
     return Status::kOk;
   }
-  template <class Method>
-  [[nodiscard]] static CachedVertex<Method> vertex(const VertexStage<Method>& stage, std::size_t i) {
+  template <class Method, class Mesh>
+  [[nodiscard]] static CachedVertex<Method> vertex(const VertexStage<Method, Mesh>& stage, std::size_t i) {
     CachedVertex<Method> vertex;
     stage.transform(i, vertex);
     return vertex;
@@ -113,7 +114,7 @@ struct NoCache {
 ///   triangle of another band then costs 7 instructions on a Cortex-M3 instead of about 40.
 ///
 /// The cache keeps its object from call to call. Call clear() before the first band of every frame, and
-/// whenever the object's lighting has changed:
+/// whenever the object's lighting or the pose of its mesh (DrawableMesh) has changed:
 ///
 ///     VertexCache<Arc<Light>> cache(vertices, rows);
 ///     for (;;) {                                    // frames
@@ -125,9 +126,9 @@ struct NoCache {
 ///     }
 ///
 /// A call for another mesh, another transform or another value of DrawOptions::two_sided than those of the
-/// first call since clear() draws nothing and returns kCacheMismatch. Changes of the lighting are not
-/// noticed: vertices that have been shaded keep the earlier one. With too little memory for the mesh a call
-/// draws nothing and returns kCacheTooSmall.
+/// first call since clear() draws nothing and returns kCacheMismatch. Changes of the lighting and of a pose
+/// are not noticed: vertices that have been shaded keep the earlier ones. With too little memory for the mesh
+/// a call draws nothing and returns kCacheTooSmall.
 ///
 /// draw_mesh() writes to the cache as it needs further vertices, so every thread or core needs one of its
 /// own, unless the cache was filled by fill(): from then on, until clear(), it is only read.
@@ -142,14 +143,15 @@ class VertexCache {
 
   /// Transforms and shades all vertices, and finds the rows of all triangles. Returns kCacheTooSmall, and
   /// holds no object, if the memory is too small for the mesh.
-  Status fill(const MeshView& mesh, const ClipTransform& transform, const typename Method::Lighting& lighting,
+  template <DrawableMesh Mesh>
+  Status fill(const Mesh& mesh, const ClipTransform& transform, const typename Method::Lighting& lighting,
               const DrawOptions& options = {}) {
     clear();
-    VertexStage<Method> stage(mesh, transform, lighting);
+    VertexStage<Method, Mesh> stage(mesh, transform, lighting);
     if (!options.two_sided) stage.find_back_faces();
     const Status status = begin(stage, options.two_sided);
     if (!ok(status)) return status;
-    for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    for (std::size_t i = 0; i < stage.mesh().vertex_count(); ++i) {
       CachedVertex<Method>& filled = vertex(stage, i);
       if (filled.outcode == kInside) stage.shade(i, filled);
     }
@@ -157,7 +159,8 @@ class VertexCache {
   }
 
   /// Starts to hold the object of `stage` if the cache holds none, and finds the rows of its triangles.
-  [[nodiscard]] Status begin(const VertexStage<Method>& stage, bool two_sided) {
+  template <class Mesh>
+  [[nodiscard]] Status begin(const VertexStage<Method, Mesh>& stage, bool two_sided) {
     if (holds_) {
       const bool same = mesh_ == stage.mesh() && transform_ == stage.transform() && two_sided_ == two_sided;
       return same ? Status::kOk : Status::kCacheMismatch;
@@ -177,7 +180,9 @@ class VertexCache {
     if (!rows_.empty()) find_rows(stage);
     return Status::kOk;
   }
-  [[nodiscard]] ARCSPAN_INLINE CachedVertex<Method>& vertex(const VertexStage<Method>& stage, std::size_t i) {
+  template <class Mesh>
+  [[nodiscard]] ARCSPAN_INLINE CachedVertex<Method>& vertex(const VertexStage<Method, Mesh>& stage,
+                                                            std::size_t i) {
     CachedVertex<Method>& vertex = vertices_[i];
     if (vertex.outcode == CachedVertex<Method>::kNotTransformed) stage.transform(i, vertex);
     return vertex;
@@ -188,7 +193,8 @@ class VertexCache {
 
  private:
   /// Sets the rows of all triangles.
-  void find_rows(const VertexStage<Method>& stage) {
+  template <class Mesh>
+  void find_rows(const VertexStage<Method, Mesh>& stage) {
     const MeshView& mesh = stage.mesh();
     const BackFaces& back_faces = stage.back_faces();
     const std::size_t count = mesh.triangle_count();

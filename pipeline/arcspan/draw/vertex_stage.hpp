@@ -2,8 +2,8 @@
 #pragma once
 
 #include <arcspan/clip/clip_polygon.hpp>
+#include <arcspan/mesh/drawable_mesh.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
-#include <arcspan/mesh/packed_normal.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/target.hpp>
@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace arcspan {
 
@@ -34,17 +35,21 @@ enum class Facing : std::uint8_t { kFront, kBack };
 
 }  // namespace detail
 
-/// Transforms and shades the vertices of one mesh. A vertex source (draw/vertex_source.hpp) gets it.
-template <class Method>
+/// Transforms and shades the vertices of one mesh. (Mesh is not MeshView if they are posed.) A vertex source
+/// (draw/vertex_source.hpp) gets it.
+template <class Method, DrawableMesh Mesh = MeshView>
 class VertexStage {
  public:
   /// `shading` numbers the lighting, above 0. Vertices that were shaded under another number are shaded
   /// again.
-  constexpr VertexStage(const MeshView& mesh, const ClipTransform& transform,
+  constexpr VertexStage(const Mesh& mesh, const ClipTransform& transform,
                         const typename Method::Lighting& lighting, std::uint8_t shading = 1)
       : mesh_(mesh), transform_(transform), lighting_(lighting), shading_(shading) {}
 
-  [[nodiscard]] constexpr const MeshView& mesh() const { return mesh_; }
+  /// The triangles of the mesh, and what belongs to its vertices besides position and normal.
+  [[nodiscard]] constexpr const MeshView& mesh() const { return mesh_.view(); }
+  /// The mesh with the positions and normals that are drawn.
+  [[nodiscard]] constexpr const Mesh& posed() const { return mesh_; }
   [[nodiscard]] constexpr const ClipTransform& transform() const { return transform_; }
   [[nodiscard]] constexpr const typename Method::Lighting& lighting() const { return lighting_; }
 
@@ -64,7 +69,7 @@ class VertexStage {
   }
   /// Transforms all vertices of the mesh.
   void transform_all(CachedVertex<Method>* vertices) const {
-    for (std::size_t i = 0; i < mesh_.vertex_count(); ++i) transform_inlined(i, vertices[i]);
+    for (std::size_t i = 0; i < mesh().vertex_count(); ++i) transform_inlined(i, vertices[i]);
   }
   /// Shades vertex i, which is inside the clip volume, with its normal, unless that has been done.
   void shade(std::size_t i, CachedVertex<Method>& vertex) const {
@@ -79,16 +84,24 @@ class VertexStage {
   /// @cond for draw_mesh(), not in the reference
   /// Finds the back faces.
   void find_back_faces() {
-    if (mesh_.planes() != nullptr) back_faces_ = BackFaces(mesh_, transform_);
+    if constexpr (std::is_same_v<Mesh, MeshView>) {
+      if (mesh_.planes() != nullptr) back_faces_ = BackFaces(mesh_, transform_);
+    }
   }
   [[nodiscard]] ARCSPAN_INLINE constexpr ClipPosition clip_position(std::size_t i) const {
     return transform_(mesh_.position(i));
   }
   /// Shades vertex i with its normal for the front, with the opposite normal for the back.
   ARCSPAN_OUTLINE void shade(std::size_t i, detail::Facing facing, typename Method::Vertex& shade) const {
-    const Direction normal = unpack_normal(mesh_.normal(i));
-    shade = Method::shade_vertex(lighting_, facing == detail::Facing::kBack ? -normal : normal);
-    if constexpr (TakesVertexData<Method>) Method::set_vertex_data(mesh_, i, shade);
+    // Without a function in between, by which gcc decides otherwise about this one.
+    if constexpr (std::is_same_v<Mesh, MeshView>) {
+      const Direction normal = unpack_normal(mesh_.normal(i));
+      shade = Method::shade_vertex(lighting_, facing == detail::Facing::kBack ? -normal : normal);
+    } else {
+      const Direction normal = mesh_.direction(i);
+      shade = Method::shade_vertex(lighting_, facing == detail::Facing::kBack ? -normal : normal);
+    }
+    if constexpr (TakesVertexData<Method>) Method::set_vertex_data(mesh(), i, shade);
   }
   /// @endcond
 
@@ -100,7 +113,7 @@ class VertexStage {
     vertex.shading = 0;
   }
 
-  const MeshView& mesh_;
+  const Mesh& mesh_;
   const ClipTransform& transform_;
   const typename Method::Lighting& lighting_;
   BackFaces back_faces_;
@@ -121,8 +134,8 @@ namespace detail {
 /// Clips a triangle, shaded as its side `facing`; sets `inside` to the vertices of the rest, of which there
 /// are at most ClipPolygon::kCapacity, and returns their number. A function of its own, so that the stack of
 /// the stages that follow does not hold the polygons.
-template <class Method>
-ARCSPAN_OUTLINE ARCSPAN_COLD std::size_t clip_triangle(const VertexStage<Method>& stage,
+template <class Method, class Mesh>
+ARCSPAN_OUTLINE ARCSPAN_COLD std::size_t clip_triangle(const VertexStage<Method, Mesh>& stage,
                                                        const TriangleIndices& t, Facing facing,
                                                        RasterVertex<Method>* inside) {
   ClipPolygon<Method> polygon;

@@ -4,6 +4,7 @@
 #include <arcspan/mesh/face_plane.hpp>
 #include <arcspan/mesh/packed_normal.hpp>
 #include <arcspan/mesh/texture_point.hpp>
+#include <arcspan/numbers/direction.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
@@ -168,6 +169,10 @@ class MeshView {
   /// Position and normal of vertex `i`, which must be below vertex_count().
   [[nodiscard]] constexpr const ObjectPosition& position(std::size_t i) const { return positions_[i]; }
   [[nodiscard]] constexpr PackedNormal normal(std::size_t i) const { return normals_[i]; }
+  /// normal(), unpacked.
+  [[nodiscard]] Direction direction(std::size_t i) const { return unpack_normal(normals_[i]); }
+  /// This view, for DrawableMesh.
+  [[nodiscard]] constexpr const MeshView& view() const { return *this; }
 
   /// Texture point of vertex `i`, which must be below vertex_count().
   [[nodiscard]] constexpr TexturePoint texture_point(std::size_t i) const {

@@ -62,7 +62,11 @@ struct OctahedralPoint {
 
 /// The unit vector of a packed normal. Every bit pattern is valid; -32768 counts as -32767.
 [[nodiscard]] ARCSPAN_OUTLINE_IF_TIGHT inline Direction unpack_normal(PackedNormal packed) {
-  const auto [x, y, z] = detail::octahedral_point(packed);
+  constexpr std::int32_t kOne = detail::kOctahedralOne;
+  std::int32_t x = packed.u < -kOne ? -kOne : packed.u;
+  std::int32_t y = packed.v < -kOne ? -kOne : packed.v;
+  const std::int32_t z = kOne - detail::octahedral_magnitude(x) - detail::octahedral_magnitude(y);
+  if (z < 0) detail::octahedral_fold(x, y);
   // |x| + |y| + |z| = 1 implies 1/3 <= x^2 + y^2 + z^2 <= 1, so the root needs no scaling before.
   const auto square = static_cast<std::uint32_t>(x * x + y * y + z * z);
   const auto length = static_cast<std::int32_t>(detail::reciprocal_root_mantissa(square << 2));

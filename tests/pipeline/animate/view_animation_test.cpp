@@ -207,14 +207,14 @@ TEST_CASE("a skin names nodes that are there") {
 TEST_CASE("weights name joints that are there, and do not add up to more than 1") {
   const std::size_t vertices = rig().vertices.size();
   const std::size_t records = 12 + 2 * vertices;
-  CHECK(status_with(kWeights, 0, 1, 2) == Status::kIndexOutOfRange);      // the skin
-  CHECK(status_with(kWeights, 2, 1, 2) == Status::kCorrupted);            // a joint of the whole mesh
+  CHECK(status_with(kWeights, 0, 1, 2) == Status::kIndexOutOfRange);  // the skin
+  CHECK(status_with(kWeights, 2, 1, 2) == Status::kCorrupted);        // a joint of the whole mesh
   CHECK(status_with(kWeights, 4, vertices - 1, 4) == Status::kCorrupted);
-  CHECK(status_with(kWeights, 12, 0xFFFF, 2) == Status::kCorrupted);      // where a record begins
-  CHECK(status_with(kWeights, records, 0x0002, 2) == Status::kOk);        // joint 2 alone
+  CHECK(status_with(kWeights, 12, 0xFFFF, 2) == Status::kCorrupted);  // where a record begins
+  CHECK(status_with(kWeights, records, 0x0002, 2) == Status::kOk);    // joint 2 alone
   CHECK(status_with(kWeights, records, 0x0003, 2) == Status::kIndexOutOfRange);
-  CHECK(status_with(kWeights, records, 0x0402, 2) == Status::kCorrupted);  // a bit of a weight too many
-  CHECK(status_with(kWeights, records, 0xFF010D00, 4) == Status::kOk);     // 1023 of joint 1
+  CHECK(status_with(kWeights, records, 0x0402, 2) == Status::kCorrupted);      // a bit of a weight too many
+  CHECK(status_with(kWeights, records, 0xFF010D00, 4) == Status::kOk);         // 1023 of joint 1
   CHECK(status_with(kWeights, records, 0x00010100, 4) == Status::kCorrupted);  // 0 of joint 1
   CHECK(status_with(kWeights, records, 0x0001'FF01'1E00, 6) == Status::kCorrupted);  // 1023 and 1
   // The last vertex begins at the last half-word, but has more.
@@ -264,7 +264,7 @@ TEST_CASE("a clip is refused if a channel is not as the format says") {
   CHECK(status_with(kClip, 6, 1, 2) == Status::kCorrupted);
   CHECK(status_with(kClip, 39, 'x', 1) == Status::kCorrupted);
   const std::size_t channel = channel_at(1);
-  CHECK(status_with(kClip, channel, 4, 2) != Status::kOk);        // order, then range
+  CHECK(status_with(kClip, channel, 4, 2) != Status::kOk);         // order, then range
   CHECK(status_with(kClip, channel, 1, 2) == Status::kCorrupted);  // as the one before
   CHECK(status_with(kClip, channel_at(2), 4, 2) == Status::kIndexOutOfRange);
   CHECK(status_with(kClip, channel_at(3), 1, 2) == Status::kIndexOutOfRange);  // no such part

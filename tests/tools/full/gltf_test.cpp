@@ -270,10 +270,12 @@ TEST_CASE("glTF: what is not drawn is named once") {
   gltf["nodes"][0]["extensions"] = {{"EXT_mesh_gpu_instancing", json::object()}};
   gltf["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 0}});
   gltf["cameras"] = json::array({json::object()});
-  CHECK(loaded(gltf).warnings ==
-        Lines{"an animation is left out: animations[0]: 'samplers' is missing",
-              "left out: EXT_mesh_gpu_instancing (1), KHR_materials_clearcoat (1), cameras (1), points and lines "
-              "(1), textures other than the base colour's (1)"});
+  CHECK(
+      loaded(gltf).warnings ==
+      Lines{
+          "an animation is left out: animations[0]: 'samplers' is missing",
+          "left out: EXT_mesh_gpu_instancing (1), KHR_materials_clearcoat (1), cameras (1), points and lines "
+          "(1), textures other than the base colour's (1)"});
 }
 
 TEST_CASE("glTF: a primitive without a material is white") {

@@ -34,7 +34,7 @@ class ClipMaker {
     out.name = clip.name;
     name_ = clip.name;
     for (const RigChannel& channel : clip.channels) {
-      const RigChannel thin = thinned(with_close_rotations(channel), tolerance_);
+      const RigChannel thin = smaller(with_close_rotations(channel));
       if (channel.path == ChannelPath::kMorphWeights) {
         for (const std::size_t part : parts_of(channel.node)) out.channels.push_back(fixed(thin, part));
       } else if (const std::optional<std::size_t> node = space_.number(channel.node)) {
@@ -54,6 +54,18 @@ class ClipMaker {
  private:
   static std::uint32_t micro(double seconds) {
     return static_cast<std::uint32_t>(rounded(seconds * kMicroseconds));
+  }
+
+  /// The channel with as few keys as the tolerance allows, unless that takes more bytes: keys that are left
+  /// out leave a list of times of its own, and channels often share one.
+  [[nodiscard]] RigChannel smaller(const RigChannel& channel) const {
+    const RigChannel whole = thinned(channel, {});
+    const RigChannel thin = thinned(channel, tolerance_);
+    const bool is_short =
+        channel.path == ChannelPath::kRotation || channel.path == ChannelPath::kMorphWeights;
+    const std::size_t of_value = channel.components * (is_short ? 2 : 4);
+    constexpr std::size_t kOfTime = 4;
+    return thin.keys() * (of_value + kOfTime) < whole.keys() * of_value ? thin : whole;
   }
 
   /// The parts whose vertices have the morph targets of a node's mesh.

@@ -10,7 +10,7 @@ import sys
 
 
 def first_error(compiler, tree, header):
-    done = subprocess.run([compiler, "-std=c++17", "-E", "-x", "c++", f"-I{tree}/pipeline", f"-I{tree}/hal", "-"],
+    done = subprocess.run([compiler, "-std=c++17", "-E", "-Wfatal-errors", "-x", "c++", f"-I{tree}/pipeline", f"-I{tree}/hal", "-"],
                           input=f"#include <{header}>\n", capture_output=True, text=True)
     return next((line for line in done.stderr.splitlines() if "error" in line), "no error")
 

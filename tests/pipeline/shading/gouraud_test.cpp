@@ -250,7 +250,7 @@ TEST_CASE("Gouraud's rows cut by a rectangle are those of the whole picture, bit
   RasterStage<Method, WordSink> part(cut, 2048, 2048);
   std::uint64_t pixels = 0;
   std::uint64_t wrong = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < share_of(2000); ++i) {
     const Triangle v = random_triangle(random, static_cast<Shape>(i % 4));
     const std::int32_t left = random.integer(0, 2040);
     const std::int32_t top = random.integer(960, 1080);

@@ -70,7 +70,7 @@ namespace literature {
   };
   std::uint64_t square = (squared(step.x) + squared(step.y) + squared(step.z)) >> 24;  // 28 fraction bits
   int bits = 0;
-  while (bits < kMostSegmentBits && square << 2 <= most) {
+  while (bits < kMostSegmentBits && (square << 2) <= most) {
     square <<= 2;
     ++bits;
   }

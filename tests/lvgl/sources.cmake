@@ -31,11 +31,20 @@ foreach(folder IN LISTS test_folders)
   list(APPEND lvgl_test_sources ${found})
 endforeach()
 
-# arcspan_lvgl_library(NAME SOURCES...): LVGL with the widget and the frames of the tests.
+# arcspan_lvgl_library(NAME SOURCES...): LVGL with the widget and the frames of the tests. Most of what LVGL's sources take to
+# compile is its headers, so those of a folder are compiled as one, except for folders where names of sources collide.
 function(arcspan_lvgl_library name)
   set(ours ${PROJECT_SOURCE_DIR}/platform/lvgl/lv_arcspan_unit.c ${PROJECT_SOURCE_DIR}/platform/lvgl/lv_arcspan_view.c
       ${PROJECT_SOURCE_DIR}/tests/lvgl/frames.c)
   add_library(${name} STATIC ${ARGN} ${ours})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  foreach(source IN LISTS lvgl_sources lvgl_test_sources)
+    get_filename_component(folder ${source} DIRECTORY)
+    if(NOT source MATCHES "/(blend|font|class|instance)/[^/]*$|/lv_(anim|timer).c$")
+      string(MAKE_C_IDENTIFIER ${folder} folder)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+    endif()
+  endforeach()
   target_compile_options(${name} PRIVATE -w)
   set_source_files_properties(${ours} PROPERTIES COMPILE_OPTIONS "-std=c99;-Wall;-Wextra;-Wno-reserved-identifier;-Werror")
   target_compile_definitions(${name} PUBLIC LV_CONF_INCLUDE_SIMPLE)

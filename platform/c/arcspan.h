@@ -281,9 +281,10 @@ typedef struct {
 } arcspan_outline_limits;
 /* The bytes of memory, at any address, that arcspan_smooth_outlines() takes. */
 size_t arcspan_outline_bytes(const arcspan_outline_limits* limits);
-/* Smooths the outlines of all frames from the next arcspan_prepare() on; not any more if `memory` is NULL. The
- * models must be written by `arcspan mesh --outlines`. The outermost pixels of a target are right only at the
- * sides of the picture: a rectangle that is shown needs a target that is larger by one pixel on all others.
+/* Smooths the outlines of all frames from the next arcspan_prepare() on; not any more if `memory` is NULL.
+ * The models must be written by `arcspan mesh --outlines`. The outermost pixels of a target are right only at
+ * the sides of the picture: a rectangle that is shown needs a target that is larger by one pixel on all
+ * others.
  *
  * arcspan_draw() then returns, after it has drawn, ARCSPAN_UNSUPPORTED if a part in view has no neighbours or
  * the format is ARCSPAN_MONO, and ARCSPAN_BUFFER_TOO_SMALL if a limit was reached.

@@ -12,7 +12,7 @@ namespace arcspan {
 /// (StoredAnimation::bounds()), `joints` what pose_joints() has set for its skin. It holds for every pose,
 /// because a vertex lies between the places where its joints would take it, and is larger than necessary.
 /// Without bounds, or if a bound names a joint that is not among `joints`, it contains all 16-bit positions.
-/// It takes about as long as ten vertices per joint.
+/// The time is linear in the number of joints, with a root of 16 steps for each row.
 [[nodiscard]] BoundingSphere posed_bound(std::span<const JointBound> bounds,
                                          std::span<const JointMatrix> joints);
 

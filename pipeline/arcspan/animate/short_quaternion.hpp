@@ -42,7 +42,7 @@ inline void make_unit(const std::int32_t (&q)[4], std::int32_t (&unit)[4]) {
 }
 
 /// A quaternion between two of the same length, `weight` 32768ths of the way from a to b, the shorter one:
-/// linear, which is within 0.1 degrees of the arc for rotations by 45 degrees.
+/// linear, which is within 0.04 degrees of the arc for rotations by 30 degrees, 0.12 for 45.
 inline void interpolate(const std::int32_t (&a)[4], const std::int32_t (&b)[4], std::int32_t weight,
                         std::int32_t (&q)[4]) {
   std::int64_t dot = 0;

@@ -54,6 +54,7 @@ SETTINGS = {  # option: arguments that differ from the default, and what they ne
     "--highlight-fade": "--highlight-fade 0.9", "--two-sided": "--two-sided", "--light": "--light 0,1,0#1,0,0",
     "--attenuation": "--attenuation 3", "--eye": "--eye 1,1,4", "--target": "--target 0.2,0.2,0", "--up": "--up 1,1,0",
     "--fov": "--fov 70", "--shading": "", "--smooth": "--no-smooth", "--samples": "--samples 2",
+    "--pose": "--pose walk@1", "--clips": "--clips",
 }
 NEUTRAL = {"--band"}  # changes no pixel, which other tests prove
 OUTPUT = {"--output", "--stats", "--help"}
@@ -95,6 +96,10 @@ REFUSED = [
     ("mesh grey.obj -o a.bin --name bowl", "--name"), ("mesh grey.obj -o a.hpp --texture-size 16", "--texture-size"),
     ("mesh grey.obj -o a.hpp --texture-levels 2", "--texture-levels"), ("mesh grey.obj -o a.hpp --texture-format pal4", "--texture-format"),
     ("mesh grey.obj -o a.hpp --texture picture.ppm --no-textures", "--texture"), ("texture picture.ppm -o a.bin --name bowl", "--name"),
+    ("mesh grey.obj -o a.bin --clip-tolerance 1,0.1", "--clip-tolerance"), ("mesh grey.obj -o a.bin --error-pixels 100", "--error-pixels"),
+    ("mesh grey.obj -o a.bin --pose rest", "--pose"), ("turntable grey.obj -o a.gif --clip walk", "--clip"),
+    ("turntable grey.obj -o a.gif --clip walk --pose rest", "--clip"), ("simulate grey.obj -o a.png --clip walk", "--clip"),
+    ("simulate grey.obj -o a.gif --turntable 4 --clip walk --planes", "--planes"),
     ("compare grey.obj -o a.png --shading flat,arc --segment 3", "--segment"),
     ("compare grey.obj -o a.png --shading phong --tolerance 3", "--tolerance"),
     ("compare grey.obj -o a.png --shading phong --polynomial root", "--polynomial"),

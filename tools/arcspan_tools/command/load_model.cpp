@@ -69,6 +69,8 @@ Model load_model(const std::string& name, const std::optional<double>& crease_de
                       colours, crease_degrees ? kSmoothEverything : kCreaseOfFiles);
   if (!texture.empty()) put_texture(texture, name, model);
   for (const std::string& warning : model.warnings) warn(name, warning);
+  if (pose && pose->clip.empty() && model.rig == nullptr)
+    warn("--pose", "has no effect: nothing moves the model");
   if (pose) model = posed(model, *pose, name);
   return crease_degrees ? with_crease(model, *crease_degrees, name) : model;
 }

@@ -41,6 +41,7 @@ struct MeshArguments {
   bool for_c = false;
   bool textures = true;
   bool made_textures = false;  ///< the model has some
+  bool moves = false;          ///< the model has a rig, and keeps it
   std::string texture;         ///< a picture for all parts, or none
   VertexColours colours = VertexColours::kMean;
   std::optional<PoseChoice> pose;
@@ -183,6 +184,7 @@ void run_mesh(MeshArguments& arguments) {
   const Made made = make(arguments, output);
   const MeshReport& report = made.report;
   arguments.made_textures = !report.textures.empty();
+  arguments.moves = report.animation.has_value();
   const FixedModel& model = report.compiled.model;
   const auto write_text = arguments.for_c ? model_c_source : model_header;
   const std::string file =
@@ -298,6 +300,10 @@ void add_mesh_command(CLI::App& app) {
         compiled_mesh_output(arguments->output, arguments->for_c) == CompiledOutput::kBinary)
       throw CLI::ValidationError("--name", "is of headers, not of binaries");
     run_mesh(*arguments);
+    for (const char* option : {"--clip-tolerance", "--error-pixels"}) {
+      if (!arguments->moves && mesh->count(option) != 0)
+        warn(option, "has no effect: the model stands still");
+    }
     if (!arguments->made_textures) {
       for (const char* option : {"--texture-format", "--texture-size", "--texture-levels"}) {
         if (mesh->count(option) != 0) warn(option, "has no effect: the model has no textures");

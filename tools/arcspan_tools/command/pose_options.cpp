@@ -53,8 +53,10 @@ std::string clip_list(const Rig& rig) {
   return joined(names, ", ");
 }
 
-const RigClip& find_clip(const Model& model, const std::string& name, const std::string& subject) {
-  if (model.rig == nullptr || model.rig->clips.empty()) throw Failure(subject, "has no clips");
+const RigClip& find_clip(const Model& model, const std::string& name, const std::string& subject,
+                         const char* option) {
+  if (model.rig == nullptr || model.rig->clips.empty())
+    throw Failure(subject, std::string("has no clips for ") + option);
   for (const RigClip& clip : model.rig->clips) {
     if (clip.name == name) return clip;
   }
@@ -63,7 +65,7 @@ const RigClip& find_clip(const Model& model, const std::string& name, const std:
 
 Model posed(const Model& model, const PoseChoice& pose, const std::string& subject) {
   if (pose.clip.empty()) return model.rig ? posed(model, rest_pose(*model.rig), subject) : model;
-  const RigClip& clip = find_clip(model, pose.clip, subject);
+  const RigClip& clip = find_clip(model, pose.clip, subject, "--pose");
   if (pose.seconds > clip.duration()) {
     throw Failure("--pose", formatted("%g is after the end of the clip '", pose.seconds) + clip.name +
                                 formatted("' at %g s", clip.duration()));

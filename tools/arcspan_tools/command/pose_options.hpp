@@ -25,9 +25,9 @@ void add_clip(CLI::App& app, std::string& clip);
 void check_clip(const CLI::App& app);
 
 /// The clip of a model's rig that has this name. Throws a Failure about `subject` that lists the clips if
-/// there is none.
+/// there is none, or names the `option` if there are no clips at all.
 [[nodiscard]] const RigClip& find_clip(const Model& model, const std::string& name,
-                                       const std::string& subject);
+                                       const std::string& subject, const char* option);
 
 /// The model in this pose, without a rig. Throws a Failure about `subject` if there is no such clip or it is
 /// shorter.

@@ -25,11 +25,9 @@ namespace arcspan {
 /// - `Features`: the parts of draw_mesh() that the program contains.
 ///
 /// A pixel depends on the scene and on its position only, bit for bit, whatever part of the picture the sink
-/// takes. To draw a picture in bands, move the sink and the depth buffer to a band and call this once per
-/// band.
+/// takes: a picture in bands is a call for each.
 ///
-/// Returns as status kOk, or the first other status of the sink, at which drawing stops. Draws nothing and
-/// returns:
+/// Returns as status kOk, the first other one of the sink, at which drawing stops, or, with nothing drawn:
 ///
 ///   kDepthMismatch    `depth` does not cover the common bounds of the viewport and the sink
 ///   kCacheTooSmall    the memory of a VertexCache is too small for the mesh

@@ -29,8 +29,7 @@ struct TriangleRows {
   std::uint8_t last;  ///< below `first` if the triangle is not drawn
 };
 
-/// Where the transformed vertices of a draw call come from: VertexCache, NoCache, or a program's own type,
-/// such as a small cache of a fixed number of vertices (tests/pipeline/draw/vertex_source_test.cpp).
+/// Where the transformed vertices of a draw call come from: VertexCache, NoCache, or one of a program's own.
 ///
 /// - begin(stage, two_sided): called once per draw call, before anything is drawn. Any other status than kOk
 ///   ends the call.
@@ -114,24 +113,12 @@ struct NoCache {
 ///   triangle of another band then costs 7 instructions on a Cortex-M3 instead of about 40.
 ///
 /// The cache keeps its object from call to call. Call clear() before the first band of every frame, and
-/// whenever the object's lighting or the pose of its mesh (DrawableMesh) has changed:
-///
-///     VertexCache<Arc<Light>> cache(vertices, rows);
-///     for (;;) {                                    // frames
-///       cache.clear();
-///       for (std::int32_t top = 0; top < height; top += band_rows) {
-///         ...                                       // move and clear the band
-///         draw_mesh<Arc<Light>>(mesh, transform, light, band, depth, cache);
-///       }
-///     }
+/// whenever the object's lighting or the pose of its mesh (DrawableMesh) has changed (docs/bands.md).
 ///
 /// A call for another mesh, another transform or another value of DrawOptions::two_sided than those of the
 /// first call since clear() draws nothing and returns kCacheMismatch. Changes of the lighting and of a pose
 /// are not noticed: vertices that have been shaded keep the earlier ones. With too little memory for the mesh
 /// a call draws nothing and returns kCacheTooSmall.
-///
-/// draw_mesh() writes to the cache as it needs further vertices, so every thread or core needs one of its
-/// own, unless the cache was filled by fill(): from then on, until clear(), it is only read.
 template <class Method>
 class VertexCache {
  public:
@@ -141,8 +128,8 @@ class VertexCache {
   /// Forgets the object.
   constexpr void clear() { holds_ = false; }
 
-  /// Transforms and shades all vertices, and finds the rows of all triangles. Returns kCacheTooSmall, and
-  /// holds no object, if the memory is too small for the mesh.
+  /// Transforms and shades all, so that cores may share the cache until clear(). Returns kCacheTooSmall or
+  /// kOk.
   template <DrawableMesh Mesh>
   Status fill(const Mesh& mesh, const ClipTransform& transform, const typename Method::Lighting& lighting,
               const DrawOptions& options = {}) {

@@ -81,7 +81,6 @@ class VertexStage {
   [[nodiscard]] constexpr std::uint8_t shading() const { return shading_; }
 
   /// @cond for draw_mesh(), not in the reference
-  /// Finds the back faces.
   void find_back_faces() {
     if constexpr (std::is_same_v<Mesh, MeshView>) {
       if (mesh_.planes() != nullptr) back_faces_ = BackFaces(mesh_, transform_);

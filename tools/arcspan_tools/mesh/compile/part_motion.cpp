@@ -55,6 +55,7 @@ std::vector<Vec3> reached(const ObjectPosition& p, const std::vector<FixedMorphR
   }
   if (low == high) return {low};
   std::vector<Vec3> corners;
+  corners.reserve(8);
   for (int i = 0; i < 8; ++i)
     corners.push_back({(i & 1) ? high.x : low.x, (i & 2) ? high.y : low.y, (i & 4) ? high.z : low.z});
   return corners;
@@ -72,6 +73,7 @@ std::vector<FixedBound> bounds_of(const FixedMesh& mesh, const FixedPartMotion& 
     }
   }
   std::vector<FixedBound> bounds;
+  bounds.reserve(points.size());
   for (const auto& [joint, of] : points) bounds.push_back({joint, sphere_around(of)});
   return bounds;
 }

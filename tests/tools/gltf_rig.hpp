@@ -107,7 +107,7 @@ inline GltfRig bending_tube(std::size_t rings = 9, float scale = 1) {
       for (const float c : {x * 3.5355339f, 0.f, z * 3.5355339f}) normals.push_back(c);
       const float second = std::min(std::max(y - .5f, 0.f), 1.f);
       for (const float w : {1 - second, second, 0.f, 0.f}) weights.push_back(w);
-      for (const std::uint8_t j : {0, 1, 0, 0}) joints.push_back(j);
+      for (const int j : {0, 1, 0, 0}) joints.push_back(static_cast<std::uint8_t>(j));
       if (ring == 0) continue;
       const auto at = [](std::size_t r, int s) {
         return static_cast<std::uint16_t>(4 * r + static_cast<std::size_t>(s % 4));

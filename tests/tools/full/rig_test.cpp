@@ -227,7 +227,7 @@ TEST_CASE("rigs: of eight weights the four largest are kept, and their sum is 1"
   for (std::size_t i = 0; i < vertices; ++i) {
     for (const float w : {.1f, .05f, .3f, .2f}) first.push_back(w);
     for (const float w : {.15f, .1f, .06f, .04f}) second.push_back(w);
-    for (const std::uint8_t j : {0, 1, 2, 3}) joints.push_back(j);
+    for (const int j : {0, 1, 2, 3}) joints.push_back(static_cast<std::uint8_t>(j));
   }
   rig.json["nodes"] = json::parse(
       R"([{"mesh": 0, "skin": 0, "children": [1, 2, 3, 4, 5, 6, 7, 8]}, {}, {}, {}, {}, {}, {}, {}, {}])");
@@ -430,7 +430,7 @@ TEST_CASE(
       CHECK((a.x == b.x && a.y == b.y && a.z == b.z));
     }
     CHECK(slots.size() == 3);
-    before += old.size() < 3 ? 1 : 0;
+    before += old.size() < 3 ? 1u : 0u;
   }
   CHECK(before > 0);
   CHECK(apart.positions.size() <= torus.positions.size() + 3 * before);

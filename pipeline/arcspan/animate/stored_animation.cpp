@@ -44,7 +44,7 @@ VertexJoints StoredWeights::vertex(std::size_t i) const {
   for (std::size_t k = 1; k < vertex.count; ++k) {
     vertex.joints[k] = static_cast<std::uint8_t>(words[k]);
     const unsigned low = (words[0] >> (8 + 2 * k)) & 3u;
-    vertex.weights[k] = static_cast<std::uint16_t>(((words[k] >> 8) << 2) | low);
+    vertex.weights[k] = static_cast<std::uint16_t>(((unsigned{words[k]} >> 8) << 2) | low);
     first = static_cast<std::uint16_t>(first - vertex.weights[k]);
   }
   vertex.weights[0] = first;

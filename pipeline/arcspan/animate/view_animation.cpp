@@ -93,7 +93,7 @@ Status check_record(const std::uint16_t* words, std::uint32_t left, std::size_t 
     }
     if ((words[k] & 0xFFu) >= joints) return Status::kIndexOutOfRange;
     if (k == 0) continue;
-    const std::uint32_t weight = ((words[k] >> 8) << 2) | low;
+    const std::uint32_t weight = ((unsigned{words[k]} >> 8) << 2) | low;
     if (weight == 0) return Status::kCorrupted;
     sum += weight;
   }

@@ -54,8 +54,6 @@ Scene scene_of(const RenderOptions& options, const ClipFrames& frames) {
 }  // namespace
 
 Image clip_sheet(const RenderOptions& options, const Model& model) {
-  if (model.rig == nullptr || model.rig->clips.empty())
-    throw Failure(options.mesh, "has no clips for --clips");
   const SheetGrid grid = grid_of(options, *model.rig);
   const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);
   Image sheet(grid.width(), grid.height());

@@ -63,15 +63,20 @@ void warn_without_effect(const RenderOptions& options, const Model& model) {
 }  // namespace
 
 Model load_model(const std::string& name, const std::optional<double>& crease_degrees,
-                 const std::string& texture, VertexColours colours, const std::optional<PoseChoice>& pose) {
+                 const std::string& texture, VertexColours colours, const std::optional<PoseChoice>& pose,
+                 const char* clips_option) {
   Model model =
       load_model_file(name, texture.empty() ? TexturePointsOf::kTexturedParts : TexturePointsOf::kAllParts,
                       colours, crease_degrees ? kSmoothEverything : kCreaseOfFiles);
   if (!texture.empty()) put_texture(texture, name, model);
-  for (const std::string& warning : model.warnings) warn(name, warning);
-  if (pose && pose->clip.empty() && model.rig == nullptr)
-    warn("--pose", "has no effect: nothing moves the model");
+  if (clips_option != nullptr && (model.rig == nullptr || model.rig->clips.empty()))
+    throw Failure(name, std::string("has no clips for ") + clips_option);
+  const bool moves = model.rig != nullptr;
+  const std::vector<std::string> warnings = model.warnings;
   if (pose) model = posed(model, *pose, name);
+  // An error is the only line.
+  for (const std::string& warning : warnings) warn(name, warning);
+  if (pose && pose->clip.empty() && !moves) warn("--pose", "has no effect: nothing moves the model");
   return crease_degrees ? with_crease(model, *crease_degrees, name) : model;
 }
 
@@ -89,7 +94,8 @@ Model load_drawn_model(RenderOptions& options) {
       options.shading != "flat" &&
       options.vertex_colours.value_or(!options.is_given("--shading") || options.shading == "gouraud");
   Model model = load_model(options.mesh, options.plays() ? std::nullopt : options.crease_degrees,
-                           options.texture, kept ? VertexColours::kKept : VertexColours::kMean, options.pose);
+                           options.texture, kept ? VertexColours::kKept : VertexColours::kMean, options.pose,
+                           options.all_clips ? "--clips" : nullptr);
   if (!options.plays()) warn_of_clips(model, options.mesh);
   warn_without_effect(options, model);
   if (shading_draws_effects(options.shading)) return model;

@@ -266,6 +266,15 @@ class AnimationCheck {
   AnimationCheck(const StoredModel& model, const StoredAnimation& animation, std::size_t nodes)
       : model_(model), animation_(animation), nodes_(nodes) {}
 
+  /// A pass over all chunks, 1...kPasses. (A table of the functions would keep them in programs that do not
+  /// call them.)
+  static constexpr int kPasses = 3;
+  [[nodiscard]] Status run(int pass, const Chunk& chunk) const {
+    if (pass == 1) return check_first(chunk);
+    return pass == 2 ? check_second(chunk) : check_third(chunk);
+  }
+
+ private:
   /// Checks chunks that name only nodes and vertices.
   [[nodiscard]] Status check_first(const Chunk& chunk) const {
     switch (chunk.tag) {
@@ -300,7 +309,6 @@ class AnimationCheck {
     return check_bounds(chunk.bytes, weights.exist() ? animation_.skin(weights.skin()).size() : 0);
   }
 
- private:
   [[nodiscard]] bool is_part(const Chunk& chunk) const { return chunk.number < model_.part_count(); }
   [[nodiscard]] std::size_t vertices_of(const Chunk& chunk) const {
     return detail::mesh_of_chunk(model_.chunks().find(model_binary::kMeshTag, chunk.number).data())
@@ -347,10 +355,9 @@ Status view_animation(const StoredModel& model, StoredAnimation& animation) {
                     little_u16(nodes.data())};
   }
   const AnimationCheck check(model, found, found.nodes_.size());
-  for (const auto step :
-       {&AnimationCheck::check_first, &AnimationCheck::check_second, &AnimationCheck::check_third}) {
+  for (int pass = 1; pass <= AnimationCheck::kPasses; ++pass) {
     for (std::size_t i = 0; i < found.chunks_.size(); ++i) {
-      const Status status = (check.*step)(found.chunks_[i]);
+      const Status status = check.run(pass, found.chunks_[i]);
       if (!ok(status)) return status;
     }
   }

@@ -39,6 +39,7 @@ struct OutlineGap {
     typename F::Encoded outer;
     typename F::Encoded inner;
   };
+  /// One after the other.
   union Held {
     InList list;
     InBlending blending;

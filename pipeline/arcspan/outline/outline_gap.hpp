@@ -52,7 +52,7 @@ struct OutlineGap {
   std::int16_t x;  ///< the pixel outside
   std::int16_t y;
   Held held{};
-  std::uint16_t outline;  ///< detail::GapOutline
+  std::uint16_t outline;  ///< where it runs; greater values are farther outward
 };
 
 namespace detail {

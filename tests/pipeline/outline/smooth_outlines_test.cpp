@@ -319,7 +319,7 @@ TEST_CASE("Smooth outlines: pixels along an edge have the share of the area on i
       }
     }
   }
-  REQUIRE(pixels > 100);
+  REQUIRE(pixels > 5 * share_of(200));
   CHECK(std::sqrt(sum / pixels) < 0.012);  // shares are in 32nds
   CHECK(worst < 0.05);
 }

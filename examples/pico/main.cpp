@@ -87,7 +87,8 @@ class PicoClock final : public hal::Clock {
   void do_delay_us(std::uint32_t us) override { sleep_us(us); }
 };
 
-// What a core needs to draw its half of a band: memory of its own, in which it prepares each frame itself.
+// The memory of one core. Each core prepares the frame itself, in its own memory, and draws its half of a
+// band.
 struct Core {
   SceneMemory<MethodList<Method>, 1, kMesh.vertex_count()> scene_memory;
   std::uint16_t depths[kSide * kRows / 2];

@@ -117,13 +117,14 @@ struct JointBound {
   BoundingSphere sphere;
 };
 
-/// What a morph target adds to a position at weight 1. In chunks with normals four half-words follow.
+/// The change of a vertex's position by a morph target at weight 1. In chunks with normals four half-words
+/// follow.
 struct MorphRecord {
   std::uint16_t target;
   ObjectPosition position;
 };
 
-/// What a channel of a clip changes.
+/// The property of a node or part that a channel changes.
 enum class ChannelPath : std::uint8_t { kTranslation, kRotation, kScale, kMorphWeights };
 
 /// How a channel leads from one key to the next.

@@ -11,7 +11,7 @@ namespace arcspan {
 /// Factor of a clip's time, 16 fraction bits: 1 is the clip's own speed, below 0 is backwards.
 using ClipSpeed = Fixed<std::int32_t, 16>;
 
-/// What happens at the end of a clip.
+/// How a clip goes on when its end is reached.
 enum class AtClipEnd : std::uint8_t {
   kStop,   ///< its last pose stays; backwards, the first
   kRepeat  ///< it begins again
@@ -63,7 +63,7 @@ class ClipPlayer {
   [[nodiscard]] bool fades() const { return fade_length_ != 0; }
   /// The time of the clip, or of that which it fades to, in microseconds.
   [[nodiscard]] std::uint32_t time() const { return fades() ? next_.time : now_.time; }
-  /// What to show.
+  /// The clips and times for pose_nodes().
   [[nodiscard]] ClipBlend blend() const;
 
  private:

@@ -9,13 +9,13 @@
 
 namespace arcspan {
 
-/// What a joint does to the vertices of a mesh in a pose: it takes them from their places in the mesh to
-/// those in the pose. It has 52 bytes.
+/// The transform by which a joint moves vertices: from their places in the mesh to those in the pose. It has
+/// 52 bytes.
 class JointMatrix {
  public:
-  /// Places by single joints, which are then weighted, have two fraction bits.
+  /// Fraction bits of place(), the position by one joint alone, which is then weighted.
   static constexpr int kPlaceBits = 2;
-  /// And normals by single joints 13.
+  /// Fraction bits of normal(), likewise.
   static constexpr int kNormalBits = 13;
 
   constexpr JointMatrix() = default;

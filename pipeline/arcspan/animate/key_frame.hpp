@@ -23,7 +23,7 @@ struct KeyPlace {
 /// Reads the channels of a clip at one time. Channels of nodes must be read in the order of the nodes.
 class ClipSampler {
  public:
-  /// Of a clip without channels every node keeps its pose.
+  /// A clip without channels leaves every node as it is.
   ClipSampler(const StoredClip& clip, std::uint32_t time) : clip_(clip), time_(time) {}
 
   /// Sets what the clip changes of `node`. Nodes are asked for in increasing order.

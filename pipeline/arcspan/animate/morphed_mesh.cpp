@@ -21,7 +21,7 @@ struct MorphSum {
   }
 };
 
-/// What is added to a coordinate: rounded, and limited to 2^20 so that the sum fits.
+/// The change of a coordinate by all targets, rounded, and limited to 2^20 so that the sum fits.
 std::int32_t whole(std::int64_t sum) {
   constexpr std::int32_t kMost = std::int32_t{1} << 20;
   const std::int64_t rounded = (sum + (std::int32_t{1} << (kMorphBits - 1))) >> kMorphBits;

@@ -36,8 +36,8 @@ class BasicSkinnedMesh {
   /// pose_joints() sets for the part's skin, must outlive `skinned`. Returns:
   ///
   ///   kOk                `skinned` is set; otherwise it is not changed
-  ///   kInvalidArgument   the part follows no joint of the animation, or `mesh` has another number of
-  ///   vertices kBufferTooSmall    there are fewer `joints` than the part's skin has
+  ///   kInvalidArgument   the part follows no joint of the animation, or has another number of vertices
+  ///   kBufferTooSmall    there are fewer `joints` than the part's skin has
   [[nodiscard]] static Status make(const Rest& mesh, const StoredAnimation& animation, std::size_t part,
                                    std::span<const JointMatrix> joints, BasicSkinnedMesh& skinned);
 

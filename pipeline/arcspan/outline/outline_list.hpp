@@ -66,10 +66,8 @@ class OutlineList {
   /// Returns kOk, or adds nothing and returns:
   ///
   ///   kUnsupported       the mesh has no neighbours: the view was never made
-  ///   kInvalidArgument   the neighbours have another number of triangles than the mesh, there are fewer
-  ///   sides
-  ///                      than triangles or fewer positions than vertices, or the viewport is another than
-  ///                      that of earlier objects
+  ///   kInvalidArgument   the neighbours are those of another number of triangles, `sides` or positions are
+  ///                      too few, or the viewport is not that of earlier objects
   ///   kBufferTooSmall    the memory does not hold the edges of all objects so far
   Status add(const MeshView& mesh, const MeshNeighbours& neighbours, const VertexPositions& positions,
              std::span<const TriangleSide> sides);

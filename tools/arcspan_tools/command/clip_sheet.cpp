@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/command/clip_sheet.hpp>
+#include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/image/label.hpp>
 #include <arcspan_tools/render/clip_frames.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -70,7 +71,7 @@ Image clip_sheet(const RenderOptions& options, const Model& model) {
     draw_text(sheet, grid.x(0), grid.y(row), printable(clip.name) + formatted(", %g s", clip.duration()), 1,
               kSheetText);
     for (std::size_t i = 0; i < kSheetPictures; ++i) {
-      const FixedModel frame = frames.frame(i);
+      const FixedModel frame = with_outlines(frames.frame(i), options);
       RenderJob job = make_job(scene, frame, options.mesh);
       job.counts = false;
       paste(sheet, renderer.render(job, [](std::size_t) {}).image, grid.x(i), grid.y(row) + kLineHeight);

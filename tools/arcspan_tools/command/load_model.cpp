@@ -105,9 +105,12 @@ Model load_drawn_model(RenderOptions& options) {
   return model;
 }
 
+FixedModel with_outlines(FixedModel model, const RenderOptions& options) {
+  return options.smooths() ? with_neighbours(std::move(model), options.mesh) : model;
+}
+
 FixedModel to_fixed(const Model& model, const RenderOptions& options) {
-  FixedModel fixed = to_fixed(model);
-  return options.smooths() ? with_neighbours(std::move(fixed), options.mesh) : fixed;
+  return with_outlines(to_fixed(model), options);
 }
 
 bool remove_textures(Model& model) {

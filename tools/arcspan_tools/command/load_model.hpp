@@ -28,7 +28,10 @@ void warn_of_clips(const Model& model, const std::string& name);
 /// picture of --matcap into their scene. What the shading does not draw is removed, with a warning.
 [[nodiscard]] Model load_drawn_model(RenderOptions& options);
 
-/// That model in fixed point, with the neighbours of its triangles if outlines are smoothed.
+/// The model with the neighbours of its triangles, if outlines are smoothed.
+[[nodiscard]] FixedModel with_outlines(FixedModel model, const RenderOptions& options);
+
+/// That model in fixed point, with_outlines().
 [[nodiscard]] FixedModel to_fixed(const Model& model, const RenderOptions& options);
 
 /// Removes the textures and the texture points of all parts. Returns whether there were any.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/command/played_model.hpp>
-#include <arcspan_tools/mesh/compile/neighbours.hpp>
-
-#include <utility>
 
 namespace arcspan::tools {
 
@@ -19,9 +16,8 @@ PlayedModel::PlayedModel(RenderOptions& options, std::size_t frames, double seco
 }
 
 const FixedModel& PlayedModel::frame(std::size_t frame) {
-  if (clip_) current_ = clip_->frame(frame);
-  // Seams of the mesh may part when it moves.
-  if (clip_ && options_.smooths()) current_ = with_neighbours(std::move(current_), options_.mesh);
+  // Anew for each pose: seams of the mesh may part when it moves.
+  if (clip_) current_ = with_outlines(clip_->frame(frame), options_);
   return current_;
 }
 

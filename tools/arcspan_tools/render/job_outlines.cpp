@@ -5,6 +5,8 @@
 
 #include <arcspan_tools/render/job_outlines.hpp>
 
+#include <numeric>
+
 namespace arcspan::tools {
 
 bool can_smooth(const PixelChoice& pixels) {
@@ -17,11 +19,15 @@ bool can_smooth(const PixelChoice& pixels) {
 
 JobOutlines::JobOutlines(const RenderJob& job) {
   const double start = processor_milliseconds();
-  std::size_t edges = 0;  // a crease is two
-  for (const RenderPart& part : job.parts) edges += 3 * part.neighbours.triangle_count();
-  if (edges == 0) return;
+  std::vector<std::size_t> edges;  // of each group, at most; a crease is two
+  const auto begins = [&job](std::size_t i) { return i == 0 || is_blended(job.parts[i].transparency); };
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
-    if (i == 0 || is_blended(job.parts[i].transparency)) groups_.emplace_back(edges);
+    if (begins(i)) edges.push_back(0);
+    edges.back() += 3 * job.parts[i].neighbours.triangle_count();
+  }
+  if (std::accumulate(edges.begin(), edges.end(), std::size_t{0}) == 0) return;
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    if (begins(i)) groups_.emplace_back(edges[groups_.size()]);
     add(job, i, groups_.back());
   }
   find_milliseconds_ = processor_milliseconds() - start;

@@ -122,7 +122,8 @@ class EdgeFinder {
 }  // namespace
 
 RasterPosition VertexPositions::operator()(const MeshView& mesh, std::size_t i) const {
-  if (cached_ == nullptr) return project((*transform_)(mesh.position(i)), *transform_);
+  if (cached_ == nullptr || outcodes_[i * stride_] == kNotTransformed)
+    return project((*transform_)(mesh.position(i)), *transform_);
   return *static_cast<const RasterPosition*>(static_cast<const void*>(cached_ + i * stride_));
 }
 

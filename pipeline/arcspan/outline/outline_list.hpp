@@ -28,12 +28,14 @@ class VertexPositions {
   explicit constexpr VertexPositions(const ClipTransform& transform)
       : transform_(&transform), count_(SIZE_MAX) {}
   /// Those of the vertices in the memory of a VertexCache that was used with `transform`, to draw the mesh or
-  /// to find its sides.
+  /// to find its sides. Vertices that only hidden triangles have may be missing there: they are transformed.
   template <class Method>
   VertexPositions(const ClipTransform& transform, std::span<const CachedVertex<Method>> vertices)
       : transform_(&transform), count_(vertices.size()), stride_(sizeof(CachedVertex<Method>)) {
-    if (!vertices.empty())
-      cached_ = static_cast<const std::uint8_t*>(static_cast<const void*>(&vertices.front().raster.position));
+    if (vertices.empty()) return;
+    cached_ = bytes_of(vertices.front().raster.position);
+    outcodes_ = bytes_of(vertices.front().outcode);
+    static_assert(CachedVertex<Method>::kNotTransformed == kNotTransformed);
   }
 
   /// The position of vertex `i` of a mesh, which must be below count() and inside the clip volume.
@@ -43,8 +45,16 @@ class VertexPositions {
   [[nodiscard]] constexpr const Viewport& viewport() const { return transform_->viewport(); }
 
  private:
+  static constexpr std::uint8_t kNotTransformed = 0xFF;  ///< as in every CachedVertex
+
+  template <class T>
+  [[nodiscard]] static const std::uint8_t* bytes_of(const T& member) {
+    return static_cast<const std::uint8_t*>(static_cast<const void*>(&member));
+  }
+
   const ClipTransform* transform_;
   const std::uint8_t* cached_ = nullptr;  ///< the first position, or null
+  const std::uint8_t* outcodes_ = nullptr;
   std::size_t count_;
   std::size_t stride_ = 0;  ///< bytes from one to the next
 };

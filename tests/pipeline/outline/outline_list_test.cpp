@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which edges are outlines: closed ones, borders, folds and creases, and each reason to refuse.
+#include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/outline/outline_list.hpp>
 #include <arcspan/shading/flat.hpp>
 
@@ -225,4 +226,44 @@ TEST_CASE("Outline edges: what is refused adds nothing") {
   CHECK(ok(edges.add(mesh.view(), neighbours.view, VertexPositions(other), sides)));
   CHECK(edges.viewport() == other.viewport());
   CHECK(ok(edges.add({}, {}, VertexPositions(other), {})));
+}
+
+TEST_CASE("Outline edges: ends that only hidden triangles have, which planes leave without a transform") {
+  // Each triangle of a sphere has vertices of its own.
+  Random random(50);
+  const TestMesh whole = make_sphere(6, 9, 9000, 0, random);
+  TestMesh split;
+  for (const std::uint16_t i : whole.indices) {
+    split.positions.push_back(whole.positions[i]);
+    split.normals.push_back(whole.normals[i]);
+    split.indices.push_back(static_cast<std::uint16_t>(split.indices.size()));
+  }
+  MeshView mesh = split.view();
+  std::vector<FacePlane> planes(mesh.triangle_count());
+  PlaneScale scale;
+  REQUIRE(ok(make_face_planes(mesh, planes, scale)));
+  REQUIRE(ok(mesh.attach(planes, scale)));
+  const TestNeighbours neighbours(mesh);
+  for (int repeat = 0; repeat < share_of(50) + 3; ++repeat) {
+    const TestCamera from = camera(random, 9000);
+    const ClipTransform transform = from.transform();
+    const auto light = make_light<1, Highlight::kBlinn>(from);
+    std::vector<CachedVertex<Method>> vertices(mesh.vertex_count());
+    for (auto& vertex : vertices) vertex.raster.position = {-32000, 32000, 1};  // of an earlier frame
+    VertexCache<Method> cache(vertices);
+    std::vector<TriangleSide> sides(mesh.triangle_count());
+    REQUIRE(ok(find_sides<Method>(mesh, transform, light, cache, sides)));
+    std::vector<OutlineEdge> memory(3 * mesh.triangle_count());
+    OutlineList edges(memory);
+    const VertexPositions positions(transform, std::span<const CachedVertex<Method>>(vertices));
+    REQUIRE(ok(edges.add(mesh, neighbours.view, positions, sides)));
+    const std::vector<OutlineEdge> found(edges.edges().begin(), edges.edges().end());
+    CHECK(!found.empty());
+    CHECK(are_closed(found));
+    const auto same = [](const OutlineEdge& a, const OutlineEdge& b) {
+      return a.from == b.from && a.to == b.to;
+    };
+    const std::vector<OutlineEdge> expected = outlines_of(mesh, from, sides);
+    CHECK(std::equal(found.begin(), found.end(), expected.begin(), expected.end(), same));
+  }
 }

@@ -79,16 +79,12 @@ template <SceneMemoryType Memory, PixelFormat F>
   if (neighbours == nullptr) return Status::kUnsupported;
   Status status = hide_all(mesh, outlines.sides);
   VertexPositions positions(slot.transform);
-  const UseFacts* use = nullptr;
   for (std::size_t i = 0; i < object.part_count() && ok(status); ++i) {
     const Part part = object.part(i);
     const MeshView triangles = mesh.part(part.first, part.count);
     status = find_part_sides<Memory::kHasVertices>(
         typename Memory::UseList{},
         {slot, triangles, *part.material, outlines.sides.subspan(part.first, part.count), positions});
-    // Parts by different uses share the memory of their vertices.
-    if (use != nullptr && use != part.material->use()) positions = VertexPositions(slot.transform);
-    use = part.material->use();
   }
   return ok(status) ? outlines.edges.add(mesh, *neighbours, positions, outlines.sides) : status;
 }
@@ -103,11 +99,13 @@ template <SceneMemoryType Memory, PixelFormat F>
 /// A scene whose surfaces are blended with what is behind them is drawn afterwards, with a ReadOnlyDepth. Its
 /// outlines are found and smoothed in the same way, with a SceneOutlines of its own.
 ///
-/// Returns kOk, or the first of the following; objects that it does not concern are smoothed all the same:
+/// Returns kOk, the status of prepare_scene(), or the first of these that occurs; the objects that it does
+/// not concern are smoothed all the same:
 ///
 ///   kNotReady          nothing is prepared
-///   kUnsupported       `outlines.meshes` does not name the mesh of an object in view
-///   kInvalidArgument   the neighbours are those of another mesh
+///   kUnsupported       `outlines.meshes` does not name the mesh of an object in view, or its neighbours were
+///                      never made
+///   kInvalidArgument   the neighbours have another number of triangles than the mesh
 ///   kBufferTooSmall    `outlines` has fewer sides than a mesh has triangles, or room for fewer edges
 template <SceneMemoryType Memory, PixelFormat F>
 [[nodiscard]] Status find_outlines(Memory& memory, SceneOutlines<F>& outlines) {

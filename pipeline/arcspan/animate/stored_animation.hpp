@@ -126,7 +126,7 @@ class StoredAnimation {
 ///
 ///   kOk                `animation` is set; otherwise it is not changed
 ///   kCorrupted         a chunk is missing that another requires, counts and sizes contradict each other, a
-///                      parent comes after its child, weights add up to more than 1, times do not increase,
+///                      parent comes after its child, weights do not add up to 1, times do not increase,
 ///                      or a number is out of range (docs/animation-binary.md lists all reasons)
 ///   kIndexOutOfRange   a node, a joint, a skin, a part or a morph target is named that is not there
 [[nodiscard]] Status view_animation(const StoredModel& model, StoredAnimation& animation);

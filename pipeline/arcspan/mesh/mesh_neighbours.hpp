@@ -14,9 +14,9 @@ namespace arcspan {
 /// What is beyond an edge of a triangle: 2 bits of the byte that a triangle begins with (MeshNeighbours).
 enum class EdgeKind : std::uint8_t {
   kBorder = 0,   ///< nothing
-  kEarlier = 1,  ///< a triangle with a smaller number, which says more about the edge
+  kEarlier = 1,  ///< a triangle with a smaller number, which has the edge's kind and distance
   kLater = 2,    ///< a triangle with a greater number; the distance to it follows
-  kCrease = 3,   ///< the same where light or colour breaks, so that the edge is seen between two fronts
+  kCrease = 3,   ///< as kLater, where normals or colours differ: an outline even if both sides are seen
 };
 
 namespace detail {
@@ -59,7 +59,7 @@ void neighbours_of_another_mesh();
 }  // namespace detail
 
 /// A view of the neighbours of a mesh's triangles in memory of the caller, usually flash, which must outlive
-/// it: about 2.8 bytes per triangle, written by `arcspan mesh --outlines`. OutlineList need it.
+/// it: 2.5 to 2.6 bytes per triangle, written by `arcspan mesh --outlines`. OutlineList needs it.
 ///
 /// For each triangle in the order of the mesh there is a byte with the EdgeKind of its edges ab (bits 0, 1),
 /// bc (2, 3) and ca (4, 5), then for each edge of them that is kLater or kCrease the number of the triangle
@@ -73,10 +73,12 @@ class MeshNeighbours {
   /// Makes a view of neighbours, which are checked here once, so that reading them need not. Returns:
   ///
   ///   kOk                `neighbours` is set; otherwise it is not changed
-  ///   kCorrupted         `bytes` end too early or too late for mesh.triangle_count() triangles, hold unknown
-  ///                      bits, or name each other not in pairs
+  ///   kCorrupted         `bytes` end too early or too late for mesh.triangle_count() triangles, bits 6 or 7
+  ///   are
+  ///                      set, a distance has more than 5 bytes, or there are not as many edges that are
+  ///                      kEarlier as kLater and kCrease
   ///   kIndexOutOfRange   a number names no triangle
-  ///   kInvalidArgument   an edge is none of the triangle beyond it: the neighbours are those of another mesh
+  ///   kInvalidArgument   a triangle beyond an edge has no edge with these ends: those of another mesh
   static constexpr Status make(const MeshView& mesh, std::span<const std::uint8_t> bytes,
                                MeshNeighbours& neighbours);
 

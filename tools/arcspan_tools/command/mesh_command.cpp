@@ -268,7 +268,7 @@ void add_mesh_command(CLI::App& app) {
       "--planes", arguments->planes,
       "the triangles' planes too, 4 bytes each: backs are then culled before they are transformed");
   mesh->add_flag("--outlines", arguments->outlines,
-                 "the triangles' neighbours too, about 2.8 bytes each, by which programs smooth outlines");
+                 "the triangles' neighbours too, about 2.6 bytes each, by which programs smooth outlines");
   add_texture(*mesh, arguments->texture);
   add_texture_format(*mesh, "--texture-format", arguments->texture_options.format);
   add_texture_size(*mesh, "--texture-size", arguments->texture_options.size);

@@ -31,7 +31,7 @@ enum class [[nodiscard]] Status : std::uint8_t{
     kTooManyObjects,    ///< more objects are in view than the memory of a scene holds
     kMethodNotListed,   ///< a material's shading method is not among those that the scene's memory lists
     kLightChanged,      ///< a single light is not the one that a material was made for
-    kCacheMismatch,     ///< the band cache holds another object, or clear() was forgotten
+    kCacheMismatch,     ///< the VertexCache holds another object, or clear() was forgotten
 };
 
 /// A short, stable, lower-case name for logs: "ok", "invalid argument", ... A value outside the enumeration

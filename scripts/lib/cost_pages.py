@@ -8,8 +8,7 @@ import re
 import sys
 import textwrap
 
-from cost_scenes import (ARCS, BANDS, EXTREMES, FEW, HEADLINE, LINES, NAMES, OPERATIONS, OTHER, RADII, RISCV, SPHERES, TARGETS,
-                         TEXTURED, TEXTURED_SCENES)
+from cost_scenes import (ARCS, BANDS, FEW, HEADLINE, LINES, NAMES, OPERATIONS, OTHER, RISCV, TARGETS, TEXTURED, TEXTURED_SCENES)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = "docs/performance.md"
@@ -82,15 +81,6 @@ def marginal(costs):
                                        f"{NAMES[FEW[-1]]}: the set-up dominates where triangles are smaller than that.")]
 
 
-def spheres(costs):
-    preset, _, title = TARGETS[0]
-    scenes = [*((f"{sphere} {radius}", "") for sphere in SPHERES for radius in RADII),
-              *((name, f": {about}") for name, about in EXTREMES.items())]
-    return table([f"sphere, {title}", *(NAMES[method] for method in FEW)],
-                 [[name.replace(" ", ", R = ") + about, *(f"{costs['frames'][preset][method][name]['draw']:,}" for method in FEW)]
-                  for name, about in scenes])
-
-
 def others(costs):
     targets = [(preset, title, method) for preset, title in SHOWN for method in ARCS]
     rows = [[about, *(number(costs["others"][preset][method].get(f"{program.format(method)} {section}")) for preset, _, method in targets)]
@@ -142,7 +132,7 @@ def stack(costs):
                                     for preset, _ in targets)] for method in FEW])
 
 
-TABLES = {"frame": frame, "models": models, "parts": parts, "marginal": marginal, "spheres": spheres, "others": others, "bands": bands,
+TABLES = {"frame": frame, "models": models, "parts": parts, "marginal": marginal, "others": others, "bands": bands,
           "textures": textures, "operations": operations, "lines": lines_and_points, "programs": programs, "stack": stack}
 
 

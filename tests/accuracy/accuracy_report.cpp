@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Measures the accuracy of shading and prints docs/accuracy.md.
-// Usage: accuracy_report [--tenth]      --tenth: only its last section, for comparison with the page
+// Usage: accuracy_report                prints the page
+//        accuracy_report --methods      only its last section, for comparison with the page
+//        accuracy_report --tenth        a tenth of its table of measurements, for comparison with tenth.txt
 #include <tests/accuracy/method_rows.hpp>
 #include <tests/support/surface_accuracy.hpp>
 
@@ -30,16 +32,16 @@ SurfaceErrors measure(std::size_t index, std::int32_t shininess, std::int32_t to
 
 void print_classes(int triangles) {
   std::puts(
-      "| widest angle of normals | tolerance | triangles | pixels | N·L | highlight, n = 16 | n = 64 |\n"
-      "|---|---|---|---|---|---|---|");
+      "| widest angle of normals | tolerance | pixels | N·L | highlight, n = 16 | n = 64 |\n"
+      "|---|---|---|---|---|---|");
   for (std::size_t i = 0; i + 1 < std::size(kClasses); ++i) {
     for (const std::int32_t tolerance : {0, 1}) {
       const SurfaceErrors blunt = measure(i, 16, tolerance, triangles);
       const SurfaceErrors sharp = measure(i, 64, tolerance, triangles);
-      std::printf("| %.0f° | %d | %d | %llu | %.2f (%.2f) | %.2f (%.2f) | %.2f (%.2f) |\n", kClasses[i + 1],
-                  tolerance, triangles, static_cast<unsigned long long>(blunt.pixels),
-                  blunt.light_bins.nearly_all(), blunt.light, blunt.highlight_bins.nearly_all(),
-                  blunt.highlight, sharp.highlight_bins.nearly_all(), sharp.highlight);
+      std::printf("| %.0f° | %d | %llu | %.2f (%.2f) | %.2f (%.2f) | %.2f (%.2f) |\n", kClasses[i + 1],
+                  tolerance, static_cast<unsigned long long>(blunt.pixels), blunt.light_bins.nearly_all(),
+                  blunt.light, blunt.highlight_bins.nearly_all(), blunt.highlight,
+                  sharp.highlight_bins.nearly_all(), sharp.highlight);
       std::fflush(stdout);
     }
   }
@@ -90,22 +92,15 @@ void print_page(int triangles) {
       "all other pages refer to this table, and [decision 35](decisions/0035-one-surface.md) has the "
       "reasons.\n\n"
       "## Measured\n\n"
-      "Random triangles of 3 to 1,000 pixels, a quarter of them slivers, go through triangle preparation "
-      "and\n"
-      "the span stage with normals packed as in a mesh. Every pixel is compared with classic Phong shading "
-      "in\n"
-      "double precision. The error of 99.9 % of the pixels (of all), in 255ths; highlights by R·V.\n");
+      "50,000 random triangles of 3 to 1,000 pixels for each row, a quarter of them slivers, with normals "
+      "packed as in a\n"
+      "mesh. Every pixel is compared with classic Phong shading in double precision. The error of 99.9 % of "
+      "the pixels\n"
+      "(of all), in 255ths; highlights by R·V.\n");
   print_classes(triangles);
 }
 
-/// Ten times as fast, for a test.
-void print_tenth(int triangles) {
-  std::puts(
-      "## A tenth of it\n\n"
-      "This part is measured with a tenth of the triangles. The test command measures it again and fails if "
-      "a figure\n"
-      "differs by more than 2 %.\n");
-  print_classes(triangles / 10);
+void print_methods(int triangles) {
   print_method_section();
   print_method_rows(triangles / 125);
 }
@@ -114,15 +109,19 @@ void print_tenth(int triangles) {
 
 int main(int argc, char** argv) {
   constexpr int kTriangles = 50000;  // per class
-  const bool tenth = argc == 2 && std::string_view(argv[1]) == "--tenth";
-  if (argc != 1 && !tenth) {
-    std::fputs("usage: accuracy_report [--tenth]\n", stderr);
+  const std::string_view part = argc == 2 ? argv[1] : "";
+  if (argc > 2 || (argc == 2 && part != "--methods" && part != "--tenth")) {
+    std::fputs("usage: accuracy_report [--methods | --tenth]\n", stderr);
     return 2;
   }
-  if (!tenth) {
+  if (part == "--tenth") {
+    print_classes(kTriangles / 10);
+    return 0;
+  }
+  if (part.empty()) {
     print_page(kTriangles);
     std::puts("");
   }
-  print_tenth(kTriangles);
+  print_methods(kTriangles);
   return 0;
 }

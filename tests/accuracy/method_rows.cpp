@@ -33,7 +33,7 @@ void print_row(const char* method, const char* model, int triangles) {
 
 void print_method_section() {
   std::puts(
-      "\n## The methods that the papers compare with\n\n"
+      "## The methods that the papers compare with\n\n"
       "Each against its own model in double precision, with the very normals that it gets: what is measured "
       "is\n"
       "its integer arithmetic. Largest error of N·L and N·H (root mean square of N·L), triangles at least a "

@@ -165,4 +165,4 @@ def readme(costs):
 
 def pages(costs):
     """The pages that show the figures: text by file name."""
-    return {PAGE: filled(PAGE, costs, TABLES), "README.md": readme(costs)}
+    return {PAGE: filled(PAGE, costs, TABLES.keys() - {"models"}), "README.md": readme(costs)}

@@ -221,7 +221,7 @@ TEMPLATE_LIST_TEST_CASE("every method takes every shininess from 1 to 256", "", 
   CHECK(scalar.size() == 16);
   for (const auto& [name, error] : scalar) {
     INFO(name << " is off by " << error);
-    CHECK(error < 1.7e-4);  // docs/pipeline.md: the largest is slerp's
+    CHECK(error < 1.7e-4);  // docs/accuracy.md: the largest is that of slerp
   }
 }
 

@@ -12,8 +12,7 @@
 /// These calls are reported:
 ///
 ///   draw calls         a depth buffer whose memory does not look cleared: depths of 0 and none of 0xFFFF,
-///   or,
-///                      since it was moved to another band, any that is not 0xFFFF
+///                      or, since it was moved to another band, any that is not 0xFFFF
 ///                      a material or a billboard whose texture was not given
 ///                      a texture that does not repeat, given to a method that repeats all
 ///                      a mesh, transform or illumination that was never made

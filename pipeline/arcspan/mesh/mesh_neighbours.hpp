@@ -73,10 +73,9 @@ class MeshNeighbours {
   /// Makes a view of neighbours, which are checked here once, so that reading them need not. Returns:
   ///
   ///   kOk                `neighbours` is set; otherwise it is not changed
-  ///   kCorrupted         `bytes` end too early or too late for mesh.triangle_count() triangles, bits 6 or 7
-  ///   are
-  ///                      set, a distance has more than 5 bytes, or there are not as many edges that are
-  ///                      kEarlier as kLater and kCrease
+  ///   kCorrupted         `bytes` end too early or too late for mesh.triangle_count() triangles, bits 6 or
+  ///                      7 are set, a distance has more than 5 bytes, or there are not as many edges that
+  ///                      are kEarlier as kLater and kCrease
   ///   kIndexOutOfRange   a number names no triangle
   ///   kInvalidArgument   a triangle beyond an edge has no edge with these ends: those of another mesh
   static constexpr Status make(const MeshView& mesh, std::span<const std::uint8_t> bytes,

@@ -118,10 +118,9 @@ concept SinkFromFirstColumn = PixelSink<S> && std::same_as<typename S::FromFirst
 ///
 /// row(y) is the Word of column 0 of row y of the picture, where that is or would be: bounds() may begin
 /// right of it, and only Words of bounds() are read and written. row(y + 1) is stride_bytes() bytes behind
-/// it, a multiple of the size of a Word that is an
-/// integer. A sink declares itself by `using RowsInMemory =` its own name. A
-/// class derived from it is an ordinary sink, unless it declares itself as well, so that its own open() is
-/// called.
+/// it, a multiple of the size of a Word that is an integer. A sink declares itself by `using RowsInMemory =`
+/// its own name. A class derived from it is an ordinary sink, unless it declares itself as well, so that its
+/// own open() is called.
 template <class S>
 concept SinkInMemory = PixelSink<S> && std::same_as<typename S::RowsInMemory, S> &&
     requires(const S& sink, std::int32_t y) {

@@ -73,56 +73,36 @@ namespace detail {
 
 /// Sums of three coordinates.
 struct WeightedSum {
-  std::int32_t x;
-  std::int32_t y;
-  std::int32_t z;
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  std::int32_t z = 0;
 };
 
-/// The joints of a vertex with their weights in 1024ths.
-template <std::size_t Most>
-struct WeightedJoints {
-  const JointMatrix* joints[Most];
-  std::int32_t weights[Most];
-
-  /// Reads a record of chunk WGHT of `count` joints, at most Most.
-  ARCSPAN_INLINE WeightedJoints(const std::uint16_t* words, const JointMatrix* all, std::size_t count) {
-    const std::uint32_t low = words[0];
-    std::int32_t left = 1 << animation_binary::kWeightBits;
-    for (std::size_t k = 1; k < count; ++k) {
-      const std::uint32_t word = words[k];
-      weights[k] = static_cast<std::int32_t>(((word >> 8) << 2) | ((low >> (8 + 2 * k)) & 3u));
-      left -= weights[k];
-      joints[k] = &all[word & 0xFFu];
-    }
-    joints[0] = &all[low & 0xFFu];
-    weights[0] = left;
-  }
-
-  /// The sum of coordinates(joint, row) times the weights. It wraps where a position is far out of range.
-  template <class Coordinates>
-  [[nodiscard]] ARCSPAN_INLINE inline WeightedSum sum(std::size_t count,
-                                                      const Coordinates& coordinates) const {
-    const auto row = [&](std::size_t i) {
-      std::int32_t sum = wrap_mul(coordinates(*joints[0], i), weights[0]);
-      for (std::size_t k = 1; k < count; ++k)
-        sum = wrap_add(sum, wrap_mul(coordinates(*joints[k], i), weights[k]));
-      return sum;
-    };
-    return {row(0), row(1), row(2)};
-  }
-};
-
-/// The weighted sum over the joints of a record of chunk WGHT. Most vertices have one or two joints.
+/// The sum over the joints of a record of chunk WGHT: of coordinates(joint, row) times the weight in 1024ths.
+/// It wraps where a position is far out of range.
 template <class Coordinates>
 [[nodiscard]] ARCSPAN_INLINE inline WeightedSum weighted_sum(const std::uint16_t* words,
                                                              const JointMatrix* joints,
                                                              const Coordinates& coordinates) {
-  const std::size_t count = ((words[0] >> 8) & 3u) + 1u;
-  if constexpr (!kOptimisedForSize) {
-    if (count == 1) return WeightedJoints<1>(words, joints, 1).sum(1, coordinates);
-    if (count == 2) return WeightedJoints<2>(words, joints, 2).sum(2, coordinates);
+  WeightedSum sum;
+  const auto add = [&](std::uint32_t word, std::int32_t weight) {
+    const JointMatrix& joint = joints[word & 0xFFu];
+    sum.x = wrap_add(sum.x, wrap_mul(coordinates(joint, 0), weight));
+    sum.y = wrap_add(sum.y, wrap_mul(coordinates(joint, 1), weight));
+    sum.z = wrap_add(sum.z, wrap_mul(coordinates(joint, 2), weight));
+  };
+  const std::uint32_t first = *words;
+  std::uint32_t low_bits = first >> 10;  // of the weights, two each
+  std::int32_t left = 1 << animation_binary::kWeightBits;
+  for (std::uint32_t others = (first >> 8) & 3u; others != 0; --others) {
+    const std::uint32_t word = *++words;
+    const auto weight = static_cast<std::int32_t>(((word >> 8) << 2) | (low_bits & 3u));
+    low_bits >>= 2;
+    left -= weight;
+    add(word, weight);
   }
-  return WeightedJoints<4>(words, joints, count).sum(count, coordinates);
+  add(first, left);
+  return sum;
 }
 
 }  // namespace detail

@@ -88,6 +88,49 @@ template <class Method>
   return {group(top < 0 ? 0 : top), group((end > height ? height : end) - 1)};
 }
 
+/// Sets the rows of all triangles of the mesh of `stage`, whose vertices come from `source`.
+template <class Method, class Mesh, class Source>
+void find_rows(const VertexStage<Method, Mesh>& stage, bool two_sided, Source& source, TriangleRows* rows) {
+  const MeshView& mesh = stage.mesh();
+  const BackFaces& back_faces = stage.back_faces();
+  const std::size_t count = mesh.triangle_count();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (back_faces.known()) {
+      const std::size_t front = back_faces.next_front(i, count);
+      for (; i < front; ++i) rows[i] = kNoTriangleRows;
+      if (i == count) return;
+    }
+    const TriangleIndices t = mesh.triangle(i);
+    rows[i] = rows_of(source.vertex(stage, t.a), source.vertex(stage, t.b), source.vertex(stage, t.c),
+                      stage.transform().viewport().height, two_sided);
+  }
+}
+
+/// The object whose vertices a source keeps from call to call.
+class HeldObject {
+ public:
+  constexpr void clear() { holds_ = false; }
+  [[nodiscard]] constexpr bool exists() const { return holds_; }
+  /// Returns kCacheMismatch if it is another one than this, otherwise kOk.
+  [[nodiscard]] constexpr Status compare(const MeshView& mesh, const ClipTransform& transform,
+                                         bool two_sided) const {
+    const bool same = mesh_ == mesh && transform_ == transform && two_sided_ == two_sided;
+    return same ? Status::kOk : Status::kCacheMismatch;
+  }
+  constexpr void hold(const MeshView& mesh, const ClipTransform& transform, bool two_sided) {
+    mesh_ = mesh;
+    transform_ = transform;
+    two_sided_ = two_sided;
+    holds_ = true;
+  }
+
+ private:
+  MeshView mesh_;
+  ClipTransform transform_;
+  bool two_sided_ = false;
+  bool holds_ = false;
+};
+
 }  // namespace detail
 
 /// Every triangle transforms its own three vertices (VertexSource). Needs no memory.
@@ -126,7 +169,7 @@ class VertexCache {
       : vertices_(vertices), rows_(rows) {}
 
   /// Forgets the object.
-  constexpr void clear() { holds_ = false; }
+  constexpr void clear() { object_.clear(); }
 
   /// Transforms and shades all, so that cores may share the cache until clear(). Returns kCacheTooSmall or
   /// kOk.
@@ -148,23 +191,17 @@ class VertexCache {
   /// Starts to hold the object of `stage` if the cache holds none, and finds the rows of its triangles.
   template <class Mesh>
   [[nodiscard]] Status begin(const VertexStage<Method, Mesh>& stage, bool two_sided) {
-    if (holds_) {
-      const bool same = mesh_ == stage.mesh() && transform_ == stage.transform() && two_sided_ == two_sided;
-      return same ? Status::kOk : Status::kCacheMismatch;
-    }
     const MeshView& mesh = stage.mesh();
+    if (object_.exists()) return object_.compare(mesh, stage.transform(), two_sided);
     if (vertices_.size() < mesh.vertex_count()) return Status::kCacheTooSmall;
     if (!rows_.empty() && rows_.size() < mesh.triangle_count()) return Status::kCacheTooSmall;
-    mesh_ = mesh;
-    transform_ = stage.transform();
-    two_sided_ = two_sided;
-    holds_ = true;
+    object_.hold(mesh, stage.transform(), two_sided);
     if (stage.back_faces().known()) {
       detail::forget_vertices(vertices_.data(), mesh.vertex_count());
     } else {
       stage.transform_all(vertices_.data());
     }
-    if (!rows_.empty()) find_rows(stage);
+    if (!rows_.empty()) detail::find_rows(stage, two_sided, *this, rows_.data());
     return Status::kOk;
   }
   template <class Mesh>
@@ -179,30 +216,9 @@ class VertexCache {
   [[nodiscard]] constexpr const TriangleRows* rows() const { return rows_.empty() ? nullptr : rows_.data(); }
 
  private:
-  /// Sets the rows of all triangles.
-  template <class Mesh>
-  void find_rows(const VertexStage<Method, Mesh>& stage) {
-    const MeshView& mesh = stage.mesh();
-    const BackFaces& back_faces = stage.back_faces();
-    const std::size_t count = mesh.triangle_count();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (back_faces.known()) {
-        const std::size_t front = back_faces.next_front(i, count);
-        for (; i < front; ++i) rows_[i] = detail::kNoTriangleRows;
-        if (i == count) return;
-      }
-      const TriangleIndices t = mesh.triangle(i);
-      rows_[i] = detail::rows_of(vertex(stage, t.a), vertex(stage, t.b), vertex(stage, t.c),
-                                 stage.transform().viewport().height, two_sided_);
-    }
-  }
-
   std::span<CachedVertex<Method>> vertices_;
   std::span<TriangleRows> rows_;
-  MeshView mesh_;
-  ClipTransform transform_;
-  bool two_sided_ = false;
-  bool holds_ = false;
+  detail::HeldObject object_;
 };
 
 }  // namespace arcspan

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A picture drawn in bands with vertices kept from band to band is bit for bit the picture drawn at once, and
-// a cache that holds another object is refused.
+// a cache or slots that hold another object are refused.
 #include <arcspan/draw.hpp>
+#include <arcspan/draw/vertex_slots.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/pixel/rgb565.hpp>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
 using namespace arcspan;
@@ -131,9 +133,37 @@ TEMPLATE_TEST_CASE("a picture in bands with kept vertices is the picture drawn a
       CHECK((rows < 200 || found.most_triangles == whole.most_triangles));
       CHECK(drawn(object, rows, all(object), two_sided) == whole);
       CHECK(drawn(object, rows, std::span<CachedVertex<TestType>>(), two_sided) == whole);
+      VertexSlots<TestType> slots(object.rows);
+      CHECK(drawn(object, rows, slots, two_sided) == whole);
+      VertexSlots<TestType, 8> few;  // vertices of a triangle often share a slot
+      CHECK(drawn(object, rows, few, two_sided) == whole);
     }
   }
   CHECK(triangles > 0);
+}
+
+TEST_CASE("slots keep the vertices of a triangle, even if all are of one slot") {
+  using Method = Gouraud<Light>;
+  Random random(175);
+  TestCamera camera;
+  camera.translation = {0, 0, -9000};
+  TestMesh mesh = make_sphere(8, 12, 3000, 0, random);
+  const Object<Method> plain(mesh, camera, false);
+  // Vertex i becomes vertex 8 i, and those between are far away.
+  TestMesh spread = mesh;
+  spread.positions.assign(8 * mesh.positions.size(), {30000, 30000, 30000});
+  spread.normals.assign(8 * mesh.normals.size(), mesh.normals[0]);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    spread.positions[8 * i] = mesh.positions[i];
+    spread.normals[8 * i] = mesh.normals[i];
+  }
+  for (auto& index : spread.indices) index = static_cast<std::uint16_t>(8 * index);
+  const Object<Method> object(spread, camera, false);
+  VertexSlots<Method, 8> slots;
+  const Picture whole = drawn(plain, camera.height, NoCache{}, false);
+  CHECK(whole.most_triangles > 0);
+  CHECK(drawn(object, camera.height, slots, false) == whole);
+  static_assert(VertexSource<VertexSlots<Method>, Method>);
 }
 
 TEMPLATE_TEST_CASE("bands are found by indices of 8 bits and in parts of meshes, too", "", Gouraud<Light>) {
@@ -181,14 +211,21 @@ TEMPLATE_TEST_CASE("a filled cache is only read", "", Gouraud<Light>, Arc<Light>
   }
 }
 
-TEST_CASE("a vertex cache refuses another object until it is cleared") {
+TEMPLATE_TEST_CASE("a source that keeps an object refuses another until it is cleared", "",
+                   VertexCache<Gouraud<Light>>, VertexSlots<Gouraud<Light>>) {
   using Method = Gouraud<Light>;
   Random random(173);
   TestCamera camera;
   camera.translation = {0, 0, -9000};
   Object<Method> object(make_sphere(8, 12, 3000, 0, random), camera, true);
   const Object<Method> other(make_sphere(8, 12, 3000, 0, random), camera, true);
-  VertexCache<Method> cache(object.vertices, object.rows);
+  TestType cache = [&] {
+    if constexpr (std::is_same_v<TestType, VertexCache<Method>>) {
+      return TestType(object.vertices, object.rows);
+    } else {
+      return TestType(object.rows);
+    }
+  }();
   std::vector<Frame::Word> colours(Frame::words(camera.width, camera.height));
   Frame frame(colours, camera.width, camera.height);
   frame.clear({1, 2, 3});
@@ -237,4 +274,8 @@ TEST_CASE("a vertex cache refuses memory that is too small") {
   refuses(VertexCache<Method>(vertices.first(vertices.size() - 1)));
   refuses(VertexCache<Method>(vertices.first(vertices.size() - 1), rows));
   refuses(VertexCache<Method>(vertices, rows.first(rows.size() - 1)));
+  VertexSlots<Method> slots(rows.first(rows.size() - 1));
+  CHECK(draw_mesh<Method>(object.view, transform, object.lighting, frame, NoDepth{}, slots).status ==
+        Status::kCacheTooSmall);
+  CHECK(colours == blank);
 }

@@ -63,6 +63,15 @@ class OutlineSmoother {
     return {r.left - o.x, r.top - o.y, r.right - o.x, r.bottom - o.y};
   }
 
+  /// What the gaps of an edge have in common.
+  struct Edge {
+    const Direction& direction;
+    GapPlace place;
+    std::int32_t side;    ///< from a column to that of the pixel outside: -1 or 0
+    std::int32_t inward;  ///< from the depth outside to that of the surface
+    GapSlope slope;
+  };
+
   ARCSPAN_OUTLINE void walk(const Direction& direction, const RasterPosition& top,
                             const RasterPosition& bottom, GapPlace place) {
     if (is_outside_columns(direction.rect, top.x, bottom.x)) return;
@@ -70,23 +79,33 @@ class OutlineSmoother {
     if (walk.done()) return;
     // The pixel outside is on the left if the surface is on the right, or below.
     const std::int32_t side = place == GapPlace::kRight || place == GapPlace::kBelow ? -1 : 0;
-    const std::int32_t inward = side == 0 ? -direction.column_stride : direction.column_stride;
+    const std::int32_t stride = direction.column_stride;
+    const Edge edge{direction, place, side, side == 0 ? -stride : stride, walk.slope()};
     const std::int32_t leftmost = direction.rect.left + 1;
     const auto width = static_cast<std::uint32_t>(direction.rect.right - leftmost);
-    std::uint16_t* row = depths_ + (walk.row() + direction.origin.y - (direction.exchanged ? 0 : rect_.top)) *
-                                       direction.row_stride;
-    for (; !walk.done(); walk.next(), row += direction.row_stride) {
-      if (static_cast<std::uint32_t>(walk.column() - leftmost) >= width) continue;
-      const std::int32_t column = walk.column() + side + direction.origin.x;
-      const std::int32_t line = walk.row() + direction.origin.y;
-      std::uint16_t* const at =
-          row + (column - (direction.exchanged ? rect_.top : 0)) * direction.column_stride;
-      const std::int32_t offset = walk.offset();
-      const std::int32_t rounded = (offset + 1024) >> 11;
-      const std::int32_t outward = (rounded ^ side) - side;
-      gaps_.put(direction.exchanged ? line : column, direction.exchanged ? column : line,
-                {place, outward, walk.corner(offset)}, walk.depth(), at, at + inward);
+    const std::int32_t row_stride = direction.row_stride;
+    std::uint16_t* row =
+        depths_ + (walk.row() + direction.origin.y - (direction.exchanged ? 0 : rect_.top)) * row_stride +
+        (leftmost + side + direction.origin.x - (direction.exchanged ? rect_.top : 0)) * stride;
+    for (; !walk.done(); walk.next(), row += row_stride) {
+      const auto column = static_cast<std::uint32_t>(walk.column() - leftmost);
+      if (column >= width) continue;
+      std::uint16_t* const at = row + static_cast<std::int32_t>(column) * stride;
+      if (gaps_.is_hidden(*at, walk.depth())) continue;
+      put(edge, walk.column(), walk.row(), walk.offset(), walk.depth(), at);
     }
+  }
+
+  /// Puts the gap left of a column. `at` is the depth of the pixel outside.
+  ARCSPAN_OUTLINE void put(const Edge& edge, std::int32_t column, std::int32_t row, std::int32_t offset,
+                           std::uint16_t z, std::uint16_t* at) {
+    const Direction& direction = edge.direction;
+    column += edge.side + direction.origin.x;
+    row += direction.origin.y;
+    const std::int32_t rounded = (offset + 1024) >> 11;
+    const std::int32_t outward = (rounded ^ edge.side) - edge.side;
+    gaps_.put(direction.exchanged ? row : column, direction.exchanged ? column : row,
+              {edge.place, outward, edge.slope.corner(offset)}, z, at, at + edge.inward);
   }
 
   /// True if the edge certainly runs between no two columns of the rectangle.

@@ -112,7 +112,7 @@ class TriangleDrawer {
 
   template <class Filter, class Source>
   [[nodiscard]] ARCSPAN_INLINE decltype(auto) vertex(Source& source, std::size_t i) const {
-    if constexpr (std::is_same_v<Filter, AllTriangles> && std::is_same_v<Source, VertexCache<Method>>) {
+    if constexpr (std::is_same_v<Filter, AllTriangles> && requires { source.transformed(i); }) {
       return source.transformed(i);
     } else {
       return source.vertex(stage_, i);

@@ -58,6 +58,12 @@ template <class Method>
   return side_of(a, b, c, two_sided);
 }
 
+/// seen_side() of a triangle with these rows, backs of which are culled.
+[[nodiscard]] ARCSPAN_INLINE constexpr TriangleSide side_of(const TriangleRows& rows) {
+  if (rows == TriangleRows::culled()) return TriangleSide::kHidden;
+  return rows == TriangleRows::any() ? TriangleSide::kCut : TriangleSide::kFront;
+}
+
 /// Returns kBufferTooSmall unless `sides` holds all triangles of a mesh, else makes them kHidden.
 [[nodiscard]] inline Status hide_all(const MeshView& mesh, std::span<TriangleSide> sides) {
   if (sides.size() < mesh.triangle_count()) return Status::kBufferTooSmall;
@@ -92,6 +98,10 @@ class NotedSides {
   [[nodiscard]] ARCSPAN_INLINE decltype(auto) vertex(const VertexStage<Method, Mesh>& stage, std::size_t i) {
     return source_.vertex(stage, i);
   }
+  [[nodiscard]] ARCSPAN_INLINE auto& transformed(std::size_t i) requires requires(Source& source) {
+    source.transformed(i);
+  }
+  { return source_.transformed(i); }
   [[nodiscard]] static constexpr const TriangleRows* rows() { return nullptr; }
   ARCSPAN_INLINE constexpr void note_side(std::size_t i, TriangleSide side) { sides_[i] = side; }
 
@@ -101,7 +111,7 @@ class NotedSides {
 };
 
 /// Finds the sides of all triangles of a mesh, as NotedSides notes them, without drawing. A VertexCache keeps
-/// the transformed vertices for the draw calls of all bands.
+/// the transformed vertices for the draw calls of all bands; if it has rows, the sides are those of the rows.
 ///
 /// Returns kOk, kBufferTooSmall if `sides` holds fewer than mesh.triangle_count(), or what source.begin()
 /// returns; `sides` is then undefined.
@@ -116,8 +126,12 @@ requires VertexSource<std::remove_cvref_t<Source>, Method, Mesh>
   Status status = detail::hide_all(triangles, sides);
   if (ok(status)) status = source.begin(stage, options.two_sided);
   if (!ok(status)) return status;
-  const BackFaces& back_faces = stage.back_faces();
   const std::size_t count = triangles.triangle_count();
+  if (const TriangleRows* const rows = source.rows(); rows != nullptr && !options.two_sided) {
+    for (std::size_t i = 0; i < count; ++i) sides[i] = detail::side_of(rows[i]);
+    return Status::kOk;
+  }
+  const BackFaces& back_faces = stage.back_faces();
   const auto next = [&](std::size_t i) { return back_faces.known() ? back_faces.next_front(i, count) : i; };
   for (std::size_t i = next(0); i < count; i = next(i + 1)) {
     const TriangleIndices t = triangles.triangle(i);

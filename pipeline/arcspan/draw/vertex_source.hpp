@@ -26,7 +26,15 @@ struct TriangleRows {
   static constexpr int kGroupBits = 3;
 
   std::uint8_t first;
-  std::uint8_t last;  ///< below `first` if the triangle is not drawn
+  std::uint8_t last;  ///< below `first` if the triangle has no rows
+
+  /// Those of a triangle that is culled, and of one that is not but covers no row of the picture.
+  [[nodiscard]] static constexpr TriangleRows culled() { return {255, 0}; }
+  [[nodiscard]] static constexpr TriangleRows between() { return {254, 0}; }
+  /// Those of a triangle across the near plane or the guard band, which may cover any, or that covers all of
+  /// the 2048 rows of the highest picture.
+  [[nodiscard]] static constexpr TriangleRows any() { return {0, 255}; }
+  friend constexpr bool operator==(const TriangleRows&, const TriangleRows&) = default;
 };
 
 /// Where the transformed vertices of a draw call come from: VertexCache, NoCache, or one of a program's own.
@@ -60,19 +68,17 @@ template <class Method>
   return doubled >= 0 && ((doubled == 0 && !DrawsEdges<Method>) || !two_sided);
 }
 
-inline constexpr TriangleRows kNoTriangleRows{255, 0};
-
 /// Returns the rows of a triangle with these transformed vertices, for a picture of `height` rows.
 template <class Method>
 [[nodiscard]] TriangleRows rows_of(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
                                    const CachedVertex<Method>& c, std::int32_t height, bool two_sided) {
   if ((a.outcode | b.outcode | c.outcode) != 0) {
-    return (a.outcode & b.outcode & c.outcode) != 0 ? kNoTriangleRows : TriangleRows{0, 255};
+    return (a.outcode & b.outcode & c.outcode) != 0 ? TriangleRows::culled() : TriangleRows::any();
   }
   const RasterPosition& p = a.raster.position;
   const RasterPosition& q = b.raster.position;
   const RasterPosition& r = c.raster.position;
-  if (is_culled_by_area<Method>(doubled_area(p, q, r), two_sided)) return kNoTriangleRows;
+  if (is_culled_by_area<Method>(doubled_area(p, q, r), two_sided)) return TriangleRows::culled();
   const std::int32_t upper = p.y < q.y ? p.y : q.y;
   const std::int32_t lower = p.y > q.y ? p.y : q.y;
   const std::int32_t uppermost = upper < r.y ? upper : r.y;
@@ -81,7 +87,7 @@ template <class Method>
   const std::int32_t top =
       (DrawsEdges<Method> ? pixel_of(uppermost) : first_row_at(uppermost)) + (height >> 1);
   const std::int32_t end = (DrawsEdges<Method> ? pixel_of(lowest) + 1 : first_row_at(lowest)) + (height >> 1);
-  if (top >= end || end <= 0 || top >= height) return kNoTriangleRows;
+  if (top >= end || end <= 0 || top >= height) return TriangleRows::between();
   const auto group = [](std::int32_t row) {
     return static_cast<std::uint8_t>(row >> TriangleRows::kGroupBits);
   };
@@ -97,7 +103,7 @@ void find_rows(const VertexStage<Method, Mesh>& stage, bool two_sided, Source& s
   for (std::size_t i = 0; i < count; ++i) {
     if (back_faces.known()) {
       const std::size_t front = back_faces.next_front(i, count);
-      for (; i < front; ++i) rows[i] = kNoTriangleRows;
+      for (; i < front; ++i) rows[i] = TriangleRows::culled();
       if (i == count) return;
     }
     const TriangleIndices t = mesh.triangle(i);

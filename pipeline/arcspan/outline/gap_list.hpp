@@ -33,6 +33,11 @@ class GapList {
         inward_{1, -1, words_per_row(sink), -words_per_row(sink)},
         most_(memory.size() < kMost ? static_cast<std::uint32_t>(memory.size()) : kMost) {}
 
+  /// True if a pixel with this depth, which is no gap's, is nearer than `z`.
+  [[nodiscard]] ARCSPAN_INLINE bool is_hidden(std::uint16_t depth, std::uint16_t z) const {
+    return depth >= count_ && is_nearer(depth, z);
+  }
+
   /// Puts the outline of pixel (x, y), which is outside, with depth `z`, unless the pixel is nearer. `at` is
   /// the pixel's depth in the buffer, `inner` that of the pixel on the other side of the outline. Of several
   /// outlines in one gap the outermost counts; of two surfaces that meet in it the first.
@@ -65,7 +70,9 @@ class GapList {
   /// Restores the depths, blends the pixels of all gaps, and empties the list.
   ARCSPAN_OUTLINE void apply() {
     for (std::uint32_t i = 0; i < count_; ++i) restore(gaps_[i]);
-    for (std::uint32_t i = 0; i < count_ && ok(status_); ++i) blend(gaps_[i]);
+    Status status = status_;
+    for (std::uint32_t i = 0; i < count_ && ok(status); ++i) status = blend(gaps_[i]);
+    status_ = status;
     count_ = 0;
   }
 
@@ -135,7 +142,7 @@ class GapList {
   }
 
   /// The outline lies in the nearer pixel, and may cut a corner of the other one.
-  void blend(const Gap& gap) {
+  [[nodiscard]] Status blend(const Gap& gap) {
     const GapOutline outline(gap.outline);
     const GapPlace place = outline.place();
     const std::int32_t outward = outline.outward();
@@ -143,14 +150,16 @@ class GapList {
     const std::uint32_t of_outer = outward > 0 ? static_cast<std::uint32_t>(outward) + corner : corner;
     const std::uint32_t of_inner = outward < 0 ? static_cast<std::uint32_t>(-outward) + corner : corner;
     GapPixels pixels = pixels_of(gap, place);
+    Status status = Status::kOk;
     if (of_outer != 0) {
       pixels.outer.write(blended<Format>(pixels.outer.read(), gap.held.blending.inner, of_outer));
-      status_ = sink_.close({gap.y, gap.x, 1});
+      status = sink_.close({gap.y, gap.x, 1});
     }
-    if (of_inner != 0 && ok(status_)) {
+    if (of_inner != 0 && ok(status)) {
       pixels.inner.write(blended<Format>(pixels.inner.read(), gap.held.blending.outer, of_inner));
-      status_ = sink_.close({gap.y + row_step(place), gap.x + column_step(place), 1});
+      status = sink_.close({gap.y + row_step(place), gap.x + column_step(place), 1});
     }
+    return status;
   }
 
   Sink& sink_;

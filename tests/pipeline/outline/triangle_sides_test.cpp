@@ -87,6 +87,7 @@ TEST_CASE("Triangle sides: drawing notes those that are found without it, and dr
   REQUIRE(ok(make_face_planes(mesh, planes, scale)));
   if (with_planes) REQUIRE(ok(mesh.attach(planes, scale)));
   std::vector<CachedVertex<Method>> vertices(mesh.vertex_count());
+  std::vector<TriangleRows> rows(mesh.triangle_count());
   std::array<std::size_t, 4> counts{};
   const int cases = std::max(share_of(60), 4);  // of which every second is cut
   for (int i = 0; i < cases; ++i) {
@@ -108,6 +109,10 @@ TEST_CASE("Triangle sides: drawing notes those that are found without it, and dr
             .status));
     REQUIRE(ok(find_sides<Method>(mesh, transform, light, NoCache{}, found, options)));
     CHECK(noted == found);
+    std::vector<TriangleSide> of_rows(noted.size(), TriangleSide::kCut);
+    VertexCache<Method> with_rows(vertices, rows);
+    REQUIRE(ok(find_sides<Method>(mesh, transform, light, with_rows, of_rows, options)));
+    CHECK(of_rows == found);
     CHECK(plain.colours == noted_picture.colours);
     bool as_projected = true;
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {

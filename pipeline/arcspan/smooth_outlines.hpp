@@ -28,10 +28,13 @@ class OutlineSmoother {
       : gaps_(gaps),
         depths_(depth.row(scissor.rect().top)),
         rect_(scissor.rect()),
+        rows_(subpixels(rect_.top - scissor.origin().y, rect_.bottom - scissor.origin().y)),
+        columns_(subpixels(rect_.left - scissor.origin().x, rect_.right - scissor.origin().x)),
         by_rows_{relative(rect_, scissor.origin()), depth.stride(), 1, scissor.origin(), false},
         by_columns_{exchanged(by_rows_.rect), 1, depth.stride(), exchanged(scissor.origin()), true} {}
 
   void smooth(const OutlineEdge& edge) {
+    if (is_outside(rows_, edge.from.y, edge.to.y) || is_outside(columns_, edge.from.x, edge.to.x)) return;
     const std::int32_t dx = edge.to.x - edge.from.x;
     const std::int32_t dy = edge.to.y - edge.from.y;
     if (magnitude(dy) >= magnitude(dx)) {
@@ -74,7 +77,6 @@ class OutlineSmoother {
 
   ARCSPAN_OUTLINE void walk(const Direction& direction, const RasterPosition& top,
                             const RasterPosition& bottom, GapPlace place) {
-    if (is_outside_columns(direction.rect, top.x, bottom.x)) return;
     GapWalk walk(top, bottom, {direction.rect.top, direction.rect.bottom}, direction.exchanged);
     if (walk.done()) return;
     // The pixel outside is on the left if the surface is on the right, or below.
@@ -108,16 +110,24 @@ class OutlineSmoother {
               {edge.place, outward, edge.slope.corner(offset)}, z, at, at + edge.inward);
   }
 
-  /// True if the edge certainly runs between no two columns of the rectangle.
-  [[nodiscard]] static bool is_outside_columns(const Rect& rect, std::int32_t a, std::int32_t b) {
-    const std::int32_t left = rect.left * 16;
-    const std::int32_t right = rect.right * 16;
-    return (a < left && b < left) || (a > right && b > right);
+  /// Coordinates of vertices.
+  struct Range {
+    std::int32_t least;
+    std::int32_t most;
+  };
+  [[nodiscard]] static constexpr Range subpixels(std::int32_t first, std::int32_t end) {
+    return {first * 16, end * 16};
+  }
+  /// True if the edge certainly has no gaps in the range.
+  [[nodiscard]] ARCSPAN_INLINE static bool is_outside(const Range& range, std::int32_t a, std::int32_t b) {
+    return (a < range.least && b < range.least) || (a > range.most && b > range.most);
   }
 
   GapList<Sink>& gaps_;
   std::uint16_t* const depths_;  ///< column 0 of the first row of the rectangle
   const Rect rect_;
+  const Range rows_;
+  const Range columns_;
   const Direction by_rows_;
   const Direction by_columns_;
 };

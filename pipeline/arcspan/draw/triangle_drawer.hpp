@@ -43,11 +43,11 @@ struct FrontTriangles {
 class BandTriangles {
  public:
   static constexpr bool kAllInside = false;
-  /// `rows` are those of all triangles of the mesh; `band` is not empty.
-  constexpr BandTriangles(const TriangleRows* rows, const Rect& band)
+  /// `rows` are those of all triangles of the mesh in a picture of `height` rows; `band` is not empty.
+  constexpr BandTriangles(const TriangleRows* rows, const Rect& band, std::int32_t height)
       : rows_(rows),
-        first_(band.top >> TriangleRows::kGroupBits),
-        last_((band.bottom - 1) >> TriangleRows::kGroupBits) {}
+        first_(band.top >> TriangleRows::group_bits(height)),
+        last_((band.bottom - 1) >> TriangleRows::group_bits(height)) {}
   [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
     while (i < count && (rows_[i].last < first_ || rows_[i].first > last_)) ++i;
     return i;
@@ -89,7 +89,7 @@ class TriangleDrawer {
     result_.status = source.begin(stage_, two_sided_);
     if (!ok(result_.status)) return;
     if (const TriangleRows* const rows = source.rows()) {
-      draw_triangles(source, BandTriangles(rows, scissor_.rect()));
+      draw_triangles(source, BandTriangles(rows, scissor_.rect(), stage_.transform().viewport().height));
       return;
     }
     if constexpr (Features.planes) {

@@ -21,18 +21,23 @@
 
 namespace arcspan {
 
-/// The rows of a triangle, in groups of 8 from the top of the picture: first ... last.
+/// The rows of a triangle, in groups from the top of the picture: first ... last. A picture of up to 255 rows
+/// has groups of one row, a higher one of 2, 4, 8 or 16, so that there are at most 255.
 struct TriangleRows {
-  static constexpr int kGroupBits = 3;
-
   std::uint8_t first;
   std::uint8_t last;  ///< below `first` if the triangle has no rows
+
+  /// The rows of a group are 2 to the power of this, in a picture of `height` rows, 1...2048.
+  [[nodiscard]] static constexpr int group_bits(std::int32_t height) {
+    int bits = 0;
+    while ((height - 1) >> bits > 254) ++bits;
+    return bits;
+  }
 
   /// Those of a triangle that is culled, and of one that is not but covers no row of the picture.
   [[nodiscard]] static constexpr TriangleRows culled() { return {255, 0}; }
   [[nodiscard]] static constexpr TriangleRows between() { return {254, 0}; }
-  /// Those of a triangle across the near plane or the guard band, which may cover any, or that covers all of
-  /// the 2048 rows of the highest picture.
+  /// Those of a triangle across the near plane or the guard band, which may cover any.
   [[nodiscard]] static constexpr TriangleRows any() { return {0, 255}; }
   friend constexpr bool operator==(const TriangleRows&, const TriangleRows&) = default;
 };
@@ -68,10 +73,12 @@ template <class Method>
   return doubled >= 0 && ((doubled == 0 && !DrawsEdges<Method>) || !two_sided);
 }
 
-/// Returns the rows of a triangle with these transformed vertices, for a picture of `height` rows.
+/// Returns the rows of a triangle with these transformed vertices, for a picture of `height` rows in groups
+/// of 2^bits.
 template <class Method>
 [[nodiscard]] TriangleRows rows_of(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
-                                   const CachedVertex<Method>& c, std::int32_t height, bool two_sided) {
+                                   const CachedVertex<Method>& c, std::int32_t height, int bits,
+                                   bool two_sided) {
   if ((a.outcode | b.outcode | c.outcode) != 0) {
     return (a.outcode & b.outcode & c.outcode) != 0 ? TriangleRows::culled() : TriangleRows::any();
   }
@@ -88,9 +95,7 @@ template <class Method>
       (DrawsEdges<Method> ? pixel_of(uppermost) : first_row_at(uppermost)) + (height >> 1);
   const std::int32_t end = (DrawsEdges<Method> ? pixel_of(lowest) + 1 : first_row_at(lowest)) + (height >> 1);
   if (top >= end || end <= 0 || top >= height) return TriangleRows::between();
-  const auto group = [](std::int32_t row) {
-    return static_cast<std::uint8_t>(row >> TriangleRows::kGroupBits);
-  };
+  const auto group = [bits](std::int32_t row) { return static_cast<std::uint8_t>(row >> bits); };
   return {group(top < 0 ? 0 : top), group((end > height ? height : end) - 1)};
 }
 
@@ -100,6 +105,8 @@ void find_rows(const VertexStage<Method, Mesh>& stage, bool two_sided, Source& s
   const MeshView& mesh = stage.mesh();
   const BackFaces& back_faces = stage.back_faces();
   const std::size_t count = mesh.triangle_count();
+  const std::int32_t height = stage.transform().viewport().height;
+  const int bits = TriangleRows::group_bits(height);
   for (std::size_t i = 0; i < count; ++i) {
     if (back_faces.known()) {
       const std::size_t front = back_faces.next_front(i, count);
@@ -107,8 +114,8 @@ void find_rows(const VertexStage<Method, Mesh>& stage, bool two_sided, Source& s
       if (i == count) return;
     }
     const TriangleIndices t = mesh.triangle(i);
-    rows[i] = rows_of(source.vertex(stage, t.a), source.vertex(stage, t.b), source.vertex(stage, t.c),
-                      stage.transform().viewport().height, two_sided);
+    rows[i] = rows_of(source.vertex(stage, t.a), source.vertex(stage, t.b), source.vertex(stage, t.c), height,
+                      bits, two_sided);
   }
 }
 

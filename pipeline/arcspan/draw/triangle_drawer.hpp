@@ -5,6 +5,7 @@
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/edge_drawer.hpp>
 #include <arcspan/draw/scissor.hpp>
+#include <arcspan/draw/triangle_rows.hpp>
 #include <arcspan/draw/triangle_sides.hpp>
 #include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
@@ -37,26 +38,6 @@ struct FrontTriangles {
   [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
     return back_faces.next_front(i, count);
   }
-};
-
-/// The triangles with rows in a band.
-class BandTriangles {
- public:
-  static constexpr bool kAllInside = false;
-  /// `rows` are those of all triangles of the mesh in a picture of `height` rows; `band` is not empty.
-  constexpr BandTriangles(const TriangleRows* rows, const Rect& band, std::int32_t height)
-      : rows_(rows),
-        first_(band.top >> TriangleRows::group_bits(height)),
-        last_((band.bottom - 1) >> TriangleRows::group_bits(height)) {}
-  [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
-    while (i < count && (rows_[i].last < first_ || rows_[i].first > last_)) ++i;
-    return i;
-  }
-
- private:
-  const TriangleRows* rows_;
-  std::int32_t first_;  ///< groups of rows of the band
-  std::int32_t last_;
 };
 
 /// Draws the triangles of one draw_mesh() call: culls, clips, shades, prepares and hands the commands

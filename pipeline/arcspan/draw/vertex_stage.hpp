@@ -33,6 +33,13 @@ namespace detail {
 /// The side of a triangle that is seen.
 enum class Facing : std::uint8_t { kFront, kBack };
 
+/// True if a triangle of this doubled_area() is not drawn: it shows its back, and backs are not drawn, or it
+/// has no area, and no edges are drawn.
+template <class Method>
+[[nodiscard]] ARCSPAN_INLINE constexpr bool is_culled_by_area(std::int32_t doubled, bool two_sided) {
+  return doubled >= 0 && ((doubled == 0 && !DrawsEdges<Method>) || !two_sided);
+}
+
 }  // namespace detail
 
 /// Transforms and shades the vertices of one mesh, for a vertex source (draw/vertex_source.hpp).

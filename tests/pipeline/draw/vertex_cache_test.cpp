@@ -142,6 +142,30 @@ TEMPLATE_TEST_CASE("a picture in bands with kept vertices is the picture drawn a
   CHECK(triangles > 0);
 }
 
+TEST_CASE("rows of high pictures are in groups, of which there are at most 255") {
+  static_assert(TriangleRows::group_bits(1) == 0 && TriangleRows::group_bits(255) == 0);
+  static_assert(TriangleRows::group_bits(256) == 1 && TriangleRows::group_bits(2048) == 4);
+  using Method = Gouraud<Light>;
+  Random random(176);
+  for (const std::int32_t height : {255, 256, 511, 1100, 2048}) {
+    TestCamera camera;
+    camera.width = 20;
+    camera.height = height;
+    camera.focal = 1.5 * height;
+    camera.translation = {0, 0, -9000};
+    Object<Method> object(make_sphere(10, 14, 3000, 0.2, random), camera, false);
+    const Picture whole = drawn(object, height, all(object), false);
+    CHECK(whole.most_triangles > 0);
+    for (const std::int32_t rows : {37, 64}) {
+      CAPTURE(height, rows);
+      VertexCache<Method> with_rows(object.vertices, object.rows);
+      const Picture found = drawn(object, rows, with_rows, false);
+      CHECK(found == whole);
+      CHECK(found.most_triangles < whole.most_triangles);
+    }
+  }
+}
+
 TEST_CASE("slots keep the vertices of a triangle, even if all are of one slot") {
   using Method = Gouraud<Light>;
   Random random(175);

@@ -35,7 +35,7 @@ constexpr Camera kCamera =
 class Spi final : public hal::SpiBus {
  public:
   void start() {
-    spi_init(spi0, 62'500'000);  // more than the 15 MHz of the data sheet; lower it if pixels are wrong
+    spi_init(spi0, 62'500'000);  // as an ST7789VW is specified; an ST7789V for 15 MHz
     spi_set_format(spi0, 8, SPI_CPOL_0, SPI_CPHA_0, SPI_MSB_FIRST);
     gpio_set_function(kSck, GPIO_FUNC_SPI);
     gpio_set_function(kMosi, GPIO_FUNC_SPI);

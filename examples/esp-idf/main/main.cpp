@@ -10,6 +10,7 @@
 #include <arcspan/scene.hpp>
 #include <arcspan/shading/surface/arc.hpp>
 
+#include <driver/gpio.h>
 #include <driver/spi_master.h>
 #include <esp_err.h>
 #include <esp_lcd_panel_io.h>
@@ -55,7 +56,7 @@ esp_lcd_panel_handle_t start_panel() {
   esp_lcd_panel_io_spi_config_t wires = {};
   wires.cs_gpio_num = static_cast<gpio_num_t>(kCs);
   wires.dc_gpio_num = static_cast<gpio_num_t>(kDc);
-  wires.pclk_hz = 40'000'000;  // more than the 15 MHz of the data sheet; lower it if pixels are wrong
+  wires.pclk_hz = 40'000'000;  // an ST7789V is specified for 15 MHz, an ST7789VW for 62.5
   wires.trans_queue_depth = 2;
   wires.on_color_trans_done = on_sent;
   wires.lcd_cmd_bits = wires.lcd_param_bits = 8;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Zephyr: a copper ring turns on the display that the device tree chooses (zephyr,display), in bands of 16
-// rows.
+// Zephyr 4.1 or newer: a copper ring turns on the display that the device tree chooses (zephyr,display), in
+// bands of 16 rows.
 #include "model.h"
 
 #include <arcspan/hal/framebuffer.hpp>
@@ -14,6 +14,7 @@
 #include <zephyr/drivers/display.h>
 #include <zephyr/kernel.h>
 #include <zephyr/logging/log.h>
+#include <zephyr/version.h>
 
 LOG_MODULE_REGISTER(ring);
 
@@ -27,6 +28,14 @@ constexpr MeshView kMesh = MeshView::of(model::kPositions, model::kNormals, mode
                                .with(model::kPlanes, model::kPlaneScale);
 constexpr SceneLight kSun[] = {SceneLight::directional(normalised(-2, 3, 4))};
 constexpr auto kCopper = PreparedMaterial<Method>::of(plastic({220, 130, 70}), {kSun});
+
+// The order of the two bytes of a pixel in memory. Zephyr 4.4 gave the names another meaning, and not every
+// driver says what its display wants: exchange the two if the ring is not copper.
+#if ZEPHYR_VERSION_CODE >= ZEPHYR_VERSION(4, 4, 0)
+constexpr display_pixel_format kLowByteFirst = PIXEL_FORMAT_RGB_565, kHighByteFirst = PIXEL_FORMAT_RGB_565X;
+#else
+constexpr display_pixel_format kLowByteFirst = PIXEL_FORMAT_BGR_565, kHighByteFirst = PIXEL_FORMAT_RGB_565;
+#endif
 
 const device* const display = DEVICE_DT_GET(DT_CHOSEN(zephyr_display));
 std::uint16_t pixels[kMostColumns * kRows];
@@ -48,11 +57,14 @@ int show(std::int32_t width, std::int32_t height) {
     rows.width = rows.pitch = static_cast<std::uint16_t>(width);
     rows.height = static_cast<std::uint16_t>(height - top < kRows ? height - top : kRows);
     rows.buf_size = 2u * rows.width * rows.height;
+    rows.frame_incomplete = top + kRows < height;  // drivers with two frames exchange them after the last band
     const int failed = display_write(display, 0, static_cast<std::uint16_t>(top), &rows, pixels);
     if (failed) return failed;
   }
   return 0;
 }
+
+bool is_16_bit(display_pixel_format format) { return format == kLowByteFirst || format == kHighByteFirst; }
 
 }  // namespace
 
@@ -60,9 +72,9 @@ int main() {
   if (!device_is_ready(display)) return -ENODEV;
   display_capabilities has = {};
   display_get_capabilities(display, &has);
-  // RGB_565 has the high byte first in memory, BGR_565 (RGB_565X since Zephyr 4.2) the low one.
-  const bool is_swapped = has.current_pixel_format == PIXEL_FORMAT_RGB_565;
-  if (has.x_resolution > kMostColumns || (!is_swapped && has.current_pixel_format != PIXEL_FORMAT_BGR_565)) {
+  if (!is_16_bit(has.current_pixel_format) && display_set_pixel_format(display, PIXEL_FORMAT_RGB_565) == 0)
+    display_get_capabilities(display, &has);  // the window of native_sim begins with 32 bits per pixel
+  if (has.x_resolution > kMostColumns || !is_16_bit(has.current_pixel_format)) {
     LOG_ERR("the display has %u columns and pixel format %u", has.x_resolution,
             static_cast<unsigned>(has.current_pixel_format));
     return -ENOTSUP;
@@ -78,8 +90,9 @@ int main() {
     ring.rotation = rotation_of(EulerAngles{{turn}, {11000}, {}});
     status = prepare_scene({camera, {kSun}, {&ring, 1}}, scene_memory);
     if (!ok(status)) break;
-    failed = is_swapped ? show<Rgb565Swapped>(has.x_resolution, has.y_resolution)
-                        : show<Rgb565>(has.x_resolution, has.y_resolution);
+    failed = has.current_pixel_format == kHighByteFirst
+                 ? show<Rgb565Swapped>(has.x_resolution, has.y_resolution)
+                 : show<Rgb565>(has.x_resolution, has.y_resolution);
   }
   LOG_ERR("%s, %d", to_string(status), failed);
   return -EIO;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The public signatures of ESP-IDF 5.1 that examples/esp-idf uses. Nothing is implemented.
+// The public signatures of ESP-IDF that examples/esp-idf uses, of version 5.1 or 6.0. Nothing is implemented.
 #pragma once
+#ifndef IDF_VERSION
+#define IDF_VERSION 51
+#endif
 #include <stddef.h>
 #include <stdint.h>
 
@@ -15,7 +18,7 @@ void esp_log_error(const char* tag, const char* format, ...) __attribute__((form
 typedef enum { GPIO_NUM_NC = -1, GPIO_NUM_0, GPIO_NUM_MAX = 49 } gpio_num_t;
 typedef enum { SPI1_HOST, SPI2_HOST, SPI3_HOST } spi_host_device_t;
 typedef enum { SPI_DMA_DISABLED, SPI_DMA_CH_AUTO = 3 } spi_common_dma_t;
-typedef spi_common_dma_t spi_dma_chan_t;
+typedef int spi_dma_chan_t;  // in C++
 typedef struct {
   union {
     int mosi_io_num;
@@ -43,14 +46,20 @@ esp_err_t spi_bus_initialize(spi_host_device_t host_id, const spi_bus_config_t* 
 
 typedef struct esp_lcd_panel_io_t* esp_lcd_panel_io_handle_t;
 typedef struct esp_lcd_panel_t* esp_lcd_panel_handle_t;
+#if IDF_VERSION >= 60
+typedef gpio_num_t lcd_gpio;
+typedef int esp_lcd_spi_bus_handle_t;  // since 5.3
+#else
+typedef int lcd_gpio;
 typedef void* esp_lcd_spi_bus_handle_t;
+#endif
 typedef struct {
 } esp_lcd_panel_io_event_data_t;
 typedef bool (*esp_lcd_panel_io_color_trans_done_cb_t)(esp_lcd_panel_io_handle_t panel_io,
                                                        esp_lcd_panel_io_event_data_t* edata, void* user_ctx);
 typedef struct {
-  int cs_gpio_num;
-  int dc_gpio_num;
+  lcd_gpio cs_gpio_num;
+  lcd_gpio dc_gpio_num;
   int spi_mode;
   unsigned int pclk_hz;
   size_t trans_queue_depth;
@@ -64,9 +73,9 @@ esp_err_t esp_lcd_new_panel_io_spi(esp_lcd_spi_bus_handle_t bus,
                                    esp_lcd_panel_io_handle_t* ret_io);
 typedef enum { LCD_RGB_ELEMENT_ORDER_RGB, LCD_RGB_ELEMENT_ORDER_BGR } lcd_rgb_element_order_t;
 typedef struct {
-  int reset_gpio_num;
+  lcd_gpio reset_gpio_num;
   lcd_rgb_element_order_t rgb_ele_order;
-  unsigned int bits_per_pixel;
+  uint32_t bits_per_pixel;
   void* vendor_config;
 } esp_lcd_panel_dev_config_t;
 esp_err_t esp_lcd_new_panel_st7789(const esp_lcd_panel_io_handle_t io,

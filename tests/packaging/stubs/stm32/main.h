@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The public signatures of ST's HAL, as a project of CubeMX includes them, that examples/stm32 uses. Nothing
-// is implemented.
+// The public signatures of ST's HAL, as a project of CubeMX includes them, that examples/stm32 uses: the
+// older ones, without const and with pointers to words, which newer ones accept. Nothing is implemented.
 #pragma once
 #include <stdint.h>
 

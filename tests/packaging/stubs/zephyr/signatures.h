@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The public signatures of Zephyr 3.7 that examples/zephyr uses. Nothing is implemented.
+// The public signatures of Zephyr that examples/zephyr uses, of version 4.1 or 4.4. Nothing is implemented.
 #pragma once
 #include <errno.h>
 #include <stdint.h>
+
+#define ZEPHYR_VERSION(a, b, c) (((a) << 16) + ((b) << 8) + (c))
+#ifndef ZEPHYR_VERSION_CODE
+#define ZEPHYR_VERSION_CODE ZEPHYR_VERSION(4, 4, 0)
+#endif
 
 extern "C" {
 struct device {
@@ -20,7 +25,11 @@ enum display_pixel_format {
   PIXEL_FORMAT_MONO10 = 4,
   PIXEL_FORMAT_ARGB_8888 = 8,
   PIXEL_FORMAT_RGB_565 = 16,
+#if ZEPHYR_VERSION_CODE >= ZEPHYR_VERSION(4, 4, 0)
+  PIXEL_FORMAT_RGB_565X = 32,
+#else
   PIXEL_FORMAT_BGR_565 = 32,
+#endif
 };
 enum display_orientation { DISPLAY_ORIENTATION_NORMAL };
 struct display_capabilities {
@@ -36,8 +45,10 @@ struct display_buffer_descriptor {
   uint16_t width;
   uint16_t height;
   uint16_t pitch;
+  bool frame_incomplete;
 };
 void display_get_capabilities(const struct device* dev, struct display_capabilities* capabilities);
+int display_set_pixel_format(const struct device* dev, const enum display_pixel_format pixel_format);
 int display_blanking_off(const struct device* dev);
 int display_write(const struct device* dev, const uint16_t x, const uint16_t y,
                   const struct display_buffer_descriptor* desc, const void* buf);

@@ -8,6 +8,7 @@
 * Decisions are numbered from 1, in the names of their files and in their titles. The numbers of removed ones are in the paragraph
   "Removed: ..." of their index.
 * A link whose text is a symbol, [`Type::member`](file), leads to a source file that has its words.
+* The number of test cases on README.md is that of tests/, rounded down to a hundred.
 * In the table "Where to change what" of docs/README.md no cell is longer than CELL columns as it is shown: two lines.
 """
 
@@ -88,6 +89,14 @@ def long_cells(page):
                 yield f"a cell has {len(shown)} columns, at most {CELL} are allowed: {shown[:40]}..."
 
 
+def test_cases(tree):
+    there = sum(len(re.findall(r"^ *(?:TEMPLATE_\w*)?TEST_CASE\w*\(", source.read_text(encoding="utf-8"), re.M))
+                for source in (tree / "tests").rglob("*.cpp")) // 100 * 100
+    said = re.search(r"by ([\d,]+) test cases", (tree / "README.md").read_text(encoding="utf-8"))
+    if not said or int(said[1].replace(",", "")) != there:
+        yield f"README.md: {said[0] if said else 'no number of test cases'}, but tests/ has {there:,} or a few more"
+
+
 def main():
     tree = pathlib.Path(sys.argv[1]).resolve()
     pages = [p for p in sorted(tree.rglob("*.md"))
@@ -105,6 +114,7 @@ def main():
             else:
                 leads_to[page].add(path)
         wrong += [f"{name}: {line}" for line in (*long_lines(page), *symbols(page))]
+    wrong += test_cases(tree)
     wrong += decisions(tree / "docs/decisions")
     wrong += [f"docs/README.md: {line}" for line in long_cells(tree / "docs/README.md")]
     reached = set()

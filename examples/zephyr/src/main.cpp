@@ -57,7 +57,8 @@ int show(std::int32_t width, std::int32_t height) {
     rows.width = rows.pitch = static_cast<std::uint16_t>(width);
     rows.height = static_cast<std::uint16_t>(height - top < kRows ? height - top : kRows);
     rows.buf_size = 2u * rows.width * rows.height;
-    rows.frame_incomplete = top + kRows < height;  // drivers with two frames exchange them after the last band
+    rows.frame_incomplete =
+        top + kRows < height;  // drivers with two frames exchange them after the last band
     const int failed = display_write(display, 0, static_cast<std::uint16_t>(top), &rows, pixels);
     if (failed) return failed;
   }

@@ -28,7 +28,7 @@ void setup() {
 }
 
 void loop() {
-  const int degrees = analogRead(A0) / 8;  // 0...127
+  const int degrees = analogRead(A0) / 8;  // 0...127 of 10 bits: an ESP32 needs analogReadResolution(10) in setup()
   char text[16];
   snprintf(text, sizeof text, "%d \u00B0C", degrees);
   const Turn angle{static_cast<uint16_t>(degrees * 320 - 20480)};

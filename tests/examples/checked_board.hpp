@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/hal/panel/ili9341.hpp>
 #include <arcspan/hal/spi_bus.hpp>
 
 #include <cstdint>
@@ -30,9 +29,9 @@ class CheckedSpi final : public hal::SpiBus {
   std::uint32_t hash_ = 2166136261u;
 };
 
-/// The board of an example: an ILI9341 on `Devices`, which have `bus` and `reset` (pointers that may be
-/// null), `data_or_command` and `clock`, and print a summary at the end.
-template <class Devices>
+/// The board of an example: a panel, such as hal::Ili9341, on `Devices`, which have `bus` and `reset`
+/// (pointers that may be null), `data_or_command` and `clock`, and print a summary at the end.
+template <class Panel, class Devices>
 class CheckedBoard {
  public:
   CheckedBoard() = default;
@@ -41,12 +40,12 @@ class CheckedBoard {
   ~CheckedBoard() { devices_.report(bus_.bytes(), bus_.hash()); }
 
   Status start() { return panel_.start(); }
-  [[nodiscard]] hal::Ili9341& panel() { return panel_; }
+  [[nodiscard]] Panel& panel() { return panel_; }
 
  private:
   Devices devices_;
   CheckedSpi bus_{devices_.bus};
-  hal::Ili9341 panel_{bus_, devices_.data_or_command, devices_.reset, devices_.clock};
+  Panel panel_{bus_, devices_.data_or_command, devices_.reset, devices_.clock};
 };
 
 }  // namespace arcspan::example

@@ -72,3 +72,10 @@ TEST_CASE("mesh keeps clips, or bakes a pose") {
   CHECK(run(compile + (folder / "c.bin") + " --planes").err ==
         "arcspan: --planes: needs --pose with a model that moves: planes do not\n");
 }
+
+TEST_CASE("the model of examples/walker.cpp is as mesh writes it") {
+  const TemporaryFolder folder;
+  const std::string of = std::string(ARCSPAN_EXAMPLES) + "/walker/";
+  REQUIRE(run("mesh " + of + "walker.glb --name walker -o " + (folder / "model.h")).status == 0);
+  CHECK(contents(folder / "model.h") == contents(of + "model.h"));
+}

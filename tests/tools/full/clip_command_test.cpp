@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Clips in `arcspan render`, `turntable` and `mesh`, as a user runs them.
+#include <arcspan/mesh/crc32.hpp>
+
 #include <arcspan_tools/image/image_file.hpp>
 #include <catch2/catch.hpp>
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/gltf_rig.hpp>
 #include <tests/tools/temporary_folder.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
 
 using namespace arcspan::tools;
 using namespace arcspan::test;
@@ -31,7 +39,9 @@ TEST_CASE("render draws a pose of a clip, and a sheet of all clips") {
   CHECK(bent.err.empty());
   CHECK(read_image(folder / "a.png") != at_rest);
   REQUIRE(run(draw + " --pose bend@1").status == 0);
-  CHECK(read_image(folder / "a.png") == at_rest);
+  const Image at_end = read_image(folder / "a.png");
+  REQUIRE(run(draw + " --pose bend@0").status == 0);
+  CHECK(read_image(folder / "a.png") == at_end);
   REQUIRE(run(draw + " --clips").status == 0);
   const Image sheet = read_image(folder / "a.png");
   CHECK(sheet.width == 6 + 8 * 46);
@@ -51,6 +61,114 @@ TEST_CASE("turntable plays a clip") {
   REQUIRE(played.status == 0);
   CHECK(played.err.empty());
   CHECK(read_image(folder / "still/frame-0002.png") != read_image(folder / "played/frame-0002.png"));
+}
+
+TEST_CASE("a model binary is posed as the file that it was made of") {
+  const TemporaryFolder folder;
+  const std::string file = bending(folder);
+  const std::string binary = folder / "tube.bin";
+  REQUIRE(run("mesh " + file + " -o " + binary).status == 0);
+  const auto drawn = [&](const std::string& command) {
+    const CommandRun done = run(command + (folder / "a.png"));
+    INFO(command << done.err);
+    REQUIRE(done.status == 0);
+    return read_image(folder / "a.png");
+  };
+  for (const std::string& how : std::vector<std::string>{"--pose bend@0.5", "--pose bend@0.2", "--clips"}) {
+    const std::string options = " --size 40x30 " + how + " -o ";
+    CHECK(drawn("render " + binary + options) == drawn("render " + file + options));
+  }
+  const std::string still = " --size 40x30 --eye 3,2,5 -o ";
+  CHECK(drawn("render " + binary + still) != drawn("render " + binary + " --pose bend@0.5" + still));
+  CHECK(run("render " + binary + still + (folder / "a.png")).err ==
+        "arcspan: warning: " + binary +
+            ": clips are not played, the model stands at rest: bend (1 s); see --pose\n");
+  for (const char* command : {"turntable ", "simulate "}) {
+    const std::string frames =
+        command == std::string("turntable ") ? " --frames 4" : " --turntable 4 --panel ssd1306";
+    REQUIRE(run(command + binary + frames + " --clip bend -o " + (folder / "bin/")).status == 0);
+    REQUIRE(run(command + file + frames + " --clip bend -o " + (folder / "glb/")).status == 0);
+    CHECK(contents(folder / "bin/frame-0002.png") == contents(folder / "glb/frame-0002.png"));
+    std::filesystem::remove_all(folder / "bin");
+    std::filesystem::remove_all(folder / "glb");
+  }
+  CHECK(run("render " + binary + " --pose walk@0 -o " + (folder / "b.png")).err ==
+        "arcspan: " + binary + ": no clip 'walk' (there are: bend (1 s))\n");
+}
+
+TEST_CASE("mesh writes a model binary that moves as it is at rest, and says so") {
+  const TemporaryFolder folder;
+  const std::string binary = folder / "tube.bin";
+  REQUIRE(run("mesh " + bending(folder) + " -o " + binary).status == 0);
+  const CommandRun again = run("mesh " + binary + " -o " + (folder / "again.bin"));
+  CHECK(again.status == 0);
+  CHECK(again.err.find("its joints and clips are not written again") != std::string::npos);
+  CHECK(contents(folder / "again.bin").find("SKIN") == std::string::npos);
+}
+
+TEST_CASE("a model binary whose animation contradicts itself is refused") {
+  const TemporaryFolder folder;
+  const std::string binary = folder / "tube.bin";
+  REQUIRE(run("mesh " + bending(folder) + " -o " + binary).status == 0);
+  std::string bytes = contents(binary);
+  // The chunk's tag in the list of chunks: without its node list a skin has no nodes.
+  const std::size_t at = bytes.find("NODE");
+  REQUIRE(at != std::string::npos);
+  bytes[at + 3] = 'F';
+  const std::size_t end = bytes.size() - 4;
+  const std::uint32_t sum =
+      arcspan::crc32(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), end));
+  for (std::size_t i = 0; i < 4; ++i) bytes[end + i] = static_cast<char>(sum >> (8 * i) & 0xFF);
+  const std::string damaged = folder.file("damaged.bin", bytes);
+  const CommandRun refused = run("render " + damaged + " -o " + (folder / "a.png"));
+  CHECK(refused.status != 0);
+  CHECK(refused.err.find(damaged + ": its animation is damaged (") != std::string::npos);
+}
+
+TEST_CASE("a rig that cannot be stored is drawn all the same, and a warning says why") {
+  const TemporaryFolder folder;
+  GltfRig rig = bending_tube(5);
+  rig.clip("bend");
+  rig.channel(2, "rotation", {0, 1}, rig.quadruples(joined({turn_z(0), turn_z(70)})));
+  rig.json["nodes"][0]["matrix"] = {1, 0, 0, 0, .5, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  rig.json["nodes"][0].erase("scale");
+  const std::string file = folder.file("sheared.glb", rig.glb());
+  const CommandRun drawn = run("render " + file + " --size 40x30 --pose bend@1 -o " + (folder / "a.png"));
+  CHECK(drawn.status == 0);
+  CHECK(drawn.err.find(": posed in doubles, because a device cannot: ") != std::string::npos);
+}
+
+TEST_CASE("what cannot be read of a character is one line") {
+  const TemporaryFolder folder;
+  const auto refused = [&](GltfRig rig, const char* pointer, const nlohmann::json& value) {
+    rig.json[nlohmann::json::json_pointer(pointer)] = value;
+    const CommandRun done = run("mesh " + folder.file("a.glb", rig.glb()) + " -o " + (folder / "a.bin"));
+    CHECK(done.status != 0);
+    CHECK(done.out.empty());
+    CHECK_FALSE(std::filesystem::exists(folder / "a.bin"));
+    return done.err.substr(std::min(done.err.size(), ("arcspan: " + (folder / "a.glb") + ": ").size()));
+  };
+  const GltfRig rig = bending_tube(5);
+  CHECK(refused(rig, "/extensionsRequired", {"KHR_draco_mesh_compression"}) ==
+        "needs the extension 'KHR_draco_mesh_compression', which cannot be read\n");
+  CHECK(refused(rig, "/extensionsRequired", {"EXT_meshopt_compression"}) ==
+        "needs the extension 'EXT_meshopt_compression', which cannot be read\n");
+  CHECK(refused(rig, "/accessors/0/count", 4'000'000'000u) ==
+        "accessors[0].count: is not an integer 0 to 4194304 (4000000000)\n");
+  const CommandRun fbx =
+      run("mesh " + folder.file("a.fbx", "Kaydara FBX Binary") + " -o " + (folder / "a.bin"));
+  CHECK(fbx.status != 0);
+  CHECK(fbx.err.find(": export it as .glb: not a mesh that can be read (") != std::string::npos);
+}
+
+TEST_CASE("what moves a Collada model is left out, which one line says") {
+  const std::string model = "/usr/share/assimp/models/Collada/box_nested_animation.dae";
+  if (!std::filesystem::exists(model)) return;
+  const TemporaryFolder folder;
+  const CommandRun done = run("mesh " + model + " -o " + (folder / "a.bin"));
+  CHECK(done.status == 0);
+  CHECK(done.err.find(": left out: clips (") != std::string::npos);
+  CHECK(done.err.find("; what moves is read from .gltf and .glb") != std::string::npos);
 }
 
 TEST_CASE("mesh keeps clips, or bakes a pose") {

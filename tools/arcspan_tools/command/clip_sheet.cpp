@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/command/clip_frames.hpp>
 #include <arcspan_tools/command/clip_sheet.hpp>
 #include <arcspan_tools/command/load_model.hpp>
 #include <arcspan_tools/image/label.hpp>
-#include <arcspan_tools/render/clip_frames.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/support/progress.hpp>
@@ -35,8 +35,8 @@ struct SheetGrid {
   }
 };
 
-SheetGrid grid_of(const RenderOptions& options, const Rig& rig) {
-  const SheetGrid grid{options.scene.size, static_cast<std::int32_t>(rig.clips.size())};
+SheetGrid grid_of(const RenderOptions& options, std::size_t clips) {
+  const SheetGrid grid{options.scene.size, static_cast<std::int32_t>(clips)};
   if (grid.width() <= kLargestSheet && grid.height() <= kLargestSheet) return grid;
   throw Failure("--size", formatted("the sheet of %d clips would have %dx%d pixels; take smaller pictures",
                                     grid.clips, grid.width(), grid.height()));
@@ -55,20 +55,20 @@ Scene scene_of(const RenderOptions& options, const ClipFrames& frames) {
 }  // namespace
 
 Image clip_sheet(const RenderOptions& options, const Model& model) {
-  const SheetGrid grid = grid_of(options, *model.rig);
+  const std::vector<ClipLength> clips = clips_of(model);
+  const SheetGrid grid = grid_of(options, clips.size());
   const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);
   Image sheet(grid.width(), grid.height());
   fill(sheet, 0, 0, sheet.width, sheet.height, kSheetGround);
-  const std::size_t clips = model.rig->clips.size();
-  Progress progress("drawing", clips * kSheetPictures);
-  for (std::size_t row = 0; row < clips; ++row) {
-    const RigClip& clip = model.rig->clips[row];
+  Progress progress("drawing", clips.size() * kSheetPictures);
+  for (std::size_t row = 0; row < clips.size(); ++row) {
+    const ClipLength& clip = clips[row];
     std::vector<double> times;
     for (std::size_t i = 0; i < kSheetPictures; ++i)
-      times.push_back(clip.duration() * static_cast<double>(i) / kSheetPictures);
+      times.push_back(clip.seconds * static_cast<double>(i) / kSheetPictures);
     const ClipFrames frames(model, clip, times, options.crease_degrees, options.mesh);
     const Scene scene = scene_of(options, frames);
-    draw_text(sheet, grid.x(0), grid.y(row), printable(clip.name) + formatted(", %g s", clip.duration()), 1,
+    draw_text(sheet, grid.x(0), grid.y(row), printable(clip.name) + formatted(", %g s", clip.seconds), 1,
               kSheetText);
     for (std::size_t i = 0; i < kSheetPictures; ++i) {
       const FixedModel frame = with_outlines(frames.frame(i), options);

@@ -159,6 +159,7 @@ void run_compare(const CompareArguments& arguments) {
   Model loaded =
       load_model(options.mesh, options.crease_degrees, options.texture, VertexColours::kMean, options.pose);
   warn_of_clips(loaded, options.mesh);
+  if (loaded.binary != nullptr) loaded = posed(loaded, PoseChoice{}, options.mesh);
   if (make_opaque(loaded)) warn(options.mesh, "transparent surfaces are compared opaque");
   const FixedModel skinned = to_fixed(loaded);
   const bool has_textures = remove_textures(loaded);

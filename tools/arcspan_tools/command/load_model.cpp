@@ -69,20 +69,22 @@ Model load_model(const std::string& name, const std::optional<double>& crease_de
       load_model_file(name, texture.empty() ? TexturePointsOf::kTexturedParts : TexturePointsOf::kAllParts,
                       colours, crease_degrees ? kSmoothEverything : kCreaseOfFiles);
   if (!texture.empty()) put_texture(texture, name, model);
-  if (clips_option != nullptr && (model.rig == nullptr || model.rig->clips.empty()))
+  if (clips_option != nullptr && clips_of(model).empty())
     throw Failure(name, std::string("has no clips for ") + clips_option);
-  const bool moves = model.rig != nullptr;
+  const bool has_motion = moves(model);
   const std::vector<std::string> warnings = model.warnings;
   if (pose) model = posed(model, *pose, name);
   // An error is the only line.
   for (const std::string& warning : warnings) warn(name, warning);
-  if (pose && pose->clip.empty() && !moves) warn("--pose", "has no effect: nothing moves the model");
-  return crease_degrees ? with_crease(model, *crease_degrees, name) : model;
+  if (pose && pose->clip.empty() && !has_motion) warn("--pose", "has no effect: nothing moves the model");
+  if (!crease_degrees) return model;
+  return with_crease(model.binary != nullptr ? posed(model, PoseChoice{}, name) : model, *crease_degrees,
+                     name);
 }
 
 void warn_of_clips(const Model& model, const std::string& name) {
-  if (model.rig == nullptr || model.rig->clips.empty()) return;
-  warn(name, "clips are not played, the model stands at rest: " + clip_list(*model.rig) + "; see --pose");
+  if (clips_of(model).empty()) return;
+  warn(name, "clips are not played, the model stands at rest: " + clip_list(model) + "; see --pose");
 }
 
 Model load_drawn_model(RenderOptions& options) {
@@ -93,10 +95,14 @@ Model load_drawn_model(RenderOptions& options) {
   const bool kept =
       options.shading != "flat" &&
       options.vertex_colours.value_or(!options.is_given("--shading") || options.shading == "gouraud");
+  // What moves, to_fixed() poses as a device does, but for normals that are made anew or a model that stands.
+  const auto anew =
+      options.crease_degrees || (options.pose && options.pose->clip.empty()) ? options.pose : std::nullopt;
   Model model = load_model(options.mesh, options.plays() ? std::nullopt : options.crease_degrees,
-                           options.texture, kept ? VertexColours::kKept : VertexColours::kMean, options.pose,
+                           options.texture, kept ? VertexColours::kKept : VertexColours::kMean, anew,
                            options.all_clips ? "--clips" : nullptr);
-  if (!options.plays()) warn_of_clips(model, options.mesh);
+  if (options.pose && !anew) check_pose(model, *options.pose, options.mesh);
+  if (!options.plays() && !options.pose) warn_of_clips(model, options.mesh);
   warn_without_effect(options, model);
   if (shading_draws_effects(options.shading)) return model;
   const std::string by = " by --shading " + options.shading;
@@ -110,7 +116,10 @@ FixedModel with_outlines(FixedModel model, const RenderOptions& options) {
 }
 
 FixedModel to_fixed(const Model& model, const RenderOptions& options) {
-  return with_outlines(to_fixed(model), options);
+  const bool is_posed = options.pose && moves(model);
+  if (!is_posed && model.binary == nullptr) return with_outlines(to_fixed(model), options);
+  const PoseChoice pose = options.pose.value_or(PoseChoice{});
+  return with_outlines(RuntimeModel(model, options.mesh).posed(pose.clip, pose.seconds), options);
 }
 
 bool remove_textures(Model& model) {

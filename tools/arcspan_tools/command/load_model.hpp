@@ -13,8 +13,8 @@ namespace arcspan::tools {
 
 /// load_model_file(), and its warnings on standard error. With `crease_degrees` the normals are made anew:
 /// see with_crease(). `texture`, unless it is empty, is a picture file that replaces the textures of all
-/// parts that have texture points. Without a `pose` a model with clips keeps its rig; it loses it by one, and
-/// by `crease_degrees`. `clips_option` is the name of an option that needs clips, or null; throws Failure if
+/// parts that have texture points. Without a `pose` a model keeps what moves it; it loses it by one, and by
+/// `crease_degrees`. `clips_option` is the name of an option that needs clips, or null; throws Failure if
 /// there are none.
 [[nodiscard]] Model load_model(const std::string& name, const std::optional<double>& crease_degrees = {},
                                const std::string& texture = {}, VertexColours colours = VertexColours::kMean,
@@ -24,14 +24,15 @@ namespace arcspan::tools {
 /// Says which clips of a model are not played, if it has some.
 void warn_of_clips(const Model& model, const std::string& name);
 
-/// The model that options ask for, whose normals are not made anew if a clip is to be played; reads the
-/// picture of --matcap into their scene. What the shading does not draw is removed, with a warning.
+/// The model that options ask for, which keeps what moves it unless normals are made anew, and that is not
+/// done if a clip is to be played; reads the picture of --matcap into their scene. What the shading does not
+/// draw is removed, with a warning.
 [[nodiscard]] Model load_drawn_model(RenderOptions& options);
 
 /// The model with the neighbours of its triangles, if outlines are smoothed.
 [[nodiscard]] FixedModel with_outlines(FixedModel model, const RenderOptions& options);
 
-/// That model in fixed point, with_outlines().
+/// That model in fixed point and in the pose of the options, with_outlines().
 [[nodiscard]] FixedModel to_fixed(const Model& model, const RenderOptions& options);
 
 /// Removes the textures and the texture points of all parts. Returns whether there were any.

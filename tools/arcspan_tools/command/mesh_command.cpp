@@ -93,6 +93,11 @@ FixedModel with_animation(FixedModel model, const MeshArguments& arguments) {
 
 /// Refuses what a model that moves cannot have; a C source holds it as it stands at rest.
 void check_rig(const MeshArguments& arguments, Model& model) {
+  if (model.binary != nullptr) {
+    warn(arguments.model,
+         "its joints and clips are not written again, the model stands at rest (see --pose)");
+    model = posed(model, PoseChoice{}, arguments.model);
+  }
   if (model.rig == nullptr) return;
   if (arguments.for_c) {
     warn(arguments.model,

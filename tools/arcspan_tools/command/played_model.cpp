@@ -10,7 +10,7 @@ PlayedModel::PlayedModel(RenderOptions& options, std::size_t frames, double seco
     current_ = to_fixed(model_, options);
     return;
   }
-  const RigClip& clip = find_clip(model_, options.clip, options.mesh, "--clip");
+  const ClipLength clip = find_clip(model_, options.clip, options.mesh, "--clip");
   clip_.emplace(model_, clip, looped_times(clip, frames, seconds), options.crease_degrees, options.mesh);
   positions_ = clip_->positions();
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan_tools/command/clip_frames.hpp>
 #include <arcspan_tools/command/render_options.hpp>
-#include <arcspan_tools/render/clip_frames.hpp>
 
 #include <cstddef>
 #include <optional>

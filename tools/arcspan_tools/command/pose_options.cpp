@@ -23,15 +23,17 @@ std::optional<PoseChoice> parse_pose(const std::string& text) {
 }  // namespace
 
 void add_pose(CLI::App& app, std::optional<PoseChoice>& pose) {
-  add_parsed<PoseChoice>(
-      app, "--pose", "CLIP@T",
-      "the model as it is at T seconds of a clip of its file (.gltf, .glb); rest is without a clip, as it is "
-      "by default",
-      "CLIP@SECONDS or rest", parse_pose, [&pose](const PoseChoice& choice) { pose = choice; });
+  add_parsed<PoseChoice>(app, "--pose", "CLIP@T",
+                         "the model as it is at T seconds of a clip of its file (.gltf, .glb, .bin); rest is "
+                         "without a clip, as it is "
+                         "by default",
+                         "CLIP@SECONDS or rest", parse_pose,
+                         [&pose](const PoseChoice& choice) { pose = choice; });
 }
 
 void add_clip(CLI::App& app, std::string& clip) {
-  app.add_option("--clip", clip, "play this clip of the file (.gltf, .glb), a whole number of times a turn")
+  app.add_option("--clip", clip,
+                 "play this clip of the file (.gltf, .glb, .bin), a whole number of times a turn")
       ->type_name("NAME");
 }
 
@@ -40,37 +42,48 @@ void check_clip(const CLI::App& app) {
     throw CLI::ValidationError("--clip", "excludes --pose");
 }
 
-std::string clip_list(const Rig& rig) {
+std::string clip_list(const Model& model) {
   constexpr std::size_t kMostListed = 20;
   std::vector<std::string> names;
-  for (const RigClip& clip : rig.clips) {
+  for (const ClipLength& clip : clips_of(model)) {
     if (names.size() == kMostListed) {
       names.emplace_back("...");
       break;
     }
-    names.push_back(clip.name + formatted(" (%g s)", clip.duration()));
+    names.push_back(clip.name + formatted(" (%g s)", clip.seconds));
   }
   return joined(names, ", ");
 }
 
-const RigClip& find_clip(const Model& model, const std::string& name, const std::string& subject,
-                         const char* option) {
-  if (model.rig == nullptr || model.rig->clips.empty())
-    throw Failure(subject, std::string("has no clips for ") + option);
-  for (const RigClip& clip : model.rig->clips) {
+ClipLength find_clip(const Model& model, const std::string& name, const std::string& subject,
+                     const char* option) {
+  const std::vector<ClipLength> clips = clips_of(model);
+  if (clips.empty()) throw Failure(subject, std::string("has no clips for ") + option);
+  for (const ClipLength& clip : clips) {
     if (clip.name == name) return clip;
   }
-  throw Failure(subject, "no clip '" + name + "' (there are: " + clip_list(*model.rig) + ")");
+  throw Failure(subject, "no clip '" + name + "' (there are: " + clip_list(model) + ")");
+}
+
+void check_pose(const Model& model, const PoseChoice& pose, const std::string& subject) {
+  if (pose.clip.empty()) return;
+  const ClipLength clip = find_clip(model, pose.clip, subject, "--pose");
+  if (pose.seconds > clip.seconds) {
+    throw Failure("--pose", formatted("%g is after the end of the clip '", pose.seconds) + clip.name +
+                                formatted("' at %g s", clip.seconds));
+  }
 }
 
 Model posed(const Model& model, const PoseChoice& pose, const std::string& subject) {
-  if (pose.clip.empty()) return model.rig ? posed(model, rest_pose(*model.rig), subject) : model;
-  const RigClip& clip = find_clip(model, pose.clip, subject, "--pose");
-  if (pose.seconds > clip.duration()) {
-    throw Failure("--pose", formatted("%g is after the end of the clip '", pose.seconds) + clip.name +
-                                formatted("' at %g s", clip.duration()));
+  check_pose(model, pose, subject);
+  if (model.binary != nullptr)
+    return posed_like(model, RuntimeModel(model, subject).posed(pose.clip, pose.seconds));
+  if (model.rig == nullptr) return model;
+  if (pose.clip.empty()) return posed(model, rest_pose(*model.rig), subject);
+  for (const RigClip& clip : model.rig->clips) {
+    if (clip.name == pose.clip) return posed(model, pose_at(*model.rig, clip, pose.seconds), subject);
   }
-  return posed(model, pose_at(*model.rig, clip, pose.seconds), subject);
+  return model;
 }
 
 }  // namespace arcspan::tools

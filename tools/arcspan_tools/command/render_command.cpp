@@ -82,7 +82,7 @@ void run_sheet(RenderArguments& arguments) {
   const Image sheet = clip_sheet(options, model);
   write_image(sheet, arguments.output,
               printable(arguments.output) + ": clips of " + printable(options.mesh) + ": " +
-                  printable(clip_list(*model.rig)) + "\n");
+                  printable(clip_list(model)) + "\n");
 }
 
 void run_render(RenderArguments& arguments) {
@@ -127,7 +127,7 @@ void add_render_command(CLI::App& app) {
       8, arguments->samples);
   render->add_option("--stats", arguments->stats, "write the printed figures as JSON");
   render->add_flag("--clips", arguments->options.all_clips,
-                   "a sheet of all clips of the file (.gltf, .glb): a row for each, with eight pictures");
+                   "a sheet of all clips of the file (.gltf, .glb, .bin): a row for each, with eight pictures");
   render->footer(
       "Examples:\n"
       "  arcspan render bunny.obj -o bunny.png --size 640x480\n"

@@ -131,6 +131,17 @@ ImportedScene meshes_of(const aiScene& scene, const std::string& subject) {
   return out;
 }
 
+/// What of a scene is not imported, by its kind.
+nlohmann::json left_out_of(const aiScene& scene) {
+  std::size_t joints = 0;
+  std::size_t targets = 0;
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+    joints += scene.mMeshes[i]->mNumBones;
+    targets += scene.mMeshes[i]->mNumAnimMeshes;
+  }
+  return {{"joints", joints}, {"morph targets", targets}, {"clips", scene.mNumAnimations}};
+}
+
 template <class T>
 nlohmann::json binary_of(const std::vector<T>& values) {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -156,9 +167,11 @@ std::string import_scene(std::string_view bytes, MeshFormat format, const std::s
   if (scene == nullptr) throw Failure(subject, complaint(importer.GetErrorString()));
   const ImportedScene all = meshes_of(*scene, subject);
   std::string cbor;
-  nlohmann::json::to_cbor(
-      {{"triangles", binary_of(all.triangles)}, {"look_of", binary_of(all.look_of)}, {"looks", all.looks}},
-      cbor);
+  nlohmann::json::to_cbor({{"triangles", binary_of(all.triangles)},
+                           {"look_of", binary_of(all.look_of)},
+                           {"looks", all.looks},
+                           {"left_out", left_out_of(*scene)}},
+                          cbor);
   return cbor;
 }
 

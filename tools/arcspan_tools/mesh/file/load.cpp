@@ -53,9 +53,11 @@ RawModel load_raw(const std::string& name, MeshFormat format, VertexColours colo
 
 MeshFormat require_format(const std::string& name) {
   if (const std::optional<MeshFormat> format = mesh_format(name)) return *format;
+  const std::string hint = output_kind(name, "") == "fbx" ? "export it as .glb: " : "";
   throw Failure(name,
-                "not a mesh that can be read (.obj, .ply, .stl, .off, .gltf, .glb, .dae, .3ds, .bin, "
-                "sphere:32x16, torus:48x24)");
+                hint +
+                    "not a mesh that can be read (.obj, .ply, .stl, .off, .gltf, .glb, .dae, .3ds, .bin, "
+                    "sphere:32x16, torus:48x24)");
 }
 
 /// The model of a name that stands for no model file of other programs.
@@ -112,7 +114,8 @@ Model load_model_from_memory(std::string_view bytes, MeshFormat format, const st
 Model load_model_file(const std::string& name, TexturePointsOf points, VertexColours colours,
                       double crease_degrees) {
   if (std::optional<Model> model = own_model(name, points)) {
-    return colours == VertexColours::kKept ? std::move(*model) : with_mean_colours(std::move(*model), name);
+    const bool is_kept = colours == VertexColours::kKept || model->binary != nullptr;
+    return is_kept ? std::move(*model) : with_mean_colours(std::move(*model), name);
   }
   RawModel raw = load_raw(name, require_format(name), colours);
   const bool creased = add_creased_normals(raw.mesh, crease_degrees);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/animate/stored_animation.hpp>
 #include <arcspan/mesh/mesh_binary.hpp>
 #include <arcspan/model/model_binary.hpp>
 
 #include <arcspan_tools/fixed_point/material.hpp>
+#include <arcspan_tools/fixed_point/unit_box.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
@@ -132,6 +134,18 @@ FileMaterial file_material(const arcspan::ModelPart& part) {
                              ", not 3: write it again by arcspan mesh MODEL -o NAME.bin");
 }
 
+/// Whether joints, nodes or morph targets move a model. Throws a Failure if what does is damaged.
+bool is_animated(const StoredModel& model, const std::string& subject) {
+  StoredAnimation animation;
+  const Status status = view_animation(model, animation);
+  if (!ok(status))
+    throw Failure(subject, std::string("its animation is damaged (") + to_string(status) + ")");
+  bool morphs = false;
+  for (std::size_t i = 0; i < model.part_count(); ++i)
+    morphs = morphs || animation.morph(i).target_count() != 0;
+  return morphs || animation.skin_count() != 0;
+}
+
 Model model_of_parts(std::span<const std::uint8_t> bytes, const std::string& subject) {
   StoredModel binary;
   const Status status = view_model_binary(bytes, binary);
@@ -143,10 +157,13 @@ Model model_of_parts(std::span<const std::uint8_t> bytes, const std::string& sub
                     double_at(head, model_binary::kOriginAt + 16)};
   if (!(unit > 0 && unit < 1e30) || !finite(origin)) refuse_damaged(subject, "model", Status::kCorrupted);
   Model model;
+  MovingBinary moving;
   std::map<const std::uint8_t*, std::shared_ptr<const FileTexture>> textures;  // parts may share one
   for (std::size_t i = 0; i < binary.part_count(); ++i) {
     const arcspan::ModelPart part = binary.part(i);
     MeshData mesh = to_data(part.mesh, !part.texture.texels.empty());
+    if (mesh.triangles.empty()) continue;
+    moving.part_numbers.push_back(i);
     for (Vec3& p : mesh.positions) p = origin + p * unit;
     FileMaterial material = file_material(part);
     std::shared_ptr<const FileTexture>& texture = textures[part.texture.texels.data()];
@@ -154,8 +171,14 @@ Model model_of_parts(std::span<const std::uint8_t> bytes, const std::string& sub
     material.texture = texture;
     model.parts.push_back({{{part.name}, std::move(material)}, std::move(mesh)});
   }
-  std::erase_if(model.parts, [](const tools::ModelPart& part) { return part.mesh.triangles.empty(); });
   require_triangles(model.triangle_count(), subject);
+  if (is_animated(binary, subject)) {
+    moving.bytes = bytes.size();
+    moving.words.resize(bytes.size() / sizeof(std::uint32_t) + 1);
+    std::memcpy(moving.words.data(), bytes.data(), bytes.size());
+    model.binary = std::make_shared<MovingBinary>(std::move(moving));
+    model.reach = box_of_units(origin, unit);
+  }
   return model;
 }
 

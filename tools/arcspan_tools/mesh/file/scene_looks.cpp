@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/file/file_pictures.hpp>
+#include <arcspan_tools/mesh/file/left_out.hpp>
 #include <arcspan_tools/mesh/file/scene_looks.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <nlohmann/json.hpp>
@@ -60,6 +61,12 @@ RawModel scene_model(const std::string& imported, const std::string& subject, co
     model.looks.push_back(look_of(listed, files, pictures));
   }
   pictures.warn(model.warnings);
+  LeftOut left_out;
+  for (const auto& [kind, count] : scene["left_out"].items()) left_out.add(kind, count.get<std::size_t>());
+  std::vector<std::string> motion;
+  left_out.warn(motion);
+  for (const std::string& line : motion)
+    model.warnings.push_back(line + "; what moves is read from .gltf and .glb, as which programs export it");
   take(scene["triangles"], model.mesh.triangles);
   take(scene["look_of"], model.look_of);
   if (model.mesh.triangles.empty()) throw Failure(subject, "no faces");

@@ -69,6 +69,13 @@ struct ModelPart {
   MeshData mesh{};
 };
 
+/// A model binary that moves, from which a model was read.
+struct MovingBinary {
+  std::vector<std::uint32_t> words{};  ///< the file, in words for its alignment
+  std::size_t bytes = 0;
+  std::vector<std::size_t> part_numbers{};  ///< in the binary, of each part of the model
+};
+
 /// The contents of a model file: parts in one coordinate system.
 struct Model {
   std::vector<ModelPart> parts{};
@@ -80,6 +87,8 @@ struct Model {
   std::vector<std::string> warnings{};
   /// What moves the vertices; null if nothing does. They are where it is at rest.
   std::shared_ptr<const Rig> rig{};
+  /// The same of a model binary; null if nothing does. They are where it stores them.
+  std::shared_ptr<const MovingBinary> binary{};
   /// Set if the vertices are where the rig stores them: around them in all poses.
   std::optional<Box> reach{};
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/fixed_point/fixed_mesh.hpp>
-#include <arcspan_tools/mesh/plain/rig.hpp>
+#include <arcspan_tools/command/runtime_model.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -11,13 +10,13 @@
 
 namespace arcspan::tools {
 
-/// A model at several times of a clip of its rig, posed in doubles. All poses have one unit and one centre,
-/// so that a camera sees the model move.
+/// A model at several times of a clip, posed by the library. All poses have one unit and one centre, so that
+/// a camera sees the model move.
 class ClipFrames {
  public:
   /// `times` in seconds. With `crease_degrees` the normals of each pose are made anew. `subject` names the
-  /// model in a Failure; `clip` is one of its rig and must outlive this.
-  ClipFrames(const Model& model, const RigClip& clip, std::vector<double> times,
+  /// model in a Failure.
+  ClipFrames(const Model& model, const ClipLength& clip, std::vector<double> times,
              std::optional<double> crease_degrees, const std::string& subject);
 
   [[nodiscard]] std::size_t size() const { return times_.size(); }
@@ -28,18 +27,16 @@ class ClipFrames {
   [[nodiscard]] FixedMesh positions() const;
 
  private:
-  [[nodiscard]] Model posed_at(std::size_t frame) const;
-
   Model model_;
-  const RigClip& clip_;
+  RuntimeModel runtime_;
+  std::string clip_;
   std::vector<double> times_;
   std::optional<double> crease_degrees_;
   std::string subject_;
-  Box box_;
 };
 
 /// The times of `frames` pictures of a clip that is played a whole number of times in `seconds`, at about its
 /// own speed, so that the last picture leads to the first.
-[[nodiscard]] std::vector<double> looped_times(const RigClip& clip, std::size_t frames, double seconds);
+[[nodiscard]] std::vector<double> looped_times(const ClipLength& clip, std::size_t frames, double seconds);
 
 }  // namespace arcspan::tools

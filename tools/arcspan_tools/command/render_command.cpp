@@ -126,8 +126,9 @@ void add_render_command(CLI::App& app) {
       "N*N samples a pixel (default 1), for pictures on paper: draws N times as large, and takes the mean", 1,
       8, arguments->samples);
   render->add_option("--stats", arguments->stats, "write the printed figures as JSON");
-  render->add_flag("--clips", arguments->options.all_clips,
-                   "a sheet of all clips of the file (.gltf, .glb, .bin): a row for each, with eight pictures");
+  render->add_flag(
+      "--clips", arguments->options.all_clips,
+      "a sheet of all clips of the file (.gltf, .glb, .bin): a row for each, with eight pictures");
   render->footer(
       "Examples:\n"
       "  arcspan render bunny.obj -o bunny.png --size 640x480\n"

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <arcspan/draw/triangle_sides.hpp>
+#include <arcspan/ink_outlines.hpp>
 #include <arcspan/mesh/mesh_neighbours.hpp>
+#include <arcspan/outline/blend.hpp>
 #include <arcspan/outline/outline_list.hpp>
 #include <arcspan/scene.hpp>
 #include <arcspan/smooth_outlines.hpp>
@@ -18,7 +20,7 @@ struct OutlinedMesh {
   const MeshNeighbours* neighbours;
 };
 
-/// What smooth outlines of a scene need. All memory is the caller's and needs no initialisation.
+/// What outlines of a scene need. All memory is the caller's and needs no initialisation.
 template <PixelFormat F>
 struct SceneOutlines {
   std::span<const OutlinedMesh> meshes;
@@ -123,6 +125,23 @@ template <SceneMemoryType Memory, PixelFormat F>
   return first;
 }
 
+namespace detail {
+
+/// Finds the outlines of a scene and draws it. `found` gets the status of find_outlines().
+template <class Background, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_and_find_outlines(const Scene& scene, Sink& sink, const Depth& depth,
+                                                 Memory& memory, const Background& background,
+                                                 SceneOutlines<typename Sink::Format>& outlines,
+                                                 Status& found) {
+  static_assert(Depth::kWrites, "outlines are compared with depths");
+  found = prepare_scene(scene, memory);
+  if (!ok(found)) return {found};
+  found = find_outlines(memory, outlines);
+  return draw_prepared_scene(memory, sink, depth, background);
+}
+
+}  // namespace detail
+
 /// draw_scene() with smooth outlines. The status is the first that is not kOk: that of draw_scene(), of
 /// find_outlines() or of smooth_outlines(). With the last two the scene is drawn, and smoothed as far as they
 /// state.
@@ -130,14 +149,32 @@ template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, Depth
 [[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory,
                                      const Background& background,
                                      SceneOutlines<typename Sink::Format>& outlines) {
-  static_assert(Depth::kWrites, "outlines are compared with depths");
-  Status found = prepare_scene(scene, memory);
-  if (!ok(found)) return {found};
-  found = find_outlines(memory, outlines);
-  SceneResult result = draw_prepared_scene(memory, sink, depth, background);
+  Status found = Status::kOk;
+  SceneResult result =
+      detail::draw_and_find_outlines(scene, sink, depth, memory, background, outlines, found);
   if (!ok(result.status)) return result;
   const Status smoothed = smooth_outlines(outlines.edges, sink, depth, outlines.gaps);
   result.status = ok(found) ? smoothed : found;
+  return result;
+}
+
+/// draw_scene() with outlines that are inked and then smoothed. The status is as above, with that of
+/// ink_outlines() before that of smooth_outlines(). A sink whose format has too few levels for smoothing gets
+/// ink alone.
+template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory,
+                                     const Background& background,
+                                     SceneOutlines<typename Sink::Format>& outlines, const OutlineInk& ink) {
+  Status found = Status::kOk;
+  SceneResult result =
+      detail::draw_and_find_outlines(scene, sink, depth, memory, background, outlines, found);
+  if (!ok(result.status)) return result;
+  Status finished = ink_outlines(outlines.edges, ink, sink, depth, outlines.gaps);
+  if constexpr (detail::kCanBlend<typename Sink::Format>) {
+    const Status smoothed = smooth_outlines(outlines.edges, sink, depth, outlines.gaps);
+    if (ok(finished)) finished = smoothed;
+  }
+  result.status = ok(found) ? finished : found;
   return result;
 }
 

@@ -61,6 +61,8 @@ class HighlightTable {
     white_ = is_white ? PackedRgb::grey(1).lanes : 0;
   }
 
+  /// From half its brightness on, the highlight gets all of it, and below it none (toon.hpp).
+  constexpr void harden();
   /// `c` times the factor of closeness, which is below 1.
   [[nodiscard]] constexpr Cosine scaled(Cosine c) const {
     return Cosine::from_raw(wrap_shl(multiply_high(c.raw(), factor_), 1));

@@ -83,6 +83,9 @@ class Illumination : private FadeFor<Features>,
   /// kInvalidArgument, and changes nothing, if `steps` is out of range.
   constexpr Status set_tolerance(std::int32_t steps);
   [[nodiscard]] constexpr std::int32_t tolerance() const { return tolerance_; }
+  /// Light in 2...16 equal `steps`, and hard highlights for `Arc`, until make() (lighting/toon.hpp). Returns
+  /// kInvalidArgument, and changes nothing, if `steps` is out of range.
+  constexpr Status set_toon(std::int32_t steps) requires(Lights == 1 || !Features.coloured_lights);
 
   /// The scalars of a unit normal.
   [[nodiscard]] constexpr Scalars scalars(const Direction& normal) const {

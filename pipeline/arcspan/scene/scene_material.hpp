@@ -4,6 +4,7 @@
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/lighting/toon.hpp>
 #include <arcspan/numbers/copy_words.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/scene/scene_light.hpp>
@@ -164,6 +165,17 @@ class PreparedMaterial : public SceneMaterial {
     return lighting_.set_tolerance(steps);
   }
   static constexpr std::int32_t kDefaultTolerance = 1;
+  /// Illumination::set_toon(), for a material that draw_scene() does not make again (Use).
+  constexpr Status set_toon(std::int32_t steps) requires(kIsLit && !Used::kChangingLight) {
+    if constexpr (requires(const detail::IlluminationOf<Lighting>& lit) { lighting_.relight(lit); }) {
+      detail::IlluminationOf<Lighting> illumination = lighting_;
+      const Status status = illumination.set_toon(steps);
+      if (ok(status)) lighting_.relight(illumination);
+      return status;
+    } else {
+      return lighting_.set_toon(steps);
+    }
+  }
 
   /// A copy with another texture (Textured), or with other parameters of an operation (WithOperation).
   template <class Part>

@@ -121,6 +121,37 @@ TEST_CASE("outlines of scenes are smoothed as those of their objects, also in ba
   CHECK(smoothed >= share_of(200) * 3 / 4);
 }
 
+TEST_CASE("outlines of scenes are inked as by ink_outlines()") {
+  const Meshes meshes;
+  static SceneMemory<SceneMethods, 4, 400> memory;
+  Random random(4);
+  int inked = 0;
+  for (int repeat = 0; repeat < share_of(40); ++repeat) {
+    const RandomObjects objects = random_objects(random, meshes);
+    const OutlineInk ink{{200, 30, 20}, static_cast<std::uint8_t>(random.integer(1, 4)), random.chance(0.5)};
+    Room room(meshes);
+    Canvas by_calls;
+    REQUIRE(ok(prepare_scene(objects.scene(), memory)));
+    REQUIRE(ok(find_outlines(memory, room.outlines)));
+    REQUIRE(ok(draw_prepared_scene(memory, by_calls.picture, by_calls.depth, Rgb8{10, 20, 30}).status));
+    const auto plain = by_calls.pixels;
+    const OutlineList& edges = room.outlines.edges;
+    REQUIRE(ok(ink_outlines(edges, ink, by_calls.picture, by_calls.depth, room.outlines.gaps)));
+    if (by_calls.pixels != plain) ++inked;
+    REQUIRE(ok(smooth_outlines(edges, by_calls.picture, by_calls.depth, room.outlines.gaps)));
+    Canvas at_once;
+    REQUIRE(ok(draw_scene(objects.scene(), at_once.picture, at_once.depth, memory, Rgb8{10, 20, 30},
+                          room.outlines, ink)
+                   .status));
+    CHECK(at_once.pixels == by_calls.pixels);
+    CHECK(at_once.depths == by_calls.depths);
+    const OutlineInk too_wide{{}, 5};
+    CHECK(draw_scene(objects.scene(), at_once.picture, at_once.depth, memory, Rgb8{}, room.outlines, too_wide)
+              .status == Status::kInvalidArgument);
+  }
+  CHECK(inked >= share_of(40) * 3 / 4);
+}
+
 TEST_CASE("a scene of which an object cannot be smoothed is drawn, with the others smoothed") {
   const Meshes meshes;
   static SceneMemory<SceneMethods, 2, 200> memory;

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/draw/scissor.hpp>
+#include <arcspan/outline/ink_pixels.hpp>
+#include <arcspan/outline/ink_walk.hpp>
+#include <arcspan/outline/outline_gap.hpp>
+#include <arcspan/outline/outline_list.hpp>
+#include <arcspan/pixel/pixel_format.hpp>
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/span/depth.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan {
+
+/// How outlines are inked.
+struct OutlineInk {
+  static constexpr std::uint8_t kWidest = 4;
+
+  Rgb8 colour{};
+  std::uint8_t width = 1;  ///< of outlines: 1...kWidest pixels, outside of the surface
+  bool creases = true;     ///< creases are inked too, by lines of one pixel
+};
+
+namespace detail {
+
+/// Inks outlines in a rectangle of the picture, which is not empty. Steep edges are walked by rows, flat ones
+/// by columns: what is said of rows and columns here is true of columns and rows then.
+template <PixelSink Sink>
+class OutlineInker {
+ public:
+  OutlineInker(const Scissor& scissor, const DepthBuffer& depth, std::int32_t width, InkPixels<Sink>& pixels)
+      : pixels_(pixels),
+        width_(width),
+        by_rows_{relative(scissor.rect(), scissor.origin()),
+                 {depth.stride(), std::uint32_t{1} << 16},
+                 {1, 1},
+                 place_of(scissor.rect(), depth),
+                 false},
+        by_columns_{exchanged(by_rows_.rect), by_rows_.column, by_rows_.row, by_rows_.first, true} {}
+
+  /// Inks the side of an edge on which the surface is not.
+  void ink_outline(const OutlineEdge& edge) {
+    const Way way(*this, edge);
+    if (is_outside(way.direction->rect, edge, way.direction->exchanged)) return;
+    ink_side(*way.direction, way.top, way.bottom, way.side);
+  }
+  /// Inks both sides of an edge, half a pixel of each.
+  void ink_crease(const OutlineEdge& edge) {
+    const Way way(*this, edge);
+    if (is_outside(way.direction->rect, edge, way.direction->exchanged)) return;
+    ink_middle(*way.direction, way.top, way.bottom);
+  }
+
+ private:
+  /// How edges are walked.
+  struct Direction {
+    Rect rect;  ///< relative to the origin
+    InkStep row;
+    InkStep column;
+    InkPlace first;  ///< the first pixel of `rect`
+    bool exchanged;
+
+    /// The pixel so many columns and rows from the first one. It may lie outside, from where steps lead
+    /// inside.
+    [[nodiscard]] InkPlace at(std::int32_t columns, std::int32_t rows) const {
+      InkPlace place = first;
+      place += column.times(columns);
+      place += row.times(rows);
+      return place;
+    }
+  };
+  /// An edge from top to bottom, and on which side of it the surface is not: left (-1) or right (0).
+  struct Way {
+    const Direction* direction;
+    RasterPosition top;
+    RasterPosition bottom;
+    std::int32_t side;
+
+    Way(const OutlineInker& inker, const OutlineEdge& edge) {
+      const std::int32_t dx = std::int32_t{edge.to.x} - edge.from.x;
+      const std::int32_t dy = std::int32_t{edge.to.y} - edge.from.y;
+      const bool steep = magnitude(dy) >= magnitude(dx);
+      // The surface lies right of an edge that leads down, and above one that leads to the right.
+      const bool upward = steep ? dy < 0 : dx < 0;
+      direction = steep ? &inker.by_rows_ : &inker.by_columns_;
+      top = upward ? edge.to : edge.from;
+      bottom = upward ? edge.from : edge.to;
+      side = upward == steep ? 0 : -1;
+      if (steep) return;
+      top = exchanged(top);
+      bottom = exchanged(bottom);
+    }
+  };
+
+  [[nodiscard]] static constexpr std::int32_t magnitude(std::int32_t v) { return v < 0 ? -v : v; }
+  [[nodiscard]] static constexpr RasterPosition exchanged(const RasterPosition& p) { return {p.y, p.x, p.z}; }
+  [[nodiscard]] static constexpr Rect exchanged(const Rect& r) { return {r.top, r.left, r.bottom, r.right}; }
+  [[nodiscard]] static constexpr Rect relative(const Rect& r, const RasterOrigin& o) {
+    return {r.left - o.x, r.top - o.y, r.right - o.x, r.bottom - o.y};
+  }
+  /// The first pixel of a rectangle.
+  [[nodiscard]] static InkPlace place_of(const Rect& r, const DepthBuffer& depth) {
+    return {static_cast<std::uint32_t>(r.top) << 16 | static_cast<std::uint32_t>(r.left),
+            depth.row(r.top) + r.left};
+  }
+
+  ARCSPAN_OUTLINE void ink_side(const Direction& direction, const RasterPosition& top,
+                                const RasterPosition& bottom, std::int32_t side) {
+    const Rect& rect = direction.rect;
+    InkWalk walk(top, bottom, {rect.top, rect.bottom}, direction.exchanged, side, width_);
+    const auto columns = static_cast<std::uint32_t>(rect.right - rect.left);
+    const std::int32_t sign = 2 * side + 1;
+    const InkStep step = direction.column.times(sign);
+    for (; !walk.done(); walk.next()) {
+      std::int32_t reach = walk.reach() + kHalfShare;
+      if (reach < 2 * kHalfShare) continue;
+      auto column = static_cast<std::uint32_t>(walk.column() + side - rect.left);
+      const std::uint16_t z = walk.depth();
+      InkPlace at = direction.at(static_cast<std::int32_t>(column), walk.row() - rect.top);
+      do {
+        if (column < columns && pixels_.is_free(at, z)) pixels_.put(at, share_of(reach));
+        column += static_cast<std::uint32_t>(sign);
+        at += step;
+        reach -= 65536;
+      } while (reach >= 2 * kHalfShare);
+    }
+  }
+
+  /// The share in 32nds of a pixel that ink covers as far as `reach` and half a share less, with 16 fraction
+  /// bits.
+  [[nodiscard]] ARCSPAN_INLINE static std::uint32_t share_of(std::int32_t reach) {
+    return reach >= 65536 ? InkPixels<Sink>::kWhole : static_cast<std::uint32_t>(reach) / (2 * kHalfShare);
+  }
+
+  /// The pixels on both sides, if one is free, by their nearness to the edge.
+  ARCSPAN_OUTLINE void ink_middle(const Direction& direction, const RasterPosition& top,
+                                  const RasterPosition& bottom) {
+    const Rect& rect = direction.rect;
+    InkWalk walk(top, bottom, {rect.top, rect.bottom}, direction.exchanged, 0, 0);
+    for (; !walk.done(); walk.next()) {
+      const std::int32_t column = walk.column() - rect.left;
+      if (column <= 0 || column >= rect.right - rect.left) continue;
+      const InkPlace right = direction.at(column, walk.row() - rect.top);
+      InkPlace left = right;
+      left += direction.column.times(-1);
+      const std::uint16_t z = walk.depth();
+      if (!pixels_.is_free(left, z) && !pixels_.is_free(right, z)) continue;
+      const std::uint32_t share = (walk.fraction() + 1024) >> 11;
+      if (share != 0) pixels_.put(left, share);
+      if (share != InkPixels<Sink>::kWhole) pixels_.put(right, InkPixels<Sink>::kWhole - share);
+    }
+  }
+
+  /// True if the edge is certainly so far left or right of the rectangle that no ink reaches it.
+  [[nodiscard]] static bool is_outside(const Rect& rect, const OutlineEdge& edge, bool by_columns) {
+    constexpr std::int32_t kReach = 2 * OutlineInk::kWidest;  // more than sqrt(2) kWidest + 1
+    const std::int32_t left = (rect.left - kReach) * 16;
+    const std::int32_t right = (rect.right + kReach) * 16;
+    const std::int32_t a = by_columns ? edge.from.y : edge.from.x;
+    const std::int32_t b = by_columns ? edge.to.y : edge.to.x;
+    return (a < left && b < left) || (a > right && b > right);
+  }
+
+  static constexpr std::int32_t kHalfShare = 1024;  ///< of a pixel, which has 16 fraction bits
+
+  InkPixels<Sink>& pixels_;
+  const std::int32_t width_;
+  const Direction by_rows_;
+  const Direction by_columns_;
+};
+
+/// True if the next edge of a list is the same crease, seen from its other side.
+[[nodiscard]] constexpr bool is_crease(std::span<const OutlineEdge> edges, std::size_t i) {
+  return i + 1 < edges.size() && edges[i].from == edges[i + 1].to && edges[i].to == edges[i + 1].from;
+}
+
+}  // namespace detail
+
+/// Draws the outlines of a picture, or of a band or rectangle of one, as lines of ink with soft edges:
+/// outside of each surface, and in the middle of creases. Call it after all opaque objects are drawn with
+/// `depth`, and before smooth_outlines(), which then smooths the side of the ink where the surface is. Pixels
+/// change in the common bounds of the viewport and the sink, where nothing nearer than the outline is drawn.
+///
+/// All arguments, the status and the pixels in bands are as those of smooth_outlines(), with these
+/// differences:
+///
+/// - `sink` may have fewer than 4 bits per pixel. Ink then covers pixels from one half on.
+/// - `memory`: for each pixel that ink covers in part, about as many as outlines have pixels, or twice as
+/// many
+///   with creases. It may be the memory of smooth_outlines(). Formats with fewer than 4 bits need none.
+/// - A band needs one row more above and below for creases, and one for smoothing: up to two.
+/// - kUnsupported says only that the sink cannot be read; kInvalidArgument that the width is out of range.
+template <PixelSink Sink>
+[[nodiscard]] ARCSPAN_OUTLINE Status ink_outlines(const OutlineList& outlines, const OutlineInk& ink,
+                                                  Sink& sink, const DepthBuffer& depth,
+                                                  std::span<OutlineGap<typename Sink::Format>> memory) {
+  if constexpr (!SinkInMemory<Sink>) {
+    return Status::kUnsupported;
+  } else {
+    if (ink.width < 1 || ink.width > OutlineInk::kWidest) return Status::kInvalidArgument;
+    const std::span<const OutlineEdge> edges = outlines.edges();
+    if (edges.empty()) return Status::kOk;
+    const detail::Scissor scissor(outlines.viewport(), sink.bounds());
+    const Status status = detail::check_target(scissor, sink, depth);
+    if (!ok(status)) return status;
+    if (scissor.rect().empty()) return Status::kOk;
+    if (detail::kCanBlend<typename Sink::Format> && memory.empty()) return Status::kBufferTooSmall;
+    detail::InkPixels<Sink> pixels(sink, depth, ink.colour, memory);
+    detail::OutlineInker<Sink> inker(scissor, depth, ink.width, pixels);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (!detail::is_crease(edges, i)) {
+        inker.ink_outline(edges[i]);
+      } else {
+        if (ink.creases) inker.ink_crease(edges[i]);
+        ++i;
+      }
+    }
+    pixels.apply();
+    return pixels.status();
+  }
+}
+
+}  // namespace arcspan

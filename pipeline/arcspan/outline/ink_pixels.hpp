@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/outline/blend.hpp>
+#include <arcspan/outline/outline_gap.hpp>
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/span/depth.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace arcspan::detail {
+
+/// The way from a pixel to a neighbour.
+struct InkStep {
+  std::int32_t depths;
+  std::uint32_t column_row;
+
+  [[nodiscard]] ARCSPAN_INLINE constexpr InkStep times(std::int32_t n) const {
+    return {depths * n, column_row * static_cast<std::uint32_t>(n)};
+  }
+};
+
+/// A pixel of the picture: column and row in one word, and where its depth is.
+struct InkPlace {
+  std::uint32_t column_row;  ///< x in the lower half, y in the upper
+  std::uint16_t* depth;
+
+  [[nodiscard]] constexpr std::int32_t x() const { return static_cast<std::int32_t>(column_row & 0xFFFFu); }
+  [[nodiscard]] constexpr std::int32_t y() const { return static_cast<std::int32_t>(column_row >> 16); }
+
+  ARCSPAN_INLINE constexpr void operator+=(const InkStep& step) {
+    column_row += step.column_row;
+    depth += step.depths;
+  }
+};
+
+/// Draws pixels in the colour of ink. Those that ink covers in part are listed, so that each is blended once,
+/// by its largest share, however many edges reach it. While a pixel is in the list, its depth holds its
+/// number there, as in GapList. In formats without mixtures ink covers pixels from one half on, and nothing
+/// is listed.
+template <PixelSink Sink>
+class InkPixels {
+ public:
+  using Format = typename Sink::Format;
+  using Entry = OutlineGap<Format>;
+  static constexpr std::uint32_t kWhole = 32;
+
+  InkPixels(Sink& sink, const DepthBuffer& depth, Rgb8 colour, std::span<Entry> memory)
+      : sink_(sink),
+        depth_(depth),
+        entries_(memory.data()),
+        colour_(Format::encode(colour)),
+        most_(memory.size() < kMost ? static_cast<std::uint32_t>(memory.size()) : kMost) {}
+
+  /// True if nothing nearer than `z` is drawn at a pixel.
+  [[nodiscard]] ARCSPAN_INLINE bool is_free(const InkPlace& at, std::uint16_t z) const {
+    const std::uint32_t number = *at.depth;
+    if (number >= count_ || !is_entry_of(number, at)) [[likely]]
+      return number >= z;
+    return entries_[number].held.list.depth >= z;
+  }
+
+  /// Covers `share` / 32 of a pixel, 1...32.
+  ARCSPAN_INLINE void put(const InkPlace& at, std::uint32_t share) {
+    if (share == kWhole || (!kCanBlend<Format> && share >= kWhole / 2)) {
+      write(at.x(), at.y(), colour_);
+    } else if constexpr (kCanBlend<Format>) {
+      list(at, share);
+    }
+  }
+
+  /// Restores the depths, blends the pixels of the list, and empties it.
+  ARCSPAN_OUTLINE void apply() {
+    for (std::uint32_t i = 0; i < count_; ++i) {
+      const Entry& entry = entries_[i];
+      depth_.row(entry.y)[entry.x] = entry.held.list.depth;
+      const typename Format::Cursor cursor(sink_.row(entry.y), entry.x);
+      write(entry.x, entry.y, blended<Format>(cursor.read(), colour_, entry.outline));
+    }
+    count_ = 0;
+  }
+
+  /// That of the sink; kBufferTooSmall if the list was full.
+  [[nodiscard]] Status status() const { return ok(status_) && was_full_ ? Status::kBufferTooSmall : status_; }
+
+ private:
+  static constexpr std::uint32_t kMost = 0xFFFF;  ///< no cleared depth is a number
+
+  /// `number` is below count_.
+  [[nodiscard]] ARCSPAN_INLINE bool is_entry_of(std::uint32_t number, const InkPlace& at) const {
+    const Entry& entry = entries_[number];
+    return (static_cast<std::uint16_t>(entry.x) | std::uint32_t{static_cast<std::uint16_t>(entry.y)} << 16) ==
+           at.column_row;
+  }
+
+  ARCSPAN_INLINE void list(const InkPlace& at, std::uint32_t share) {
+    const std::uint32_t number = *at.depth;
+    if (number < count_ && is_entry_of(number, at)) {
+      if (share > entries_[number].outline) entries_[number].outline = static_cast<std::uint16_t>(share);
+      return;
+    }
+    if (count_ == most_) [[unlikely]] {
+      apply();
+      was_full_ = true;
+    }
+    Entry& entry = entries_[count_];
+    entry.x = static_cast<std::int16_t>(at.column_row);
+    entry.y = static_cast<std::int16_t>(at.column_row >> 16);
+    entry.held.list.depth = static_cast<std::uint16_t>(number);
+    entry.outline = static_cast<std::uint16_t>(share);
+    *at.depth = static_cast<std::uint16_t>(count_++);
+  }
+
+  ARCSPAN_INLINE void write(std::int32_t x, std::int32_t y, typename Format::Encoded pixel) {
+    if (!ok(status_)) return;
+    typename Format::Cursor(sink_.row(y), x).write(pixel);
+    status_ = sink_.close({y, x, 1});
+  }
+
+  Sink& sink_;
+  const DepthBuffer& depth_;
+  Entry* const entries_;
+  const typename Format::Encoded colour_;
+  const std::uint32_t most_;
+  std::uint32_t count_ = 0;
+  Status status_ = Status::kOk;
+  bool was_full_ = false;
+};
+
+}  // namespace arcspan::detail

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Whole calls of draw_mesh() of arc, of which all_stages.cpp and span_stage.cpp have the stages; one of a
-// mesh that joints move, with its vertices in slots, and the smoothing of its outlines.
+// mesh that joints move, with its vertices in slots, and the smoothing and the ink of its outlines.
 #include <arcspan/animate/skinned_mesh.hpp>
 #include <arcspan/draw/triangle_sides.hpp>
 #include <arcspan/draw/vertex_slots.hpp>
+#include <arcspan/ink_outlines.hpp>
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/smooth_outlines.hpp>
@@ -23,6 +24,8 @@ template DrawResult draw_mesh<Arc<Blinn1>>(const MorphedSkinnedMesh&, const Clip
                                            Frame&, const DepthBuffer&, Slots&, const DrawOptions&);
 template Status find_sides<Arc<Blinn1>>(const SkinnedMesh&, const ClipTransform&, const Blinn1&, Slots&,
                                         std::span<TriangleSide>, const DrawOptions&);
+template Status ink_outlines(const OutlineList&, const OutlineInk&, Frame&, const DepthBuffer&,
+                             std::span<OutlineGap<Rgb565>>);
 template Status smooth_outlines(const OutlineList&, Frame&, const DepthBuffer&,
                                 std::span<OutlineGap<Rgb565>>);
 

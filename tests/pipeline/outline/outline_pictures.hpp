@@ -41,7 +41,7 @@ struct PictureOf {
 };
 using Picture = PictureOf<Rgb565>;
 
-[[nodiscard]] inline TestCamera camera(Random& random, double radius) {
+[[nodiscard]] inline TestCamera camera_of(Random& random, double radius) {
   TestCamera made;
   made.look_in_random_direction(random);
   made.translation = {0, 0, -4 * radius};
@@ -60,7 +60,7 @@ struct OutlineScene {
         memory(8 * sphere.view().triangle_count()),
         outlines(memory) {
     for (const double x : {-4000.0, 5000.0}) {
-      TestCamera from = camera(random, 9000);
+      TestCamera from = camera_of(random, 9000);
       from.translation.x += x;
       from.translation.z += x;
       cameras.push_back(from);

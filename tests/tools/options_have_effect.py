@@ -53,7 +53,8 @@ SETTINGS = {  # option: arguments that differ from the default, and what they ne
     "--alpha": "--alpha 0.4", "--blend": "--alpha 0.9 --blend add", "--fog": "--fog 2,4", "--matcap": "--matcap picture.ppm",
     "--highlight-fade": "--highlight-fade 0.9", "--two-sided": "--two-sided", "--light": "--light 0,1,0#1,0,0",
     "--attenuation": "--attenuation 3", "--eye": "--eye 1,1,4", "--target": "--target 0.2,0.2,0", "--up": "--up 1,1,0",
-    "--fov": "--fov 70", "--shading": "", "--smooth": "--no-smooth", "--samples": "--samples 2",
+    "--fov": "--fov 70", "--shading": "", "--smooth": "--no-smooth", "--ink": "--ink 0.9,0.1,0.1:2",
+    "--ink-creases": "--ink-creases", "--toon": "--toon 3", "--samples": "--samples 2",
     "--pose": "--pose walk@1", "--clips": "--clips",
 }
 NEUTRAL = {"--band"}  # changes no pixel, which other tests prove

@@ -7,10 +7,14 @@
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/temporary_folder.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 using namespace arcspan::tools;
 using namespace arcspan::test;
@@ -302,6 +306,80 @@ TEST_CASE("smoothing that cannot be is refused if it was asked for") {
   CHECK(refused("--no-depth").find("--smooth: needs a depth buffer, not --no-depth") != std::string::npos);
   CHECK(refused("--format mono").find("--smooth: needs at least 4 bits per pixel, not --format mono") !=
         std::string::npos);
+}
+
+TEST_CASE("outlines are inked in every format, in bands as in the whole picture") {
+  const TemporaryFolder folder;
+  const auto drawn = [&folder](const std::string& options) {
+    const CommandRun result = run("render torus:16x8 --size 96x72 -o " + (folder / "a.ppm") + " " + options);
+    REQUIRE(result.status == 0);
+    return std::pair(contents(folder / "a.ppm"), result.out.find("inked") != std::string::npos);
+  };
+  for (const char* format : {"rgb565", "rgb888", "gray8", "gray4", "rgb565_swapped", "bgr888", "xrgb8888",
+                             "argb8888", "rgb332", "gray2", "mono"}) {
+    CAPTURE(format);
+    const std::string choice = std::string("--format ") + format + " --background 0.8,0.9,1";
+    const auto plain = drawn(choice);
+    CHECK_FALSE(plain.second);
+    const auto inked = drawn(choice + " --ink 0.2,0,0.1");
+    CHECK(inked.second);
+    CHECK(inked.first != plain.first);
+    CHECK(drawn(choice + " --ink 0.2,0,0.1 --band 11") == inked);
+    CHECK(drawn(choice + " --ink 0.2,0,0.1:3") != inked);
+    CHECK(drawn(choice + " --ink 1,1,0") != inked);
+  }
+  // With creases.
+  const std::string creased = "--crease 5 --no-smooth --ink 0.9,0.1,0.1:2";
+  const auto lines = drawn(creased);
+  CHECK(drawn(creased + " --band 11") == lines);
+  CHECK(drawn(creased + " --no-ink-creases").first != lines.first);
+  CHECK(drawn("--ink 0.2,0,0.1:2 --samples 2").second);
+}
+
+TEST_CASE("light in steps has few colours") {
+  const TemporaryFolder folder;
+  const auto colours = [&folder](const std::string& options) {
+    const std::string file = folder / "a.ppm";
+    REQUIRE(run("render sphere:32x16 --size 96x96 --specular 0 --format rgb888 --no-smooth -o " + file + " " +
+                options)
+                .status == 0);
+    const std::string picture = contents(file);
+    std::map<std::string, std::size_t> found;
+    for (std::size_t i = picture.size() - 96 * 96 * 3; i < picture.size(); i += 3)
+      ++found[picture.substr(i, 3)];
+    std::size_t many = 0;  // pixels of the four commonest
+    std::vector<std::size_t> counts;
+    for (const auto& [colour, count] : found) counts.push_back(count);
+    std::sort(counts.rbegin(), counts.rend());
+    for (std::size_t i = 0; i < std::min<std::size_t>(4, counts.size()); ++i) many += counts[i];
+    return many;
+  };
+  CHECK(colours("--toon 3") > 96 * 96 * 9 / 10);  // background and three steps
+  CHECK(colours("") < 96 * 96 * 7 / 10);
+}
+
+TEST_CASE("ink and steps that cannot be are refused") {
+  const TemporaryFolder folder;
+  const auto refused = [&folder](const std::string& options, const std::string& message) {
+    CAPTURE(options);
+    const CommandRun result = run("render torus:16x8 -o " + (folder / "a.png") + " " + options);
+    CHECK(result.status != 0);
+    CHECK(result.err.find(message) != std::string::npos);
+    CHECK(folder.size() == 0);
+  };
+  for (const char* ink : {"red", "1,1", "1,1,2", "1,1,1:", "1,1,1:0", "1,1,1:5", "1,1,1:2x", "1,1,1:1.5"}) {
+    refused(std::string("--ink ") + ink,
+            std::string("--ink: expected R,G,B[:WIDTH] with each of R,G,B 0...1 and "
+                        "WIDTH 1...4, not '") +
+                ink + "'");
+  }
+  refused("--ink 0,0,0 --no-depth", "--ink: needs a depth buffer, not --no-depth");
+  refused("--no-ink-creases", "--ink-creases: needs --ink");
+  refused("--ink 0,0,0:2 --samples 3", "--samples: with ink that is 2 wide at most 2");
+  refused("--toon 1", "--toon");
+  refused("--toon 17", "--toon");
+  refused("--toon 3 --shading flat", "--toon: needs --shading arc, not flat");
+  refused("--toon 3 --light 1,0,0#1,0,0 --light 0,1,0", "--toon: several lights must not be coloured");
 }
 
 TEST_CASE("several samples a pixel are the mean of a larger picture") {

@@ -112,7 +112,7 @@ Model load_drawn_model(RenderOptions& options) {
 }
 
 FixedModel with_outlines(FixedModel model, const RenderOptions& options) {
-  return options.smooths() ? with_neighbours(std::move(model), options.mesh) : model;
+  return options.has_outlines() ? with_neighbours(std::move(model), options.mesh) : model;
 }
 
 FixedModel to_fixed(const Model& model, const RenderOptions& options) {

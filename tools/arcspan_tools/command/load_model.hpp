@@ -29,7 +29,7 @@ void warn_of_clips(const Model& model, const std::string& name);
 /// draw is removed, with a warning.
 [[nodiscard]] Model load_drawn_model(RenderOptions& options);
 
-/// The model with the neighbours of its triangles, if outlines are smoothed.
+/// The model with the neighbours of its triangles, if outlines are smoothed or inked.
 [[nodiscard]] FixedModel with_outlines(FixedModel model, const RenderOptions& options);
 
 /// That model in fixed point and in the pose of the options, with_outlines().

@@ -49,7 +49,7 @@ Loaded load(RenderArguments& arguments) {
   report.crease_degrees = model.crease_degrees;
   report.mesh_bytes = loaded.model.bytes();
   report.load_milliseconds = elapsed.count();
-  report.smooth = arguments.options.smooths();
+  report.outlines = arguments.options.outline_text();
   return loaded;
 }
 
@@ -74,6 +74,14 @@ Size drawn_size(const RenderArguments& arguments) {
                              size.height, kMostPictureSide, kMostPictureSide));
 }
 
+/// The width of ink that has its own width in the picture that was asked for.
+std::uint8_t drawn_width(const OutlineInk& ink, std::int32_t samples) {
+  const std::int32_t width = ink.width * samples;
+  if (width <= OutlineInk::kWidest) return static_cast<std::uint8_t>(width);
+  throw CLI::ValidationError("--samples", formatted("with ink that is %d wide at most %d", ink.width,
+                                                    OutlineInk::kWidest / ink.width));
+}
+
 void run_sheet(RenderArguments& arguments) {
   RenderOptions& options = arguments.options;
   (void)image_format(arguments.output);
@@ -93,6 +101,7 @@ void run_render(RenderArguments& arguments) {
   const Size size = options.scene.size;
   Scene scene = options.scene;
   scene.size = drawn_size(arguments);
+  if (scene.outlines.ink) scene.outlines.ink->width = drawn_width(*scene.outlines.ink, arguments.samples);
   const RenderJob job = make_job(scene, loaded.model, options.mesh);
   warn_of_fog(options, job);
   Progress progress("drawing", static_cast<std::size_t>(scene.size.height));
@@ -115,7 +124,7 @@ void run_render(RenderArguments& arguments) {
 void add_render_command(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* render = app.add_subcommand("render", "Draw a mesh with the integer pipeline");
-  add_smooth(*render, arguments->options);
+  add_outline_options(*render, arguments->options);
   add_render_options(*render, arguments->options);
   render
       ->add_option("-o,--output", arguments->output,

@@ -115,6 +115,30 @@ void check_smooth(const RenderOptions& o) {
   throw CLI::ValidationError("--smooth", "needs at least 4 bits per pixel, not --format " + o.format);
 }
 
+// `R,G,B[:WIDTH]`.
+std::optional<OutlineInk> parse_ink(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::optional<Vec3> colour = parse_colour(text.substr(0, colon));
+  if (!colour) return std::nullopt;
+  OutlineInk ink{to_rgb8(*colour)};
+  if (colon == std::string::npos) return ink;
+  const std::optional<std::int64_t> width = parse_integer(text.substr(colon + 1));
+  if (!width || *width < 1 || *width > OutlineInk::kWidest) return std::nullopt;
+  ink.width = static_cast<std::uint8_t>(*width);
+  return ink;
+}
+
+void check_ink(const RenderOptions& o) {
+  if (o.is_given("--ink-creases") && !o.ink) throw CLI::ValidationError("--ink-creases", "needs --ink");
+  if (o.ink && !o.scene.depth) throw CLI::ValidationError("--ink", "needs a depth buffer, not --no-depth");
+}
+
+void check_toon(const RenderOptions& o) {
+  if (o.scene.toon_steps == 0) return;
+  if (o.shading != "arc") throw CLI::ValidationError("--toon", "needs --shading arc, not " + o.shading);
+  if (!o.matcap.empty()) throw CLI::ValidationError("--toon", "excludes --matcap, which replaces all light");
+}
+
 // They hold for the whole model, in place of what its file says.
 void add_surface_options(CLI::App& app, RenderOptions& o) {
   Surface& surface = o.scene.surface;
@@ -170,6 +194,11 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
     note_settings(app, o);
     choose_renderer(o);
     check_smooth(o);
+    check_ink(o);
+    check_toon(o);
+    o.scene.outlines.smooth = o.smooth;
+    o.scene.outlines.ink = o.ink;
+    if (o.ink) o.scene.outlines.ink->creases = o.ink_creases;
     check_effects(app, o);
   });
   add_parsed<Highlight>(
@@ -225,6 +254,13 @@ void add_camera_options(CLI::App& app, RenderOptions& o) {
 }  // namespace
 
 bool RenderOptions::smooths() const { return smooth && scene.depth && can_smooth({format, dither}); }
+
+bool RenderOptions::has_outlines() const { return smooths() || (ink && scene.depth); }
+
+std::string RenderOptions::outline_text() const {
+  if (!ink) return smooths() ? "smoothed" : "";
+  return smooths() ? "inked and smoothed" : "inked";
+}
 
 bool has_segments(const std::string& shading) {
   return shading == "segment" || shading == "phong-segment" || shading.rfind(kDichotomy, 0) == 0;
@@ -283,9 +319,16 @@ std::vector<std::string> shading_choices() {
   return choices;
 }
 
-void add_smooth(CLI::App& app, RenderOptions& options) {
+void add_outline_options(CLI::App& app, RenderOptions& options) {
   app.add_flag("--smooth,!--no-smooth", options.smooth,
                "smooth outlines (default with a depth buffer and at least 4 bits per pixel)");
+  add_parsed<OutlineInk>(app, "--ink", "R,G,B[:WIDTH]",
+                         "ink outlines in a colour, each of R,G,B 0...1; WIDTH is 1...4 pixels (default 1)",
+                         "R,G,B[:WIDTH] with each of R,G,B 0...1 and WIDTH 1...4", parse_ink,
+                         [&options](const OutlineInk& ink) { options.ink = ink; });
+  app.add_flag("--ink-creases,!--no-ink-creases", options.ink_creases, "ink creases, too (default)");
+  add_integer(app, "--toon", "STEPS", "light in 2...16 steps and hard highlights, by --shading arc", 2, 16,
+              options.scene.toon_steps);
 }
 
 void add_render_options(CLI::App& app, RenderOptions& options) {

@@ -28,9 +28,11 @@ struct RenderOptions {
   std::string matcap;                    ///< a picture in place of light, or none
   std::optional<bool> vertex_colours;    ///< whether they are interpolated; by default as the shading wants
   bool smooth = true;                    ///< outlines, where depth and format allow it
-  std::optional<PoseChoice> pose;        ///< of the model; the file's otherwise
-  std::string clip;                      ///< the clip that is played, of commands that play some, or none
-  bool all_clips = false;                ///< all clips are played
+  std::optional<OutlineInk> ink;         ///< of outlines
+  bool ink_creases = true;
+  std::optional<PoseChoice> pose;  ///< of the model; the file's otherwise
+  std::string clip;                ///< the clip that is played, of commands that play some, or none
+  bool all_clips = false;          ///< all clips are played
   Scene scene;
   /// Those given; the scene's own stays if there are none.
   std::vector<SceneLight> lights;
@@ -41,6 +43,10 @@ struct RenderOptions {
   [[nodiscard]] bool is_given(const std::string& option) const;
   /// Whether outlines are smoothed.
   [[nodiscard]] bool smooths() const;
+  /// Whether outlines are smoothed or inked.
+  [[nodiscard]] bool has_outlines() const;
+  /// What is done with outlines: "inked and smoothed", or less.
+  [[nodiscard]] std::string outline_text() const;
 };
 
 /// A colour of three channels, each 0...1.
@@ -68,8 +74,8 @@ void add_crease(CLI::App& app, std::optional<double>& degrees);
 /// Notes which options were given: some are otherwise chosen, or belong to single methods.
 void note_settings(const CLI::App& app, RenderOptions& options);
 
-/// Adds --smooth and --no-smooth. Call it before add_render_options().
-void add_smooth(CLI::App& app, RenderOptions& options);
+/// Adds --smooth and --no-smooth, --ink and --toon. Call it before add_render_options().
+void add_outline_options(CLI::App& app, RenderOptions& options);
 
 /// Adds MESH and the options to a subcommand. `options` must live as long as `app`.
 void add_render_options(CLI::App& app, RenderOptions& options);

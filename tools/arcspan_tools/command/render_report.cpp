@@ -25,11 +25,12 @@ std::string to_text(const RenderReport& r) {
   text += formatted("drawn: %u triangles, %llu spans, %llu pixels\n", s.triangles,
                     static_cast<unsigned long long>(s.spans), static_cast<unsigned long long>(s.pixels));
   text += formatted("time: %.1f ms to load, %.2f ms to draw\n", r.load_milliseconds, s.draw_milliseconds);
-  if (r.smooth)
-    text += formatted("smoothed: %zu outline edges, %.2f ms\n", s.outline_edges, s.smooth_milliseconds);
+  if (!r.outlines.empty())
+    text += formatted("%s: %zu outline edges, %.2f ms\n", r.outlines.c_str(), s.outline_edges,
+                      s.smooth_milliseconds);
   text += formatted("pipeline memory: %zu bytes (mesh %zu, frame %zu, depth %zu, vertex cache %zu",
                     r.memory_bytes(), r.mesh_bytes, s.frame_bytes, s.depth_bytes, s.cache_bytes);
-  if (r.smooth) text += formatted(", outlines %zu", s.outline_bytes);
+  if (!r.outlines.empty()) text += formatted(", outlines %zu", s.outline_bytes);
   return text + ")\n";
 }
 
@@ -59,7 +60,7 @@ std::string to_json(const RenderReport& r) {
         {"depth", s.depth_bytes},
         {"vertex_cache", s.cache_bytes}}},
   };
-  if (r.smooth) {
+  if (!r.outlines.empty()) {
     json["drawn"]["outline_edges"] = s.outline_edges;
     json["milliseconds"]["smooth"] = s.smooth_milliseconds;
     json["bytes"]["outlines"] = s.outline_bytes;

@@ -25,7 +25,7 @@ struct RenderReport {
   std::int32_t width = 0;
   std::int32_t height = 0;
   double load_milliseconds = 0;
-  bool smooth = false;  ///< outlines
+  std::string outlines;  ///< what is done with them: "smoothed", or nothing
   RenderStats stats;
 
   /// Everything the pipeline works on: mesh, frame or band, depth, vertex cache, outlines.

@@ -202,7 +202,7 @@ void add_show_command(CLI::App& app) {
   auto arguments = std::make_shared<ShowArguments>();
   CLI::App* show =
       app.add_subcommand("show", "Show a mesh on a display of this machine until a signal comes (Ctrl-C)");
-  add_smooth(*show, arguments->options);
+  add_outline_options(*show, arguments->options);
   add_render_options(*show, arguments->options);
   std::string devices = "a graphics card, e.g. /dev/dri/card0, a framebuffer, e.g. /dev/fb0, or a panel:";
   for (const std::string& name : module_names()) devices += " " + name;

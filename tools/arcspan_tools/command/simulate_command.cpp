@@ -50,7 +50,8 @@ struct Totals {
   hal::sim::BusCount bus;
   std::string without_figures;    ///< empty: all was estimated
   std::string other_methods;      ///< by_other_methods() of the first frame
-  std::size_t outline_bytes = 0;  ///< the most of a frame; 0 without smoothing
+  std::string outlines;           ///< RenderOptions::outline_text()
+  std::size_t outline_bytes = 0;  ///< the most of a frame; 0 without smoothing and ink
 };
 
 constexpr std::int32_t kTurnMilliseconds = 2000;
@@ -139,6 +140,7 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   display.start();
   const hal::sim::BusCount start = display.count();
   Totals totals;
+  totals.outlines = options.outline_text();
   for (std::size_t i = 0; i < frames; ++i) {
     const Scene scene = frames == 1 ? options.scene : turntable.scene(i);
     const FixedModel& model = arguments.planes ? planed : played.frame(i);
@@ -194,8 +196,8 @@ std::string report(const SimulateArguments& arguments, const SimulatedDisplay& d
     text += formatted("drawing: no figures of %s on a Cortex-M3\n", totals.without_figures.c_str());
   }
   if (totals.outline_bytes != 0)
-    text += formatted("outlines: smoothed, with %zu bytes of RAM; neither is in the other figures\n",
-                      totals.outline_bytes);
+    text += formatted("outlines: %s, with %zu bytes of RAM; neither is in the other figures\n",
+                      totals.outlines.c_str(), totals.outline_bytes);
   return text + formatted("RAM for buffers: %zu bytes; a whole frame would take %zu\n",
                           display.buffer_bytes(), display.frame_bytes());
 }
@@ -255,7 +257,7 @@ void add_simulate_command(CLI::App& app) {
   auto arguments = std::make_shared<SimulateArguments>();
   CLI::App* simulate = app.add_subcommand(
       "simulate", "Draw a mesh on a simulated panel, through its driver and a model of its controller");
-  add_smooth(*simulate, arguments->options);
+  add_outline_options(*simulate, arguments->options);
   add_render_options(*simulate, arguments->options);
   // The panel says these.
   simulate->remove_option(simulate->get_option("--size"));

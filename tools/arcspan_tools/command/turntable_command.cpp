@@ -64,8 +64,9 @@ void run_turntable(TurntableArguments& arguments) {
       printable(arguments.output) + formatted(": %zu frames of %dx%d, %d ms each, drawn in %.2f ms each",
                                               format.frames, format.size.width, format.size.height,
                                               format.milliseconds, milliseconds / frames);
-  if (options.smooths())
-    text += formatted(", outlines smoothed in %.2f ms each", smooth_milliseconds / frames);
+  if (options.has_outlines())
+    text += formatted(", outlines %s in %.2f ms each", options.outline_text().c_str(),
+                      smooth_milliseconds / frames);
   output->finish(text + "\n");
 }
 
@@ -75,7 +76,7 @@ void add_turntable_command(CLI::App& app) {
   auto arguments = std::make_shared<TurntableArguments>();
   CLI::App* turntable =
       app.add_subcommand("turntable", "Draw a turn of a mesh as an animation or numbered pictures");
-  add_smooth(*turntable, arguments->options);
+  add_outline_options(*turntable, arguments->options);
   add_render_options(*turntable, arguments->options);
   turntable
       ->add_option(

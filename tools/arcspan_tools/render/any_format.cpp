@@ -29,8 +29,9 @@ class FormatStore final : public PixelStore {
   void read_row(std::int32_t y, std::span<Rgb8> row) const override { decode_row(frame_, y, row); }
   void move_to(std::int32_t first_row) override { frame_.move_to(first_row); }
   void clear(Rgb8 colour) override { frame_.clear(colour); }
-  void smooth(const OutlineList& outlines, const DepthBuffer& depth, SmoothCost& cost) override {
-    smooth_frame(outlines, frame_, depth, cost);
+  void finish_outlines(const OutlineList& outlines, const OutlineLook& look, const DepthBuffer& depth,
+                       SmoothCost& cost) override {
+    tools::finish_outlines(outlines, look, frame_, depth, cost);
   }
   [[nodiscard]] Rect bounds() const override { return frame_.bounds(); }
   [[nodiscard]] std::size_t bytes() const override { return memory_.size() * sizeof(typename Format::Word); }

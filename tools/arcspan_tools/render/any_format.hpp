@@ -16,7 +16,9 @@
 
 namespace arcspan::tools {
 
-/// What smoothing takes, all bands and repeats together.
+struct OutlineLook;
+
+/// What ink and smoothing take, all bands and repeats together.
 struct SmoothCost {
   double milliseconds = 0;    ///< of processor time
   std::size_t gap_bytes = 0;  ///< of the band that needs most
@@ -33,8 +35,9 @@ class PixelStore {
   virtual void read_row(std::int32_t y, std::span<Rgb8> row) const = 0;
   virtual void move_to(std::int32_t first_row) = 0;
   virtual void clear(Rgb8 colour) = 0;
-  /// smooth_frame() (job_outlines.hpp).
-  virtual void smooth(const OutlineList& outlines, const DepthBuffer& depth, SmoothCost& cost) = 0;
+  /// finish_outlines() (job_outlines.hpp).
+  virtual void finish_outlines(const OutlineList& outlines, const OutlineLook& look, const DepthBuffer& depth,
+                               SmoothCost& cost) = 0;
   [[nodiscard]] virtual Rect bounds() const = 0;
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 };
@@ -57,7 +60,7 @@ class NoPixels final : public PixelStore {
     bounds_ = {bounds_.left, first_row, bounds_.right, first_row + bounds_.height()};
   }
   void clear(Rgb8) override {}
-  void smooth(const OutlineList&, const DepthBuffer&, SmoothCost&) override {}
+  void finish_outlines(const OutlineList&, const OutlineLook&, const DepthBuffer&, SmoothCost&) override {}
   [[nodiscard]] Rect bounds() const override { return bounds_; }
   [[nodiscard]] std::size_t bytes() const override { return 0; }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/lighting/toon.hpp>
 #include <arcspan/shading/textured/light_tables.hpp>
 
 #include <arcspan_tools/render/any_illumination.hpp>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace arcspan::tools {
 namespace {
@@ -13,10 +15,13 @@ namespace {
 template <class Wrapped>
 class CallsOf final : public IlluminationCalls {
  public:
-  CallsOf(const Material& material, std::span<const DirectionalLight> lights, const Direction& to_eye) {
+  CallsOf(const Material& material, const RenderJob& job) {
     std::array<DirectionalLight, kLights> copies;
-    std::copy(lights.begin(), lights.end(), copies.begin());
-    const Status status = Wrapped::make(material, copies, to_eye, wrapped_);
+    std::copy(job.lights.begin(), job.lights.end(), copies.begin());
+    Status status = Wrapped::make(material, copies, job.to_eye, wrapped_);
+    if constexpr (Wrapped::kHasRamp) {
+      if (ok(status) && job.toon_steps != 0) status = wrapped_.set_toon(job.toon_steps);
+    }
     if (!ok(status)) throw Failure("illumination", to_string(status));
     if constexpr (Tables::kHasShines) tables_ = Tables(wrapped_);
   }
@@ -114,13 +119,13 @@ class CallsOf final : public IlluminationCalls {
 using Calls = std::unique_ptr<IlluminationCalls>;
 
 template <Highlight Model, bool kColoured>
-Calls calls_for(const Material& material, std::span<const DirectionalLight> lights, const Direction& to_eye) {
+Calls calls_for(const Material& material, const RenderJob& job) {
   // A fade of 0, which firmware leaves out, changes no pixel.
   constexpr IlluminationFeatures kFeatures{.coloured_lights = kColoured, .fading_highlights = true};
   const auto by = [&]<std::size_t Lights>(std::integral_constant<std::size_t, Lights>) -> Calls {
-    return std::make_unique<CallsOf<Illumination<Lights, Model, kFeatures>>>(material, lights, to_eye);
+    return std::make_unique<CallsOf<Illumination<Lights, Model, kFeatures>>>(material, job);
   };
-  switch (lights.size()) {
+  switch (job.lights.size()) {
     case 1:
       // A single light may be coloured anyway.
       if constexpr (!kColoured) return by(std::integral_constant<std::size_t, 1>{});
@@ -132,23 +137,23 @@ Calls calls_for(const Material& material, std::span<const DirectionalLight> ligh
     case 4:
       return by(std::integral_constant<std::size_t, 4>{});
   }
-  throw Failure("--light", "1 to 4 lights, not " + std::to_string(lights.size()));
+  throw Failure("--light", "1 to 4 lights, not " + std::to_string(job.lights.size()));
 }
 
 }  // namespace
 
-std::unique_ptr<IlluminationCalls> make_any_illumination(const Material& material,
-                                                         std::span<const DirectionalLight> lights,
-                                                         const Direction& to_eye, Highlight model) {
+std::unique_ptr<IlluminationCalls> make_any_illumination(const Material& material, const RenderJob& job) {
+  const std::vector<DirectionalLight>& lights = job.lights;
   const bool coloured =
       lights.size() > 1 && std::any_of(lights.begin(), lights.end(), [](const DirectionalLight& light) {
         return light.colour.r != light.colour.g || light.colour.g != light.colour.b;
       });
-  const auto make = coloured ? (model == Highlight::kBlinn ? &calls_for<Highlight::kBlinn, true>
-                                                           : &calls_for<Highlight::kPhong, true>)
-                             : (model == Highlight::kBlinn ? &calls_for<Highlight::kBlinn, false>
-                                                           : &calls_for<Highlight::kPhong, false>);
-  return make(material, lights, to_eye);
+  if (coloured && job.toon_steps != 0) throw Failure("--toon", "several lights must not be coloured");
+  const auto make = coloured ? (job.highlight == Highlight::kBlinn ? &calls_for<Highlight::kBlinn, true>
+                                                                   : &calls_for<Highlight::kPhong, true>)
+                             : (job.highlight == Highlight::kBlinn ? &calls_for<Highlight::kBlinn, false>
+                                                                   : &calls_for<Highlight::kPhong, false>);
+  return make(material, job);
 }
 
 }  // namespace arcspan::tools

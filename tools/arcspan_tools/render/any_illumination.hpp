@@ -3,12 +3,13 @@
 
 #include <arcspan/lighting/illumination.hpp>
 
+#include <arcspan_tools/render/render.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 
 namespace arcspan::tools {
 
@@ -56,10 +57,9 @@ class IlluminationCalls {
 
 /// The illumination by 1 to 4 lights that firmware uses: with a ramp unless one of several lights is
 /// coloured. Throws Failure for other numbers of lights, and for materials and lights that
-/// Illumination::make() rejects.
-[[nodiscard]] std::unique_ptr<IlluminationCalls> make_any_illumination(
-    const Material& material, std::span<const DirectionalLight> lights, const Direction& to_eye,
-    Highlight model);
+/// Illumination::make() rejects, and for a toon by coloured lights.
+[[nodiscard]] std::unique_ptr<IlluminationCalls> make_any_illumination(const Material& material,
+                                                                       const RenderJob& job);
 
 /// IlluminationCalls with the interface of an Illumination of four lights, so that one instantiation of a
 /// method for every number of lights and both models draws the pixels that firmware draws. Flat, Gouraud and

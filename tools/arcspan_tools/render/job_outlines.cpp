@@ -17,7 +17,7 @@ bool can_smooth(const PixelChoice& pixels) {
   return false;
 }
 
-JobOutlines::JobOutlines(const RenderJob& job) {
+JobOutlines::JobOutlines(const RenderJob& job) : look_(job.outlines) {
   const double start = processor_milliseconds();
   std::vector<std::size_t> edges;  // of each group, at most; a crease is two
   const auto begins = [&job](std::size_t i) { return i == 0 || is_blended(job.parts[i].transparency); };
@@ -33,7 +33,7 @@ JobOutlines::JobOutlines(const RenderJob& job) {
   find_milliseconds_ = processor_milliseconds() - start;
 }
 
-void JobOutlines::add(const RenderJob& job, std::size_t part, SmoothedParts& group) {
+void JobOutlines::add(const RenderJob& job, std::size_t part, OutlinedParts& group) {
   group.last_part = part;
   const MeshView& mesh = job.parts[part].mesh;
   // Which sides are seen does not depend on the shading.
@@ -50,7 +50,7 @@ void JobOutlines::add(const RenderJob& job, std::size_t part, SmoothedParts& gro
 void JobOutlines::finish(std::int32_t repeats, RenderStats& stats) const {
   stats.smooth_milliseconds = find_milliseconds_ + cost_.milliseconds / repeats;
   stats.outline_bytes = sides_.size() * sizeof(TriangleSide) + cost_.gap_bytes;
-  for (const SmoothedParts& group : groups_) {
+  for (const OutlinedParts& group : groups_) {
     stats.outline_edges += group.outlines.edges().size();
     stats.outline_bytes += group.outlines.edges().size() * sizeof(OutlineEdge);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/ink_outlines.hpp>
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/mesh/mesh_neighbours.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
@@ -18,6 +19,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,11 +36,17 @@ struct RenderPart {
   bool vertex_colours = false;  ///< those of the mesh multiply the light, which is that of Gouraud shading
   Transparency transparency = Transparency::kNone;
   std::uint8_t opacity = 32;    ///< of transparency: 0...32, of kScreenDoor 0...8
-  MeshNeighbours neighbours{};  ///< for smooth outlines; all parts have some, or none has
+  MeshNeighbours neighbours{};  ///< for outlines; all parts have some, or none has
 };
 
 /// RenderJob::segment_bits of segments that are as long as the accuracy allows.
 inline constexpr std::int32_t kAdaptiveSegments = -1;
+
+/// What is done with the outlines of parts that have neighbours.
+struct OutlineLook {
+  bool smooth = true;
+  std::optional<OutlineInk> ink{};
+};
 
 /// One picture for the pipeline: everything is fixed point or integer already.
 struct RenderJob {
@@ -50,7 +58,9 @@ struct RenderJob {
   bool depth = true;
   /// Of methods with segments: these have 2^bits pixels. 0: the method's usual length.
   std::int32_t segment_bits = 0;
-  std::int32_t tolerance = 1;  ///< of `arc`, in 8-bit steps
+  std::int32_t tolerance = 1;   ///< of `arc`, in 8-bit steps
+  std::int32_t toon_steps = 0;  ///< Illumination::set_toon(), or 0
+  OutlineLook outlines;
   Rgb8 background;
   std::int32_t band_rows = 0;  ///< rows per band, 1 or more; the picture's height or more is a full frame
   std::int32_t repeats = 1;    ///< draws of every band, 1 or more, for measuring; the picture is the same
@@ -82,9 +92,9 @@ struct RenderStats {
   std::size_t frame_bytes = 0;
   std::size_t depth_bytes = 0;
   std::size_t cache_bytes = 0;
-  std::size_t outline_edges = 0;   ///< 0 without smoothing, like what follows
+  std::size_t outline_edges = 0;   ///< 0 without smoothing and ink, like what follows
   std::size_t outline_bytes = 0;   ///< sides of triangles, edges and gaps
-  double smooth_milliseconds = 0;  ///< processor time of finding outlines and smoothing them
+  double smooth_milliseconds = 0;  ///< processor time of finding outlines, inking and smoothing them
 };
 
 struct RenderResult {

@@ -50,7 +50,7 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
   RenderResult result;
   result.image = Image(size.width, size.height);
   JobOutlines outlines(job);
-  const std::int32_t drawn_rows = rows == size.height ? rows : rows + outlines.margin();
+  const std::int32_t drawn_rows = rows == size.height ? rows : rows + 2 * outlines.margin();
   BandDepth depth(size.width, drawn_rows);
   Band band(pixels, size.width, drawn_rows, job.depth ? nullptr : &depth.buffer());
   std::vector<CachedVertex<Method>> cache(most_vertices(job));
@@ -62,7 +62,7 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
       band.start(outlines.first_row(first), job.background);
       depth.start(outlines.first_row(first));
       milliseconds += draw_into<Method>(band, job, lightings, depth.buffer(), std::span(cache), result.stats);
-      outlines.smooth_after(job.parts.size() - 1, band, depth.buffer());
+      outlines.finish_after(job.parts.size() - 1, band, depth.buffer());
     }
     result.stats.draw_milliseconds += milliseconds / job.repeats;
     copy_rows(band, first, rows, result.image);

@@ -3,6 +3,7 @@
 
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/lighting/toon.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 
 #include <arcspan_tools/render/render_bands.hpp>
@@ -29,8 +30,9 @@ class DirectBand {
     frame_.clear(background);
   }
   void read_row(std::int32_t y, std::span<Rgb8> row) const { decode_row(frame_, y, row); }
-  void smooth(const OutlineList& outlines, const DepthBuffer& depth, SmoothCost& cost) {
-    smooth_frame(outlines, frame_, depth, cost);
+  void finish_outlines(const OutlineList& outlines, const OutlineLook& look, const DepthBuffer& depth,
+                       SmoothCost& cost) {
+    tools::finish_outlines(outlines, look, frame_, depth, cost);
   }
   [[nodiscard]] std::size_t bytes() const { return memory_.size() * sizeof(Rgb565::Word); }
 
@@ -45,8 +47,8 @@ RenderResult render_directly(const RenderJob& job, const PixelChoice& pixels, co
   using Lit = Illumination<1, Model>;
   std::vector<Lit> illuminations(job.parts.size());
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
-    const Status status =
-        Lit::make(job.parts[i].material, {job.lights.front()}, job.to_eye, illuminations[i]);
+    Status status = Lit::make(job.parts[i].material, {job.lights.front()}, job.to_eye, illuminations[i]);
+    if (ok(status) && job.toon_steps != 0) status = illuminations[i].set_toon(job.toon_steps);
     if (!ok(status)) throw Failure("illumination", to_string(status));
   }
   return render_bands<Method<Lit>, DirectBand>(job, pixels, lightings_of<Method<Lit>>(job, illuminations),

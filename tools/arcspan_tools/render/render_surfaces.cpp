@@ -106,7 +106,7 @@ RenderResult render_surfaces(const RenderJob& job,
   RenderResult result;
   result.image = Image(size.width, size.height);
   JobOutlines outlines(job);
-  const std::int32_t drawn_rows = rows == size.height ? rows : rows + outlines.margin();
+  const std::int32_t drawn_rows = rows == size.height ? rows : rows + 2 * outlines.margin();
   BandDepth depth(size.width, drawn_rows);
   const std::unique_ptr<PixelStore> store = make_pixel_store(pixels, size.width, drawn_rows);
   result.stats.frame_bytes = store->bytes();
@@ -123,7 +123,7 @@ RenderResult render_surfaces(const RenderJob& job,
       store->clear(job.background);
       depth.start(outlines.first_row(first));
       const PartsDrawn drawn = draw_parts(drawers, sink, depth.buffer(), [&](std::size_t part) {
-        outlines.smooth_after(part, *store, depth.buffer());
+        outlines.finish_after(part, *store, depth.buffer());
       });
       result.stats.triangles = std::max(result.stats.triangles, drawn.triangles);
       milliseconds += drawn.milliseconds;

@@ -39,8 +39,9 @@ class AnyBand {
     store_->clear(background);
   }
   void read_row(std::int32_t y, std::span<Rgb8> row) const { store_->read_row(y, row); }
-  void smooth(const OutlineList& outlines, const DepthBuffer& depth, SmoothCost& cost) {
-    store_->smooth(outlines, depth, cost);
+  void finish_outlines(const OutlineList& outlines, const OutlineLook& look, const DepthBuffer& depth,
+                       SmoothCost& cost) {
+    store_->finish_outlines(outlines, look, depth, cost);
   }
   [[nodiscard]] std::size_t bytes() const { return store_->bytes(); }
 
@@ -143,7 +144,7 @@ RenderResult render_with(const RenderJob& job, const PixelChoice& pixels, const 
                          RenderFunction* directly) {
   std::vector<std::unique_ptr<IlluminationCalls>> calls;
   for (const RenderPart& part : job.parts) {
-    calls.push_back(make_any_illumination(part.material, job.lights, job.to_eye, job.highlight));
+    calls.push_back(make_any_illumination(part.material, job));
   }
   if constexpr (kDrawsEffects) {
     if (has_surfaces(job)) {

@@ -52,6 +52,8 @@ Placed job_without_parts(const Scene& scene, const FixedMeshes& meshes) {
   job.depth = scene.depth;
   job.segment_bits = scene.segment_bits;
   job.tolerance = scene.tolerance;
+  job.toon_steps = scene.toon_steps;
+  job.outlines = scene.outlines;
   job.background = to_rgb8(scene.background);
   job.band_rows = scene.band_rows > 0 ? scene.band_rows : scene.size.height;
   job.fog = make_fog(scene, meshes, camera.projection);
@@ -113,7 +115,7 @@ void order_parts(RenderJob& job, const Placement& placement) {
   });
 }
 
-/// The neighbours of a mesh for smooth outlines, if it has some.
+/// The neighbours of a mesh for outlines, if it has some.
 MeshNeighbours neighbours_in(const FixedMesh& mesh, const MeshView& view, const std::string& subject) {
   MeshNeighbours neighbours;
   if (mesh.neighbours.empty()) return neighbours;
@@ -143,6 +145,8 @@ RenderJob make_job(const Scene& scene, const FixedModel& model, const std::strin
     part.texture = textures.of(material, part.transparency);
     part.neighbours = neighbours_in(model.meshes[i], part.mesh, subject);
     part.vertex_colours = !model.meshes[i].colours.empty() && !scene.chosen.colour;
+    if (part.vertex_colours && scene.toon_steps != 0)
+      throw Failure("--toon", "interpolated vertex colours have no steps: add --no-vertex-colours");
     placed.job.parts.push_back(std::move(part));
   }
   order_parts(placed.job, placed.camera.placement);

@@ -34,7 +34,9 @@ struct Scene {
   bool two_sided = false;
   std::int32_t segment_bits = 0;  ///< as in RenderJob
   std::int32_t tolerance = 1;     ///< of `arc`, in 8-bit steps
-  std::optional<double> alpha;    ///< multiplies the opacity of all surfaces, 0...1
+  std::int32_t toon_steps = 0;    ///< as in RenderJob
+  OutlineLook outlines;
+  std::optional<double> alpha;  ///< multiplies the opacity of all surfaces, 0...1
   /// How surfaces that are not opaque are blended; with `alpha`, how all are. kNone draws them opaque.
   Transparency transparency = Transparency::kAlpha;
   std::optional<SceneFog> fog;
@@ -44,7 +46,7 @@ struct Scene {
 /// `scene` with `mesh`, in fixed point. The mesh must outlive the job; `subject` names it in a Failure.
 [[nodiscard]] RenderJob make_job(const Scene& scene, const FixedMesh& mesh, const std::string& subject);
 
-/// The same for a model, with its materials. Outlines are smoothed if its meshes have neighbours. Parts that
+/// The same for a model, with its materials. Outlines are drawn if its meshes have neighbours. Parts that
 /// are blended come last, the farthest first: the one whose bounding sphere has the farthest middle, as
 /// draw_scene() orders objects.
 [[nodiscard]] RenderJob make_job(const Scene& scene, const FixedModel& model, const std::string& subject);

@@ -64,13 +64,12 @@ void warn_without_effect(const RenderOptions& options, const Model& model) {
 
 Model load_model(const std::string& name, const std::optional<double>& crease_degrees,
                  const std::string& texture, VertexColours colours, const std::optional<PoseChoice>& pose,
-                 const char* clips_option) {
+                 const std::function<void(const Model&)>& check) {
   Model model =
       load_model_file(name, texture.empty() ? TexturePointsOf::kTexturedParts : TexturePointsOf::kAllParts,
                       colours, crease_degrees ? kSmoothEverything : kCreaseOfFiles);
   if (!texture.empty()) put_texture(texture, name, model);
-  if (clips_option != nullptr && clips_of(model).empty())
-    throw Failure(name, std::string("has no clips for ") + clips_option);
+  if (check) check(model);
   const bool has_motion = moves(model);
   const std::vector<std::string> warnings = model.warnings;
   if (pose) model = posed(model, *pose, name);
@@ -100,8 +99,11 @@ Model load_drawn_model(RenderOptions& options) {
       options.crease_degrees || (options.pose && options.pose->clip.empty()) ? options.pose : std::nullopt;
   Model model = load_model(options.mesh, options.plays() ? std::nullopt : options.crease_degrees,
                            options.texture, kept ? VertexColours::kKept : VertexColours::kMean, anew,
-                           options.all_clips ? "--clips" : nullptr);
-  if (options.pose && !anew) check_pose(model, *options.pose, options.mesh);
+                           [&options, &anew](const Model& loaded) {
+                             if (options.all_clips && clips_of(loaded).empty())
+                               throw Failure(options.mesh, "has no clips for --clips");
+                             if (options.pose && !anew) check_pose(loaded, *options.pose, options.mesh);
+                           });
   if (!options.plays() && !options.pose) warn_of_clips(model, options.mesh);
   warn_without_effect(options, model);
   if (shading_draws_effects(options.shading)) return model;

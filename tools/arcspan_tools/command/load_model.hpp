@@ -6,6 +6,7 @@
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/plain/model.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -14,12 +15,12 @@ namespace arcspan::tools {
 /// load_model_file(), and its warnings on standard error. With `crease_degrees` the normals are made anew:
 /// see with_crease(). `texture`, unless it is empty, is a picture file that replaces the textures of all
 /// parts that have texture points. Without a `pose` a model keeps what moves it; it loses it by one, and by
-/// `crease_degrees`. `clips_option` is the name of an option that needs clips, or null; throws Failure if
-/// there are none.
+/// `crease_degrees`. `check`, unless it is empty, gets the model before the warnings, so that what it throws
+/// is the only line.
 [[nodiscard]] Model load_model(const std::string& name, const std::optional<double>& crease_degrees = {},
                                const std::string& texture = {}, VertexColours colours = VertexColours::kMean,
                                const std::optional<PoseChoice>& pose = {},
-                               const char* clips_option = nullptr);
+                               const std::function<void(const Model&)>& check = {});
 
 /// Says which clips of a model are not played, if it has some.
 void warn_of_clips(const Model& model, const std::string& name);

@@ -135,7 +135,8 @@ TEST_CASE("Ink: around a surface pixels have the share of the line's area") {
   double sum = 0;
   double worst = 0;
   int pixels = 0;
-  for (int i = 0; i < share_of(12); ++i) {
+  const int cases = std::max(share_of(12), 4);  // fewer have no mean
+  for (int i = 0; i < cases; ++i) {
     const std::vector<OutlineEdge> edges = random_triangle(random, 1);
     PictureOf<Xrgb8888> picture = white_around<Xrgb8888>(edges);
     const Drawing drawing(edges);
@@ -160,7 +161,7 @@ TEST_CASE("Ink: around a surface pixels have the share of the line's area") {
       }
     }
   }
-  REQUIRE(pixels > 5 * share_of(12));
+  REQUIRE(pixels > 5 * cases);
   CHECK(std::sqrt(sum / pixels) < 0.09);
   CHECK(worst < 0.2);
 }

@@ -162,17 +162,25 @@ struct Drawing {
   return true;
 }
 
-/// The share of a pixel that a convex polygon covers, by 64x64 samples.
+/// The share of a pixel that a convex polygon covers, by 64x64 samples where an edge crosses it.
 [[nodiscard]] inline double coverage(const std::vector<OutlineEdge>& edges, std::int32_t x, std::int32_t y) {
+  const auto is_inside = [x, y](const OutlineEdge& e, double across, double down) {
+    const double sx = 16 * (x + across) - 256;
+    const double sy = 16 * (y + down) - 256;
+    return (e.to.x - e.from.x) * (sy - e.from.y) - (e.to.y - e.from.y) * (sx - e.from.x) <= 0;
+  };
+  bool crossed = false;
+  for (const OutlineEdge& e : edges) {
+    const int corners = is_inside(e, 0, 0) + is_inside(e, 1, 0) + is_inside(e, 0, 1) + is_inside(e, 1, 1);
+    if (corners == 0) return 0;
+    crossed = crossed || corners != 4;
+  }
+  if (!crossed) return 1;
   int inside = 0;
   for (int j = 0; j < 64; ++j) {
     for (int i = 0; i < 64; ++i) {
-      const double sx = 16 * (x + (i + 0.5) / 64) - 256;
-      const double sy = 16 * (y + (j + 0.5) / 64) - 256;
-      bool in = true;
-      for (const OutlineEdge& e : edges)
-        in = in && (e.to.x - e.from.x) * (sy - e.from.y) - (e.to.y - e.from.y) * (sx - e.from.x) <= 0;
-      inside += in ? 1 : 0;
+      const auto holds = [&](const OutlineEdge& e) { return is_inside(e, (i + 0.5) / 64, (j + 0.5) / 64); };
+      inside += std::all_of(edges.begin(), edges.end(), holds) ? 1 : 0;
     }
   }
   return inside / 4096.0;

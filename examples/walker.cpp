@@ -19,7 +19,7 @@ using Light = Illumination<1, Highlight::kBlinn>;
 using Method = Arc<Light>;
 using Pages = hal::PageMode<hal::St7789>;
 
-// Of the model, as `arcspan mesh` prints them.
+// The numbers of nodes, joints, parts and vertices of the model, which `arcspan mesh` prints.
 constexpr std::size_t kNodes = 14, kJoints = 18, kParts = 4, kVertices = 646;
 constexpr std::int32_t kRows = 16;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/draw/scissor.hpp>
+#include <arcspan/outline/exchange.hpp>
 #include <arcspan/outline/ink_pixels.hpp>
 #include <arcspan/outline/ink_walk.hpp>
 #include <arcspan/outline/outline_gap.hpp>
@@ -37,7 +38,7 @@ class OutlineInker {
   OutlineInker(const Scissor& scissor, const DepthBuffer& depth, std::int32_t width, InkPixels<Sink>& pixels)
       : pixels_(pixels),
         width_(width),
-        by_rows_{relative(scissor.rect(), scissor.origin()),
+        by_rows_{relative_to(scissor.origin(), scissor.rect()),
                  {depth.stride(), std::uint32_t{1} << 16},
                  {1, 1},
                  place_of(scissor.rect(), depth),
@@ -85,7 +86,7 @@ class OutlineInker {
     Way(const OutlineInker& inker, const OutlineEdge& edge) {
       const std::int32_t dx = std::int32_t{edge.to.x} - edge.from.x;
       const std::int32_t dy = std::int32_t{edge.to.y} - edge.from.y;
-      const bool steep = magnitude(dy) >= magnitude(dx);
+      const bool steep = magnitude_of(dy) >= magnitude_of(dx);
       // The surface lies right of an edge that leads down, and above one that leads to the right.
       const bool upward = steep ? dy < 0 : dx < 0;
       direction = steep ? &inker.by_rows_ : &inker.by_columns_;
@@ -98,12 +99,6 @@ class OutlineInker {
     }
   };
 
-  [[nodiscard]] static constexpr std::int32_t magnitude(std::int32_t v) { return v < 0 ? -v : v; }
-  [[nodiscard]] static constexpr RasterPosition exchanged(const RasterPosition& p) { return {p.y, p.x, p.z}; }
-  [[nodiscard]] static constexpr Rect exchanged(const Rect& r) { return {r.top, r.left, r.bottom, r.right}; }
-  [[nodiscard]] static constexpr Rect relative(const Rect& r, const RasterOrigin& o) {
-    return {r.left - o.x, r.top - o.y, r.right - o.x, r.bottom - o.y};
-  }
   /// The first pixel of a rectangle.
   [[nodiscard]] static InkPlace place_of(const Rect& r, const DepthBuffer& depth) {
     return {static_cast<std::uint32_t>(r.top) << 16 | static_cast<std::uint32_t>(r.left),
@@ -191,9 +186,9 @@ class OutlineInker {
 /// differences:
 ///
 /// - `sink` may have fewer than 4 bits per pixel. Ink then covers pixels from one half on.
-/// - `memory`: for each pixel that ink covers in part, about as many as outlines have pixels, or twice as
-/// many
-///   with creases. It may be the memory of smooth_outlines(). Formats with fewer than 4 bits need none.
+/// - `memory`: for each pixel that ink covers in part, about as many as outlines have pixels, or twice
+///   as many with creases. It may be the memory of smooth_outlines(). Formats with fewer than 4 bits need
+///   none.
 /// - A band needs one row more above and below for creases, and one for smoothing: up to two.
 /// - kUnsupported says only that the sink cannot be read; kInvalidArgument that the width is out of range.
 template <PixelSink Sink>

@@ -20,7 +20,8 @@ struct OutlinedMesh {
   const MeshNeighbours* neighbours;
 };
 
-/// What outlines of a scene need. All memory is the caller's and needs no initialisation.
+/// The neighbours and the memory by which the outlines of a scene are smoothed or inked. The memory is the
+/// caller's and needs no initialisation.
 template <PixelFormat F>
 struct SceneOutlines {
   std::span<const OutlinedMesh> meshes;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/draw/scissor.hpp>
+#include <arcspan/outline/exchange.hpp>
 #include <arcspan/outline/gap_list.hpp>
 #include <arcspan/outline/gap_walk.hpp>
 #include <arcspan/outline/outline_gap.hpp>
@@ -30,14 +31,14 @@ class OutlineSmoother {
         rect_(scissor.rect()),
         rows_(subpixels(rect_.top - scissor.origin().y, rect_.bottom - scissor.origin().y)),
         columns_(subpixels(rect_.left - scissor.origin().x, rect_.right - scissor.origin().x)),
-        by_rows_{relative(rect_, scissor.origin()), depth.stride(), 1, scissor.origin(), false},
+        by_rows_{relative_to(scissor.origin(), rect_), depth.stride(), 1, scissor.origin(), false},
         by_columns_{exchanged(by_rows_.rect), 1, depth.stride(), exchanged(scissor.origin()), true} {}
 
   void smooth(const OutlineEdge& edge) {
     if (is_outside(rows_, edge.from.y, edge.to.y) || is_outside(columns_, edge.from.x, edge.to.x)) return;
     const std::int32_t dx = edge.to.x - edge.from.x;
     const std::int32_t dy = edge.to.y - edge.from.y;
-    if (magnitude(dy) >= magnitude(dx)) {
+    if (magnitude_of(dy) >= magnitude_of(dx)) {
       // The surface lies right of an edge that leads down.
       if (dy > 0) walk(by_rows_, edge.from, edge.to, GapPlace::kRight);
       if (dy < 0) walk(by_rows_, edge.to, edge.from, GapPlace::kLeft);
@@ -58,15 +59,7 @@ class OutlineSmoother {
     bool exchanged;
   };
 
-  [[nodiscard]] static constexpr std::int32_t magnitude(std::int32_t v) { return v < 0 ? -v : v; }
-  [[nodiscard]] static constexpr RasterPosition exchanged(const RasterPosition& p) { return {p.y, p.x, p.z}; }
-  [[nodiscard]] static constexpr RasterOrigin exchanged(const RasterOrigin& o) { return {o.y, o.x}; }
-  [[nodiscard]] static constexpr Rect exchanged(const Rect& r) { return {r.top, r.left, r.bottom, r.right}; }
-  [[nodiscard]] static constexpr Rect relative(const Rect& r, const RasterOrigin& o) {
-    return {r.left - o.x, r.top - o.y, r.right - o.x, r.bottom - o.y};
-  }
-
-  /// What the gaps of an edge have in common.
+  /// The values that are the same for all gaps of an edge.
   struct Edge {
     const Direction& direction;
     GapPlace place;

@@ -27,7 +27,7 @@ Rotation rotation_of(const NodeMatrix& node) {
   const std::array<std::int32_t, 3> x = unit_vector30<3>(column(node, 0));
   const std::array<std::int32_t, 3> z = unit_vector30<3>(cross(column(node, 0), column(node, 1)));
   if (is_zero(x) || is_zero(z)) return Rotation::identity();
-  // Of unit length, apart from rounding.
+  // x and z are at right angles, so their product has unit length but for rounding.
   const std::array<std::int32_t, 3> y = unit_vector30<3>(cross(widened(z), widened(x)));
   Rotation rotation{};
   for (std::size_t i = 0; i < 3; ++i) {

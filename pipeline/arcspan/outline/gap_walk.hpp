@@ -2,7 +2,7 @@
 #pragma once
 
 #include <arcspan/numbers/integer.hpp>
-#include <arcspan/outline/outline_list.hpp>
+#include <arcspan/outline/exchange.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/linear.hpp>
@@ -55,18 +55,11 @@ class GapWalk {
     row_ = first < rows.first ? rows.first : first;
     end_ = end > rows.end ? rows.end : end;
     if (row_ >= end_) return;
-    // From the edge's own first row, so that every band has the same fractions and depths.
-    EdgeSetup setup;
-    make_edge_setup(top, bottom, first, true, setup);
-    make_edge_walk(setup, top, bottom, walk_);
-    make_linear_edge(setup, top.z, bottom.z, z_);
+    set_up_outline(top, bottom, first, exchanged, walk_, z_);
     if (row_ != first) {
       walk_.advance(row_ - first);
       z_.at += Linear::from_raw(wrap_mul(z_.step.raw(), row_ - first));
     }
-    // A centre on the edge belongs to its right side, which is above an edge that leads down to the right.
-    // 2^-19 pixels are less than the distance of any other centre (EdgeWalk).
-    if (exchanged && bottom.x > top.x) walk_.x += std::int64_t{1} << 13;
   }
 
   [[nodiscard]] bool done() const { return row_ >= end_; }

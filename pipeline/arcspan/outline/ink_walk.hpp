@@ -35,12 +35,7 @@ class InkWalk {
     row_ = first_ - beyond < rows.first ? rows.first : first_ - beyond;
     end_ = end + beyond > rows.end ? rows.end : end + beyond;
     if (done()) return;
-    EdgeSetup setup;
-    make_edge_setup(top, bottom, first_, true, setup);
-    make_edge_walk(setup, top, bottom, walk_);
-    make_linear_edge(setup, top.z, bottom.z, z_);
-    // As in GapWalk: the raster's side of centres on the edge.
-    if (exchanged && bottom.x > top.x) walk_.x += std::int64_t{1} << 13;
+    set_up_outline(top, bottom, first_, exchanged, walk_, z_);
     set_across();
     move(row_ - first_);
   }

@@ -94,7 +94,8 @@ Model load_drawn_model(RenderOptions& options) {
   const bool kept =
       options.shading != "flat" &&
       options.vertex_colours.value_or(!options.is_given("--shading") || options.shading == "gouraud");
-  // What moves, to_fixed() poses as a device does, but for normals that are made anew or a model that stands.
+  // Vertices that move are posed by to_fixed(), as on a device. Here only the rest pose is set, and poses
+  // whose normals are made anew.
   const auto anew =
       options.crease_degrees || (options.pose && options.pose->clip.empty()) ? options.pose : std::nullopt;
   Model model = load_model(options.mesh, options.plays() ? std::nullopt : options.crease_degrees,

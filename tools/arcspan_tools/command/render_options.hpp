@@ -45,7 +45,7 @@ struct RenderOptions {
   [[nodiscard]] bool smooths() const;
   /// Whether outlines are smoothed or inked.
   [[nodiscard]] bool has_outlines() const;
-  /// What is done with outlines: "inked and smoothed", or less.
+  /// How outlines are drawn: "inked and smoothed", "inked", "smoothed" or "".
   [[nodiscard]] std::string outline_text() const;
 };
 

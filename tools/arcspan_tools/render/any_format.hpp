@@ -18,7 +18,7 @@ namespace arcspan::tools {
 
 struct OutlineLook;
 
-/// What ink and smoothing take, all bands and repeats together.
+/// The time and the memory of inking and smoothing, of all bands and repeats together.
 struct SmoothCost {
   double milliseconds = 0;    ///< of processor time
   std::size_t gap_bytes = 0;  ///< of the band that needs most

@@ -131,7 +131,7 @@ ImportedScene meshes_of(const aiScene& scene, const std::string& subject) {
   return out;
 }
 
-/// What of a scene is not imported, by its kind.
+/// The numbers of joints, morph targets and clips in a scene, which are not imported.
 nlohmann::json left_out_of(const aiScene& scene) {
   std::size_t joints = 0;
   std::size_t targets = 0;

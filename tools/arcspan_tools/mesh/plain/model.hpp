@@ -87,7 +87,8 @@ struct Model {
   std::vector<std::string> warnings{};
   /// What moves the vertices; null if nothing does. They are where it is at rest.
   std::shared_ptr<const Rig> rig{};
-  /// The same of a model binary; null if nothing does. They are where it stores them.
+  /// The model binary whose joints or morph targets move the vertices, which are where it stores them; null
+  /// if the model is none, or nothing moves.
   std::shared_ptr<const MovingBinary> binary{};
   /// Set if the vertices are where the rig stores them: around them in all poses.
   std::optional<Box> reach{};

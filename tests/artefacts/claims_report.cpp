@@ -21,13 +21,11 @@ void print_head() {
   std::puts(
       "<!-- SPDX-License-Identifier: MIT -->\n"
       "# What the papers say and what we measured\n\n"
-      "S0, S1 and S3 are the [papers](papers.md), whose misprints that page lists. The program "
-      "`claims_report` prints this\n"
-      "page (`scripts/update-figures claims`); `tests/artefacts` checks the statements; `arcspan plot` draws "
-      "the figures.\n"
-      "Times are of one x86-64 core, instructions are callgrind's; both are of whole pictures with depth "
-      "test, a release\n"
-      "build. The test command fails if a figure other than a time differs by more than 2 %.\n\n"
+      "S0, S1 and S3 are the [papers](papers.md). `scripts/update-figures claims` prints this page, whose "
+      "figures the test\n"
+      "command compares (times aside); `arcspan plot` draws the papers' figures. Times are of one x86-64 "
+      "core, instructions\n"
+      "are callgrind's; both are of whole pictures with depth test, a release build.\n\n"
       "Compiled by gcc " __VERSION__ ".\n");
 }
 
@@ -48,24 +46,23 @@ void print_recurrence() {
 }
 
 void print_segments() {
-  std::puts("## Segments (S3)\n\n| claim | paper | measured | remarks |\n|---|---|---|---|");
+  std::puts("## Segments (S3)\n\n| claim | paper | measured |\n|---|---|---|");
   std::printf(
-      "| error of a highlight, n = 100, at 4 degrees | at most 4 %% | %.2f %% | by S3's own formula, "
-      "1 - cos^n(angle/2) |\n",
+      "| error of a highlight, 1 - cos^n(angle/2), n = 100, at 4 degrees | at most 4 %% | %.2f %% |\n",
       100 * segment_error(4 * kDegree, 100));
-  std::printf("| up to which angle 4 %% holds for n = 100 | 4 degrees | %.2f degrees | |\n",
+  std::printf("| up to which angle 4 %% holds for n = 100 | 4 degrees | %.2f degrees |\n",
               widest_segment(0.04, 100) / kDegree);
   int n = 1;
   while (segment_error(4 * kDegree, n + 1) <= 0.04) ++n;
-  std::printf("| up to which n 4 %% holds at 4 degrees | 100 | %d | |\n", n);
+  std::printf("| up to which n 4 %% holds at 4 degrees | 100 | %d |\n", n);
   for (const int exponent : {1, 16, 64}) {
-    std::printf("| widest segment with an error of at most 1/64, n = %d | - | %.1f degrees | |\n", exponent,
+    std::printf("| widest segment with an error of at most 1/64, n = %d | - | %.1f degrees |\n", exponent,
                 widest_segment(1.0 / 64, exponent) / kDegree);
   }
   for (const double degrees : {10.0, 20.0, 45.0}) {
     std::printf(
         "| absolute error of the diffuse part at %.0f degrees (figure 2) | at most %.4f, by its formula | "
-        "%.4f | |\n",
+        "%.4f |\n",
         degrees, s3_absolute_error(degrees * kDegree), segment_error(degrees * kDegree, 1));
   }
   std::puts(

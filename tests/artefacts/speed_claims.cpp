@@ -243,6 +243,15 @@ constexpr Claim kClaims[] = {
      {"dichotomy-printed-linear-diffuse", 3}},
 };
 
+/// The methods in the table of operations: all but halving by a linear and by a cubic polynomial, which the
+/// quadratic one lies between.
+std::vector<std::string> tabled_shadings() {
+  std::vector<std::string> names = shading_names();
+  std::erase_if(
+      names, [](const std::string& name) { return name == "dichotomy-linear" || name == "dichotomy-cubic"; });
+  return names;
+}
+
 /// The pictures that the table of operations and the claims need.
 std::vector<Drawn> all_drawn() {
   std::vector<Drawn> drawn;
@@ -250,7 +259,7 @@ std::vector<Drawn> all_drawn() {
     const Drawn one{shading, segment_bits};
     if (std::find(drawn.begin(), drawn.end(), one) == drawn.end()) drawn.push_back(one);
   };
-  for (const std::string& shading : shading_names()) add(shading, kUsualSegment);
+  for (const std::string& shading : tabled_shadings()) add(shading, kUsualSegment);
   for (const Claim& claim : kClaims) {
     for (const Contender& c : {claim.slower, claim.faster, claim.modern_slower, claim.modern_faster}) {
       if (c.shading != nullptr) add(c.shading, c.segment_bits);
@@ -293,7 +302,7 @@ void print_operations(Bench& bench) {
       "the root mean square in 8-bit steps from classic Phong in double precision.\n\n"
       "| shading | multiply | add | divide | root | look-up | set-up | instructions | error |\n"
       "|---|---:|---:|---:|---:|---:|---:|---:|---:|");
-  for (const std::string& shading : shading_names()) {
+  for (const std::string& shading : tabled_shadings()) {
     const MethodFigures m = bench.figures(shading);
     std::printf("| %s |", shading.c_str());
     for (const Operation kind :

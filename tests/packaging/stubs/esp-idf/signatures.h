@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The public signatures of ESP-IDF that examples/esp-idf uses, of version 5.1 or 6.0. Nothing is implemented.
+// Compared with headers of esp_lcd at commits 7283e349, 5f44d038 and 5595ab27, spi_common.h at 3ca37f9a and
+// the guide for migration to 6.0; not FreeRTOS.
 #pragma once
 #ifndef IDF_VERSION
 #define IDF_VERSION 51

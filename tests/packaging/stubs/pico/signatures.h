@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The public signatures of Pico SDK 2 that examples/pico uses. Nothing is implemented.
+// The public signatures of Pico SDK 2 that examples/pico uses. Nothing is implemented. Compared with spi.h,
+// dma.h and multicore.h of 1.x and gpio.h of 2.
 #pragma once
 #include <stddef.h>
 #include <stdint.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The public signatures of ST's HAL, as a project of CubeMX includes them, that examples/stm32 uses: the
 // older ones, without const and with pointers to words, which newer ones accept. Nothing is implemented.
+// Compared with stm32f4xx_hal_spi.h and stm32f7xx_hal_ltdc.h of CubeMX projects and core_cm7.h; not with
+// other families.
 #pragma once
 #include <stdint.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The public signatures of Zephyr that examples/zephyr uses, of version 4.1 or 4.4. Nothing is implemented.
+// Compared with display.h at 02611d7c, display_stm32_ltdc.c at 002681b1 and the guides for migration to 4.3
+// and 4.4; not with other displays' drivers.
 #pragma once
 #include <errno.h>
 #include <stdint.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The signatures of Adafruit_GFX 1.11 and Adafruit_ILI9341 that send_band() uses.
+// The signatures of Adafruit_GFX 1.11 and Adafruit_ILI9341 that send_band() uses, as in Adafruit_SPITFT.h at
+// fe0683af.
 #pragma once
 #include "display_model.h"
 

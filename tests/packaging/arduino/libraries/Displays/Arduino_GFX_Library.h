@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The signatures of Arduino_GFX 1.5 that send_band() uses.
+// The signatures of Arduino_GFX 1.5 that send_band() uses, as in Arduino_GFX.h at a61dd9f2.
 #pragma once
 #include "display_model.h"
 

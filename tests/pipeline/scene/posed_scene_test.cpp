@@ -136,7 +136,9 @@ TEST_CASE("the rectangle and the picked triangle of a posed object are those of 
   const Poses poses;
   Random random(6);
   int picked = 0;
-  for (int repeat = 0; repeat < share_of(150); ++repeat) {
+  const int scenes =
+      std::max(share_of(150), 10);  // in fewer, chance alone decides how many pixels show an object
+  for (int repeat = 0; repeat < scenes; ++repeat) {
     const Twins twins(random, poses);
     REQUIRE(ok(prepare_scene(twins.still.scene(), own_vertices)));
     REQUIRE(ok(prepare_scene(twins.posed.scene(), shared_vertices)));
@@ -145,8 +147,9 @@ TEST_CASE("the rectangle and the picked triangle of a posed object are those of 
     CHECK(drawn_rect(shared_vertices) == rect);
     CHECK(drawn_rect(no_vertices) == rect);
     for (int i = 0; i < 20; ++i) {
-      const auto x = static_cast<std::int32_t>(random.integer(0, Canvas::kWidth - 1));
-      const auto y = static_cast<std::int32_t>(random.integer(0, Canvas::kHeight - 1));
+      const auto x =
+          static_cast<std::int32_t>(random.integer(rect.left, std::max(rect.left, rect.right - 1)));
+      const auto y = static_cast<std::int32_t>(random.integer(rect.top, std::max(rect.top, rect.bottom - 1)));
       const Picked expected = pick(own_vertices, x, y);
       const Picked found = pick(shared_vertices, x, y);
       REQUIRE((found.object == nullptr) == (expected.object == nullptr));
@@ -158,7 +161,7 @@ TEST_CASE("the rectangle and the picked triangle of a posed object are those of 
       CHECK(found.triangle == expected.triangle);
     }
   }
-  CHECK(picked > share_of(150));
+  CHECK(picked > scenes);
   CHECK(pick(shared_vertices, -1, 0).object == nullptr);
 }
 

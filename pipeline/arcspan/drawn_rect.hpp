@@ -12,8 +12,9 @@ namespace detail {
 
 /// Returns the drawn rectangle of part `number` of the object of a slot, whose material is for `Used`.
 template <class Used, bool KeepsVertices>
-[[nodiscard]] Rect drawn_rect_of_part(SceneSlot& slot, const MeshView& mesh, std::size_t number,
-                                      const SceneMaterial& material) {
+requires(!IsPosed<Used>) [[nodiscard]] Rect
+    drawn_rect_of_part(SceneSlot& slot, const MeshView& mesh, std::size_t number,
+                       const SceneMaterial& material) {
   using Method = typename Used::Method;
   const ExtentOptions options{material.options().two_sided, Used::kFeatures.clips, DrawsEdges<Method>};
   VertexStage<Method> stage(mesh, slot.transform,
@@ -30,6 +31,28 @@ template <class Used, bool KeepsVertices>
   } else {
     NoCache vertices;
     include_triangles(stage, vertices, options, extent);
+  }
+  return pixels_of(extent, options.edges, slot.transform.viewport());
+}
+
+/// drawn_rect_of_part() of vertices that a mesh poses.
+template <IsPosed Used, bool KeepsVertices>
+[[nodiscard]] Rect drawn_rect_of_part(SceneSlot& slot, const MeshView& part, std::size_t number,
+                                      const SceneMaterial& material) {
+  using Method = typename Used::Method;
+  const PosedPart<Used> mesh(material, part);
+  if (!mesh.fits()) return {};
+  const ExtentOptions options{material.options().two_sided, Used::kFeatures.clips, DrawsEdges<Method>};
+  const VertexStage<Method, PosedPart<Used>> stage(mesh, slot.transform, prepared<Used>(material).lighting(),
+                                                   SlotVertices<Method>::shading_of(number));
+  ScreenExtent extent;
+  if constexpr (KeepsVertices) {
+    SlotVertices<Method> vertices(slot, kUseFacts<Used>);
+    if (!ok(vertices.begin(stage, options.two_sided))) return {};
+    include_triangles(stage, vertices, options, AllTriangles{}, extent);
+  } else {
+    NoCache vertices;
+    include_triangles(stage, vertices, options, AllTriangles{}, extent);
   }
   return pixels_of(extent, options.edges, slot.transform.viewport());
 }

@@ -18,6 +18,7 @@ template <class... Used>
 struct PickList<MethodList<Used...>> {
   static constexpr PickUse kAll[] = {
       {&kUseFacts<Used>, &draw_unshaded<Used>, DrawsEdges<typename Used::Method>}...};
+  static constexpr bool kPoses = (IsPosed<Used> || ...);
 };
 
 }  // namespace detail
@@ -29,15 +30,20 @@ struct PickList<MethodList<Used...>> {
 /// Nothing is shaded, so the time does not depend on materials: textures and operations do not make a pixel
 /// transparent, and where a textured or a clipped triangle of up to 15x15 pixels is less than 8 steps of
 /// depth from another surface, either may be picked. Objects whose bounding spheres miss the pixel are
-/// skipped. Of the triangles of the others, only those around the pixel are transformed.
+/// skipped. Of the triangles of the others, only those around the pixel are transformed; all of them are if
+/// `memory` lists a Posed.
 ///
 /// It needs no picture and no depths. The memory in which draw calls make a material (SceneMemory) holds a
 /// byte for each vertex meanwhile; for a mesh with more vertices, triangles take twice as long.
 template <SceneMemoryType Memory>
 [[nodiscard]] Picked pick(Memory& memory, std::int32_t x, std::int32_t y) {
   if (!ok(memory.status())) return {memory.status()};
-  return detail::pick_in(memory.frame(), detail::PickList<typename Memory::UseList>::kAll, memory.scratch(),
-                         x, y);
+  using List = detail::PickList<typename Memory::UseList>;
+  if constexpr (List::kPoses) {
+    return detail::pick_posed_in(memory.frame(), List::kAll, x, y);
+  } else {
+    return detail::pick_in(memory.frame(), List::kAll, memory.scratch(), x, y);
+  }
 }
 
 }  // namespace arcspan

@@ -121,9 +121,10 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
 /// it or are blended with it. The nearer object is the one whose bounding sphere has the nearer middle.
 /// Returns as status that of prepare_scene(), or:
 ///
-///   kDepthMismatch   `depth` does not cover the common bounds of the picture and the sink
-///   kLightChanged    see Use
-///   others           as draw_mesh()
+///   kDepthMismatch     `depth` does not cover the common bounds of the picture and the sink
+///   kLightChanged      see Use
+///   kInvalidArgument   the mesh of a PosedMaterial has another number of vertices than that of its object
+///   others             as draw_mesh()
 template <SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] SceneResult draw_prepared_scene(Memory& memory, Sink& sink, const Depth& depth) {
   return detail::draw_prepared(memory, sink, depth, detail::KeepTarget{});

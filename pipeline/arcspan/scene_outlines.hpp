@@ -42,7 +42,7 @@ struct SidesCall {
 };
 
 template <class Used, bool KeepsVertices>
-[[nodiscard]] Status find_part_sides(const SidesCall& call) {
+requires(!IsPosed<Used>) [[nodiscard]] Status find_part_sides(const SidesCall& call) {
   using Method = typename Used::Method;
   const auto& lighting = static_cast<const PreparedMaterial<Used>&>(call.material).lighting();
   const ClipTransform& transform = call.slot.transform;
@@ -53,6 +53,22 @@ template <class Used, bool KeepsVertices>
   } else {
     return find_sides<Method>(call.mesh, transform, lighting, NoCache{}, call.sides, call.material.options());
   }
+}
+
+/// find_part_sides() of vertices that a mesh poses. Their places are known only from the slot, which must
+/// keep those of all parts.
+template <IsPosed Used, bool KeepsVertices>
+[[nodiscard]] Status find_part_sides(const SidesCall& call) {
+  using Method = typename Used::Method;
+  const Object& object = *call.slot.object;
+  for (std::size_t i = 0; i < object.part_count(); ++i)
+    if (!KeepsVertices || object.part(i).material->use() != &kUseFacts<Used>) return Status::kUnsupported;
+  const PosedPart<Used> mesh(call.material, call.mesh);
+  if (!mesh.fits()) return Status::kInvalidArgument;
+  SlotVertices<Method> vertices(call.slot, kUseFacts<Used>);
+  call.positions = VertexPositions(call.slot.transform, vertices.all());
+  return find_sides<Method>(mesh, call.slot.transform, prepared<Used>(call.material).lighting(), vertices,
+                            call.sides, call.material.options());
 }
 
 /// Finds the sides of a part by the method of its material, which is listed.
@@ -107,8 +123,10 @@ template <SceneMemoryType Memory, PixelFormat F>
 ///
 ///   kNotReady          nothing is prepared
 ///   kUnsupported       `outlines.meshes` does not name the mesh of an object in view, or its neighbours were
-///                      never made
-///   kInvalidArgument   the neighbours have another number of triangles than the mesh
+///                      never made; or an object is posed (PosedMaterial), and its parts have several methods
+///                      or `memory` has no vertices
+///   kInvalidArgument   the neighbours have another number of triangles than the mesh; a PosedMaterial does
+///                      not fit its object
 ///   kBufferTooSmall    `outlines` has fewer sides than a mesh has triangles, or room for fewer edges
 template <SceneMemoryType Memory, PixelFormat F>
 [[nodiscard]] Status find_outlines(Memory& memory, SceneOutlines<F>& outlines) {

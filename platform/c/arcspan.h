@@ -175,6 +175,65 @@ arcspan_status arcspan_set_quaternion(arcspan_scene* scene, arcspan_object objec
 arcspan_quaternion arcspan_multiply(arcspan_quaternion a, arcspan_quaternion b);
 arcspan_status arcspan_set_visible(arcspan_scene* scene, arcspan_object object, int visible);
 
+typedef struct {
+  arcspan_point least, most;
+} arcspan_box;
+/* Sets `box` to one along the axes of the world that contains an object, by the spheres around its parts.
+ * Returns ARCSPAN_INVALID_ARGUMENT if `object` does not name an object of the scene. */
+arcspan_status arcspan_bounds(const arcspan_scene* scene, arcspan_object object, arcspan_box* box);
+
+/* Characters: objects that clips move */
+
+typedef struct arcspan_character arcspan_character;
+
+/* The bytes of memory, at any address, that arcspan_add_character() takes for the model in a binary; 0 if it
+ * would refuse the binary. */
+size_t arcspan_character_bytes(const void* binary, size_t bytes);
+/* Adds the model in a binary together with what moves it: nodes, skins, morph targets and clips. The memory
+ * must stay where it is. The character is at rest. Returns the statuses of arcspan_add_binary(), and also
+ *
+ *   ARCSPAN_BUFFER_TOO_SMALL   `memory_bytes` are fewer than arcspan_character_bytes()
+ *   ARCSPAN_UNSUPPORTED        without ARCSPAN_C_CHARACTERS */
+arcspan_status arcspan_add_character(arcspan_scene* scene, const void* binary, size_t bytes,
+                                     const arcspan_look* look, void* memory, size_t memory_bytes,
+                                     arcspan_character** character);
+/* The object, to be moved and turned like every other. */
+arcspan_object arcspan_object_of(const arcspan_character* character);
+
+#define ARCSPAN_NONE UINT16_C(65535)
+uint16_t arcspan_clip_count(const arcspan_character* character);
+/* The first clip of this name, or ARCSPAN_NONE. */
+uint16_t arcspan_find_clip(const arcspan_character* character, const char* name);
+/* Within the binary; "" if there is no such clip. */
+const char* arcspan_clip_name(const arcspan_character* character, uint16_t clip);
+/* The length of a clip, 1...2^30 microseconds; 0 if there is no such clip. */
+uint32_t arcspan_clip_length(const arcspan_character* character, uint16_t clip);
+
+typedef uint8_t arcspan_at_end;
+#define ARCSPAN_STOP 0   /* the last pose of the clip stays; backwards, the first */
+#define ARCSPAN_REPEAT 1 /* the clip begins again */
+/* Plays a clip from its beginning. What was played before fades to it in `fade` microseconds, while both
+ * move; 0: at once. If a fade is under way, its first clip ends at once. Returns ARCSPAN_INVALID_ARGUMENT if
+ * there is no such clip, or `at_end` is neither. */
+arcspan_status arcspan_play(arcspan_character* character, uint16_t clip, uint32_t fade,
+                            arcspan_at_end at_end);
+/* The speed of all clips, 16 fraction bits: ARCSPAN_LENGTH(1) is their own, below 0 is backwards. */
+void arcspan_set_speed(arcspan_character* character, int32_t speed);
+/* Moves the clip, or that which is faded to, to a time in microseconds, which is limited to its length. */
+void arcspan_seek(arcspan_character* character, uint32_t time);
+/* The time of that clip, and whether it has stopped at its end. */
+uint32_t arcspan_clip_time(const arcspan_character* character);
+int arcspan_has_ended(const arcspan_character* character);
+/* Moves on by so many microseconds and poses the character; with 0 only the latter. */
+void arcspan_advance(arcspan_character* character, uint32_t microseconds);
+
+/* The first node (bone) of this name, or ARCSPAN_NONE. */
+uint16_t arcspan_find_node(const arcspan_character* character, const char* name);
+/* Moves and turns an object to where a node is in the pose: something that the character holds. Its scale
+ * stays. Returns ARCSPAN_INVALID_ARGUMENT if the node or the object is not there, or the object is the
+ * character's. */
+arcspan_status arcspan_attach(const arcspan_character* character, uint16_t node, arcspan_object object);
+
 /* Views */
 
 typedef struct arcspan_view arcspan_view;

@@ -52,6 +52,12 @@
 #define ARCSPAN_C_OUTLINES 0
 #endif
 
+/* 1 if arcspan_add_character() does something. All that draws is compiled once more, for vertices that move.
+ */
+#ifndef ARCSPAN_C_CHARACTERS
+#define ARCSPAN_C_CHARACTERS 0
+#endif
+
 /* Pixel formats (arcspan_format). Each holds all the code that draws. */
 #ifndef ARCSPAN_C_RGB565
 #define ARCSPAN_C_RGB565 1

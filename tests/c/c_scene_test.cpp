@@ -366,6 +366,26 @@ TEST_CASE("cameras out of range are refused, and the last one stays") {
   CHECK(status_of([](arcspan_lens& l) { l.angle = 0, l.extent = ARCSPAN_LENGTH(3); }) == ARCSPAN_OK);
 }
 
+TEST_CASE("an object has a box in the world, and no character unless they are compiled") {
+  Balls balls;
+  arcspan_box box{};
+  REQUIRE(arcspan_bounds(balls.scene, balls.right, &box) == ARCSPAN_OK);
+  const std::int32_t slack = ARCSPAN_LENGTH(0.002);
+  CHECK(std::abs(box.least.x - ARCSPAN_LENGTH(0.7 - 0.75)) < slack);
+  CHECK(std::abs(box.most.x - ARCSPAN_LENGTH(0.7 + 0.75)) < slack);
+  CHECK(std::abs(box.least.y - ARCSPAN_LENGTH(0.2 - 0.75)) < slack);
+  CHECK(std::abs(box.most.z - ARCSPAN_LENGTH(0.75)) < slack);
+  REQUIRE(arcspan_set_position(balls.scene, balls.right, {INT32_MAX, 0, INT32_MIN}) == ARCSPAN_OK);
+  REQUIRE(arcspan_bounds(balls.scene, balls.right, &box) == ARCSPAN_OK);
+  CHECK((box.most.x == INT32_MAX && box.least.z == INT32_MIN));
+  CHECK(arcspan_bounds(balls.scene, 2, &box) == ARCSPAN_INVALID_ARGUMENT);
+  arcspan_character* none = nullptr;
+  unsigned char memory[100];
+  CHECK(arcspan_character_bytes(memory, sizeof memory) == 0);
+  CHECK(arcspan_add_character(balls.scene, memory, sizeof memory, nullptr, memory, sizeof memory, &none) ==
+        ARCSPAN_UNSUPPORTED);
+}
+
 TEST_CASE("objects beyond the limits of a scene are refused") {
   Balls balls;
   arcspan_object third = 77;

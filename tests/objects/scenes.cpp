@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes of several methods, as all_stages.cpp has draw_mesh().
+// Scenes of several methods and of posed objects, as all_stages.cpp has draw_mesh().
+#include <arcspan/animate/skinned_mesh.hpp>
 #include <arcspan/drawn_rect.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pick.hpp>
@@ -20,6 +21,11 @@ template SceneResult draw_scene(const Scene&, hal::Framebuffer<Rgb565>&, const D
 template Rect drawn_rect(SceneMemory<Methods, 4, 100>&);
 template Rect drawn_rect(SceneMemory<Methods, 4>&, const Object&);
 template Picked pick(SceneMemory<Methods, 4, 100>&, std::int32_t, std::int32_t);
+
+using PosedMemory = SceneMemory<MethodList<Posed<Gouraud<SceneLighting>, SkinnedMesh>>, 4, 100>;
+template SceneResult draw_scene(const Scene&, hal::Framebuffer<Rgb565>&, const DepthBuffer&, PosedMemory&);
+template Rect drawn_rect(PosedMemory&);
+template Picked pick(PosedMemory&, std::int32_t, std::int32_t);
 
 Status make_camera(const LookAt& view, const Lens& lens, const Viewport& viewport, Camera& camera) {
   return Camera::make(view, lens, viewport, camera);

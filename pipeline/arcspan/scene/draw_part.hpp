@@ -4,6 +4,7 @@
 #include <arcspan/draw/triangle_drawer.hpp>
 #include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/numbers/copy_words.hpp>
+#include <arcspan/scene/posed_material.hpp>
 #include <arcspan/scene/scene_frame.hpp>
 #include <arcspan/scene/scene_material.hpp>
 #include <arcspan/target.hpp>
@@ -15,7 +16,8 @@
 
 namespace arcspan {
 
-/// The shading methods that a program draws scenes by, each a method or a Use. Nothing else is compiled.
+/// The shading methods that a program draws scenes by, each a method, a Use or a Posed. Nothing
+/// else is compiled.
 template <class... Methods>
 struct MethodList {};
 
@@ -45,7 +47,8 @@ class SlotVertices {
         use_(use),
         vertices_(static_cast<CachedVertex<Method>*>(static_cast<void*>(slot.vertices))) {}
 
-  [[nodiscard]] Status begin(const VertexStage<Method>& stage, bool) {
+  template <class Mesh>
+  [[nodiscard]] Status begin(const VertexStage<Method, Mesh>& stage, bool) {
     const std::size_t count = slot_.object->mesh().vertex_count();
     if (slot_.held != &use_) {
       forget_vertices(vertices_, count);
@@ -55,7 +58,9 @@ class SlotVertices {
     }
     return Status::kOk;
   }
-  [[nodiscard]] ARCSPAN_INLINE CachedVertex<Method>& vertex(const VertexStage<Method>& stage, std::size_t i) {
+  template <class Mesh>
+  [[nodiscard]] ARCSPAN_INLINE CachedVertex<Method>& vertex(const VertexStage<Method, Mesh>& stage,
+                                                            std::size_t i) {
     CachedVertex<Method>& vertex = vertices_[i];
     if (vertex.outcode == CachedVertex<Method>::kNotTransformed) stage.transform(i, vertex);
     return vertex;
@@ -80,7 +85,8 @@ class SlotVertices {
 
 /// draw_mesh() with the vertices of the part's slot, which exist if `KeepsVertices`.
 template <class Used, bool KeepsVertices, class Sink, class Depth>
-DrawResult draw_lit_part(const PartCall<Sink, Depth>& part, const typename Used::Method::Lighting& lighting) {
+requires(!IsPosed<Used>) DrawResult
+    draw_lit_part(const PartCall<Sink, Depth>& part, const typename Used::Method::Lighting& lighting) {
   using Method = typename Used::Method;
   TriangleDrawer<Method, Used::kFeatures, Sink, Depth> drawer(
       {part.mesh, part.slot.transform, lighting, SlotVertices<Method>::shading_of(part.number)}, part.sink,
@@ -95,10 +101,29 @@ DrawResult draw_lit_part(const PartCall<Sink, Depth>& part, const typename Used:
   return drawer.result();
 }
 
+/// draw_lit_part() of vertices that a mesh poses.
+template <IsPosed Used, bool KeepsVertices, class Sink, class Depth>
+DrawResult draw_lit_part(const PartCall<Sink, Depth>& part, const typename Used::Method::Lighting& lighting) {
+  using Method = typename Used::Method;
+  const PosedPart<Used> mesh(part.material, part.mesh);
+  if (!mesh.fits()) return {Status::kInvalidArgument};
+  TriangleDrawer<Method, Used::kFeatures, Sink, Depth, PosedPart<Used>> drawer(
+      {mesh, part.slot.transform, lighting, SlotVertices<Method>::shading_of(part.number)}, part.sink,
+      part.depth, part.material.options());
+  if constexpr (KeepsVertices) {
+    SlotVertices<Method> vertices(part.slot, kUseFacts<Used>);
+    drawer.draw(vertices);
+  } else {
+    NoCache vertices;
+    drawer.draw(vertices);
+  }
+  return drawer.result();
+}
+
 template <class Used, bool KeepsVertices, class Sink, class Depth>
 DrawResult draw_part_by(const PartCall<Sink, Depth>& part) {
   using Lighting = typename Used::Method::Lighting;
-  const auto& material = static_cast<const PreparedMaterial<Used>&>(part.material);
+  const auto& material = prepared<Used>(part.material);
   if constexpr (Lit<Lighting>) {
     auto& lighting = *static_cast<Lighting*>(part.lighting);
     const Status status = material.light(part.lights, lighting);

@@ -4,6 +4,7 @@
 #include <arcspan/draw.hpp>
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/scene/object.hpp>
+#include <arcspan/scene/posed_material.hpp>
 #include <arcspan/scene/scene_frame.hpp>
 #include <arcspan/scene/scene_material.hpp>
 #include <arcspan/shading/unlit.hpp>
@@ -58,8 +59,14 @@ template <class Used>
   constexpr DrawFeatures kFeatures{
       .clips = Used::kFeatures.clips, .planes = false, .small_triangles = kSmall};
   typename Plain::Lighting lighting{};
-  if constexpr (DrawsEdges<Method>)
-    lighting.set(static_cast<const PreparedMaterial<Used>&>(call.material).lighting().bias);
+  if constexpr (DrawsEdges<Method>) lighting.set(prepared<Used>(call.material).lighting().bias);
+  if constexpr (IsPosed<Used>) {
+    const PosedPart<Used> mesh(call.material, triangle);
+    if (!mesh.fits()) return Status::kInvalidArgument;
+    return draw_mesh<Plain, kFeatures>(mesh, call.slot.transform, lighting, call.sink, call.depth, NoCache{},
+                                       call.material.options())
+        .status;
+  }
   return draw_mesh<Plain, kFeatures>(triangle, call.slot.transform, lighting, call.sink, call.depth,
                                      NoCache{}, call.material.options())
       .status;
@@ -75,6 +82,9 @@ struct PickUse {
 /// pick() in a prepared frame. `scratch` is for a byte per vertex of an object.
 [[nodiscard]] Picked pick_in(const SceneFrame& frame, std::span<const PickUse> uses,
                              std::span<std::uint8_t> scratch, std::int32_t x, std::int32_t y);
+/// pick_in() where objects may be posed: all triangles of an object around the pixel are transformed.
+[[nodiscard]] Picked pick_posed_in(const SceneFrame& frame, std::span<const PickUse> uses, std::int32_t x,
+                                   std::int32_t y);
 
 }  // namespace detail
 

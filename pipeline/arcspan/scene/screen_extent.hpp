@@ -4,6 +4,7 @@
 #include <arcspan/draw/triangle_drawer.hpp>
 #include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
+#include <arcspan/mesh/drawable_mesh.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/shading/method.hpp>
@@ -13,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace arcspan::detail {
 
@@ -49,13 +51,33 @@ struct ExtentOptions {
                                                const TriangleIndices& t, const ExtentOptions& options,
                                                const ScreenExtent& extent);
 
+/// The same for a mesh that poses its vertices: of a mesh of this triangle alone, whose vertices have the
+/// order that they have in the whole one, because clipping depends on it.
+template <DrawableMesh Mesh>
+[[nodiscard]] ScreenExtent extended_by_clipped_pose(const Mesh& mesh, const ClipTransform& transform,
+                                                    const TriangleIndices& t, const ExtentOptions& options,
+                                                    const ScreenExtent& extent) {
+  const std::uint16_t all[] = {t.a, t.b, t.c};
+  ObjectPosition positions[3];
+  const PackedNormal normals[3] = {};
+  std::uint8_t order[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    order[i] = 0;
+    for (const std::uint16_t other : all) order[i] = static_cast<std::uint8_t>(order[i] + (all[i] > other));
+    positions[order[i]] = mesh.position(all[i]);
+  }
+  MeshView triangle;
+  (void)MeshView::make(positions, normals, order, triangle);
+  return extended_by_clipped(triangle, transform, triangle.triangle(0), options, extent);
+}
+
 /// Returns the pixels that triangles or lines within `extent` may have, as far as they are in the picture:
 /// those whose centres lie in it, or that contain a point of it if `edges`. Rect{} if there are none.
 [[nodiscard]] Rect pixels_of(const ScreenExtent& extent, bool edges, const Viewport& viewport);
 
 /// Includes the vertices of the triangles of `filter` (draw/triangle_drawer.hpp) that are not culled.
-template <class Method, class Source, class Filter>
-ARCSPAN_OUTLINE void include_triangles(const VertexStage<Method>& stage, Source& source,
+template <class Method, class Mesh, class Source, class Filter>
+ARCSPAN_OUTLINE void include_triangles(const VertexStage<Method, Mesh>& stage, Source& source,
                                        const ExtentOptions& options, const Filter& filter,
                                        ScreenExtent& all) {
   const MeshView& mesh = stage.mesh();
@@ -69,8 +91,13 @@ ARCSPAN_OUTLINE void include_triangles(const VertexStage<Method>& stage, Source&
     const auto& c = source.vertex(stage, t.c);
     if constexpr (!Filter::kAllInside) {
       if ((a.outcode | b.outcode | c.outcode) != 0) {
-        if ((a.outcode & b.outcode & c.outcode) == 0 && options.clips)
-          extent = extended_by_clipped(mesh, stage.transform(), t, options, extent);
+        if ((a.outcode & b.outcode & c.outcode) == 0 && options.clips) {
+          if constexpr (std::is_same_v<Mesh, MeshView>) {
+            extent = extended_by_clipped(mesh, stage.transform(), t, options, extent);
+          } else {
+            extent = extended_by_clipped_pose(stage.posed(), stage.transform(), t, options, extent);
+          }
+        }
         continue;
       }
     }
@@ -88,8 +115,8 @@ ARCSPAN_OUTLINE void include_triangles(const VertexStage<Method>& stage, Source&
 
 /// Includes the vertices of all triangles that the draw call of `stage` would not cull, with the vertices of
 /// a VertexSource.
-template <class Method, class Source>
-void include_triangles(const VertexStage<Method>& stage, Source& source, const ExtentOptions& options,
+template <class Method, class Mesh, class Source>
+void include_triangles(const VertexStage<Method, Mesh>& stage, Source& source, const ExtentOptions& options,
                        ScreenExtent& extent) {
   if (stage.back_faces().known()) {
     include_triangles(stage, source, options, FrontTriangles{stage.back_faces()}, extent);

@@ -2,8 +2,8 @@
 #include <arcspan/lighting/colour_coefficients.hpp>
 #include <arcspan/mesh/mesh_binary.hpp>
 #include <arcspan/model/model_binary.hpp>
-#include <arcspan/model/model_neighbours.hpp>
 
+#include <arcspan_c/binary_part.hpp>
 #include <arcspan_c/new_object.hpp>
 
 #include <cstddef>
@@ -14,49 +14,24 @@ using namespace arcspan;
 
 namespace {
 
-using c::coefficients;
-
-constexpr arcspan_look kUsualLook = {ARCSPAN_ARC, 1, 0, nullptr};
 constexpr Material kWhitePlastic = plastic({255, 255, 255});
-
-[[nodiscard]] c::MaterialSource source_of(const arcspan_look& look, const Material& material, bool two_sided,
-                                          const StoredTexture& texture) {
-  c::MaterialSource source{
-      material, texture, {two_sided || look.two_sided != 0}, look.method, look.tolerance};
-  if (look.material != nullptr) {
-    source.material = {coefficients(look.material->ambient), coefficients(look.material->diffuse),
-                       coefficients(look.material->specular), look.material->shininess};
-  }
-  return source;
-}
 
 [[nodiscard]] Status add_mesh(c::NewObject& object, std::span<const std::uint8_t> binary,
                               const arcspan_look& look) {
   MeshView mesh;
   const Status status = view_mesh_binary(binary, mesh);
   if (!ok(status)) return status;
-  return object.add(mesh, nullptr, source_of(look, kWhitePlastic, false, {}), bounding_sphere(mesh));
-}
-
-/// Sets `neighbours` to those of part `i` if outlines are compiled and the model has some.
-[[nodiscard]] Status find_neighbours([[maybe_unused]] const StoredModel& model,
-                                     [[maybe_unused]] std::size_t i,
-                                     [[maybe_unused]] MeshNeighbours& neighbours) {
-#if ARCSPAN_C_OUTLINES
-  const Status status = view_neighbours(model, i, neighbours);
-  if (status != Status::kUnsupported) return status;
-#endif
-  return Status::kOk;
+  return object.add(mesh, nullptr, c::source_of(look, kWhitePlastic, false, {}), bounding_sphere(mesh));
 }
 
 [[nodiscard]] Status add_parts(c::NewObject& object, const StoredModel& model, const arcspan_look& look) {
   for (std::size_t i = 0; i < model.part_count(); ++i) {
     const ModelPart part = model.part(i);
     MeshNeighbours neighbours;
-    Status status = find_neighbours(model, i, neighbours);
+    Status status = c::find_neighbours(model, i, neighbours);
     if (ok(status)) {
       status = object.add(part.mesh, &neighbours,
-                          source_of(look, part.material, part.two_sided, part.texture), part.sphere);
+                          c::source_of(look, part.material, part.two_sided, part.texture), part.sphere);
     }
     if (!ok(status)) return status;
   }
@@ -68,7 +43,7 @@ constexpr Material kWhitePlastic = plastic({255, 255, 255});
 arcspan_status arcspan_add_binary(arcspan_scene* scene, const void* binary, size_t bytes,
                                   const arcspan_look* look, arcspan_object* object) {
   c::NewObject added(*scene);
-  const arcspan_look& used = look != nullptr ? *look : kUsualLook;
+  const arcspan_look& used = look != nullptr ? *look : c::kUsualLook;
   const std::span data(static_cast<const std::uint8_t*>(binary), bytes);
   StoredModel model;
   Status status = view_model_binary(data, model);

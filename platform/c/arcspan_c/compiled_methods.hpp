@@ -13,6 +13,12 @@
 #include <arcspan.h>
 #include <arcspan_config.h>
 
+#if ARCSPAN_C_CHARACTERS
+#include <arcspan/scene/posed_material.hpp>
+
+#include <arcspan_c/character_mesh.hpp>
+#endif
+
 #include <type_traits>
 
 /// The shading methods that arcspan_config.h chooses, for the sources of the C interface and for models that
@@ -32,7 +38,12 @@ struct Choice {
 
 template <class... Choices>
 struct ChoiceList {
+#if ARCSPAN_C_CHARACTERS
+  using ListedMethods =
+      MethodList<typename Choices::Method..., Posed<typename Choices::Method, CharacterMesh>...>;
+#else
   using ListedMethods = MethodList<typename Choices::Method...>;
+#endif
 };
 
 namespace detail {

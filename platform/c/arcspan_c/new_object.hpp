@@ -35,6 +35,12 @@ class NewObject {
   /// Adds a part of a material that is prepared now, unless the scene has the same.
   [[nodiscard]] Status add(const MeshView& mesh, const MeshNeighbours* neighbours,
                            const MaterialSource& source, const BoundingSphere& sphere) {
+    const MadeMaterial* made = nullptr;
+    const Status status = make(source, made);
+    return ok(status) ? add(mesh, neighbours, made->scene_material(), sphere) : status;
+  }
+  /// Prepares a material, unless the scene has the same.
+  [[nodiscard]] Status make(const MaterialSource& source, const MadeMaterial*& found) {
     std::uint16_t i = 0;
     while (i < material_count_ && !is_same(scene_.materials[i].source, source)) ++i;
     if (i == scene_.limits.materials) return Status::kBufferTooSmall;
@@ -45,8 +51,11 @@ class NewObject {
       if (!ok(status)) return status;
       ++material_count_;
     }
-    return add(mesh, neighbours, made.scene_material(), sphere);
+    found = &made;
+    return Status::kOk;
   }
+  /// The mesh that was added last, where the scene keeps it.
+  [[nodiscard]] const MeshView& kept_mesh() const { return scene_.meshes[scene_.object_count + parts_ - 1]; }
   [[nodiscard]] arcspan_status finish(Status status, arcspan_object* object) const {
     if (ok(status) && parts_ == 0) status = Status::kInvalidArgument;
     if (!ok(status)) return static_cast<arcspan_status>(status);

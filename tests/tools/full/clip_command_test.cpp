@@ -191,6 +191,41 @@ TEST_CASE("mesh keeps clips, or bakes a pose") {
         "arcspan: --planes: needs --pose with a model that moves: planes do not\n");
 }
 
+/// The bytes of the words of a C header, as a little-endian machine has them.
+std::string bytes_of_header(const std::string& header) {
+  std::string bytes;
+  for (std::size_t at = header.find("0x"); at != std::string::npos; at = header.find("0x", at + 1)) {
+    const unsigned long word = std::stoul(header.substr(at + 2, 8), nullptr, 16);
+    for (int i = 0; i < 4; ++i) bytes += static_cast<char>(word >> (8 * i) & 255u);
+  }
+  return bytes;
+}
+
+TEST_CASE("a header for C has the binary, also of a model that moves; a source for C stands at rest") {
+  const TemporaryFolder folder;
+  for (const std::string& model : {bending(folder), std::string("sphere:16x8")}) {
+    CAPTURE(model);
+    const CommandRun made = run("mesh " + model + " --c -o " + (folder / "a.h"));
+    REQUIRE(made.status == 0);
+    CHECK(made.err.find("rest") == std::string::npos);
+    REQUIRE(run("mesh " + model + " -o " + (folder / "a.bin")).status == 0);
+    const std::string header = contents(folder / "a.h");
+    CHECK(header.find("\nstatic const uint32_t a[] = {\n") != std::string::npos);
+    CHECK(bytes_of_header(header) == contents(folder / "a.bin"));
+  }
+  const CommandRun named = run("mesh sphere:16x8 --c --name ball -o h:-");
+  REQUIRE(named.status == 0);
+  CHECK(named.out.find("\n#ifndef ARCSPAN_MODEL_ball\n") != std::string::npos);
+  const CommandRun source = run("mesh " + bending(folder) + " --c -o " + (folder / "a.cpp"));
+  REQUIRE(source.status == 0);
+  CHECK(
+      source.err.find(": its joints and clips are not in a source for C, the model stands at rest (a .h has "
+                      "them; see --pose)\n") != std::string::npos);
+  CHECK(run("mesh sphere:16x8 --c -o " + (folder / "a.bin")).err ==
+        "arcspan: " + (folder / "a.bin") +
+            ": the name of a model for C must end in .cpp, a C++ source, or in .h, a binary\n");
+}
+
 TEST_CASE("the model of examples/walker.cpp is as mesh writes it") {
   const TemporaryFolder folder;
   const std::string of = std::string(ARCSPAN_EXAMPLES) + "/walker/";

@@ -91,17 +91,18 @@ FixedModel with_animation(FixedModel model, const MeshArguments& arguments) {
   return model;
 }
 
-/// Refuses what a model that moves cannot have; a C source holds it as it stands at rest.
-void check_rig(const MeshArguments& arguments, Model& model) {
+/// Refuses what a model that moves cannot have; a C++ source for C holds it as it stands at rest.
+void check_rig(const MeshArguments& arguments, CompiledOutput output, Model& model) {
   if (model.binary != nullptr) {
     warn(arguments.model,
          "its joints and clips are not written again, the model stands at rest (see --pose)");
     model = posed(model, PoseChoice{}, arguments.model);
   }
   if (model.rig == nullptr) return;
-  if (arguments.for_c) {
+  if (arguments.for_c && output == CompiledOutput::kHeader) {
     warn(arguments.model,
-         "its joints and clips are not written for C, the model stands at rest (see --pose)");
+         "its joints and clips are not in a source for C, the model stands at rest (a .h has them; see "
+         "--pose)");
     model = posed(model, PoseChoice{}, arguments.model);
     return;
   }
@@ -113,7 +114,7 @@ void check_rig(const MeshArguments& arguments, Model& model) {
 
 Made make(const MeshArguments& arguments, CompiledOutput output) {
   Model data = load_model(arguments.model, {}, arguments.texture, arguments.colours, arguments.pose);
-  check_rig(arguments, data);
+  check_rig(arguments, output, data);
   if (!arguments.textures) remove_textures(data);
   const auto is_glass = [](const ModelPart& part) { return part.look.material.opacity < 1; };
   if (std::any_of(data.parts.begin(), data.parts.end(), is_glass)) {
@@ -182,6 +183,16 @@ std::string name_of(const MeshArguments& arguments) {
   return identifier(from.stem().string());
 }
 
+/// The compiled model in its form.
+std::string compiled_text(const MeshArguments& arguments, CompiledOutput output, const Made& made) {
+  const FixedModel& model = made.report.compiled.model;
+  const bool is_binary = output == CompiledOutput::kBinary;
+  if (is_binary && !arguments.for_c) return model_binary_file(model, made.textures);
+  const auto write_text = !arguments.for_c ? model_header : is_binary ? model_c_header : model_c_source;
+  return write_text(model, name_of(arguments), std::filesystem::path(arguments.model).filename().string(),
+                    made.textures);
+}
+
 void run_mesh(MeshArguments& arguments) {
   const CompiledOutput output = compiled_mesh_output(arguments.output, arguments.for_c);
   check_results({arguments.output, arguments.picture, arguments.stats}, {arguments.model, arguments.texture});
@@ -190,14 +201,7 @@ void run_mesh(MeshArguments& arguments) {
   const MeshReport& report = made.report;
   arguments.made_textures = !report.textures.empty();
   arguments.moves = report.animation.has_value();
-  const FixedModel& model = report.compiled.model;
-  const auto write_text = arguments.for_c ? model_c_source : model_header;
-  const std::string file =
-      output == CompiledOutput::kBinary
-          ? model_binary_file(model, made.textures)
-          : write_text(model, name_of(arguments), std::filesystem::path(arguments.model).filename().string(),
-                       made.textures);
-  std::vector<ResultFile> results = {{arguments.output, file}};
+  std::vector<ResultFile> results = {{arguments.output, compiled_text(arguments, output, made)}};
   if (!arguments.picture.empty()) {
     const Image picture = before_and_after(made, arguments.model);
     results.push_back({arguments.picture, encode_image(picture, image_format(arguments.picture))});
@@ -284,9 +288,10 @@ void add_mesh_command(CLI::App& app) {
       "--vertex-colours", [arguments] { arguments->colours = VertexColours::kKept; },
       "write vertex colours, 3 bytes each, for VertexColoured (default: parts in the triangles' mean "
       "colours)");
-  mesh->add_flag("--c", arguments->for_c,
-                 "a C++ source (.cpp) with the model and its prepared materials for arcspan.h, in C: extern "
-                 "const arcspan_model NAME");
+  mesh->add_flag(
+      "--c", arguments->for_c,
+      "for arcspan.h: a C++ source (.cpp) with the model and its prepared materials, in C extern const "
+      "arcspan_model NAME; or a C header (.h) with the binary, also of a model that moves, as NAME");
   mesh->add_option("--picture", arguments->picture, "draw the model before and after, side by side");
   mesh->add_option("--stats", arguments->stats, "write the printed figures as JSON");
   mesh->footer(
@@ -301,7 +306,7 @@ void add_mesh_command(CLI::App& app) {
   mesh->callback([mesh, arguments] {
     if (!arguments->textures && !arguments->texture.empty())
       throw CLI::ValidationError("--texture", "excludes --no-textures");
-    if (mesh->count("--name") != 0 &&
+    if (mesh->count("--name") != 0 && !arguments->for_c &&
         compiled_mesh_output(arguments->output, arguments->for_c) == CompiledOutput::kBinary)
       throw CLI::ValidationError("--name", "is of headers, not of binaries");
     run_mesh(*arguments);

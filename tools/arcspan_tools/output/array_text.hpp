@@ -19,8 +19,10 @@ class ArrayText {
   }
   /// The definition of an array of them.
   [[nodiscard]] std::string array(const std::string& type, const std::string& name) const {
-    return "inline constexpr " + type + " " + name + "[] = {" + text_ + "\n};\n\n";
+    return "inline constexpr " + type + " " + name + c_array();
   }
+  /// The same, behind the name.
+  [[nodiscard]] std::string c_array() const { return "[] = {" + text_ + "\n};\n\n"; }
 
  private:
   static constexpr std::size_t kColumns = 108;

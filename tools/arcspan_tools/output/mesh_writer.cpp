@@ -39,8 +39,11 @@ CompiledOutput compiled_output(const std::filesystem::path& path, const std::str
 
 CompiledOutput compiled_mesh_output(const std::filesystem::path& path, bool for_c) {
   if (!for_c) return compiled_output(path, "mesh");
-  if (output_kind(path, "cpp") == "cpp") return CompiledOutput::kHeader;
-  throw Failure(path.string(), "a model for C is a C++ source, whose name must end in .cpp");
+  const std::string extension = output_kind(path, "cpp");
+  if (extension == "cpp") return CompiledOutput::kHeader;
+  if (extension == "h") return CompiledOutput::kBinary;
+  throw Failure(path.string(),
+                "the name of a model for C must end in .cpp, a C++ source, or in .h, a binary");
 }
 
 std::size_t mesh_bytes(CompiledOutput output, std::size_t vertices, std::size_t triangles, bool planes,

@@ -19,8 +19,8 @@ namespace arcspan::tools {
 /// used in place.
 enum class CompiledOutput { kHeader, kBinary };
 
-/// The form of `arcspan mesh`: for_c is a C++ source (.cpp, cpp:-), otherwise as compiled_output(). Throws a
-/// Failure for another extension.
+/// The form of `arcspan mesh`: for_c is a C++ source (.cpp, cpp:-), or a binary in a C header (.h, h:-);
+/// otherwise as compiled_output(). Throws a Failure for another extension.
 [[nodiscard]] CompiledOutput compiled_mesh_output(const std::filesystem::path& path, bool for_c);
 
 /// By the extension: .hpp or .h, .bin. On standard output a header; `bin:-` is the other. Throws a Failure
@@ -59,6 +59,10 @@ struct ByteShare {
 
 /// A C++ source that defines the model `name` for the C interface: its arrays, and its materials prepared.
 [[nodiscard]] std::string model_c_source(const FixedModel& model, const std::string& name,
+                                         const std::string& origin, const ModelTextures& textures = {});
+
+/// A C header with the binary of a model as the array `name`.
+[[nodiscard]] std::string model_c_header(const FixedModel& model, const std::string& name,
                                          const std::string& origin, const ModelTextures& textures = {});
 
 /// The binary of docs/mesh-binary.md.

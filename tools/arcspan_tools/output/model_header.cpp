@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
 #include <initializer_list>
 #include <set>
 
@@ -64,15 +65,15 @@ std::string shortest_number(double value) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
-std::string comment(const FixedModel& model, const std::string& origin, const ModelTextures& textures) {
+std::string comment(const FixedModel& model, const std::string& origin, const ModelTextures& textures,
+                    CompiledOutput output = CompiledOutput::kHeader) {
   const MeshFigures figures = figures_of(model);
   const bool planes = !model.meshes[0].planes.empty();
   std::string text = "// Made by `arcspan mesh` from " + harmless(origin) + ".\n//\n";
   text += "// " + std::to_string(model.vertex_count()) + " vertices, " +
           std::to_string(model.triangle_count()) + " triangles, " +
-          std::to_string(model_bytes(CompiledOutput::kHeader, model, planes, textures)) +
-          " bytes. Positions " + braced_position(figures.bounds.low) + " ... " +
-          braced_position(figures.bounds.high) + ".\n";
+          std::to_string(model_bytes(output, model, planes, textures)) + " bytes. Positions " +
+          braced_position(figures.bounds.low) + " ... " + braced_position(figures.bounds.high) + ".\n";
   if (model.meshes.size() > 1) text += "// " + std::to_string(model.meshes.size()) + " parts.\n";
   return text;
 }
@@ -298,7 +299,31 @@ std::string prepared_text(const FixedModel& model, const std::string& arrays, co
   return text + "\nconstexpr arcspan::c::ModelPart kPreparedParts[] = {\n" + list + "};\n";
 }
 
+/// Bytes as words that a little-endian machine reads as these bytes, so that C aligns them.
+ArrayText words_of(const std::string& bytes) {
+  ArrayText words;
+  for (std::size_t i = 0; i < bytes.size(); i += 4) {
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 4 && i + k < bytes.size(); ++k)
+      word |= std::uint32_t{static_cast<unsigned char>(bytes[i + k])} << (8 * k);
+    char text[9];
+    std::snprintf(text, sizeof text, "%08x", static_cast<unsigned>(word));
+    words.add(std::string("0x") + text);
+  }
+  return words;
+}
+
 }  // namespace
+
+std::string model_c_header(const FixedModel& model, const std::string& name, const std::string& origin,
+                           const ModelTextures& textures) {
+  const std::string guard = "ARCSPAN_MODEL_" + name;
+  return comment(model, origin, textures, CompiledOutput::kBinary) + "#ifndef " + guard + "\n#define " +
+         guard + "\n\n#include <stdint.h>\n\n/* A binary of sizeof " + name +
+         " bytes, for arcspan_add_binary()" + (model.rig != nullptr ? " or arcspan_add_character()" : "") +
+         ". */\nstatic const uint32_t " + name + words_of(model_binary_file(model, textures)).c_array() +
+         "#endif\n";
+}
 
 std::string model_header(const FixedModel& model, const std::string& name, const std::string& origin,
                          const ModelTextures& textures) {

@@ -34,11 +34,11 @@ class EdgeFinder {
  public:
   EdgeFinder(const MeshView& mesh, const VertexPositions& positions, std::span<const TriangleSide> sides,
              std::span<OutlineEdge> memory)
-      : mesh_(mesh), positions_(positions), sides_(sides), memory_(memory) {}
+      : mesh_(mesh), positions_(positions), sides_(sides.data()), memory_(memory) {}
 
   void find(const std::uint8_t* at) {
-    const std::size_t count = mesh_.triangle_count();
-    for (std::size_t i = 0; i < count; ++i) at = find_of_triangle(i, at);
+    const TriangleSide* const end = sides_ + mesh_.triangle_count();
+    for (const TriangleSide* side = sides_; side != end; ++side) at = find_of_triangle(side, at);
   }
 
   /// Edges found, also those for which there was no memory.
@@ -47,25 +47,19 @@ class EdgeFinder {
  private:
   /// Returns the bytes of the next triangle. Most triangles are plain, and most of their neighbours have the
   /// same side and a number of one byte. Which edge it is does not matter then.
-  ARCSPAN_INLINE const std::uint8_t* find_of_triangle(std::size_t i, const std::uint8_t* at) {
-    const TriangleSide* const side = &sides_[i];
-    const auto differs = [side](unsigned distance) { return distance >= 128 || side[distance + 1] != *side; };
-    switch (kNumbersOfPlain[*at]) {
-      case 0:
-        return at + 1;
-      case 1:
-        if (!differs(at[1])) return at + 2;
-        break;
-      case 2:
-        if (!differs(at[1]) && !differs(at[2])) return at + 3;
-        break;
-      case 3:
-        if (!differs(at[1]) && !differs(at[2]) && !differs(at[3])) return at + 4;
-        break;
-      default:
-        break;
+  ARCSPAN_INLINE const std::uint8_t* find_of_triangle(const TriangleSide* side, const std::uint8_t* at) {
+    const unsigned numbers = kNumbersOfPlain[*at];
+    if (numbers == 2) {
+      const unsigned one = at[1];
+      const unsigned other = at[2];
+      if ((one | other) < 128 && side[one + 1] == *side && side[other + 1] == *side) return at + 3;
+    } else if (numbers == 1) {
+      const unsigned one = at[1];
+      if (one < 128 && side[one + 1] == *side) return at + 2;
+    } else if (numbers == 0) {
+      return at + 1;
     }
-    return put_differing(i, at);
+    return put_differing(static_cast<std::size_t>(side - sides_), at);
   }
 
   /// Puts the outlines among the edges of a triangle. Returns the bytes of the next one.
@@ -114,7 +108,7 @@ class EdgeFinder {
 
   const MeshView& mesh_;
   const VertexPositions& positions_;
-  std::span<const TriangleSide> sides_;
+  const TriangleSide* sides_;
   std::span<OutlineEdge> memory_;
   std::size_t count_ = 0;
 };

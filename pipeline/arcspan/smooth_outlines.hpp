@@ -4,6 +4,7 @@
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/outline/exchange.hpp>
 #include <arcspan/outline/gap_list.hpp>
+#include <arcspan/outline/gap_marks.hpp>
 #include <arcspan/outline/gap_walk.hpp>
 #include <arcspan/outline/outline_gap.hpp>
 #include <arcspan/outline/outline_list.hpp>
@@ -21,11 +22,11 @@ namespace detail {
 
 /// Finds the gaps of outlines in a rectangle of the picture, which is not empty. Steep edges are walked by
 /// rows, flat ones by columns. Both are the same if x and y are exchanged: what is said of rows and columns
-/// here is true of columns and rows then.
-template <PixelSink Sink>
+/// here is true of columns and rows then. `Gaps` is a GapList or GapMarks.
+template <class Gaps>
 class OutlineSmoother {
  public:
-  OutlineSmoother(const Scissor& scissor, const DepthBuffer& depth, GapList<Sink>& gaps)
+  OutlineSmoother(const Scissor& scissor, const DepthBuffer& depth, Gaps& gaps)
       : gaps_(gaps),
         depths_(depth.row(scissor.rect().top)),
         rect_(scissor.rect()),
@@ -116,7 +117,7 @@ class OutlineSmoother {
     return (a < range.least && b < range.least) || (a > range.most && b > range.most);
   }
 
-  GapList<Sink>& gaps_;
+  Gaps& gaps_;
   std::uint16_t* const depths_;  ///< column 0 of the first row of the rectangle
   const Rect rect_;
   const Range rows_;
@@ -124,6 +125,13 @@ class OutlineSmoother {
   const Direction by_rows_;
   const Direction by_columns_;
 };
+
+template <class Gaps>
+ARCSPAN_INLINE inline void find_gaps(const OutlineList& outlines, const Scissor& scissor,
+                                     const DepthBuffer& depth, Gaps& gaps) {
+  OutlineSmoother<Gaps> smoother(scissor, depth, gaps);
+  for (const OutlineEdge& edge : outlines.edges()) smoother.smooth(edge);
+}
 
 }  // namespace detail
 
@@ -167,9 +175,31 @@ template <PixelSink Sink>
     if (scissor.rect().empty()) return Status::kOk;
     if (memory.empty()) return Status::kBufferTooSmall;
     detail::GapList<Sink> gaps(sink, depth, memory);
-    detail::OutlineSmoother<Sink> smoother(scissor, depth, gaps);
-    for (const OutlineEdge& edge : outlines.edges()) smoother.smooth(edge);
+    detail::find_gaps(outlines, scissor, depth, gaps);
     gaps.apply();
+    return gaps.status();
+  }
+}
+
+/// Smooths outlines without memory: gaps are blended as they are found, and the depths of the pixels outside
+/// of outlines are lost. Draw all that is tested against them first, also transparent objects, and clear
+/// `depth` before the next picture. A pixel at which several outlines meet may get another mixture than with
+/// memory, and another in a band than in the whole picture.
+///
+/// Returns kOk, or the first other status of the sink, at which blending stops; otherwise changes nothing and
+/// returns kUnsupported, kDepthMismatch or the status of a Framebuffer or DepthBuffer, as above.
+template <PixelSink Sink>
+[[nodiscard]] ARCSPAN_OUTLINE Status smooth_outlines(const OutlineList& outlines, Sink& sink,
+                                                     const DepthBuffer& depth) {
+  if constexpr (!SinkInMemory<Sink> || !detail::kCanBlend<typename Sink::Format>) {
+    return Status::kUnsupported;
+  } else {
+    if (outlines.edges().empty()) return Status::kOk;
+    const detail::Scissor scissor(outlines.viewport(), sink.bounds());
+    const Status status = detail::check_target(scissor, sink, depth);
+    if (!ok(status) || scissor.rect().empty()) return status;
+    detail::GapMarks<Sink> gaps(sink);
+    detail::find_gaps(outlines, scissor, depth, gaps);
     return gaps.status();
   }
 }

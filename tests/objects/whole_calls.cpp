@@ -28,5 +28,6 @@ template Status ink_outlines(const OutlineList&, const OutlineInk&, Frame&, cons
                              std::span<OutlineGap<Rgb565>>);
 template Status smooth_outlines(const OutlineList&, Frame&, const DepthBuffer&,
                                 std::span<OutlineGap<Rgb565>>);
+template Status smooth_outlines(const OutlineList&, Frame&, const DepthBuffer&);
 
 }  // namespace arcspan

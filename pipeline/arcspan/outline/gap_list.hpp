@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/outline/blend.hpp>
+#include <arcspan/outline/gap_blender.hpp>
 #include <arcspan/outline/outline_gap.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/span/depth.hpp>
@@ -11,13 +11,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 namespace arcspan::detail {
 
 /// The gaps of a picture or a band. While it is made, the depth of a pixel outside of an outline holds the
 /// number of its latest gap: if there is such a gap and it names the pixel, it is one, otherwise a depth. So
-/// no map is needed. GapPixels are only read until the list is complete, so that the result does not depend
+/// no map is needed. Pixels are only read until the list is complete, so that the result does not depend
 /// on what was blended before, nor on the rows that a band leaves out.
 template <PixelSink Sink>
 class GapList {
@@ -27,10 +26,9 @@ class GapList {
   using Held = typename Gap::Held;
 
   GapList(Sink& sink, const DepthBuffer& depth, std::span<Gap> memory)
-      : sink_(sink),
+      : blender_(sink),
         depth_(depth),
         gaps_(memory.data()),
-        inward_{1, -1, words_per_row(sink), -words_per_row(sink)},
         most_(memory.size() < kMost ? static_cast<std::uint32_t>(memory.size()) : kMost) {}
 
   /// True if a pixel with this depth, which is no gap's, is nearer than `z`.
@@ -51,8 +49,8 @@ class GapList {
       depth = gaps_[number].held.list.depth;
     }
     if (is_nearer(static_cast<std::uint16_t>(depth), z)) return;
-    if (number != kNone && moved_outward(number, outline)) return;
-    if (*inner < count_ && has_opposite(*inner, x, y, outline)) return;
+    if (number != kNone && moved_outward(number, outline.word())) return;
+    if (*inner < count_ && has_opposite(*inner, x, y, outline.place)) return;
     if (count_ == most_) [[unlikely]] {
       apply();
       was_full_ = true;
@@ -90,11 +88,11 @@ class GapList {
 
   /// Looks for the gap in the same place among those of a pixel. If there is one, moves its outline outward
   /// if the new one is, and returns true.
-  ARCSPAN_OUTLINE bool moved_outward(std::uint32_t number, GapOutline outline) {
+  ARCSPAN_OUTLINE bool moved_outward(std::uint32_t number, std::uint16_t outline) {
     for (; number != kNone; number = gaps_[number].held.list.next) {
       Gap& gap = gaps_[number];
-      if (GapOutline(gap.outline).place() != outline.place()) continue;
-      if (outline.word() > gap.outline) gap.outline = outline.word();
+      if (GapOutline::place_of(gap.outline) != GapOutline::place_of(outline)) continue;
+      if (outline > gap.outline) gap.outline = outline;
       return true;
     }
     return false;
@@ -103,69 +101,27 @@ class GapList {
   /// True if the pixel on the other side of the outline has a gap for the same place. `number`, below count_,
   /// is what its depth holds.
   ARCSPAN_OUTLINE bool has_opposite(std::uint32_t number, std::int32_t x, std::int32_t y,
-                                    GapOutline outline) const {
-    const GapPlace place = outline.place();
+                                    GapPlace place) const {
     if (!is_gap_of(number, x + column_step(place), y + row_step(place))) return false;
     for (; number != kNone; number = gaps_[number].held.list.next)
-      if (GapOutline(gaps_[number].outline).place() == opposite(place)) return true;
+      if (GapOutline::place_of(gaps_[number].outline) == opposite(place)) return true;
     return false;
-  }
-
-  using Cursor = typename Format::Cursor;
-  [[nodiscard]] static std::int32_t words_per_row(const Sink& sink) {
-    return sink.stride_bytes() / std::int32_t{sizeof(typename Format::Word)};
-  }
-  /// Rows are a whole number of pixels apart.
-  static constexpr bool kHasWordPixels =
-      std::is_integral_v<typename Format::Word> && requires(Cursor cursor) {
-    cursor.pixels();
-  };
-
-  /// The pixels of a gap.
-  struct GapPixels {
-    Cursor outer;
-    Cursor inner;
-  };
-  [[nodiscard]] ARCSPAN_INLINE GapPixels pixels_of(const Gap& gap, GapPlace place) const {
-    const Cursor outer(sink_.row(gap.y), gap.x);
-    if constexpr (kHasWordPixels) {
-      return {outer, Cursor(outer.pixels(), inward_[static_cast<std::size_t>(place)])};
-    } else {
-      return {outer, Cursor(sink_.row(gap.y + row_step(place)), gap.x + column_step(place))};
-    }
   }
 
   void restore(Gap& gap) {
     depth_.row(gap.y)[gap.x] = gap.held.list.depth;
-    const GapPixels pixels = pixels_of(gap, GapOutline(gap.outline).place());
-    gap.held = Held(typename Gap::InBlending{pixels.outer.read(), pixels.inner.read()});
+    const auto pixels = blender_.pixels_of(gap.x, gap.y, GapOutline::place_of(gap.outline));
+    gap.held = Held(pixels.colours());
+  }
+  [[nodiscard]] ARCSPAN_INLINE Status blend(const Gap& gap) const {
+    const GapOutline outline = GapOutline::of(gap.outline);
+    const auto pixels = blender_.pixels_of(gap.x, gap.y, outline.place);
+    return blender_.blend(gap.x, gap.y, outline, pixels, gap.held.colours);
   }
 
-  /// The outline lies in the nearer pixel, and may cut a corner of the other one.
-  [[nodiscard]] Status blend(const Gap& gap) {
-    const GapOutline outline(gap.outline);
-    const GapPlace place = outline.place();
-    const std::int32_t outward = outline.outward();
-    const std::uint32_t corner = outline.corner();
-    const std::uint32_t of_outer = outward > 0 ? static_cast<std::uint32_t>(outward) + corner : corner;
-    const std::uint32_t of_inner = outward < 0 ? static_cast<std::uint32_t>(-outward) + corner : corner;
-    GapPixels pixels = pixels_of(gap, place);
-    Status status = Status::kOk;
-    if (of_outer != 0) {
-      pixels.outer.write(blended<Format>(pixels.outer.read(), gap.held.blending.inner, of_outer));
-      status = sink_.close({gap.y, gap.x, 1});
-    }
-    if (of_inner != 0 && ok(status)) {
-      pixels.inner.write(blended<Format>(pixels.inner.read(), gap.held.blending.outer, of_inner));
-      status = sink_.close({gap.y + row_step(place), gap.x + column_step(place), 1});
-    }
-    return status;
-  }
-
-  Sink& sink_;
+  const GapBlender<Sink> blender_;
   const DepthBuffer& depth_;
   Gap* const gaps_;
-  const std::int32_t inward_[4];  ///< Words from the outer pixel of a gap to the inner one, by its place
   const std::uint32_t most_;
   std::uint32_t count_ = 0;
   Status status_ = Status::kOk;

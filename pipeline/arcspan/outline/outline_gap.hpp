@@ -23,6 +23,13 @@ enum class GapPlace : std::uint8_t { kRight, kLeft, kBelow, kAbove };
   return place == GapPlace::kBelow ? 1 : place == GapPlace::kAbove ? -1 : 0;
 }
 
+/// The pixels of a gap as they were before blending.
+template <PixelFormat F>
+struct GapColours {
+  typename F::Encoded outer;
+  typename F::Encoded inner;
+};
+
 }  // namespace detail
 
 /// A place where an outline runs between the centres of two neighbouring pixels: an element of the memory of
@@ -34,46 +41,41 @@ struct OutlineGap {
     std::uint16_t depth;
     std::uint16_t next;
   };
-  /// What blending needs, afterwards: the pixels as they were.
-  struct InBlending {
-    typename F::Encoded outer;
-    typename F::Encoded inner;
-  };
-  /// One after the other.
+  /// First what the list needs, then what blending needs.
   union Held {
     InList list;
-    InBlending blending;
+    detail::GapColours<F> colours;
 
     constexpr Held() : list{} {}
     constexpr explicit Held(const InList& l) : list(l) {}
-    constexpr explicit Held(const InBlending& b) : blending(b) {}
+    constexpr explicit Held(const detail::GapColours<F>& c) : colours(c) {}
   };
 
-  std::int16_t x;  ///< the pixel outside
-  std::int16_t y;
+  std::int16_t x = 0;  ///< the pixel outside
+  std::int16_t y = 0;
   Held held{};
-  std::uint16_t outline;  ///< where it runs; greater values are farther outward
+  std::uint16_t outline = 0;  ///< where it runs; greater values are farther outward
 };
 
 namespace detail {
 
-/// Where the outline runs in a gap, in one word: greater ones are farther outward.
-class GapOutline {
- public:
-  /// `outward`: its distance from the middle of both centres, towards the outer one, -16...16 in 32nds of a
-  /// pixel. `corner`: the share of the farther pixel that it cuts off, 0...4 in 32nds.
-  constexpr GapOutline(GapPlace place, std::int32_t outward, std::uint32_t corner)
-      : word_((static_cast<std::uint32_t>(outward + 16) << 5) | (corner << 2) |
-              static_cast<std::uint32_t>(place)) {}
-  constexpr explicit GapOutline(std::uint16_t word) : word_(word) {}
+/// Where the outline runs in a gap.
+struct GapOutline {
+  GapPlace place;
+  std::int32_t outward;  ///< from the middle of both centres to the outer one, -16...16 in 32nds of a pixel
+  std::uint32_t corner;  ///< the share of the farther pixel that it cuts off, 0...4 in 32nds
 
-  [[nodiscard]] constexpr std::uint16_t word() const { return static_cast<std::uint16_t>(word_); }
-  [[nodiscard]] constexpr GapPlace place() const { return static_cast<GapPlace>(word_ & 3u); }
-  [[nodiscard]] constexpr std::uint32_t corner() const { return (word_ >> 2) & 7u; }
-  [[nodiscard]] constexpr std::int32_t outward() const { return static_cast<std::int32_t>(word_ >> 5) - 16; }
-
- private:
-  std::uint32_t word_;
+  /// All in one word; greater ones are farther outward.
+  [[nodiscard]] constexpr std::uint16_t word() const {
+    return static_cast<std::uint16_t>((static_cast<std::uint32_t>(outward + 16) << 5) | (corner << 2) |
+                                      static_cast<std::uint32_t>(place));
+  }
+  [[nodiscard]] static constexpr GapPlace place_of(std::uint16_t word) {
+    return static_cast<GapPlace>(word & 3u);
+  }
+  [[nodiscard]] static constexpr GapOutline of(std::uint16_t word) {
+    return {place_of(word), static_cast<std::int32_t>(word >> 5) - 16, (std::uint32_t{word} >> 2) & 7u};
+  }
 };
 
 }  // namespace detail

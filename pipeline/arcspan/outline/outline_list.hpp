@@ -43,6 +43,7 @@ class VertexPositions {
   /// The number of vertices whose positions are there.
   [[nodiscard]] constexpr std::size_t count() const { return count_; }
   [[nodiscard]] constexpr const Viewport& viewport() const { return transform_->viewport(); }
+  [[nodiscard]] constexpr const ClipTransform& transform() const { return *transform_; }
 
  private:
   static constexpr std::uint8_t kNotTransformed = 0xFF;  ///< as in every CachedVertex
@@ -58,6 +59,8 @@ class VertexPositions {
   std::size_t count_;
   std::size_t stride_ = 0;  ///< bytes from one to the next
 };
+
+class CurvedOutlines;
 
 /// The outlines of the objects of a frame, in memory of the caller: 12 bytes per edge. They are found once
 /// per frame, after or before the objects are drawn, and smoothed in each band.
@@ -87,6 +90,20 @@ class OutlineList {
   [[nodiscard]] constexpr const Viewport& viewport() const { return viewport_; }
 
  private:
+  friend class CurvedOutlines;
+
+  /// Whether these may be the arguments of add().
+  [[nodiscard]] Status check(const MeshView& mesh, const MeshNeighbours& neighbours,
+                             const VertexPositions& positions, std::span<const TriangleSide> sides) const;
+  [[nodiscard]] constexpr std::span<OutlineEdge> free_memory() const { return memory_.subspan(count_); }
+  /// Takes edges that were written to free_memory(), if it holds so many.
+  [[nodiscard]] constexpr bool take(std::size_t count, const Viewport& viewport) {
+    if (count > memory_.size() - count_) return false;
+    viewport_ = viewport;
+    count_ += count;
+    return true;
+  }
+
   std::span<OutlineEdge> memory_;
   std::size_t count_ = 0;
   Viewport viewport_{};

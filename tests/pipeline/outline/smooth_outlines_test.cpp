@@ -175,6 +175,13 @@ TEST_CASE("Smooth outlines: of several outlines in a gap the outermost counts, i
   CHECK(pictures[2].colours == pictures[0].colours);
 }
 
+TEST_CASE("Smooth outlines: static memory needs no constructor that runs before main()") {
+  static constinit OutlineGap<Rgb565> gaps[50];  // firmware has none
+  const std::vector<OutlineEdge> edges = polygon({at(163, 0), at(163, 512), at(512, 512), at(512, 0)});
+  Picture picture = drawn<Rgb565>(edges);
+  CHECK(ok(smooth_outlines(Drawing(edges).outlines, picture.frame, picture.depth, std::span(gaps))));
+}
+
 TEST_CASE("Smooth outlines: a full list is applied and begun anew, and says so") {
   Random random(51);
   const OutlineScene scene(random);

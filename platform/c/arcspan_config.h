@@ -51,6 +51,13 @@
 #ifndef ARCSPAN_C_OUTLINES
 #define ARCSPAN_C_OUTLINES 0
 #endif
+/* 1 if arcspan_ink_outlines() does something; with ARCSPAN_C_OUTLINES only. */
+#ifndef ARCSPAN_C_INK
+#define ARCSPAN_C_INK 0
+#endif
+#if ARCSPAN_C_INK && !ARCSPAN_C_OUTLINES
+#error "ARCSPAN_C_INK needs ARCSPAN_C_OUTLINES"
+#endif
 
 /* Pixel formats (arcspan_format). Each holds all the code that draws. */
 #ifndef ARCSPAN_C_RGB565

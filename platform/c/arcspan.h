@@ -132,6 +132,7 @@ typedef struct {
   uint8_t two_sided; /* 1: back faces of all parts are drawn; 0: of the parts that the model marks */
   /* For all parts. NULL: each part keeps its own; a mesh without material is white plastic. */
   const arcspan_material* material;
+  uint8_t toon_steps; /* 2...16: cartoon light in so many steps, by ARCSPAN_ARC; 0: gradual light */
 } arcspan_look;
 
 /* Names an object of a scene: one or more parts that are moved together. */
@@ -143,9 +144,9 @@ typedef uint16_t arcspan_object;
  *
  *   ARCSPAN_INVALID_ARGUMENT   the address, or a number of `look` is out of range
  *   ARCSPAN_BUFFER_TOO_SMALL   the scene has no room for all parts or materials
- *   ARCSPAN_UNSUPPORTED        the binary has another version; the method or the layout of a texture is not
- *                              compiled; this machine is big-endian
- *   ARCSPAN_TRUNCATED, ARCSPAN_CORRUPTED, ARCSPAN_INDEX_OUT_OF_RANGE   the binary is damaged */
+ *   ARCSPAN_UNSUPPORTED        the binary has another version; the method, the layout of a texture or light
+ * in steps is not compiled; this machine is big-endian ARCSPAN_TRUNCATED, ARCSPAN_CORRUPTED,
+ * ARCSPAN_INDEX_OUT_OF_RANGE   the binary is damaged */
 arcspan_status arcspan_add_binary(arcspan_scene* scene, const void* binary, size_t bytes,
                                   const arcspan_look* look, arcspan_object* object);
 

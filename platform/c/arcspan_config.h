@@ -25,6 +25,11 @@
 #define ARCSPAN_C_PHONG 1
 #endif
 
+/* 1 if arcspan_look::toon_steps does something. Not with several coloured lights. */
+#ifndef ARCSPAN_C_TOON
+#define ARCSPAN_C_TOON 0
+#endif
+
 /* Shading methods (arcspan_method). */
 #ifndef ARCSPAN_C_ARC
 #define ARCSPAN_C_ARC 1

@@ -111,8 +111,8 @@ struct Scene2 {
 
 /// The parts of a model by the method M, or with a texture by T.
 template <class M, class T>
-std::vector<std::uint16_t> drawn_by_cpp(Binary& binary, bool smooth = false,
-                                        const OutlineInk* ink = nullptr) {
+std::vector<std::uint16_t> drawn_by_cpp(Binary& binary, bool smooth = false, const OutlineInk* ink = nullptr,
+                                        std::int32_t toon_steps = 0) {
   StoredModel model;
   REQUIRE(ok(view_model_binary({binary.data(), binary.size}, model)));
   const SceneLight light = SceneLight::directional(normalised(-1, 1, 2));
@@ -126,11 +126,13 @@ std::vector<std::uint16_t> drawn_by_cpp(Binary& binary, bool smooth = false,
     meshes[i] = part.mesh;
     if (part.texture.texels.empty()) {
       REQUIRE(ok(PreparedMaterial<M>::make(part.material, lights, {part.two_sided}, plain[i])));
+      if (toon_steps != 0) REQUIRE(ok(plain[i].set_toon(toon_steps)));
       objects.emplace_back(meshes[i], plain[i], part.sphere);
     } else {
       Texture<Palette8Texels<>> texture;
       REQUIRE(ok(view_texture(part.texture, texture)));
       REQUIRE(ok(PreparedMaterial<T>::make(part.material, lights, {part.two_sided}, textured[i])));
+      if (toon_steps != 0) REQUIRE(ok(textured[i].set_toon(toon_steps)));
       textured[i] = textured[i].with(texture);
       objects.emplace_back(meshes[i], textured[i], part.sphere);
     }
@@ -176,12 +178,12 @@ TEST_CASE("models in binaries are drawn from C with the pixels of C++") {
     REQUIRE(arcspan_add_binary(smooth.scene, binary.data(), binary.size, nullptr, nullptr) == ARCSPAN_OK);
     CHECK((smooth.drawn() == drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(binary)));
     Scene2 faceted({16, 16});
-    const arcspan_look look{ARCSPAN_FLAT, 1, 0, nullptr};
+    const arcspan_look look{ARCSPAN_FLAT, 1, 0, nullptr, 0};
     REQUIRE(arcspan_add_binary(faceted.scene, binary.data(), binary.size, &look, nullptr) == ARCSPAN_OK);
     CHECK((faceted.drawn() == drawn_by_cpp<Faceted, Textured<Faceted, Palette8Texels<>>>(binary)));
   }
   Binary ball("ball.bin");
-  const arcspan_look look{ARCSPAN_FLAT, 1, 0, nullptr};
+  const arcspan_look look{ARCSPAN_FLAT, 1, 0, nullptr, 0};
   Scene2 smooth({1, 1});
   Scene2 faceted({1, 1});
   REQUIRE(arcspan_add_binary(smooth.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
@@ -347,6 +349,34 @@ TEST_CASE("materials of binaries follow the light") {
   CHECK((after.drawn() != bright));
 }
 
+TEST_CASE("light in steps is that of C++, a material of its own, and follows the light") {
+  using Smooth = Arc<c::Light>;
+  const arcspan_look toon{ARCSPAN_ARC, 1, 0, nullptr, 3};
+  for (const char* const name : {"outlined-lamp.bin", "sign.bin"}) {
+    CAPTURE(name);
+    Binary binary(name);
+    Scene2 scene({16, 16});
+    REQUIRE(arcspan_add_binary(scene.scene, binary.data(), binary.size, &toon, nullptr) == ARCSPAN_OK);
+    const auto steps = scene.drawn();
+    CHECK((steps == drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(binary, false, nullptr, 3)));
+    CHECK((steps != drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(binary)));
+  }
+  Binary ball("ball.bin");
+  Scene2 one({2, 1});
+  REQUIRE(arcspan_add_binary(one.scene, ball.data(), ball.size, &toon, nullptr) == ARCSPAN_OK);
+  CHECK(arcspan_add_binary(one.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_BUFFER_TOO_SMALL);
+  const auto bright = one.drawn();
+  const arcspan_shares white{32768, 32768, 32768};
+  const arcspan_light dim{{-1, 1, 2}, 0, 12000, white};
+  REQUIRE(arcspan_set_lights(one.scene, &dim, 1, white) == ARCSPAN_OK);
+  const auto dark = one.drawn();
+  CHECK(dark != bright);
+  Scene2 gradual({1, 1});
+  REQUIRE(arcspan_set_lights(gradual.scene, &dim, 1, white) == ARCSPAN_OK);
+  REQUIRE(arcspan_add_binary(gradual.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
+  CHECK(gradual.drawn() != dark);
+}
+
 TEST_CASE("binaries that cannot be drawn change nothing in a scene") {
   Binary lamp("lamp.bin");
   Binary ball("ball.bin");
@@ -365,13 +395,17 @@ TEST_CASE("binaries that cannot be drawn change nothing in a scene") {
   lamp.data()[lamp.size / 2] ^= 1;
   CHECK(add(lamp, lamp.size, nullptr) == ARCSPAN_CORRUPTED);
   lamp.data()[lamp.size / 2] ^= 1;
-  const arcspan_look gouraud{ARCSPAN_GOURAUD, 1, 0, nullptr};
+  const arcspan_look gouraud{ARCSPAN_GOURAUD, 1, 0, nullptr, 0};
   CHECK(add(lamp, lamp.size, &gouraud) == ARCSPAN_UNSUPPORTED);
   CHECK(add(direct, direct.size, nullptr) == ARCSPAN_UNSUPPORTED);
-  const arcspan_look tolerance{ARCSPAN_ARC, 65, 0, nullptr};
+  const arcspan_look tolerance{ARCSPAN_ARC, 65, 0, nullptr, 0};
   CHECK(add(lamp, lamp.size, &tolerance) == ARCSPAN_INVALID_ARGUMENT);
+  for (const std::uint8_t steps : {std::uint8_t{1}, std::uint8_t{17}, std::uint8_t{255}}) {
+    const arcspan_look toon{ARCSPAN_ARC, 1, 0, nullptr, steps};
+    CHECK(add(lamp, lamp.size, &toon) == ARCSPAN_INVALID_ARGUMENT);
+  }
   const arcspan_material bright{{40000, 0, 0}, {0, 0, 0}, {0, 0, 0}, 16};
-  const arcspan_look too_bright{ARCSPAN_ARC, 1, 0, &bright};
+  const arcspan_look too_bright{ARCSPAN_ARC, 1, 0, &bright, 0};
   CHECK(add(lamp, lamp.size, &too_bright) == ARCSPAN_INVALID_ARGUMENT);
   CHECK(arcspan_limits_of(scene.scene, 0).objects == 0);
   Scene2 no_materials({16, 1});

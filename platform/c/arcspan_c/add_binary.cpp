@@ -16,13 +16,16 @@ namespace {
 
 using c::coefficients;
 
-constexpr arcspan_look kUsualLook = {ARCSPAN_ARC, 1, 0, nullptr};
+constexpr arcspan_look kUsualLook = {ARCSPAN_ARC, 1, 0, nullptr, 0};
 constexpr Material kWhitePlastic = plastic({255, 255, 255});
 
 [[nodiscard]] c::MaterialSource source_of(const arcspan_look& look, const Material& material, bool two_sided,
                                           const StoredTexture& texture) {
   c::MaterialSource source{
       material, texture, {two_sided || look.two_sided != 0}, look.method, look.tolerance};
+#if ARCSPAN_C_TOON
+  source.toon_steps = look.toon_steps;
+#endif
   if (look.material != nullptr) {
     source.material = {coefficients(look.material->ambient), coefficients(look.material->diffuse),
                        coefficients(look.material->specular), look.material->shininess};
@@ -70,6 +73,7 @@ arcspan_status arcspan_add_binary(arcspan_scene* scene, const void* binary, size
   c::NewObject added(*scene);
   const arcspan_look& used = look != nullptr ? *look : kUsualLook;
   const std::span data(static_cast<const std::uint8_t*>(binary), bytes);
+  if (ARCSPAN_C_TOON == 0 && used.toon_steps != 0) return ARCSPAN_UNSUPPORTED;
   StoredModel model;
   Status status = view_model_binary(data, model);
   if (ok(status)) {

@@ -248,7 +248,7 @@ typedef uint8_t arcspan_format;
 #define ARCSPAN_RGB888 2   /* bytes R, G, B */
 #define ARCSPAN_BGR888 3   /* bytes B, G, R */
 #define ARCSPAN_XRGB8888 4 /* bytes B, G, R and one that is 0 */
-#define ARCSPAN_ARGB8888 5 /* bytes B, G, R and 255: drawn pixels are opaque */
+#define ARCSPAN_ARGB8888 5 /* bytes B, G, R and 255, or less where smooth outlines cover a pixel in part */
 #define ARCSPAN_GRAY8 6
 #define ARCSPAN_GRAY4 7
 #define ARCSPAN_MONO 8

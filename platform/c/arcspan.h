@@ -307,9 +307,9 @@ typedef struct {
  * arcspan_smooth_outlines(): ink of creases takes up to twice as many gaps. A target must be larger by two
  * pixels instead of one if creases are inked. ARCSPAN_MONO has ink, without soft edges. Returns
  *
- *   ARCSPAN_NOT_READY          arcspan_smooth_outlines() has given no memory to the view
- *   ARCSPAN_INVALID_ARGUMENT   the width is out of range
- *   ARCSPAN_UNSUPPORTED        without ARCSPAN_C_INK */
+ *   ARCSPAN_NOT_READY          arcspan_smooth_outlines() has given no memory to the view, and `ink` is not
+ * NULL ARCSPAN_INVALID_ARGUMENT   the width is out of range ARCSPAN_UNSUPPORTED        without ARCSPAN_C_INK
+ */
 arcspan_status arcspan_ink_outlines(arcspan_view* view, const arcspan_ink* ink);
 
 #ifdef __cplusplus

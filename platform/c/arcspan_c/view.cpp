@@ -222,10 +222,12 @@ arcspan_status arcspan_smooth_outlines(arcspan_view*, void*, size_t, const arcsp
 arcspan_status arcspan_ink_outlines([[maybe_unused]] arcspan_view* view,
                                     [[maybe_unused]] const arcspan_ink* ink) {
 #if ARCSPAN_C_INK
+  if (ink == nullptr) {
+    view->outlines.ink.width = 0;
+    return ARCSPAN_OK;
+  }
   if (view->outlines.sides.empty()) return ARCSPAN_NOT_READY;
-  if (ink != nullptr && (ink->width < 1 || ink->width > OutlineInk::kWidest)) return ARCSPAN_INVALID_ARGUMENT;
-  view->outlines.ink.width = 0;
-  if (ink == nullptr) return ARCSPAN_OK;
+  if (ink->width < 1 || ink->width > OutlineInk::kWidest) return ARCSPAN_INVALID_ARGUMENT;
   view->outlines.ink = {{ink->colour.r, ink->colour.g, ink->colour.b}, ink->width, ink->creases != 0};
   return ARCSPAN_OK;
 #else

@@ -132,6 +132,7 @@ typedef struct {
   uint8_t two_sided; /* 1: back faces of all parts are drawn; 0: of the parts that the model marks */
   /* For all parts. NULL: each part keeps its own; a mesh without material is white plastic. */
   const arcspan_material* material;
+  uint8_t toon_steps; /* 2...16: cartoon light in so many steps, by ARCSPAN_ARC; 0: gradual light */
 } arcspan_look;
 
 /* Names an object of a scene: one or more parts that are moved together. */
@@ -143,9 +144,9 @@ typedef uint16_t arcspan_object;
  *
  *   ARCSPAN_INVALID_ARGUMENT   the address, or a number of `look` is out of range
  *   ARCSPAN_BUFFER_TOO_SMALL   the scene has no room for all parts or materials
- *   ARCSPAN_UNSUPPORTED        the binary has another version; the method or the layout of a texture is not
- *                              compiled; this machine is big-endian
- *   ARCSPAN_TRUNCATED, ARCSPAN_CORRUPTED, ARCSPAN_INDEX_OUT_OF_RANGE   the binary is damaged */
+ *   ARCSPAN_UNSUPPORTED        the binary has another version; the method, the layout of a texture or light
+ * in steps is not compiled; this machine is big-endian ARCSPAN_TRUNCATED, ARCSPAN_CORRUPTED,
+ * ARCSPAN_INDEX_OUT_OF_RANGE   the binary is damaged */
 arcspan_status arcspan_add_binary(arcspan_scene* scene, const void* binary, size_t bytes,
                                   const arcspan_look* look, arcspan_object* object);
 
@@ -295,8 +296,9 @@ arcspan_quaternion arcspan_dragged(const arcspan_view* view, arcspan_quaternion 
  * ARCSPAN_NOT_READY without a camera, ARCSPAN_TOO_MANY_OBJECTS or ARCSPAN_CACHE_TOO_SMALL beyond the limits.
  */
 arcspan_status arcspan_prepare(arcspan_view* view);
-/* The rectangle of the picture outside of which the frame has no pixel; empty if there is none. The vertices
- * are transformed for it, and not again for drawing if the view has room for those of all parts in view. */
+/* The rectangle of the picture outside of which the frame has no pixel, nor changes one by smooth outlines or
+ * ink; empty if there is none. The vertices are transformed for it, and not again for drawing if the view has
+ * room for those of all parts in view. */
 arcspan_rect arcspan_drawn_rect(arcspan_view* view);
 
 typedef uint8_t arcspan_format;
@@ -305,7 +307,7 @@ typedef uint8_t arcspan_format;
 #define ARCSPAN_RGB888 2   /* bytes R, G, B */
 #define ARCSPAN_BGR888 3   /* bytes B, G, R */
 #define ARCSPAN_XRGB8888 4 /* bytes B, G, R and one that is 0 */
-#define ARCSPAN_ARGB8888 5 /* bytes B, G, R and 255: drawn pixels are opaque */
+#define ARCSPAN_ARGB8888 5 /* bytes B, G, R and 255, or less where smooth outlines cover a pixel in part */
 #define ARCSPAN_GRAY8 6
 #define ARCSPAN_GRAY4 7
 #define ARCSPAN_MONO 8
@@ -342,16 +344,32 @@ typedef struct {
 size_t arcspan_outline_bytes(const arcspan_outline_limits* limits);
 /* Smooths the outlines of all frames from the next arcspan_prepare() on; not any more if `memory` is NULL.
  * The models must be written by `arcspan mesh --outlines`. The outermost pixels of a target are right only at
- * the sides of the picture: a rectangle that is shown needs a target that is larger by one pixel on all
- * others.
+ * the sides of the picture and of arcspan_drawn_rect(): a rectangle that is shown needs a target that is
+ * larger by one pixel on all others.
  *
  * arcspan_draw() then returns, after it has drawn, ARCSPAN_UNSUPPORTED if a part in view has no neighbours or
- * the format is ARCSPAN_MONO, and ARCSPAN_BUFFER_TOO_SMALL if a limit was reached.
+ * the format is ARCSPAN_MONO without ink, and ARCSPAN_BUFFER_TOO_SMALL if a limit was reached.
  *
  * Returns ARCSPAN_UNSUPPORTED without ARCSPAN_C_OUTLINES, and ARCSPAN_BUFFER_TOO_SMALL if `bytes` are fewer
  * than arcspan_outline_bytes(). */
 arcspan_status arcspan_smooth_outlines(arcspan_view* view, void* memory, size_t bytes,
                                        const arcspan_outline_limits* limits);
+
+/* How outlines are inked. */
+typedef struct {
+  arcspan_rgb colour;
+  uint8_t width;   /* of outlines: 1...4 pixels, outside of the surface */
+  uint8_t creases; /* 1: creases are inked too, by lines of one pixel */
+} arcspan_ink;
+/* Draws the outlines as lines of ink, and smooths them, from the next arcspan_prepare() on; smooths only if
+ * `ink` is NULL or arcspan_smooth_outlines() has ended smoothing. The memory is that of
+ * arcspan_smooth_outlines(): ink of creases takes up to twice as many gaps. A target must be larger by two
+ * pixels instead of one if creases are inked. ARCSPAN_MONO has ink, without soft edges. Returns
+ *
+ *   ARCSPAN_NOT_READY          arcspan_smooth_outlines() has given no memory to the view, and `ink` is not
+ * NULL ARCSPAN_INVALID_ARGUMENT   the width is out of range ARCSPAN_UNSUPPORTED        without ARCSPAN_C_INK
+ */
+arcspan_status arcspan_ink_outlines(arcspan_view* view, const arcspan_ink* ink);
 
 #ifdef __cplusplus
 }

@@ -25,6 +25,11 @@
 #define ARCSPAN_C_PHONG 1
 #endif
 
+/* 1 if arcspan_look::toon_steps does something. Not with several coloured lights. */
+#ifndef ARCSPAN_C_TOON
+#define ARCSPAN_C_TOON 0
+#endif
+
 /* Shading methods (arcspan_method). */
 #ifndef ARCSPAN_C_ARC
 #define ARCSPAN_C_ARC 1
@@ -50,6 +55,13 @@
 /* 1 if arcspan_smooth_outlines() does something. */
 #ifndef ARCSPAN_C_OUTLINES
 #define ARCSPAN_C_OUTLINES 0
+#endif
+/* 1 if arcspan_ink_outlines() does something; with ARCSPAN_C_OUTLINES only. */
+#ifndef ARCSPAN_C_INK
+#define ARCSPAN_C_INK 0
+#endif
+#if ARCSPAN_C_INK && !ARCSPAN_C_OUTLINES
+#error "ARCSPAN_C_INK needs ARCSPAN_C_OUTLINES"
 #endif
 
 /* 1 if arcspan_add_character() does something. All that draws is compiled once more, for vertices that move.

@@ -51,7 +51,20 @@ static int32_t rows_with_depth(scene_unit_t* unit, int32_t width, int32_t rows) 
   return 0;
 }
 
-static arcspan_status draw_rows(scene_unit_t* unit, const lv_arcspan_view_t* view, lv_layer_t* layer,
+/* Of drawing a rectangle. Where outlines are not smooth, the view gets the status, but nothing is missing. */
+static arcspan_status status_of(lv_arcspan_view_t* view, arcspan_status status) {
+#if LV_ARCSPAN_OUTLINES
+  if (view->more != 0 && (status == ARCSPAN_BUFFER_TOO_SMALL || status == ARCSPAN_UNSUPPORTED)) {
+    view->status = status;
+    return ARCSPAN_OK;
+  }
+#else
+  LV_UNUSED(view);
+#endif
+  return status;
+}
+
+static arcspan_status draw_rows(scene_unit_t* unit, lv_arcspan_view_t* view, lv_layer_t* layer,
                                 const lv_area_t* area, lv_point_t origin) {
   lv_draw_buf_t* const buffer = layer->draw_buf;
   const int32_t x = area->x1 - layer->buf_area.x1;
@@ -67,10 +80,10 @@ static arcspan_status draw_rows(scene_unit_t* unit, const lv_arcspan_view_t* vie
       .depth_words = unit->depth_words,
       .background = NULL,
   };
-  return arcspan_draw(view->view, &target);
+  return status_of(view, arcspan_draw(view->view, &target));
 }
 
-static arcspan_status draw(scene_unit_t* unit, const lv_arcspan_view_t* view, lv_draw_task_t* task) {
+static arcspan_status draw(scene_unit_t* unit, lv_arcspan_view_t* view, lv_draw_task_t* task) {
   lv_layer_t* const layer = task->target_layer;
   const lv_draw_image_dsc_t* const descriptor = task->draw_dsc;
   const lv_point_t origin = {descriptor->image_area.x1, descriptor->image_area.y1};
@@ -83,6 +96,10 @@ static arcspan_status draw(scene_unit_t* unit, const lv_arcspan_view_t* view, lv
   if (view->view == NULL) return ARCSPAN_NOT_READY;
   const int32_t rows = rows_with_depth(unit, lv_area_get_width(&rest), lv_area_get_height(&rest));
   if (rows == 0) return ARCSPAN_BUFFER_TOO_SMALL;
+#if LV_ARCSPAN_OUTLINES
+  /* Strips would lack the pixels on the other side. */
+  if (view->more != 0 && rows < lv_area_get_height(&rest)) return ARCSPAN_BUFFER_TOO_SMALL;
+#endif
   arcspan_status status = ARCSPAN_OK;
   for (lv_area_t strip = rest; strip.y1 <= rest.y2 && status == ARCSPAN_OK; strip.y1 += rows) {
     strip.y2 = LV_MIN(strip.y1 + rows - 1, rest.y2);

@@ -99,6 +99,46 @@ static arcspan_status turn_object(lv_arcspan_view_t* view) {
   return status == ARCSPAN_OK ? arcspan_set_scale(view->scene, view->turned, view->scale) : status;
 }
 
+#if LV_ARCSPAN_OUTLINES
+
+/* Gives the view memory for the outlines that are asked for, and ink. */
+static arcspan_status give_outlines(lv_arcspan_view_t* view) {
+  const arcspan_outline_limits* const limits = &view->outline_limits;
+  const arcspan_ink* const ink = &view->ink;
+  const size_t bytes = limits->triangles != 0 ? arcspan_outline_bytes(limits) : 0;
+  if (view->outlines_changed) {
+    lv_free(view->outline_memory);
+    view->outline_memory = bytes != 0 ? lv_malloc(bytes) : NULL;
+    view->outlines_changed = bytes != 0 && view->outline_memory == NULL; /* tried again by the next frame */
+  }
+  arcspan_status status = arcspan_smooth_outlines(view->view, view->outline_memory, bytes, limits);
+  if (view->outline_memory == NULL) {
+    view->more = 0;
+    return view->outlines_changed ? ARCSPAN_BUFFER_TOO_SMALL : status;
+  }
+  view->more = ink->width != 0 && ink->creases ? 2 : 1;
+#if ARCSPAN_C_INK
+  if (status == ARCSPAN_OK) status = arcspan_ink_outlines(view->view, ink->width != 0 ? ink : NULL);
+#endif
+  return status;
+}
+
+static int32_t pixels_more(const lv_arcspan_view_t* view) { return view->more; }
+
+#else
+
+static arcspan_status give_outlines(lv_arcspan_view_t* view) {
+  LV_UNUSED(view);
+  return ARCSPAN_OK;
+}
+
+static int32_t pixels_more(const lv_arcspan_view_t* view) {
+  LV_UNUSED(view);
+  return 0;
+}
+
+#endif
+
 /* Prepares the frame that is drawn from now on. */
 static void prepare(lv_arcspan_view_t* view) {
   view->changed = false;
@@ -112,6 +152,7 @@ static void prepare(lv_arcspan_view_t* view) {
   view->status = make_view(view);
   if (view->status == ARCSPAN_OK) view->status = set_camera(view);
   if (view->status == ARCSPAN_OK) view->status = turn_object(view);
+  if (view->status == ARCSPAN_OK) view->status = give_outlines(view);
   if (view->status == ARCSPAN_OK) view->status = arcspan_prepare(view->view);
   if (view->status == ARCSPAN_OK) {
     view->drawn = arcspan_drawn_rect(view->view);
@@ -170,15 +211,34 @@ static void add_layer(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area_
   lv_draw_layer(layer, &descriptor, strip);
 }
 
+#if LV_ARCSPAN_OUTLINES
+/* The same through a layer that has the pixels around the strip, too, on which its outlines depend. */
+static void add_strip(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area_t* strip, lv_opa_t opa,
+                      const lv_area_t* corners, int32_t radius) {
+  lv_area_t drawn; /* all that outlines depend on and change */
+  (void)drawn_area(view, &drawn);
+  lv_area_t held = *strip;
+  lv_area_increase(&held, view->more, view->more);
+  (void)lv_area_intersect(&held, &held, &drawn);
+  const lv_area_t clip = layer->_clip_area;
+  layer->_clip_area = *strip;
+  add_layer(layer, view, &held, opa, corners, radius);
+  layer->_clip_area = clip;
+}
+#else
+#define add_strip add_layer
+#endif
+
 /* The same in strips, whose layers are as large as those that LVGL allocates for its own. */
 static void add_layers(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area_t* area, lv_opa_t opa,
                        const lv_area_t* corners, int32_t radius) {
-  int32_t rows = LV_DRAW_LAYER_SIMPLE_BUF_SIZE / (4 * lv_area_get_width(area));
+  const int32_t more = 2 * pixels_more(view); /* on both sides */
+  int32_t rows = LV_DRAW_LAYER_SIMPLE_BUF_SIZE / (4 * (lv_area_get_width(area) + more)) - more;
   if (rows < 1) rows = 1;
   lv_area_t strip = *area;
   for (; strip.y1 <= area->y2; strip.y1 += rows) {
     strip.y2 = LV_MIN(strip.y1 + rows - 1, area->y2);
-    add_layer(layer, view, &strip, opa, corners, radius);
+    add_strip(layer, view, &strip, opa, corners, radius);
   }
 }
 
@@ -221,7 +281,7 @@ static void draw_main(lv_event_t* e) {
   if (opa <= LV_OPA_MIN) return;
   lv_area_t corners;
   const int32_t radius = corner_radius(&view->obj, &corners);
-  if (opa < LV_OPA_MAX) {
+  if (opa < LV_OPA_MAX || pixels_more(view) != 0) {
     add_layers(layer, view, &area, opa, &corners, radius);
     return;
   }
@@ -298,6 +358,9 @@ static void destructor(const lv_obj_class_t* class_p, lv_obj_t* obj) {
     lv_display_remove_event_cb_with_user_data(display, on_refresh_start, obj);
   }
   free_view((lv_arcspan_view_t*)obj);
+#if LV_ARCSPAN_OUTLINES
+  lv_free(((lv_arcspan_view_t*)obj)->outline_memory);
+#endif
 }
 
 static void event(const lv_obj_class_t* class_p, lv_event_t* e) {
@@ -387,6 +450,25 @@ void lv_arcspan_view_set_scale(lv_obj_t* obj, arcspan_length scale) {
 
 arcspan_length lv_arcspan_view_get_scale(const lv_obj_t* obj) {
   return ((const lv_arcspan_view_t*)obj)->scale;
+}
+
+arcspan_status lv_arcspan_view_set_outlines(lv_obj_t* obj, const arcspan_outline_limits* limits,
+                                            const arcspan_ink* ink) {
+  LV_CHECK_OBJ(obj, VIEW_CLASS, return ARCSPAN_INVALID_ARGUMENT);
+#if LV_ARCSPAN_OUTLINES
+  lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
+  if (ink != NULL && !ARCSPAN_C_INK) return ARCSPAN_UNSUPPORTED;
+  if (ink != NULL && (ink->width < 1 || ink->width > 4)) return ARCSPAN_INVALID_ARGUMENT;
+  view->outline_limits = limits != NULL ? *limits : (arcspan_outline_limits){0, 0, 0};
+  view->ink = ink != NULL ? *ink : (arcspan_ink){{0, 0, 0}, 0, 0};
+  view->outlines_changed = true;
+  change(view); /* the frame that may be under way keeps its memory */
+  return ARCSPAN_OK;
+#else
+  LV_UNUSED(limits);
+  LV_UNUSED(ink);
+  return ARCSPAN_UNSUPPORTED;
+#endif
 }
 
 void lv_arcspan_view_update(lv_obj_t* obj) { change((lv_arcspan_view_t*)obj); }

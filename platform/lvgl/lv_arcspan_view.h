@@ -49,10 +49,22 @@ arcspan_quaternion lv_arcspan_view_get_rotation(const lv_obj_t* obj);
 void lv_arcspan_view_set_scale(lv_obj_t* obj, arcspan_length scale);
 arcspan_length lv_arcspan_view_get_scale(const lv_obj_t* obj);
 
+/* Smooths outlines, and draws them as lines of ink unless `ink` is NULL, with memory of lv_malloc() for
+ * `limits`; not any more if that is NULL. The models must be written by `arcspan mesh --outlines`. The scene
+ * is then drawn through layers that are larger than what they show by one or two pixels on all sides, over
+ * any background. If a limit is reached or a part has no neighbours, the scene is shown less smooth, and
+ * lv_arcspan_view_get_status() says why: ARCSPAN_BUFFER_TOO_SMALL or ARCSPAN_UNSUPPORTED. Returns
+ *
+ *   ARCSPAN_INVALID_ARGUMENT   the width of the ink is out of range
+ *   ARCSPAN_UNSUPPORTED        without ARCSPAN_C_OUTLINES and ARCSPAN_C_ARGB8888, or ARCSPAN_C_INK for ink */
+arcspan_status lv_arcspan_view_set_outlines(lv_obj_t* obj, const arcspan_outline_limits* limits,
+                                            const arcspan_ink* ink);
+
 /* To be called after a change of the scene itself, by a function of arcspan.h: it is then drawn anew. */
 void lv_arcspan_view_update(lv_obj_t* obj);
 
-/* ARCSPAN_OK, or why the last frame is not shown or a rectangle of it is missing. */
+/* ARCSPAN_OK, or why the last frame is not shown, or a rectangle of it is missing or not as smooth as asked
+ * for. */
 arcspan_status lv_arcspan_view_get_status(const lv_obj_t* obj);
 /* How many frames and rectangles have not been drawn since the widget was made. The next refresh tries them
  * again.

@@ -4,12 +4,17 @@
 
 #include "lv_arcspan_view.h"
 
+#include <arcspan_config.h>
+
 /* Widgets and draw units outside of LVGL need its private headers, which change between minor versions. */
 #include <src/lvgl_private.h>
 
 #if LVGL_VERSION_MAJOR != 9 || LVGL_VERSION_MINOR != 6
 #error "platform/lvgl is for LVGL 9.6"
 #endif
+
+/* Smooth outlines are drawn through layers of this format. */
+#define LV_ARCSPAN_OUTLINES (ARCSPAN_C_OUTLINES && ARCSPAN_C_ARGB8888)
 
 typedef struct {
   lv_obj_t obj;
@@ -27,6 +32,13 @@ typedef struct {
   lv_area_t inset;    /* of the picture of the last frame from the sides of the widget, as positive numbers */
   arcspan_rect drawn; /* by the last frame, in the picture; empty if it is not shown */
   uint32_t dropped;
+#if LV_ARCSPAN_OUTLINES
+  arcspan_outline_limits outline_limits; /* as asked for; no triangles: none */
+  arcspan_ink ink;                       /* of width 0: none */
+  bool outlines_changed;                 /* since outline_memory was allocated */
+  void* outline_memory;
+  uint8_t more; /* pixels of a layer around what it shows in the last frame; 0 without outlines */
+#endif
 #if LV_USE_GESTURE_RECOGNITION
   bool pinched;               /* a pinch is under way */
   arcspan_length pinch_scale; /* the scale at its beginning */

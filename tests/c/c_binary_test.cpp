@@ -47,6 +47,32 @@ struct Binary {
   [[nodiscard]] unsigned char* data() { return reinterpret_cast<unsigned char*>(words.data()); }
 };
 
+/// A frame of a scene that is prepared; with outlines in memory of `outlines`, and ink.
+struct OutlinedView {
+  std::vector<unsigned char> memory;
+  std::vector<unsigned char> outline_memory;
+  arcspan_view* view = nullptr;
+
+  OutlinedView(arcspan_scene* scene, const arcspan_outline_limits* outlines, const arcspan_ink* ink) {
+    const arcspan_view_limits limits = arcspan_limits_of(scene, 0);
+    memory.resize(arcspan_view_bytes(&limits));
+    REQUIRE(arcspan_view_make(memory.data(), memory.size(), &limits, scene, &view) == ARCSPAN_OK);
+    REQUIRE(arcspan_set_camera(view, &kLens, kEye, {0, 0, 0}, {0, 0, 0}) == ARCSPAN_OK);
+    if (outlines != nullptr) {
+      const std::size_t bytes = arcspan_outline_bytes(outlines);
+      outline_memory.resize(bytes);
+      REQUIRE(arcspan_smooth_outlines(view, outline_memory.data(), bytes - 1, outlines) ==
+              ARCSPAN_BUFFER_TOO_SMALL);
+      REQUIRE(arcspan_smooth_outlines(view, outline_memory.data(), bytes, outlines) == ARCSPAN_OK);
+      REQUIRE(arcspan_ink_outlines(view, ink) == ARCSPAN_OK);
+      // A call that is refused changes nothing.
+      REQUIRE(arcspan_smooth_outlines(view, outline_memory.data(), bytes - 1, outlines) ==
+              ARCSPAN_BUFFER_TOO_SMALL);
+    }
+    REQUIRE(arcspan_prepare(view) == ARCSPAN_OK);
+  }
+};
+
 struct Scene2 {
   std::vector<unsigned char> memory;
   arcspan_scene* scene = nullptr;
@@ -54,34 +80,23 @@ struct Scene2 {
   explicit Scene2(arcspan_scene_limits limits) : memory(arcspan_scene_bytes(&limits)) {
     REQUIRE(arcspan_scene_make(memory.data(), memory.size(), &limits, &scene) == ARCSPAN_OK);
   }
-  /// The picture, drawn in rectangles of `side` pixels; with outlines in memory of `outlines`.
+  /// The picture, drawn in rectangles of `side` pixels; with outlines in memory of `outlines`, and ink.
   [[nodiscard]] std::vector<std::uint16_t> drawn(const arcspan_outline_limits* outlines = nullptr,
                                                  arcspan_status expected = ARCSPAN_OK,
-                                                 std::int32_t side = kSide) const {
-    const arcspan_view_limits limits = arcspan_limits_of(scene, 0);
-    std::vector<unsigned char> view_memory(arcspan_view_bytes(&limits));
-    arcspan_view* view = nullptr;
-    REQUIRE(arcspan_view_make(view_memory.data(), view_memory.size(), &limits, scene, &view) == ARCSPAN_OK);
-    REQUIRE(arcspan_set_camera(view, &kLens, kEye, {0, 0, 0}, {0, 0, 0}) == ARCSPAN_OK);
-    std::vector<unsigned char> outline_memory(outlines != nullptr ? arcspan_outline_bytes(outlines) : 0);
-    if (outlines != nullptr) {
-      REQUIRE(arcspan_smooth_outlines(view, outline_memory.data(), outline_memory.size() - 1, outlines) ==
-              ARCSPAN_BUFFER_TOO_SMALL);
-      REQUIRE(arcspan_smooth_outlines(view, outline_memory.data(), outline_memory.size(), outlines) ==
-              ARCSPAN_OK);
-    }
-    REQUIRE(arcspan_prepare(view) == ARCSPAN_OK);
+                                                 std::int32_t side = kSide,
+                                                 const arcspan_ink* ink = nullptr) const {
+    const OutlinedView seen(scene, outlines, ink);
     std::vector<std::uint16_t> pixels(kSide * kSide), depths(kSide * kSide), part(kSide * kSide);
     arcspan_status first = ARCSPAN_OK;
+    const std::int32_t more = ink == nullptr ? 1 : 2;
     for (std::int32_t y = 0; y < kSide; y += side) {
       for (std::int32_t x = 0; x < kSide; x += side) {
-        // One pixel more on all sides.
-        const arcspan_rect held{x == 0 ? 0 : x - 1, y == 0 ? 0 : y - 1, std::min(x + side + 1, kSide),
-                                std::min(y + side + 1, kSide)};
+        const arcspan_rect held{std::max(x - more, 0), std::max(y - more, 0),
+                                std::min(x + side + more, kSide), std::min(y + side + more, kSide)};
         const std::int32_t width = held.right - held.left;
         const arcspan_target target{part.data(), 2 * part.size(), 2 * width,     ARCSPAN_RGB565,
                                     held,        depths.data(),   depths.size(), &kBlack};
-        const arcspan_status status = arcspan_draw(view, &target);
+        const arcspan_status status = arcspan_draw(seen.view, &target);
         if (first == ARCSPAN_OK) first = status;
         for (std::int32_t row = y; row < std::min(y + side, held.bottom); ++row) {
           const auto begin = part.begin() + (row - held.top) * width + (x - held.left);
@@ -96,7 +111,8 @@ struct Scene2 {
 
 /// The parts of a model by the method M, or with a texture by T.
 template <class M, class T>
-std::vector<std::uint16_t> drawn_by_cpp(Binary& binary, bool smooth = false) {
+std::vector<std::uint16_t> drawn_by_cpp(Binary& binary, bool smooth = false, const OutlineInk* ink = nullptr,
+                                        std::int32_t toon_steps = 0) {
   StoredModel model;
   REQUIRE(ok(view_model_binary({binary.data(), binary.size}, model)));
   const SceneLight light = SceneLight::directional(normalised(-1, 1, 2));
@@ -110,11 +126,13 @@ std::vector<std::uint16_t> drawn_by_cpp(Binary& binary, bool smooth = false) {
     meshes[i] = part.mesh;
     if (part.texture.texels.empty()) {
       REQUIRE(ok(PreparedMaterial<M>::make(part.material, lights, {part.two_sided}, plain[i])));
+      if (toon_steps != 0) REQUIRE(ok(plain[i].set_toon(toon_steps)));
       objects.emplace_back(meshes[i], plain[i], part.sphere);
     } else {
       Texture<Palette8Texels<>> texture;
       REQUIRE(ok(view_texture(part.texture, texture)));
       REQUIRE(ok(PreparedMaterial<T>::make(part.material, lights, {part.two_sided}, textured[i])));
+      if (toon_steps != 0) REQUIRE(ok(textured[i].set_toon(toon_steps)));
       textured[i] = textured[i].with(texture);
       objects.emplace_back(meshes[i], textured[i], part.sphere);
     }
@@ -144,7 +162,9 @@ std::vector<std::uint16_t> drawn_by_cpp(Binary& binary, bool smooth = false) {
   std::vector<OutlineEdge> edges(2000);
   std::vector<OutlineGap<Rgb565>> gaps(2000);
   SceneOutlines<Rgb565> outlines{outlined, sides, OutlineList(edges), gaps};
-  REQUIRE(ok(draw_scene(scene, frame, depth, memory, Rgb8{}, outlines).status));
+  const SceneResult result = ink == nullptr ? draw_scene(scene, frame, depth, memory, Rgb8{}, outlines)
+                                            : draw_scene(scene, frame, depth, memory, Rgb8{}, outlines, *ink);
+  REQUIRE(ok(result.status));
   return pixels;
 }
 
@@ -158,12 +178,12 @@ TEST_CASE("models in binaries are drawn from C with the pixels of C++") {
     REQUIRE(arcspan_add_binary(smooth.scene, binary.data(), binary.size, nullptr, nullptr) == ARCSPAN_OK);
     CHECK((smooth.drawn() == drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(binary)));
     Scene2 faceted({16, 16});
-    const arcspan_look look{ARCSPAN_FLAT, 1, 0, nullptr};
+    const arcspan_look look{ARCSPAN_FLAT, 1, 0, nullptr, 0};
     REQUIRE(arcspan_add_binary(faceted.scene, binary.data(), binary.size, &look, nullptr) == ARCSPAN_OK);
     CHECK((faceted.drawn() == drawn_by_cpp<Faceted, Textured<Faceted, Palette8Texels<>>>(binary)));
   }
   Binary ball("ball.bin");
-  const arcspan_look look{ARCSPAN_FLAT, 1, 0, nullptr};
+  const arcspan_look look{ARCSPAN_FLAT, 1, 0, nullptr, 0};
   Scene2 smooth({1, 1});
   Scene2 faceted({1, 1});
   REQUIRE(arcspan_add_binary(smooth.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
@@ -198,6 +218,94 @@ TEST_CASE("outlines are smoothed from C as from C++, whole and in rectangles") {
     Scene2 scene({16, 16});
     REQUIRE(arcspan_add_binary(scene.scene, without.data(), without.size, nullptr, nullptr) == ARCSPAN_OK);
     CHECK(scene.drawn(&limits, ARCSPAN_UNSUPPORTED) == scene.drawn());
+  }
+}
+
+TEST_CASE("outlines are inked from C as from C++, whole and in rectangles") {
+  using Smooth = Arc<c::Light>;
+  const arcspan_outline_limits limits{2000, 2000, 2000};
+  Binary lamp("outlined-lamp.bin");
+  Scene2 scene({16, 16});
+  REQUIRE(arcspan_add_binary(scene.scene, lamp.data(), lamp.size, nullptr, nullptr) == ARCSPAN_OK);
+  const auto smooth = scene.drawn(&limits);
+  for (const bool creases : {false, true}) {
+    CAPTURE(creases);
+    const auto width = static_cast<std::uint8_t>(creases ? 1 : 4);
+    const OutlineInk ink{{200, 40, 90}, width, creases};
+    const auto expected = drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(lamp, true, &ink);
+    CHECK(expected != smooth);
+    const arcspan_ink of_c{{200, 40, 90}, width, static_cast<std::uint8_t>(creases)};
+    CHECK(scene.drawn(&limits, ARCSPAN_OK, kSide, &of_c) == expected);
+    CHECK(scene.drawn(&limits, ARCSPAN_OK, 20, &of_c) == expected);
+    const arcspan_outline_limits no_gaps{2000, 2000, 0};
+    CHECK(scene.drawn(&no_gaps, ARCSPAN_BUFFER_TOO_SMALL, kSide, &of_c) == scene.drawn());
+  }
+}
+
+TEST_CASE("ink is refused without memory or out of range, and ends with smoothing") {
+  const arcspan_outline_limits limits{2000, 2000, 2000};
+  Binary lamp("outlined-lamp.bin");
+  Scene2 scene({16, 16});
+  REQUIRE(arcspan_add_binary(scene.scene, lamp.data(), lamp.size, nullptr, nullptr) == ARCSPAN_OK);
+  arcspan_ink ink{{200, 40, 90}, 2, 0};
+  const OutlinedView without(scene.scene, nullptr, nullptr);
+  CHECK(arcspan_ink_outlines(without.view, &ink) == ARCSPAN_NOT_READY);
+  OutlinedView seen(scene.scene, &limits, nullptr);
+  for (const int width : {0, 5, 255}) {
+    ink.width = static_cast<std::uint8_t>(width);
+    CHECK(arcspan_ink_outlines(seen.view, &ink) == ARCSPAN_INVALID_ARGUMENT);
+  }
+  // A format of one bit has ink, but is not smoothed.
+  std::vector<std::uint8_t> bits(kSide * kSide / 8);
+  std::vector<std::uint16_t> depths(kSide * kSide);
+  const arcspan_target target{bits.data(),          bits.size(),   kSide / 8,     ARCSPAN_MONO,
+                              {0, 0, kSide, kSide}, depths.data(), depths.size(), &kBlack};
+  CHECK(arcspan_draw(seen.view, &target) == ARCSPAN_UNSUPPORTED);
+  const auto plain = bits;
+  ink = {{255, 255, 255}, 2, 0};
+  REQUIRE(arcspan_ink_outlines(seen.view, &ink) == ARCSPAN_OK);
+  CHECK(arcspan_draw(seen.view, &target) == ARCSPAN_OK);
+  CHECK(bits != plain);
+  // Other memory keeps the ink, no memory ends it.
+  REQUIRE(arcspan_smooth_outlines(seen.view, seen.outline_memory.data(), seen.outline_memory.size(),
+                                  &limits) == ARCSPAN_OK);
+  REQUIRE(arcspan_prepare(seen.view) == ARCSPAN_OK);
+  const auto inked = bits;
+  CHECK(arcspan_draw(seen.view, &target) == ARCSPAN_OK);
+  CHECK(bits == inked);
+  REQUIRE(arcspan_smooth_outlines(seen.view, nullptr, 0, nullptr) == ARCSPAN_OK);
+  REQUIRE(arcspan_prepare(seen.view) == ARCSPAN_OK);
+  CHECK(arcspan_draw(seen.view, &target) == ARCSPAN_OK);
+  CHECK(bits == plain);
+}
+
+TEST_CASE("the drawn rectangle holds all that outlines change, also of surfaces beside the picture") {
+  const arcspan_outline_limits limits{2000, 2000, 4000};
+  Binary ball("outlined-ball.bin");
+  for (const int width : {0, 1, 4}) {
+    const arcspan_ink ink{{200, 40, 90}, static_cast<std::uint8_t>(width), 1};
+    for (std::int32_t x = -200; x <= 200; x += 8) {  // of the picture's half height: beside it at both ends
+      CAPTURE(width, x);
+      Scene2 scene({1, 1});
+      arcspan_object object = 0;
+      REQUIRE(arcspan_add_binary(scene.scene, ball.data(), ball.size, nullptr, &object) == ARCSPAN_OK);
+      REQUIRE(arcspan_set_scale(scene.scene, object, ARCSPAN_LENGTH(0.4)) == ARCSPAN_OK);
+      REQUIRE(arcspan_set_position(scene.scene, object, {x * 655, 0, x * -218}) == ARCSPAN_OK);
+      const OutlinedView seen(scene.scene, &limits, width == 0 ? nullptr : &ink);
+      const arcspan_rect drawn = arcspan_drawn_rect(seen.view);
+      std::vector<std::uint16_t> whole(kSide * kSide), part(kSide * kSide), depths(kSide * kSide);
+      arcspan_target target{whole.data(),         2 * whole.size(), 2 * kSide,     ARCSPAN_RGB565,
+                            {0, 0, kSide, kSide}, depths.data(),    depths.size(), nullptr};
+      REQUIRE(arcspan_draw(seen.view, &target) == ARCSPAN_OK);
+      if (drawn.left < drawn.right) {
+        const auto first = static_cast<std::size_t>(drawn.top * kSide + drawn.left);
+        target.pixels = part.data() + first;
+        target.bytes = 2 * (part.size() - first);
+        target.held = drawn;
+        REQUIRE(arcspan_draw(seen.view, &target) == ARCSPAN_OK);
+      }
+      REQUIRE(part == whole);
+    }
   }
 }
 
@@ -241,6 +349,34 @@ TEST_CASE("materials of binaries follow the light") {
   CHECK((after.drawn() != bright));
 }
 
+TEST_CASE("light in steps is that of C++, a material of its own, and follows the light") {
+  using Smooth = Arc<c::Light>;
+  const arcspan_look toon{ARCSPAN_ARC, 1, 0, nullptr, 3};
+  for (const char* const name : {"outlined-lamp.bin", "sign.bin"}) {
+    CAPTURE(name);
+    Binary binary(name);
+    Scene2 scene({16, 16});
+    REQUIRE(arcspan_add_binary(scene.scene, binary.data(), binary.size, &toon, nullptr) == ARCSPAN_OK);
+    const auto steps = scene.drawn();
+    CHECK((steps == drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(binary, false, nullptr, 3)));
+    CHECK((steps != drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(binary)));
+  }
+  Binary ball("ball.bin");
+  Scene2 one({2, 1});
+  REQUIRE(arcspan_add_binary(one.scene, ball.data(), ball.size, &toon, nullptr) == ARCSPAN_OK);
+  CHECK(arcspan_add_binary(one.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_BUFFER_TOO_SMALL);
+  const auto bright = one.drawn();
+  const arcspan_shares white{32768, 32768, 32768};
+  const arcspan_light dim{{-1, 1, 2}, 0, 12000, white};
+  REQUIRE(arcspan_set_lights(one.scene, &dim, 1, white) == ARCSPAN_OK);
+  const auto dark = one.drawn();
+  CHECK(dark != bright);
+  Scene2 gradual({1, 1});
+  REQUIRE(arcspan_set_lights(gradual.scene, &dim, 1, white) == ARCSPAN_OK);
+  REQUIRE(arcspan_add_binary(gradual.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
+  CHECK(gradual.drawn() != dark);
+}
+
 TEST_CASE("binaries that cannot be drawn change nothing in a scene") {
   Binary lamp("lamp.bin");
   Binary ball("ball.bin");
@@ -259,13 +395,17 @@ TEST_CASE("binaries that cannot be drawn change nothing in a scene") {
   lamp.data()[lamp.size / 2] ^= 1;
   CHECK(add(lamp, lamp.size, nullptr) == ARCSPAN_CORRUPTED);
   lamp.data()[lamp.size / 2] ^= 1;
-  const arcspan_look gouraud{ARCSPAN_GOURAUD, 1, 0, nullptr};
+  const arcspan_look gouraud{ARCSPAN_GOURAUD, 1, 0, nullptr, 0};
   CHECK(add(lamp, lamp.size, &gouraud) == ARCSPAN_UNSUPPORTED);
   CHECK(add(direct, direct.size, nullptr) == ARCSPAN_UNSUPPORTED);
-  const arcspan_look tolerance{ARCSPAN_ARC, 65, 0, nullptr};
+  const arcspan_look tolerance{ARCSPAN_ARC, 65, 0, nullptr, 0};
   CHECK(add(lamp, lamp.size, &tolerance) == ARCSPAN_INVALID_ARGUMENT);
+  for (const std::uint8_t steps : {std::uint8_t{1}, std::uint8_t{17}, std::uint8_t{255}}) {
+    const arcspan_look toon{ARCSPAN_ARC, 1, 0, nullptr, steps};
+    CHECK(add(lamp, lamp.size, &toon) == ARCSPAN_INVALID_ARGUMENT);
+  }
   const arcspan_material bright{{40000, 0, 0}, {0, 0, 0}, {0, 0, 0}, 16};
-  const arcspan_look too_bright{ARCSPAN_ARC, 1, 0, &bright};
+  const arcspan_look too_bright{ARCSPAN_ARC, 1, 0, &bright, 0};
   CHECK(add(lamp, lamp.size, &too_bright) == ARCSPAN_INVALID_ARGUMENT);
   CHECK(arcspan_limits_of(scene.scene, 0).objects == 0);
   Scene2 no_materials({16, 1});

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_c/model.hpp>
 #include <tests/lvgl/screen.hpp>
+#include <tests/support/neighbours.hpp>
 
 #include <cstdlib>
 
 namespace {
 std::size_t least_failing = 0;
-bool fails(std::size_t bytes) { return least_failing != 0 && bytes >= least_failing; }
+std::size_t end_of_failing = 0;
+bool fails(std::size_t bytes) {
+  return least_failing != 0 && bytes >= least_failing && bytes < end_of_failing;
+}
 }  // namespace
 
 // The allocator of LVGL (LV_STDLIB_CUSTOM).
@@ -23,7 +28,10 @@ lv_result_t lv_mem_test_core(void) { return LV_RESULT_OK; }
 
 namespace arcspan::test {
 
-void fail_allocations_from(std::size_t bytes) { least_failing = bytes; }
+void fail_allocations_from(std::size_t bytes, std::size_t end) {
+  least_failing = bytes;
+  end_of_failing = end;
+}
 
 Screen::Screen(const DisplaySetting& setting) : setting_(setting) {
   lv_init();
@@ -88,11 +96,22 @@ std::vector<std::uint8_t> Screen::pixel(std::int32_t x, std::int32_t y) const {
   return {at, at + static_cast<std::int32_t>(pixel_bytes())};
 }
 
-BallScene::BallScene() {
+const arcspan_model& outlined_ball() {
+  static c::ModelPart part = ball.parts[0];
+  part.make_neighbours = [](const MeshView& mesh, MeshNeighbours& neighbours) {
+    static const TestNeighbours made(mesh, true);
+    neighbours = made.view;
+    return Status::kOk;
+  };
+  static const arcspan_model model{&part, 1};
+  return model;
+}
+
+BallScene::BallScene(const arcspan_model& model) {
   const arcspan_scene_limits limits{1, 0};
   memory.resize(arcspan_scene_bytes(&limits));
   REQUIRE(arcspan_scene_make(memory.data(), memory.size(), &limits, &scene) == ARCSPAN_OK);
-  REQUIRE(arcspan_add_model(scene, &ball, &object) == ARCSPAN_OK);
+  REQUIRE(arcspan_add_model(scene, &model, &object) == ARCSPAN_OK);
 }
 
 lv_obj_t* make_view(const BallScene& balls) {

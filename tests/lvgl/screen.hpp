@@ -62,20 +62,23 @@ class Screen {
   lv_display_t* display_ = nullptr;
 };
 
+/// The ball with the neighbours of its triangles, for outlines. All edges are creases.
+const arcspan_model& outlined_ball();
+
 /// A scene of one ball.
 struct BallScene {
   std::vector<unsigned char> memory;
   arcspan_scene* scene = nullptr;
   arcspan_object object = 0;
 
-  BallScene();
+  explicit BallScene(const arcspan_model& model = ball);
 };
 
 /// A view of the ball at (20, 10) of the active screen, 100 x 80 pixels, which drags turn.
 lv_obj_t* make_view(const BallScene& balls);
 
-/// Allocations of at least so many bytes fail; 0 lets all succeed. Smaller ones never do, because LVGL itself
-/// does not check them all.
-void fail_allocations_from(std::size_t bytes);
+/// Allocations of at least so many bytes and fewer than `end` fail; 0 lets all succeed. Smaller ones never
+/// do, because LVGL itself does not check them all.
+void fail_allocations_from(std::size_t bytes, std::size_t end = SIZE_MAX);
 
 }  // namespace arcspan::test

@@ -34,10 +34,22 @@ bool is_in(const lv_point_t& point, const lv_area_t& area) {
   return point.x >= area.x1 && point.x <= area.x2 && point.y >= area.y1 && point.y <= area.y2;
 }
 
-std::vector<std::uint8_t> shown(const DisplaySetting& setting) {
+constexpr arcspan_outline_limits kOutlines{300, 1000, 4000};
+
+/// How the outlines of a view are drawn.
+enum Outlines { kPlain, kSmooth, kInked, kInkedCreases };
+
+void set_outlines(lv_obj_t* view, Outlines outlines) {
+  const arcspan_ink ink{{200, 40, 90}, 3, outlines == kInkedCreases};
+  REQUIRE(lv_arcspan_view_set_outlines(view, outlines == kPlain ? nullptr : &kOutlines,
+                                       outlines < kInked ? nullptr : &ink) == ARCSPAN_OK);
+}
+
+std::vector<std::uint8_t> shown(const DisplaySetting& setting, Outlines outlines = kPlain) {
   Screen screen(setting);
-  BallScene balls;
+  BallScene balls(outlined_ball());
   lv_obj_t* const view = make_view(balls);
+  set_outlines(view, outlines);
   lv_obj_t* const label = lv_label_create(view);
   lv_label_set_text(label, "above");
   lv_obj_center(label);
@@ -66,43 +78,151 @@ TEST_CASE("partial, direct and full rendering show the same pixels, in every for
   }
 }
 
-TEST_CASE("the picture is the one that arcspan_draw() draws over the background") {
-  for (const lv_color_format_t format : kFormats) {
+TEST_CASE("smooth and inked outlines are the same, whatever is drawn at a time") {
+  for (const lv_color_format_t format :
+       {LV_COLOR_FORMAT_RGB565, LV_COLOR_FORMAT_XRGB8888, LV_COLOR_FORMAT_ARGB8888}) {
     CAPTURE(format);
-    Screen screen({format, LV_DISPLAY_RENDER_MODE_PARTIAL, 16});
-    BallScene balls;
-    lv_obj_t* const view = make_view(balls);
-    lv_obj_set_style_bg_opa(view, LV_OPA_COVER, 0);
-    lv_obj_set_style_bg_color(view, lv_color_black(), 0);
-    lv_obj_set_style_border_width(view, 0, 0);
-    lv_obj_set_style_radius(view, 0, 0);
-    lv_obj_set_style_pad_all(view, 0, 0);
-    screen.refresh();
+    auto before = shown({format, LV_DISPLAY_RENDER_MODE_DIRECT});
+    for (const Outlines outlines : {kSmooth, kInked, kInkedCreases}) {
+      CAPTURE(outlines);
+      const auto direct = shown({format, LV_DISPLAY_RENDER_MODE_DIRECT}, outlines);
+      CHECK((direct != before));
+      CHECK((shown({format, LV_DISPLAY_RENDER_MODE_PARTIAL, 20}, outlines) == direct));
+      CHECK((shown({format, LV_DISPLAY_RENDER_MODE_PARTIAL, 7}, outlines) == direct));
+      before = direct;
+    }
+  }
+}
 
-    const arcspan_view_limits limits = arcspan_limits_of(balls.scene, 0);
-    std::vector<unsigned char> memory(arcspan_view_bytes(&limits));
-    arcspan_view* bare = nullptr;
-    REQUIRE(arcspan_view_make(memory.data(), memory.size(), &limits, balls.scene, &bare) == ARCSPAN_OK);
-    const arcspan_lens lens{100, 80, ARCSPAN_DEGREES(45), 0, ARCSPAN_LENGTH(1), ARCSPAN_LENGTH(16)};
-    REQUIRE(arcspan_set_camera(bare, &lens, {0, 0, ARCSPAN_LENGTH(3)}, {0, 0, 0}, {0, 0, 0}) == ARCSPAN_OK);
-    REQUIRE(arcspan_prepare(bare) == ARCSPAN_OK);
-    const std::size_t pixel = screen.pixel_bytes();
-    std::vector<std::uint8_t> pixels(100 * 80 * pixel);
-    std::vector<std::uint16_t> depths(100 * 80);
-    const arcspan_rgb black{0, 0, 0};
-    const arcspan_target target{pixels.data(),     pixels.size(),   static_cast<std::int32_t>(100 * pixel),
-                                format_of(format), {0, 0, 100, 80}, depths.data(),
-                                depths.size(),     &black};
-    REQUIRE(arcspan_draw(bare, &target) == ARCSPAN_OK);
-    for (std::int32_t y = 0; y < 80; ++y) {
-      for (std::int32_t x = 0; x < 100; ++x) {
-        const auto at = pixels.begin() + (y * 100 + x) * static_cast<std::int32_t>(pixel);
-        std::vector<std::uint8_t> expected(at, at + static_cast<std::int32_t>(pixel));
-        std::vector<std::uint8_t> found = screen.pixel(20 + x, 10 + y);
-        if (format == LV_COLOR_FORMAT_XRGB8888) expected[3] = found[3];  // of no meaning
-        REQUIRE(found == expected);
+/// The ball drawn by arcspan_draw() alone, 100 x 80 pixels on black.
+std::vector<std::uint8_t> drawn_bare(const BallScene& balls, lv_color_format_t format, Outlines outlines) {
+  const arcspan_view_limits limits = arcspan_limits_of(balls.scene, 0);
+  std::vector<unsigned char> memory(arcspan_view_bytes(&limits));
+  std::vector<unsigned char> outline_memory(arcspan_outline_bytes(&kOutlines));
+  arcspan_view* bare = nullptr;
+  REQUIRE(arcspan_view_make(memory.data(), memory.size(), &limits, balls.scene, &bare) == ARCSPAN_OK);
+  const arcspan_lens lens{100, 80, ARCSPAN_DEGREES(45), 0, ARCSPAN_LENGTH(1), ARCSPAN_LENGTH(16)};
+  REQUIRE(arcspan_set_camera(bare, &lens, {0, 0, ARCSPAN_LENGTH(3)}, {0, 0, 0}, {0, 0, 0}) == ARCSPAN_OK);
+  void* const given = outlines == kPlain ? nullptr : outline_memory.data();
+  REQUIRE(arcspan_smooth_outlines(bare, given, outline_memory.size(), &kOutlines) == ARCSPAN_OK);
+  REQUIRE(arcspan_prepare(bare) == ARCSPAN_OK);
+  const std::size_t pixel = lv_color_format_get_size(format);
+  std::vector<std::uint8_t> pixels(100 * 80 * pixel);
+  std::vector<std::uint16_t> depths(100 * 80);
+  const arcspan_rgb black{0, 0, 0};
+  const arcspan_target target{pixels.data(),     pixels.size(),   static_cast<std::int32_t>(100 * pixel),
+                              format_of(format), {0, 0, 100, 80}, depths.data(),
+                              depths.size(),     &black};
+  REQUIRE(arcspan_draw(bare, &target) == ARCSPAN_OK);
+  return pixels;
+}
+
+void check_picture(lv_color_format_t format, Outlines outlines) {
+  CAPTURE(format, outlines);
+  Screen screen({format, LV_DISPLAY_RENDER_MODE_PARTIAL, 16});
+  BallScene balls(outlined_ball());
+  lv_obj_t* const view = make_view(balls);
+  set_outlines(view, outlines);
+  lv_obj_set_style_bg_opa(view, LV_OPA_COVER, 0);
+  lv_obj_set_style_bg_color(view, lv_color_black(), 0);
+  lv_obj_set_style_border_width(view, 0, 0);
+  lv_obj_set_style_radius(view, 0, 0);
+  lv_obj_set_style_pad_all(view, 0, 0);
+  screen.refresh();
+  const std::vector<std::uint8_t> pixels = drawn_bare(balls, format, outlines);
+  const std::size_t pixel = screen.pixel_bytes();
+  const int tolerance = outlines == kPlain ? 0 : 2;  // LVGL rounds otherwise
+  for (std::int32_t y = 0; y < 80; ++y) {
+    for (std::int32_t x = 0; x < 100; ++x) {
+      const std::vector<std::uint8_t> found = screen.pixel(20 + x, 10 + y);
+      const auto at = static_cast<std::size_t>(y * 100 + x) * pixel;
+      for (std::size_t i = 0; i < pixel; ++i) {
+        if (format == LV_COLOR_FORMAT_XRGB8888 && i == 3) continue;  // of no meaning
+        REQUIRE(std::abs(found[i] - pixels[at + i]) <= tolerance);
       }
     }
+  }
+}
+
+TEST_CASE("the picture is the one that arcspan_draw() draws over the background") {
+  for (const lv_color_format_t format : kFormats) check_picture(format, kPlain);
+  for (const lv_color_format_t format :
+       {LV_COLOR_FORMAT_RGB888, LV_COLOR_FORMAT_XRGB8888, LV_COLOR_FORMAT_ARGB8888, LV_COLOR_FORMAT_L8})
+    check_picture(format, kSmooth);
+}
+
+TEST_CASE("a layer whose outlines lack memory for depths is left out, and the next frame is right") {
+  const auto expected = shown({}, kSmooth);
+  Screen screen({LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_DIRECT});
+  BallScene balls(outlined_ball());
+  lv_obj_t* const view = make_view(balls);
+  lv_obj_t* const label = lv_label_create(view);
+  lv_label_set_text(label, "above");
+  lv_obj_center(label);
+  set_outlines(view, kSmooth);
+  lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(0.2));
+  screen.refresh();
+  lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(1));
+  fail_allocations_from(2500, 5000);  // more depths, but no layer
+  screen.refresh();
+  CHECK(lv_arcspan_view_get_dropped(view) > 0);
+  CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_BUFFER_TOO_SMALL);
+  fail_allocations_from(0);
+  screen.refresh();
+  CHECK((screen.pixels == expected));
+}
+
+TEST_CASE("outlines that cannot be smoothed leave the picture as it is, with a status") {
+  const auto plain = shown({});
+  SECTION("ink out of range is refused") {
+    Screen screen;
+    BallScene balls(outlined_ball());
+    lv_obj_t* const view = make_view(balls);
+    for (const std::uint8_t width : {std::uint8_t{0}, std::uint8_t{5}}) {
+      const arcspan_ink ink{{0, 0, 0}, width, 0};
+      CHECK(lv_arcspan_view_set_outlines(view, &kOutlines, &ink) == ARCSPAN_INVALID_ARGUMENT);
+    }
+  }
+  SECTION("without neighbours") {
+    Screen screen;
+    BallScene balls;
+    lv_obj_t* const view = make_view(balls);
+    set_outlines(view, kSmooth);
+    lv_obj_t* const label = lv_label_create(view);
+    lv_label_set_text(label, "above");
+    lv_obj_center(label);
+    screen.refresh();
+    CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_UNSUPPORTED);
+    CHECK(lv_arcspan_view_get_dropped(view) == 0);
+    CHECK((screen.pixels == plain));
+  }
+  SECTION("with too little memory") {
+    const auto smooth = shown({}, kSmooth);
+    Screen screen;
+    BallScene balls(outlined_ball());
+    lv_obj_t* const view = make_view(balls);
+    lv_obj_t* const label = lv_label_create(view);
+    lv_label_set_text(label, "above");
+    lv_obj_center(label);
+    const arcspan_outline_limits few{300, 1, 1000};
+    REQUIRE(lv_arcspan_view_set_outlines(view, &few, nullptr) == ARCSPAN_OK);
+    screen.refresh();
+    CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_BUFFER_TOO_SMALL);
+    CHECK(lv_arcspan_view_get_dropped(view) == 0);
+    CHECK((screen.pixels == plain));
+    screen.invalidated.clear();
+    screen.refresh();
+    CHECK(screen.invalidated.empty());  // it is not tried again
+
+    set_outlines(view, kSmooth);  // takes 76 KB
+    fail_allocations_from(20000);
+    screen.refresh();
+    CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_BUFFER_TOO_SMALL);
+    CHECK(lv_arcspan_view_get_dropped(view) == 1);
+    fail_allocations_from(0);
+    screen.refresh();
+    CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_OK);
+    CHECK((screen.pixels == smooth));
   }
 }
 
@@ -112,13 +232,16 @@ TEST_CASE("400 random repaints show what one redraw of all shows") {
     return std::uniform_int_distribution<std::int32_t>(least, most)(random);
   };
   Screen screen({LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_PARTIAL, 12});
-  BallScene balls;
+  BallScene balls(outlined_ball());
   lv_obj_t* const view = make_view(balls);
   lv_obj_set_style_radius(view, 25, 0);
   lv_obj_set_style_clip_corner(view, true, 0);
   arcspan_quaternion rotation{1 << 30, 0, 0, 0};
   for (int i = 0; i < 400; ++i) {
-    switch (number(0, 4)) {
+    switch (number(0, 5)) {
+      case 5:
+        set_outlines(view, static_cast<Outlines>(number(kPlain, kInkedCreases)));
+        break;
       case 0:
         rotation = arcspan_multiply(
             {1 << 30, number(-100000000, 100000000), number(-100000000, 100000000), 0}, rotation);

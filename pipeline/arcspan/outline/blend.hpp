@@ -19,6 +19,22 @@ concept SwappedRgb565 = requires(std::uint16_t v) {
   F::swapped(v);
 };
 
+/// A pixel 0xAARRGGBB with a share of `share` / 32 of `other`, 0...32. Colours count as much as they are
+/// opaque.
+[[nodiscard]] constexpr std::uint32_t blended_with_alpha(std::uint32_t pixel, std::uint32_t other,
+                                                         std::uint32_t share) {
+  const std::uint32_t a = (pixel >> 24) * (32 - share);
+  const std::uint32_t b = (other >> 24) * share;
+  const std::uint32_t alpha = ((a + b + 16) >> 5) << 24;
+  if (b == 0) return alpha | (pixel & 0xFFFFFFu);
+  if (a == 0) return alpha | (other & 0xFFFFFFu);
+  const auto mixed = [=](unsigned shift) {
+    const std::uint32_t sum = a * ((pixel >> shift) & 255u) + b * ((other >> shift) & 255u);
+    return (sum + (a + b) / 2) / (a + b) << shift;
+  };
+  return alpha | mixed(16) | mixed(8) | mixed(0);
+}
+
 /// The pixel with a share of `share` / 32 of `other`, 0...32, and the rest of `pixel`.
 template <PixelFormat F>
 [[nodiscard]] ARCSPAN_INLINE constexpr typename F::Encoded blended(typename F::Encoded pixel,
@@ -28,6 +44,8 @@ template <PixelFormat F>
     return joined(mixed_spread(spread(pixel), spread(other), share));
   } else if constexpr (SwappedRgb565<F>) {
     return F::swapped(joined(mixed_spread(spread(F::swapped(pixel)), spread(F::swapped(other)), share)));
+  } else if constexpr (requires { requires F::kHasAlpha; }) {
+    return blended_with_alpha(pixel, other, share);
   } else {
     const auto mixed = [share](std::uint32_t a, std::uint32_t b) {
       return static_cast<std::uint8_t>((a * (32 - share) + b * share + 16) >> 5);

@@ -5,8 +5,12 @@
 
 namespace arcspan {
 
-/// 32 bits per pixel, 0xFFRRGGBB in a native word. Every pixel is opaque, as compositors expect of a layer.
-struct Argb8888 : Rgb32<255> {};
+/// 32 bits per pixel, 0xAARRGGBB in a native word. Every drawn pixel is opaque, as compositors expect of a
+/// layer. Smooth outlines and ink over transparent pixels are blended into the alpha; colours are not
+/// premultiplied by it.
+struct Argb8888 : Rgb32<255> {
+  static constexpr bool kHasAlpha = true;
+};
 
 static_assert(PixelFormat<Argb8888>);
 

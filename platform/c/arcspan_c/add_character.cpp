@@ -106,6 +106,8 @@ size_t arcspan_character_bytes(const void* binary, size_t bytes) {
 arcspan_status arcspan_add_character(arcspan_scene* scene, const void* binary, size_t bytes,
                                      const arcspan_look* look, void* memory, size_t memory_bytes,
                                      arcspan_character** character) {
+  const arcspan_look& used = look != nullptr ? *look : c::kUsualLook;
+  if (ARCSPAN_C_TOON == 0 && used.toon_steps != 0) return ARCSPAN_UNSUPPORTED;
   AnimatedModel animated;
   Status status = animated.view(binary, bytes);
   if (!ok(status)) return static_cast<arcspan_status>(status);
@@ -119,7 +121,7 @@ arcspan_status arcspan_add_character(arcspan_scene* scene, const void* binary, s
       arcspan_character{*scene, object, animated.animation, {}, parts.nodes, parts.joints, parts.weights};
   c::NewObject added(*scene);
   for (std::size_t i = 0; i < animated.model.part_count() && ok(status); ++i)
-    status = add_part(added, animated, i, look != nullptr ? *look : c::kUsualLook, parts);
+    status = add_part(added, animated, i, used, parts);
   scene->make_materials = c::make_materials;
   const arcspan_status finished = added.finish(status, &object);
   if (finished != ARCSPAN_OK) return finished;

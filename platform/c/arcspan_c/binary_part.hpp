@@ -11,12 +11,15 @@
 namespace arcspan::c {
 
 /// That of NULL for a look.
-inline constexpr arcspan_look kUsualLook = {ARCSPAN_ARC, 1, 0, nullptr};
+inline constexpr arcspan_look kUsualLook = {ARCSPAN_ARC, 1, 0, nullptr, 0};
 
 /// The source of the material of a part.
 [[nodiscard]] inline MaterialSource source_of(const arcspan_look& look, const Material& material,
                                               bool two_sided, const StoredTexture& texture) {
   MaterialSource source{material, texture, {two_sided || look.two_sided != 0}, look.method, look.tolerance};
+#if ARCSPAN_C_TOON
+  source.toon_steps = look.toon_steps;
+#endif
   if (look.material != nullptr) {
     source.material = {coefficients(look.material->ambient), coefficients(look.material->diffuse),
                        coefficients(look.material->specular), look.material->shininess};

@@ -11,15 +11,24 @@
 
 namespace arcspan::c {
 
-/// Smooths the outlines of what was drawn.
+/// Inks and smooths the outlines of what was drawn, with the status of draw_scene().
 template <class Window>
-[[nodiscard]] Status smooth_drawn(const ViewOutlines& outlines, Window& window, const DepthBuffer& depth) {
-  using Gap = OutlineGap<typename Window::Format>;
+[[nodiscard]] Status finish_outlines(const ViewOutlines& outlines, Window& window, const DepthBuffer& depth) {
+  using Format = typename Window::Format;
+  using Gap = OutlineGap<Format>;
   static_assert(sizeof(Gap) <= kGapBytes && alignof(Gap) <= kGapAlignment);
   const std::span<Gap> gaps(static_cast<Gap*>(static_cast<void*>(outlines.gaps.data())),
                             outlines.gaps.size() / kGapBytes);
-  const Status status = smooth_outlines(outlines.edges, window, depth, gaps);
-  return ok(outlines.status) ? status : outlines.status;
+  Status status = outlines.status;
+#if ARCSPAN_C_INK
+  if (outlines.ink.width != 0) {
+    const Status inked = ink_outlines(outlines.edges, outlines.ink, window, depth, gaps);
+    if (ok(status)) status = inked;
+    if constexpr (!arcspan::detail::kCanBlend<Format>) return status;
+  }
+#endif
+  const Status smoothed = smooth_outlines(outlines.edges, window, depth, gaps);
+  return ok(status) ? smoothed : status;
 }
 
 /// arcspan_draw() for the format F.
@@ -38,7 +47,7 @@ template <PixelFormat F>
   }
   const Status drawn = draw_prepared_scene(view.memory, window, depth).status;
 #if ARCSPAN_C_OUTLINES
-  if (ok(drawn) && !view.outlines.sides.empty()) return smooth_drawn(view.outlines, window, depth);
+  if (ok(drawn) && !view.outlines.sides.empty()) return finish_outlines(view.outlines, window, depth);
 #endif
   return drawn;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_c/scene.hpp>
 
+#include <cstdint>
 #include <new>
 #include <type_traits>
 
@@ -21,6 +22,18 @@ template <class Chosen>
   }
 }
 
+#if ARCSPAN_C_TOON
+template <class Prepared>
+[[nodiscard]] Status set_toon(Prepared& prepared, std::int32_t steps) {
+  if (steps == 0) return Status::kOk;
+  if constexpr (Light::kHasRamp) {
+    return prepared.set_toon(steps);
+  } else {
+    return Status::kUnsupported;
+  }
+}
+#endif
+
 template <class Chosen>
 [[nodiscard]] Status make_by(MadeMaterial& made, const LightList& lights) {
   using Texels = typename Chosen::Texels;
@@ -29,6 +42,9 @@ template <class Chosen>
   auto& prepared = *new (made.prepared) Prepared;
   Status status = Prepared::make(source.material, lights, source.options, prepared);
   if (ok(status)) status = prepared.set_tolerance(source.tolerance);
+#if ARCSPAN_C_TOON
+  if (ok(status)) status = set_toon(prepared, source.toon_steps);
+#endif
   if constexpr (!std::is_void_v<Texels>) {
     Texture<Texels> texture;
     if (ok(status)) status = view_texture(source.texture, texture);
@@ -62,6 +78,9 @@ bool is_same(const MaterialSource& a, const MaterialSource& b) {
   return is_same(a.material.ambient, b.material.ambient) && is_same(a.material.diffuse, b.material.diffuse) &&
          is_same(a.material.specular, b.material.specular) && a.material.shininess == b.material.shininess &&
          a.texture.texels.data() == b.texture.texels.data() && a.method == b.method &&
+#if ARCSPAN_C_TOON
+         a.toon_steps == b.toon_steps &&
+#endif
          a.tolerance == b.tolerance && a.options.two_sided == b.options.two_sided;
 }
 

@@ -43,6 +43,9 @@ struct MaterialSource {
   DrawOptions options;
   arcspan_method method;
   std::uint8_t tolerance;
+#if ARCSPAN_C_TOON
+  std::uint8_t toon_steps = 0;
+#endif
 };
 
 /// A material that is prepared at run time.
@@ -55,8 +58,8 @@ struct MadeMaterial {
   }
 };
 
-/// Makes `made.prepared` of its source for the lights. Returns kUnsupported for a method or texture that is
-/// not compiled, else the status of PreparedMaterial::make() or set_tolerance().
+/// Makes `made.prepared` of its source for the lights. Returns kUnsupported for a method, texture or light in
+/// steps that is not compiled, else the status of PreparedMaterial::make(), set_tolerance() or set_toon().
 [[nodiscard]] Status make_material(MadeMaterial& made, const LightList& lights);
 
 /// make_material() for all of a scene, after its lights have changed. Of arcspan_scene::make_materials.

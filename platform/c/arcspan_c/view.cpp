@@ -151,6 +151,40 @@ void find_outlines_of(arcspan_view& view) {
   view.outlines.edges = outlines.edges;
 }
 
+/// The pixels that ink may change on both sides of those that smoothing does: it lies at an angle.
+[[nodiscard]] std::int32_t reach_of_ink([[maybe_unused]] const c::ViewOutlines& outlines) {
+#if ARCSPAN_C_INK
+  return (3 * outlines.ink.width + 1) / 2;
+#else
+  return 0;
+#endif
+}
+
+/// The pixels that smoothing changes at an edge, and `more` on all sides, from the raster's origin.
+[[nodiscard]] Rect pixels_at(const OutlineEdge& edge, std::int32_t more) {
+  const auto first = [=](std::int32_t a, std::int32_t b) { return (((a < b ? a : b) - 8) >> 4) - more; };
+  const auto end = [=](std::int32_t a, std::int32_t b) { return (((a < b ? b : a) + 24) >> 4) + more; };
+  const RasterPosition& a = edge.from;
+  const RasterPosition& b = edge.to;
+  return {first(a.x, b.x), first(a.y, b.y), end(a.x, b.x), end(a.y, b.y)};
+}
+
+/// The rectangle around `drawn` and all pixels that outlines change.
+[[nodiscard]] Rect with_outlines(const c::ViewOutlines& outlines, const Rect& drawn) {
+  const std::int32_t more = reach_of_ink(outlines);
+  const Viewport& viewport = outlines.edges.viewport();
+  const std::int32_t x = viewport.width >> 1;
+  const std::int32_t y = viewport.height >> 1;
+  Rect all = drawn;
+  for (const OutlineEdge& edge : outlines.edges.edges()) {
+    const Rect at = pixels_at(edge, more);
+    const Rect in_picture{at.left + x, at.top + y, at.right + x, at.bottom + y};
+    all = bounding_rect(all,
+                        arcspan::detail::intersection({0, 0, viewport.width, viewport.height}, in_picture));
+  }
+  return all;
+}
+
 }  // namespace
 
 size_t arcspan_outline_bytes(const arcspan_outline_limits* limits) {
@@ -161,15 +195,17 @@ size_t arcspan_outline_bytes(const arcspan_outline_limits* limits) {
 
 arcspan_status arcspan_smooth_outlines(arcspan_view* view, void* memory, size_t bytes,
                                        const arcspan_outline_limits* limits) {
-  view->outlines = {};
-  if (memory == nullptr) return ARCSPAN_OK;
+  if (memory == nullptr) {
+    view->outlines = {};
+    return ARCSPAN_OK;
+  }
   const std::size_t wanted = arcspan_outline_bytes(limits);
   if (bytes < wanted || wanted == SIZE_MAX) return ARCSPAN_BUFFER_TOO_SMALL;
   c::MemoryParts all(memory);
   const OutlineParts parts = take_parts(all, *limits);
-  view->outlines = {{parts.sides, limits->triangles},
-                    OutlineList({parts.edges, limits->edges}),
-                    {parts.gaps, c::kGapBytes * limits->gaps}};
+  view->outlines.sides = {parts.sides, limits->triangles};
+  view->outlines.edges = OutlineList({parts.edges, limits->edges});
+  view->outlines.gaps = {parts.gaps, c::kGapBytes * limits->gaps};
   return ARCSPAN_OK;
 }
 
@@ -183,6 +219,22 @@ arcspan_status arcspan_smooth_outlines(arcspan_view*, void*, size_t, const arcsp
 
 #endif
 
+arcspan_status arcspan_ink_outlines([[maybe_unused]] arcspan_view* view,
+                                    [[maybe_unused]] const arcspan_ink* ink) {
+#if ARCSPAN_C_INK
+  if (ink == nullptr) {
+    view->outlines.ink.width = 0;
+    return ARCSPAN_OK;
+  }
+  if (view->outlines.sides.empty()) return ARCSPAN_NOT_READY;
+  if (ink->width < 1 || ink->width > OutlineInk::kWidest) return ARCSPAN_INVALID_ARGUMENT;
+  view->outlines.ink = {{ink->colour.r, ink->colour.g, ink->colour.b}, ink->width, ink->creases != 0};
+  return ARCSPAN_OK;
+#else
+  return ARCSPAN_UNSUPPORTED;
+#endif
+}
+
 arcspan_status arcspan_prepare(arcspan_view* view) {
   const arcspan_scene& scene = view->scene;
   const std::span<const Object> objects(scene.objects, scene.object_count);
@@ -194,7 +246,10 @@ arcspan_status arcspan_prepare(arcspan_view* view) {
 }
 
 arcspan_rect arcspan_drawn_rect(arcspan_view* view) {
-  const Rect rect = ok(view->status) ? drawn_rect(view->memory) : Rect{};
+  Rect rect = ok(view->status) ? drawn_rect(view->memory) : Rect{};
+#if ARCSPAN_C_OUTLINES
+  if (ok(view->status)) rect = with_outlines(view->outlines, rect);
+#endif
   return {rect.left, rect.top, rect.right, rect.bottom};
 }
 

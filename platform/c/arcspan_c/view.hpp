@@ -23,6 +23,9 @@ struct ViewOutlines {
   OutlineList edges{{}};
   std::span<std::byte> gaps{};
   Status status = Status::kOk;  ///< of finding the outlines of the frame
+#if ARCSPAN_C_INK
+  OutlineInk ink{{}, 0, false};  ///< of width 0: none
+#endif
 };
 
 }  // namespace arcspan::c

@@ -223,6 +223,49 @@ TEMPLATE_TEST_CASE("Smooth outlines: in every format a pixel is the mixture of b
   CHECK(TestType::encode(TestType::decode(encoded)) == encoded);
 }
 
+TEST_CASE("Smooth outlines: a layer with alpha, laid over a colour, is the picture on that colour") {
+  Random random(54);
+  for (int i = 0; i < share_of(20); ++i) {
+    const OutlineScene scene(random, i % 2 != 0);
+    PictureOf<Argb8888> opaque(scene.bounds());
+    PictureOf<Argb8888> layer(scene.bounds());
+    // The colour of what is transparent does not matter.
+    for (std::uint32_t& word : layer.colours) word = static_cast<std::uint32_t>(random.integer(0, 0xFFFFFF));
+    for (PictureOf<Argb8888>* const picture : {&opaque, &layer}) {
+      scene.draw(*picture);
+      REQUIRE(ok(smooth(scene.outlines, *picture)));
+    }
+    int worst = 0;
+    int partial = 0;
+    for (std::size_t at = 0; at < layer.colours.size(); ++at) {
+      const auto channel = [at](const PictureOf<Argb8888>& picture, int shift) {
+        return static_cast<int>(picture.colours[at] >> shift & 255u);
+      };
+      const int alpha = channel(layer, 24);
+      partial += alpha > 0 && alpha < 255;
+      CHECK(channel(opaque, 24) == 255);
+      const int below[] = {kBackground.b, kBackground.g, kBackground.r};
+      for (int c = 0; c < 3; ++c) {
+        const int laid = (channel(layer, 8 * c) * alpha + below[c] * (255 - alpha) + 127) / 255;
+        worst = std::max(worst, std::abs(laid - channel(opaque, 8 * c)));
+      }
+    }
+    CHECK(partial > 50);
+    CHECK(worst <= 2);
+  }
+}
+
+TEST_CASE("Smooth outlines: opaque pixels with alpha are mixed as those without") {
+  Random random(55);
+  for (int i = 0; i < share_of(2000); ++i) {
+    const auto a = static_cast<std::uint32_t>(random.integer(0, 0xFFFFFF));
+    const auto b = static_cast<std::uint32_t>(random.integer(0, 0xFFFFFF));
+    const auto share = static_cast<std::uint32_t>(random.integer(0, 32));
+    CHECK(detail::blended<Argb8888>(a | 0xFF000000u, b | 0xFF000000u, share) ==
+          (detail::blended<Xrgb8888>(a, b, share) | 0xFF000000u));
+  }
+}
+
 TEST_CASE("Smooth outlines: sinks that cannot be read or do not blend are refused") {
   const Drawing drawing(polygon({at(163, 0), at(163, 512), at(512, 512), at(512, 0)}));
   const Picture picture({0, 0, 32, 32});

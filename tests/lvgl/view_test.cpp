@@ -151,6 +151,11 @@ TEST_CASE("the picture is the one that arcspan_draw() draws over the background"
     check_picture(format, kSmooth);
 }
 
+TEST_CASE("smooth outlines need no other format than that of layers") {
+  CHECK((shown({LV_COLOR_FORMAT_ARGB8888_PREMULTIPLIED}, kSmooth) ==
+         shown({LV_COLOR_FORMAT_ARGB8888}, kSmooth)));
+}
+
 TEST_CASE("a layer whose outlines lack memory for depths is left out, and the next frame is right") {
   const auto expected = shown({}, kSmooth);
   Screen screen({LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_DIRECT});

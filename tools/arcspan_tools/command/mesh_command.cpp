@@ -39,6 +39,7 @@ struct MeshArguments {
   bool planes = false;
   bool outlines = false;
   bool for_c = false;
+  std::int32_t toon_steps = 0;  ///< of the prepared materials, or 0
   bool textures = true;
   bool made_textures = false;  ///< the model has some
   bool moves = false;          ///< the model has a rig, and keeps it
@@ -182,6 +183,15 @@ std::string name_of(const MeshArguments& arguments) {
   return identifier(from.stem().string());
 }
 
+std::string compiled_file(const MeshArguments& arguments, CompiledOutput output, const Made& made) {
+  const FixedModel& model = made.report.compiled.model;
+  if (output == CompiledOutput::kBinary) return model_binary_file(model, made.textures);
+  const std::string name = name_of(arguments);
+  const std::string origin = std::filesystem::path(arguments.model).filename().string();
+  if (arguments.for_c) return model_c_source(model, name, origin, made.textures, arguments.toon_steps);
+  return model_header(model, name, origin, made.textures);
+}
+
 void run_mesh(MeshArguments& arguments) {
   const CompiledOutput output = compiled_mesh_output(arguments.output, arguments.for_c);
   check_results({arguments.output, arguments.picture, arguments.stats}, {arguments.model, arguments.texture});
@@ -190,14 +200,7 @@ void run_mesh(MeshArguments& arguments) {
   const MeshReport& report = made.report;
   arguments.made_textures = !report.textures.empty();
   arguments.moves = report.animation.has_value();
-  const FixedModel& model = report.compiled.model;
-  const auto write_text = arguments.for_c ? model_c_source : model_header;
-  const std::string file =
-      output == CompiledOutput::kBinary
-          ? model_binary_file(model, made.textures)
-          : write_text(model, name_of(arguments), std::filesystem::path(arguments.model).filename().string(),
-                       made.textures);
-  std::vector<ResultFile> results = {{arguments.output, file}};
+  std::vector<ResultFile> results = {{arguments.output, compiled_file(arguments, output, made)}};
   if (!arguments.picture.empty()) {
     const Image picture = before_and_after(made, arguments.model);
     results.push_back({arguments.picture, encode_image(picture, image_format(arguments.picture))});
@@ -287,6 +290,8 @@ void add_mesh_command(CLI::App& app) {
   mesh->add_flag("--c", arguments->for_c,
                  "a C++ source (.cpp) with the model and its prepared materials for arcspan.h, in C: extern "
                  "const arcspan_model NAME");
+  add_integer(*mesh, "--toon", "STEPS", "of --c: materials for light in 2...16 steps and hard highlights", 2,
+              16, arguments->toon_steps);
   mesh->add_option("--picture", arguments->picture, "draw the model before and after, side by side");
   mesh->add_option("--stats", arguments->stats, "write the printed figures as JSON");
   mesh->footer(
@@ -304,6 +309,8 @@ void add_mesh_command(CLI::App& app) {
     if (mesh->count("--name") != 0 &&
         compiled_mesh_output(arguments->output, arguments->for_c) == CompiledOutput::kBinary)
       throw CLI::ValidationError("--name", "is of headers, not of binaries");
+    if (arguments->toon_steps != 0 && !arguments->for_c)
+      throw CLI::ValidationError("--toon", "needs --c: other models have no prepared materials");
     run_mesh(*arguments);
     for (const char* option : {"--clip-tolerance", "--error-pixels"}) {
       if (!arguments->moves && mesh->count(option) != 0)

@@ -362,13 +362,13 @@ typedef struct {
   uint8_t creases; /* 1: creases are inked too, by lines of one pixel */
 } arcspan_ink;
 /* Draws the outlines as lines of ink, and smooths them, from the next arcspan_prepare() on; smooths only if
- * `ink` is NULL or arcspan_smooth_outlines() has ended smoothing. The memory is that of
+ * `ink` is NULL, and after arcspan_smooth_outlines() has ended smoothing. The memory is that of
  * arcspan_smooth_outlines(): ink of creases takes up to twice as many gaps. A target must be larger by two
  * pixels instead of one if creases are inked. ARCSPAN_MONO has ink, without soft edges. Returns
  *
- *   ARCSPAN_NOT_READY          arcspan_smooth_outlines() has given no memory to the view, and `ink` is not
- * NULL ARCSPAN_INVALID_ARGUMENT   the width is out of range ARCSPAN_UNSUPPORTED        without ARCSPAN_C_INK
- */
+ *   ARCSPAN_NOT_READY          there is ink, but no memory from arcspan_smooth_outlines()
+ *   ARCSPAN_INVALID_ARGUMENT   the width is out of range
+ *   ARCSPAN_UNSUPPORTED        without ARCSPAN_C_INK */
 arcspan_status arcspan_ink_outlines(arcspan_view* view, const arcspan_ink* ink);
 
 #ifdef __cplusplus

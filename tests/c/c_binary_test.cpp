@@ -20,6 +20,7 @@
 
 extern "C" {
 extern const arcspan_model outlined;
+extern const arcspan_model stepped;
 }
 
 namespace {
@@ -361,6 +362,13 @@ TEST_CASE("light in steps is that of C++, a material of its own, and follows the
     CHECK((steps == drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(binary, false, nullptr, 3)));
     CHECK((steps != drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(binary)));
   }
+  Binary lamp("lamp.bin");
+  Scene2 stored({16, 16});
+  REQUIRE(arcspan_add_binary(stored.scene, lamp.data(), lamp.size, &toon, nullptr) == ARCSPAN_OK);
+  Scene2 in_flash({16, 0});
+  REQUIRE(arcspan_add_model(in_flash.scene, &stepped, nullptr) == ARCSPAN_OK);
+  CHECK((in_flash.drawn() == stored.drawn()));
+
   Binary ball("ball.bin");
   Scene2 one({2, 1});
   REQUIRE(arcspan_add_binary(one.scene, ball.data(), ball.size, &toon, nullptr) == ARCSPAN_OK);

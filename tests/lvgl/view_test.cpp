@@ -151,6 +151,14 @@ TEST_CASE("the picture is the one that arcspan_draw() draws over the background"
     check_picture(format, kSmooth);
 }
 
+TEST_CASE("smooth outlines need no other format than that of layers") {
+  const auto layered = shown({LV_COLOR_FORMAT_ARGB8888_PREMULTIPLIED}, kSmooth);  // is not compiled
+  const auto expected = shown({LV_COLOR_FORMAT_ARGB8888}, kSmooth);
+  int most = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i) most = std::max(most, std::abs(layered[i] - expected[i]));
+  CHECK(most <= 4);  // LVGL rounds otherwise
+}
+
 TEST_CASE("a layer whose outlines lack memory for depths is left out, and the next frame is right") {
   const auto expected = shown({}, kSmooth);
   Screen screen({LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_DIRECT});

@@ -36,6 +36,14 @@ struct ModelMethod {
   using Type = typename decltype(first(List{}))::Method;
 };
 
+/// The material with light in so many steps.
+template <std::int32_t Steps, class M>
+[[nodiscard]] consteval PreparedMaterial<M> in_steps(PreparedMaterial<M> material) {
+  static_assert(Steps >= 2 && Steps <= kMostToonSteps);
+  (void)material.set_toon(Steps);
+  return material;
+}
+
 }  // namespace arcspan::c
 
 /// The type that arcspan.h declares.

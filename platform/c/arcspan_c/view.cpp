@@ -206,6 +206,7 @@ arcspan_status arcspan_smooth_outlines(arcspan_view* view, void* memory, size_t 
   view->outlines.sides = {parts.sides, limits->triangles};
   view->outlines.edges = OutlineList({parts.edges, limits->edges});
   view->outlines.gaps = {parts.gaps, c::kGapBytes * limits->gaps};
+  view->outlines.status = Status::kOk;
   return ARCSPAN_OK;
 }
 

@@ -39,6 +39,7 @@ struct MeshArguments {
   bool planes = false;
   bool outlines = false;
   bool for_c = false;
+  std::int32_t toon_steps = 0;  ///< of the prepared materials, or 0
   bool textures = true;
   bool made_textures = false;  ///< the model has some
   bool moves = false;          ///< the model has a rig, and keeps it
@@ -184,13 +185,15 @@ std::string name_of(const MeshArguments& arguments) {
 }
 
 /// The compiled model in its form.
-std::string compiled_text(const MeshArguments& arguments, CompiledOutput output, const Made& made) {
+std::string compiled_file(const MeshArguments& arguments, CompiledOutput output, const Made& made) {
   const FixedModel& model = made.report.compiled.model;
   const bool is_binary = output == CompiledOutput::kBinary;
   if (is_binary && !arguments.for_c) return model_binary_file(model, made.textures);
-  const auto write_text = !arguments.for_c ? model_header : is_binary ? model_c_header : model_c_source;
-  return write_text(model, name_of(arguments), std::filesystem::path(arguments.model).filename().string(),
-                    made.textures);
+  const std::string name = name_of(arguments);
+  const std::string origin = std::filesystem::path(arguments.model).filename().string();
+  if (!arguments.for_c) return model_header(model, name, origin, made.textures);
+  if (is_binary) return model_c_header(model, name, origin, made.textures);
+  return model_c_source(model, name, origin, made.textures, arguments.toon_steps);
 }
 
 void run_mesh(MeshArguments& arguments) {
@@ -201,7 +204,7 @@ void run_mesh(MeshArguments& arguments) {
   const MeshReport& report = made.report;
   arguments.made_textures = !report.textures.empty();
   arguments.moves = report.animation.has_value();
-  std::vector<ResultFile> results = {{arguments.output, compiled_text(arguments, output, made)}};
+  std::vector<ResultFile> results = {{arguments.output, compiled_file(arguments, output, made)}};
   if (!arguments.picture.empty()) {
     const Image picture = before_and_after(made, arguments.model);
     results.push_back({arguments.picture, encode_image(picture, image_format(arguments.picture))});
@@ -292,6 +295,9 @@ void add_mesh_command(CLI::App& app) {
       "--c", arguments->for_c,
       "for arcspan.h: a C++ source (.cpp) with the model and its prepared materials, in C extern const "
       "arcspan_model NAME; or a C header (.h) with the binary, also of a model that moves, as NAME");
+  add_integer(*mesh, "--toon", "STEPS",
+              "of a source by --c: materials for light in 2...16 steps and hard highlights", 2, 16,
+              arguments->toon_steps);
   mesh->add_option("--picture", arguments->picture, "draw the model before and after, side by side");
   mesh->add_option("--stats", arguments->stats, "write the printed figures as JSON");
   mesh->footer(
@@ -309,6 +315,10 @@ void add_mesh_command(CLI::App& app) {
     if (mesh->count("--name") != 0 && !arguments->for_c &&
         compiled_mesh_output(arguments->output, arguments->for_c) == CompiledOutput::kBinary)
       throw CLI::ValidationError("--name", "is of headers, not of binaries");
+    if (arguments->toon_steps != 0 &&
+        (!arguments->for_c ||
+         compiled_mesh_output(arguments->output, arguments->for_c) == CompiledOutput::kBinary))
+      throw CLI::ValidationError("--toon", "needs --c and a source: other models have no prepared materials");
     run_mesh(*arguments);
     for (const char* option : {"--clip-tolerance", "--error-pixels"}) {
       if (!arguments->moves && mesh->count(option) != 0)

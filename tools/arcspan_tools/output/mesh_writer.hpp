@@ -8,6 +8,7 @@
 #include <arcspan_tools/mesh/compile/mesh_figures.hpp>
 #include <arcspan_tools/texture/compile/model_textures.hpp>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -57,9 +58,11 @@ struct ByteShare {
 [[nodiscard]] std::string model_header(const FixedModel& model, const std::string& name,
                                        const std::string& origin, const ModelTextures& textures = {});
 
-/// A C++ source that defines the model `name` for the C interface: its arrays, and its materials prepared.
+/// A C++ source that defines the model `name` for the C interface: its arrays, and its materials prepared,
+/// for light in `toon_steps` unless that is 0.
 [[nodiscard]] std::string model_c_source(const FixedModel& model, const std::string& name,
-                                         const std::string& origin, const ModelTextures& textures = {});
+                                         const std::string& origin, const ModelTextures& textures,
+                                         std::int32_t toon_steps);
 
 /// A C header with the binary of a model as the array `name`.
 [[nodiscard]] std::string model_c_header(const FixedModel& model, const std::string& name,

@@ -261,16 +261,19 @@ std::string braced_sphere(const FixedMesh& mesh) {
   return "{" + braced_position(sphere.middle) + ", " + std::to_string(sphere.radius) + "}";
 }
 
-/// A material that the compiler prepares: that of the part in the namespace `part`, and the texture in the
-/// namespace `skin` of the format `texels`, unless that is void.
-std::string prepared_material(const std::string& material, const std::string& part, const std::string& texels,
-                              const std::string& skin, bool is_plain) {
+/// The value of a material that the compiler prepares: that of the part in the namespace `part`, and the
+/// texture in the namespace `skin` of the format `texels`, unless that is void.
+std::string prepared_material(const std::string& part, const std::string& texels, const std::string& skin,
+                              bool is_plain) {
   const std::string made_of = is_plain
                                   ? "arcspan::plastic({255, 255, 255}), {arcspan::c::kModelLights}"
                                   : part + "kMaterial, {arcspan::c::kModelLights}, {" + part + "kTwoSided}";
-  return "\nconstexpr auto " + material + " = arcspan::PreparedMaterial<arcspan::c::ModelMethod<" + texels +
-         ">::Type>::of(\n    " + made_of + ")" + (texels == "void" ? "" : ".with(" + skin + "kTexture)") +
-         ";\n";
+  return "arcspan::PreparedMaterial<arcspan::c::ModelMethod<" + texels + ">::Type>::of(\n    " + made_of +
+         ")" + (texels == "void" ? "" : ".with(" + skin + "kTexture)");
+}
+
+std::string in_steps(const std::string& material, std::int32_t steps) {
+  return steps == 0 ? material : "arcspan::c::in_steps<" + std::to_string(steps) + ">(" + material + ")";
 }
 
 /// An entry of the list of parts.
@@ -281,7 +284,8 @@ std::string prepared_part(const std::string& part, const FixedMesh& mesh, const 
 
 /// The prepared materials, and the list of parts of a model for the C interface. The arrays are in the
 /// namespace `arrays`.
-std::string prepared_text(const FixedModel& model, const std::string& arrays, const ModelTextures& textures) {
+std::string prepared_text(const FixedModel& model, const std::string& arrays, const ModelTextures& textures,
+                          std::int32_t toon_steps) {
   const bool single = model.meshes.size() == 1;
   const std::vector<std::string> names = namespaces_of(model, textures.textures.size());
   std::string text;
@@ -293,7 +297,9 @@ std::string prepared_text(const FixedModel& model, const std::string& arrays, co
     if (!textures.textures.empty()) number = textures.of_part[i];
     const std::string texels = number ? type_of(textures.textures[*number].format) : "void";
     const std::string skin = arrays + "::" + (single || !number ? "" : texture_namespace(*number) + "::");
-    text.append(prepared_material(material, part, texels, skin, is_plain_mesh(model)));
+    const std::string value = prepared_material(part, texels, skin, is_plain_mesh(model));
+    text.append("\nconstexpr auto ").append(material).append(" = ");
+    text.append(in_steps(value, toon_steps)).append(";\n");
     list.append(prepared_part(part, model.meshes[i], material));
   }
   return text + "\nconstexpr arcspan::c::ModelPart kPreparedParts[] = {\n" + list + "};\n";
@@ -333,13 +339,13 @@ std::string model_header(const FixedModel& model, const std::string& name, const
 }
 
 std::string model_c_source(const FixedModel& model, const std::string& name, const std::string& origin,
-                           const ModelTextures& textures) {
+                           const ModelTextures& textures, std::int32_t toon_steps) {
   const std::string arrays = name + "_arrays";
   return comment(model, origin, textures) + "//\n// In C: extern const arcspan_model " + name +
          ";\n// clang-format off\n#include <arcspan/lighting/colour_coefficients.hpp>\n#include "
          "<arcspan_c/model.hpp>\n" +
          includes(model, textures) + model_namespace(model, arrays, textures) + "\nnamespace {\n" +
-         prepared_text(model, arrays, textures) +
+         prepared_text(model, arrays, textures, toon_steps) +
          "\n}  // namespace\n\nextern \"C\" {\nextern const arcspan_model " + name +
          ";\n}\nconst arcspan_model " + name + " = {kPreparedParts, " + std::to_string(model.meshes.size()) +
          "};\n";

@@ -54,7 +54,7 @@ SETTINGS = {  # option: arguments that differ from the default, and what they ne
     "--highlight-fade": "--highlight-fade 0.9", "--two-sided": "--two-sided", "--light": "--light 0,1,0#1,0,0",
     "--attenuation": "--attenuation 3", "--eye": "--eye 1,1,4", "--target": "--target 0.2,0.2,0", "--up": "--up 1,1,0",
     "--fov": "--fov 70", "--shading": "", "--smooth": "--no-smooth", "--ink": "--ink 0.9,0.1,0.1:2",
-    "--ink-creases": "--ink-creases", "--toon": "--toon 3", "--samples": "--samples 2",
+    "--ink-creases": "--ink-creases", "--toon": "--toon 3", "--curved-outlines": "--curved-outlines", "--samples": "--samples 2",
     "--pose": "--pose walk@1", "--clips": "--clips",
 }
 NEUTRAL = {"--band"}  # changes no pixel, which other tests prove
@@ -64,9 +64,11 @@ CONTEXTS = [(f"grey.obj --shading {s}", s) for s in SHADINGS] + [
     ("coloured.obj", "default"), ("coloured.obj --shading flat", "flat"), ("coloured.obj --shading arc", "arc"),
     ("grey.obj --matcap picture.ppm", "matcap"), ("grey.obj --texture picture.ppm", "texture")]
 # A triangle has one colour by flat shading; vertex colours are the default where no shading is chosen; the texels of an
-# environment map are stored as 5-6-5 colours.
+# environment map are stored as 5-6-5 colours. By flat and arc each colour is a part, and borders
+# of parts stay straight.
 WITHOUT_EFFECT = {("--vertex-colours", "coloured.obj --shading flat"), ("--vertex-colours", "grey.obj --shading flat"),
-                  ("--vertex-colours", "coloured.obj"), ("--dither", "grey.obj --matcap picture.ppm")}
+                  ("--vertex-colours", "coloured.obj"), ("--dither", "grey.obj --matcap picture.ppm"),
+                  ("--curved-outlines", "coloured.obj --shading flat"), ("--curved-outlines", "coloured.obj --shading arc")}
 
 
 def run(arguments):

@@ -118,7 +118,7 @@ class CurveFinder {
     const auto magnitude = [](std::int32_t v) { return v < 0 ? -v : v; };
     const std::int32_t dx = magnitude(edge.to.x - edge.from.x);
     const std::int32_t dy = magnitude(edge.to.y - edge.from.y);
-    const std::int32_t length = dx > dy ? dx + dy / 2 : dy + dx / 2;  // or up to 12 % less
+    const std::int32_t length = dx > dy ? dx + dy / 2 : dy + dx / 2;  // at most 12 % too long
     constexpr std::int32_t kLeast = 2;                                // sixteenths
     return -doubled_area(edge.to, edge.from, point) >= kLeast * length + 1;
   }

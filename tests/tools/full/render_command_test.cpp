@@ -336,6 +336,19 @@ TEST_CASE("outlines are inked in every format, in bands as in the whole picture"
   CHECK(drawn("--ink 0.2,0,0.1:2 --samples 2").second);
 }
 
+TEST_CASE("outlines are curved in bands as in the whole picture") {
+  const TemporaryFolder folder;
+  const auto drawn = [&folder](const std::string& options) {
+    const std::string file = folder / "a.ppm";
+    REQUIRE(run("render sphere:16x8 --size 96x72 -o " + file + " " + options).status == 0);
+    return contents(file);
+  };
+  const std::string curved = drawn("--curved-outlines");
+  CHECK(curved != drawn(""));
+  CHECK(curved == drawn("--curved-outlines --band 11"));
+  CHECK(curved != drawn("--curved-outlines --no-smooth --ink 0,0,0"));
+}
+
 TEST_CASE("light in steps has few colours") {
   const TemporaryFolder folder;
   const auto colours = [&folder](const std::string& options) {
@@ -375,6 +388,8 @@ TEST_CASE("ink and steps that cannot be are refused") {
   }
   refused("--ink 0,0,0 --no-depth", "--ink: needs a depth buffer, not --no-depth");
   refused("--no-ink-creases", "--ink-creases: needs --ink");
+  refused("--curved-outlines --no-smooth", "--curved-outlines: needs outlines that are smoothed or inked");
+  refused("--curved-outlines --alpha 0.5", "--curved-outlines: not of textures, vertex colours");
   refused("--ink 0,0,0:2 --samples 3", "--samples: with ink that is 2 wide at most 2");
   refused("--toon 1", "--toon");
   refused("--toon 17", "--toon");

@@ -133,6 +133,11 @@ void check_ink(const RenderOptions& o) {
   if (o.ink && !o.scene.depth) throw CLI::ValidationError("--ink", "needs a depth buffer, not --no-depth");
 }
 
+void check_curves(const RenderOptions& o) {
+  if (o.curved_outlines && !o.has_outlines())
+    throw CLI::ValidationError("--curved-outlines", "needs outlines that are smoothed or inked");
+}
+
 void check_toon(const RenderOptions& o) {
   if (o.scene.toon_steps == 0) return;
   if (o.shading != "arc") throw CLI::ValidationError("--toon", "needs --shading arc, not " + o.shading);
@@ -195,9 +200,11 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
     choose_renderer(o);
     check_smooth(o);
     check_ink(o);
+    check_curves(o);
     check_toon(o);
     o.scene.outlines.smooth = o.smooth;
     o.scene.outlines.ink = o.ink;
+    o.scene.outlines.curved = o.curved_outlines;
     if (o.ink) o.scene.outlines.ink->creases = o.ink_creases;
     check_effects(app, o);
   });
@@ -327,6 +334,7 @@ void add_outline_options(CLI::App& app, RenderOptions& options) {
                          "R,G,B[:WIDTH] with each of R,G,B 0...1 and WIDTH 1...4", parse_ink,
                          [&options](const OutlineInk& ink) { options.ink = ink; });
   app.add_flag("--ink-creases,!--no-ink-creases", options.ink_creases, "ink creases, too (default)");
+  app.add_flag("--curved-outlines", options.curved_outlines, "round the outlines of coarse smooth meshes");
   add_integer(app, "--toon", "STEPS", "light in 2...16 steps and hard highlights, by --shading arc", 2, 16,
               options.scene.toon_steps);
 }

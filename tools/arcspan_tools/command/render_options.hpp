@@ -30,6 +30,7 @@ struct RenderOptions {
   bool smooth = true;                    ///< outlines, where depth and format allow it
   std::optional<OutlineInk> ink;         ///< of outlines
   bool ink_creases = true;
+  bool curved_outlines = false;
   std::optional<PoseChoice> pose;  ///< of the model; the file's otherwise
   std::string clip;                ///< the clip that is played, of commands that play some, or none
   bool all_clips = false;          ///< all clips are played
@@ -74,7 +75,7 @@ void add_crease(CLI::App& app, std::optional<double>& degrees);
 /// Notes which options were given: some are otherwise chosen, or belong to single methods.
 void note_settings(const CLI::App& app, RenderOptions& options);
 
-/// Adds --smooth and --no-smooth, --ink and --toon. Call it before add_render_options().
+/// Adds --smooth and --no-smooth, --ink, --curved-outlines and --toon. Call it before add_render_options().
 void add_outline_options(CLI::App& app, RenderOptions& options);
 
 /// Adds MESH and the options to a subcommand. `options` must live as long as `app`.

@@ -43,13 +43,21 @@ void JobOutlines::add(const RenderJob& job, std::size_t part, OutlinedParts& gro
   Status status =
       find_sides<Unlit>(mesh, job.transform, Unlit::lighting({}), cache, sides_, {job.parts[part].two_sided});
   const VertexPositions positions(job.transform, std::span<const CachedVertex<Unlit>>(vertices));
-  if (ok(status)) status = group.outlines.add(mesh, job.parts[part].neighbours, positions, sides_);
+  const MeshNeighbours& neighbours = job.parts[part].neighbours;
+  if (ok(status) && look_.curved) {
+    status = curves_.emplace_back().found.find(mesh, neighbours, positions, sides_, group.outlines);
+    if (status == Status::kScaleOutOfRange) status = Status::kOk;  // some edges stay straight
+  } else if (ok(status)) {
+    status = group.outlines.add(mesh, neighbours, positions, sides_);
+  }
   if (!ok(status)) throw Failure("outlines", to_string(status));
 }
 
 void JobOutlines::finish(std::int32_t repeats, RenderStats& stats) const {
   stats.smooth_milliseconds = find_milliseconds_ + cost_.milliseconds / repeats;
   stats.outline_bytes = sides_.size() * sizeof(TriangleSide) + cost_.gap_bytes;
+  for (const PartCurves& part : curves_)
+    stats.outline_bytes += part.found.mesh().triangle_count() * sizeof(CurveMemory<1>);
   for (const OutlinedParts& group : groups_) {
     stats.outline_edges += group.outlines.edges().size();
     stats.outline_bytes += group.outlines.edges().size() * sizeof(OutlineEdge);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/ink_outlines.hpp>
+#include <arcspan/outline/curved_outlines.hpp>
 #include <arcspan/outline/outline_list.hpp>
 #include <arcspan/smooth_outlines.hpp>
 #include <arcspan/span/depth.hpp>
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -73,6 +75,18 @@ class JobOutlines {
     }
   }
 
+  /// The curves over the outlines of a part, to be drawn with it; empty unless they are wanted.
+  [[nodiscard]] MeshView curves(std::size_t part) const {
+    return part < curves_.size() ? curves_[part].found.mesh() : MeshView{};
+  }
+
+  /// The vertices of the largest of them.
+  [[nodiscard]] std::size_t most_curve_vertices() const {
+    std::size_t most = 0;
+    for (const PartCurves& part : curves_) most = std::max(most, part.found.mesh().vertex_count());
+    return most;
+  }
+
   /// Adds the figures of a picture that was drawn so many times.
   void finish(std::int32_t repeats, RenderStats& stats) const;
 
@@ -86,10 +100,19 @@ class JobOutlines {
     std::size_t last_part = 0;
   };
 
+  /// The curves of a part.
+  struct PartCurves {
+    static constexpr std::size_t kMost = MeshView::kMaxVertices / 3;
+
+    std::unique_ptr<CurveMemory<kMost>> memory = std::make_unique<CurveMemory<kMost>>();
+    CurvedOutlines found{*memory};
+  };
+
   void add(const RenderJob& job, std::size_t part, OutlinedParts& group);
 
   OutlineLook look_;
   std::vector<OutlinedParts> groups_;
+  std::vector<PartCurves> curves_;   ///< of each part, or none
   std::vector<TriangleSide> sides_;  ///< of one part after another
   double find_milliseconds_ = 0;
   SmoothCost cost_;

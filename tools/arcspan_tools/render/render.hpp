@@ -46,6 +46,7 @@ inline constexpr std::int32_t kAdaptiveSegments = -1;
 struct OutlineLook {
   bool smooth = true;
   std::optional<OutlineInk> ink{};
+  bool curved = false;  ///< by triangles beyond them; of jobs without surfaces (has_surfaces())
 };
 
 /// One picture for the pipeline: everything is fixed point or integer already.

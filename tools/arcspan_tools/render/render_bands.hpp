@@ -24,16 +24,19 @@ using PartLightings = std::vector<typename Method::Lighting>;
 /// instructions of the functions of this name.
 template <class Method, class Band>
 [[gnu::noinline]] double draw_into(Band& band, const RenderJob& job, const PartLightings<Method>& lightings,
-                                   const DepthBuffer& depth, std::span<CachedVertex<Method>> cache,
-                                   RenderStats& stats) {
+                                   const JobOutlines& outlines, const DepthBuffer& depth,
+                                   std::span<CachedVertex<Method>> cache, RenderStats& stats) {
   std::uint32_t triangles = 0;
   const double start = processor_milliseconds();
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
     const RenderPart& part = job.parts[i];
-    const DrawResult drawn = draw_mesh<Method, Band::kFeatures>(part.mesh, job.transform, lightings[i],
-                                                                band.sink(), depth, cache, {part.two_sided});
-    if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
-    triangles += drawn.triangles;
+    for (const MeshView& mesh : {part.mesh, outlines.curves(i)}) {
+      if (mesh.triangle_count() == 0) continue;
+      const DrawResult drawn = draw_mesh<Method, Band::kFeatures>(
+          mesh, job.transform, lightings[i], band.sink(), depth, cache, {part.two_sided});
+      if (!ok(drawn.status)) throw Failure("pipeline", to_string(drawn.status));
+      triangles += drawn.triangles;
+    }
   }
   const double end = processor_milliseconds();
   // Every band counts the triangles that reach it; count_spans() counts those of the picture.
@@ -53,7 +56,7 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
   const std::int32_t drawn_rows = rows == size.height ? rows : rows + 2 * outlines.margin();
   BandDepth depth(size.width, drawn_rows);
   Band band(pixels, size.width, drawn_rows, job.depth ? nullptr : &depth.buffer());
-  std::vector<CachedVertex<Method>> cache(most_vertices(job));
+  std::vector<CachedVertex<Method>> cache(std::max(most_vertices(job), outlines.most_curve_vertices()));
   result.stats.frame_bytes = band.bytes();
   result.stats.depth_bytes = job.depth ? depth.bytes() : 0;
   for (std::int32_t first = 0; first < size.height; first += rows) {
@@ -61,7 +64,8 @@ RenderResult render_bands(const RenderJob& job, const PixelChoice& pixels,
     for (std::int32_t repeat = 0; repeat < job.repeats; ++repeat) {
       band.start(outlines.first_row(first), job.background);
       depth.start(outlines.first_row(first));
-      milliseconds += draw_into<Method>(band, job, lightings, depth.buffer(), std::span(cache), result.stats);
+      milliseconds +=
+          draw_into<Method>(band, job, lightings, outlines, depth.buffer(), std::span(cache), result.stats);
       outlines.finish_after(job.parts.size() - 1, band, depth.buffer());
     }
     result.stats.draw_milliseconds += milliseconds / job.repeats;

@@ -100,6 +100,10 @@ bool has_surfaces(const RenderJob& job) {
 RenderResult render_surfaces(const RenderJob& job,
                              const std::vector<std::unique_ptr<IlluminationCalls>>& calls,
                              const PixelChoice& pixels, const RowsDone& rows_done, MakeSurfaceDrawer& make) {
+  if (job.outlines.curved) {
+    throw Failure("--curved-outlines",
+                  "not of textures, vertex colours, transparency, fog and environment maps");
+  }
   const Drawers drawers = make_drawers(job, calls, make);
   const Viewport& size = job.transform.viewport();
   const std::int32_t rows = std::clamp(job.band_rows, 1, size.height);

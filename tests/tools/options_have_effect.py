@@ -98,6 +98,7 @@ REFUSED = [
     ("mesh grey.obj -o a.hpp --texture-levels 2", "--texture-levels"), ("mesh grey.obj -o a.hpp --texture-format pal4", "--texture-format"),
     ("mesh grey.obj -o a.hpp --texture picture.ppm --no-textures", "--texture"), ("texture picture.ppm -o a.bin --name bowl", "--name"),
     ("mesh grey.obj -o a.bin --clip-tolerance 1,0.1", "--clip-tolerance"), ("mesh grey.obj -o a.bin --error-pixels 100", "--error-pixels"),
+    ("mesh grey.obj -o a.bin --size 99x99", "--size"), ("mesh grey.obj -o a.bin --cpu-mhz 9", "--cpu-mhz"),
     ("mesh grey.obj -o a.bin --pose rest", "--pose"), ("turntable grey.obj -o a.gif --clip walk", "--clip"),
     ("turntable grey.obj -o a.gif --clip walk --pose rest", "--clip"), ("simulate grey.obj -o a.png --clip walk", "--clip"),
     ("simulate grey.obj -o a.gif --turntable 4 --clip walk --planes", "--planes"),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the estimates of instructions are made of.
+#include <arcspan_tools/command/method_advice.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/render/scene.hpp>
-#include <arcspan_tools/simulate/method_advice.hpp>
 #include <arcspan_tools/simulate/processor_cost.hpp>
 #include <catch2/catch.hpp>
 

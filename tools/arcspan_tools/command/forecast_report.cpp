@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/command/forecast_report.hpp>
-#include <arcspan_tools/simulate/method_advice.hpp>
+#include <arcspan_tools/command/method_advice.hpp>
 #include <arcspan_tools/support/text.hpp>
 
 #include <cmath>

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/load_model.hpp>
+#include <arcspan_tools/command/method_advice.hpp>
 #include <arcspan_tools/command/played_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
@@ -9,7 +10,6 @@
 #include <arcspan_tools/output/frame_output.hpp>
 #include <arcspan_tools/render/surface_drawer.hpp>
 #include <arcspan_tools/render/turntable.hpp>
-#include <arcspan_tools/simulate/method_advice.hpp>
 #include <arcspan_tools/simulate/processor_cost.hpp>
 #include <arcspan_tools/simulate/simulated_display.hpp>
 #include <arcspan_tools/support/failure.hpp>

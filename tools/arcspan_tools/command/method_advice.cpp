@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/simulate/method_advice.hpp>
+#include <arcspan_tools/command/method_advice.hpp>
 #include <arcspan_tools/support/text.hpp>
 
 #include <cmath>

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // drawing_jobs OUTPUT METHOD...: reads lines of jobs from standard input,
 //
-//     MESH WIDTH HEIGHT VIEW_X VIEW_Y blinn|phong SHININESS BAND_ROWS plain|planes
+//     MESH WIDTH HEIGHT VIEW_X VIEW_Y blinn|phong SHININESS BAND_ROWS plain|planes|split FOV BITS REPEATS
+//     AXES
 //
-// writes them for tests/firmware/cost_jobs.hpp, and prints for each of them, as JSON, the methods' terms of
-// the estimate that `arcspan simulate` makes, and the estimate itself if the method has one.
+// writes them for tests/firmware/cost_jobs.hpp, and prints for each of them, as JSON, the events that each
+// method draws it by, and the estimate for a Cortex-M3. FOV is the camera's angle.
+// `split` meshes share few vertices. BITS
+// are log2 of the texture's size, 3...7, or 0 for no texture; REPEATS times it is seen along the mesh; AXES,
+// 0...3, are those of the mesh that it is mapped along, and 4 is added for one mip level.
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/render/scene.hpp>
@@ -12,11 +16,13 @@
 #include <nlohmann/json.hpp>
 #include <tests/firmware/job_layout.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <span>
 #include <sstream>
 #include <stdexcept>
@@ -38,30 +44,68 @@ struct Line {
   std::int32_t shininess = 0;
   std::int32_t band_rows = 0;
   std::string planes;
+  double fov = 0;
+  int bits = 0;
+  double repeats = 0;
+  int axes = 0;
 };
 
 Line parse(const std::string& text) {
   std::istringstream in(text);
   Line line;
   if (!(in >> line.mesh >> line.size.width >> line.size.height >> line.view_x >> line.view_y >>
-        line.highlight >> line.shininess >> line.band_rows >> line.planes)) {
+        line.highlight >> line.shininess >> line.band_rows >> line.planes >> line.fov >> line.bits >>
+        line.repeats >> line.axes)) {
     throw std::runtime_error("not a job: " + text);
   }
   return line;
 }
 
+/// Maps a grey texture along two axes of a mesh that fills 16 bits.
+void add_texture(const Line& line, FixedModel& model) {
+  const std::int32_t side = std::int32_t{1} << line.bits;
+  auto texture = std::make_shared<FileTexture>();
+  texture->picture = RgbaImage(side, side);
+  model.looks[0].material.texture = texture;
+  FixedMesh& mesh = model.meshes[0];
+  mesh.texture_scale.fraction_bits = 11;
+  const double scale = line.repeats * (1 << mesh.texture_scale.fraction_bits) / 65536;
+  const auto point = [scale](std::int32_t along) {
+    return static_cast<std::int16_t>(std::lround(scale * along));
+  };
+  mesh.texture_points.clear();
+  for (const ObjectPosition& p : mesh.positions) {
+    mesh.texture_points.push_back({point((line.axes & 1) != 0 ? p.x + p.z / 2 : p.x - p.y / 3),
+                                   point((line.axes & 2) != 0 ? p.y - p.z / 2 : p.z + p.y / 4)});
+  }
+}
+
 FixedModel load(const Line& line) {
-  FixedModel model = to_fixed(
-      load_model_file(line.mesh, TexturePointsOf::kTexturedParts, VertexColours::kMean, kSmoothEverything));
+  FixedModel model =
+      to_fixed(load_model_file(line.mesh, TexturePointsOf::kTexturedParts, VertexColours::kMean,
+                               line.planes == "split" ? 0.0 : kSmoothEverything));
   if (model.meshes.size() != 1) throw std::runtime_error(line.mesh + " has several parts");
   if (line.planes == "planes") model.meshes[0] = with_planes(std::move(model.meshes[0]), line.mesh);
+  if (line.bits != 0) add_texture(line, model);
   return model;
+}
+
+/// Leaves one level of the texture.
+void drop_levels(RenderPart& part) {
+  auto texture = std::make_shared<SurfaceTexture>(*part.texture);
+  const TextureSize& size = part.texture->view.size();
+  if (!ok(Texture<SurfaceTexels>::make(texture->texels, {size.width_bits, size.height_bits, 1},
+                                       texture->view)))
+    throw std::runtime_error("the texture has too few texels");
+  part.texture = std::move(texture);
 }
 
 Scene scene_of(const Line& line) {
   Scene scene;
   scene.size = line.size;
   scene.camera.view = {line.view_x, line.view_y, 1};
+  scene.camera.fov_degrees = line.fov;
+  scene.camera.fov_given = true;
   scene.highlight = line.highlight == "phong" ? Highlight::kPhong : Highlight::kBlinn;
   scene.surface.shininess = line.shininess;
   scene.chosen.shininess = true;
@@ -80,7 +124,7 @@ void write_one(std::ostream& out, const T& value) {
   write(out, std::span<const T>(&value, 1));
 }
 
-void write_job(std::ostream& out, const RenderJob& job, const FixedMesh& mesh) {
+void write_job(std::ostream& out, const RenderJob& job, const FixedCamera& camera, const FixedMesh& mesh) {
   JobHead head;
   head.vertices = static_cast<std::uint32_t>(mesh.positions.size());
   head.indices = static_cast<std::uint32_t>(mesh.indices.size());
@@ -89,24 +133,32 @@ void write_job(std::ostream& out, const RenderJob& job, const FixedMesh& mesh) {
   head.width = static_cast<std::uint32_t>(job.transform.viewport().width);
   head.height = static_cast<std::uint32_t>(job.transform.viewport().height);
   head.band_rows = static_cast<std::uint32_t>(job.band_rows);
+  if (job.parts[0].texture != nullptr) {
+    const TextureSize& size = job.parts[0].texture->view.size();
+    head.texture = static_cast<std::uint32_t>(size.width_bits) |
+                   static_cast<std::uint32_t>(size.levels) << 8 |
+                   static_cast<std::uint32_t>(mesh.texture_scale.fraction_bits) << 16;
+  }
   write_one(out, head);
   write(out, std::span(std::as_const(mesh.positions)));
   write(out, std::span(std::as_const(mesh.normals)));
   write(out, std::span(std::as_const(mesh.indices)));
   write(out, std::span(std::as_const(mesh.planes)));
   write_one(out, mesh.plane_scale);
-  write_one(out, job.transform);
+  write_one(out, camera.placement);
+  write_one(out, camera.projection);
   write_one(out, job.parts[0].material);
   write_one(out, job.lights.front());
   write_one(out, job.to_eye);
+  if (head.texture != 0) write(out, std::span(std::as_const(mesh.texture_points)));
 }
 
-nlohmann::json figures(const RenderJob& job, const FixedModel& model, const std::string& method) {
-  const RenderStats stats = find_renderer(method, "rgb565", false).render(job, [](std::size_t) {}).stats;
-  const std::vector<CostTerm> terms = cost_terms(method, job, model, stats);
+nlohmann::json figures(const RenderJob& job, const std::string& method) {
   nlohmann::json result;
-  for (const CostTerm& term : terms) result["terms"][term.name] = term.amount;
-  if (const auto estimate = weighted_sum(method, job.highlight, terms)) result["estimate"] = *estimate;
+  const auto picture = picture_events(method, job);
+  if (!picture) throw std::runtime_error(method + " has no events");
+  for (const CostTerm& term : picture->at(0).terms) result["terms"][term.name] = term.amount;
+  if (const auto estimate = instructions_on(kSimulatedCore, *picture)) result["estimate"] = *estimate;
   return result;
 }
 
@@ -119,10 +171,13 @@ int main(int count, char** arguments) try {
   for (std::string text; std::getline(std::cin, text);) {
     const Line line = parse(text);
     const FixedModel model = load(line);
-    const RenderJob job = make_job(scene_of(line), model, line.mesh);
-    write_job(out, job, model.meshes[0]);
+    const Scene scene = scene_of(line);
+    RenderJob job = make_job(scene, model, line.mesh);
+    if ((line.axes & 4) != 0) drop_levels(job.parts[0]);
+    const Camera camera = place_camera(scene.camera, model, scene.size);
+    write_job(out, job, to_fixed(camera, model, scene.size), model.meshes[0]);
     nlohmann::json of_methods;
-    for (int i = 2; i < count; ++i) of_methods[arguments[i]] = figures(job, model, arguments[i]);
+    for (int i = 2; i < count; ++i) of_methods[arguments[i]] = figures(job, arguments[i]);
     jobs.push_back(std::move(of_methods));
   }
   write_one(out, JobHead{});

@@ -5,11 +5,16 @@
 
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
+#include <arcspan/texture/texture.hpp>
 
 #include <tests/firmware/cost_method.hpp>
 #include <tests/firmware/job_layout.hpp>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
+#include <type_traits>
 
 /// Where the emulator loads the jobs; CMakeLists.txt gives the address. The memory is zero otherwise.
 extern "C" const std::byte arcspan_jobs[];
@@ -34,7 +39,7 @@ class JobReader {
 struct CostJob {
   JobHead head;
   MeshView mesh;
-  const ClipTransform* transform = nullptr;
+  ClipTransform transform;
 };
 
 /// Draws a job in its bands, each of which is a section. Clearing is not measured.
@@ -51,13 +56,27 @@ inline bool draw_cost_job(std::uint32_t number, const CostJob& job, const CostMe
     depth.clear();
     arcspan_mark();
     const DrawResult drawn =
-        draw_mesh<CostMethod>(job.mesh, *job.transform, lighting, band, depth, cost_cache);
+        draw_mesh<CostMethod>(job.mesh, job.transform, lighting, band, depth, cost_cache);
     arcspan_mark();
     bare::print_line("section: job ", number);
     bare::print_line("section: between");
     if (!ok(drawn.status)) return false;
   }
   return true;
+}
+
+[[gnu::section(".bss.frame")]] static std::uint8_t cost_texels[21845];
+
+/// Gives the lighting of a textured method the texture of JobHead::texture, with at most 128x128 texels.
+template <class Lighting>
+void set_cost_texture([[maybe_unused]] Lighting& lighting, [[maybe_unused]] std::uint32_t texture) {
+  if constexpr (requires { lighting.texture; }) {
+    static constexpr std::array<std::uint16_t, 256> kPalette{};
+    const auto bits = static_cast<std::uint8_t>(texture);
+    const TextureSize size{bits, bits, static_cast<std::uint8_t>(texture >> 8)};
+    (void)std::remove_cvref_t<decltype(lighting.texture)>::make(cost_texels, size, lighting.texture,
+                                                                kPalette);
+  }
 }
 
 inline bool cost_jobs_loaded() { return JobReader(arcspan_jobs).take<JobHead>(1)[0].vertices != 0; }
@@ -74,18 +93,28 @@ inline bool draw_cost_jobs() {
     const auto indices = reader.take<std::uint16_t>(job.head.indices);
     const auto planes = reader.take<FacePlane>(job.head.planes);
     const PlaneScale& scale = reader.take<PlaneScale>(1)[0];
-    job.transform = &reader.take<ClipTransform>(1)[0];
+    const Placement& placement = reader.take<Placement>(1)[0];
+    const Projection& projection = reader.take<Projection>(1)[0];
     const Material& material = reader.take<Material>(1)[0];
     const DirectionalLight& towards = reader.take<DirectionalLight>(1)[0];
     const Direction& to_eye = reader.take<Direction>(1)[0];
+    const auto points = reader.take<TexturePoint>(job.head.texture == 0 ? 0 : job.head.vertices);
     if ((job.head.is_phong != 0) != (CostLight::model() == Highlight::kPhong)) continue;
+    const Viewport size{static_cast<std::int32_t>(job.head.width),
+                        static_cast<std::int32_t>(job.head.height)};
+    if (!ok(ClipTransform::make(placement, projection, size, job.transform))) return false;
     if (job.head.vertices > kMostCostVertices || !ok(MeshView::make(positions, normals, indices, job.mesh)) ||
         (!planes.empty() && !ok(job.mesh.attach(planes, scale)))) {
       return false;
     }
+    if (!points.empty() &&
+        !ok(job.mesh.attach(points, TextureScale{static_cast<std::uint8_t>(job.head.texture >> 16)})))
+      return false;
     static CostLight light;  // larger than the stack that programs are allowed
     if (!ok(CostLight::make(material, {towards}, to_eye, light))) return false;
-    if (!draw_cost_job(number, job, make_cost_lighting(light))) return false;
+    const CostMethod::Lighting& lighting = make_cost_lighting(light);
+    set_cost_texture(cost_lighting_memory.lighting, job.head.texture);
+    if (!draw_cost_job(number, job, lighting)) return false;
   }
 }
 

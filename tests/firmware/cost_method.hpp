@@ -53,7 +53,7 @@ inline void set_method(typename Method::Lighting& lighting) {
   const auto setting = static_cast<std::int32_t>(arcspan_setting);
   if constexpr (requires { lighting.set_segment_bits(1); }) {
     if (setting != 0) (void)lighting.set_segment_bits(setting);
-  } else if constexpr (std::is_same_v<Method, Arc<CostLight>>) {
+  } else if constexpr (requires { lighting.set_tolerance(1); }) {
     (void)lighting.set_tolerance(setting == 0 ? 1 : setting - 1);
   }
 }

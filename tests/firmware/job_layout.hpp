@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The bytes that tests/artefacts/drawing_jobs.cpp writes for cost_jobs.hpp: jobs one after the other, the
-// last of them without vertices. A job is a head and the arrays of the pipeline's own types, which have the
-// same layout on both machines.
+// last of them without vertices. A job is a head and the arrays of the pipeline's own types that have the
+// same layout on all machines, which a ClipTransform has not.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct JobHead {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::uint32_t band_rows = 0;
-  std::uint32_t unused = 0;  ///< the size is a multiple of 8
+  std::uint32_t texture = 0;  ///< log2 of its side | levels << 8 | fraction bits of points << 16; or 0
 };
 
 /// The bytes of an array, so that the next one is aligned.

@@ -101,6 +101,7 @@ REFUSED = [
     ("mesh grey.obj -o a.hpp --texture picture.ppm --no-textures", "--texture"), ("texture picture.ppm -o a.bin --name bowl", "--name"),
     ("mesh grey.obj -o a.bin --clip-tolerance 1,0.1", "--clip-tolerance"), ("mesh grey.obj -o a.bin --error-pixels 100", "--error-pixels"),
     ("mesh grey.obj -o a.bin --toon 3", "--toon"), ("mesh grey.obj -o a.bin --pose rest", "--pose"), ("turntable grey.obj -o a.gif --clip walk", "--clip"),
+    ("mesh grey.obj -o a.bin --size 99x99", "--size"), ("mesh grey.obj -o a.bin --cpu-mhz 9", "--cpu-mhz"),
     ("turntable grey.obj -o a.gif --clip walk --pose rest", "--clip"), ("simulate grey.obj -o a.png --clip walk", "--clip"),
     ("simulate grey.obj -o a.gif --turntable 4 --clip walk --planes", "--planes"),
     ("compare grey.obj -o a.png --shading flat,arc --segment 3", "--segment"),

@@ -133,6 +133,7 @@ TEST_CASE(
   const std::size_t gouraud = by_arc.find(", gouraud ", others);
   REQUIRE(gouraud != std::string::npos);
   CHECK(std::atof(by_arc.c_str() + gouraud + 10) == instructions("--shading gouraud"));
+  CHECK(by_arc.find("\nadvice: arc, for highlights that move, takes ") != std::string::npos);
 #endif
   const auto without = [&folder](const std::string& options) {
     const std::string out = run("simulate torus:24x12 " + options + " -o " + (folder / "panel.png")).out;

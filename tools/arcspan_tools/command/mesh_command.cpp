@@ -48,6 +48,9 @@ struct MeshArguments {
   std::optional<PoseChoice> pose;
   ClipOptions clips;
   std::int32_t error_pixels = 240;
+  bool forecast = false;
+  Size forecast_size{240, 320};
+  double cpu_mhz = 50;
   TextureOptions texture_options = default_model_texture_options();
   MeshLimits limits;
 };
@@ -161,6 +164,11 @@ Made make(const MeshArguments& arguments, CompiledOutput output) {
   report.shrunk_textures = texture_options.most_side < arguments.texture_options.most_side;
   report.textures = made.textures.textures;
   report.figures = figures_of(report.compiled.model);
+#ifdef ARCSPAN_HAS_ESTIMATES
+  if (arguments.forecast)
+    report.forecast = forecast(report.compiled.model, report.bytes, arguments.forecast_size,
+                               arguments.cpu_mhz, arguments.model);
+#endif
   return made;
 }
 
@@ -250,6 +258,28 @@ void add_limits(CLI::App& mesh, MeshLimits& limits) {
   add_crease(mesh, limits.crease_degrees);
 }
 
+#ifdef ARCSPAN_HAS_ESTIMATES
+void add_forecast(CLI::App& mesh, MeshArguments& arguments) {
+  mesh.add_flag(
+      "--forecast", arguments.forecast,
+      "estimate instructions and frames per second by flat, Gouraud and arc shading on a Cortex-M0+, M3, "
+      "M4 and RV32, and memory");
+  add_parsed<Size>(
+      mesh, "--size", "WxH", "picture size of the forecast, each 1...2048 (default 240x320)",
+      "WxH with each 1...2048",
+      [](const std::string& text) {
+        const std::optional<Size> size = parse_size(text);
+        return size && size->width <= kMostPictureSide && size->height <= kMostPictureSide ? size
+                                                                                           : std::nullopt;
+      },
+      [&arguments](Size size) { arguments.forecast_size = size; });
+  add_number(mesh, "--cpu-mhz", "million instructions a second of the forecast's processors", 0.1, 10000,
+             arguments.cpu_mhz);
+}
+#else
+void add_forecast(CLI::App&, MeshArguments&) {}
+#endif
+
 }  // namespace
 
 void add_mesh_command(CLI::App& app) {
@@ -298,6 +328,7 @@ void add_mesh_command(CLI::App& app) {
   add_integer(*mesh, "--toon", "STEPS",
               "of a source by --c: materials for light in 2...16 steps and hard highlights", 2, 16,
               arguments->toon_steps);
+  add_forecast(*mesh, *arguments);
   mesh->add_option("--picture", arguments->picture, "draw the model before and after, side by side");
   mesh->add_option("--stats", arguments->stats, "write the printed figures as JSON");
   mesh->footer(
@@ -306,6 +337,7 @@ void add_mesh_command(CLI::App& app) {
       "  arcspan mesh part.stl -o part.bin --crease 40 --max-triangles 800\n"
       "  arcspan mesh man.glb -o man.bin --clip-tolerance 0.1,0.0002\n"
       "  arcspan mesh man.glb -o standing.bin --pose rest\n"
+      "  arcspan mesh man.glb -o man.bin --forecast --size 240x240 --cpu-mhz 64\n"
       "  arcspan mesh car.glb -o wheels.hpp --group wheels\n"
       "  arcspan mesh spider.obj -o spider.bin --texture-format pal4 --texture-size 64\n"
       "  arcspan mesh torus:24x12 -o bin:- | xxd -i > torus.inc");
@@ -319,6 +351,10 @@ void add_mesh_command(CLI::App& app) {
         (!arguments->for_c ||
          compiled_mesh_output(arguments->output, arguments->for_c) == CompiledOutput::kBinary))
       throw CLI::ValidationError("--toon", "needs --c and a source: other models have no prepared materials");
+    for (const char* option : {"--size", "--cpu-mhz"}) {
+      if (!arguments->forecast && mesh->get_option_no_throw(option) != nullptr && mesh->count(option) != 0)
+        throw CLI::ValidationError(option, "is of --forecast");
+    }
     run_mesh(*arguments);
     for (const char* option : {"--clip-tolerance", "--error-pixels"}) {
       if (!arguments->moves && mesh->count(option) != 0)

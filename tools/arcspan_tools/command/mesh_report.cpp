@@ -4,6 +4,7 @@
 #include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 
+#include <arcspan_tools/command/forecast_report.hpp>
 #include <arcspan_tools/command/mesh_report.hpp>
 #include <arcspan_tools/command/render_report.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
@@ -263,6 +264,7 @@ std::string to_text(const MeshReport& r) {
                     r.compiled.cache_misses_before);
   text += formatted("widest normal angle of a triangle: %.1f degrees; %zu of %zu triangles above 60\n",
                     r.figures.widest_angle_degrees, r.figures.wide_triangles, triangles(r));
+  if (r.forecast) text += to_text(*r.forecast);
   return text;
 }
 
@@ -299,6 +301,7 @@ std::string to_json(const MeshReport& r) {
       {"triangles_above_60_degrees", r.figures.wide_triangles},
   };
   if (r.animation) json["animation"] = animation_json(r);
+  if (r.forecast) json["forecast"] = to_json(*r.forecast);
   // Names of files may be any bytes.
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -5,6 +5,7 @@
 #include <arcspan_tools/mesh/compile/compile_mesh.hpp>
 #include <arcspan_tools/mesh/compile/mesh_figures.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
+#include <arcspan_tools/simulate/forecast.hpp>
 #include <arcspan_tools/texture/plain/made_texture.hpp>
 
 #include <optional>
@@ -31,6 +32,7 @@ struct MeshReport {
   MeshFigures figures;
   std::optional<AnimationError> animation{};  ///< of a model that moves
   std::int32_t error_pixels = 240;            ///< of the model's extent in a picture
+  std::optional<Forecast> forecast{};         ///< if it was asked for
 };
 
 /// For people, several lines.

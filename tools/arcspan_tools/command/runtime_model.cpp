@@ -29,7 +29,8 @@ std::span<const std::uint8_t> bytes_of(const MovingBinary& binary) {
 /// The binary that `arcspan mesh` would write of a model that moves, without its textures.
 std::shared_ptr<const MovingBinary> compiled(const FixedModel& model, const std::string& subject) {
   FixedModel whole = model;
-  whole.animation = std::make_shared<FixedAnimation>(make_animation(model, {}, subject));
+  if (whole.animation == nullptr)
+    whole.animation = std::make_shared<FixedAnimation>(make_animation(model, {}, subject));
   for (FixedMesh& mesh : whole.meshes) mesh.texture_points.clear();
   for (PartLook& look : whole.looks) look.material.texture.reset();
   const std::string file = model_binary_file(whole, {});
@@ -90,6 +91,11 @@ RuntimeModel::RuntimeModel(const Model& model, const std::string& subject)
     in_doubles_ = model;
     return;
   }
+  view_binary();
+}
+
+RuntimeModel::RuntimeModel(const FixedModel& model, const std::string& subject)
+    : subject_(subject), stored_(model), binary_(compiled(model, subject)) {
   view_binary();
 }
 

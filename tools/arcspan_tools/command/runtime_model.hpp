@@ -35,6 +35,8 @@ struct ClipLength {
 class RuntimeModel {
  public:
   RuntimeModel(const Model& model, const std::string& subject);
+  /// Of a compiled model that has its animation. Throws a Failure about `subject` if that cannot be stored.
+  RuntimeModel(const FixedModel& model, const std::string& subject);
 
   /// At a time of a clip, which is limited to its duration; without a clip of this name at rest.
   [[nodiscard]] FixedModel posed(const std::string& clip, double seconds) const;

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <arcspan_tools/command/command.hpp>
 #include <arcspan_tools/command/load_model.hpp>
+#include <arcspan_tools/command/method_advice.hpp>
 #include <arcspan_tools/command/played_model.hpp>
 #include <arcspan_tools/command/render_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
@@ -50,6 +51,7 @@ struct Totals {
   hal::sim::BusCount bus;
   std::string without_figures;    ///< empty: all was estimated
   std::string other_methods;      ///< by_other_methods() of the first frame
+  bool grey = false;              ///< textures are estimated as drawn by GreyGouraud
   std::string outlines;           ///< RenderOptions::outline_text()
   std::size_t outline_bytes = 0;  ///< the most of a frame; 0 without smoothing and ink
 };
@@ -107,19 +109,30 @@ std::string without_figures(const std::string& shading, const RenderJob& job) {
   return job.lights.size() != 1 ? "several lights" : shading + " shading";
 }
 
-/// Estimates for the other main methods, for choosing one: "flat 569880 (-42 %), ...", compared with the
-/// frame's own method, which takes `own` instructions.
-std::string by_other_methods(double own, const std::string& shading, const RenderJob& job,
-                             const FixedMeshes& meshes, const RenderStats& stats) {
+bool has_textures(const RenderJob& job) {
+  return std::any_of(job.parts.begin(), job.parts.end(),
+                     [](const RenderPart& part) { return part.texture != nullptr; });
+}
+
+/// Estimates for the other main methods: "flat 569880 (-42 %), ...", compared with the frame's own method,
+/// which takes `own` instructions; and in a second line which one to take.
+std::string by_other_methods(double own, const std::string& shading, const RenderJob& job) {
   std::string text;
-  for (const char* other : {"flat", "gouraud", "arc"}) {
-    if (shading == other) continue;
-    const std::optional<double> instructions = draw_instructions(other, job, meshes, stats);
+  MethodCosts costs;
+  costs.textured = has_textures(job);
+  bool complete = true;
+  for (const auto& [other, cost] :
+       {std::pair("flat", &costs.flat), std::pair("gouraud", &costs.gouraud), std::pair("arc", &costs.arc)}) {
+    const std::optional<double> instructions = draw_instructions(kSimulatedCore, other, job);
+    complete = complete && instructions;
     if (!instructions) continue;
-    text += formatted("%s%s %.0f (%+.0f %%)", text.empty() ? "" : ", ", other, *instructions,
-                      100 * (*instructions / own - 1));
+    *cost = *instructions;
+    if (shading == other) continue;
+    const bool grey = costs.textured && cost == &costs.gouraud;
+    text += formatted("%s%s%s %.0f (%+.0f %%)", text.empty() ? "" : ", ", grey ? "grey " : "", other,
+                      *instructions, 100 * (*instructions / own - 1));
   }
-  return text;
+  return complete ? text + "\nadvice: " + method_advice(costs) : text;
 }
 
 Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, GlassOutput& output) {
@@ -146,9 +159,9 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
     const FixedModel& model = arguments.planes ? planed : played.frame(i);
     const RenderJob job = make_job(scene, model, options.mesh);
     const RenderResult drawn = renderer.render(job, [](std::size_t) {});
-    const std::optional<double> instructions = draw_instructions(options.shading, job, model, drawn.stats);
-    if (instructions && i == 0)
-      totals.other_methods = by_other_methods(*instructions, options.shading, job, model, drawn.stats);
+    const std::optional<double> instructions = draw_instructions(kSimulatedCore, options.shading, job);
+    if (instructions && i == 0) totals.other_methods = by_other_methods(*instructions, options.shading, job);
+    totals.grey = options.shading == "gouraud" && has_textures(job);
     if (!instructions) totals.without_figures = without_figures(options.shading, job);
     const auto draw_ns = static_cast<std::uint64_t>(instructions.value_or(0) * 1000 / arguments.cpu_mhz);
     const std::uint64_t before = display.now_ns();
@@ -186,8 +199,9 @@ std::string report(const SimulateArguments& arguments, const SimulatedDisplay& d
     const double frame_ms = static_cast<double>(totals.frame_ns) / 1e6 / frames;
     text += formatted(
         "drawing: %.0f instructions and %.3f ms a frame on a Cortex-M3 at %g MHz (an estimate, without "
-        "clearing)\n",
-        totals.instructions / frames, draw_ms, arguments.cpu_mhz);
+        "clearing%s)\n",
+        totals.instructions / frames, draw_ms, arguments.cpu_mhz,
+        totals.grey ? "; textures in grey light" : "");
     if (!totals.other_methods.empty())
       text += formatted("the first frame by other methods: %s\n", totals.other_methods.c_str());
     text += formatted("both, overlapped: %.3f ms, %.1f frames a second; bottleneck: %s\n", frame_ms,

@@ -1,54 +1,136 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/counting/count_operations.hpp>
-#include <arcspan_tools/render/surface_drawer.hpp>
+#include <arcspan/literature/segment.hpp>
+#include <arcspan/shading/flat.hpp>
+#include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/grey_gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
+#include <arcspan/shading/textured/textured.hpp>
+
+#include <arcspan_tools/simulate/count_events.hpp>
 #include <arcspan_tools/simulate/estimates_json.hpp>
 #include <arcspan_tools/simulate/processor_cost.hpp>
+#include <arcspan_tools/support/failure.hpp>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstdint>
+#include <memory>
+#include <utility>
 
 namespace arcspan::tools {
+namespace {
 
-std::vector<CostTerm> cost_terms(std::string_view shading, const RenderJob& job, const FixedMeshes& meshes,
-                                 const RenderStats& stats) {
-  const arcspan_counting::CountedDraw draw = count_operations(shading, job, meshes);
-  const auto share = [](std::uint64_t part, std::uint64_t of) {
-    return of == 0 ? 0 : static_cast<double>(part) / static_cast<double>(of);
-  };
-  const double passed = job.depth ? share(stats.written, stats.pixels) : 1;
-  std::vector<CostTerm> terms;
-  for (std::size_t i = 0; i < arcspan_counting::kOperationKinds; ++i) {
-    const std::string name(arcspan_counting::kOperationNames[i]);
-    terms.push_back({name, static_cast<double>(draw.around.of[i])});
-    terms.push_back({"pixel's " + name, static_cast<double>(draw.in_spans.of[i])});
-  }
-  const auto bands = static_cast<double>(stats.bands);
-  const auto pixels = static_cast<double>(draw.pixels);
-  terms.push_back({"triangle", static_cast<double>(draw.triangles)});
-  terms.push_back({"small triangle", static_cast<double>(draw.small_triangles)});
-  terms.push_back({"span", static_cast<double>(draw.spans)});
-  terms.push_back({"small span", static_cast<double>(draw.small_spans)});
-  terms.push_back({"pixel", pixels});
-  terms.push_back({"written pixel", pixels * passed});
-  terms.push_back({"call", bands * static_cast<double>(meshes.size())});
-  return terms;
+const nlohmann::json& estimates() {
+  static const nlohmann::json kEstimates = nlohmann::json::parse(kEstimatesJson);
+  return kEstimates;
 }
 
-std::optional<double> weighted_sum(std::string_view shading, Highlight highlight,
-                                   const std::vector<CostTerm>& terms) {
-  static const nlohmann::json kWeights = nlohmann::json::parse(kEstimatesJson).at("mps2-an385");
-  auto weights = kWeights.find(std::string(shading) + (highlight == Highlight::kBlinn ? " blinn" : " phong"));
-  if (weights == kWeights.end()) weights = kWeights.find(std::string(shading));
-  if (weights == kWeights.end()) return std::nullopt;
+/// The lightings of methods are too large for the stack.
+template <class Method, class Light>
+std::unique_ptr<typename Method::Lighting> make_lighting(const RenderPart& part, const RenderJob& job) {
+  Material material = part.material;
+  material.highlight_fade = {};
+  Light light;
+  if (!ok(Light::make(material, {job.lights[0]}, job.to_eye, light)))
+    throw Failure("simulate", "the material cannot be lit");
+  auto lighting = std::make_unique<typename Method::Lighting>(light);
+  Status status = Status::kOk;
+  if constexpr (requires { lighting->set_segment_bits(1); }) {
+    if (job.segment_bits < 0) status = lighting->set_adaptive_segments(material.shininess);
+    if (job.segment_bits > 0) status = lighting->set_segment_bits(job.segment_bits);
+  }
+  if constexpr (requires { lighting->set_tolerance(1); }) status = lighting->set_tolerance(job.tolerance);
+  if (!ok(status)) throw Failure("simulate", "the method rejects its settings");
+  return lighting;
+}
+
+template <class Method, class Light>
+void count_part(const RenderPart& part, const RenderJob& job, EventPicture& picture, DrawEvents& events) {
+  const auto lighting = make_lighting<Method, Light>(part, job);
+  if constexpr (requires { lighting->texture; }) lighting->texture = part.texture->view;
+  count_events<Method>(part, job.transform, *lighting, picture, events);
+}
+
+using Blinn = Illumination<1, Highlight::kBlinn>;
+using Phong = Illumination<1, Highlight::kPhong>;
+template <class Method>
+using WithTexels = Textured<Method, SurfaceTexels>;
+
+/// A method with weights.
+struct CountedMethod {
+  const char* weights;
+  std::string_view shading;
+  bool textured;
+  std::optional<Highlight> highlight;  ///< of methods whose pixels depend on it
+  void (*count)(const RenderPart&, const RenderJob&, EventPicture&, DrawEvents&);
+};
+
+constexpr std::array<CountedMethod, 9> kCountedMethods = {{
+    {"flat", "flat", false, {}, count_part<Flat<Blinn>, Blinn>},
+    {"gouraud", "gouraud", false, {}, count_part<Gouraud<Blinn>, Blinn>},
+    {"segment phong", "segment", false, Highlight::kPhong, count_part<Segment<Phong>, Phong>},
+    {"segment blinn", "segment", false, Highlight::kBlinn, count_part<Segment<Blinn>, Blinn>},
+    {"arc phong", "arc", false, Highlight::kPhong, count_part<Arc<Phong>, Phong>},
+    {"arc blinn", "arc", false, Highlight::kBlinn, count_part<Arc<Blinn>, Blinn>},
+    {"textured flat", "flat", true, {}, count_part<WithTexels<Flat<Blinn>>, Blinn>},
+    {"textured gouraud", "gouraud", true, {}, count_part<WithTexels<GreyGouraud<Blinn>>, Blinn>},
+    {"textured arc", "arc", true, Highlight::kBlinn, count_part<WithTexels<Arc<Blinn>>, Blinn>},
+}};
+
+const CountedMethod* find_method(std::string_view shading, const RenderPart& part, Highlight highlight) {
+  if (part.vertex_colours || part.transparency != Transparency::kNone) return nullptr;
+  for (const CountedMethod& method : kCountedMethods) {
+    if (method.shading == shading && method.textured == (part.texture != nullptr) &&
+        method.highlight.value_or(highlight) == highlight)
+      return &method;
+  }
+  return nullptr;
+}
+
+/// All pixels are drawn where depth is not tested.
+void draw_hidden(DrawEvents& events) {
+  for (auto* paths : {&events.small, &events.large, &events.perspective}) {
+    for (DrawEvents::Path& path : *paths) path.written = path.pixels;
+  }
+}
+
+}  // namespace
+
+std::optional<std::vector<PartEvents>> picture_events(std::string_view shading, const RenderJob& job) {
+  if (job.lights.size() != 1 || job.fog != nullptr || job.matcap != nullptr) return std::nullopt;
+  EventPicture picture(job.transform.viewport(), job.band_rows);
+  std::vector<PartEvents> found;
+  for (const RenderPart& part : job.parts) {
+    const CountedMethod* const method = find_method(shading, part, job.highlight);
+    if (method == nullptr) return std::nullopt;
+    DrawEvents events;
+    method->count(part, job, picture, events);
+    if (!job.depth) draw_hidden(events);
+    found.push_back({method->weights, events.terms()});
+  }
+  return found;
+}
+
+std::optional<double> instructions_on(std::string_view core, const std::vector<PartEvents>& picture) {
+  const auto of_core = estimates().find(std::string(core));
+  if (of_core == estimates().end()) return std::nullopt;
   double instructions = 0;
-  for (const CostTerm& term : terms) instructions += weights->value(term.name, 0.0) * term.amount;
+  for (const PartEvents& part : picture) {
+    const auto weights = of_core->find(part.weights);
+    if (weights == of_core->end()) return std::nullopt;
+    for (const CostTerm& term : part.terms) instructions += weights->value(term.name, 0.0) * term.amount;
+  }
   return instructions;
 }
 
-std::optional<double> draw_instructions(std::string_view shading, const RenderJob& job,
-                                        const FixedMeshes& meshes, const RenderStats& stats) {
-  if (job.lights.size() != 1 || has_surfaces(job)) return std::nullopt;
-  return weighted_sum(shading, job.highlight, cost_terms(shading, job, meshes, stats));
+std::optional<double> draw_instructions(std::string_view core, std::string_view shading,
+                                        const RenderJob& job) {
+  const auto picture = picture_events(shading, job);
+  return picture ? instructions_on(core, *picture) : std::nullopt;
+}
+
+double pose_cost(std::string_view core, const std::string& name) {
+  return estimates().at(std::string(core)).at("pose").at(name).get<double>();
 }
 
 }  // namespace arcspan::tools

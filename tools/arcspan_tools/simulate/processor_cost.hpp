@@ -1,42 +1,43 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/render/render.hpp>
+#include <arcspan_tools/simulate/draw_events.hpp>
 
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+/// What a processor takes to draw a picture: events of drawing it (DrawEvents), each times a weight of
+/// docs/estimates.json in instructions, which scripts/simulate-estimates fits to drawings on emulated boards.
 namespace arcspan::tools {
 
-/// An amount on which the instructions of a drawing depend, such as its multiplications or its spans.
-struct CostTerm {
-  std::string name;  ///< the key of its weight in docs/estimates.json
-  double amount = 0;
+/// The core whose costs `arcspan simulate` prints, a Cortex-M3, by its name in docs/estimates.json.
+inline constexpr std::string_view kSimulatedCore = "mps2-an385";
+
+/// The events of a part, and the name of the weights that they are multiplied by.
+struct PartEvents {
+  std::string weights;
+  std::vector<CostTerm> terms;
 };
 
-/// Returns the terms of drawing a job's bands:
-///
-/// - the operations of the counting pipeline; those of pixels times the share that passed the depth test;
-/// - the triangles, spans and pixels that are drawn, and again the small triangles and their spans, because
-///   these have a set-up and a loop of their own;
-/// - the calls of draw_mesh().
-///
-/// `stats` are those of rendering the job with RenderJob::counts.
-[[nodiscard]] std::vector<CostTerm> cost_terms(std::string_view shading, const RenderJob& job,
-                                               const FixedMeshes& meshes, const RenderStats& stats);
+/// The events of drawing the parts of a job by a method, those with textures by its textured form, which is
+/// that of GreyGouraud for gouraud. Nothing if there are several lights, or an effect or a method without
+/// weights.
+[[nodiscard]] std::optional<std::vector<PartEvents>> picture_events(std::string_view shading,
+                                                                    const RenderJob& job);
 
-/// The terms by the weights of docs/estimates.json, summed: instructions. Nothing for a method without
-/// weights. Methods whose pixels depend on the highlight have weights for each.
-[[nodiscard]] std::optional<double> weighted_sum(std::string_view shading, Highlight highlight,
-                                                 const std::vector<CostTerm>& terms);
+/// Instructions that a core takes for these events; nothing if it has no weights for them.
+[[nodiscard]] std::optional<double> instructions_on(std::string_view core,
+                                                    const std::vector<PartEvents>& picture);
 
-/// Instructions that a Cortex-M3 takes to draw a job: the terms by the weights of docs/estimates.json, which
-/// scripts/simulate-estimates fits to drawings on an emulated board. Nothing for a method without weights
-/// there.
-[[nodiscard]] std::optional<double> draw_instructions(std::string_view shading, const RenderJob& job,
-                                                      const FixedMeshes& meshes, const RenderStats& stats);
+/// Instructions that a core takes to draw a job, without clearing; nothing where either of the two above has
+/// nothing.
+[[nodiscard]] std::optional<double> draw_instructions(std::string_view core, std::string_view shading,
+                                                      const RenderJob& job);
+
+/// A cost of posing a character or of clearing on a core: an entry of its list "pose", such as "joint".
+[[nodiscard]] double pose_cost(std::string_view core, const std::string& name);
 
 }  // namespace arcspan::tools

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Poses the tubes that tests/artefacts/posing_models.cpp has written and the emulator has loaded, for
+// scripts/simulate-estimates, transforms and shades their vertices, and clears a picture. The name of a
+// section ends with the number of what it made.
+#include <arcspan/animate/pose.hpp>
+#include <arcspan/animate/skinned_mesh.hpp>
+#include <arcspan/bare/console.hpp>
+#include <arcspan/bare/mark.hpp>
+#include <arcspan/draw/vertex_stage.hpp>
+#include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/lighting/illumination.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/shading/surface/arc.hpp>
+#include <arcspan/span/depth.hpp>
+#include <arcspan/vertex/clip_transform.hpp>
+
+#include <tests/firmware/cost_record.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+
+using namespace arcspan;
+
+namespace {
+
+using Method = Arc<Illumination<1, Highlight::kBlinn>>;
+
+constexpr std::int32_t kWidth = 320;
+constexpr std::int32_t kHeight = 240;
+[[gnu::section(".bss.frame")]] std::uint16_t colours[kWidth * kHeight];
+[[gnu::section(".bss.frame")]] std::uint16_t depths[kWidth * kHeight];
+
+NodeMatrix nodes[32];
+JointMatrix joints[32];
+
+[[gnu::section(".bss.frame")]] CachedVertex<Method> cache[1024];
+Method::Lighting light;
+ClipTransform transform;
+
+/// A camera that sees a model of 16 bits, and a light.
+bool make_view() {
+  Placement placement{};
+  placement.translation[2] = ObjectLength::of(-200000);
+  constexpr Coefficient kPart = Coefficient::of(0.4);
+  const Material material{{kPart, kPart, kPart}, {kPart, kPart, kPart}, {kPart, kPart, kPart}, 16};
+  return ok(ClipTransform::make(placement,
+                                {PixelLength::of(500), ObjectLength::of(50000), ObjectLength::of(400000)},
+                                {kWidth, kHeight}, transform)) &&
+         ok(Method::Lighting::make(material, {DirectionalLight{normalised(1, 2, 3)}}, normalised(0, 0, 1),
+                                   light));
+}
+
+template <class Work>
+void measure(const char* name, const char* of, std::size_t count, const Work& work) {
+  arcspan_mark();
+  work();
+  arcspan_mark();
+  bare::print_line("section: ", name, of, " ", static_cast<std::uint32_t>(count));
+  bare::print_line("section: between");
+}
+
+/// The vertices as draw_mesh() transforms and shades them.
+template <class Mesh>
+bool measure_vertices(const char* of, const MeshView& view, const Mesh& mesh) {
+  const std::size_t vertices = view.vertex_count();
+  if (vertices > std::size(cache)) return false;
+  const VertexStage<Method, Mesh> stage(mesh, transform, light);
+  measure("position ", of, vertices, [&] { stage.transform_all(cache); });
+  measure("normal ", of, vertices, [&] {
+    for (std::size_t i = 0; i < vertices; ++i) stage.shade(i, cache[i]);
+  });
+  return true;
+}
+
+bool pose_tube(const ModelRecord& record) {
+  StoredModel model;
+  StoredAnimation animation;
+  if (!ok(view_model_binary(binary_of(record), model)) || !ok(view_animation(model, animation))) return false;
+  ClipPlayer player(animation.clip(0));
+  player.seek(330'000);
+  Status status = Status::kOk;
+  measure("node", "", animation.nodes().size(),
+          [&] { status = pose_nodes(animation, player.blend(), nodes); });
+  if (!ok(status)) return false;
+  const auto skin = animation.skin(0);
+  measure("joint", "", skin.size(), [&] { status = pose_joints(skin, nodes, joints); });
+  const ModelPart part = model.part(0);
+  SkinnedMesh mesh;
+  if (!ok(status) || !ok(SkinnedMesh::make(part.mesh, animation, 0, joints, mesh))) return false;
+  return measure_vertices("0", part.mesh, part.mesh) &&  // at rest
+         measure_vertices(record.name, part.mesh, mesh);
+}
+
+}  // namespace
+
+int main() {
+  if (!make_view()) return 1;
+  hal::Framebuffer<Rgb565> frame(colours, kWidth, kHeight);
+  DepthBuffer depth(depths, kWidth, kHeight);
+  measure("clear", "", std::size_t{kWidth} * kHeight, [&] {
+    frame.clear({0, 0, 0});
+    depth.clear();
+  });
+  for (const ModelRecord* record = &first_record(); record->bytes != 0; record = &next_record(*record)) {
+    if (!pose_tube(*record)) return 1;
+  }
+  return 0;
+}

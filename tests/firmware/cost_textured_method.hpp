@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/shading/flat.hpp>
+#include <arcspan/shading/gouraud.hpp>
+#include <arcspan/shading/grey_gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
+#include <arcspan/shading/textured/textured.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+
+/// Methods for cost_method.hpp that draw texels as `arcspan mesh` writes them: 8 bits, with mip levels.
+namespace arcspan {
+
+template <class Light>
+using TexturedFlat = Textured<Flat<Light>, Palette8Texels<>>;
+template <class Light>
+using TexturedGreyGouraud = Textured<GreyGouraud<Light>, Palette8Texels<>>;
+template <class Light>
+using TexturedArc = Textured<Arc<Light>, Palette8Texels<>>;
+
+}  // namespace arcspan

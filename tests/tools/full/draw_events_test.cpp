@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// What the estimates of instructions are made of.
+#include <arcspan_tools/command/method_advice.hpp>
+#include <arcspan_tools/mesh/file/load.hpp>
+#include <arcspan_tools/render/scene.hpp>
+#include <arcspan_tools/simulate/processor_cost.hpp>
+#include <catch2/catch.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+using namespace arcspan::tools;
+
+namespace {
+
+RenderJob job_of(const FixedModel& model, std::int32_t band_rows) {
+  Scene scene;
+  scene.size = {120, 90};
+  scene.band_rows = band_rows;
+  return make_job(scene, model, "model");
+}
+
+FixedModel loaded(const std::string& mesh) {
+  return to_fixed(
+      load_model_file(mesh, TexturePointsOf::kTexturedParts, VertexColours::kMean, kSmoothEverything));
+}
+
+/// The events whose name ends with a word, but for "shiny pixel" and "perspective span", which are counted
+/// among others, too.
+double sum_of(const std::vector<PartEvents>& picture, const std::string& word) {
+  double sum = 0;
+  for (const PartEvents& part : picture) {
+    for (const CostTerm& term : part.terms) {
+      if (term.name.ends_with(" " + word) && term.name != "shiny pixel" && term.name != "perspective span")
+        sum += term.amount;
+    }
+  }
+  return sum;
+}
+
+double amount_of(const std::vector<PartEvents>& picture, const std::string& name) {
+  double sum = 0;
+  for (const PartEvents& part : picture) {
+    for (const CostTerm& term : part.terms) {
+      if (term.name == name) sum += term.amount;
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("the events of a picture are the spans and pixels that drawing it counts") {
+  for (const std::string& mesh : {std::string("torus:24x12"), std::string(ARCSPAN_MODELS) + "/sign.obj"}) {
+    const FixedModel model = loaded(mesh);
+    for (const std::int32_t band_rows : {90, 16}) {
+      const RenderJob job = job_of(model, band_rows);
+      for (const char* shading : {"flat", "gouraud", "arc"}) {
+        CAPTURE(mesh, band_rows, shading);
+        const RenderStats stats =
+            find_renderer(shading, "rgb565", false).render(job, [](std::size_t) {}).stats;
+        const auto picture = picture_events(shading, job);
+        REQUIRE(picture);
+        CHECK(sum_of(*picture, "span") == static_cast<double>(stats.spans));
+        CHECK(sum_of(*picture, "pixel") == static_cast<double>(stats.pixels));
+        CHECK(sum_of(*picture, "written") == static_cast<double>(stats.written));
+        CHECK(amount_of(*picture, "vertex") == static_cast<double>(model.vertex_count() * stats.bands));
+        CHECK(instructions_on(kSimulatedCore, *picture).value() > static_cast<double>(10 * stats.pixels));
+      }
+    }
+  }
+}
+
+TEST_CASE("there are no events of several lights, fog, transparency, and methods without weights") {
+  const FixedModel model = loaded("sphere:8x4");
+  const RenderJob plain = job_of(model, 90);
+  CHECK(picture_events("arc", plain));
+  CHECK_FALSE(picture_events("phong", plain));
+  RenderJob job = plain;
+  job.lights.push_back(job.lights[0]);
+  CHECK_FALSE(picture_events("arc", job));
+  job = plain;
+  job.parts[0].transparency = Transparency::kAlpha;
+  CHECK_FALSE(picture_events("arc", job));
+  CHECK_FALSE(instructions_on("no such core", *picture_events("arc", plain)));
+}
+
+TEST_CASE("the advice compares the main methods") {
+  CHECK(method_advice({750, 1000, 1210, false}) ==
+        "arc, for highlights that move, takes 21 % more than Gouraud; Gouraud for matt surfaces; flat takes "
+        "25 % less, for what is far away or has flat faces");
+  CHECK(method_advice({1000, 1000, 1001, true}) ==
+        "arc takes as much as grey Gouraud: take arc; grey Gouraud for matt surfaces; flat takes as much as "
+        "grey Gouraud, which is not worth its facets");
+}

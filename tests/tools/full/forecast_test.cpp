@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// `arcspan mesh --forecast`, as a user runs it.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <tests/tools/command_run.hpp>
+#include <tests/tools/temporary_folder.hpp>
+
+#include <string>
+
+using namespace arcspan::test;
+
+namespace {
+
+nlohmann::json forecast_of(const std::string& model, const std::string& options = "") {
+  const TemporaryFolder folder;
+  const CommandRun done = run("mesh " + model + " -o " + (folder / "a.bin") + " --forecast " + options +
+                              " --stats " + (folder / "a.json"));
+  INFO(done.err);
+  REQUIRE(done.status == 0);
+  CHECK(done.out.find("forecast: ") != std::string::npos);
+  return nlohmann::json::parse(contents(folder / "a.json")).at("forecast");
+}
+
+double figure(const nlohmann::json& forecast, const char* method, const char* core) {
+  return forecast.at("instructions").at(method).at(core).get<double>();
+}
+
+}  // namespace
+
+TEST_CASE("a forecast has figures of every method on every core") {
+  const nlohmann::json made = forecast_of("torus:24x12");
+  for (const char* core : {"Cortex-M0+", "Cortex-M3", "Cortex-M4", "RV32IMC"}) {
+    CAPTURE(core);
+    CHECK(figure(made, "flat", core) < figure(made, "gouraud", core));
+    CHECK(figure(made, "gouraud", core) < figure(made, "arc", core));
+  }
+  CHECK(figure(made, "arc", "Cortex-M0+") > figure(made, "arc", "Cortex-M3"));
+  CHECK(made.at("ram").at("pose") == 0);
+  CHECK(figure(forecast_of("torus:24x12", "--size 120x160"), "arc", "Cortex-M3") <
+        figure(made, "arc", "Cortex-M3"));
+}
+
+TEST_CASE("a forecast of a character has its joints, and the pose is paid for") {
+  const std::string walker = std::string(ARCSPAN_EXAMPLES) + "/walker/walker.glb";
+  const nlohmann::json moves = forecast_of(walker);
+  const nlohmann::json stands = forecast_of(walker, "--pose rest");
+  CHECK(moves.at("ram").at("pose") == 14 * 48 + 18 * 52);
+  CHECK(stands.at("ram").at("pose") == 0);
+  // By arc about 110 instructions per position and per normal of 646 vertices, 1,250 per node and 1,170 per
+  // joint.
+  const auto posing = [](const nlohmann::json& made, const char* core) {
+    return made.at("posing").at(core).get<double>();
+  };
+  CHECK(posing(moves, "Cortex-M3") > 100'000);
+  CHECK(posing(moves, "Cortex-M3") < 200'000);
+  CHECK(posing(moves, "Cortex-M0+") > posing(moves, "Cortex-M3"));
+  CHECK(posing(stands, "Cortex-M3") == 0);
+  CHECK(figure(moves, "arc", "Cortex-M3") > posing(moves, "Cortex-M3"));
+}
+
+TEST_CASE("a forecast of a textured model has grey Gouraud in place of Gouraud") {
+  const nlohmann::json sign = forecast_of(std::string(ARCSPAN_MODELS) + "/sign.obj");
+  CHECK_FALSE(sign.at("instructions").contains("gouraud"));
+  CHECK(figure(sign, "grey gouraud", "RV32IMC") > 0);
+  CHECK(figure(sign, "grey gouraud", "Cortex-M3") < figure(sign, "arc", "Cortex-M3"));
+}
+
+TEST_CASE("options of the forecast without it are refused") {
+  const TemporaryFolder folder;
+  const CommandRun done = run("mesh torus:24x12 -o " + (folder / "a.bin") + " --cpu-mhz 64");
+  CHECK(done.status != 0);
+  CHECK(done.err.find("--cpu-mhz: is of --forecast") != std::string::npos);
+}

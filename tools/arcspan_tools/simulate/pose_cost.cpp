@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/simulate/pose_cost.hpp>
+#include <arcspan_tools/simulate/processor_cost.hpp>
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace arcspan::tools {
+namespace {
+
+Vec3 point(const ObjectPosition& p) { return {double(p.x), double(p.y), double(p.z)}; }
+
+/// The corners of triangles that face `eye`, which is in object units.
+template <class Take>
+void for_each_front(const FixedMesh& mesh, Vec3 eye, const Take& take) {
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Vec3 a = point(mesh.positions[mesh.indices[i]]);
+    const Vec3 b = point(mesh.positions[mesh.indices[i + 1]]);
+    const Vec3 c = point(mesh.positions[mesh.indices[i + 2]]);
+    if (dot(cross(b - a, c - a), eye - a) <= 0) continue;
+    for (std::size_t k = 0; k < 3; ++k) take(mesh.indices[i + k]);
+  }
+}
+
+}  // namespace
+
+PoseAmounts pose_amounts(const FixedModel& model, const FixedModel& posed, Vec3 eye,
+                         std::string_view shading) {
+  const FixedAnimation& animation = *model.animation;
+  PoseAmounts amounts;
+  amounts.nodes = static_cast<double>(animation.nodes.size());
+  std::set<std::size_t> skins;
+  for (std::size_t part = 0; part < model.meshes.size(); ++part) {
+    const FixedPartMotion& motion = animation.parts[part];
+    if (motion.weights.empty()) continue;
+    skins.insert(motion.skin);
+    for (const FixedWeights& weights : motion.weights) ++amounts.positions[weights.count - 1];
+    const FixedMesh& mesh = posed.meshes[part];
+    std::vector<bool> is_lit(mesh.positions.size());
+    for_each_front(mesh, (eye - mesh.centre) * (1 / mesh.unit), [&](std::size_t i) {
+      const std::size_t kind = motion.weights[i].count - 1;
+      if (shading == "flat") {
+        ++amounts.positions[kind];
+      } else if (!is_lit[i]) {
+        is_lit[i] = true;
+        ++amounts.normals[kind];
+      }
+    });
+  }
+  for (const std::size_t skin : skins) amounts.joints += static_cast<double>(animation.skins[skin].size());
+  return amounts;
+}
+
+double pose_instructions(std::string_view core, const PoseAmounts& amounts) {
+  double sum = amounts.nodes * pose_cost(core, "node") + amounts.joints * pose_cost(core, "joint");
+  for (std::size_t i = 0; i < 4; ++i) {
+    // Drawing a mesh at rest, which is in the other terms, takes its own positions and normals.
+    const std::string weights = std::to_string(i + 1);
+    sum += amounts.positions[i] * (pose_cost(core, "position " + weights) - pose_cost(core, "position 0"));
+    sum += amounts.normals[i] * (pose_cost(core, "normal " + weights) - pose_cost(core, "normal 0"));
+  }
+  return sum;
+}
+
+}  // namespace arcspan::tools

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan_tools/fixed_point/fixed_mesh.hpp>
+#include <arcspan_tools/support/vec3.hpp>
+
+#include <array>
+#include <string_view>
+
+namespace arcspan::tools {
+
+/// What of a model is posed for a picture.
+struct PoseAmounts {
+  double nodes = 0;
+  double joints = 0;
+  std::array<double, 4> positions{};  ///< of vertices with 1, 2, 3 and 4 weights
+  std::array<double, 4> normals{};
+};
+
+/// The amounts for a picture of `posed`, which is `model` in a pose, from `eye`, by a method: positions of
+/// all vertices, and normals of those of front faces; flat shading takes the positions of front faces once
+/// more, and no normals. Morph targets are not counted. `model` has its animation.
+[[nodiscard]] PoseAmounts pose_amounts(const FixedModel& model, const FixedModel& posed, Vec3 eye,
+                                       std::string_view shading);
+
+/// Instructions of posing on a core, which has weights in docs/estimates.json.
+[[nodiscard]] double pose_instructions(std::string_view core, const PoseAmounts& amounts);
+
+}  // namespace arcspan::tools

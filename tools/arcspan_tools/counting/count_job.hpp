@@ -35,9 +35,7 @@ struct CountedDraw {
   OperationCounts around;    ///< everything else: vertices, preparation, row starts
   std::uint64_t pixels = 0;
   std::uint64_t spans = 0;
-  std::uint64_t triangles = 0;        ///< the sum of those that each band shows
-  std::uint64_t small_triangles = 0;  ///< those with pixels that are drawn without a command
-  std::uint64_t small_spans = 0;
+  std::uint64_t triangles = 0;  ///< the sum of those that each band shows
 };
 
 using CountFunction = CountedDraw(const CountJob& job);

@@ -29,8 +29,6 @@ void add(CountedDraw& sum, const CountedDraw& draw) {
   sum.pixels += draw.pixels;
   sum.spans += draw.spans;
   sum.triangles += draw.triangles;
-  sum.small_triangles += draw.small_triangles;
-  sum.small_spans += draw.small_spans;
 }
 
 }  // namespace

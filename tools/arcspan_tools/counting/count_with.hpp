@@ -84,28 +84,8 @@ T one(std::span<const std::byte> bytes) {
   return values[0];
 }
 
-/// A method that draws as `Method` does, and adds its small triangles and their spans to `draw`, which
-/// count_draw() sets. Without small triangles there is nothing to count.
 template <class Method>
-struct CountingSmall : Method {};
-template <counted::DrawsSmallTriangles Method>
-struct CountingSmall<Method> : Method {
-  using DrawsSmallTrianglesAs = CountingSmall;
-  static inline CountedDraw* draw = nullptr;
-
-  template <class Draw>
-  [[nodiscard]] static counted::Status walk_small(const typename Method::Small& small, Draw&& pixels) {
-    const std::uint64_t before = draw->spans;
-    const counted::Status status = Method::walk_small(small, pixels);
-    ++draw->small_triangles;
-    draw->small_spans += draw->spans - before;
-    return status;
-  }
-};
-
-template <class Plain>
-CountedDraw count_draw(const CountJob& job, const typename Plain::Lighting& lighting) {
-  using Method = CountingSmall<Plain>;
+CountedDraw count_draw(const CountJob& job, const typename Method::Lighting& lighting) {
   const auto positions = copied<counted::ObjectPosition>(job.positions);
   const auto normals = copied<counted::PackedNormal>(job.normals);
   const auto indices = copied<Counted<std::uint16_t>>(job.indices);
@@ -120,7 +100,6 @@ CountedDraw count_draw(const CountJob& job, const typename Plain::Lighting& ligh
     throw std::logic_error("the counting pipeline rejects the planes");
   }
   CountedDraw draw;
-  if constexpr (counted::DrawsSmallTriangles<Method>) Method::draw = &draw;
   const int width = static_cast<int>(transform.viewport().width);
   const int height = static_cast<int>(transform.viewport().height);
   for (int first = 0; first < height; first += job.band_rows) {

@@ -306,7 +306,7 @@ std::string prepared_text(const FixedModel& model, const std::string& arrays, co
 }
 
 /// Bytes as words that a little-endian machine reads as these bytes, so that C aligns them.
-ArrayText words_of(const std::string& bytes) {
+ArrayText word_array(const std::string& bytes) {
   ArrayText words;
   for (std::size_t i = 0; i < bytes.size(); i += 4) {
     std::uint32_t word = 0;
@@ -327,7 +327,7 @@ std::string model_c_header(const FixedModel& model, const std::string& name, con
   return comment(model, origin, textures, CompiledOutput::kBinary) + "#ifndef " + guard + "\n#define " +
          guard + "\n\n#include <stdint.h>\n\n/* A binary of sizeof " + name +
          " bytes, for arcspan_add_binary()" + (model.rig != nullptr ? " or arcspan_add_character()" : "") +
-         ". */\nstatic const uint32_t " + name + words_of(model_binary_file(model, textures)).c_array() +
+         ". */\nstatic const uint32_t " + name + word_array(model_binary_file(model, textures)).c_array() +
          "#endif\n";
 }
 

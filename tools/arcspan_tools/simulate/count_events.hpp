@@ -54,7 +54,7 @@ template <class Method>
 void count_triangles(const VertexStage<Method>& stage, const std::vector<CachedVertex<Method>>& cache,
                      const Rect& bounds, bool two_sided, DrawEvents& events) {
   const MeshView& mesh = stage.mesh();
-  const detail::Scissor scissor(stage.transform().viewport(), bounds);
+  const arcspan::detail::Scissor scissor(stage.transform().viewport(), bounds);
   const bool known = stage.back_faces().known();
   for (const CachedVertex<Method>& vertex : cache) {
     if (!known)
@@ -82,13 +82,13 @@ void count_triangles(const VertexStage<Method>& stage, const std::vector<CachedV
     const RasterPosition& q = b.raster.position;
     const RasterPosition& r = c.raster.position;
     const std::int32_t area = doubled_area(p, q, r);
-    if (detail::is_culled_by_area<Method>(area, two_sided)) continue;
+    if (arcspan::detail::is_culled_by_area<Method>(area, two_sided)) continue;
     ++events.fronts;
-    if (scissor.template test<true>(p, q, r) == detail::ScissorTest::kOutside) continue;
+    if (scissor.template test<true>(p, q, r) == arcspan::detail::ScissorTest::kOutside) continue;
     ++events.in_view;
     if constexpr (DrawsSmallTriangles<Method>) {
       SortedVertices<Method> sorted{&a.raster, &b.raster, &c.raster, area < 0};
-      detail::sort_by_height(sorted);
+      arcspan::detail::sort_by_height(sorted);
       if (!is_small(sorted)) continue;
       SmallTriangle triangle;
       if (!cover_small_triangle(sorted.top->position, sorted.middle->position, sorted.bottom->position,

@@ -31,7 +31,7 @@ struct EventRun : Run {
   [[nodiscard]] auto colour(const Lighting& lighting) const {
     EventTarget& target = *EventTarget::current;
     ++target.path->written;
-    const auto shown = Run::colour(lighting);
+    auto shown = Run::colour(lighting);
     if constexpr (requires { shown.shine; }) {
       if (shown.shine != 0) ++target.events.shiny;
     } else if constexpr (LightRun<Run, Lighting>) {

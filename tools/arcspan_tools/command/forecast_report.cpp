@@ -52,7 +52,7 @@ std::string to_text(const Forecast& f) {
   text += advice_text(f);
   if (f.pose_bytes != 0) {
     const CoreFigures& posing = f.methods.back().posing;
-    text += formatted("  of arc, for joints and vertices:");
+    text += "  of arc, for joints and vertices:";
     for (std::size_t i = 0; i < posing.size(); ++i)
       text += formatted("%s %.2f M", i == 0 ? "" : ",", posing[i].value_or(0) / 1e6);
     text += "\n";

@@ -102,14 +102,15 @@ void count_triangles(const VertexStage<Method>& stage, const std::vector<CachedV
 template <class Plain>
 void count_events(const RenderPart& part, const ClipTransform& transform,
                   const typename Plain::Lighting& lighting, EventPicture& picture, DrawEvents& events) {
-  using Method = EventMethod<Plain>;
+  using Counting = EventMethod<Plain>;
   EventTarget target;
   EventTarget::current = &target;
-  std::vector<CachedVertex<Method>> cache(part.mesh.vertex_count());
+  std::vector<CachedVertex<Counting>> cache(part.mesh.vertex_count());
   picture.for_each_band([&](hal::Framebuffer<Rgb565>& sink, const DepthBuffer& depth) {
     ++target.events.calls;
-    (void)draw_mesh<Method>(part.mesh, transform, lighting, sink, depth, std::span(cache), {part.two_sided});
-    VertexStage<Method> stage(part.mesh, transform, lighting);
+    (void)draw_mesh<Counting>(part.mesh, transform, lighting, sink, depth, std::span(cache),
+                              {part.two_sided});
+    VertexStage<Counting> stage(part.mesh, transform, lighting);
     if (!part.two_sided) stage.find_back_faces();
     count_triangles(stage, cache, sink.bounds(), part.two_sided, target.events);
   });

@@ -32,16 +32,15 @@ std::string name_of(std::string_view method, bool textured) {
 }
 
 void set_memory(const FixedModel& model, Forecast& made) {
-  using Method = Arc<Illumination<1, Highlight::kBlinn>>;
-  using Mapped = Textured<Method, Palette8Texels<OpaqueColour>>;
+  using Lit = Arc<Illumination<1, Highlight::kBlinn>>;
+  using Mapped = Textured<Lit, Palette8Texels<OpaqueColour>>;
   const auto pixels = static_cast<std::size_t>(made.size.width) * static_cast<std::size_t>(made.size.height);
   constexpr std::size_t kBytesPerPixel = 4;
   made.frame_bytes = kBytesPerPixel * pixels;
   made.band_bytes = kBytesPerPixel * static_cast<std::size_t>(made.size.width) * Forecast::kBandRows;
   std::size_t most = 0;
   for (const FixedMesh& mesh : model.meshes) most = std::max(most, mesh.positions.size());
-  made.cache_bytes =
-      most * (has_textures(model) ? sizeof(CachedVertex<Mapped>) : sizeof(CachedVertex<Method>));
+  made.cache_bytes = most * (has_textures(model) ? sizeof(CachedVertex<Mapped>) : sizeof(CachedVertex<Lit>));
   if (model.animation == nullptr) return;
   made.pose_bytes = model.animation->nodes.size() * sizeof(NodeMatrix);
   for (const FixedSkin& skin : model.animation->skins) made.pose_bytes += skin.size() * sizeof(JointMatrix);

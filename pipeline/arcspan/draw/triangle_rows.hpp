@@ -26,7 +26,7 @@ struct TriangleRows {
   /// The rows of a group are 2 to the power of this, in a picture of `height` rows, 1...2048.
   [[nodiscard]] static constexpr int group_bits(std::int32_t height) {
     int bits = 0;
-    while ((height - 1) >> bits > 254) ++bits;
+    while (((height - 1) >> bits) > 254) ++bits;
     return bits;
   }
 

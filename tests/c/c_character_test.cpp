@@ -276,7 +276,7 @@ TEST_CASE("a character that cannot be added changes nothing in a scene") {
   CHECK(add(kWalker, kWalkerBytes, room - 1) == ARCSPAN_BUFFER_TOO_SMALL);
   CHECK(arcspan_add_character(scene, kWalker, kWalkerBytes, nullptr, nullptr, room, &stage.character) ==
         ARCSPAN_BUFFER_TOO_SMALL);
-  const arcspan_look gouraud{ARCSPAN_GOURAUD, 1, 0, nullptr};
+  const arcspan_look gouraud{ARCSPAN_GOURAUD, 1, 0, nullptr, 0};
   CHECK(arcspan_add_character(scene, kWalker, kWalkerBytes, &gouraud, more.data(), room, &stage.character) ==
         ARCSPAN_UNSUPPORTED);
   CHECK(arcspan_limits_of(scene, 0).objects == 0);

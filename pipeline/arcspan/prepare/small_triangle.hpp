@@ -14,9 +14,8 @@
 /// from the barycentric coordinates of its first pixel (decision 35).
 namespace arcspan {
 
-/// A triangle is small if its vertices are at most this many pixels apart, along x and along y. With more,
-/// its doubled area would not be below 2^17 (256ths of a square pixel), and coordinates would not fit.
-inline constexpr std::int32_t kSmallSize = 22;
+/// A triangle is small if its vertices are at most this many pixels apart, along x and along y.
+inline constexpr std::int32_t kSmallSize = 15;
 
 /// Returns true if the triangle is small.
 template <class Method>
@@ -33,7 +32,7 @@ template <class Method>
 
 /// The edge function of an edge: twice the area of the triangle between the edge and a point, in 256ths of a
 /// square pixel, of the sign of doubled_area() inside. All values are exact, and those inside of the triangle
-/// below 2^17 in magnitude.
+/// below 2^16 in magnitude.
 struct EdgeFunction {
   std::int32_t at;  ///< at the centre of column 0 in the first row
   std::int32_t dx;  ///< change per pixel
@@ -249,7 +248,7 @@ constexpr void prepare_small_triangle(const RasterPosition& top, const RasterPos
   const std::int32_t area = short_dx * dy - dx * short_dy;  // doubled_area()
   triangle.of_middle = {dy * left - dx * above, dy * 16, dx * -16};
   triangle.of_bottom = {short_dx * above - short_dy * left, short_dy * -16, short_dx * 16};
-  const auto size = static_cast<std::uint32_t>(area < 0 ? -area : area);  // below 2^17
+  const auto size = static_cast<std::uint32_t>(area < 0 ? -area : area);  // below 2^16
   const int zeros = leading_zeros(size | 1u);
   const std::uint32_t wide = detail::wide_reciprocal_mantissa(size << zeros);
   // Reduced by more than its error, so that no product with an edge function exceeds 1.
@@ -267,7 +266,7 @@ constexpr void prepare_small_triangle(const RasterPosition& top, const RasterPos
   triangle.d_bottom = wrap_add(wrap_mul(triangle.of_bottom.dx, triangle.inverse), half) >> triangle.shift;
   const std::int32_t across =
       triangle.z_middle * triangle.of_middle.dx + triangle.z_bottom * triangle.of_bottom.dx;  // 16 times
-  triangle.dz = Linear::from_raw(multiply_high(wrap_shl(across >> 3, Linear::kFraction + 4 - triangle.shift),
+  triangle.dz = Linear::from_raw(multiply_high(wrap_shl(across >> 2, Linear::kFraction + 3 - triangle.shift),
                                                area < 0 ? -inverse : inverse));
 }
 

@@ -222,7 +222,7 @@ TEST_CASE("the depth of small triangles is within 7 of 65536 of their plane, and
       lowest = std::min(lowest, above);
       highest = std::max(highest, above);
       // Rows lose bits in triangles thinner than a pixel.
-      if (std::abs(area) > 16 * 16 * (kSmallSize + 1)) {
+      if (std::abs(area) > 16 * 16 * 16) {
         rows_apart = std::max(rows_apart, std::abs(depth - static_cast<double>(rows.depths[p])));
       }
     }

@@ -34,9 +34,8 @@ class EventPicture {
     for (std::vector<std::uint16_t>& words : depths_) {
       const std::int32_t rows = std::min(rows_, size_.height - top);
       hal::Framebuffer<Rgb565> sink(colours_, size_.width, rows);
-      DepthBuffer depth(words, size_.width, rows);
+      const DepthBuffer depth(words, size_.width, rows, top);
       sink.move_to(top);
-      depth.move_to(top);
       draw(sink, depth);
       top += rows;
     }

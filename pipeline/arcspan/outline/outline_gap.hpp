@@ -41,6 +41,7 @@ struct OutlineGap {
     std::uint16_t depth;
     std::uint16_t next;
   };
+  /// @cond for smooth_outlines(), not in the reference
   /// First what the list needs, then what blending needs.
   union Held {
     InList list;
@@ -50,6 +51,7 @@ struct OutlineGap {
     constexpr explicit Held(const InList& l) : list(l) {}
     constexpr explicit Held(const detail::GapColours<F>& c) : colours(c) {}
   };
+  /// @endcond
 
   std::int16_t x = 0;  ///< the pixel outside
   std::int16_t y = 0;

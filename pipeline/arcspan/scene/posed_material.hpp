@@ -16,6 +16,7 @@ namespace arcspan {
 /// which they are drawn. All drawing code for these vertices is compiled once more than for MeshView.
 template <class M, DrawableMesh Mesh>
 struct Posed {
+  /// @cond for draw_scene(), not in the reference
   using Used = typename detail::UseOf<M>::Type;
   using Method = typename Used::Method;
   using PosedMesh = Mesh;
@@ -24,6 +25,7 @@ struct Posed {
     features.planes = false;  // they hold for vertices that stand still
     return features;
   }();
+  /// @endcond
 };
 
 /// A material of one object whose vertices a mesh poses, such as a SkinnedMesh; Posed<M, Mesh> must be listed

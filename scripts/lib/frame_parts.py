@@ -4,7 +4,7 @@
 The image must have line tables (gcc -g1), which tell which inlined functions an instruction belongs to. The PARTS are:
 
 * pixel: loops of draw_pixels(), and functions that only these call;
-* row: loops of RowDrawer, without their pixels, and functions that only these call;
+* row: loops of RowDrawer and draw_small_pixels(), without their pixels, and functions that only these call;
 * vertex: transformation, projection and shading of vertices, unpacking of normals;
 * back face: BackFaces, which culls by planes;
 * triangle: everything else between two marks, such as preparation and culling by area.
@@ -20,7 +20,7 @@ import subprocess
 from collections import Counter, defaultdict
 
 PARTS = ("pixel", "row", "triangle", "vertex", "back face")
-LOOPS = (("pixel", re.compile(r"::draw_pixels$")), ("row", re.compile(r"::(Inlined)?RowDrawer::")))
+LOOPS = (("pixel", re.compile(r"::draw_pixels$")), ("row", re.compile(r"::(Inlined)?RowDrawer::|::draw_small_pixels$")))
 INLINED = (("vertex", re.compile(r"::(VertexStage|ClipTransform)::|::(project|unpack_normal|shade_vertex)$")),
            ("back face", re.compile(r"::BackFaces::")))
 MOST = 0.8  # of a loop's instructions

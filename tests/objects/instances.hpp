@@ -34,7 +34,8 @@ bool prepare(const MeshView& mesh, const typename Method::Lighting& lighting, co
   v[2].shade = Method::between(v[1].shade, v[2].shade, Factor::from_raw(face.x.raw()));
   if constexpr (DrawsSmallTriangles<Method>) {
     typename Method::Small part;
-    if (Method::prepare_small(lighting, v[0], v[1], v[2], small, part)) return true;
+    if (Method::prepare_small(lighting, v[0], v[1], v[2], Method::shade_face(lighting, face), small, part))
+      return true;
   }
   return prepare_triangle(lighting, v[0], v[1], v[2], Method::shade_face(lighting, face), rows, command);
 }

@@ -32,7 +32,7 @@ class RasterStage {
   bool draw(const RasterVertex<Method>& a, const RasterVertex<Method>& b, const RasterVertex<Method>& c,
             const typename Method::Face& face = {}) {
     if constexpr (DrawsSmallTriangles<Method>) {
-      if (const auto drawn = draw_small(a, b, c)) return *drawn;
+      if (const auto drawn = draw_small(a, b, c, face)) return *drawn;
     }
     TriangleCommand<Method> command;
     if (!prepare_triangle(lighting_, a, b, c, face, rows_, command)) return false;
@@ -49,7 +49,7 @@ class RasterStage {
  private:
   /// Draws a small triangle and returns true if it has rows, or nothing if it has to be a TriangleCommand.
   std::optional<bool> draw_small(const RasterVertex<Method>& a, const RasterVertex<Method>& b,
-                                 const RasterVertex<Method>& c) {
+                                 const RasterVertex<Method>& c, const typename Method::Face& face) {
     const RasterPosition& p = a.position;
     if (!draws_small_ || !in_guard_band(p)) return std::nullopt;
     const std::int32_t area = doubled_area(p, b.position, c.position);
@@ -61,7 +61,9 @@ class RasterStage {
                                                                                     depth_};
     Status status = Status::kOk;
     const RowRange drawn{clip_.top - origin_.y, clip_.bottom - origin_.y};
-    switch (arcspan::detail::draw_small_triangle<Method>(vertices, rows_, drawn, origin_, target, status)) {
+    const auto face_of = [&] { return face; };
+    switch (arcspan::detail::draw_small_triangle<Method>(vertices, face_of, rows_, drawn, origin_, target,
+                                                         status)) {
       case arcspan::detail::SmallResult::kDone:
         return ok(status);
       case arcspan::detail::SmallResult::kOutOfView:

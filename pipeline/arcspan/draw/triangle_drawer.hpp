@@ -238,16 +238,17 @@ class TriangleDrawer {
     vertices.middle_left = facing == Facing::kFront;
     sort_by_height(vertices);
     if constexpr (kDrawsSmall) {
-      if (is_small(vertices) && draw_small_side(vertices)) return;
+      if (is_small(vertices) && draw_small_side(t, vertices, facing)) return;
     }
     draw_large_side(t, vertices, facing);
   }
 
   /// Draws one side of a small triangle. Returns false if the method cannot.
-  ARCSPAN_OUTLINE bool draw_small_side(const SortedVertices<Method>& vertices) {
-    const SmallResult result =
-        draw_small_triangle<Method>(vertices, scissor_.viewport_rows(), scissor_.drawn_rows(),
-                                    scissor_.origin(), target_, result_.status);
+  ARCSPAN_OUTLINE bool draw_small_side(const TriangleIndices& t, const SortedVertices<Method>& vertices,
+                                       Facing facing) {
+    const SmallResult result = draw_small_triangle<Method>(
+        vertices, [&] { return shaded_face(t, facing); }, scissor_.viewport_rows(), scissor_.drawn_rows(),
+        scissor_.origin(), target_, result_.status);
     if (result == SmallResult::kDone) ++result_.triangles;
     return result != SmallResult::kRefused;
   }

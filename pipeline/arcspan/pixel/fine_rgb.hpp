@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/target.hpp>
 
@@ -11,28 +10,20 @@ namespace arcspan {
 
 /// A colour that Gouraud shading steps along a row: three channels in 8-bit steps with 23 fraction bits, one
 /// word each and below 2^31, so that a shift without a mask gives the upper bits. A channel includes half an
-/// 8-bit step, so that dropping the fraction rounds. The last kDropped fraction bits of blue are 0: pictures
-/// are those of pipelines that step blue with so many bits less, joined with another channel.
+/// 8-bit step, so that dropping the fraction rounds.
 class FineRgb {
  public:
   static constexpr int kFraction = 23;
-  static constexpr int kDropped = 5;  ///< fraction bits of blue that are always 0
 
   FineRgb() = default;  // not an aggregate, so that encode({r, g, b}) takes an Rgb8
 
-  /// The colour of three channels in 0...2^31 - 1, or a step of three signed gradients, that of blue from
-  /// blue_step(). The last kDropped bits of blue are ignored.
+  /// The colour of three channels in 0...2^31 - 1, or a step of three signed gradients.
   [[nodiscard]] static constexpr FineRgb of(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
     FineRgb c{};
     c.r_ = r;
     c.g_ = g;
     c.b_ = b;
     return c;
-  }
-  /// A gradient of blue, at most 2^31 - 32, rounded to a multiple of 2^kDropped.
-  [[nodiscard]] static constexpr std::int32_t blue_step(std::int32_t step) {
-    constexpr std::int32_t kUnit = 1 << kDropped;
-    return wrap_add(step, kUnit / 2) & -kUnit;
   }
   ARCSPAN_INLINE constexpr void advance(const FineRgb& step) {
     r_ += step.r_;
@@ -42,7 +33,7 @@ class FineRgb {
 
   [[nodiscard]] constexpr std::uint32_t r() const { return r_; }
   [[nodiscard]] constexpr std::uint32_t g() const { return g_; }
-  [[nodiscard]] constexpr std::uint32_t b() const { return b_ >> kDropped << kDropped; }
+  [[nodiscard]] constexpr std::uint32_t b() const { return b_; }
   [[nodiscard]] constexpr PackedRgb packed() const {
     constexpr int kShift = kFraction - 2;
     return PackedRgb::of(r_ >> kShift, g_ >> kShift, b_ >> kShift);

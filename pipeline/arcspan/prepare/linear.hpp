@@ -13,12 +13,10 @@
 namespace arcspan {
 
 /// Raw value of the largest gradient, 2^16 per pixel or row. A steeper one only occurs in triangles narrower
-/// than a pixel, whose spans have one pixel and do not step. For FullLinear it is 32 less, so that the
-/// gradient still fits after FineRgb has rounded it to a multiple of 32.
+/// than a pixel, whose spans have one pixel and do not step. For FullLinear it is 1 less, which fits 32 bits.
 template <class Value>
-inline constexpr std::int32_t kMaxGradient = static_cast<std::int32_t>((std::int64_t{1}
-                                                                        << (16 + Value::kFraction)) -
-                                                                       (Value::kFraction < 15 ? 0 : 32));
+inline constexpr std::int32_t kMaxGradient =
+    static_cast<std::int32_t>((std::int64_t{1} << (16 + Value::kFraction)) - (Value::kFraction < 15 ? 0 : 1));
 
 namespace detail {
 

@@ -42,11 +42,6 @@ struct PickSink {
   [[nodiscard]] static Status close(const Span&) { return Status::kOk; }
 };
 
-/// Unlit with small triangles, whose depths are those of methods that draw them.
-struct UnlitSmall : Unlit {
-  using DrawsSmallTrianglesAs = UnlitSmall;
-};
-
 /// The arguments by which pick() draws a triangle.
 struct PickCall {
   const SceneSlot& slot;
@@ -60,8 +55,7 @@ template <class Used>
 [[nodiscard]] Status draw_unshaded(const PickCall& call, const MeshView& triangle) {
   using Method = typename Used::Method;
   constexpr bool kSmall = Used::kFeatures.small_triangles && DrawsSmallTriangles<Method>;
-  using Plain =
-      std::conditional_t<DrawsEdges<Method>, Wireframe<>, std::conditional_t<kSmall, UnlitSmall, Unlit>>;
+  using Plain = std::conditional_t<DrawsEdges<Method>, Wireframe<>, Unlit>;
   constexpr DrawFeatures kFeatures{
       .clips = Used::kFeatures.clips, .planes = false, .small_triangles = kSmall};
   typename Plain::Lighting lighting{};

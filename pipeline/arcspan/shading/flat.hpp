@@ -2,7 +2,10 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/prepare/small_triangle.hpp>
 #include <arcspan/shading/method.hpp>
+
+#include <cstdint>
 
 namespace arcspan {
 
@@ -13,6 +16,7 @@ struct Flat {
   using Face = PackedRgb;
   struct Vertex {};
   using Prepared = PackedRgb;
+  using DrawsSmallTrianglesAs = Flat;
   static constexpr bool kNeedsFaceNormal = true;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting&, const Direction&) { return {}; }
@@ -46,6 +50,25 @@ struct Flat {
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     return draw(Walker(prepared));
+  }
+
+  using Small = PackedRgb;
+  /// The rows of a small triangle.
+  struct SmallRows {
+    using Run = Flat::Run;
+    PackedRgb value;
+    [[nodiscard]] constexpr Run row(std::int32_t, std::int32_t, std::int32_t) const { return {value}; }
+  };
+  template <class Raster>
+  [[nodiscard]] static constexpr bool prepare_small(const Lighting&, const Raster&, const Raster&,
+                                                    const Raster&, const Face& face, const SmallTriangle&,
+                                                    Small& small) {
+    small = face;
+    return true;
+  }
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
+    return draw(SmallRows{small});
   }
 };
 

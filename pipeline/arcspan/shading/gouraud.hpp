@@ -4,6 +4,8 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/pixel/fine_rgb.hpp>
 #include <arcspan/prepare/linear.hpp>
+#include <arcspan/prepare/small_level.hpp>
+#include <arcspan/prepare/small_triangle.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/target.hpp>
 
@@ -16,6 +18,7 @@ struct Gouraud {
   using Lighting = Illumination;
   struct Face {};
   using Vertex = DeepColour;
+  using DrawsSmallTrianglesAs = Gouraud;
   struct Prepared {
     FullLinearPlane r;
     FullLinearPlane g;
@@ -43,7 +46,6 @@ struct Gouraud {
     make_plane(frame, top.r, middle.r, bottom.r, prepared.r);
     make_plane(frame, top.g, middle.g, bottom.g, prepared.g);
     make_plane(frame, top.b, middle.b, bottom.b, prepared.b);
-    prepared.b.dx = FullLinear::from_raw(FineRgb::blue_step(prepared.b.dx.raw()));
     prepared.middle_left = frame.middle_left;
   }
 
@@ -79,10 +81,6 @@ struct Gouraud {
     }
 
    private:
-    [[nodiscard]] static constexpr std::uint32_t raw_bits(FullLinear value) {
-      return static_cast<std::uint32_t>(value.raw());
-    }
-
     Prepared* p_;
   };
 
@@ -91,13 +89,48 @@ struct Gouraud {
     return draw(Walker(prepared));
   }
 
+  /// The colour of a small triangle.
+  struct Small {
+    SmallLevel r;
+    SmallLevel g;
+    SmallLevel b;
+  };
+  /// The rows of a small triangle.
+  struct SmallRows {
+    using Run = Gouraud::Run;
+    const Small& small;
+    [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t b, std::int32_t c) const {
+      return {FineRgb::of(raw_bits(small.r.at(b, c)), raw_bits(small.g.at(b, c)), raw_bits(small.b.at(b, c))),
+              FineRgb::of(raw_bits(small.r.step), raw_bits(small.g.step), raw_bits(small.b.step))};
+    }
+  };
+  template <class Raster>
+  [[nodiscard]] static constexpr bool prepare_small(const Lighting&, const Raster& top, const Raster& middle,
+                                                    const Raster& bottom, const Face&,
+                                                    const SmallTriangle& triangle, Small& small) {
+    const Vertex& a = top.shade;
+    const Vertex& b = middle.shade;
+    const Vertex& c = bottom.shade;
+    small.r.prepare(a.r, b.r, c.r, kHalf, triangle);
+    small.g.prepare(a.g, b.g, c.g, kHalf, triangle);
+    small.b.prepare(a.b, b.b, c.b, kHalf, triangle);
+    return true;
+  }
+  template <class Draw>
+  [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
+    return draw(SmallRows{small});
+  }
+
  private:
-  /// Makes the plane of a channel and adds half an 8-bit step, so that dropping bits rounds. As the half step
-  /// is far larger than the error of a plane, no value leaves 0...256 8-bit steps and no pixel is clamped.
+  /// Half an 8-bit step, so that dropping bits rounds. It is far larger than the error of a plane, so no
+  /// value leaves 0...256 8-bit steps and no pixel is clamped.
+  static constexpr auto kHalf = FullLinear::from_raw(std::int32_t{1} << (FineRgb::kFraction - 1));
+  [[nodiscard]] static constexpr std::uint32_t raw_bits(FullLinear value) {
+    return static_cast<std::uint32_t>(value.raw());
+  }
   template <class Frame>
   static constexpr void make_plane(const Frame& frame, std::int32_t top, std::int32_t middle,
                                    std::int32_t bottom, FullLinearPlane& plane) {
-    constexpr auto kHalf = FullLinear::from_raw(std::int32_t{1} << (FineRgb::kFraction - 1));
     make_linear_plane(frame, top, middle, bottom, plane);
     plane.left.at += kHalf;
     plane.lower.at += kHalf;

@@ -4,6 +4,7 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/prepare/linear.hpp>
+#include <arcspan/prepare/small_level.hpp>
 #include <arcspan/prepare/small_triangle.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/target.hpp>
@@ -21,6 +22,7 @@ struct GreyGouraud {
   struct Vertex {
     std::int32_t level;  ///< 0...65280, in 256ths of an 8-bit step
   };
+  using DrawsSmallTrianglesAs = GreyGouraud;
   struct Prepared {
     FullLinearPlane level;
     bool middle_left;
@@ -88,35 +90,21 @@ struct GreyGouraud {
     return draw(Walker(prepared));
   }
 
-  /// For small triangles of Textured: at + b (middle - at) + c (bottom - at).
-  struct Small {
-    std::uint32_t at;  ///< at the top vertex; as in Run
-    std::int32_t to_middle;
-    std::int32_t to_bottom;
-    FullLinear step;  ///< per pixel
-  };
-  /// Their rows.
+  using Small = SmallLevel;
+  /// The rows of a small triangle.
   struct SmallRows {
     using Run = GreyGouraud::Run;
-    const Small& small;
+    const Small& level;
     [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t b, std::int32_t c) const {
-      const std::int32_t change =
-          wrap_add(wrap_mul(small.to_middle, b >> 1), wrap_mul(small.to_bottom, c >> 1));
-      return Run(
-          FullLinear::from_raw(static_cast<std::int32_t>(small.at + static_cast<std::uint32_t>(change))),
-          small.step);
+      return Run(level.at(b, c), level.step);
     }
   };
   template <class Raster>
   [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_small(const Lighting&, const Raster& top,
                                                                    const Raster& middle, const Raster& bottom,
-                                                                   const SmallTriangle& triangle,
+                                                                   const Face&, const SmallTriangle& triangle,
                                                                    Small& small) {
-    small.at = (static_cast<std::uint32_t>(top.shade.level) << 15) + static_cast<std::uint32_t>(kHalf.raw());
-    small.to_middle = middle.shade.level - top.shade.level;
-    small.to_bottom = bottom.shade.level - top.shade.level;
-    small.step = FullLinear::from_raw(wrap_add(wrap_mul(small.to_middle, triangle.d_middle >> 1),
-                                               wrap_mul(small.to_bottom, triangle.d_bottom >> 1)));
+    small.prepare(top.shade.level, middle.shade.level, bottom.shade.level, kHalf, triangle);
     return true;
   }
   template <class Draw>

@@ -123,12 +123,12 @@ concept TakesVertexData = requires(const MeshView& mesh, std::size_t i, typename
 /// coordinates. A method declares that by `using DrawsSmallTrianglesAs =` its own name; methods derived from
 /// it do not draw them, unless they declare it as well.
 ///
-/// `Small` is the method's part of a small triangle. prepare_small(lighting, top, middle, bottom, triangle,
-/// small) makes it from three RasterVertex, sorted by height, and the SmallTriangle; it returns false if the
-/// triangle has to be drawn by a TriangleCommand. walk_small(small, draw) calls `draw` with a surface and
-/// returns its status. The surface's row(y, middle, bottom) returns the run (PixelRun) of a row: `y` is the
-/// row's centre line (28.4), `middle` and `bottom` are the barycentric coordinates of its first pixel, 16
-/// fraction bits.
+/// `Small` is the method's part of a small triangle. prepare_small(lighting, top, middle, bottom, face,
+/// triangle, small) makes it from three RasterVertex, sorted by height, the Face and the SmallTriangle; it
+/// returns false if the triangle has to be drawn by a TriangleCommand. walk_small(small, draw) calls `draw`
+/// with a surface and returns its status. The surface's row(y, middle, bottom) returns the run (PixelRun) of
+/// a row: `y` is the row's centre line (28.4), `middle` and `bottom` are the barycentric coordinates of its
+/// first pixel, 16 fraction bits.
 template <class M>
 concept DrawsSmallTriangles = std::same_as<typename M::DrawsSmallTrianglesAs, M>;
 

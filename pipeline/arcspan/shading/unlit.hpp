@@ -13,6 +13,7 @@ struct Unlit {
   struct Face {};
   struct Vertex {};
   struct Prepared {};
+  using DrawsSmallTrianglesAs = Unlit;
   static constexpr bool kNeedsFaceNormal = false;
 
   [[nodiscard]] static constexpr Vertex shade_vertex(const Lighting&, const Direction&) { return {}; }
@@ -43,16 +44,16 @@ struct Unlit {
     return draw(Walker());
   }
 
-  /// For small triangles of Textured.
   struct Small {};
-  /// Their rows.
+  /// The rows of a small triangle.
   struct SmallRows {
     using Run = Unlit::Run;
     [[nodiscard]] constexpr Run row(std::int32_t, std::int32_t, std::int32_t) const { return {}; }
   };
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting&, const Raster&, const Raster&,
-                                                    const Raster&, const SmallTriangle&, Small&) {
+                                                    const Raster&, const Face&, const SmallTriangle&,
+                                                    Small&) {
     return true;
   }
   template <class Draw>

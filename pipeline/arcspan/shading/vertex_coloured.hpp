@@ -17,6 +17,7 @@ namespace arcspan {
 template <class Illumination>
 struct VertexColoured : Gouraud<Illumination> {
   using typename Gouraud<Illumination>::Vertex;
+  using DrawsSmallTrianglesAs = VertexColoured;
 
   /// Multiplies the illumination by the vertex' colour (TakesVertexData).
   static constexpr void set_vertex_data(const MeshView& mesh, std::size_t i, Vertex& vertex) {

@@ -68,14 +68,12 @@ template <class Target>
   }
 }
 
-/// Draws a small triangle (is_small()) of either winding. `rows` are those of the viewport, `drawn` those of
-/// the scissor. Sets `status` if the result is kDone.
-template <class Method, class Target>
-[[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(const SortedVertices<Method>& vertices,
-                                                                       const RowRange& rows,
-                                                                       const RowRange& drawn,
-                                                                       const RasterOrigin& origin,
-                                                                       const Target& target, Status& status) {
+/// Draws a small triangle (is_small()) of either winding, whose Method::Face face_of() returns. `rows` are
+/// those of the viewport, `drawn` those of the scissor. Sets `status` if the result is kDone.
+template <class Method, class Target, class FaceOf>
+[[nodiscard]] ARCSPAN_INLINE constexpr SmallResult draw_small_triangle(
+    const SortedVertices<Method>& vertices, const FaceOf& face_of, const RowRange& rows,
+    const RowRange& drawn, const RasterOrigin& origin, const Target& target, Status& status) {
   const RasterPosition& p = vertices.top->position;
   const RasterPosition& q = vertices.middle->position;
   const RasterPosition& r = vertices.bottom->position;
@@ -91,8 +89,8 @@ template <class Method, class Target>
   }
   prepare_small_triangle(p, q, r, triangle);
   typename Method::Small small;
-  if (!Method::prepare_small(target.lighting, *vertices.top, *vertices.middle, *vertices.bottom, triangle,
-                             small)) {
+  if (!Method::prepare_small(target.lighting, *vertices.top, *vertices.middle, *vertices.bottom, face_of(),
+                             triangle, small)) {
     return SmallResult::kRefused;
   }
   status = Method::walk_small(

@@ -7,13 +7,10 @@
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
-#include <arcspan/prepare/linear.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
 #include <tests/support/test_share.hpp>
-
-#include <cstdlib>
 
 using namespace arcspan;
 using namespace arcspan::test;
@@ -56,16 +53,4 @@ TEMPLATE_TEST_CASE("a fine colour is encoded like its levels", "", Rgb565, Rgb88
     const std::int32_t y = (i >> 2) & 3;
     REQUIRE(encode_at<TestType>(c, x, y) == encode_at<TestType>(c.packed(), x, y));
   }
-}
-
-TEST_CASE("a step of blue is the nearest that it has bits for") {
-  for (const std::int32_t step :
-       {0, 1, 15, 16, 17, 31, 32, 48, -1, -15, -16, -17, -32, 12345678, -12345678}) {
-    CAPTURE(step);
-    const std::int32_t rounded = FineRgb::blue_step(step);
-    CHECK(rounded % 32 == 0);
-    CHECK(std::abs(rounded - step) <= 16);
-  }
-  CHECK(FineRgb::blue_step(kMaxGradient<FullLinear>) == kMaxGradient<FullLinear>);
-  CHECK(FineRgb::blue_step(INT32_MIN) == INT32_MIN);
 }

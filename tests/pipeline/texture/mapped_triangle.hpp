@@ -100,7 +100,7 @@ void for_each_small_pixel(const MappedTriangle<Method>& mapped, const typename M
   }
   prepare_small_triangle(top->position, middle->position, bottom->position, triangle);
   typename Method::Small small;
-  if (!Method::prepare_small(lighting, *top, *middle, *bottom, triangle, small)) return;
+  if (!Method::prepare_small(lighting, *top, *middle, *bottom, {}, triangle, small)) return;
   const Status status = Method::walk_small(small, [&](const auto& rows) {
     for (std::int32_t row = 0; row < triangle.rows; ++row) {
       const SmallSpan span = triangle.spans[row];

@@ -175,14 +175,15 @@ struct EventMethod<Plain, true> : EventMethod<Plain, false> {
   template <class Raster>
   [[nodiscard]] static bool prepare_small(const typename Plain::Lighting& lighting, const Raster& top,
                                           const Raster& middle, const Raster& bottom,
-                                          const SmallTriangle& triangle, typename Plain::Small& small) {
+                                          const typename Plain::Face& face, const SmallTriangle& triangle,
+                                          typename Plain::Small& small) {
     EventTarget& target = *EventTarget::current;
     DrawEvents& events = target.events;
     events.small_rows += triangle.rows;
     const std::int32_t half = first_row_at(middle.position.y);
     if (has_levels(lighting)) ++events.small_levelled;
     if (half > triangle.row && half < triangle.row + triangle.rows) ++events.small_halves;
-    if (!Plain::prepare_small(lighting, top, middle, bottom, triangle, small)) {
+    if (!Plain::prepare_small(lighting, top, middle, bottom, face, triangle, small)) {
       ++events.refused;
       return false;
     }

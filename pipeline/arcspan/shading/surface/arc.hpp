@@ -117,7 +117,7 @@ struct Arc {
   template <class Raster>
   [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_small(const Lighting& lighting,
                                                                    const Raster& top, const Raster& middle,
-                                                                   const Raster& bottom,
+                                                                   const Raster& bottom, const Face&,
                                                                    const SmallTriangle& triangle,
                                                                    Small& small) {
     const Vertex& a = top.shade;

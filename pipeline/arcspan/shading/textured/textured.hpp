@@ -200,18 +200,13 @@ template <class Method>
   return coloured ? TexelLight::kColoured : TexelLight::kGrey;
 }
 
-/// A method that can light the pixels of small textured triangles.
-template <class M>
-concept HasSmallPart = requires {
-  typename M::Small;
-};
-/// Its part of a small triangle; empty for other methods.
+/// A method's part of a small triangle; empty if it does not draw them.
 template <class M>
 struct SmallPart {
   struct Type {};
 };
-/// That of a method that has one.
-template <HasSmallPart M>
+/// That of one that does.
+template <DrawsSmallTriangles M>
 struct SmallPart<M> {
   using Type = typename M::Small;
 };
@@ -279,7 +274,7 @@ struct Textured : Method {
   };
   using Steps = std::conditional_t<Borders == TextureBorders::kOfTexture, BorderSteps, TexelSteps>;
   using typename Light::Face;
-  using DrawsSmallTrianglesAs = std::conditional_t<HasSmallPart<Light>, Textured, void>;
+  using DrawsSmallTrianglesAs = std::conditional_t<DrawsSmallTriangles<Light>, Textured, void>;
   struct Vertex : Light::Vertex {
     MappedPoint point;
   };
@@ -363,7 +358,7 @@ struct Textured : Method {
   template <class Raster>
   [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_small(const Lighting& lighting,
                                                                    const Raster& top, const Raster& middle,
-                                                                   const Raster& bottom,
+                                                                   const Raster& bottom, const Face& face,
                                                                    const SmallTriangle& triangle,
                                                                    Small& small) {
     if constexpr (Steps::kHasBorders) small.texture.set_wraps(lighting.texture.sampler());
@@ -371,7 +366,7 @@ struct Textured : Method {
       return false;
     small.words = lighting.texture.at(small.texture.first);
     small.palette = lighting.texture.palette();
-    return Light::prepare_small(lighting, top, middle, bottom, triangle, small.light);
+    return Light::prepare_small(lighting, top, middle, bottom, face, triangle, small.light);
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {

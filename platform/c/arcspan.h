@@ -338,7 +338,8 @@ arcspan_status arcspan_draw(arcspan_view* view, const arcspan_target* target);
 typedef struct {
   uint32_t triangles; /* of the largest part; a byte each */
   uint32_t edges;     /* of all outlines in view; 12 bytes each */
-  uint32_t gaps;      /* where outlines pass between two pixels of a target; 16 bytes each */
+  uint32_t gaps;      /* where outlines pass between two pixels of a target; 16 bytes each. Smoothing takes
+                         none with ARCSPAN_C_MARKED_OUTLINES, ink does */
 } arcspan_outline_limits;
 /* The bytes of memory, at any address, that arcspan_smooth_outlines() takes. */
 size_t arcspan_outline_bytes(const arcspan_outline_limits* limits);

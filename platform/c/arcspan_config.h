@@ -56,12 +56,20 @@
 #ifndef ARCSPAN_C_OUTLINES
 #define ARCSPAN_C_OUTLINES 0
 #endif
+/* 1 if it smooths by marks in the depths: it takes no memory for gaps then, and a pixel at which outlines meet
+ * may differ from rectangle to rectangle. With ARCSPAN_C_OUTLINES only. */
+#ifndef ARCSPAN_C_MARKED_OUTLINES
+#define ARCSPAN_C_MARKED_OUTLINES 0
+#endif
 /* 1 if arcspan_ink_outlines() does something; with ARCSPAN_C_OUTLINES only. */
 #ifndef ARCSPAN_C_INK
 #define ARCSPAN_C_INK 0
 #endif
 #if ARCSPAN_C_INK && !ARCSPAN_C_OUTLINES
 #error "ARCSPAN_C_INK needs ARCSPAN_C_OUTLINES"
+#endif
+#if ARCSPAN_C_MARKED_OUTLINES && !ARCSPAN_C_OUTLINES
+#error "ARCSPAN_C_MARKED_OUTLINES needs ARCSPAN_C_OUTLINES"
 #endif
 
 /* 1 if arcspan_add_character() does something. All that draws is compiled once more, for vertices that move.

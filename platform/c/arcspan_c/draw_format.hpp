@@ -17,8 +17,8 @@ template <class Window>
   using Format = typename Window::Format;
   using Gap = OutlineGap<Format>;
   static_assert(sizeof(Gap) <= kGapBytes && alignof(Gap) <= kGapAlignment);
-  const std::span<Gap> gaps(static_cast<Gap*>(static_cast<void*>(outlines.gaps.data())),
-                            outlines.gaps.size() / kGapBytes);
+  [[maybe_unused]] const std::span<Gap> gaps(static_cast<Gap*>(static_cast<void*>(outlines.gaps.data())),
+                                             outlines.gaps.size() / kGapBytes);
   Status status = outlines.status;
 #if ARCSPAN_C_INK
   if (outlines.ink.width != 0) {
@@ -27,7 +27,11 @@ template <class Window>
     if constexpr (!arcspan::detail::kCanBlend<Format>) return status;
   }
 #endif
+#if ARCSPAN_C_MARKED_OUTLINES
+  const Status smoothed = smooth_outlines(outlines.edges, window, depth);
+#else
   const Status smoothed = smooth_outlines(outlines.edges, window, depth, gaps);
+#endif
   return ok(status) ? smoothed : status;
 }
 

@@ -34,12 +34,12 @@ class FineRgb {
   [[nodiscard]] constexpr std::uint32_t r() const { return r_; }
   [[nodiscard]] constexpr std::uint32_t g() const { return g_; }
   [[nodiscard]] constexpr std::uint32_t b() const { return b_; }
-  [[nodiscard]] constexpr PackedRgb packed() const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb packed() const {
     constexpr int kShift = kFraction - 2;
     return PackedRgb::of(r_ >> kShift, g_ >> kShift, b_ >> kShift);
   }
   /// The colour as an Rgb565 pixel.
-  [[nodiscard]] constexpr std::uint16_t rgb565() const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
     constexpr int kToSixBits = kFraction + 2;  // a shift from the top of a word needs no mask
     const std::uint32_t red_green = ((r_ >> (kToSixBits + 1)) << 6) | (g_ >> kToSixBits);
     return static_cast<std::uint16_t>((red_green << 5) | (b_ >> (kToSixBits + 1)));

@@ -20,30 +20,30 @@ Quaternion product(Quaternion a, Quaternion b) {
 Vec3 product(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
 /// A node, and which of its properties a clip moves.
-struct Step {
+struct PivotNode {
   NodeTransform rest{};
   bool translates = false;
   bool rotates = false;
   bool scales = false;
 };
 
-std::optional<Step> step_of(const Rig& rig, std::size_t node) {
+std::optional<PivotNode> pivot_node(const Rig& rig, std::size_t node) {
   const RigNode& of = rig.nodes[node];
   const std::optional<NodeTransform> rest = of.matrix ? split(*of.matrix) : of.rest;
   if (!rest) return std::nullopt;
-  Step step{*rest};
+  PivotNode found{*rest};
   for (const RigClip& clip : rig.clips) {
     for (const RigChannel& channel : clip.channels) {
       if (channel.node != node) continue;
-      step.translates = step.translates || channel.path == ChannelPath::kTranslation;
-      step.rotates = step.rotates || channel.path == ChannelPath::kRotation;
-      step.scales = step.scales || channel.path == ChannelPath::kScale;
+      found.translates = found.translates || channel.path == ChannelPath::kTranslation;
+      found.rotates = found.rotates || channel.path == ChannelPath::kRotation;
+      found.scales = found.scales || channel.path == ChannelPath::kScale;
     }
   }
-  return step;
+  return found;
 }
 
-bool can_join(const Step& first, const Step& next) {
+bool can_join(const PivotNode& first, const PivotNode& next) {
   constexpr double kSmall = 1e-6;
   const Vec3& s = first.rest.scale;
   const double size = std::abs(s.x);
@@ -70,7 +70,7 @@ void move_keys(Rig& rig, std::size_t from, ChannelPath path, std::size_t to, con
   }
 }
 
-void join(Rig& rig, std::size_t parent, std::size_t child, const Step& first, const Step& next) {
+void join(Rig& rig, std::size_t parent, std::size_t child, const PivotNode& first, const PivotNode& next) {
   const Affine place = first.rest.affine();
   const NodeTransform& a = first.rest;
   const NodeTransform& b = next.rest;
@@ -142,8 +142,8 @@ std::vector<std::size_t> join_pivot_nodes(Rig& rig, const std::vector<bool>& kep
     if (kept[node] || children[node].size() != 1) continue;
     std::size_t child = children[node][0];
     while (child_of_gone[child]) child = *child_of_gone[child];
-    const std::optional<Step> first = step_of(rig, node);
-    const std::optional<Step> next = step_of(rig, child);
+    const std::optional<PivotNode> first = pivot_node(rig, node);
+    const std::optional<PivotNode> next = pivot_node(rig, child);
     if (!first || !next || !can_join(*first, *next)) continue;
     join(rig, node, child, *first, *next);
     child_of_gone[node] = child;

@@ -181,8 +181,6 @@ class SceneReader {
     if (!mesh.joints.empty()) {
       of.skin = rig_->skins.size();
       rig_->skins.push_back(skin_of(instance));
-      for (const JointWeights& weights : mesh.weights)
-        left_out_.add("weights above four for a vertex", weights.count() > kMostWeights ? 1 : 0);
     }
     instance.moved = rig_->instances.size();
     rig_->instances.push_back(of);
@@ -234,6 +232,15 @@ class SceneReader {
     return vertex;
   }
 
+  std::uint32_t add_vertex(const SceneInstance& instance, std::size_t i) {
+    const std::size_t known = rig_->vertices.size();
+    const std::uint32_t number = rig_vertices_.add(vertex(instance, i));
+    const std::vector<JointWeights>& weights = instance.mesh->weights;
+    const bool has_many = !weights.empty() && weights[i].count() > kMostWeights;
+    left_out_.add("weights above four for a vertex", has_many && number == known ? 1 : 0);
+    return number;
+  }
+
   void add_triangles(const SceneInstance& instance, const RigPoser& rest, std::uint32_t look) {
     const SceneMesh& mesh = *instance.mesh;
     std::map<std::uint32_t, std::uint32_t> known;  // vertices of the rig, by index
@@ -245,7 +252,7 @@ class SceneReader {
       Vec3 normal = mesh.normals.empty() ? Vec3{} : mesh.normals[i];
       if (instance.moved) {
         const auto [found, is_new] = known.try_emplace(i);
-        if (is_new) found->second = rig_vertices_.add(vertex(instance, i));
+        if (is_new) found->second = add_vertex(instance, i);
         corner.source = found->second;
         const RigVertex& moved = rig_->vertices[corner.source];
         place = rest.place(moved);

@@ -31,11 +31,11 @@ struct OutlineInk {
 namespace detail {
 
 /// Inks outlines in a rectangle of the picture, which is not empty. Steep edges are walked by rows, flat ones
-/// by columns: what is said of rows and columns here is true of columns and rows then.
-template <PixelSink Sink>
+/// by columns: what is said of rows and columns here is true of columns and rows then. `Pixels` is InkPixels.
+template <class Pixels>
 class OutlineInker {
  public:
-  OutlineInker(const Scissor& scissor, const DepthBuffer& depth, std::int32_t width, InkPixels<Sink>& pixels)
+  OutlineInker(const Scissor& scissor, const DepthBuffer& depth, std::int32_t width, Pixels& pixels)
       : pixels_(pixels),
         width_(width),
         by_rows_{relative_to(scissor.origin(), scissor.rect()),
@@ -130,7 +130,7 @@ class OutlineInker {
   /// The share in 32nds of a pixel that ink covers as far as `reach` and half a share less, with 16 fraction
   /// bits.
   [[nodiscard]] ARCSPAN_INLINE static std::uint32_t share_of(std::int32_t reach) {
-    return reach >= 65536 ? InkPixels<Sink>::kWhole : static_cast<std::uint32_t>(reach) / (2 * kHalfShare);
+    return reach >= 65536 ? Pixels::kWhole : static_cast<std::uint32_t>(reach) / (2 * kHalfShare);
   }
 
   /// The pixels on both sides, if one is free, by their nearness to the edge.
@@ -148,7 +148,7 @@ class OutlineInker {
       if (!pixels_.is_free(left, z) && !pixels_.is_free(right, z)) continue;
       const std::uint32_t share = (walk.fraction() + 1024) >> 11;
       if (share != 0) pixels_.put(left, share);
-      if (share != InkPixels<Sink>::kWhole) pixels_.put(right, InkPixels<Sink>::kWhole - share);
+      if (share != Pixels::kWhole) pixels_.put(right, Pixels::kWhole - share);
     }
   }
 
@@ -164,7 +164,7 @@ class OutlineInker {
 
   static constexpr std::int32_t kHalfShare = 1024;  ///< of a pixel, which has 16 fraction bits
 
-  InkPixels<Sink>& pixels_;
+  Pixels& pixels_;
   const std::int32_t width_;
   const Direction by_rows_;
   const Direction by_columns_;
@@ -207,7 +207,7 @@ template <PixelSink Sink>
     if (scissor.rect().empty()) return Status::kOk;
     if (detail::kCanBlend<typename Sink::Format> && memory.empty()) return Status::kBufferTooSmall;
     detail::InkPixels<Sink> pixels(sink, depth, ink.colour, memory);
-    detail::OutlineInker<Sink> inker(scissor, depth, ink.width, pixels);
+    detail::OutlineInker inker(scissor, depth, ink.width, pixels);
     for (std::size_t i = 0; i < edges.size(); ++i) {
       if (!detail::is_crease(edges, i)) {
         inker.ink_outline(edges[i]);

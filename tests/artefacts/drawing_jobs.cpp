@@ -2,14 +2,16 @@
 // drawing_jobs OUTPUT METHOD...: reads lines of jobs from standard input,
 //
 //     MESH WIDTH HEIGHT VIEW_X VIEW_Y blinn|phong SHININESS BAND_ROWS plain|planes|split FOV BITS REPEATS
-//     AXES
+//     AXES OUTLINES
 //
 // writes them for tests/firmware/cost_jobs.hpp, and prints for each of them, as JSON, the events that each
-// method draws it by, and the estimate for a Cortex-M3. FOV is the camera's angle.
-// `split` meshes share few vertices. BITS
-// are log2 of the texture's size, 3...7, or 0 for no texture; REPEATS times it is seen along the mesh; AXES,
-// 0...3, are those of the mesh that it is mapped along, and 4 is added for one mip level.
+// method draws it by, and the estimate for a Cortex-M3. The method `outlines` has those of its outlines
+// alone. FOV is the camera's angle. `split` meshes share few vertices. BITS are log2 of the texture's
+// size, 3...7, or 0 for no texture; REPEATS times it is seen along the mesh; AXES, 0...3, are those of the
+// mesh that it is mapped along, and 4 is added for one mip level. OUTLINES are `none`, or smoothed, and begin
+// with the width of their ink or 0; `c` after it inks creases, `r` curves them.
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
+#include <arcspan_tools/mesh/compile/neighbours.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/render/scene.hpp>
 #include <arcspan_tools/simulate/processor_cost.hpp>
@@ -48,6 +50,10 @@ struct Line {
   int bits = 0;
   double repeats = 0;
   int axes = 0;
+  std::string outlines;
+
+  [[nodiscard]] bool has(char letter) const { return outlines.find(letter) != std::string::npos; }
+  [[nodiscard]] std::uint8_t ink_width() const { return static_cast<std::uint8_t>(outlines[0] - '0'); }
 };
 
 Line parse(const std::string& text) {
@@ -55,7 +61,7 @@ Line parse(const std::string& text) {
   Line line;
   if (!(in >> line.mesh >> line.size.width >> line.size.height >> line.view_x >> line.view_y >>
         line.highlight >> line.shininess >> line.band_rows >> line.planes >> line.fov >> line.bits >>
-        line.repeats >> line.axes)) {
+        line.repeats >> line.axes >> line.outlines)) {
     throw std::runtime_error("not a job: " + text);
   }
   return line;
@@ -81,12 +87,14 @@ void add_texture(const Line& line, FixedModel& model) {
 }
 
 FixedModel load(const Line& line) {
-  FixedModel model =
-      to_fixed(load_model_file(line.mesh, TexturePointsOf::kTexturedParts, VertexColours::kMean,
-                               line.planes == "split" ? 0.0 : kSmoothEverything));
+  Model file = load_model_file(line.mesh, TexturePointsOf::kTexturedParts, VertexColours::kMean,
+                               line.planes == "split" ? 0.0 : kSmoothEverything);
+  file.has_curves = line.has('r');
+  FixedModel model = to_fixed(file);
   if (model.meshes.size() != 1) throw std::runtime_error(line.mesh + " has several parts");
   if (line.planes == "planes") model.meshes[0] = with_planes(std::move(model.meshes[0]), line.mesh);
   if (line.bits != 0) add_texture(line, model);
+  if (line.outlines != "none") model = with_neighbours(std::move(model), line.mesh);
   return model;
 }
 
@@ -110,6 +118,9 @@ Scene scene_of(const Line& line) {
   scene.surface.shininess = line.shininess;
   scene.chosen.shininess = true;
   scene.band_rows = line.band_rows;
+  if (line.outlines == "none") return scene;
+  scene.outlines.curved = line.has('r');
+  if (line.ink_width() != 0) scene.outlines.ink = OutlineInk{{}, line.ink_width(), line.has('c')};
   return scene;
 }
 
@@ -139,6 +150,9 @@ void write_job(std::ostream& out, const RenderJob& job, const FixedCamera& camer
                    static_cast<std::uint32_t>(size.levels) << 8 |
                    static_cast<std::uint32_t>(mesh.texture_scale.fraction_bits) << 16;
   }
+  head.neighbours = static_cast<std::uint32_t>(mesh.neighbours.size());
+  if (job.outlines.ink) head.outlines = job.outlines.ink->width | (job.outlines.ink->creases ? 256u : 0u);
+  if (job.outlines.curved) head.outlines |= 65536;
   write_one(out, head);
   write(out, std::span(std::as_const(mesh.positions)));
   write(out, std::span(std::as_const(mesh.normals)));
@@ -151,12 +165,14 @@ void write_job(std::ostream& out, const RenderJob& job, const FixedCamera& camer
   write_one(out, job.lights.front());
   write_one(out, job.to_eye);
   if (head.texture != 0) write(out, std::span(std::as_const(mesh.texture_points)));
+  write(out, std::span(std::as_const(mesh.neighbours)));
 }
 
 nlohmann::json figures(const RenderJob& job, const std::string& method) {
   nlohmann::json result;
-  const auto picture = picture_events(method, job);
+  auto picture = picture_events(method == kOutlineWeights ? "flat" : method, job);
   if (!picture) throw std::runtime_error(method + " has no events");
+  if (method == kOutlineWeights) picture->erase(picture->begin(), picture->end() - 1);
   for (const CostTerm& term : picture->at(0).terms) result["terms"][term.name] = term.amount;
   if (const auto estimate = instructions_on(kSimulatedCore, *picture)) result["estimate"] = *estimate;
   return result;

@@ -5,6 +5,7 @@
 
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
+#include <arcspan/mesh/mesh_neighbours.hpp>
 #include <arcspan/texture/texture.hpp>
 
 #include <tests/firmware/cost_method.hpp>
@@ -39,6 +40,7 @@ class JobReader {
 struct CostJob {
   JobHead head;
   MeshView mesh;
+  MeshNeighbours neighbours;
   ClipTransform transform;
 };
 
@@ -81,8 +83,10 @@ void set_cost_texture([[maybe_unused]] Lighting& lighting, [[maybe_unused]] std:
 
 inline bool cost_jobs_loaded() { return JobReader(arcspan_jobs).take<JobHead>(1)[0].vertices != 0; }
 
-/// Draws the jobs whose highlight is that of the program.
-inline bool draw_cost_jobs() {
+/// Calls draw(number, job, lighting) for the jobs whose highlight is that of the program, until it returns
+/// false.
+template <class Draw>
+inline bool draw_cost_jobs(const Draw& draw) {
   JobReader reader(arcspan_jobs);
   for (std::uint32_t number = 0;; ++number) {
     CostJob job;
@@ -99,6 +103,7 @@ inline bool draw_cost_jobs() {
     const DirectionalLight& towards = reader.take<DirectionalLight>(1)[0];
     const Direction& to_eye = reader.take<Direction>(1)[0];
     const auto points = reader.take<TexturePoint>(job.head.texture == 0 ? 0 : job.head.vertices);
+    const auto neighbours = reader.take<std::uint8_t>(job.head.neighbours);
     if ((job.head.is_phong != 0) != (CostLight::model() == Highlight::kPhong)) continue;
     const Viewport size{static_cast<std::int32_t>(job.head.width),
                         static_cast<std::int32_t>(job.head.height)};
@@ -110,11 +115,12 @@ inline bool draw_cost_jobs() {
     if (!points.empty() &&
         !ok(job.mesh.attach(points, TextureScale{static_cast<std::uint8_t>(job.head.texture >> 16)})))
       return false;
+    if (!neighbours.empty() && !ok(MeshNeighbours::make(job.mesh, neighbours, job.neighbours))) return false;
     static CostLight light;  // larger than the stack that programs are allowed
     if (!ok(CostLight::make(material, {towards}, to_eye, light))) return false;
     const CostMethod::Lighting& lighting = make_cost_lighting(light);
     set_cost_texture(cost_lighting_memory.lighting, job.head.texture);
-    if (!draw_cost_job(number, job, lighting)) return false;
+    if (!draw(number, job, lighting)) return false;
   }
 }
 

@@ -21,7 +21,7 @@ namespace {
 bool draw() {
   using namespace arcspan;
 #ifndef ARCSPAN_COST_OWN_SINK
-  if (cost_jobs_loaded()) return draw_cost_jobs();
+  if (cost_jobs_loaded()) return draw_cost_jobs(draw_cost_job);
 #endif
 #if defined(ARCSPAN_LIGHTS)
   return draw_in_cost_light();

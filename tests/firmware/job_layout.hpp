@@ -17,7 +17,9 @@ struct JobHead {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::uint32_t band_rows = 0;
-  std::uint32_t texture = 0;  ///< log2 of its side | levels << 8 | fraction bits of points << 16; or 0
+  std::uint32_t texture = 0;     ///< log2 of its side | levels << 8 | fraction bits of points << 16; or 0
+  std::uint32_t neighbours = 0;  ///< bytes of MeshNeighbours, or 0
+  std::uint32_t outlines = 0;    ///< width of their ink | creases are inked << 8 | they are curved << 16
 };
 
 /// The bytes of an array, so that the next one is aligned.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the estimates of instructions are made of.
 #include <arcspan_tools/command/method_advice.hpp>
+#include <arcspan_tools/mesh/compile/neighbours.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/render/scene.hpp>
 #include <arcspan_tools/simulate/processor_cost.hpp>
@@ -69,6 +70,47 @@ TEST_CASE("the events of a picture are the spans and pixels that drawing it coun
         CHECK(instructions_on(kSimulatedCore, *picture).value() > static_cast<double>(10 * stats.pixels));
       }
     }
+  }
+}
+
+TEST_CASE("the events of outlines are the edges and places that inking and smoothing list") {
+  const FixedModel model = with_neighbours(loaded("torus:24x12"), "torus");
+  for (const std::int32_t band_rows : {90, 16}) {
+    RenderJob job = job_of(model, band_rows);
+    const auto drawn = [&job] {
+      return find_renderer("flat", "rgb565", false).render(job, [](std::size_t) {});
+    };
+    const auto amount = [&job](const std::string& name) {
+      const auto picture = picture_events("flat", job);
+      REQUIRE(picture.value().back().weights == kOutlineWeights);
+      CHECK(instructions_on(kSimulatedCore, {picture->back()}).value() > 10'000);
+      return amount_of({picture->back()}, name);
+    };
+    const RenderResult smooth = drawn();
+    CHECK(amount("listed edge") == static_cast<double>(smooth.stats.outline_edges));
+    CHECK(amount("plain triangle") + amount("differing triangle") == 576);
+    CHECK(amount("vertex") == (band_rows == 90 ? 0 : 288));
+    CHECK(amount("band") == static_cast<double>(smooth.stats.bands));
+    CHECK(amount("ink edge") == 0);
+    if (band_rows == 90)
+      CHECK(10 * amount("entry") + 12 * amount("listed edge") + 576 ==
+            static_cast<double>(smooth.stats.outline_bytes));
+    job.outlines.smooth = false;
+    const RenderResult plain = drawn();
+    job.outlines.ink = arcspan::OutlineInk{{255, 0, 0}, 2, false};
+    const RenderResult inked = drawn();
+    std::size_t whole = 0;
+    std::size_t parts = 0;
+    for (std::size_t i = 0; i < inked.image.pixels.size(); ++i) {
+      if (inked.image.pixels[i] == arcspan::Rgb8{255, 0, 0})
+        ++whole;
+      else if (!(inked.image.pixels[i] == plain.image.pixels[i]))
+        ++parts;
+    }
+    CHECK(amount("gap") == 0);
+    CHECK(amount("ink pixel") >= static_cast<double>(whole));
+    CHECK(amount("ink entry") >= static_cast<double>(parts));
+    CHECK(amount("ink entry") < 1.5 * static_cast<double>(parts));
   }
 }
 

@@ -105,6 +105,7 @@ Model load_drawn_model(RenderOptions& options) {
                                throw Failure(options.mesh, "has no clips for --clips");
                              if (options.pose && !anew) check_pose(loaded, *options.pose, options.mesh);
                            });
+  model.has_curves = options.curved_outlines && model.binary == nullptr;  // whose positions stay
   if (!options.plays() && !options.pose) warn_of_clips(model, options.mesh);
   warn_without_effect(options, model);
   if (shading_draws_effects(options.shading)) return model;

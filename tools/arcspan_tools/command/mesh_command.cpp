@@ -311,6 +311,8 @@ void add_mesh_command(CLI::App& app) {
       "the triangles' planes too, 4 bytes each: backs are then culled before they are transformed");
   mesh->add_flag("--outlines", arguments->outlines,
                  "the triangles' neighbours too, about 2.6 bytes each, by which programs smooth outlines");
+  mesh->add_flag("--curved-outlines", arguments->limits.curves,
+                 "the same, and room in the positions for all curves of CurvedOutlines");
   add_texture(*mesh, arguments->texture);
   add_texture_format(*mesh, "--texture-format", arguments->texture_options.format);
   add_texture_size(*mesh, "--texture-size", arguments->texture_options.size);
@@ -355,6 +357,7 @@ void add_mesh_command(CLI::App& app) {
       if (!arguments->forecast && mesh->get_option_no_throw(option) != nullptr && mesh->count(option) != 0)
         throw CLI::ValidationError(option, "is of --forecast");
     }
+    if (arguments->limits.curves) arguments->outlines = true;
     run_mesh(*arguments);
     for (const char* option : {"--clip-tolerance", "--error-pixels"}) {
       if (!arguments->moves && mesh->count(option) != 0)

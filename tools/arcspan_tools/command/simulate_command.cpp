@@ -46,6 +46,7 @@ struct SimulateArguments {
 /// Sums over all frames.
 struct Totals {
   double instructions = 0;
+  double outline_instructions = 0;  ///< of these
   std::uint64_t draw_ns = 0;
   std::uint64_t frame_ns = 0;
   hal::sim::BusCount bus;
@@ -142,6 +143,7 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   options.format = display.format();
   if (options.is_given("--smooth") && options.smooth && !options.smooths())
     warn("--smooth", "has no effect: the panel has fewer than 4 bits per pixel");
+  options.scene.outlines.smooth = options.smooths();
   PlayedModel played(options, static_cast<std::size_t>(arguments.frames), kTurnMilliseconds / 1000.0);
   FixedModel planed = played.frame(0);
   for (FixedMesh& mesh : planed.meshes) {
@@ -159,7 +161,11 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
     const FixedModel& model = arguments.planes ? planed : played.frame(i);
     const RenderJob job = make_job(scene, model, options.mesh);
     const RenderResult drawn = renderer.render(job, [](std::size_t) {});
-    const std::optional<double> instructions = draw_instructions(kSimulatedCore, options.shading, job);
+    const auto events = picture_events(options.shading, job);
+    const std::optional<double> instructions =
+        events ? instructions_on(kSimulatedCore, *events) : std::nullopt;
+    if (instructions && events->back().weights == kOutlineWeights)
+      totals.outline_instructions += instructions_on(kSimulatedCore, {events->back()}).value();
     if (instructions && i == 0) totals.other_methods = by_other_methods(*instructions, options.shading, job);
     totals.grey = options.shading == "gouraud" && has_textures(job);
     if (!instructions) totals.without_figures = without_figures(options.shading, job);
@@ -209,9 +215,12 @@ std::string report(const SimulateArguments& arguments, const SimulatedDisplay& d
   } else {
     text += formatted("drawing: no figures of %s on a Cortex-M3\n", totals.without_figures.c_str());
   }
-  if (totals.outline_bytes != 0)
-    text += formatted("outlines: %s, with %zu bytes of RAM; neither is in the other figures\n",
-                      totals.outlines.c_str(), totals.outline_bytes);
+  if (totals.outline_bytes != 0) {
+    text += "outlines: " + totals.outlines;
+    if (totals.without_figures.empty())
+      text += formatted(" by %.0f of these instructions", totals.outline_instructions / frames);
+    text += formatted(", with %zu bytes of RAM that are not in what follows\n", totals.outline_bytes);
+  }
   return text + formatted("RAM for buffers: %zu bytes; a whole frame would take %zu\n",
                           display.buffer_bytes(), display.frame_bytes());
 }

@@ -2,6 +2,7 @@
 #include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/mesh/packed_normal.hpp>
 
+#include <arcspan_tools/fixed_point/curve_room.hpp>
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/fixed_point/rounding.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -113,7 +114,10 @@ Box box_of(const Model& model) {
 
 FixedMesh to_fixed(const MeshData& mesh) { return fixed_within(box_of(mesh), mesh); }
 
-FixedModel to_fixed(const Model& model) { return to_fixed(model, model.reach.value_or(box_of(model))); }
+FixedModel to_fixed(const Model& model) {
+  const Box box = model.reach.value_or(box_of(model));
+  return to_fixed(model, model.has_curves ? with_curves(box, model) : box);
+}
 
 FixedModel to_fixed(const Model& model, const Box& box) {
   FixedModel fixed;

@@ -73,8 +73,8 @@ class FixedMeshes : public std::span<const FixedMesh> {
 /// clamped, so that they have as many fraction bits as possible. They must be in the range of weld_parts().
 [[nodiscard]] FixedMesh to_fixed(const MeshData& mesh);
 
-/// Centres and scales all parts of `model` alike, so that its largest extent, or that of all its poses, fills
-/// 16 bits, and rounds.
+/// Centres and scales all parts of `model` alike, so that its largest extent, or that of all its poses, and
+/// of curves if it has some, fills 16 bits, and rounds.
 [[nodiscard]] FixedModel to_fixed(const Model& model);
 
 /// The same for a model within `box`, whose largest extent fills 16 bits.

@@ -19,10 +19,14 @@ namespace arcspan::tools {
 /// The depths of a picture in bands, and a place for the colours of one.
 class EventPicture {
  public:
-  EventPicture(const Viewport& size, std::int32_t band_rows)
-      : size_(size), rows_(std::clamp(band_rows, 1, size.height)) {
-    colours_.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(rows_));
-    const auto words = static_cast<std::size_t>(DepthBuffer::words(size.width, rows_));
+  /// Bands have `margin` more rows above and below those that are shown.
+  EventPicture(const Viewport& size, std::int32_t band_rows, std::int32_t margin)
+      : size_(size),
+        rows_(std::clamp(band_rows, 1, size.height)),
+        margin_(rows_ == size.height ? 0 : margin) {
+    const std::int32_t drawn = rows_ + 2 * margin_;
+    colours_.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(drawn));
+    const auto words = static_cast<std::size_t>(DepthBuffer::words(size.width, drawn));
     for (std::int32_t top = 0; top < size.height; top += rows_)
       depths_.emplace_back(words, DepthBuffer::kFarthest);
   }
@@ -32,18 +36,20 @@ class EventPicture {
   void for_each_band(const Draw& draw) {
     std::int32_t top = 0;
     for (std::vector<std::uint16_t>& words : depths_) {
-      const std::int32_t rows = std::min(rows_, size_.height - top);
+      const std::int32_t first = std::max(top - margin_, 0);
+      const std::int32_t rows = std::min(rows_ + 2 * margin_, size_.height - first);
       hal::Framebuffer<Rgb565> sink(colours_, size_.width, rows);
-      const DepthBuffer depth(words, size_.width, rows, top);
-      sink.move_to(top);
+      const DepthBuffer depth(words, size_.width, rows, first);
+      sink.move_to(first);
       draw(sink, depth);
-      top += rows;
+      top += rows_;
     }
   }
 
  private:
   Viewport size_;
   std::int32_t rows_;
+  std::int32_t margin_;
   std::vector<std::uint16_t> colours_;
   std::vector<std::vector<std::uint16_t>> depths_;
 };

@@ -8,6 +8,7 @@
 
 #include <arcspan_tools/simulate/count_events.hpp>
 #include <arcspan_tools/simulate/estimates_json.hpp>
+#include <arcspan_tools/simulate/outline_events.hpp>
 #include <arcspan_tools/simulate/processor_cost.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <nlohmann/json.hpp>
@@ -98,16 +99,23 @@ void draw_hidden(DrawEvents& events) {
 
 std::optional<std::vector<PartEvents>> picture_events(std::string_view shading, const RenderJob& job) {
   if (job.lights.size() != 1 || job.fog != nullptr || job.matcap != nullptr) return std::nullopt;
-  EventPicture picture(job.transform.viewport(), job.band_rows);
+  JobOutlines outlines(job);
+  EventPicture picture(job.transform.viewport(), job.band_rows, outlines.margin());
   std::vector<PartEvents> found;
-  for (const RenderPart& part : job.parts) {
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    RenderPart part = job.parts[i];
     const CountedMethod* const method = find_method(shading, part, job.highlight);
     if (method == nullptr) return std::nullopt;
-    DrawEvents events;
-    method->count(part, job, picture, events);
-    if (!job.depth) draw_hidden(events);
-    found.push_back({method->weights, events.terms()});
+    for (const MeshView& mesh : {part.mesh, outlines.curves(i)}) {
+      if (mesh.triangle_count() == 0) continue;
+      part.mesh = mesh;
+      DrawEvents events;
+      method->count(part, job, picture, events);
+      if (!job.depth) draw_hidden(events);
+      found.push_back({method->weights, events.terms()});
+    }
   }
+  if (!outlines.empty()) found.push_back({kOutlineWeights, count_outlines(job, outlines, picture).terms()});
   return found;
 }
 

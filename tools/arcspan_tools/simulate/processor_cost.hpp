@@ -16,15 +16,18 @@ namespace arcspan::tools {
 /// The core whose costs `arcspan simulate` prints, a Cortex-M3, by its name in docs/estimates.json.
 inline constexpr std::string_view kSimulatedCore = "mps2-an385";
 
-/// The events of a part, and the name of the weights that they are multiplied by.
+/// The weights of what is done with outlines.
+inline constexpr const char* kOutlineWeights = "outlines";
+
+/// The events of a part, or of all outlines, and the name of the weights that they are multiplied by.
 struct PartEvents {
   std::string weights;
   std::vector<CostTerm> terms;
 };
 
 /// The events of drawing the parts of a job by a method, those with textures by its textured form, which is
-/// that of GreyGouraud for gouraud. Nothing if there are several lights, or an effect or a method without
-/// weights.
+/// that of GreyGouraud for gouraud, and at last those of its outlines, if it has some. Nothing if there are
+/// several lights, or an effect or a method without weights.
 [[nodiscard]] std::optional<std::vector<PartEvents>> picture_events(std::string_view shading,
                                                                     const RenderJob& job);
 

@@ -65,7 +65,8 @@ class Search {
   Outcome attempt(Simplification how, std::size_t target) {
     tried_(++attempts_);
     const double crease = limits_.crease_degrees.value_or(kDefaultCrease);
-    const Simplified simplified = simplify(model_, how, target, crease, subject_);
+    Simplified simplified = simplify(model_, how, target, crease, subject_);
+    simplified.model.has_curves = limits_.curves;
     if (simplified.model.triangle_count() == 0) return Outcome::kEmpty;
     FixedModel fixed = compacted(to_fixed(simplified.model));
     if (fixed.meshes.empty()) return Outcome::kEmpty;

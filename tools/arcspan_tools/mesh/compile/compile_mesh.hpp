@@ -16,6 +16,7 @@ struct MeshLimits {
   std::optional<std::size_t> max_triangles;
   std::optional<std::size_t> max_bytes;
   std::optional<double> crease_degrees;  ///< make normals anew; else they stay
+  bool curves = false;                   ///< make Model::has_curves
 };
 
 /// Bytes that a model takes in the wanted output.

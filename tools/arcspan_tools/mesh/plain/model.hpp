@@ -92,6 +92,8 @@ struct Model {
   std::shared_ptr<const MovingBinary> binary{};
   /// Set if the vertices are where the rig stores them: around them in all poses.
   std::optional<Box> reach{};
+  /// Curves over outlines shall fit the 16 bits of positions, too.
+  bool has_curves = false;
 
   [[nodiscard]] std::size_t vertex_count() const;
   [[nodiscard]] std::size_t triangle_count() const;

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan/draw/triangle_sides.hpp>
+#include <arcspan/outline/edge_finder.hpp>
+#include <arcspan/shading/unlit.hpp>
+
+#include <arcspan_tools/simulate/outline_events.hpp>
+#include <arcspan_tools/support/failure.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <span>
+
+namespace arcspan::tools {
+namespace {
+
+using Sink = hal::Framebuffer<Rgb565>;
+using Gap = OutlineGap<Rgb565>;
+
+/// The gaps of smoothing.
+struct CountedGaps : arcspan::detail::GapList<Sink> {
+  using GapList::GapList;
+
+  void put(std::int32_t x, std::int32_t y, arcspan::detail::GapOutline outline, std::uint16_t z,
+           std::uint16_t* at, const std::uint16_t* inner) {
+    ++puts;
+    GapList::put(x, y, outline, z, at, inner);
+  }
+
+  double puts = 0;
+};
+
+struct CountedInk : arcspan::detail::InkPixels<Sink> {
+  using InkPixels::InkPixels;
+
+  bool is_free(const arcspan::detail::InkPlace& at, std::uint16_t z) {
+    ++tests;
+    return InkPixels::is_free(at, z);
+  }
+  void put(const arcspan::detail::InkPlace& at, std::uint32_t share) {
+    ++(share == kWhole ? whole : parts);
+    InkPixels::put(at, share);
+  }
+
+  double tests = 0;
+  double whole = 0;
+  double parts = 0;
+};
+
+bool is_beside(std::int32_t a, std::int32_t b, std::int32_t least, std::int32_t most) {
+  return (a < 16 * least && b < 16 * least) || (a > 16 * most && b > 16 * most);
+}
+
+/// An edge that is walked in a rectangle, by rows or by columns.
+struct WalkedEdge {
+  bool is_near = false;  ///< it may reach the rectangle from the side
+  double rows = 0;
+  double end_rows = 0;  ///< of these, beyond the ends of the edge
+};
+
+/// `ink_width` is that of an outline, and 0 of a crease or without ink.
+WalkedEdge walked(const OutlineEdge& edge, const Rect& rect, std::int32_t ink_width) {
+  const std::int32_t reach = 2 * OutlineInk::kWidest;
+  const std::int32_t dx = std::abs(edge.to.x - edge.from.x);
+  const std::int32_t dy = std::abs(edge.to.y - edge.from.y);
+  const bool steep = dy >= dx;
+  if (steep ? is_beside(edge.from.x, edge.to.x, rect.left - reach, rect.right + reach)
+            : is_beside(edge.from.y, edge.to.y, rect.top - reach, rect.bottom + reach))
+    return {};
+  const std::int32_t from = steep ? edge.from.y : edge.from.x;
+  const std::int32_t to = steep ? edge.to.y : edge.to.x;
+  const std::int32_t first = first_row_at(std::min(from, to));
+  const std::int32_t end = first_row_at(std::max(from, to));
+  if (first >= end) return {true, 0, 0};
+  const bool round = ink_width > 1 || end - first >= 8 || 2 * std::min(dx, dy) > std::max(dx, dy);
+  const auto rows = [&](std::int32_t beyond) {
+    return static_cast<double>(std::max(0, std::min(end + beyond, steep ? rect.bottom : rect.right) -
+                                               std::max(first - beyond, steep ? rect.top : rect.left)));
+  };
+  const double all = rows(round ? ink_width : 0);
+  return {true, all, all - rows(0)};
+}
+
+/// Counts what is done in a band, and does it.
+class BandCounter {
+ public:
+  BandCounter(Sink& sink, OutlineEvents& events) : sink_(sink), events_(events), gaps_(kMostGaps) {}
+
+  /// As the stores of JobOutlines::finish_after() have it.
+  void finish_outlines(const OutlineList& outlines, const OutlineLook& look, const DepthBuffer& depth,
+                       SmoothCost&) {
+    if (outlines.edges().empty()) return;
+    const arcspan::detail::Scissor scissor(outlines.viewport(), sink_.bounds());
+    if (scissor.rect().empty()) return;
+    const Rect rect = arcspan::detail::relative_to(scissor.origin(), scissor.rect());
+    if (look.ink) ink(outlines.edges(), *look.ink, scissor, rect, depth);
+    if (look.smooth) smooth(outlines, scissor, rect, depth);
+  }
+
+ private:
+  static constexpr std::size_t kMostGaps = 65535;
+
+  void smooth(const OutlineList& outlines, const arcspan::detail::Scissor& scissor, const Rect& rect,
+              const DepthBuffer& depth) {
+    for (Gap& gap : gaps_) gap.x = kUntouched;
+    CountedGaps list(sink_, depth, gaps_);
+    arcspan::detail::find_gaps(outlines, scissor, depth, list);
+    list.apply();
+    ++events_.bands;
+    events_.edges += static_cast<double>(outlines.edges().size());
+    for (const OutlineEdge& edge : outlines.edges()) {
+      // Smoothing tests both directions, without a reach.
+      if (is_beside(edge.from.x, edge.to.x, rect.left, rect.right) ||
+          is_beside(edge.from.y, edge.to.y, rect.top, rect.bottom))
+        continue;
+      const WalkedEdge found = walked(edge, rect, 0);
+      if (found.rows > 0) ++events_.walks;
+      events_.rows += found.rows;
+    }
+    events_.gaps += list.puts;
+    for (const Gap& gap : gaps_) {
+      if (gap.x == kUntouched) break;
+      ++events_.entries;
+      const auto outline = arcspan::detail::GapOutline::of(gap.outline);
+      const bool corner = outline.corner != 0;
+      events_.blended +=
+          static_cast<int>(corner || outline.outward > 0) + static_cast<int>(corner || outline.outward < 0);
+    }
+  }
+
+  void ink(std::span<const OutlineEdge> edges, const OutlineInk& ink, const arcspan::detail::Scissor& scissor,
+           const Rect& rect, const DepthBuffer& depth) {
+    for (Gap& gap : gaps_) gap.x = kUntouched;
+    CountedInk pixels(sink_, depth, ink.colour, gaps_);
+    arcspan::detail::OutlineInker<CountedInk> inker(scissor, depth, ink.width, pixels);
+    ++events_.ink_bands;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      ++events_.ink_edges;
+      if (!arcspan::detail::is_crease(edges, i)) {
+        inker.ink_outline(edges[i]);
+        count_ink(walked(edges[i], rect, ink.width), events_.ink_walks, events_.ink_rows);
+        continue;
+      }
+      if (ink.creases) {
+        inker.ink_crease(edges[i]);
+        count_ink(walked(edges[i], rect, 0), events_.crease_walks, events_.crease_rows);
+      }
+      ++i;
+    }
+    pixels.apply();
+    events_.ink_tests += pixels.tests;
+    events_.ink_whole += pixels.whole;
+    events_.ink_parts += pixels.parts;
+    events_.ink_entries += static_cast<double>(
+        std::find_if(gaps_.begin(), gaps_.end(), [](const Gap& gap) { return gap.x == kUntouched; }) -
+        gaps_.begin());
+  }
+
+  void count_ink(const WalkedEdge& edge, double& walks, double& rows) {
+    if (edge.is_near) ++events_.near_ink_edges;
+    if (edge.rows > 0) ++walks;
+    rows += edge.rows - edge.end_rows;
+    events_.ink_end_rows += edge.end_rows;
+  }
+
+  static constexpr std::int16_t kUntouched = -1;
+
+  Sink& sink_;
+  OutlineEvents& events_;
+  std::vector<Gap> gaps_;
+};
+
+/// Fills `sides`, and counts what find_sides() does for that if the picture is drawn in bands. A whole one
+/// notes them while it is drawn.
+void find_counted_sides(const RenderPart& part, const ClipTransform& transform, bool in_bands,
+                        std::vector<TriangleSide>& sides, OutlineEvents& events) {
+  const Unlit::Lighting lighting = Unlit::lighting({});
+  std::vector<CachedVertex<Unlit>> vertices(part.mesh.vertex_count());
+  VertexCache<Unlit> cache(vertices);
+  sides.resize(part.mesh.triangle_count());
+  if (!ok(find_sides<Unlit>(part.mesh, transform, lighting, cache, sides, {part.two_sided})))
+    throw Failure("simulate", "the sides of triangles cannot be found");
+  ++events.objects;
+  if (!in_bands) return;
+  ++events.banded_objects;
+  VertexStage<Unlit> stage(part.mesh, transform, lighting);
+  if (!part.two_sided) stage.find_back_faces();
+  const BackFaces& back_faces = stage.back_faces();
+  if (!back_faces.known()) {
+    events.vertices += static_cast<double>(vertices.size());
+    events.triangles += static_cast<double>(sides.size());
+    return;
+  }
+  events.forgotten += static_cast<double>(vertices.size());
+  events.planes += static_cast<double>(sides.size());
+  for (const CachedVertex<Unlit>& vertex : vertices) {
+    if (vertex.outcode != CachedVertex<Unlit>::kNotTransformed) ++events.wanted_vertices;
+  }
+  for (std::size_t i = back_faces.next_front(0, sides.size()); i < sides.size();
+       i = back_faces.next_front(i + 1, sides.size()))
+    ++events.triangles;
+}
+
+/// Counts how detail::EdgeFinder passes the triangles of a part.
+void count_neighbours(const MeshNeighbours& neighbours, const std::vector<TriangleSide>& sides,
+                      OutlineEvents& events) {
+  const std::uint8_t* at = neighbours.bytes();
+  for (std::size_t i = 0; i < neighbours.triangle_count(); ++i) {
+    const unsigned kinds = *at++;
+    bool plain = arcspan::detail::kNumbersOfPlain[kinds] <= 2;
+    for (unsigned edge = 0; edge < 3; ++edge) {
+      if (!arcspan::detail::has_distance(arcspan::detail::edge_kind(kinds, edge))) continue;
+      const std::uint8_t* const first = at;
+      const std::size_t beyond = i + arcspan::detail::read_distance(at);
+      plain = plain && at == first + 1 && sides[beyond] == sides[i];
+    }
+    ++(plain ? events.plain : events.differing);
+  }
+}
+
+/// Takes the edges of a part as OutlineList::add() does.
+struct EdgeCounter {
+  double count = 0;
+  double silhouettes = 0;
+
+  void put(const TriangleIndices&, TriangleSide, bool is_silhouette) {
+    ++count;
+    if (is_silhouette) ++silhouettes;
+  }
+};
+
+}  // namespace
+
+OutlineEvents count_outlines(const RenderJob& job, JobOutlines& outlines, EventPicture& picture) {
+  OutlineEvents events;
+  std::vector<TriangleSide> sides;
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    const RenderPart& part = job.parts[i];
+    find_counted_sides(part, job.transform, job.band_rows < job.transform.viewport().height, sides, events);
+    count_neighbours(part.neighbours, sides, events);
+    EdgeCounter edges;
+    arcspan::detail::EdgeFinder<EdgeCounter>(part.mesh, sides, edges).find(part.neighbours.bytes());
+    events.listed += edges.count;
+    if (job.outlines.curved) events.tried_curves += edges.silhouettes;
+    events.curves += static_cast<double>(outlines.curves(i).triangle_count());
+  }
+  picture.for_each_band([&](Sink& sink, const DepthBuffer& depth) {
+    BandCounter counter(sink, events);
+    for (std::size_t i = 0; i < job.parts.size(); ++i) outlines.finish_after(i, counter, depth);
+  });
+  return events;
+}
+
+std::vector<CostTerm> OutlineEvents::terms() const {
+  std::vector<CostTerm> terms;
+  for (const CostTerm& term : {CostTerm{"object", objects},
+                               {"banded object", banded_objects},
+                               {"vertex", vertices},
+                               {"wanted vertex", wanted_vertices},
+                               {"forgotten vertex", forgotten},
+                               {"plane", planes},
+                               {"triangle", triangles},
+                               {"plain triangle", plain},
+                               {"differing triangle", differing},
+                               {"listed edge", listed},
+                               {"tried curve", tried_curves},
+                               {"curve", curves},
+                               {"band", bands},
+                               {"edge", edges},
+                               {"walk", walks},
+                               {"row", rows},
+                               {"gap", gaps},
+                               {"entry", entries},
+                               {"blended pixel", blended},
+                               {"ink band", ink_bands},
+                               {"ink edge", ink_edges},
+                               {"near ink edge", near_ink_edges},
+                               {"ink end row", ink_end_rows},
+                               {"ink walk", ink_walks},
+                               {"ink row", ink_rows},
+                               {"crease walk", crease_walks},
+                               {"crease row", crease_rows},
+                               {"ink test", ink_tests},
+                               {"ink pixel", ink_whole},
+                               {"ink part", ink_parts},
+                               {"ink entry", ink_entries}}) {
+    if (term.amount != 0) terms.push_back(term);
+  }
+  return terms;
+}
+
+}  // namespace arcspan::tools

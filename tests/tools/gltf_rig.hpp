@@ -88,35 +88,45 @@ inline Floats joined(std::initializer_list<Floats> lists) {
   return all;
 }
 
-/// A square tube along y from 0 to 2 with `rings` rings, on a joint at 0 (node 1) and one at y = 1 (node 2),
-/// whose weights change from one to the other along the tube. The mesh is at node 3, which is moved and
-/// scaled and must not count. Node 0 scales all by `scale`, and the inverse bind matrices take that back.
-inline GltfRig bending_tube(std::size_t rings = 9, float scale = 1) {
-  GltfRig rig;
-  Floats positions;
-  Floats normals;
-  Floats weights;
-  std::vector<std::uint8_t> joints;
-  std::vector<std::uint16_t> indices;
+/// A square tube along y from 0 to 2 with `rings` rings, whose weights change from a joint at 0 to one at
+/// y = 1 along it.
+struct Tube {
+  Floats positions{};
+  Floats normals{};
+  Floats weights{};                    ///< four for each vertex
+  std::vector<std::uint8_t> joints{};  ///< of each weight
+  std::vector<std::uint16_t> indices{};
+};
+
+inline Tube make_tube(std::size_t rings) {
+  Tube tube;
   for (std::size_t ring = 0; ring < rings; ++ring) {
     const float y = 2 * static_cast<float>(ring) / static_cast<float>(rings - 1);
     for (int side = 0; side < 4; ++side) {
       const float x = side == 0 || side == 3 ? .2f : -.2f;
       const float z = side < 2 ? .2f : -.2f;
-      for (const float c : {x, y, z}) positions.push_back(c);
-      for (const float c : {x * 3.5355339f, 0.f, z * 3.5355339f}) normals.push_back(c);
+      for (const float c : {x, y, z}) tube.positions.push_back(c);
+      for (const float c : {x * 3.5355339f, 0.f, z * 3.5355339f}) tube.normals.push_back(c);
       const float second = std::min(std::max(y - .5f, 0.f), 1.f);
-      for (const float w : {1 - second, second, 0.f, 0.f}) weights.push_back(w);
-      for (const int j : {0, 1, 0, 0}) joints.push_back(static_cast<std::uint8_t>(j));
+      for (const float w : {1 - second, second, 0.f, 0.f}) tube.weights.push_back(w);
+      for (const int j : {0, 1, 0, 0}) tube.joints.push_back(static_cast<std::uint8_t>(j));
       if (ring == 0) continue;
       const auto at = [](std::size_t r, int s) {
         return static_cast<std::uint16_t>(4 * r + static_cast<std::size_t>(s % 4));
       };
       for (const std::uint16_t i : {at(ring - 1, side), at(ring - 1, side + 1), at(ring, side + 1),
                                     at(ring - 1, side), at(ring, side + 1), at(ring, side)})
-        indices.push_back(i);
+        tube.indices.push_back(i);
     }
   }
+  return tube;
+}
+
+/// The tube on node 1 and node 2. The mesh is at node 3, which is moved and scaled and must not count. Node 0
+/// scales all by `scale`, and the inverse bind matrices take that back.
+inline GltfRig bending_tube(std::size_t rings = 9, float scale = 1) {
+  GltfRig rig;
+  const Tube tube = make_tube(rings);
   const float k = 1 / scale;  // joint 1 is at y = 1 of the model, scale times its own units
   rig.json["nodes"] = nlohmann::json::parse(R"([{"name": "armature", "children": [1, 3]},
     {"name": "lower", "children": [2]}, {"name": "upper", "translation": [0, 1, 0]},
@@ -129,11 +139,11 @@ inline GltfRig bending_tube(std::size_t rings = 9, float scale = 1) {
   rig.json["meshes"] = {{{"name", "tube"},
                          {"primitives",
                           {{{"attributes",
-                             {{"POSITION", rig.vectors(positions)},
-                              {"NORMAL", rig.vectors(normals)},
-                              {"JOINTS_0", rig.accessor("VEC4", 4, joints)},
-                              {"WEIGHTS_0", rig.quadruples(weights)}}},
-                            {"indices", rig.accessor("SCALAR", 1, indices)}}}}}};
+                             {{"POSITION", rig.vectors(tube.positions)},
+                              {"NORMAL", rig.vectors(tube.normals)},
+                              {"JOINTS_0", rig.accessor("VEC4", 4, tube.joints)},
+                              {"WEIGHTS_0", rig.quadruples(tube.weights)}}},
+                            {"indices", rig.accessor("SCALAR", 1, tube.indices)}}}}}};
   return rig;
 }
 

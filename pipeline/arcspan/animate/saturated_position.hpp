@@ -9,23 +9,22 @@
 
 namespace arcspan::detail {
 
-/// Saturates coordinates to 16 bits.
-ARCSPAN_OUTLINE ARCSPAN_COLD inline void saturate(ObjectPosition& position, std::int32_t x, std::int32_t y,
-                                                  std::int32_t z) {
-  const auto saturated = [](std::int32_t c) { return static_cast<std::int16_t>(clamped_to_bits<16>(c)); };
-  position = {saturated(x), saturated(y), saturated(z)};
+/// A coordinate saturated to 16 bits. A function of its own: if gcc sees the bounds, it multiplies what is
+/// computed from the position in 64 bits.
+[[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD inline std::int32_t saturated_coordinate(std::int32_t c) {
+  return clamped_to_bits<16>(c);
 }
 
-/// Coordinates saturated to 16 bits, with one test where none is. A function of its own saturates: if gcc
-/// sees the bounds, it multiplies what is computed from the position in 64 bits.
+/// Coordinates saturated to 16 bits, with one test where none is.
 [[nodiscard]] ARCSPAN_INLINE inline ObjectPosition saturated_position(std::int32_t x, std::int32_t y,
                                                                       std::int32_t z) {
   const auto above = [](std::int32_t c) { return static_cast<std::uint32_t>(c) + 32768u; };
-  ObjectPosition position{static_cast<std::int16_t>(x), static_cast<std::int16_t>(y),
-                          static_cast<std::int16_t>(z)};
-  if ((above(x) | above(y) | above(z)) >= 65536u) [[unlikely]]
-    saturate(position, x, y, z);
-  return position;
+  if ((above(x) | above(y) | above(z)) >= 65536u) [[unlikely]] {
+    x = saturated_coordinate(x);
+    y = saturated_coordinate(y);
+    z = saturated_coordinate(z);
+  }
+  return {static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), static_cast<std::int16_t>(z)};
 }
 
 }  // namespace arcspan::detail

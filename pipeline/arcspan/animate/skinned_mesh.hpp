@@ -9,6 +9,7 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/numbers/integer.hpp>
+#include <arcspan/numbers/root.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstddef>
@@ -92,24 +93,52 @@ template <class Coordinates>
     sum.z = wrap_add(sum.z, wrap_mul(coordinates(joint, 2), weight));
   };
   const std::uint32_t first = *words;
-  std::uint32_t low_bits = first >> 10;  // of the weights, two each
   std::int32_t left = 1 << animation_binary::kWeightBits;
-  for (std::uint32_t others = (first >> 8) & 3u; others != 0; --others) {
-    const std::uint32_t word = *++words;
-    const auto weight = static_cast<std::int32_t>(((word >> 8) << 2) | (low_bits & 3u));
-    low_bits >>= 2;
+  const auto add_one = [&](std::uint32_t k) {
+    const std::uint32_t word = words[k];
+    const auto weight = static_cast<std::int32_t>(((word >> 8) << 2) | ((first >> (8 + 2 * k)) & 3u));
     left -= weight;
     add(word, weight);
+  };
+  std::uint32_t others = (first >> 8) & 3u;
+  if (others == 1) {  // the most frequent case keeps everything in registers
+    add_one(1);
+  } else {
+    for (; others != 0; --others) add_one(others);
   }
   add(first, left);
   return sum;
+}
+
+/// normalised() of a sum of weighted normals. Nearly all are 1/2...1 long, because what joints turn is
+/// 0.57...1 long: these are not scaled before.
+[[nodiscard]] ARCSPAN_INLINE inline Direction unit_normal(const WeightedSum& sum) {
+  constexpr int kBits = JointMatrix::kNormalBits + animation_binary::kWeightBits;
+  const auto above = [](std::int32_t c) {
+    return static_cast<std::uint32_t>(c) + (std::uint32_t{1} << kBits);
+  };
+  if (((above(sum.x) | above(sum.y) | above(sum.z)) >> (kBits + 1)) == 0) [[likely]] {
+    const std::int32_t x = sum.x >> (kBits - 15);
+    const std::int32_t y = sum.y >> (kBits - 15);
+    const std::int32_t z = sum.z >> (kBits - 15);
+    const auto square = [](std::int32_t c) { return static_cast<std::uint32_t>(c * c); };
+    const std::uint32_t n30 = square(x) + square(y) + square(z);  // at most 3 * 2^30
+    if (is_in_root_table(n30)) [[likely]] {
+      const auto length = static_cast<std::int32_t>(root_from_table(n30));
+      const auto unit = [length](std::int32_t c) {
+        return DirectionComponent::from_raw(round_shift(c * length, 15));
+      };
+      return {unit(x), unit(y), unit(z)};
+    }
+  }
+  return normalised(sum.x, sum.y, (sum.x | sum.y | sum.z) == 0 ? 1 : sum.z);
 }
 
 }  // namespace detail
 
 template <class Rest>
 ARCSPAN_INLINE inline ObjectPosition BasicSkinnedMesh<Rest>::position(std::size_t i) const {
-  const ObjectPosition v = mesh_->position(i);
+  const ObjectPosition& v = mesh_->position(i);  // a copy would be a call of memcpy() on Armv6-M
   const std::int32_t x = v.x;
   const std::int32_t y = v.y;
   const std::int32_t z = v.z;
@@ -128,7 +157,7 @@ ARCSPAN_INLINE inline Direction BasicSkinnedMesh<Rest>::direction(std::size_t i)
   const detail::WeightedSum sum = detail::weighted_sum(
       weights_.record(i), joints_,
       [n](const JointMatrix& joint, std::size_t row) { return joint.normal(row, n.x, n.y, n.z); });
-  return normalised(sum.x, sum.y, (sum.x | sum.y | sum.z) == 0 ? 1 : sum.z);
+  return detail::unit_normal(sum);
 }
 
 template <class Rest>

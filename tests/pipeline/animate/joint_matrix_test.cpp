@@ -13,7 +13,7 @@ using namespace arcspan::test;
 namespace {
 
 NodeMatrix identity() {
-  NodeMatrix matrix;
+  NodeMatrix matrix{};
   for (std::size_t i = 0; i < 3; ++i) matrix.entries[i][i] = std::int32_t{1} << 24;
   return matrix;
 }
@@ -24,7 +24,7 @@ TEST_CASE("a place is the exact one, rounded to a quarter of an object unit") {
   Random random(42);
   for (int n = 0; n < 2000; ++n) {
     // Entries with 12 fraction bits below 1/4 and offsets below 2048 are kept exactly.
-    NodeMatrix matrix;
+    NodeMatrix matrix{};
     double exact = 0;
     const std::int32_t p[3] = {random.integer(-32768, 32767), random.integer(-32768, 32767),
                                random.integer(-32768, 32767)};

@@ -40,16 +40,18 @@ struct Shown {
   SkinnedMesh mesh;
 };
 
-/// Largest errors of all vertices: positions in object units, normals in degrees.
+/// Largest errors of all vertices: positions in object units, normals in degrees and in length.
 struct Errors {
   double position = 0;
   double normal = 0;
+  double length = 0;
 };
 
 void include(const Rig::Placed& truth, ObjectPosition p, Direction n, Errors& errors) {
   const Vec3 off = Vec3{double(p.x), double(p.y), double(p.z)} - truth.position;
   errors.position = std::max(errors.position, length(off));
   errors.normal = std::max(errors.normal, degrees(angle_between(to_vec3(n), truth.normal)));
+  errors.length = std::max(errors.length, std::abs(length(to_vec3(n)) - 1));
 }
 
 void compare(const Rig& rig, const Shown& shown, const std::vector<Affine>& pose, Errors& errors) {
@@ -69,6 +71,7 @@ void check_errors(const Rig& rig) {
   INFO("position " << errors.position << " object units, normal " << errors.normal << " degrees");
   CHECK(errors.position < kLength / 4096);
   CHECK(errors.normal < 0.12);
+  CHECK(errors.length < 0x1p-12);
 }
 
 }  // namespace
@@ -251,6 +254,7 @@ TEST_CASE("morph targets move vertices and normals, before joints do") {
   INFO("position " << errors.position << " object units, normal " << errors.normal << " degrees");
   CHECK(errors.position < 20000.0 / 4096);
   CHECK(errors.normal < 0.12);
+  CHECK(errors.length < 0x1p-12);
 }
 
 TEST_CASE("between two clips morph weights are between theirs, or those at rest") {

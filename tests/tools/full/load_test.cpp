@@ -149,7 +149,8 @@ TEST_CASE("files that are not there or of no known kind") {
   CHECK(message_of<Failure>([&] { (void)load_mesh(folder / "none.obj"); }) ==
         (folder / "none.obj") + ": cannot read (no such file)");
   CHECK(message_of<Failure>([] { (void)load_mesh("picture.jpg"); }) ==
-        "picture.jpg: not a mesh that can be read (.obj, .ply, .stl, .off, .gltf, .glb, .dae, .3ds, .bin, "
+        "picture.jpg: not a mesh that can be read (.obj, .ply, .stl, .off, .gltf, .glb, .dae, .zae, .fbx, "
+        ".3ds, .bin, "
         "sphere:32x16, torus:48x24)");
 }
 

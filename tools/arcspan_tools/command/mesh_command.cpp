@@ -285,9 +285,9 @@ void add_forecast(CLI::App&, MeshArguments&) {}
 void add_mesh_command(CLI::App& app) {
   auto arguments = std::make_shared<MeshArguments>();
   CLI::App* mesh = app.add_subcommand("mesh", "Compile a model into a mesh for flash");
-  mesh->add_option(
-          "MODEL", arguments->model,
-          "an .obj, .gltf, .glb, .dae, .3ds, .ply, .stl, .off or .bin file, or sphere:32x16, torus:48x24")
+  mesh->add_option("MODEL", arguments->model,
+                   "an .obj, .gltf, .glb, .fbx, .dae, .3ds, .ply, .stl, .off or .bin file, or sphere:32x16, "
+                   "torus:48x24")
       ->required();
   mesh->add_option("-o,--output", arguments->output,
                    "a header of constexpr arrays (.hpp, .h) or a binary (.bin), with all parts and their "

@@ -341,7 +341,7 @@ void add_outline_options(CLI::App& app, RenderOptions& options) {
 
 void add_render_options(CLI::App& app, RenderOptions& options) {
   app.add_option("MESH", options.mesh,
-                 "an .obj, .gltf, .glb, .dae, .3ds, .ply, .stl, .off or .bin (mesh binary) file, or "
+                 "an .obj, .gltf, .glb, .fbx, .dae, .3ds, .ply, .stl, .off or .bin (mesh binary) file, or "
                  "sphere:32x16, torus:48x24")
       ->required();
   add_pose(app, options.pose);

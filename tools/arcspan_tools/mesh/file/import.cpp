@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/file/import.hpp>
+#include <arcspan_tools/mesh/plain/mesh_data.hpp>
+#include <arcspan_tools/mesh/plain/rig.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
@@ -12,7 +14,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <new>
+#include <optional>
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -20,7 +25,11 @@
 namespace arcspan::tools {
 namespace {
 
-const char* extension(MeshFormat format) { return format == MeshFormat::kCollada ? "dae" : "3ds"; }
+const char* extension(MeshFormat format, std::string_view bytes) {
+  if (format == MeshFormat::k3ds) return "3ds";
+  if (format == MeshFormat::kFbx) return "fbx";
+  return bytes.starts_with("PK\3\4") ? "zae" : "dae";  // an archive of a Collada file and its pictures
+}
 
 // The library guesses formats from content, too; with one loader left a file is what its name says.
 void keep_only(Assimp::Importer& importer, const char* wanted) {
@@ -37,117 +46,296 @@ void keep_only(Assimp::Importer& importer, const char* wanted) {
   }
 }
 
-Vec3 to_vec3(const aiVector3D& v) { return {v.x, v.y, v.z}; }
-
-/// The names and the material of a mesh, as the importing library describes them.
-nlohmann::json look_of(const aiMesh& mesh, const aiNode& node, const aiScene& scene) {
-  nlohmann::json look{{"names", nlohmann::json::array()}, {"material", ""}, {"two_sided", false}};
-  for (const aiString& name : {mesh.mName, node.mName}) {
-    if (name.length > 0) look["names"].push_back(name.C_Str());
-  }
-  if (mesh.mMaterialIndex >= scene.mNumMaterials) return look;
-  const aiMaterial& material = *scene.mMaterials[mesh.mMaterialIndex];
-  aiString text;
-  if (material.Get(AI_MATKEY_NAME, text) == aiReturn_SUCCESS) look["material"] = text.C_Str();
-  int two_sided = 0;
-  if (material.Get(AI_MATKEY_TWOSIDED, two_sided) == aiReturn_SUCCESS) look["two_sided"] = two_sided != 0;
-  const auto add_colour = [&](const char* key, const char* name, unsigned type, unsigned index) {
-    aiColor3D c;
-    if (material.Get(name, type, index, c) != aiReturn_SUCCESS) return;
-    if (std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b)) look[key] = {c.r, c.g, c.b};
-  };
-  add_colour("diffuse", AI_MATKEY_COLOR_DIFFUSE);
-  add_colour("specular", AI_MATKEY_COLOR_SPECULAR);
-  add_colour("emission", AI_MATKEY_COLOR_EMISSIVE);
-  ai_real shininess = 0;
-  if (material.Get(AI_MATKEY_SHININESS, shininess) == aiReturn_SUCCESS && std::isfinite(shininess)) {
-    look["shininess"] = shininess;
-  }
-  if (material.GetTexture(aiTextureType_DIFFUSE, 0, &text) == aiReturn_SUCCESS)
-    look["texture"] = text.C_Str();
-  return look;
-}
-
-struct ImportedScene {
-  std::vector<std::array<RawMesh::Corner, 3>> triangles;
-  std::vector<std::uint32_t> look_of;
-  nlohmann::json looks = nlohmann::json::array();
-};
-
-/// Adds a mesh of a scene, moved by its node's transform. The library's v is up.
-void append(ImportedScene& out, const aiMesh& mesh, const aiMatrix4x4& transform,
-            const std::string& subject) {
-  aiMatrix3x3 of_normals(transform);
-  const bool mirrors = of_normals.Determinant() < 0;
-  of_normals.Inverse().Transpose();
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    const aiFace& face = mesh.mFaces[f];
-    if (face.mNumIndices != 3) continue;
-    std::array<RawMesh::Corner, 3> corners;
-    for (unsigned i = 0; i < 3; ++i) {
-      const unsigned index = face.mIndices[i];
-      if (index >= mesh.mNumVertices) {
-        throw Failure(subject, "face index out of range (" + std::to_string(index) + " of " +
-                                   std::to_string(mesh.mNumVertices) + " vertices)");
-      }
-      corners[i].position = to_vec3(transform * mesh.mVertices[index]);
-      if (!finite(corners[i].position)) throw Failure(subject, "a coordinate is not a finite number");
-      if (mesh.HasNormals()) {
-        const Vec3 normal = to_vec3(of_normals * mesh.mNormals[index]);
-        corners[i].normal = finite(normal) ? normal : Vec3{};
-      }
-      if (mesh.HasTextureCoords(0)) {
-        const aiVector3D& point = mesh.mTextureCoords[0][index];
-        corners[i].texture_point = Uv{point.x, 1.0 - point.y};
-      }
-    }
-    if (mirrors) std::swap(corners[1], corners[2]);
-    out.triangles.push_back(corners);
-    out.look_of.push_back(static_cast<std::uint32_t>(out.looks.size()));
-  }
-}
-
-ImportedScene meshes_of(const aiScene& scene, const std::string& subject) {
-  struct Visit {
-    const aiNode* node;
-    aiMatrix4x4 parent;
-  };
-  ImportedScene out;
-  std::vector<Visit> open{{scene.mRootNode, {}}};
-  while (!open.empty()) {
-    const Visit visit = open.back();
-    open.pop_back();
-    if (visit.node == nullptr) continue;
-    const aiMatrix4x4 transform = visit.parent * visit.node->mTransformation;
-    for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
-      const aiMesh& mesh = *scene.mMeshes[visit.node->mMeshes[i]];
-      append(out, mesh, transform, subject);
-      out.looks.push_back(look_of(mesh, *visit.node, scene));
-    }
-    for (unsigned i = visit.node->mNumChildren; i > 0; --i) {
-      open.push_back({visit.node->mChildren[i - 1], transform});
-    }
-  }
-  return out;
-}
-
-/// The numbers of joints, morph targets and clips in a scene, which are not imported.
-nlohmann::json left_out_of(const aiScene& scene) {
-  std::size_t joints = 0;
-  std::size_t targets = 0;
-  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
-    joints += scene.mMeshes[i]->mNumBones;
-    targets += scene.mMeshes[i]->mNumAnimMeshes;
-  }
-  return {{"joints", joints}, {"morph targets", targets}, {"clips", scene.mNumAnimations}};
-}
-
 template <class T>
 nlohmann::json binary_of(const std::vector<T>& values) {
   static_assert(std::is_trivially_copyable_v<T>);
   std::vector<std::uint8_t> bytes(values.size() * sizeof(T));
   if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
   return nlohmann::json::binary(std::move(bytes));
+}
+
+nlohmann::json vectors(const aiVector3D* values, unsigned count) {
+  std::vector<Vec3> all;
+  for (unsigned i = 0; i < count; ++i) all.push_back({values[i].x, values[i].y, values[i].z});
+  return binary_of(all);
+}
+
+/// Column after column.
+nlohmann::json matrix_of(const aiMatrix4x4& m) {
+  return binary_of(std::vector<double>{m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3,
+                                       m.a4, m.b4, m.c4, m.d4});
+}
+
+/// From the axes and units that an FBX file states to ours: y up, z to the viewer, metres.
+aiMatrix4x4 space_of_fbx(const aiScene& scene) {
+  aiMatrix4x4 space;
+  if (scene.mMetaData == nullptr) return space;
+  float centimetres = 1;
+  if (!scene.mMetaData->Get("UnitScaleFactor", centimetres) || !(centimetres > 0)) centimetres = 1;
+  aiMatrix3x3 axes(0, 0, 0, 0, 0, 0, 0, 0, 0);
+  const std::array<const char*, 3> names = {"CoordAxis", "UpAxis", "FrontAxis"};
+  for (unsigned row = 0; row < names.size(); ++row) {
+    std::int32_t axis = -1;
+    std::int32_t sign = 1;
+    (void)scene.mMetaData->Get(names[row], axis);
+    (void)scene.mMetaData->Get(std::string(names[row]) + "Sign", sign);
+    if (axis >= 0 && axis < 3) axes[row][axis] = sign < 0 ? -1 : 1;
+  }
+  if (axes.Determinant() > 0.5) space = aiMatrix4x4(axes);  // otherwise they are none
+  const auto metres = static_cast<ai_real>(centimetres / 100);
+  aiMatrix4x4 scale;
+  return aiMatrix4x4::Scaling({metres, metres, metres}, scale) * space;
+}
+
+/// Turns a scene of the library into JSON.
+class SceneDump {
+ public:
+  SceneDump(const aiScene& scene, MeshFormat format) : scene_(scene), format_(format) {}
+
+  nlohmann::json json() {
+    list_nodes();
+    const aiMatrix4x4 space = format_ == MeshFormat::kFbx ? space_of_fbx(scene_) : aiMatrix4x4();
+    nlohmann::json out{{"nodes", nlohmann::json::array()},
+                       {"meshes", nlohmann::json::array()},
+                       {"instances", nlohmann::json::array()},
+                       {"looks", nlohmann::json::array()},
+                       {"clips", nlohmann::json::array()}};
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const aiNode& node = *nodes_[i];
+      const aiMatrix4x4 matrix = i == 0 ? space * node.mTransformation : node.mTransformation;
+      out["nodes"].push_back(
+          {{"name", node.mName.C_Str()}, {"parent", parents_[i]}, {"matrix", matrix_of(matrix)}});
+      for (unsigned k = 0; k < node.mNumMeshes; ++k) {
+        const unsigned mesh = node.mMeshes[k];
+        out["instances"].push_back({i, mesh});
+        out["looks"].push_back(look_of(*scene_.mMeshes[mesh], node));
+      }
+    }
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) out["meshes"].push_back(mesh_of(*scene_.mMeshes[i]));
+    for (unsigned i = 0; i < scene_.mNumAnimations; ++i)
+      out["clips"].push_back(clip_of(*scene_.mAnimations[i]));
+    out["pictures"] = pictures_;
+    out["left_out"] = left_out_;
+    out["ambiguous"] = ambiguous_;
+    return out;
+  }
+
+ private:
+  /// Parents before their children.
+  void list_nodes() {
+    std::vector<std::pair<const aiNode*, std::int64_t>> open{{scene_.mRootNode, -1}};
+    while (!open.empty()) {
+      const auto [node, parent] = open.back();
+      open.pop_back();
+      if (node == nullptr) continue;
+      const auto number = static_cast<std::int64_t>(nodes_.size());
+      const auto [at, is_new] = numbers_.try_emplace(node->mName.C_Str(), nodes_.size());
+      if (!is_new) shared_names_.insert(at->first);
+      nodes_.push_back(node);
+      parents_.push_back(parent);
+      for (unsigned i = node->mNumChildren; i > 0; --i) open.push_back({node->mChildren[i - 1], number});
+    }
+  }
+
+  /// The first node of a name, or -1.
+  std::int64_t number_of(const std::string& name) {
+    const auto found = numbers_.find(name);
+    if (found == numbers_.end()) return -1;
+    if (shared_names_.count(name) != 0) ambiguous_.insert(name);
+    return static_cast<std::int64_t>(found->second);
+  }
+
+  void leave_out(const char* kind, std::size_t count = 1) {
+    left_out_[kind] = left_out_.value(kind, std::size_t{0}) + count;
+  }
+
+  /// The names and the material of a mesh, as the importing library describes them.
+  nlohmann::json look_of(const aiMesh& mesh, const aiNode& node) {
+    nlohmann::json look{{"names", nlohmann::json::array()}, {"material", ""}, {"two_sided", false}};
+    for (const aiString& name : {mesh.mName, node.mName}) {
+      if (name.length > 0) look["names"].push_back(name.C_Str());
+    }
+    if (mesh.mMaterialIndex >= scene_.mNumMaterials) return look;
+    const aiMaterial& material = *scene_.mMaterials[mesh.mMaterialIndex];
+    aiString text;
+    if (material.Get(AI_MATKEY_NAME, text) == aiReturn_SUCCESS) look["material"] = text.C_Str();
+    int two_sided = 0;
+    if (material.Get(AI_MATKEY_TWOSIDED, two_sided) == aiReturn_SUCCESS) look["two_sided"] = two_sided != 0;
+    const auto number = [&](const char* name, unsigned type, unsigned index) -> std::optional<double> {
+      ai_real value = 0;
+      if (material.Get(name, type, index, value) != aiReturn_SUCCESS || !std::isfinite(value))
+        return std::nullopt;
+      return value;
+    };
+    const auto add_colour = [&](const char* key, double factor, const char* name, unsigned type,
+                                unsigned index) {
+      aiColor3D c;
+      if (material.Get(name, type, index, c) != aiReturn_SUCCESS) return;
+      if (std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b))
+        look[key] = {c.r * factor, c.g * factor, c.b * factor};
+    };
+    const bool is_fbx = format_ == MeshFormat::kFbx;
+    add_colour("diffuse", 1, AI_MATKEY_COLOR_DIFFUSE);
+    add_colour("specular", is_fbx ? number(AI_MATKEY_SHININESS_STRENGTH).value_or(1) : 1,
+               AI_MATKEY_COLOR_SPECULAR);
+    add_colour("emission", 1, AI_MATKEY_COLOR_EMISSIVE);
+    if (const auto shininess = number(AI_MATKEY_SHININESS)) look["shininess"] = *shininess;
+    if (const auto opacity = number(AI_MATKEY_OPACITY); is_fbx && opacity) look["opacity"] = *opacity;
+    for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
+      if (material.GetTexture(type, 0, &text) != aiReturn_SUCCESS) continue;
+      look["texture"] = text.C_Str();
+      add_picture(text);
+      break;
+    }
+    return look;
+  }
+
+  /// Keeps the bytes of a picture that the file holds.
+  void add_picture(const aiString& name) {
+    const aiTexture* picture = scene_.GetEmbeddedTexture(name.C_Str());
+    if (picture == nullptr || picture->mHeight != 0 || pictures_.contains(name.C_Str())) return;
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(picture->pcData);
+    pictures_[name.C_Str()] = binary_of(std::vector<std::uint8_t>(bytes, bytes + picture->mWidth));
+  }
+
+  nlohmann::json mesh_of(const aiMesh& mesh) {
+    nlohmann::json out{{"positions", vectors(mesh.mVertices, mesh.mNumVertices)},
+                       {"joints", nlohmann::json::array()},
+                       {"targets", nlohmann::json::array()}};
+    if (mesh.HasNormals()) out["normals"] = vectors(mesh.mNormals, mesh.mNumVertices);
+    if (mesh.HasTextureCoords(0)) {
+      std::vector<Uv> points;  // the library's v is up
+      for (unsigned i = 0; i < mesh.mNumVertices; ++i)
+        points.push_back({mesh.mTextureCoords[0][i].x, 1.0 - mesh.mTextureCoords[0][i].y});
+      out["texture_points"] = binary_of(points);
+    }
+    if (mesh.HasVertexColors(0)) leave_out("vertex colours");
+    std::vector<std::uint32_t> corners;
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      const aiFace& face = mesh.mFaces[f];
+      if (face.mNumIndices == 3) corners.insert(corners.end(), face.mIndices, face.mIndices + 3);
+    }
+    out["corners"] = binary_of(corners);
+    for (unsigned i = 0; i < mesh.mNumBones; ++i) add_joint(out["joints"], *mesh.mBones[i]);
+    for (unsigned i = 0; i < mesh.mNumAnimMeshes; ++i) {
+      const aiAnimMesh& target = *mesh.mAnimMeshes[i];
+      nlohmann::json& json = out["targets"].emplace_back(nlohmann::json::object());
+      // The library gives targets of FBX a weight of 1, whatever the file says.
+      json["weight"] = format_ == MeshFormat::kFbx ? 0.0 : double(target.mWeight);
+      json["is_offset"] = mesh.mMethod == aiMorphingMethod_MORPH_RELATIVE;
+      if (target.HasPositions()) json["positions"] = vectors(target.mVertices, target.mNumVertices);
+      if (target.HasNormals()) json["normals"] = vectors(target.mNormals, target.mNumVertices);
+    }
+    return out;
+  }
+
+  void add_joint(nlohmann::json& joints, const aiBone& bone) {
+    const std::int64_t node = number_of(bone.mName.C_Str());
+    if (node < 0) return leave_out("joints that are not in the scene");
+    std::vector<std::uint32_t> vertices;
+    std::vector<double> weights;
+    for (unsigned i = 0; i < bone.mNumWeights; ++i) {
+      vertices.push_back(bone.mWeights[i].mVertexId);
+      weights.push_back(bone.mWeights[i].mWeight);
+    }
+    joints.push_back({{"node", node},
+                      {"inverse_bind", matrix_of(bone.mOffsetMatrix)},
+                      {"vertices", binary_of(vertices)},
+                      {"weights", binary_of(weights)}});
+  }
+
+  nlohmann::json clip_of(const aiAnimation& clip) {
+    constexpr double kUsualTicks = 25;
+    ticks_ = clip.mTicksPerSecond > 0 ? clip.mTicksPerSecond : kUsualTicks;
+    nlohmann::json channels = nlohmann::json::array();
+    const auto vector = [](const aiVector3D& v) { return std::vector<double>{v.x, v.y, v.z}; };
+    for (unsigned i = 0; i < clip.mNumChannels; ++i) {
+      const aiNodeAnim& channel = *clip.mChannels[i];
+      const std::int64_t node = number_of(channel.mNodeName.C_Str());
+      if (node < 0) {
+        leave_out("animated nodes that are not in the scene");
+        continue;
+      }
+      add_channel(channels, node, ChannelPath::kTranslation, channel.mPositionKeys, channel.mNumPositionKeys,
+                  vector);
+      add_channel(channels, node, ChannelPath::kRotation, channel.mRotationKeys, channel.mNumRotationKeys,
+                  [](const aiQuaternion& q) {
+                    return std::vector<double>{q.x, q.y, q.z, q.w};
+                  });
+      add_channel(channels, node, ChannelPath::kScale, channel.mScalingKeys, channel.mNumScalingKeys, vector);
+    }
+    for (unsigned i = 0; i < clip.mNumMorphMeshChannels; ++i)
+      add_morph_channel(channels, *clip.mMorphMeshChannels[i]);
+    return {{"name", clip.mName.C_Str()}, {"channels", channels}};
+  }
+
+  template <class Key, class Numbers>
+  void add_channel(nlohmann::json& channels, std::int64_t node, ChannelPath path, const Key* keys,
+                   unsigned count, const Numbers& numbers) {
+    std::vector<double> times;
+    std::vector<double> values;
+    for (unsigned i = 0; i < count; ++i) {
+      // Of two keys at one time the second counts.
+      if (i + 1 < count && keys[i + 1].mTime == keys[i].mTime) continue;
+      times.push_back(keys[i].mTime / ticks_);
+      const std::vector<double> value = numbers(keys[i].mValue);
+      values.insert(values.end(), value.begin(), value.end());
+    }
+    if (times.empty()) return;
+    channels.push_back({{"node", node},
+                        {"path", static_cast<int>(path)},
+                        {"times", binary_of(times)},
+                        {"values", binary_of(values)}});
+  }
+
+  void add_morph_channel(nlohmann::json& channels, const aiMeshMorphAnim& channel) {
+    const std::string name = channel.mName.C_Str();
+    const std::int64_t node = number_of(name.substr(0, name.rfind('*')));  // FBX adds a number
+    const aiNode* at = node < 0 ? nullptr : nodes_[static_cast<std::size_t>(node)];
+    if (at == nullptr || at->mNumMeshes == 0) return leave_out("animated meshes that are not in the scene");
+    const std::size_t targets =
+        std::min<std::size_t>(scene_.mMeshes[at->mMeshes[0]]->mNumAnimMeshes, kMostMorphTargets);
+    struct Key {
+      double mTime;
+      std::vector<double> mValue;
+    };
+    std::vector<Key> keys;
+    for (unsigned i = 0; i < channel.mNumKeys; ++i) {
+      const aiMeshMorphKey& key = channel.mKeys[i];
+      keys.push_back({key.mTime, std::vector<double>(targets)});
+      for (unsigned k = 0; k < key.mNumValuesAndWeights; ++k) {
+        if (key.mValues[k] < targets) keys.back().mValue[key.mValues[k]] = key.mWeights[k];
+      }
+    }
+    add_channel(channels, node, ChannelPath::kMorphWeights, keys.data(), static_cast<unsigned>(keys.size()),
+                [](const std::vector<double>& weights) { return weights; });
+  }
+
+  const aiScene& scene_;
+  MeshFormat format_;
+  std::vector<const aiNode*> nodes_{};
+  std::vector<std::int64_t> parents_{};
+  std::map<std::string, std::size_t> numbers_{};  ///< of the first node of each name
+  std::set<std::string> shared_names_{};
+  std::set<std::string> ambiguous_{};  ///< shared names that something refers to
+  nlohmann::json pictures_ = nlohmann::json::object();
+  nlohmann::json left_out_ = nlohmann::json::object();
+  double ticks_ = 1;  ///< of a second of the current clip
+};
+
+/// The library takes no blank before a number, which some exporters write.
+std::string without_blanks_before_numbers(std::string_view xml) {
+  std::string out;
+  out.reserve(xml.size());
+  for (std::size_t i = 0; i < xml.size(); ++i) {
+    out += xml[i];
+    if (xml[i] != '>') continue;
+    const std::size_t next = xml.find_first_not_of(" \t\r\n", i + 1);
+    if (next != std::string_view::npos && std::strchr("+-.0123456789", xml[next]) != nullptr &&
+        xml[next] != 0)
+      i = next - 1;
+  }
+  return out;
 }
 
 /// The library's complaint. Its exceptions of the standard library say nothing to a user.
@@ -161,17 +349,15 @@ std::string complaint(const std::string& text) {
 
 std::string import_scene(std::string_view bytes, MeshFormat format, const std::string& subject) {
   Assimp::Importer importer;
-  keep_only(importer, extension(format));
+  const char* wanted = extension(format, bytes);
+  keep_only(importer, wanted);
+  std::string text;
+  if (wanted == std::string_view("dae")) bytes = text = without_blanks_before_numbers(bytes);
   const aiScene* scene =
-      importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, extension(format));
+      importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, wanted);
   if (scene == nullptr) throw Failure(subject, complaint(importer.GetErrorString()));
-  const ImportedScene all = meshes_of(*scene, subject);
   std::string cbor;
-  nlohmann::json::to_cbor({{"triangles", binary_of(all.triangles)},
-                           {"look_of", binary_of(all.look_of)},
-                           {"looks", all.looks},
-                           {"left_out", left_out_of(*scene)}},
-                          cbor);
+  nlohmann::json::to_cbor(SceneDump(*scene, format).json(), cbor);
   return cbor;
 }
 

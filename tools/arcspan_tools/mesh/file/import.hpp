@@ -8,13 +8,10 @@
 
 namespace arcspan::tools {
 
-/// Reads a Collada or 3DS file with the loader library. Polygons are triangulated; points and lines are
+/// Reads a Collada, FBX or 3DS file with the loader library. Polygons are triangulated; points and lines are
 /// ignored. The only file of this project that knows the library, which should not run in a process that
-/// matters.
-///
-/// Returns JSON in CBOR: `triangles` are the bytes of arrays of three RawMesh::Corner, moved by the
-/// transforms of their nodes; `look_of` those of 32-bit indices into `looks`, an array of objects with names,
-/// material, diffuse, specular, emission, shininess, texture and two_sided.
+/// matters. scene_model() makes a model of what it returns, and is the only reader of it: the scene as JSON
+/// in CBOR, with lists of numbers as the bytes of arrays.
 [[nodiscard]] std::string import_scene(std::string_view bytes, MeshFormat format, const std::string& subject);
 
 }  // namespace arcspan::tools

@@ -2,7 +2,7 @@
 #include <arcspan_tools/mesh/file/import.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/mesh/file/read_mesh.hpp>
-#include <arcspan_tools/mesh/file/scene_looks.hpp>
+#include <arcspan_tools/mesh/file/scene_model.hpp>
 #include <arcspan_tools/mesh/file/triangle_colours.hpp>
 #include <arcspan_tools/mesh/gltf/read_gltf.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
@@ -36,6 +36,7 @@ RawModel read_raw(std::string_view bytes, MeshFormat format, const std::string& 
     case MeshFormat::kGltf:
       return read_gltf(bytes, subject, files);
     case MeshFormat::kCollada:
+    case MeshFormat::kFbx:
     case MeshFormat::k3ds:
       break;
   }
@@ -53,11 +54,10 @@ RawModel load_raw(const std::string& name, MeshFormat format, VertexColours colo
 
 MeshFormat require_format(const std::string& name) {
   if (const std::optional<MeshFormat> format = mesh_format(name)) return *format;
-  const std::string hint = output_kind(name, "") == "fbx" ? "export it as .glb: " : "";
-  throw Failure(name,
-                hint +
-                    "not a mesh that can be read (.obj, .ply, .stl, .off, .gltf, .glb, .dae, .3ds, .bin, "
-                    "sphere:32x16, torus:48x24)");
+  throw Failure(
+      name,
+      "not a mesh that can be read (.obj, .ply, .stl, .off, .gltf, .glb, .dae, .zae, .fbx, .3ds, .bin, "
+      "sphere:32x16, torus:48x24)");
 }
 
 /// The model of a name that stands for no model file of other programs.
@@ -99,7 +99,8 @@ std::optional<MeshFormat> mesh_format(const std::filesystem::path& path) {
   if (extension == ".stl") return MeshFormat::kStl;
   if (extension == ".off") return MeshFormat::kOff;
   if (extension == ".gltf" || extension == ".glb") return MeshFormat::kGltf;
-  if (extension == ".dae") return MeshFormat::kCollada;
+  if (extension == ".dae" || extension == ".zae") return MeshFormat::kCollada;
+  if (extension == ".fbx") return MeshFormat::kFbx;
   if (extension == ".3ds") return MeshFormat::k3ds;
   return std::nullopt;
 }

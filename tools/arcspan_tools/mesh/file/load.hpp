@@ -14,14 +14,15 @@ namespace arcspan::tools {
 /// Largest model file: a text file of kMaxTriangles triangles needs about a tenth of this.
 inline constexpr std::size_t kMostFileBytes = std::size_t{256} << 20;
 
-enum class MeshFormat { kObj, kPly, kStl, kOff, kGltf, kCollada, k3ds };
+enum class MeshFormat { kObj, kPly, kStl, kOff, kGltf, kCollada, kFbx, k3ds };
 
 /// The format that a file name's extension stands for, in either case.
 [[nodiscard]] std::optional<MeshFormat> mesh_format(const std::filesystem::path& path);
 
-/// Loads a model from a file (.obj, .ply, .stl, .off, .gltf, .glb, .dae, .3ds, or .bin for a mesh or model
-/// binary), or generates one (`sphere:32x16`, `torus:48x24`; see generate.hpp). Throws Failure for everything
-/// that is wrong with it. Where a file leaves normals open, edges above `crease_degrees` are sharp.
+/// Loads a model from a file (.obj, .ply, .stl, .off, .gltf, .glb, .dae, .zae, .fbx, .3ds, or .bin for a mesh
+/// or model binary), or generates one (`sphere:32x16`, `torus:48x24`; see generate.hpp). Throws Failure for
+/// everything that is wrong with it. Where a file leaves normals open, edges above `crease_degrees` are
+/// sharp.
 [[nodiscard]] Model load_model_file(const std::string& name,
                                     TexturePointsOf points = TexturePointsOf::kTexturedParts,
                                     VertexColours colours = VertexColours::kMean,

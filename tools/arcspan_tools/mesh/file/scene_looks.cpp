@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/file/file_pictures.hpp>
-#include <arcspan_tools/mesh/file/left_out.hpp>
 #include <arcspan_tools/mesh/file/scene_looks.hpp>
-#include <arcspan_tools/support/failure.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 namespace arcspan::tools {
@@ -20,57 +17,61 @@ std::optional<Vec3> colour(const nlohmann::json& look, const char* key) {
   return Vec3{channel(0), channel(1), channel(2)};
 }
 
-PartLook look_of(const nlohmann::json& listed, const SideFiles& files, FilePictures& pictures) {
-  PartLook look;
-  for (const nlohmann::json& name : listed["names"]) look.names.push_back(name.get<std::string>());
-  FileMaterial& material = look.material;
-  material.name = listed["material"].get<std::string>();
-  material.colour = colour(listed, "diffuse");
-  material.specular = colour(listed, "specular");
-  material.emission = colour(listed, "emission").value_or(Vec3{});
-  material.two_sided = listed["two_sided"].get<bool>();
-  if (listed.contains("shininess")) {
-    material.shininess =
-        static_cast<std::int32_t>(std::lround(std::clamp(listed["shininess"].get<double>(), 1.0, 256.0)));
-  }
-  if (listed.contains("texture")) {
-    auto name = listed["texture"].get<std::string>();
-    if (name.starts_with("./") || name.starts_with(".\\")) name.erase(0, 2);
-    material.texture = pictures.picture(files, {name});
-  }
-  // A colour beside a texture is the library's own default, or black, which would hide it.
-  if (material.texture != nullptr) material.colour = Vec3{1, 1, 1};
-  return look;
-}
+/// What a scene says about surfaces, with the pictures in it and beside it.
+class LookReader {
+ public:
+  LookReader(const nlohmann::json& pictures, const SideFiles& files) : inner_(pictures), files_(files) {}
 
-template <class T>
-void take(const nlohmann::json& binary, std::vector<T>& values) {
-  const std::vector<std::uint8_t>& bytes = binary.get_binary();
-  values.resize(bytes.size() / sizeof(T));
-  if (!bytes.empty()) std::memcpy(static_cast<void*>(values.data()), bytes.data(), values.size() * sizeof(T));
-}
+  PartLook read(const nlohmann::json& listed) {
+    PartLook look;
+    for (const nlohmann::json& name : listed["names"]) look.names.push_back(name.get<std::string>());
+    FileMaterial& material = look.material;
+    material.name = listed["material"].get<std::string>();
+    material.colour = colour(listed, "diffuse");
+    material.specular = colour(listed, "specular");
+    material.emission = colour(listed, "emission").value_or(Vec3{});
+    material.two_sided = listed["two_sided"].get<bool>();
+    if (listed.contains("shininess")) {
+      material.shininess =
+          static_cast<std::int32_t>(std::lround(std::clamp(listed["shininess"].get<double>(), 1.0, 256.0)));
+    }
+    const double opacity = listed.value("opacity", 1.0);
+    material.opacity = opacity > 0 ? std::min(opacity, 1.0) : 1;
+    if (listed.contains("texture")) material.texture = picture(listed["texture"].get<std::string>());
+    // A colour beside a texture is the library's own default, or black, which would hide it.
+    if (material.texture != nullptr) material.colour = Vec3{1, 1, 1};
+    return look;
+  }
+  void warn(std::vector<std::string>& warnings) const { pictures_.warn(warnings); }
+
+ private:
+  std::shared_ptr<const FileTexture> picture(const std::string& listed) {
+    const bool is_here = listed.starts_with("./") || listed.starts_with(".\\");
+    std::string name = is_here ? listed.substr(2) : listed;
+    const std::string last = name.substr(name.find_last_of("/\\") + 1);
+    // Exporters write the path on their own machine.
+    if (name.starts_with('/') || name.find(":\\") == 1) name = last;
+    return pictures_.picture(name, [&]() -> std::optional<ReferredFile> {
+      if (!inner_.contains(listed)) return find_file(files_, {name, last});
+      const std::vector<std::uint8_t>& bytes = inner_[listed].get_binary();
+      return ReferredFile{name, std::string(bytes.begin(), bytes.end())};
+    });
+  }
+
+  const nlohmann::json& inner_;
+  const SideFiles& files_;
+  FilePictures pictures_{};
+};
 
 }  // namespace
 
-RawModel scene_model(const std::string& imported, const std::string& subject, const SideFiles& files) {
-  const nlohmann::json scene = nlohmann::json::from_cbor(imported, true, false);
-  if (scene.is_discarded()) throw Failure(subject, "the mesh loader was interrupted");
-  RawModel model;
-  FilePictures pictures;
-  for (const nlohmann::json& listed : scene["looks"]) {
-    model.looks.push_back(look_of(listed, files, pictures));
-  }
-  pictures.warn(model.warnings);
-  LeftOut left_out;
-  for (const auto& [kind, count] : scene["left_out"].items()) left_out.add(kind, count.get<std::size_t>());
-  std::vector<std::string> motion;
-  left_out.warn(motion);
-  for (const std::string& line : motion)
-    model.warnings.push_back(line + "; what moves is read from .gltf and .glb, as which programs export it");
-  take(scene["triangles"], model.mesh.triangles);
-  take(scene["look_of"], model.look_of);
-  if (model.mesh.triangles.empty()) throw Failure(subject, "no faces");
-  return model;
+std::vector<PartLook> scene_looks(const nlohmann::json& scene, const SideFiles& files,
+                                  std::vector<std::string>& warnings) {
+  LookReader reader(scene["pictures"], files);
+  std::vector<PartLook> looks;
+  for (const nlohmann::json& listed : scene["looks"]) looks.push_back(reader.read(listed));
+  reader.warn(warnings);
+  return looks;
 }
 
 }  // namespace arcspan::tools

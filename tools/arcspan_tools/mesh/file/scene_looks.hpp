@@ -3,14 +3,15 @@
 
 #include <arcspan_tools/mesh/file/side_files.hpp>
 #include <arcspan_tools/mesh/plain/model.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <vector>
 
 namespace arcspan::tools {
 
-/// The model of a scene that import_scene() has read, with the pictures of the materials that it lists.
-/// `subject` names the file in the Failure that it may throw.
-[[nodiscard]] RawModel scene_model(const std::string& imported, const std::string& subject,
-                                   const SideFiles& files);
+/// The looks that a scene of import_scene() lists, with their pictures. Of those that are missing it warns.
+[[nodiscard]] std::vector<PartLook> scene_looks(const nlohmann::json& scene, const SideFiles& files,
+                                                std::vector<std::string>& warnings);
 
 }  // namespace arcspan::tools

@@ -10,9 +10,6 @@
 
 namespace arcspan::tools {
 
-/// Most morph targets of a mesh.
-inline constexpr std::size_t kMostMorphTargets = 256;
-
 /// Reads the animations of a file of version 2.0, each as a clip; channels of nodes that are not in the
 /// scene, and of what is no property of a node, are left out. `morph_targets` returns how many the mesh of a
 /// node has. A clip without a name is called by its number: clip1. One that is wrong is left out, with a

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/gltf/gltf_skin.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -50,47 +49,31 @@ GltfWeights::GltfWeights(GltfFile& file, const JsonView& attributes, std::size_t
   }
   if (sets_.empty()) attributes.fail("has no JOINTS_0 and WEIGHTS_0 for the skin of its node");
   for (std::size_t i = 0; i < vertices; ++i) {
-    const std::size_t count = influences(i).size();
+    const std::size_t count = weights(i).count();
     if (count > kMostWeights) ++with_many_;
     if (count == 0) ++without_;
   }
 }
 
-std::vector<GltfWeights::Influence> GltfWeights::influences(std::size_t vertex) const {
-  std::vector<Influence> found;
+JointWeights GltfWeights::weights(std::size_t vertex) const {
+  JointWeights found;
   for (const Set& set : sets_) {
     for (std::size_t i = 0; i < 4; ++i) {
       const double weight = set.weights.element(vertex)[i];
-      if (weight == 0) continue;
-      const auto joint = static_cast<std::size_t>(set.joints.element(vertex)[i]);
-      const auto same = std::find_if(found.begin(), found.end(),
-                                     [joint](const Influence& other) { return other.joint == joint; });
-      if (same == found.end()) {
-        found.push_back({joint, weight});
-      } else {
-        same->weight += weight;
-      }
+      if (weight != 0) found.add(static_cast<std::size_t>(set.joints.element(vertex)[i]), weight);
     }
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
   return found;
 }
 
 void GltfWeights::bind(std::size_t vertex, RigVertex& out) const {
-  std::vector<Influence> found = influences(vertex);
-  if (found.empty()) {
+  JointWeights found = weights(vertex);
+  if (found.count() == 0) {
     const double first = sets_[0].joints.element(vertex)[0];
     const bool is_joint = first >= 0 && first < static_cast<double>(joint_count_);
-    found.push_back({is_joint ? static_cast<std::size_t>(first) : 0, 1});
+    found.add(is_joint ? static_cast<std::size_t>(first) : 0, 1);
   }
-  if (found.size() > kMostWeights) found.resize(kMostWeights);
-  double sum = 0;
-  for (const Influence& influence : found) sum += influence.weight;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    out.joints[i] = found[i].joint;
-    out.weights[i] = found[i].weight / sum;
-  }
+  found.bind(out);
 }
 
 }  // namespace arcspan::tools

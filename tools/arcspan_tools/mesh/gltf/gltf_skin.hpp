@@ -3,6 +3,7 @@
 
 #include <arcspan_tools/mesh/gltf/accessor.hpp>
 #include <arcspan_tools/mesh/gltf/gltf_nodes.hpp>
+#include <arcspan_tools/mesh/plain/rig_vertices.hpp>
 
 #include <vector>
 
@@ -26,11 +27,7 @@ class GltfWeights {
   [[nodiscard]] std::size_t without_weights() const { return without_; }
 
  private:
-  struct Influence {
-    std::size_t joint = 0;
-    double weight = 0;
-  };
-  [[nodiscard]] std::vector<Influence> influences(std::size_t vertex) const;
+  [[nodiscard]] JointWeights weights(std::size_t vertex) const;
 
   struct Set {
     AccessorData joints;

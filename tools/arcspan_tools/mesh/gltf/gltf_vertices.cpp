@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/mesh/gltf/gltf_clips.hpp>
 #include <arcspan_tools/mesh/gltf/gltf_vertices.hpp>
-
-#include <bit>
 
 namespace arcspan::tools {
 namespace {
@@ -13,36 +10,7 @@ Vec3 finite_or_zero(const std::optional<AccessorData>& data, std::size_t i) {
   return finite(v) ? v : Vec3{};
 }
 
-std::uint64_t mixed(std::uint64_t hash, std::uint64_t bits) {
-  return (std::rotl(hash, 5) ^ bits) * 0x9E3779B97F4A7C15u;
-}
-
-std::uint64_t mixed(std::uint64_t hash, const Vec3& v) {
-  for (const double c : {v.x, v.y, v.z}) hash = mixed(hash, std::bit_cast<std::uint64_t>(c + 0.0));
-  return hash;
-}
-
-std::uint64_t hash_of(const RigVertex& v) {
-  std::uint64_t hash = mixed(mixed(v.instance, v.position), v.normal);
-  for (const std::size_t joint : v.joints) hash = mixed(hash, joint);
-  for (const double weight : v.weights) hash = mixed(hash, std::bit_cast<std::uint64_t>(weight));
-  for (const MorphDelta& delta : v.deltas) hash = mixed(mixed(hash, delta.position), delta.normal);
-  return hash ^ (hash >> 32);
-}
-
 }  // namespace
-
-std::uint32_t RigVertices::add(const RigVertex& vertex) {
-  const std::uint64_t hash = hash_of(vertex);
-  const auto [begin, end] = known_.equal_range(hash);
-  for (auto same = begin; same != end; ++same) {
-    if (vertices_[same->second] == vertex) return same->second;
-  }
-  const auto number = static_cast<std::uint32_t>(vertices_.size());
-  vertices_.push_back(vertex);
-  known_.emplace(hash, number);
-  return number;
-}
 
 GltfVertices::GltfVertices(GltfFile& file, const JsonView& primitive, const AccessorData& positions,
                            const std::optional<AccessorData>& normals, std::size_t joints)

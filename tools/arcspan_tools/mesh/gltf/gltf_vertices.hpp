@@ -4,25 +4,10 @@
 #include <arcspan_tools/mesh/gltf/gltf_skin.hpp>
 #include <arcspan_tools/mesh/plain/rig.hpp>
 
-#include <cstdint>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace arcspan::tools {
-
-/// The vertices of a rig, each once.
-class RigVertices {
- public:
-  explicit RigVertices(std::vector<RigVertex>& vertices) : vertices_(vertices) {}
-
-  /// The number of this vertex, which is added unless an equal one is there.
-  [[nodiscard]] std::uint32_t add(const RigVertex& vertex);
-
- private:
-  std::vector<RigVertex>& vertices_;
-  std::unordered_multimap<std::uint64_t, std::uint32_t> known_;  ///< by hash
-};
 
 /// What moves the vertices of a primitive.
 class GltfVertices {

@@ -10,6 +10,7 @@
 #include <arcspan_tools/mesh/gltf/gltf_vertices.hpp>
 #include <arcspan_tools/mesh/gltf/read_gltf.hpp>
 #include <arcspan_tools/mesh/plain/rig_pose.hpp>
+#include <arcspan_tools/mesh/plain/rig_vertices.hpp>
 #include <arcspan_tools/support/srgb.hpp>
 #include <arcspan_tools/support/text.hpp>
 
@@ -64,7 +65,7 @@ class GltfReader {
       rig_->clips = read_gltf_clips(file_, nodes_, targets, left_out_, model_.warnings);
     }
     rig_->nodes = nodes_.nodes;
-    note_moved_nodes();
+    moved_ = moved_nodes(*rig_);
     for (std::size_t i = 0; i < nodes_.json.size(); ++i) instances_.push_back(read_instance(i));
     const RigPoser rest(*rig_, rest_pose(*rig_));
     rest_ = &rest;
@@ -85,19 +86,6 @@ class GltfReader {
     if (primitives.size() == 0) return 0;
     const std::optional<JsonView> targets = primitives.element(0).find("targets");
     return targets ? targets->size() : 0;
-  }
-
-  /// Notes which nodes a clip moves, with all that hang on them.
-  void note_moved_nodes() {
-    moved_.resize(nodes_.nodes.size());
-    for (const RigClip& clip : rig_->clips) {
-      for (const RigChannel& channel : clip.channels)
-        moved_[channel.node] = moved_[channel.node] || channel.path != ChannelPath::kMorphWeights;
-    }
-    for (std::size_t i = 0; i < moved_.size(); ++i) {
-      const std::optional<std::size_t> parent = nodes_.nodes[i].parent;
-      if (parent && moved_[*parent]) moved_[i] = true;
-    }
   }
 
   /// The instance of the rig that a node is, if something moves its mesh.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/plain/clip.hpp>
 #include <arcspan_tools/mesh/plain/node_transform.hpp>
+#include <arcspan_tools/support/text.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 namespace arcspan::tools {
 namespace {
@@ -63,6 +66,44 @@ double RigClip::duration() const {
   double last = 0;
   for (const RigChannel& channel : channels) last = std::max(last, channel.times.back());
   return last;
+}
+
+std::optional<std::string> wrong_times(const std::vector<double>& times) {
+  // Times of the animation binary have 30 bits of microseconds.
+  constexpr double kMostSeconds = 1000;
+  constexpr std::size_t kMostKeys = 65'535;
+  if (times.empty()) return "has no keys";
+  if (times.size() > kMostKeys) return formatted("has more than %zu keys", kMostKeys);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!(times[i] >= 0 && times[i] <= kMostSeconds))
+      return formatted("key %zu is not at a time of 0...%g s", i, kMostSeconds);
+    if (i > 0 && !(times[i] > times[i - 1])) return formatted("key %zu is not later than the one before", i);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> wrong_values(const RigChannel& channel) {
+  const std::size_t of_key = channel.interpolation == Interpolation::kCubic ? 3 : 1;
+  if (channel.values.size() < channel.keys() * channel.components * of_key)
+    return "has fewer values than there are keys";
+  for (const double value : channel.values) {
+    if (!std::isfinite(value)) return "has a value that is not finite";
+  }
+  for (std::size_t i = 0; channel.path == ChannelPath::kRotation && i < channel.keys(); ++i) {
+    const Quaternion q = quaternion(channel.value(i));
+    if (!(inner(q, q) > 0)) return formatted("key %zu is no rotation", i);
+  }
+  return std::nullopt;
+}
+
+void name_clips(std::vector<RigClip>& clips) {
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    std::string& name = clips[i].name;
+    const std::string base = name.empty() ? "clip" : name;
+    if (name.empty()) name = base + std::to_string(i + 1);
+    for (std::size_t n = 2; !taken.insert(name).second; ++n) name = base + std::to_string(n);
+  }
 }
 
 }  // namespace arcspan::tools

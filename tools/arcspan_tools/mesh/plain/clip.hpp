@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,5 +46,17 @@ struct RigClip {
   /// The time of the last key in seconds.
   [[nodiscard]] double duration() const;
 };
+
+/// Most numbers of all keys of a file.
+inline constexpr std::size_t kMostKeyNumbers = std::size_t{1} << 24;
+
+/// What is wrong with the times of a channel's keys.
+[[nodiscard]] std::optional<std::string> wrong_times(const std::vector<double>& times);
+
+/// What is wrong with the values of a channel whose times are right.
+[[nodiscard]] std::optional<std::string> wrong_values(const RigChannel& channel);
+
+/// Gives clips without a name, or with that of an earlier one, a name: clip1.
+void name_clips(std::vector<RigClip>& clips);
 
 }  // namespace arcspan::tools

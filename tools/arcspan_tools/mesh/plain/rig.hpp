@@ -15,6 +15,8 @@ namespace arcspan::tools {
 
 /// Most joints that move a vertex; of more, those with the largest weights are kept.
 inline constexpr std::size_t kMostWeights = 4;
+/// Most morph targets of a mesh.
+inline constexpr std::size_t kMostMorphTargets = 256;
 
 struct RigNode {
   std::string name{};
@@ -65,5 +67,11 @@ struct Rig {
   std::vector<RigVertex> vertices{};
   std::vector<RigClip> clips{};
 };
+
+/// Of each node whether a clip moves it, or one above it.
+[[nodiscard]] std::vector<bool> moved_nodes(const Rig& rig);
+
+/// Splits the matrix of a node that a clip moves. Returns what is wrong with it.
+[[nodiscard]] std::optional<std::string> split_matrix(RigNode& node);
 
 }  // namespace arcspan::tools

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/scene_clips.hpp>
+#include <arcspan_tools/mesh/file/scene_numbers.hpp>
+#include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/text.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace arcspan::tools {
+namespace {
+
+std::vector<double> value_of(const NodeTransform& node, ChannelPath path) {
+  const Quaternion& q = node.rotation;
+  if (path == ChannelPath::kRotation) return {q.x, q.y, q.z, q.w};
+  const Vec3& v = path == ChannelPath::kTranslation ? node.translation : node.scale;
+  return {v.x, v.y, v.z};
+}
+
+/// Whether a channel keeps its node where it is at rest, but for the rounding of floats.
+bool keeps_rest(const RigChannel& channel, const RigNode& node) {
+  if (channel.path == ChannelPath::kMorphWeights) return false;
+  constexpr double kRounding = 1e-5;
+  const std::vector<double> rest = value_of(node.rest, channel.path);
+  for (std::size_t key = 0; key < channel.keys(); ++key) {
+    double size = 0;
+    double less = 0;
+    double more = 0;  // q and -q are one rotation
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      const double value = channel.value(key)[i];
+      size += rest[i] * rest[i];
+      less += (value - rest[i]) * (value - rest[i]);
+      more += (value + rest[i]) * (value + rest[i]);
+    }
+    const double apart = channel.path == ChannelPath::kRotation ? std::min(less, more) : less;
+    if (apart > kRounding * kRounding * size) return false;
+  }
+  return true;
+}
+
+/// The loader gives each node that moves all channels. Takes out those that move nothing, unless the clip
+/// would become shorter.
+void drop_still_channels(RigClip& clip, const std::vector<RigNode>& nodes) {
+  const double end = clip.duration();
+  const auto is_still = [&](const RigChannel& c) { return keeps_rest(c, nodes[c.node]); };
+  bool has_end = std::any_of(clip.channels.begin(), clip.channels.end(),
+                             [&](const RigChannel& c) { return c.times.back() == end && !is_still(c); });
+  std::erase_if(clip.channels, [&](const RigChannel& c) {
+    if (!is_still(c)) return false;
+    const bool is_end = !has_end && c.times.back() == end;
+    has_end = has_end || is_end;
+    return !is_end;
+  });
+}
+
+void check(const RigNode& node, const std::optional<std::string>& wrong) {
+  if (wrong) throw Failure("the node " + in_quotes(node.name), *wrong);
+}
+
+RigChannel read_channel(const nlohmann::json& json, std::vector<RigNode>& nodes,
+                        const std::function<std::size_t(std::size_t)>& morph_targets) {
+  RigChannel channel;
+  channel.node = json["node"].get<std::size_t>();
+  channel.path = static_cast<ChannelPath>(json["path"].get<int>());
+  channel.times = scene_numbers<double>(json, "times");
+  channel.values = scene_numbers<double>(json, "values");
+  RigNode& node = nodes.at(channel.node);
+  if (channel.path == ChannelPath::kMorphWeights) {
+    channel.components = morph_targets(channel.node);
+    if (channel.components == 0) check(node, "has meshes without morph targets, or with different ones");
+  } else {
+    channel.components = channel.path == ChannelPath::kRotation ? 4 : 3;
+    check(node, split_matrix(node));
+  }
+  check(node, wrong_times(channel.times));
+  check(node, wrong_values(channel));
+  return channel;
+}
+
+}  // namespace
+
+std::vector<RigClip> scene_clips(const nlohmann::json& scene, std::vector<RigNode>& nodes,
+                                 const std::function<std::size_t(std::size_t)>& morph_targets,
+                                 std::vector<std::string>& warnings) {
+  std::vector<RigClip> clips;
+  std::size_t numbers = 0;
+  for (const nlohmann::json& json : scene["clips"]) {
+    RigClip clip;
+    clip.name = json["name"].get<std::string>();
+    try {
+      std::set<std::pair<std::size_t, ChannelPath>> taken;  // nodes with the same name are one
+      for (const nlohmann::json& listed : json["channels"]) {
+        RigChannel channel = read_channel(listed, nodes, morph_targets);
+        if (!taken.insert({channel.node, channel.path}).second) continue;
+        clip.channels.push_back(std::move(channel));
+        numbers += clip.channels.back().values.size();
+        if (numbers > kMostKeyNumbers) throw Failure("", "has too many keys with those before");
+      }
+    } catch (const Failure& failure) {
+      warnings.push_back("the animation " + in_quotes(clip.name) + " is left out: " + failure.what());
+      continue;
+    }
+    drop_still_channels(clip, nodes);
+    if (!clip.channels.empty()) clips.push_back(std::move(clip));
+  }
+  name_clips(clips);
+  return clips;
+}
+
+}  // namespace arcspan::tools

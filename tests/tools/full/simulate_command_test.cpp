@@ -134,6 +134,13 @@ TEST_CASE(
   REQUIRE(gouraud != std::string::npos);
   CHECK(std::atof(by_arc.c_str() + gouraud + 10) == instructions("--shading gouraud"));
   CHECK(by_arc.find("\nadvice: arc, for highlights that move, takes ") != std::string::npos);
+  // Outlines are estimated, and the rows of bands that are drawn twice for them.
+  const std::size_t outlines = by_arc.find("\noutlines: smoothed by ");
+  REQUIRE(outlines != std::string::npos);
+  const double of_outlines = std::atof(by_arc.c_str() + outlines + 22);
+  CHECK(of_outlines > 10'000);
+  CHECK(instructions("") > instructions("--no-smooth") + of_outlines);
+  CHECK(instructions("--ink 0,0,0") > instructions(""));
 #endif
   const auto without = [&folder](const std::string& options) {
     const std::string out = run("simulate torus:24x12 " + options + " -o " + (folder / "panel.png")).out;

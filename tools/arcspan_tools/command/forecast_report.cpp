@@ -37,9 +37,9 @@ std::string to_text(const Forecast& f) {
   std::string text = formatted(
       "forecast: %dx%d in rgb565 with depth, one light, the model as large as fits, mean of %zu whole "
       "pictures "
-      "with clearing\n  (bands take longer); instructions, and frames per second at %g million of them per "
+      "with clearing%s\n  (bands take longer); instructions, and frames per second at %g million of them per "
       "second\n",
-      f.size.width, f.size.height, f.pictures, f.mips);
+      f.size.width, f.size.height, f.pictures, f.outlined ? " and smooth outlines" : "", f.mips);
   text += formatted("  %-13s", "");
   for (const ForecastCore& core : kForecastCores) text += formatted(" %16s", core.name);
   text += "\n";

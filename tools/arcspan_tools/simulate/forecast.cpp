@@ -125,6 +125,7 @@ Forecast forecast(const FixedModel& model, std::size_t model_bytes, Size size, d
   made.pictures = kPictures;
   made.model_bytes = model_bytes;
   made.textured = has_textures(model);
+  made.outlined = !model.meshes[0].neighbours.empty();
   set_memory(model, made);
   const std::vector<ForecastPicture> pictures =
       forecast_pictures(poser_of(model, subject), clips_of(model), size);

@@ -47,6 +47,7 @@ struct Forecast {
   std::size_t pose_bytes = 0;   ///< nodes and joints
   std::size_t model_bytes = 0;  ///< of flash
   bool textured = false;        ///< a part has a texture
+  bool outlined = false;        ///< it has neighbours: its outlines are smoothed
   bool morphs = false;          ///< morph targets move it, which is not in the figures
 
   static constexpr std::int32_t kBandRows = 16;

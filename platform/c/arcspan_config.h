@@ -56,8 +56,8 @@
 #ifndef ARCSPAN_C_OUTLINES
 #define ARCSPAN_C_OUTLINES 0
 #endif
-/* 1 if it smooths by marks in the depths: it takes no memory for gaps then, and a pixel at which outlines meet
- * may differ from rectangle to rectangle. With ARCSPAN_C_OUTLINES only. */
+/* 1 if it smooths by marks in the depths: it takes no memory for gaps then, and a pixel at which outlines
+ * meet may differ from rectangle to rectangle. With ARCSPAN_C_OUTLINES only. */
 #ifndef ARCSPAN_C_MARKED_OUTLINES
 #define ARCSPAN_C_MARKED_OUTLINES 0
 #endif

@@ -5,6 +5,7 @@
 #include <arcspan/numbers/integer.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace arcspan {
@@ -68,7 +69,7 @@ namespace detail {
 inline constexpr std::uint32_t kRootTableFirst = 32;
 inline constexpr std::array<std::uint16_t, 98> kRootTable = [] {
   std::array<std::uint16_t, 98> table{};
-  for (std::uint32_t i = 0; i < table.size(); ++i) {
+  for (std::size_t i = 0; i < table.size(); ++i) {
     const std::uint32_t root = wide_integer_root((std::uint64_t{1} << 39) / (kRootTableFirst + i));
     table[i] = static_cast<std::uint16_t>((root + 1) / 2 - (i == 0));
   }
@@ -83,7 +84,7 @@ inline constexpr std::array<std::uint16_t, 98> kRootTable = [] {
 /// relative error at most 2^-13 (swept in the tests). It takes 27 instructions less than
 /// reciprocal_root_mantissa() on a Cortex-M3, 76 on Armv6-M.
 [[nodiscard]] constexpr std::uint32_t root_from_table(std::uint32_t n30) {
-  const std::uint16_t* const entry = &kRootTable[(n30 >> 23) - kRootTableFirst];
+  const std::uint16_t* const entry = &kRootTable[static_cast<std::size_t>((n30 >> 23) - kRootTableFirst)];
   const std::uint32_t above = entry[0];
   const std::uint32_t below = entry[1];
   return above - (((above - below) * ((n30 >> 11) & 0xFFFu)) >> 12);

@@ -19,5 +19,19 @@ install_packages() {
 # npm and node, wherever they come from: many machines have them from elsewhere, and Debian's are large.
 npm_packages() { command -v npm >/dev/null && command -v node >/dev/null || echo nodejs npm; }
 
+# runs_32_bits: whether this kernel runs x86 programs of 32 bits; some are built or started without. Tries one that only exits.
+runs_32_bits() {
+  local program status=0
+  program=$(mktemp)
+  base64 -d >"$program" <<<f0VMRgEBAQAAAAAAAAAAAAIAAwABAAAAVIAECDQAAAAAAAAAAAAAADQAIAABAAAAAAAAAAEAAAAAAAAAAIAECACABAhbAAAAWwAAAAUAAAAAEAAAMduNQwHNgA==
+  chmod +x "$program"
+  "$program" 2>/dev/null || status=1
+  rm "$program"
+  return $status
+}
+
+# An emulator of such programs, where they do not run.
+emulator_packages() { runs_32_bits || echo qemu-user; }
+
 # What a build of the tools takes. zlib1g-dev: libassimp-dev's CMake file links libz.so without depending on it.
 build_packages() { echo cmake ninja-build g++ libassimp-dev zlib1g-dev libcli11-dev libmeshoptimizer-dev libgif-dev libimagequant-dev libstb-dev nlohmann-json3-dev libgpiod-dev libdrm-dev catch2; }

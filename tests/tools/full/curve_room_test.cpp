@@ -123,7 +123,7 @@ TEST_CASE("a model that moves has room for curves on all sides") {
   CHECK(to_fixed(model).meshes[0].unit > 1.001 * still);
 }
 
-TEST_CASE("--curved-outlines curves the outermost edges, too, of models and of what mesh writes") {
+TEST_CASE("the option --curved-outlines curves the outermost edges, too, of models and of what mesh writes") {
   const TemporaryFolder folder;
   const std::string sphere = folder.file("turned.obj", obj_text(turned_sphere()));
   const auto drawn = [&](const std::string& model, const std::string& options) {

@@ -110,8 +110,8 @@ template <class Coordinates>
   return sum;
 }
 
-/// normalised() of a sum of weighted normals. Nearly all are 1/2...1 long, because what joints turn is
-/// 0.57...1 long: these are not scaled before.
+/// The unit vector along a sum of weighted normals; +z for a sum of 0. Nearly all are 1/2...1 long, because
+/// the vectors that joints turn are 0.57...1 long: the table of roots serves these, normalised() the others.
 [[nodiscard]] ARCSPAN_INLINE inline Direction unit_normal(const WeightedSum& sum) {
   constexpr int kBits = JointMatrix::kNormalBits + animation_binary::kWeightBits;
   const auto above = [](std::int32_t c) {
@@ -123,10 +123,10 @@ template <class Coordinates>
     const std::int32_t z = sum.z >> (kBits - 15);
     const auto square = [](std::int32_t c) { return static_cast<std::uint32_t>(c * c); };
     const std::uint32_t n30 = square(x) + square(y) + square(z);  // at most 3 * 2^30
-    if (is_in_root_table(n30)) [[likely]] {
-      const auto length = static_cast<std::int32_t>(root_from_table(n30));
-      const auto unit = [length](std::int32_t c) {
-        return DirectionComponent::from_raw(round_shift(c * length, 15));
+    if (has_tabled_root(n30)) [[likely]] {
+      const auto scale = static_cast<std::int32_t>(tabled_reciprocal_root(n30));
+      const auto unit = [scale](std::int32_t c) {
+        return DirectionComponent::from_raw(round_shift(c * scale, 15));
       };
       return {unit(x), unit(y), unit(z)};
     }
@@ -153,7 +153,8 @@ ARCSPAN_INLINE inline ObjectPosition BasicSkinnedMesh<Rest>::position(std::size_
 template <class Rest>
 ARCSPAN_INLINE inline Direction BasicSkinnedMesh<Rest>::direction(std::size_t i) const {
   const detail::OctahedralPoint n = detail::long_normal(*mesh_, i);
-  // Each product is below 2^30, and so is the sum, because the weights add up to 1024.
+  // As long as no joint scales by 128 or more, each product is below 2^30, and so is the sum, because the
+  // weights add up to 1024. Otherwise the sum wraps.
   const detail::WeightedSum sum = detail::weighted_sum(
       weights_.record(i), joints_,
       [n](const JointMatrix& joint, std::size_t row) { return joint.normal(row, n.x, n.y, n.z); });

@@ -65,7 +65,7 @@ class VertexStage {
 
   /// Transforms vertex i of the mesh; it is not shaded yet.
   ARCSPAN_OUTLINE void transform(std::size_t i, CachedVertex<Method>& vertex) const {
-    if (!std::is_same_v<Mesh, MeshView> || !back_faces_.known()) {
+    if (!std::is_same_v<Mesh, MeshView> || !back_faces_.known()) {  // only a MeshView has planes
       transform_inlined(i, vertex);
       return;
     }

@@ -49,14 +49,14 @@ struct OctahedralPoint {
   std::int32_t z;
 };
 
-/// The point of a packed normal on the octahedron, without a branch. Where a coordinate is -32768, the sum of
-/// the magnitudes is up to 4 more.
+/// The point of a packed normal on the octahedron |x| + |y| + |z| = kOctahedralOne, without a branch. The sum
+/// is up to 4 more where u or v is -32768, which pack_normal() never writes.
 [[nodiscard]] ARCSPAN_INLINE constexpr OctahedralPoint octahedral_point(PackedNormal packed) {
   const auto with_sign = [](std::int32_t size, std::int32_t sign) { return (size ^ sign) - sign; };
   const std::int32_t x = packed.u;
   const std::int32_t y = packed.v;
   const std::int32_t z = kOctahedralOne - with_sign(x, x >> 31) - with_sign(y, y >> 31);
-  const std::int32_t below = z & (z >> 31);  // octahedral_fold() adds it to the magnitudes
+  const std::int32_t below = z & (z >> 31);  // added to both magnitudes, as octahedral_fold() does
   return {x + with_sign(below, x >> 31), y + with_sign(below, y >> 31), z};
 }
 

@@ -65,26 +65,27 @@ namespace detail {
   return refined > 65536 ? 65536 : refined;
 }
 
-/// Entry i is 2^15 / sqrt((kRootTableFirst + i) / 128), rounded; the first one, 65536, is one less.
-inline constexpr std::uint32_t kRootTableFirst = 32;
-inline constexpr std::array<std::uint16_t, 98> kRootTable = [] {
+/// Entry i is 2^15 / sqrt((kFirstTabledRoot + i) / 128), rounded. The first would be 65536, which does not
+/// fit 16 bits: it is 65535.
+inline constexpr std::uint32_t kFirstTabledRoot = 32;
+inline constexpr std::array<std::uint16_t, 98> kTabledRoots = [] {
   std::array<std::uint16_t, 98> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const std::uint32_t root = wide_integer_root((std::uint64_t{1} << 39) / (kRootTableFirst + i));
+    const std::uint32_t root = wide_integer_root((std::uint64_t{1} << 39) / (kFirstTabledRoot + i));
     table[i] = static_cast<std::uint16_t>((root + 1) / 2 - (i == 0));
   }
   return table;
 }();
 
 /// True for n = n30 / 2^30 in [1/4, 1 + 1/128).
-[[nodiscard]] constexpr bool is_in_root_table(std::uint32_t n30) {
-  return (n30 >> 23) - kRootTableFirst < kRootTable.size() - 1;
+[[nodiscard]] constexpr bool has_tabled_root(std::uint32_t n30) {
+  return (n30 >> 23) - kFirstTabledRoot < kTabledRoots.size() - 1;
 }
-/// 1/sqrt(n) with 15 fraction bits for such an n, below 2^16, from the table with linear interpolation:
-/// relative error at most 2^-13 (swept in the tests). It takes 27 instructions less than
-/// reciprocal_root_mantissa() on a Cortex-M3, 76 on Armv6-M.
-[[nodiscard]] constexpr std::uint32_t root_from_table(std::uint32_t n30) {
-  const std::uint16_t* const entry = &kRootTable[static_cast<std::size_t>((n30 >> 23) - kRootTableFirst)];
+/// 1/sqrt(n) of such an n, 15 fraction bits, below 2^16: from the table with linear interpolation, with a
+/// relative error of at most 2^-13 (swept in the tests). It takes 27 instructions fewer than
+/// reciprocal_root_mantissa() on a Cortex-M3, 76 fewer on Armv6-M.
+[[nodiscard]] constexpr std::uint32_t tabled_reciprocal_root(std::uint32_t n30) {
+  const std::uint16_t* const entry = &kTabledRoots[static_cast<std::size_t>((n30 >> 23) - kFirstTabledRoot)];
   const std::uint32_t above = entry[0];
   const std::uint32_t below = entry[1];
   return above - (((above - below) * ((n30 >> 11) & 0xFFFu)) >> 12);

@@ -13,9 +13,9 @@ namespace arcspan {
 /// and the bottom vertex: at + b (middle - at) + c (bottom - at).
 class SmallLevel {
  public:
-  /// Values are 0...65280. `half` is added, so that dropping bits rounds. A pixel is off by less than 2^22:
-  /// 3/4 of a step of 2^-15 for each of two coordinates and 14 pixels, and 1 where the row begins. So with a
-  /// `half` of at least 2^22 none is below 0.
+  /// Values are 0...65280. `half` is added, so that dropping bits rounds. The raw value of a pixel is off by
+  /// less than 2^21: each of two coordinates by 2^-15 where the row begins, and by 3/4 of that per pixel, 14
+  /// times at most. So with a `half` of 2^22 none is below 0.
   constexpr void prepare(std::int32_t top, std::int32_t middle, std::int32_t bottom, FullLinear half,
                          const SmallTriangle& triangle) {
     at_ = FullLinear::from_raw(wrap_shl(top, FullLinear::kFraction)) + half;
@@ -23,7 +23,7 @@ class SmallLevel {
     to_bottom_ = bottom - top;
     step = FullLinear::from_raw(change(triangle.d_middle, triangle.d_bottom));
   }
-  /// The value at the coordinates b and c, 16 fraction bits.
+  /// The value at the coordinates b and c, which have 16 fraction bits.
   [[nodiscard]] ARCSPAN_INLINE constexpr FullLinear at(std::int32_t b, std::int32_t c) const {
     return at_ + FullLinear::from_raw(change(b, c));
   }

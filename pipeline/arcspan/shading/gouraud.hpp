@@ -122,8 +122,8 @@ struct Gouraud {
   }
 
  private:
-  /// Half an 8-bit step, so that dropping bits rounds. It is far larger than the error of a plane, so no
-  /// value leaves 0...256 8-bit steps and no pixel is clamped.
+  /// Half an 8-bit step, so that dropping bits rounds. It is larger than the errors of a plane and of a
+  /// SmallLevel, so no value leaves 0...256 8-bit steps and no pixel is clamped.
   static constexpr auto kHalf = FullLinear::from_raw(std::int32_t{1} << (FineRgb::kFraction - 1));
   [[nodiscard]] static constexpr std::uint32_t raw_bits(FullLinear value) {
     return static_cast<std::uint32_t>(value.raw());

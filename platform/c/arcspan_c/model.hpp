@@ -40,6 +40,7 @@ struct ModelMethod {
 template <std::int32_t Steps, class M>
 [[nodiscard]] consteval PreparedMaterial<M> in_steps(PreparedMaterial<M> material) {
   static_assert(Steps >= 2 && Steps <= kMostToonSteps);
+  // Names Steps, so that it is only checked where the function is used.
   static_assert(Steps == 0 || Light::kHasRamp, "toon light is not for several coloured lights");
   (void)material.set_toon(Steps);
   return material;

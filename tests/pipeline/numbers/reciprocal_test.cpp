@@ -83,18 +83,19 @@ TEST_CASE("reciprocal_root is within 2^-15 for every argument") {
   CHECK(r.highest <= 1u << 16);
 }
 
-TEST_CASE("root_from_table is within 2^-13 between 1/4 and 1 + 1/128") {
+TEST_CASE("tabled_reciprocal_root is within 2^-13 between 1/4 and 1 + 1/128") {
   constexpr std::uint32_t kOne = 1u << 30;
-  CHECK_FALSE(detail::is_in_root_table(kOne / 4 - 1));
-  CHECK_FALSE(detail::is_in_root_table(kOne + kOne / 128));
-  CHECK_FALSE(detail::is_in_root_table(0));
-  CHECK_FALSE(detail::is_in_root_table(UINT32_MAX));
+  CHECK_FALSE(detail::has_tabled_root(kOne / 4 - 1));
+  CHECK_FALSE(detail::has_tabled_root(kOne + kOne / 128));
+  CHECK_FALSE(detail::has_tabled_root(0));
+  CHECK_FALSE(detail::has_tabled_root(UINT32_MAX));
   double worst = 0;
   bool is_in = true;
   for (std::uint32_t v = kOne / 4; v < kOne + kOne / 128; v += v < kOne / 4 + 4096 ? 1 : 251) {
-    is_in &= detail::is_in_root_table(v);
+    is_in &= detail::has_tabled_root(v);
     worst = std::max(
-        worst, std::abs(std::ldexp(detail::root_from_table(v), -15) * std::sqrt(std::ldexp(v, -30)) - 1));
+        worst,
+        std::abs(std::ldexp(detail::tabled_reciprocal_root(v), -15) * std::sqrt(std::ldexp(v, -30)) - 1));
   }
   CHECK(is_in);
   CHECK(worst <= 0x1p-13);

@@ -51,8 +51,8 @@ TEST_CASE("a forecast of a character has its joints, and the pose is paid for") 
   const auto posing = [](const nlohmann::json& made, const char* core) {
     return made.at("posing").at(core).get<double>();
   };
-  CHECK(posing(moves, "Cortex-M3") > 80'000);
-  CHECK(posing(moves, "Cortex-M3") < 160'000);
+  CHECK(posing(moves, "Cortex-M3") > 90'000);
+  CHECK(posing(moves, "Cortex-M3") < 110'000);
   CHECK(posing(moves, "Cortex-M0+") > posing(moves, "Cortex-M3"));
   CHECK(posing(stands, "Cortex-M3") == 0);
   CHECK(figure(moves, "arc", "Cortex-M3") > posing(moves, "Cortex-M3"));

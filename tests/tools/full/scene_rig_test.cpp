@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What moves a model of Collada, FBX or 3DS, against the same rig in glTF, known places, and the loader
-// library's scene, posed in doubles.
+// Joints, clips and morph targets of Collada, FBX and 3DS files. Poses are compared with those of the same
+// rig in glTF, with known places, and with poses computed in doubles from the loader library's own scene.
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/mesh/plain/rig_pose.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -184,7 +184,8 @@ TEST_CASE("scenes: FBX with pivots, a rotation before others, axes, units and a 
   REQUIRE(model.rig->clips.size() == 1);
   CHECK(model.rig->clips[0].name == "spin");
   CHECK(model.rig->clips[0].duration() == 2);
-  // Of six nodes those before the rotation and that one are joined; below, the pivot is taken back.
+  // The loader library makes six nodes of one with a pivot. Those up to the rotation become one node; the
+  // node that moves back by the pivot stays.
   CHECK(model.rig->nodes.size() == 3);
   const auto corners = [&](double time) {
     const MeshData mesh = in_pose(model, time).parts.at(0).mesh;

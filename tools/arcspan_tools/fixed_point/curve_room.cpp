@@ -10,7 +10,7 @@ namespace {
 /// From the middle of an edge to that of the curve over it, as CurvedOutlines has it; 0 where normals are so
 /// far apart that there is no curve.
 Vec3 rise_over(const MeshData& mesh, std::size_t a, std::size_t b) {
-  constexpr double kLeastCosine = 0.299;  // those of 16 bits may differ from 0.3
+  constexpr double kLeastCosine = 0.299;  // CurvedOutlines has 0.3, of rounded normals
   const Vec3& na = mesh.normals[a];
   const Vec3& nb = mesh.normals[b];
   if (dot(na, nb) < kLeastCosine) return {};
@@ -21,7 +21,7 @@ Vec3 rise_over(const MeshData& mesh, std::size_t a, std::size_t b) {
 }  // namespace
 
 Box with_curves(const Box& box, const Model& model) {
-  // Of 65534: what rounding of positions and normals to 16 bits may move a curve by.
+  // Rounding of positions and normals moves a curve by at most 12 of the 65534 units.
   constexpr double kRounding = 12.0 / 65534;
   Box out = box;
   double highest = 0;

@@ -5,9 +5,9 @@
 
 namespace arcspan::tools {
 
-/// `box`, which holds `model` in all poses, with the curves that arcspan::CurvedOutlines may find over its
-/// edges: exactly those of a model that stands still. Around one that moves there is room for its highest
-/// curve at rest on all sides.
+/// `box`, which holds `model` in all poses, enlarged by the curves that arcspan::CurvedOutlines may find over
+/// any of its edges at rest, and by what rounding may move these. A model with a rig, whose joints may turn a
+/// curve to any side, gets room for its highest curve on all sides.
 [[nodiscard]] Box with_curves(const Box& box, const Model& model);
 
 }  // namespace arcspan::tools

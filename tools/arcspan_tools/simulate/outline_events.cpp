@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/draw/triangle_sides.hpp>
 #include <arcspan/outline/edge_finder.hpp>
+#include <arcspan/outline/exchange.hpp>
+#include <arcspan/outline/ink_walk.hpp>
 #include <arcspan/shading/unlit.hpp>
 
 #include <arcspan_tools/simulate/outline_events.hpp>
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <span>
+#include <utility>
 
 namespace arcspan::tools {
 namespace {
@@ -16,7 +19,7 @@ namespace {
 using Sink = hal::Framebuffer<Rgb565>;
 using Gap = OutlineGap<Rgb565>;
 
-/// The gaps of smoothing.
+/// The list of gaps that smoothing blends, which counts how often a gap is put into it.
 struct CountedGaps : arcspan::detail::GapList<Sink> {
   using GapList::GapList;
 
@@ -29,6 +32,7 @@ struct CountedGaps : arcspan::detail::GapList<Sink> {
   double puts = 0;
 };
 
+/// The pixels that are inked, which counts what is asked of it.
 struct CountedInk : arcspan::detail::InkPixels<Sink> {
   using InkPixels::InkPixels;
 
@@ -50,34 +54,31 @@ bool is_beside(std::int32_t a, std::int32_t b, std::int32_t least, std::int32_t 
   return (a < 16 * least && b < 16 * least) || (a > 16 * most && b > 16 * most);
 }
 
-/// An edge that is walked in a rectangle, by rows or by columns.
+/// An edge as it is walked in a band, by rows or by columns.
 struct WalkedEdge {
-  bool is_near = false;  ///< it may reach the rectangle from the side
-  double rows = 0;
+  bool is_near = false;  ///< it may reach the band from the side
+  double all_rows = 0;
   double end_rows = 0;  ///< of these, beyond the ends of the edge
 };
 
-/// `ink_width` is that of an outline, and 0 of a crease or without ink.
+/// `ink_width` is the width of an inked outline; 0 for an inked crease, and for smoothing. What is near is as
+/// in OutlineInker.
 WalkedEdge walked(const OutlineEdge& edge, const Rect& rect, std::int32_t ink_width) {
-  const std::int32_t reach = 2 * OutlineInk::kWidest;
-  const std::int32_t dx = std::abs(edge.to.x - edge.from.x);
-  const std::int32_t dy = std::abs(edge.to.y - edge.from.y);
-  const bool steep = dy >= dx;
-  if (steep ? is_beside(edge.from.x, edge.to.x, rect.left - reach, rect.right + reach)
-            : is_beside(edge.from.y, edge.to.y, rect.top - reach, rect.bottom + reach))
+  constexpr std::int32_t kReach = 2 * OutlineInk::kWidest;
+  const bool steep = std::abs(edge.to.y - edge.from.y) >= std::abs(edge.to.x - edge.from.x);
+  if (steep ? is_beside(edge.from.x, edge.to.x, rect.left - kReach, rect.right + kReach)
+            : is_beside(edge.from.y, edge.to.y, rect.top - kReach, rect.bottom + kReach))
     return {};
-  const std::int32_t from = steep ? edge.from.y : edge.from.x;
-  const std::int32_t to = steep ? edge.to.y : edge.to.x;
-  const std::int32_t first = first_row_at(std::min(from, to));
-  const std::int32_t end = first_row_at(std::max(from, to));
-  if (first >= end) return {true, 0, 0};
-  const bool round = ink_width > 1 || end - first >= 8 || 2 * std::min(dx, dy) > std::max(dx, dy);
-  const auto rows = [&](std::int32_t beyond) {
-    return static_cast<double>(std::max(0, std::min(end + beyond, steep ? rect.bottom : rect.right) -
-                                               std::max(first - beyond, steep ? rect.top : rect.left)));
-  };
-  const double all = rows(round ? ink_width : 0);
-  return {true, all, all - rows(0)};
+  RasterPosition top = steep ? edge.from : arcspan::detail::exchanged(edge.from);
+  RasterPosition bottom = steep ? edge.to : arcspan::detail::exchanged(edge.to);
+  if (top.y > bottom.y) std::swap(top, bottom);
+  const RowRange band = steep ? RowRange{rect.top, rect.bottom} : RowRange{rect.left, rect.right};
+  WalkedEdge found{true, 0, 0};
+  for (arcspan::detail::InkWalk walk(top, bottom, band, !steep, 0, ink_width); !walk.done(); walk.next()) {
+    ++found.all_rows;
+    if (walk.row() < first_row_at(top.y) || walk.row() >= first_row_at(bottom.y)) ++found.end_rows;
+  }
+  return found;
 }
 
 /// Counts what is done in a band, and does it.
@@ -113,8 +114,8 @@ class BandCounter {
           is_beside(edge.from.y, edge.to.y, rect.top, rect.bottom))
         continue;
       const WalkedEdge found = walked(edge, rect, 0);
-      if (found.rows > 0) ++events_.walks;
-      events_.rows += found.rows;
+      if (found.all_rows > 0) ++events_.walks;
+      events_.rows += found.all_rows;
     }
     events_.gaps += list.puts;
     for (const Gap& gap : gaps_) {
@@ -157,8 +158,8 @@ class BandCounter {
 
   void count_ink(const WalkedEdge& edge, double& walks, double& rows) {
     if (edge.is_near) ++events_.near_ink_edges;
-    if (edge.rows > 0) ++walks;
-    rows += edge.rows - edge.end_rows;
+    if (edge.all_rows > 0) ++walks;
+    rows += edge.all_rows - edge.end_rows;
     events_.ink_end_rows += edge.end_rows;
   }
 
@@ -169,8 +170,8 @@ class BandCounter {
   std::vector<Gap> gaps_;
 };
 
-/// Fills `sides`, and counts what find_sides() does for that if the picture is drawn in bands. A whole one
-/// notes them while it is drawn.
+/// Fills `sides`, and counts what find_sides() does for that if the picture is drawn in bands. A whole
+/// picture gets them from drawing it, at no cost that is counted here.
 void find_counted_sides(const RenderPart& part, const ClipTransform& transform, bool in_bands,
                         std::vector<TriangleSide>& sides, OutlineEvents& events) {
   const Unlit::Lighting lighting = Unlit::lighting({});
@@ -200,7 +201,7 @@ void find_counted_sides(const RenderPart& part, const ClipTransform& transform, 
     ++events.triangles;
 }
 
-/// Counts how detail::EdgeFinder passes the triangles of a part.
+/// Counts which way detail::EdgeFinder takes for each triangle of a part; the tests are its own.
 void count_neighbours(const MeshNeighbours& neighbours, const std::vector<TriangleSide>& sides,
                       OutlineEvents& events) {
   const std::uint8_t* at = neighbours.bytes();

@@ -10,27 +10,28 @@
 
 namespace arcspan::tools {
 
-/// What happens while outlines are found, inked and smoothed, by what takes instructions.
+/// How often each step of finding, inking and smoothing outlines is done, for an estimate of instructions.
 struct OutlineEvents {
-  // Once for each object: find_sides(), in bands, and OutlineList::add() or CurvedOutlines::find().
+  // Once for each object: find_sides(), if the picture is drawn in bands, then OutlineList::add() or
+  // CurvedOutlines::find().
   double objects = 0;
   double banded_objects = 0;
   double vertices = 0;
-  double wanted_vertices = 0;  ///< transformed one by one, because planes told which are seen
+  double wanted_vertices = 0;  ///< transformed one by one, for triangles whose planes face the camera
   double forgotten = 0;        ///< entries of the cache that are reset for that
   double planes = 0;           ///< face planes tested
   double triangles = 0;        ///< whose side is found by their corners
-  double plain = 0;            ///< triangles that are passed at once
-  double differing = 0;        ///< the others
+  double plain = 0;            ///< triangles whose edges are all passed at once
+  double differing = 0;        ///< triangles whose edges are looked at one by one
   double listed = 0;           ///< edges
   double tried_curves = 0;     ///< silhouettes, if they may be curved
   double curves = 0;
-  // Once for each band.
+  // Once for each band. Lists are those of gaps and of ink.
   double bands = 0;
-  double edges = 0;    ///< looked at
+  double edges = 0;    ///< of the outlines
   double walks = 0;    ///< edges that have rows in the band
-  double rows = 0;     ///< stepped to
-  double gaps = 0;     ///< that nothing hides
+  double rows = 0;     ///< of these walks
+  double gaps = 0;     ///< put into the list, which may refuse them
   double entries = 0;  ///< of the list
   double blended = 0;  ///< pixels
   double ink_bands = 0;
@@ -41,9 +42,9 @@ struct OutlineEvents {
   double ink_end_rows = 0;  ///< beyond the ends of edges
   double crease_walks = 0;
   double crease_rows = 0;
-  double ink_tests = 0;    ///< of depths
+  double ink_tests = 0;    ///< of pixels, whether ink may cover them
   double ink_whole = 0;    ///< pixels that are ink
-  double ink_parts = 0;    ///< pixels put into the list, again or not
+  double ink_parts = 0;    ///< pixels that ink covers in part, each time that they are put into the list
   double ink_entries = 0;  ///< of the list
 
   /// Those that happened.

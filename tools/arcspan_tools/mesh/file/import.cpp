@@ -81,7 +81,7 @@ aiMatrix4x4 space_of_fbx(const aiScene& scene) {
     (void)scene.mMetaData->Get(std::string(names[row]) + "Sign", sign);
     if (axis >= 0 && axis < 3) axes[row][axis] = sign < 0 ? -1 : 1;
   }
-  if (axes.Determinant() > 0.5) space = aiMatrix4x4(axes);  // otherwise they are none
+  if (axes.Determinant() > 0.5) space = aiMatrix4x4(axes);  // else the stated axes are ignored as wrong
   const auto metres = static_cast<ai_real>(centimetres / 100);
   aiMatrix4x4 scale;
   return aiMatrix4x4::Scaling({metres, metres, metres}, scale) * space;
@@ -180,6 +180,7 @@ class SceneDump {
                AI_MATKEY_COLOR_SPECULAR);
     add_colour("emission", 1, AI_MATKEY_COLOR_EMISSIVE);
     if (const auto shininess = number(AI_MATKEY_SHININESS)) look["shininess"] = *shininess;
+    // Not of Collada, whose transparency exporters write in two opposite ways.
     if (const auto opacity = number(AI_MATKEY_OPACITY); is_fbx && opacity) look["opacity"] = *opacity;
     for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
       if (material.GetTexture(type, 0, &text) != aiReturn_SUCCESS) continue;
@@ -245,7 +246,7 @@ class SceneDump {
   }
 
   nlohmann::json clip_of(const aiAnimation& clip) {
-    constexpr double kUsualTicks = 25;
+    constexpr double kUsualTicks = 25;  // per second, where the file gives none
     ticks_ = clip.mTicksPerSecond > 0 ? clip.mTicksPerSecond : kUsualTicks;
     nlohmann::json channels = nlohmann::json::array();
     const auto vector = [](const aiVector3D& v) { return std::vector<double>{v.x, v.y, v.z}; };
@@ -275,7 +276,7 @@ class SceneDump {
     std::vector<double> times;
     std::vector<double> values;
     for (unsigned i = 0; i < count; ++i) {
-      // Of two keys at one time the second counts.
+      // Where two keys have the same time, the later one in the list is used.
       if (i + 1 < count && keys[i + 1].mTime == keys[i].mTime) continue;
       times.push_back(keys[i].mTime / ticks_);
       const std::vector<double> value = numbers(keys[i].mValue);
@@ -290,12 +291,12 @@ class SceneDump {
 
   void add_morph_channel(nlohmann::json& channels, const aiMeshMorphAnim& channel) {
     const std::string name = channel.mName.C_Str();
-    const std::int64_t node = number_of(name.substr(0, name.rfind('*')));  // FBX adds a number
+    const std::int64_t node = number_of(name.substr(0, name.rfind('*')));  // the library adds *0, *1...
     const aiNode* at = node < 0 ? nullptr : nodes_[static_cast<std::size_t>(node)];
     if (at == nullptr || at->mNumMeshes == 0) return leave_out("animated meshes that are not in the scene");
     const std::size_t targets =
         std::min<std::size_t>(scene_.mMeshes[at->mMeshes[0]]->mNumAnimMeshes, kMostMorphTargets);
-    struct Key {
+    struct Key {  // as the library's other keys are
       double mTime;
       std::vector<double> mValue;
     };
@@ -320,10 +321,10 @@ class SceneDump {
   std::set<std::string> ambiguous_{};  ///< shared names that something refers to
   nlohmann::json pictures_ = nlohmann::json::object();
   nlohmann::json left_out_ = nlohmann::json::object();
-  double ticks_ = 1;  ///< of a second of the current clip
+  double ticks_ = 1;  ///< per second, in the current clip
 };
 
-/// The library takes no blank before a number, which some exporters write.
+/// The library takes no blank between a tag and its first number, which some exporters write.
 std::string without_blanks_before_numbers(std::string_view xml) {
   std::string out;
   out.reserve(xml.size());

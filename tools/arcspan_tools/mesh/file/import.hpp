@@ -9,9 +9,8 @@
 namespace arcspan::tools {
 
 /// Reads a Collada, FBX or 3DS file with the loader library. Polygons are triangulated; points and lines are
-/// ignored. The only file of this project that knows the library, which should not run in a process that
-/// matters. scene_model() makes a model of what it returns, and is the only reader of it: the scene as JSON
-/// in CBOR, with lists of numbers as the bytes of arrays.
+/// ignored. No other file knows the library, whose bugs end the process that calls this. Returns the scene as
+/// JSON in CBOR, with lists of numbers as the bytes of arrays, for scene_model().
 [[nodiscard]] std::string import_scene(std::string_view bytes, MeshFormat format, const std::string& subject);
 
 }  // namespace arcspan::tools

@@ -19,19 +19,19 @@ Quaternion product(Quaternion a, Quaternion b) {
 
 Vec3 product(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
-/// A node, and which of its properties a clip moves.
-struct PivotNode {
+/// The transform of a node at rest, and which of its properties a clip moves.
+struct NodeMotion {
   NodeTransform rest{};
   bool translates = false;
   bool rotates = false;
   bool scales = false;
 };
 
-std::optional<PivotNode> pivot_node(const Rig& rig, std::size_t node) {
+std::optional<NodeMotion> motion_of(const Rig& rig, std::size_t node) {
   const RigNode& of = rig.nodes[node];
   const std::optional<NodeTransform> rest = of.matrix ? split(*of.matrix) : of.rest;
   if (!rest) return std::nullopt;
-  PivotNode found{*rest};
+  NodeMotion found{*rest};
   for (const RigClip& clip : rig.clips) {
     for (const RigChannel& channel : clip.channels) {
       if (channel.node != node) continue;
@@ -43,7 +43,7 @@ std::optional<PivotNode> pivot_node(const Rig& rig, std::size_t node) {
   return found;
 }
 
-bool can_join(const PivotNode& first, const PivotNode& next) {
+bool can_join(const NodeMotion& first, const NodeMotion& next) {
   constexpr double kSmall = 1e-6;
   const Vec3& s = first.rest.scale;
   const double size = std::abs(s.x);
@@ -70,7 +70,7 @@ void move_keys(Rig& rig, std::size_t from, ChannelPath path, std::size_t to, con
   }
 }
 
-void join(Rig& rig, std::size_t parent, std::size_t child, const PivotNode& first, const PivotNode& next) {
+void join(Rig& rig, std::size_t parent, std::size_t child, const NodeMotion& first, const NodeMotion& next) {
   const Affine place = first.rest.affine();
   const NodeTransform& a = first.rest;
   const NodeTransform& b = next.rest;
@@ -138,12 +138,13 @@ std::vector<std::size_t> join_pivot_nodes(Rig& rig, const std::vector<bool>& kep
   std::vector<std::optional<std::size_t>> child_of_gone(rig.nodes.size());
   for (std::size_t i = rig.nodes.size(); i > 0; --i) {
     const std::size_t node = i - 1;
+    // The loader library puts this into the names of the nodes that it makes.
     if (rig.nodes[node].name.find("_$AssimpFbx$_") == std::string::npos) continue;
     if (kept[node] || children[node].size() != 1) continue;
     std::size_t child = children[node][0];
     while (child_of_gone[child]) child = *child_of_gone[child];
-    const std::optional<PivotNode> first = pivot_node(rig, node);
-    const std::optional<PivotNode> next = pivot_node(rig, child);
+    const std::optional<NodeMotion> first = motion_of(rig, node);
+    const std::optional<NodeMotion> next = motion_of(rig, child);
     if (!first || !next || !can_join(*first, *next)) continue;
     join(rig, node, child, *first, *next);
     child_of_gone[node] = child;

@@ -17,7 +17,7 @@ std::optional<Vec3> colour(const nlohmann::json& look, const char* key) {
   return Vec3{channel(0), channel(1), channel(2)};
 }
 
-/// What a scene says about surfaces, with the pictures in it and beside it.
+/// Reads names, materials and textures. Textures are pictures inside of the scene's file, or files beside it.
 class LookReader {
  public:
   LookReader(const nlohmann::json& pictures, const SideFiles& files) : inner_(pictures), files_(files) {}

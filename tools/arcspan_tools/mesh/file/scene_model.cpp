@@ -22,14 +22,14 @@
 namespace arcspan::tools {
 namespace {
 
-/// A mesh of a scene, whose vertices are indices of these lists.
+/// A mesh of a scene. A vertex is an index into each of these lists, unless that is empty.
 struct SceneMesh {
   struct Joint {
     std::size_t node = 0;
     Affine inverse_bind{};
   };
   struct Target {
-    std::vector<Vec3> positions;  ///< what it adds
+    std::vector<Vec3> positions;  ///< offsets from those of the mesh
     std::vector<Vec3> normals;
   };
   std::vector<Vec3> positions;
@@ -45,7 +45,7 @@ struct SceneMesh {
 struct SceneInstance {
   std::size_t node = 0;
   const SceneMesh* mesh = nullptr;
-  Affine place{};  ///< of the space in which the rig stores its vertices, from that of the mesh
+  Affine place{};                      ///< from the mesh to the space in which the rig stores its vertices
   std::optional<std::size_t> moved{};  ///< the instance of the rig, if something moves it
 };
 
@@ -69,7 +69,8 @@ class SceneReader {
     read_nodes();
     for (const nlohmann::json& mesh : scene_["meshes"]) meshes_.push_back(read_mesh(mesh));
     for (const nlohmann::json& pair : scene_["instances"])
-      instances_.push_back({pair[0].get<std::size_t>(), &meshes_.at(pair[1].get<std::size_t>()), {}, {}});
+      instances_.push_back(
+          {index(pair[0], rig_->nodes.size()), &meshes_[index(pair[1], meshes_.size())], {}, {}});
     const auto targets = [this](std::size_t node) { return morph_targets(node); };
     rig_->clips = scene_clips(scene_, rig_->nodes, targets, model_.warnings);
     join_nodes();
@@ -86,6 +87,15 @@ class SceneReader {
   }
 
  private:
+  void refuse_damaged() const { throw Failure(subject_, "the mesh loader returned a damaged scene"); }
+
+  /// An index below `end`. The loader's process reads files of strangers, so that it is checked.
+  std::size_t index(const nlohmann::json& json, std::size_t end) const {
+    const auto found = json.get<std::size_t>();
+    if (found >= end) refuse_damaged();
+    return found;
+  }
+
   void read_nodes() {
     for (const nlohmann::json& json : scene_["nodes"]) {
       RigNode node;
@@ -93,8 +103,7 @@ class SceneReader {
       node.matrix = matrix_of(json, "matrix");
       if (!is_finite(*node.matrix))
         throw Failure(subject_, "the matrix of the node " + in_quotes(node.name) + " is not finite");
-      const auto parent = json["parent"].get<std::int64_t>();
-      if (parent >= 0) node.parent = static_cast<std::size_t>(parent);
+      if (json["parent"].get<std::int64_t>() >= 0) node.parent = index(json["parent"], rig_->nodes.size());
       rig_->nodes.push_back(node);
     }
   }
@@ -118,6 +127,9 @@ class SceneReader {
     mesh.normals = scene_numbers<Vec3>(json, "normals");
     mesh.texture_points = scene_numbers<Uv>(json, "texture_points");
     mesh.corners = scene_numbers<std::uint32_t>(json, "corners");
+    for (const std::size_t count : {mesh.normals.size(), mesh.texture_points.size()}) {
+      if (count != 0 && count != mesh.positions.size()) refuse_damaged();
+    }
     for (const std::uint32_t corner : mesh.corners) {
       if (corner < mesh.positions.size()) continue;
       throw Failure(subject_, "face index out of range (" + std::to_string(corner) + " of " +
@@ -129,7 +141,7 @@ class SceneReader {
   }
 
   void read_joint(SceneMesh& mesh, const nlohmann::json& json) {
-    const SceneMesh::Joint joint{json["node"].get<std::size_t>(), matrix_of(json, "inverse_bind")};
+    const SceneMesh::Joint joint{index(json["node"], rig_->nodes.size()), matrix_of(json, "inverse_bind")};
     if (!is_finite(joint.inverse_bind)) return left_out_.add("joints with a matrix that is not finite");
     mesh.weights.resize(mesh.positions.size());
     const auto vertices = scene_numbers<std::uint32_t>(json, "vertices");
@@ -186,8 +198,8 @@ class SceneReader {
     rig_->instances.push_back(of);
   }
 
-  /// Also sets where the instance's vertices are stored: where the first joint holds them at rest, because
-  /// normals would not follow a mesh whose own scale is uneven.
+  /// Also sets `place`: vertices are stored where the first joint holds them at rest, because an uneven scale
+  /// of the mesh would turn normals.
   RigSkin skin_of(SceneInstance& instance) {
     const SceneMesh& mesh = *instance.mesh;
     const Affine place = rest_places_[mesh.joints[0].node] * mesh.joints[0].inverse_bind;
@@ -237,7 +249,7 @@ class SceneReader {
     const std::uint32_t number = rig_vertices_.add(vertex(instance, i));
     const std::vector<JointWeights>& weights = instance.mesh->weights;
     const bool has_many = !weights.empty() && weights[i].count() > kMostWeights;
-    left_out_.add("weights above four for a vertex", has_many && number == known ? 1 : 0);
+    if (has_many && number == known) left_out_.add("weights above four for a vertex");
     return number;
   }
 
@@ -288,7 +300,9 @@ class SceneReader {
     std::vector<std::string> ambiguous;
     for (const nlohmann::json& name : scene_["ambiguous"]) ambiguous.push_back(name.get<std::string>());
     if (ambiguous.empty()) return;
-    model_.warnings.push_back("of nodes with the same name the first one moves: " + quoted_list(ambiguous));
+    model_.warnings.push_back(
+        "of several nodes with the same name only the first is moved by joints and clips: " +
+        quoted_list(ambiguous));
   }
 
   const nlohmann::json& scene_;

@@ -47,16 +47,16 @@ struct RigClip {
   [[nodiscard]] double duration() const;
 };
 
-/// Most numbers of all keys of a file.
+/// The keys of a file have at most this many numbers in all.
 inline constexpr std::size_t kMostKeyNumbers = std::size_t{1} << 24;
 
-/// What is wrong with the times of a channel's keys.
+/// Checks the times of a channel's keys. Returns what is wrong with them, or nothing.
 [[nodiscard]] std::optional<std::string> wrong_times(const std::vector<double>& times);
 
-/// What is wrong with the values of a channel whose times are right.
+/// Checks the values of a channel, whose times must be right. Returns what is wrong with them, or nothing.
 [[nodiscard]] std::optional<std::string> wrong_values(const RigChannel& channel);
 
-/// Gives clips without a name, or with that of an earlier one, a name: clip1.
+/// Gives a name to clips without one ("clip1"), and another one to clips that are called as an earlier one.
 void name_clips(std::vector<RigClip>& clips);
 
 }  // namespace arcspan::tools

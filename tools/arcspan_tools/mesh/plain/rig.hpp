@@ -68,10 +68,11 @@ struct Rig {
   std::vector<RigClip> clips{};
 };
 
-/// Of each node whether a clip moves it, or one above it.
+/// For each node, whether a clip moves it or one of its ancestors.
 [[nodiscard]] std::vector<bool> moved_nodes(const Rig& rig);
 
-/// Splits the matrix of a node that a clip moves. Returns what is wrong with it.
+/// Replaces the matrix of a node that a clip moves by a translation, a rotation and a scale. Returns why that
+/// is not possible, or nothing.
 [[nodiscard]] std::optional<std::string> split_matrix(RigNode& node);
 
 }  // namespace arcspan::tools

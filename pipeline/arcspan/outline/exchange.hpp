@@ -5,6 +5,7 @@
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/triangle.hpp>
+#include <arcspan/span/row_drawer.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/outline/exchange.hpp>
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/triangle.hpp>

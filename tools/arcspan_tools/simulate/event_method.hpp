@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/prepare/small_triangle.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/status.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/file/scene_clips.hpp>
 #include <arcspan_tools/mesh/file/scene_numbers.hpp>
+#include <arcspan_tools/mesh/file/text_lines.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/text.hpp>
 

@@ -45,13 +45,10 @@ void neighbours_of_another_mesh();
 /// first; the upper bit is set if a byte follows.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::size_t read_distance(const std::uint8_t*& at) {
   std::uint32_t distance = *at++;
-  if (distance >= 128) [[unlikely]] {
-    std::uint32_t byte = distance;
-    distance &= 127u;
-    for (int shift = 7; byte >= 128; shift += 7) {
-      byte = *at++;
-      distance += (byte & 127u) << shift;
-    }
+  std::uint32_t byte = distance;
+  for (int shift = 7; byte >= 128; shift += 7) {
+    byte = *at++;
+    distance += (byte - 1) << shift;  // 1 is the upper bit of the byte before
   }
   return static_cast<std::size_t>(distance) + 1;
 }

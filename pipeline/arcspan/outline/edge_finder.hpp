@@ -17,20 +17,17 @@ namespace arcspan::detail {
   return side == TriangleSide::kFront || side == TriangleSide::kBack;
 }
 
-inline constexpr std::uint8_t kNotPlain = 4;
-
-/// For the first byte of a triangle: how many numbers of neighbours follow if it has neither borders nor
-/// creases, else kNotPlain.
-inline constexpr std::array<std::uint8_t, 64> kNumbersOfPlain = [] {
+/// For the first byte of a triangle: how many numbers of neighbours follow, and kMarked if there is a border or
+/// a crease.
+inline constexpr std::uint8_t kMarked = 4;
+inline constexpr std::array<std::uint8_t, 64> kNumbersAfter = [] {
   std::array<std::uint8_t, 64> numbers{};
   for (unsigned kinds = 0; kinds < 64; ++kinds) {
-    bool plain = true;
     for (unsigned edge = 0; edge < 3; ++edge) {
       const EdgeKind kind = edge_kind(kinds, edge);
-      if (kind == EdgeKind::kLater) ++numbers[kinds];
-      if (kind == EdgeKind::kBorder || kind == EdgeKind::kCrease) plain = false;
+      if (has_distance(kind)) ++numbers[kinds];
+      if (kind == EdgeKind::kBorder || kind == EdgeKind::kCrease) numbers[kinds] |= kMarked;
     }
-    if (!plain) numbers[kinds] = kNotPlain;
   }
   return numbers;
 }();
@@ -50,25 +47,24 @@ class EdgeFinder {
   }
 
  private:
-  /// Returns the bytes of the next triangle. Most triangles are plain, and most of their neighbours have the
-  /// same side and a number of one byte. Which edge it is does not matter then.
+  /// Returns the bytes of the next triangle. Most triangles have no outline: their neighbours show the same
+  /// side, and they are not marked, or not seen.
   ARCSPAN_INLINE const std::uint8_t* find_of_triangle(const TriangleSide* side, const std::uint8_t* at) {
-    const unsigned numbers = kNumbersOfPlain[*at];
-    if (numbers == 2) {
-      const unsigned one = at[1];
-      const unsigned other = at[2];
-      if ((one | other) < 128 && side[one + 1] == *side && side[other + 1] == *side) return at + 3;
-    } else if (numbers == 1) {
-      const unsigned one = at[1];
-      if (one < 128 && side[one + 1] == *side) return at + 2;
-    } else if (numbers == 0) {
-      return at + 1;
+    const TriangleSide own = *side;
+    const std::uint8_t* next = at + 1;
+    unsigned numbers = kNumbersAfter[*at];
+    if (numbers >= kMarked) {
+      if (is_seen(own)) return put_differing(side, at);
+      numbers -= kMarked;
     }
-    return put_differing(static_cast<std::size_t>(side - sides_), at);
+    for (; numbers != 0; --numbers)
+      if (side[read_distance(next)] != own) return put_differing(side, at);
+    return next;
   }
 
   /// Puts the outlines among the edges of a triangle. Returns the bytes of the next one.
-  ARCSPAN_OUTLINE const std::uint8_t* put_differing(std::size_t i, const std::uint8_t* at) {
+  ARCSPAN_OUTLINE const std::uint8_t* put_differing(const TriangleSide* at_side, const std::uint8_t* at) {
+    const auto i = static_cast<std::size_t>(at_side - sides_);
     unsigned kinds = *at++;
     const TriangleSide side = sides_[i];
     for (unsigned edge = 0; edge < 3; ++edge, kinds >>= 2) {

@@ -32,21 +32,6 @@ OutlineInk random_ink(Random& random) {
   return {kInk, static_cast<std::uint8_t>(random.integer(1, 4)), random.chance(0.5)};
 }
 
-/// The distance of a point, in sixteenths of a pixel from the middle of the picture, from an edge.
-double distance_from(const OutlineEdge& e, double px, double py) {
-  const double dx = e.to.x - e.from.x;
-  const double dy = e.to.y - e.from.y;
-  const double along = dx * dx + dy * dy;
-  const double t =
-      along == 0 ? 0 : std::clamp(((px - e.from.x) * dx + (py - e.from.y) * dy) / along, 0.0, 1.0);
-  return std::hypot(e.from.x + t * dx - px, e.from.y + t * dy - py);
-}
-double distance_from(std::span<const OutlineEdge> edges, double px, double py) {
-  double nearest = 1e9;
-  for (const OutlineEdge& e : edges) nearest = std::min(nearest, distance_from(e, px, py));
-  return nearest;
-}
-
 /// The share of a pixel that is at most `width` from a convex polygon, by 16x16 samples.
 double ink_coverage(const std::vector<OutlineEdge>& edges, std::int32_t x, std::int32_t y, int width) {
   int inside = 0;
@@ -155,7 +140,7 @@ TEST_CASE("Ink: around a surface pixels have the share of the line's area") {
         sum += error * error;
         // The outer side of an acute corner is cut off.
         const bool at_corner = std::any_of(edges.begin(), edges.end(), [&](const OutlineEdge& e) {
-          return distance_from({e.from, e.from}, 16 * x + 8 - 256, 16 * y + 8 - 256) < 16 * (width + 1);
+          return std::hypot(e.from.x - (16 * x + 8 - 256), e.from.y - (16 * y + 8 - 256)) < 16 * (width + 1);
         });
         if (!at_corner) worst = std::max(worst, error);
       }

@@ -92,6 +92,20 @@ struct OutlineScene {
   OutlineList outlines;
 };
 
+/// The distance of a point from the nearest edge, in sixteenths of a pixel.
+[[nodiscard]] inline double distance_from(std::span<const OutlineEdge> edges, double px, double py) {
+  double nearest = 1e9;
+  for (const OutlineEdge& e : edges) {
+    const double dx = e.to.x - e.from.x;
+    const double dy = e.to.y - e.from.y;
+    const double along = dx * dx + dy * dy;
+    const double t =
+        along == 0 ? 0 : std::clamp(((px - e.from.x) * dx + (py - e.from.y) * dy) / along, 0.0, 1.0);
+    nearest = std::min(nearest, std::hypot(e.from.x + t * dx - px, e.from.y + t * dy - py));
+  }
+  return nearest;
+}
+
 template <PixelFormat F>
 [[nodiscard]] Status smooth(const OutlineList& outlines, PictureOf<F>& picture, std::size_t gaps = 4000) {
   std::vector<OutlineGap<F>> memory(gaps);

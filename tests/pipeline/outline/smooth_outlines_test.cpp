@@ -56,7 +56,7 @@ TEST_CASE(
 TEST_CASE("Smooth outlines: the depths are those before, and pixels change next to outlines only") {
   Random random(48);
   for (int i = 0; i < share_of(100); ++i) {
-    const OutlineScene scene(random);
+    const OutlineScene scene(random, i % 2 != 0);
     Picture before(scene.bounds());
     scene.draw(before);
     Picture after = before;
@@ -71,22 +71,51 @@ TEST_CASE("Smooth outlines: the depths are those before, and pixels change next 
       for (std::int32_t x = 0; x < scene.bounds().right; ++x) {
         if (before.frame.pixel(x, y) == after.frame.pixel(x, y)) continue;
         ++changed;
-        double nearest = 1e9;
         const double px = 16 * (x - scene.bounds().right / 2) + 8;
         const double py = 16 * (y - scene.bounds().bottom / 2) + 8;
-        for (const OutlineEdge& e : scene.outlines.edges()) {
-          const double dx = e.to.x - e.from.x;
-          const double dy = e.to.y - e.from.y;
-          const double along = dx * dx + dy * dy;
-          const double t =
-              along == 0 ? 0 : std::clamp(((px - e.from.x) * dx + (py - e.from.y) * dy) / along, 0.0, 1.0);
-          nearest = std::min(nearest, std::hypot(e.from.x + t * dx - px, e.from.y + t * dy - py));
-        }
-        is_near = is_near && nearest <= 16 * 1.01;
+        is_near = is_near && distance_from(scene.outlines.edges(), px, py) <= 16 * 1.01;
       }
     }
     CHECK(changed > 50);
     CHECK(is_near);
+  }
+}
+
+TEST_CASE("Smooth outlines: a crease is smoothed unless something nearer hides both of its sides") {
+  Random random(52);
+  for (int i = 0; i < share_of(60); ++i) {
+    const bool steep = random.chance(0.5);
+    const std::int32_t from = random.integer(128, 384);
+    const std::int32_t to = random.integer(128, 384);
+    const RasterPosition a = steep ? at(from, 0) : at(0, from);
+    const RasterPosition b = steep ? at(to, 512) : at(512, to);
+    const bool turned = random.chance(0.5);
+    const Drawing drawing(turned ? std::vector<OutlineEdge>{{b, a}, {a, b}}
+                                 : std::vector<OutlineEdge>{{a, b}, {b, a}});
+    const auto side_of = [&](std::int32_t x, std::int32_t y) {  // of the crease: 0 or 1
+      const std::int32_t px = 16 * x + 8 - 256 - a.x;
+      const std::int32_t py = 16 * y + 8 - 256 - a.y;
+      return (b.x - a.x) * py - (b.y - a.y) * px > 0 ? 1u : 0u;
+    };
+    const auto picture_of = [&](std::uint16_t one, std::uint16_t other, bool smoothed) {
+      Picture picture({0, 0, 32, 32});
+      for (std::int32_t y = 0; y < 32; ++y) {
+        for (std::int32_t x = 0; x < 32; ++x) {
+          const bool first = side_of(x, y) == 0;
+          Rgb565::Cursor(picture.frame.row(y), x).write(Rgb565::encode(first ? Rgb8{} : Rgb8{255, 255, 255}));
+          picture.depth.row(y)[x] = first ? one : other;
+        }
+      }
+      if (smoothed) REQUIRE(ok(smooth(drawing.outlines, picture)));
+      return picture.colours;
+    };
+    const auto plain = picture_of(1001, 1001, false);
+    const auto both = picture_of(1001, 1001, true);
+    CHECK(both != plain);
+    CHECK(picture_of(999, 999, true) == plain);
+    // The same edge is blended whichever side is nearer.
+    CHECK(picture_of(1001, 999, true) == both);
+    CHECK(picture_of(999, 1001, true) == both);
   }
 }
 

@@ -206,15 +206,14 @@ void count_neighbours(const MeshNeighbours& neighbours, const std::vector<Triang
                       OutlineEvents& events) {
   const std::uint8_t* at = neighbours.bytes();
   for (std::size_t i = 0; i < neighbours.triangle_count(); ++i) {
-    const unsigned kinds = *at++;
-    bool plain = arcspan::detail::kNumbersOfPlain[kinds] <= 2;
-    for (unsigned edge = 0; edge < 3; ++edge) {
-      if (!arcspan::detail::has_distance(arcspan::detail::edge_kind(kinds, edge))) continue;
-      const std::uint8_t* const first = at;
-      const std::size_t beyond = i + arcspan::detail::read_distance(at);
-      plain = plain && at == first + 1 && sides[beyond] == sides[i];
-    }
-    ++(plain ? events.plain : events.differing);
+    const unsigned numbers = arcspan::detail::kNumbersAfter[*at++];
+    const std::uint8_t* const first = at;
+    bool differs = numbers >= arcspan::detail::kMarked && arcspan::detail::is_seen(sides[i]);
+    for (unsigned number = 0; number < numbers % arcspan::detail::kMarked; ++number)
+      differs |= sides[i + arcspan::detail::read_distance(at)] != sides[i];
+    ++events.scanned;
+    events.distances += static_cast<double>(at - first);
+    if (differs) ++events.differing;
   }
 }
 
@@ -260,7 +259,8 @@ std::vector<CostTerm> OutlineEvents::terms() const {
                                {"forgotten vertex", forgotten},
                                {"plane", planes},
                                {"triangle", triangles},
-                               {"plain triangle", plain},
+                               {"scanned triangle", scanned},
+                               {"neighbour byte", distances},
                                {"differing triangle", differing},
                                {"listed edge", listed},
                                {"tried curve", tried_curves},

@@ -21,7 +21,8 @@ struct OutlineEvents {
   double forgotten = 0;        ///< entries of the cache that are reset for that
   double planes = 0;           ///< face planes tested
   double triangles = 0;        ///< whose side is found by their corners
-  double plain = 0;            ///< triangles whose edges are all passed at once
+  double scanned = 0;          ///< triangles whose neighbours are compared
+  double distances = 0;        ///< bytes of the numbers of these neighbours
   double differing = 0;        ///< triangles whose edges are looked at one by one
   double listed = 0;           ///< edges
   double tried_curves = 0;     ///< silhouettes, if they may be curved

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Smooth outlines of whole scenes, against the same calls for each object alone.
 #include <arcspan/scene_outlines.hpp>
+#include <arcspan/shading/textured/textured.hpp>
+#include <arcspan/shading/wireframe.hpp>
+#include <arcspan/texture/texel_formats.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/scene/random_scene.hpp>
@@ -290,6 +293,9 @@ TEST_CASE("curves are drawn with the objects of a scene as objects of their own 
     CHECK(curved_in_bands(objects.scene(), no_vertices, room, 36) == by_scene.pixels);
   }
   CHECK(found > 10 * static_cast<std::size_t>(share_of(200)));
+  STATIC_REQUIRE(detail::kDrawsCurves<SceneMethod>);
+  STATIC_REQUIRE_FALSE(detail::kDrawsCurves<Textured<SceneMethod, DirectTexels<>>>);
+  STATIC_REQUIRE_FALSE(detail::kDrawsCurves<Wireframe<>>);
 }
 
 TEST_CASE("a curve that leaves the sphere of its object is drawn in all bands") {

@@ -130,7 +130,7 @@ template <SceneMemoryType Memory, PixelFormat F>
   // Bands without the object's sphere are skipped. With normals at most 72 degrees apart a curve rises by
   // 0.24 of half its edge x, so it leaves the sphere by at most 3 %: sqrt(r^2 - x^2) + 0.24 x < 1.03 r.
   BoundingSphere sphere = object.sphere();
-  const std::uint32_t radius = sphere.radius + sphere.radius / 32U + 2;
+  const std::uint32_t radius = sphere.radius + std::uint32_t{sphere.radius} / 32 + 2;
   sphere.radius = static_cast<std::uint16_t>(radius < UINT16_MAX ? radius : UINT16_MAX);
   slot.sphere = clip_sphere(slot.transform, sphere);
   return status;

@@ -78,6 +78,10 @@ struct ClearTarget {
   }
 };
 
+template <SceneMemoryType Memory>
+inline constexpr PartVertices kVerticesIn =
+    Memory::kHasVertices ? PartVertices::kInSlot : PartVertices::kNotKept;
+
 template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] SceneResult draw_prepared(Memory& memory, Sink& sink, const Depth& depth,
                                         const Target& target) {
@@ -101,7 +105,7 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
     for (std::size_t p = 0; p < slot.object->part_count() && ok(result.status); ++p) {
       const Part part = slot.object->part(p);
       const MeshView mesh = slot.object->mesh().part(part.first, part.count);
-      const DrawResult drawn = draw_part<Memory::kHasVertices>(
+      const DrawResult drawn = draw_part<kVerticesIn<Memory>>(
           typename Memory::UseList{},
           PartCall<Sink, Depth>{slot, mesh, p, *part.material, lights, frame.header.camera->rotation(), sink,
                                 depth, memory.lighting()});
@@ -109,6 +113,8 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
       result.triangles += drawn.triangles;
       result.left_out += drawn.left_out;
     }
+    if constexpr (requires { target.curves; })  // CurvedTarget
+      draw_curves(memory, slot, lights, sink, depth, target.curves, result);
   }
   return result;
 }

@@ -5,12 +5,15 @@
 #include <arcspan/ink_outlines.hpp>
 #include <arcspan/mesh/mesh_neighbours.hpp>
 #include <arcspan/outline/blend.hpp>
+#include <arcspan/outline/curved_outlines.hpp>
 #include <arcspan/outline/outline_list.hpp>
 #include <arcspan/scene.hpp>
 #include <arcspan/smooth_outlines.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <type_traits>
 
 namespace arcspan {
 
@@ -20,14 +23,19 @@ struct OutlinedMesh {
   const MeshNeighbours* neighbours;
 };
 
+/// Outlines stay straight.
+struct NoCurves {};
+
 /// The neighbours and the memory by which the outlines of a scene are smoothed or inked. The memory is the
-/// caller's and needs no initialisation.
-template <PixelFormat F>
+/// caller's and needs no initialisation. `Curved` is NoCurves or CurvedOutlines.
+template <PixelFormat F, class Curved = NoCurves>
 struct SceneOutlines {
   std::span<const OutlinedMesh> meshes;
   std::span<TriangleSide> sides;  ///< as many as the largest mesh has triangles
   OutlineList edges;              ///< over memory for the outlines of all objects in view
   std::span<OutlineGap<F>> gaps;  ///< as smooth_outlines() takes them
+  /// Those of the objects in view that have one part, neither texture nor vertex colours.
+  [[no_unique_address]] Curved curves{};
 };
 
 namespace detail {
@@ -89,9 +97,48 @@ template <bool KeepsVertices, class... Used>
   return nullptr;
 }
 
-/// Adds the outlines of an object to `outlines`.
+/// The vertices of an object as the methods of its parts draw them, if those draw curves.
+template <class... Used>
+[[nodiscard]] DrawnVertices curve_vertices(MethodList<Used...>, const Object& object) {
+  DrawnVertices vertices;
+  const auto find = [&]<class U>(const SceneMaterial& material) {
+    if (material.use() != &kUseFacts<U> || !kDrawsCurves<typename U::Method>) return;
+    if constexpr (IsPosed<U>) {
+      vertices = DrawnVertices(static_cast<const PosedMaterial<typename U::PosedMesh>&>(material).mesh());
+    } else {
+      vertices = DrawnVertices(object.mesh());
+    }
+  };
+  if (object.part_count() == 1) (find.template operator()<Used>(*object.part(0).material), ...);
+  return vertices;
+}
+
+/// Adds the outlines of an object with curves over them.
 template <SceneMemoryType Memory, PixelFormat F>
-[[nodiscard]] Status add_outlines(SceneSlot& slot, SceneOutlines<F>& outlines) {
+[[nodiscard]] Status add_curves(SceneSlot& slot, const MeshNeighbours& neighbours,
+                                const VertexPositions& positions,
+                                SceneOutlines<F, CurvedOutlines>& outlines) {
+  const Object& object = *slot.object;
+  const DrawnVertices vertices = curve_vertices(typename Memory::UseList{}, object);
+  CurvedOutlines& curves = outlines.curves;
+  const std::size_t before = curves.count();
+  const Status status =
+      vertices.exist()
+          ? curves.add(vertices, object.mesh(), neighbours, positions, outlines.sides, outlines.edges)
+          : outlines.edges.add(object.mesh(), neighbours, positions, outlines.sides);
+  if (curves.count() == before) return status;
+  // Bands without the object's sphere are skipped. With normals at most 72 degrees apart a curve rises by
+  // 0.24 of half its edge x, so it leaves the sphere by at most 3 %: sqrt(r^2 - x^2) + 0.24 x < 1.03 r.
+  BoundingSphere sphere = object.sphere();
+  const std::uint32_t radius = sphere.radius + std::uint32_t{sphere.radius} / 32 + 2;
+  sphere.radius = static_cast<std::uint16_t>(radius < UINT16_MAX ? radius : UINT16_MAX);
+  slot.sphere = clip_sphere(slot.transform, sphere);
+  return status;
+}
+
+/// Adds the outlines of an object to `outlines`.
+template <SceneMemoryType Memory, PixelFormat F, class Curved>
+[[nodiscard]] Status add_outlines(SceneSlot& slot, SceneOutlines<F, Curved>& outlines) {
   const Object& object = *slot.object;
   const MeshView& mesh = object.mesh();
   const MeshNeighbours* const neighbours = neighbours_in(outlines.meshes, mesh);
@@ -105,7 +152,34 @@ template <SceneMemoryType Memory, PixelFormat F>
         typename Memory::UseList{},
         {slot, triangles, *part.material, outlines.sides.subspan(part.first, part.count), positions});
   }
-  return ok(status) ? outlines.edges.add(mesh, *neighbours, positions, outlines.sides) : status;
+  if (!ok(status)) return status;
+  if constexpr (std::is_same_v<Curved, CurvedOutlines>) {
+    return add_curves<Memory>(slot, *neighbours, positions, outlines);
+  } else {
+    return outlines.edges.add(mesh, *neighbours, positions, outlines.sides);
+  }
+}
+
+/// Clears what `Target` does, and has curves drawn with the objects.
+template <class Target>
+struct CurvedTarget : Target {
+  const CurvedOutlines& curves;
+};
+
+/// Draws the curves over the outlines of an object, like the object.
+template <SceneMemoryType Memory, class Sink, class Depth>
+void draw_curves(Memory& memory, SceneSlot& slot, const ObjectLights& lights, Sink& sink, const Depth& depth,
+                 const CurvedOutlines& curves, SceneResult& result) {
+  const SceneFrame frame = memory.frame();
+  const MeshView mesh = curves.mesh(&slot == frame.slots.data() ? 0 : (&slot)[-1].depth, slot.depth);
+  if (mesh.triangle_count() == 0 || slot.object->part_count() != 1 || !ok(result.status)) return;
+  const DrawResult drawn = draw_part<PartVertices::kOfCurves>(
+      typename Memory::UseList{},
+      PartCall<Sink, Depth>{slot, mesh, 0, *slot.object->part(0).material, lights,
+                            frame.header.camera->rotation(), sink, depth, memory.lighting()});
+  result.status = drawn.status;
+  result.triangles += drawn.triangles;
+  result.left_out += drawn.left_out;
 }
 
 }  // namespace detail
@@ -114,6 +188,8 @@ template <SceneMemoryType Memory, PixelFormat F>
 /// frames are forgotten. In each band, after draw_prepared_scene() with a DepthBuffer, call
 ///
 ///     smooth_outlines(outlines.edges, sink, depth, outlines.gaps);
+///
+/// With curves, draw_prepared_scene() takes `outlines.curves` as its last argument.
 ///
 /// A scene whose surfaces are blended with what is behind them is drawn afterwards, with a ReadOnlyDepth. Its
 /// outlines are found and smoothed in the same way, with a SceneOutlines of its own.
@@ -127,10 +203,14 @@ template <SceneMemoryType Memory, PixelFormat F>
 ///                      or `memory` has no vertices
 ///   kInvalidArgument   the neighbours have another number of triangles than the mesh; a PosedMaterial does
 ///                      not fit its object
-///   kBufferTooSmall    `outlines` has fewer sides than a mesh has triangles, or room for fewer edges
-template <SceneMemoryType Memory, PixelFormat F>
-[[nodiscard]] Status find_outlines(Memory& memory, SceneOutlines<F>& outlines) {
+///   kBufferTooSmall    `outlines` has fewer sides than a mesh has triangles, or room for fewer edges; or
+///                      room for fewer curves: the edges of the others stay straight
+///   kScaleOutOfRange   as CurvedOutlines::add()
+template <SceneMemoryType Memory, PixelFormat F, class Curved>
+[[nodiscard]] Status find_outlines(Memory& memory, SceneOutlines<F, Curved>& outlines) {
+  constexpr bool kCurved = std::is_same_v<Curved, CurvedOutlines>;
   outlines.edges.clear();
+  if constexpr (kCurved) outlines.curves.clear();
   if (!ok(memory.status())) return memory.status();
   const detail::SceneFrame frame = memory.frame();
   if (frame.header.camera == nullptr) return Status::kNotReady;
@@ -139,24 +219,43 @@ template <SceneMemoryType Memory, PixelFormat F>
     detail::SceneSlot& slot = frame.slots[i];
     if (!frame.header.keeps_vertices) slot.held = nullptr;
     const Status status = detail::add_outlines<Memory>(slot, outlines);
+    if constexpr (kCurved) slot.depth = static_cast<std::uint16_t>(outlines.curves.count());
     if (ok(first)) first = status;
   }
   return first;
 }
 
+/// draw_prepared_scene() with the curves of the last find_outlines(), each drawn with its object.
+template <SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_prepared_scene(Memory& memory, Sink& sink, const Depth& depth,
+                                              const CurvedOutlines& curves) {
+  const detail::CurvedTarget<detail::KeepTarget> target{{}, curves};
+  return detail::draw_prepared(memory, sink, depth, target);
+}
+template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
+[[nodiscard]] SceneResult draw_prepared_scene(Memory& memory, Sink& sink, const Depth& depth,
+                                              const Background& background, const CurvedOutlines& curves) {
+  const detail::CurvedTarget<detail::ClearTarget<Background>> target{{background}, curves};
+  return detail::draw_prepared(memory, sink, depth, target);
+}
+
 namespace detail {
 
 /// Finds the outlines of a scene and draws it. `found` gets the status of find_outlines().
-template <class Background, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
+template <class Background, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth, PixelFormat F,
+          class Curved>
 [[nodiscard]] SceneResult draw_and_find_outlines(const Scene& scene, Sink& sink, const Depth& depth,
                                                  Memory& memory, const Background& background,
-                                                 SceneOutlines<typename Sink::Format>& outlines,
-                                                 Status& found) {
+                                                 SceneOutlines<F, Curved>& outlines, Status& found) {
   static_assert(Depth::kWrites, "outlines are compared with depths");
   found = prepare_scene(scene, memory);
   if (!ok(found)) return {found};
   found = find_outlines(memory, outlines);
-  return draw_prepared_scene(memory, sink, depth, background);
+  if constexpr (std::is_same_v<Curved, CurvedOutlines>) {
+    return draw_prepared_scene(memory, sink, depth, background, outlines.curves);
+  } else {
+    return draw_prepared_scene(memory, sink, depth, background);
+  }
 }
 
 }  // namespace detail
@@ -164,10 +263,10 @@ template <class Background, SceneMemoryType Memory, PixelSink Sink, DepthTarget 
 /// draw_scene() with smooth outlines. The status is the first that is not kOk: that of draw_scene(), of
 /// find_outlines() or of smooth_outlines(). With the last two the scene is drawn, and smoothed as far as they
 /// state.
-template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
+template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth, class Curved>
 [[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory,
                                      const Background& background,
-                                     SceneOutlines<typename Sink::Format>& outlines) {
+                                     SceneOutlines<typename Sink::Format, Curved>& outlines) {
   Status found = Status::kOk;
   SceneResult result =
       detail::draw_and_find_outlines(scene, sink, depth, memory, background, outlines, found);
@@ -180,10 +279,11 @@ template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, Depth
 /// draw_scene() with outlines that are inked and then smoothed. The status is as above, with that of
 /// ink_outlines() before that of smooth_outlines(). A sink whose format has too few levels for smoothing gets
 /// ink alone.
-template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
+template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth, class Curved>
 [[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory,
                                      const Background& background,
-                                     SceneOutlines<typename Sink::Format>& outlines, const OutlineInk& ink) {
+                                     SceneOutlines<typename Sink::Format, Curved>& outlines,
+                                     const OutlineInk& ink) {
   Status found = Status::kOk;
   SceneResult result =
       detail::draw_and_find_outlines(scene, sink, depth, memory, background, outlines, found);

@@ -49,6 +49,7 @@ typedef uint8_t arcspan_status;
 #define ARCSPAN_CACHE_TOO_SMALL 13     /* a part has more vertices than the view has room for */
 #define ARCSPAN_NEAR_NOT_BEFORE_FAR 14 /* the planes of a lens are not 0 < nearest < farthest */
 #define ARCSPAN_NO_VIEW_DIRECTION 15   /* the eye is at its target, or looks along `up` */
+#define ARCSPAN_SCALE_OUT_OF_RANGE 16  /* a curve over an outline leaves the 16 bits of positions */
 #define ARCSPAN_TOO_MANY_OBJECTS 18    /* more parts are in view than the view has room for */
 #define ARCSPAN_LIGHT_CHANGED 20       /* a material in flash is for another light */
 
@@ -340,16 +341,19 @@ typedef struct {
   uint32_t edges;     /* of all outlines in view; 12 bytes each */
   uint32_t gaps;      /* where outlines pass between two pixels of a target; 16 bytes each. Smoothing takes
                          none with ARCSPAN_C_MARKED_OUTLINES, ink does */
+  uint32_t curves; /* that round outlines of untextured parts, of all in view, at most 21845; 36 bytes each.
+                      0: outlines stay straight, as without ARCSPAN_C_CURVED_OUTLINES */
 } arcspan_outline_limits;
 /* The bytes of memory, at any address, that arcspan_smooth_outlines() takes. */
 size_t arcspan_outline_bytes(const arcspan_outline_limits* limits);
 /* Smooths the outlines of all frames from the next arcspan_prepare() on; not any more if `memory` is NULL.
- * The models must be written by `arcspan mesh --outlines`. The outermost pixels of a target are right only at
- * the sides of the picture and of arcspan_drawn_rect(): a rectangle that is shown needs a target that is
- * larger by one pixel on all others.
+ * The models must be written by `arcspan mesh --outlines`, or --curved-outlines for curves. The outermost
+ * pixels of a target are right only at the sides of the picture and of arcspan_drawn_rect(): a rectangle that
+ * is shown needs a target that is larger by one pixel on all others.
  *
  * arcspan_draw() then returns, after it has drawn, ARCSPAN_UNSUPPORTED if a part in view has no neighbours or
- * the format is ARCSPAN_MONO without ink, and ARCSPAN_BUFFER_TOO_SMALL if a limit was reached.
+ * the format is ARCSPAN_MONO without ink, ARCSPAN_BUFFER_TOO_SMALL if a limit was reached, and
+ * ARCSPAN_SCALE_OUT_OF_RANGE if an edge stays straight for that.
  *
  * Returns ARCSPAN_UNSUPPORTED without ARCSPAN_C_OUTLINES, and ARCSPAN_BUFFER_TOO_SMALL if `bytes` are fewer
  * than arcspan_outline_bytes(). */

@@ -61,6 +61,10 @@
 #ifndef ARCSPAN_C_MARKED_OUTLINES
 #define ARCSPAN_C_MARKED_OUTLINES 0
 #endif
+/* 1 if it rounds them, too, by curves of arcspan_outline_limits. With ARCSPAN_C_OUTLINES only. */
+#ifndef ARCSPAN_C_CURVED_OUTLINES
+#define ARCSPAN_C_CURVED_OUTLINES 0
+#endif
 /* 1 if arcspan_ink_outlines() does something; with ARCSPAN_C_OUTLINES only. */
 #ifndef ARCSPAN_C_INK
 #define ARCSPAN_C_INK 0
@@ -70,6 +74,9 @@
 #endif
 #if ARCSPAN_C_MARKED_OUTLINES && !ARCSPAN_C_OUTLINES
 #error "ARCSPAN_C_MARKED_OUTLINES needs ARCSPAN_C_OUTLINES"
+#endif
+#if ARCSPAN_C_CURVED_OUTLINES && !ARCSPAN_C_OUTLINES
+#error "ARCSPAN_C_CURVED_OUTLINES needs ARCSPAN_C_OUTLINES"
 #endif
 
 /* 1 if arcspan_add_character() does something. All that draws is compiled once more, for vertices that move.

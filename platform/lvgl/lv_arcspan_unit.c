@@ -54,7 +54,8 @@ static int32_t rows_with_depth(scene_unit_t* unit, int32_t width, int32_t rows) 
 /* Of drawing a rectangle. Where outlines are not smooth, the view gets the status, but nothing is missing. */
 static arcspan_status status_of(lv_arcspan_view_t* view, arcspan_status status) {
 #if LV_ARCSPAN_OUTLINES
-  if (view->more != 0 && (status == ARCSPAN_BUFFER_TOO_SMALL || status == ARCSPAN_UNSUPPORTED)) {
+  if (view->more != 0 && (status == ARCSPAN_BUFFER_TOO_SMALL || status == ARCSPAN_UNSUPPORTED ||
+                          status == ARCSPAN_SCALE_OUT_OF_RANGE)) {
     view->status = status;
     return ARCSPAN_OK;
   }

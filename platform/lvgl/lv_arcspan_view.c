@@ -459,7 +459,7 @@ arcspan_status lv_arcspan_view_set_outlines(lv_obj_t* obj, const arcspan_outline
   lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
   if (ink != NULL && !ARCSPAN_C_INK) return ARCSPAN_UNSUPPORTED;
   if (ink != NULL && (ink->width < 1 || ink->width > 4)) return ARCSPAN_INVALID_ARGUMENT;
-  view->outline_limits = limits != NULL ? *limits : (arcspan_outline_limits){0, 0, 0};
+  view->outline_limits = limits != NULL ? *limits : (arcspan_outline_limits){0, 0, 0, 0};
   view->ink = ink != NULL ? *ink : (arcspan_ink){{0, 0, 0}, 0, 0};
   view->outlines_changed = true;
   change(view); /* the frame that may be under way keeps its memory */

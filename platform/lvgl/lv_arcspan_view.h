@@ -50,10 +50,11 @@ void lv_arcspan_view_set_scale(lv_obj_t* obj, arcspan_length scale);
 arcspan_length lv_arcspan_view_get_scale(const lv_obj_t* obj);
 
 /* Smooths outlines, and draws them as lines of ink unless `ink` is NULL, with memory of lv_malloc() for
- * `limits`; not any more if that is NULL. The models must be written by `arcspan mesh --outlines`. The scene
- * is then drawn through layers that are larger than what they show by one or two pixels on all sides, over
- * any background. If a limit is reached or a part has no neighbours, the scene is shown less smooth, and
- * lv_arcspan_view_get_status() says why: ARCSPAN_BUFFER_TOO_SMALL or ARCSPAN_UNSUPPORTED. Returns
+ * `limits`; not any more if that is NULL. The models must be written by `arcspan mesh --outlines`, or
+ * --curved-outlines for curves. The scene is then drawn through layers that are larger than what they show by
+ * one or two pixels on all sides, over any background. If a limit is reached, a part has no neighbours or a
+ * curve no room, the scene is shown less smooth, and lv_arcspan_view_get_status() says why:
+ * ARCSPAN_BUFFER_TOO_SMALL, ARCSPAN_UNSUPPORTED or ARCSPAN_SCALE_OUT_OF_RANGE. Returns
  *
  *   ARCSPAN_INVALID_ARGUMENT   the width of the ink is out of range
  *   ARCSPAN_UNSUPPORTED        without ARCSPAN_C_OUTLINES and ARCSPAN_C_ARGB8888, or ARCSPAN_C_INK for ink */

@@ -113,7 +113,7 @@ struct Scene2 {
 /// The parts of a model by the method M, or with a texture by T.
 template <class M, class T>
 std::vector<std::uint16_t> drawn_by_cpp(Binary& binary, bool smooth = false, const OutlineInk* ink = nullptr,
-                                        std::int32_t toon_steps = 0) {
+                                        std::int32_t toon_steps = 0, bool curved = false) {
   StoredModel model;
   REQUIRE(ok(view_model_binary({binary.data(), binary.size}, model)));
   const SceneLight light = SceneLight::directional(normalised(-1, 1, 2));
@@ -162,6 +162,13 @@ std::vector<std::uint16_t> drawn_by_cpp(Binary& binary, bool smooth = false, con
   std::vector<TriangleSide> sides(2000);
   std::vector<OutlineEdge> edges(2000);
   std::vector<OutlineGap<Rgb565>> gaps(2000);
+  if (curved) {
+    CurveMemory<200> curves;
+    SceneOutlines<Rgb565, CurvedOutlines> outlines{outlined, sides, OutlineList(edges), gaps,
+                                                   CurvedOutlines(curves)};
+    REQUIRE(ok(draw_scene(scene, frame, depth, memory, Rgb8{}, outlines).status));
+    return pixels;
+  }
   SceneOutlines<Rgb565> outlines{outlined, sides, OutlineList(edges), gaps};
   const SceneResult result = ink == nullptr ? draw_scene(scene, frame, depth, memory, Rgb8{}, outlines)
                                             : draw_scene(scene, frame, depth, memory, Rgb8{}, outlines, *ink);
@@ -194,7 +201,7 @@ TEST_CASE("models in binaries are drawn from C with the pixels of C++") {
 
 TEST_CASE("outlines are smoothed from C as from C++, whole and in rectangles") {
   using Smooth = Arc<c::Light>;
-  const arcspan_outline_limits limits{2000, 2000, 2000};
+  const arcspan_outline_limits limits{2000, 2000, 2000, 0};
   Binary lamp("outlined-lamp.bin");
   const auto expected = drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(lamp, true);
   Scene2 stored({16, 16});
@@ -207,11 +214,11 @@ TEST_CASE("outlines are smoothed from C as from C++, whole and in rectangles") {
   REQUIRE(arcspan_add_model(in_flash.scene, &outlined, nullptr) == ARCSPAN_OK);
   CHECK(in_flash.drawn(&limits, ARCSPAN_OK, 20) != in_flash.drawn());
 
-  const arcspan_outline_limits few_triangles{3, 2000, 2000};
+  const arcspan_outline_limits few_triangles{3, 2000, 2000, 0};
   CHECK(stored.drawn(&few_triangles, ARCSPAN_BUFFER_TOO_SMALL) != expected);
-  const arcspan_outline_limits no_edges{2000, 0, 2000};
+  const arcspan_outline_limits no_edges{2000, 0, 2000, 0};
   CHECK(stored.drawn(&no_edges, ARCSPAN_BUFFER_TOO_SMALL) == plain);
-  const arcspan_outline_limits no_gaps{2000, 2000, 0};
+  const arcspan_outline_limits no_gaps{2000, 2000, 0, 0};
   CHECK(stored.drawn(&no_gaps, ARCSPAN_BUFFER_TOO_SMALL) == plain);
   for (const char* const name : {"lamp.bin", "ball.bin"}) {
     CAPTURE(name);
@@ -222,9 +229,26 @@ TEST_CASE("outlines are smoothed from C as from C++, whole and in rectangles") {
   }
 }
 
+TEST_CASE("outlines are rounded from C as from C++, whole and in rectangles") {
+  using Smooth = Arc<c::Light>;
+  const arcspan_outline_limits straight{2000, 2000, 2000, 0};
+  const arcspan_outline_limits rounded{2000, 2000, 2000, 200};
+  const arcspan_outline_limits too_few{2000, 2000, 2000, 2};
+  Binary ball("curved-ball.bin");
+  const auto expected =
+      drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(ball, true, nullptr, 0, true);
+  Scene2 scene({1, 1});
+  REQUIRE(arcspan_add_binary(scene.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
+  CHECK(scene.drawn(&straight) == drawn_by_cpp<Smooth, Textured<Smooth, Palette8Texels<>>>(ball, true));
+  CHECK(scene.drawn(&straight) != expected);
+  CHECK(scene.drawn(&rounded) == expected);
+  CHECK(scene.drawn(&rounded, ARCSPAN_OK, 20) == expected);
+  CHECK(scene.drawn(&too_few, ARCSPAN_BUFFER_TOO_SMALL) != expected);
+}
+
 TEST_CASE("outlines are inked from C as from C++, whole and in rectangles") {
   using Smooth = Arc<c::Light>;
-  const arcspan_outline_limits limits{2000, 2000, 2000};
+  const arcspan_outline_limits limits{2000, 2000, 2000, 0};
   Binary lamp("outlined-lamp.bin");
   Scene2 scene({16, 16});
   REQUIRE(arcspan_add_binary(scene.scene, lamp.data(), lamp.size, nullptr, nullptr) == ARCSPAN_OK);
@@ -238,13 +262,13 @@ TEST_CASE("outlines are inked from C as from C++, whole and in rectangles") {
     const arcspan_ink of_c{{200, 40, 90}, width, static_cast<std::uint8_t>(creases)};
     CHECK(scene.drawn(&limits, ARCSPAN_OK, kSide, &of_c) == expected);
     CHECK(scene.drawn(&limits, ARCSPAN_OK, 20, &of_c) == expected);
-    const arcspan_outline_limits no_gaps{2000, 2000, 0};
+    const arcspan_outline_limits no_gaps{2000, 2000, 0, 0};
     CHECK(scene.drawn(&no_gaps, ARCSPAN_BUFFER_TOO_SMALL, kSide, &of_c) == scene.drawn());
   }
 }
 
 TEST_CASE("ink is refused without memory or out of range, and ends with smoothing") {
-  const arcspan_outline_limits limits{2000, 2000, 2000};
+  const arcspan_outline_limits limits{2000, 2000, 2000, 0};
   Binary lamp("outlined-lamp.bin");
   Scene2 scene({16, 16});
   REQUIRE(arcspan_add_binary(scene.scene, lamp.data(), lamp.size, nullptr, nullptr) == ARCSPAN_OK);
@@ -281,9 +305,9 @@ TEST_CASE("ink is refused without memory or out of range, and ends with smoothin
 }
 
 TEST_CASE("the drawn rectangle holds all that outlines change, also of surfaces beside the picture") {
-  const arcspan_outline_limits limits{2000, 2000, 4000};
-  Binary ball("outlined-ball.bin");
-  for (const int width : {0, 1, 4}) {
+  Binary ball("curved-ball.bin");
+  for (const int width : {-1, 0, 1, 4}) {  // -1: curved instead of inked
+    const arcspan_outline_limits limits{2000, 2000, 4000, width < 0 ? 200U : 0U};
     const arcspan_ink ink{{200, 40, 90}, static_cast<std::uint8_t>(width), 1};
     for (std::int32_t x = -200; x <= 200; x += 8) {  // of the picture's half height: beside it at both ends
       CAPTURE(width, x);
@@ -292,7 +316,7 @@ TEST_CASE("the drawn rectangle holds all that outlines change, also of surfaces 
       REQUIRE(arcspan_add_binary(scene.scene, ball.data(), ball.size, nullptr, &object) == ARCSPAN_OK);
       REQUIRE(arcspan_set_scale(scene.scene, object, ARCSPAN_LENGTH(0.4)) == ARCSPAN_OK);
       REQUIRE(arcspan_set_position(scene.scene, object, {x * 655, 0, x * -218}) == ARCSPAN_OK);
-      const OutlinedView seen(scene.scene, &limits, width == 0 ? nullptr : &ink);
+      const OutlinedView seen(scene.scene, &limits, width <= 0 ? nullptr : &ink);
       const arcspan_rect drawn = arcspan_drawn_rect(seen.view);
       std::vector<std::uint16_t> whole(kSide * kSide), part(kSide * kSide), depths(kSide * kSide);
       arcspan_target target{whole.data(),         2 * whole.size(), 2 * kSide,     ARCSPAN_RGB565,

@@ -48,7 +48,7 @@ struct BallView {
     REQUIRE(arcspan_set_camera(view, &lens, {0, 0, ARCSPAN_LENGTH(4)}, {0, 0, 0}, {0, 0, 0}) == ARCSPAN_OK);
   }
   void smooth() {
-    const arcspan_outline_limits limits{1000, 1000, 0};
+    const arcspan_outline_limits limits{1000, 1000, 0, 0};
     outline_memory.resize(arcspan_outline_bytes(&limits));
     REQUIRE(arcspan_smooth_outlines(view, outline_memory.data(), outline_memory.size(), &limits) ==
             ARCSPAN_OK);

@@ -38,7 +38,7 @@ Status find(std::uint32_t number, const CostJob& job, const CostMethod::Lighting
   if (!ok(status)) return status;
   const VertexPositions positions(job.transform, std::span<const CachedVertex<CostMethod>>(cost_cache));
   return measured(number, [&] {
-    return (job.head.outlines >> 16) != 0 ? curves.find(job.mesh, job.neighbours, positions, sides, outlines)
+    return (job.head.outlines >> 16) != 0 ? curves.add(job.mesh, job.neighbours, positions, sides, outlines)
                                           : outlines.add(job.mesh, job.neighbours, positions, sides);
   });
 }
@@ -59,8 +59,8 @@ bool draw(std::uint32_t number, const CostJob& job, const CostMethod::Lighting& 
     depth.move_to(top < margin ? 0 : top - margin);
     band.clear({0, 0, 0});
     depth.clear();
-    for (const MeshView* mesh : {&job.mesh, &curves.mesh()}) {
-      if (!ok(draw_mesh<CostMethod>(*mesh, job.transform, lighting, band, depth, cost_cache).status))
+    for (const MeshView& mesh : {job.mesh, curves.mesh()}) {
+      if (!ok(draw_mesh<CostMethod>(mesh, job.transform, lighting, band, depth, cost_cache).status))
         return false;
     }
     Status status = Status::kOk;

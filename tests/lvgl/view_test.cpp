@@ -34,7 +34,7 @@ bool is_in(const lv_point_t& point, const lv_area_t& area) {
   return point.x >= area.x1 && point.x <= area.x2 && point.y >= area.y1 && point.y <= area.y2;
 }
 
-constexpr arcspan_outline_limits kOutlines{300, 1000, 4000};
+constexpr arcspan_outline_limits kOutlines{300, 1000, 4000, 0};
 
 /// How the outlines of a view are drawn.
 enum Outlines { kPlain, kSmooth, kInked, kInkedCreases };
@@ -212,7 +212,7 @@ TEST_CASE("outlines that cannot be smoothed leave the picture as it is, with a s
     lv_obj_t* const label = lv_label_create(view);
     lv_label_set_text(label, "above");
     lv_obj_center(label);
-    const arcspan_outline_limits few{300, 1, 1000};
+    const arcspan_outline_limits few{300, 1, 1000, 0};
     REQUIRE(lv_arcspan_view_set_outlines(view, &few, nullptr) == ARCSPAN_OK);
     screen.refresh();
     CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_BUFFER_TOO_SMALL);

@@ -8,12 +8,7 @@ namespace arcspan {
 
 namespace {
 
-/// The end of an edge.
-struct EdgeEnd {
-  ObjectPosition position;
-  PackedNormal packed;
-  Direction normal;
-};
+using detail::DrawnVertex;
 
 /// The middle of a curve, in object space before it is rounded to 16 bits.
 struct CurveMiddle {
@@ -23,7 +18,7 @@ struct CurveMiddle {
 };
 
 /// (a + b) / 2 - (w_ab n_a + w_ba n_b) / 8 with w_ab = (b - a) . n_a and w_ba = (a - b) . n_b.
-[[nodiscard]] CurveMiddle middle_of(const EdgeEnd& a, const EdgeEnd& b) {
+[[nodiscard]] CurveMiddle middle_of(const DrawnVertex& a, const DrawnVertex& b) {
   const auto along = [&](const Direction& n) {  // 15 fraction bits, at most 2^34
     return std::int64_t{b.position.x - a.position.x} * n.x.raw() +
            std::int64_t{b.position.y - a.position.y} * n.y.raw() +
@@ -45,9 +40,11 @@ struct CurveMiddle {
 /// Finds the curves and outlines of one object.
 class CurveFinder {
  public:
-  CurveFinder(const MeshView& mesh, const VertexPositions& positions, std::span<OutlineEdge> edges,
-              std::span<ObjectPosition> curve_positions, std::span<PackedNormal> curve_normals)
-      : mesh_(mesh),
+  CurveFinder(const detail::DrawnVertices& vertices, const MeshView& mesh, const VertexPositions& positions,
+              std::span<OutlineEdge> edges, std::span<ObjectPosition> curve_positions,
+              std::span<PackedNormal> curve_normals)
+      : vertices_(vertices),
+        mesh_(mesh),
         positions_(positions),
         edges_(edges),
         curve_positions_(curve_positions),
@@ -80,8 +77,8 @@ class CurveFinder {
   /// Puts the curve over an edge, if there is one, and sets `middle` to where it is seen.
   [[nodiscard]] bool put_curve(std::size_t from, std::size_t to, const OutlineEdge& edge,
                                RasterPosition& middle) {
-    const EdgeEnd a{mesh_.position(from), mesh_.normal(from), mesh_.direction(from)};
-    const EdgeEnd b{mesh_.position(to), mesh_.normal(to), mesh_.direction(to)};
+    const DrawnVertex a = vertices_[from];
+    const DrawnVertex b = vertices_[to];
     if (dot(a.normal, b.normal) < Cosine::of(0.3)) return false;
     const CurveMiddle m = middle_of(a, b);
     const auto narrow = [](std::int32_t v) { return static_cast<std::int16_t>(v); };
@@ -123,6 +120,7 @@ class CurveFinder {
     return -doubled_area(edge.to, edge.from, point) >= kLeast * length + 1;
   }
 
+  const detail::DrawnVertices& vertices_;
   const MeshView& mesh_;
   const VertexPositions& positions_;
   std::span<OutlineEdge> edges_;
@@ -135,21 +133,32 @@ class CurveFinder {
 
 }  // namespace
 
-Status CurvedOutlines::find(const MeshView& mesh, const MeshNeighbours& neighbours,
-                            const VertexPositions& positions, std::span<const TriangleSide> sides,
-                            OutlineList& outlines) {
-  mesh_ = {};
-  const Status status = outlines.check(mesh, neighbours, positions, sides);
+Status CurvedOutlines::add(const detail::DrawnVertices& vertices, const MeshView& triangles,
+                           const MeshNeighbours& neighbours, const VertexPositions& positions,
+                           std::span<const TriangleSide> sides, OutlineList& outlines) {
+  const Status status = outlines.check(triangles, neighbours, positions, sides);
   if (!ok(status)) return status;
-  CurveFinder finder(mesh, positions, outlines.free_memory(), positions_, normals_);
-  detail::EdgeFinder<CurveFinder>(mesh, sides, finder).find(neighbours.bytes());
+  const std::size_t first = 3 * count_;
+  CurveFinder finder(vertices, triangles, positions, outlines.free_memory(), positions_.subspan(first),
+                     normals_.subspan(first));
+  detail::EdgeFinder<CurveFinder>(triangles, sides, finder).find(neighbours.bytes());
   if (!outlines.take(finder.edge_count(), positions.viewport())) return Status::kBufferTooSmall;
-  const std::size_t vertices = 3 * finder.curve_count();
-  for (std::size_t i = 0; i < vertices; ++i) indices_[i] = static_cast<std::uint16_t>(i);
-  const Status made = MeshView::make(std::span<const ObjectPosition>(positions_.first(vertices)),
-                                     std::span<const PackedNormal>(normals_.first(vertices)),
-                                     std::span<const std::uint16_t>(indices_.first(vertices)), mesh_);
-  return ok(made) ? finder.status() : made;
+  count_ += finder.curve_count();
+  for (std::size_t i = first; i < 3 * count_; ++i) indices_[i] = static_cast<std::uint16_t>(i);
+  return finder.status();
+}
+
+MeshView CurvedOutlines::mesh(std::size_t first, std::size_t end) const {
+  if (end > count_) end = count_;
+  if (first >= end) return {};
+  // Vertices are counted from the first one, so that the indices are the same wherever it is.
+  const std::size_t vertices = 3 * (end - first);
+  const std::span<const ObjectPosition> positions = positions_.subspan(3 * first, vertices);
+  const std::span<const PackedNormal> normals = normals_.subspan(3 * first, vertices);
+  const std::span<const std::uint16_t> indices = indices_.first(vertices);
+  MeshView made;
+  (void)MeshView::make(positions, normals, indices, made);
+  return made;
 }
 
 }  // namespace arcspan

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <arcspan/draw/triangle_sides.hpp>
+#include <arcspan/mesh/drawable_mesh.hpp>
 #include <arcspan/mesh/mesh_neighbours.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/mesh/packed_normal.hpp>
+#include <arcspan/numbers/direction.hpp>
 #include <arcspan/outline/outline_list.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
@@ -12,10 +15,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 namespace arcspan {
 
-/// Memory for the curves of one object, 36 bytes each; contents before do not matter.
+/// Memory for the curves of a frame, 36 bytes each; contents before do not matter.
 template <std::size_t kMost>
 struct CurveMemory {
   static_assert(std::uint32_t{3} * kMost <= MeshView::kMaxVertices, "at most 21845 curves");
@@ -25,12 +29,50 @@ struct CurveMemory {
   std::array<std::uint16_t, 3 * kMost> indices{};
 };
 
-/// Rounds the outlines of a coarse mesh with smooth normals: outside of each edge at which the surface turns
+namespace detail {
+
+/// A vertex as it is drawn.
+struct DrawnVertex {
+  ObjectPosition position;
+  PackedNormal packed;
+  Direction normal;
+};
+
+/// The vertices of a mesh of any type, which must outlive it.
+class DrawnVertices {
+ public:
+  /// Of no mesh.
+  constexpr DrawnVertices() = default;
+  template <DrawableMesh Mesh>
+  explicit constexpr DrawnVertices(const Mesh& mesh) : mesh_(&mesh), vertex_(&vertex_of<Mesh>) {}
+
+  [[nodiscard]] constexpr bool exist() const { return mesh_ != nullptr; }
+  [[nodiscard]] DrawnVertex operator[](std::size_t i) const { return vertex_(mesh_, i); }
+
+ private:
+  template <class Mesh>
+  [[nodiscard]] static DrawnVertex vertex_of(const void* address, std::size_t i) {
+    const Mesh& mesh = *static_cast<const Mesh*>(address);
+    const Direction normal = mesh.direction(i);
+    if constexpr (std::is_same_v<Mesh, MeshView>) {
+      return {mesh.position(i), mesh.normal(i), normal};
+    } else {
+      return {mesh.position(i), pack_normal(normal.x.raw(), normal.y.raw(), normal.z.raw()), normal};
+    }
+  }
+
+  const void* mesh_ = nullptr;
+  DrawnVertex (*vertex_)(const void* mesh, std::size_t i) = nullptr;
+};
+
+}  // namespace detail
+
+/// Rounds the outlines of coarse meshes with smooth normals: outside of each edge at which the surface turns
 /// away lies a triangle, from the edge to the middle of a curve over it. They are a mesh of their own, which
 /// is drawn like the object, after or before it, with the same transform, lighting and depth buffer:
 ///
 ///     CurvedOutlines curves(memory);
-///     status = curves.find(mesh, neighbours, positions, sides, outlines);  // instead of outlines.add()
+///     status = curves.add(mesh, neighbours, positions, sides, outlines);  // instead of outlines.add()
 ///     ...
 ///     draw_mesh<Method>(curves.mesh(), transform, light, band, depth);
 ///
@@ -43,27 +85,51 @@ struct CurveMemory {
 class CurvedOutlines {
  public:
   template <std::size_t kMost>
-  explicit CurvedOutlines(CurveMemory<kMost>& memory)
-      : positions_(memory.positions), normals_(memory.normals), indices_(memory.indices) {}
+  explicit constexpr CurvedOutlines(CurveMemory<kMost>& memory)
+      : CurvedOutlines(memory.positions, memory.normals, memory.indices) {}
+  /// The same over arrays of equal length, three elements per curve; those beyond 21845 curves are not used.
+  constexpr CurvedOutlines(std::span<ObjectPosition> positions, std::span<PackedNormal> normals,
+                           std::span<std::uint16_t> indices)
+      : positions_(positions.first(positions.size() < kMostVertices ? positions.size() : kMostVertices)),
+        normals_(normals),
+        indices_(indices) {}
 
-  /// Finds the curves of an object, instead of those before, and adds its outlines with them to `outlines`.
-  /// The arguments are those of OutlineList::add(). Returns kOk, or
+  /// Forgets the curves, for the next frame.
+  constexpr void clear() { count_ = 0; }
+
+  /// Adds the curves of an object, and its outlines with them to `outlines`. The arguments are those of
+  /// OutlineList::add(), but `mesh` may also pose its vertices: `positions` are then those of its cache.
+  /// Returns kOk, or
   ///
   ///   kScaleOutOfRange  the middle of a curve does not fit 16 bits: its edge stays straight
   ///   kBufferTooSmall   the memory does not hold all curves: the edges of the others stay straight. Or
-  ///                     `outlines` does not hold all edges: nothing is added, and there are no curves
-  ///   others            those of OutlineList::add(): nothing is added, and there are no curves
-  Status find(const MeshView& mesh, const MeshNeighbours& neighbours, const VertexPositions& positions,
-              std::span<const TriangleSide> sides, OutlineList& outlines);
+  ///                     `outlines` does not hold all edges: nothing is added
+  ///   others            those of OutlineList::add(): nothing is added
+  template <DrawableMesh Mesh>
+  Status add(const Mesh& mesh, const MeshNeighbours& neighbours, const VertexPositions& positions,
+             std::span<const TriangleSide> sides, OutlineList& outlines) {
+    return add(detail::DrawnVertices(mesh), mesh.view(), neighbours, positions, sides, outlines);
+  }
 
-  /// The triangles of the curves. It stays valid until the next find().
-  [[nodiscard]] const MeshView& mesh() const { return mesh_; }
+  [[nodiscard]] constexpr std::size_t count() const { return count_; }
+  /// The triangles of all curves, or of those from `first` to `end` - 1 as far as they exist. It stays valid
+  /// until clear().
+  [[nodiscard]] MeshView mesh() const { return mesh(0, count_); }
+  [[nodiscard]] MeshView mesh(std::size_t first, std::size_t end) const;
+
+  /// @cond for add() and find_outlines(), not in the reference
+  Status add(const detail::DrawnVertices& vertices, const MeshView& triangles,
+             const MeshNeighbours& neighbours, const VertexPositions& positions,
+             std::span<const TriangleSide> sides, OutlineList& outlines);
+  /// @endcond
 
  private:
+  static constexpr std::size_t kMostVertices = 65535;
+
   std::span<ObjectPosition> positions_;
   std::span<PackedNormal> normals_;
   std::span<std::uint16_t> indices_;
-  MeshView mesh_{};
+  std::size_t count_ = 0;
 };
 
 }  // namespace arcspan

@@ -120,38 +120,63 @@ DrawResult draw_lit_part(const PartCall<Sink, Depth>& part, const typename Used:
   return drawer.result();
 }
 
-template <class Used, bool KeepsVertices, class Sink, class Depth>
+/// Where the vertices of a part come from.
+enum class PartVertices : std::uint8_t {
+  kNotKept,
+  kInSlot,
+  kOfCurves,  ///< not kept either, and no mesh poses them
+};
+
+/// The use by which a part is drawn.
+template <class Used, PartVertices>
+struct DrawnUse {
+  using Type = Used;
+};
+template <IsPosed Used>
+struct DrawnUse<Used, PartVertices::kOfCurves> {
+  using Type = typename Used::Used;
+};
+
+/// Whether a method draws curves over outlines (CurvedOutlines), which have neither texture points nor
+/// colours.
+template <class Method>
+inline constexpr bool kDrawsCurves = !TakesVertexData<Method> && !DrawsEdges<Method>;
+
+template <class Used, PartVertices Vertices, class Sink, class Depth>
 DrawResult draw_part_by(const PartCall<Sink, Depth>& part) {
   using Lighting = typename Used::Method::Lighting;
+  using Drawn = typename DrawnUse<Used, Vertices>::Type;
+  constexpr bool kKeepsVertices = Vertices == PartVertices::kInSlot;
   const auto& material = prepared<Used>(part.material);
-  if constexpr (Lit<Lighting>) {
+  if constexpr (Vertices == PartVertices::kOfCurves && !kDrawsCurves<typename Used::Method>) {
+    return {};
+  } else if constexpr (Lit<Lighting>) {
     auto& lighting = *static_cast<Lighting*>(part.lighting);
     const Status status = material.light(part.lights, lighting);
     if (!ok(status)) return {status};
-    return draw_lit_part<Used, KeepsVertices>(part, lighting);
+    return draw_lit_part<Drawn, kKeepsVertices>(part, lighting);
   } else if constexpr (FollowsView<Lighting>) {
     auto& lighting = *static_cast<Lighting*>(part.lighting);
     copy_words(material.lighting(), lighting);
     lighting.set_rotation(part.camera * part.slot.object->rotation);
-    return draw_lit_part<Used, KeepsVertices>(part, lighting);
+    return draw_lit_part<Drawn, kKeepsVertices>(part, lighting);
   } else {
-    return draw_lit_part<Used, KeepsVertices>(part, material.lighting());
+    return draw_lit_part<Drawn, kKeepsVertices>(part, material.lighting());
   }
 }
 
 /// Draws a part by the method of its material, which is listed.
-template <bool KeepsVertices, class... Used, class Sink, class Depth>
+template <PartVertices Vertices, class... Used, class Sink, class Depth>
 DrawResult draw_part(MethodList<Used...>, const PartCall<Sink, Depth>& part) {
   if constexpr (sizeof...(Used) == 1) {
-    return draw_part_by<Used..., KeepsVertices>(part);
+    return draw_part_by<Used..., Vertices>(part);
   } else {
     using Function = DrawResult (*)(const PartCall<Sink, Depth>&);
     struct Entry {
       const UseFacts* use;
       Function function;
     };
-    static constexpr Entry kEntries[] = {
-        {&kUseFacts<Used>, &draw_part_by<Used, KeepsVertices, Sink, Depth>}...};
+    static constexpr Entry kEntries[] = {{&kUseFacts<Used>, &draw_part_by<Used, Vertices, Sink, Depth>}...};
     const Entry* entry = kEntries;
     while (entry->use != part.material.use()) ++entry;
     return entry->function(part);

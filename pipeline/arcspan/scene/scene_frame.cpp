@@ -37,11 +37,6 @@ bool is_outside_range(const ClipSphere& sphere, const Extent& extent, std::int32
   return is_beyond(sphere, extent, 2 * begin - size - 1, -1) || is_beyond(sphere, extent, 2 * end - size, 1);
 }
 
-[[nodiscard]] ClipSphere clip_sphere(const ClipTransform& transform, const BoundingSphere& sphere) {
-  return {transform(sphere.middle), transform.length_across(sphere.radius),
-          transform.length_ahead(sphere.radius)};
-}
-
 /// The depth of a sphere's middle, that of the near plane if it is before that.
 [[nodiscard]] std::uint16_t depth_of(const ClipSphere& sphere, const ClipTransform& transform) {
   const std::int32_t w = sphere.middle.w;

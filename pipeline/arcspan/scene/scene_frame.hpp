@@ -31,6 +31,11 @@ struct ClipSphere {
   std::int32_t radius_ahead;   ///< in w
 };
 
+[[nodiscard]] inline ClipSphere clip_sphere(const ClipTransform& transform, const BoundingSphere& sphere) {
+  return {transform(sphere.middle), transform.length_across(sphere.radius),
+          transform.length_ahead(sphere.radius)};
+}
+
 /// An object in view.
 struct SceneSlot {
   ClipTransform transform;
@@ -39,7 +44,7 @@ struct SceneSlot {
   unsigned char* vertices;   ///< memory for CachedVertex, or null
   const UseFacts* held;      ///< the use that has written the vertices, or null
   std::size_t vertex_bytes;  ///< that the vertices take at most, 0 without memory for any
-  std::uint16_t depth;       ///< of the sphere's middle
+  std::uint16_t depth;       ///< of the sphere's middle; find_outlines() puts the end of its curves here
 };
 
 /// The part of a SceneMemory that belongs to the whole scene. All is zero at first, so that static memory

@@ -49,7 +49,11 @@ template <PixelFormat F>
   if (target.background != nullptr) {
     window.clear({target.background->r, target.background->g, target.background->b});
   }
+#if ARCSPAN_C_CURVED_OUTLINES
+  const Status drawn = draw_prepared_scene(view.memory, window, depth, view.outlines.curves).status;
+#else
   const Status drawn = draw_prepared_scene(view.memory, window, depth).status;
+#endif
 #if ARCSPAN_C_OUTLINES
   if (ok(drawn) && !view.outlines.sides.empty()) return finish_outlines(view.outlines, window, depth);
 #endif

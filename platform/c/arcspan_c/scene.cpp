@@ -20,6 +20,7 @@ static_assert(ARCSPAN_INVALID_ARGUMENT == static_cast<int>(Status::kInvalidArgum
               ARCSPAN_NEAR_NOT_BEFORE_FAR == static_cast<int>(Status::kNearNotBeforeFar) &&
               ARCSPAN_NO_VIEW_DIRECTION == static_cast<int>(Status::kNoViewDirection) &&
               ARCSPAN_CACHE_TOO_SMALL == static_cast<int>(Status::kCacheTooSmall) &&
+              ARCSPAN_SCALE_OUT_OF_RANGE == static_cast<int>(Status::kScaleOutOfRange) &&
               ARCSPAN_TOO_MANY_OBJECTS == static_cast<int>(Status::kTooManyObjects) &&
               ARCSPAN_LIGHT_CHANGED == static_cast<int>(Status::kLightChanged));
 

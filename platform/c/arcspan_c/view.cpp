@@ -136,15 +136,50 @@ struct OutlineParts {
   TriangleSide* sides;
   OutlineEdge* edges;
   std::byte* gaps;
+#if ARCSPAN_C_CURVED_OUTLINES
+  ObjectPosition* curve_positions;
+  PackedNormal* curve_normals;
+  std::uint16_t* curve_indices;
+#endif
 };
 
+#if ARCSPAN_C_CURVED_OUTLINES
+/// The vertices of all curves.
+[[nodiscard]] std::size_t curve_vertices(const arcspan_outline_limits& limits) {
+  constexpr std::uint32_t kMost = MeshView::kMaxVertices / 3;
+  return 3 * (limits.curves < kMost ? limits.curves : kMost);
+}
+#endif
+
 [[nodiscard]] OutlineParts take_parts(c::MemoryParts& memory, const arcspan_outline_limits& limits) {
-  return {memory.take<TriangleSide>(limits.triangles), memory.take<OutlineEdge>(limits.edges),
-          static_cast<std::byte*>(memory.take(c::kGapBytes, limits.gaps))};
+  OutlineParts parts{};
+  parts.sides = memory.take<TriangleSide>(limits.triangles);
+  parts.edges = memory.take<OutlineEdge>(limits.edges);
+  parts.gaps = static_cast<std::byte*>(memory.take(c::kGapBytes, limits.gaps));
+#if ARCSPAN_C_CURVED_OUTLINES
+  const std::size_t of_curves = curve_vertices(limits);
+  parts.curve_positions = memory.take<ObjectPosition>(of_curves);
+  parts.curve_normals = memory.take<PackedNormal>(of_curves);
+  parts.curve_indices = memory.take<std::uint16_t>(of_curves);
+#endif
+  return parts;
 }
 
 void find_outlines_of(arcspan_view& view) {
   const arcspan_scene& scene = view.scene;
+#if ARCSPAN_C_CURVED_OUTLINES
+  if (view.outlines.is_curved) {
+    SceneOutlines<Rgb565, CurvedOutlines> curved{{scene.outlined, scene.object_count},
+                                                 view.outlines.sides,
+                                                 view.outlines.edges,
+                                                 {},
+                                                 view.outlines.curves};
+    view.outlines.status = find_outlines(view.memory, curved);
+    view.outlines.edges = curved.edges;
+    view.outlines.curves = curved.curves;
+    return;
+  }
+#endif
   SceneOutlines<Rgb565> outlines{
       {scene.outlined, scene.object_count}, view.outlines.sides, view.outlines.edges, {}};
   view.outlines.status = find_outlines(view.memory, outlines);
@@ -207,6 +242,12 @@ arcspan_status arcspan_smooth_outlines(arcspan_view* view, void* memory, size_t 
   view->outlines.edges = OutlineList({parts.edges, limits->edges});
   view->outlines.gaps = {parts.gaps, c::kGapBytes * limits->gaps};
   view->outlines.status = Status::kOk;
+#if ARCSPAN_C_CURVED_OUTLINES
+  const std::size_t of_curves = curve_vertices(*limits);
+  view->outlines.is_curved = of_curves != 0;
+  view->outlines.curves = CurvedOutlines({parts.curve_positions, of_curves}, {parts.curve_normals, of_curves},
+                                         {parts.curve_indices, of_curves});
+#endif
   return ARCSPAN_OK;
 }
 

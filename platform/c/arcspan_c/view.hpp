@@ -26,6 +26,10 @@ struct ViewOutlines {
 #if ARCSPAN_C_INK
   OutlineInk ink{{}, 0, false};  ///< of width 0: none
 #endif
+#if ARCSPAN_C_CURVED_OUTLINES
+  bool is_curved = false;
+  CurvedOutlines curves{{}, {}, {}};
+#endif
 };
 
 }  // namespace arcspan::c

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/outline/outline_pictures.hpp>
+#include <tests/support/circle.hpp>
 #include <tests/support/test_share.hpp>
 
 #include <algorithm>
@@ -31,15 +32,15 @@ struct CurvedScene {
         outlines(edges) {
     REQUIRE(ok(find_sides<Method>(sphere.view(), transform, light(), NoCache{}, sides)));
     const VertexPositions positions(transform);
-    status = is_curved ? curves.find(sphere.view(), neighbours.view, positions, sides, outlines)
+    status = is_curved ? curves.add(sphere.view(), neighbours.view, positions, sides, outlines)
                        : outlines.add(sphere.view(), neighbours.view, positions, sides);
   }
   [[nodiscard]] Illumination<1, Highlight::kBlinn> light() const {
     return make_light<1, Highlight::kBlinn>(from);
   }
   void draw(Picture& picture) const {
-    for (const MeshView* mesh : {&view, &curves.mesh()})
-      REQUIRE(ok(draw_mesh<Method>(*mesh, transform, light(), picture.frame, picture.depth).status));
+    for (const MeshView& mesh : {view, curves.mesh()})
+      REQUIRE(ok(draw_mesh<Method>(mesh, transform, light(), picture.frame, picture.depth).status));
   }
 
   TestMesh sphere;
@@ -54,23 +55,6 @@ struct CurvedScene {
   CurvedOutlines curves{*memory};
   Status status = Status::kOk;
 };
-
-/// The mean distance of outlines from a circle around the raster origin, in pixels.
-[[nodiscard]] double deviation(const OutlineList& outlines, double radius) {
-  double sum = 0;
-  double length = 0;
-  for (const OutlineEdge& e : outlines.edges()) {
-    const double part = std::hypot(e.to.x - e.from.x, e.to.y - e.from.y) / 16;
-    for (int i = 0; i < 16; ++i) {
-      const double t = (i + 0.5) / 16;
-      const double x = e.from.x + t * (e.to.x - e.from.x);
-      const double y = e.from.y + t * (e.to.y - e.from.y);
-      sum += part * std::abs(std::hypot(x, y) / 16 - radius);
-    }
-    length += 16 * part;
-  }
-  return sum / length;
-}
 
 [[nodiscard]] std::int64_t doubled_area_within(const OutlineList& outlines) {
   std::int64_t sum = 0;
@@ -111,8 +95,8 @@ TEST_CASE("Curved outlines: those of a sphere of 16x8 deviate from a circle by h
       const double length = std::hypot(1.0 * p.x, 1.0 * p.y, 1.0 * p.z);
       is_on_sphere = is_on_sphere && std::abs(length / 9000 - 1) < 0.012;
     }
-    straight_sum += deviation(straight.outlines, radius);
-    curved_sum += deviation(curved.outlines, radius);
+    straight_sum += deviation_from_circle(straight.outlines, radius);
+    curved_sum += deviation_from_circle(curved.outlines, radius);
   }
   CHECK(is_on_sphere);
   CHECK(curved_sum < 0.6 * straight_sum);
@@ -175,7 +159,7 @@ TEST_CASE("Curved outlines: sharp edges and borders stay straight") {
     OutlineList straight(straight_memory);
     CurveMemory<50> curve_memory;
     CurvedOutlines curves(curve_memory);
-    CHECK(ok(curves.find(view, neighbours.view, VertexPositions(transform), sides, outlines)));
+    CHECK(ok(curves.add(view, neighbours.view, VertexPositions(transform), sides, outlines)));
     REQUIRE(ok(straight.add(view, neighbours.view, VertexPositions(transform), sides)));
     CHECK(curves.mesh().triangle_count() == 0);
     CHECK(straight.edges().size() >= 3);
@@ -198,7 +182,7 @@ TEST_CASE("Curved outlines: without room or memory edges stay straight, and the 
   OutlineList cube_outlines(cube_edges);
   CurveMemory<50> cube_memory;
   CurvedOutlines cube_curves(cube_memory);
-  CHECK(cube_curves.find(view, neighbours.view, VertexPositions(transform), sides, cube_outlines) ==
+  CHECK(cube_curves.add(view, neighbours.view, VertexPositions(transform), sides, cube_outlines) ==
         Status::kScaleOutOfRange);
   CHECK(cube_curves.mesh().triangle_count() == 0);
   CHECK(cube_outlines.edges().size() >= 4);
@@ -212,8 +196,8 @@ TEST_CASE("Curved outlines: without room or memory edges stay straight, and the 
     scene.edges.resize(edge_count);
     outlines = OutlineList(scene.edges);
     found = CurvedOutlines(memory);
-    return found.find(scene.view, scene.neighbours.view, VertexPositions(scene.transform), scene.sides,
-                      outlines);
+    return found.add(scene.view, scene.neighbours.view, VertexPositions(scene.transform), scene.sides,
+                     outlines);
   };
   OutlineList outlines(scene.edges);
   CurveMemory<2> few;
@@ -226,8 +210,37 @@ TEST_CASE("Curved outlines: without room or memory edges stay straight, and the 
   CHECK(outlines.edges().empty());
   CHECK(ok(find(*scene.memory, edges, outlines, found)));
 
-  CHECK(found.find(scene.view, MeshNeighbours{}, VertexPositions(scene.transform), scene.sides, outlines) ==
+  CHECK(found.add(scene.view, MeshNeighbours{}, VertexPositions(scene.transform), scene.sides, outlines) ==
         Status::kUnsupported);
-  CHECK(found.mesh().triangle_count() == 0);
+  CHECK(found.count() == curves);
   CHECK(outlines.edges().size() == edges);
+}
+
+TEST_CASE("Curved outlines: objects share a memory, and each has its own mesh") {
+  Random random(85);
+  const CurvedScene one(random, 9000, true);
+  const CurvedScene other(random, 9000, true);
+  CurveMemory<200> memory;
+  CurvedOutlines both(memory);
+  std::vector<OutlineEdge> edges(1000);
+  for (const CurvedScene* scene : {&one, &other}) {
+    OutlineList outlines(edges);
+    REQUIRE(ok(both.add(scene->view, scene->neighbours.view, VertexPositions(scene->transform), scene->sides,
+                        outlines)));
+  }
+  const std::size_t first = one.curves.count();
+  REQUIRE(both.count() == first + other.curves.count());
+  CHECK(both.mesh().triangle_count() == both.count());
+  const auto same = [](const MeshView& a, const MeshView& b) {
+    bool all = a.triangle_count() == b.triangle_count() && a.vertex_count() == b.vertex_count();
+    for (std::size_t i = 0; all && i < a.vertex_count(); ++i)
+      all = a.position(i) == b.position(i) && a.normal(i) == b.normal(i);
+    return all;
+  };
+  CHECK(same(both.mesh(0, first), one.curves.mesh()));
+  CHECK(same(both.mesh(first, 65535), other.curves.mesh()));
+  CHECK(both.mesh(first, first).triangle_count() == 0);
+  CHECK(both.mesh(70000, 65535).triangle_count() == 0);
+  both.clear();
+  CHECK(both.mesh().triangle_count() == 0);
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 using namespace arcspan;
@@ -76,21 +77,24 @@ struct Twins {
   }
 };
 
-/// A picture in bands of so many rows, with smooth outlines.
+/// A picture in bands of so many rows, with smooth and curved outlines.
 template <class Memory>
 std::vector<Picture::Word> outlined_in_bands(const Scene& scene, Memory& memory, const Poses& poses,
-                                             std::int32_t rows) {
+                                             std::int32_t rows, std::size_t& curves) {
   std::vector<TriangleSide> sides(200);
   std::vector<OutlineEdge> edges(2000);
   std::vector<OutlineGap<Rgb888>> gaps(5000);
-  SceneOutlines<Rgb888> outlines{poses.outlined, sides, OutlineList(edges), gaps};
+  const auto curve_memory = std::make_unique<CurveMemory<500>>();
+  SceneOutlines<Rgb888, CurvedOutlines> outlines{poses.outlined, sides, OutlineList(edges), gaps,
+                                                 CurvedOutlines(*curve_memory)};
   REQUIRE(ok(prepare_scene(scene, memory)));
   REQUIRE(ok(find_outlines(memory, outlines)));
+  curves += outlines.curves.count();
   std::vector<Picture::Word> all;
   Canvas band(rows);
   for (std::int32_t row = 0; row < Canvas::kHeight; row += rows) {
     band.move_to(row);
-    REQUIRE(ok(draw_prepared_scene(memory, band.picture, band.depth).status));
+    REQUIRE(ok(draw_prepared_scene(memory, band.picture, band.depth, outlines.curves).status));
     REQUIRE(ok(smooth_outlines(outlines.edges, band.picture, band.depth, outlines.gaps)));
     all.insert(all.end(), band.pixels.begin(), band.pixels.end());
   }
@@ -107,6 +111,7 @@ TEST_CASE("objects are drawn where a mesh poses their vertices, in every order a
   const Poses poses;
   Random random(5);
   int drawn = 0;
+  std::size_t curves = 0;
   for (int repeat = 0; repeat < share_of(150); ++repeat) {
     const Twins twins(random, poses);
     Canvas expected;
@@ -125,10 +130,12 @@ TEST_CASE("objects are drawn where a mesh poses their vertices, in every order a
     CHECK(found.pixels == expected.pixels);
     drawn +=
         std::count(found.pixels.begin(), found.pixels.end(), Rgb8{}) < Canvas::kWidth * Canvas::kHeight - 99;
-    const auto outlined = outlined_in_bands(twins.still.scene(), own_vertices, poses, 24);
-    CHECK(outlined_in_bands(twins.posed.scene(), own_vertices, poses, 24) == outlined);
-    CHECK(outlined_in_bands(twins.posed.scene(), shared_vertices, poses, 24) == outlined);
+    std::size_t still_curves = 0;
+    const auto outlined = outlined_in_bands(twins.still.scene(), own_vertices, poses, 24, still_curves);
+    CHECK(outlined_in_bands(twins.posed.scene(), own_vertices, poses, 24, curves) == outlined);
+    CHECK(outlined_in_bands(twins.posed.scene(), shared_vertices, poses, 24, still_curves) == outlined);
   }
+  CHECK(curves > static_cast<std::size_t>(share_of(150)));
   CHECK(drawn > share_of(150) / 2);
 }
 

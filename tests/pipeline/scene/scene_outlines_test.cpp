@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Smooth outlines of whole scenes, against the same calls for each object alone.
 #include <arcspan/scene_outlines.hpp>
+#include <arcspan/shading/textured/textured.hpp>
+#include <arcspan/shading/wireframe.hpp>
+#include <arcspan/texture/texel_formats.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/scene/random_scene.hpp>
+#include <tests/support/circle.hpp>
 #include <tests/support/neighbours.hpp>
 #include <tests/support/test_share.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -69,6 +75,16 @@ void add_alone(const Meshes& meshes, const Camera& camera, const Object& object,
   const auto& neighbours = &mesh == &meshes.ball_mesh ? meshes.ball_neighbours : meshes.lump_neighbours;
   REQUIRE(ok(edges.add(mesh, neighbours.view, VertexPositions(transform), sides)));
 }
+
+/// Room for curves, too.
+struct CurvedRoom : Room {
+  std::unique_ptr<CurveMemory<400>> curve_memory = std::make_unique<CurveMemory<400>>();
+  SceneOutlines<Rgb888, CurvedOutlines> outlines;
+
+  explicit CurvedRoom(const Meshes& meshes)
+      : Room(meshes),
+        outlines{meshes.outlined, sides, OutlineList(edges), gaps, CurvedOutlines(*curve_memory)} {}
+};
 
 /// The words of a picture that is drawn in bands.
 template <class Memory>
@@ -205,6 +221,185 @@ TEST_CASE("outlines are not found before a scene is prepared") {
   CHECK(find_outlines(memory, room.outlines) == Status::kNotReady);
   SceneMemoryView<SceneMethods> nothing;
   CHECK(find_outlines(nothing, room.outlines) == Status::kBufferTooSmall);
+}
+
+/// A picture with curves in bands. Without `background` they are not cleared by the scene.
+template <class Memory>
+std::vector<Picture::Word> curved_in_bands(const Scene& scene, Memory& memory, CurvedRoom& room,
+                                           std::int32_t rows, const Rgb8* background = nullptr) {
+  REQUIRE(ok(prepare_scene(scene, memory)));
+  REQUIRE(ok(find_outlines(memory, room.outlines)));
+  const CurvedOutlines& curves = room.outlines.curves;
+  std::vector<Picture::Word> all;
+  Canvas band(rows + 2);
+  for (std::int32_t row = 0; row < Canvas::kHeight; row += rows) {
+    const std::int32_t first = row == 0 ? 0 : row - 1;
+    band.move_to(first);
+    const SceneResult result =
+        background == nullptr ? draw_prepared_scene(memory, band.picture, band.depth, curves)
+                              : draw_prepared_scene(memory, band.picture, band.depth, *background, curves);
+    REQUIRE(ok(result.status));
+    REQUIRE(ok(smooth_outlines(room.outlines.edges, band.picture, band.depth, room.outlines.gaps)));
+    const auto begin = band.pixels.begin() + std::ptrdiff_t{row - first} * Canvas::kWidth;
+    all.insert(all.end(), begin, begin + std::ptrdiff_t{rows} * Canvas::kWidth);
+  }
+  return all;
+}
+
+TEST_CASE("curves are drawn with the objects of a scene as objects of their own are, also in bands") {
+  const Meshes meshes;
+  static SceneMemory<SceneMethods, 8, 1200> own_vertices;
+  static SceneMemory<SceneMethods, 8, 400> shared_vertices;
+  static SceneMemory<SceneMethods, 8> no_vertices;
+  Random random(5);
+  std::size_t found = 0;
+  for (int repeat = 0; repeat < share_of(200); ++repeat) {
+    RandomObjects objects = random_objects(random, meshes);
+    CurvedRoom room(meshes);
+    Canvas by_scene;
+    REQUIRE(ok(draw_scene(objects.scene(), by_scene.picture, by_scene.depth, own_vertices, Rgb8{10, 20, 30},
+                          room.outlines)
+                   .status));
+    const CurvedOutlines& curves = room.outlines.curves;
+    found += curves.count();
+    // Objects of several parts have none.
+    std::vector<MeshView> views;
+    std::vector<Object> with_curves = objects.objects;
+    views.reserve(objects.objects.size());
+    std::size_t first = 0;
+    for (const detail::SceneSlot& slot :
+         own_vertices.frame().slots.first(own_vertices.frame().header.in_view)) {
+      views.push_back(curves.mesh(first, slot.depth));
+      first = slot.depth;
+      if (slot.object->part_count() != 1) CHECK(views.back().triangle_count() == 0);
+      if (views.back().triangle_count() == 0) continue;
+      Object& added =
+          with_curves.emplace_back(views.back(), *slot.object->part(0).material, slot.object->sphere());
+      added.position = slot.object->position;
+      added.rotation = slot.object->rotation;
+      added.scale = slot.object->scale;
+    }
+    Canvas by_objects;
+    REQUIRE(ok(draw_scene({objects.camera, kLights, with_curves}, by_objects.picture, by_objects.depth,
+                          no_vertices, Rgb8{10, 20, 30})
+                   .status));
+    REQUIRE(
+        ok(smooth_outlines(room.outlines.edges, by_objects.picture, by_objects.depth, std::span(room.gaps))));
+    CHECK(by_scene.pixels == by_objects.pixels);
+    CHECK(by_scene.depths == by_objects.depths);
+    constexpr Rgb8 kBackground{10, 20, 30};
+    CHECK(curved_in_bands(objects.scene(), own_vertices, room, 4) == by_scene.pixels);
+    CHECK(curved_in_bands(objects.scene(), shared_vertices, room, 12, &kBackground) == by_scene.pixels);
+    CHECK(curved_in_bands(objects.scene(), no_vertices, room, 36) == by_scene.pixels);
+  }
+  CHECK(found > 10 * static_cast<std::size_t>(share_of(200)));
+  STATIC_REQUIRE(detail::kDrawsCurves<SceneMethod>);
+  STATIC_REQUIRE_FALSE(detail::kDrawsCurves<Textured<SceneMethod, DirectTexels<>>>);
+  STATIC_REQUIRE_FALSE(detail::kDrawsCurves<Wireframe<>>);
+}
+
+TEST_CASE("a curve that leaves the sphere of its object is drawn in all bands") {
+  // A wedge whose upper edge bulges as far as any.
+  constexpr double kRadius = 30990;
+  TestMesh wedge;
+  for (const double side : {-1.0, 1.0})
+    wedge.add(kRadius * Vec3{0.232 * side, 0.9727, 0}, Vec3{0.591 * side, 0.806, 0});
+  for (const double front : {1.0, -1.0}) wedge.add(kRadius * Vec3{0, -0.9, 0.1 * front}, Vec3{0, -1, 0});
+  wedge.triangle(0, 2, 1);
+  wedge.triangle(0, 1, 3);
+  wedge.triangle(0, 3, 2);
+  wedge.triangle(1, 2, 3);
+  const MeshView mesh = wedge.view();
+  const TestNeighbours neighbours(mesh);
+  const OutlinedMesh outlined[] = {{&mesh, &neighbours.view}};
+  const Object object(mesh, kCopper, BoundingSphere{{}, 31000});
+  static SceneMemory<SceneMethods, 1, 4> memory;
+  const Meshes meshes;
+  CurvedRoom room(meshes);
+  room.outlines.meshes = outlined;
+  for (int i = 0; i < 8; ++i) {
+    Camera camera;  // the sphere is 100 pixels high and ends at the middle of the picture
+    const double up = 31000.0 / 32768 + i / 400.0;
+    REQUIRE(ok(Camera::make({to_point({0, up, 6}), to_point({0, up, 0})},
+                            Lens::orthographic(to_world(0.7), to_world(1), to_world(12)), kScreen, camera)));
+    const Scene scene{camera, kLights, {&object, 1}};
+    Canvas whole;
+    REQUIRE(
+        ok(draw_scene(scene, whole.picture, whole.depth, memory, Rgb8{10, 20, 30}, room.outlines).status));
+    REQUIRE(room.outlines.curves.count() == 1);
+    CHECK(curved_in_bands(scene, memory, room, 4) == whole.pixels);
+  }
+}
+
+TEST_CASE("the outline of a coarse sphere in a scene deviates from a circle by half as much with curves") {
+  Random random(6);
+  const TestMesh ball = make_sphere(8, 16, 32000, 0, random);
+  const MeshView mesh = ball.view();
+  const TestNeighbours neighbours(mesh);
+  const OutlinedMesh outlined[] = {{&mesh, &neighbours.view}};
+  static SceneMemory<SceneMethods, 1, 200> memory;
+  double straight_sum = 0;
+  double curved_sum = 0;
+  for (int i = 0; i < 12; ++i) {
+    Object object(mesh, kCopper);
+    object.rotation = random_rotation(random);
+    // Parallel rays: the radius is that of the sphere, 32000 / 32768 of half the picture's height.
+    Camera camera;
+    REQUIRE(ok(Camera::make({WorldPoint::of(0, 0, 6), {}},
+                            Lens::orthographic(to_world(2), to_world(1), to_world(12)), kScreen, camera)));
+    std::vector<TriangleSide> sides(mesh.triangle_count());
+    std::vector<OutlineEdge> edges(400);
+    CurveMemory<100> curve_memory;
+    const Scene scene{camera, kLights, {&object, 1}};
+    REQUIRE(ok(prepare_scene(scene, memory)));
+    SceneOutlines<Rgb888> straight{outlined, sides, OutlineList(edges), {}};
+    REQUIRE(ok(find_outlines(memory, straight)));
+    constexpr double kRadius = 32000.0 / 32768 * Canvas::kHeight / 2;
+    straight_sum += deviation_from_circle(straight.edges, kRadius);
+    SceneOutlines<Rgb888, CurvedOutlines> curved{
+        outlined, sides, OutlineList(edges), {}, CurvedOutlines(curve_memory)};
+    REQUIRE(ok(find_outlines(memory, curved)));
+    curved_sum += deviation_from_circle(curved.edges, kRadius);
+  }
+  CHECK(curved_sum < 0.6 * straight_sum);
+}
+
+TEST_CASE("a scene with too little memory for curves is drawn, and the other edges stay straight") {
+  const Meshes meshes;
+  static SceneMemory<SceneMethods, 2, 200> memory;
+  const Object both[2] = {{meshes.ball_mesh, kCopper, WorldPoint::of(-0.8, 0, 0)},
+                          {meshes.lump_mesh, kRed, WorldPoint::of(0.9, 0.3, -1)}};
+  const Camera camera = Camera::of({WorldPoint::of(0, 0, 4), {}}, kLens, kScreen);
+  CurvedRoom room(meshes);
+  const auto drawn = [&](auto& outlines, Status expected) {
+    Canvas canvas;
+    CHECK(
+        draw_scene({camera, kLights, both}, canvas.picture, canvas.depth, memory, Rgb8{}, outlines).status ==
+        expected);
+    return canvas.pixels;
+  };
+  const auto curved = drawn(room.outlines, Status::kOk);
+  const std::size_t curves = room.outlines.curves.count();
+  const std::size_t edges = room.outlines.edges.edges().size();
+  REQUIRE(curves > 6);
+  const auto straight = drawn(room.Room::outlines, Status::kOk);
+  CHECK(curved != straight);
+  CHECK(edges == room.Room::outlines.edges.edges().size() + curves);
+
+  CurveMemory<3> few;
+  room.outlines.curves = CurvedOutlines(few);
+  CHECK(drawn(room.outlines, Status::kBufferTooSmall) != straight);
+  CHECK(room.outlines.curves.count() == 3);
+  CHECK(room.outlines.edges.edges().size() == edges - curves + 3);
+  room.outlines.curves = CurvedOutlines({}, {}, {});
+  CHECK(drawn(room.outlines, Status::kBufferTooSmall) == straight);
+
+  // Curves of another frame are drawn with any object, but only those that exist.
+  room.outlines.curves = CurvedOutlines(few);
+  REQUIRE(find_outlines(memory, room.outlines) == Status::kBufferTooSmall);
+  REQUIRE(ok(prepare_scene({camera, kLights, both}, memory)));
+  Canvas canvas;
+  CHECK(ok(draw_prepared_scene(memory, canvas.picture, canvas.depth, room.outlines.curves).status));
 }
 
 }  // namespace

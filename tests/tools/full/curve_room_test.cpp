@@ -63,7 +63,7 @@ Found find_curves(const MeshData& data, bool has_room) {
     REQUIRE(ok(find_sides<Unlit>(view, transform, Unlit::lighting({}), NoCache{}, sides)));
     OutlineList outlines(edges);
     CurvedOutlines curves(*memory);
-    const Status status = curves.find(view, neighbours, VertexPositions(transform), sides, outlines);
+    const Status status = curves.add(view, neighbours, VertexPositions(transform), sides, outlines);
     if (!ok(status)) found.status = status;
     for (std::size_t v = 2; v < curves.mesh().vertex_count(); v += 3) {
       const ObjectPosition p = curves.mesh().position(v);

@@ -45,7 +45,7 @@ void JobOutlines::add(const RenderJob& job, std::size_t part, OutlinedParts& gro
   const VertexPositions positions(job.transform, std::span<const CachedVertex<Unlit>>(vertices));
   const MeshNeighbours& neighbours = job.parts[part].neighbours;
   if (ok(status) && look_.curved) {
-    status = curves_.emplace_back().found.find(mesh, neighbours, positions, sides_, group.outlines);
+    status = curves_.emplace_back().found.add(mesh, neighbours, positions, sides_, group.outlines);
     if (status == Status::kScaleOutOfRange) status = Status::kOk;  // some edges stay straight
   } else if (ok(status)) {
     status = group.outlines.add(mesh, neighbours, positions, sides_);

@@ -13,7 +13,7 @@ namespace arcspan::tools {
 /// How often each step of finding, inking and smoothing outlines is done, for an estimate of instructions.
 struct OutlineEvents {
   // Once for each object: find_sides(), if the picture is drawn in bands, then OutlineList::add() or
-  // CurvedOutlines::find().
+  // CurvedOutlines::add().
   double objects = 0;
   double banded_objects = 0;
   double vertices = 0;

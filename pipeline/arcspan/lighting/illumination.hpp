@@ -352,6 +352,10 @@ class Illumination : private FadeFor<Features>,
   template <std::size_t I>
   ARCSPAN_INLINE constexpr void add_coloured(const Scalars& scalars, ChannelLevels& diffuse,
                                              ChannelLevels& specular) const;
+  template <std::size_t I, std::size_t Channel>
+  ARCSPAN_INLINE constexpr void add_diffuse(std::uint32_t light, ChannelLevels& sum) const;
+  template <std::size_t I, std::size_t Channel>
+  ARCSPAN_INLINE constexpr void add_specular(std::uint32_t most, ChannelLevels& sum) const;
   /// The colour of these levels, saturated, after `Half` was added to each.
   template <unsigned Half>
   [[nodiscard]] ARCSPAN_INLINE static constexpr PackedRgb packed_levels(const ChannelLevels& levels) {

@@ -150,6 +150,10 @@ class Illumination : private FadeFor<Features>,
   /// The parts of surface_colour().
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight surface_light(const Scalars& scalars) const;
 
+  /// surface_light() of several coloured lights on a 5-6-5 texel, by one product per light and channel.
+  [[nodiscard]] ARCSPAN_INLINE constexpr ChannelLight channel_light(const Scalars& scalars) const
+      requires(!kHasRamp);
+
   /// The closeness of HighlightTable at a pixel with these pixel_scalar().
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t closeness(const Scalars& scalars,
                                                                 std::size_t light) const {
@@ -356,6 +360,16 @@ class Illumination : private FadeFor<Features>,
   ARCSPAN_INLINE constexpr void add_diffuse(std::uint32_t light, ChannelLevels& sum) const;
   template <std::size_t I, std::size_t Channel>
   ARCSPAN_INLINE constexpr void add_specular(std::uint32_t most, ChannelLevels& sum) const;
+  /// Adds value * weights to the sums.
+  template <std::size_t Channel = 0>
+  ARCSPAN_INLINE static constexpr void add_products(std::uint32_t value, const ChannelLevels& weights,
+                                                    ChannelLevels& sums) {
+    sums[Channel] += value * weights[Channel];
+    if constexpr (Channel < 2) add_products<Channel + 1>(value, weights, sums);
+  }
+  template <std::size_t I>
+  ARCSPAN_INLINE constexpr void add_channel_light(const Scalars& scalars, ChannelLevels& diffuse,
+                                                  ChannelLevels& highlight) const;
   /// The colour of these levels, saturated, after `Half` was added to each.
   template <unsigned Half>
   [[nodiscard]] ARCSPAN_INLINE static constexpr PackedRgb packed_levels(const ChannelLevels& levels) {
@@ -386,6 +400,10 @@ class Illumination : private FadeFor<Features>,
   std::array<std::uint32_t, 3> diffuse_{};   ///< in 8-bit steps, 5 fraction bits
   std::array<std::uint32_t, 3> specular_{};  ///< in 8-bit steps, 5 fraction bits
   std::array<Weights, Lights> weights_{};  ///< strength * colour of each of several lights, 15 fraction bits
+  /// What a coloured light adds to each channel of channel_light(): diffuse_ times its weight, and its
+  /// highlight in the steps of a 5-6-5 pixel where that of the table is one 8-bit step, 15 fraction bits.
+  std::array<std::array<std::uint32_t, 3>, kHasRamp ? 0 : Lights> tints_{};
+  std::array<std::array<std::uint32_t, 3>, kHasRamp ? 0 : Lights> shines_{};
   std::array<std::int32_t, Lights> half_one_plus_light_eye_{};  ///< (1 + L·V) / 2, 30 fraction bits
   std::array<std::int32_t, Lights> closeness_origin_{};         ///< HighlightTable
   PowerTable power_{};

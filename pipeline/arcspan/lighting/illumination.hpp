@@ -9,10 +9,10 @@
 #include <arcspan/lighting/highlight_fade.hpp>
 #include <arcspan/lighting/highlight_table.hpp>
 #include <arcspan/lighting/illumination_features.hpp>
+#include <arcspan/lighting/light_scale.hpp>
 #include <arcspan/lighting/material.hpp>
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/lighting/power_table.hpp>
-#include <arcspan/lighting/ramp_scale.hpp>
 #include <arcspan/lighting/triangle_light.hpp>
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/numbers/integer.hpp>
@@ -34,7 +34,7 @@ namespace arcspan {
 /// (Phong). They are linear on a surface because they are linear in N.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features = IlluminationFeatures{}>
 class Illumination : private FadeFor<Features>,
-                     private RampScaleFor<Lights, Features>,
+                     private ScaleFor<Lights, Features>,
                      private CheckedState {  // empty bases take no bytes
  public:
   static_assert(Lights >= 1 && Lights <= 4);
@@ -400,10 +400,6 @@ class Illumination : private FadeFor<Features>,
   std::array<std::uint32_t, 3> diffuse_{};   ///< in 8-bit steps, 5 fraction bits
   std::array<std::uint32_t, 3> specular_{};  ///< in 8-bit steps, 5 fraction bits
   std::array<Weights, Lights> weights_{};  ///< strength * colour of each of several lights, 15 fraction bits
-  /// What a coloured light adds to each channel of channel_light(): diffuse_ times its weight, and its
-  /// highlight in the steps of a 5-6-5 pixel where that of the table is one 8-bit step, 15 fraction bits.
-  std::array<std::array<std::uint32_t, 3>, kHasRamp ? 0 : Lights> tints_{};
-  std::array<std::array<std::uint32_t, 3>, kHasRamp ? 0 : Lights> shines_{};
   std::array<std::int32_t, Lights> half_one_plus_light_eye_{};  ///< (1 + L·V) / 2, 30 fraction bits
   std::array<std::int32_t, Lights> closeness_origin_{};         ///< HighlightTable
   PowerTable power_{};

@@ -255,9 +255,9 @@ ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_channel
     const Scalars& scalars, ChannelLevels& diffuse, ChannelLevels& highlight) const {
   const std::int32_t light = scalars[I].raw() >> 15;
   if (light > 0) {
-    add_products(static_cast<std::uint32_t>(light), tints_[I], diffuse);
+    add_products(static_cast<std::uint32_t>(light), this->tints[I], diffuse);
     const std::int32_t at = closeness(scalars, I);
-    if (at > 0) add_products(fade()(highlights_.value(at) >> 16, scalars[I]), shines_[I], highlight);
+    if (at > 0) add_products(fade()(highlights_.value(at) >> 16, scalars[I]), this->shines[I], highlight);
   }
   if constexpr (I + 1 < Lights) add_channel_light<I + 1>(scalars, diffuse, highlight);
 }

@@ -68,7 +68,7 @@ struct TexturedPixel {
                                                                      channels.shine};
     } else if constexpr (kLooksUp<Lighting>) {
       const auto parts = light(lighting);
-      return LitTexel<Colours, std::remove_const_t<decltype(parts)>>{texel, parts, factor(lighting, parts),
+      return LitTexel<Colours, std::remove_const_t<decltype(parts)>>{texel, parts, factor(lighting),
                                                                      shine(lighting, parts)};
     } else {
       return LitTexel<Colours>::of(texel, PixelLight(light(lighting)));
@@ -83,9 +83,9 @@ struct TexturedPixel {
   || requires(const Lit& run, const Lighting& lighting) { lighting.shine_at(lighting, run.scalars()); };
   /// The factor of a LitTexel.
   template <class Lighting>
-  [[nodiscard]] ARCSPAN_INLINE constexpr auto factor(const Lighting& lighting, const auto& parts) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr auto factor(const Lighting& lighting) const {
     if constexpr (Colours == TexelLight::kColoured) {
-      return LitTexel<Colours>::factor_of(static_cast<PixelLight>(parts).diffuse);
+      return LitTexel<Colours>::factor_of(static_cast<PixelLight>(light(lighting)).diffuse);
     } else if constexpr (requires { light_run.light_factor(); }) {
       return light_run.light_factor();
     } else {

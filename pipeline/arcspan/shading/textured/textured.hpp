@@ -63,7 +63,7 @@ struct TexturedPixel {
     } else if constexpr (Colours == TexelLight::kColoured &&
                          requires { lighting.channel_light(light_run.scalars()); }) {
       const auto parts = light(lighting);
-      const auto channels = lighting.channel_light(parts.scalars);
+      const auto channels = lighting.channel_light(light_run.scalars());
       return LitTexel<Colours, std::remove_const_t<decltype(parts)>>{texel, parts, channels.factors,
                                                                      channels.shine};
     } else if constexpr (kLooksUp<Lighting>) {

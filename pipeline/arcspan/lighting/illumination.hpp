@@ -421,6 +421,7 @@ class Illumination : private FadeFor<Features>,
 
 }  // namespace arcspan
 
+#include <arcspan/lighting/coloured_lights.hpp>
 #include <arcspan/lighting/illumination_bounds.hpp>
 #include <arcspan/lighting/make_illumination.hpp>
 #include <arcspan/lighting/several_lights.hpp>

@@ -56,7 +56,7 @@ ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_channel
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 ARCSPAN_INLINE constexpr auto Illumination<Lights, Model, Features>::channel_light(
-    const Scalars& scalars) const -> ChannelLight requires(!kHasRamp) {
+    const Scalars& scalars) const -> ChannelLight requires(Lights > 1 && Features.coloured_lights) {
   ChannelLevels sums = ambient_;
   ChannelLevels highlight{};
   add_channel_light<0>(scalars, sums, highlight);

@@ -152,7 +152,7 @@ class Illumination : private FadeFor<Features>,
 
   /// surface_light() of several coloured lights on a 5-6-5 texel, by one product per light and channel.
   [[nodiscard]] ARCSPAN_INLINE constexpr ChannelLight channel_light(const Scalars& scalars) const
-      requires(!kHasRamp);
+      requires(Lights > 1 && Features.coloured_lights);
 
   /// The closeness of HighlightTable at a pixel with these pixel_scalar().
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t closeness(const Scalars& scalars,

@@ -214,8 +214,7 @@ ARCSPAN_INLINE constexpr PixelLight Illumination<Lights, Model, Features>::surfa
     add_coloured<0>(scalars, diffuse, specular);
     if ((specular[0] | specular[1] | specular[2]) == 0) return {packed_levels<1u << 19>(diffuse), {}};
     constexpr std::uint32_t kFraction = (std::uint32_t{1} << 18) - 1;
-    unrolled<3>(
-        [&](auto c) { diffuse[c] += specular[c] & kFraction; });  // so that the sum is surface_colour()
+    unrolled<3>([&](auto c) { diffuse[c] += specular[c] & kFraction; });  // their sum is surface_colour()
     return {packed_levels<1u << 19>(diffuse), packed_levels<0>(specular)};
   }
 }

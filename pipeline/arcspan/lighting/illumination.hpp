@@ -9,10 +9,10 @@
 #include <arcspan/lighting/highlight_fade.hpp>
 #include <arcspan/lighting/highlight_table.hpp>
 #include <arcspan/lighting/illumination_features.hpp>
+#include <arcspan/lighting/light_scale.hpp>
 #include <arcspan/lighting/material.hpp>
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/lighting/power_table.hpp>
-#include <arcspan/lighting/ramp_scale.hpp>
 #include <arcspan/lighting/triangle_light.hpp>
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/numbers/integer.hpp>
@@ -34,7 +34,7 @@ namespace arcspan {
 /// (Phong). They are linear on a surface because they are linear in N.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features = IlluminationFeatures{}>
 class Illumination : private FadeFor<Features>,
-                     private RampScaleFor<Lights, Features>,
+                     private ScaleFor<Lights, Features>,
                      private CheckedState {  // empty bases take no bytes
  public:
   static_assert(Lights >= 1 && Lights <= 4);
@@ -149,6 +149,10 @@ class Illumination : private FadeFor<Features>,
   }
   /// The parts of surface_colour().
   [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight surface_light(const Scalars& scalars) const;
+
+  /// surface_light() of several coloured lights on a 5-6-5 texel, by one product per light and channel.
+  [[nodiscard]] ARCSPAN_INLINE constexpr ChannelLight channel_light(const Scalars& scalars) const
+      requires(Lights > 1 && Features.coloured_lights);
 
   /// The closeness of HighlightTable at a pixel with these pixel_scalar().
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t closeness(const Scalars& scalars,
@@ -352,6 +356,20 @@ class Illumination : private FadeFor<Features>,
   template <std::size_t I>
   ARCSPAN_INLINE constexpr void add_coloured(const Scalars& scalars, ChannelLevels& diffuse,
                                              ChannelLevels& specular) const;
+  template <std::size_t I, std::size_t Channel>
+  ARCSPAN_INLINE constexpr void add_diffuse(std::uint32_t light, ChannelLevels& sum) const;
+  template <std::size_t I, std::size_t Channel>
+  ARCSPAN_INLINE constexpr void add_specular(std::uint32_t most, ChannelLevels& sum) const;
+  /// Adds value * weights to the sums.
+  template <std::size_t Channel = 0>
+  ARCSPAN_INLINE static constexpr void add_products(std::uint32_t value, const ChannelLevels& weights,
+                                                    ChannelLevels& sums) {
+    sums[Channel] += value * weights[Channel];
+    if constexpr (Channel < 2) add_products<Channel + 1>(value, weights, sums);
+  }
+  template <std::size_t I>
+  ARCSPAN_INLINE constexpr void add_channel_light(const Scalars& scalars, ChannelLevels& diffuse,
+                                                  ChannelLevels& highlight) const;
   /// The colour of these levels, saturated, after `Half` was added to each.
   template <unsigned Half>
   [[nodiscard]] ARCSPAN_INLINE static constexpr PackedRgb packed_levels(const ChannelLevels& levels) {
@@ -403,6 +421,7 @@ class Illumination : private FadeFor<Features>,
 
 }  // namespace arcspan
 
+#include <arcspan/lighting/coloured_lights.hpp>
 #include <arcspan/lighting/illumination_bounds.hpp>
 #include <arcspan/lighting/make_illumination.hpp>
 #include <arcspan/lighting/several_lights.hpp>

@@ -156,6 +156,11 @@ constexpr void Illumination<Lights, Model, Features>::set_strengths(
     const detail::ChannelWeights of_light = detail::channel_weights(lights[i]);
     if constexpr (kWeighsChannels) {
       weights_[i] = of_light;
+      for (std::size_t c = 0; c < 3; ++c) {
+        constexpr std::array<std::uint32_t, 3> kSteps{31, 63, 31};
+        this->tints[i][c] = (diffuse_[c] * of_light[c] + (1u << 14)) >> 15;
+        this->shines[i][c] = highlights_.channel(c, of_light[c]) * kSteps[c] / 255;
+      }
     } else {
       weights_[i] = of_light[0];
       this->shares[i] = (of_light[0] * this->inverse) >> 15;

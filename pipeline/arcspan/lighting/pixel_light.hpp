@@ -3,6 +3,7 @@
 
 #include <arcspan/pixel/colour.hpp>
 
+#include <array>
 #include <cstdint>
 
 namespace arcspan {
@@ -12,6 +13,12 @@ namespace arcspan {
 struct PixelLight {
   PackedRgb diffuse;    ///< ambient and diffuse part
   PackedRgb highlight;  ///< specular part, without the half 8-bit step that a PackedRgb includes otherwise
+};
+
+/// The light of a pixel on a 5-6-5 texel.
+struct ChannelLight {
+  std::array<std::uint32_t, 3> factors;  ///< of red, green and blue, 0...1023
+  std::uint32_t shine;                   ///< the highlight as a wide_spread()
 };
 
 /// A colour as Gouraud shading interpolates it: per channel 0...65280, in 256ths of an 8-bit step.

@@ -4,6 +4,7 @@
 #include <arcspan/lighting/arc_bound.hpp>
 #include <arcspan/lighting/highlight_bound.hpp>
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/numbers/unroll.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstddef>
@@ -194,23 +195,6 @@ ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_grey(co
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-template <std::size_t I>
-ARCSPAN_INLINE constexpr void Illumination<Lights, Model, Features>::add_coloured(
-    const Scalars& scalars, ChannelLevels& diffuse, ChannelLevels& specular) const {
-  const std::uint32_t light = clamped(scalars[I]);
-  if (light != 0) {
-    const std::int32_t at = closeness(scalars, I);
-    const std::uint32_t most = at > 0 ? fade()(highlights_.value(at) >> 16, scalars[I]) : 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint32_t weight = weights_[I][c];
-      diffuse[c] += diffuse_[c] * ((light * weight) >> 15);
-      if (most != 0) specular[c] += ((highlights_.channel(c, most) * weight) >> 15) << 12;
-    }
-  }
-  if constexpr (I + 1 < Lights) add_coloured<I + 1>(scalars, diffuse, specular);
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 ARCSPAN_INLINE constexpr PixelLight Illumination<Lights, Model, Features>::surface_light(
     const Scalars& scalars) const {
   if constexpr (Lights == 1) {
@@ -228,11 +212,9 @@ ARCSPAN_INLINE constexpr PixelLight Illumination<Lights, Model, Features>::surfa
     ChannelLevels diffuse = ambient_;
     ChannelLevels specular{};
     add_coloured<0>(scalars, diffuse, specular);
+    if ((specular[0] | specular[1] | specular[2]) == 0) return {packed_levels<1u << 19>(diffuse), {}};
     constexpr std::uint32_t kFraction = (std::uint32_t{1} << 18) - 1;
-    for (std::size_t c = 0; c < 3; ++c) {
-      diffuse[c] += specular[c] & kFraction;  // so that the sum of both parts is surface_colour()
-      specular[c] &= ~kFraction;
-    }
+    unrolled<3>([&](auto c) { diffuse[c] += specular[c] & kFraction; });  // their sum is surface_colour()
     return {packed_levels<1u << 19>(diffuse), packed_levels<0>(specular)};
   }
 }

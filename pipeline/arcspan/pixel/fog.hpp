@@ -9,6 +9,7 @@
 #include <arcspan/target.hpp>
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -65,10 +66,9 @@ class Fog {
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t share(std::uint32_t depth) const {
     const std::uint32_t biased =
         clamped_unsigned<16, 0>(end_ - static_cast<std::int32_t>(depth)) + kPerOctave;
-    const int zeros = leading_zeros(biased);
+    const unsigned octave = octave_of(biased);
     // The highest eight bits are 128...255.
-    const std::uint32_t entry =
-        static_cast<std::uint32_t>(zeros - kSecondZeros) * kPerOctave + (biased << zeros >> 24);
+    const std::uint32_t entry = octave * kPerOctave + (biased << octave >> 8);
     return shares_[static_cast<std::size_t>(entry)];
   }
   [[nodiscard]] constexpr PackedRgb colour() const { return colour_; }
@@ -80,10 +80,17 @@ class Fog {
   static constexpr std::int32_t kFarthest = 65535 - 256;
   static constexpr unsigned kPerOctave = 128;
   static constexpr unsigned kOctaves = 10;  ///< of a difference plus 128: 128...65407
-  static constexpr int kSecondZeros = 16;   ///< leading zeros of the second octave
   static constexpr int kShareBits = 14;
   static constexpr std::int64_t kFull = 1 << kShareBits;
 
+  /// The leading zeros of a word of 16 bits, at least 128: by a table where they take a call.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr unsigned octave_of(std::uint32_t word) {
+    if constexpr ((kCountsLeadingZeros && kHasManyRegisters) || kOptimisedForSize) {
+      return static_cast<unsigned>(std::countl_zero(word)) - 16;
+    } else {
+      return detail::kByteLeadingZeros[static_cast<std::size_t>(word >> 8)] - 24u;
+    }
+  }
   /// The share at a depth, kShareBits fraction bits, not clamped: below 0 where the fog has not begun.
   [[nodiscard]] static constexpr std::int64_t share_at(const FogRange& range, std::int32_t depth) {
     // By ClipTransform::depth(): near/w = 1 - (depth - 256) / 65023 * (1 - near/far), so that

@@ -84,7 +84,8 @@ template <PixelFormat F>
 
 /// encode_at() of a colour in another layout than PackedRgb.
 template <PixelFormat F, PackableColour C>
-[[nodiscard]] constexpr typename F::Encoded encode_at(const C& c, std::int32_t x, std::int32_t y) {
+[[nodiscard]] ARCSPAN_INLINE constexpr typename F::Encoded encode_at(const C& c, std::int32_t x,
+                                                                     std::int32_t y) {
   if constexpr (!F::kDithers && requires { F::encode(c); }) {
     return F::encode(c);
   } else {

@@ -132,7 +132,9 @@ struct Opacity {
       const std::uint32_t above = detail::spread(detail::colour565(this->colour));
       const std::uint32_t below = detail::spread(pixel);
       if constexpr (Mode == Blend::kAlpha) {
-        return detail::joined(detail::mixed_spread(below, above, opacity));
+        // 32 - opacity is a constant of the loop, unless texels have alpha.
+        if constexpr (AlphaColour<C>) return detail::joined(detail::mixed_spread(below, above, opacity));
+        return detail::joined(detail::mixed_spread(below, 32 - opacity, above, opacity));
       } else if constexpr (Mode == Blend::kAdd) {
         return detail::joined(detail::saturated_sum(below, detail::scaled_spread(above, opacity)));
       } else {

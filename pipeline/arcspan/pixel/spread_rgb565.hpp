@@ -46,6 +46,12 @@ template <bool Wide = false>
   constexpr std::uint32_t kHalf = 0x02008010;
   return ((spread * factor + kHalf) >> 5) & kSpreadMask;
 }
+/// (a * rest + b * factor) / 32, rounded; rest + factor = 32.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t mixed_spread(std::uint32_t a, std::uint32_t rest,
+                                                                  std::uint32_t b, std::uint32_t factor) {
+  constexpr std::uint32_t kHalf = 0x02008010;
+  return ((a * rest + (b * factor + kHalf)) >> 5) & kSpreadMask;
+}
 /// a + (b - a) * factor, rounded; factor is 0...32.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t mixed_spread(std::uint32_t a, std::uint32_t b,
                                                                   std::uint32_t factor) {

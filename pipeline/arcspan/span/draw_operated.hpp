@@ -52,6 +52,7 @@ ARCSPAN_INLINE constexpr void draw_operated(const Shade& colour, typename Target
   }
   if constexpr (DepthColour<Shade>) {
     static_assert(Target::Depth::kTests, "fog needs the depth of each pixel: draw with a depth target");
+    if constexpr (kExtendsHalfwords) hide_value(depth);  // otherwise gcc takes it out of z twice
     const auto in_depth = colour.at_depth(depth);
     if constexpr (Target::Depth::kWrites) *stored = depth;
     cursor.write(operated<Format>(in_depth, cursor.read(), x, y));

@@ -78,9 +78,10 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
     if (!kTests || Target::Depth::passes(depth, *stored)) [[likely]] {
       const std::int32_t x = origin + static_cast<std::int32_t>(i);
       if constexpr (kHasOperation<Target, Run>) {
+        if constexpr (kIndexed) hide_value(i);  // otherwise gcc doubles it for every pixel, drawn or not
         const auto colour = run.colour(target.lighting);
         if constexpr (kIndexed) {
-          draw_operated<Target>(colour, typename Format::Cursor(pixels + i, 0), stored, depth, x, span.y);
+          draw_operated<Target>(colour, typename Format::Cursor(pixels + i, 0), depths + i, depth, x, span.y);
         } else {
           draw_operated<Target>(colour, place.cursor, stored, depth, x, span.y);
         }

@@ -288,6 +288,43 @@ TEMPLATE_TEST_CASE_SIG("an illumination whose directions were changed is the one
   }
 }
 
+TEMPLATE_TEST_CASE_SIG("coloured lights on textures are those on other surfaces", "",
+                       ((Highlight Model, std::size_t Lights), Model, Lights), (Highlight::kPhong, 2),
+                       (Highlight::kBlinn, 4)) {
+  Random random(221);
+  bool shines = false;
+  for (int i = 0; i < share_of(500); ++i) {
+    const Scene<Lights> before(random);
+    const Scene<Lights> scene(random);
+    Coloured<Lights, Model> lit;
+    REQUIRE(ok(Coloured<Lights, Model>::make(scene.material, before.lights, scene.to_eye, lit)));
+    std::array<Direction, Lights> directions;
+    for (std::size_t k = 0; k < Lights; ++k) directions[k] = scene.lights[k].towards;
+    lit.set_directions(directions, scene.to_eye);
+    lit.set_strengths(scene.lights);
+    for (int k = 0; k < 40; ++k) {
+      auto scalars = lit.scalars(to_direction(random_unit(random)));
+      for (std::size_t s = 0; s < scalars.size(); ++s) scalars[s] = lit.pixel_scalar(scalars[s], s);
+      const PixelLight parts = lit.surface_light(scalars);
+      const ChannelLight found = lit.channel_light(scalars);
+      constexpr std::array<unsigned, 3> kLanes{11, 22, 0};
+      constexpr std::array<unsigned, 3> kBits{5, 6, 5};
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto lane = [&](PackedRgb colour) { return int(colour.lanes >> kLanes[c] & 1023u); };
+        const int most = (1 << kBits[c]) - 1;
+        const int shine = int(found.shine >> kLanes[c]) & most;
+        CAPTURE(i, k, c, lane(parts.diffuse), found.factors[c], lane(parts.highlight), shine);
+        REQUIRE(std::abs(int(found.factors[c]) - lane(parts.diffuse)) <= 2);
+        // Its light is rounded down to a quarter of an 8-bit step.
+        const double wanted = std::min(lane(parts.highlight) / 4.0, 255.0) * most / 255;
+        REQUIRE(std::abs(shine - wanted) <= 0.5 + 0.3 * most / 255);
+        shines = shines || shine > 1;
+      }
+    }
+  }
+  CHECK(shines);
+}
+
 TEST_CASE("the colour of a single light is one with the material's") {
   using Plain = Illumination<1, Highlight::kPhong>;
   Random random(194);

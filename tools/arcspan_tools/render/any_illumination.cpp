@@ -77,6 +77,10 @@ class CallsOf final : public IlluminationCalls {
   [[nodiscard]] PixelLight surface_light(const AnyScalars& scalars) const override {
     return wrapped_.surface_light(few_of(scalars));
   }
+  [[nodiscard]] ChannelLight channel_light(const AnyScalars& scalars) const override {
+    if constexpr (!Wrapped::kHasRamp) return wrapped_.channel_light(few_of(scalars));
+    return {};
+  }
   [[nodiscard]] std::uint32_t shine(const AnyScalars& scalars) const override {
     if constexpr (Tables::kHasShines) return tables_.shine_at(wrapped_, few_of(scalars));
     return LitTexel<TexelLight::kColoured>::shine_of(surface_light(scalars).highlight);

@@ -40,7 +40,9 @@ class IlluminationCalls {
   [[nodiscard]] virtual Cosine pixel_scalar(Cosine scalar, std::size_t i) const = 0;
   [[nodiscard]] virtual PackedRgb surface_colour(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual PixelLight surface_light(const AnyScalars& scalars) const = 0;
-  /// The highlight on a texture, as a wide_spread().
+  /// For an illumination without a ramp.
+  [[nodiscard]] virtual ChannelLight channel_light(const AnyScalars& scalars) const = 0;
+  /// The highlight on a texture, as a wide_spread(), for one with a ramp.
   [[nodiscard]] virtual std::uint32_t shine(const AnyScalars& scalars) const = 0;
 
   // The further functions that `Segment` calls.
@@ -112,8 +114,12 @@ class AnyIllumination {
   [[nodiscard]] PixelLight surface_light(const Scalars& scalars) const {
     return calls_->surface_light(scalars);
   }
+  [[nodiscard]] ChannelLight channel_light(const Scalars& scalars) const requires(!HasRamp) {
+    return calls_->channel_light(scalars);
+  }
   /// LightTables::shine_at().
-  [[nodiscard]] std::uint32_t shine_at(const AnyIllumination&, const Scalars& scalars) const {
+  [[nodiscard]] std::uint32_t shine_at(const AnyIllumination&,
+                                       const Scalars& scalars) const requires HasRamp {
     return calls_->shine(scalars);
   }
 

@@ -6,7 +6,9 @@
 #include <arcspan/pixel/spread_rgb565.hpp>
 #include <arcspan/target.hpp>
 
+#include <array>
 #include <cstdint>
+#include <type_traits>
 
 namespace arcspan {
 
@@ -59,25 +61,37 @@ struct UnlitTexel {
   return ((light.lanes >> 22) + 8) >> 4;
 }
 
-/// The colour of a texel under light (PackableColour). As a 5-6-5 pixel it is computed in one word, with grey
-/// light of 65 levels and the highlight `shine`; as other formats with all bits of `light`. Both are rounded.
+/// The colour of a texel under light (PackableColour). As a 5-6-5 pixel it is computed from `factor`, with
+/// grey light of 65 levels in one word, and the highlight `shine`; as other formats with all bits of `light`.
+/// Both are rounded.
 /// `Light` is a PixelLight, or converts to it where that is needed.
 template <TexelLight Colours, class Light = PixelLight>
 struct LitTexel {
+  static constexpr bool kGrey = Colours == TexelLight::kGrey;
+  /// The light_factor() of grey light, or the red, green and blue of coloured light, 0...1023.
+  using Factor = std::conditional_t<kGrey, std::uint32_t, std::array<std::uint32_t, 3>>;
+
   std::uint16_t texel;
   Light light;
-  std::uint32_t factor;  ///< light_factor() of grey light
-  std::uint32_t shine;   ///< the highlight as a wide_spread()
+  Factor factor;
+  std::uint32_t shine;  ///< the highlight as a wide_spread()
 
-  ARCSPAN_INLINE constexpr LitTexel(std::uint16_t shown, const Light& reflected, std::uint32_t grey,
+  ARCSPAN_INLINE constexpr LitTexel(std::uint16_t shown, const Light& reflected, const Factor& factors,
                                     std::uint32_t highlight)
-      : texel(shown), light(reflected), factor(grey), shine(highlight) {}
+      : texel(shown), light(reflected), factor(factors), shine(highlight) {}
   // Member by member, because small cores would copy colours within operations by memcpy.
   ARCSPAN_INLINE constexpr LitTexel(const LitTexel& other)
       : LitTexel(other.texel, other.light, other.factor, other.shine) {}
   /// A texel under `light`, from which factor and shine are computed.
   [[nodiscard]] ARCSPAN_INLINE static constexpr LitTexel of(std::uint16_t shown, const PixelLight& light) {
-    return {shown, light, detail::light_factor(grey_level(light.diffuse)), shine_of(light.highlight)};
+    return {shown, light, factor_of(light.diffuse), shine_of(light.highlight)};
+  }
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Factor factor_of(PackedRgb diffuse) {
+    if constexpr (kGrey) {
+      return detail::light_factor(grey_level(diffuse));
+    } else {
+      return {(diffuse.lanes >> 11) & 1023u, diffuse.lanes >> 22, diffuse.lanes & 1023u};
+    }
   }
   [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t shine_of(PackedRgb highlight) {
     return highlight.lanes == 0 ? 0 : detail::wide_spread(detail::joined(detail::spread(highlight)));
@@ -85,15 +99,12 @@ struct LitTexel {
 
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
     std::uint32_t lit;
-    if constexpr (Colours == TexelLight::kGrey) {
+    if constexpr (kGrey) {
       lit = detail::lit_pixel(texel, factor);
     } else {
-      // 0...1022 of the light becomes 0...1025, so that full light keeps the texel.
-      const auto whole = [](std::uint32_t v) { return v + (v >> 8); };
-      const PackedRgb diffuse = static_cast<PixelLight>(light).diffuse;
-      const std::uint32_t green = (texel >> 5 & 63u) * whole(diffuse.lanes >> 22) + 512;
-      const std::uint32_t red = (texel >> 11) * whole((diffuse.lanes >> 11) & 1023u) + 512u;
-      const std::uint32_t blue = (texel & 31u) * whole(diffuse.lanes & 1023u) + 512;
+      const std::uint32_t red = (texel >> 11) * factor[0] + 512u;
+      const std::uint32_t green = (texel >> 5 & 63u) * factor[1] + 512;
+      const std::uint32_t blue = (texel & 31u) * factor[2] + 512;
       lit = ((green >> 10) << 22) | ((red >> 10) << 11) | (blue >> 10);
     }
     if (shine != 0) lit = detail::saturated_sum<true>(lit, shine);
@@ -102,9 +113,8 @@ struct LitTexel {
   [[nodiscard]] constexpr PackedRgb packed() const {
     const PixelLight parts(light);
     const std::uint32_t green = parts.diffuse.lanes >> 22;
-    const bool grey = Colours == TexelLight::kGrey;
-    const std::uint32_t red = grey ? green : (parts.diffuse.lanes >> 11) & 1023u;
-    const std::uint32_t blue = grey ? green : parts.diffuse.lanes & 1023u;
+    const std::uint32_t red = kGrey ? green : (parts.diffuse.lanes >> 11) & 1023u;
+    const std::uint32_t blue = kGrey ? green : parts.diffuse.lanes & 1023u;
     const PackedRgb lit = PackedRgb::of(detail::lit_channel(detail::texel_red(texel), red),
                                         detail::lit_channel(detail::texel_green(texel), green),
                                         detail::lit_channel(detail::texel_blue(texel), blue));

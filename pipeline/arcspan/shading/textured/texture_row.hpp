@@ -52,10 +52,7 @@ class TexelSteps : public JoinedPoint {
     step_ = step(rounded(u, height_bits_), v, height_bits_);
   }
   /// The index of the current texel in its level.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t index() const {
-    const auto upper = static_cast<std::uint32_t>(at_ >> 32);
-    return ((upper >> rotation_) | (upper << (-rotation_ & 31u))) & mask_;
-  }
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t index() const { return rotated() & mask_; }
   ARCSPAN_INLINE constexpr void next() { at_ += step_; }
 
   /// The light_factor() of the level beside u and v (JoinedLevel).
@@ -75,16 +72,15 @@ class TexelSteps : public JoinedPoint {
   /// row. Both wrap.
   [[nodiscard]] constexpr const TexelSteps& around() const { return *this; }
   [[nodiscard]] constexpr std::uint32_t to_right(std::uint32_t texel) const {
-    const std::uint32_t columns = (std::uint32_t{1} << width_bits_) - 1;
-    return ((texel + 1) & columns) - (texel & columns);
+    // The next index differs in this bit if the row ends, and then in all bits below it.
+    const std::uint32_t width = std::uint32_t{1} << width_bits_;
+    return 1 - (((texel + 1) ^ texel) & width);
   }
   [[nodiscard]] constexpr std::uint32_t below(std::uint32_t texel) const {
     return (texel + (std::uint32_t{1} << width_bits_)) & mask_;
   }
   /// Where the current pixel lies between the current texel and these two, 0...31.
-  [[nodiscard]] constexpr std::uint32_t fraction_right() const {
-    return (static_cast<std::uint32_t>(at_ >> 32) << width_bits_) >> 27;
-  }
+  [[nodiscard]] constexpr std::uint32_t fraction_right() const { return rotated() >> 27; }
   [[nodiscard]] constexpr std::uint32_t fraction_below() const {
     return static_cast<std::uint32_t>(at_) >> 27;
   }
@@ -96,6 +92,12 @@ class TexelSteps : public JoinedPoint {
   [[nodiscard]] constexpr std::uint32_t v() const { return static_cast<std::uint32_t>(at_ >> height_bits_); }
 
  private:
+  /// The upper half of the word from the fraction of u on, so that row and column of the texel end it.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t rotated() const {
+    const auto upper = static_cast<std::uint32_t>(at_ >> 32);
+    return (upper >> rotation_) | (upper << (-rotation_ & 31u));
+  }
+
   std::uint64_t at_;
   std::uint64_t step_;
   unsigned height_bits_;

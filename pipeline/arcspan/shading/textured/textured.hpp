@@ -60,6 +60,12 @@ struct TexturedPixel {
     } else if constexpr (Mapping::kHasLevel) {
       return LitTexel<Colours>{
           texel, {PackedRgb::grey(steps().packed_level()), {}}, steps().light_factor(), 0};
+    } else if constexpr (Colours == TexelLight::kColoured &&
+                         requires { lighting.channel_light(light_run.scalars()); }) {
+      const auto parts = light(lighting);
+      const auto channels = lighting.channel_light(light_run.scalars());
+      return LitTexel<Colours, std::remove_const_t<decltype(parts)>>{texel, parts, channels.factors,
+                                                                     channels.shine};
     } else if constexpr (kLooksUp<Lighting>) {
       const auto parts = light(lighting);
       return LitTexel<Colours, std::remove_const_t<decltype(parts)>>{texel, parts, factor(lighting),
@@ -75,11 +81,11 @@ struct TexturedPixel {
   }
   || requires(const Lighting& lighting) { lighting.factor_at(Cosine{}); }
   || requires(const Lit& run, const Lighting& lighting) { lighting.shine_at(lighting, run.scalars()); };
-  /// The light_factor() of grey light that is looked up; coloured light has none.
+  /// The factor of a LitTexel.
   template <class Lighting>
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t factor(const Lighting& lighting) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr auto factor(const Lighting& lighting) const {
     if constexpr (Colours == TexelLight::kColoured) {
-      return 0;
+      return LitTexel<Colours>::factor_of(static_cast<PixelLight>(light(lighting)).diffuse);
     } else if constexpr (requires { light_run.light_factor(); }) {
       return light_run.light_factor();
     } else {

@@ -19,10 +19,19 @@ struct RampScale {
   std::uint32_t inverse = 0;
   std::array<std::uint32_t, Lights> shares{};  ///< the lights' weights times `inverse`
 };
-/// Used for a single light, whose ramp is over N·L, and for coloured lights, which have none.
-struct NoRampScale {};
+/// What each of several coloured lights adds to the channels of ChannelLight.
+template <std::size_t Lights>
+struct ChannelScale {
+  /// The diffuse coefficients times the light's weights, in 8-bit steps with 5 fraction bits.
+  std::array<std::array<std::uint32_t, 3>, Lights> tints{};
+  /// Its highlight in the steps of a 5-6-5 pixel where that of the table is an 8-bit step, 15 fraction bits.
+  std::array<std::array<std::uint32_t, 3>, Lights> shines{};
+};
+/// Used for a single light, whose ramp is over N·L.
+struct NoScale {};
 template <std::size_t Lights, IlluminationFeatures Features>
-using RampScaleFor =
-    std::conditional_t<(Lights > 1 && !Features.coloured_lights), RampScale<Lights>, NoRampScale>;
+using ScaleFor =
+    std::conditional_t<Lights == 1, NoScale,
+                       std::conditional_t<Features.coloured_lights, ChannelScale<Lights>, RampScale<Lights>>>;
 
 }  // namespace arcspan

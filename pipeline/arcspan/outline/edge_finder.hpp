@@ -17,8 +17,8 @@ namespace arcspan::detail {
   return side == TriangleSide::kFront || side == TriangleSide::kBack;
 }
 
-/// For the first byte of a triangle: how many numbers of neighbours follow, and kMarked if there is a border or
-/// a crease.
+/// For the first byte of a triangle: how many numbers of neighbours follow, and kMarked if there is a border
+/// or a crease.
 inline constexpr std::uint8_t kMarked = 4;
 inline constexpr std::array<std::uint8_t, 64> kNumbersAfter = [] {
   std::array<std::uint8_t, 64> numbers{};

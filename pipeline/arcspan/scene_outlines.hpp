@@ -171,7 +171,9 @@ template <SceneMemoryType Memory, class Sink, class Depth>
 void draw_curves(Memory& memory, SceneSlot& slot, const ObjectLights& lights, Sink& sink, const Depth& depth,
                  const CurvedOutlines& curves, SceneResult& result) {
   const SceneFrame frame = memory.frame();
-  const MeshView mesh = curves.mesh(&slot == frame.slots.data() ? 0 : (&slot)[-1].depth, slot.depth);
+  // A slot's `depth` is the end of its curves now, which begin where those of the slot before end.
+  const std::size_t first = &slot == frame.slots.data() ? 0 : (&slot)[-1].depth;
+  const MeshView mesh = curves.mesh(first, slot.depth);
   if (mesh.triangle_count() == 0 || slot.object->part_count() != 1 || !ok(result.status)) return;
   const DrawResult drawn = draw_part<PartVertices::kOfCurves>(
       typename Memory::UseList{},

@@ -97,7 +97,7 @@ template <bool KeepsVertices, class... Used>
   return nullptr;
 }
 
-/// The vertices of an object as the methods of its parts draw them, if those draw curves.
+/// The vertices of an object of one part whose method draws curves; otherwise there are none.
 template <class... Used>
 [[nodiscard]] DrawnVertices curve_vertices(MethodList<Used...>, const Object& object) {
   DrawnVertices vertices;
@@ -171,7 +171,8 @@ template <SceneMemoryType Memory, class Sink, class Depth>
 void draw_curves(Memory& memory, SceneSlot& slot, const ObjectLights& lights, Sink& sink, const Depth& depth,
                  const CurvedOutlines& curves, SceneResult& result) {
   const SceneFrame frame = memory.frame();
-  // A slot's `depth` is the end of its curves now, which begin where those of the slot before end.
+  // A slot's `depth` is the number of curves up to its own now (find_outlines()). They lie in the order of
+  // the slots.
   const std::size_t first = &slot == frame.slots.data() ? 0 : (&slot)[-1].depth;
   const MeshView mesh = curves.mesh(first, slot.depth);
   if (mesh.triangle_count() == 0 || slot.object->part_count() != 1 || !ok(result.status)) return;

@@ -19,12 +19,14 @@ struct RampScale {
   std::uint32_t inverse = 0;
   std::array<std::uint32_t, Lights> shares{};  ///< the lights' weights times `inverse`
 };
-/// What each of several coloured lights adds to the channels of ChannelLight.
+/// For each of several coloured lights, and red, green and blue: the factors by which N·L and the highlight
+/// become parts of a ChannelLight.
 template <std::size_t Lights>
 struct ChannelScale {
-  /// The diffuse coefficients times the light's weights, in 8-bit steps with 5 fraction bits.
+  /// For N·L: the diffuse coefficient times the light's weight, in 8-bit steps with 5 fraction bits.
   std::array<std::array<std::uint32_t, 3>, Lights> tints{};
-  /// Its highlight in the steps of a 5-6-5 pixel where that of the table is an 8-bit step, 15 fraction bits.
+  /// For the highlight: how many steps of a 5-6-5 pixel one 8-bit step of HighlightTable::value() becomes,
+  /// with the light's weight and the channel's share of the highlight, 15 fraction bits.
   std::array<std::array<std::uint32_t, 3>, Lights> shines{};
 };
 /// Used for a single light, whose ramp is over N·L.

@@ -31,17 +31,17 @@ struct CurveMemory {
 
 namespace detail {
 
-/// A vertex as it is drawn.
+/// A vertex as it is drawn: its position in object space, its normal as stored and as a unit vector.
 struct DrawnVertex {
   ObjectPosition position;
   PackedNormal packed;
   Direction normal;
 };
 
-/// The vertices of a mesh of any type, which must outlive it.
+/// The vertices of a mesh of any type. The mesh must outlive this. Operator [] needs exist().
 class DrawnVertices {
  public:
-  /// Of no mesh.
+  /// There are none: exist() is false.
   constexpr DrawnVertices() = default;
   template <DrawableMesh Mesh>
   explicit constexpr DrawnVertices(const Mesh& mesh) : mesh_(&mesh), vertex_(&vertex_of<Mesh>) {}
@@ -87,10 +87,12 @@ class CurvedOutlines {
   template <std::size_t kMost>
   explicit constexpr CurvedOutlines(CurveMemory<kMost>& memory)
       : CurvedOutlines(memory.positions, memory.normals, memory.indices) {}
-  /// The same over arrays of equal length, three elements per curve; those beyond 21845 curves are not used.
+  /// The same over three arrays, with three elements of each per curve: as many curves as the shortest array
+  /// holds, at most 21845.
   constexpr CurvedOutlines(std::span<ObjectPosition> positions, std::span<PackedNormal> normals,
                            std::span<std::uint16_t> indices)
-      : positions_(positions.first(positions.size() < kMostVertices ? positions.size() : kMostVertices)),
+      : positions_(positions.first(
+            least(least(positions.size(), normals.size()), least(indices.size(), kMostVertices)))),
         normals_(normals),
         indices_(indices) {}
 
@@ -125,6 +127,8 @@ class CurvedOutlines {
 
  private:
   static constexpr std::size_t kMostVertices = 65535;
+
+  [[nodiscard]] static constexpr std::size_t least(std::size_t a, std::size_t b) { return a < b ? a : b; }
 
   std::span<ObjectPosition> positions_;
   std::span<PackedNormal> normals_;

@@ -83,7 +83,7 @@ class Fog {
   static constexpr int kShareBits = 14;
   static constexpr std::int64_t kFull = 1 << kShareBits;
 
-  /// The leading zeros of a word of 16 bits, at least 128: by a table where they take a call.
+  /// How many zeros a word of 16 bits, 128...65535, begins with: by a table where counting them takes a call.
   [[nodiscard]] ARCSPAN_INLINE static constexpr unsigned octave_of(std::uint32_t word) {
     if constexpr ((kCountsLeadingZeros && kHasManyRegisters) || kOptimisedForSize) {
       return static_cast<unsigned>(std::countl_zero(word)) - 16;

@@ -244,3 +244,22 @@ TEST_CASE("Curved outlines: objects share a memory, and each has its own mesh") 
   both.clear();
   CHECK(both.mesh().triangle_count() == 0);
 }
+
+TEST_CASE("Curved outlines: the shortest array says how many curves there are") {
+  Random random(86);
+  const CurvedScene scene(random, 9000, true);
+  REQUIRE(scene.curves.count() > 4);
+  for (int shortest = 0; shortest < 3; ++shortest) {
+    const auto size = [shortest](int array) { return array == shortest ? 8u : 300u; };
+    std::vector<ObjectPosition> positions(size(0));
+    std::vector<PackedNormal> normals(size(1));
+    std::vector<std::uint16_t> indices(size(2));
+    CurvedOutlines curves(positions, normals, indices);
+    std::vector<OutlineEdge> edges(1000);
+    OutlineList outlines(edges);
+    CHECK(curves.add(scene.view, scene.neighbours.view, VertexPositions(scene.transform), scene.sides,
+                     outlines) == Status::kBufferTooSmall);
+    CHECK(curves.count() == 2);
+    CHECK(curves.mesh().triangle_count() == 2);
+  }
+}

@@ -214,12 +214,9 @@ TEST_CASE("Ink: the order of outlines does not matter, nor how often one is ther
 TEST_CASE("Ink: a crease is a line of one pixel, or left out") {
   Random random(65);
   for (int i = 0; i < share_of(60); ++i) {
-    const bool steep = random.chance(0.5);
-    const std::int32_t from = random.integer(128, 384);
-    const std::int32_t to = random.integer(128, 384);
-    const RasterPosition a = steep ? at(from, 0) : at(0, from);
-    const RasterPosition b = steep ? at(to, 512) : at(512, to);
-    const Drawing drawing({{a, b}, {b, a}});
+    const LineAcross crease(random);
+    const bool steep = crease.steep;
+    const Drawing drawing({{crease.a, crease.b}, {crease.b, crease.a}});
     const auto inked = [&](bool creases, std::uint16_t depth) {
       PictureOf<Xrgb8888> picture({0, 0, 32, 32});
       picture.frame.clear({255, 255, 255});
@@ -241,7 +238,7 @@ TEST_CASE("Ink: a crease is a line of one pixel, or left out") {
         moment += (1 - colour.g / 255.0) * (across + 0.5);
       }
       CHECK(std::abs(sum - 1) < 0.02);
-      const double middle = (from + (to - from) * (line + 0.5) / 32) / 16;
+      const double middle = (crease.from + (crease.to - crease.from) * (line + 0.5) / 32) / 16;
       CHECK(std::abs(moment / sum - middle) < 0.06);
     }
   }

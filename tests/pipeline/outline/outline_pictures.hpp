@@ -154,6 +154,22 @@ struct Drawing {
   return {static_cast<std::int16_t>(x - 256), static_cast<std::int16_t>(y - 256), z};
 }
 
+/// A line across a picture of 32x32, steep or flat.
+struct LineAcross {
+  explicit LineAcross(Random& random)
+      : steep(random.chance(0.5)),
+        from(random.integer(128, 384)),
+        to(random.integer(128, 384)),
+        a(steep ? at(from, 0) : at(0, from)),
+        b(steep ? at(to, 512) : at(512, to)) {}
+
+  bool steep;
+  std::int32_t from;  ///< where it begins and ends, in sixteenths of a pixel
+  std::int32_t to;
+  RasterPosition a;
+  RasterPosition b;
+};
+
 /// The outline of a polygon whose corners run counter-clockwise on the screen.
 [[nodiscard]] inline std::vector<OutlineEdge> polygon(const std::vector<RasterPosition>& corners) {
   std::vector<OutlineEdge> edges;

@@ -84,11 +84,9 @@ TEST_CASE("Smooth outlines: the depths are those before, and pixels change next 
 TEST_CASE("Smooth outlines: a crease is smoothed unless something nearer hides both of its sides") {
   Random random(52);
   for (int i = 0; i < share_of(60); ++i) {
-    const bool steep = random.chance(0.5);
-    const std::int32_t from = random.integer(128, 384);
-    const std::int32_t to = random.integer(128, 384);
-    const RasterPosition a = steep ? at(from, 0) : at(0, from);
-    const RasterPosition b = steep ? at(to, 512) : at(512, to);
+    const LineAcross crease(random);
+    const RasterPosition a = crease.a;
+    const RasterPosition b = crease.b;
     const bool turned = random.chance(0.5);
     const Drawing drawing(turned ? std::vector<OutlineEdge>{{b, a}, {a, b}}
                                  : std::vector<OutlineEdge>{{a, b}, {b, a}});

@@ -86,23 +86,30 @@ struct CurvedRoom : Room {
         outlines{meshes.outlined, sides, OutlineList(edges), gaps, CurvedOutlines(*curve_memory)} {}
 };
 
-/// The words of a picture that is drawn in bands.
-template <class Memory>
-std::vector<Picture::Word> drawn_in_bands(const Scene& scene, Memory& memory, Room& room, std::int32_t rows) {
-  REQUIRE(ok(prepare_scene(scene, memory)));
+/// The words of a picture of which `draw` draws each band, and gets its first row.
+template <class Draw>
+std::vector<Picture::Word> in_bands(std::int32_t rows, const Draw& draw) {
   std::vector<Picture::Word> all;
   Canvas band(rows + 2);
   for (std::int32_t row = 0; row < Canvas::kHeight; row += rows) {
     const std::int32_t first = row == 0 ? 0 : row - 1;
     band.move_to(first);
-    REQUIRE(ok(draw_prepared_scene(memory, band.picture, band.depth).status));
-    // After drawing, although that may have left the vertices of another object.
-    if (row == 0) REQUIRE(ok(find_outlines(memory, room.outlines)));
-    REQUIRE(ok(smooth_outlines(room.outlines.edges, band.picture, band.depth, room.outlines.gaps)));
+    draw(band, row);
     const auto begin = band.pixels.begin() + std::ptrdiff_t{row - first} * Canvas::kWidth;
     all.insert(all.end(), begin, begin + std::ptrdiff_t{rows} * Canvas::kWidth);
   }
   return all;
+}
+
+template <class Memory>
+std::vector<Picture::Word> drawn_in_bands(const Scene& scene, Memory& memory, Room& room, std::int32_t rows) {
+  REQUIRE(ok(prepare_scene(scene, memory)));
+  return in_bands(rows, [&](Canvas& band, std::int32_t row) {
+    REQUIRE(ok(draw_prepared_scene(memory, band.picture, band.depth).status));
+    // After drawing, although that may have left the vertices of another object.
+    if (row == 0) REQUIRE(ok(find_outlines(memory, room.outlines)));
+    REQUIRE(ok(smooth_outlines(room.outlines.edges, band.picture, band.depth, room.outlines.gaps)));
+  });
 }
 
 TEST_CASE("outlines of scenes are smoothed as those of their objects, also in bands") {
@@ -230,20 +237,13 @@ std::vector<Picture::Word> curved_in_bands(const Scene& scene, Memory& memory, C
   REQUIRE(ok(prepare_scene(scene, memory)));
   REQUIRE(ok(find_outlines(memory, room.outlines)));
   const CurvedOutlines& curves = room.outlines.curves;
-  std::vector<Picture::Word> all;
-  Canvas band(rows + 2);
-  for (std::int32_t row = 0; row < Canvas::kHeight; row += rows) {
-    const std::int32_t first = row == 0 ? 0 : row - 1;
-    band.move_to(first);
+  return in_bands(rows, [&](Canvas& band, std::int32_t) {
     const SceneResult result =
         background == nullptr ? draw_prepared_scene(memory, band.picture, band.depth, curves)
                               : draw_prepared_scene(memory, band.picture, band.depth, *background, curves);
     REQUIRE(ok(result.status));
     REQUIRE(ok(smooth_outlines(room.outlines.edges, band.picture, band.depth, room.outlines.gaps)));
-    const auto begin = band.pixels.begin() + std::ptrdiff_t{row - first} * Canvas::kWidth;
-    all.insert(all.end(), begin, begin + std::ptrdiff_t{rows} * Canvas::kWidth);
-  }
-  return all;
+  });
 }
 
 TEST_CASE("curves are drawn with the objects of a scene as objects of their own are, also in bands") {

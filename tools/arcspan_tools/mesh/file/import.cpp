@@ -180,7 +180,7 @@ class SceneDump {
                AI_MATKEY_COLOR_SPECULAR);
     add_colour("emission", 1, AI_MATKEY_COLOR_EMISSIVE);
     if (const auto shininess = number(AI_MATKEY_SHININESS)) look["shininess"] = *shininess;
-    // Not of Collada, whose transparency exporters write in two opposite ways.
+    // The opacity of a Collada file is left out, because exporters write it in two opposite ways.
     if (const auto opacity = number(AI_MATKEY_OPACITY); is_fbx && opacity) look["opacity"] = *opacity;
     for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
       if (material.GetTexture(type, 0, &text) != aiReturn_SUCCESS) continue;

@@ -32,7 +32,7 @@ static arcspan_status make(arcspan_scene** scene, arcspan_view** view) {
     status = arcspan_set_angles(*scene, object, ARCSPAN_DEGREES(20), ARCSPAN_DEGREES(-15), 0);
   if (status != ARCSPAN_OK) return status;
 
-  const arcspan_view_limits view_limits = arcspan_limits_of(*scene, 0);
+  const arcspan_view_limits view_limits = arcspan_limits_of(*scene, 1);
   status = arcspan_view_make(view_memory, sizeof view_memory, &view_limits, *scene, view);
   if (status != ARCSPAN_OK) return status;
   const arcspan_lens lens = {kWidth, kHeight, ARCSPAN_DEGREES(44), 0, ARCSPAN_LENGTH(1), ARCSPAN_LENGTH(5)};

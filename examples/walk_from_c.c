@@ -10,7 +10,7 @@
 enum { kWidth = 120, kHeight = 160, kRows = 16, kFrames = 20, kFrameTime = 50000 /* microseconds */ };
 
 static uint16_t pixels[kWidth * kRows], depth[kWidth * kRows];
-static unsigned char scene_memory[9472], character_memory[3072], view_memory[21504];
+static unsigned char scene_memory[9472], character_memory[3072], view_memory[24064];
 
 static void send(const uint16_t* rgb565, int count) {
   for (int i = 0; i < count; ++i) {

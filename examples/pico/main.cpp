@@ -90,7 +90,7 @@ class PicoClock final : public hal::Clock {
 // The memory of one core. Each core prepares the frame itself, in its own memory, and draws its half of a
 // band.
 struct Core {
-  SceneMemory<MethodList<Method>, 1, kMesh.vertex_count()> scene_memory;
+  SceneMemory<MethodList<Method>, 1, kMesh.vertex_count(), kMesh.triangle_count()> scene_memory;
   std::uint16_t depths[kSide * kRows / 2];
 
   Status prepare(const Object& ring) { return prepare_scene({kCamera, {kSun}, {&ring, 1}}, scene_memory); }

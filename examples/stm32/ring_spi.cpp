@@ -68,7 +68,7 @@ class HalClock final : public hal::Clock {
 Pages::Frame::Word band_memory[Pages::Frame::words(kSide, kRows)];
 std::uint8_t wire_memory[hal::wire_bytes<hal::St7789>(kSide, kRows)];
 std::uint16_t depths[DepthBuffer::words(kSide, kRows)];
-SceneMemory<MethodList<Method>, 1, kMesh.vertex_count()> scene_memory;
+SceneMemory<MethodList<Method>, 1, kMesh.vertex_count(), kMesh.triangle_count()> scene_memory;
 
 }  // namespace
 

@@ -19,7 +19,7 @@ requires(!IsPosed<Used>) [[nodiscard]] Rect
   const ExtentOptions options{material.options().two_sided, Used::kFeatures.clips, DrawsEdges<Method>};
   VertexStage<Method> stage(mesh, slot.transform,
                             static_cast<const PreparedMaterial<Used>&>(material).lighting(),
-                            SlotVertices<Method>::shading_of(number));
+                            shading_of(number));
   if constexpr (Used::kFeatures.planes) {
     if (!options.two_sided) stage.find_back_faces();
   }
@@ -44,7 +44,7 @@ template <IsPosed Used, bool KeepsVertices>
   if (!mesh.fits()) return {};
   const ExtentOptions options{material.options().two_sided, Used::kFeatures.clips, DrawsEdges<Method>};
   const VertexStage<Method, PosedPart<Used>> stage(mesh, slot.transform, prepared<Used>(material).lighting(),
-                                                   SlotVertices<Method>::shading_of(number));
+                                                   shading_of(number));
   ScreenExtent extent;
   if constexpr (KeepsVertices) {
     SlotVertices<Method> vertices(slot, kUseFacts<Used>);

@@ -51,6 +51,15 @@ template <SceneMemoryType Memory>
 
 namespace detail {
 
+/// prepare_scene() for a single call of draw_prepared_scene(), for which rows are not worth finding.
+template <SceneMemoryType Memory>
+[[nodiscard]] Status prepare_once(const Scene& scene, Memory& memory) {
+  if (!ok(memory.status())) return memory.status();
+  SceneFrame frame = memory.frame();
+  frame.rows = {};
+  return prepare(scene, frame);
+}
+
 /// Leaves what is in the target.
 struct KeepTarget {
   template <class Sink, class Depth>
@@ -102,13 +111,16 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
     ++result.objects;
     if (!frame.header.keeps_vertices) slot.held = nullptr;
     const ObjectLights lights = lights_at(frame.header, *slot.object);
+    // Rows are not worth finding for a picture that is drawn at once.
+    typename Memory::KeptRows rows(slot, rect != whole);
     for (std::size_t p = 0; p < slot.object->part_count() && ok(result.status); ++p) {
       const Part part = slot.object->part(p);
       const MeshView mesh = slot.object->mesh().part(part.first, part.count);
       const DrawResult drawn = draw_part<kVerticesIn<Memory>>(
-          typename Memory::UseList{},
-          PartCall<Sink, Depth>{slot, mesh, p, *part.material, lights, frame.header.camera->rotation(), sink,
-                                depth, memory.lighting()});
+          typename Memory::UseList{}, PartCall<Sink, Depth, typename Memory::KeptRows>{
+                                          slot, mesh, p, rows, *part.material, lights,
+                                          frame.header.camera->rotation(), sink, depth, memory.lighting()});
+      rows.next_part(part.count);
       result.status = drawn.status;
       result.triangles += drawn.triangles;
       result.left_out += drawn.left_out;
@@ -144,11 +156,11 @@ template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, Depth
   return detail::draw_prepared(memory, sink, depth, detail::ClearTarget<Background>{background});
 }
 
-/// Draws a scene into `sink`: prepare_scene() and draw_prepared_scene(). For bands, call it once per band; to
-/// save the preparation, call the two yourself.
+/// Draws a scene into `sink`: prepare_scene() and draw_prepared_scene(). For bands, call it once per band,
+/// or, which is faster, the two yourself: then vertices and rows are kept from band to band.
 template <SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory) {
-  const Status status = prepare_scene(scene, memory);
+  const Status status = detail::prepare_once(scene, memory);
   if (!ok(status)) return {status};
   return draw_prepared_scene(memory, sink, depth);
 }
@@ -158,7 +170,7 @@ template <SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
 template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory,
                                      const Background& background) {
-  const Status status = prepare_scene(scene, memory);
+  const Status status = detail::prepare_once(scene, memory);
   if (!ok(status)) return {status};
   return draw_prepared_scene(memory, sink, depth, background);
 }

@@ -40,48 +40,51 @@ struct SceneOutlines {
 
 namespace detail {
 
-/// A part of an object whose sides are to be found.
+/// A part of an object whose sides are to be found. `KeptRows` is PartRows or NoRows.
+template <class KeptRows>
 struct SidesCall {
   SceneSlot& slot;
   const MeshView& mesh;  ///< of the part
+  const KeptRows& rows;
   const SceneMaterial& material;
   std::span<TriangleSide> sides;
   VertexPositions& positions;  ///< gets those of the slot's vertices, if it has some
 };
 
-template <class Used, bool KeepsVertices>
-requires(!IsPosed<Used>) [[nodiscard]] Status find_part_sides(const SidesCall& call) {
+template <class Used, bool KeepsVertices, class KeptRows>
+requires(!IsPosed<Used>) [[nodiscard]] Status find_part_sides(const SidesCall<KeptRows>& call) {
   using Method = typename Used::Method;
   const auto& lighting = static_cast<const PreparedMaterial<Used>&>(call.material).lighting();
   const ClipTransform& transform = call.slot.transform;
   if constexpr (KeepsVertices) {
-    SlotVertices<Method> vertices(call.slot, kUseFacts<Used>);
+    SlotVertices<Method, KeptRows> vertices(call.slot, kUseFacts<Used>, call.rows);
     call.positions = VertexPositions(transform, vertices.all());
     return find_sides<Method>(call.mesh, transform, lighting, vertices, call.sides, call.material.options());
   } else {
-    return find_sides<Method>(call.mesh, transform, lighting, NoCache{}, call.sides, call.material.options());
+    return find_sides<Method>(call.mesh, transform, lighting, UncachedPart(call.rows), call.sides,
+                              call.material.options());
   }
 }
 
 /// find_part_sides() of vertices that a mesh poses. Their places are known only from the slot, which must
 /// keep those of all parts.
-template <IsPosed Used, bool KeepsVertices>
-[[nodiscard]] Status find_part_sides(const SidesCall& call) {
+template <IsPosed Used, bool KeepsVertices, class KeptRows>
+[[nodiscard]] Status find_part_sides(const SidesCall<KeptRows>& call) {
   using Method = typename Used::Method;
   const Object& object = *call.slot.object;
   for (std::size_t i = 0; i < object.part_count(); ++i)
     if (!KeepsVertices || object.part(i).material->use() != &kUseFacts<Used>) return Status::kUnsupported;
   const PosedPart<Used> mesh(call.material, call.mesh);
   if (!mesh.fits()) return Status::kInvalidArgument;
-  SlotVertices<Method> vertices(call.slot, kUseFacts<Used>);
+  SlotVertices<Method, KeptRows> vertices(call.slot, kUseFacts<Used>, call.rows);
   call.positions = VertexPositions(call.slot.transform, vertices.all());
   return find_sides<Method>(mesh, call.slot.transform, prepared<Used>(call.material).lighting(), vertices,
                             call.sides, call.material.options());
 }
 
 /// Finds the sides of a part by the method of its material, which is listed.
-template <bool KeepsVertices, class... Used>
-[[nodiscard]] Status find_part_sides(MethodList<Used...>, const SidesCall& call) {
+template <bool KeepsVertices, class... Used, class KeptRows>
+[[nodiscard]] Status find_part_sides(MethodList<Used...>, const SidesCall<KeptRows>& call) {
   Status status = Status::kOk;
   (void)((call.material.use() == &kUseFacts<Used> &&
           (status = find_part_sides<Used, KeepsVertices>(call), true)) ||
@@ -145,12 +148,15 @@ template <SceneMemoryType Memory, PixelFormat F, class Curved>
   if (neighbours == nullptr) return Status::kUnsupported;
   Status status = hide_all(mesh, outlines.sides);
   VertexPositions positions(slot.transform);
+  typename Memory::KeptRows rows(slot, true);
   for (std::size_t i = 0; i < object.part_count() && ok(status); ++i) {
     const Part part = object.part(i);
     const MeshView triangles = mesh.part(part.first, part.count);
     status = find_part_sides<Memory::kHasVertices>(
         typename Memory::UseList{},
-        {slot, triangles, *part.material, outlines.sides.subspan(part.first, part.count), positions});
+        SidesCall<typename Memory::KeptRows>{slot, triangles, rows, *part.material,
+                                             outlines.sides.subspan(part.first, part.count), positions});
+    rows.next_part(part.count);
   }
   if (!ok(status)) return status;
   if constexpr (std::is_same_v<Curved, CurvedOutlines>) {
@@ -178,8 +184,8 @@ void draw_curves(Memory& memory, SceneSlot& slot, const ObjectLights& lights, Si
   if (mesh.triangle_count() == 0 || slot.object->part_count() != 1 || !ok(result.status)) return;
   const DrawResult drawn = draw_part<PartVertices::kOfCurves>(
       typename Memory::UseList{},
-      PartCall<Sink, Depth>{slot, mesh, 0, *slot.object->part(0).material, lights,
-                            frame.header.camera->rotation(), sink, depth, memory.lighting()});
+      PartCall<Sink, Depth, NoRows>{slot, mesh, 0, NoRows(), *slot.object->part(0).material, lights,
+                                    frame.header.camera->rotation(), sink, depth, memory.lighting()});
   result.status = drawn.status;
   result.triangles += drawn.triangles;
   result.left_out += drawn.left_out;

@@ -244,10 +244,13 @@ typedef struct {
   /* At least those of the largest part. If there is room for those of all parts in view, each of them is
    * transformed once per frame, otherwise once per arcspan_draw(). */
   uint32_t vertices;
+  /* In bands, a triangle whose rows are kept costs about 40 instructions less in each band that its part
+   * reaches. They take 2.1 bytes each; 0: none are kept. */
+  uint32_t triangles;
 } arcspan_view_limits;
 
 /* The least limits with which all objects of `scene` can be drawn; with 1 for `keeps_vertices` those with
- * which each vertex is transformed once per frame. */
+ * which each vertex is transformed once per frame, and the rows of all triangles are kept. */
 arcspan_view_limits arcspan_limits_of(const arcspan_scene* scene, int keeps_vertices);
 
 /* The bytes of memory, at any address, that arcspan_view_make() takes. */

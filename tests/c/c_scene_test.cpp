@@ -102,10 +102,13 @@ arcspan_target whole_target(void* pixels, std::size_t bytes, std::int32_t stride
 }
 
 template <class F>
-void check_format(arcspan_format format) {
+void check_format(arcspan_format format, int keeps_vertices, std::uint32_t triangles) {
   const auto expected = drawn_by_cpp<F>();
   const std::size_t row = expected.size() / kHeight * sizeof(typename F::Word);
   Balls balls;
+  arcspan_view_limits limits = arcspan_limits_of(balls.scene, keeps_vertices);
+  limits.triangles = triangles;
+  balls.make_view(limits);
   REQUIRE(arcspan_prepare(balls.view) == ARCSPAN_OK);
   std::vector<std::uint16_t> depths;
   // Whole, with rows that are padded.
@@ -141,8 +144,25 @@ void check_format(arcspan_format format) {
 }
 
 TEST_CASE("C draws the pixels of C++, whole, padded and in rectangles") {
-  check_format<Rgb565>(ARCSPAN_RGB565);
-  check_format<Bgr888>(ARCSPAN_BGR888);
+  check_format<Rgb565>(ARCSPAN_RGB565, 0, 0);
+  check_format<Bgr888>(ARCSPAN_BGR888, 0, 0);
+}
+
+TEST_CASE("C keeps the rows of as many triangles as the limits say") {
+  Balls balls;
+  const std::uint32_t all = arcspan_limits_of(balls.scene, 1).triangles;
+  MeshView mesh;
+  REQUIRE(ok(ball.parts[0].make_view(mesh)));
+  CHECK(all == 2 * mesh.triangle_count());
+  CHECK(arcspan_limits_of(balls.scene, 0).triangles == 0);
+  check_format<Rgb565>(ARCSPAN_RGB565, 1, all);
+  check_format<Rgb565>(ARCSPAN_RGB565, 0, all - 1);  // those of one ball
+  arcspan_view_limits limits = arcspan_limits_of(balls.scene, 0);
+  const std::size_t without = arcspan_view_bytes(&limits);
+  limits.triangles = 32;
+  CHECK(arcspan_view_bytes(&limits) == without + 2 * 34);
+  limits.triangles = UINT32_MAX;
+  CHECK((sizeof(std::size_t) > 4 || arcspan_view_bytes(&limits) == SIZE_MAX));
 }
 
 TEST_CASE("without a background, C draws over the pixels that are there") {
@@ -263,7 +283,7 @@ TEST_CASE("memory that is too small by a byte is refused") {
     CHECK(arcspan_scene_make(memory.data() + offset, arcspan_scene_bytes(&limits), &limits, &scene) ==
           ARCSPAN_OK);
   }
-  const arcspan_view_limits view_limits{1, 100};
+  const arcspan_view_limits view_limits{1, 100, 0};
   std::vector<unsigned char> view_memory(arcspan_view_bytes(&view_limits));
   arcspan_view* view = nullptr;
   CHECK(arcspan_view_make(view_memory.data(), view_memory.size() - 1, &view_limits, scene, &view) ==
@@ -277,14 +297,14 @@ TEST_CASE("a view with too little room for objects or vertices says so, and the 
   const arcspan_target target =
       whole_target(pixels.data(), 2 * pixels.size(), 2 * kWidth, ARCSPAN_RGB565, depths);
   CHECK(arcspan_draw(balls.view, &target) == ARCSPAN_NOT_READY);
-  balls.make_view({1, enough.vertices});
+  balls.make_view({1, enough.vertices, 0});
   CHECK(arcspan_prepare(balls.view) == ARCSPAN_TOO_MANY_OBJECTS);
   CHECK(arcspan_draw(balls.view, &target) == ARCSPAN_TOO_MANY_OBJECTS);
   CHECK(pixels == std::vector<std::uint16_t>(kWidth * kHeight, 0x1234));
   REQUIRE(arcspan_set_visible(balls.scene, balls.right, 0) == ARCSPAN_OK);
   CHECK(arcspan_prepare(balls.view) == ARCSPAN_OK);
   CHECK(arcspan_draw(balls.view, &target) == ARCSPAN_OK);
-  balls.make_view({2, enough.vertices / 4});  // other methods have larger vertices
+  balls.make_view({2, enough.vertices / 4, 0});  // other methods have larger vertices
   CHECK(arcspan_prepare(balls.view) == ARCSPAN_CACHE_TOO_SMALL);
 }
 

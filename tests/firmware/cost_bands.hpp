@@ -11,7 +11,7 @@
 
 namespace arcspan {
 
-[[gnu::section(".bss.frame")]] static TriangleRows cost_triangle_rows[4096];
+[[gnu::section(".bss.frame")]] static TriangleRows cost_triangle_rows[TriangleRows::entries(4096)];
 
 struct BandScene {
   MeshView mesh;

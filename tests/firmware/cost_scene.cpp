@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The cost of a scene of 20 spheres with 20 materials, and of the benchmark frame drawn as a scene of one
-// object and by draw_mesh(): sections for scene_cost_test.py.
+// object, at once and in bands, and by draw_mesh(): sections for scene_cost_test.py.
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
 #include <arcspan/hal/framebuffer.hpp>
@@ -24,6 +24,8 @@ using Method = ARCSPAN_METHOD<scenes::Light>;
 [[gnu::section(".bss.frame")]] std::uint16_t colours[kCostWidth * kCostHeight];
 [[gnu::section(".bss.frame")]] std::uint16_t depths[kCostWidth * kCostHeight];
 [[gnu::section(".bss.frame")]] SceneMemory<MethodList<Method>, 20, 2048> memory_of_scene;
+[[gnu::section(".bss.frame")]] SceneMemory<MethodList<Method>, 1, 512, 1024> memory_with_rows;
+[[gnu::section(".bss.frame")]] SceneMemory<MethodList<Method>, 1, 0, 1024> memory_of_rows;
 [[gnu::section(".bss.frame")]] CachedVertex<Method> cache[512];
 
 // Camera, light and material of set_stage(), of which this is the frame "32x16 72".
@@ -79,6 +81,25 @@ bool measure(const char* name, const Camera& camera, std::span<const Object> obj
   return ok(prepared) && ok(drawn.status);
 }
 
+/// Prepares, clears and draws the picture in bands of 24 rows.
+template <class Memory>
+bool measure_bands(const char* name, std::span<const Object> objects, Memory& memory) {
+  constexpr std::int32_t kRows = 24;
+  hal::Framebuffer<Rgb565> band(colours, kCostWidth, kRows);
+  DepthBuffer depth(depths, kCostWidth, kRows);
+  arcspan_mark();
+  Status status = prepare_scene({kCamera, kLights, objects}, memory);
+  for (std::int32_t top = 0; ok(status) && top < kCostHeight; top += kRows) {
+    band.move_to(top);
+    depth.move_to(top);
+    status = draw_prepared_scene(memory, band, depth, Rgb8{}).status;
+  }
+  arcspan_mark();
+  bare::print_line("section: ", name);
+  bare::print_line("section: between");
+  return ok(status);
+}
+
 /// The benchmark frame by draw_mesh(), with the transform and the illumination of the scene's object.
 bool measure_mesh(const Object& object) {
   hal::Framebuffer<Rgb565> frame(colours, kCostWidth, kCostHeight);
@@ -107,6 +128,10 @@ int main() {
   one.scale = WorldLength::of(2);
   one.rotation = kPose;
   if (!measure("one", kCamera, {&one, 1}) || !measure_mesh(one)) return 2;
+  if (!measure_bands("bands", {&one, 1}, memory_of_scene) ||
+      !measure_bands("bands, rows", {&one, 1}, memory_with_rows) ||
+      !measure_bands("bands, rows only", {&one, 1}, memory_of_rows))
+    return 4;
 
   static std::array<Object, kSpheres> objects = [&]<std::size_t... I>(std::index_sequence<I...>) {
     return std::array<Object, kSpheres>{Object(coarse.planed, kMaterials[I])...};

@@ -37,7 +37,7 @@ constexpr Camera kCamera =
 
 std::uint16_t pixels[2][kSide * kRows];  // internal RAM, which DMA reaches
 std::uint16_t depths[kSide * kRows];
-SceneMemory<MethodList<Method>, 1, kMesh.vertex_count()> scene_memory;
+SceneMemory<MethodList<Method>, 1, kMesh.vertex_count(), kMesh.triangle_count()> scene_memory;
 SemaphoreHandle_t sent;
 
 bool on_sent(esp_lcd_panel_io_handle_t, esp_lcd_panel_io_event_data_t*, void*) {

@@ -40,7 +40,7 @@ constexpr display_pixel_format kLowByteFirst = PIXEL_FORMAT_BGR_565, kHighByteFi
 const device* const display = DEVICE_DT_GET(DT_CHOSEN(zephyr_display));
 std::uint16_t pixels[kMostColumns * kRows];
 std::uint16_t depths[kMostColumns * kRows];
-SceneMemory<MethodList<Method>, 1, kMesh.vertex_count()> scene_memory;
+SceneMemory<MethodList<Method>, 1, kMesh.vertex_count(), kMesh.triangle_count()> scene_memory;
 
 // display_write() returns when the pixels are sent or copied, so one band is enough.
 template <class Format>

@@ -70,7 +70,7 @@ class TriangleDrawer {
     result_.status = source.begin(stage_, two_sided_);
     if (!ok(result_.status)) return;
     if (const TriangleRows* const rows = source.rows()) {
-      draw_triangles(source, BandTriangles(rows, scissor_.rect(), stage_.transform().viewport().height));
+      draw_triangles(source, BandTriangles(rows, stage_, scissor_.rect()));
       return;
     }
     if constexpr (Features.planes) {

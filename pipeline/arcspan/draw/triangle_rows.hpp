@@ -23,6 +23,13 @@ struct TriangleRows {
   std::uint8_t first;
   std::uint8_t last;  ///< below `first` if the triangle has no rows
 
+  static constexpr std::size_t kBatch = 16;  ///< triangles that a band skips at once
+  /// The entries that so many triangles take: one each, and behind these one for each full batch.
+  template <class Count>
+  [[nodiscard]] static constexpr Count entries(Count triangles) {
+    return triangles + triangles / kBatch;
+  }
+
   /// The rows of a group are 2 to the power of this, in a picture of `height` rows, 1...2048.
   [[nodiscard]] static constexpr int group_bits(std::int32_t height) {
     int bits = 0;
@@ -66,7 +73,20 @@ template <class Method>
   return {group(top < 0 ? 0 : top), group((end > height ? height : end) - 1)};
 }
 
-/// Sets the rows of all triangles of the mesh of `stage`, whose vertices come from `source`.
+/// Sets the rows of the batches of `count` triangles.
+inline void find_batch_rows(TriangleRows* rows, std::size_t count) {
+  TriangleRows* batch = rows + count;
+  for (std::size_t i = 0; i + TriangleRows::kBatch <= count;) {
+    TriangleRows all = TriangleRows::culled();
+    for (const std::size_t end = i + TriangleRows::kBatch; i < end; ++i) {
+      if (rows[i].first < all.first) all.first = rows[i].first;
+      if (rows[i].last > all.last) all.last = rows[i].last;
+    }
+    *batch++ = all;
+  }
+}
+
+/// Sets the entries() of the mesh of `stage`, whose vertices come from `source`.
 template <class Method, class Mesh, class Source>
 void find_rows(const VertexStage<Method, Mesh>& stage, bool two_sided, Source& source, TriangleRows* rows) {
   const MeshView& mesh = stage.mesh();
@@ -78,30 +98,43 @@ void find_rows(const VertexStage<Method, Mesh>& stage, bool two_sided, Source& s
     if (back_faces.known()) {
       const std::size_t front = back_faces.next_front(i, count);
       for (; i < front; ++i) rows[i] = TriangleRows::culled();
-      if (i == count) return;
+      if (i == count) break;
     }
     const TriangleIndices t = mesh.triangle(i);
     rows[i] = rows_of(source.vertex(stage, t.a), source.vertex(stage, t.b), source.vertex(stage, t.c), height,
                       bits, two_sided);
   }
+  find_batch_rows(rows, count);
 }
 
 /// The triangles with rows in a band.
 class BandTriangles {
  public:
   static constexpr bool kAllInside = false;
-  /// `rows` are those of all triangles of the mesh in a picture of `height` rows; `band` is not empty.
-  constexpr BandTriangles(const TriangleRows* rows, const Rect& band, std::int32_t height)
-      : rows_(rows),
-        first_(band.top >> TriangleRows::group_bits(height)),
-        last_((band.bottom - 1) >> TriangleRows::group_bits(height)) {}
+  /// `rows` are the entries() of the mesh of `stage`; `band` is not empty.
+  template <class Method, class Mesh>
+  BandTriangles(const TriangleRows* rows, const VertexStage<Method, Mesh>& stage, const Rect& band)
+      : rows_(rows), batches_(rows + stage.mesh().triangle_count()) {
+    const int bits = TriangleRows::group_bits(stage.transform().viewport().height);
+    first_ = band.top >> bits;
+    last_ = (band.bottom - 1) >> bits;
+  }
   [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
-    while (i < count && (rows_[i].last < first_ || rows_[i].first > last_)) ++i;
+    constexpr std::size_t kBatch = TriangleRows::kBatch;
+    for (std::size_t step = 1; i < count; i += step) {
+      step = i % kBatch == 0 && i + kBatch <= count && !reaches(batches_[i / kBatch]) ? kBatch : 1;
+      if (step == 1 && reaches(rows_[i])) break;
+    }
     return i;
   }
 
  private:
+  [[nodiscard]] ARCSPAN_INLINE bool reaches(const TriangleRows& rows) const {
+    return rows.last >= first_ && rows.first <= last_;
+  }
+
   const TriangleRows* rows_;
+  const TriangleRows* batches_;
   std::int32_t first_;  ///< groups of rows of the band
   std::int32_t last_;
 };

@@ -36,7 +36,8 @@ class VertexSlots {
   [[nodiscard]] Status begin(const VertexStage<Method, Mesh>& stage, bool two_sided) {
     const MeshView& mesh = stage.mesh();
     if (object_.exists()) return object_.compare(mesh, stage.transform(), two_sided);
-    if (!rows_.empty() && rows_.size() < mesh.triangle_count()) return Status::kCacheTooSmall;
+    if (!rows_.empty() && rows_.size() < TriangleRows::entries(mesh.triangle_count()))
+      return Status::kCacheTooSmall;
     object_.hold(mesh, stage.transform(), two_sided);
     for (std::size_t i = 0; i < Count; ++i) numbers_[i] = static_cast<std::uint16_t>(i + 1);  // not of slot i
     if (!rows_.empty()) detail::find_rows(stage, two_sided, *this, rows_.data());

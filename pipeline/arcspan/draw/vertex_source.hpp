@@ -25,7 +25,7 @@ namespace arcspan {
 /// - vertex(stage, i): vertex i of the mesh, transformed by stage.transform(). A CachedVertex& that stays
 ///   valid and keeps its contents until the triangle is drawn, or a CachedVertex by value. draw_mesh() shades
 ///   it, if need be, by stage.shade(), so a reference keeps the shading for further triangles.
-/// - rows(): the rows of all triangles of the mesh, by which triangles of other bands are skipped, or null.
+/// - rows(): TriangleRows::entries() of the mesh, by which triangles of other bands are skipped, or null.
 template <class S, class Method, class Mesh = MeshView>
 concept VertexSource = requires(S& source, const VertexStage<Method, Mesh>& stage, std::size_t i,
                                 bool two_sided) {
@@ -88,8 +88,7 @@ struct NoCache {
 /// needs it if the back faces of the mesh are known, else all at once. The memory is the caller's:
 ///
 /// - `vertices`: at least as many as the mesh has.
-/// - `rows`: for pictures that are drawn in bands; at least as many as the mesh has triangles, or none. A
-///   triangle of another band then costs 7 instructions on a Cortex-M3 instead of about 40.
+/// - `rows`: for pictures in bands; at least TriangleRows::entries() of the mesh's triangles, or none.
 ///
 /// The cache keeps its object from call to call. Call clear() before the first band of every frame, and
 /// whenever the object's lighting or the pose of its mesh (DrawableMesh) has changed (docs/bands.md).
@@ -130,7 +129,8 @@ class VertexCache {
     const MeshView& mesh = stage.mesh();
     if (object_.exists()) return object_.compare(mesh, stage.transform(), two_sided);
     if (vertices_.size() < mesh.vertex_count()) return Status::kCacheTooSmall;
-    if (!rows_.empty() && rows_.size() < mesh.triangle_count()) return Status::kCacheTooSmall;
+    if (!rows_.empty() && rows_.size() < TriangleRows::entries(mesh.triangle_count()))
+      return Status::kCacheTooSmall;
     object_.hold(mesh, stage.transform(), two_sided);
     if (stage.back_faces().known()) {
       detail::forget_vertices(vertices_.data(), mesh.vertex_count());

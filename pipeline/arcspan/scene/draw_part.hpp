@@ -2,17 +2,17 @@
 #pragma once
 
 #include <arcspan/draw/triangle_drawer.hpp>
-#include <arcspan/draw/vertex_source.hpp>
 #include <arcspan/numbers/copy_words.hpp>
 #include <arcspan/scene/posed_material.hpp>
 #include <arcspan/scene/scene_frame.hpp>
 #include <arcspan/scene/scene_material.hpp>
+#include <arcspan/scene/slot_vertices.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/rotation.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <type_traits>
 
 namespace arcspan {
 
@@ -23,12 +23,13 @@ struct MethodList {};
 
 namespace detail {
 
-/// A part of an object to be drawn.
-template <class Sink, class Depth>
+/// A part of an object to be drawn. `KeptRows` is PartRows or NoRows.
+template <class Sink, class Depth, class KeptRows>
 struct PartCall {
   SceneSlot& slot;
   const MeshView& mesh;  ///< of the part
   std::size_t number;    ///< of the part in its object
+  const KeptRows& rows;
   const SceneMaterial& material;
   const ObjectLights& lights;
   const Rotation& camera;  ///< from world to view space
@@ -37,87 +38,42 @@ struct PartCall {
   void* lighting;  ///< memory for the material as it is seen here
 };
 
-/// The vertices of a slot (VertexSource). They stay from part to part and from band to band, unless another
-/// use has written them.
-template <class Method>
-class SlotVertices {
- public:
-  SlotVertices(SceneSlot& slot, const UseFacts& use)
-      : slot_(slot),
-        use_(use),
-        vertices_(static_cast<CachedVertex<Method>*>(static_cast<void*>(slot.vertices))) {}
-
-  template <class Mesh>
-  [[nodiscard]] Status begin(const VertexStage<Method, Mesh>& stage, bool) {
-    const std::size_t count = slot_.object->mesh().vertex_count();
-    if (slot_.held != &use_) {
-      forget_vertices(vertices_, count);
-      slot_.held = &use_;
-    } else if (stage.shading() == kSharedShading) {
-      for (std::size_t i = 0; i < count; ++i) vertices_[i].shading = 0;
-    }
-    return Status::kOk;
-  }
-  template <class Mesh>
-  [[nodiscard]] ARCSPAN_INLINE CachedVertex<Method>& vertex(const VertexStage<Method, Mesh>& stage,
-                                                            std::size_t i) {
-    CachedVertex<Method>& vertex = vertices_[i];
-    if (vertex.outcode == CachedVertex<Method>::kNotTransformed) stage.transform(i, vertex);
-    return vertex;
-  }
-  [[nodiscard]] static constexpr const TriangleRows* rows() { return nullptr; }
-  [[nodiscard]] std::span<const CachedVertex<Method>> all() const {
-    return {vertices_, slot_.object->mesh().vertex_count()};
-  }
-
-  /// The number of the shading of all parts from the 255th on, which shade their vertices anew.
-  static constexpr std::uint8_t kSharedShading = 255;
-  /// Returns the number of a part's shading (VertexStage).
-  [[nodiscard]] static constexpr std::uint8_t shading_of(std::size_t part) {
-    return part < kSharedShading - 1 ? static_cast<std::uint8_t>(part + 1) : kSharedShading;
-  }
-
- private:
-  SceneSlot& slot_;
-  const UseFacts& use_;
-  CachedVertex<Method>* vertices_;
-};
-
-/// draw_mesh() with the vertices of the part's slot, which exist if `KeepsVertices`.
-template <class Used, bool KeepsVertices, class Sink, class Depth>
-requires(!IsPosed<Used>) DrawResult
-    draw_lit_part(const PartCall<Sink, Depth>& part, const typename Used::Method::Lighting& lighting) {
-  using Method = typename Used::Method;
-  TriangleDrawer<Method, Used::kFeatures, Sink, Depth> drawer(
-      {part.mesh, part.slot.transform, lighting, SlotVertices<Method>::shading_of(part.number)}, part.sink,
-      part.depth, part.material.options());
+/// Draws a part with the vertices of its slot, which exist if `KeepsVertices`.
+template <class Used, bool KeepsVertices, class Call, class Drawer>
+[[nodiscard]] ARCSPAN_INLINE DrawResult draw_with_vertices(const Call& part, Drawer&& drawer) {
   if constexpr (KeepsVertices) {
-    SlotVertices<Method> vertices(part.slot, kUseFacts<Used>);
+    SlotVertices<typename Used::Method, std::remove_cvref_t<decltype(part.rows)>> vertices(
+        part.slot, kUseFacts<Used>, part.rows);
     drawer.draw(vertices);
   } else {
-    NoCache vertices;
+    UncachedPart vertices(part.rows);
     drawer.draw(vertices);
   }
   return drawer.result();
 }
 
+/// draw_mesh() with the vertices of the part's slot, which exist if `KeepsVertices`.
+template <class Used, bool KeepsVertices, class Sink, class Depth, class KeptRows>
+requires(!IsPosed<Used>) DrawResult draw_lit_part(const PartCall<Sink, Depth, KeptRows>& part,
+                                                  const typename Used::Method::Lighting& lighting) {
+  using Method = typename Used::Method;
+  TriangleDrawer<Method, Used::kFeatures, Sink, Depth> drawer(
+      {part.mesh, part.slot.transform, lighting, shading_of(part.number)}, part.sink, part.depth,
+      part.material.options());
+  return draw_with_vertices<Used, KeepsVertices>(part, drawer);
+}
+
 /// draw_lit_part() of vertices that a mesh poses.
-template <IsPosed Used, bool KeepsVertices, class Sink, class Depth>
-DrawResult draw_lit_part(const PartCall<Sink, Depth>& part, const typename Used::Method::Lighting& lighting) {
+template <IsPosed Used, bool KeepsVertices, class Sink, class Depth, class KeptRows>
+DrawResult draw_lit_part(const PartCall<Sink, Depth, KeptRows>& part,
+                         const typename Used::Method::Lighting& lighting) {
   using Method = typename Used::Method;
   const PosedPart<Used> mesh(part.material, part.mesh);
   if (!mesh.fits()) return {Status::kInvalidArgument};
   TriangleDrawer<Method, Used::kFeatures, Sink, Depth, PosedPart<Used>> drawer(
-      {mesh, part.slot.transform, lighting, SlotVertices<Method>::shading_of(part.number)}, part.sink,
-      part.depth, part.material.options());
-  if constexpr (KeepsVertices) {
-    SlotVertices<Method> vertices(part.slot, kUseFacts<Used>);
-    drawer.draw(vertices);
-  } else {
-    NoCache vertices;
-    drawer.draw(vertices);
-  }
-  return drawer.result();
+      {mesh, part.slot.transform, lighting, shading_of(part.number)}, part.sink, part.depth,
+      part.material.options());
+  return draw_with_vertices<Used, KeepsVertices>(part, drawer);
 }
 
 /// Where the vertices of a part come from.
@@ -142,8 +98,8 @@ struct DrawnUse<Used, PartVertices::kOfCurves> {
 template <class Method>
 inline constexpr bool kDrawsCurves = !TakesVertexData<Method> && !DrawsEdges<Method>;
 
-template <class Used, PartVertices Vertices, class Sink, class Depth>
-DrawResult draw_part_by(const PartCall<Sink, Depth>& part) {
+template <class Used, PartVertices Vertices, class Sink, class Depth, class KeptRows>
+DrawResult draw_part_by(const PartCall<Sink, Depth, KeptRows>& part) {
   using Lighting = typename Used::Method::Lighting;
   using Drawn = typename DrawnUse<Used, Vertices>::Type;
   constexpr bool kKeepsVertices = Vertices == PartVertices::kInSlot;
@@ -166,12 +122,12 @@ DrawResult draw_part_by(const PartCall<Sink, Depth>& part) {
 }
 
 /// Draws a part by the method of its material, which is listed.
-template <PartVertices Vertices, class... Used, class Sink, class Depth>
-DrawResult draw_part(MethodList<Used...>, const PartCall<Sink, Depth>& part) {
+template <PartVertices Vertices, class... Used, class Sink, class Depth, class KeptRows>
+DrawResult draw_part(MethodList<Used...>, const PartCall<Sink, Depth, KeptRows>& part) {
   if constexpr (sizeof...(Used) == 1) {
     return draw_part_by<Used..., Vertices>(part);
   } else {
-    using Function = DrawResult (*)(const PartCall<Sink, Depth>&);
+    using Function = DrawResult (*)(const PartCall<Sink, Depth, KeptRows>&);
     struct Entry {
       const UseFacts* use;
       Function function;

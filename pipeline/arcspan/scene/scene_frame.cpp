@@ -149,6 +149,28 @@ void share_vertices(const SceneFrame& frame) {
   }
 }
 
+/// The entries that the rows of all parts of an object take. Above `most` it may be any number above that.
+[[nodiscard]] std::size_t row_entries(const Object& object, std::size_t most) {
+  std::size_t entries = 0;
+  for (std::size_t i = 0; i < object.part_count() && entries <= most; ++i)
+    entries += TriangleRows::entries(object.part(i).count);
+  return entries;
+}
+
+/// Gives memory for rows to each slot for which there is some left.
+void share_rows(const SceneFrame& frame) {
+  std::span<TriangleRows> left = frame.rows;
+  for (SceneSlot& slot : frame.slots.first(frame.header.in_view)) {
+    slot.rows = nullptr;
+    slot.parts_with_rows = 0;
+    if (left.empty() || slot.object->part_count() > UINT16_MAX) continue;
+    const std::size_t entries = row_entries(*slot.object, left.size());
+    if (entries > left.size()) continue;
+    slot.rows = left.data();
+    left = left.subspan(entries);
+  }
+}
+
 }  // namespace
 
 bool is_outside(const SceneSlot& slot, const Rect& rect) {
@@ -171,6 +193,7 @@ Status prepare(const Scene& scene, const SceneFrame& frame) {
   }
   if (!ok(header.status)) header.in_view = 0;
   share_vertices(frame);
+  share_rows(frame);
   return header.status;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/draw/triangle_rows.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/scene/camera.hpp>
 #include <arcspan/scene/object.hpp>
@@ -41,10 +42,12 @@ struct SceneSlot {
   ClipTransform transform;
   ClipSphere sphere;
   const Object* object;
-  unsigned char* vertices;   ///< memory for CachedVertex, or null
-  const UseFacts* held;      ///< the use that has written the vertices, or null
-  std::size_t vertex_bytes;  ///< that the vertices take at most, 0 without memory for any
-  std::uint16_t depth;       ///< of the sphere's middle; find_outlines() puts the end of its curves here
+  unsigned char* vertices;        ///< memory for CachedVertex, or null
+  const UseFacts* held;           ///< the use that has written the vertices, or null
+  TriangleRows* rows;             ///< memory for the rows of the triangles of all parts, in turn, or null
+  std::size_t vertex_bytes;       ///< that the vertices take at most, 0 without memory for any
+  std::uint16_t depth;            ///< of the sphere's middle; find_outlines() puts the end of its curves here
+  std::uint16_t parts_with_rows;  ///< how many parts have their rows, from the first one on
 };
 
 /// The part of a SceneMemory that belongs to the whole scene. All is zero at first, so that static memory
@@ -66,6 +69,7 @@ struct SceneFrame {
   std::span<SceneSlot> slots;
   std::span<std::uint16_t> order;  ///< indices of slots, the nearest object first
   std::span<unsigned char> vertices;
+  std::span<TriangleRows> rows;
   bool has_vertices;  ///< otherwise each triangle transforms its own
   std::span<const UseFacts* const> uses;
 };

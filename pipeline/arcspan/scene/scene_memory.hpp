@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/draw/triangle_rows.hpp>
 #include <arcspan/scene/draw_part.hpp>
 #include <arcspan/scene/scene_frame.hpp>
 #include <arcspan/scene/scene_material.hpp>
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 namespace arcspan {
 
@@ -49,9 +51,11 @@ struct MethodsInMemory<MethodList<Methods...>> {
 /// Memory for drawing a scene, usually a static variable. `Objects` is the most that are
 /// in view at a time. `Vertices` is at least the number of vertices of the largest mesh, or 0: then each
 /// triangle transforms its own three vertices. If there is room for the vertices of all objects in view, they
-/// are kept from band to band. It needs no initialisation and may be used for any scene. `List` is a
-/// MethodList.
-template <class List, std::size_t Objects, std::size_t Vertices = 0>
+/// are kept from band to band. `Triangles` is the number of triangles whose rows are kept for further bands,
+/// 2.1 bytes each, those of all objects in view or of some: without its rows a triangle costs about 40
+/// instructions in each band that its object reaches. It needs no initialisation and may be used for any
+/// scene. `List` is a MethodList.
+template <class List, std::size_t Objects, std::size_t Vertices = 0, std::size_t Triangles = 0>
 class SceneMemory {
   using Listed = detail::MethodsInMemory<List>;
 
@@ -60,14 +64,16 @@ class SceneMemory {
 
   /// @cond for draw_mesh() and draw_scene(), not in the reference
   using UseList = typename Listed::UseList;
+  using KeptRows = std::conditional_t<Triangles != 0, detail::PartRows, detail::NoRows>;
   static constexpr bool kHasVertices = Vertices != 0;
   [[nodiscard]] static constexpr Status status() { return Status::kOk; }
   [[nodiscard]] void* lighting() { return lighting_; }
   [[nodiscard]] std::span<unsigned char> scratch() { return {lighting_, Listed::kLightingBytes}; }
   [[nodiscard]] detail::SceneFrame frame() {
-    return {header_,      {static_cast<detail::SceneSlot*>(static_cast<void*>(slots_)), Objects},
-            order_,       {vertices_, kVertexMemory},
-            kHasVertices, Listed::kFacts};
+    return {header_,        {static_cast<detail::SceneSlot*>(static_cast<void*>(slots_)), Objects},
+            order_,         {vertices_, kVertexMemory},
+            {rows_, kRows}, kHasVertices,
+            Listed::kFacts};
   }
   /// @endcond
 
@@ -80,12 +86,15 @@ class SceneMemory {
   alignas(8) unsigned char lighting_[Listed::kLightingBytes] = {};
   static constexpr std::size_t kVertexMemory = kHasVertices ? Listed::vertex_memory(Objects, Vertices) : 0;
   alignas(8) unsigned char vertices_[kVertexMemory + 1] = {};
+  static constexpr std::size_t kRows = TriangleRows::entries(Triangles);
+  TriangleRows rows_[kRows > 0 ? kRows : 1] = {};
 };
 
 /// The room of a SceneMemoryView, as the arguments of SceneMemory state it.
 struct SceneLimits {
   std::uint16_t objects = 0;
-  std::uint32_t vertices = 0;  ///< 0 refuses every object that has vertices
+  std::uint32_t vertices = 0;   ///< 0 refuses every object that has vertices
+  std::uint32_t triangles = 0;  ///< whose rows are kept
 };
 
 /// A SceneMemory over bytes that the caller provides, with limits that are set when the program runs. Scenes
@@ -97,8 +106,8 @@ class SceneMemoryView {
  public:
   /// The bytes that `limits` need, at any address; SIZE_MAX if they are more than that.
   [[nodiscard]] static constexpr std::size_t bytes(const SceneLimits& limits) {
-    const std::uint64_t all = kAlignment - 1 + bytes_but_vertices(limits.objects) +
-                              Listed::template vertex_memory<std::uint64_t>(limits.objects, limits.vertices);
+    const std::uint64_t all = kAlignment - 1 + bytes_but_vertices(limits.objects) + vertex_bytes(limits) +
+                              sizeof(TriangleRows) * rows(limits);
     return all < SIZE_MAX ? static_cast<std::size_t>(all) : SIZE_MAX;
   }
 
@@ -118,6 +127,7 @@ class SceneMemoryView {
 
   /// @cond for draw_mesh() and draw_scene(), not in the reference
   using UseList = typename Listed::UseList;
+  using KeptRows = detail::PartRows;
   static constexpr bool kHasVertices = true;
   [[nodiscard]] void* lighting() { return first_; }
   [[nodiscard]] std::span<unsigned char> scratch() {
@@ -127,12 +137,13 @@ class SceneMemoryView {
     std::byte* const slots = first_ + kLighting;
     std::byte* const order = slots + sizeof(detail::SceneSlot) * limits_.objects;
     std::byte* const vertices = first_ + static_cast<std::size_t>(bytes_but_vertices(limits_.objects));
+    const auto of_vertices = static_cast<std::size_t>(vertex_bytes(limits_));
     return {header_,
             {static_cast<detail::SceneSlot*>(static_cast<void*>(slots)), limits_.objects},
             {static_cast<std::uint16_t*>(static_cast<void*>(order)), limits_.objects},
-            {static_cast<unsigned char*>(static_cast<void*>(vertices)),
-             static_cast<std::size_t>(
-                 Listed::template vertex_memory<std::uint64_t>(limits_.objects, limits_.vertices))},
+            {static_cast<unsigned char*>(static_cast<void*>(vertices)), of_vertices},
+            {static_cast<TriangleRows*>(static_cast<void*>(vertices + of_vertices)),
+             static_cast<std::size_t>(rows(limits_))},
             kHasVertices,
             Listed::kFacts};
   }
@@ -145,6 +156,13 @@ class SceneMemoryView {
     return (bytes + kAlignment - 1) / kAlignment * kAlignment;
   }
   static constexpr auto kLighting = static_cast<std::size_t>(aligned(Listed::kLightingBytes));
+  [[nodiscard]] static constexpr std::uint64_t vertex_bytes(const SceneLimits& limits) {
+    return Listed::template vertex_memory<std::uint64_t>(limits.objects, limits.vertices);
+  }
+  [[nodiscard]] static constexpr std::uint64_t rows(const SceneLimits& limits) {
+    return TriangleRows::entries<std::uint64_t>(limits.triangles);
+  }
+  static_assert(alignof(TriangleRows) == 1);  // they follow the vertices
   /// Lighting, slots and their order, in this order.
   [[nodiscard]] static constexpr std::uint64_t bytes_but_vertices(std::uint32_t objects) {
     constexpr std::uint64_t kObjectBytes = sizeof(detail::SceneSlot) + sizeof(std::uint16_t);

@@ -69,24 +69,33 @@ using Memory = SceneMemoryView<c::CompiledMethods>;
   }
 }
 
+[[nodiscard]] SceneLimits limits_of(const arcspan_view_limits& limits) {
+  return {limits.objects, limits.vertices, limits.triangles};
+}
+
 }  // namespace
 
 arcspan_view_limits arcspan_limits_of(const arcspan_scene* scene, int keeps_vertices) {
   std::uint64_t largest = 0;
   std::uint64_t all = 0;
+  std::uint64_t triangles = 0;
   for (const Object& object : std::span(scene->objects, scene->object_count)) {
     const std::size_t vertices = object.mesh().vertex_count();
     if (vertices > largest) largest = vertices;
     all += vertices;
+    triangles += object.mesh().triangle_count();
   }
-  const std::uint64_t wanted = keeps_vertices != 0 ? all : largest;
-  return {scene->object_count, static_cast<std::uint32_t>(wanted < UINT32_MAX ? wanted : UINT32_MAX)};
+  const auto limited = [](std::uint64_t n) {
+    return static_cast<std::uint32_t>(n < UINT32_MAX ? n : UINT32_MAX);
+  };
+  if (keeps_vertices == 0) return {scene->object_count, limited(largest), 0};
+  return {scene->object_count, limited(all), limited(triangles)};
 }
 
 size_t arcspan_view_bytes(const arcspan_view_limits* limits) {
   c::MemoryParts parts;
   (void)parts.take<arcspan_view>();
-  (void)parts.take(Memory::bytes({limits->objects, limits->vertices}), 1);
+  (void)parts.take(Memory::bytes(limits_of(*limits)), 1);
   return parts.bytes();
 }
 
@@ -96,7 +105,7 @@ arcspan_status arcspan_view_make(void* memory, size_t bytes, const arcspan_view_
   if (memory == nullptr || bytes < wanted || wanted == SIZE_MAX) return ARCSPAN_BUFFER_TOO_SMALL;
   c::MemoryParts parts(memory);
   arcspan_view* const at = parts.take<arcspan_view>();
-  const SceneLimits of_memory{limits->objects, limits->vertices};
+  const SceneLimits of_memory = limits_of(*limits);
   const std::size_t memory_bytes = Memory::bytes(of_memory);
   auto* const rest = static_cast<std::byte*>(parts.take(memory_bytes, 1));
   *view = new (at) arcspan_view{*scene, Camera(), Memory({rest, memory_bytes}, of_memory), Status::kNotReady};

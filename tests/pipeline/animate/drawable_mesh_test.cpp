@@ -101,7 +101,7 @@ void check_pictures(const Scene& scene) {
   CHECK(truth != drawn<Method>(scene, scene.part.mesh, NoCache{}));
   CHECK(truth == drawn<Method>(scene, scene.mesh, NoCache{}));
   std::vector<CachedVertex<Method>> vertices(scene.part.mesh.vertex_count());
-  std::vector<TriangleRows> rows(scene.part.mesh.triangle_count());
+  std::vector<TriangleRows> rows(TriangleRows::entries(scene.part.mesh.triangle_count()));
   CHECK(truth == drawn<Method>(scene, scene.mesh, VertexCache<Method>(vertices)));
   CHECK(truth == drawn<Method>(scene, scene.mesh, VertexCache<Method>(vertices, rows), 24));
   VertexCache<Method> filled(vertices, rows);

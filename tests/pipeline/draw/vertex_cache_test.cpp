@@ -44,7 +44,7 @@ struct Object {
         camera(seen),
         lighting(make_light<1, Highlight::kPhong>(camera)),
         vertices(view.vertex_count()),
-        rows(view.triangle_count()) {
+        rows(TriangleRows::entries(view.triangle_count())) {
     PlaneScale scale;
     REQUIRE(ok(make_face_planes(view, planes, scale)));
     if (with_planes) REQUIRE(ok(view.attach(planes, scale)));

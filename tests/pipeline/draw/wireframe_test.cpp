@@ -81,7 +81,8 @@ Picture drawn(const MeshView& mesh, const ClipTransform& transform, std::int32_t
               bool two_sided) {
   const Wires::Lighting white(Glassy::Lighting(Unlit::lighting({255, 255, 255}), Opacity<>{16}));
   std::vector<CachedVertex<Wires>> vertices(kind == Cache::kNone ? 0 : mesh.vertex_count());
-  std::vector<TriangleRows> triangle_rows(kind == Cache::kBandWithRows ? mesh.triangle_count() : 0);
+  std::vector<TriangleRows> triangle_rows(
+      kind == Cache::kBandWithRows ? TriangleRows::entries(mesh.triangle_count()) : 0);
   VertexCache<Wires> kept(vertices, triangle_rows);
   std::vector<std::uint8_t> memory(static_cast<std::size_t>(kWidth * rows));
   std::vector<std::uint16_t> depths(memory.size());

@@ -87,7 +87,7 @@ TEST_CASE("Triangle sides: drawing notes those that are found without it, and dr
   REQUIRE(ok(make_face_planes(mesh, planes, scale)));
   if (with_planes) REQUIRE(ok(mesh.attach(planes, scale)));
   std::vector<CachedVertex<Method>> vertices(mesh.vertex_count());
-  std::vector<TriangleRows> rows(mesh.triangle_count());
+  std::vector<TriangleRows> rows(TriangleRows::entries(mesh.triangle_count()));
   std::array<std::size_t, 4> counts{};
   const int cases = std::max(share_of(60), 4);  // of which every second is cut
   for (int i = 0; i < cases; ++i) {
@@ -134,7 +134,7 @@ TEST_CASE("Triangle sides: a cache that holds rows of bands gives those of the w
   const TestCamera from = camera(random, 9000, false);
   const auto light = make_light<1, Highlight::kBlinn>(from);
   std::vector<CachedVertex<Method>> vertices(mesh.vertex_count());
-  std::vector<TriangleRows> rows(mesh.triangle_count());
+  std::vector<TriangleRows> rows(TriangleRows::entries(mesh.triangle_count()));
   std::vector<TriangleSide> found(mesh.triangle_count());
   std::vector<TriangleSide> noted(mesh.triangle_count());
   REQUIRE(ok(find_sides<Method>(mesh, from.transform(), light, NoCache{}, found)));

@@ -22,9 +22,9 @@ const TestMesh kCube = make_smooth_cube(18000);
 const MeshView kBallView = kBall.view();
 const MeshView kCubeView = kCube.view();
 
-// The first has room for the vertices of one object, the second for those of all.
+// The first has room for the vertices of one object, the second for those of all, and for the rows of some.
 SceneMemory<SceneMethods, 12, 100> memory_of_scene;
-SceneMemory<SceneMethods, 12, 1200> large_memory;
+SceneMemory<SceneMethods, 12, 1200, 500> large_memory;
 
 bool equal(const Picture& a, const Picture& b) {
   for (std::int32_t y = a.bounds().top; y < a.bounds().bottom; ++y) {

@@ -27,7 +27,8 @@ struct TwoBalls {
 
   [[nodiscard]] Scene scene() const { return {camera, kLights, objects}; }
   [[nodiscard]] SceneLimits limits() const {
-    return {2, static_cast<std::uint32_t>(2 * mesh.vertex_count())};
+    return {2, static_cast<std::uint32_t>(2 * mesh.vertex_count()),
+            static_cast<std::uint32_t>(2 * mesh.triangle_count())};
   }
 };
 
@@ -46,7 +47,7 @@ std::vector<Picture::Word> drawn(const TwoBalls& balls, Memory& memory) {
 
 TEST_CASE("a scene in bytes of the caller's is drawn as in SceneMemory, at any address") {
   const TwoBalls balls;
-  static SceneMemory<SceneMethods, 2, 200> constant;
+  static SceneMemory<SceneMethods, 2, 200, 200> constant;
   const auto expected = drawn(balls, constant);
   const Rect rect = drawn_rect(constant);
   // An odd number of vertices whose sizes are no multiples of 8.
@@ -58,6 +59,7 @@ TEST_CASE("a scene in bytes of the caller's is drawn as in SceneMemory, at any a
     View view(std::span<std::byte>(memory).subspan(offset), balls.limits());
     REQUIRE(ok(view.status()));
     CHECK((drawn(balls, view) == expected));
+    CHECK(view.frame().slots[1].parts_with_rows == 1);
     CHECK(view.frame()
               .header.keeps_vertices);  // of objects that begin at multiples of 8, in both kinds of memory
     CHECK(drawn_rect(view) == rect);

@@ -101,9 +101,24 @@ std::vector<Picture::Word> outlined_in_bands(const Scene& scene, Memory& memory,
   return all;
 }
 
+/// A picture on black in bands of so many rows.
+template <class Memory>
+std::vector<Picture::Word> in_bands(const Scene& scene, Memory& memory, std::int32_t rows) {
+  REQUIRE(ok(prepare_scene(scene, memory)));
+  std::vector<Picture::Word> all;
+  Canvas band(rows);
+  for (std::int32_t row = 0; row < Canvas::kHeight; row += rows) {
+    band.move_to(row);
+    REQUIRE(ok(draw_prepared_scene(memory, band.picture, band.depth, Rgb8{}).status));
+    all.insert(all.end(), band.pixels.begin(), band.pixels.end());
+  }
+  all.resize(Picture::words(Canvas::kWidth, Canvas::kHeight));
+  return all;
+}
+
 SceneMemory<PosedMethods, 4, 400> own_vertices;
-SceneMemory<PosedMethods, 4, 100> shared_vertices;
-SceneMemory<PosedMethods, 4> no_vertices;
+SceneMemory<PosedMethods, 4, 100, 200> shared_vertices;  // and the rows of some objects
+SceneMemory<PosedMethods, 4, 0, 1000> no_vertices;
 
 }  // namespace
 
@@ -125,6 +140,7 @@ TEST_CASE("objects are drawn where a mesh poses their vertices, in every order a
     REQUIRE(
         ok(draw_scene(twins.posed.scene(), uncached.picture, uncached.depth, no_vertices, Rgb8{}).status));
     CHECK(uncached.pixels == expected.pixels);
+    CHECK(in_bands(twins.posed.scene(), no_vertices, 10) == expected.pixels);
     REQUIRE(ok(draw_scene(twins.still.scene(), expected.picture, NoDepth{}, own_vertices, Rgb8{}).status));
     REQUIRE(ok(draw_scene(twins.posed.scene(), found.picture, NoDepth{}, shared_vertices, Rgb8{}).status));
     CHECK(found.pixels == expected.pixels);

@@ -114,7 +114,7 @@ std::vector<Picture::Word> drawn_in_bands(const Scene& scene, Memory& memory, Ro
 
 TEST_CASE("outlines of scenes are smoothed as those of their objects, also in bands") {
   const Meshes meshes;
-  static SceneMemory<SceneMethods, 4, 400> own_vertices;
+  static SceneMemory<SceneMethods, 4, 400, 1000> own_vertices;
   static SceneMemory<SceneMethods, 4, 100> shared_vertices;
   static SceneMemory<SceneMethods, 4> no_vertices;
   Random random(3);
@@ -250,7 +250,7 @@ TEST_CASE("curves are drawn with the objects of a scene as objects of their own 
   const Meshes meshes;
   static SceneMemory<SceneMethods, 8, 1200> own_vertices;
   static SceneMemory<SceneMethods, 8, 400> shared_vertices;
-  static SceneMemory<SceneMethods, 8> no_vertices;
+  static SceneMemory<SceneMethods, 8, 0, 300> no_vertices;
   Random random(5);
   std::size_t found = 0;
   for (int repeat = 0; repeat < share_of(200); ++repeat) {

@@ -25,7 +25,7 @@ constexpr MeshView kSlender = MeshView::of(kSlenderCorners, kNormals, kTriangle)
 constexpr PreparedMaterial<Wireframe<>> kWires(Wireframe<>::Lighting(Unlit::lighting({255, 255, 255})),
                                                DrawOptions{.two_sided = true});
 
-SceneMemory<MethodList<Wireframe<>>, kObjects, 3> memory_of_wires;
+SceneMemory<MethodList<Wireframe<>>, kObjects, 3, kObjects> memory_of_wires;
 
 }  // namespace
 
@@ -70,9 +70,10 @@ TEST_CASE("a scene draws wireframes, in bands as at once") {
     INFO(rows << " rows");
     Canvas band(rows);
     std::vector<Rgb8> drawn;
+    REQUIRE(ok(prepare_scene(scene, memory_of_wires)));
     for (std::int32_t top = 0; top < Canvas::kHeight; top += rows) {
       band.move_to(top);
-      REQUIRE(ok(draw_scene(scene, band.picture, band.depth, memory_of_wires).status));
+      REQUIRE(ok(draw_prepared_scene(memory_of_wires, band.picture, band.depth).status));
       drawn.insert(drawn.end(), band.pixels.begin(), band.pixels.end());
     }
     CHECK(drawn == single.pixels);

@@ -20,7 +20,7 @@ constexpr Camera kCamera = Camera::of({WorldPoint::of(0, 0, 4), {}},
 Arduino_HWSPI bus(9 /* DC */, 10 /* CS */);
 Arduino_GC9A01 tft(&bus, 8 /* RST */, 0, true);
 DisplayBands<240, 16> bands;
-SceneMemory<MethodList<Method>, 5> scene_memory;
+SceneMemory<MethodList<Method>, 5, 0, 800> scene_memory;  // objects, vertices, triangles
 Object parts[] = {{kMeshes[0], kBall}, {kMeshes[1], kIris}, {kMeshes[2], kPupil}, {kMeshes[3], kSkin}, {kMeshes[4], kSkin}};
 
 void setup() { tft.begin(); }

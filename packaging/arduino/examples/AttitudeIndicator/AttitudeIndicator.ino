@@ -20,7 +20,7 @@ constexpr Camera kCamera = Camera::of({WorldPoint::of(0, 0, 4), {}},
 
 LGFX tft;
 DisplayBands<240, 16> bands;
-SceneMemory<MethodList<Method>, 3> scene_memory;
+SceneMemory<MethodList<Method>, 3, 0, 480> scene_memory;  // objects, vertices, triangles
 Object ball[] = {{kMeshes[0], kSky}, {kMeshes[1], kLine}, {kMeshes[2], kGround}};
 
 // Put the driver of your sensor here: w, x to the right, y up, z towards the viewer. Here it banks to and fro.

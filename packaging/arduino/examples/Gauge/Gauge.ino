@@ -19,7 +19,7 @@ constexpr Camera kCamera = Camera::of({WorldPoint::of(0, 0, 4), {}},
 
 Adafruit_ILI9341 tft(10 /* CS */, 9 /* DC */, 8 /* RST */);
 DisplayBands<240, 16> bands;
-SceneMemory<MethodList<Method>, 1, kMesh.vertex_count()> scene_memory;
+SceneMemory<MethodList<Method>, 1, kMesh.vertex_count(), kMesh.triangle_count()> scene_memory;
 Object ring(kMesh, kSteel);
 
 void setup() {

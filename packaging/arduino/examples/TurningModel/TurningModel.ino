@@ -19,7 +19,7 @@ constexpr Camera kCamera = Camera::of({WorldPoint::of(0, 0.5, 3), {}},
 
 TFT_eSPI tft;
 DisplayBands<240, 16> bands;
-SceneMemory<MethodList<Method>, 1, kMesh.vertex_count()> scene_memory;
+SceneMemory<MethodList<Method>, 1, kMesh.vertex_count(), kMesh.triangle_count()> scene_memory;
 Object ring(kMesh, kCopper);
 
 void setup() {

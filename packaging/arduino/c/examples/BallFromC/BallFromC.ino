@@ -20,7 +20,7 @@ void setup() {
   const arcspan_scene_limits limits = {1, 1};
   arcspan_scene_make(scene_memory, sizeof scene_memory, &limits, &scene);
   arcspan_add_binary(scene, ball_bin, sizeof ball_bin, NULL, &ball);
-  const arcspan_view_limits view_limits = arcspan_limits_of(scene, 0);
+  const arcspan_view_limits view_limits = arcspan_limits_of(scene, 1);
   arcspan_view_make(view_memory, sizeof view_memory, &view_limits, scene, &view);
   const arcspan_lens lens = {kSide, kSide, ARCSPAN_DEGREES(44), 0, ARCSPAN_LENGTH(1), ARCSPAN_LENGTH(5)};
   const arcspan_point eye = {0, 0, ARCSPAN_LENGTH(3)}, origin = {0, 0, 0};

@@ -93,12 +93,14 @@ inline constexpr bool kScalesIndices = true;
 inline constexpr bool kExtendsHalfwords = true;
 #endif
 
-/// True if leading zeros are counted by one instruction or by a short routine (Armv6-M). False on RISC-V
-/// without Zbb, where it is a call of a long routine.
+/// True if leading zeros are counted, or the bytes of a word reversed, by one instruction or by a short
+/// routine (Armv6-M). False on RISC-V without Zbb, where both are calls of long routines.
 #if defined(__riscv) && !defined(__riscv_zbb)
 inline constexpr bool kCountsLeadingZeros = false;
+inline constexpr bool kReversesBytes = false;
 #else
 inline constexpr bool kCountsLeadingZeros = true;
+inline constexpr bool kReversesBytes = true;
 #endif
 
 /// True if one instruction saturates to an unsigned range (Arm: USAT).

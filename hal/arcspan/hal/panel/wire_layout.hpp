@@ -3,14 +3,18 @@
 
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/hal/panel/glass.hpp>
+#include <arcspan/numbers/unroll.hpp>
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/mono.hpp>
 #include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/target.hpp>
 
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 namespace arcspan::hal {
 
@@ -33,6 +37,44 @@ namespace detail {
 [[nodiscard]] constexpr std::size_t pixel_count(const Rect& r) {
   return static_cast<std::size_t>(r.width()) * static_cast<std::size_t>(r.height());
 }
+
+/// Two pixels with the bytes of each exchanged.
+[[nodiscard]] ARCSPAN_INLINE inline AliasingWord with_bytes_exchanged(AliasingWord two) {
+  if constexpr (kReversesBytes) {
+    return std::rotl(__builtin_bswap32(two), 16);
+  } else {
+    return ((two >> 8) & 0x00FF00FFu) | ((two & 0x00FF00FFu) << 8);
+  }
+}
+
+/// Writes `count` pixels with the high byte first, and returns their end: two at a time if both addresses are
+/// multiples of a word, a pixel before that counted.
+constexpr std::uint8_t* put_high_byte_first(const std::uint16_t* pixels, std::size_t count,
+                                            std::uint8_t* out) {
+  const auto put_one = [&] {
+    *out++ = static_cast<std::uint8_t>(*pixels >> 8);
+    *out++ = static_cast<std::uint8_t>(*pixels++);
+    --count;
+  };
+  if constexpr (std::endian::native == std::endian::little && sizeof(void*) >= sizeof(AliasingWord)) {
+    if (!std::is_constant_evaluated()) {
+      const auto address = [](const void* at) { return reinterpret_cast<std::uintptr_t>(at); };
+      if (count != 0 && address(pixels) % sizeof(AliasingWord) != 0) put_one();
+      if (address(out) % sizeof(AliasingWord) == 0) {
+        const auto* from = static_cast<const AliasingWord*>(static_cast<const void*>(pixels));
+        auto* to = static_cast<AliasingWord*>(static_cast<void*>(out));
+        const auto put_two = [&] { *to++ = with_bytes_exchanged(*from++); };
+        for (std::size_t left = count / 8; left != 0; --left) unrolled<4>([&](auto) { put_two(); });
+        for (std::size_t left = count % 8 / 2; left != 0; --left) put_two();
+        pixels += count / 2 * 2;
+        out += count / 2 * 4;
+        count %= 2;
+      }
+    }
+  }
+  while (count != 0) put_one();
+  return out;
+}
 }  // namespace detail
 
 /// 16 bits per pixel, high byte first, row by row. The controller rotates.
@@ -43,13 +85,9 @@ struct BigEndianRgb565 {
   [[nodiscard]] static constexpr std::size_t bytes(const Rect& area) { return 2 * detail::pixel_count(area); }
   static constexpr void pack(const Framebuffer<Rgb565>& frame, const Rect& area, Orientation,
                              std::uint8_t* out) {
-    for (std::int32_t y = area.top; y < area.bottom; ++y) {
-      const std::uint16_t* row = frame.row(y);
-      for (std::int32_t x = area.left; x < area.right; ++x) {
-        *out++ = static_cast<std::uint8_t>(row[x] >> 8);
-        *out++ = static_cast<std::uint8_t>(row[x]);
-      }
-    }
+    const auto width = static_cast<std::size_t>(area.width());
+    for (std::int32_t y = area.top; y < area.bottom; ++y)
+      out = detail::put_high_byte_first(frame.row(y) + area.left, width, out);
   }
 };
 
@@ -93,11 +131,39 @@ struct MonoPages {
       return;
     }
     for (std::int32_t y = area.top; y < area.bottom; y += 8) {
-      for (std::int32_t x = area.left; x < area.right; ++x) *out++ = column(frame, x, y);
+      std::int32_t x = area.left;
+      while (x < area.right) {
+        if (sizeof(void*) >= sizeof(std::uint32_t) && x % 8 == 0 && x + 8 <= area.right) {
+          put_columns(frame, x, y, out);
+          x += 8;
+          out += 8;
+        } else {
+          *out++ = column(frame, x++, y);
+        }
+      }
     }
   }
 
  private:
+  /// Writes column() for the eight columns from x, a multiple of 8, by transposing a matrix of 8x8 bits
+  /// (Warren, Hacker's Delight, 7-3). An 8-bit processor would shift words for longer.
+  static constexpr void put_columns(const Framebuffer<Mono>& frame, std::int32_t x, std::int32_t y,
+                                    std::uint8_t* out) {
+    std::uint32_t halves[2] = {};  // of 4 rows each, the lowest row first
+    for (std::int32_t i = 7; i >= 0; --i) halves[i < 4] = (halves[i < 4] << 8) | frame.row(y + i)[x / 8];
+    for (std::uint32_t& half : halves) {
+      const std::uint32_t ones = (half ^ (half >> 7)) & 0x00AA00AAu;
+      half ^= ones ^ (ones << 7);
+      const std::uint32_t twos = (half ^ (half >> 14)) & 0x0000CCCCu;
+      half ^= twos ^ (twos << 14);
+    }
+    const std::uint32_t left = (halves[0] & 0xF0F0F0F0u) | ((halves[1] >> 4) & 0x0F0F0F0Fu);
+    const std::uint32_t right = ((halves[0] << 4) & 0xF0F0F0F0u) | (halves[1] & 0x0F0F0F0Fu);
+    for (int shift = 24; shift >= 0; shift -= 8) {
+      out[3 - shift / 8] = static_cast<std::uint8_t>(left >> shift);
+      out[7 - shift / 8] = static_cast<std::uint8_t>(right >> shift);
+    }
+  }
   [[nodiscard]] static constexpr std::uint8_t reversed(unsigned b) {
     b = ((b & 0x0Fu) << 4) | ((b >> 4) & 0x0Fu);
     b = ((b & 0x33u) << 2) | ((b >> 2) & 0x33u);

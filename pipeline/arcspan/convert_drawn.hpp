@@ -75,12 +75,14 @@ template <SinkInMemory Source, PixelSink Target>
   if (bounds.empty()) return Status::kOk;
   for (std::int32_t y = bounds.top; y < bounds.bottom; ++y) {
     const std::uint16_t* const depths = depth.row(y);
-    for (std::int32_t x = bounds.left; x < bounds.right;) {
-      const bool drawn = depths[x] != DepthBuffer::kFarthest;
-      const std::int32_t first = x;
-      while (++x < bounds.right && (depths[x] != DepthBuffer::kFarthest) == drawn) {
+    std::int32_t x = bounds.left;
+    while (x < bounds.right) {
+      if (depths[x] == DepthBuffer::kFarthest) {
+        ++x;
+        continue;
       }
-      if (!drawn) continue;
+      const std::int32_t first = x;
+      while (x < bounds.right && depths[x] != DepthBuffer::kFarthest) ++x;
       const Status status = detail::convert_run<typename Source::Format>(
           typename Source::Format::Cursor(source.row(y), first), {y, first, x - first}, target);
       if (!ok(status)) return status;

@@ -19,8 +19,8 @@ using Light = Illumination<1, Highlight::kBlinn>;
 using Method = Arc<Light>;
 using Pages = hal::PageMode<hal::St7789>;
 
-// The numbers of nodes, joints, parts and vertices of the model, which `arcspan mesh` prints.
-constexpr std::size_t kNodes = 14, kJoints = 18, kParts = 4, kVertices = 646;
+// The numbers of nodes, joints, parts, vertices and triangles of the model, which `arcspan mesh` prints.
+constexpr std::size_t kNodes = 14, kJoints = 18, kParts = 4, kVertices = 646, kTriangles = 1132;
 constexpr std::int32_t kRows = 16;
 
 // A part of the model, and what of the memory below is its own.
@@ -43,16 +43,20 @@ class Walker {
     if (model.part_count() != kParts) return Status::kInvalidArgument;
     std::span<JointMatrix> joints = joints_;
     std::span<CachedVertex<Method>> vertices = vertices_;
+    std::span<TriangleRows> rows = rows_;
     for (std::size_t i = 0; i < kParts; ++i) {
       Part& part = parts_[i];
       part.stored = model.part(i);
       part.skin = animation_.skin(animation_.weights(i).skin());
       const std::size_t count = part.stored.mesh.vertex_count();
-      if (joints.size() < part.skin.size() || vertices.size() < count) return Status::kBufferTooSmall;
+      const std::size_t entries = TriangleRows::entries(part.stored.mesh.triangle_count());
+      if (joints.size() < part.skin.size() || vertices.size() < count || rows.size() < entries)
+        return Status::kBufferTooSmall;
       part.joints = joints.first(part.skin.size());
-      part.cache = VertexCache<Method>(vertices.first(count));
+      part.cache = VertexCache<Method>(vertices.first(count), rows.first(entries));
       joints = joints.subspan(part.skin.size());
       vertices = vertices.subspan(count);
+      rows = rows.subspan(entries);
     }
     player_.play(clip("stand"));
     return Status::kOk;
@@ -97,6 +101,7 @@ class Walker {
   NodeMatrix nodes_[kNodes];
   JointMatrix joints_[kJoints];
   CachedVertex<Method> vertices_[kVertices];
+  TriangleRows rows_[TriangleRows::entries(kTriangles)];
   Part parts_[kParts];
 };
 

@@ -25,8 +25,7 @@ struct TriangleRows {
 
   static constexpr std::size_t kBatch = 16;  ///< triangles that a band skips at once
   /// The entries that so many triangles take: one each, and behind these one for each full batch.
-  template <class Count>
-  [[nodiscard]] static constexpr Count entries(Count triangles) {
+  [[nodiscard]] static constexpr std::size_t entries(std::size_t triangles) {
     return triangles + triangles / kBatch;
   }
 

@@ -160,7 +160,7 @@ class SceneMemoryView {
     return Listed::template vertex_memory<std::uint64_t>(limits.objects, limits.vertices);
   }
   [[nodiscard]] static constexpr std::uint64_t rows(const SceneLimits& limits) {
-    return TriangleRows::entries<std::uint64_t>(limits.triangles);
+    return std::uint64_t{limits.triangles} + limits.triangles / TriangleRows::kBatch;
   }
   static_assert(alignof(TriangleRows) == 1);  // they follow the vertices
   /// Lighting, slots and their order, in this order.

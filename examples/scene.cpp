@@ -28,7 +28,7 @@ constexpr std::int32_t kRows = 16;
 Pages::Frame::Word band_memory[Pages::Frame::words(240, kRows)];
 std::uint8_t wire_memory[hal::wire_bytes<hal::Ili9341>(240, kRows)];
 std::uint16_t depth_memory[DepthBuffer::words(240, kRows)];
-SceneMemory<MethodList<Method>, 2, 312> scene_memory;
+SceneMemory<MethodList<Method>, 2, 312, 588> scene_memory;  // objects, vertices, triangles
 
 int main() {
   Ili9341Board board;
@@ -37,9 +37,11 @@ int main() {
   Status status = board.start();
   for (std::uint16_t turn = 0; ok(status) && turn < 2000; turn += 1000) {
     for (Object& object : objects) object.rotation = rotation_of(EulerAngles{{turn}, {5000}, {}});
-    status = pages.show([&](Pages::Frame& band) {
+    status = prepare_scene({kCamera, {kLamps}, objects}, scene_memory);
+    if (!ok(status)) break;
+    status = pages.show([](Pages::Frame& band) {
       DepthBuffer depth(depth_memory, 240, kRows, band.bounds().top);
-      return draw_scene({kCamera, {kLamps}, objects}, band, depth, scene_memory, {0, 0, 40}).status;
+      return draw_prepared_scene(scene_memory, band, depth, {0, 0, 40}).status;
     });
   }
   return ok(status) ? 0 : 1;

@@ -45,4 +45,4 @@ using OneObject = SceneMemory<MethodList<TwoLights>, 1>;
 using TwoObjects = SceneMemory<MethodList<TwoLights>, 2>;
 static_assert(sizeof(TwoObjects) - sizeof(OneObject) <= 200);
 static_assert(sizeof(Object) <= (k64Bits ? 96 : 80));
-static_assert(sizeof(SceneMemory<MethodList<TwoLights>, 2, 312>) <= (k64Bits ? 14736 : 14600));
+static_assert(sizeof(SceneMemory<MethodList<TwoLights>, 2, 312, 588>) <= (k64Bits ? 15984 : 15848));

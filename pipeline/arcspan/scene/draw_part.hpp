@@ -40,7 +40,7 @@ struct PartCall {
 
 /// Draws a part with the vertices of its slot, which exist if `KeepsVertices`.
 template <class Used, bool KeepsVertices, class Call, class Drawer>
-[[nodiscard]] ARCSPAN_INLINE DrawResult draw_with_vertices(const Call& part, Drawer&& drawer) {
+[[nodiscard]] DrawResult draw_with_vertices(const Call& part, Drawer&& drawer) {
   if constexpr (KeepsVertices) {
     SlotVertices<typename Used::Method, std::remove_cvref_t<decltype(part.rows)>> vertices(
         part.slot, kUseFacts<Used>, part.rows);

@@ -44,21 +44,24 @@ struct CostJob {
   ClipTransform transform;
 };
 
-/// Draws a job in its bands, each of which is a section. Clearing is not measured.
+[[gnu::section(".bss.frame")]] static TriangleRows cost_rows[TriangleRows::entries(20000)];
+
+/// Draws a job in its bands, each of which is a section. Clearing is not measured. Vertices are kept, and in
+/// bands the rows of triangles.
 inline bool draw_cost_job(std::uint32_t number, const CostJob& job, const CostMethod::Lighting& lighting) {
   const auto width = static_cast<std::int32_t>(job.head.width);
   const auto height = static_cast<std::int32_t>(job.head.height);
   const auto rows = static_cast<std::int32_t>(job.head.band_rows);
   hal::Framebuffer<Rgb565> band(cost_colours, width, rows);
   DepthBuffer depth(cost_depths, width, rows);
+  VertexCache<CostMethod> cache(cost_cache, rows < height ? std::span(cost_rows) : std::span<TriangleRows>());
   for (std::int32_t top = 0; top < height; top += rows) {
     band.move_to(top);
     depth.move_to(top);
     band.clear({0, 0, 0});
     depth.clear();
     arcspan_mark();
-    const DrawResult drawn =
-        draw_mesh<CostMethod>(job.mesh, job.transform, lighting, band, depth, cost_cache);
+    const DrawResult drawn = draw_mesh<CostMethod>(job.mesh, job.transform, lighting, band, depth, cache);
     arcspan_mark();
     bare::print_line("section: job ", number);
     bare::print_line("section: between");

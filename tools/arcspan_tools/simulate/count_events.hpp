@@ -31,6 +31,8 @@ class EventPicture {
       depths_.emplace_back(words, DepthBuffer::kFarthest);
   }
 
+  [[nodiscard]] bool is_whole() const { return rows_ == size_.height; }
+
   /// Calls draw(sink, depth) for each band.
   template <class Draw>
   void for_each_band(const Draw& draw) {
@@ -54,26 +56,88 @@ class EventPicture {
   std::vector<std::vector<std::uint16_t>> depths_;
 };
 
+/// Counts the vertices that a source has transformed.
+template <class Method>
+void count_vertices(const VertexStage<Method>& stage, const std::vector<CachedVertex<Method>>& cache,
+                    DrawEvents& events) {
+  const auto count = static_cast<double>(cache.size());
+  if (!stage.back_faces().known()) {
+    events.vertices += count;
+    return;
+  }
+  events.forgotten += count;
+  for (const CachedVertex<Method>& vertex : cache) {
+    if (vertex.outcode != CachedVertex<Method>::kNotTransformed) ++events.wanted_vertices;
+  }
+}
+
+/// Counts the triangles whose rows were found.
+template <class Method>
+void count_rows(const VertexStage<Method>& stage, const std::vector<TriangleRows>& rows, DrawEvents& events) {
+  const BackFaces& back_faces = stage.back_faces();
+  const std::size_t count = stage.mesh().triangle_count();
+  if (back_faces.known()) events.planes += static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (back_faces.known()) i = back_faces.next_front(i, count);
+    if (i >= count) return;
+    ++events.row_triangles;
+    if (rows[i] != TriangleRows::culled()) ++events.row_fronts;
+  }
+}
+
+/// The triangles that a draw call looks at: a filter of detail::TriangleDrawer, which counts what it does.
+template <class Method>
+class CountedTriangles {
+ public:
+  /// `rows` is empty if the picture is drawn at once.
+  CountedTriangles(const VertexStage<Method>& stage, const std::vector<TriangleRows>& rows, const Rect& band,
+                   DrawEvents& events)
+      : stage_(stage), rows_(rows.data()), has_rows_(!rows.empty()), events_(events) {
+    const int bits = TriangleRows::group_bits(stage.transform().viewport().height);
+    band_ = {static_cast<std::uint8_t>(band.top >> bits),
+             static_cast<std::uint8_t>((band.bottom - 1) >> bits)};
+    if (!has_rows_ && stage.back_faces().known())
+      events.planes += static_cast<double>(stage.mesh().triangle_count());
+  }
+
+  [[nodiscard]] std::size_t next(std::size_t i) {
+    const std::size_t count = stage_.mesh().triangle_count();
+    if (!has_rows_) return stage_.back_faces().known() ? stage_.back_faces().next_front(i, count) : i;
+    constexpr std::size_t kBatch = TriangleRows::kBatch;
+    for (std::size_t step = 1; i < count; i += step) {
+      const bool whole = i % kBatch == 0 && i + kBatch <= count;
+      if (whole) ++events_.batches;
+      step = whole && !reaches(rows_[count + i / kBatch]) ? kBatch : 1;
+      if (step != 1) continue;
+      ++events_.row_entries;
+      if (reaches(rows_[i])) break;
+    }
+    return i;
+  }
+
+ private:
+  [[nodiscard]] bool reaches(const TriangleRows& rows) const {
+    return rows.last >= band_.first && rows.first <= band_.last;
+  }
+
+  const VertexStage<Method>& stage_;
+  const TriangleRows* rows_;
+  bool has_rows_;
+  TriangleRows band_{};
+  DrawEvents& events_;
+};
+
 /// Counts what the loop over the triangles of a mesh finds in a band, from the vertices that it has left.
 template <class Method>
 void count_triangles(const VertexStage<Method>& stage, const std::vector<CachedVertex<Method>>& cache,
-                     const Rect& bounds, bool two_sided, DrawEvents& events) {
+                     const std::vector<TriangleRows>& rows, const Rect& bounds, bool two_sided,
+                     DrawEvents& events) {
   const MeshView& mesh = stage.mesh();
   const arcspan::detail::Scissor scissor(stage.transform().viewport(), bounds);
-  const bool known = stage.back_faces().known();
-  for (const CachedVertex<Method>& vertex : cache) {
-    if (!known)
-      ++events.vertices;
-    else if (vertex.outcode != CachedVertex<Method>::kNotTransformed)
-      ++events.wanted_vertices;
-  }
-  if (known) {
-    events.forgotten += static_cast<double>(cache.size());
-    events.planes += static_cast<double>(mesh.triangle_count());
-  }
-  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-    if (known) i = stage.back_faces().next_front(i, mesh.triangle_count());
-    if (i >= mesh.triangle_count()) return;
+  const bool known = rows.empty() && stage.back_faces().known();
+  CountedTriangles<Method> triangles(stage, rows, scissor.rect(), events);
+  const std::size_t count = mesh.triangle_count();
+  for (std::size_t i = triangles.next(0); i < count; i = triangles.next(i + 1)) {
     ++(known ? events.facing : events.triangles);
     const TriangleIndices t = mesh.triangle(i);
     const CachedVertex<Method>& a = cache[t.a];
@@ -103,22 +167,25 @@ void count_triangles(const VertexStage<Method>& stage, const std::vector<CachedV
   }
 }
 
-/// Draws a part with its own cache in each band, and adds the events.
+/// Draws a part with a cache that it keeps from band to band, and adds the events.
 template <class Plain>
 void count_events(const RenderPart& part, const ClipTransform& transform,
                   const typename Plain::Lighting& lighting, EventPicture& picture, DrawEvents& events) {
   using Counting = EventMethod<Plain>;
   EventTarget target;
   EventTarget::current = &target;
-  std::vector<CachedVertex<Counting>> cache(part.mesh.vertex_count());
+  VertexStage<Counting> stage(part.mesh, transform, lighting);
+  if (!part.two_sided) stage.find_back_faces();
+  std::vector<CachedVertex<Counting>> vertices(part.mesh.vertex_count());
+  std::vector<TriangleRows> rows(picture.is_whole() ? 0 : TriangleRows::entries(part.mesh.triangle_count()));
+  VertexCache<Counting> cache(vertices, rows);
   picture.for_each_band([&](hal::Framebuffer<Rgb565>& sink, const DepthBuffer& depth) {
     ++target.events.calls;
-    (void)draw_mesh<Counting>(part.mesh, transform, lighting, sink, depth, std::span(cache),
-                              {part.two_sided});
-    VertexStage<Counting> stage(part.mesh, transform, lighting);
-    if (!part.two_sided) stage.find_back_faces();
-    count_triangles(stage, cache, sink.bounds(), part.two_sided, target.events);
+    (void)draw_mesh<Counting>(part.mesh, transform, lighting, sink, depth, cache, {part.two_sided});
+    count_triangles(stage, vertices, rows, sink.bounds(), part.two_sided, target.events);
   });
+  count_vertices(stage, vertices, target.events);
+  if (!rows.empty()) count_rows(stage, rows, target.events);
   EventTarget::current = nullptr;
   events = target.events;
 }

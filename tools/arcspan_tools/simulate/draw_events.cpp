@@ -34,6 +34,10 @@ std::vector<CostTerm> DrawEvents::terms() const {
   add("shaded vertex", shaded_vertices, terms);
   add("face", faces, terms);
   add("plane", planes, terms);
+  add("row triangle", row_triangles, terms);
+  add("row front", row_fronts, terms);
+  add("row entry", row_entries, terms);
+  add("batch", batches, terms);
   add("triangle", triangles, terms);
   add("facing triangle", facing, terms);
   add("front", fronts, terms);

@@ -35,6 +35,10 @@ struct DrawEvents {
   double shaded_vertices = 0;
   double faces = 0;           ///< shaded face normals
   double planes = 0;          ///< face planes tested
+  double row_triangles = 0;   ///< whose rows are found, for a picture in bands
+  double row_fronts = 0;      ///< those of them that are not culled
+  double row_entries = 0;     ///< rows of triangles compared with a band
+  double batches = 0;         ///< rows of batches compared with a band
   double triangles = 0;       ///< whose area is tested
   double facing = 0;          ///< the same, but known by their planes to face the camera
   double fronts = 0;          ///< not culled

@@ -35,8 +35,8 @@ struct PartEvents {
 [[nodiscard]] std::optional<double> instructions_on(std::string_view core,
                                                     const std::vector<PartEvents>& picture);
 
-/// Instructions that a core takes to draw a job, without clearing; nothing where either of the two above has
-/// nothing.
+/// Instructions that a core takes to draw a job with vertices that are kept, and in bands the rows of
+/// triangles, without clearing; nothing where either of the two above has nothing.
 [[nodiscard]] std::optional<double> draw_instructions(std::string_view core, std::string_view shading,
                                                       const RenderJob& job);
 

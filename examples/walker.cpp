@@ -22,6 +22,8 @@ using Pages = hal::PageMode<hal::St7789>;
 // The numbers of nodes, joints, parts, vertices and triangles of the model, which `arcspan mesh` prints.
 constexpr std::size_t kNodes = 14, kJoints = 18, kParts = 4, kVertices = 646, kTriangles = 1132;
 constexpr std::int32_t kRows = 16;
+constexpr Direction kSun = normalised(2, 3, 4);
+constexpr Direction kToEye = normalised(0, 0, 1);
 
 // A part of the model, and what of the memory below is its own.
 struct Part {
@@ -44,7 +46,7 @@ class Walker {
     std::span<JointMatrix> joints = joints_;
     std::span<CachedVertex<Method>> vertices = vertices_;
     std::span<TriangleRows> rows = rows_;
-    for (std::size_t i = 0; i < kParts; ++i) {
+    for (std::size_t i = 0; i < kParts && ok(status); ++i) {
       Part& part = parts_[i];
       part.stored = model.part(i);
       part.skin = animation_.skin(animation_.weights(i).skin());
@@ -57,9 +59,10 @@ class Walker {
       joints = joints.subspan(part.skin.size());
       vertices = vertices.subspan(count);
       rows = rows.subspan(entries);
+      status = Light::make(part.stored.material, {DirectionalLight{kSun}}, kToEye, part.light);
     }
     player_.play(clip("stand"));
-    return Status::kOk;
+    return status;
   }
 
   void walk() { player_.fade_to(clip("walk"), 200'000); }
@@ -68,15 +71,12 @@ class Walker {
   Status advance(std::uint32_t microseconds, const Rotation& rotation) {
     player_.advance(microseconds);
     Status status = pose_nodes(animation_, player_.blend(), nodes_);
-    const DirectionalLight sun{rotation.to_object(normalised(2, 3, 4))};
     for (std::size_t i = 0; i < kParts && ok(status); ++i) {
       Part& part = parts_[i];
       part.cache.clear();
       status = pose_joints(part.skin, nodes_, part.joints);
       if (ok(status)) status = SkinnedMesh::make(part.stored.mesh, animation_, i, part.joints, part.mesh);
-      if (ok(status))
-        status =
-            Light::make(part.stored.material, {sun}, rotation.to_object(normalised(0, 0, 1)), part.light);
+      part.light.set_directions({rotation.to_object(kSun)}, rotation.to_object(kToEye));
     }
     return status;
   }

@@ -257,7 +257,7 @@ template <class Background, SceneMemoryType Memory, PixelSink Sink, DepthTarget 
                                                  Memory& memory, const Background& background,
                                                  SceneOutlines<F, Curved>& outlines, Status& found) {
   static_assert(Depth::kWrites, "outlines are compared with depths");
-  found = prepare_scene(scene, memory);
+  found = prepare_once(scene, memory);
   if (!ok(found)) return {found};
   found = find_outlines(memory, outlines);
   if constexpr (std::is_same_v<Curved, CurvedOutlines>) {

@@ -101,12 +101,7 @@ class Framebuffer {
   constexpr void clear_rows(typename F::Encoded encoded) {
     if (bounds_.width() == 0) return;
     for (std::int32_t i = 0; i < arcspan::detail::band_rows(bounds_); ++i) {
-      typename F::Cursor cursor(row_at(i), bounds_.left);
-      if constexpr (requires { cursor.pixels(); }) {
-        fill(cursor.pixels(), static_cast<std::size_t>(bounds_.width()), encoded);
-      } else {
-        for (std::int32_t left = bounds_.width(); left > 0; --left, cursor.next()) cursor.write(encoded);
-      }
+      fill_pixels(typename F::Cursor(row_at(i), bounds_.left), bounds_.width(), encoded);
     }
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/pixel/colour.hpp>
+#include <arcspan/pixel/fill.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
@@ -31,13 +32,12 @@ struct BackgroundPicture {
 
 namespace detail {
 
-/// Calls pixel(cursor, x) for the columns of a row of the sink from left to right.
-template <PixelSink Sink, class Pixel>
-[[nodiscard]] constexpr Status fill_row(Sink& sink, std::int32_t y, const Pixel& pixel) {
+/// Calls draw(cursor, run) for a row of the sink, which is not empty.
+template <PixelSink Sink, class Draw>
+[[nodiscard]] constexpr Status draw_row(Sink& sink, std::int32_t y, const Draw& draw) {
   const Rect bounds = sink.bounds();
   const Span run{y, bounds.left, bounds.width()};
-  auto cursor = sink.open(run);
-  for (std::int32_t x = bounds.left; x < bounds.right; ++x, cursor.next()) pixel(cursor, x);
+  draw(sink.open(run), run);
   return sink.close(run);
 }
 
@@ -58,8 +58,8 @@ template <PixelSink Sink>
   if (bounds.empty()) return Status::kOk;
   const auto encoded = Sink::Format::encode(colour);
   for (std::int32_t y = bounds.top; y < bounds.bottom; ++y) {
-    const Status status =
-        detail::fill_row(sink, y, [encoded](auto& cursor, std::int32_t) { cursor.write(encoded); });
+    const Status status = detail::draw_row(
+        sink, y, [encoded](auto cursor, const Span& run) { fill_pixels(cursor, run.count, encoded); });
     if (!ok(status)) return status;
   }
   return Status::kOk;
@@ -86,8 +86,14 @@ template <PixelSink Sink>
     const PackedRgb colour = PackedRgb::of(detail::gradient_level(gradient.top.r, r, row),
                                            detail::gradient_level(gradient.top.g, g, row),
                                            detail::gradient_level(gradient.top.b, b, row));
-    const Status status = detail::fill_row(
-        sink, y, [&](auto& cursor, std::int32_t x) { cursor.write(encode_at<Format>(colour, x, y)); });
+    const Status status = detail::draw_row(sink, y, [&](auto cursor, const Span& run) {
+      if constexpr (Format::kDithers) {
+        for (std::int32_t i = 0; i < run.count; ++i, cursor.next())
+          cursor.write(encode_at<Format>(colour, run.x + i, y));
+      } else {
+        fill_pixels(cursor, run.count, encode_at<Format>(colour, run.x, y));
+      }
+    });
     if (!ok(status)) return status;
   }
   return Status::kOk;
@@ -111,12 +117,10 @@ template <PixelSink Sink>
   if (picture.words.size() / per_row < static_cast<std::size_t>(picture.height))
     return Status::kBufferTooSmall;
   for (std::int32_t y = bounds.top; y < bounds.bottom; ++y) {
-    // A cursor takes memory that can be written, but read() changes nothing.
+    // A cursor takes memory that can be written, but reading changes nothing.
     auto* row = const_cast<Word*>(picture.words.data()) + static_cast<std::size_t>(y) * per_row;
-    typename Format::Cursor from(row, bounds.left);
-    const Status status = detail::fill_row(sink, y, [&](auto& cursor, std::int32_t) {
-      cursor.write(from.read());
-      from.next();
+    const Status status = detail::draw_row(sink, y, [&](auto cursor, const Span& run) {
+      copy_pixels(typename Format::Cursor(row, run.x), run.count, cursor);
     });
     if (!ok(status)) return status;
   }

@@ -43,4 +43,47 @@ constexpr void fill(Element* at, std::size_t count, Element value) {
   for (; count != 0; --count) *at++ = value;
 }
 
+/// Copies `count` elements, by 32-bit words on machines that have them if both addresses lie alike in a word.
+template <class Element>
+constexpr void copy_elements(const Element* from, std::size_t count, Element* to) {
+  if constexpr (std::is_integral_v<Element> && sizeof(void*) >= sizeof(AliasingWord)) {
+    const auto part = [](const void* at) { return reinterpret_cast<std::uintptr_t>(at) & 3u; };
+    if (!std::is_constant_evaluated() && part(from) == part(to)) {
+      for (; count != 0 && part(from) != 0; --count) *to++ = *from++;
+      constexpr std::size_t kBlock = 8;  // words per turn
+      constexpr std::size_t kElements = kBlock * sizeof(AliasingWord) / sizeof(Element);
+      for (; count >= kElements; count -= kElements, from += kElements, to += kElements) {
+        const auto* source = static_cast<const AliasingWord*>(static_cast<const void*>(from));
+        auto* target = static_cast<AliasingWord*>(static_cast<void*>(to));
+        unrolled<kBlock>([=](auto i) {
+          AliasingWord word = source[i];
+          hide_value(word);  // otherwise compilers call memcpy
+          target[i] = word;
+        });
+      }
+    }
+  }
+  for (; count != 0; --count) *to++ = *from++;
+}
+
+/// Sets `count` pixels, 0 or more, from that of a cursor on.
+template <class Cursor, class Encoded>
+constexpr void fill_pixels(Cursor cursor, std::int32_t count, Encoded encoded) {
+  if constexpr (requires { cursor.pixels(); }) {
+    fill(cursor.pixels(), static_cast<std::size_t>(count), encoded);
+  } else {
+    for (; count > 0; --count, cursor.next()) cursor.write(encoded);
+  }
+}
+
+/// Copies `count` pixels, 0 or more, from those of one cursor on to those of another.
+template <class Cursor>
+constexpr void copy_pixels(Cursor from, std::int32_t count, Cursor to) {
+  if constexpr (requires { from.pixels(); }) {
+    copy_elements(from.pixels(), static_cast<std::size_t>(count), to.pixels());
+  } else {
+    for (; count > 0; --count, from.next(), to.next()) to.write(from.read());
+  }
+}
+
 }  // namespace arcspan

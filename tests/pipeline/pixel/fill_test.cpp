@@ -44,6 +44,25 @@ TEMPLATE_TEST_CASE("fill sets as many words as it is asked for, wherever they be
   }
 }
 
+TEMPLATE_TEST_CASE("elements are copied from any place to any other", "", std::uint8_t, std::uint16_t,
+                   std::uint32_t) {
+  constexpr auto kOutside = static_cast<TestType>(0x55);
+  std::vector<TestType> source(60);
+  for (std::size_t i = 0; i < source.size(); ++i) source[i] = static_cast<TestType>(0x9A3C71E5u * (i + 1));
+  for (std::size_t from = 0; from < 4; ++from) {
+    for (std::size_t to = 0; to < 4; ++to) {
+      for (std::size_t count = 0; from + count <= source.size(); ++count) {
+        std::vector<TestType> copied(to + count + 9, kOutside);
+        std::vector<TestType> wanted = copied;
+        std::copy_n(source.begin() + static_cast<std::ptrdiff_t>(from), count,
+                    wanted.begin() + static_cast<std::ptrdiff_t>(to));
+        copy_elements(source.data() + from, count, copied.data() + to);
+        REQUIRE(copied == wanted);
+      }
+    }
+  }
+}
+
 TEMPLATE_TEST_CASE("clearing a band sets every pixel, and nothing behind it", "", Rgb565, Rgb888, Gray8,
                    Gray4, Mono) {
   using Frame = hal::Framebuffer<TestType>;

@@ -33,9 +33,12 @@ TEST_CASE("a forecast has figures of every method on every core") {
     CAPTURE(core);
     CHECK(figure(made, "flat", core) < figure(made, "gouraud", core));
     CHECK(figure(made, "gouraud", core) < figure(made, "arc", core));
+    CHECK(figure(made, "arc", core) < figure(made, "arc in bands", core));
+    CHECK(figure(made, "arc in bands", core) < 2 * figure(made, "arc", core));
   }
   CHECK(figure(made, "arc", "Cortex-M0+") > figure(made, "arc", "Cortex-M3"));
   CHECK(made.at("ram").at("pose") == 0);
+  CHECK(made.at("ram").at("rows") == 2 * (528 + 33));  // 2 x 24 x 11 triangles
   CHECK(figure(forecast_of("torus:24x12", "--size 120x160"), "arc", "Cortex-M3") <
         figure(made, "arc", "Cortex-M3"));
 }

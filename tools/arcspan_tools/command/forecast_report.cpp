@@ -35,11 +35,12 @@ std::string advice_text(const Forecast& f) {
 
 std::string to_text(const Forecast& f) {
   std::string text = formatted(
-      "forecast: %dx%d in rgb565 with depth, one light, the model as large as fits, mean of %zu whole "
-      "pictures "
-      "with clearing%s\n  (bands take longer); instructions, and frames per second at %g million of them per "
-      "second\n",
-      f.size.width, f.size.height, f.pictures, f.outlined ? " and smooth outlines" : "", f.mips);
+      "forecast: %dx%d in rgb565 with depth, one light, the model as large as fits, mean of %zu pictures, "
+      "whole or in bands\n  of %d rows, with clearing%s; instructions, and frames per second at %g million "
+      "of "
+      "them per second\n",
+      f.size.width, f.size.height, f.pictures, static_cast<int>(Forecast::kBandRows),
+      f.outlined ? " and smooth outlines" : "", f.mips);
   text += formatted("  %-13s", "");
   for (const ForecastCore& core : kForecastCores) text += formatted(" %16s", core.name);
   text += "\n";
@@ -62,10 +63,10 @@ std::string to_text(const Forecast& f) {
   if (f.morphs) text += "  morph targets are not in it\n";
   return text + formatted(
                     "  flash: %zu bytes of model, and the program; RAM: %zu bytes of colours and depths, or "
-                    "%zu in bands of %d rows,\n    %zu of vertices (fewer or none is slower), %zu of nodes "
-                    "and joints\n",
-                    f.model_bytes, f.frame_bytes, f.band_bytes, static_cast<int>(Forecast::kBandRows),
-                    f.cache_bytes, f.pose_bytes);
+                    "%zu in bands,\n    %zu of vertices and in bands %zu of rows of triangles (fewer or none "
+                    "is slower), "
+                    "%zu of nodes and joints\n",
+                    f.model_bytes, f.frame_bytes, f.band_bytes, f.cache_bytes, f.row_bytes, f.pose_bytes);
 }
 
 nlohmann::ordered_json to_json(const Forecast& f) {
@@ -90,6 +91,7 @@ nlohmann::ordered_json to_json(const Forecast& f) {
            {{"frame", f.frame_bytes},
             {"band", f.band_bytes},
             {"vertices", f.cache_bytes},
+            {"rows", f.row_bytes},
             {"pose", f.pose_bytes}}}};
 }
 

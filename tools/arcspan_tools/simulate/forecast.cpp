@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/animate/joint_matrix.hpp>
 #include <arcspan/animate/node_matrix.hpp>
+#include <arcspan/draw/triangle_rows.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/textured/textured.hpp>
@@ -20,15 +21,21 @@ namespace arcspan::tools {
 namespace {
 
 constexpr std::size_t kPictures = 8;
-constexpr const char* kMethods[] = {"flat", "gouraud", "arc"};
+
+struct Row {
+  const char* method;
+  bool in_bands;
+};
+constexpr Row kRows[] = {{"flat", false}, {"gouraud", false}, {"arc", false}, {"arc", true}};
 
 bool has_textures(const FixedModel& model) {
   return std::any_of(model.looks.begin(), model.looks.end(),
                      [](const PartLook& look) { return look.material.texture != nullptr; });
 }
 
-std::string name_of(std::string_view method, bool textured) {
-  return method == "gouraud" && textured ? "grey gouraud" : std::string(method);
+std::string name_of(const Row& row, bool textured) {
+  const std::string method(row.method);
+  return (textured && method == "gouraud" ? "grey " : "") + method + (row.in_bands ? " in bands" : "");
 }
 
 void set_memory(const FixedModel& model, Forecast& made) {
@@ -39,7 +46,12 @@ void set_memory(const FixedModel& model, Forecast& made) {
   made.frame_bytes = kBytesPerPixel * pixels;
   made.band_bytes = kBytesPerPixel * static_cast<std::size_t>(made.size.width) * Forecast::kBandRows;
   std::size_t most = 0;
-  for (const FixedMesh& mesh : model.meshes) most = std::max(most, mesh.positions.size());
+  std::size_t most_triangles = 0;
+  for (const FixedMesh& mesh : model.meshes) {
+    most = std::max(most, mesh.positions.size());
+    most_triangles = std::max(most_triangles, mesh.indices.size() / 3);
+  }
+  made.row_bytes = TriangleRows::entries(most_triangles) * sizeof(TriangleRows);
   made.cache_bytes = most * (has_textures(model) ? sizeof(CachedVertex<Mapped>) : sizeof(CachedVertex<Lit>));
   if (model.animation == nullptr) return;
   made.pose_bytes = model.animation->nodes.size() * sizeof(NodeMatrix);
@@ -129,17 +141,18 @@ Forecast forecast(const FixedModel& model, std::size_t model_bytes, Size size, d
   set_memory(model, made);
   const std::vector<ForecastPicture> pictures =
       forecast_pictures(poser_of(model, subject), clips_of(model), size);
-  Progress progress("forecasting", kPictures * std::size(kMethods));
+  Progress progress("forecasting", kPictures * std::size(kRows));
   std::size_t done = 0;
-  for (const char* method : kMethods) {
-    made.methods.push_back({name_of(method, made.textured), {}, {}});
+  for (const Row& row : kRows) {
+    made.methods.push_back({name_of(row, made.textured), {}, {}});
     made.methods.back().instructions.fill(0);
     made.methods.back().posing.fill(0);
   }
   for (const ForecastPicture& picture : pictures) {
-    const RenderJob job = make_job(picture.scene, picture.pose, subject);
-    for (std::size_t i = 0; i < std::size(kMethods); ++i) {
-      add_picture(kMethods[i], model, picture, job, made.methods[i]);
+    RenderJob job = make_job(picture.scene, picture.pose, subject);
+    for (std::size_t i = 0; i < std::size(kRows); ++i) {
+      job.band_rows = kRows[i].in_bands ? Forecast::kBandRows : size.height;
+      add_picture(kRows[i].method, model, picture, job, made.methods[i]);
       progress.show(++done);
     }
   }

@@ -26,7 +26,7 @@ inline constexpr std::array<ForecastCore, 4> kForecastCores = {{{"Cortex-M0+", "
                                                                 {"Cortex-M4", "mps2-an385"},
                                                                 {"RV32IMC", "riscv-virt"}}};
 
-/// Instructions of a whole frame on each core; nothing where there are no figures.
+/// Instructions of a frame on each core; nothing where there are no figures.
 using CoreFigures = std::array<std::optional<double>, kForecastCores.size()>;
 
 /// What drawing a model will cost.
@@ -44,6 +44,7 @@ struct Forecast {
   std::size_t frame_bytes = 0;  ///< of RAM: colours and depths
   std::size_t band_bytes = 0;   ///< both in bands of kBandRows
   std::size_t cache_bytes = 0;  ///< vertices of the largest part, by arc
+  std::size_t row_bytes = 0;    ///< rows of its triangles, for bands
   std::size_t pose_bytes = 0;   ///< nodes and joints
   std::size_t model_bytes = 0;  ///< of flash
   bool textured = false;        ///< a part has a texture

@@ -38,7 +38,7 @@ TEST_CASE("a forecast has figures of every method on every core") {
   }
   CHECK(figure(made, "arc", "Cortex-M0+") > figure(made, "arc", "Cortex-M3"));
   CHECK(made.at("ram").at("pose") == 0);
-  CHECK(made.at("ram").at("rows") == 2 * (528 + 33));  // 2 x 24 x 11 triangles
+  CHECK(made.at("ram").at("rows") == 2 * (576 + 36));
   CHECK(figure(forecast_of("torus:24x12", "--size 120x160"), "arc", "Cortex-M3") <
         figure(made, "arc", "Cortex-M3"));
 }

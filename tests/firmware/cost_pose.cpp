@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Poses the tubes that tests/artefacts/posing_models.cpp has written and the emulator has loaded, for
-// scripts/simulate-estimates, transforms and shades their vertices, and clears a picture. The name of a
-// section ends with the number of what it made.
+// scripts/simulate-estimates, transforms and shades their vertices, clears a picture and packs it for a
+// panel. The name of a section ends with the number of what it made.
 #include <arcspan/animate/pose.hpp>
 #include <arcspan/animate/skinned_mesh.hpp>
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/hal/panel/wire_layout.hpp>
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/shading/surface/arc.hpp>
@@ -30,6 +31,7 @@ constexpr std::int32_t kWidth = 320;
 constexpr std::int32_t kHeight = 240;
 [[gnu::section(".bss.frame")]] std::uint16_t colours[kWidth * kHeight];
 [[gnu::section(".bss.frame")]] std::uint16_t depths[kWidth * kHeight];
+[[gnu::section(".bss.frame")]] std::uint8_t wire[2 * kWidth * kHeight];
 
 NodeMatrix nodes[32];
 JointMatrix joints[32];
@@ -73,6 +75,17 @@ bool measure_vertices(const char* of, const MeshView& view, const Mesh& mesh) {
   return true;
 }
 
+template <class Layout>
+void measure_packing(const char* format) {
+  using Frame = hal::Framebuffer<typename Layout::Format>;
+  static_assert(sizeof(typename Frame::Word) <= sizeof colours[0]);
+  const Frame frame(
+      {static_cast<typename Frame::Word*>(static_cast<void*>(colours)), Frame::words(kWidth, kHeight)},
+      kWidth, kHeight);
+  measure("pack ", format, std::size_t{kWidth} * kHeight,
+          [&] { Layout::pack(frame, frame.bounds(), hal::Orientation::k0, wire); });
+}
+
 bool pose_tube(const ModelRecord& record) {
   StoredModel model;
   StoredAnimation animation;
@@ -102,6 +115,9 @@ int main() {
     frame.clear({0, 0, 0});
     depth.clear();
   });
+  measure_packing<hal::BigEndianRgb565>("rgb565");
+  measure_packing<hal::Gray4Pairs>("gray4");
+  measure_packing<hal::MonoPages>("mono");
   for (const ModelRecord* record = &first_record(); record->bytes != 0; record = &next_record(*record)) {
     if (!pose_tube(*record)) return 1;
   }

@@ -47,6 +47,7 @@ struct SimulateArguments {
 struct Totals {
   double instructions = 0;
   double outline_instructions = 0;  ///< of these
+  double other_instructions = 0;    ///< for clearing, and for packing what is sent
   std::uint64_t draw_ns = 0;
   std::uint64_t frame_ns = 0;
   hal::sim::BusCount bus;
@@ -154,6 +155,9 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   const Turntable turntable(options.scene, played.extent(), frames);
   display.start();
   const hal::sim::BusCount start = display.count();
+  const double all_pixels = double(display.size().width) * display.size().height;
+  const double pixel_cost =
+      pose_cost(kSimulatedCore, "clear") + pose_cost(kSimulatedCore, "pack " + display.format());
   Totals totals;
   totals.outlines = options.outline_text();
   for (std::size_t i = 0; i < frames; ++i) {
@@ -169,11 +173,14 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
     if (instructions && i == 0) totals.other_methods = by_other_methods(*instructions, options.shading, job);
     totals.grey = options.shading == "gouraud" && has_textures(job);
     if (!instructions) totals.without_figures = without_figures(options.shading, job);
-    const auto draw_ns = static_cast<std::uint64_t>(instructions.value_or(0) * 1000 / arguments.cpu_mhz);
+    const double others = instructions ? all_pixels * pixel_cost : 0;
+    const auto draw_ns =
+        static_cast<std::uint64_t>((instructions.value_or(0) + others) * 1000 / arguments.cpu_mhz);
     const std::uint64_t before = display.now_ns();
     display.show(drawn.image, job.background, draw_ns);
     totals.outline_bytes = std::max(totals.outline_bytes, drawn.stats.outline_bytes);
     totals.instructions += instructions.value_or(0);
+    totals.other_instructions += others;
     totals.draw_ns += draw_ns;
     totals.frame_ns += display.now_ns() - before;
     output.add(display.picture());
@@ -204,9 +211,9 @@ std::string report(const SimulateArguments& arguments, const SimulatedDisplay& d
   if (totals.without_figures.empty()) {
     const double frame_ms = static_cast<double>(totals.frame_ns) / 1e6 / frames;
     text += formatted(
-        "drawing: %.0f instructions and %.3f ms a frame on a Cortex-M3 at %g MHz (an estimate, without "
-        "clearing; vertices and rows of triangles are kept%s)\n",
-        totals.instructions / frames, draw_ms, arguments.cpu_mhz,
+        "drawing: %.0f instructions, clearing and packing %.0f: %.3f ms a frame on a Cortex-M3 at %g MHz (an "
+        "estimate; vertices and rows of triangles are kept%s)\n",
+        totals.instructions / frames, totals.other_instructions / frames, draw_ms, arguments.cpu_mhz,
         totals.grey ? "; textures in grey light" : "");
     if (!totals.other_methods.empty())
       text += formatted("the first frame by other methods: %s\n", totals.other_methods.c_str());

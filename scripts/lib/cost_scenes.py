@@ -35,6 +35,6 @@ OTHER = {  # of cost_light.hpp, cost_scene.cpp and cost_character.hpp, by progra
     ("{}-blinn-1", "draw"): "benchmark frame, (N·H)¹⁶ instead of (R·V)¹⁶", ("{}-blinn-1", "make"): "its illumination",
     ("{}-phong-2", "draw"): "benchmark frame, two lights", ("{}-phong-2", "make"): "its illumination",
     ("scene-{}", "draw twenty"): "20 spheres of 16×8 with 20 materials", ("scene-{}", "prepare twenty"): "preparing them",
-    ("scene-{}", "bands"): "benchmark frame as a scene in bands of 24 rows, with vertices", ("scene-{}", "bands, rows"): "and with rows of triangles",
+    ("scene-{}", "bands"): "scene of its sphere in bands of 24 rows, with vertices", ("scene-{}", "bands, rows"): "with rows of triangles, too",
     ("scene-{}", "bands, rows only"): "with rows, without vertices",
     ("{}", "draw character"): "figure of 4,620 small triangles without planes (`tests/frames/figure.hpp`)"}

@@ -111,8 +111,8 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
     ++result.objects;
     if (!frame.header.keeps_vertices) slot.held = nullptr;
     const ObjectLights lights = lights_at(frame.header, *slot.object);
-    // Rows are not worth finding for a picture that is drawn at once.
-    typename Memory::KeptRows rows(slot, rect != whole);
+    // They are worth finding if the picture has two bands or more.
+    typename Memory::KeptRows rows(slot, 2 * rect.height() <= whole.height());
     for (std::size_t p = 0; p < slot.object->part_count() && ok(result.status); ++p) {
       const Part part = slot.object->part(p);
       const MeshView mesh = slot.object->mesh().part(part.first, part.count);

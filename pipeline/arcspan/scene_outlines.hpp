@@ -198,7 +198,8 @@ void draw_curves(Memory& memory, SceneSlot& slot, const ObjectLights& lights, Si
 ///
 ///     smooth_outlines(outlines.edges, sink, depth, outlines.gaps);
 ///
-/// With curves, draw_prepared_scene() takes `outlines.curves` as its last argument.
+/// With curves, draw_prepared_scene() takes `outlines.curves` as its last argument. If `memory` has room for
+/// rows of triangles they are found here, which pays in bands only.
 ///
 /// A scene whose surfaces are blended with what is behind them is drawn afterwards, with a ReadOnlyDepth. Its
 /// outlines are found and smoothed in the same way, with a SceneOutlines of its own.

@@ -112,6 +112,8 @@ inline constexpr bool kHasSaturate = false;
 
 /// A 32-bit word that may be stored over objects of other types.
 using AliasingWord [[gnu::may_alias]] = __UINT32_TYPE__;
+/// True if the machine loads and stores such words by one instruction each.
+inline constexpr bool kHasWords = sizeof(void*) >= sizeof(AliasingWord);
 
 // ---- Hints for register allocation
 

@@ -245,7 +245,7 @@ typedef struct {
    * transformed once per frame, otherwise once per arcspan_draw(). */
   uint32_t vertices;
   /* In bands, a triangle whose rows are kept costs about 40 instructions less in each band that its part
-   * reaches. They take 2.1 bytes each; 0: none are kept. */
+   * reaches. They take 2.1 bytes each, and are kept for all triangles of a part or none. */
   uint32_t triangles;
 } arcspan_view_limits;
 

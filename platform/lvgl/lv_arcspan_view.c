@@ -73,6 +73,11 @@ static arcspan_status make_view(lv_arcspan_view_t* view) {
   limits = arcspan_limits_of(view->scene, 1);
   size_t bytes = arcspan_view_bytes(&limits);
   view->view_memory = lv_malloc(bytes);
+  if (view->view_memory == NULL) { /* rather without rows than without vertices */
+    limits.triangles = 0;
+    bytes = arcspan_view_bytes(&limits);
+    view->view_memory = lv_malloc(bytes);
+  }
   if (view->view_memory == NULL) {
     limits = least;
     bytes = arcspan_view_bytes(&limits);

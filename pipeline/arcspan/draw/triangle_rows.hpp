@@ -25,8 +25,9 @@ struct TriangleRows {
 
   static constexpr std::size_t kBatch = 16;  ///< triangles that a band skips at once
   /// The entries that so many triangles take: one each, and behind these one for each full batch.
-  [[nodiscard]] static constexpr std::size_t entries(std::size_t triangles) {
-    return triangles + triangles / kBatch;
+  template <class Count>
+  [[nodiscard]] static constexpr Count entries(Count triangles) {
+    return static_cast<Count>(triangles + triangles / Count{kBatch});
   }
 
   /// The rows of a group are 2 to the power of this, in a picture of `height` rows, 1...2048.

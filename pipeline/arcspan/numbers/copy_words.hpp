@@ -14,7 +14,7 @@ namespace arcspan {
 template <class T>
 ARCSPAN_OUTLINE constexpr void copy_words(const T& from, T& to) {
   static_assert(std::is_trivially_copyable_v<T>);
-  if constexpr (sizeof(void*) >= sizeof(AliasingWord) && alignof(T) >= alignof(AliasingWord)) {
+  if constexpr (kHasWords && alignof(T) >= alignof(AliasingWord)) {
     if (!std::is_constant_evaluated()) {
       constexpr std::size_t kBlock = 8;  // words per turn
       constexpr std::size_t kWords = sizeof(T) / sizeof(AliasingWord);

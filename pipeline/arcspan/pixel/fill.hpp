@@ -34,7 +34,7 @@ ARCSPAN_INLINE inline void fill_words(Element*& at, std::size_t& count, Element 
 /// that have them.
 template <class Element>
 constexpr void fill(Element* at, std::size_t count, Element value) {
-  if constexpr (std::is_integral_v<Element> && sizeof(void*) >= sizeof(AliasingWord)) {
+  if constexpr (std::is_integral_v<Element> && kHasWords) {
     if (!std::is_constant_evaluated()) {
       for (; count != 0 && (reinterpret_cast<std::uintptr_t>(at) & 3u) != 0; --count) *at++ = value;
       detail::fill_words(at, count, value);
@@ -46,7 +46,7 @@ constexpr void fill(Element* at, std::size_t count, Element value) {
 /// Copies `count` elements, by 32-bit words on machines that have them if both addresses lie alike in a word.
 template <class Element>
 constexpr void copy_elements(const Element* from, std::size_t count, Element* to) {
-  if constexpr (std::is_integral_v<Element> && sizeof(void*) >= sizeof(AliasingWord)) {
+  if constexpr (std::is_integral_v<Element> && kHasWords) {
     const auto part = [](const void* at) { return reinterpret_cast<std::uintptr_t>(at) & 3u; };
     if (!std::is_constant_evaluated() && part(from) == part(to)) {
       for (; count != 0 && part(from) != 0; --count) *to++ = *from++;

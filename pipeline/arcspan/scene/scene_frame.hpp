@@ -47,7 +47,7 @@ struct SceneSlot {
   TriangleRows* rows;             ///< memory for the rows of the triangles of all parts, in turn, or null
   std::size_t vertex_bytes;       ///< that the vertices take at most, 0 without memory for any
   std::uint16_t depth;            ///< of the sphere's middle; find_outlines() puts the end of its curves here
-  std::uint16_t parts_with_rows;  ///< how many parts have their rows, from the first one on
+  std::uint16_t parts_with_rows;  ///< from the first one on; parts are drawn in turn, or drawing ends
 };
 
 /// The part of a SceneMemory that belongs to the whole scene. All is zero at first, so that static memory

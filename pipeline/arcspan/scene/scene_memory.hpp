@@ -51,10 +51,10 @@ struct MethodsInMemory<MethodList<Methods...>> {
 /// Memory for drawing a scene, usually a static variable. `Objects` is the most that are
 /// in view at a time. `Vertices` is at least the number of vertices of the largest mesh, or 0: then each
 /// triangle transforms its own three vertices. If there is room for the vertices of all objects in view, they
-/// are kept from band to band. `Triangles` is the number of triangles whose rows are kept for further bands,
-/// 2.1 bytes each, those of all objects in view or of some: without its rows a triangle costs about 40
-/// instructions in each band that its object reaches. It needs no initialisation and may be used for any
-/// scene. `List` is a MethodList.
+/// are kept from band to band. `Triangles` is the number of triangles, of all parts, whose rows are kept for
+/// further bands, 2.1 bytes each. In the order of the scene each object in view gets room for all of its
+/// parts or none: without its rows a triangle costs about 40 instructions in each band that its object
+/// reaches. It needs no initialisation and may be used for any scene. `List` is a MethodList.
 template <class List, std::size_t Objects, std::size_t Vertices = 0, std::size_t Triangles = 0>
 class SceneMemory {
   using Listed = detail::MethodsInMemory<List>;
@@ -160,7 +160,7 @@ class SceneMemoryView {
     return Listed::template vertex_memory<std::uint64_t>(limits.objects, limits.vertices);
   }
   [[nodiscard]] static constexpr std::uint64_t rows(const SceneLimits& limits) {
-    return std::uint64_t{limits.triangles} + limits.triangles / TriangleRows::kBatch;
+    return TriangleRows::entries(std::uint64_t{limits.triangles});
   }
   static_assert(alignof(TriangleRows) == 1);  // they follow the vertices
   /// Lighting, slots and their order, in this order.

@@ -46,6 +46,12 @@ TEST_CASE("rows are found by the first band of an object, once per frame, and no
   static SceneMemory<Red, 1, 200, 200> memory;
   const auto whole = drawn(ball.scene({&object, 1}), memory, Canvas::kHeight);
   CHECK(memory.frame().slots[0].parts_with_rows == 0);
+  // Nor are they for a band of more than half of its rows.
+  Canvas large(Canvas::kHeight / 2 + 1);
+  REQUIRE(ok(draw_prepared_scene(memory, large.picture, large.depth).status));
+  CHECK(memory.frame().slots[0].parts_with_rows == 0);
+  CHECK(drawn(ball.scene({&object, 1}), memory, Canvas::kHeight / 2) == whole);
+  CHECK(memory.frame().slots[0].parts_with_rows == 1);
   CHECK(drawn(ball.scene({&object, 1}), memory, 8) == whole);
   const detail::SceneSlot& slot = memory.frame().slots[0];
   REQUIRE(slot.parts_with_rows == 1);

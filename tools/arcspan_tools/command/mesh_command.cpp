@@ -263,7 +263,7 @@ void add_forecast(CLI::App& mesh, MeshArguments& arguments) {
   mesh.add_flag(
       "--forecast", arguments.forecast,
       "estimate instructions and frames per second by flat, Gouraud and arc shading on a Cortex-M0+, M3, "
-      "M4 and RV32, and memory");
+      "M4 and RV32, by arc in bands of 16 rows, too, and memory");
   add_parsed<Size>(
       mesh, "--size", "WxH", "picture size of the forecast, each 1...2048 (default 240x320)",
       "WxH with each 1...2048",

@@ -56,7 +56,7 @@ constexpr std::uint8_t* put_high_byte_first(const std::uint16_t* pixels, std::si
     *out++ = static_cast<std::uint8_t>(*pixels++);
     --count;
   };
-  if constexpr (std::endian::native == std::endian::little && sizeof(void*) >= sizeof(AliasingWord)) {
+  if constexpr (std::endian::native == std::endian::little && kHasWords) {
     if (!std::is_constant_evaluated()) {
       const auto address = [](const void* at) { return reinterpret_cast<std::uintptr_t>(at); };
       if (count != 0 && address(pixels) % sizeof(AliasingWord) != 0) put_one();
@@ -133,7 +133,7 @@ struct MonoPages {
     for (std::int32_t y = area.top; y < area.bottom; y += 8) {
       std::int32_t x = area.left;
       while (x < area.right) {
-        if (sizeof(void*) >= sizeof(std::uint32_t) && x % 8 == 0 && x + 8 <= area.right) {
+        if (kHasWords && x % 8 == 0 && x + 8 <= area.right) {
           put_columns(frame, x, y, out);
           x += 8;
           out += 8;

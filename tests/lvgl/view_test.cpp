@@ -376,6 +376,22 @@ TEST_CASE("memory that cannot be allocated drops rectangles, and the next frame 
   CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_OK);
 }
 
+TEST_CASE("without memory for the rows of triangles a view keeps its vertices") {
+  const auto expected = shown({});
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  const arcspan_view_limits limits = arcspan_limits_of(balls.scene, 1);
+  REQUIRE(limits.triangles > 0);
+  const std::size_t bytes = arcspan_view_bytes(&limits);
+  fail_allocations_from(bytes, bytes + 1);
+  screen.refresh();
+  CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_OK);
+  CHECK(lv_arcspan_view_get_dropped(view) == 0);
+  CHECK((screen.pixels == expected));
+  fail_allocations_from(0);
+}
+
 TEST_CASE("another scene may be shown in a flush, out of sight, and before a snapshot") {
   BallScene first;
   BallScene second;

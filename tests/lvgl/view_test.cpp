@@ -381,6 +381,9 @@ TEST_CASE("without memory for the rows of triangles a view keeps its vertices") 
   Screen screen;
   BallScene balls;
   lv_obj_t* const view = make_view(balls);
+  lv_obj_t* const label = lv_label_create(view);
+  lv_label_set_text(label, "above");
+  lv_obj_center(label);
   const arcspan_view_limits limits = arcspan_limits_of(balls.scene, 1);
   REQUIRE(limits.triangles > 0);
   const std::size_t bytes = arcspan_view_bytes(&limits);

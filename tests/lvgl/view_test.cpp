@@ -7,6 +7,12 @@
 
 namespace {
 
+void put_label_above(lv_obj_t* view) {
+  lv_obj_t* const label = lv_label_create(view);
+  lv_label_set_text(label, "above");
+  lv_obj_center(label);
+}
+
 using namespace arcspan::test;
 
 constexpr lv_color_format_t kFormats[] = {LV_COLOR_FORMAT_RGB565,   LV_COLOR_FORMAT_RGB565_SWAPPED,
@@ -50,9 +56,7 @@ std::vector<std::uint8_t> shown(const DisplaySetting& setting, Outlines outlines
   BallScene balls(outlined_ball());
   lv_obj_t* const view = make_view(balls);
   set_outlines(view, outlines);
-  lv_obj_t* const label = lv_label_create(view);
-  lv_label_set_text(label, "above");
-  lv_obj_center(label);
+  put_label_above(view);
   screen.refresh();
   CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_OK);
   CHECK(lv_arcspan_view_get_dropped(view) == 0);
@@ -164,9 +168,7 @@ TEST_CASE("a layer whose outlines lack memory for depths is left out, and the ne
   Screen screen({LV_COLOR_FORMAT_RGB565, LV_DISPLAY_RENDER_MODE_DIRECT});
   BallScene balls(outlined_ball());
   lv_obj_t* const view = make_view(balls);
-  lv_obj_t* const label = lv_label_create(view);
-  lv_label_set_text(label, "above");
-  lv_obj_center(label);
+  put_label_above(view);
   set_outlines(view, kSmooth);
   lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(0.2));
   screen.refresh();
@@ -196,9 +198,7 @@ TEST_CASE("outlines that cannot be smoothed leave the picture as it is, with a s
     BallScene balls;
     lv_obj_t* const view = make_view(balls);
     set_outlines(view, kSmooth);
-    lv_obj_t* const label = lv_label_create(view);
-    lv_label_set_text(label, "above");
-    lv_obj_center(label);
+    put_label_above(view);
     screen.refresh();
     CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_UNSUPPORTED);
     CHECK(lv_arcspan_view_get_dropped(view) == 0);
@@ -209,9 +209,7 @@ TEST_CASE("outlines that cannot be smoothed leave the picture as it is, with a s
     Screen screen;
     BallScene balls(outlined_ball());
     lv_obj_t* const view = make_view(balls);
-    lv_obj_t* const label = lv_label_create(view);
-    lv_label_set_text(label, "above");
-    lv_obj_center(label);
+    put_label_above(view);
     const arcspan_outline_limits few{300, 1, 1000, 0};
     REQUIRE(lv_arcspan_view_set_outlines(view, &few, nullptr) == ARCSPAN_OK);
     screen.refresh();
@@ -351,9 +349,7 @@ TEST_CASE("memory that cannot be allocated drops rectangles, and the next frame 
   Screen screen;
   BallScene balls;
   lv_obj_t* const view = make_view(balls);
-  lv_obj_t* const label = lv_label_create(view);
-  lv_label_set_text(label, "above");
-  lv_obj_center(label);
+  put_label_above(view);
   SECTION("of the view") {
     fail_allocations_from(2000);
     screen.refresh();
@@ -381,9 +377,7 @@ TEST_CASE("without memory for the rows of triangles a view keeps its vertices") 
   Screen screen;
   BallScene balls;
   lv_obj_t* const view = make_view(balls);
-  lv_obj_t* const label = lv_label_create(view);
-  lv_label_set_text(label, "above");
-  lv_obj_center(label);
+  put_label_above(view);
   const arcspan_view_limits limits = arcspan_limits_of(balls.scene, 1);
   REQUIRE(limits.triangles > 0);
   const std::size_t bytes = arcspan_view_bytes(&limits);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Finds, inks and smooths the outlines of the jobs that the emulator has loaded, for
-// scripts/simulate-estimates. Drawing is not measured; in whole pictures sides are noted while drawing, so
-// finding them is not measured either.
+// scripts/simulate-estimates. Drawing is not measured. In whole pictures sides are noted while drawing, so
+// finding them is not measured either; in bands they are those of the rows that drawing keeps.
 #include <arcspan/draw/triangle_sides.hpp>
 #include <arcspan/ink_outlines.hpp>
 #include <arcspan/outline/curved_outlines.hpp>
@@ -30,11 +30,13 @@ Status measured(std::uint32_t number, const Work& work) {
 
 Status find(std::uint32_t number, const CostJob& job, const CostMethod::Lighting& lighting,
             OutlineList& outlines, CurvedOutlines& curves) {
-  VertexCache<CostMethod> cache(cost_cache);
+  const bool in_bands = job.head.band_rows < job.head.height;
+  VertexCache<CostMethod> cache(cost_cache, in_bands ? std::span(cost_rows) : std::span<TriangleRows>());
   const auto sides_found = [&] {
     return find_sides<CostMethod>(job.mesh, job.transform, lighting, cache, sides);
   };
-  const Status status = job.head.band_rows < job.head.height ? measured(number, sides_found) : sides_found();
+  Status status = sides_found();
+  if (ok(status) && in_bands) status = measured(number, sides_found);
   if (!ok(status)) return status;
   const VertexPositions positions(job.transform, std::span<const CachedVertex<CostMethod>>(cost_cache));
   return measured(number, [&] {

@@ -170,35 +170,18 @@ class BandCounter {
   std::vector<Gap> gaps_;
 };
 
-/// Fills `sides`, and counts what find_sides() does for that if the picture is drawn in bands. A whole
-/// picture gets them from drawing it, at no cost that is counted here.
+/// Fills `sides`. In bands find_sides() takes them from the rows that drawing keeps; a whole picture gets
+/// them from drawing it, at no cost that is counted here.
 void find_counted_sides(const RenderPart& part, const ClipTransform& transform, bool in_bands,
                         std::vector<TriangleSide>& sides, OutlineEvents& events) {
   const Unlit::Lighting lighting = Unlit::lighting({});
-  std::vector<CachedVertex<Unlit>> vertices(part.mesh.vertex_count());
-  VertexCache<Unlit> cache(vertices);
   sides.resize(part.mesh.triangle_count());
-  if (!ok(find_sides<Unlit>(part.mesh, transform, lighting, cache, sides, {part.two_sided})))
+  if (!ok(find_sides<Unlit>(part.mesh, transform, lighting, NoCache{}, sides, {part.two_sided})))
     throw Failure("simulate", "the sides of triangles cannot be found");
   ++events.objects;
   if (!in_bands) return;
   ++events.banded_objects;
-  VertexStage<Unlit> stage(part.mesh, transform, lighting);
-  if (!part.two_sided) stage.find_back_faces();
-  const BackFaces& back_faces = stage.back_faces();
-  if (!back_faces.known()) {
-    events.vertices += static_cast<double>(vertices.size());
-    events.triangles += static_cast<double>(sides.size());
-    return;
-  }
-  events.forgotten += static_cast<double>(vertices.size());
-  events.planes += static_cast<double>(sides.size());
-  for (const CachedVertex<Unlit>& vertex : vertices) {
-    if (vertex.outcode != CachedVertex<Unlit>::kNotTransformed) ++events.wanted_vertices;
-  }
-  for (std::size_t i = back_faces.next_front(0, sides.size()); i < sides.size();
-       i = back_faces.next_front(i + 1, sides.size()))
-    ++events.triangles;
+  events.triangles += static_cast<double>(sides.size());
 }
 
 /// Counts which way detail::EdgeFinder takes for each triangle of a part; the tests are its own.
@@ -254,10 +237,6 @@ std::vector<CostTerm> OutlineEvents::terms() const {
   std::vector<CostTerm> terms;
   for (const CostTerm& term : {CostTerm{"object", objects},
                                {"banded object", banded_objects},
-                               {"vertex", vertices},
-                               {"wanted vertex", wanted_vertices},
-                               {"forgotten vertex", forgotten},
-                               {"plane", planes},
                                {"triangle", triangles},
                                {"scanned triangle", scanned},
                                {"neighbour byte", distances},

@@ -16,16 +16,12 @@ struct OutlineEvents {
   // CurvedOutlines::add().
   double objects = 0;
   double banded_objects = 0;
-  double vertices = 0;
-  double wanted_vertices = 0;  ///< transformed one by one, for triangles whose planes face the camera
-  double forgotten = 0;        ///< entries of the cache that are reset for that
-  double planes = 0;           ///< face planes tested
-  double triangles = 0;        ///< whose side is found by their corners
-  double scanned = 0;          ///< triangles whose neighbours are compared
-  double distances = 0;        ///< bytes of the numbers of these neighbours
-  double differing = 0;        ///< triangles whose edges are looked at one by one
-  double listed = 0;           ///< edges
-  double tried_curves = 0;     ///< silhouettes, if they may be curved
+  double triangles = 0;     ///< whose side is that of their rows, which drawing keeps
+  double scanned = 0;       ///< triangles whose neighbours are compared
+  double distances = 0;     ///< bytes of the numbers of these neighbours
+  double differing = 0;     ///< triangles whose edges are looked at one by one
+  double listed = 0;        ///< edges
+  double tried_curves = 0;  ///< silhouettes, if they may be curved
   double curves = 0;
   // Once for each band. Lists are those of gaps and of ink.
   double bands = 0;

@@ -32,23 +32,10 @@ struct TwoBalls {
   }
 };
 
-template <class Memory>
-std::vector<Picture::Word> drawn(const TwoBalls& balls, Memory& memory) {
-  REQUIRE(ok(prepare_scene(balls.scene(), memory)));
-  std::vector<Picture::Word> all;
-  Canvas band(20);
-  for (std::int32_t row = 0; row < Canvas::kHeight; row += 20) {
-    band.move_to(row);
-    REQUIRE(ok(draw_prepared_scene(memory, band.picture, band.depth).status));
-    all.insert(all.end(), band.pixels.begin(), band.pixels.end());
-  }
-  return all;
-}
-
 TEST_CASE("a scene in bytes of the caller's is drawn as in SceneMemory, at any address") {
   const TwoBalls balls;
   static SceneMemory<SceneMethods, 2, 200, 200> constant;
-  const auto expected = drawn(balls, constant);
+  const auto expected = drawn_in_bands(balls.scene(), constant, 20);
   const Rect rect = drawn_rect(constant);
   // An odd number of vertices whose sizes are no multiples of 8.
   static SceneMemory<MethodList<Unlit>, 2, 51> small;
@@ -58,7 +45,7 @@ TEST_CASE("a scene in bytes of the caller's is drawn as in SceneMemory, at any a
     std::vector<std::byte> memory(bytes + offset, std::byte{0xA5});  // sanitizers see what is beyond
     View view(std::span<std::byte>(memory).subspan(offset), balls.limits());
     REQUIRE(ok(view.status()));
-    CHECK((drawn(balls, view) == expected));
+    CHECK((drawn_in_bands(balls.scene(), view, 20) == expected));
     CHECK(view.frame().slots[1].parts_with_rows == 1);
     CHECK(view.frame()
               .header.keeps_vertices);  // of objects that begin at multiples of 8, in both kinds of memory

@@ -26,33 +26,19 @@ struct Ball {
   [[nodiscard]] Scene scene(std::span<const Object> objects) const { return {camera, kLights, objects}; }
 };
 
-/// A picture in bands of `rows` rows.
-template <class Memory>
-std::vector<Picture::Word> drawn(const Scene& scene, Memory& memory, std::int32_t rows) {
-  REQUIRE(ok(prepare_scene(scene, memory)));
-  std::vector<Picture::Word> all;
-  Canvas band(rows);
-  for (std::int32_t row = 0; row < Canvas::kHeight; row += rows) {
-    band.move_to(row);
-    REQUIRE(ok(draw_prepared_scene(memory, band.picture, band.depth).status));
-    all.insert(all.end(), band.pixels.begin(), band.pixels.end());
-  }
-  return all;
-}
-
 TEST_CASE("rows are found by the first band of an object, once per frame, and not for a whole picture") {
   const Ball ball;
   Object object(ball.mesh, kRed);
   static SceneMemory<Red, 1, 200, 200> memory;
-  const auto whole = drawn(ball.scene({&object, 1}), memory, Canvas::kHeight);
+  const auto whole = drawn_in_bands(ball.scene({&object, 1}), memory, Canvas::kHeight);
   CHECK(memory.frame().slots[0].parts_with_rows == 0);
   // Nor are they for a band of more than half of its rows.
   Canvas large(Canvas::kHeight / 2 + 1);
   REQUIRE(ok(draw_prepared_scene(memory, large.picture, large.depth).status));
   CHECK(memory.frame().slots[0].parts_with_rows == 0);
-  CHECK(drawn(ball.scene({&object, 1}), memory, Canvas::kHeight / 2) == whole);
+  CHECK(drawn_in_bands(ball.scene({&object, 1}), memory, Canvas::kHeight / 2) == whole);
   CHECK(memory.frame().slots[0].parts_with_rows == 1);
-  CHECK(drawn(ball.scene({&object, 1}), memory, 8) == whole);
+  CHECK(drawn_in_bands(ball.scene({&object, 1}), memory, 8) == whole);
   const detail::SceneSlot& slot = memory.frame().slots[0];
   REQUIRE(slot.parts_with_rows == 1);
 
@@ -65,9 +51,9 @@ TEST_CASE("rows are found by the first band of an object, once per frame, and no
 
   // What the next frame draws has other rows.
   object.position = WorldPoint::of(0.3, 0.7, 0);
-  const auto moved = drawn(ball.scene({&object, 1}), memory, Canvas::kHeight);
+  const auto moved = drawn_in_bands(ball.scene({&object, 1}), memory, Canvas::kHeight);
   CHECK(moved != whole);
-  CHECK(drawn(ball.scene({&object, 1}), memory, 8) == moved);
+  CHECK(drawn_in_bands(ball.scene({&object, 1}), memory, 8) == moved);
 }
 
 TEST_CASE("each part has rows of its own, whatever its sides and whichever triangles it shares") {
@@ -88,8 +74,9 @@ TEST_CASE("each part has rows of its own, whatever its sides and whichever trian
   for (const auto& eye : {WorldPoint::of(0, 0, 4), WorldPoint::of(0, 0, 1.2), WorldPoint::of(0.2, 0, 0)}) {
     Ball seen = ball;
     REQUIRE(ok(Camera::make({eye, WorldPoint::of(0, 0, -9)}, kLens, kScreen, seen.camera)));
-    const auto whole = drawn(seen.scene(objects), memory, Canvas::kHeight);
-    for (const std::int32_t rows : {1, 8, 24}) CHECK(drawn(seen.scene(objects), with_rows, rows) == whole);
+    const auto whole = drawn_in_bands(seen.scene(objects), memory, Canvas::kHeight);
+    for (const std::int32_t rows : {1, 8, 24})
+      CHECK(drawn_in_bands(seen.scene(objects), with_rows, rows) == whole);
     CHECK(with_rows.frame().slots[0].parts_with_rows == 5);
     CHECK(with_rows.frame().slots[1].rows == with_rows.frame().slots[0].rows + entries);
   }
@@ -107,10 +94,10 @@ TEST_CASE("objects without room for their rows are drawn without, and others wit
   const auto of_cube = static_cast<std::uint32_t>(cube_mesh.triangle_count());
   std::vector<std::byte> memory(100000);
   View none(memory, {3, 500, 0});
-  const auto whole = drawn(ball.scene(objects), none, Canvas::kHeight);
+  const auto whole = drawn_in_bands(ball.scene(objects), none, Canvas::kHeight);
   const auto has_rows = [&](std::uint32_t triangles) {
     View view(memory, {3, 500, triangles});
-    CHECK(drawn(ball.scene(objects), view, 8) == whole);
+    CHECK(drawn_in_bands(ball.scene(objects), view, 8) == whole);
     std::vector<bool> has;
     for (const detail::SceneSlot& slot : view.frame().slots) has.push_back(slot.rows != nullptr);
     return has;

@@ -6,6 +6,7 @@
 #include <arcspan/scene.hpp>
 #include <arcspan/shading/surface/arc.hpp>
 
+#include <catch2/catch.hpp>
 #include <tests/support/mesh_and_camera.hpp>
 
 #include <cmath>
@@ -90,5 +91,20 @@ inline constexpr PreparedMaterial<Unlit> kRed{Unlit::lighting({200, 30, 20})};
 
 inline constexpr Viewport kScreen{Canvas::kWidth, Canvas::kHeight};
 inline constexpr Lens kLens = Lens::field_of_view(Turn{10000}, WorldLength::of(0.5), WorldLength::of(100));
+
+/// A picture in bands of `rows` rows, the last of which may reach beyond it.
+template <class Memory>
+[[nodiscard]] std::vector<Picture::Word> drawn_in_bands(const Scene& scene, Memory& memory,
+                                                        std::int32_t rows) {
+  REQUIRE(ok(prepare_scene(scene, memory)));
+  std::vector<Picture::Word> all;
+  Canvas band(rows);
+  for (std::int32_t row = 0; row < Canvas::kHeight; row += rows) {
+    band.move_to(row);
+    REQUIRE(ok(draw_prepared_scene(memory, band.picture, band.depth).status));
+    all.insert(all.end(), band.pixels.begin(), band.pixels.end());
+  }
+  return all;
+}
 
 }  // namespace arcspan::test

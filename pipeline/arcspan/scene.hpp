@@ -111,7 +111,7 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
     ++result.objects;
     if (!frame.header.keeps_vertices) slot.held = nullptr;
     const ObjectLights lights = lights_at(frame.header, *slot.object);
-    // They are worth finding if the picture has two bands or more.
+    // Finding the rows of triangles pays if the picture has two bands or more.
     typename Memory::KeptRows rows(slot, 2 * rect.height() <= whole.height());
     for (std::size_t p = 0; p < slot.object->part_count() && ok(result.status); ++p) {
       const Part part = slot.object->part(p);

@@ -4,10 +4,12 @@
 #include <tests/support/neighbours.hpp>
 
 #include <cstdlib>
+#include <set>
 
 namespace {
 std::size_t least_failing = 0;
 std::size_t end_of_failing = 0;
+std::set<std::size_t> allocated;
 bool fails(std::size_t bytes) {
   return least_failing != 0 && bytes >= least_failing && bytes < end_of_failing;
 }
@@ -19,7 +21,11 @@ void lv_mem_init(void) {}
 void lv_mem_deinit(void) {}
 lv_mem_pool_t lv_mem_add_pool(void*, size_t) { return nullptr; }
 void lv_mem_remove_pool(lv_mem_pool_t) {}
-void* lv_malloc_core(size_t bytes) { return fails(bytes) ? nullptr : std::malloc(bytes); }
+void* lv_malloc_core(size_t bytes) {
+  if (fails(bytes)) return nullptr;
+  allocated.insert(bytes);
+  return std::malloc(bytes);
+}
 void* lv_realloc_core(void* at, size_t bytes) { return fails(bytes) ? nullptr : std::realloc(at, bytes); }
 void lv_free_core(void* at) { std::free(at); }
 void lv_mem_monitor_core(lv_mem_monitor_t*) {}
@@ -31,7 +37,10 @@ namespace arcspan::test {
 void fail_allocations_from(std::size_t bytes, std::size_t end) {
   least_failing = bytes;
   end_of_failing = end;
+  allocated.clear();
 }
+
+bool was_allocated(std::size_t bytes) { return allocated.count(bytes) != 0; }
 
 Screen::Screen(const DisplaySetting& setting) : setting_(setting) {
   lv_init();

@@ -80,5 +80,7 @@ lv_obj_t* make_view(const BallScene& balls);
 /// Allocations of at least so many bytes and fewer than `end` fail; 0 lets all succeed. Smaller ones never
 /// do, because LVGL itself does not check them all.
 void fail_allocations_from(std::size_t bytes, std::size_t end = SIZE_MAX);
+/// True if so many bytes were allocated since the last call of fail_allocations_from().
+[[nodiscard]] bool was_allocated(std::size_t bytes);
 
 }  // namespace arcspan::test

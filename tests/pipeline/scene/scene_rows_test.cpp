@@ -49,7 +49,7 @@ TEST_CASE("rows are found by the first band of an object, once per frame, and no
   CHECK(std::equal(rows.begin(), rows.end(), slot.rows));
   CHECK(std::count(rows.begin(), rows.end(), TriangleRows::culled()) > 50);
 
-  // What the next frame draws has other rows.
+  // In the next frame the object is elsewhere, and its rows are found again.
   object.position = WorldPoint::of(0.3, 0.7, 0);
   const auto moved = drawn_in_bands(ball.scene({&object, 1}), memory, Canvas::kHeight);
   CHECK(moved != whole);

@@ -67,7 +67,7 @@ TEST_CASE("the events of a picture are the spans and pixels that drawing it coun
         CHECK(sum_of(*picture, "pixel") == static_cast<double>(stats.pixels));
         CHECK(sum_of(*picture, "written") == static_cast<double>(stats.written));
         CHECK(amount_of(*picture, "vertex") == static_cast<double>(model.vertex_count()));
-        // The rows of all triangles are compared with all bands, but for batches that are skipped.
+        // Without batches the rows of each triangle would be compared with each band.
         const double all = band_rows < 90 ? static_cast<double>(model.triangle_count() * stats.bands) : 0;
         const double compared = amount_of(*picture, "row entry");
         CHECK((compared < all) == (amount_of(*picture, "batch") > 0));

@@ -47,8 +47,8 @@ namespace detail {
   }
 }
 
-/// Writes `count` pixels with the high byte first, and returns their end: two at a time if both addresses are
-/// multiples of a word, a pixel before that counted.
+/// Writes `count` pixels with the high byte first, and returns their end. Two pixels are moved as a word
+/// where both addresses are multiples of 4, if need be after the first pixel.
 constexpr std::uint8_t* put_high_byte_first(const std::uint16_t* pixels, std::size_t count,
                                             std::uint8_t* out) {
   const auto put_one = [&] {
@@ -149,7 +149,7 @@ struct MonoPages {
   /// (Warren, Hacker's Delight, 7-3). An 8-bit processor would shift words for longer.
   static constexpr void put_columns(const Framebuffer<Mono>& frame, std::int32_t x, std::int32_t y,
                                     std::uint8_t* out) {
-    std::uint32_t halves[2] = {};  // of 4 rows each, the lowest row first
+    std::uint32_t halves[2] = {};  // a byte per row: the lower four rows, then the upper four
     for (std::int32_t i = 7; i >= 0; --i) halves[i < 4] = (halves[i < 4] << 8) | frame.row(y + i)[x / 8];
     for (std::uint32_t& half : halves) {
       const std::uint32_t ones = (half ^ (half >> 7)) & 0x00AA00AAu;

@@ -15,7 +15,7 @@ static const arcspan_quaternion kStep = {1 << 30, 1 << 26, 1 << 28, 0};
 static uint16_t buffer[kWidth * kRows];
 static uint16_t depth[kWidth * kHeight];
 static unsigned char scene_memory[512];
-static unsigned char bare_memory[7680];
+static unsigned char bare_memory[9600];
 static arcspan_scene* scene;
 static arcspan_object object;
 static lv_obj_t* view;
@@ -102,8 +102,8 @@ uint32_t lvgl_frames_bare(void) {
   static arcspan_view* bare;
   static arcspan_quaternion rotation = {1 << 30, 0, 0, 0};
   if (bare == NULL) {
-    const arcspan_view_limits limits = arcspan_limits_of(scene, 0);
-    (void)arcspan_view_make(bare_memory, sizeof bare_memory, &limits, scene, &bare);
+    const arcspan_view_limits limits = arcspan_limits_of(scene, 1); /* as the widget takes */
+    if (arcspan_view_make(bare_memory, sizeof bare_memory, &limits, scene, &bare) != ARCSPAN_OK) return 0;
   }
   lv_area_t picture;
   lv_obj_get_content_coords(view, &picture);

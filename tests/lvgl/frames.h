@@ -22,7 +22,7 @@ arcspan_status lvgl_frames_start(void);
 uint32_t lvgl_frames_next(void);
 
 /* For measurements: the last frame by functions of arcspan.h alone. Returns the number of its arcspan_draw()
- * calls. */
+ * calls, 0 if its view is refused. */
 uint32_t lvgl_frames_bare(void);
 /* Takes the scene away, or shows it again. */
 void lvgl_frames_show_scene(bool shown);

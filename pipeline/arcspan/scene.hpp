@@ -60,8 +60,21 @@ template <SceneMemoryType Memory>
   return prepare(scene, frame);
 }
 
+/// Draws objects, and nothing besides: the base of what draw_prepared() takes as its target.
+struct DrawsObjects {
+  /// Returns what stands for the rows of an object, which is drawn next.
+  template <class Memory>
+  [[nodiscard]] static typename Memory::KeptRows begin_object(SceneSlot& slot, bool finds_rows) {
+    return typename Memory::KeptRows(slot, finds_rows);
+  }
+  /// After the object at this place of SceneFrame::order.
+  template <class Memory, class Sink, class Depth>
+  static constexpr void end_object(Memory&, std::size_t, const ObjectLights&, Sink&, const Depth&,
+                                   SceneResult&) {}
+};
+
 /// Leaves what is in the target.
-struct KeepTarget {
+struct KeepTarget : DrawsObjects {
   template <class Sink, class Depth>
   [[nodiscard]] static constexpr Status clear(Sink&, const Depth&) {
     return Status::kOk;
@@ -70,21 +83,24 @@ struct KeepTarget {
 
 /// Clears depth and pixels.
 template <class Background>
-struct ClearTarget {
-  const Background& background;
+struct ClearTarget : DrawsObjects {
+  constexpr explicit ClearTarget(const Background& background) : background_(background) {}
 
   template <class Sink, class Depth>
   [[nodiscard]] constexpr Status clear(Sink& sink, const Depth& depth) const {
     static_assert(Depth::kWrites || !Depth::kTests,
                   "a pass that only tests depths needs those of an earlier one");
     if constexpr (Depth::kTests) depth.clear();
-    if constexpr (requires { sink.clear(background); }) {
-      sink.clear(background);
+    if constexpr (requires { sink.clear(background_); }) {
+      sink.clear(background_);
       return Status::kOk;
     } else {
-      return draw_background(sink, background);
+      return draw_background(sink, background_);
     }
   }
+
+ private:
+  const Background& background_;
 };
 
 template <SceneMemoryType Memory>
@@ -106,18 +122,20 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
   if (ok(result.status)) result.status = target.clear(sink, depth);
   const std::size_t count = frame.header.in_view;
   for (std::size_t i = 0; i < count && ok(result.status); ++i) {
-    SceneSlot& slot = frame.slots[frame.order[kNearestFirst ? i : count - 1 - i]];
+    const std::size_t place = kNearestFirst ? i : count - 1 - i;
+    SceneSlot& slot = frame.slots[frame.order[place]];
     if (rect != whole && is_outside(slot, rect)) continue;
     ++result.objects;
     if (!frame.header.keeps_vertices) slot.held = nullptr;
     const ObjectLights lights = lights_at(frame.header, *slot.object);
     // Finding the rows of triangles pays if the picture has two bands or more.
-    typename Memory::KeptRows rows(slot, 2 * rect.height() <= whole.height());
+    auto rows = target.template begin_object<Memory>(slot, 2 * rect.height() <= whole.height());
     for (std::size_t p = 0; p < slot.object->part_count() && ok(result.status); ++p) {
       const Part part = slot.object->part(p);
       const MeshView mesh = slot.object->mesh().part(part.first, part.count);
+      rows.begin_part(part.first);
       const DrawResult drawn = draw_part<kVerticesIn<Memory>>(
-          typename Memory::UseList{}, PartCall<Sink, Depth, typename Memory::KeptRows>{
+          typename Memory::UseList{}, PartCall<Sink, Depth, decltype(rows)>{
                                           slot, mesh, p, rows, *part.material, lights,
                                           frame.header.camera->rotation(), sink, depth, memory.lighting()});
       rows.next_part(part.count);
@@ -125,8 +143,7 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
       result.triangles += drawn.triangles;
       result.left_out += drawn.left_out;
     }
-    if constexpr (requires { target.curves; })  // CurvedTarget
-      draw_curves(memory, slot, lights, sink, depth, target.curves, result);
+    target.end_object(memory, place, lights, sink, depth, result);
   }
   return result;
 }
@@ -153,7 +170,7 @@ template <SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
 template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] SceneResult draw_prepared_scene(Memory& memory, Sink& sink, const Depth& depth,
                                               const Background& background) {
-  return detail::draw_prepared(memory, sink, depth, detail::ClearTarget<Background>{background});
+  return detail::draw_prepared(memory, sink, depth, detail::ClearTarget<Background>(background));
 }
 
 /// Draws a scene into `sink`: prepare_scene() and draw_prepared_scene(). For bands, call it once per band,

@@ -8,6 +8,7 @@
 #include <arcspan/outline/curved_outlines.hpp>
 #include <arcspan/outline/outline_list.hpp>
 #include <arcspan/scene.hpp>
+#include <arcspan/scene/part_sides.hpp>
 #include <arcspan/smooth_outlines.hpp>
 
 #include <cstddef>
@@ -39,58 +40,6 @@ struct SceneOutlines {
 };
 
 namespace detail {
-
-/// A part of an object whose sides are to be found. `KeptRows` is PartRows or NoRows.
-template <class KeptRows>
-struct SidesCall {
-  SceneSlot& slot;
-  const MeshView& mesh;  ///< of the part
-  const KeptRows& rows;
-  const SceneMaterial& material;
-  std::span<TriangleSide> sides;
-  VertexPositions& positions;  ///< gets those of the slot's vertices, if it has some
-};
-
-template <class Used, bool KeepsVertices, class KeptRows>
-requires(!IsPosed<Used>) [[nodiscard]] Status find_part_sides(const SidesCall<KeptRows>& call) {
-  using Method = typename Used::Method;
-  const auto& lighting = static_cast<const PreparedMaterial<Used>&>(call.material).lighting();
-  const ClipTransform& transform = call.slot.transform;
-  if constexpr (KeepsVertices) {
-    SlotVertices<Method, KeptRows> vertices(call.slot, kUseFacts<Used>, call.rows);
-    call.positions = VertexPositions(transform, vertices.all());
-    return find_sides<Method>(call.mesh, transform, lighting, vertices, call.sides, call.material.options());
-  } else {
-    return find_sides<Method>(call.mesh, transform, lighting, UncachedPart(call.rows), call.sides,
-                              call.material.options());
-  }
-}
-
-/// find_part_sides() of vertices that a mesh poses. Their places are known only from the slot, which must
-/// keep those of all parts.
-template <IsPosed Used, bool KeepsVertices, class KeptRows>
-[[nodiscard]] Status find_part_sides(const SidesCall<KeptRows>& call) {
-  using Method = typename Used::Method;
-  const Object& object = *call.slot.object;
-  for (std::size_t i = 0; i < object.part_count(); ++i)
-    if (!KeepsVertices || object.part(i).material->use() != &kUseFacts<Used>) return Status::kUnsupported;
-  const PosedPart<Used> mesh(call.material, call.mesh);
-  if (!mesh.fits()) return Status::kInvalidArgument;
-  SlotVertices<Method, KeptRows> vertices(call.slot, kUseFacts<Used>, call.rows);
-  call.positions = VertexPositions(call.slot.transform, vertices.all());
-  return find_sides<Method>(mesh, call.slot.transform, prepared<Used>(call.material).lighting(), vertices,
-                            call.sides, call.material.options());
-}
-
-/// Finds the sides of a part by the method of its material, which is listed.
-template <bool KeepsVertices, class... Used, class KeptRows>
-[[nodiscard]] Status find_part_sides(MethodList<Used...>, const SidesCall<KeptRows>& call) {
-  Status status = Status::kOk;
-  (void)((call.material.use() == &kUseFacts<Used> &&
-          (status = find_part_sides<Used, KeepsVertices>(call), true)) ||
-         ...);
-  return status;
-}
 
 /// The neighbours of a mesh, or null.
 [[nodiscard]] inline const MeshNeighbours* neighbours_in(std::span<const OutlinedMesh> meshes,
@@ -145,9 +94,8 @@ template <SceneMemoryType Memory, PixelFormat F, class Curved>
   const Object& object = *slot.object;
   const MeshView& mesh = object.mesh();
   const MeshNeighbours* const neighbours = neighbours_in(outlines.meshes, mesh);
-  if (neighbours == nullptr) return Status::kUnsupported;
-  Status status = hide_all(mesh, outlines.sides);
-  VertexPositions positions(slot.transform);
+  Status status = check_outlined<Memory>(object, neighbours, outlines.sides);
+  if (ok(status)) status = hide_all(mesh, outlines.sides);
   typename Memory::KeptRows rows(slot, true);
   for (std::size_t i = 0; i < object.part_count() && ok(status); ++i) {
     const Part part = object.part(i);
@@ -155,10 +103,11 @@ template <SceneMemoryType Memory, PixelFormat F, class Curved>
     status = find_part_sides<Memory::kHasVertices>(
         typename Memory::UseList{},
         SidesCall<typename Memory::KeptRows>{slot, triangles, rows, *part.material,
-                                             outlines.sides.subspan(part.first, part.count), positions});
+                                             outlines.sides.subspan(part.first, part.count)});
     rows.next_part(part.count);
   }
   if (!ok(status)) return status;
+  const VertexPositions positions = positions_of(typename Memory::UseList{}, slot);
   if constexpr (std::is_same_v<Curved, CurvedOutlines>) {
     return add_curves<Memory>(slot, *neighbours, positions, outlines);
   } else {
@@ -166,20 +115,14 @@ template <SceneMemoryType Memory, PixelFormat F, class Curved>
   }
 }
 
-/// Clears what `Target` does, and has curves drawn with the objects.
-template <class Target>
-struct CurvedTarget : Target {
-  const CurvedOutlines& curves;
-};
-
-/// Draws the curves over the outlines of an object, like the object.
+/// Draws the curves over the outlines of the object at this place, like the object.
 template <SceneMemoryType Memory, class Sink, class Depth>
-void draw_curves(Memory& memory, SceneSlot& slot, const ObjectLights& lights, Sink& sink, const Depth& depth,
-                 const CurvedOutlines& curves, SceneResult& result) {
+void draw_curves(Memory& memory, std::size_t place, const ObjectLights& lights, Sink& sink,
+                 const Depth& depth, const CurvedOutlines& curves, SceneResult& result) {
   const SceneFrame frame = memory.frame();
-  // A slot's `depth` is the number of curves up to its own now (find_outlines()). They lie in the order of
-  // the slots.
-  const std::size_t first = &slot == frame.slots.data() ? 0 : (&slot)[-1].depth;
+  SceneSlot& slot = frame.slots[frame.order[place]];
+  // A slot's `depth` is the number of curves up to its own now (find_outlines()).
+  const std::size_t first = place == 0 ? 0 : frame.slots[frame.order[place - 1]].depth;
   const MeshView mesh = curves.mesh(first, slot.depth);
   if (mesh.triangle_count() == 0 || slot.object->part_count() != 1 || !ok(result.status)) return;
   const DrawResult drawn = draw_part<PartVertices::kOfCurves>(
@@ -191,15 +134,71 @@ void draw_curves(Memory& memory, SceneSlot& slot, const ObjectLights& lights, Si
   result.left_out += drawn.left_out;
 }
 
+/// Clears what `Target` does, and has curves drawn with the objects.
+template <class Target>
+class CurvedTarget : public Target {
+ public:
+  constexpr CurvedTarget(const Target& target, const CurvedOutlines& curves)
+      : Target(target), curves_(curves) {}
+
+  template <class Memory, class Sink, class Depth>
+  void end_object(Memory& memory, std::size_t place, const ObjectLights& lights, Sink& sink,
+                  const Depth& depth, SceneResult& result) const {
+    draw_curves(memory, place, lights, sink, depth, curves_, result);
+  }
+
+ private:
+  const CurvedOutlines& curves_;
+};
+
+/// Clears what `Target` does, and adds the outlines of each object after it is drawn.
+template <class Target, PixelFormat F>
+class OutlinedTarget : public Target {
+ public:
+  /// `found` becomes the first status that is not kOk.
+  constexpr OutlinedTarget(const Target& target, SceneOutlines<F>& outlines, Status& found)
+      : Target(target), outlines_(outlines), found_(found) {}
+
+  template <class Memory>
+  [[nodiscard]] PartSides begin_object(const SceneSlot& slot, bool) const {
+    const Object& object = *slot.object;
+    const bool is_outlined = ok(check_outlined<Memory>(object, neighbours_of(object), outlines_.sides)) &&
+                             ok(hide_all(object.mesh(), outlines_.sides));
+    return PartSides(is_outlined ? outlines_.sides.data() : nullptr);
+  }
+  template <class Memory, class Sink, class Depth>
+  void end_object(Memory& memory, std::size_t place, const ObjectLights&, Sink&, const Depth&,
+                  const SceneResult&) const {
+    const SceneFrame frame = memory.frame();
+    const SceneSlot& slot = frame.slots[frame.order[place]];
+    const Object& object = *slot.object;
+    const MeshNeighbours* const neighbours = neighbours_of(object);
+    Status status = check_outlined<Memory>(object, neighbours, outlines_.sides);
+    if (ok(status))
+      status = outlines_.edges.add(object.mesh(), *neighbours, positions_of(typename Memory::UseList{}, slot),
+                                   outlines_.sides);
+    if (ok(found_)) found_ = status;
+  }
+
+ private:
+  [[nodiscard]] const MeshNeighbours* neighbours_of(const Object& object) const {
+    return neighbours_in(outlines_.meshes, object.mesh());
+  }
+
+  SceneOutlines<F>& outlines_;
+  Status& found_;
+};
+
 }  // namespace detail
 
-/// Finds the outlines of all objects in view, once per frame after prepare_scene(). The outlines of earlier
-/// frames are forgotten. In each band, after draw_prepared_scene() with a DepthBuffer, call
+/// Finds the outlines of all objects in view, the nearest first, once per frame after prepare_scene(). The
+/// outlines of earlier frames are forgotten. In each band, after draw_prepared_scene() with a DepthBuffer, call
 ///
 ///     smooth_outlines(outlines.edges, sink, depth, outlines.gaps);
 ///
 /// With curves, draw_prepared_scene() takes `outlines.curves` as its last argument. If `memory` has room for
-/// rows of triangles they are found here, which pays in bands only.
+/// rows of triangles they are found here. For a picture that is drawn at once draw_scene() is cheaper, which
+/// finds outlines while it draws.
 ///
 /// A scene whose surfaces are blended with what is behind them is drawn afterwards, with a ReadOnlyDepth. Its
 /// outlines are found and smoothed in the same way, with a SceneOutlines of its own.
@@ -226,7 +225,7 @@ template <SceneMemoryType Memory, PixelFormat F, class Curved>
   if (frame.header.camera == nullptr) return Status::kNotReady;
   Status first = frame.header.status;
   for (std::size_t i = 0; i < frame.header.in_view; ++i) {
-    detail::SceneSlot& slot = frame.slots[i];
+    detail::SceneSlot& slot = frame.slots[frame.order[i]];
     if (!frame.header.keeps_vertices) slot.held = nullptr;
     const Status status = detail::add_outlines<Memory>(slot, outlines);
     if constexpr (kCurved) slot.depth = static_cast<std::uint16_t>(outlines.curves.count());
@@ -239,19 +238,21 @@ template <SceneMemoryType Memory, PixelFormat F, class Curved>
 template <SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] SceneResult draw_prepared_scene(Memory& memory, Sink& sink, const Depth& depth,
                                               const CurvedOutlines& curves) {
-  const detail::CurvedTarget<detail::KeepTarget> target{{}, curves};
+  const detail::CurvedTarget<detail::KeepTarget> target({}, curves);
   return detail::draw_prepared(memory, sink, depth, target);
 }
 template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] SceneResult draw_prepared_scene(Memory& memory, Sink& sink, const Depth& depth,
                                               const Background& background, const CurvedOutlines& curves) {
-  const detail::CurvedTarget<detail::ClearTarget<Background>> target{{background}, curves};
+  using Clear = detail::ClearTarget<Background>;
+  const detail::CurvedTarget<Clear> target(Clear(background), curves);
   return detail::draw_prepared(memory, sink, depth, target);
 }
 
 namespace detail {
 
-/// Finds the outlines of a scene and draws it. `found` gets the status of find_outlines().
+/// Draws a scene and finds its outlines: while it is drawn, unless curves are drawn over them. `found` gets
+/// the status of find_outlines().
 template <class Background, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth, PixelFormat F,
           class Curved>
 [[nodiscard]] SceneResult draw_and_find_outlines(const Scene& scene, Sink& sink, const Depth& depth,
@@ -260,11 +261,14 @@ template <class Background, SceneMemoryType Memory, PixelSink Sink, DepthTarget 
   static_assert(Depth::kWrites, "outlines are compared with depths");
   found = prepare_once(scene, memory);
   if (!ok(found)) return {found};
-  found = find_outlines(memory, outlines);
   if constexpr (std::is_same_v<Curved, CurvedOutlines>) {
+    found = find_outlines(memory, outlines);
     return draw_prepared_scene(memory, sink, depth, background, outlines.curves);
   } else {
-    return draw_prepared_scene(memory, sink, depth, background);
+    outlines.edges.clear();
+    using Clear = ClearTarget<Background>;
+    const OutlinedTarget<Clear, F> target(Clear(background), outlines, found);
+    return draw_prepared(memory, sink, depth, target);
   }
 }
 

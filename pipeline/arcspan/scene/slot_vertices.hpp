@@ -23,6 +23,8 @@ class PartRows {
   PartRows(SceneSlot& slot, bool wanted)
       : slot_(&slot), rows_(wanted || slot.parts_with_rows != 0 ? slot.rows : nullptr) {}
 
+  /// Before a part is drawn whose first triangle this is (PartSides).
+  static constexpr void begin_part(std::size_t) {}
   /// Goes on from a part of so many triangles to the next one.
   void next_part(std::size_t triangles) {
     ++number_;
@@ -46,6 +48,7 @@ class PartRows {
 struct NoRows {
   constexpr NoRows() = default;
   constexpr NoRows(SceneSlot&, bool) {}
+  static constexpr void begin_part(std::size_t) {}
   static constexpr void next_part(std::size_t) {}
   template <class Method, class Mesh, class Source>
   static constexpr void find(const VertexStage<Method, Mesh>&, bool, Source&) {}
@@ -105,9 +108,6 @@ class SlotVertices : public KeptRows {
     CachedVertex<Method>& vertex = vertices_[i];
     if (vertex.outcode == CachedVertex<Method>::kNotTransformed) stage.transform(i, vertex);
     return vertex;
-  }
-  [[nodiscard]] std::span<const CachedVertex<Method>> all() const {
-    return {vertices_, slot_.object->mesh().vertex_count()};
   }
 
  private:

@@ -101,6 +101,25 @@ std::vector<Picture::Word> outlined_in_bands(const Scene& scene, Memory& memory,
   return all;
 }
 
+/// A picture on black with smooth outlines, which are found before it is drawn, or `at_once` with drawing.
+template <class Memory>
+std::vector<Picture::Word> smoothed(const Scene& scene, Memory& memory, const Poses& poses, bool at_once) {
+  std::vector<TriangleSide> sides(200);
+  std::vector<OutlineEdge> edges(2000);
+  std::vector<OutlineGap<Rgb888>> gaps(5000);
+  SceneOutlines<Rgb888> outlines{poses.outlined, sides, OutlineList(edges), gaps};
+  Canvas canvas;
+  if (at_once) {
+    REQUIRE(ok(draw_scene(scene, canvas.picture, canvas.depth, memory, Rgb8{}, outlines).status));
+    return canvas.pixels;
+  }
+  REQUIRE(ok(prepare_scene(scene, memory)));
+  REQUIRE(ok(find_outlines(memory, outlines)));
+  REQUIRE(ok(draw_prepared_scene(memory, canvas.picture, canvas.depth, Rgb8{}).status));
+  REQUIRE(ok(smooth_outlines(outlines.edges, canvas.picture, canvas.depth, outlines.gaps)));
+  return canvas.pixels;
+}
+
 /// A picture on black in bands of so many rows.
 template <class Memory>
 std::vector<Picture::Word> in_bands(const Scene& scene, Memory& memory, std::int32_t rows) {
@@ -146,6 +165,9 @@ TEST_CASE("objects are drawn where a mesh poses their vertices, in every order a
     CHECK(found.pixels == expected.pixels);
     drawn +=
         std::count(found.pixels.begin(), found.pixels.end(), Rgb8{}) < Canvas::kWidth * Canvas::kHeight - 99;
+    const auto smooth = smoothed(twins.still.scene(), own_vertices, poses, false);
+    CHECK(smoothed(twins.posed.scene(), own_vertices, poses, true) == smooth);
+    CHECK(smoothed(twins.posed.scene(), shared_vertices, poses, true) == smooth);
     std::size_t still_curves = 0;
     const auto outlined = outlined_in_bands(twins.still.scene(), own_vertices, poses, 24, still_curves);
     CHECK(outlined_in_bands(twins.posed.scene(), own_vertices, poses, 24, curves) == outlined);
@@ -210,10 +232,16 @@ TEST_CASE("a pose that does not fit its object is refused, and outlines without 
   CHECK(find_outlines(own_vertices, outlines) == Status::kInvalidArgument);
 
   const Part mixed[] = {{&poses.posed_copper, 0, 30}, {&poses.posed_red, 30, 20}};
-  const Object objects[] = {{poses.rest, std::span(mixed)}};
+  const Part half_posed[] = {{&poses.posed_copper, 0, 30}, {&poses.copper, 30, 20}};
   outlines.meshes = poses.outlined;
-  REQUIRE(ok(prepare_scene({camera, kLights, objects}, own_vertices)));
-  CHECK(find_outlines(own_vertices, outlines) == Status::kUnsupported);
+  for (const std::span<const Part> parts : {std::span(mixed), std::span(half_posed)}) {
+    const Object objects[] = {{poses.rest, parts}};
+    const Scene two_methods{camera, kLights, objects};
+    REQUIRE(ok(prepare_scene(two_methods, own_vertices)));
+    CHECK(find_outlines(own_vertices, outlines) == Status::kUnsupported);
+    CHECK(draw_scene(two_methods, canvas.picture, canvas.depth, own_vertices, Rgb8{}, outlines).status ==
+          Status::kUnsupported);
+  }
   const Object whole[] = {{poses.rest, poses.posed_copper}};
   REQUIRE(ok(prepare_scene({camera, kLights, whole}, no_vertices)));
   CHECK(find_outlines(no_vertices, outlines) == Status::kUnsupported);

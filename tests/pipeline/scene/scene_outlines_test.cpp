@@ -22,7 +22,7 @@ using namespace arcspan::test;
 
 namespace {
 
-/// A mesh of two parts and one without.
+/// A mesh of several parts and one without.
 struct Meshes {
   Random random{11};
   TestMesh ball = make_sphere(7, 9, 32000, 0, random);
@@ -33,7 +33,10 @@ struct Meshes {
   TestNeighbours lump_neighbours{lump_mesh};
   OutlinedMesh outlined[2] = {{&ball_mesh, &ball_neighbours.view}, {&lump_mesh, &lump_neighbours.view}};
   Part same[2] = {{&kCopper, 0, 30}, {&kJade, 30, ball_mesh.triangle_count() - 30}};
-  Part different[2] = {{&kRed, 0, 17}, {&kCopper, 40, ball_mesh.triangle_count() - 40}};
+  PreparedMaterial<Unlit> both_sides{Unlit::lighting({200, 30, 20}), {.two_sided = true}};
+  /// The last one hides the backs of some triangles that both show.
+  Part different[3] = {
+      {&kRed, 0, 17}, {&both_sides, 40, 30}, {&kCopper, 60, ball_mesh.triangle_count() - 60}};
 };
 
 struct Room {
@@ -59,6 +62,16 @@ RandomObjects random_objects(Random& random, const Meshes& meshes) {
   return made;
 }
 
+/// The objects in view, the nearest first, as their outlines are listed: of two surfaces that meet between
+/// the same pixels the first counts.
+template <class Memory>
+std::vector<const detail::SceneSlot*> slots_of(Memory& memory) {
+  const detail::SceneFrame frame = memory.frame();
+  std::vector<const detail::SceneSlot*> slots;
+  for (std::size_t i = 0; i < frame.header.in_view; ++i) slots.push_back(&frame.slots[frame.order[i]]);
+  return slots;
+}
+
 /// Adds the outlines of an object by calls that know nothing of scenes.
 void add_alone(const Meshes& meshes, const Camera& camera, const Object& object, OutlineList& edges) {
   ClipTransform transform;
@@ -69,7 +82,7 @@ void add_alone(const Meshes& meshes, const Camera& camera, const Object& object,
     const Part part = object.part(i);
     std::vector<TriangleSide> of_part(part.count);
     REQUIRE(ok(find_sides<Unlit>(mesh.part(part.first, part.count), transform, Unlit::lighting({}), NoCache{},
-                                 of_part)));
+                                 of_part, part.material->options())));
     std::copy(of_part.begin(), of_part.end(), sides.begin() + static_cast<std::ptrdiff_t>(part.first));
   }
   const auto& neighbours = &mesh == &meshes.ball_mesh ? meshes.ball_neighbours : meshes.lump_neighbours;
@@ -127,8 +140,8 @@ TEST_CASE("outlines of scenes are smoothed as those of their objects, also in ba
         ok(draw_scene(objects.scene(), plain.picture, plain.depth, own_vertices, Rgb8{10, 20, 30}).status));
     std::vector<OutlineEdge> memory(2000);
     OutlineList edges(memory);
-    for (std::size_t i = 0; i < own_vertices.frame().header.in_view; ++i)
-      add_alone(meshes, objects.camera, *own_vertices.frame().slots[i].object, edges);
+    for (const detail::SceneSlot* slot : slots_of(own_vertices))
+      add_alone(meshes, objects.camera, *slot->object, edges);
     REQUIRE(ok(smooth_outlines(edges, plain.picture, plain.depth, std::span(room.gaps))));
     Canvas by_scene;
     REQUIRE(ok(draw_scene(objects.scene(), by_scene.picture, by_scene.depth, own_vertices, Rgb8{10, 20, 30},
@@ -267,17 +280,16 @@ TEST_CASE("curves are drawn with the objects of a scene as objects of their own 
     std::vector<Object> with_curves = objects.objects;
     views.reserve(objects.objects.size());
     std::size_t first = 0;
-    for (const detail::SceneSlot& slot :
-         own_vertices.frame().slots.first(own_vertices.frame().header.in_view)) {
-      views.push_back(curves.mesh(first, slot.depth));
-      first = slot.depth;
-      if (slot.object->part_count() != 1) CHECK(views.back().triangle_count() == 0);
+    for (const detail::SceneSlot* slot : slots_of(own_vertices)) {
+      views.push_back(curves.mesh(first, slot->depth));
+      first = slot->depth;
+      const Object& object = *slot->object;
+      if (object.part_count() != 1) CHECK(views.back().triangle_count() == 0);
       if (views.back().triangle_count() == 0) continue;
-      Object& added =
-          with_curves.emplace_back(views.back(), *slot.object->part(0).material, slot.object->sphere());
-      added.position = slot.object->position;
-      added.rotation = slot.object->rotation;
-      added.scale = slot.object->scale;
+      Object& added = with_curves.emplace_back(views.back(), *object.part(0).material, object.sphere());
+      added.position = object.position;
+      added.rotation = object.rotation;
+      added.scale = object.scale;
     }
     Canvas by_objects;
     REQUIRE(ok(draw_scene({objects.camera, kLights, with_curves}, by_objects.picture, by_objects.depth,

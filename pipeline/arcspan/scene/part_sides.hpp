@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/draw/triangle_sides.hpp>
+#include <arcspan/draw/vertex_stage.hpp>
+#include <arcspan/mesh/mesh_neighbours.hpp>
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/outline/outline_list.hpp>
+#include <arcspan/scene/draw_part.hpp>
+#include <arcspan/scene/object.hpp>
+#include <arcspan/scene/posed_material.hpp>
+#include <arcspan/scene/scene_frame.hpp>
+#include <arcspan/scene/scene_material.hpp>
+#include <arcspan/scene/scene_memory.hpp>
+#include <arcspan/scene/slot_vertices.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
+#include <arcspan/vertex/clip_transform.hpp>
+
+#include <cstddef>
+#include <span>
+
+/// The sides of the triangles of a scene's objects: found before they are drawn, for pictures in bands, or
+/// written down while they are.
+namespace arcspan::detail {
+
+/// A part of an object whose sides are to be found. `KeptRows` is PartRows or NoRows.
+template <class KeptRows>
+struct SidesCall {
+  SceneSlot& slot;
+  const MeshView& mesh;  ///< of the part
+  const KeptRows& rows;
+  const SceneMaterial& material;
+  std::span<TriangleSide> sides;
+};
+
+template <class Used, bool KeepsVertices, class KeptRows>
+requires(!IsPosed<Used>) [[nodiscard]] Status find_part_sides(const SidesCall<KeptRows>& call) {
+  using Method = typename Used::Method;
+  const auto& lighting = static_cast<const PreparedMaterial<Used>&>(call.material).lighting();
+  const ClipTransform& transform = call.slot.transform;
+  if constexpr (KeepsVertices) {
+    SlotVertices<Method, KeptRows> vertices(call.slot, kUseFacts<Used>, call.rows);
+    return find_sides<Method>(call.mesh, transform, lighting, vertices, call.sides, call.material.options());
+  } else {
+    return find_sides<Method>(call.mesh, transform, lighting, UncachedPart(call.rows), call.sides,
+                              call.material.options());
+  }
+}
+
+/// find_part_sides() of vertices that a mesh poses.
+template <IsPosed Used, bool KeepsVertices, class KeptRows>
+[[nodiscard]] Status find_part_sides(const SidesCall<KeptRows>& call) {
+  if constexpr (!KeepsVertices) {
+    return Status::kUnsupported;
+  } else {
+    using Method = typename Used::Method;
+    const PosedPart<Used> mesh(call.material, call.mesh);
+    if (!mesh.fits()) return Status::kInvalidArgument;
+    SlotVertices<Method, KeptRows> vertices(call.slot, kUseFacts<Used>, call.rows);
+    return find_sides<Method>(mesh, call.slot.transform, prepared<Used>(call.material).lighting(), vertices,
+                              call.sides, call.material.options());
+  }
+}
+
+/// Finds the sides of a part by the method of its material, which is listed.
+template <bool KeepsVertices, class... Used, class KeptRows>
+[[nodiscard]] Status find_part_sides(MethodList<Used...>, const SidesCall<KeptRows>& call) {
+  Status status = Status::kOk;
+  (void)((call.material.use() == &kUseFacts<Used> &&
+          (status = find_part_sides<Used, KeepsVertices>(call), true)) ||
+         ...);
+  return status;
+}
+
+/// Stands for PartRows in a picture that is drawn at once: writes down the sides of an object's triangles
+/// while its parts are drawn.
+class PartSides : public NoRows {
+ public:
+  /// Of all triangles of the object, or null: then nothing is written down.
+  constexpr explicit PartSides(TriangleSide* sides) : sides_(sides), of_part_(sides) {}
+
+  constexpr void begin_part(std::size_t first) {
+    if (sides_ != nullptr) of_part_ = sides_ + first;
+  }
+  template <class Method, class Mesh, class Source>
+  void find(const VertexStage<Method, Mesh>& stage, bool, Source&) const {
+    if (sides_ != nullptr) (void)hide_all(stage.mesh(), {of_part_, stage.mesh().triangle_count()});
+  }
+  ARCSPAN_INLINE constexpr void note_side(std::size_t i, TriangleSide side) const {
+    if (sides_ != nullptr) of_part_[i] = side;
+  }
+
+ private:
+  TriangleSide* sides_;
+  TriangleSide* of_part_;
+};
+
+/// Whether a mesh poses the vertices of a material.
+template <class... Used>
+[[nodiscard]] bool is_posed(MethodList<Used...>, const SceneMaterial& material) {
+  return ((IsPosed<Used> && material.use() == &kUseFacts<Used>) || ...);
+}
+
+/// Whether the outlines of an object in view can be found: kOk, or the status of find_outlines().
+template <SceneMemoryType Memory>
+[[nodiscard]] Status check_outlined(const Object& object, const MeshNeighbours* neighbours,
+                                    std::span<const TriangleSide> sides) {
+  if (neighbours == nullptr) return Status::kUnsupported;
+  if (sides.size() < object.mesh().triangle_count()) return Status::kBufferTooSmall;
+  bool posed = false;
+  bool by_one_use = true;
+  for (std::size_t i = 0; i < object.part_count(); ++i) {
+    const SceneMaterial& material = *object.part(i).material;
+    posed = posed || is_posed(typename Memory::UseList{}, material);
+    by_one_use = by_one_use && material.use() == object.part(0).material->use();
+  }
+  // The places of posed vertices are known only from the slot, which must keep those of all parts.
+  if (posed && !(by_one_use && Memory::kHasVertices)) return Status::kUnsupported;
+  return Status::kOk;
+}
+
+/// The places of an object's vertices: those in its slot, if there are some.
+template <class... Used>
+[[nodiscard]] VertexPositions positions_of(MethodList<Used...>, const SceneSlot& slot) {
+  VertexPositions positions(slot.transform);
+  const auto take = [&]<class U>() {
+    using Vertex = CachedVertex<typename U::Method>;
+    const auto* const vertices = static_cast<const Vertex*>(static_cast<const void*>(slot.vertices));
+    positions = VertexPositions(slot.transform, std::span(vertices, slot.object->mesh().vertex_count()));
+    return true;
+  };
+  (void)((slot.held == &kUseFacts<Used> && take.template operator()<Used>()) || ...);
+  return positions;
+}
+
+}  // namespace arcspan::detail

@@ -192,7 +192,8 @@ class OutlinedTarget : public Target {
 }  // namespace detail
 
 /// Finds the outlines of all objects in view, the nearest first, once per frame after prepare_scene(). The
-/// outlines of earlier frames are forgotten. In each band, after draw_prepared_scene() with a DepthBuffer, call
+/// outlines of earlier frames are forgotten. In each band, after draw_prepared_scene() with a DepthBuffer,
+/// call
 ///
 ///     smooth_outlines(outlines.edges, sink, depth, outlines.gaps);
 ///

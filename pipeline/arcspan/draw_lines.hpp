@@ -9,7 +9,6 @@
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/one_colour.hpp>
 #include <arcspan/shading/unlit.hpp>
-#include <arcspan/shading/wireframe.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/span/rectangle_rows.hpp>
 #include <arcspan/status.hpp>

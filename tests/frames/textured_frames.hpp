@@ -11,7 +11,7 @@
 #include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/textured/environment_map.hpp>
 #include <arcspan/shading/textured/textured.hpp>
-#include <arcspan/shading/wireframe.hpp>
+#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/shading/with_operation.hpp>
 #include <arcspan/span/depth_mode.hpp>
 

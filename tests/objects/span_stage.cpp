@@ -8,7 +8,7 @@
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/shading/wireframe.hpp>
+#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/span/depth_mode.hpp>
 #include <arcspan/span/draw_small.hpp>
 #include <arcspan/span/rectangle_rows.hpp>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <arcspan/checked.hpp>
-#include <arcspan/texture/texture.hpp>
 
 namespace arcspan::detail {
 
@@ -19,20 +18,14 @@ constexpr void check_call([[maybe_unused]] const Lighting& lighting, [[maybe_unu
   }
 }
 
-/// Whether the method of a lighting shows the borders of its texture.
-template <class Lighting>
-[[nodiscard]] constexpr bool has_borders(const Lighting& lighting) {
-  return Lighting::kBorders == TextureBorders::kOfTexture || lighting.texture.sampler().repeats();
-}
-
 /// Reports also a mesh or a transform that cannot show anything, and a texture whose borders the method does
 /// not show. (Billboards end at them.)
 template <class Stage, class Depth>
 constexpr void check_mesh_call([[maybe_unused]] const Stage& stage, const Depth& depth) {
   ARCSPAN_CHECK(stage.mesh().vertex_count() != 0, "draw: the mesh was never made");
   ARCSPAN_CHECK(stage.transform().viewport().width != 0, "draw: the transform was never made");
-  if constexpr (kIsChecked && requires { stage.lighting().kBorders; })
-    ARCSPAN_CHECK(has_borders(stage.lighting()),
+  if constexpr (kIsChecked && requires { stage.lighting().shows_borders(); })
+    ARCSPAN_CHECK(stage.lighting().shows_borders(),
                   "draw: a texture that does not repeat was given to a method of TextureBorders::kRepeat");
   check_call(stage.lighting(), depth);
 }

@@ -13,7 +13,19 @@
 
 #include <cstdint>
 
-namespace arcspan::detail {
+namespace arcspan {
+
+/// How much nearer lines and points are drawn than they are, in units of the 16-bit depth. A line has the
+/// depth of its own points, a pixel of a surface that of the pixel's centre: without a bias, a surface hides
+/// about half of the pixels of its edges. It shows an edge wherever the surface's depth changes by less than
+/// twice the bias per pixel.
+struct DepthBias {
+  static constexpr std::uint16_t kDefault = 256;
+
+  std::uint16_t units = kDefault;
+};
+
+namespace detail {
 
 /// True if the rectangle of the pixels from a to b meets the scissor.
 [[nodiscard]] constexpr bool has_pixels(const Scissor& scissor, const RasterPosition& a,
@@ -64,4 +76,6 @@ template <OneColour Method, class Target>
   return true;
 }
 
-}  // namespace arcspan::detail
+}  // namespace detail
+
+}  // namespace arcspan

@@ -3,7 +3,6 @@
 
 #include <arcspan/draw/check_call.hpp>
 #include <arcspan/draw/draw_options.hpp>
-#include <arcspan/draw/edge_drawer.hpp>
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/draw/triangle_rows.hpp>
 #include <arcspan/draw/triangle_sides.hpp>
@@ -147,7 +146,8 @@ class TriangleDrawer {
     const RasterPosition& r = c.raster.position;
     if constexpr (DrawsEdges<Method>) {
       bool drawn = false;
-      const EdgeDrawer<Method, Target, Mesh> edges{stage_, scissor_, target_, two_sided_, result_, drawn};
+      const typename Method::template DrawnEdges<Target, Mesh> edges{stage_,     scissor_, target_,
+                                                                     two_sided_, result_,  drawn};
       edges.template draw<Features.clips>(t, a, b, c);
       if (drawn) ++result_.triangles;
     } else if (is_within_scissor(p, q, r)) {

@@ -3,8 +3,9 @@
 
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/pixel/sink.hpp>
-#include <arcspan/prepare/line_command.hpp>
+#include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/target.hpp>

@@ -12,6 +12,8 @@ namespace arcspan {
 /// [-1024, 1024), the guard band. Differences fit 15 bits and a sign, and twice a triangle's area
 /// fits 32 bits.
 using Subpixel = Fixed<std::int32_t, 4>;
+/// The pixel that contains a coordinate of a Subpixel.
+[[nodiscard]] constexpr std::int32_t pixel_of(std::int32_t raw) { return raw >> Subpixel::kFraction; }
 
 /// A scalar of a normal, N·L, N·H or N·V, and its difference per pixel: Q1.30, [-2, 2). The amplitude
 /// is 1 and one bit is head-room. Differences need all 30 fraction bits, because their error grows with the

@@ -95,6 +95,32 @@ concept PackableColour = requires(const C& colour) {
   { colour.packed() } -> std::same_as<PackedRgb>;
 };
 
+/// Optional part of a colour: covers(x, y) is false where the pixel is not drawn, and its depth neither.
+template <class C>
+concept MaskedColour = requires(const C& c, std::int32_t x) {
+  { c.covers(x, x) } -> std::same_as<bool>;
+};
+
+/// Optional part of a colour: alpha() is the opacity of its texel, 0...16.
+template <class C>
+concept AlphaColour = requires(const C& c) {
+  { c.alpha() } -> std::same_as<std::uint32_t>;
+};
+
+/// Optional part of a colour: at_depth(depth) is the colour of a pixel with this depth of 16 bits.
+template <class C>
+concept DepthColour = requires(const C& c, std::uint32_t depth) {
+  {c.at_depth(depth)};
+};
+
+/// Optional part of a colour: over(below) is the colour blended with `below`, the pixel that is there, as
+/// PackedRgb with half steps; over565(pixel) the same as 5-6-5 pixels. Blending is the last operation.
+template <class C>
+concept BlendedColour = requires(const C& c, PackedRgb below, std::uint16_t pixel) {
+  { c.over(below) } -> std::same_as<PackedRgb>;
+  { c.over565(pixel) } -> std::same_as<std::uint16_t>;
+};
+
 /// The largest of three channels.
 [[nodiscard]] constexpr std::uint32_t largest_channel(const std::array<std::uint32_t, 3>& channels) {
   const std::uint32_t two = channels[0] > channels[1] ? channels[0] : channels[1];

@@ -14,36 +14,10 @@
 
 /// Operations change the colour of a pixel before it is stored: fog, then transparency. An operation is a
 /// function object that takes a colour and returns a colour of another type, which has one of the optional
-/// members below. If the operation depends on the position, it has in_row(x, y) instead, which returns a
-/// function object for the run of pixels that begins there; its next() moves to the next pixel.
-/// shading/with_operation.hpp adds an operation to a shading method.
+/// members of colour.hpp. If the operation depends on the position, it has in_row(x, y) instead,
+/// which returns a function object for the run of pixels that begins there; its next() moves to the next
+/// pixel. shading/with_operation.hpp adds an operation to a shading method.
 namespace arcspan {
-
-/// Optional part of a colour: covers(x, y) is false where the pixel is not drawn, and its depth neither.
-template <class C>
-concept MaskedColour = requires(const C& c, std::int32_t x) {
-  { c.covers(x, x) } -> std::same_as<bool>;
-};
-
-/// Optional part of a colour: alpha() is the opacity of its texel, 0...16.
-template <class C>
-concept AlphaColour = requires(const C& c) {
-  { c.alpha() } -> std::same_as<std::uint32_t>;
-};
-
-/// Optional part of a colour: at_depth(depth) is the colour of a pixel with this depth of 16 bits.
-template <class C>
-concept DepthColour = requires(const C& c, std::uint32_t depth) {
-  {c.at_depth(depth)};
-};
-
-/// Optional part of a colour: over(below) is the colour blended with `below`, the pixel that is there, as
-/// PackedRgb with half steps; over565(pixel) the same as 5-6-5 pixels. Blending is the last operation.
-template <class C>
-concept BlendedColour = requires(const C& c, PackedRgb below, std::uint16_t pixel) {
-  { c.over(below) } -> std::same_as<PackedRgb>;
-  { c.over565(pixel) } -> std::same_as<std::uint16_t>;
-};
 
 namespace detail {
 

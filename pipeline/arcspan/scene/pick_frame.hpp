@@ -8,7 +8,7 @@
 #include <arcspan/scene/scene_frame.hpp>
 #include <arcspan/scene/scene_material.hpp>
 #include <arcspan/shading/unlit.hpp>
-#include <arcspan/shading/wireframe.hpp>
+#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/status.hpp>
 

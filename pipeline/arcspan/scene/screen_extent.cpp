@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/prepare/edge.hpp>
-#include <arcspan/prepare/line_command.hpp>
 #include <arcspan/scene/screen_extent.hpp>
 #include <arcspan/shading/unlit.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
-#include <arcspan/pixel/pixel_operation.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/pixel/gray8.hpp>
-#include <arcspan/shading/wireframe.hpp>
+#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/shading/with_operation.hpp>
 
 #include <catch2/catch.hpp>

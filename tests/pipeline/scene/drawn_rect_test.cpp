@@ -2,7 +2,7 @@
 // The rectangle of a scene against its pixels and its vertices.
 #include <arcspan/drawn_rect.hpp>
 #include <arcspan/mesh/make_face_planes.hpp>
-#include <arcspan/shading/wireframe.hpp>
+#include <arcspan/draw/wireframe.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/scene/random_scene.hpp>

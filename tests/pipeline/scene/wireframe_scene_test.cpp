@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan/shading/wireframe.hpp>
+#include <arcspan/draw/wireframe.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/scene/scene_support.hpp>

@@ -250,8 +250,6 @@ struct Textured : Method {
   using Light = Method;
   /// The illumination of `Method` with the texture.
   struct Lighting : TablesOf<Light, Colours>, Light::Lighting {
-    static constexpr TextureBorders kBorders = Borders;
-
     constexpr Lighting() = default;
     /// `light`: what Method::Lighting is made of, usually an Illumination.
     template <class L>
@@ -267,6 +265,10 @@ struct Textured : Method {
     constexpr void relight(const L& light) {
       static_cast<typename Light::Lighting&>(*this) = typename Light::Lighting(light);
       make_tables();
+    }
+    /// Whether the texture is shown as its sampler says.
+    [[nodiscard]] constexpr bool shows_borders() const {
+      return Borders == TextureBorders::kOfTexture || texture.sampler().repeats();
     }
     Texture<Texels> texture;
 

@@ -5,13 +5,18 @@
 #include <arcspan/draw/line_stage.hpp>
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
+#include <arcspan/shading/one_colour.hpp>
+#include <arcspan/shading/unlit.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
-namespace arcspan::detail {
+namespace arcspan {
+
+namespace detail {
 
 /// Draws the edges of triangles as lines (DrawsEdges).
 template <class Method, class Target, class Mesh>
@@ -70,4 +75,34 @@ struct EdgeDrawer {
   }
 };
 
-}  // namespace arcspan::detail
+}  // namespace detail
+
+/// A shading method that draws the edges of triangles as lines of one colour instead of their areas:
+///
+///     draw_mesh<Wireframe<>>(mesh, transform, Wireframe<>::Lighting(Unlit::lighting(white)), frame, depth);
+///
+/// Front faces only, or all faces with DrawOptions::two_sided. `Colour` is Unlit, with operations or without.
+/// An edge of two faces is drawn by both, with equal depth: with a depth buffer the second one changes
+/// nothing, not even where lines are blended.
+template <OneColour Colour = Unlit>
+struct Wireframe : Colour {
+  static constexpr bool kDrawsEdges = true;
+  template <class Target, class Mesh>
+  using DrawnEdges = detail::EdgeDrawer<Wireframe, Target, Mesh>;
+
+  /// The lighting of `Colour` with the bias.
+  struct Lighting : Colour::Lighting {
+    using Base = typename Colour::Lighting;
+    constexpr Lighting() = default;
+    constexpr explicit Lighting(const Base& colour, DepthBias nearer = {}) : Base(colour), bias(nearer) {}
+    /// Changes the bias, or another part of the material (PreparedMaterial::with).
+    constexpr void set(DepthBias nearer) { bias = nearer; }
+    template <class Part>
+    requires requires(Base& base, const Part& part) { {base.set(part)}; }
+    constexpr void set(const Part& part) { Base::set(part); }
+
+    DepthBias bias;
+  };
+};
+
+}  // namespace arcspan

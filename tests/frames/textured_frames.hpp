@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/draw.hpp>
+#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/draw_billboards.hpp>
 #include <arcspan/draw_lines.hpp>
 #include <arcspan/hal/framebuffer.hpp>
@@ -11,7 +12,6 @@
 #include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/textured/environment_map.hpp>
 #include <arcspan/shading/textured/textured.hpp>
-#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/shading/with_operation.hpp>
 #include <arcspan/span/depth_mode.hpp>
 

@@ -4,12 +4,12 @@
 // functions of the protocol of shading/method.hpp that come before the span stage, which span_stage.cpp has:
 // the stages around them are the same. Whole calls of arc are in the images that
 // tests/firmware/image_test.py looks at, and in whole_calls.cpp.
+#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/draw_billboards.hpp>
 #include <arcspan/draw_lines.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/span/depth_mode.hpp>
 
 #include <tests/objects/instances.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The span stage and nothing else, for every format and every method for products: the object that must hold
 // no division.
+#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/pixel/mono.hpp>
@@ -8,7 +9,6 @@
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/span/depth_mode.hpp>
 #include <arcspan/span/draw_small.hpp>
 #include <arcspan/span/rectangle_rows.hpp>

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <arcspan/draw.hpp>
+#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/pixel/gray8.hpp>
 #include <arcspan/scene/object.hpp>
 #include <arcspan/scene/posed_material.hpp>
 #include <arcspan/scene/scene_frame.hpp>
 #include <arcspan/scene/scene_material.hpp>
 #include <arcspan/shading/unlit.hpp>
-#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/status.hpp>
 

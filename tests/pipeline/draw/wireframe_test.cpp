@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Wireframes: the edges of the faces that are seen, by every way of draw_mesh() alike.
 #include <arcspan/draw.hpp>
+#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/draw_lines.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/mesh/make_face_planes.hpp>
 #include <arcspan/pixel/gray8.hpp>
-#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/shading/with_operation.hpp>
 
 #include <catch2/catch.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The rectangle of a scene against its pixels and its vertices.
+#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/drawn_rect.hpp>
 #include <arcspan/mesh/make_face_planes.hpp>
-#include <arcspan/draw/wireframe.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/scene/random_scene.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Picked triangles against pictures in which every triangle has a colour of its own.
-#include <arcspan/pick.hpp>
 #include <arcspan/draw/wireframe.hpp>
+#include <arcspan/pick.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/scene/random_scene.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Smooth outlines of whole scenes, against the same calls for each object alone.
+#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/scene_outlines.hpp>
 #include <arcspan/shading/textured/textured.hpp>
-#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/texture/texel_formats.hpp>
 
 #include <catch2/catch.hpp>

@@ -21,19 +21,24 @@
 namespace arcspan::detail {
 
 // Which triangles of a mesh a draw call looks at. A filter has next(i, count), the first triangle from i on
-// that may be visible (`count` if there is none), and kAllInside, true if all vertices are known to be
-// inside the clip volume and backs are known not to be drawn.
+// that may be visible (`count` if there is none); is_seen(i), true if that one is known to be neither culled
+// nor clipped; kAllInside, true if all vertices are known to be inside the clip volume and backs are known
+// not to be drawn; and kTransformed, true if a source that has transformed() has transformed all vertices.
 
 /// All triangles.
 struct AllTriangles {
   static constexpr bool kAllInside = false;
+  static constexpr bool kTransformed = true;
   [[nodiscard]] constexpr std::size_t next(std::size_t i, std::size_t) const { return i; }
+  [[nodiscard]] static constexpr bool is_seen(std::size_t) { return false; }
 };
 
 /// The triangles that may be front faces, where the planes of the faces tell (BackFaces::known()).
 struct FrontTriangles {
   static constexpr bool kAllInside = true;
+  static constexpr bool kTransformed = false;
   const BackFaces& back_faces;
+  [[nodiscard]] static constexpr bool is_seen(std::size_t) { return false; }
   [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
     return back_faces.next_front(i, count);
   }
@@ -92,7 +97,7 @@ class TriangleDrawer {
 
   template <class Filter, class Source>
   [[nodiscard]] ARCSPAN_INLINE decltype(auto) vertex(Source& source, std::size_t i) const {
-    if constexpr (std::is_same_v<Filter, AllTriangles> && requires { source.transformed(i); }) {
+    if constexpr (Filter::kTransformed && requires { source.transformed(i); }) {
       return source.transformed(i);
     } else {
       return source.vertex(stage_, i);
@@ -109,9 +114,10 @@ class TriangleDrawer {
       auto&& a = vertex<Filter>(source, t.a);
       auto&& b = vertex<Filter>(source, t.b);
       auto&& c = vertex<Filter>(source, t.c);
-      if (is_culled<Filter::kAllInside>(a, b, c)) continue;
+      const bool is_seen = filter.is_seen(i);
+      if (!is_seen && is_culled<Filter::kAllInside>(a, b, c)) continue;
       if constexpr (NotesSides<Source>) source.note_side(i, side_of<Method>(a, b, c, two_sided_));
-      if (!Filter::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
+      if (!is_seen && !Filter::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
         draw_clipped(t);
       } else if constexpr (Filter::kAllInside && !kOptimisedForSize) {
         draw_triangle(t, a, b, c);

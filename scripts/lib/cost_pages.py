@@ -65,20 +65,14 @@ def parts(costs):
     one = costs["frames"][preset][FEW[0]][HEADLINE]
     rows, pixels = one["spans"], one["pixels"]
     head = ["method", "pixels", "rows", "triangles", "vertices", "back faces"]
+    last = costs["parts"][preset][FEW[-1]]
+    triangle = sum(last[part] for part in last if part not in ("pixel", "row")) / one["triangles"]
     lines = prose(f"{title}, the frame above: {one['vertices']} vertices, {one['triangles']} visible triangles, {rows:,} rows "
                   f"({pixels / rows:.1f} pixels each), {pixels:,} pixels.")
     return lines + table(head, [[NAMES[method], *(f"{100 * counted / costs['frames'][preset][method][HEADLINE]['draw']:.0f} %"
-                                                  for counted in costs["parts"][preset][method].values())] for method in FEW])
-
-
-def marginal(costs):
-    head = ["core, method", "vertex", "triangle", "without planes", "span", "pixel", "worst estimate"]
-    rows = [[f"{title}, {NAMES[method]}", of["vertex"], of["triangle"], of["triangle_without_planes"], of["span"], of["pixel"],
-             f"{of['worst_estimate_percent']} %"]
-            for preset, title in SHOWN for method in FEW for of in [costs["marginal"][preset][method]]]
-    last = costs["marginal"][SHOWN[0][0]][FEW[-1]]
-    return [*table(head, rows), *prose(f"On a {SHOWN[0][1]} a triangle costs as much as {last['triangle'] / last['pixel']:.0f} pixels by "
-                                       f"{NAMES[FEW[-1]]}: the set-up dominates where triangles are smaller than that.")]
+                                                  for counted in costs["parts"][preset][method].values())] for method in FEW]) + prose(
+        f"By {NAMES[FEW[-1]]} a triangle takes {triangle:.0f} instructions besides its rows and pixels, as much as "
+        f"{triangle / (last['pixel'] / pixels):.0f} pixels: the set-up dominates where triangles are smaller than that.")
 
 
 def others(costs):
@@ -132,7 +126,7 @@ def stack(costs):
                                     for preset, _ in targets)] for method in FEW])
 
 
-TABLES = {"frame": frame, "models": models, "parts": parts, "marginal": marginal, "others": others, "bands": bands,
+TABLES = {"frame": frame, "models": models, "parts": parts, "others": others, "bands": bands,
           "textures": textures, "operations": operations, "lines": lines_and_points, "programs": programs, "stack": stack}
 
 

@@ -7,19 +7,14 @@ TARGETS = [  # preset, machine, title
     ("mps2-an385-armv6m", "mps2-an385", "Armv6-M code"),
     ("mps2-an386", "mps2-an386", "Cortex-M4F, FPU off"),
 ]
-SPHERES = ("16x8", "32x16", "64x32")
-RADII = (36, 72, 108)
 HEADLINE = "32x16 72"
-EXTREMES = {"8x4 110": "normals up to 60° apart, cut by the picture", "8x4 1400": "the same, cut by the guard band",
-            "16x8 12": "small and coarse", "64x32 20": "triangles of a pixel"}
+SPHERES = (HEADLINE, "8x4 110", "8x4 1400", "16x8 12", "64x32 20")  # of cost_stage.hpp
 OWN_SINK = "-own-sink"  # ends the names of programs that draw into a sink of their own
 CLASSIC = ("phong", "phong-reciprocal")  # the two classic Phong methods
 RISCV = ("riscv-virt", "RV32IMAC")  # preset, title; only the frames of few methods are measured
 FEW = ("flat", "gouraud", "arc-0", "arc")  # methods for products; the last is what tools and scenes use by default
 ARCS = FEW[2:]  # exact, and with a tolerance of one step of 255
 NAMES = {"flat": "flat", "gouraud": "Gouraud", "arc-0": "arc, tolerance 0", "arc": "arc, tolerance 1"}  # on pages
-# In the coarsest sphere normals are more than 16 degrees apart, where these methods take another path.
-FINE_ONLY = ("arc-0", "arc", "segment", "segment-8", "segment-16", "recurrence", "recurrence-four", "arc-vector")
 BANDS = {"whole, cache": "whole frame, vertex cache", "whole, no cache": "whole frame, no cache",  # sections of cost_bands.hpp
          "bands, cache": "bands, vertex cache", "bands, no cache": "bands, no cache",
          "bands, kept": "bands, `VertexCache`", "bands, kept with rows": "bands, `VertexCache` with rows"}

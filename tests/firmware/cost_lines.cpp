@@ -4,6 +4,7 @@
 #include <arcspan/bare/console.hpp>
 #include <arcspan/bare/mark.hpp>
 #include <arcspan/draw.hpp>
+#include <arcspan/draw/wireframe.hpp>
 #include <arcspan/draw_billboards.hpp>
 #include <arcspan/draw_lines.hpp>
 #include <arcspan/hal/framebuffer.hpp>

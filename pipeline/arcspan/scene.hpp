@@ -60,8 +60,10 @@ template <SceneMemoryType Memory>
   return prepare(scene, frame);
 }
 
-/// Draws objects, and nothing besides: the base of what draw_prepared() takes as its target.
-struct DrawsObjects {
+/// Does nothing besides drawing: the base of what draw_prepared() takes as its target.
+struct PlainTarget {
+  /// Pixels beyond the picture or band whose objects are looked at, too.
+  static constexpr std::int32_t kBeyond = 0;
   /// Returns what stands for the rows of an object, which is drawn next.
   template <class Memory>
   [[nodiscard]] static typename Memory::KeptRows begin_object(SceneSlot& slot, bool finds_rows) {
@@ -74,7 +76,7 @@ struct DrawsObjects {
 };
 
 /// Leaves what is in the target.
-struct KeepTarget : DrawsObjects {
+struct KeepTarget : PlainTarget {
   template <class Sink, class Depth>
   [[nodiscard]] static constexpr Status clear(Sink&, const Depth&) {
     return Status::kOk;
@@ -83,7 +85,7 @@ struct KeepTarget : DrawsObjects {
 
 /// Clears depth and pixels.
 template <class Background>
-struct ClearTarget : DrawsObjects {
+struct ClearTarget : PlainTarget {
   constexpr explicit ClearTarget(const Background& background) : background_(background) {}
 
   template <class Sink, class Depth>
@@ -118,14 +120,17 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
   const Viewport& viewport = frame.header.camera->viewport();
   const Rect whole{0, 0, viewport.width, viewport.height};
   const Rect rect = intersection(whole, sink.bounds());
+  constexpr std::int32_t kBeyond = Target::kBeyond;
+  const Rect beyond{rect.left - kBeyond, rect.top - kBeyond, rect.right + kBeyond, rect.bottom + kBeyond};
+  const Rect reached = kBeyond == 0 || rect.empty() ? rect : intersection(whole, beyond);
   result.status = check_target(Scissor(viewport, sink.bounds()), sink, depth);
   if (ok(result.status)) result.status = target.clear(sink, depth);
   const std::size_t count = frame.header.in_view;
   for (std::size_t i = 0; i < count && ok(result.status); ++i) {
     const std::size_t place = kNearestFirst ? i : count - 1 - i;
     SceneSlot& slot = frame.slots[frame.order[place]];
-    if (rect != whole && is_outside(slot, rect)) continue;
-    ++result.objects;
+    if (reached != whole && is_outside(slot, reached)) continue;
+    if (kBeyond == 0 || rect == whole || !is_outside(slot, rect)) ++result.objects;
     if (!frame.header.keeps_vertices) slot.held = nullptr;
     const ObjectLights lights = lights_at(frame.header, *slot.object);
     // Finding the rows of triangles pays if the picture has two bands or more.

@@ -88,15 +88,17 @@ template <SceneMemoryType Memory, PixelFormat F>
   return status;
 }
 
-/// Adds the outlines of an object to `outlines`.
+/// Adds the outlines of an object to `outlines`. `keeps_vertices` is that of the SceneHeader.
 template <SceneMemoryType Memory, PixelFormat F, class Curved>
-[[nodiscard]] Status add_outlines(SceneSlot& slot, SceneOutlines<F, Curved>& outlines) {
+[[nodiscard]] Status add_outlines(SceneSlot& slot, bool keeps_vertices, SceneOutlines<F, Curved>& outlines) {
   const Object& object = *slot.object;
   const MeshView& mesh = object.mesh();
   const MeshNeighbours* const neighbours = neighbours_in(outlines.meshes, mesh);
   Status status = check_outlined<Memory>(object, neighbours, outlines.sides);
   if (ok(status)) status = hide_all(mesh, outlines.sides);
   typename Memory::KeptRows rows(slot, true);
+  // Where rows tell the sides no vertex is transformed, and positions_of() would take those of the rest pose.
+  if (!keeps_vertices && is_posed(typename Memory::UseList{}, object)) rows.leave_out();
   for (std::size_t i = 0; i < object.part_count() && ok(status); ++i) {
     const Part part = object.part(i);
     const MeshView triangles = mesh.part(part.first, part.count);
@@ -151,10 +153,13 @@ class CurvedTarget : public Target {
   const CurvedOutlines& curves_;
 };
 
-/// Clears what `Target` does, and adds the outlines of each object after it is drawn.
+/// Clears what `Target` does, and adds the outlines of each object after it is drawn: of those whose outlines
+/// or ink may reach the sink.
 template <class Target, PixelFormat F>
 class OutlinedTarget : public Target {
  public:
+  static constexpr std::int32_t kBeyond = 2 * OutlineInk::kWidest;  // along rows ink is up to 3/2 as wide
+
   /// `found` becomes the first status that is not kOk.
   constexpr OutlinedTarget(const Target& target, SceneOutlines<F>& outlines, Status& found)
       : Target(target), outlines_(outlines), found_(found) {}
@@ -228,7 +233,7 @@ template <SceneMemoryType Memory, PixelFormat F, class Curved>
   for (std::size_t i = 0; i < frame.header.in_view; ++i) {
     detail::SceneSlot& slot = frame.slots[frame.order[i]];
     if (!frame.header.keeps_vertices) slot.held = nullptr;
-    const Status status = detail::add_outlines<Memory>(slot, outlines);
+    const Status status = detail::add_outlines<Memory>(slot, frame.header.keeps_vertices, outlines);
     if constexpr (kCurved) slot.depth = static_cast<std::uint16_t>(outlines.curves.count());
     if (ok(first)) first = status;
   }
@@ -276,8 +281,8 @@ template <class Background, SceneMemoryType Memory, PixelSink Sink, DepthTarget 
 }  // namespace detail
 
 /// draw_scene() with smooth outlines. The status is the first that is not kOk: that of draw_scene(), of
-/// find_outlines() or of smooth_outlines(). With the last two the scene is drawn, and smoothed as far as they
-/// state.
+/// find_outlines() for the objects that may reach the sink, or of smooth_outlines(). With the last two the
+/// scene is drawn, and smoothed as far as they state.
 template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth, class Curved>
 [[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory,
                                      const Background& background,

@@ -21,9 +21,10 @@
 namespace arcspan::detail {
 
 // Which triangles of a mesh a draw call looks at. A filter has next(i, count), the first triangle from i on
-// that may be visible (`count` if there is none); is_seen(i), true if that one is known to be neither culled
-// nor clipped; kAllInside, true if all vertices are known to be inside the clip volume and backs are known
-// not to be drawn; and kTransformed, true if a source that has transformed() has transformed all vertices.
+// that may be visible (`count` if there is none); is_seen(i), true if that one was neither culled nor to be
+// clipped when its rows were found; kAllInside, true if all vertices are known to be inside the clip volume
+// and backs are known not to be drawn; and kTransformed, true if transformed() of a source (VertexCache) has
+// the vertices of all triangles that the filter names.
 
 /// All triangles.
 struct AllTriangles {
@@ -95,9 +96,15 @@ class TriangleDrawer {
       kHasCheapRows<TriangleCommand<Method>> && !kOptimisedForSize && kHasManyRegisters;
   static constexpr bool kDrawsSmall = Features.small_triangles && DrawsSmallTriangles<Method>;
 
+  /// Whether vertices are those that were transformed when the source began to hold the object. Other sources
+  /// may transform them again, perhaps in another pose, with which rows do not agree.
+  template <class Filter, class Source>
+  static constexpr bool kKeepsVertices = Filter::kTransformed&& requires(Source& source) {
+    source.transformed(std::size_t{});
+  };
   template <class Filter, class Source>
   [[nodiscard]] ARCSPAN_INLINE decltype(auto) vertex(Source& source, std::size_t i) const {
-    if constexpr (Filter::kTransformed && requires { source.transformed(i); }) {
+    if constexpr (kKeepsVertices<Filter, Source>) {
       return source.transformed(i);
     } else {
       return source.vertex(stage_, i);
@@ -114,7 +121,7 @@ class TriangleDrawer {
       auto&& a = vertex<Filter>(source, t.a);
       auto&& b = vertex<Filter>(source, t.b);
       auto&& c = vertex<Filter>(source, t.c);
-      const bool is_seen = filter.is_seen(i);
+      const bool is_seen = kKeepsVertices<Filter, Source> && filter.is_seen(i);
       if (!is_seen && is_culled<Filter::kAllInside>(a, b, c)) continue;
       if constexpr (NotesSides<Source>) source.note_side(i, side_of<Method>(a, b, c, two_sided_));
       if (!is_seen && !Filter::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
@@ -152,8 +159,8 @@ class TriangleDrawer {
     const RasterPosition& r = c.raster.position;
     if constexpr (DrawsEdges<Method>) {
       bool drawn = false;
-      const typename Method::template DrawnEdges<Target, Mesh> edges{stage_,     scissor_, target_,
-                                                                     two_sided_, result_,  drawn};
+      const typename Method::template EdgesDrawer<Target, Mesh> edges{stage_,     scissor_, target_,
+                                                                      two_sided_, result_,  drawn};
       edges.template draw<Features.clips>(t, a, b, c);
       if (drawn) ++result_.triangles;
     } else if (is_within_scissor(p, q, r)) {

@@ -120,6 +120,7 @@ class VertexCache {
       CachedVertex<Method>& filled = vertex(stage, i);
       if (filled.outcode == kInside) stage.shade(i, filled);
     }
+    holds_all_ = true;
     return Status::kOk;
   }
 
@@ -127,12 +128,17 @@ class VertexCache {
   template <class Mesh>
   [[nodiscard]] Status begin(const VertexStage<Method, Mesh>& stage, bool two_sided) {
     const MeshView& mesh = stage.mesh();
-    if (object_.exists()) return object_.compare(mesh, stage.transform(), two_sided);
+    if (object_.exists()) {
+      const Status status = object_.compare(mesh, stage.transform(), two_sided);
+      if (ok(status) && !holds_all_ && !stage.back_faces().known()) transform_rest(stage);
+      return status;
+    }
     if (vertices_.size() < mesh.vertex_count()) return Status::kCacheTooSmall;
     if (!rows_.empty() && rows_.size() < TriangleRows::entries(mesh.triangle_count()))
       return Status::kCacheTooSmall;
     object_.hold(mesh, stage.transform(), two_sided);
-    if (stage.back_faces().known()) {
+    holds_all_ = !stage.back_faces().known();
+    if (!holds_all_) {
       detail::forget_vertices(vertices_.data(), mesh.vertex_count());
     } else {
       stage.transform_all(vertices_.data());
@@ -147,14 +153,23 @@ class VertexCache {
     if (vertex.outcode == CachedVertex<Method>::kNotTransformed) stage.transform(i, vertex);
     return vertex;
   }
-  /// Vertex i where begin() has transformed all: it does so unless the back faces of the mesh are known.
+  /// Vertex i, which is transformed: begin() has transformed all, or, if the back faces of the mesh are
+  /// known, those of all triangles with rows.
   [[nodiscard]] ARCSPAN_INLINE CachedVertex<Method>& transformed(std::size_t i) { return vertices_[i]; }
   [[nodiscard]] constexpr const TriangleRows* rows() const { return rows_.empty() ? nullptr : rows_.data(); }
 
  private:
+  /// For a call that does not know the back faces, after one that did (DrawFeatures::planes).
+  template <class Mesh>
+  ARCSPAN_OUTLINE ARCSPAN_COLD void transform_rest(const VertexStage<Method, Mesh>& stage) {
+    for (std::size_t i = 0; i < stage.mesh().vertex_count(); ++i) (void)vertex(stage, i);
+    holds_all_ = true;
+  }
+
   std::span<CachedVertex<Method>> vertices_;
   std::span<TriangleRows> rows_;
   detail::HeldObject object_;
+  bool holds_all_ = false;  ///< otherwise vertices are transformed when a triangle needs them
 };
 
 }  // namespace arcspan

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/clip/clip_polygon.hpp>
 #include <arcspan/draw/draw_options.hpp>
 #include <arcspan/draw/line_stage.hpp>
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/draw/vertex_stage.hpp>
+#include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/one_colour.hpp>
 #include <arcspan/shading/unlit.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
+#include <arcspan/vertex/raster_vertex.hpp>
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -88,7 +91,7 @@ template <OneColour Colour = Unlit>
 struct Wireframe : Colour {
   static constexpr bool kDrawsEdges = true;
   template <class Target, class Mesh>
-  using DrawnEdges = detail::EdgeDrawer<Wireframe, Target, Mesh>;
+  using EdgesDrawer = detail::EdgeDrawer<Wireframe, Target, Mesh>;
 
   /// The lighting of `Colour` with the bias.
   struct Lighting : Colour::Lighting {

@@ -12,8 +12,6 @@ namespace arcspan {
 /// [-1024, 1024), the guard band. Differences fit 15 bits and a sign, and twice a triangle's area
 /// fits 32 bits.
 using Subpixel = Fixed<std::int32_t, 4>;
-/// The pixel that contains a coordinate of a Subpixel.
-[[nodiscard]] constexpr std::int32_t pixel_of(std::int32_t raw) { return raw >> Subpixel::kFraction; }
 
 /// A scalar of a normal, N·L, N·H or N·V, and its difference per pixel: Q1.30, [-2, 2). The amplitude
 /// is 1 and one bit is head-room. Differences need all 30 fraction bits, because their error grows with the
@@ -54,5 +52,12 @@ using PixelLength = Fixed<std::int32_t, 11>;
 
 /// Material coefficient, light intensity, attenuation: Q16.15, [0, 1].
 using Coefficient = Fixed<std::int32_t, 15>;
+
+namespace detail {
+
+/// The pixel that contains a coordinate, the raw value of a Subpixel.
+[[nodiscard]] constexpr std::int32_t pixel_of(std::int32_t raw) { return raw >> Subpixel::kFraction; }
+
+}  // namespace detail
 
 }  // namespace arcspan

@@ -90,10 +90,10 @@ constexpr void prepare_line(const RasterPosition& a, const RasterPosition& b, st
   line.leftwards = dx < 0;
   const std::int32_t width = dx < 0 ? -dx : dx;
   const std::int32_t left = dx < 0 ? bottom.x : top.x;
-  line.first_row = static_cast<std::int16_t>(pixel_of(top.y));
-  line.end_row = static_cast<std::int16_t>(pixel_of(bottom.y) + 1);
-  line.left = static_cast<std::int16_t>(pixel_of(left));
-  line.right = static_cast<std::int16_t>(pixel_of(left + width) + 1);
+  line.first_row = static_cast<std::int16_t>(detail::pixel_of(top.y));
+  line.end_row = static_cast<std::int16_t>(detail::pixel_of(bottom.y) + 1);
+  line.left = static_cast<std::int16_t>(detail::pixel_of(left));
+  line.right = static_cast<std::int16_t>(detail::pixel_of(left + width) + 1);
   line.flat = width >= dy;
   line.edge = {};
   const std::int32_t above = detail::biased_depth(top.z, bias);

@@ -52,7 +52,7 @@ requires(!IsPosed<Used>) [[nodiscard]] Status find_part_sides(const SidesCall<Ke
 template <IsPosed Used, bool KeepsVertices, class KeptRows>
 [[nodiscard]] Status find_part_sides(const SidesCall<KeptRows>& call) {
   if constexpr (!KeepsVertices) {
-    return Status::kUnsupported;
+    return Status::kUnsupported;  // check_outlined() has refused it
   } else {
     using Method = typename Used::Method;
     const PosedPart<Used> mesh(call.material, call.mesh);
@@ -73,7 +73,7 @@ template <bool KeepsVertices, class... Used, class KeptRows>
   return status;
 }
 
-/// Stands for PartRows in a picture that is drawn at once: writes down the sides of an object's triangles
+/// Stands for PartRows where a call draws and finds outlines: writes down the sides of an object's triangles
 /// while its parts are drawn.
 class PartSides : public NoRows {
  public:
@@ -83,6 +83,7 @@ class PartSides : public NoRows {
   constexpr void begin_part(std::size_t first) {
     if (sides_ != nullptr) of_part_ = sides_ + first;
   }
+  /// Hides a part again that overlaps one drawn before.
   template <class Method, class Mesh, class Source>
   void find(const VertexStage<Method, Mesh>& stage, bool, Source&) const {
     if (sides_ != nullptr) (void)hide_all(stage.mesh(), {of_part_, stage.mesh().triangle_count()});
@@ -102,21 +103,25 @@ template <class... Used>
   return ((IsPosed<Used> && material.use() == &kUseFacts<Used>) || ...);
 }
 
-/// Whether the outlines of an object in view can be found: kOk, or the status of find_outlines().
+/// Whether a mesh poses the vertices of a part of the object.
+template <class... Used>
+[[nodiscard]] bool is_posed(MethodList<Used...> list, const Object& object) {
+  for (std::size_t i = 0; i < object.part_count(); ++i)
+    if (is_posed(list, *object.part(i).material)) return true;
+  return false;
+}
+
+/// Whether the sides of an object in view can be found: kOk, or a status of find_outlines().
 template <SceneMemoryType Memory>
 [[nodiscard]] Status check_outlined(const Object& object, const MeshNeighbours* neighbours,
                                     std::span<const TriangleSide> sides) {
   if (neighbours == nullptr) return Status::kUnsupported;
   if (sides.size() < object.mesh().triangle_count()) return Status::kBufferTooSmall;
-  bool posed = false;
-  bool by_one_use = true;
-  for (std::size_t i = 0; i < object.part_count(); ++i) {
-    const SceneMaterial& material = *object.part(i).material;
-    posed = posed || is_posed(typename Memory::UseList{}, material);
-    by_one_use = by_one_use && material.use() == object.part(0).material->use();
-  }
+  if (!is_posed(typename Memory::UseList{}, object)) return Status::kOk;
   // The places of posed vertices are known only from the slot, which must keep those of all parts.
-  if (posed && !(by_one_use && Memory::kHasVertices)) return Status::kUnsupported;
+  if (!Memory::kHasVertices) return Status::kUnsupported;
+  for (std::size_t i = 1; i < object.part_count(); ++i)
+    if (object.part(i).material->use() != object.part(0).material->use()) return Status::kUnsupported;
   return Status::kOk;
 }
 

@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 /// Where the vertices of an object in a scene come from, and the rows of its triangles.
 namespace arcspan::detail {
@@ -23,6 +22,8 @@ class PartRows {
   PartRows(SceneSlot& slot, bool wanted)
       : slot_(&slot), rows_(wanted || slot.parts_with_rows != 0 ? slot.rows : nullptr) {}
 
+  /// No rows, for a source that has to look at all triangles.
+  void leave_out() { rows_ = nullptr; }
   /// Before a part is drawn whose first triangle this is (PartSides).
   static constexpr void begin_part(std::size_t) {}
   /// Goes on from a part of so many triangles to the next one.
@@ -48,6 +49,7 @@ class PartRows {
 struct NoRows {
   constexpr NoRows() = default;
   constexpr NoRows(SceneSlot&, bool) {}
+  static constexpr void leave_out() {}
   static constexpr void begin_part(std::size_t) {}
   static constexpr void next_part(std::size_t) {}
   template <class Method, class Mesh, class Source>

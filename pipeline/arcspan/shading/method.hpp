@@ -133,7 +133,7 @@ template <class M>
 concept DrawsSmallTriangles = std::same_as<typename M::DrawsSmallTrianglesAs, M>;
 
 /// Optional part of a method (`kDrawsEdges`): the edges of triangles are drawn as lines, not their areas, by
-/// its `DrawnEdges` (Wireframe). Its Lighting has a `bias` (DepthBias).
+/// its `EdgesDrawer` (Wireframe). Its Lighting has a `bias` (DepthBias).
 template <class M>
 concept DrawsEdges = bool{M::kDrawsEdges};
 

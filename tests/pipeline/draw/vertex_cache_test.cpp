@@ -109,6 +109,12 @@ std::span<CachedVertex<Method>> all(Object<Method>& object) {
   return object.vertices;
 }
 
+/// A source of a program's own, whose rows promise no more than that a band may skip a triangle.
+struct OwnRows : NoCache {
+  const TriangleRows* own_rows;
+  [[nodiscard]] const TriangleRows* rows() const { return own_rows; }
+};
+
 }  // namespace
 
 TEMPLATE_TEST_CASE("a picture in bands with kept vertices is the picture drawn at once", "", Gouraud<Light>,
@@ -137,6 +143,9 @@ TEMPLATE_TEST_CASE("a picture in bands with kept vertices is the picture drawn a
       CHECK(drawn(object, rows, slots, two_sided) == whole);
       VertexSlots<TestType, 8> few;  // vertices of a triangle often share a slot
       CHECK(drawn(object, rows, few, two_sided) == whole);
+      const std::vector<TriangleRows> anywhere(object.rows.size(), {0, 254});
+      OwnRows own{{}, anywhere.data()};
+      CHECK(drawn(object, rows, own, two_sided) == whole);
     }
   }
   CHECK(triangles > 0);

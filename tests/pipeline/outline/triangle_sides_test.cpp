@@ -146,6 +146,32 @@ TEST_CASE("Triangle sides: a cache that holds rows of bands gives those of the w
   CHECK(noted == found);
 }
 
+TEST_CASE("Triangle sides: a cache begun with planes holds all vertices for a call without") {
+  Random random(51);
+  const TestMesh sphere = make_sphere(9, 14, 3000, 0, random);
+  std::vector<FacePlane> planes(sphere.indices.size() / 3);
+  PlaneScale scale;
+  REQUIRE(ok(make_face_planes(sphere.view(), planes, scale)));
+  MeshView mesh = sphere.view();
+  REQUIRE(ok(mesh.attach(planes, scale)));
+  const TestCamera from = camera(random, 3000, false);
+  const ClipTransform transform = from.transform();
+  const auto light = make_light<1, Highlight::kBlinn>(from);
+  std::vector<CachedVertex<Method>> vertices(mesh.vertex_count());
+  VertexCache<Method> cache(vertices);
+  std::vector<TriangleSide> found(mesh.triangle_count());
+  std::vector<TriangleSide> noted(mesh.triangle_count());
+  REQUIRE(ok(find_sides<Method>(mesh, transform, light, cache, found)));
+  REQUIRE(std::any_of(vertices.begin(), vertices.end(),
+                      [](const auto& v) { return v.outcode == CachedVertex<Method>::kNotTransformed; }));
+  Picture picture(from.width, from.height);
+  NotedSides source(cache, noted);
+  REQUIRE(ok(draw_mesh<Method, DrawFeatures{.planes = false}>(mesh, transform, light, picture.frame,
+                                                              picture.depth, source)
+                 .status));
+  CHECK(noted == found);
+}
+
 /// A mesh whose vertices are posed: narrower than the mesh that it is made of.
 struct Narrowed {
   const MeshView& wide;

@@ -181,6 +181,19 @@ TEST_CASE("outlines of scenes are inked as by ink_outlines()") {
                    .status));
     CHECK(at_once.pixels == by_calls.pixels);
     CHECK(at_once.depths == by_calls.depths);
+    // Ink reaches bands that its object does not, with two rows more on both sides.
+    constexpr std::int32_t kRows = 3;
+    Canvas band(kRows + 4);
+    for (std::int32_t row = 0; row < Canvas::kHeight; row += kRows) {
+      const std::int32_t first = row < 2 ? 0 : row - 2;
+      band.move_to(first);
+      REQUIRE(ok(
+          draw_scene(objects.scene(), band.picture, band.depth, memory, Rgb8{10, 20, 30}, room.outlines, ink)
+              .status));
+      const auto begin = band.pixels.begin() + std::ptrdiff_t{row - first} * Canvas::kWidth;
+      const auto expected = at_once.pixels.begin() + std::ptrdiff_t{row} * Canvas::kWidth;
+      CHECK(std::equal(begin, begin + std::ptrdiff_t{kRows} * Canvas::kWidth, expected));
+    }
     const OutlineInk too_wide{{}, 5};
     CHECK(draw_scene(objects.scene(), at_once.picture, at_once.depth, memory, Rgb8{}, room.outlines, too_wide)
               .status == Status::kInvalidArgument);

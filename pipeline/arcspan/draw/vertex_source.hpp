@@ -58,13 +58,17 @@ class HeldObject {
     transform_ = transform;
     two_sided_ = two_sided;
     holds_ = true;
+    has_all_ = false;
   }
+  [[nodiscard]] constexpr bool has_all() const { return has_all_; }  ///< all vertices are transformed
+  constexpr void set_has_all() { has_all_ = true; }
 
  private:
   MeshView mesh_;
   ClipTransform transform_;
   bool two_sided_ = false;
   bool holds_ = false;
+  bool has_all_ = false;
 };
 
 }  // namespace detail
@@ -120,7 +124,7 @@ class VertexCache {
       CachedVertex<Method>& filled = vertex(stage, i);
       if (filled.outcode == kInside) stage.shade(i, filled);
     }
-    holds_all_ = true;
+    object_.set_has_all();
     return Status::kOk;
   }
 
@@ -130,18 +134,18 @@ class VertexCache {
     const MeshView& mesh = stage.mesh();
     if (object_.exists()) {
       const Status status = object_.compare(mesh, stage.transform(), two_sided);
-      if (ok(status) && !holds_all_ && !stage.back_faces().known()) transform_rest(stage);
+      if (ok(status) && !object_.has_all() && !stage.back_faces().known()) transform_rest(stage);
       return status;
     }
     if (vertices_.size() < mesh.vertex_count()) return Status::kCacheTooSmall;
     if (!rows_.empty() && rows_.size() < TriangleRows::entries(mesh.triangle_count()))
       return Status::kCacheTooSmall;
     object_.hold(mesh, stage.transform(), two_sided);
-    holds_all_ = !stage.back_faces().known();
-    if (!holds_all_) {
+    if (stage.back_faces().known()) {
       detail::forget_vertices(vertices_.data(), mesh.vertex_count());
     } else {
       stage.transform_all(vertices_.data());
+      object_.set_has_all();
     }
     if (!rows_.empty()) detail::find_rows(stage, two_sided, *this, rows_.data());
     return Status::kOk;
@@ -153,8 +157,7 @@ class VertexCache {
     if (vertex.outcode == CachedVertex<Method>::kNotTransformed) stage.transform(i, vertex);
     return vertex;
   }
-  /// Vertex i, which is transformed: begin() has transformed all, or, if the back faces of the mesh are
-  /// known, those of all triangles with rows.
+  /// Vertex i of a triangle with rows, or of any if back faces are not known: begin() has transformed it.
   [[nodiscard]] ARCSPAN_INLINE CachedVertex<Method>& transformed(std::size_t i) { return vertices_[i]; }
   [[nodiscard]] constexpr const TriangleRows* rows() const { return rows_.empty() ? nullptr : rows_.data(); }
 
@@ -163,13 +166,12 @@ class VertexCache {
   template <class Mesh>
   ARCSPAN_OUTLINE ARCSPAN_COLD void transform_rest(const VertexStage<Method, Mesh>& stage) {
     for (std::size_t i = 0; i < stage.mesh().vertex_count(); ++i) (void)vertex(stage, i);
-    holds_all_ = true;
+    object_.set_has_all();
   }
 
   std::span<CachedVertex<Method>> vertices_;
   std::span<TriangleRows> rows_;
   detail::HeldObject object_;
-  bool holds_all_ = false;  ///< otherwise vertices are transformed when a triangle needs them
 };
 
 }  // namespace arcspan

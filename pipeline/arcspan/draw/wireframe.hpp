@@ -90,8 +90,10 @@ struct EdgeDrawer {
 template <OneColour Colour = Unlit>
 struct Wireframe : Colour {
   static constexpr bool kDrawsEdges = true;
+  /// @cond for draw_mesh(), not in the reference
   template <class Target, class Mesh>
   using EdgesDrawer = detail::EdgeDrawer<Wireframe, Target, Mesh>;
+  /// @endcond
 
   /// The lighting of `Colour` with the bias.
   struct Lighting : Colour::Lighting {

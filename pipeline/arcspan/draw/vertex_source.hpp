@@ -53,12 +53,13 @@ class HeldObject {
     const bool same = mesh_ == mesh && transform_ == transform && two_sided_ == two_sided;
     return same ? Status::kOk : Status::kCacheMismatch;
   }
-  constexpr void hold(const MeshView& mesh, const ClipTransform& transform, bool two_sided) {
+  constexpr void hold(const MeshView& mesh, const ClipTransform& transform, bool two_sided,
+                      bool has_all = false) {
     mesh_ = mesh;
     transform_ = transform;
     two_sided_ = two_sided;
     holds_ = true;
-    has_all_ = false;
+    has_all_ = has_all;
   }
   [[nodiscard]] constexpr bool has_all() const { return has_all_; }  ///< all vertices are transformed
   constexpr void set_has_all() { has_all_ = true; }
@@ -140,12 +141,11 @@ class VertexCache {
     if (vertices_.size() < mesh.vertex_count()) return Status::kCacheTooSmall;
     if (!rows_.empty() && rows_.size() < TriangleRows::entries(mesh.triangle_count()))
       return Status::kCacheTooSmall;
-    object_.hold(mesh, stage.transform(), two_sided);
+    object_.hold(mesh, stage.transform(), two_sided, !stage.back_faces().known());
     if (stage.back_faces().known()) {
       detail::forget_vertices(vertices_.data(), mesh.vertex_count());
     } else {
       stage.transform_all(vertices_.data());
-      object_.set_has_all();
     }
     if (!rows_.empty()) detail::find_rows(stage, two_sided, *this, rows_.data());
     return Status::kOk;

@@ -97,11 +97,14 @@ class TriangleDrawer {
   static constexpr bool kDrawsSmall = Features.small_triangles && DrawsSmallTriangles<Method>;
 
   /// Whether vertices are those that were transformed when the source began to hold the object. Other sources
-  /// may transform them again, perhaps in another pose, with which rows do not agree.
+  /// may transform them again, perhaps in another pose, with which rows do not agree. A call that leaves out
+  /// planes may follow one that knew back faces by them, and left out their vertices.
   template <class Filter, class Source>
-  static constexpr bool kKeepsVertices = Filter::kTransformed&& requires(Source& source) {
+  static constexpr bool kKeepsVertices = requires(Source& source) {
     source.transformed(std::size_t{});
-  };
+  }
+  &&(std::is_same_v<Filter, AllTriangles> ? Features.planes || !std::is_same_v<Mesh, MeshView>
+                                          : Filter::kTransformed);
   template <class Filter, class Source>
   [[nodiscard]] ARCSPAN_INLINE decltype(auto) vertex(Source& source, std::size_t i) const {
     if constexpr (kKeepsVertices<Filter, Source>) {

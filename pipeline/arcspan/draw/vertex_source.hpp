@@ -53,23 +53,18 @@ class HeldObject {
     const bool same = mesh_ == mesh && transform_ == transform && two_sided_ == two_sided;
     return same ? Status::kOk : Status::kCacheMismatch;
   }
-  constexpr void hold(const MeshView& mesh, const ClipTransform& transform, bool two_sided,
-                      bool has_all = false) {
+  constexpr void hold(const MeshView& mesh, const ClipTransform& transform, bool two_sided) {
     mesh_ = mesh;
     transform_ = transform;
     two_sided_ = two_sided;
     holds_ = true;
-    has_all_ = has_all;
   }
-  [[nodiscard]] constexpr bool has_all() const { return has_all_; }  ///< all vertices are transformed
-  constexpr void set_has_all() { has_all_ = true; }
 
  private:
   MeshView mesh_;
   ClipTransform transform_;
   bool two_sided_ = false;
   bool holds_ = false;
-  bool has_all_ = false;
 };
 
 }  // namespace detail
@@ -125,7 +120,6 @@ class VertexCache {
       CachedVertex<Method>& filled = vertex(stage, i);
       if (filled.outcode == kInside) stage.shade(i, filled);
     }
-    object_.set_has_all();
     return Status::kOk;
   }
 
@@ -133,15 +127,11 @@ class VertexCache {
   template <class Mesh>
   [[nodiscard]] Status begin(const VertexStage<Method, Mesh>& stage, bool two_sided) {
     const MeshView& mesh = stage.mesh();
-    if (object_.exists()) {
-      const Status status = object_.compare(mesh, stage.transform(), two_sided);
-      if (ok(status) && !object_.has_all() && !stage.back_faces().known()) transform_rest(stage);
-      return status;
-    }
+    if (object_.exists()) return object_.compare(mesh, stage.transform(), two_sided);
     if (vertices_.size() < mesh.vertex_count()) return Status::kCacheTooSmall;
     if (!rows_.empty() && rows_.size() < TriangleRows::entries(mesh.triangle_count()))
       return Status::kCacheTooSmall;
-    object_.hold(mesh, stage.transform(), two_sided, !stage.back_faces().known());
+    object_.hold(mesh, stage.transform(), two_sided);
     if (stage.back_faces().known()) {
       detail::forget_vertices(vertices_.data(), mesh.vertex_count());
     } else {
@@ -162,13 +152,6 @@ class VertexCache {
   [[nodiscard]] constexpr const TriangleRows* rows() const { return rows_.empty() ? nullptr : rows_.data(); }
 
  private:
-  /// For a call that does not know the back faces, after one that did (DrawFeatures::planes).
-  template <class Mesh>
-  ARCSPAN_OUTLINE ARCSPAN_COLD void transform_rest(const VertexStage<Method, Mesh>& stage) {
-    for (std::size_t i = 0; i < stage.mesh().vertex_count(); ++i) (void)vertex(stage, i);
-    object_.set_has_all();
-  }
-
   std::span<CachedVertex<Method>> vertices_;
   std::span<TriangleRows> rows_;
   detail::HeldObject object_;

@@ -20,26 +20,19 @@
 
 namespace arcspan::detail {
 
-// Which triangles of a mesh a draw call looks at. A filter has next(i, count), the first triangle from i on
-// that may be visible (`count` if there is none); is_seen(i), true if that one was neither culled nor to be
-// clipped when its rows were found; kAllInside, true if all vertices are known to be inside the clip volume
-// and backs are known not to be drawn; and kTransformed, true if transformed() of a source (VertexCache) has
-// the vertices of all triangles that the filter names.
+// Which triangles of a mesh a draw call looks at: next(i, count) is the first from i on that may be visible,
+// or `count`; kAllInside: all vertices are known to be inside the clip volume, and backs not to be drawn.
 
 /// All triangles.
 struct AllTriangles {
   static constexpr bool kAllInside = false;
-  static constexpr bool kTransformed = true;
   [[nodiscard]] constexpr std::size_t next(std::size_t i, std::size_t) const { return i; }
-  [[nodiscard]] static constexpr bool is_seen(std::size_t) { return false; }
 };
 
 /// The triangles that may be front faces, where the planes of the faces tell (BackFaces::known()).
 struct FrontTriangles {
   static constexpr bool kAllInside = true;
-  static constexpr bool kTransformed = false;
   const BackFaces& back_faces;
-  [[nodiscard]] static constexpr bool is_seen(std::size_t) { return false; }
   [[nodiscard]] ARCSPAN_INLINE std::size_t next(std::size_t i, std::size_t count) const {
     return back_faces.next_front(i, count);
   }
@@ -94,20 +87,12 @@ class TriangleDrawer {
   /// True if triangles within the columns of the scissor have a loop of their own.
   static constexpr bool kHasInsideRows =
       kHasCheapRows<TriangleCommand<Method>> && !kOptimisedForSize && kHasManyRegisters;
+  static constexpr bool kHasAll = Features.planes || !std::is_same_v<Mesh, MeshView>;  // no call left one out
   static constexpr bool kDrawsSmall = Features.small_triangles && DrawsSmallTriangles<Method>;
 
-  /// Whether vertices are those that were transformed when the source began to hold the object. Other sources
-  /// may transform them again, perhaps in another pose, with which rows do not agree. A call that leaves out
-  /// planes may follow one that knew back faces by them, and left out their vertices.
-  template <class Filter, class Source>
-  static constexpr bool kKeepsVertices = requires(Source& source) {
-    source.transformed(std::size_t{});
-  }
-  &&(std::is_same_v<Filter, AllTriangles> ? Features.planes || !std::is_same_v<Mesh, MeshView>
-                                          : Filter::kTransformed);
   template <class Filter, class Source>
   [[nodiscard]] ARCSPAN_INLINE decltype(auto) vertex(Source& source, std::size_t i) const {
-    if constexpr (kKeepsVertices<Filter, Source>) {
+    if constexpr (kHasAll && std::is_same_v<Filter, AllTriangles> && requires { source.transformed(i); }) {
       return source.transformed(i);
     } else {
       return source.vertex(stage_, i);
@@ -124,10 +109,9 @@ class TriangleDrawer {
       auto&& a = vertex<Filter>(source, t.a);
       auto&& b = vertex<Filter>(source, t.b);
       auto&& c = vertex<Filter>(source, t.c);
-      const bool is_seen = kKeepsVertices<Filter, Source> && filter.is_seen(i);
-      if (!is_seen && is_culled<Filter::kAllInside>(a, b, c)) continue;
+      if (is_culled<Filter::kAllInside>(a, b, c)) continue;
       if constexpr (NotesSides<Source>) source.note_side(i, side_of<Method>(a, b, c, two_sided_));
-      if (!is_seen && !Filter::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
+      if (!Filter::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
         draw_clipped(t);
       } else if constexpr (Filter::kAllInside && !kOptimisedForSize) {
         draw_triangle(t, a, b, c);

@@ -14,7 +14,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 /// The rows of triangles, by which a picture in bands skips those of other bands.
 namespace arcspan {
@@ -49,99 +48,70 @@ struct TriangleRows {
 
 namespace detail {
 
-/// Finds the rows of triangles of a picture of `height` rows.
-class RowFinder {
- public:
-  constexpr RowFinder(std::int32_t height, bool two_sided)
-      : height_(height), bits_(TriangleRows::group_bits(height)), two_sided_(two_sided) {}
-
-  /// Sets the rows of a triangle with these transformed vertices, and widens those of its batch.
-  template <class Method>
-  ARCSPAN_OUTLINE void find(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
-                            const CachedVertex<Method>& c, TriangleRows& rows) {
-    const RasterPosition& p = a.raster.position;
-    const RasterPosition& q = b.raster.position;
-    const RasterPosition& r = c.raster.position;
-    if ((a.outcode | b.outcode | c.outcode) != 0) [[unlikely]] {
-      const bool is_outside = (a.outcode & b.outcode & c.outcode) != 0;
-      rows = is_outside ? TriangleRows::culled() : TriangleRows::any();
-      if (!is_outside) batch_ = TriangleRows::any();
-      return;
-    }
-    if (is_culled_by_area<Method>(doubled_area(p, q, r), two_sided_)) {
-      rows = TriangleRows::culled();
-      return;
-    }
-    const std::int32_t upper = p.y < q.y ? p.y : q.y;
-    const std::int32_t lower = p.y > q.y ? p.y : q.y;
-    const std::int32_t uppermost = upper < r.y ? upper : r.y;
-    const std::int32_t lowest = lower > r.y ? lower : r.y;
-    // A line has pixels wherever it runs, a triangle where it covers their centres.
-    std::int32_t top = (DrawsEdges<Method> ? pixel_of(uppermost) : first_row_at(uppermost)) + (height_ >> 1);
-    std::int32_t end = (DrawsEdges<Method> ? pixel_of(lowest) + 1 : first_row_at(lowest)) + (height_ >> 1);
-    if (top >= end || end <= 0 || top >= height_) {
-      rows = TriangleRows::between();
-      return;
-    }
-    top = (top < 0 ? 0 : top) >> bits_;
-    end = ((end > height_ ? height_ : end) - 1) >> bits_;
-    rows.first = static_cast<std::uint8_t>(top);
-    rows.last = static_cast<std::uint8_t>(end);
-    if (top < batch_.first) batch_.first = rows.first;
-    if (end > batch_.last) batch_.last = rows.last;
+/// Returns the rows of a triangle with these transformed vertices, for a picture of `height` rows in groups
+/// of 2^bits.
+template <class Method>
+[[nodiscard]] TriangleRows rows_of(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
+                                   const CachedVertex<Method>& c, std::int32_t height, int bits,
+                                   bool two_sided) {
+  if ((a.outcode | b.outcode | c.outcode) != 0) {
+    return (a.outcode & b.outcode & c.outcode) != 0 ? TriangleRows::culled() : TriangleRows::any();
   }
-  /// Returns the rows of the triangles since the last call.
-  [[nodiscard]] TriangleRows take_batch() {
-    const TriangleRows batch = batch_;
-    batch_ = TriangleRows::culled();
-    return batch;
-  }
+  const RasterPosition& p = a.raster.position;
+  const RasterPosition& q = b.raster.position;
+  const RasterPosition& r = c.raster.position;
+  if (is_culled_by_area<Method>(doubled_area(p, q, r), two_sided)) return TriangleRows::culled();
+  const std::int32_t upper = p.y < q.y ? p.y : q.y;
+  const std::int32_t lower = p.y > q.y ? p.y : q.y;
+  const std::int32_t uppermost = upper < r.y ? upper : r.y;
+  const std::int32_t lowest = lower > r.y ? lower : r.y;
+  // A line has pixels wherever it runs, a triangle where it covers their centres.
+  const std::int32_t top =
+      (DrawsEdges<Method> ? pixel_of(uppermost) : first_row_at(uppermost)) + (height >> 1);
+  const std::int32_t end = (DrawsEdges<Method> ? pixel_of(lowest) + 1 : first_row_at(lowest)) + (height >> 1);
+  if (top >= end || end <= 0 || top >= height) return TriangleRows::between();
+  const auto group = [bits](std::int32_t row) { return static_cast<std::uint8_t>(row >> bits); };
+  return {group(top < 0 ? 0 : top), group((end > height ? height : end) - 1)};
+}
 
- private:
-  std::int32_t height_;
-  int bits_;
-  bool two_sided_;
-  TriangleRows batch_ = TriangleRows::culled();
-};
+/// Sets the rows of the batches of `count` triangles.
+inline void find_batch_rows(TriangleRows* rows, std::size_t count) {
+  TriangleRows* batch = rows + count;
+  for (std::size_t i = 0; i + TriangleRows::kBatch <= count;) {
+    TriangleRows all = TriangleRows::culled();
+    for (const std::size_t end = i + TriangleRows::kBatch; i < end; ++i) {
+      if (rows[i].first < all.first) all.first = rows[i].first;
+      if (rows[i].last > all.last) all.last = rows[i].last;
+    }
+    *batch++ = all;
+  }
+}
 
 /// Sets the entries() of the mesh of `stage`, whose vertices come from `source`.
 template <class Method, class Mesh, class Source>
 void find_rows(const VertexStage<Method, Mesh>& stage, bool two_sided, Source& source, TriangleRows* rows) {
-  constexpr std::size_t kBatch = TriangleRows::kBatch;
   const MeshView& mesh = stage.mesh();
   const BackFaces& back_faces = stage.back_faces();
   const std::size_t count = mesh.triangle_count();
-  RowFinder finder(stage.transform().viewport().height, two_sided);
-  const auto vertex = [&](std::size_t i) -> decltype(auto) {
-    if constexpr (!std::is_same_v<Mesh, MeshView> && requires { source.transformed(i); }) {
-      return source.transformed(i);  // only a MeshView has planes, without which all are
-    } else {
-      return source.vertex(stage, i);
+  const std::int32_t height = stage.transform().viewport().height;
+  const int bits = TriangleRows::group_bits(height);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (back_faces.known()) {
+      const std::size_t front = back_faces.next_front(i, count);
+      for (; i < front; ++i) rows[i] = TriangleRows::culled();
+      if (i == count) break;
     }
-  };
-  TriangleRows* batch = rows + count;
-  for (std::size_t i = 0; i < count;) {
-    const std::size_t end = count - i < kBatch ? count : i + kBatch;
-    const bool is_full = end - i == kBatch;
-    for (; i < end; ++i) {
-      if (back_faces.known()) {
-        const std::size_t front = back_faces.next_front(i, end);
-        for (; i < front; ++i) rows[i] = TriangleRows::culled();
-        if (i == end) break;
-      }
-      const TriangleIndices t = mesh.triangle(i);
-      finder.find(vertex(t.a), vertex(t.b), vertex(t.c), rows[i]);
-    }
-    const TriangleRows all = finder.take_batch();
-    if (is_full) *batch++ = all;
+    const TriangleIndices t = mesh.triangle(i);
+    rows[i] = rows_of(source.vertex(stage, t.a), source.vertex(stage, t.b), source.vertex(stage, t.c), height,
+                      bits, two_sided);
   }
+  find_batch_rows(rows, count);
 }
 
 /// The triangles with rows in a band.
 class BandTriangles {
  public:
   static constexpr bool kAllInside = false;
-  static constexpr bool kTransformed = true;  // those of all triangles that have rows
   /// `rows` are the entries() of the mesh of `stage`; `band` is not empty.
   template <class Method, class Mesh>
   BandTriangles(const TriangleRows* rows, const VertexStage<Method, Mesh>& stage, const Rect& band)
@@ -158,8 +128,6 @@ class BandTriangles {
     }
     return i;
   }
-  /// Only any() has such a last row.
-  [[nodiscard]] ARCSPAN_INLINE bool is_seen(std::size_t i) const { return rows_[i].last != 255; }
 
  private:
   [[nodiscard]] ARCSPAN_INLINE bool reaches(const TriangleRows& rows) const {

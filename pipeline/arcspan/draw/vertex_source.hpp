@@ -147,7 +147,7 @@ class VertexCache {
     if (vertex.outcode == CachedVertex<Method>::kNotTransformed) stage.transform(i, vertex);
     return vertex;
   }
-  /// Vertex i of a triangle with rows, or of any if back faces are not known: begin() has transformed it.
+  /// Vertex i where begin() has transformed all: it does so unless the back faces of the mesh are known.
   [[nodiscard]] ARCSPAN_INLINE CachedVertex<Method>& transformed(std::size_t i) { return vertices_[i]; }
   [[nodiscard]] constexpr const TriangleRows* rows() const { return rows_.empty() ? nullptr : rows_.data(); }
 

@@ -77,7 +77,8 @@ template <bool KeepsVertices, class... Used, class KeptRows>
 /// while its parts are drawn.
 class PartSides : public NoRows {
  public:
-  /// Of all triangles of the object, or null: then nothing is written down.
+  /// `sides` has an element for each triangle of the object. Null: the object is drawn, its sides are not
+  /// kept.
   constexpr explicit PartSides(TriangleSide* sides) : sides_(sides), of_part_(sides) {}
 
   constexpr void begin_part(std::size_t first) {

@@ -54,21 +54,3 @@ function(arcspan_library name)
   target_link_libraries(arcspan_${name} PRIVATE $<BUILD_INTERFACE:arcspan_warnings>
                                                 $<BUILD_INTERFACE:arcspan_embedded>)
 endfunction()
-
-set(ARCSPAN_OTHER_BUILD "" CACHE PATH
-    "Build folder whose libraries of arcspan_common_library() are linked, where it has them, instead of compiling them again")
-
-# arcspan_common_library(NAME OPTIMISATION SOURCES...): code that is the same in every build for this machine, because it is
-# never sanitized, always optimised alike and without debug information, which would be half of its compiling.
-function(arcspan_common_library name optimisation)
-  file(RELATIVE_PATH folder ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR})
-  set(other ${ARCSPAN_OTHER_BUILD}/${folder}/lib${name}.a)
-  if(ARCSPAN_OTHER_BUILD AND EXISTS ${other})
-    add_library(${name} STATIC IMPORTED GLOBAL)
-    set_target_properties(${name} PROPERTIES IMPORTED_LOCATION ${other})
-    return()
-  endif()
-  add_library(${name} STATIC ${ARGN})
-  target_compile_features(${name} PRIVATE cxx_std_20)
-  target_compile_options(${name} PRIVATE ${optimisation} -g0 $<$<BOOL:${ARCSPAN_IS_SANITIZED}>:-fno-sanitize=all>)
-endfunction()

@@ -36,6 +36,9 @@ install(FILES ${PROJECT_BINARY_DIR}/arcspan-config.cmake ${PROJECT_BINARY_DIR}/a
 # For builds without CMake: pkg-config --cflags --libs arcspan. Only if both folders lie inside the prefix.
 if(NOT IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}" AND NOT IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
   file(RELATIVE_PATH ARCSPAN_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  # The header of the C interface must see what its library was compiled with.
+  list(TRANSFORM ARCSPAN_C_OPTIONS PREPEND " -D" OUTPUT_VARIABLE ARCSPAN_C_FLAGS)
+  list(JOIN ARCSPAN_C_FLAGS "" ARCSPAN_C_FLAGS)
   configure_file(${PROJECT_SOURCE_DIR}/packaging/arcspan.pc.in ${PROJECT_BINARY_DIR}/arcspan.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/arcspan.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endif()

@@ -148,7 +148,7 @@ ARCSPAN_INLINE inline void find_gaps(const OutlineList& outlines, const Scissor&
 ///
 /// In bands the pixels are, bit for bit, those of the whole picture, if a band is drawn with one row more
 /// above and below it, is smoothed with them, and is sent without them; likewise a rectangle, with one pixel
-/// on all four sides.
+/// on all four sides. What is smoothed again, after transparent objects, takes one more each time.
 ///
 /// Returns kOk, or the first other status of the sink, at which blending stops, or
 ///

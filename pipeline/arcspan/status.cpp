@@ -38,7 +38,7 @@ const char* to_string(Status status) {
     case Status::kNoViewDirection:
       return "camera has no view direction";
     case Status::kScaleOutOfRange:
-      return "object scale out of range";
+      return "object scale or curve over an outline out of range";
     case Status::kTooManyLights:
       return "more lights than the shading method has";
     case Status::kTooManyObjects:

@@ -26,7 +26,7 @@ enum class [[nodiscard]] Status : std::uint8_t{
     kCacheTooSmall,     ///< the vertex cache holds fewer vertices than the mesh has
     kNearNotBeforeFar,  ///< the planes of a lens are not 0 < near < far
     kNoViewDirection,   ///< the eye coincides with its target, or looks along the camera's up direction
-    kScaleOutOfRange,   ///< an object's scale is outside the range that Object states
+    kScaleOutOfRange,   ///< an object's scale, or a curve over an outline, is out of its range
     kTooManyLights,     ///< a scene has more lights than a shading method of it
     kTooManyObjects,    ///< more objects are in view than the memory of a scene holds
     kMethodNotListed,   ///< a material's shading method is not among those that the scene's memory lists

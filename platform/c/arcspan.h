@@ -280,8 +280,8 @@ typedef struct {
   uint16_t part;         /* of the object, from 0 */
   uint32_t triangle;     /* of the part's mesh */
 } arcspan_picked;
-/* Finds what the last frame that was prepared shows in column x and row y of the picture; outside of it
- * nothing is found. Nothing is drawn. Returns the status of the frame. */
+/* Finds what the last frame that was prepared shows in column x and row y of the picture; nothing outside of
+ * it, nor on curves and ink beyond the edges of a mesh. Nothing is drawn. Returns the status of the frame. */
 arcspan_status arcspan_pick(arcspan_view* view, int32_t x, int32_t y, arcspan_picked* picked);
 
 /* Where a point of the world is in the picture: sixteenths of pixels, from its left and upper edge. */

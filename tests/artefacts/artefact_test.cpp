@@ -100,7 +100,6 @@ TEST_CASE("turning: chords do not depend on it, great circles do, and more the w
   CHECK(rotation_spread(ReferenceKind::kPhong, 60).degrees < 0.15);
   CHECK(rotation_spread("gouraud", 60).steps <= 1);
   CHECK(rotation_spread("flat", 60).steps == 0);
-#ifndef ARCSPAN_SANITIZED  // the code above once more, for a long time
   const RotationSpread wide = rotation_spread(ReferenceKind::kSlerp, 60);
   const RotationSpread middling = rotation_spread(ReferenceKind::kSlerp, 30);
   const RotationSpread near = rotation_spread(ReferenceKind::kSlerp, 10);
@@ -112,7 +111,6 @@ TEST_CASE("turning: chords do not depend on it, great circles do, and more the w
   CHECK(std::fabs(rotation_spread("recurrence", 60).steps - wide.steps) < 2);
   CHECK(rotation_spread("arc", 60).steps <= 3);
   CHECK(rotation_spread("arc", 10).steps <= 2);
-#endif
 }
 
 TEST_CASE("every shading has its profile, of the same pixels") {

@@ -309,13 +309,15 @@ TEST_CASE("the drawn rectangle holds all that outlines change, also of surfaces 
   for (const int width : {-1, 0, 1, 4}) {  // -1: curved instead of inked
     const arcspan_outline_limits limits{2000, 2000, 4000, width < 0 ? 200U : 0U};
     const arcspan_ink ink{{200, 40, 90}, static_cast<std::uint8_t>(width), 1};
-    for (std::int32_t x = -200; x <= 200; x += 8) {  // of the picture's half height: beside it at both ends
-      CAPTURE(width, x);
+    for (std::int32_t i = 0; i < 150; ++i) {
+      const std::int32_t x = i % 50 * 8 - 200;  // of the picture's half height: beside it at both ends
+      const std::int32_t y = 23 * i;            // edges through the centres of pixels, too
+      CAPTURE(width, x, y);
       Scene2 scene({1, 1});
       arcspan_object object = 0;
       REQUIRE(arcspan_add_binary(scene.scene, ball.data(), ball.size, nullptr, &object) == ARCSPAN_OK);
       REQUIRE(arcspan_set_scale(scene.scene, object, ARCSPAN_LENGTH(0.4)) == ARCSPAN_OK);
-      REQUIRE(arcspan_set_position(scene.scene, object, {x * 655, 0, x * -218}) == ARCSPAN_OK);
+      REQUIRE(arcspan_set_position(scene.scene, object, {x * 655, y, x * -218}) == ARCSPAN_OK);
       const OutlinedView seen(scene.scene, &limits, width <= 0 ? nullptr : &ink);
       const arcspan_rect drawn = arcspan_drawn_rect(seen.view);
       std::vector<std::uint16_t> whole(kSide * kSide), part(kSide * kSide), depths(kSide * kSide);

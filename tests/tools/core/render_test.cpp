@@ -34,16 +34,6 @@ Scene small_scene() {
   return scene;
 }
 
-// The shadings that a test draws by. In slow builds few of them, because methods, formats and illuminations
-// meet in virtual calls: every method is drawn by the test of shadings and formats.
-std::vector<std::string> drawing_shadings() {
-#ifdef ARCSPAN_FEW_DRAWINGS
-  return {"flat", "gouraud", "arc", "phong"};
-#else
-  return shading_names();
-#endif
-}
-
 // How many different colours a picture has.
 std::size_t colours(const Image& image) {
   std::set<std::uint32_t> seen;
@@ -55,18 +45,14 @@ std::size_t colours(const Image& image) {
 
 TEST_CASE("every band height gives the same picture and the same figures") {
   const FixedMesh torus = mesh("torus:24x12");
-  const std::string shading = GENERATE(from_range(drawing_shadings()));
+  const std::string shading = GENERATE(from_range(shading_names()));
   const bool depth = GENERATE(true, false);
   CAPTURE(shading, depth);
   Scene scene = small_scene();
   scene.depth = depth;
   const RenderResult whole = render(scene, torus, shading.c_str(), "rgb565", true);
   CHECK(whole.stats.bands == 1);
-#ifdef ARCSPAN_FEW_DRAWINGS
-  const std::vector<std::int32_t> heights{7, 71, 2048};
-#else
   const std::vector<std::int32_t> heights{1, 2, 7, 16, 71, 72, 2048};
-#endif
   for (const std::int32_t rows : heights) {
     CAPTURE(rows);
     scene.band_rows = rows;
@@ -86,10 +72,6 @@ TEST_CASE("every shading and format draws the sphere where it is, over the backg
   const std::string format = GENERATE(from_range(format_names()));
   const bool dithers = GENERATE(false, true);
   CAPTURE(shading, format, dithers);
-#ifdef ARCSPAN_FEW_DRAWINGS
-  // Methods and formats meet in virtual calls: every method into two formats and every format by one method.
-  if (shading != "arc" && (format != "rgb565" || dithers) && (format != "mono" || !dithers)) return;
-#endif
   Scene scene = small_scene();
   scene.background = {0, 0, 0};
   const RenderResult result = render(scene, sphere, shading.c_str(), format.c_str(), dithers);
@@ -106,7 +88,7 @@ TEST_CASE("every shading and format draws the sphere where it is, over the backg
 
 TEST_CASE("rgb565 drawn directly is the encoding of the picture drawn through virtual calls") {
   const FixedMesh torus = mesh("torus:24x12");
-  const std::string shading = GENERATE(from_range(drawing_shadings()));
+  const std::string shading = GENERATE(from_range(shading_names()));
   const Highlight highlight = GENERATE(Highlight::kBlinn, Highlight::kPhong);
   CAPTURE(shading);
   Scene scene = small_scene();
@@ -128,7 +110,7 @@ TEST_CASE("without a depth test, what is drawn last covers what was drawn before
   }
   squares.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
   const FixedMesh mesh = to_fixed(squares);
-  const std::string shading = GENERATE(from_range(drawing_shadings()));
+  const std::string shading = GENERATE(from_range(shading_names()));
   CAPTURE(shading);
   Scene scene = small_scene();
   scene.camera.eye = Vec3{0, 0, 4};
@@ -255,7 +237,6 @@ TEST_CASE("several lights are drawn as firmware draws them") {
             make_job(scene, torus, "m")));
 }
 
-#ifndef ARCSPAN_FEW_DRAWINGS
 // Coarse spheres have triangles of every order.
 TEST_CASE("grey lights are drawn as firmware draws them, from fine and from coarse meshes") {
   const FixedMesh object = mesh(GENERATE("torus:24x12", "sphere:18x9", "sphere:10x6", "sphere:6x4"));
@@ -274,11 +255,10 @@ TEST_CASE("grey lights are drawn as firmware draws them, from fine and from coar
   scene.lights.push_back(SceneLight({-1, 0.2, 0.3}, 0.5));
   expect_equal(firmware_picture<Illumination<2, Highlight::kPhong>>);
 }
-#endif
 
 TEST_CASE("by every method, each channel of coloured lights is that of white lights as strong") {
   const FixedMesh sphere = mesh("sphere:12x8");
-  const std::string shading = GENERATE(from_range(drawing_shadings()));
+  const std::string shading = GENERATE(from_range(shading_names()));
   const Highlight model = GENERATE(Highlight::kBlinn, Highlight::kPhong);
   CAPTURE(shading, model == Highlight::kPhong);
   Scene scene = small_scene();
@@ -315,7 +295,7 @@ TEST_CASE("by every method, each channel of coloured lights is that of white lig
 
 TEST_CASE("by every method, the colour of a single light is one with that of the surface") {
   const FixedMesh sphere = mesh("sphere:12x8");
-  const std::string shading = GENERATE(from_range(drawing_shadings()));
+  const std::string shading = GENERATE(from_range(shading_names()));
   CAPTURE(shading);
   Scene lit = small_scene();
   lit.surface.ambient = 0;
@@ -335,7 +315,7 @@ TEST_CASE("by every method, the colour of a single light is one with that of the
 
 TEST_CASE("by every method, a low highlight fades at the terminator only if that is asked for") {
   const FixedMesh sphere = mesh("sphere:48x32");
-  const std::string shading = GENERATE(from_range(drawing_shadings()));
+  const std::string shading = GENERATE(from_range(shading_names()));
   CAPTURE(shading);
   Scene scene = small_scene();
   scene.surface.ambient = 0.1;

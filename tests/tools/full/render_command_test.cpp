@@ -227,6 +227,11 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
        "--vertex-colours: only --shading flat, gouraud and arc have it, not lyon"},
       {"--matcap a.png --shading flat", "--matcap: is drawn by --shading arc, not flat"},
       {"--polish", "--polish: no such option of arcspan render (see arcspan render --help)"},
+      {"--eye 0,0,0", "--eye: is where the target is"},
+      {"--fog 1,1.0000000001", "--fog: both distances are one for a model of this size"},
+      {"--matcap ''", "--matcap: must not be empty"},
+      {"--texture ''", "--texture: must not be empty"},
+      {"--stats ''", "--stats: must not be empty"},
   }));
   CAPTURE(wrong.arguments);
   const TemporaryFolder folder;
@@ -254,9 +259,7 @@ TEST_CASE("what is wrong with files: one line, status 1, nothing left behind") {
         (folder / "out.jpg") + ": a picture's name must end in .png, .ppm or .pgm");
   check("sphere:8x4 -o " + (folder / "no/out.png"),
         (folder / "no/out.png") + ": cannot write (there is no folder " + (folder / "no") + ")");
-  check("sphere:8x4 -o " + out + " --eye 0,0,0", "--eye: is where the target is");
-  check("sphere:8x4 -o " + out + " --fog 1,1.0000000001",
-        "--fog: both distances are one for a model of this size");
+  check("sphere:8x4 -o /proc/out.png", "/proc/out.png: cannot write (No such file or directory)");
   check("sphere:8x4 -o " + out + " --matcap " + bad,
         bad + ": not a PNG, JPEG, BMP, TGA, PPM (P6) or PGM (P5) picture");
   check("sphere:8x4 -o " + bad + " --matcap " + bad,

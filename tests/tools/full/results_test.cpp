@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <thread>
 
 using namespace arcspan::tools;
@@ -82,6 +83,45 @@ TEST_CASE("no command writes two results into one file, or over its input") {
   check_refused("diff " + png + " " + png + " -o " + png, png + input);
   CHECK(contents(obj) + contents(bin) + contents(png) == before);
   CHECK(folder.size() == 3);
+}
+
+TEST_CASE(
+    "no command writes over a file that its input refers to, nor by a numbered picture over its input") {
+  const TemporaryFolder folder;
+  const std::string png = folder / "skin.png";
+  write_image(Image(8, 8), png);
+  const std::string mtl = folder.file("a.mtl", "newmtl m\nmap_Kd skin.png\n");
+  const std::string obj = folder.file(
+      "a.obj", "mtllib a.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+  const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  std::string buffer(sizeof corners, '\0');
+  std::memcpy(buffer.data(), corners, sizeof corners);
+  const std::string bin = folder.file("man.bin", buffer);
+  const std::string gltf = folder.file(
+      "man.gltf",
+      R"({"asset":{"version":"2.0"},"buffers":[{"uri":"man.bin","byteLength":36}],)"
+      R"("bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,)"
+      R"("count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],"meshes":[{"primitives":[{"attributes":)"
+      R"({"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0})");
+  const std::string input = ": is an input, which the result would replace";
+  const std::string link = folder / "link.png";
+  std::filesystem::create_symlink(png, link);
+  const std::string frame = folder / "frame-0001.png";
+  write_image(Image(8, 8), frame);
+  const std::string before = contents(png) + contents(mtl) + contents(frame) + contents(bin);
+  const std::size_t files = folder.size();
+  check_refused("render " + obj + " -o " + png, png + input);
+  check_refused("render " + obj + " -o " + link, link + input);
+  check_refused("render " + obj + " -o " + (folder / "out.png") + " --stats " + mtl, mtl + input);
+  check_refused("mesh " + obj + " -o " + (folder / "a.bin") + " --picture " + png, png + input);
+  check_refused("mesh " + gltf + " -o " + bin, bin + input);
+  check_refused("compare torus:8x4 --size 24x16 --shading flat --texture " + png + " -o " + png, png + input);
+  for (const char* command : {"turntable torus:8x4 --size 24x16 --frames 2 --texture ",
+                              "simulate torus:8x4 --turntable 2 --texture "}) {
+    check_refused(command + frame + " -o " + (folder / ""), frame + input);
+  }
+  CHECK(contents(png) + contents(mtl) + contents(frame) + contents(bin) == before);
+  CHECK(folder.size() == files);
 }
 
 TEST_CASE("if one of a command's results fails, the others are not written") {

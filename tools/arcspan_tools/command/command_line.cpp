@@ -90,6 +90,16 @@ void add_subcommands(CLI::App& app, std::string_view first) {
   for (const Subcommand& subcommand : all) subcommand.add(app);
 }
 
+// An empty value is a variable of a script that is not set.
+void refuse_empty_values(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands({})) {
+    for (CLI::Option* option : command->get_options()) {
+      option->check(
+          [](const std::string& value) { return value.empty() ? "must not be empty" : std::string(); });
+    }
+  }
+}
+
 int parse_and_run(CLI::App& app, int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
@@ -104,7 +114,7 @@ int parse_and_run(CLI::App& app, int argc, const char* const* argv) {
   } catch (const ExitStatus& status) {
     return status.value;
   } catch (const Failure& e) {
-    return complain(e.what(), kFailed);
+    return complain(e.what(), e.is_about_option() ? kWrongArguments : kFailed);
   } catch (const std::bad_alloc&) {
     return complain("out of memory", kFailed);
   } catch (const std::filesystem::filesystem_error& e) {
@@ -126,6 +136,7 @@ int run_command_line(int argc, const char* const* argv) {
       "into files, progress and complaints to standard error. Exit status: 0; 1 for what is wrong with\n"
       "files, meshes or their formats, or a comparison that fails; 2 for wrong arguments.");
   add_subcommands(app, argc > 1 ? argv[1] : "");
+  refuse_empty_values(app);
   app.allow_extras();  // for the root only, so that an unknown subcommand can be named
   return parse_and_run(app, argc, argv);
 }

@@ -155,7 +155,7 @@ void run_compare(const CompareArguments& arguments) {
   const RenderOptions& options = arguments.options;
   std::vector<std::filesystem::path> written(arguments.tables.begin(), arguments.tables.end());
   written.emplace_back(arguments.output);
-  check_results(written, {options.mesh});
+  check_results(written, {options.mesh, options.texture});
   Model loaded =
       load_model(options.mesh, options.crease_degrees, options.texture, VertexColours::kMean, options.pose);
   warn_of_clips(loaded, options.mesh);

@@ -3,6 +3,7 @@
 #include <arcspan_tools/support/output_file.hpp>
 #include <arcspan_tools/support/result_files.hpp>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,11 +11,32 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
 namespace arcspan::tools {
 namespace fs = std::filesystem;
+
+namespace {
+
+using FileNumber = std::pair<dev_t, ino_t>;
+
+/// What tells a regular file from all others, whatever its names; nothing if there is none.
+std::optional<FileNumber> number_of(const fs::path& path) {
+  struct stat file {};
+  if (::stat(path.c_str(), &file) != 0 || !S_ISREG(file.st_mode)) return std::nullopt;
+  return FileNumber{file.st_dev, file.st_ino};
+}
+
+/// Those that this process has read.
+std::set<FileNumber>& read_files() {
+  static std::set<FileNumber> files;
+  return files;
+}
+
+}  // namespace
 
 void fail_with_errno(const fs::path& subject, const char* doing) {
   throw Failure(subject.string(), std::string("cannot ") + doing + " (" + std::strerror(errno) + ")");
@@ -86,7 +108,13 @@ std::string read_whole_file(const fs::path& path, std::size_t limit) {
   in.read(bytes.data(), static_cast<std::streamsize>(size));
   if (in.gcount() != static_cast<std::streamsize>(size))
     throw Failure(path.string(), "cannot read to its end");
+  if (const std::optional<FileNumber> number = number_of(path)) read_files().insert(*number);
   return bytes;
+}
+
+bool was_read(const fs::path& path) {
+  const std::optional<FileNumber> number = number_of(path);
+  return number && read_files().contains(*number);
 }
 
 }  // namespace arcspan::tools

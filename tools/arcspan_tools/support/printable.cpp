@@ -9,7 +9,7 @@ namespace arcspan::tools {
 namespace {
 
 /// The least code points of sequences of two to four bytes; shorter forms of a character are not UTF-8.
-constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+constexpr std::uint32_t kLeastCodePoints[] = {0, 0, 0x80, 0x800, 0x10000};
 
 /// Bytes of the sequence that a first byte announces; 0 for a byte that starts none.
 std::size_t announced(unsigned char first) {
@@ -36,7 +36,7 @@ std::size_t shown_bytes(std::string_view text) {
     if ((next & 0xC0u) != 0x80u) return 0;
     character = (character << 6) | (next & 0x3Fu);
   }
-  return character >= kLeast[bytes] && is_shown(character) ? bytes : 0;
+  return character >= kLeastCodePoints[bytes] && is_shown(character) ? bytes : 0;
 }
 
 std::string escape(char byte) {

@@ -23,7 +23,11 @@ fs::path folder_of(const fs::path& target) {
 
 /// The folder may be what is missing.
 [[noreturn]] void fail_in_folder_of(const fs::path& target, const fs::path& subject) {
-  if (errno != ENOENT) fail_with_errno(subject, "write");
+  struct stat folder {};
+  const int cause = errno;
+  const bool is_there = ::stat(folder_of(target).c_str(), &folder) == 0;
+  errno = cause;
+  if (cause != ENOENT || is_there) fail_with_errno(subject, "write");
   throw Failure(subject.string(), "cannot write (there is no folder " + folder_of(target).string() + ")");
 }
 
@@ -67,7 +71,12 @@ mode_t mode_for(const fs::path& target) {
   return 0666u & ~mask;
 }
 
+[[noreturn]] void fail_for_input(const fs::path& subject) {
+  throw Failure(subject.string(), "is an input, which the result would replace");
+}
+
 void refuse_unwritable(const fs::path& target, const fs::path& subject) {
+  if (was_read(target)) fail_for_input(subject);
   struct stat present {};
   if (::stat(target.c_str(), &present) != 0) return;
   if (S_ISDIR(present.st_mode)) throw Failure(subject.string(), "cannot write (it is a directory)");
@@ -222,8 +231,7 @@ void check_results(const std::vector<fs::path>& results, const std::vector<fs::p
   for (std::size_t i = 0; i < written.size(); ++i) {
     const NamedFile& file = written[i];
     for (const NamedFile& input : read) {
-      if (file.is_same_as(input))
-        throw Failure(file.name.string(), "is an input, which the result would replace");
+      if (file.is_same_as(input)) fail_for_input(file.name);
     }
     for (std::size_t k = 0; k < i; ++k) {
       if (file.is_same_as(written[k])) throw Failure(file.name.string(), "cannot hold two results");

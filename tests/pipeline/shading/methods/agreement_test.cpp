@@ -25,11 +25,7 @@ namespace {
 
 using BlinnLit = Illumination<1, Highlight::kBlinn>;
 using PhongLit = Illumination<1, Highlight::kPhong>;
-#ifdef ARCSPAN_SANITIZED  // one, because each takes seconds to compile
-using Lits = std::tuple<PhongLit>;
-#else
 using Lits = std::tuple<BlinnLit, PhongLit>;
-#endif
 constexpr std::int32_t kSize = 256;
 
 struct Picture {

@@ -18,12 +18,8 @@ namespace {
 
 constexpr std::int32_t kSize = 128;
 constexpr IlluminationFeatures kAll{.coloured_lights = true, .fading_highlights = true};
-#ifdef ARCSPAN_SANITIZED  // one, because each takes seconds to compile
-using Lits = std::tuple<Illumination<2, Highlight::kBlinn, kAll>>;
-#else
 using Lits = std::tuple<Illumination<1, Highlight::kPhong, kAll>, Illumination<1, Highlight::kBlinn, kAll>,
                         Illumination<2, Highlight::kBlinn, kAll>>;
-#endif
 
 /// Lights of any colour, most of them low over the surface, where highlights fade; the eye is near the first
 /// one's reflection.

@@ -198,6 +198,33 @@ TEST_CASE("textures times vertex colours are those of firmware", "[textures]") {
         firmware<Surface, Rgb565>(job, Surface::Lighting(light_of(job), texture)));
 }
 
+TEST_CASE("a stored texture is drawn with the mip levels that its file has", "[textures]") {
+  Model model = coloured_sphere();
+  FileMaterial& material = model.parts[0].look.material;
+  const RgbaImage image = picture();
+  const TextureSize all{5, 4, 5};
+  const std::size_t kept = GENERATE(std::size_t{0}, std::size_t{1}, std::size_t{4});
+  std::vector<RgbaImage> smaller = mip_levels(image, all, {});
+  smaller.erase(smaller.begin());
+  smaller.resize(kept, RgbaImage(1, 1));
+  for (RgbaImage& level : smaller)
+    for (Rgba8& c : level.pixels) c.g = static_cast<std::uint8_t>(c.g ^ 0xC0u);  // not those of the picture
+  material.texture = std::make_shared<FileTexture>(FileTexture{"p", image, smaller});
+  for (Uv& p : model.parts[0].mesh.texture_points) p = {9 * p.u, 9 * p.v};
+  const Scene scene = small_scene();
+  const FixedModel fixed = to_fixed(model);
+  const RenderJob job = make_job(scene, fixed, "m");
+  std::vector<std::uint16_t> words;
+  smaller.insert(smaller.begin(), image);
+  for (const RgbaImage& level : smaller)
+    for (const Rgba8& c : level.pixels) words.push_back(static_cast<std::uint16_t>(stored_colour(c, 0)));
+  using Surface = Textured<VertexColoured<Lit>, DirectTexels<>, TexelLight::kColoured>;
+  Texture<DirectTexels<>> texture;
+  REQUIRE(ok(Texture<DirectTexels<>>::make(words, {5, 4, static_cast<std::uint8_t>(kept + 1)}, texture)));
+  CHECK(drawn(job, "arc", {"rgb565", false}) ==
+        firmware<Surface, Rgb565>(job, Surface::Lighting(light_of(job), texture)));
+}
+
 /// Checks the pixels of a sphere with a texture that has a sampler, with vertex colours or without.
 template <template <class> class Shading, TextureFilter Filter, TextureBorders Borders>
 void check_sampler(const char* shading, Model model, TextureWrap u, TextureWrap v) {

@@ -201,8 +201,11 @@ TEST_CASE("names become identifiers") {
   CHECK(identifier("class") == "mesh_class");
   CHECK(identifier("__a__b") == "a_b");
   CHECK(identifier("\xC3\xA4") == "mesh");
+  CHECK(identifier("NULL") == "mesh_NULL");
   CHECK(is_identifier("a_1"));
-  for (const char* wrong : {"", "1a", "a b", "a::b", "_a", "a__b", "while", "arcspan", "std"}) {
+  CHECK(is_identifier("INTRO_MAXI"));
+  for (const char* wrong : {"", "1a", "a b", "a::b", "_a", "a__b", "while", "arcspan", "std", "NULL", "linux",
+                            "UINT16_MAX", "INT8_C"}) {
     CAPTURE(wrong);
     CHECK_FALSE(is_identifier(wrong));
   }

@@ -20,6 +20,8 @@ using namespace arcspan::test;
 namespace {
 
 const std::string kSmall = ARCSPAN_MODELS "/../fonts/small.bdf";
+/// A font of two blank glyphs whose compressed data end with its last code.
+const std::string kLastBits = ARCSPAN_MODELS "/../fonts/last-bits.pcf.gz";
 
 }  // namespace
 
@@ -41,6 +43,7 @@ TEST_CASE("font: a header that is drawn, the report and the picture") {
   CHECK(header.find("Font<1> kFont =") != std::string::npos);
   CHECK(read_image(folder / "r.png").width == 4 + 16 * 10);
   CHECK(run("font " + kSmall + " -o hpp:- --name other").out.find("namespace other {") != std::string::npos);
+  CHECK(run("font " + kLastBits + " -o hpp:- --range 65-66").status == 0);
   const std::string packed = folder / "small.bdf.gz";
   REQUIRE(std::system(("gzip -c " + kSmall + " >" + packed).c_str()) == 0);
   const std::string plain = run("font " + kSmall + " -o hpp:- --name n").out;

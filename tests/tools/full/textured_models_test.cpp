@@ -159,6 +159,25 @@ TEST_CASE("a model with a sampler is the same as a header, as a binary and compi
   CHECK(picture(obj) != picture(bin));
 }
 
+TEST_CASE("a binary is drawn with the mip levels that it stores") {
+  const TemporaryFolder folder;
+  (void)folder.file("tiles.ppm", contents(kTiles));
+  (void)folder.file("a.mtl", "newmtl m\nmap_Kd tiles.ppm\n");
+  const std::string obj = folder.file("a.obj", kSquare);
+  const auto drawn = [&](const std::string& levels) {
+    const std::string bin = folder / "a.bin";
+    REQUIRE(run("mesh " + obj + " --texture-size 64 --texture-levels " + levels + " -o " + bin).status == 0);
+    const FileTexture texture = *load_model_file(bin).parts[0].look.material.texture;
+    REQUIRE(texture.smaller);
+    int width = texture.picture.width;
+    for (const RgbaImage& level : *texture.smaller) CHECK(level.width == (width /= 2));
+    CHECK(texture.smaller->empty() == (levels == "1"));
+    REQUIRE(run("render " + bin + " -o " + (folder / "p.ppm") + " --size 16x12").status == 0);
+    return contents(folder / "p.ppm");
+  };
+  CHECK(drawn("1") != drawn("all"));
+}
+
 TEST_CASE("a PLY has texture coordinates of its vertices") {
   const TemporaryFolder folder;
   const std::string path = folder.file(

@@ -315,7 +315,7 @@ void add_mesh_command(CLI::App& app) {
                  "the same, and room in the positions for all curves of CurvedOutlines");
   add_texture(*mesh, arguments->texture);
   add_texture_format(*mesh, "--texture-format", arguments->texture_options.format);
-  add_texture_size(*mesh, "--texture-size", arguments->texture_options.size);
+  add_texture_size(*mesh, "--texture-size", ", at most 128", arguments->texture_options.size);
   add_texture_levels(*mesh, "--texture-levels", arguments->texture_options.levels);
   mesh->add_flag_callback(
       "--no-textures", [arguments] { arguments->textures = false; }, "leave out textures and texture points");

@@ -99,7 +99,7 @@ void add_texture_command(CLI::App& app) {
                    "output")
       ->required();
   add_texture_format(*texture, "--format", arguments->options.format);
-  add_texture_size(*texture, "--size", arguments->options.size);
+  add_texture_size(*texture, "--size", "", arguments->options.size);
   add_texture_levels(*texture, "--levels", arguments->options.levels);
   texture->add_flag("--dither", arguments->options.dither,
                     "mix colours that the format lacks of neighbouring texels");

@@ -70,10 +70,12 @@ void add_texture_format(CLI::App& app, const std::string& name, TextureFormat& f
       [&format](const TextureFormat& f) { format = f; });
 }
 
-void add_texture_size(CLI::App& app, const std::string& name, std::optional<Size>& size) {
+void add_texture_size(CLI::App& app, const std::string& name, const std::string& otherwise,
+                      std::optional<Size>& size) {
   add_parsed<Size>(
       app, name, "N or WIDTHxHEIGHT",
-      "sides in texels, powers of two from 8 to 1024 (default: the ones nearest to the picture's)",
+      "sides in texels, powers of two from 8 to 1024 (default: the ones nearest to the picture's" +
+          otherwise + ")",
       "sides such as 128 or 128x64", parse_sides, [&size](const Size& s) { size = s; });
 }
 

@@ -22,7 +22,8 @@ void add_texture(CLI::App& app, std::string& picture);
 void add_texture_format(CLI::App& app, const std::string& name, TextureFormat& format);
 
 /// Adds the option `name` that takes the sides of a texture: N, or WIDTHxHEIGHT.
-void add_texture_size(CLI::App& app, const std::string& name, std::optional<Size>& size);
+void add_texture_size(CLI::App& app, const std::string& name, const std::string& otherwise,
+                      std::optional<Size>& size);
 
 /// Adds --wrap and --filter, which say how a texture is meant to be shown.
 void add_sampler(CLI::App& app, TextureSampler& sampler);

@@ -30,6 +30,17 @@ constexpr std::array<std::string_view, 95> kTaken{
     "union",     "unsigned",      "using",       "virtual",      "void",
     "volatile",  "wchar_t",       "while",       "xor",          "xor_eq"};
 
+// Names that compilers and the headers that a compiled model includes define as macros.
+constexpr std::array<std::string_view, 5> kMacros{"EOF", "NULL", "i386", "linux", "unix"};
+
+/// Limits and makers of the standard integers, such as INT8_MAX and UINT64_C.
+bool is_integer_macro(std::string_view text) {
+  const bool begins = text.starts_with("INT") || text.starts_with("UINT") || text.starts_with("SIZE_") ||
+                      text.starts_with("PTRDIFF_") || text.starts_with("WCHAR_") ||
+                      text.starts_with("WINT_") || text.starts_with("SIG_ATOMIC_");
+  return begins && (text.ends_with("_MAX") || text.ends_with("_MIN") || text.ends_with("_C"));
+}
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -42,7 +53,8 @@ bool is_identifier(std::string_view text) {
   }
   // Two underscores in a row are the compiler's.
   return text.find("__") == std::string_view::npos &&
-         std::find(kTaken.begin(), kTaken.end(), text) == kTaken.end();
+         std::find(kTaken.begin(), kTaken.end(), text) == kTaken.end() &&
+         std::find(kMacros.begin(), kMacros.end(), text) == kMacros.end() && !is_integer_macro(text);
 }
 
 std::string identifier(std::string_view text) {

@@ -93,8 +93,7 @@ class PartTextures {
     std::shared_ptr<const SurfaceTexture>& known =
         known_[{material.texture.get(), bits, cutoff, texture_binary::sampler_byte(material.sampler)}];
     if (known == nullptr) {
-      known = surface_texture(picture_of(material), bits, material.sampler,
-                              islands_of(model_, *material.texture));
+      known = surface_texture_of(material, bits, islands_of(model_, *material.texture));
     }
     return known;
   }

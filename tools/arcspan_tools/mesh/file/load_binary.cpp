@@ -67,14 +67,14 @@ double double_at(std::span<const std::uint8_t> bytes, std::size_t at) {
   return value;
 }
 
-/// The first level of a texture.
+/// A level of a texture, whose first texel is number `first`.
 template <TexelFormat Texels>
-void read_picture(const StoredTexture& stored, RgbaImage& picture) {
+void read_picture(const StoredTexture& stored, std::size_t first, RgbaImage& picture) {
   Texture<Texels> texture;
   if (!ok(view_texture(stored, texture))) return;
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     const std::uint16_t texel =
-        Texels::stored(texture.at(0), texture.palette(), static_cast<std::uint32_t>(i));
+        Texels::stored(texture.at(0), texture.palette(), static_cast<std::uint32_t>(first + i));
     const unsigned c = Texels::ColourFormat::rgb565(texel);
     const unsigned green = (c >> 5) & 63u;
     picture.pixels[i] = {static_cast<std::uint8_t>(((c >> 8) & 0xF8u) | (c >> 13)),
@@ -85,22 +85,28 @@ void read_picture(const StoredTexture& stored, RgbaImage& picture) {
 }
 
 template <TexelColour C>
-void read_coloured_picture(const StoredTexture& stored, RgbaImage& picture) {
-  read_picture<DirectTexels<C>>(stored, picture);
-  read_picture<Palette8Texels<C>>(stored, picture);
-  read_picture<Palette4Texels<C>>(stored, picture);
+void read_coloured_picture(const StoredTexture& stored, std::size_t first, RgbaImage& picture) {
+  read_picture<DirectTexels<C>>(stored, first, picture);
+  read_picture<Palette8Texels<C>>(stored, first, picture);
+  read_picture<Palette4Texels<C>>(stored, first, picture);
+}
+
+RgbaImage level_of(const StoredTexture& stored, unsigned level) {
+  const TextureSize& size = stored.size;
+  RgbaImage picture((1 << size.width_bits) >> level, (1 << size.height_bits) >> level);
+  const std::size_t first = size.texels(level);
+  read_coloured_picture<OpaqueColour>(stored, first, picture);
+  read_coloured_picture<Alpha1Colour>(stored, first, picture);
+  read_coloured_picture<Alpha4Colour>(stored, first, picture);
+  read_picture<GrayTexels>(stored, first, picture);
+  return picture;
 }
 
 std::shared_ptr<const FileTexture> texture_of(const arcspan::ModelPart& part) {
   if (part.texture.texels.empty()) return nullptr;
-  const TextureSize& size = part.texture.size;
-  auto texture = std::make_shared<FileTexture>(
-      FileTexture{part.name, RgbaImage(1 << size.width_bits, 1 << size.height_bits)});
-  read_coloured_picture<OpaqueColour>(part.texture, texture->picture);
-  read_coloured_picture<Alpha1Colour>(part.texture, texture->picture);
-  read_coloured_picture<Alpha4Colour>(part.texture, texture->picture);
-  read_picture<GrayTexels>(part.texture, texture->picture);
-  return texture;
+  std::vector<RgbaImage> smaller;
+  for (unsigned i = 1; i < part.texture.size.levels; ++i) smaller.push_back(level_of(part.texture, i));
+  return std::make_shared<FileTexture>(FileTexture{part.name, level_of(part.texture, 0), std::move(smaller)});
 }
 
 /// The material of a part without the shares of light, which are the scene's.

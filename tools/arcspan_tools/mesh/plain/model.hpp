@@ -28,6 +28,8 @@ enum class AlphaMode : std::uint8_t {
 struct FileTexture {
   std::string name{};  ///< of its file, or of the file that it is in
   RgbaImage picture{};
+  /// Of a model binary, the smaller mip levels that it stores. Nothing: all are made of the picture.
+  std::optional<std::vector<RgbaImage>> smaller{};
 };
 
 /// The look of a surface as a model file states it. Colours are display values 0...1 per channel, 1 being a

@@ -13,8 +13,9 @@
 
 namespace arcspan::tools {
 
-/// The picture as a surface of this material shows it: opaque if it is neither masked nor blended; if masked,
-/// pixels are opaque or fully transparent.
+/// The picture of a material's texture, or a smaller level of it, as a surface shows it: opaque if it is
+/// neither masked nor blended; if masked, pixels are opaque or fully transparent.
+[[nodiscard]] RgbaImage shown_by(const FileMaterial& material, RgbaImage picture);
 [[nodiscard]] RgbaImage picture_of(const FileMaterial& material);
 
 /// Texels for drawing on this machine: what the library shows of a stored texel, whatever its format. Thus
@@ -49,6 +50,11 @@ struct SurfaceTexture {
                                                                     unsigned alpha_bits,
                                                                     const TextureSampler& sampler = {},
                                                                     const IslandSize& islands = {});
+
+/// The texture of a material: with the mip levels that its file stores, or as above.
+[[nodiscard]] std::shared_ptr<const SurfaceTexture> surface_texture_of(const FileMaterial& material,
+                                                                       unsigned alpha_bits,
+                                                                       const IslandSize& islands);
 
 /// A texture whose texels are white and opaque.
 [[nodiscard]] const Texture<SurfaceTexels>& white_texture();

@@ -166,7 +166,9 @@ TEST_CASE("a binary is drawn with the mip levels that it stores") {
   const std::string obj = folder.file("a.obj", kSquare);
   const auto drawn = [&](const std::string& levels) {
     const std::string bin = folder / "a.bin";
-    REQUIRE(run("mesh " + obj + " --texture-size 64 --texture-levels " + levels + " -o " + bin).status == 0);
+    REQUIRE(run("mesh " + obj + " --texture-size 64 --texture-format rgb565 --texture-levels " + levels +
+                " -o " + bin)
+                .status == 0);
     const FileTexture texture = *load_model_file(bin).parts[0].look.material.texture;
     REQUIRE(texture.smaller);
     int width = texture.picture.width;

@@ -204,9 +204,9 @@ void find_outlines_of(arcspan_view& view) {
 #endif
 }
 
-/// The pixels that smoothing changes at an edge, and `more` on all sides, from the raster's origin. By the
-/// top-left rule the pixel whose centre is on an edge at its top or left belongs to the inside, and the one
-/// before it is the other of the pair.
+/// The pixels that smoothing changes at an edge, and `more` on all sides, from the raster's origin. A
+/// pixel whose centre is on a top or left edge is inside (top-left rule), so that the pixel before it is
+/// changed, too.
 [[nodiscard]] Rect pixels_at(const OutlineEdge& edge, std::int32_t more) {
   const auto first = [=](std::int32_t a, std::int32_t b) { return (((a < b ? a : b) - 9) >> 4) - more; };
   const auto end = [=](std::int32_t a, std::int32_t b) { return (((a < b ? b : a) + 24) >> 4) + more; };

@@ -22,12 +22,8 @@ namespace {
 using Frame = hal::Framebuffer<Rgb565>;
 constexpr IlluminationFeatures kColoured{.coloured_lights = true, .fading_highlights = true};
 
-#ifdef ARCSPAN_SANITIZED  // few, because each takes seconds to compile
-using Lits = std::tuple<Illumination<1, Highlight::kPhong>, Illumination<4, Highlight::kPhong, kColoured>>;
-#else
 using Lits = std::tuple<Illumination<1, Highlight::kPhong>, Illumination<2, Highlight::kBlinn>,
                         Illumination<3, Highlight::kPhong>, Illumination<4, Highlight::kPhong, kColoured>>;
-#endif
 
 TestCamera random_camera(Random& random) {
   TestCamera camera;

@@ -63,13 +63,13 @@ std::string gunzip(std::string_view bytes, std::size_t limit, const std::string&
   const std::size_t begin = header_end(bytes, subject);
   const auto* trailer = reinterpret_cast<const std::uint8_t*>(bytes.data()) + bytes.size() - kTrailerBytes;
   const std::size_t size = little_u32(trailer + 4);
-  // With the trailer: the decoder looks beyond the last bits of its input, and fails if there is nothing.
-  const std::string_view packed = bytes.substr(begin);
+  const std::string_view packed = bytes.substr(begin, bytes.size() - kTrailerBytes - begin);
   if (size > limit) throw Failure(subject, "holds more than " + std::to_string(limit) + " bytes");
   if (size > packed.size() * kMostRatio) throw Failure(subject, "the gzip file is damaged");
   std::string content(size, '\0');
+  // The trailer is given too: stb fails if its input ends with the bits of the last code.
   const int length = stbi_zlib_decode_noheader_buffer(content.data(), static_cast<int>(size), packed.data(),
-                                                      static_cast<int>(packed.size()));
+                                                      static_cast<int>(packed.size() + kTrailerBytes));
   const auto* unpacked = reinterpret_cast<const std::uint8_t*>(content.data());
   if (length < 0 || static_cast<std::size_t>(length) != size ||
       crc32({unpacked, size}) != little_u32(trailer))

@@ -48,15 +48,16 @@ std::string answer_of(const std::function<std::string()>& work) {
   }
 }
 
-/// What libraries print as they crash would stand before our line.
-void silence() {
+/// Discards what this process prints. A library that crashes prints lines of its own, and users shall see
+/// one line only, which is that of the parent.
+void discard_output() {
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   ::dup2(nowhere, STDERR_FILENO);
   ::dup2(nowhere, STDOUT_FILENO);
 }
 
 [[noreturn]] void child(int pipe, std::size_t input_bytes, const std::function<std::string()>& work) {
-  silence();
+  discard_output();
   limit_resources(input_bytes);
   int status = 0;
   try {

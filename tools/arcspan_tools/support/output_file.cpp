@@ -23,14 +23,14 @@ namespace {
 
 using FileNumber = std::pair<dev_t, ino_t>;
 
-/// What tells a regular file from all others, whatever its names; nothing if there is none.
+/// Device and inode of a regular file, which are the same under all its names. Nothing if `path` is not one.
 std::optional<FileNumber> number_of(const fs::path& path) {
   struct stat file {};
   if (::stat(path.c_str(), &file) != 0 || !S_ISREG(file.st_mode)) return std::nullopt;
   return FileNumber{file.st_dev, file.st_ino};
 }
 
-/// Those that this process has read.
+/// The files that read_whole_file() has read in this process.
 std::set<FileNumber>& read_files() {
   static std::set<FileNumber> files;
   return files;

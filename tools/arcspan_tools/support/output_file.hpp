@@ -38,8 +38,8 @@ void write_all(int descriptor, std::string_view bytes, const std::filesystem::pa
 /// Reads the whole of a regular file of at most `limit` bytes. Throws Failure.
 [[nodiscard]] std::string read_whole_file(const std::filesystem::path& path, std::size_t limit);
 
-/// Whether read_whole_file() has read the file at `path`, under whatever name: those that the user named, and
-/// those that they refer to.
+/// Whether read_whole_file() has read the file at `path` in this process, by this name or another. These are
+/// the files that the user named, and those that a model file refers to.
 [[nodiscard]] bool was_read(const std::filesystem::path& path);
 
 }  // namespace arcspan::tools

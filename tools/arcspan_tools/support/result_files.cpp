@@ -75,7 +75,7 @@ mode_t mode_for(const fs::path& target) {
   throw Failure(subject.string(), "is an input, which the result would replace");
 }
 
-void refuse_unwritable(const fs::path& target, const fs::path& subject) {
+void refuse_target(const fs::path& target, const fs::path& subject) {
   if (was_read(target)) fail_for_input(subject);
   struct stat present {};
   if (::stat(target.c_str(), &present) != 0) return;
@@ -97,7 +97,7 @@ class StagedFile {
 
  private:
   const fs::path& checked(const fs::path& target) const {
-    refuse_unwritable(target, subject_);
+    refuse_target(target, subject_);
     return target;
   }
 
@@ -258,7 +258,7 @@ void write_results(const std::vector<ResultFile>& results, const std::string& su
 }
 
 void place_all(const std::vector<FilePlacement>& placements, const std::string& summary, std::FILE* stream) {
-  for (const FilePlacement& placement : placements) refuse_unwritable(placement.target, placement.subject);
+  for (const FilePlacement& placement : placements) refuse_target(placement.target, placement.subject);
   if (std::fputs(summary.c_str(), stream) < 0 || std::fflush(stream) != 0) {
     fail_with_errno(stream == stdout ? "standard output" : "standard error", "write");
   }

@@ -27,7 +27,7 @@ struct ResultFile {
 /// was before. Symbolic links are followed, and a file that is replaced keeps its permissions. Standard
 /// output, and targets that are no regular files (a terminal, a pipe), are written directly, before any is
 /// renamed. `summary` is printed between the two, on report_stream(): what a user reads has happened. Throws
-/// Failure, also if a result would replace a file that was_read(): models refer to files that only their
+/// Failure, including if a result would replace a file that was_read(): models refer to files that only their
 /// loaders know.
 void write_results(const std::vector<ResultFile>& results, const std::string& summary = {});
 

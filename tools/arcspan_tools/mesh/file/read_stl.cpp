@@ -8,7 +8,7 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr std::size_t kTextBytes = 80;
+constexpr std::size_t kStlHeaderBytes = 80;
 constexpr std::size_t kFacetBytes = 50;
 
 std::uint32_t little_u32(std::string_view bytes, std::size_t at) {
@@ -19,7 +19,7 @@ std::uint32_t little_u32(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-std::size_t size_of(std::uint64_t facets) { return kTextBytes + 4 + kFacetBytes * facets; }
+std::size_t size_of(std::uint64_t facets) { return kStlHeaderBytes + 4 + kFacetBytes * facets; }
 
 void add_facet(FileMesh& mesh) {
   const auto next = static_cast<std::uint32_t>(mesh.position_count());
@@ -28,7 +28,7 @@ void add_facet(FileMesh& mesh) {
 
 // Two conventions: "COLOR=" in the header (Magics), or bit 15 of the last two bytes of a facet (VisCAM).
 void count_colours(std::string_view bytes, std::uint32_t facets, LeftOut& left_out) {
-  const bool all = bytes.substr(0, kTextBytes).find("COLOR=") != std::string_view::npos;
+  const bool all = bytes.substr(0, kStlHeaderBytes).find("COLOR=") != std::string_view::npos;
   std::size_t coloured = 0;
   for (std::size_t f = 1; f <= facets; ++f) {
     if (all || (bytes[size_of(f) - 1] & 0x80) != 0) ++coloured;
@@ -39,7 +39,7 @@ void count_colours(std::string_view bytes, std::uint32_t facets, LeftOut& left_o
 // 80 bytes of header, a count, then per facet a normal, three corners (float32) and two bytes of colour. The
 // normal is that of the facet: taken for one of vertices it would shade every mesh flat.
 RawModel read_binary(std::string_view bytes, const std::string& subject) {
-  const std::uint32_t facets = little_u32(bytes, kTextBytes);
+  const std::uint32_t facets = little_u32(bytes, kStlHeaderBytes);
   if (facets > kMaxTriangles) {
     throw Failure(subject, "too many triangles (" + std::to_string(facets) + "; the limit is " +
                                std::to_string(kMaxTriangles) + ")");
@@ -109,10 +109,10 @@ RawModel read_text(TextLines& lines, const std::string& subject) {
 RawModel read_stl(std::string_view bytes, const std::string& subject) {
   // A binary file may start with "solid", too. Its exact size decides first, then the upper byte of its
   // count, which is 0 in every file that is not too large and nowhere in a text.
-  const bool has_count = bytes.size() >= kTextBytes + 4;
-  const bool exact = has_count && bytes.size() == size_of(little_u32(bytes, kTextBytes));
+  const bool has_count = bytes.size() >= kStlHeaderBytes + 4;
+  const bool exact = has_count && bytes.size() == size_of(little_u32(bytes, kStlHeaderBytes));
   const bool is_utf16 = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
-  const bool can_be_text = !has_count || is_utf16 || bytes[kTextBytes + 3] != 0;
+  const bool can_be_text = !has_count || is_utf16 || bytes[kStlHeaderBytes + 3] != 0;
   if (exact || !can_be_text) return read_binary(bytes, subject);
   const std::string text = plain_text(bytes);
   TextLines lines(text, subject);

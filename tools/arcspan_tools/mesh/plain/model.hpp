@@ -28,7 +28,8 @@ enum class AlphaMode : std::uint8_t {
 struct FileTexture {
   std::string name{};  ///< of its file, or of the file that it is in
   RgbaImage picture{};
-  /// Of a model binary, the smaller mip levels that it stores. Nothing: all are made of the picture.
+  /// The mip levels below `picture` that the file stores; none of them if it has one level. Only model
+  /// binaries store levels: without a value they are computed from `picture`.
   std::optional<std::vector<RgbaImage>> smaller{};
 };
 

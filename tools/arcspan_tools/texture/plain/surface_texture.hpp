@@ -51,7 +51,8 @@ struct SurfaceTexture {
                                                                     const TextureSampler& sampler = {},
                                                                     const IslandSize& islands = {});
 
-/// The texture of a material: with the mip levels that its file stores, or as above.
+/// The texture of a material: with the mip levels that its file stores, if it stores them, else as
+/// surface_texture() makes it of the picture.
 [[nodiscard]] std::shared_ptr<const SurfaceTexture> surface_texture_of(const FileMaterial& material,
                                                                        unsigned alpha_bits,
                                                                        const IslandSize& islands);

@@ -7,7 +7,8 @@ a home of their own and the program ARCSPAN in the path. Commands of a block tha
 a folder that holds the files of the pages' code blocks, as a reader would have saved them.
 
 Commands of SLOW take longer than all others together. Instead of them a cheaper command runs, which fails if the script or
-the target does not exist; with --slow they run, except scripts/test, which would run this program again."""
+the target does not exist, or which compiles the library as one source; with --slow they run, except scripts/test, which
+would run this program again."""
 
 import argparse
 import os
@@ -20,10 +21,12 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "docs"))
 import extract  # noqa: E402
 
+LIBRARY = "cmake -B build/library -DCMAKE_BUILD_TYPE=Release -DARCSPAN_TOOLS=OFF -DARCSPAN_TESTS=OFF"
 SLOW = {
     "scripts/first-picture": "test -x scripts/first-picture && bash -n scripts/first-picture",
     "scripts/test": "test -x scripts/test && bash -n scripts/test",
     "cmake --build build/release --target arcspan": "cmake --build build/release --target arcspan -- -n",
+    LIBRARY: LIBRARY + " -DARCSPAN_LIBRARY_UNITY=ON",
 }
 # A reader's model: a tetrahedron.
 MODEL = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"

@@ -67,7 +67,8 @@ class CMake:
     def configure(self):
         variables = self.conanfile.toolchain.cache_variables.items()
         run("cmake", "-S", self.conanfile.source_folder, "-B", WORK / "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
-            "-DCMAKE_INSTALL_LIBDIR=lib", *(f"-D{name}={'ON' if value else 'OFF'}" for name, value in variables))
+            "-DCMAKE_INSTALL_LIBDIR=lib", "-DARCSPAN_LIBRARY_UNITY=ON",
+            *(f"-D{name}={'ON' if value else 'OFF'}" for name, value in variables))
 
     def build(self):
         run("cmake", "--build", WORK / "build")

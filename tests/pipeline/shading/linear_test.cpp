@@ -171,7 +171,7 @@ TEST_CASE("a flat colour and a level depth are exact") {
   RasterStage<Method, StrictSink, DepthBuffer> stage(sink, kSize, kSize, {}, depth);
   std::uint64_t wrong = 0;
   std::uint64_t pixels = 0;
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < share_of(500); ++i) {
     Vertex v[3];
     random_corners(random, Shape::kAny, v);
     const auto level = static_cast<std::uint8_t>(random.integer(0, 255));
@@ -190,7 +190,7 @@ TEST_CASE("a flat colour and a level depth are exact") {
       }
     }
   }
-  CHECK(pixels > 100000);
+  CHECK(pixels > static_cast<std::uint64_t>(share_of(100000)));
   CHECK(wrong == 0);
 }
 

@@ -422,6 +422,7 @@ TEST_CASE("binaries that cannot be drawn change nothing in a scene") {
   CHECK(add(lamp, lamp.size - 1, nullptr) == ARCSPAN_TRUNCATED);
   CHECK(add(ball, ball.size - 1, nullptr) == ARCSPAN_TRUNCATED);
   CHECK(add(ball, 0, nullptr) == ARCSPAN_TRUNCATED);
+  CHECK(arcspan_add_binary(scene.scene, nullptr, lamp.size, nullptr, nullptr) == ARCSPAN_INVALID_ARGUMENT);
   CHECK(arcspan_add_binary(scene.scene, lamp.data() + 1, lamp.size - 1, nullptr, nullptr) ==
         ARCSPAN_INVALID_ARGUMENT);
   CHECK(arcspan_add_binary(scene.scene, lamp.data() + 2, lamp.size - 2, nullptr, nullptr) ==

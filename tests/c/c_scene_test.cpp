@@ -325,6 +325,11 @@ TEST_CASE("targets that do not fit their memory are refused") {
   CHECK(status_with([](arcspan_target& t) { t.stride = 2 * kWidth - 2; }) == ARCSPAN_INVALID_ARGUMENT);
   CHECK(status_with([](arcspan_target& t) { t.stride = -2 * kWidth; }) == ARCSPAN_INVALID_ARGUMENT);
   CHECK(status_with([](arcspan_target& t) { t.held.left = -1; }) == ARCSPAN_INVALID_ARGUMENT);
+  CHECK(status_with([](arcspan_target& t) { t.pixels = nullptr; }) == ARCSPAN_INVALID_ARGUMENT);
+  CHECK(status_with([](arcspan_target& t) { t.depth = nullptr; }) == ARCSPAN_INVALID_ARGUMENT);
+  CHECK(status_with([](arcspan_target& t) {
+          t.depth = reinterpret_cast<std::uint16_t*>(reinterpret_cast<std::uintptr_t>(t.depth) + 1);
+        }) == ARCSPAN_INVALID_ARGUMENT);
   CHECK(status_with([](arcspan_target& t) { t.format = ARCSPAN_RGB888; }) == ARCSPAN_UNSUPPORTED);
   CHECK(status_with([](arcspan_target& t) { t.format = 200; }) == ARCSPAN_UNSUPPORTED);
   CHECK(std::string(arcspan_status_text(ARCSPAN_UNSUPPORTED)) == "unsupported");

@@ -46,6 +46,7 @@ arcspan_status arcspan_add_binary(arcspan_scene* scene, const void* binary, size
   const arcspan_look& used = look != nullptr ? *look : c::kUsualLook;
   const std::span data(static_cast<const std::uint8_t*>(binary), bytes);
   if (ARCSPAN_C_TOON == 0 && used.toon_steps != 0) return ARCSPAN_UNSUPPORTED;
+  if (binary == nullptr && bytes != 0) return ARCSPAN_INVALID_ARGUMENT;
   StoredModel model;
   Status status = view_model_binary(data, model);
   if (ok(status)) {

@@ -69,6 +69,13 @@ using Memory = SceneMemoryView<c::CompiledMethods>;
   }
 }
 
+/// Memory that has a size is somewhere, and depths lie at even addresses.
+[[nodiscard]] bool has_addresses(const arcspan_target& target) {
+  const bool is_there =
+      (target.pixels != nullptr || target.bytes == 0) && (target.depth != nullptr || target.depth_words == 0);
+  return is_there && reinterpret_cast<std::uintptr_t>(target.depth) % alignof(std::uint16_t) == 0;
+}
+
 [[nodiscard]] SceneLimits limits_of(const arcspan_view_limits& limits) {
   return {limits.objects, limits.vertices, limits.triangles};
 }
@@ -308,6 +315,7 @@ arcspan_rect arcspan_drawn_rect(arcspan_view* view) {
 
 arcspan_status arcspan_draw(arcspan_view* view, const arcspan_target* target) {
   const c::DrawFunction draw = draw_function(target->format);
+  if (draw != nullptr && !has_addresses(*target)) return ARCSPAN_INVALID_ARGUMENT;
   const Status status = draw == nullptr ? Status::kUnsupported : draw(*view, *target);
   return static_cast<arcspan_status>(status);
 }

@@ -30,8 +30,10 @@ constexpr std::array<std::string_view, 95> kTaken{
     "union",     "unsigned",      "using",       "virtual",      "void",
     "volatile",  "wchar_t",       "while",       "xor",          "xor_eq"};
 
-// Names that compilers and the headers that a compiled model includes define as macros.
-constexpr std::array<std::string_view, 5> kMacros{"EOF", "NULL", "i386", "linux", "unix"};
+// Names that compilers and the headers that a compiled model includes define as macros, and keywords of C
+// that C++ does not have.
+constexpr std::array<std::string_view, 7> kMacros{"EOF",      "NULL",   "i386", "linux",
+                                                  "restrict", "typeof", "unix"};
 
 /// Limits and makers of the standard integers, such as INT8_MAX and UINT64_C.
 bool is_integer_macro(std::string_view text) {

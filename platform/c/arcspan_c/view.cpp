@@ -69,7 +69,7 @@ using Memory = SceneMemoryView<c::CompiledMethods>;
   }
 }
 
-/// Memory that has a size is somewhere, and depths lie at even addresses.
+/// False if pixels or depths of more than no size are at NULL, or if depths are at an odd address.
 [[nodiscard]] bool has_addresses(const arcspan_target& target) {
   const bool is_there =
       (target.pixels != nullptr || target.bytes == 0) && (target.depth != nullptr || target.depth_words == 0);
@@ -315,9 +315,9 @@ arcspan_rect arcspan_drawn_rect(arcspan_view* view) {
 
 arcspan_status arcspan_draw(arcspan_view* view, const arcspan_target* target) {
   const c::DrawFunction draw = draw_function(target->format);
-  if (draw != nullptr && !has_addresses(*target)) return ARCSPAN_INVALID_ARGUMENT;
-  const Status status = draw == nullptr ? Status::kUnsupported : draw(*view, *target);
-  return static_cast<arcspan_status>(status);
+  if (draw == nullptr) return ARCSPAN_UNSUPPORTED;
+  if (!has_addresses(*target)) return ARCSPAN_INVALID_ARGUMENT;
+  return static_cast<arcspan_status>(draw(*view, *target));
 }
 
 size_t arcspan_depth_words(arcspan_rect held) {

@@ -212,7 +212,7 @@ TEST_CASE("Gouraud's unrounded colours are the plane and stay in the corners' ra
   INFO(channel.name << ", shape " << static_cast<int>(shape) << ": " << f.pixels << " pixels, longest run "
                     << f.longest << ", error " << f.error << ", of small ones " << f.small
                     << ", of narrow ones " << f.narrow << ", outside " << f.outside);
-  const bool all = share_of(100) == 100;
+  const bool all = share_of(100) == 100;  // a few triangles need not have the longest runs
   CHECK(f.pixels > (all ? pixels : 0));
   CHECK(f.longest > (all ? longest : 0));
   CHECK(f.error < 0.025);

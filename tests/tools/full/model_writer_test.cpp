@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Models with parts and materials: the header and the binary that `arcspan mesh` writes.
+#include <arcspan/lighting/colour_coefficients.hpp>
 #include <arcspan/model/model_binary.hpp>
 
 #include <arcspan_tools/fixed_point/material.hpp>
@@ -78,7 +79,7 @@ TEST_CASE("the header of a model has its parts, their materials, and the unit an
   CHECK(top == Approx(3).margin(1e-4));
 }
 
-TEST_CASE("materials in a firmware: the file's, with the shares of light of a picture") {
+TEST_CASE("materials in a firmware: the file's, with the shares of light of a picture, or white plastic") {
   const Material brass = material_of(lamp_model().looks[0]);
   CHECK(brass.diffuse.r == Coefficient::of(0.8 * 0.78));
   CHECK(brass.ambient.b == Coefficient::of(0.2 * 0.14));
@@ -87,6 +88,10 @@ TEST_CASE("materials in a firmware: the file's, with the shares of light of a pi
   CHECK(glow.ambient.b == Coefficient::of(0.8));
   CHECK(glow.diffuse.r == Coefficient::of(0.0));
   CHECK(glow.specular.r == Coefficient::of(0.0));
+  FileMaterial silent;  // of its look
+  silent.name = "clay";
+  silent.two_sided = true;
+  CHECK(same(material_of({{}, silent}), plastic({255, 255, 255})));
 }
 
 TEST_CASE("the library reads the model binary that was written") {

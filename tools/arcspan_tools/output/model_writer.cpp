@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/animate/animation_binary.hpp>
+#include <arcspan/lighting/colour_coefficients.hpp>
 #include <arcspan/model/model_binary.hpp>
 #include <arcspan/model/model_neighbours.hpp>
 
@@ -75,7 +76,13 @@ std::string name_of(const PartLook& look, std::size_t number) {
 
 }  // namespace
 
-Material material_of(const PartLook& look) { return to_fixed(with_material({}, look.material, {})); }
+Material material_of(const PartLook& look) {
+  const FileMaterial& file = look.material;
+  if (!file.colour && !file.ambient_colour && !file.specular && !file.shininess && !file.unlit &&
+      file.emission == Vec3{} && file.texture == nullptr)
+    return plastic({255, 255, 255});
+  return to_fixed(with_material({}, file, {}));
+}
 
 PartAlpha part_alpha(const FileMaterial& material) {
   if (material.texture == nullptr || material.alpha_mode == AlphaMode::kOpaque) return PartAlpha::kOpaque;

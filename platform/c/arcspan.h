@@ -108,8 +108,8 @@ typedef struct {
 /* Sets all lights, at most ARCSPAN_C_LIGHTS, and the colour of the ambient light. Materials of binaries are
  * prepared again if they depend on what changes: the ambient light and, with ARCSPAN_C_LIGHTS of 1, strength
  * and colour. Materials of models in flash are not. They always have a white ambient light. With
- * ARCSPAN_C_LIGHTS of 1 they are made for a white light of strength 1; with another strength or colour
- * arcspan_draw() returns ARCSPAN_LIGHT_CHANGED. Returns
+ * ARCSPAN_C_LIGHTS of 1 they are made for a white light of strength 1; with another strength or colour, or
+ * without light, arcspan_draw() returns ARCSPAN_LIGHT_CHANGED. Returns
  *
  *   ARCSPAN_INVALID_ARGUMENT   a strength or colour is above 1, a direction is 0, `half` is negative
  *   ARCSPAN_UNSUPPORTED        more lights, a point light or a coloured light than is compiled */
@@ -145,9 +145,10 @@ typedef uint16_t arcspan_object;
  *
  *   ARCSPAN_INVALID_ARGUMENT   the address, or a number of `look` is out of range
  *   ARCSPAN_BUFFER_TOO_SMALL   the scene has no room for all parts or materials
- *   ARCSPAN_UNSUPPORTED        the binary has another version; the method, the layout of a texture or light
- * in steps is not compiled; this machine is big-endian ARCSPAN_TRUNCATED, ARCSPAN_CORRUPTED,
- * ARCSPAN_INDEX_OUT_OF_RANGE   the binary is damaged */
+ *   ARCSPAN_UNSUPPORTED        the binary has another version; there is no such method; the method, the
+ *                              layout of a texture or light in steps is not compiled; a big-endian machine
+ *   ARCSPAN_TRUNCATED, ARCSPAN_CORRUPTED, ARCSPAN_INDEX_OUT_OF_RANGE
+ *                              the binary is damaged */
 arcspan_status arcspan_add_binary(arcspan_scene* scene, const void* binary, size_t bytes,
                                   const arcspan_look* look, arcspan_object* object);
 
@@ -160,7 +161,7 @@ arcspan_status arcspan_add_model(arcspan_scene* scene, const arcspan_model* mode
 /* An object stands in the origin, is not turned and has a scale of 1 when it is added. These functions return
  * ARCSPAN_INVALID_ARGUMENT if `object` does not name an object of the scene, or a scale is out of range. */
 arcspan_status arcspan_set_position(arcspan_scene* scene, arcspan_object object, arcspan_point position);
-/* The world length of 32768 object units, 2^-10...32767; meshes of the tool fill +-32767 units. */
+/* The world length of 32768 object units, at least 2^-10; meshes of the tool fill +-32767 units. */
 arcspan_status arcspan_set_scale(arcspan_scene* scene, arcspan_object object, arcspan_length scale);
 /* Roll about z, then pitch about x, then yaw about y. */
 arcspan_status arcspan_set_angles(arcspan_scene* scene, arcspan_object object, arcspan_turn yaw,
@@ -223,7 +224,7 @@ arcspan_status arcspan_play(arcspan_character* character, uint16_t clip, uint32_
 void arcspan_set_speed(arcspan_character* character, int32_t speed);
 /* Moves the clip, or that which is faded to, to a time in microseconds, which is limited to its length. */
 void arcspan_seek(arcspan_character* character, uint32_t time);
-/* The time of that clip, and whether it has stopped at its end. */
+/* The time of that clip, and whether it has stopped at its end, as before the first arcspan_play(). */
 uint32_t arcspan_clip_time(const arcspan_character* character);
 int arcspan_has_ended(const arcspan_character* character);
 /* Moves on by so many microseconds and poses the character; with 0 only the latter. */
@@ -340,7 +341,7 @@ arcspan_status arcspan_draw(arcspan_view* view, const arcspan_target* target);
 
 /* Memory for smooth outlines. What does not fit stays as it is without smoothing. */
 typedef struct {
-  uint32_t triangles; /* of the largest part; a byte each */
+  uint32_t triangles; /* of the largest part, at least 1; a byte each */
   uint32_t edges;     /* of all outlines in view; 12 bytes each */
   uint32_t gaps;      /* where outlines pass between two pixels of a target; 16 bytes each. Smoothing takes
                          none with ARCSPAN_C_MARKED_OUTLINES, ink does */
@@ -358,8 +359,8 @@ size_t arcspan_outline_bytes(const arcspan_outline_limits* limits);
  * the format is ARCSPAN_MONO without ink, ARCSPAN_BUFFER_TOO_SMALL if a limit was reached, and
  * ARCSPAN_SCALE_OUT_OF_RANGE if an edge stays straight for that.
  *
- * Returns ARCSPAN_UNSUPPORTED without ARCSPAN_C_OUTLINES, and ARCSPAN_BUFFER_TOO_SMALL if `bytes` are fewer
- * than arcspan_outline_bytes(). */
+ * Returns ARCSPAN_UNSUPPORTED without ARCSPAN_C_OUTLINES, ARCSPAN_INVALID_ARGUMENT for 0 triangles, and
+ * ARCSPAN_BUFFER_TOO_SMALL if `bytes` are fewer than arcspan_outline_bytes(). */
 arcspan_status arcspan_smooth_outlines(arcspan_view* view, void* memory, size_t bytes,
                                        const arcspan_outline_limits* limits);
 

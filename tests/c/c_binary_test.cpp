@@ -69,6 +69,8 @@ struct OutlinedView {
       // A call that is refused changes nothing.
       REQUIRE(arcspan_smooth_outlines(view, outline_memory.data(), bytes - 1, outlines) ==
               ARCSPAN_BUFFER_TOO_SMALL);
+      const arcspan_outline_limits none{0, outlines->edges, outlines->gaps, outlines->curves};
+      REQUIRE(arcspan_smooth_outlines(view, outline_memory.data(), bytes, &none) == ARCSPAN_INVALID_ARGUMENT);
     }
     REQUIRE(arcspan_prepare(view) == ARCSPAN_OK);
   }

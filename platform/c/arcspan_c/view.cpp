@@ -252,6 +252,7 @@ arcspan_status arcspan_smooth_outlines(arcspan_view* view, void* memory, size_t 
     view->outlines = {};
     return ARCSPAN_OK;
   }
+  if (limits->triangles == 0) return ARCSPAN_INVALID_ARGUMENT;  // without sides outlines are off
   const std::size_t wanted = arcspan_outline_bytes(limits);
   if (bytes < wanted || wanted == SIZE_MAX) return ARCSPAN_BUFFER_TOO_SMALL;
   c::MemoryParts all(memory);

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-# Install and export: find_package(arcspan) gives arcspan::pipeline and arcspan::hal, and arcspan::c, arcspan::hal_sim and
+# Install and export: find_package(arcspan) gives arcspan::pipeline, arcspan::hal and arcspan::c, and arcspan::hal_sim and
 # arcspan::linux_host where they were built.
 include(CMakePackageConfigHelpers)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/arcspan)
 set(libraries arcspan_pipeline arcspan_hal)
-if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CROSSCOMPILING)
+if(NOT ARCSPAN_BOARD)
   list(APPEND libraries arcspan_c)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/platform/c/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
           FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN formats EXCLUDE)

@@ -16,6 +16,9 @@
 #ifndef ARCSPAN_C_LIGHTS
 #define ARCSPAN_C_LIGHTS 1
 #endif
+#if ARCSPAN_C_LIGHTS < 1 || ARCSPAN_C_LIGHTS > 4
+#error "ARCSPAN_C_LIGHTS is not 1...4"
+#endif
 /* 1 if several lights may have colours. A single light always may. */
 #ifndef ARCSPAN_C_COLOURED_LIGHTS
 #define ARCSPAN_C_COLOURED_LIGHTS 0
@@ -39,6 +42,9 @@
 #endif
 #ifndef ARCSPAN_C_FLAT
 #define ARCSPAN_C_FLAT 0
+#endif
+#if !ARCSPAN_C_ARC && !ARCSPAN_C_GOURAUD && !ARCSPAN_C_FLAT
+#error "ARCSPAN_C_ARC, ARCSPAN_C_GOURAUD or ARCSPAN_C_FLAT must be 1"
 #endif
 /* Layouts of textures; a part with a texture of another is refused. Each compiles every shading method once
  * more, so usually one of them is enabled: arcspan mesh --texture-format makes it. Opaque texels only. */

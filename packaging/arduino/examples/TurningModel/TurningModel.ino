@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A copper ring turns on a display of 240x240 pixels, by the library TFT_eSPI. Your own model in place of model.h:
-//   arcspan mesh MODEL -o model.h --planes
+// A copper ring turns on a display of 240x240 pixels, by the library TFT_eSPI. Your own model of one part in
+// place of model.h: arcspan mesh MODEL -o model.h --planes
 #include <TFT_eSPI.h>
 #include <arcspan.h>
 

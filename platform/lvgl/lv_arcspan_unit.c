@@ -128,12 +128,7 @@ static int32_t dispatch(lv_draw_unit_t* base, lv_layer_t* layer) {
     task->state = LV_DRAW_TASK_STATE_IN_PROGRESS;
     status = draw((scene_unit_t*)base, view, task);
   }
-  if (status != ARCSPAN_OK) {
-    view->status = status;
-    view->changed = true; /* to be tried again by the next refresh */
-    ++view->dropped;
-    LV_LOG_WARN("arcspan: a rectangle is not drawn: %s", arcspan_status_text(status));
-  }
+  if (status != ARCSPAN_OK) lv_arcspan_view_drop(view, status);
   task->state = LV_DRAW_TASK_STATE_FINISHED;
   lv_draw_dispatch_request();
   return 1;

@@ -47,12 +47,37 @@ static bool drawn_area(const lv_arcspan_view_t* view, lv_area_t* area) {
   return drawn->left < drawn->right && drawn->top < drawn->bottom;
 }
 
-static void invalidate_drawn(lv_arcspan_view_t* view) {
-  lv_area_t area;
-  if (drawn_area(view, &area)) lv_obj_invalidate_area(&view->obj, &area);
+static void invalidate_shown(lv_arcspan_view_t* view) {
+  lv_area_t area = view->shown;
+  if (area.x1 > area.x2) return;
+  lv_area_move(&area, view->obj.coords.x1, view->obj.coords.y1);
+  lv_obj_invalidate_area(&view->obj, &area);
+}
+
+/* The frame that was prepared is the one on the screen from now on. */
+static void show_drawn(lv_arcspan_view_t* view) {
+  if (!drawn_area(view, &view->shown))
+    view->shown = (lv_area_t){0, 0, -1, -1};
+  else
+    lv_area_move(&view->shown, -view->obj.coords.x1, -view->obj.coords.y1);
+  invalidate_shown(view);
 }
 
 /* Frames */
+
+/* Asks for a refresh, in which the frame is prepared. Nothing is invalidated now, because a frame may be
+ * under way. */
+static void change(lv_arcspan_view_t* view) {
+  view->changed = true;
+  lv_display_send_event(lv_obj_get_display(&view->obj), LV_EVENT_REFR_REQUEST, NULL);
+}
+
+void lv_arcspan_view_drop(lv_arcspan_view_t* view, arcspan_status status) {
+  view->status = status;
+  ++view->dropped;
+  if (status == ARCSPAN_BUFFER_TOO_SMALL) change(view); /* other reasons stay until something is changed */
+  LV_LOG_WARN("arcspan: a frame or a rectangle of it is not drawn: %s", arcspan_status_text(status));
+}
 
 static void free_view(lv_arcspan_view_t* view) {
   lv_free(view->view_memory);
@@ -163,27 +188,29 @@ static void prepare(lv_arcspan_view_t* view) {
     view->drawn = arcspan_drawn_rect(view->view);
     return;
   }
-  view->changed = view->status == ARCSPAN_BUFFER_TOO_SMALL; /* there may be memory at the next refresh */
-  ++view->dropped;
-  LV_LOG_WARN("arcspan: a frame is not drawn: %s", arcspan_status_text(view->status));
+  lv_arcspan_view_drop(view, view->status);
+}
+
+/* Of the display, before any view prepares its frame: another one may show the object that this one turns,
+ * and layouts may change sizes. */
+static void before_refresh(lv_event_t* e) {
+  lv_arcspan_view_t* const view = lv_event_get_user_data(e);
+  lv_obj_update_layout(&view->obj);
+  if (view->changed && view->scene != NULL) (void)turn_object(view);
 }
 
 /* Of the display, before it finds out what to draw. */
 static void on_refresh_start(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
-  if (!view->changed) return;
-  lv_obj_update_layout(&view->obj);
-  if (!lv_obj_is_visible(&view->obj)) return;
-  invalidate_drawn(view);
+  view->is_refreshed = true;
+  if (!view->changed || !lv_obj_is_visible(&view->obj)) return;
+  invalidate_shown(view);
   prepare(view);
-  invalidate_drawn(view);
+  show_drawn(view);
 }
 
-/* Asks for a refresh, in which the frame is prepared. Nothing is invalidated now, because a frame may be
- * under way. */
-static void change(lv_arcspan_view_t* view) {
-  view->changed = true;
-  lv_display_send_event(lv_obj_get_display(&view->obj), LV_EVENT_REFR_REQUEST, NULL);
+static void on_refresh_end(lv_event_t* e) {
+  ((lv_arcspan_view_t*)lv_event_get_user_data(e))->is_refreshed = false;
 }
 
 /* Drawing */
@@ -195,8 +222,7 @@ static void add_layer(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area_
   const lv_area_t picture = picture_area(view);
   lv_layer_t* const scene = lv_draw_layer_create(layer, LV_COLOR_FORMAT_ARGB8888, strip);
   if (scene == NULL) {
-    view->status = ARCSPAN_BUFFER_TOO_SMALL;
-    ++view->dropped;
+    lv_arcspan_view_drop(view, ARCSPAN_BUFFER_TOO_SMALL);
     return;
   }
   scene->opa = LV_OPA_COVER;
@@ -278,8 +304,10 @@ static void draw_main(lv_event_t* e) {
   lv_arcspan_view_t* const view = (lv_arcspan_view_t*)lv_event_get_current_target_obj(e);
   lv_layer_t* const layer = lv_event_get_layer(e);
   lv_arcspan_unit_init(); /* lv_deinit() may have freed it */
-  /* Without a refresh before it, as lv_snapshot_take() draws. */
-  if (view->changed && view->view == NULL) prepare(view);
+  if (view->changed && (!view->is_refreshed || view->view == NULL)) {
+    prepare(view); /* as lv_snapshot_take() draws; the screen still shows another frame */
+    view->changed = true;
+  }
   lv_area_t area;
   if (!drawn_area(view, &area) || !lv_area_intersect(&area, &area, &layer->_clip_area)) return;
   const lv_opa_t opa = lv_obj_get_style_opa_recursive(&view->obj, LV_PART_MAIN);
@@ -351,8 +379,12 @@ static void constructor(const lv_obj_class_t* class_p, lv_obj_t* obj) {
   view->scale = ARCSPAN_LENGTH(1);
   view->turned = LV_ARCSPAN_NO_OBJECT;
   view->status = ARCSPAN_NOT_READY;
+  view->shown = (lv_area_t){0, 0, -1, -1};
   lv_obj_set_scrollable(obj, false);
-  lv_display_add_event_cb(lv_obj_get_display(obj), on_refresh_start, LV_EVENT_REFR_START, view);
+  lv_display_t* const display = lv_obj_get_display(obj);
+  lv_display_add_event_cb(display, before_refresh, LV_EVENT_REFR_START | LV_EVENT_PREPROCESS, view);
+  lv_display_add_event_cb(display, on_refresh_start, LV_EVENT_REFR_START, view);
+  lv_display_add_event_cb(display, on_refresh_end, LV_EVENT_REFR_READY, view);
 }
 
 static void destructor(const lv_obj_class_t* class_p, lv_obj_t* obj) {
@@ -360,7 +392,9 @@ static void destructor(const lv_obj_class_t* class_p, lv_obj_t* obj) {
   /* Of all displays, because its parent may have changed. */
   for (lv_display_t* display = lv_display_get_next(NULL); display != NULL;
        display = lv_display_get_next(display)) {
+    lv_display_remove_event_cb_with_user_data(display, before_refresh, obj);
     lv_display_remove_event_cb_with_user_data(display, on_refresh_start, obj);
+    lv_display_remove_event_cb_with_user_data(display, on_refresh_end, obj);
   }
   free_view((lv_arcspan_view_t*)obj);
 #if LV_ARCSPAN_OUTLINES
@@ -476,7 +510,12 @@ arcspan_status lv_arcspan_view_set_outlines(lv_obj_t* obj, const arcspan_outline
 #endif
 }
 
-void lv_arcspan_view_update(lv_obj_t* obj) { change((lv_arcspan_view_t*)obj); }
+void lv_arcspan_view_update(lv_obj_t* obj) {
+  LV_CHECK_OBJ(obj, VIEW_CLASS, return );
+  change((lv_arcspan_view_t*)obj);
+}
+
+arcspan_view* lv_arcspan_view_get_view(const lv_obj_t* obj) { return ((const lv_arcspan_view_t*)obj)->view; }
 
 arcspan_status lv_arcspan_view_get_status(const lv_obj_t* obj) {
   return ((const lv_arcspan_view_t*)obj)->status;

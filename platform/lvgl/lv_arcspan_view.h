@@ -30,12 +30,12 @@ typedef struct {
 LV_ATTRIBUTE_EXTERN_DATA extern const lv_obj_class_t lv_arcspan_view_class;
 
 /* A view without a scene, before a camera at z = 3 that looks at the origin. Returns NULL if there is no
- * memory. */
+ * memory for the widget; what LVGL allocates for a draw unit and events it does not check itself. */
 lv_obj_t* lv_arcspan_view_create(lv_obj_t* parent);
 
 /* Shows a scene, or none (NULL). The former one must stay until the next refresh, or until the widget is
- * deleted. Several widgets may show one scene, but only one of them may turn an object of it; call
- * lv_arcspan_view_update() for the others when it does. */
+ * deleted. Several widgets may show one scene: when one of them turns an object of it, call
+ * lv_arcspan_view_update() for the others before the next refresh. */
 void lv_arcspan_view_set_scene(lv_obj_t* obj, arcspan_scene* scene);
 void lv_arcspan_view_set_camera(lv_obj_t* obj, const lv_arcspan_camera_t* camera);
 
@@ -64,12 +64,16 @@ arcspan_status lv_arcspan_view_set_outlines(lv_obj_t* obj, const arcspan_outline
 /* To be called after a change of the scene itself, by a function of arcspan.h: it is then drawn anew. */
 void lv_arcspan_view_update(lv_obj_t* obj);
 
+/* The view of the last frame, for arcspan_pick() and arcspan_project(), with pixels from the corner of the
+ * content area on; NULL before. It is valid until the next refresh. */
+arcspan_view* lv_arcspan_view_get_view(const lv_obj_t* obj);
+
 /* ARCSPAN_OK, or why the last frame is not shown, or a rectangle of it is missing or not as smooth as asked
  * for. */
 arcspan_status lv_arcspan_view_get_status(const lv_obj_t* obj);
-/* How many frames and rectangles have not been drawn since the widget was made. The next refresh tries them
- * again.
- */
+/* How many frames and rectangles have not been drawn since the widget was made. For lack of memory
+ * (ARCSPAN_BUFFER_TOO_SMALL) the widget asks for another refresh, which tries again; for another reason after
+ * the next change. */
 uint32_t lv_arcspan_view_get_dropped(const lv_obj_t* obj);
 
 #ifdef __cplusplus

@@ -29,6 +29,8 @@ typedef struct {
   arcspan_object turned;
   arcspan_status status;
   bool changed;       /* since the last frame */
+  bool is_refreshed;  /* the display is being refreshed */
+  lv_area_t shown;    /* by the frame on the screen, from the widget's corner on; empty if x1 > x2 */
   lv_area_t inset;    /* of the picture of the last frame from the sides of the widget, as positive numbers */
   arcspan_rect drawn; /* by the last frame, in the picture; empty if it is not shown */
   uint32_t dropped;
@@ -44,6 +46,9 @@ typedef struct {
   arcspan_length pinch_scale; /* the scale at its beginning */
 #endif
 } lv_arcspan_view_t;
+
+/* Counts a frame or a rectangle that is not drawn; for lack of memory it is tried again. */
+void lv_arcspan_view_drop(lv_arcspan_view_t* view, arcspan_status status);
 
 /* Queues the drawing of the last frame of `view`, whose picture begins at `origin`: an image task whose
  * source is the widget. */

@@ -4,6 +4,7 @@
 #include <tests/lvgl/screen.hpp>
 
 #include <algorithm>
+#include <memory>
 
 namespace {
 
@@ -439,6 +440,131 @@ TEST_CASE("another scene may be shown in a flush, out of sight, and before a sna
   screen.refresh();
   CHECK((screen.pixels == expected));
   CHECK((screen.redrawn() == expected));
+}
+
+TEST_CASE(
+    "a view of a scene whose object another view turns shows it as it is turned, made before or after") {
+  const bool turns_first = GENERATE(true, false);
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* views[] = {make_view(balls), make_view(balls)};
+  lv_obj_t* const turning = views[turns_first ? 0 : 1];
+  lv_obj_t* const other = views[turns_first ? 1 : 0];
+  lv_arcspan_view_set_turned(other, LV_ARCSPAN_NO_OBJECT);
+  lv_obj_set_size(turning, 20, 20);
+  screen.refresh();
+  const auto before = screen.pixels;
+  lv_arcspan_view_set_scale(turning, ARCSPAN_LENGTH(0.5));
+  lv_arcspan_view_update(other);
+  screen.refresh();
+  const auto once = screen.pixels;
+  CHECK((once != before));
+  lv_arcspan_view_update(other);
+  screen.refresh();
+  CHECK((screen.pixels == once));
+}
+
+TEST_CASE("a view that a layout resizes has its new size in the next refresh") {
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const box = lv_obj_create(lv_screen_active());
+  lv_obj_set_size(box, 140, 100);
+  lv_obj_t* const view = make_view(balls);
+  lv_obj_set_parent(view, box);
+  lv_obj_set_pos(view, 0, 0);
+  lv_obj_set_size(view, LV_PCT(100), LV_PCT(100));
+  screen.refresh();
+  lv_obj_set_size(box, 80, 90);
+  screen.refresh();
+  const auto resized = screen.pixels;
+  lv_arcspan_view_update(view);
+  screen.refresh();
+  CHECK((screen.pixels == resized));
+}
+
+#if LV_USE_SNAPSHOT
+std::vector<std::uint8_t> snapshot_of(lv_obj_t* view) {
+  lv_draw_buf_t* const picture = lv_snapshot_take(view, LV_COLOR_FORMAT_ARGB8888);
+  REQUIRE(picture != nullptr);
+  std::vector<std::uint8_t> bytes(picture->data, picture->data + picture->data_size);
+  lv_draw_buf_destroy(picture);
+  return bytes;
+}
+
+TEST_CASE("a snapshot shows a view as it is now, and so does the next refresh") {
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  screen.refresh();
+  SECTION("with another scale") { lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(0.3)); }
+  SECTION("with another size") { lv_obj_set_size(view, 40, 40); }
+  const auto picture = snapshot_of(view);
+  screen.refresh();
+  CHECK((snapshot_of(view) == picture));
+  const auto pixels = screen.pixels;
+  CHECK((screen.redrawn() == pixels));
+}
+
+TEST_CASE("a hidden view forgets a scene that was taken away") {
+  Screen screen;
+  auto balls = std::make_unique<BallScene>();
+  lv_obj_t* const view = make_view(*balls);
+  screen.refresh();
+  lv_obj_set_hidden(view, true);
+  screen.refresh();
+  lv_arcspan_view_set_scene(view, nullptr);
+  screen.refresh();
+  balls.reset();
+  (void)snapshot_of(view);
+  CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_NOT_READY);
+}
+#endif
+
+/// Lets LVGL run for half a second.
+void run_timers() {
+  for (int i = 0; i < 20; ++i) {
+    lv_tick_inc(25);
+    lv_timer_handler();
+  }
+}
+
+TEST_CASE("a view that lacked memory asks for a refresh; for another reason nothing is drawn again") {
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  run_timers();
+  const auto expected = screen.pixels;
+  SECTION("of the view") {
+    lv_arcspan_view_set_scene(view, nullptr);
+    run_timers();
+    fail_allocations_from(2000);
+    lv_arcspan_view_set_scene(view, balls.scene);
+    run_timers();
+    CHECK(lv_arcspan_view_get_dropped(view) > 0);
+    fail_allocations_from(0);
+    run_timers();
+    CHECK((screen.pixels == expected));
+  }
+  SECTION("of a layer") {
+    fail_allocations_from(1500);
+    lv_obj_set_style_opa(view, LV_OPA_50, 0);
+    run_timers();
+    CHECK(lv_arcspan_view_get_dropped(view) > 0);
+    const auto without = screen.pixels;
+    fail_allocations_from(0);
+    run_timers();
+    CHECK((screen.pixels != without));
+  }
+  SECTION("a light that models in flash are not made for") {
+    const arcspan_light dim{{0, 0, ARCSPAN_LENGTH(1)}, 0, ARCSPAN_SHARE(0.5), {32768, 32768, 32768}};
+    REQUIRE(arcspan_set_lights(balls.scene, &dim, 1, {32768, 32768, 32768}) == ARCSPAN_OK);
+    lv_arcspan_view_update(view);
+    run_timers();
+    CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_LIGHT_CHANGED);
+    const std::uint32_t flushes = screen.flushes;
+    run_timers();
+    CHECK(screen.flushes == flushes);
+  }
 }
 
 TEST_CASE("depths of fewer rows than asked for draw the same, in strips") {

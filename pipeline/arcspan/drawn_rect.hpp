@@ -80,7 +80,8 @@ template <bool KeepsVertices, class... Used>
 /// draw_prepared_scene() lies in it. It is the smallest rectangle of pixels around the places on the screen
 /// of the vertices of all drawn triangles, after clipping. Triangles that are culled or out of view are not
 /// included, nor are invisible objects; triangles behind others and transparent pixels are. Rect{} if nothing
-/// is drawn, or if prepare_scene() did not return kOk.
+/// is drawn, or if prepare_scene() did not return kOk. Curves, smooth outlines and ink reach farther:
+/// OutlineList::changed_rect().
 ///
 /// For the part of a picture that has to be drawn again, or sent. With room for the vertices of all objects
 /// in view (SceneMemory), the vertices are kept, and drawing does not transform them again.

@@ -34,6 +34,17 @@ class ListedEdges {
   std::size_t count_ = 0;
 };
 
+/// The pixels that smoothing changes at an edge, and `more` on all sides, from the raster's origin. A
+/// pixel whose centre is on a top or left edge is inside (top-left rule), so that the pixel before it is
+/// changed, too.
+[[nodiscard]] Rect pixels_at(const OutlineEdge& edge, std::int32_t more) {
+  const auto first = [=](std::int32_t a, std::int32_t b) { return (((a < b ? a : b) - 9) >> 4) - more; };
+  const auto end = [=](std::int32_t a, std::int32_t b) { return (((a < b ? b : a) + 24) >> 4) + more; };
+  const RasterPosition& a = edge.from;
+  const RasterPosition& b = edge.to;
+  return {first(a.x, b.x), first(a.y, b.y), end(a.x, b.x), end(a.y, b.y)};
+}
+
 }  // namespace
 
 RasterPosition VertexPositions::operator()(const MeshView& mesh, std::size_t i) const {
@@ -58,6 +69,19 @@ Status OutlineList::add(const MeshView& mesh, const MeshNeighbours& neighbours,
   ListedEdges edges(mesh, positions, free_memory());
   detail::EdgeFinder<ListedEdges>(mesh, sides, edges).find(neighbours.bytes());
   return take(edges.count(), positions.viewport()) ? Status::kOk : Status::kBufferTooSmall;
+}
+
+Rect OutlineList::changed_rect(std::int32_t ink_width) const {
+  const std::int32_t more = (3 * ink_width + 1) / 2;  // ink lies at an angle
+  const std::int32_t x = viewport_.width >> 1;
+  const std::int32_t y = viewport_.height >> 1;
+  Rect all{};
+  for (const OutlineEdge& edge : edges()) {
+    const Rect at = pixels_at(edge, more);
+    const Rect in_picture{at.left + x, at.top + y, at.right + x, at.bottom + y};
+    all = bounding_rect(all, detail::intersection({0, 0, viewport_.width, viewport_.height}, in_picture));
+  }
+  return all;
 }
 
 }  // namespace arcspan

@@ -4,6 +4,7 @@
 #include <arcspan/draw/triangle_sides.hpp>
 #include <arcspan/mesh/mesh_neighbours.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
+#include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
@@ -88,6 +89,10 @@ class OutlineList {
   [[nodiscard]] constexpr std::span<const OutlineEdge> edges() const { return memory_.first(count_); }
   /// The viewport of the objects; meaningless if there are no edges.
   [[nodiscard]] constexpr const Viewport& viewport() const { return viewport_; }
+  /// A rectangle of the picture around all pixels that smoothing changes, and that ink of `ink_width` pixels
+  /// does, 0 if there is none. With that of drawn_rect() it contains the pixels of curves, too. Rect{} if
+  /// there are no edges in the picture.
+  [[nodiscard]] Rect changed_rect(std::int32_t ink_width) const;
 
  private:
   friend class CurvedOutlines;

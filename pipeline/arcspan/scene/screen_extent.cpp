@@ -10,14 +10,16 @@ namespace {
 
 using Corner = RasterVertex<Unlit>;
 
-/// Includes the triangles of the fan of a clipped triangle that show their fronts, or all of them if one does
-/// and `together`.
-void include_fan(const Corner* corners, std::size_t count, bool together, ScreenExtent& extent) {
+/// Includes the triangles in the picture of the fan of a clipped triangle that show their fronts, or all of
+/// them if one does and `together`.
+void include_fan(const Corner* corners, std::size_t count, bool together, const Viewport& viewport,
+                 ScreenExtent& extent) {
   for (std::size_t i = 2; i < count; ++i) {
     const RasterPosition& p = corners[0].position;
     const RasterPosition& q = corners[i - 1].position;
     const RasterPosition& r = corners[i].position;
     if (doubled_area(p, q, r) >= 0) continue;
+    if (!together && is_beside_picture(p, q, r, viewport)) continue;
     if (together) {
       for (std::size_t k = 0; k < count; ++k) extent = extended(extent, corners[k].position);
       return;
@@ -44,6 +46,16 @@ ScreenExtent extended(const ScreenExtent& extent, const RasterPosition& p) {
   return wider;
 }
 
+bool is_beside_picture(const RasterPosition& a, const RasterPosition& b, const RasterPosition& c,
+                       const Viewport& viewport) {
+  const std::int32_t left = -16 * (viewport.width >> 1);
+  const std::int32_t top = -16 * (viewport.height >> 1);
+  const std::int32_t right = left + 16 * viewport.width;
+  const std::int32_t bottom = top + 16 * viewport.height;
+  return (a.x < left && b.x < left && c.x < left) || (a.x > right && b.x > right && c.x > right) ||
+         (a.y < top && b.y < top && c.y < top) || (a.y > bottom && b.y > bottom && c.y > bottom);
+}
+
 ScreenExtent extended_by_clipped(const MeshView& mesh, const ClipTransform& transform,
                                  const TriangleIndices& t, const ExtentOptions& options,
                                  const ScreenExtent& extent) {
@@ -54,7 +66,7 @@ ScreenExtent extended_by_clipped(const MeshView& mesh, const ClipTransform& tran
   if (options.edges) {  // as EdgeDrawer does
     const std::size_t count = clip_triangle(stage, t, Facing::kFront, corners);
     if (!options.two_sided) {
-      include_fan(corners, count, true, wider);
+      include_fan(corners, count, true, transform.viewport(), wider);
     } else {
       for (std::size_t k = 0; k < count; ++k) wider = extended(wider, corners[k].position);
     }
@@ -63,7 +75,7 @@ ScreenExtent extended_by_clipped(const MeshView& mesh, const ClipTransform& tran
   for (const Facing facing : {Facing::kFront, Facing::kBack}) {
     if (facing == Facing::kBack && !options.two_sided) break;
     const std::size_t count = clip_triangle(stage, in_clip_order(t, facing), facing, corners);
-    include_fan(corners, count, false, wider);
+    include_fan(corners, count, false, transform.viewport(), wider);
   }
   return wider;
 }

@@ -39,6 +39,10 @@ struct ScreenExtent {
 /// The rectangle around an extent and a vertex.
 [[nodiscard]] ScreenExtent extended(const ScreenExtent& extent, const RasterPosition& p);
 
+/// Whether a triangle has no pixel in the picture because it lies beside it.
+[[nodiscard]] bool is_beside_picture(const RasterPosition& a, const RasterPosition& b,
+                                     const RasterPosition& c, const Viewport& viewport);
+
 /// How the triangles of an extent are drawn.
 struct ExtentOptions {
   bool two_sided;
@@ -75,7 +79,8 @@ template <DrawableMesh Mesh>
 /// those whose centres lie in it, or that contain a point of it if `edges`. Rect{} if there are none.
 [[nodiscard]] Rect pixels_of(const ScreenExtent& extent, bool edges, const Viewport& viewport);
 
-/// Includes the vertices of the triangles of `filter` (draw/triangle_drawer.hpp) that are not culled.
+/// Includes the vertices of the triangles of `filter` (draw/triangle_drawer.hpp) that are neither culled nor
+/// beside the picture.
 template <class Method, class Mesh, class Source, class Filter>
 ARCSPAN_OUTLINE void include_triangles(const VertexStage<Method, Mesh>& stage, Source& source,
                                        const ExtentOptions& options, const Filter& filter,
@@ -108,6 +113,7 @@ ARCSPAN_OUTLINE void include_triangles(const VertexStage<Method, Mesh>& stage, S
     if (extent.contains(p) && extent.contains(q) && extent.contains(r)) [[likely]]
       continue;
     if (is_culled_by_area<Method>(doubled_area(p, q, r), two_sided)) continue;
+    if (is_beside_picture(p, q, r, stage.transform().viewport())) continue;
     extent = extended(extended(extended(extent, p), q), r);
   }
   all = extent;

@@ -202,40 +202,12 @@ void find_outlines_of(arcspan_view& view) {
   view.outlines.edges = outlines.edges;
 }
 
-/// The pixels that ink may change on both sides of those that smoothing does: it lies at an angle.
-[[nodiscard]] std::int32_t reach_of_ink([[maybe_unused]] const c::ViewOutlines& outlines) {
+[[nodiscard]] std::int32_t ink_width([[maybe_unused]] const c::ViewOutlines& outlines) {
 #if ARCSPAN_C_INK
-  return (3 * outlines.ink.width + 1) / 2;
+  return outlines.ink.width;
 #else
   return 0;
 #endif
-}
-
-/// The pixels that smoothing changes at an edge, and `more` on all sides, from the raster's origin. A
-/// pixel whose centre is on a top or left edge is inside (top-left rule), so that the pixel before it is
-/// changed, too.
-[[nodiscard]] Rect pixels_at(const OutlineEdge& edge, std::int32_t more) {
-  const auto first = [=](std::int32_t a, std::int32_t b) { return (((a < b ? a : b) - 9) >> 4) - more; };
-  const auto end = [=](std::int32_t a, std::int32_t b) { return (((a < b ? b : a) + 24) >> 4) + more; };
-  const RasterPosition& a = edge.from;
-  const RasterPosition& b = edge.to;
-  return {first(a.x, b.x), first(a.y, b.y), end(a.x, b.x), end(a.y, b.y)};
-}
-
-/// The rectangle around `drawn` and all pixels that outlines change.
-[[nodiscard]] Rect with_outlines(const c::ViewOutlines& outlines, const Rect& drawn) {
-  const std::int32_t more = reach_of_ink(outlines);
-  const Viewport& viewport = outlines.edges.viewport();
-  const std::int32_t x = viewport.width >> 1;
-  const std::int32_t y = viewport.height >> 1;
-  Rect all = drawn;
-  for (const OutlineEdge& edge : outlines.edges.edges()) {
-    const Rect at = pixels_at(edge, more);
-    const Rect in_picture{at.left + x, at.top + y, at.right + x, at.bottom + y};
-    all = bounding_rect(all,
-                        arcspan::detail::intersection({0, 0, viewport.width, viewport.height}, in_picture));
-  }
-  return all;
 }
 
 }  // namespace
@@ -309,7 +281,8 @@ arcspan_status arcspan_prepare(arcspan_view* view) {
 arcspan_rect arcspan_drawn_rect(arcspan_view* view) {
   Rect rect = ok(view->status) ? drawn_rect(view->memory) : Rect{};
 #if ARCSPAN_C_OUTLINES
-  if (ok(view->status)) rect = with_outlines(view->outlines, rect);
+  const c::ViewOutlines& outlines = view->outlines;
+  if (ok(view->status)) rect = bounding_rect(rect, outlines.edges.changed_rect(ink_width(outlines)));
 #endif
   return {rect.left, rect.top, rect.right, rect.bottom};
 }

@@ -163,6 +163,39 @@ TEST_CASE("the rectangle of an unclipped object is that of its vertices, and tou
   CHECK(tight > share_of(600) / 20);
 }
 
+TEST_CASE("a triangle beside the picture does not count") {
+  Camera camera;
+  REQUIRE(Camera::make({WorldPoint::of(0, 0, 3), {}}, kLens, kScreen, camera) == Status::kOk);
+  constexpr std::int16_t kFar = 32000;
+  TestMesh mesh;
+  mesh.positions = {{0, 0, 0}, {3000, 0, 0}, {0, 3000, 0}};
+  for (const std::int16_t x : {kFar, static_cast<std::int16_t>(-kFar)}) {
+    mesh.positions.push_back({x, -kFar, 0});
+    mesh.positions.push_back({static_cast<std::int16_t>(x - x / 8), 0, 0});
+    mesh.positions.push_back({x, kFar, 0});
+  }
+  for (const std::int16_t y : {kFar, static_cast<std::int16_t>(-kFar)}) {
+    mesh.positions.push_back({-kFar, y, 0});
+    mesh.positions.push_back({0, static_cast<std::int16_t>(y - y / 8), 0});
+    mesh.positions.push_back({kFar, y, 0});
+  }
+  mesh.normals.assign(mesh.positions.size(), pack_normal(0, 0, 1));
+  const auto in_view = [&](std::size_t triangles) {
+    mesh.indices.clear();
+    for (std::size_t i = 0; i < 3 * triangles; ++i) mesh.indices.push_back(static_cast<std::uint16_t>(i));
+    const MeshView view = mesh.view();
+    Object object(view, kBothSides);
+    object.scale = WorldLength::of(6);
+    const Object objects[] = {object};
+    REQUIRE(ok(prepare_scene({camera, kLights, objects}, kept_vertices)));
+    return drawn_rect(kept_vertices);
+  };
+  const Rect one = in_view(1);
+  CHECK(one.width() > 3);
+  CHECK(one.width() < Canvas::kWidth / 2);
+  CHECK(in_view(5) == one);
+}
+
 TEST_CASE("vertices that the rectangle needed are not transformed again") {
   Camera camera;
   REQUIRE(Camera::make({WorldPoint::of(0, 1, 3), {}}, kLens, kScreen, camera) == Status::kOk);

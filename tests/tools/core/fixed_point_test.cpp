@@ -143,10 +143,10 @@ TEST_CASE("cameras that see nothing sensible are refused or put right") {
   };
   CHECK(message({Vec3{1, 2, 3}, Vec3{1, 2, 3}, {0, 1, 0}, 40}) == "--eye: is where the target is");
   CHECK(message({Vec3{0, 0, 5000}, {}, {0, 1, 0}, 40}) ==
-        "camera: too far away (5000; the limit is 64 times the size of the mesh)");
+        "--eye: too far away (5000; the limit is 64 times the size of the mesh)");
   CHECK(message({Vec3{1e308, 0, 0}, {}, {0, 1, 0}, 40}) ==
-        "camera: too far away (1e+308; the limit is 64 times the size of the mesh)");
-  CHECK(message({Vec3{1e308, -1e308, 1e308}, {}, {0, 1, 0}, 40}).find("camera: too far away (") == 0);
+        "--eye: too far away (1e+308; the limit is 64 times the size of the mesh)");
+  CHECK(message({Vec3{1e308, -1e308, 1e308}, {}, {0, 1, 0}, 40}).find("--eye: too far away (") == 0);
   CHECK(message({{}, Vec3{-1e308, 0, 0}, {0, 1, 0}, 40}) ==
         "--target: too far away (1e+308; the limit is 64 times the size of the mesh)");
   CHECK(message({Vec3{0, 0, 5}, Vec3{0, 1e308, 1e308}, {0, 1, 0}, 40}) == "(nothing was thrown)");

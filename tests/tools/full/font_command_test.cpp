@@ -86,9 +86,11 @@ TEST_CASE("font: mistakes are one line, and nothing is written") {
   CHECK(error(kSmall + " -o " + out + " --bits 2").find("--bits: expected 1|4") != std::string::npos);
   CHECK(error(kSmall + " -o " + out + " --bits 4") ==
         "arcspan: --bits: 4 needs --scale 1/2 or smaller: the pixels of the file are set or not\n");
-  CHECK(error(kSmall + " -o " + (folder / "out.bin")) ==
-        "arcspan: " + (folder / "out.bin") +
-            ": a compiled font is a header: its name must end in .hpp or .h\n");
+  for (const char* wrong : {"out.bin", "out.txt"}) {
+    CHECK(error(kSmall + " -o " + (folder / wrong)) ==
+          "arcspan: " + (folder / wrong) +
+              ": a compiled font is a header: its name must end in .hpp or .h\n");
+  }
   CHECK(error(kSmall + " -o " + out + " --name class").find("cannot name a namespace") != std::string::npos);
   const std::string cut = folder.file("cut.bdf", contents(kSmall).substr(0, 2000));
   CHECK(error(cut + " -o " + out).starts_with("arcspan: " + cut + ": line "));

@@ -183,21 +183,33 @@ TEST_CASE("wrong arguments: one line that names the value, status 2, nothing wri
       {"--up 0,0,0", "--up: expected a direction X,Y,Z, not '0,0,0'"},
       {"--fov 0", "--fov: expected a number 1...170, not '0'"},
       {"--fov 171", "--fov: expected a number 1...170, not '171'"},
-      {"--light 0,0,0", "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with each of R,G,B 0...1, not '0,0,0'"},
-      {"--light 1,0,0@", "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with each of R,G,B 0...1, not '1,0,0@'"},
+      {"--light 0,0,0",
+       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with X,Y,Z not 0,0,0 and each of R,G,B 0...1, not "
+       "'0,0,0'"},
+      {"--light 1,0,0@",
+       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with X,Y,Z not 0,0,0 and each of R,G,B 0...1, not "
+       "'1,0,0@'"},
       {"--light 1,0,0@-1",
-       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with each of R,G,B 0...1, not '1,0,0@-1'"},
+       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with X,Y,Z not 0,0,0 and each of R,G,B 0...1, not "
+       "'1,0,0@-1'"},
       {"--light 1,0,0@nan",
-       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with each of R,G,B 0...1, not '1,0,0@nan'"},
-      {"--light 1,0,0#", "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with each of R,G,B 0...1, not '1,0,0#'"},
+       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with X,Y,Z not 0,0,0 and each of R,G,B 0...1, not "
+       "'1,0,0@nan'"},
+      {"--light 1,0,0#",
+       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with X,Y,Z not 0,0,0 and each of R,G,B 0...1, not "
+       "'1,0,0#'"},
       {"--light 1,0,0#1,1",
-       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with each of R,G,B 0...1, not '1,0,0#1,1'"},
+       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with X,Y,Z not 0,0,0 and each of R,G,B 0...1, not "
+       "'1,0,0#1,1'"},
       {"--light 1,0,0#2,0,0",
-       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with each of R,G,B 0...1, not '1,0,0#2,0,0'"},
+       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with X,Y,Z not 0,0,0 and each of R,G,B 0...1, not "
+       "'1,0,0#2,0,0'"},
       {"--light 1,0,0#-1,0,0",
-       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with each of R,G,B 0...1, not '1,0,0#-1,0,0'"},
+       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with X,Y,Z not 0,0,0 and each of R,G,B 0...1, not "
+       "'1,0,0#-1,0,0'"},
       {"--light 1,0,0#1,1,1@2",
-       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with each of R,G,B 0...1, not '1,0,0#1,1,1@2'"},
+       "--light: expected X,Y,Z[@DISTANCE][#R,G,B] with X,Y,Z not 0,0,0 and each of R,G,B 0...1, not "
+       "'1,0,0#1,1,1@2'"},
       {"--highlight-fade 1.5", "--highlight-fade: expected a number 0...1, not '1.5'"},
       {"--attenuation 0.5", "--attenuation: expected a number 1...1000, not '0.5'"},
       {"--light 1,0,0 --light 1,0,0 --light 1,0,0 --light 1,0,0 --light 1,0,0",

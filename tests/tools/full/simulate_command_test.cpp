@@ -72,6 +72,7 @@ TEST_CASE("a glass of another size, a stripe of the memory, turned or inverted, 
   CHECK(shown("ssd1306 --glass 70x40 --glass-at 30,12 --spi-mode 3") == drawn("70x40", "mono"));
   CHECK(shown("st7789 --glass 135x240 --glass-at 52,40") == drawn("135x240", "rgb565"));
   CHECK(shown("ssd0323 --glass 96x48 --glass-at 16,12") == drawn("96x48", "gray4"));
+  CHECK(shown("ssd0323 --glass 128x80") == drawn("128x80", "gray4"));
   const Image half_turn = turned(turned(small));
   CHECK(shown("ssd1306 --glass 72x40 --glass-at 30,12 --rotate 180") == half_turn);
   CHECK(shown("ssd1306-72x40 --rotation 90") == turned(drawn("40x72", "mono")));
@@ -164,6 +165,12 @@ TEST_CASE("the bus has the clock of the controller's data sheet, and simulate wa
         "modules work, none has to\n");
 }
 
+TEST_CASE("simulate warns of curves on a panel that shows no smooth outlines") {
+  const TemporaryFolder folder;
+  CHECK(run("simulate sphere:6x4 --curved-outlines --panel ssd1306 -o " + (folder / "x.png")).err ==
+        "arcspan: warning: --curved-outlines: has no effect: outlines are neither smoothed nor inked\n");
+}
+
 TEST_CASE("simulate says in one line what is wrong, and writes nothing") {
   const TemporaryFolder folder;
   const struct {
@@ -194,5 +201,8 @@ TEST_CASE("simulate says in one line what is wrong, and writes nothing") {
     CHECK(r.err == c.line);
   }
   CHECK(run("simulate torus:8x8 -o " + (folder / "x.txt")).status == 1);
+  const CommandRun slow = run("simulate torus:8x8 --spi-mhz 0.01 -o " + (folder / "x.png"));
+  CHECK(slow.status == 1);
+  CHECK(slow.err.starts_with("arcspan: ili9341: timeout: a band takes longer to send than the driver waits"));
   CHECK(folder.size() == 0);
 }

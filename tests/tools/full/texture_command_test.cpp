@@ -50,9 +50,9 @@ TEST_CASE("texture: mistakes are one line, and nothing is written") {
   const std::string out = folder / "out.hpp";
   const auto error = [&](const std::string& arguments) { return run("texture " + arguments).err; };
   CHECK(error(kTiles + " -o " + out + " --size 100") ==
-        "arcspan: " + kTiles + ": a texture's side must be a power of two from 8 to 1024, not 100\n");
+        "arcspan: --size: expected powers of two from 8 to 1024, such as 128 or 128x64, not '100'\n");
   CHECK(error(kTiles + " -o " + out + " --size big") ==
-        "arcspan: --size: expected sides such as 128 or 128x64, not 'big'\n");
+        "arcspan: --size: expected powers of two from 8 to 1024, such as 128 or 128x64, not 'big'\n");
   CHECK(error(kTiles + " -o " + out + " --levels 0") ==
         "arcspan: --levels: expected an integer 1...11 or 'all', not '0'\n");
   for (const char* wrong : {"clamp,", "clamp,clamp,clamp", "border"}) {

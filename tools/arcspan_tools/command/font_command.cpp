@@ -57,7 +57,8 @@ void warn_of_left_out(const FontArguments& arguments, const MadeFont& made) {
 }
 
 void run_font(const FontArguments& arguments) {
-  if (compiled_output(arguments.output, "font") == CompiledOutput::kBinary)
+  const std::string kind = output_kind(arguments.output, "hpp");
+  if (kind != "hpp" && kind != "h")
     throw Failure(arguments.output, "a compiled font is a header: its name must end in .hpp or .h");
   check_results({arguments.output, arguments.report}, {arguments.input});
   if (!arguments.report.empty()) (void)image_format(arguments.report);

@@ -38,7 +38,7 @@ constexpr KnownModule kModules[] = {
     {"ssd1351", "ssd1351", kSsd1351Module, {128, 128}, {1, 1}, 16, false, 4.5},
     {kSsd1306, kSsd1306, kSsd1306Module, {128, 64}, {1, 8}, 16, true, 10},
     {"ssd1306-72x40", kSsd1306, kSsd1306Module72x40, {128, 64}, {1, 8}, 16, true, 10},
-    {"ssd0323", "ssd0323", kSsd0323Module, {128, 64}, {2, 1}, 16, true, 4},
+    {"ssd0323", "ssd0323", kSsd0323Module, {128, 80}, {2, 1}, 16, true, 4},
 };
 
 std::optional<std::array<int, 2>> parse_place(const std::string& text) {

@@ -226,7 +226,9 @@ void add_shading_options(CLI::App& app, RenderOptions& o) {
       const std::optional<SceneLight> light = parse_light(text);
       if (!light) {
         throw CLI::ValidationError(
-            "--light", "expected X,Y,Z[@DISTANCE][#R,G,B] with each of R,G,B 0...1, not '" + text + "'");
+            "--light",
+            "expected X,Y,Z[@DISTANCE][#R,G,B] with X,Y,Z not 0,0,0 and each of R,G,B 0...1, not '" + text +
+                "'");
       }
       o.lights.push_back(*light);
     }

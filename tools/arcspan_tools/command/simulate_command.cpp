@@ -144,6 +144,8 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   options.format = display.format();
   if (options.is_given("--smooth") && options.smooth && !options.smooths())
     warn("--smooth", "has no effect: the panel has fewer than 4 bits per pixel");
+  if (options.curved_outlines && !options.has_outlines())
+    warn("--curved-outlines", "has no effect: outlines are neither smoothed nor inked");
   options.scene.outlines.smooth = options.smooths();
   PlayedModel played(options, static_cast<std::size_t>(arguments.frames), kTurnMilliseconds / 1000.0);
   FixedModel planed = played.frame(0);

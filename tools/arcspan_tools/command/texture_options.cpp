@@ -3,6 +3,7 @@
 #include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/support/text.hpp>
 
+#include <bit>
 #include <vector>
 
 namespace arcspan::tools {
@@ -15,7 +16,12 @@ std::string texel_format_names() {
 }
 
 std::optional<Size> parse_sides(const std::string& text) {
-  return parse_size(text.find('x') == std::string::npos ? text + "x" + text : text);
+  const std::optional<Size> sides =
+      parse_size(text.find('x') == std::string::npos ? text + "x" + text : text);
+  const auto fits = [](std::int32_t side) {
+    return side >= 8 && side <= 1024 && std::has_single_bit(static_cast<std::uint32_t>(side));
+  };
+  return sides && fits(sides->width) && fits(sides->height) ? sides : std::nullopt;
 }
 
 std::optional<TextureWrap> parse_wrap(const std::string& text) {
@@ -76,7 +82,8 @@ void add_texture_size(CLI::App& app, const std::string& name, const std::string&
       app, name, "N or WIDTHxHEIGHT",
       "sides in texels, powers of two from 8 to 1024 (default: the ones nearest to the picture's" +
           otherwise + ")",
-      "sides such as 128 or 128x64", parse_sides, [&size](const Size& s) { size = s; });
+      "powers of two from 8 to 1024, such as 128 or 128x64", parse_sides,
+      [&size](const Size& s) { size = s; });
 }
 
 void add_sampler(CLI::App& app, TextureSampler& sampler) {

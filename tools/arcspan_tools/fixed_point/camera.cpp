@@ -99,7 +99,7 @@ void fit(Camera& camera, const CameraOptions& options, const FixedMeshes& meshes
     if (options.fov_given) {
       throw Failure("--fov",
                     formatted("too narrow for the whole mesh in %dx%d pixels (%g; the least is %.1f)",
-                              size.width, size.height, options.fov_degrees, degrees));
+                              size.width, size.height, options.fov_degrees, std::ceil(degrees * 10) / 10));
     }
     camera.fov_degrees = degrees;
     distance = most;
@@ -135,7 +135,7 @@ Placement placement_of(Vec3 eye, const Axes& axes, const FixedMeshes& meshes) {
       placement.rotation.m[i][j] = to_fixed_point<RotationEntry>(std::clamp(entries[j], -1.0, 1.0)).value();
     }
     const double moved = dot(meshes.centre() - eye, rows[i]) / meshes.unit();
-    if (!(std::fabs(moved) <= kMostUnits)) refuse_far("camera", length(meshes.centre() - eye));
+    if (!(std::fabs(moved) <= kMostUnits)) refuse_far("--eye", length(meshes.centre() - eye));
     placement.translation[i] = to_fixed_point<ObjectLength>(moved).value();
   }
   return placement;
@@ -156,7 +156,7 @@ Camera place_camera(const CameraOptions& options, const FixedMeshes& meshes, Siz
 FixedCamera to_fixed(const Camera& camera, const FixedMeshes& meshes, Size size) {
   // Twice the limit, which is checked axis by axis below: here it keeps all that follows finite.
   const double distance = length(camera.eye - meshes.centre());
-  if (!(distance <= 2 * kMostUnits * meshes.unit())) refuse_far("camera", distance);
+  if (!(distance <= 2 * kMostUnits * meshes.unit())) refuse_far("--eye", distance);
   if (camera.eye == camera.target) throw Failure("--eye", "is where the target is");
   if (length(camera.up) == 0) throw Failure("--up", "has no direction");
   const Vec3 backwards = camera.eye - camera.target;

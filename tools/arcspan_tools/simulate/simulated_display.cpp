@@ -71,6 +71,10 @@ struct SimulatedSsd1306OnI2c {
 };
 
 void require_ok(const std::string& subject, Status status) {
+  if (status == Status::kTimeout)
+    throw Failure(subject,
+                  "timeout: a band takes longer to send than the driver waits, 1 s; it needs fewer "
+                  "rows or a faster bus");
   if (!ok(status)) throw Failure(subject, to_string(status));
 }
 

@@ -13,12 +13,6 @@ namespace arcspan::detail {
 template <PixelFormat F>
 inline constexpr bool kCanBlend = F::kBitsPerPixel >= 4;
 
-/// A format that is 5-6-5 words with their bytes exchanged.
-template <class F>
-concept SwappedRgb565 = requires(std::uint16_t v) {
-  F::swapped(v);
-};
-
 /// A pixel 0xAARRGGBB with a share of `share` / 32 of `other`, 0...32. Colours count as much as they are
 /// opaque.
 [[nodiscard]] constexpr std::uint32_t blended_with_alpha(std::uint32_t pixel, std::uint32_t other,
@@ -40,10 +34,8 @@ template <PixelFormat F>
 [[nodiscard]] ARCSPAN_INLINE constexpr typename F::Encoded blended(typename F::Encoded pixel,
                                                                    typename F::Encoded other,
                                                                    std::uint32_t share) {
-  if constexpr (requires { requires F::kIsRgb565; }) {
-    return joined(mixed_spread(spread(pixel), spread(other), share));
-  } else if constexpr (SwappedRgb565<F>) {
-    return F::swapped(joined(mixed_spread(spread(F::swapped(pixel)), spread(F::swapped(other)), share)));
+  if constexpr (Rgb565Words<F>) {
+    return F::word565(joined(mixed_spread(spread(F::word565(pixel)), spread(F::word565(other)), share)));
   } else if constexpr (requires { requires F::kHasAlpha; }) {
     return blended_with_alpha(pixel, other, share);
   } else {

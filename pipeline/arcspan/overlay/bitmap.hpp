@@ -91,8 +91,8 @@ template <TexelColour Colour, PixelFormat F>
 constexpr void put_texel(typename F::Cursor& cursor, std::uint16_t stored) {
   const std::uint16_t colour = Colour::rgb565(stored);
   typename F::Encoded encoded{};
-  if constexpr (requires { F::kIsRgb565; })
-    encoded = colour;
+  if constexpr (arcspan::detail::Rgb565Words<F>)
+    encoded = F::word565(colour);
   else
     encoded = F::encode(Rgb565::decode(colour));
   if constexpr (Colour::kAlphaBits > 1) {

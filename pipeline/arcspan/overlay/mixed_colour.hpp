@@ -37,14 +37,16 @@ class MixedColour {
 
 /// With all channels in one word.
 template <PixelFormat F>
-requires F::kIsRgb565 class MixedColour<F> {
+requires arcspan::detail::Rgb565Words<F>
+class MixedColour<F> {
  public:
   static constexpr std::uint32_t kOpaque = 32;
 
-  explicit constexpr MixedColour(std::uint16_t encoded) : spread_(arcspan::detail::spread(encoded)) {}
+  explicit constexpr MixedColour(std::uint16_t encoded)
+      : spread_(arcspan::detail::spread(F::word565(encoded))) {}
   [[nodiscard]] constexpr std::uint16_t over(std::uint16_t below, std::uint32_t share) const {
-    return arcspan::detail::joined(
-        arcspan::detail::mixed_spread(arcspan::detail::spread(below), spread_, share));
+    return F::word565(arcspan::detail::joined(
+        arcspan::detail::mixed_spread(arcspan::detail::spread(F::word565(below)), spread_, share)));
   }
 
  private:

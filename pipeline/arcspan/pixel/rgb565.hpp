@@ -20,8 +20,9 @@ struct Rgb565 {
   using Cursor = WordCursor<std::uint16_t>;
   static constexpr unsigned kBitsPerPixel = 16;
   static constexpr bool kDithers = false;
-  static constexpr bool kIsRgb565 = true;  ///< a pixel is a 5-6-5 word, on which blending may compute
 
+  /// The word rrrrrggg gggbbbbb of a pixel, and the pixel of such a word (Rgb565Words).
+  [[nodiscard]] static constexpr std::uint16_t word565(std::uint16_t v) { return v; }
   [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) {
     return static_cast<std::size_t>(width);
   }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/pixel/cursor.hpp>
-#include <arcspan/pixel/fine_rgb.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/target.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,23 +21,25 @@ struct Rgb565Swapped {
   static constexpr unsigned kBitsPerPixel = 16;
   static constexpr bool kDithers = false;
 
+  [[nodiscard]] static constexpr std::uint16_t word565(std::uint16_t v) {
+    return static_cast<std::uint16_t>((v << 8) | (v >> 8));
+  }
   [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) {
     return static_cast<std::size_t>(width);
   }
-  [[nodiscard]] static constexpr Encoded swapped(std::uint16_t v) {
-    return static_cast<Encoded>((v << 8) | (v >> 8));
+  [[nodiscard]] static constexpr Encoded encode(Rgb8 c) { return word565(Rgb565::encode(c)); }
+  template <class C>
+  requires requires(const C& c) { Rgb565::encode(c); }
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Encoded encode(const C& c) {
+    return word565(Rgb565::encode(c));
   }
-  [[nodiscard]] static constexpr Encoded encode(Rgb8 c) { return swapped(Rgb565::encode(c)); }
-  [[nodiscard]] static constexpr Encoded encode(PackedRgb c) { return swapped(Rgb565::encode(c)); }
-  [[nodiscard]] static constexpr Encoded encode(ColourSegment c) { return swapped(Rgb565::encode(c)); }
-  [[nodiscard]] static constexpr Encoded encode(const FineRgb& c) { return swapped(Rgb565::encode(c)); }
   [[nodiscard]] static constexpr Encoded encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
-    return swapped(Rgb565::encode_dithered(c, x, y));
+    return word565(Rgb565::encode_dithered(c, x, y));
   }
   [[nodiscard]] static constexpr Encoded encode_dithered(PackedRgb c, std::int32_t x, std::int32_t y) {
-    return swapped(Rgb565::encode_dithered(c, x, y));
+    return word565(Rgb565::encode_dithered(c, x, y));
   }
-  [[nodiscard]] static constexpr Rgb8 decode(Encoded encoded) { return Rgb565::decode(swapped(encoded)); }
+  [[nodiscard]] static constexpr Rgb8 decode(Encoded encoded) { return Rgb565::decode(word565(encoded)); }
 };
 
 static_assert(PixelFormat<Rgb565Swapped>);

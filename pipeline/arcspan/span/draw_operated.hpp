@@ -31,8 +31,8 @@ template <class Format, class Shade>
                                                                          std::int32_t x, std::int32_t y) {
   if constexpr (!BlendedColour<Shade>) {
     return encode_at<Format>(colour, x, y);
-  } else if constexpr (!Format::kDithers && requires { Format::kIsRgb565; }) {
-    return colour.over565(below);
+  } else if constexpr (!Format::kDithers && Rgb565Words<Format>) {
+    return Format::word565(colour.over565(Format::word565(below)));
   } else {
     const Rgb8 rgb = Format::decode(below);
     return encode_at<Format>(colour.over(PackedRgb::of(4u * rgb.r + 2, 4u * rgb.g + 2, 4u * rgb.b + 2)), x,

@@ -343,6 +343,20 @@ TEST_CASE("render: the texels are where the texture points say") {
         "arcspan: warning: " + kSign + ": textures are not drawn by --shading phong\n");
 }
 
+TEST_CASE("rgb565 with exchanged bytes shows the colours of rgb565, whatever computes on pixels") {
+  const TemporaryFolder folder;
+  const std::string options =
+      GENERATE(as<std::string>(), "", " --alpha 0.5", " --fog 5,8", " --matcap " ARCSPAN_MODELS "/tiles.ppm");
+  const auto drawn = [&](const std::string& format) {
+    const CommandRun made = run("render " + kSign + options + " --size 80x80 --no-dither --format " + format +
+                                " -o " + (folder / "a.ppm"));
+    INFO(made.err);
+    REQUIRE(made.status == 0);
+    return read_image(folder / "a.ppm");
+  };
+  CHECK((drawn("rgb565_swapped") == drawn("rgb565")));
+}
+
 TEST_CASE("a picture is wrapped around generated meshes, with a seam that no triangle crosses") {
   const std::string name = GENERATE("sphere:16x8", "torus:16x8");
   const Model model = load_model_file(name, TexturePointsOf::kAllParts);

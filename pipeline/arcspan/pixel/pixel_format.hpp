@@ -60,13 +60,6 @@ template <unsigned Bits>
   return static_cast<std::uint8_t>(bits);
 }
 
-/// A format whose pixels are words rrrrrggg gggbbbbb, perhaps with their bytes exchanged, on which blending
-/// may compute: word565() is the word of a pixel, and the pixel of a word.
-template <class F>
-concept Rgb565Words = requires(std::uint16_t v) {
-  { F::word565(v) } -> std::same_as<std::uint16_t>;
-};
-
 }  // namespace detail
 
 /// The format `F` with ordered dither before the lower bits of a colour are dropped.

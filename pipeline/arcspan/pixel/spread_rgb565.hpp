@@ -5,10 +5,18 @@
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/target.hpp>
 
+#include <concepts>
 #include <cstdint>
 
 /// Arithmetic with all channels of a 5-6-5 pixel in one word.
 namespace arcspan::detail {
+
+/// A format whose pixels are words rrrrrggg gggbbbbb, perhaps with their bytes exchanged, on which blending
+/// may compute: word565() is the word of a pixel, and the pixel of a word.
+template <class F>
+concept Rgb565Words = requires(std::uint16_t v) {
+  { F::word565(v) } -> std::same_as<std::uint16_t>;
+};
 
 /// A 5-6-5 pixel spread over a word: g in bits 26...21, r in 15...11, b in 4...0. Each channel then has five
 /// fraction bits below it, or a bit for a carry above it.

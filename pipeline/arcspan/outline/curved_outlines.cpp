@@ -110,14 +110,16 @@ class CurveFinder {
     return false;
   }
 
-  /// True if a point is outside of the surface by at least an eighth of a pixel.
+  /// True if a point is outside of the surface by at least an eighth of a pixel, and at most three
+  /// eighths of the edge: over one that is seen nearly end-on a curve would be a spike.
   [[nodiscard]] static bool is_outside(const OutlineEdge& edge, const RasterPosition& point) {
     const auto magnitude = [](std::int32_t v) { return v < 0 ? -v : v; };
     const std::int32_t dx = magnitude(edge.to.x - edge.from.x);
     const std::int32_t dy = magnitude(edge.to.y - edge.from.y);
     const std::int32_t length = dx > dy ? dx + dy / 2 : dy + dx / 2;  // at most 12 % too long
     constexpr std::int32_t kLeast = 2;                                // sixteenths
-    return -doubled_area(edge.to, edge.from, point) >= kLeast * length + 1;
+    const std::int32_t area = -doubled_area(edge.to, edge.from, point);
+    return area >= kLeast * length + 1 && area <= std::int64_t{length} * length * 3 / 8;
   }
 
   const detail::DrawnVertices& vertices_;

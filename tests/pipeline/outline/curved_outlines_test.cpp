@@ -115,6 +115,24 @@ TEST_CASE("Curved outlines: surface and curves have no cracks and do not overlap
   }
 }
 
+TEST_CASE("Curved outlines: edges that are seen nearly end-on have no spikes") {
+  Random random(84);
+  for (int i = 0; i < share_of(600); ++i) {
+    const CurvedScene scene(random, 9000, true);
+    const MeshView curves = scene.curves.mesh();
+    double sharpest = 0;
+    for (std::size_t v = 0; v < curves.vertex_count(); v += 3) {
+      const auto at = [&](std::size_t k) {
+        return project(scene.transform(curves.position(v + k)), scene.transform);
+      };
+      const double length = std::hypot(at(1).x - at(0).x, at(1).y - at(0).y);
+      const double area = std::abs(doubled_area(at(0), at(1), at(2)));
+      sharpest = std::max(sharpest, area / (length * length));
+    }
+    REQUIRE(sharpest < 0.5);
+  }
+}
+
 TEST_CASE("Curved outlines: smoothed bands are the whole picture") {
   Random random(82);
   for (int i = 0; i < share_of(30); ++i) {

@@ -57,7 +57,7 @@ std::optional<int> parse_rotation(const std::string& text) {
 }
 
 /// Refuses a glass that the controller's memory does not hold.
-void check_glass(const KnownModule& known, const Glass& glass, int rotation) {
+void check_glass(const KnownModule& known, const Glass& glass) {
   const Size size{glass.width, glass.height};
   const std::string subject = glass.column_offset + glass.row_offset == 0 ? "--glass" : "--glass-at";
   const std::string what =
@@ -71,12 +71,10 @@ void check_glass(const KnownModule& known, const Glass& glass, int rotation) {
     throw Failure(subject, std::string(known.controller) + " has its glass at row 0");
   if (size.height < known.least)
     throw Failure("--glass", formatted("%s has at least %d rows", known.controller, known.least));
-  const bool turned = rotation == 90 || rotation == 270;
-  const std::int32_t width_step = turned ? std::max(known.step.width, known.step.height) : known.step.width;
-  if (size.width % width_step != 0 || size.height % known.step.height != 0 ||
+  if (size.width % known.step.width != 0 || size.height % known.step.height != 0 ||
       glass.column_offset % known.step.width != 0) {
-    throw Failure("--glass", what + formatted(" is not in steps of %dx%d, as %s %sneeds", width_step,
-                                              known.step.height, known.controller, turned ? "turned " : ""));
+    throw Failure("--glass", what + formatted(" is not in steps of %dx%d, as %s needs", known.step.width,
+                                              known.step.height, known.controller));
   }
 }
 
@@ -136,7 +134,7 @@ PanelModule find_module(const std::string& option, const std::string& name, cons
       module.glass.column_offset = static_cast<std::uint16_t>((*options.first)[0]);
       module.glass.row_offset = static_cast<std::uint16_t>((*options.first)[1]);
     }
-    check_glass(known, module.glass, options.rotation);
+    check_glass(known, module.glass);
     module.settings.orientation = static_cast<Orientation>(options.rotation / 90);
     module.settings.inverted = options.inverted;
     const bool is_ssd1306 = module.controller == kSsd1306;

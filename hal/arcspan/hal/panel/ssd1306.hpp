@@ -23,9 +23,8 @@ struct Ssd1306Wiring {
 };
 
 /// SSD1306 (Solomon Systech, rev 1.1): 128 x 64 pixels of one bit, on SPI or I2C. The controller mirrors;
-/// `Layout` exchanges the axes while it packs. The height of the glass is a multiple of 8, and so is its
-/// width if the picture is turned by 90 or 270 degrees. Glass::row_offset is the COM of the glass's first
-/// row.
+/// `Layout` exchanges the axes while it packs. The height of the glass is a multiple of 8. Glass::row_offset
+/// is the COM of the glass's first row.
 class Ssd1306 final : public SolomonPanel {
  public:
   using Layout = MonoPages;

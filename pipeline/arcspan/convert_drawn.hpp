@@ -66,7 +66,7 @@ template <class Source, class Target>
 ///   kDepthMismatch     source.bounds() are not within depth.bounds(), though not empty
 ///
 /// or the status() of an argument, or the first status of the target that is not kOk, at which converting
-/// ends. In the first three cases nothing is written.
+/// ends. With kInvalidArgument, kDepthMismatch and the status() of an argument nothing is written.
 template <SinkInMemory Source, PixelSink Target>
 [[nodiscard]] constexpr Status convert_drawn(const Source& source, const DepthBuffer& depth, Target& target) {
   const Status possible = detail::check_conversion(source, depth, target);

@@ -39,7 +39,7 @@ const char* arcspan_version(void);
  * otherwise. */
 typedef uint8_t arcspan_status;
 #define ARCSPAN_OK 0
-#define ARCSPAN_INVALID_ARGUMENT 1     /* a number is out of range, or an object is none of the scene */
+#define ARCSPAN_INVALID_ARGUMENT 1     /* a number is out of range, or no such object in the scene */
 #define ARCSPAN_INDEX_OUT_OF_RANGE 2   /* an index of a mesh names no vertex */
 #define ARCSPAN_BUFFER_TOO_SMALL 3     /* memory is smaller than asked for, or a scene has no room */
 #define ARCSPAN_UNSUPPORTED 4          /* not compiled: see arcspan_config.h; a binary of another version */
@@ -350,7 +350,7 @@ typedef struct {
 } arcspan_outline_limits;
 /* The bytes of memory, at any address, that arcspan_smooth_outlines() takes. */
 size_t arcspan_outline_bytes(const arcspan_outline_limits* limits);
-/* Smooths the outlines of all frames from the next arcspan_prepare() on; not any more if `memory` is NULL.
+/* Smooths the outlines of all frames from the next arcspan_prepare() on; NULL for `memory` ends that.
  * The models must be written by `arcspan mesh --outlines`, or --curved-outlines for curves. The outermost
  * pixels of a target are right only at the sides of the picture and of arcspan_drawn_rect(): a rectangle that
  * is shown needs a target that is larger by one pixel on all others.

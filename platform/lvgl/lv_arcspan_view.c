@@ -181,7 +181,7 @@ static void prepare(lv_arcspan_view_t* view) {
   measure_picture(view);
   view->status = make_view(view);
   if (view->status == ARCSPAN_OK) view->status = set_camera(view);
-  if (view->status == ARCSPAN_OK) view->status = turn_object(view);
+  if (view->status == ARCSPAN_OK) view->status = view->is_refreshed ? view->turn_status : turn_object(view);
   if (view->status == ARCSPAN_OK) view->status = give_outlines(view);
   if (view->status == ARCSPAN_OK) view->status = arcspan_prepare(view->view);
   if (view->status == ARCSPAN_OK) {
@@ -196,7 +196,7 @@ static void prepare(lv_arcspan_view_t* view) {
 static void before_refresh(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
   lv_obj_update_layout(&view->obj);
-  if (view->changed && view->scene != NULL) (void)turn_object(view);
+  if (view->changed && view->scene != NULL) view->turn_status = turn_object(view);
 }
 
 /* Of the display, before it finds out what to draw. */

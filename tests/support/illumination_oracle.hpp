@@ -33,7 +33,7 @@ struct IlluminationOracle {
   }
 };
 
-/// A random material with coefficients that Q16.15 holds exactly; full ones included.
+/// A random material with coefficients that 17.15 holds exactly; full ones included.
 [[nodiscard]] inline Material random_material(Random& random, bool shiny, std::int32_t max_shininess) {
   const auto coefficient = [&random](double limit) {
     const double value = random.chance(0.1) ? limit : random.real(0, limit);

@@ -26,9 +26,9 @@ class FramebufferWindow : public Framebuffer<F> {
 
   /// bounds() is `held`, in pixels of the picture; `stride_bytes` bytes lie between the beginnings of two
   /// rows. status() is kInvalidArgument unless the sides of `held` are in 0...32767 and in order, the stride
-  /// holds a row, the stride is a multiple of a Word that is an
-  /// integer, the memory is aligned for a Word and the last row ends at most INT32_MAX bytes
-  /// behind the first Word; kBufferTooSmall if it ends behind `memory`.
+  /// holds a row and, if a Word is an integer, is a multiple of its size, the memory is aligned for a Word,
+  /// and the last row ends at most INT32_MAX bytes behind the first Word; kBufferTooSmall if it ends behind
+  /// `memory`.
   FramebufferWindow(std::span<std::byte> memory, const Rect& held, std::int32_t stride_bytes)
       : Framebuffer<F>(check(memory, held, stride_bytes), column_0(memory, held), stride_bytes, held) {}
 

@@ -57,7 +57,6 @@ inline constexpr std::size_t kClipBytes = kNameAt + kNameBytes;  ///< before the
 inline constexpr std::uint32_t kLongestTime = std::uint32_t{1} << 30;        ///< microseconds
 inline constexpr std::int32_t kLongestLength = (std::int32_t{1} << 30) - 1;  ///< raw ObjectLength
 inline constexpr std::int32_t kLargestScale = std::int32_t{64} << 16;        ///< raw WorldLength
-inline constexpr std::int32_t kRotationOne = 32767;                          ///< 1 in a StoredRotation
 inline constexpr int kTangentBits = 13;      ///< fraction bits of a tangent of rotations
 inline constexpr int kMorphWeightBits = 12;  ///< fraction bits of a morph weight
 inline constexpr int kMorphNormalBits = 14;  ///< fraction bits of a morphed normal

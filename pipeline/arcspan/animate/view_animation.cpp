@@ -219,8 +219,7 @@ std::uint32_t order_of(const StoredChannel& channel) {
          static_cast<std::uint32_t>(channel.path);
 }
 
-/// Checks a channel of a clip. `targets` are those of its target, nodes or morph targets of the part: how
-/// many there are.
+/// Checks a channel of a clip; `morph_targets`: how many the part of its target has.
 Status check_channel(Bytes chunk, const StoredChannel& channel, std::size_t morph_targets) {
   const StoredClip clip(chunk.data());
   if (channel.interpolation > Interpolation::kCubic || channel.keys == 0 || channel.zero != 0)

@@ -39,8 +39,6 @@ class Scissor {
         is_band_(wrap_sub(rect_.bottom, rect_.top) < viewport.height) {}
 
   [[nodiscard]] constexpr const Rect& rect() const { return rect_; }
-  /// True if rows of the viewport lie outside the rectangle.
-  [[nodiscard]] constexpr bool is_band() const { return is_band_; }
   /// True if `bounds` covers the rectangle, or if that is empty.
   [[nodiscard]] constexpr bool is_within(const Rect& bounds) const {
     return rect_.empty() || contains(bounds, rect_);
@@ -51,12 +49,10 @@ class Scissor {
   /// The rows of the rectangle, relative to origin().
   [[nodiscard]] constexpr const RowRange& drawn_rows() const { return drawn_rows_; }
 
-  /// Tests the triangle a, b, c. `kInside` is only returned if `MayBeInside`; kCrossing is always a safe
-  /// answer.
-  template <bool MayBeInside>
+  /// Tests the triangle a, b, c. kCrossing is always a safe answer.
   [[nodiscard]] constexpr ScissorTest test(const RasterPosition& a, const RasterPosition& b,
                                            const RasterPosition& c) const {
-    const bool crossing = !MayBeInside || leaves_columns(left_, right_, a, b, c);
+    const bool crossing = leaves_columns(left_, right_, a, b, c);
     if (crossing && is_outside_columns(a, b, c)) return ScissorTest::kOutside;
     if (is_band_ && has_no_row_in_band(a, b, c)) return ScissorTest::kOutside;
     return crossing ? ScissorTest::kCrossing : ScissorTest::kInside;

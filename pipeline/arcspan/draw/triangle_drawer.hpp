@@ -87,12 +87,15 @@ class TriangleDrawer {
   /// True if triangles within the columns of the scissor have a loop of their own.
   static constexpr bool kHasInsideRows =
       kHasCheapRows<TriangleCommand<Method>> && !kOptimisedForSize && kHasManyRegisters;
-  static constexpr bool kHasAll = Features.planes || !std::is_same_v<Mesh, MeshView>;  // no call left one out
+  /// Without known back faces begin() has transformed every vertex. With Features.planes off, an earlier call
+  /// with planes may have left some out of the cache.
+  static constexpr bool kAllTransformed = Features.planes || !std::is_same_v<Mesh, MeshView>;
   static constexpr bool kDrawsSmall = Features.small_triangles && DrawsSmallTriangles<Method>;
 
   template <class Filter, class Source>
   [[nodiscard]] ARCSPAN_INLINE decltype(auto) vertex(Source& source, std::size_t i) const {
-    if constexpr (kHasAll && std::is_same_v<Filter, AllTriangles> && requires { source.transformed(i); }) {
+    if constexpr (kAllTransformed && std::is_same_v<Filter, AllTriangles> &&
+                  requires { source.transformed(i); }) {
       return source.transformed(i);
     } else {
       return source.vertex(stage_, i);
@@ -211,7 +214,7 @@ class TriangleDrawer {
   /// Tests the triangle against the scissor, before it is shaded.
   [[nodiscard]] ARCSPAN_INLINE bool is_within_scissor(const RasterPosition& a, const RasterPosition& b,
                                                       const RasterPosition& c) {
-    const ScissorTest test = scissor_.template test<true>(a, b, c);
+    const ScissorTest test = scissor_.test(a, b, c);
     target_.crosses = test != ScissorTest::kInside;
     return test != ScissorTest::kOutside;
   }

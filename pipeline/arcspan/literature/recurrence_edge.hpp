@@ -44,7 +44,7 @@ struct ArcFraction {
   return {inverse.mantissa, exponent};
 }
 
-/// Returns the number of bits that a Q1.30 slope over an arc must lose before it is multiplied by the 16-bit
+/// Returns the number of bits that a 2.30 slope over an arc must lose before it is multiplied by the 16-bit
 /// mantissa of an ArcFraction: 14, 15 or 16. Slopes are below 1/2 for near arcs, below 1 up to a squared
 /// chord of 1/3, and below 2 for wider arcs. `chord` is the squared chord with 28 fraction bits.
 [[nodiscard]] constexpr int slope_drop(std::uint32_t chord) {

@@ -3,6 +3,7 @@
 
 #include <arcspan/literature/recurrence_rows.hpp>
 #include <arcspan/literature/row_in_pieces.hpp>
+#include <arcspan/literature/short_inverses.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/shading/surface/chords.hpp>
 #include <arcspan/target.hpp>

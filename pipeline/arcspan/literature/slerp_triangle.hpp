@@ -3,6 +3,7 @@
 
 #include <arcspan/literature/arc_vertex.hpp>
 #include <arcspan/literature/linear_normal.hpp>
+#include <arcspan/literature/short_inverses.hpp>
 #include <arcspan/literature/sine_table.hpp>
 #include <arcspan/literature/wide_rows.hpp>
 

@@ -4,6 +4,7 @@
 #include <arcspan/literature/arc_vertex.hpp>
 #include <arcspan/literature/row_angles.hpp>
 #include <arcspan/literature/row_pieces.hpp>
+#include <arcspan/literature/short_inverses.hpp>
 #include <arcspan/numbers/unroll.hpp>
 #include <arcspan/target.hpp>
 

@@ -32,7 +32,7 @@ struct Normal {
 
 [[nodiscard]] constexpr Direction operator-(const Direction& v) { return {-v.x, -v.y, -v.z}; }
 
-/// a · b of unit vectors, Q1.30, exact. By Cauchy's inequality no partial sum exceeds the product of their
+/// a · b of unit vectors, 2.30, exact. By Cauchy's inequality no partial sum exceeds the product of their
 /// lengths, which rounding raises above 1 by less than 2^-11.
 [[nodiscard]] constexpr Cosine dot(const Direction& a, const Direction& b) {
   return multiply<Cosine>(a.x, b.x) + multiply<Cosine>(a.y, b.y) + multiply<Cosine>(a.z, b.z);

@@ -5,7 +5,8 @@
 
 #include <cstdint>
 
-/// All number formats of the pipeline, each with its range and the reason for it.
+/// All number formats of the pipeline, each with its range and the reason for it. 28.4: 28 integer bits with
+/// the sign, and 4 fraction bits.
 namespace arcspan {
 
 /// Screen coordinate, 28.4: pixels from the raster origin (the viewport's middle pixel), y down. Range
@@ -13,19 +14,19 @@ namespace arcspan {
 /// fits 32 bits.
 using Subpixel = Fixed<std::int32_t, 4>;
 
-/// A scalar of a normal, N·L, N·H or N·V, and its difference per pixel: Q1.30, [-2, 2). The amplitude
+/// A scalar of a normal, N·L, N·H or N·V, and its difference per pixel: 2.30, [-2, 2). The amplitude
 /// is 1 and one bit is head-room. Differences need all 30 fraction bits, because their error grows with the
 /// length of the span (decision 4).
 using Cosine = Fixed<std::int32_t, 30>;
 
-/// Fraction of an edge, and in the literature squared chords and angles up to 1.1 (60 degrees): Q16.15. Kept
+/// Fraction of an edge, and in the literature squared chords and angles up to 1.1 (60 degrees): 17.15. Kept
 /// below 2 in magnitude, so that a product of two fits 32 bits (one 16x16 multiply).
 using Factor = Fixed<std::int32_t, 15>;
 
-/// Component of a unit normal, Q1.14 in 16 bits: [-1, 1].
+/// Component of a unit normal, 2.14 in 16 bits: [-1, 1].
 using NormalComponent = Fixed<std::int16_t, 14>;
 
-/// Component of a Direction, Q16.15: [-1, 1]. A dot product of two is three 32-bit multiplies and fits Q1.30.
+/// Component of a Direction, 17.15: [-1, 1]. A dot product of two is three 32-bit multiplies and fits 2.30.
 using DirectionComponent = Fixed<std::int32_t, 15>;
 
 /// Attribute that is linear on the screen, such as depth (0...65535): 16 integer bits and 12 fraction bits,
@@ -37,7 +38,7 @@ using Linear = Fixed<std::int32_t, 12>;
 /// wrap, because the final sum wraps back.
 using FullLinear = Fixed<std::int32_t, 15>;
 
-/// Entry of a rotation, Q1.30, [-1, 1].
+/// Entry of a rotation, 2.30, [-1, 1].
 using RotationEntry = Fixed<std::int32_t, 30>;
 
 /// Length in object units (1 = one step of a 16-bit position), 24.8: up to 8.3 million in magnitude.
@@ -47,10 +48,10 @@ using ObjectLength = Fixed<std::int32_t, 8>;
 /// subpixel unless a world unit covers hundreds of pixels.
 using WorldLength = Fixed<std::int32_t, 16>;
 
-/// Length in pixels, 21.11: focal lengths up to half a million pixels.
+/// Length in pixels, 21.11: focal lengths below 2^20 pixels.
 using PixelLength = Fixed<std::int32_t, 11>;
 
-/// Material coefficient, light intensity, attenuation: Q16.15, [0, 1].
+/// Material coefficient, light intensity, attenuation: 17.15, [0, 1].
 using Coefficient = Fixed<std::int32_t, 15>;
 
 namespace detail {

@@ -15,8 +15,6 @@ struct Reciprocal {
   std::uint32_t mantissa;
   int exponent;  ///< 16...47
 
-  /// The reciprocal with 47 fraction bits. With it, products are shifted by constants.
-  [[nodiscard]] constexpr std::uint64_t fixed() const { return std::uint64_t{mantissa} << (47 - exponent); }
   /// Returns value / v with `bits` fraction bits, rounded down, for values below 2^15.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t times(std::uint32_t value, int bits) const {
     return (value * mantissa) >> (exponent - bits);
@@ -61,13 +59,6 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
   const int zeros = leading_zeros(v | 1u);
   // v = n * 2^(31 - zeros) with n in [1, 2), 1/n = mantissa * 2^-16.
   return {detail::reciprocal_mantissa(v << zeros), 16 + 31 - zeros};
-}
-
-/// nonzero_reciprocal() of v below 512, which needs no interpolation.
-[[nodiscard]] ARCSPAN_INLINE constexpr Reciprocal short_reciprocal(std::uint32_t v) {
-  const int zeros = leading_zeros(v | 1u);
-  const std::uint32_t entry = detail::kReciprocalTable[((v << zeros) >> 23) & 0xFFu];
-  return {(1u << 15) + entry, 16 + 31 - zeros};
 }
 
 /// The reciprocal of v as nonzero_reciprocal(); v = 0 counts as 1.

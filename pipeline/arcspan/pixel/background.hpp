@@ -65,7 +65,7 @@ template <PixelSink Sink>
   return Status::kOk;
 }
 
-/// Draws the rows of the gradient that the sink takes; rows below the gradient have its last colour. Returns
+/// Draws the rows of the gradient that the sink takes; rows beyond it have its nearest colour. Returns
 /// kInvalidArgument and draws nothing if the height is not 1...32767, else the first status of the sink that
 /// is not kOk. The levels of a row are rounded to 8 bits, and dithered if the format dithers.
 template <PixelSink Sink>
@@ -82,7 +82,7 @@ template <PixelSink Sink>
   const Rect bounds = sink.bounds();
   if (bounds.empty()) return Status::kOk;
   for (std::int32_t y = bounds.top; y < bounds.bottom; ++y) {
-    const std::int32_t row = y < last ? y : last;
+    const std::int32_t row = y < 0 ? 0 : y < last ? y : last;
     const PackedRgb colour = PackedRgb::of(detail::gradient_level(gradient.top.r, r, row),
                                            detail::gradient_level(gradient.top.g, g, row),
                                            detail::gradient_level(gradient.top.b, b, row));

@@ -38,15 +38,6 @@ struct PackedRgb {
   /// The same value, 0...1023, in every channel.
   [[nodiscard]] static constexpr PackedRgb grey(std::uint32_t v) { return {v * 0x00400801u}; }
 
-  /// True if no channel of the sum of two colours saturates.
-  [[nodiscard]] constexpr bool fits_plus(PackedRgb other) const {
-    const std::uint32_t sum = lanes + other.lanes;
-    return sum >= lanes && (sum & kCarries) == 0;
-  }
-  /// The sum of two colours of which fits_plus() is true.
-  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb plus_fitting(PackedRgb other) const {
-    return {lanes + other.lanes};
-  }
   /// The sum of two colours per channel, saturated.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb plus(PackedRgb other) const {
     std::uint32_t sum = lanes + other.lanes;
@@ -56,26 +47,6 @@ struct PackedRgb {
     }
     return {sum};
   }
-  /// Sets `sum` to plus(other). Returns false if this is carry(), which `is_colour` tells; it is called only
-  /// if red or blue saturates and green does not. Uses branches; the rare ones recompute the conditions, so
-  /// that the common one keeps no register for them.
-  template <class IsColour>
-  [[nodiscard]] ARCSPAN_INLINE constexpr bool add_to(PackedRgb other, PackedRgb& sum,
-                                                     const IsColour& is_colour) const {
-    sum.lanes = lanes + other.lanes;
-    if (sum.lanes < lanes) [[unlikely]] {
-      sum = saturated(sum.lanes, true);
-      return true;
-    }
-    hide_value(sum.lanes);
-    if ((sum.lanes & kCarries) == 0) [[likely]]
-      return true;
-    hide_value(sum.lanes);
-    sum = saturated(sum.lanes, false);
-    return is_colour();
-  }
-  /// Not a colour: each sum of it and a grey carries into bit 10.
-  [[nodiscard]] static constexpr PackedRgb carry() { return {0x00000400}; }
 
  private:
   static constexpr std::uint32_t kCarries = 0x00200400;

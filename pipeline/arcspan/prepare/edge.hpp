@@ -57,8 +57,7 @@ struct EdgeWalk {
 struct EdgeSetup {
   std::int32_t dy;      ///< height in 16ths of a row, 1...2^15 - 1
   std::int32_t offset;  ///< depth of the first row's centre below the top in 16ths of a row, 0...2^15 - 1
-  /// Reciprocal of dy. Unset on short right edges until make_inverse() is called, because only the arc path
-  /// interpolates along them.
+  /// Reciprocal of dy. Unset on short right edges; methods of the literature make it there.
   Reciprocal inverse;
   Factor start;  ///< start_fraction(); unset on short right edges
 
@@ -78,13 +77,13 @@ struct EdgeSetup {
 [[nodiscard]] constexpr std::int32_t first_row_at(std::int32_t y) { return (y + 7) >> 4; }
 
 /// Sets up the edge from `top` to `bottom`, where top.y < bottom.y; `row` is the first row to be drawn.
-/// `interpolates` is false on short right edges, along which only arcs may interpolate.
+/// `carries_attributes` is false on short right edges: attributes begin at the left edge of a row.
 constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& bottom, std::int32_t row,
-                               bool interpolates, EdgeSetup& edge) {
+                               bool carries_attributes, EdgeSetup& edge) {
   edge.dy = bottom.y - top.y;
   edge.offset = row * 16 + 8 - top.y;
-  if (interpolates || !kHasLongMultiply) edge.make_inverse();
-  if (interpolates) edge.start = start_fraction(edge);
+  if (carries_attributes || !kHasLongMultiply) edge.make_inverse();
+  if (carries_attributes) edge.start = start_fraction(edge);
 }
 
 /// Sets `walk` to the edge at its first row; `top` and `bottom` are the ends that `edge` was set up with.

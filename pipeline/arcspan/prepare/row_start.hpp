@@ -20,12 +20,6 @@ struct RowStart {
   std::uint32_t width;   ///< length of the whole row in pixels, `bits` fraction bits; raw value at least 1
   int bits;              ///< 16, or 32 for rows shorter than a pixel
   std::int32_t column;   ///< of the first pixel, in the picture; not negative
-
-  /// Returns the start of the same row `pixels` further right.
-  [[nodiscard]] constexpr RowStart moved(std::int32_t pixels) const {
-    const std::uint32_t distance = bits == 16 ? static_cast<std::uint32_t>(pixels) << 16 : 0;
-    return {fraction, fine, skipped + pixels, inside + distance, width, bits, column + pixels};
-  }
 };
 
 /// Returns the start of the row between two edges at `column`, `skipped` columns after its first column.

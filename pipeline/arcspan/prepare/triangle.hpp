@@ -136,14 +136,6 @@ struct TriangleFrame : SortedVertices<Method> {
   [[no_unique_address]] LongWalk<Method> long_walk;  ///< set if the method is one that NeedsNearOverW
 };
 
-/// Sets the reciprocals of the short edges, for methods that interpolate along both edges of a row.
-template <class Method>
-constexpr void make_short_inverses(TriangleFrame<Method>& frame) {
-  if (frame.middle_left || !kHasLongMultiply) return;
-  if (frame.has_upper) frame.upper_edge.make_inverse();
-  if (frame.has_lower) frame.lower_edge.make_inverse();
-}
-
 /// Sets up the plane of a 16-bit attribute from its values at the top, middle and bottom vertex.
 template <class Value, class Method>
 constexpr void make_linear_plane(const TriangleFrame<Method>& frame, std::int32_t top, std::int32_t middle,

@@ -26,7 +26,7 @@ struct LookAt {
   Direction up = normalised(0, 1, 0);  ///< appears upright; any direction that is not that of the view
 };
 
-/// How a camera pictures the world, in 1 of 3 ways. Ranges are checked by Camera::make().
+/// How a camera pictures the world, in one of three ways. Ranges are checked by Camera::make().
 class Lens {
  public:
   /// Perspective. `vertical` is the angle between the upper and the lower edge of the picture, above 0 and
@@ -217,6 +217,8 @@ constexpr Status Camera::set_parallel(const Lens& lens, const Viewport& viewport
     return Status::kInvalidArgument;
   }
   const std::int64_t range = std::int64_t{lens.far_.raw()} - lens.near_.raw();
+  static_assert((65535 - 2 * ClipTransform::kDepthMargin) * std::int64_t{kParallel + 1} < (1 << 28) - 1,
+                "ClipTransform::make() would cut the slope of depths");
   near_ = kParallel * range;
   set_back_ = near_ - lens.near_.raw();
   parallel_ = true;

@@ -38,8 +38,11 @@ class Object {
       : mesh_(&mesh), parts_(parts), sphere_(sphere) {}
   // They are referred to.
   Object(MeshView&&, const SceneMaterial&, const WorldPoint& = {}) = delete;
-  Object(const MeshView&, SceneMaterial&&, const WorldPoint& = {}) = delete;
+  Object(MeshView&&, const SceneMaterial&, const BoundingSphere&) = delete;
+  Object(const MeshView&, const SceneMaterial&&, const WorldPoint& = {}) = delete;
+  Object(const MeshView&, const SceneMaterial&&, const BoundingSphere&) = delete;
   Object(MeshView&&, std::span<const Part>) = delete;
+  Object(MeshView&&, std::span<const Part>, const BoundingSphere&) = delete;
 
   WorldPoint position{};                     ///< of the mesh's origin
   Rotation rotation = Rotation::identity();  ///< from object to world space, orthonormal: see rotation_of()

@@ -91,7 +91,7 @@ bool is_outside_range(const ClipSphere& sphere, const Extent& extent, std::int32
 /// Inserts the last slot into the order, behind those that are as near.
 void insert_into_order(const SceneFrame& frame, std::size_t last) {
   std::size_t i = last;
-  for (; i > 0 && frame.slots[frame.order[i - 1]].depth > frame.slots[last].depth; --i) {
+  for (; i > 0 && frame.slots[frame.order[i - 1]].depth_or_curves > frame.slots[last].depth_or_curves; --i) {
     frame.order[i] = frame.order[i - 1];
   }
   frame.order[i] = static_cast<std::uint16_t>(last);
@@ -102,7 +102,7 @@ void insert_into_order(const SceneFrame& frame, std::size_t last) {
   if (!camera.place(object.position, object.rotation, object.scale, slot.transform)) return false;
   slot.object = &object;
   slot.sphere = clip_sphere(slot.transform, object.sphere());
-  slot.depth = depth_of(slot.sphere, slot.transform);
+  slot.depth_or_curves = depth_of(slot.sphere, slot.transform);
   const Viewport& viewport = camera.viewport();
   return !is_outside(slot, {0, 0, viewport.width, viewport.height});
 }

@@ -73,7 +73,7 @@ concept RowWalker = PixelRun<typename W::Run, Lighting> && requires(W walker, co
 /// - `Face`: what it keeps of a face's normal. shade_face() is called only if kNeedsFaceNormal.
 /// - `Vertex`: what it keeps of a vertex's normal. An empty type saves the look-up of normals.
 /// - `Prepared`: its part of the triangle command, made by prepare(), the last place where it may divide.
-///   prepare() gets a TriangleFrame and may complete it (make_short_inverses()).
+///   prepare() gets a TriangleFrame and may complete it.
 /// - `between`: the vertex at a fraction of an edge, for clipping. At 1/2 the result must not
 ///   depend on the order of the two ends.
 /// - `walk`: static Status walk(Prepared&, draw) calls `draw` with a RowWalker and returns its status. The

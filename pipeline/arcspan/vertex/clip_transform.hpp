@@ -111,6 +111,7 @@ class ClipTransform {
 
   /// Returns kInvalidArgument, and does not change `transform`, if the viewport's size is not 1...2048, the
   /// focal length not above 0, the planes not 0 < near < far, or a translation above 2^22 units in magnitude.
+  /// Depths are less steep than the planes allow where far / (far - near) is above 4128.
   static constexpr Status make(const Placement& placement, const Projection& projection,
                                const Viewport& viewport, ClipTransform& transform);
 
@@ -168,10 +169,11 @@ class ClipTransform {
   /// The summand that rounds x / w (i = 0) or y / w (i = 1), 29 fraction bits, to a Subpixel when bits are
   /// dropped; half a pixel more where the viewport's size is odd.
   [[nodiscard]] constexpr std::int32_t rounding(std::size_t i) const { return rounding_[i]; }
-  /// Upper bounds of the clip-space lengths, in w and in x or y, of an object-space length of at most 56756.
+  /// Upper bounds of the clip-space lengths, in w and in x or y, of an object-space length of at most 56756
+  /// (the diagonal of the range of positions).
   [[nodiscard]] constexpr std::int32_t length_ahead(std::uint32_t length) const;
   [[nodiscard]] constexpr std::int32_t length_across(std::uint32_t length) const;
-  /// The length itself in x or y, rounded down.
+  /// A length of at most 65535 in x or y, rounded down.
   [[nodiscard]] constexpr std::int32_t scaled_across(std::uint32_t length) const;
 
   /// The depth of a vertex: 16 bits, nearer is smaller, linear on the screen. `near_over_w` is near_w() / w

@@ -49,7 +49,7 @@ namespace detail {
 }  // namespace detail
 
 /// The rotation by `b`, then by `a`, as a quaternion of unit length: any number of products does not drift
-/// from it. Its components are Q1.30 in [-1, 1], within 3 * 2^-30 of the exact ones if those of `a` and `b`
+/// from it. Its components are 2.30 in [-1, 1], within 3 * 2^-30 of the exact ones if those of `a` and `b`
 /// are in [-1, 1]. Neither need be of unit length, and the zero quaternion gives no rotation.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Quaternion operator*(const Quaternion& a, const Quaternion& b) {
   const auto [aw, ax, ay, az] = detail::quaternion_components(a);

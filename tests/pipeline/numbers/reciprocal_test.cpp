@@ -58,15 +58,6 @@ TEST_CASE("reciprocal is within 3.8e-5 for every argument") {
   CHECK(r.highest <= 1u << 16);
 }
 
-TEST_CASE("short_reciprocal gives the bits of nonzero_reciprocal below 512") {
-  for (std::uint32_t v = 0; v < 512; ++v) {
-    const Reciprocal exact = nonzero_reciprocal(v);
-    const Reciprocal r = short_reciprocal(v);
-    CHECK(r.mantissa == exact.mantissa);
-    CHECK(r.exponent == exact.exponent);
-  }
-}
-
 TEST_CASE("wide_reciprocal is within 2^-28 for every argument") {
   Relative r;
   sweep([&r](std::uint32_t v) { r.add(wide_reciprocal(v), v); });

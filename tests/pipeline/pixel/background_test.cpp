@@ -83,11 +83,14 @@ TEST_CASE("backgrounds that do not fit are refused and change nothing") {
   CHECK(memory == std::vector<Rgb565::Word>(kWidth * 4, 0));
 }
 
-TEST_CASE("rows below a gradient have its last colour") {
+TEST_CASE("rows beyond a gradient have its nearest colour") {
   std::vector<Rgb888::Word> memory(4);
   Framebuffer<Rgb888> frame(memory, 1, 4);
   CHECK(ok(draw_background(frame, VerticalGradient{{10, 10, 10}, {20, 20, 20}, 2})));
   CHECK(memory == std::vector<Rgb8>{{10, 10, 10}, {20, 20, 20}, {20, 20, 20}, {20, 20, 20}});
   CHECK(ok(draw_background(frame, VerticalGradient{{10, 10, 10}, {20, 20, 20}, 1})));
+  CHECK(memory[0] == Rgb8{10, 10, 10});
+  Framebuffer<Rgb888> above(memory, 1, 4, -200);
+  CHECK(ok(draw_background(above, VerticalGradient{{10, 10, 10}, {255, 20, 20}, 2})));
   CHECK(memory[0] == Rgb8{10, 10, 10});
 }

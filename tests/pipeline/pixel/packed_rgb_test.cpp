@@ -23,10 +23,6 @@ Channels saturated_sum(const Channels& a, const Channels& b) {
   return sum;
 }
 
-bool saturates(const Channels& a, const Channels& b) {
-  return a[0] + b[0] > 1023 || a[1] + b[1] > 1023 || a[2] + b[2] > 1023;
-}
-
 /// Calls `check` with pairs of colours: extreme channels in many combinations, and random ones.
 template <class Check>
 void for_pairs(const Check& check) {
@@ -51,42 +47,6 @@ TEST_CASE("a sum of packed colours saturates every channel by itself") {
     CAPTURE(a[0], a[1], a[2], b[0], b[1], b[2]);
     REQUIRE(packed(a).plus(packed(b)).lanes == packed(saturated_sum(a, b)).lanes);
   });
-}
-
-TEST_CASE("a sum of packed colours fits if no channel saturates, and then needs no saturation") {
-  int fitting = 0;
-  int wrong = 0;
-  for_pairs([&](const Channels& a, const Channels& b) {
-    const bool fits = packed(a).fits_plus(packed(b));
-    wrong += fits == saturates(a, b) ? 1 : 0;
-    if (!fits) return;
-    ++fitting;
-    wrong += packed(a).plus_fitting(packed(b)).lanes == packed(a).plus(packed(b)).lanes ? 0 : 1;
-  });
-  CHECK(wrong == 0);
-  CHECK(fitting > share_of(2000));
-}
-
-TEST_CASE("add_to sets the saturated sum and asks only about sums that saturate") {
-  int wrong = 0;
-  for_pairs([&wrong](const Channels& a, const Channels& b) {
-    bool asks = false;
-    PackedRgb sum{};
-    const bool is_colour = packed(a).add_to(packed(b), sum, [&asks] {
-      asks = true;
-      return true;
-    });
-    wrong += is_colour && sum.lanes == packed(saturated_sum(a, b)).lanes ? 0 : 1;
-    wrong += asks && !saturates(a, b) ? 1 : 0;
-  });
-  CHECK(wrong == 0);
-}
-
-TEST_CASE("add_to() refuses carry(), whatever grey is added to it") {
-  for (std::uint32_t v = 0; v < 1024; ++v) {
-    PackedRgb sum{};
-    REQUIRE_FALSE(PackedRgb::carry().add_to(PackedRgb::grey(v), sum, [] { return false; }));
-  }
 }
 
 TEST_CASE("a grey has its level in every channel") {

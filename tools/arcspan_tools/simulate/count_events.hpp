@@ -153,7 +153,7 @@ void count_triangles(const VertexStage<Method>& stage, const std::vector<CachedV
     const std::int32_t area = doubled_area(p, q, r);
     if (arcspan::detail::is_culled_by_area<Method>(area, two_sided)) continue;
     ++events.fronts;
-    if (scissor.template test<true>(p, q, r) == arcspan::detail::ScissorTest::kOutside) continue;
+    if (scissor.test(p, q, r) == arcspan::detail::ScissorTest::kOutside) continue;
     ++events.in_view;
     if constexpr (DrawsSmallTriangles<Method>) {
       SortedVertices<Method> sorted{&a.raster, &b.raster, &c.raster, area < 0};

@@ -10,49 +10,33 @@ namespace arcspan {
 
 namespace detail {
 
-/// Returns the drawn rectangle of part `number` of the object of a slot, whose material is for `Used`.
-template <class Used, bool KeepsVertices>
-requires(!IsPosed<Used>) [[nodiscard]] Rect
-    drawn_rect_of_part(SceneSlot& slot, const MeshView& mesh, std::size_t number,
-                       const SceneMaterial& material) {
+/// Returns the drawn rectangle of part `number` of the object of a slot, whose material is for `Used`: of a
+/// MeshView or PosedPart.
+template <class Used, bool KeepsVertices, DrawableMesh Mesh>
+[[nodiscard]] Rect drawn_rect_of_part(SceneSlot& slot, const Mesh& mesh, std::size_t number,
+                                      const SceneMaterial& material) {
   using Method = typename Used::Method;
   const ExtentOptions options{material.options().two_sided, Used::kFeatures.clips, DrawsEdges<Method>};
-  VertexStage<Method> stage(mesh, slot.transform,
-                            static_cast<const PreparedMaterial<Used>&>(material).lighting(),
-                            shading_of(number));
-  if constexpr (Used::kFeatures.planes) {
+  VertexStage<Method, Mesh> stage(mesh, slot.transform, prepared<Used>(material).lighting(),
+                                  shading_of(number));
+  if constexpr (Used::kFeatures.planes && !IsPosed<Used>) {
     if (!options.two_sided) stage.find_back_faces();
   }
   ScreenExtent extent;
+  const auto include = [&](auto& vertices) {
+    if constexpr (IsPosed<Used>) {
+      include_triangles(stage, vertices, options, AllTriangles{}, extent);
+    } else {
+      include_triangles(stage, vertices, options, extent);
+    }
+  };
   if constexpr (KeepsVertices) {
     SlotVertices<Method> vertices(slot, kUseFacts<Used>);
     if (!ok(vertices.begin(stage, options.two_sided))) return {};
-    include_triangles(stage, vertices, options, extent);
+    include(vertices);
   } else {
     NoCache vertices;
-    include_triangles(stage, vertices, options, extent);
-  }
-  return pixels_of(extent, options.edges, slot.transform.viewport());
-}
-
-/// drawn_rect_of_part() of vertices that a mesh poses.
-template <IsPosed Used, bool KeepsVertices>
-[[nodiscard]] Rect drawn_rect_of_part(SceneSlot& slot, const MeshView& part, std::size_t number,
-                                      const SceneMaterial& material) {
-  using Method = typename Used::Method;
-  const PosedPart<Used> mesh(material, part);
-  if (!mesh.fits()) return {};
-  const ExtentOptions options{material.options().two_sided, Used::kFeatures.clips, DrawsEdges<Method>};
-  const VertexStage<Method, PosedPart<Used>> stage(mesh, slot.transform, prepared<Used>(material).lighting(),
-                                                   shading_of(number));
-  ScreenExtent extent;
-  if constexpr (KeepsVertices) {
-    SlotVertices<Method> vertices(slot, kUseFacts<Used>);
-    if (!ok(vertices.begin(stage, options.two_sided))) return {};
-    include_triangles(stage, vertices, options, AllTriangles{}, extent);
-  } else {
-    NoCache vertices;
-    include_triangles(stage, vertices, options, AllTriangles{}, extent);
+    include(vertices);
   }
   return pixels_of(extent, options.edges, slot.transform.viewport());
 }
@@ -67,7 +51,13 @@ template <bool KeepsVertices, class... Used>
     const MeshView mesh = slot.object->mesh().part(part.first, part.count);
     const auto include = [&]<class U>() {
       if (part.material->use() != &kUseFacts<U>) return;
-      rect = bounding_rect(rect, drawn_rect_of_part<U, KeepsVertices>(slot, mesh, number, *part.material));
+      if constexpr (IsPosed<U>) {
+        const PosedPart<U> posed(*part.material, mesh);
+        if (!posed.fits()) return;
+        rect = bounding_rect(rect, drawn_rect_of_part<U, KeepsVertices>(slot, posed, number, *part.material));
+      } else {
+        rect = bounding_rect(rect, drawn_rect_of_part<U, KeepsVertices>(slot, mesh, number, *part.material));
+      }
     };
     (include.template operator()<Used>(), ...);
   }

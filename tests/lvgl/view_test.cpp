@@ -464,6 +464,20 @@ TEST_CASE(
   CHECK((screen.pixels == once));
 }
 
+TEST_CASE("the view of a widget is there to pick in, from the first frame on") {
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  CHECK(lv_arcspan_view_get_view(view) == nullptr);
+  screen.refresh();
+  arcspan_picked picked;
+  REQUIRE(arcspan_pick(lv_arcspan_view_get_view(view), 50, 40, &picked) == ARCSPAN_OK);
+  CHECK(picked.found == 1);
+  CHECK(picked.object == balls.object);
+  REQUIRE(arcspan_pick(lv_arcspan_view_get_view(view), 0, 0, &picked) == ARCSPAN_OK);
+  CHECK(picked.found == 0);
+}
+
 TEST_CASE("a view that a layout resizes has its new size in the next refresh") {
   Screen screen;
   BallScene balls;

@@ -3,6 +3,7 @@
 
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/literature/linear_scalars.hpp>
+#include <arcspan/literature/row_pixel.hpp>
 #include <arcspan/literature/segment.hpp>
 #include <arcspan/numbers/root.hpp>
 
@@ -138,11 +139,12 @@ struct Dichotomy : LinearScalars<SegmentedIllumination<Illumination, 3>, RootAnd
     /// Segments begin at the row's first column wherever the row is cut, so that cutting changes no pixel.
     [[nodiscard]] static constexpr Run of_row(const Prepared& prepared, const RowStart& start) {
       const std::int32_t skipped = (start.skipped >> prepared.bits) << prepared.bits;
-      const RowStart first{start.fraction, start.fine, skipped,     start.inside,
-                           start.width,    start.bits, start.column};
+      RowStart first = start;
+      first.skipped = skipped;
       // Columns after the first whose centres are left of the row's end; one too many does no harm.
+      const literature::RowPixel row = literature::row_pixel(start);
       const std::int32_t following =
-          start.bits == 16 ? static_cast<std::int32_t>((start.width + 1 - start.fraction) >> 16) : 0;
+          row.bits == 16 ? static_cast<std::int32_t>((row.width + 1 - start.fraction) >> 16) : 0;
       return Run(prepared, first, following - skipped, start.skipped - skipped);
     }
 

@@ -3,6 +3,7 @@
 
 #include <arcspan/literature/recurrence_rows.hpp>
 #include <arcspan/literature/row_in_pieces.hpp>
+#include <arcspan/literature/row_pixel.hpp>
 #include <arcspan/literature/short_inverses.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/shading/surface/chords.hpp>
@@ -129,9 +130,10 @@ class RecurrenceWalker {
                                        multiply<SquaredAngle>(t2, SquaredAngle::from_raw(rows_->rise)));
     const std::int32_t mantissa = wrap_add(rows_->k_corner, wrap_mul(rows_->k_rise, t2.raw()) >> 15);
 
-    const Reciprocal inverse = nonzero_reciprocal(start.width);
-    const ArcFraction pixel = arc_fraction(inverse, start.bits);
-    const ArcStart arc = arc_start(angle2, arcs_->rows, fraction_of_row(start, inverse), pixel.factor());
+    const literature::RowPixel first = literature::row_pixel(start);
+    const Reciprocal inverse = nonzero_reciprocal(first.width);
+    const ArcFraction pixel = arc_fraction(inverse, first.bits);
+    const ArcStart arc = arc_start(angle2, arcs_->rows, fraction_of_row(first, inverse), pixel.factor());
     const SlopeScale scale = slope_scale(pixel, arcs_->slope_drop, 0);
 
     const RecurrenceEdge<kScalars>& left = arcs_->middle_left ? *short_ : arcs_->long_edge;
@@ -154,9 +156,10 @@ class RecurrenceWalker {
   }
 
  private:
-  /// Returns the fraction of the row at its first pixel, 0...1; `inverse` is the reciprocal of start.width.
-  [[nodiscard]] static constexpr Factor fraction_of_row(const RowStart& start, const Reciprocal& inverse) {
-    const std::uint32_t inside = start.inside < start.width ? start.inside : start.width;
+  /// Returns the fraction of the row at a pixel, 0...1; `inverse` is the reciprocal of pixel.width.
+  [[nodiscard]] static constexpr Factor fraction_of_row(const literature::RowPixel& pixel,
+                                                        const Reciprocal& inverse) {
+    const std::uint32_t inside = pixel.inside < pixel.width ? pixel.inside : pixel.width;
     const std::uint32_t normalised = inside
                                      << (47 - inverse.exponent);  // the shift that moves the width to bit 31
     return Factor::from_raw(static_cast<std::int32_t>(((normalised >> 16) * inverse.mantissa) >> 16));

@@ -7,11 +7,10 @@
 
 namespace arcspan::literature {
 
-/// Returns the start of the rest of a row, `count` pixels behind `start`. Not for rows shorter than a pixel.
+/// Returns the start of the rest of a row, `count` pixels behind `start`.
 [[nodiscard]] constexpr RowStart rest_of_row(const RowStart& start, std::int32_t count) {
   RowStart rest = start;
   rest.skipped += count;
-  rest.inside += static_cast<std::uint32_t>(count) << 16;
   rest.column += count;
   return rest;
 }

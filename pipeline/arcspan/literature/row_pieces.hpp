@@ -2,9 +2,9 @@
 #pragma once
 
 #include <arcspan/literature/parabola.hpp>
+#include <arcspan/literature/row_pixel.hpp>
 #include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/numbers/unroll.hpp>
-#include <arcspan/prepare/row_start.hpp>
 
 #include <array>
 #include <cstddef>
@@ -29,13 +29,6 @@ struct RowEnds {
   std::array<Cosine, Count> left;
   std::array<Cosine, Count> right;
   Factor angle2;  ///< squared angle of the row in rad^2, at most 1.1
-};
-
-/// A pixel of a row.
-struct RowPixel {
-  std::uint32_t inside;  ///< distance in pixels from the row's left end, `bits` fraction bits
-  std::uint32_t width;   ///< of the row in pixels, `bits` fraction bits
-  int bits;              ///< 16, or 32 for rows shorter than a pixel
 };
 
 /// A piece of a row: its place among the pieces, and its first pixel.

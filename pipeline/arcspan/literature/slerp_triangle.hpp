@@ -3,6 +3,7 @@
 
 #include <arcspan/literature/arc_vertex.hpp>
 #include <arcspan/literature/linear_normal.hpp>
+#include <arcspan/literature/row_pixel.hpp>
 #include <arcspan/literature/short_inverses.hpp>
 #include <arcspan/literature/sine_table.hpp>
 #include <arcspan/literature/wide_rows.hpp>
@@ -161,11 +162,12 @@ struct SlerpTriangle {
     row.left = (middle_left ? short_edge : long_edge).here();
     row.right = (middle_left ? long_edge : short_edge).here();
     row.arc = SlerpArc::of(row.left, row.right);
-    const Reciprocal inverse = nonzero_reciprocal(start.width);
-    const std::uint32_t inside = start.inside < start.width ? start.inside : start.width;
+    const literature::RowPixel first = literature::row_pixel(start);
+    const Reciprocal inverse = nonzero_reciprocal(first.width);
+    const std::uint32_t inside = first.inside < first.width ? first.inside : first.width;
     row.phase = detail::part_of(row.arc.angle, detail::ratio30(inside, inverse));
     // A row shorter than a pixel has one pixel and no step.
-    row.step = start.bits != 16
+    row.step = first.bits != 16
                    ? 0
                    : detail::part_of(row.arc.angle, detail::ratio30(std::uint32_t{1} << 16, inverse));
     return row;

@@ -35,7 +35,7 @@ class WideWalker {
   [[nodiscard]] constexpr Run row(const RowStart& start) const { return Run(*this, start); }
   /// Returns the pixels of the current row from `start` to the end of its piece.
   [[nodiscard]] ARCSPAN_OUTLINE constexpr Piece piece(const RowStart& start) const {
-    RowPixel pixel{start.inside, start.width, start.bits};
+    RowPixel pixel = row_pixel(start);
     RowEnds<Count> ends;
     const std::int32_t to_part_end = triangle_->row(pixel, ends);
     const RowPiece part = piece_of_row(pixel, halvings_of(ends.angle2, triangle_->widest_piece, pixel));

@@ -3,6 +3,7 @@
 
 #include <arcspan/draw.hpp>
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/literature/row_pixel.hpp>
 #include <arcspan/shading/method.hpp>
 
 #include <arcspan_tools/compare/reference.hpp>
@@ -102,7 +103,8 @@ struct ReferenceMethod {
       const Corner& left = far.x <= near.x ? far : near;
       const Corner& right = far.x <= near.x ? near : far;
       const double width = std::max(right.x - left.x, 1e-6);
-      const double inside = std::ldexp(start.inside, -start.bits);
+      const literature::RowPixel pixel = literature::row_pixel(start);
+      const double inside = std::ldexp(pixel.inside, -pixel.bits);
       return {triangle_.kind, left.normal, right.normal, inside / width, 1 / width};
     }
     void next_row() { y_ += 1; }

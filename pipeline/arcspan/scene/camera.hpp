@@ -217,8 +217,9 @@ constexpr Status Camera::set_parallel(const Lens& lens, const Viewport& viewport
     return Status::kInvalidArgument;
   }
   const std::int64_t range = std::int64_t{lens.far_.raw()} - lens.near_.raw();
-  static_assert((65535 - 2 * ClipTransform::kDepthMargin) * std::int64_t{kParallel + 1} < (1 << 28) - 1,
-                "ClipTransform::make() would cut the slope of depths");
+  static_assert(
+      (65535 - 2 * ClipTransform::kDepthMargin) * std::int64_t{kParallel + 1} < (std::int32_t{1} << 28) - 1,
+      "ClipTransform::make() would cut the slope of depths");
   near_ = kParallel * range;
   set_back_ = near_ - lens.near_.raw();
   parallel_ = true;

@@ -62,12 +62,12 @@ ARCSPAN_INLINE constexpr auto Illumination<Lights, Model, Features>::channel_lig
   ChannelLevels highlight{};
   add_channel_light<0>(scalars, sums, highlight);
   const auto factor = [&sums](std::size_t channel) {
-    return clamped_unsigned<10, 18>(static_cast<std::int32_t>(sums[channel] + (1u << 19)));
+    return clamped_unsigned<10, 18>(static_cast<std::int32_t>(sums[channel] + (std::uint32_t{1} << 19)));
   };
   ChannelLight result{{factor(0), factor(1), factor(2)}, 0};
   if ((highlight[0] | highlight[1] | highlight[2]) == 0) return result;
   const auto rounded = [&highlight](std::size_t channel) {
-    return static_cast<std::int32_t>(highlight[channel] + (1u << 22));
+    return static_cast<std::int32_t>(highlight[channel] + (std::uint32_t{1} << 22));
   };
   result.shine = clamped_unsigned<5, 23>(rounded(0)) << 11 | clamped_unsigned<6, 23>(rounded(1)) << 22 |
                  clamped_unsigned<5, 23>(rounded(2));

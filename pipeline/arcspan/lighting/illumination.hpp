@@ -141,7 +141,7 @@ class Illumination : private FadeFor<Features>,
     } else if constexpr (!kHasRamp) {
       ChannelLevels levels = ambient_;
       add_coloured<0>(scalars, levels, levels);
-      return packed_levels<1u << 19>(levels);
+      return packed_levels<std::uint32_t{1} << 19>(levels);
     } else {
       const PixelLight parts = surface_light(scalars);
       return parts.highlight.lanes == 0 ? parts.diffuse : parts.diffuse.plus(parts.highlight);

@@ -371,7 +371,7 @@ class Illumination : private FadeFor<Features>,
   ARCSPAN_INLINE constexpr void add_channel_light(const Scalars& scalars, ChannelLevels& diffuse,
                                                   ChannelLevels& highlight) const;
   /// The colour of these levels, saturated, after `Half` was added to each.
-  template <unsigned Half>
+  template <std::uint32_t Half>
   [[nodiscard]] ARCSPAN_INLINE static constexpr PackedRgb packed_levels(const ChannelLevels& levels) {
     const auto level = [&levels](std::size_t channel) {
       const std::uint32_t rounded = (levels[channel] + Half) >> 18;

@@ -32,7 +32,7 @@ ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Phong4>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn4>, Rgb888, DepthBuffer);
-ARCSPAN_SPAN_INSTANTIATE(Arc<Phong4>, Gray8, NoDepth);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Coloured4>, Gray8, NoDepth);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Gray4, NoDepth);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Dithered<Mono>, NoDepth);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Dithered<Rgb565>, DepthBuffer);

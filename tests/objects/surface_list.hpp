@@ -16,6 +16,7 @@ using Blinn1 = Illumination<1, Highlight::kBlinn>;
 using Blinn4 = Illumination<4, Highlight::kBlinn>;
 using Phong1 = Illumination<1, Highlight::kPhong>;
 using Phong4 = Illumination<4, Highlight::kPhong>;
+using Coloured4 = Illumination<4, Highlight::kPhong, IlluminationFeatures{.coloured_lights = true}>;
 
 using Window =
     WithOperation<WithOperation<Textured<Arc<Phong1>, Palette8Texels<Alpha4Colour>>, Fogged>, Opacity<>>;

@@ -54,7 +54,7 @@ static void invalidate_shown(lv_arcspan_view_t* view) {
   lv_obj_invalidate_area(&view->obj, &area);
 }
 
-/* The frame that was prepared is the one on the screen from now on. */
+/* Takes the rectangle of the prepared frame for `shown`, and invalidates it. */
 static void show_drawn(lv_arcspan_view_t* view) {
   if (!drawn_area(view, &view->shown))
     view->shown = (lv_area_t){0, 0, -1, -1};
@@ -75,7 +75,7 @@ static void change(lv_arcspan_view_t* view) {
 void lv_arcspan_view_drop(lv_arcspan_view_t* view, arcspan_status status) {
   view->status = status;
   ++view->dropped;
-  if (status == ARCSPAN_BUFFER_TOO_SMALL) change(view); /* other reasons stay until something is changed */
+  if (status == ARCSPAN_BUFFER_TOO_SMALL) change(view); /* other failures await a change */
   LV_LOG_WARN("arcspan: a frame or a rectangle of it is not drawn: %s", arcspan_status_text(status));
 }
 
@@ -181,7 +181,7 @@ static void prepare(lv_arcspan_view_t* view) {
   measure_picture(view);
   view->status = make_view(view);
   if (view->status == ARCSPAN_OK) view->status = set_camera(view);
-  if (view->status == ARCSPAN_OK) view->status = view->is_refreshed ? view->turn_status : turn_object(view);
+  if (view->status == ARCSPAN_OK) view->status = view->is_refreshing ? view->turn_status : turn_object(view);
   if (view->status == ARCSPAN_OK) view->status = give_outlines(view);
   if (view->status == ARCSPAN_OK) view->status = arcspan_prepare(view->view);
   if (view->status == ARCSPAN_OK) {
@@ -191,8 +191,8 @@ static void prepare(lv_arcspan_view_t* view) {
   lv_arcspan_view_drop(view, view->status);
 }
 
-/* Of the display, before any view prepares its frame: another one may show the object that this one turns,
- * and layouts may change sizes. */
+/* An event of the display before any view prepares its frame. Another view may show the object that this view
+ * turns, and layouts may change sizes. */
 static void before_refresh(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
   lv_obj_update_layout(&view->obj);
@@ -202,7 +202,7 @@ static void before_refresh(lv_event_t* e) {
 /* Of the display, before it finds out what to draw. */
 static void on_refresh_start(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
-  view->is_refreshed = true;
+  view->is_refreshing = true;
   if (!view->changed || !lv_obj_is_visible(&view->obj)) return;
   invalidate_shown(view);
   prepare(view);
@@ -210,7 +210,7 @@ static void on_refresh_start(lv_event_t* e) {
 }
 
 static void on_refresh_end(lv_event_t* e) {
-  ((lv_arcspan_view_t*)lv_event_get_user_data(e))->is_refreshed = false;
+  ((lv_arcspan_view_t*)lv_event_get_user_data(e))->is_refreshing = false;
 }
 
 /* Drawing */
@@ -304,9 +304,9 @@ static void draw_main(lv_event_t* e) {
   lv_arcspan_view_t* const view = (lv_arcspan_view_t*)lv_event_get_current_target_obj(e);
   lv_layer_t* const layer = lv_event_get_layer(e);
   lv_arcspan_unit_init(); /* lv_deinit() may have freed it */
-  if (view->changed && (!view->is_refreshed || view->view == NULL)) {
-    prepare(view); /* as lv_snapshot_take() draws; the screen still shows another frame */
-    view->changed = true;
+  if (view->changed && (!view->is_refreshing || view->view == NULL)) {
+    prepare(view);        /* for lv_snapshot_take(), for example */
+    view->changed = true; /* the screen still shows another frame */
   }
   lv_area_t area;
   if (!drawn_area(view, &area) || !lv_area_intersect(&area, &area, &layer->_clip_area)) return;

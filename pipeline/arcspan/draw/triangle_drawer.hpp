@@ -87,8 +87,8 @@ class TriangleDrawer {
   /// True if triangles within the columns of the scissor have a loop of their own.
   static constexpr bool kHasInsideRows =
       kHasCheapRows<TriangleCommand<Method>> && !kOptimisedForSize && kHasManyRegisters;
-  /// Without known back faces begin() has transformed every vertex. With Features.planes off, an earlier call
-  /// with planes may have left some out of the cache.
+  /// True if AllTriangles finds every vertex transformed. Without Features.planes a MeshView may not: an
+  /// earlier call with planes may have left vertices of back faces out of the cache.
   static constexpr bool kAllTransformed = Features.planes || !std::is_same_v<Mesh, MeshView>;
   static constexpr bool kDrawsSmall = Features.small_triangles && DrawsSmallTriangles<Method>;
 

@@ -141,7 +141,7 @@ class Illumination : private FadeFor<Features>,
     } else if constexpr (!kHasRamp) {
       ChannelLevels levels = ambient_;
       add_coloured<0>(scalars, levels, levels);
-      return packed_levels<std::uint32_t{1} << 19>(levels);
+      return packed_levels<true>(levels);
     } else {
       const PixelLight parts = surface_light(scalars);
       return parts.highlight.lanes == 0 ? parts.diffuse : parts.diffuse.plus(parts.highlight);
@@ -370,11 +370,12 @@ class Illumination : private FadeFor<Features>,
   template <std::size_t I>
   ARCSPAN_INLINE constexpr void add_channel_light(const Scalars& scalars, ChannelLevels& diffuse,
                                                   ChannelLevels& highlight) const;
-  /// The colour of these levels, saturated, after `Half` was added to each.
-  template <std::uint32_t Half>
+  /// The colour of these levels, saturated, after half an 8-bit step was added to each if `AddsHalf`.
+  template <bool AddsHalf>
   [[nodiscard]] ARCSPAN_INLINE static constexpr PackedRgb packed_levels(const ChannelLevels& levels) {
+    constexpr std::uint32_t kHalf = std::uint32_t{AddsHalf} << 19;
     const auto level = [&levels](std::size_t channel) {
-      const std::uint32_t rounded = (levels[channel] + Half) >> 18;
+      const std::uint32_t rounded = (levels[channel] + kHalf) >> 18;
       return rounded > 1023 ? 1023u : rounded;
     };
     return PackedRgb::of(level(0), level(1), level(2));

@@ -212,11 +212,10 @@ ARCSPAN_INLINE constexpr PixelLight Illumination<Lights, Model, Features>::surfa
     ChannelLevels diffuse = ambient_;
     ChannelLevels specular{};
     add_coloured<0>(scalars, diffuse, specular);
-    if ((specular[0] | specular[1] | specular[2]) == 0)
-      return {packed_levels<std::uint32_t{1} << 19>(diffuse), {}};
+    if ((specular[0] | specular[1] | specular[2]) == 0) return {packed_levels<true>(diffuse), {}};
     constexpr std::uint32_t kFraction = (std::uint32_t{1} << 18) - 1;
     unrolled<3>([&](auto c) { diffuse[c] += specular[c] & kFraction; });  // their sum is surface_colour()
-    return {packed_levels<std::uint32_t{1} << 19>(diffuse), packed_levels<0>(specular)};
+    return {packed_levels<true>(diffuse), packed_levels<false>(specular)};
   }
 }
 

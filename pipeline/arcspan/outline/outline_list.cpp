@@ -4,6 +4,7 @@
 #include <arcspan/target.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace arcspan {
@@ -71,7 +72,7 @@ Status OutlineList::add(const MeshView& mesh, const MeshNeighbours& neighbours,
   return take(edges.count(), positions.viewport()) ? Status::kOk : Status::kBufferTooSmall;
 }
 
-Rect OutlineList::changed_rect(std::int32_t ink_width) const {
+Rect OutlineList::changed_rect(std::uint8_t ink_width) const {
   const std::int32_t more = (3 * ink_width + 1) / 2;  // ink lies at an angle
   const std::int32_t x = viewport_.width >> 1;
   const std::int32_t y = viewport_.height >> 1;

@@ -89,10 +89,10 @@ class OutlineList {
   [[nodiscard]] constexpr std::span<const OutlineEdge> edges() const { return memory_.first(count_); }
   /// The viewport of the objects; meaningless if there are no edges.
   [[nodiscard]] constexpr const Viewport& viewport() const { return viewport_; }
-  /// A rectangle of the picture around all pixels that smoothing changes, and that ink of `ink_width` pixels
-  /// does, 0 if there is none. With that of drawn_rect() it contains the pixels of curves, too. Rect{} if
-  /// there are no edges in the picture.
-  [[nodiscard]] Rect changed_rect(std::int32_t ink_width) const;
+  /// A rectangle, in pixels of the picture, around all that smoothing and ink of this width change
+  /// (OutlineInk::width; 0: no ink). Pixels of CurvedOutlines lie within this and drawn_rect() together
+  /// (bounding_rect()). Rect{} if no edges are in the picture.
+  [[nodiscard]] Rect changed_rect(std::uint8_t ink_width) const;
 
  private:
   friend class CurvedOutlines;

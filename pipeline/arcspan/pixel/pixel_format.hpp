@@ -28,8 +28,9 @@ namespace arcspan {
 ///
 /// Optional, and used where present: encode() also of a PackedRgb, a ColourSegment or a FineRgb, which must
 /// return encode(c.rgb8()) or encode(c.packed()) but can be faster; encode_dithered() of a PackedRgb,
-/// likewise; and, in a cursor of pixels that are whole words, pixels(), the address of the present pixel,
-/// together with skip(count), which steps over `count` pixels.
+/// likewise; word565(), as in Rgb565, of a format of 5-6-5 words; and, in a cursor of pixels that are whole
+/// words, pixels(), the address of the present pixel, together with skip(count), which steps over `count`
+/// pixels.
 ///
 /// A new format is a header in this folder with a static_assert of this concept, and one entry in
 /// pixel_format_list.hpp.

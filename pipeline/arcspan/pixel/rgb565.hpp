@@ -21,7 +21,7 @@ struct Rgb565 {
   static constexpr unsigned kBitsPerPixel = 16;
   static constexpr bool kDithers = false;
 
-  /// The word rrrrrggg gggbbbbb of a pixel, and the pixel of such a word (Rgb565Words).
+  /// The word rrrrrggg gggbbbbb of a pixel, on which blending computes, and its own inverse.
   [[nodiscard]] static constexpr std::uint16_t word565(std::uint16_t v) { return v; }
   [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) {
     return static_cast<std::size_t>(width);

@@ -21,6 +21,7 @@ struct Rgb565Swapped {
   static constexpr unsigned kBitsPerPixel = 16;
   static constexpr bool kDithers = false;
 
+  /// The word of a pixel in Rgb565, and its own inverse.
   [[nodiscard]] static constexpr std::uint16_t word565(std::uint16_t v) {
     return static_cast<std::uint16_t>((v << 8) | (v >> 8));
   }

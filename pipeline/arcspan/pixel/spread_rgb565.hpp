@@ -11,8 +11,8 @@
 /// Arithmetic with all channels of a 5-6-5 pixel in one word.
 namespace arcspan::detail {
 
-/// A format whose pixels are words rrrrrggg gggbbbbb, perhaps with their bytes exchanged, on which blending
-/// may compute: word565() is the word of a pixel, and the pixel of a word.
+/// A format whose pixels are words rrrrrggg gggbbbbb, perhaps with their bytes exchanged. word565() gives the
+/// word of a pixel, for blending, and is its own inverse.
 template <class F>
 concept Rgb565Words = requires(std::uint16_t v) {
   { F::word565(v) } -> std::same_as<std::uint16_t>;

@@ -57,7 +57,7 @@ struct EdgeWalk {
 struct EdgeSetup {
   std::int32_t dy;      ///< height in 16ths of a row, 1...2^15 - 1
   std::int32_t offset;  ///< depth of the first row's centre below the top in 16ths of a row, 0...2^15 - 1
-  /// Reciprocal of dy. Unset on short right edges; methods of the literature make it there.
+  /// Reciprocal of dy. Short right edges may lack it until make_inverse() is called.
   Reciprocal inverse;
   Factor start;  ///< start_fraction(); unset on short right edges
 
@@ -77,7 +77,8 @@ struct EdgeSetup {
 [[nodiscard]] constexpr std::int32_t first_row_at(std::int32_t y) { return (y + 7) >> 4; }
 
 /// Sets up the edge from `top` to `bottom`, where top.y < bottom.y; `row` is the first row to be drawn.
-/// `carries_attributes` is false on short right edges: attributes begin at the left edge of a row.
+/// `carries_attributes` is false only on a short edge (one that ends at the middle vertex) on the right: no
+/// attribute is interpolated along it.
 constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& bottom, std::int32_t row,
                                bool carries_attributes, EdgeSetup& edge) {
   edge.dy = bottom.y - top.y;

@@ -123,7 +123,7 @@ constexpr Rotation Rotation::about_z(Turn angle) { return detail::rotation_in_pl
 
 namespace detail {
 
-/// True if the rows are unit vectors at right angles, within 2^-18: the margin of BackFaces holds for these.
+/// True if each dot product of two rows is within 2^-18 of 1 or 0, as the margin of BackFaces needs.
 [[nodiscard]] constexpr bool is_orthonormal(const Rotation& rotation) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
@@ -137,8 +137,8 @@ namespace detail {
 
 }  // namespace detail
 
-/// The rotation by `b`, then by `a`. Each product loses about 2^-30 of the length of rows, so thousands of
-/// them must not be accumulated: keep angles, or a Quaternion, which does not drift.
+/// The rotation by `b`, then by `a`. Each product shortens the rows by about 2^-30, so that a chain of tens
+/// of thousands is no rotation any more for Placement: keep angles, or a Quaternion, which does not drift.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Rotation operator*(const Rotation& a, const Rotation& b) {
   Rotation rotation{};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -202,7 +202,7 @@ void find_outlines_of(arcspan_view& view) {
   view.outlines.edges = outlines.edges;
 }
 
-[[nodiscard]] std::int32_t ink_width([[maybe_unused]] const c::ViewOutlines& outlines) {
+[[nodiscard]] std::uint8_t ink_width([[maybe_unused]] const c::ViewOutlines& outlines) {
 #if ARCSPAN_C_INK
   return outlines.ink.width;
 #else

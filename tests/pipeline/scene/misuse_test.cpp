@@ -21,6 +21,14 @@ using namespace arcspan::test;
 
 namespace {
 
+// Objects refer to their mesh, material and parts: temporaries are refused, with a sphere too.
+template <class... Arguments>
+constexpr bool kMakesObject = std::is_constructible_v<Object, Arguments...>;
+static_assert(kMakesObject<const MeshView&, const SceneMaterial&, const BoundingSphere&>);
+static_assert(!kMakesObject<MeshView, const SceneMaterial&, const BoundingSphere&>);
+static_assert(!kMakesObject<const MeshView&, const SceneMaterial, const BoundingSphere&>);
+static_assert(!kMakesObject<MeshView, std::span<const Part>, const BoundingSphere&>);
+
 const TestMesh kCube = make_smooth_cube(18000);
 const MeshView kMesh = kCube.view();
 SceneMemory<SceneMethods, 2, 8> memory_of_scene;

@@ -51,6 +51,15 @@ TEST_CASE("a product applies its right factor first and stays orthonormal") {
   }
 }
 
+TEST_CASE("a thousand products are still precise enough for culling by planes, a hundred thousand are not") {
+  const Rotation turn = Rotation::about_y({37}) * Rotation::about_x({11});
+  Rotation turned = Rotation::identity();
+  for (int i = 0; i < 1000; ++i) turned = turn * turned;
+  CHECK(detail::is_orthonormal(turned));
+  for (int i = 0; i < 99000; ++i) turned = turn * turned;
+  CHECK_FALSE(detail::is_orthonormal(turned));
+}
+
 TEST_CASE("to_object undoes the rotation of a direction") {
   const Rotation rotation = Rotation::about_y({1000}) * Rotation::about_x({60000});
   const Direction lighting = normalised(3, -5, 7);

@@ -92,6 +92,10 @@ TEST_CASE("materials in a firmware: the file's, with the shares of light of a pi
   silent.name = "clay";
   silent.two_sided = true;
   CHECK(same(material_of({{}, silent}), plastic({255, 255, 255})));
+  silent.shininess = 9;
+  const Material dull = material_of({{}, silent});
+  CHECK(dull.shininess == 9);
+  CHECK(same(dull.diffuse, {Coefficient::of(0.78), Coefficient::of(0.78), Coefficient::of(0.78)}));
 }
 
 TEST_CASE("the library reads the model binary that was written") {

@@ -2,8 +2,8 @@
 #include <arcspan_tools/command/texture_options.hpp>
 #include <arcspan_tools/command/typed_options.hpp>
 #include <arcspan_tools/support/text.hpp>
+#include <arcspan_tools/texture/plain/mip_levels.hpp>
 
-#include <bit>
 #include <vector>
 
 namespace arcspan::tools {
@@ -18,9 +18,7 @@ std::string texel_format_names() {
 std::optional<Size> parse_sides(const std::string& text) {
   const std::optional<Size> sides =
       parse_size(text.find('x') == std::string::npos ? text + "x" + text : text);
-  const auto fits = [](std::int32_t side) {
-    return side >= 8 && side <= 1024 && std::has_single_bit(static_cast<std::uint32_t>(side));
-  };
+  const auto fits = [](std::int32_t side) { return nearest_side(side) == side; };
   return sides && fits(sides->width) && fits(sides->height) ? sides : std::nullopt;
 }
 

@@ -81,7 +81,8 @@ struct ByteShare {
 [[nodiscard]] std::vector<std::string> part_names(const FixedModel& model);
 
 /// The material of a part as a firmware takes it: what its file says, with the shares of light that pictures
-/// have by default; white plastic if the file says nothing, as the C interface draws a mesh binary.
+/// have by default; white where it states no colour, and white plastic, as the C interface draws a mesh
+/// binary, if it states nothing.
 [[nodiscard]] Material material_of(const PartLook& look);
 
 /// A C++ identifier that resembles `text`: `big bunny` gives big_bunny, `3` and `class` get mesh_ in front.

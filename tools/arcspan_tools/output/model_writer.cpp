@@ -81,7 +81,7 @@ Material material_of(const PartLook& look) {
   if (!file.colour && !file.ambient_colour && !file.specular && !file.shininess && !file.unlit &&
       file.emission == Vec3{} && file.texture == nullptr)
     return plastic({255, 255, 255});
-  return to_fixed(with_material({}, file, {}));
+  return to_fixed(with_material({.colour = {1, 1, 1}}, file, {}));
 }
 
 PartAlpha part_alpha(const FileMaterial& material) {

@@ -7,6 +7,7 @@
 #include <arcspan/pixel/rgb888.hpp>
 
 #include <catch2/catch.hpp>
+#include <tests/support/strict_sink.hpp>
 
 #include <cmath>
 #include <vector>
@@ -90,7 +91,7 @@ TEST_CASE("rows beyond a gradient have its nearest colour") {
   CHECK(memory == std::vector<Rgb8>{{10, 10, 10}, {20, 20, 20}, {20, 20, 20}, {20, 20, 20}});
   CHECK(ok(draw_background(frame, VerticalGradient{{10, 10, 10}, {20, 20, 20}, 1})));
   CHECK(memory[0] == Rgb8{10, 10, 10});
-  Framebuffer<Rgb888> above(memory, 1, 4, -200);
+  test::StrictSink above({0, -200, 1, 1});
   CHECK(ok(draw_background(above, VerticalGradient{{10, 10, 10}, {255, 20, 20}, 2})));
-  CHECK(memory[0] == Rgb8{10, 10, 10});
+  for (std::int32_t y = -200; y <= 0; ++y) REQUIRE(above.cell(0, y).colour == Rgb8{10, 10, 10});
 }

@@ -92,13 +92,14 @@ struct ClearTarget : PlainTarget {
   [[nodiscard]] constexpr Status clear(Sink& sink, const Depth& depth) const {
     static_assert(Depth::kWrites || !Depth::kTests,
                   "a pass that only tests depths needs those of an earlier one");
-    if constexpr (Depth::kTests) depth.clear();
     if constexpr (requires { sink.clear(background_); }) {
       sink.clear(background_);
-      return Status::kOk;
     } else {
-      return draw_background(sink, background_);
+      const Status status = draw_background(sink, background_);
+      if (!ok(status)) return status;
     }
+    if constexpr (Depth::kTests) depth.clear();
+    return Status::kOk;
   }
 
  private:

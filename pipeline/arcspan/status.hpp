@@ -30,7 +30,7 @@ enum class [[nodiscard]] Status : std::uint8_t{
     kTooManyLights,     ///< a scene has more lights than a shading method of it
     kTooManyObjects,    ///< more objects are in view than the memory of a scene holds
     kMethodNotListed,   ///< a material's shading method is not among those that the scene's memory lists
-    kLightChanged,      ///< a single light is not the one that a material was made for
+    kLightChanged,      ///< a light is not the one that a material was made for
     kCacheMismatch,     ///< the VertexCache holds another object, or clear() was forgotten
 };
 

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-// A picture by the method of docs/add-a-shading-method.md has its three tones only.
+// A picture by the method of docs/add-a-shading-method.md has its three tones only, also through an
+// operation.
 #include "toon.hpp"
 
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/gray8.hpp>
+#include <arcspan/pixel/pixel_operation.hpp>
+#include <arcspan/shading/with_operation.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
 
 using namespace arcspan;
 
@@ -16,6 +21,7 @@ constexpr ObjectPosition kPositions[] = {{kR, 0, 0},  {-kR, 0, 0}, {0, kR, 0},
                                          {0, -kR, 0}, {0, 0, kR},  {0, 0, -kR}};
 constexpr std::uint8_t kIndices[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
 std::uint8_t frame_memory[hal::Framebuffer<Gray8>::words(64, 48)];
+std::uint8_t opaque_memory[std::size(frame_memory)];
 
 int main() {
   PackedNormal normals[6];
@@ -36,6 +42,12 @@ int main() {
                             {grey(60), grey(140), grey(230)}};
   hal::Framebuffer<Gray8> frame(frame_memory, 64, 48);
   if (!ok(draw_mesh<Toon>(mesh, transform, toon, frame, NoDepth{}).status)) return 1;
+
+  using Opaque = WithOperation<Toon, Opacity<>>;
+  hal::Framebuffer<Gray8> opaque(opaque_memory, 64, 48);
+  const Opaque::Lighting opaque_toon(toon, Opacity<>{32});
+  if (!ok(draw_mesh<Opaque>(mesh, transform, opaque_toon, opaque, NoDepth{}).status)) return 1;
+  if (!std::equal(std::begin(frame_memory), std::end(frame_memory), opaque_memory)) return 3;
 
   int count[256] = {};
   for (const std::uint8_t pixel : frame_memory) ++count[pixel];

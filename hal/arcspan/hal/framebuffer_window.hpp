@@ -48,6 +48,9 @@ class FramebufferWindow : public Framebuffer<F> {
     while (static_cast<std::size_t>(step) * F::kBitsPerPixel % (8 * sizeof(Word)) != 0) ++step;
     return step;
   }();
+  static_assert(F::words_per_row(kColumnStep) * sizeof(Word) * 8 ==
+                    static_cast<std::size_t>(kColumnStep) * F::kBitsPerPixel,
+                "kBitsPerPixel counts all bits that a pixel takes in memory, also unused ones");
 
   /// The column that begins the Word of column x.
   [[nodiscard]] static constexpr std::int32_t first_of_word(std::int32_t x) { return x - x % kColumnStep; }

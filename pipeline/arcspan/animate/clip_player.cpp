@@ -43,6 +43,7 @@ void ClipPlayer::seek(std::uint32_t microseconds) {
 }
 
 void ClipPlayer::advance(std::uint32_t microseconds) {
+  if (microseconds == 0) return;  // a clip that repeats would leave its end
   now_.advance(microseconds, speed_);
   if (!fades()) return;
   next_.advance(microseconds, speed_);

@@ -12,6 +12,8 @@ struct ChannelCoefficients {
   Coefficient r{};
   Coefficient g{};
   Coefficient b{};
+
+  friend constexpr bool operator==(const ChannelCoefficients&, const ChannelCoefficients&) = default;
 };
 
 /// How a surface reflects light: the shares of ambient, diffuse and specular light, 0...1 per channel.

@@ -12,13 +12,17 @@ namespace arcspan {
 
 namespace detail {
 
+/// Whether words hold a whole number of these elements.
+template <class Element>
+inline constexpr bool kFillsWords = std::is_integral_v<Element> && sizeof(Element) <= 4 && kHasWords;
+
 /// Fills all whole blocks of words from `at` on, which must be aligned for a word. Advances `at` and reduces
 /// `count` by the elements written.
 template <class Element>
 ARCSPAN_INLINE inline void fill_words(Element*& at, std::size_t& count, Element value) {
   constexpr std::size_t kBlock = 8;  // words per turn: one store each, and three instructions for the loop
   constexpr std::size_t kElements = kBlock * sizeof(AliasingWord) / sizeof(Element);
-  AliasingWord pattern = value;
+  AliasingWord pattern = static_cast<std::make_unsigned_t<Element>>(value);
   for (std::size_t bits = 8 * sizeof(Element); bits < 8 * sizeof(AliasingWord); bits *= 2)
     pattern |= pattern << bits;
   hide_value(pattern);  // otherwise compilers call memset
@@ -34,7 +38,7 @@ ARCSPAN_INLINE inline void fill_words(Element*& at, std::size_t& count, Element 
 /// that have them.
 template <class Element>
 constexpr void fill(Element* at, std::size_t count, Element value) {
-  if constexpr (std::is_integral_v<Element> && kHasWords) {
+  if constexpr (detail::kFillsWords<Element>) {
     if (!std::is_constant_evaluated()) {
       for (; count != 0 && (reinterpret_cast<std::uintptr_t>(at) & 3u) != 0; --count) *at++ = value;
       detail::fill_words(at, count, value);
@@ -46,7 +50,7 @@ constexpr void fill(Element* at, std::size_t count, Element value) {
 /// Copies `count` elements, by 32-bit words on machines that have them if both addresses lie alike in a word.
 template <class Element>
 constexpr void copy_elements(const Element* from, std::size_t count, Element* to) {
-  if constexpr (std::is_integral_v<Element> && kHasWords) {
+  if constexpr (detail::kFillsWords<Element>) {
     const auto part = [](const void* at) { return reinterpret_cast<std::uintptr_t>(at) & 3u; };
     if (!std::is_constant_evaluated() && part(from) == part(to)) {
       for (; count != 0 && part(from) != 0; --count) *to++ = *from++;

@@ -23,6 +23,7 @@ struct FogRange {
   std::int32_t far_plane = 0;
   std::int32_t start = 0;
   std::int32_t end = 0;
+  bool orthographic = false;  ///< the lens of the camera
 };
 
 /// Fog: the share of its colour grows linearly with the distance, from 0 at `start` to 1 at `end`. The share
@@ -62,7 +63,7 @@ class Fog {
   }
 
   /// The share of the fog at a 16-bit depth, 0...255: within 1.4 of that of the distance at this depth if the
-  /// planes are at most 1:1000, and 255 from the end of the fog on.
+  /// planes are at most 1:1000 and the fog is at least 1/1000 of its distance deep, and 255 from its end on.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t share(std::uint32_t depth) const {
     const std::uint32_t biased =
         clamped_unsigned<16, 0>(end_ - static_cast<std::int32_t>(depth)) + kPerOctave;
@@ -91,15 +92,20 @@ class Fog {
       return detail::kByteLeadingZeros[static_cast<std::size_t>(word >> 8)] - 24u;
     }
   }
-  /// The share at a depth, kShareBits fraction bits, not clamped: below 0 where the fog has not begun.
-  [[nodiscard]] static constexpr std::int64_t share_at(const FogRange& range, std::int32_t depth) {
-    // By ClipTransform::depth(): near/w = 1 - (depth - 256) / 65023 * (1 - near/far), so that
-    // w = near far span / (far span - beyond (far - near)), with far span below 2^47.
+  /// The distance of a depth, 16 fraction bits.
+  [[nodiscard]] static constexpr std::int64_t distance_at(const FogRange& range, std::int32_t depth) {
     constexpr std::int64_t kSpan = kFarthest - kNearest;
     const std::int64_t far_plane = range.far_plane;
-    const std::int64_t divisor = far_plane * kSpan - (depth - kNearest) * (far_plane - range.near_plane);
-    const std::int64_t ratio = ((far_plane * kSpan) << 16) / divisor;  // w / near, 16 fraction bits
-    const std::int64_t in_fog = range.near_plane * ratio - (std::int64_t{range.start} << 16);
+    const std::int64_t beyond = (depth - kNearest) * (far_plane - range.near_plane);  // of the near plane
+    if (range.orthographic) return (std::int64_t{range.near_plane} << 16) + (beyond << 16) / kSpan;
+    // By ClipTransform::depth(): near/w = 1 - (depth - 256) / 65023 * (1 - near/far), so that
+    // w = near far span / (far span - beyond), with far span below 2^47.
+    const std::int64_t ratio = ((far_plane * kSpan) << 16) / (far_plane * kSpan - beyond);  // w / near
+    return range.near_plane * ratio;
+  }
+  /// The share at a depth, kShareBits fraction bits, not clamped: below 0 where the fog has not begun.
+  [[nodiscard]] static constexpr std::int64_t share_at(const FogRange& range, std::int32_t depth) {
+    const std::int64_t in_fog = distance_at(range, depth) - (std::int64_t{range.start} << 16);
     return (in_fog >> (16 - kShareBits)) / (std::int64_t{range.end} - range.start);
   }
   /// The first depth at which the fog hides everything; that of the far plane if there is none.
@@ -124,6 +130,25 @@ class Fog {
 struct Fogged {
   const Fog* fog = nullptr;
 
+  /// A colour in fog of a known depth.
+  template <class C>
+  struct InFog : WrappedColour<C> {
+    const Fog* fog;
+    std::uint32_t share;  ///< 0...255
+
+    [[nodiscard]] constexpr PackedRgb packed() const {
+      const std::uint32_t of_256 = share + (share >> 7);
+      return detail::by_channel(detail::packed_colour(this->colour), fog->colour(),
+                                [of_256](std::uint32_t a, std::uint32_t b) {
+                                  return (a * (256 - of_256) + b * of_256 + 128) >> 8;
+                                });
+    }
+    [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
+      return detail::joined(detail::mixed_spread(detail::spread(detail::colour565(this->colour)),
+                                                 fog->spread_colour(), (share + 4) >> 3));
+    }
+  };
+
   /// A colour in fog whose depth is not known yet (DepthColour).
   template <class C>
   struct Result : WrappedColour<C> {
@@ -132,26 +157,13 @@ struct Fogged {
     [[nodiscard]] constexpr std::uint32_t alpha() const requires AlphaColour<C> {
       return this->colour.alpha();
     }
-
-    /// The colour in fog of a known depth.
-    struct InFog : WrappedColour<C> {
-      const Fog* fog;
-      std::uint32_t share;  ///< 0...255
-
-      [[nodiscard]] constexpr PackedRgb packed() const {
-        const std::uint32_t of_256 = share + (share >> 7);
-        return detail::by_channel(detail::packed_colour(this->colour), fog->colour(),
-                                  [of_256](std::uint32_t a, std::uint32_t b) {
-                                    return (a * (256 - of_256) + b * of_256 + 128) >> 8;
-                                  });
+    [[nodiscard]] ARCSPAN_INLINE constexpr auto at_depth(std::uint32_t depth) const {
+      if constexpr (DepthColour<C>) {
+        const auto nearer = this->colour.at_depth(depth);
+        return InFog<std::remove_const_t<decltype(nearer)>>{{nearer}, fog, fog->share(depth)};
+      } else {
+        return InFog<C>{{this->colour}, fog, fog->share(depth)};
       }
-      [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
-        return detail::joined(detail::mixed_spread(detail::spread(detail::colour565(this->colour)),
-                                                   fog->spread_colour(), (share + 4) >> 3));
-      }
-    };
-    [[nodiscard]] ARCSPAN_INLINE constexpr InFog at_depth(std::uint32_t depth) const {
-      return {{this->colour}, fog, fog->share(depth)};
     }
     /// Without fog, for runs that have no depth.
     [[nodiscard]] constexpr PackedRgb packed() const { return detail::packed_colour(this->colour); }

@@ -168,6 +168,10 @@ struct ScreenDoor {
       }
       return drawn;
     }
+    /// For an operation that blends: it looks at this instead of covers().
+    [[nodiscard]] constexpr std::uint32_t alpha() const requires AlphaColour<C> {
+      return drawn ? this->colour.alpha() : 0;
+    }
     [[nodiscard]] constexpr PackedRgb packed() const { return detail::packed_colour(this->colour); }
     [[nodiscard]] constexpr std::uint16_t rgb565() const { return detail::colour565(this->colour); }
     template <class D = C>

@@ -28,7 +28,11 @@ class SinkPart {
 
   constexpr SinkPart(Sink& sink, const Rect& rect) : sink_(sink), rect_(rect) {}
 
-  [[nodiscard]] constexpr Rect bounds() const { return detail::intersection(sink_.bounds(), rect_); }
+  /// Rect{} if the rectangle does not meet the sink.
+  [[nodiscard]] constexpr Rect bounds() const {
+    const Rect common = detail::intersection(sink_.bounds(), rect_);
+    return common.empty() ? Rect{} : common;
+  }
   [[nodiscard]] constexpr typename Format::Cursor open(const Span& run) {
     ARCSPAN_CHECK(detail::is_within(run, bounds()), "SinkPart::open: the run leaves bounds()");
     return sink_.open(run);

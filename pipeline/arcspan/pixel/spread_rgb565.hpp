@@ -12,10 +12,13 @@
 namespace arcspan::detail {
 
 /// A format whose pixels are words rrrrrggg gggbbbbb, perhaps with their bytes exchanged. word565() gives the
-/// word of a pixel, for blending, and is its own inverse.
+/// word of a pixel, for blending, and is its own inverse. A format that is derived from one of them and has
+/// other bits is none.
 template <class F>
 concept Rgb565Words = requires(std::uint16_t v) {
   { F::word565(v) } -> std::same_as<std::uint16_t>;
+  requires F::encode(Rgb8{255, 0, 0})
+  == F::word565(0xF800);
 };
 
 /// A 5-6-5 pixel spread over a word: g in bits 26...21, r in 15...11, b in 4...0. Each channel then has five

@@ -185,7 +185,7 @@ bool is_outside(const SceneSlot& slot, const Rect& rect) {
 
 Status prepare(const Scene& scene, const SceneFrame& frame) {
   SceneHeader& header = frame.header;
-  header = {scene.lights.lights, &scene.camera, 0, false, check_lights(scene.lights)};
+  header = {scene.lights, &scene.camera, 0, false, check_lights(scene.lights)};
   if (scene.camera.viewport().width == 0) header.status = Status::kNotReady;
   for (const Object& object : scene.objects) {
     if (!ok(header.status)) break;
@@ -199,9 +199,10 @@ Status prepare(const Scene& scene, const SceneFrame& frame) {
 
 ObjectLights lights_at(const SceneHeader& header, const Object& object) {
   ObjectLights seen;
+  seen.ambient = header.lights.ambient;
   const WorldPoint middle = object.middle();
   std::size_t count = 0;
-  for (const SceneLight& light : header.lights)
+  for (const SceneLight& light : header.lights.lights)
     seen.lights[count++] = light.seen_from(middle, object.rotation);
   // No normal is turned towards a light without direction, which is the fastest way to have none.
   for (; count < seen.lights.size(); ++count) seen.lights[count] = {Direction{}, Coefficient{}, kWhite};

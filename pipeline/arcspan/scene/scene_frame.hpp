@@ -53,7 +53,7 @@ struct SceneSlot {
 /// The part of a SceneMemory that belongs to the whole scene. All is zero at first, so that static memory
 /// takes no flash.
 struct SceneHeader {
-  std::span<const SceneLight> lights{};
+  LightList lights{{}, {}};
   const Camera* camera = nullptr;  ///< null before the first frame
   std::uint16_t in_view = 0;       ///< slots in use
   bool keeps_vertices = false;     ///< each slot has vertices of its own; else all have the same

@@ -66,7 +66,7 @@ class SceneLight {
 };
 
 /// The lights of a scene: up to as many as the shading methods take, and the colour of the ambient light,
-/// which is multiplied with the ambient colours of materials.
+/// which is multiplied with the ambient colours of materials when they are prepared (see Use).
 struct LightList {
   std::span<const SceneLight> lights;
   ChannelCoefficients ambient = kWhite;

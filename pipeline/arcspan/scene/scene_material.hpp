@@ -24,11 +24,11 @@ namespace arcspan {
 /// A shading method with the features of draw_mesh() that it is used with. A program lists its combinations
 /// in SceneMemory; a method stands for itself with the default features.
 ///
-/// `ChangingLight` concerns methods with a single light. The light's strength and colour are then part of the
-/// material, and draw_scene() refuses another light (kLightChanged). If it is true, draw_scene() makes the
-/// material again for each object whose light has another strength, as point lights have, which takes about
-/// as many instructions as 20,000 pixels. Methods with several lights weight them per pixel and always follow
-/// the lights.
+/// The scene's ambient light is part of a material, and so are strength and colour of the light if the method
+/// takes a single one; draw_scene() refuses others (kLightChanged). If `ChangingLight` is true, which
+/// concerns methods with a single light, draw_scene() makes the material again for each object whose light
+/// differs, as that of point lights does, which takes about as many instructions as 20,000 pixels. Methods
+/// with several lights weight them per pixel and always follow them.
 template <ShadingMethod M, DrawFeatures F = DrawFeatures{}, bool ChangingLight = false>
 struct Use {
   using Method = M;
@@ -91,6 +91,7 @@ inline constexpr UseFacts kUseFacts = facts_of<U>();
 /// The lights as one object sees them.
 struct ObjectLights {
   std::array<DirectionalLight, 4> lights;  ///< missing ones have no strength
+  ChannelCoefficients ambient;
   Direction to_eye;
 };
 
@@ -192,16 +193,24 @@ class PreparedMaterial : public SceneMaterial {
 
  private:
   struct Nothing {};
-  /// Data of methods with a single light: the weights of the light that the material was made for, by which
-  /// light() detects another one, and the material from which it is made again if Use allows that.
-  struct SingleLight {
+  /// The ambient light that the material was made for.
+  struct MadeFor {
+    ChannelCoefficients ambient = kWhite;
+  };
+  /// With a single light also its weights, and the material from which it is made again if Use allows that.
+  struct MadeForOne : MadeFor {
     detail::ChannelWeights weights{};
     std::conditional_t<Used::kChangingLight, Material, Nothing> material{};
   };
   static constexpr bool kSingleLight = detail::kUseFacts<Used>.lights == 1;
 
+  /// Whether the material was made for these lights, as far as they are part of it.
+  [[nodiscard]] constexpr bool is_made_for(const detail::ObjectLights& seen) const;
+
   Lighting lighting_;
-  [[no_unique_address]] std::conditional_t<kSingleLight, SingleLight, Nothing> single_{};
+  [[no_unique_address]] std::conditional_t<kSingleLight, MadeForOne,
+                                           std::conditional_t<kIsLit, MadeFor, Nothing>>
+      made_for_{};
 };
 
 namespace detail {
@@ -210,6 +219,14 @@ namespace detail {
 [[nodiscard]] constexpr ChannelCoefficients product(const ChannelCoefficients& a,
                                                     const ChannelCoefficients& b) {
   return {multiply<Coefficient>(a.r, b.r), multiply<Coefficient>(a.g, b.g), multiply<Coefficient>(a.b, b.b)};
+}
+
+/// The material under ambient light of a colour in 0...1.
+[[nodiscard]] constexpr Material under(const ChannelCoefficients& ambient, const Material& material) {
+  Material lit = material;
+  // Out of range in the same cases as the material is.
+  if (in_unit_range(material.ambient)) lit.ambient = product(material.ambient, ambient);
+  return lit;
 }
 
 [[nodiscard]] constexpr bool differ(const ChannelWeights& a, const ChannelWeights& b) {
@@ -241,46 +258,52 @@ constexpr Status PreparedMaterial<M>::make(const Material& material, const Light
   for (std::size_t i = 0; i < lights.lights.size(); ++i) {
     all[i] = {kAhead, lights.lights[i].strength(), lights.lights[i].colour()};
   }
-  Material lit = material;
-  // Out of range in the same cases as the material is.
-  if (detail::in_unit_range(material.ambient))
-    lit.ambient = detail::product(material.ambient, lights.ambient);
   Illumination illumination;
-  Status status = Illumination::make(lit, all, kAhead, illumination);
+  Status status = Illumination::make(detail::under(lights.ambient, material), all, kAhead, illumination);
   if (ok(status)) status = illumination.set_tolerance(kDefaultTolerance);
   if (!ok(status)) return status;
   prepared = PreparedMaterial(Lighting(illumination), options);
+  prepared.made_for_.ambient = lights.ambient;
   if constexpr (kSingleLight) {
-    prepared.single_.weights = detail::channel_weights(all[0]);
-    if constexpr (Used::kChangingLight) prepared.single_.material = lit;
+    prepared.made_for_.weights = detail::channel_weights(all[0]);
+    if constexpr (Used::kChangingLight) prepared.made_for_.material = material;
   }
   return Status::kOk;
 }
 
 /// @cond
 template <class M>
+constexpr bool PreparedMaterial<M>::is_made_for(const detail::ObjectLights& seen) const {
+  if (seen.ambient != made_for_.ambient) return false;
+  if constexpr (kSingleLight) {
+    return !detail::differ(detail::channel_weights(seen.lights[0]), made_for_.weights);
+  } else {
+    return true;
+  }
+}
+
+template <class M>
 constexpr Status PreparedMaterial<M>::light(const detail::ObjectLights& seen, Lighting& lighting) const {
   using Illumination = detail::IlluminationOf<Lighting>;
   const auto lights = detail::first_lights<Illumination::kLights>(seen);
   std::array<Direction, Illumination::kLights> towards{};
   for (std::size_t i = 0; i < lights.size(); ++i) towards[i] = lights[i].towards;
-  if constexpr (kSingleLight) {
-    if (detail::differ(detail::channel_weights(lights[0]), single_.weights)) {
-      if constexpr (Used::kChangingLight) {
-        Illumination illumination;
-        Status status = Illumination::make(single_.material, lights, seen.to_eye, illumination);
-        if (ok(status)) status = illumination.set_tolerance(lighting_.tolerance());
-        if (!ok(status)) return status;
-        if constexpr (requires { lighting.relight(illumination); }) {
-          copy_words(lighting_, lighting);
-          lighting.relight(illumination);
-        } else {
-          lighting = Lighting(illumination);
-        }
-        return status;
+  if (!is_made_for(seen)) {
+    if constexpr (kSingleLight && Used::kChangingLight) {
+      Illumination illumination;
+      Status status = Illumination::make(detail::under(seen.ambient, made_for_.material), lights, seen.to_eye,
+                                         illumination);
+      if (ok(status)) status = illumination.set_tolerance(lighting_.tolerance());
+      if (!ok(status)) return status;
+      if constexpr (requires { lighting.relight(illumination); }) {
+        copy_words(lighting_, lighting);
+        lighting.relight(illumination);
+      } else {
+        lighting = Lighting(illumination);
       }
-      return Status::kLightChanged;
+      return status;
     }
+    return Status::kLightChanged;
   }
   copy_words(lighting_, lighting);
   lighting.set_directions(towards, seen.to_eye);

@@ -98,6 +98,7 @@ struct OperationSmall {
 ///
 template <class Coloured, class Operation>
 struct WithOperation : Coloured {
+  static_assert(!DrawsEdges<Coloured>, "operations go inside: Wireframe<WithOperation<Unlit, Operation>>");
   using Method = Coloured;
   using DrawsSmallTrianglesAs = std::conditional_t<DrawsSmallTriangles<Method>, WithOperation, void>;
   /// The lighting of the method with the parameters of the operation.

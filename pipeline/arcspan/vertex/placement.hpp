@@ -20,7 +20,7 @@ struct Placement {
 struct Projection {
   PixelLength focal;        ///< distance of the picture plane: (height / 2) / tan(vertical field of view / 2)
   ObjectLength near_plane;  ///< nearer parts are clipped
-  ObjectLength far_plane;   ///< farther parts share the last depth
+  ObjectLength far_plane;   ///< farther vertices get the last depth: no triangle should reach across it
 };
 
 /// The picture's size in pixels, each 1...2048 (the guard band).

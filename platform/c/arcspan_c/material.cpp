@@ -40,7 +40,9 @@ template <class Chosen>
   using Prepared = PreparedMaterial<typename Chosen::Method>;
   const MaterialSource& source = made.source;
   auto& prepared = *new (made.prepared) Prepared;
-  Status status = Prepared::make(source.material, lights, source.options, prepared);
+  // Ambient light is only here, because models in flash are made for white.
+  Status status = Prepared::make(arcspan::detail::under(lights.ambient, source.material), {lights.lights},
+                                 source.options, prepared);
   if (ok(status)) status = prepared.set_tolerance(source.tolerance);
 #if ARCSPAN_C_TOON
   if (ok(status)) status = set_toon(prepared, source.toon_steps);

@@ -271,7 +271,7 @@ arcspan_status arcspan_ink_outlines([[maybe_unused]] arcspan_view* view,
 arcspan_status arcspan_prepare(arcspan_view* view) {
   const arcspan_scene& scene = view->scene;
   const std::span<const Object> objects(scene.objects, scene.object_count);
-  view->status = prepare_scene({view->camera, scene.light_list(), objects}, view->memory);
+  view->status = prepare_scene({view->camera, {scene.light_list().lights}, objects}, view->memory);
 #if ARCSPAN_C_OUTLINES
   if (ok(view->status) && !view->outlines.sides.empty()) find_outlines_of(*view);
 #endif

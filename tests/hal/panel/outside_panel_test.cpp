@@ -28,11 +28,17 @@ struct GreyRows {
   }
 };
 
+/// Windows of threes of columns.
+struct GreyTriples : GreyRows {
+  static constexpr std::int32_t column_step(Orientation) { return 3; }
+};
+
 /// A made-up controller: 'R' resets, 'W' x y w h opens a window; sleeps on 'S', wakes on 'A'.
-class LetterPanel final : public Panel {
+template <class Wire>
+class LetterPanelWith final : public Panel {
  public:
-  using Layout = GreyRows;
-  LetterPanel(SpiBus& bus, OutputPin& dc, Clock& clock)
+  using Layout = Wire;
+  LetterPanelWith(SpiBus& bus, OutputPin& dc, Clock& clock)
       : Panel({20, 10, 0, 0, false, false, false, false}, {}, clock), bus_(bus), dc_(dc) {}
 
  private:
@@ -100,6 +106,7 @@ class LetterDevice final : public sim::DisplayModel {
   bool awake_ = false;
 };
 
+using LetterPanel = LetterPanelWith<GreyRows>;
 static_assert(PanelDriver<LetterPanel>);
 
 }  // namespace
@@ -146,4 +153,20 @@ TEST_CASE("while a band is on the wire the next one is drawn: the times overlap"
   const std::uint64_t took = clock.now_ns() - begin;
   CHECK(took >= 300'000 + 5 * 360'000);
   CHECK(took <= 300'000 + 5 * 370'000 + 10'000);
+}
+
+TEST_CASE("a glass that is no multiple of the layout's steps is refused") {
+  sim::SimulatedClock clock;
+  LetterDevice device;
+  sim::SimulatedSpi bus(device, clock, 1'000'000);
+  LetterPanelWith<GreyTriples> panel(bus, bus.dc, clock);  // 20 columns
+  REQUIRE(panel.start() == Status::kOk);
+  std::vector<std::uint8_t> band(20 * 10);
+  std::vector<std::uint8_t> wire(21 * 10);
+  PageMode<LetterPanelWith<GreyTriples>> mode(panel, band, wire, 10);
+  const auto draw = [](auto&) { return Status::kOk; };
+  CHECK(mode.show(draw) == Status::kInvalidArgument);
+  CHECK(mode.show_area({0, 0, 3, 3}, draw) == Status::kInvalidArgument);
+  const Framebuffer<Gray8> frame(band, 20, 10);
+  CHECK(send_area(panel, frame, {0, 0, 3, 3}, wire) == Status::kInvalidArgument);
 }

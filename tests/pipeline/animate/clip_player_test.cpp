@@ -44,6 +44,9 @@ TEST_CASE("a clip repeats, or stops at its end") {
   player.advance(4'000'000'000u);
   CHECK(player.time() == 0);
   CHECK_FALSE(player.has_ended());
+  player.seek(2'000'000);
+  player.advance(0);
+  CHECK(player.time() == 2'000'000);
 
   player.play(clips.bend, AtClipEnd::kStop);
   player.advance(1'999'999);

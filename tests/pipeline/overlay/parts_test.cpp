@@ -142,3 +142,16 @@ ARCSPAN_TYPES(ARCSPAN_FOR_EACH_PIXEL_FORMAT(ARCSPAN_TYPE)) {
   }
   CHECK(changed);
 }
+
+TEST_CASE("overlays: nothing of a part that its sink does not hold is drawn, wherever the overlay begins") {
+  std::vector<std::uint16_t> words(hal::Framebuffer<Rgb565>::words(kWidth, 16));
+  hal::Framebuffer<Rgb565> band(words, kWidth, 16);
+  SinkPart later(band, {0, 20, kWidth, 30});
+  CHECK(later.bounds() == Rect{});
+  for (const std::int32_t y : {INT32_MIN + 30, -(1 << 30), 25, INT32_MAX - 30}) {
+    const Needle needle{{20, y}, {0}, 40, 9, 5};
+    CHECK(draw_needle(later, needle, {255, 255, 255}) == Status::kOk);
+    CHECK(draw_text(later, plain_font().font, {20, y}, "Lip", Rgb8{255, 255, 255}) == Status::kOk);
+  }
+  CHECK(words == std::vector<std::uint16_t>(words.size()));
+}

@@ -30,8 +30,8 @@ static_assert(fills_in_a_constant());
 }  // namespace
 
 TEMPLATE_TEST_CASE("fill sets as many words as it is asked for, wherever they begin", "", std::uint8_t,
-                   std::uint16_t, std::uint32_t) {
-  constexpr auto kValue = static_cast<TestType>(0x9A3C71E5u);
+                   std::uint16_t, std::uint32_t, std::int16_t, std::uint64_t) {
+  constexpr auto kValue = static_cast<TestType>(0x9A3CF1E5u);
   constexpr auto kOutside = static_cast<TestType>(0x55);
   for (std::size_t first = 0; first < 9; ++first) {
     for (std::size_t count = 0; count < 150; ++count) {

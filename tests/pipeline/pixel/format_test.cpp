@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/pixel/pixel_format_list.hpp>
+#include <arcspan/pixel/pixel_operation.hpp>
+#include <arcspan/span/draw_operated.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -27,6 +29,23 @@ TEST_CASE("rgb565 truncates each channel") {
   CHECK(Rgb565::encode({255, 255, 255}) == 0xFFFF);
   CHECK(Rgb565::encode({0x0F, 0x07, 0x0F}) == 0x0821);
   CHECK(Rgb565::encode({0, 4, 0}) == 0x0020);
+}
+
+TEST_CASE("a format that changes the bits of another one is blended by its own") {
+  struct Bgr565 : Rgb565 {
+    static constexpr std::uint16_t encode(Rgb8 c) { return Rgb565::encode(Rgb8{c.b, c.g, c.r}); }
+    static constexpr std::uint16_t encode_dithered(Rgb8 c, std::int32_t x, std::int32_t y) {
+      return Rgb565::encode_dithered(Rgb8{c.b, c.g, c.r}, x, y);
+    }
+    static constexpr Rgb8 decode(std::uint16_t v) {
+      const Rgb8 c = Rgb565::decode(v);
+      return {c.b, c.g, c.r};
+    }
+  };
+  constexpr auto kGlass = Opacity<>{24}(PackedRgb::of(1022, 2, 2));
+  const Rgb8 mixed = Bgr565::decode(detail::operated<Bgr565>(kGlass, std::uint16_t{0}, 0, 0));
+  CHECK(mixed.r > 180);
+  CHECK(mixed.b == 0);
 }
 
 TEST_CASE("rgb332 has red in the upper bits and blue in the lower ones") {

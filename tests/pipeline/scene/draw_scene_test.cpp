@@ -41,7 +41,7 @@ void draw_unculled(const Scene& scene, Canvas& canvas) {
     ClipTransform transform;
     REQUIRE(scene.camera.place(object.position, object.rotation, object.scale, transform));
     detail::SceneHeader header;
-    header.lights = scene.lights.lights;
+    header.lights = scene.lights;
     header.camera = &scene.camera;
     const detail::ObjectLights lights = detail::lights_at(header, object);
     for (std::size_t i = 0; i < object.part_count(); ++i) {
@@ -233,6 +233,20 @@ TEST_CASE("invisible objects and objects behind the camera are not drawn") {
   CHECK(result.status == Status::kOk);
   CHECK(result.objects == 0);
   CHECK(canvas.pixels == empty.pixels);
+}
+
+TEST_CASE("with a background that is refused neither pixels nor depths change") {
+  const std::vector<Object> objects(1, Object(kBallView, kRed));
+  const Camera camera = looking({0, 0, 3}, {});
+  Canvas canvas;
+  REQUIRE(ok(draw_scene({camera, kLights, objects}, canvas.picture, canvas.depth, memory_of_scene).status));
+  const auto pixels = canvas.pixels;
+  const auto depths = canvas.depths;
+  const VerticalGradient none{{0, 0, 0}, {255, 255, 255}, 0};
+  CHECK(draw_scene({camera, kLights, objects}, canvas.picture, canvas.depth, memory_of_scene, none).status ==
+        Status::kInvalidArgument);
+  CHECK(canvas.pixels == pixels);
+  CHECK(canvas.depths == depths);
 }
 
 TEST_CASE("the parts of an object are drawn by their materials") {

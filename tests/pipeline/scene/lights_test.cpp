@@ -68,7 +68,7 @@ TEST_CASE("missing lights have no direction and no strength") {
   detail::SceneHeader header;
   const Camera camera;
   header.camera = &camera;
-  header.lights = kLights.lights.first(1);
+  header.lights = {kLights.lights.first(1)};
   const MeshView mesh;
   const detail::ObjectLights seen = detail::lights_at(header, Object(mesh, kRed));
   for (std::size_t i = 1; i < seen.lights.size(); ++i) {
@@ -94,6 +94,7 @@ TEST_CASE("a prepared material is the illumination that make() gives for the obj
   detail::ObjectLights seen;
   for (std::size_t i = 0; i < 2; ++i) seen.lights[i] = kSceneLights[i].seen_from({}, rotation);
   seen.to_eye = rotation.to_object(arcspan::normalised(0, 0, 1));
+  seen.ambient = kWhite;
   const Material copper = matter(Coefficient::of(0.8), Coefficient::of(0.4), Coefficient::of(0.2));
   SceneLighting expected;
   REQUIRE(SceneLighting::make(copper, {seen.lights[0], seen.lights[1]}, seen.to_eye, expected) ==
@@ -125,6 +126,7 @@ TEST_CASE("a single light is part of the material") {
   detail::ObjectLights seen;
   seen.lights[0] = kDay[0].seen_from({}, Rotation::identity());
   seen.to_eye = arcspan::normalised(0, 0, 1);
+  seen.ambient = kSun.ambient;
   Single lighting;
   REQUIRE(kConstant.light(seen, lighting) == Status::kOk);
   // Red has half of the ambient light.
@@ -142,6 +144,34 @@ TEST_CASE("a single light is part of the material") {
     const Cosine c = Cosine::from_raw(i << 24);
     CHECK(lighting.colour({c, c}).lanes == made.colour({c, c}).lanes);
   }
+}
+
+TEST_CASE("ambient light is part of the material") {
+  using Single = Illumination<1, Highlight::kPhong>;
+  const Material grey = matter(Coefficient::of(0.5), Coefficient::of(0.5), Coefficient::of(0.5));
+  const LightList day{kLights.lights.first(1)};
+  PreparedMaterial<Flat<Single>> constant;
+  PreparedMaterial<Use<Flat<Single>, DrawFeatures{}, true>> changing;
+  PreparedMaterial<Flat<SceneLighting>> of_two;
+  REQUIRE(ok(constant.make(grey, day, {}, constant)));
+  REQUIRE(ok(changing.make(grey, day, {}, changing)));
+  REQUIRE(ok(of_two.make(grey, day, {}, of_two)));
+  detail::ObjectLights seen{};
+  seen.lights[0] = day.lights[0].seen_from({}, Rotation::identity());
+  seen.to_eye = arcspan::normalised(0, 0, 1);
+  seen.ambient = kWhite;
+  Single lighting;
+  SceneLighting lighting_of_two;
+  REQUIRE(ok(constant.light(seen, lighting)));
+  REQUIRE(ok(of_two.light(seen, lighting_of_two)));
+  const Rgb8 by_day = lighting.diffuse_colour({}).rgb8();
+
+  seen.ambient = {};  // at night
+  CHECK(constant.light(seen, lighting) == Status::kLightChanged);
+  CHECK(of_two.light(seen, lighting_of_two) == Status::kLightChanged);
+  REQUIRE(ok(changing.light(seen, lighting)));
+  CHECK(by_day.r > 0);
+  CHECK(lighting.diffuse_colour({}).rgb8() == Rgb8{});
 }
 
 // A scene whose members are constants takes no RAM: this compiles only if all of it is.

@@ -83,7 +83,7 @@ TEST_CASE("a textured material in flash is drawn by scenes as by draw_mesh, howe
     ClipTransform transform;
     REQUIRE(camera.place(wall.position, wall.rotation, wall.scale, transform));
     detail::SceneHeader header;
-    header.lights = kLampLight.lights;
+    header.lights = kLampLight;
     header.camera = &camera;
     Wall::Method::Lighting lighting;
     REQUIRE(ok(kPainted.light(detail::lights_at(header, wall), lighting)));

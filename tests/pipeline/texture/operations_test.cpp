@@ -6,6 +6,7 @@
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/scene/camera.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/shading/vertex_coloured.hpp>
 #include <arcspan/shading/with_operation.hpp>
@@ -172,9 +173,10 @@ struct Reference {
 
 double share_of_fog(const FogRange& range, std::uint16_t depth) {
   const double near_plane = range.near_plane;
-  const double near_over_w =
-      1 - std::clamp((depth - 256.0) / 65023, 0.0, 1.0) * (1 - near_plane / range.far_plane);
-  return std::clamp((near_plane / near_over_w - range.start) / (double(range.end) - range.start), 0.0, 1.0);
+  const double beyond = std::clamp((depth - 256.0) / 65023, 0.0, 1.0);
+  const double distance = range.orthographic ? near_plane + beyond * (range.far_plane - near_plane)
+                                             : near_plane / (1 - beyond * (1 - near_plane / range.far_plane));
+  return std::clamp((distance - range.start) / (double(range.end) - range.start), 0.0, 1.0);
 }
 double share_of_fog(std::uint16_t depth) { return share_of_fog({kNear, kFar, kFogStart, kFogEnd}, depth); }
 
@@ -435,7 +437,7 @@ TEST_CASE("fog is within 1.5 steps of 255 at every depth, and complete at its en
                                           std::pair(0.95 * ratio, 0.99 * ratio), std::pair(-2.0, 0.3 * ratio),
                                           std::pair(0.5 * ratio, 3.0 * ratio));
   const FogRange range{kUnit, kUnit * ratio, static_cast<std::int32_t>(kUnit * start),
-                       static_cast<std::int32_t>(kUnit * end)};
+                       static_cast<std::int32_t>(kUnit * end), GENERATE(false, true)};
   Fog made;
   REQUIRE(ok(Fog::make(range, kFogColour, made)));
   double worst = 0;
@@ -457,6 +459,54 @@ TEST_CASE("fog grows linearly with the distance of what is drawn", "[textures]")
     const auto near_over_w = static_cast<std::int32_t>(std::lround(std::ldexp(kNear / w, 29)));
     const double share = fog().share(transform.depth(near_over_w)) / 255.0;
     REQUIRE(std::abs(share - std::clamp((w - kFogStart) / (kFogEnd - kFogStart), 0.0, 1.0)) <= 0.004);
+  }
+}
+
+TEST_CASE("fog before an orthographic camera grows linearly, too", "[textures]") {
+  Camera lens;
+  REQUIRE(ok(Camera::make({WorldPoint::of(0, 0, 10), {}},
+                          Lens::orthographic(WorldLength::of(8), WorldLength::of(1), WorldLength::of(9)),
+                          {kWidth, kHeight}, lens)));
+  Fog made;
+  REQUIRE(ok(Fog::make({WorldLength::of(1).raw(), WorldLength::of(9).raw(), WorldLength::of(2).raw(),
+                        WorldLength::of(8).raw(), true},
+                       kFogColour, made)));
+  for (int eighths = 8; eighths <= 72; ++eighths) {
+    const std::int32_t z = WorldLength::of(10).raw() - WorldLength::of(0.125).raw() * eighths;
+    const std::uint16_t depth = lens.project({{}, {}, WorldLength::from_raw(z)}).depth;
+    const double share = std::clamp((eighths / 8.0 - 2) / 6, 0.0, 1.0);
+    REQUIRE(std::abs(made.share(depth) / 255.0 - share) <= 0.006);
+  }
+}
+
+TEST_CASE("fog within fog is seen through both", "[textures]") {
+  Fog green;
+  REQUIRE(ok(Fog::make({ObjectLength::of(kNear).raw(), ObjectLength::of(kFar).raw(),
+                        ObjectLength::of(kNear).raw(), ObjectLength::of(kFar).raw()},
+                       {0, 255, 0}, green)));
+  constexpr PackedRgb kSurface = PackedRgb::of(800, 700, 600);
+  for (std::uint32_t depth = 256; depth < 65280; depth += 777) {
+    const auto within = Fogged{&green}(kSurface).at_depth(depth);
+    const auto both = Fogged{&fog()}(Fogged{&green}(kSurface)).at_depth(depth);
+    REQUIRE(both.packed().lanes == Fogged{&fog()}(within.packed()).at_depth(depth).packed().lanes);
+  }
+}
+
+TEST_CASE("a screen door keeps the alpha of texels for what blends them", "[textures]") {
+  struct Leaf {
+    std::uint32_t opacity;
+    [[nodiscard]] PackedRgb packed() const { return PackedRgb::of(1022, 1022, 1022); }
+    [[nodiscard]] std::uint32_t alpha() const { return opacity; }
+    [[nodiscard]] bool covers(std::int32_t, std::int32_t) const { return opacity >= 8; }
+  };
+  constexpr PackedRgb kBlack = PackedRgb::of(2, 2, 2);
+  for (std::uint32_t alpha = 0; alpha <= 16; ++alpha) {
+    const Leaf leaf{alpha};
+    const auto open = Opacity<>{32}(ScreenDoor{8}.in_row(0, 0)(leaf));
+    const auto plain = Opacity<>{32}(leaf);
+    CHECK(open.covers(0, 0) == plain.covers(0, 0));
+    CHECK(open.over(kBlack).lanes == plain.over(kBlack).lanes);
+    CHECK_FALSE(Opacity<>{32}(ScreenDoor{0}.in_row(0, 0)(leaf)).covers(0, 0));
   }
 }
 

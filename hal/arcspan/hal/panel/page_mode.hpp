@@ -49,7 +49,7 @@ class PageMode {
   /// Draws and sends a whole frame. Calls `draw(Frame& band)` for each band from top to bottom. The band
   /// still holds the pixels of an earlier one. A status of `draw` other than kOk ends the frame.
   ///
-  /// - kInvalidArgument: `rows` is out of range
+  /// - kInvalidArgument: `rows` is out of range, or the glass no multiple of the layout's steps
   /// - kBufferTooSmall: `band` or `wire` is too small
   /// - kNotReady: the panel is not awake
   /// - others: the first failure of `draw` or the panel
@@ -128,8 +128,10 @@ class PageMode {
 
  private:
   [[nodiscard]] Status check() const {
-    const std::int32_t step = Layout::row_step(panel_.settings().orientation);
-    if (rows_ < 1 || rows_ > panel_.height() || rows_ % step != 0) return Status::kInvalidArgument;
+    const Orientation o = panel_.settings().orientation;
+    if (!fits_steps<Layout>(panel_.bounds(), o)) return Status::kInvalidArgument;
+    if (rows_ < 1 || rows_ > panel_.height() || rows_ % Layout::row_step(o) != 0)
+      return Status::kInvalidArgument;
     if (wire_.size() < wire_bytes<P>(panel_.width(), rows_)) return Status::kBufferTooSmall;
     return panel_.awake() ? Status::kOk : Status::kNotReady;
   }
@@ -192,7 +194,8 @@ class PageMode {
 /// Sends `area` of a picture that is in memory as a whole, widened to the layout's steps. One half of `wire`
 /// is filled while the other is sent. Returns when all is sent, so `wire` is free again.
 ///
-/// - kInvalidArgument: `frame` has not the panel's size, or `area` is empty or not inside it
+/// - kInvalidArgument: `frame` has not the panel's size, which is a multiple of the layout's steps, or `area`
+///   is empty or not inside it
 /// - kBufferTooSmall: half of `wire` does not hold one step of rows
 /// - others: the first failure of the panel
 template <PanelDriver P>
@@ -200,11 +203,11 @@ Status send_area(P& panel, const Framebuffer<typename P::Layout::Format>& frame,
                  std::span<std::uint8_t> wire) {
   using Layout = typename P::Layout;
   const Rect all = panel.bounds();
-  if (frame.bounds() != all || area.empty() || area.left < 0 || area.top < 0 || area.right > all.right ||
-      area.bottom > all.bottom) {
+  const Orientation o = panel.settings().orientation;
+  if (frame.bounds() != all || !fits_steps<Layout>(all, o) || area.empty() || area.left < 0 || area.top < 0 ||
+      area.right > all.right || area.bottom > all.bottom) {
     return Status::kInvalidArgument;
   }
-  const Orientation o = panel.settings().orientation;
   const Rect sent = widened<Layout>(area, o);
   const std::int32_t step = Layout::row_step(o);
   const std::size_t half = wire.size() / 2;

@@ -131,6 +131,24 @@ double worst_of_pipeline(const FixedModel& fixed, std::size_t clip, double time)
   return worst;
 }
 
+/// A mesh at node 0 with one morph target, whose weight the clip "open" takes from 0 to 1.
+GltfRig morphed(const Floats& base, const Floats& added) {
+  GltfRig rig;
+  rig.json["nodes"] = json::parse(R"([{"mesh": 0}])");
+  rig.json["meshes"] = {{{"primitives",
+                          {{{"attributes", {{"POSITION", rig.vectors(base)}}},
+                            {"targets", {{{"POSITION", rig.vectors(added)}}}}}}}}};
+  rig.clip("open");
+  rig.channel(0, "weights", {0, 1}, rig.scalars({0, 1}));
+  return rig;
+}
+
+std::size_t triangles_of(const FixedModel& model) {
+  std::size_t indices = 0;
+  for (const FixedMesh& mesh : model.meshes) indices += mesh.indices.size();
+  return indices / 3;
+}
+
 RigChannel turning(std::size_t keys, double degrees) {
   RigChannel channel;
   channel.path = ChannelPath::kRotation;
@@ -355,6 +373,45 @@ TEST_CASE("rigs: a node of no size at rest has its triangles when a clip gives i
   double farthest = 0;
   for (const Vec3& p : grown.parts[0].mesh.positions) farthest = std::max(farthest, length(p));
   CHECK(farthest == Approx(std::sqrt(8)));
+}
+
+TEST_CASE("rigs: a triangle without area is kept if a morph target opens it") {
+  // The first opens, the second has two corners that stay one, the third stays in its line.
+  const Floats line = {0, 0, 0, 1, 0, 0, 2, 0, 0};
+  const Floats base = joined({line, {0, 0, 0, 0, 0, 0, 2, 0, 0}, line});
+  const Floats added = joined({{0, 0, 0, 0, 1, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0, 1, 0}, Floats(9, 1.f)});
+  const Model model = loaded(morphed(base, added));
+  CHECK(model.triangle_count() == 1);
+  CHECK(model.dropped_faces == 2);
+  CHECK(triangles_of(stored(model)) == 1);
+  const Model open = posed_at(model, 0, 1);
+  CHECK(open.triangle_count() == 1);
+}
+
+TEST_CASE("rigs: a triangle without area is kept if joints open it") {
+  GltfRig rig = moved_square("translation", {0, 1}, {0, 0, 0, 0, 1, 0}, "LINEAR");
+  rig.json["nodes"] = json::parse(R"([{}, {"mesh": 0, "skin": 0}, {}])");
+  rig.json["scenes"][0]["nodes"] = {0, 1, 2};
+  rig.json["skins"] = {{{"joints", {2, 0}}}};
+  json& attributes = rig.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["POSITION"] = rig.vectors({0, 0, 0, 1, 0, 0, 1, 0, 0});
+  attributes["JOINTS_0"] =
+      rig.accessor("VEC4", 4, std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0});
+  attributes["WEIGHTS_0"] = rig.quadruples({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  const Model model = loaded(rig);
+  REQUIRE(model.triangle_count() == 1);
+  const FixedModel fixed = stored(model);
+  CHECK(triangles_of(fixed) == 1);
+  CHECK(worst_of_pipeline(fixed, 0, 1) < 32);
+}
+
+TEST_CASE("rigs: a model that is a point at rest has numbers there all the same") {
+  const Model model = loaded(morphed(Floats(9), {0, 0, 0, 1, 0, 0, 0, 1, 0}));
+  REQUIRE(model.triangle_count() == 1);
+  const FixedModel at_rest = to_fixed(posed(model, rest_pose(*model.rig), "rig"));
+  CHECK(at_rest.meshes[0].unit > 0);
+  CHECK(at_rest.meshes[0].positions[0] == arcspan::ObjectPosition{0, 0, 0});
+  CHECK(animation_error(stored(model)).position < 2);
 }
 
 TEST_CASE("rigs: keys that linear interpolation gives within the tolerance are left out") {

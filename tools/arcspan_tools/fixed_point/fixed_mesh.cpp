@@ -65,7 +65,8 @@ FixedMesh fixed_within(const Box& box, const MeshData& mesh, const TextureSample
   const Vec3 extent = box.high - box.low;
   FixedMesh fixed;
   fixed.centre = (box.low + box.high) * 0.5;
-  fixed.unit = std::max({extent.x, extent.y, extent.z}) / kSteps;
+  const double largest = std::max({extent.x, extent.y, extent.z});
+  fixed.unit = (largest > 0 ? largest : 1) / kSteps;  // a pose may leave a single point
   for (const Vec3& p : mesh.positions) {
     const Vec3 from_centre = p - fixed.centre;
     fixed.positions.push_back({to_unit(from_centre.x, fixed.unit), to_unit(from_centre.y, fixed.unit),

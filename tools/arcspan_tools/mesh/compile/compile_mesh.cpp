@@ -20,7 +20,7 @@ FixedModel compacted(const FixedModel& model) {
   FixedModel out;
   out.rig = model.rig;
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
-    FixedMesh mesh = compacted(model.meshes[i]);
+    FixedMesh mesh = compacted(model.meshes[i], model.rig.get());
     if (mesh.indices.empty()) continue;
     out.meshes.push_back(std::move(mesh));
     out.looks.push_back(model.looks[i]);

@@ -23,6 +23,19 @@ bool has_area(const ObjectPosition& a, const ObjectPosition& b, const ObjectPosi
   return uy * vz != uz * vy || uz * vx != ux * vz || ux * vy != uy * vx;
 }
 
+/// Whether a pose of the mesh's rig can give an area to a triangle that has none.
+bool has_area_in_a_pose(const FixedMesh& mesh, const std::uint16_t* t, const Rig* rig) {
+  if (rig == nullptr || mesh.sources.empty()) return false;
+  std::array<std::uint32_t, 3> sources{};
+  std::array<bool, 3> joined{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    sources[i] = mesh.sources[t[i]];
+    if (sources[i] == kNoSource) return false;
+    joined[i] = mesh.positions[t[i]] == mesh.positions[t[(i + 1) % 3]];
+  }
+  return can_open(*rig, sources, joined);
+}
+
 FixedMesh without_arrays(const FixedMesh& mesh) {
   FixedMesh out;
   out.unit = mesh.unit;
@@ -37,7 +50,7 @@ std::vector<unsigned> wide_indices(const FixedMesh& mesh) {
 
 }  // namespace
 
-FixedMesh compacted(const FixedMesh& mesh) {
+FixedMesh compacted(const FixedMesh& mesh, const Rig* rig) {
   FixedMesh out = without_arrays(mesh);
   std::map<Vertex, std::uint16_t> known;
   const auto vertex = [&](std::size_t i) {
@@ -62,7 +75,9 @@ FixedMesh compacted(const FixedMesh& mesh) {
   };
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const std::uint16_t* t = mesh.indices.data() + i;
-    if (!has_area(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]])) continue;
+    if (!has_area(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]) &&
+        !has_area_in_a_pose(mesh, t, rig))
+      continue;
     for (int corner = 0; corner < 3; ++corner) out.indices.push_back(vertex(t[corner]));
   }
   return out;

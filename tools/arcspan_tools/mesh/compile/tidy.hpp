@@ -8,8 +8,9 @@
 namespace arcspan::tools {
 
 /// `mesh` without what its 16 bits made useless: vertices that became equal are joined, triangles that lost
-/// their area are dropped, and vertices that nothing uses.
-[[nodiscard]] FixedMesh compacted(const FixedMesh& mesh);
+/// their area are dropped, unless a pose of `rig`, which may be null, can give them one, and vertices that
+/// nothing uses.
+[[nodiscard]] FixedMesh compacted(const FixedMesh& mesh, const Rig* rig = nullptr);
 
 /// `mesh` with its triangles ordered for a vertex cache and its vertices in the order of their first use, so
 /// that a flash with read-ahead or a small data cache reads them one after the other.

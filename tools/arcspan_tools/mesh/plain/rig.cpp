@@ -1,7 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/plain/rig.hpp>
 
+#include <algorithm>
+
 namespace arcspan::tools {
+
+bool move_alike(const RigVertex& a, const RigVertex& b) {
+  return a.instance == b.instance && a.joints == b.joints && a.weights == b.weights &&
+         std::equal(a.deltas.begin(), a.deltas.end(), b.deltas.begin(), b.deltas.end(),
+                    [](const MorphDelta& x, const MorphDelta& y) { return x.position == y.position; });
+}
+
+bool can_open(const Rig& rig, const std::array<std::uint32_t, 3>& vertices,
+              const std::array<bool, 3>& joined) {
+  bool differ = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool alike = move_alike(rig.vertices[vertices[i]], rig.vertices[vertices[(i + 1) % 3]]);
+    if (alike && joined[i]) return false;
+    differ = differ || !alike;
+  }
+  return differ;
+}
 
 std::vector<bool> moved_nodes(const Rig& rig) {
   std::vector<bool> moved(rig.nodes.size());

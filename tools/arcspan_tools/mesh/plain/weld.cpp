@@ -51,14 +51,17 @@ Vec3 area_vector(const std::array<RawMesh::Corner, 3>& t) {
   return cross(t[1].position - t[0].position, t[2].position - t[0].position);
 }
 
-/// Whether the triangle of a rig has an area where the rig stores it, because it may have one in a pose.
+/// Whether the triangle of a rig may have an area in another pose than that at rest.
 bool has_area_elsewhere(const std::array<RawMesh::Corner, 3>& t, const Rig* rig) {
   std::array<RawMesh::Corner, 3> stored = t;
   for (RawMesh::Corner& corner : stored) {
     if (rig == nullptr || corner.source == kNoSource) return false;
     corner.position = rig->vertices[corner.source].position;
   }
-  return length(area_vector(stored)) > 0;
+  if (length(area_vector(stored)) > 0) return true;
+  std::array<bool, 3> joined{};
+  for (std::size_t i = 0; i < 3; ++i) joined[i] = stored[i].position == stored[(i + 1) % 3].position;
+  return can_open(*rig, {t[0].source, t[1].source, t[2].source}, joined);
 }
 
 std::uint32_t smoothing_of(const RawMesh& raw, std::size_t triangle) {

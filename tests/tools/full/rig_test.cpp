@@ -48,6 +48,10 @@ Model posed_at(const Model& model, std::size_t clip, double time) {
   return posed(model, pose_at(*model.rig, model.rig->clips.at(clip), time), "rig");
 }
 
+std::vector<Vec3> normals_at(const Model& model, double time) {
+  return posed_at(model, 0, time).parts[0].mesh.normals;
+}
+
 /// Where the vertex is that a rig stores at `stored`.
 Vec3 where(const Model& model, Vec3 stored, const RigPose& pose) {
   const RigPoser poser(*model.rig, pose);
@@ -147,6 +151,17 @@ std::size_t triangles_of(const FixedModel& model) {
   std::size_t indices = 0;
   for (const FixedMesh& mesh : model.meshes) indices += mesh.indices.size();
   return indices / 3;
+}
+
+/// The least cosine between the front of a triangle and the normals of its corners.
+double least_cosine(const MeshData& mesh) {
+  double least = 1;
+  for (const auto& t : mesh.triangles) {
+    const Vec3& a = mesh.positions[t[0]];
+    const Vec3 front = normalised(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
+    for (const std::uint32_t corner : t) least = std::min(least, dot(front, mesh.normals[corner]));
+  }
+  return least;
 }
 
 RigChannel turning(std::size_t keys, double degrees) {
@@ -386,6 +401,7 @@ TEST_CASE("rigs: a triangle without area is kept if a morph target opens it") {
   CHECK(triangles_of(stored(model)) == 1);
   const Model open = posed_at(model, 0, 1);
   CHECK(open.triangle_count() == 1);
+  CHECK(least_cosine(open.parts[0].mesh) == Approx(1));
 }
 
 TEST_CASE("rigs: a triangle without area is kept if joints open it") {
@@ -412,6 +428,30 @@ TEST_CASE("rigs: a model that is a point at rest has numbers there all the same"
   CHECK(at_rest.meshes[0].unit > 0);
   CHECK(at_rest.meshes[0].positions[0] == arcspan::ObjectPosition{0, 0, 0});
   CHECK(animation_error(stored(model)).position < 2);
+}
+
+TEST_CASE("rigs: morph targets turn the flat normals of files without normals") {
+  // The target lifts the right edge of a triangle in the plane z = 0 by 45 degrees.
+  GltfRig rig = morphed({0, 0, 0, 1, 0, 0, 1, 1, 0}, {0, 0, 0, 0, 0, 1, 0, 0, 1});
+  const Vec3 tilted = normalised(Vec3{-1, 0, 1});
+  const Model model = loaded(rig);
+  for (const Vec3& n : normals_at(model, 0)) CHECK(length(n - Vec3{0, 0, 1}) < 1e-6);
+  for (const Vec3& n : normals_at(model, 1)) CHECK(length(n - tilted) < 1e-6);
+  const FixedModel fixed = stored(model);
+  REQUIRE(fixed.animation->parts[0].morph->has_normals);
+  for (const std::vector<FixedMorphRecord>& of_vertex : fixed.animation->parts[0].morph->records) {
+    REQUIRE(of_vertex.size() == 1);
+    CHECK(of_vertex[0].normal == std::array<std::int16_t, 3>{-11585, 0, 11585 - 16384});
+  }
+  rig.json["nodes"][0]["scale"] = {-1, 1, 1};
+  for (const Vec3& n : normals_at(loaded(rig), 1)) CHECK(length(n - normalised(Vec3{1, 0, 1})) < 1e-6);
+}
+
+TEST_CASE("rigs: a face without area in the base has the flat normal of its morph target") {
+  const Model model = loaded(morphed({0, 0, 0, 1, 0, 0, 1, 0, 0}, {0, 0, 0, 0, 0, 0, 0, 0, -1}));
+  for (const double time : {0., .5, 1.}) {
+    for (const Vec3& n : normals_at(model, time)) CHECK(n == Vec3{0, 1, 0});
+  }
 }
 
 TEST_CASE("rigs: keys that linear interpolation gives within the tolerance are left out") {

@@ -34,6 +34,24 @@ GltfVertices::GltfVertices(GltfFile& file, const JsonView& primitive, const Acce
   }
 }
 
+std::array<std::uint32_t, 3> GltfVertices::add_triangle(const std::array<std::size_t, 3>& indices,
+                                                        std::size_t instance, RigVertices& rig) {
+  std::array<std::uint32_t, 3> numbers{};
+  if (!normals_ && !targets_.empty()) {
+    std::array<RigVertex, 3> corners{vertex(indices[0], instance), vertex(indices[1], instance),
+                                     vertex(indices[2], instance)};
+    add_flat_normals(corners);
+    for (std::size_t i = 0; i < 3; ++i) numbers[i] = rig.add(corners[i]);
+    return numbers;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [found, is_new] = known_.try_emplace(indices[i]);
+    if (is_new) found->second = rig.add(vertex(indices[i], instance));
+    numbers[i] = found->second;
+  }
+  return numbers;
+}
+
 RigVertex GltfVertices::vertex(std::size_t index, std::size_t instance) const {
   RigVertex vertex;
   vertex.instance = instance;

@@ -154,28 +154,33 @@ class GltfReader {
     const Primitive primitive = read_corners(json, mode, material.mapping.set);
     std::optional<GltfVertices> moved;
     if (instance) moved.emplace(read_vertices(json, primitive, *instance));
-    std::map<std::size_t, std::uint32_t> known;  // vertices of the rig, by index
-    const auto place = [&](std::size_t corner) {
-      CornerPlace at{rest_->nodes()[node], primitive.positions.vec3(corner), {}};
-      if (primitive.normals) at.normal = primitive.normals->vec3(corner);
-      if (!moved) return at;
-      const auto [found, is_new] = known.try_emplace(corner);
-      if (is_new) found->second = rig_vertices_.add(moved->vertex(corner, *instance));
-      const RigVertex& vertex = rig_->vertices[found->second];
-      at = {rest_->place(vertex), rest_->shaped_position(vertex), at.normal, found->second};
-      if (finite(at.normal)) at.normal = rest_->shaped_normal(vertex);
-      return at;
-    };
     const std::optional<std::size_t> morphs = moved && moved->morph_targets() > 0 ? instance : std::nullopt;
     const std::uint32_t look = look_of(names, material.material, morphs);
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
       count_.add_face(3);
       std::array<std::size_t, 3> corners{primitive.indices[i], primitive.indices[i + 1],
                                          primitive.indices[i + 2]};
-      if (place(corners[0]).transform.mirrors()) std::swap(corners[1], corners[2]);
-      const std::array<CornerPlace, 3> places{place(corners[0]), place(corners[1]), place(corners[2])};
+      std::array<std::uint32_t, 3> sources{kNoSource, kNoSource, kNoSource};
+      if (moved) sources = moved->add_triangle(corners, *instance, rig_vertices_);
+      std::array<CornerPlace, 3> places;
+      for (std::size_t k = 0; k < 3; ++k) places[k] = place_of(primitive, corners[k], node, sources[k]);
+      if (places[0].transform.mirrors()) {
+        std::swap(corners[1], corners[2]);
+        std::swap(places[1], places[2]);
+      }
       add_triangle(json, primitive, corners, places, look, material);
     }
+  }
+
+  [[nodiscard]] CornerPlace place_of(const Primitive& primitive, std::size_t corner, std::size_t node,
+                                     std::uint32_t source) const {
+    CornerPlace at{rest_->nodes()[node], primitive.positions.vec3(corner), {}};
+    if (primitive.normals) at.normal = primitive.normals->vec3(corner);
+    if (source == kNoSource) return at;
+    const RigVertex& vertex = rig_->vertices[source];
+    at = {rest_->place(vertex), rest_->shaped_position(vertex), at.normal, source};
+    if (finite(at.normal)) at.normal = rest_->shaped_normal(vertex);
+    return at;
   }
 
   GltfVertices read_vertices(const JsonView& json, const Primitive& primitive, std::size_t instance) {

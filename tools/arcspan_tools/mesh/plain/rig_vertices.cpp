@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace arcspan::tools {
 namespace {
@@ -24,6 +25,14 @@ std::uint64_t hash_of(const RigVertex& v) {
   return hash ^ (hash >> 32);
 }
 
+/// The unit normal of a triangle, zero if it has no area. It is rounded, so that triangles of one plane share
+/// their vertices.
+Vec3 flat_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  constexpr double kSteps = 1 << 20;
+  const Vec3 n = normalised(cross(b - a, c - a)) * kSteps;
+  return Vec3{std::round(n.x), std::round(n.y), std::round(n.z)} * (1 / kSteps);
+}
+
 }  // namespace
 
 std::uint32_t RigVertices::add(const RigVertex& vertex) {
@@ -36,6 +45,22 @@ std::uint32_t RigVertices::add(const RigVertex& vertex) {
   vertices_.push_back(vertex);
   known_.emplace(hash, number);
   return number;
+}
+
+void add_flat_normals(std::array<RigVertex, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
+  Vec3 base = flat_normal(a.position, b.position, c.position);
+  std::vector<Vec3> shaped;  // of each morph target
+  for (std::size_t i = 0; i < a.deltas.size(); ++i) {
+    shaped.push_back(flat_normal(a.position + a.deltas[i].position, b.position + b.deltas[i].position,
+                                 c.position + c.deltas[i].position));
+    if (base == Vec3{}) base = shaped.back();
+  }
+  for (RigVertex& corner : triangle) {
+    corner.normal = base;
+    for (std::size_t i = 0; i < shaped.size(); ++i)
+      corner.deltas[i].normal = shaped[i] == Vec3{} ? Vec3{} : shaped[i] - base;
+  }
 }
 
 void JointWeights::add(std::size_t joint, double weight) {

@@ -3,6 +3,7 @@
 
 #include <arcspan_tools/mesh/plain/rig.hpp>
 
+#include <array>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -21,6 +22,11 @@ class RigVertices {
   std::vector<RigVertex>& vertices_;
   std::unordered_multimap<std::uint64_t, std::uint32_t> known_;  ///< by hash
 };
+
+/// Gives the corners of a triangle the normal of its plane, and each morph target the change of that normal,
+/// in the space of the mesh, where they are counter-clockwise from the front. A target that leaves no area
+/// changes nothing, and without an area the base has the normal of the first target that gives it one.
+void add_flat_normals(std::array<RigVertex, 3>& triangle);
 
 /// The joints that a file lets a vertex follow.
 class JointWeights {

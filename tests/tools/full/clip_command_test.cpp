@@ -2,6 +2,7 @@
 // Clips in `arcspan render`, `turntable` and `mesh`, as a user runs them.
 #include <arcspan/mesh/crc32.hpp>
 
+#include <arcspan_tools/image/difference.hpp>
 #include <arcspan_tools/image/image_file.hpp>
 #include <catch2/catch.hpp>
 #include <tests/tools/command_run.hpp>
@@ -129,6 +130,33 @@ TEST_CASE("a model binary whose animation contradicts itself is refused") {
   const CommandRun refused = run("render " + damaged + " -o " + (folder / "a.png"));
   CHECK(refused.status != 0);
   CHECK(refused.err.find(damaged + ": its animation is damaged (") != std::string::npos);
+}
+
+TEST_CASE("a clip that mirrors is drawn with its fronts") {
+  const TemporaryFolder folder;
+  GltfRig rig;
+  rig.json["nodes"] = {{{"mesh", 0}, {"name", "leaf"}, {"scale", {-1, 1, 1}}}};
+  rig.json["meshes"] = {
+      {{"primitives", {{{"attributes", {{"POSITION", rig.vectors({0, 0, 0, 1, 0, 0, 0, 1, 0})}}}}}}}};
+  const std::string still = folder.file("still.glb", rig.glb());
+  rig.json["nodes"][0].erase("scale");
+  rig.clip("flip");
+  rig.channel(0, "scale", {0, 1}, rig.vectors({1, 1, 1, -1, 1, 1}), "STEP");
+  const std::string moving = folder.file("moving.glb", rig.glb());
+  const auto drawn = [&](const std::string& model) {
+    const std::string picture = folder / "a.png";
+    REQUIRE(
+        run("render " + model + " --size 40x30 --eye 0,0,3 --target 0,0,0 --fov 40 -o " + picture).status ==
+        0);
+    return read_image(picture);
+  };
+  const Image wanted = drawn(still);
+  const auto mean = [&](const std::string& model) { return difference(drawn(model), wanted).mean; };
+  CHECK(mean(moving + " --pose flip@0") > 5);
+  CHECK(mean(moving + " --pose flip@1") < 1);
+  const CommandRun baked = run("mesh " + moving + " --pose flip@1 -o " + (folder / "b.bin"));
+  CHECK(baked.status == 0);
+  CHECK(baked.err.empty());
 }
 
 TEST_CASE("a rig that cannot be stored is drawn all the same, and a warning says why") {

@@ -3,6 +3,7 @@
 #include <arcspan/animate/pose.hpp>
 #include <arcspan/animate/skinned_mesh.hpp>
 
+#include <arcspan_tools/command/runtime_model.hpp>
 #include <arcspan_tools/mesh/compile/animation_error.hpp>
 #include <arcspan_tools/mesh/compile/compile_mesh.hpp>
 #include <arcspan_tools/mesh/compile/make_animation.hpp>
@@ -451,6 +452,25 @@ TEST_CASE("rigs: a face without area in the base has the flat normal of its morp
   const Model model = loaded(morphed({0, 0, 0, 1, 0, 0, 1, 0, 0}, {0, 0, 0, 0, 0, 0, 0, 0, -1}));
   for (const double time : {0., .5, 1.}) {
     for (const Vec3& n : normals_at(model, time)) CHECK(n == Vec3{0, 1, 0});
+  }
+}
+
+TEST_CASE("rigs: triangles turn round where a pose mirrors them, or no longer does") {
+  const double of_tube = least_cosine(loaded(bending_tube()).parts[0].mesh);
+  for (const float first : {1.f, -1.f}) {
+    GltfRig rig = bending_tube();
+    rig.json["nodes"][0]["scale"] = {first, 1, 1};
+    rig.clip("flip");
+    rig.channel(0, "scale", {0, 1}, rig.vectors({first, 1, 1, -first, 1, 1}), "STEP");
+    const Model skinned = loaded(rig);
+    rig.json["nodes"][3] = {{"mesh", 0}};  // without the skin
+    for (const Model& model : {skinned, loaded(rig)}) {
+      CHECK(least_cosine(model.parts[0].mesh) == Approx(of_tube));
+      for (const double time : {0., 1.})
+        CHECK(least_cosine(posed_at(model, 0, time).parts[0].mesh) == Approx(of_tube));
+      const Model in_integers = posed_like(model, RuntimeModel(model, "rig").posed("flip", 1));
+      CHECK(least_cosine(in_integers.parts[0].mesh) == Approx(of_tube).epsilon(1e-3));
+    }
   }
 }
 

@@ -47,6 +47,24 @@ void require_ok(Status status, const std::string& subject) {
   if (!ok(status)) throw Failure(subject, std::string("its animation cannot be used: ") + to_string(status));
 }
 
+/// Of a clip of this name, or at rest.
+RigPose pose_of(const Rig& rig, const std::string& clip, double seconds) {
+  RigPose pose = rest_pose(rig);
+  for (const RigClip& known : rig.clips) {
+    if (known.name == clip) pose = pose_at(rig, known, seconds);
+  }
+  return pose;
+}
+
+/// Turns triangles round whose vertices, which have these sources, are mirrored.
+void turn_mirrored(const std::vector<std::uint32_t>& sources, const std::vector<bool>& mirrored,
+                   std::vector<std::uint16_t>& indices) {
+  for (std::size_t i = 0; !sources.empty() && i < indices.size(); i += 3) {
+    const std::uint32_t source = sources[indices[i]];
+    if (source != kNoSource && mirrored[source]) std::swap(indices[i + 1], indices[i + 2]);
+  }
+}
+
 template <class Mesh>
 void take_vertices(const Mesh& mesh, FixedMesh& posed) {
   for (std::size_t i = 0; i < posed.positions.size(); ++i) {
@@ -83,7 +101,7 @@ std::vector<ClipLength> clips_of(const Model& model) {
 }
 
 RuntimeModel::RuntimeModel(const Model& model, const std::string& subject)
-    : subject_(subject), stored_(to_fixed(as_stored(model))), binary_(model.binary) {
+    : subject_(subject), stored_(to_fixed(as_stored(model))), rig_(model.rig), binary_(model.binary) {
   try {
     if (binary_ == nullptr) binary_ = compiled(stored_, subject);
   } catch (const Failure& failure) {
@@ -134,11 +152,7 @@ void RuntimeModel::pose_part(std::size_t part, std::span<const NodeMatrix> nodes
 }
 
 FixedModel RuntimeModel::posed_in_doubles(const std::string& clip, double seconds) const {
-  const Rig& rig = *in_doubles_.rig;
-  RigPose pose = rest_pose(rig);
-  for (const RigClip& known : rig.clips) {
-    if (known.name == clip) pose = pose_at(rig, known, seconds);
-  }
+  const RigPose pose = pose_of(*in_doubles_.rig, clip, seconds);
   const FixedMeshes meshes(stored_);
   return to_fixed(tools::posed(in_doubles_, pose, subject_), box_of_units(meshes.centre(), meshes.unit()));
 }
@@ -158,6 +172,10 @@ FixedModel RuntimeModel::posed(const std::string& clip, double seconds) const {
   FixedModel posed = stored_;
   for (std::size_t i = 0; i < posed.meshes.size(); ++i)
     pose_part(binary_->part_numbers[i], nodes, blend, posed.meshes[i]);
+  if (rig_ == nullptr) return posed;
+  const std::vector<bool> mirrored = mirrored_vertices(*rig_, pose_of(*rig_, clip, seconds));
+  for (std::size_t i = 0; i < posed.meshes.size(); ++i)
+    turn_mirrored(stored_.meshes[i].sources, mirrored, posed.meshes[i].indices);
   return posed;
 }
 
@@ -176,6 +194,8 @@ Model posed_like(const Model& like, const FixedModel& posed) {
       const Direction n = unpack_normal(from.normals[i]);
       mesh.normals[i] = normalised(Vec3{double(n.x.raw()), double(n.y.raw()), double(n.z.raw())});
     }
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      mesh.triangles[i] = {from.indices[3 * i], from.indices[3 * i + 1], from.indices[3 * i + 2]};
   }
   return out;
 }

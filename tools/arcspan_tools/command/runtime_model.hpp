@@ -30,8 +30,9 @@ struct ClipLength {
 }
 
 /// A model that moves, posed as a device poses it: by the library, in integers, from the bytes that
-/// `arcspan mesh` writes. Only normals are rounded once more, to the 32 bits of a mesh at rest. A rig that
-/// cannot be stored is posed in doubles, and a warning says so.
+/// `arcspan mesh` writes. Only normals are rounded once more, to the 32 bits of a mesh at rest, and triangles
+/// of a file of other programs turn round where a pose mirrors them, as their file demands. A rig that cannot
+/// be stored is posed in doubles, and a warning says so.
 class RuntimeModel {
  public:
   RuntimeModel(const Model& model, const std::string& subject);
@@ -48,14 +49,16 @@ class RuntimeModel {
                  FixedMesh& posed) const;
 
   std::string subject_;
-  Model in_doubles_;   ///< with a rig that cannot be stored
-  FixedModel stored_;  ///< as it is before it is posed
+  Model in_doubles_;                ///< with a rig that cannot be stored
+  FixedModel stored_;               ///< as it is before it is posed
+  std::shared_ptr<const Rig> rig_;  ///< of a model of another program's file, or null
   std::shared_ptr<const MovingBinary> binary_;
   StoredModel model_;
   StoredAnimation animation_;
 };
 
-/// `like` with the positions and normals of `posed`, which has the same vertices, and without motion.
+/// `like` with the positions, normals and triangles of `posed`, which has the same vertices, and without
+/// motion.
 [[nodiscard]] Model posed_like(const Model& like, const FixedModel& posed);
 
 }  // namespace arcspan::tools

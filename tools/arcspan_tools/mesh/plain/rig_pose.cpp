@@ -2,6 +2,8 @@
 #include <arcspan_tools/mesh/plain/rig_pose.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
+#include <utility>
+
 namespace arcspan::tools {
 namespace {
 
@@ -81,6 +83,16 @@ Vec3 RigPoser::normal(const RigVertex& vertex) const {
   return rig_.instances[vertex.instance].skin ? place.direction(shaped) : place.normal(shaped);
 }
 
+std::vector<bool> mirrored_vertices(const Rig& rig, const RigPose& pose) {
+  const RigPoser rest(rig, rest_pose(rig));
+  const RigPoser poser(rig, pose);
+  std::vector<bool> mirrored;
+  mirrored.reserve(rig.vertices.size());
+  for (const RigVertex& vertex : rig.vertices)
+    mirrored.push_back(poser.place(vertex).mirrors() != rest.place(vertex).mirrors());
+  return mirrored;
+}
+
 Vec3 stored_normal(const RigVertex& vertex, Vec3 at_rest, const RigPoser& rest) {
   if (vertex.normal != Vec3{}) return vertex.normal;
   const Affine place = rest.place(vertex);
@@ -94,6 +106,7 @@ Model posed(const Model& model, const RigPose& pose, const std::string& subject)
   if (model.rig == nullptr) return out;
   const RigPoser rest(*model.rig, rest_pose(*model.rig));
   const RigPoser poser(*model.rig, pose);
+  const std::vector<bool> mirrored = mirrored_vertices(*model.rig, pose);
   for (ModelPart& part : out.parts) {
     MeshData& mesh = part.mesh;
     for (std::size_t i = 0; i < mesh.sources.size(); ++i) {
@@ -106,6 +119,10 @@ Model posed(const Model& model, const RigPose& pose, const std::string& subject)
       const Vec3 normal = poser.normal(vertex);
       // A joint of no size leaves no normal, and none is seen.
       if (finite(normal) && length(normal) > 0) mesh.normals[i] = normalised(normal);
+    }
+    for (std::array<std::uint32_t, 3>& t : mesh.triangles) {
+      const std::uint32_t source = mesh.sources.empty() ? kNoSource : mesh.sources[t[0]];
+      if (source != kNoSource && mirrored[source]) std::swap(t[1], t[2]);
     }
     mesh.sources.clear();
   }

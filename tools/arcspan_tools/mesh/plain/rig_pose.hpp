@@ -48,6 +48,10 @@ class RigPoser {
   std::vector<std::vector<double>> morph_weights_;
 };
 
+/// For each vertex of a rig, whether a pose mirrors it and the pose at rest does not, or the reverse:
+/// triangles of such vertices have to turn round to show their fronts.
+[[nodiscard]] std::vector<bool> mirrored_vertices(const Rig& rig, const RigPose& pose);
+
 /// The normal of a vertex of a rigged mesh in the space where the rig stores it: the file's, or one that was
 /// made in the rest pose, taken back from there.
 [[nodiscard]] Vec3 stored_normal(const RigVertex& vertex, Vec3 at_rest, const RigPoser& rest);

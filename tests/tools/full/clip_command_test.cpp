@@ -132,7 +132,7 @@ TEST_CASE("a model binary whose animation contradicts itself is refused") {
   CHECK(refused.err.find(damaged + ": its animation is damaged (") != std::string::npos);
 }
 
-TEST_CASE("a clip that mirrors is drawn with its fronts") {
+TEST_CASE("a clip that mirrors is drawn with its fronts, and mesh warns that a device cannot") {
   const TemporaryFolder folder;
   GltfRig rig;
   rig.json["nodes"] = {{{"mesh", 0}, {"name", "leaf"}, {"scale", {-1, 1, 1}}}};
@@ -154,6 +154,9 @@ TEST_CASE("a clip that mirrors is drawn with its fronts") {
   const auto mean = [&](const std::string& model) { return difference(drawn(model), wanted).mean; };
   CHECK(mean(moving + " --pose flip@0") > 5);
   CHECK(mean(moving + " --pose flip@1") < 1);
+  const CommandRun made = run("mesh " + moving + " -o " + (folder / "a.bin"));
+  CHECK(made.err == "arcspan: warning: " + moving +
+                        ": the clip 'flip' mirrors the node 'leaf', whose triangles show their backs then\n");
   const CommandRun baked = run("mesh " + moving + " --pose flip@1 -o " + (folder / "b.bin"));
   CHECK(baked.status == 0);
   CHECK(baked.err.empty());

@@ -7,6 +7,7 @@
 #include <arcspan_tools/mesh/compile/animation_error.hpp>
 #include <arcspan_tools/mesh/compile/compile_mesh.hpp>
 #include <arcspan_tools/mesh/compile/make_animation.hpp>
+#include <arcspan_tools/mesh/compile/mirroring_clips.hpp>
 #include <arcspan_tools/mesh/compile/part_motion.hpp>
 #include <arcspan_tools/mesh/compile/stored_rig.hpp>
 #include <arcspan_tools/mesh/compile/thin_keys.hpp>
@@ -472,6 +473,16 @@ TEST_CASE("rigs: triangles turn round where a pose mirrors them, or no longer do
       CHECK(least_cosine(in_integers.parts[0].mesh) == Approx(of_tube).epsilon(1e-3));
     }
   }
+}
+
+TEST_CASE("rigs: the first node that a clip mirrors") {
+  const auto mirrored = [](const Floats& scales) {
+    const Model model = loaded(moved_square("scale", {0, 1, 2}, scales, "LINEAR"));
+    return mirrored_node(*model.rig, model.rig->clips[0]);
+  };
+  CHECK(mirrored({1, 1, 1, -1, 1, 1, 1, 1, 1}) == 0u);
+  CHECK_FALSE(mirrored({1, 1, 1, -1, -1, 1, 1, 1, 1}));
+  CHECK_FALSE(mirrored({1, 1, 1, 0, 0, 0, 1, 1, 1}));
 }
 
 TEST_CASE("rigs: keys that linear interpolation gives within the tolerance are left out") {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/compile/mirroring_clips.hpp>
+#include <arcspan_tools/mesh/compile/stored_rig.hpp>
+#include <arcspan_tools/mesh/plain/rig_pose.hpp>
+
+#include <vector>
+
+namespace arcspan::tools {
+namespace {
+
+/// For each node, whether vertices follow it.
+std::vector<bool> followed_nodes(const Rig& rig) {
+  std::vector<bool> followed(rig.nodes.size());
+  for (const RigInstance& instance : rig.instances) {
+    if (!instance.skin) {
+      followed[instance.node] = true;
+      continue;
+    }
+    for (const std::size_t joint : rig.skins[*instance.skin].joints) followed[joint] = true;
+  }
+  return followed;
+}
+
+}  // namespace
+
+std::optional<std::size_t> mirrored_node(const Rig& rig, const RigClip& clip) {
+  constexpr std::size_t kMostPosedNodes = 1'000'000;
+  const std::vector<bool> followed = followed_nodes(rig);
+  const RigPoser rest(rig, rest_pose(rig));
+  for (const double time : key_times(clip, kMostPosedNodes / rig.nodes.size())) {
+    const RigPoser poser(rig, pose_at(rig, clip, time));
+    for (std::size_t i = 0; i < rig.nodes.size(); ++i) {
+      if (followed[i] && poser.nodes()[i].mirrors() != rest.nodes()[i].mirrors()) return i;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace arcspan::tools

@@ -485,6 +485,20 @@ TEST_CASE("rigs: the first node that a clip mirrors") {
   CHECK_FALSE(mirrored({1, 1, 1, 0, 0, 0, 1, 1, 1}));
 }
 
+TEST_CASE("rigs: instances of different skins are different parts, however equal they look") {
+  const auto parts = [](int second_skin) {
+    GltfRig rig = bending_tube();
+    json& nodes = rig.json["nodes"];
+    nodes.push_back(nodes[3]);
+    nodes[4]["skin"] = second_skin;
+    rig.json["scenes"][0]["nodes"] = {0, 4};
+    rig.json["skins"].push_back({{"joints", {2, 1}}});
+    return loaded(rig).parts.size();
+  };
+  CHECK(parts(0) == 1);
+  CHECK(parts(1) == 2);
+}
+
 TEST_CASE("rigs: keys that linear interpolation gives within the tolerance are left out") {
   const RigChannel channel = turning(101, 60);
   const RigChannel few = thinned(channel, {0.5, 0, 0});

@@ -40,6 +40,14 @@ struct CornerPlace {
   std::uint32_t source = kNoSource;
 };
 
+/// What moves the vertices of a part.
+struct MovedBy {
+  std::optional<std::size_t> morphing_instance{};  ///< with morph targets
+  std::optional<std::size_t> skin{};
+
+  friend bool operator==(const MovedBy&, const MovedBy&) = default;
+};
+
 /// The corners of the triangles of a strip (5) or a fan (6), or as they are (4).
 std::vector<std::size_t> triangulated(const std::vector<std::size_t>& corners, std::int64_t mode) {
   if (mode == 4) return corners;
@@ -153,9 +161,13 @@ class GltfReader {
     const GltfMaterial material = material_of(json);
     const Primitive primitive = read_corners(json, mode, material.mapping.set);
     std::optional<GltfVertices> moved;
-    if (instance) moved.emplace(read_vertices(json, primitive, *instance));
-    const std::optional<std::size_t> morphs = moved && moved->morph_targets() > 0 ? instance : std::nullopt;
-    const std::uint32_t look = look_of(names, material.material, morphs);
+    MovedBy moved_by;
+    if (instance) {
+      moved.emplace(read_vertices(json, primitive, *instance));
+      moved_by.skin = rig_->instances[*instance].skin;
+      if (moved->morph_targets() > 0) moved_by.morphing_instance = instance;
+    }
+    const std::uint32_t look = look_of(names, material.material, moved_by);
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
       count_.add_face(3);
       std::array<std::size_t, 3> corners{primitive.indices[i], primitive.indices[i + 1],
@@ -284,15 +296,15 @@ class GltfReader {
   }
 
   /// The look of a part. Instances with morph targets are parts of their own, because a part has one list of
-  /// targets.
+  /// targets, and so are those of each skin, because a part has one list of joints.
   std::uint32_t look_of(const std::vector<std::string>& names, const FileMaterial& material,
-                        std::optional<std::size_t> morphing_instance) {
+                        const MovedBy& moved_by) {
     const PartLook look{names, material};
     for (std::size_t i = 0; i < model_.looks.size(); ++i) {
-      if (model_.looks[i] == look && morphing_[i] == morphing_instance) return static_cast<std::uint32_t>(i);
+      if (model_.looks[i] == look && moved_by_[i] == moved_by) return static_cast<std::uint32_t>(i);
     }
     model_.looks.push_back(look);
-    morphing_.push_back(morphing_instance);
+    moved_by_.push_back(moved_by);
     return static_cast<std::uint32_t>(model_.looks.size() - 1);
   }
 
@@ -321,7 +333,7 @@ class GltfReader {
   const RigPoser* rest_ = nullptr;                     ///< while meshes are read
   std::vector<bool> moved_;                            ///< nodes that a clip moves, or one above them
   std::vector<std::optional<std::size_t>> instances_;  ///< of each node
-  std::vector<std::optional<std::size_t>> morphing_;   ///< of each look, the instance with morph targets
+  std::vector<MovedBy> moved_by_;                      ///< of each look
   std::map<std::string, std::size_t> skins_;           ///< by place
 };
 

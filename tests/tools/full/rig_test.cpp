@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Skins, morph targets and clips of glTF: posed in doubles, stored in fixed point, and posed by the pipeline.
+#include <arcspan/animate/morphed_mesh.hpp>
 #include <arcspan/animate/pose.hpp>
+#include <arcspan/animate/posed_bound.hpp>
 #include <arcspan/animate/skinned_mesh.hpp>
 
 #include <arcspan_tools/command/runtime_model.hpp>
@@ -110,25 +112,68 @@ struct Binary {
   }
 };
 
+struct PosedVertex {
+  arcspan::ObjectPosition position;
+  arcspan::Direction direction;
+};
+
+template <class Mesh>
+std::vector<PosedVertex> vertices_of(const Mesh& mesh) {
+  std::vector<PosedVertex> vertices;
+  for (std::size_t i = 0; i < mesh.view().vertex_count(); ++i)
+    vertices.push_back({mesh.position(i), mesh.direction(i)});
+  return vertices;
+}
+
+template <class Mesh>
+std::vector<PosedVertex> skinned_vertices(const Mesh& mesh, const Binary& binary, std::size_t part,
+                                          std::span<const arcspan::JointMatrix> joints) {
+  arcspan::BasicSkinnedMesh<Mesh> skinned;
+  REQUIRE(ok(arcspan::BasicSkinnedMesh<Mesh>::make(mesh, binary.animation, part, joints, skinned)));
+  return vertices_of(skinned);
+}
+
+/// A part that follows joints as the pipeline poses it. Requires that its bound holds it.
+std::vector<PosedVertex> posed_by_pipeline(const Binary& binary, std::size_t part,
+                                           const arcspan::ClipBlend& blend) {
+  const arcspan::StoredAnimation& animation = binary.animation;
+  std::vector<arcspan::NodeMatrix> nodes(animation.nodes().size());
+  REQUIRE(ok(arcspan::pose_nodes(animation, blend, nodes)));
+  const auto skin = animation.skin(animation.weights(part).skin());
+  std::vector<arcspan::JointMatrix> joints(skin.size());
+  REQUIRE(ok(arcspan::pose_joints(skin, nodes, joints)));
+  const arcspan::MeshView mesh = binary.model.part(part).mesh;
+  std::vector<PosedVertex> vertices;
+  if (animation.morph(part).target_count() == 0) {
+    vertices = skinned_vertices(mesh, binary, part, joints);
+  } else {
+    std::vector<std::int16_t> weights(animation.morph(part).target_count());
+    REQUIRE(ok(arcspan::pose_morph(animation, part, blend, weights)));
+    arcspan::MorphedMesh morphed;
+    REQUIRE(ok(arcspan::MorphedMesh::make(mesh, animation, part, weights, morphed)));
+    vertices = skinned_vertices(morphed, binary, part, joints);
+  }
+  const arcspan::BoundingSphere bound = arcspan::posed_bound(animation.bounds(part), joints);
+  for (const PosedVertex& v : vertices) {
+    const Vec3 away{double(v.position.x - bound.middle.x), double(v.position.y - bound.middle.y),
+                    double(v.position.z - bound.middle.z)};
+    REQUIRE(length(away) <= bound.radius + 2);
+  }
+  return vertices;
+}
+
 /// The largest distance of a vertex that the pipeline poses from where doubles put the file's, in object
 /// units.
 double worst_of_pipeline(const FixedModel& fixed, std::size_t clip, double time) {
   const Binary binary(fixed);
   const arcspan::ClipMoment moment{binary.animation.clip(clip), static_cast<std::uint32_t>(time * 1e6)};
-  std::vector<arcspan::NodeMatrix> nodes(binary.animation.nodes().size());
-  REQUIRE(ok(arcspan::pose_nodes(binary.animation, {moment, {}, 0}, nodes)));
   const RigPoser poser(*fixed.rig, pose_at(*fixed.rig, fixed.rig->clips.at(clip), time));
   double worst = 0;
   for (std::size_t part = 0; part < fixed.meshes.size(); ++part) {
     const FixedMesh& mesh = fixed.meshes[part];
-    const auto skin = binary.animation.skin(binary.animation.weights(part).skin());
-    std::vector<arcspan::JointMatrix> joints(skin.size());
-    REQUIRE(ok(arcspan::pose_joints(skin, nodes, joints)));
-    const arcspan::ModelPart of = binary.model.part(part);
-    arcspan::SkinnedMesh skinned;
-    REQUIRE(ok(arcspan::SkinnedMesh::make(of.mesh, binary.animation, part, joints, skinned)));
+    const std::vector<PosedVertex> posed = posed_by_pipeline(binary, part, {moment, {}, 0});
     for (std::size_t i = 0; i < mesh.sources.size(); ++i) {
-      const arcspan::ObjectPosition p = skinned.position(i);
+      const arcspan::ObjectPosition& p = posed[i].position;
       const Vec3 right =
           (poser.position(fixed.rig->vertices[mesh.sources[i]]) - mesh.centre) * (1 / mesh.unit);
       worst = std::max(worst, length(Vec3{double(p.x), double(p.y), double(p.z)} - right));
@@ -619,6 +664,24 @@ TEST_CASE("rigs: what the format cannot hold is said with the node") {
   rig.json["scenes"][0]["nodes"] = {1};
   CHECK(message_of<Failure>([&] { (void)stored(loaded(rig)); }) ==
         "rig: the node 0 'bent' is flat or sheared; --pose leaves the nodes out");
+}
+
+TEST_CASE("rigs: a jump between keys in one microsecond stays a jump") {
+  const float next = std::nextafter(1.f, 2.f);
+  const auto times = [](const GltfRig& rig) {
+    return stored(loaded(rig)).animation->clips.at(0).channels.at(0).times;
+  };
+  using Times = std::vector<std::uint32_t>;
+  const Floats values = {0, 0, 0, 1, 0, 0, 5, 0, 0, 6, 0, 0};
+  CHECK(times(moved_square("translation", {0, 1, next, 2}, values, "LINEAR")) ==
+        Times{0, 1'000'000, 1'000'001, 2'000'000});
+  // The key at the next microsecond keeps its place.
+  CHECK(times(moved_square("translation", {0, 1, next, 1.000001f}, values, "LINEAR")) ==
+        Times{0, 1'000'000, 1'000'001});
+  const Floats three(values.begin(), values.begin() + 9);
+  const FixedModel last = stored(loaded(moved_square("translation", {0, 1, next}, three, "LINEAR")));
+  CHECK(last.animation->clips[0].channels[0].times.back() == 1'000'001);
+  CHECK(last.animation->clips[0].duration == 1'000'001);
 }
 
 TEST_CASE("rigs: models of the loader's own collection") {

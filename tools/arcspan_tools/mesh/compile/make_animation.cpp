@@ -34,7 +34,7 @@ class ClipMaker {
     out.name = clip.name;
     name_ = clip.name;
     for (const RigChannel& channel : clip.channels) {
-      const RigChannel thin = smaller(with_close_rotations(channel));
+      const RigChannel thin = smaller(in_microseconds(with_close_rotations(channel)));
       if (channel.path == ChannelPath::kMorphWeights) {
         for (const std::size_t part : parts_of(channel.node)) out.channels.push_back(fixed(thin, part));
       } else if (const std::optional<std::size_t> node = space_.number(channel.node)) {
@@ -48,6 +48,8 @@ class ClipMaker {
       return key(a) < key(b);
     });
     out.duration = std::max(micro(clip.duration()), std::uint32_t{1});
+    for (const FixedChannel& channel : out.channels)
+      out.duration = std::max(out.duration, channel.times.back());
     return out;
   }
 
@@ -125,9 +127,7 @@ class ClipMaker {
     out.interpolation = channel.interpolation;
     out.components = channel.components;
     for (std::size_t key = 0; key < channel.keys(); ++key) {
-      const std::uint32_t time = micro(channel.times[key]);
-      if (!out.times.empty() && time <= out.times.back()) continue;  // within the same microsecond
-      out.times.push_back(time);
+      out.times.push_back(micro(channel.times[key]));
       const double* value = channel.value(key);
       if (channel.interpolation != Interpolation::kCubic) {
         append(out, channel, value, {});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/fixed_point/rounding.hpp>
 #include <arcspan_tools/mesh/compile/thin_keys.hpp>
 #include <arcspan_tools/mesh/plain/node_transform.hpp>
 
@@ -35,12 +36,14 @@ bool is_within(const RigChannel& channel, const std::vector<double>& a, const st
 
 /// The channel with the keys of these numbers only.
 RigChannel with_keys(const RigChannel& channel, const std::vector<std::size_t>& keys) {
+  const std::size_t of_key = channel.components * (channel.interpolation == Interpolation::kCubic ? 3 : 1);
   RigChannel out = channel;
   out.times.clear();
   out.values.clear();
   for (const std::size_t key : keys) {
+    const double* const first = channel.values.data() + key * of_key;
     out.times.push_back(channel.times[key]);
-    out.values.insert(out.values.end(), channel.value(key), channel.value(key) + channel.components);
+    out.values.insert(out.values.end(), first, first + of_key);
   }
   return out;
 }
@@ -74,6 +77,24 @@ RigChannel thinned(const RigChannel& channel, const ClipTolerance& tolerance) {
     kept.push_back(key);
   }
   return with_keys(channel, kept);
+}
+
+RigChannel in_microseconds(const RigChannel& channel) {
+  const auto micro = [&channel](std::size_t key) { return rounded(channel.times[key] * 1e6); };
+  std::vector<std::size_t> kept;
+  std::vector<double> times;
+  for (std::size_t key = 0; key < channel.keys(); ++key) {
+    double time = micro(key);
+    if (!times.empty() && time <= times.back()) {
+      time = times.back() + 1;
+      if (key + 1 < channel.keys() && micro(key + 1) <= time) continue;
+    }
+    kept.push_back(key);
+    times.push_back(time);
+  }
+  RigChannel out = with_keys(channel, kept);
+  for (std::size_t i = 0; i < times.size(); ++i) out.times[i] = times[i] / 1e6;
+  return out;
 }
 
 RigChannel with_close_rotations(const RigChannel& channel) {

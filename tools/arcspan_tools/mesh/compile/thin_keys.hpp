@@ -16,6 +16,10 @@ struct ClipTolerance {
 /// are all alike has one. Cubic channels, whose tangents belong to the keys, keep them all.
 [[nodiscard]] RigChannel thinned(const RigChannel& channel, const ClipTolerance& tolerance);
 
+/// `channel` with its keys at whole microseconds. Of keys within the same one, which are a jump, the later is
+/// moved to the next one, or left out if another key is there.
+[[nodiscard]] RigChannel in_microseconds(const RigChannel& channel);
+
 /// A linear channel of rotations with keys added between those of the file where interpolation of the
 /// components is off spherical interpolation by more than 0.02 degrees; others as they are.
 [[nodiscard]] RigChannel with_close_rotations(const RigChannel& channel);

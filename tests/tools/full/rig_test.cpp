@@ -666,6 +666,20 @@ TEST_CASE("rigs: what the format cannot hold is said with the node") {
         "rig: the node 0 'bent' is flat or sheared; --pose leaves the nodes out");
 }
 
+TEST_CASE("rigs: poses between keys are within 16 bits") {
+  constexpr double kLimit = 32;  // 1/2048 of the extent
+  // Out of the first key at 30 per second: the curve is farthest at a third, beyond both keys and the middle.
+  GltfRig cubic = bending_tube();
+  cubic.clip("jump");
+  cubic.channel(1, "translation", {0, 1},
+                cubic.vectors({0, 0, 0, 0, 0, 0, 30, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}), "CUBICSPLINE");
+  const FixedModel jumps = stored(loaded(cubic));
+  for (int i = 0; i <= 32; ++i) {
+    CAPTURE(i);
+    CHECK(worst_of_pipeline(jumps, 0, i / 32.) < kLimit);
+  }
+}
+
 TEST_CASE("rigs: a jump between keys in one microsecond stays a jump") {
   const float next = std::nextafter(1.f, 2.f);
   const auto times = [](const GltfRig& rig) {

@@ -61,7 +61,7 @@ AnimationError animation_error(const FixedModel& model) {
     const auto same =
         std::find_if(clips.begin(), clips.end(), [&](const FixedClip& c) { return c.name == clip.name; });
     if (same == clips.end()) continue;
-    for (const double time : key_times(clip, most))
+    for (const double time : times_between(key_times(clip), 2, most))
       search.measure(pose_at(rig, clip, time), StoredPose(model, *same, time), clip.name, time);
   }
   return search.worst();

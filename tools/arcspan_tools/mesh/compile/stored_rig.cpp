@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace arcspan::tools {
 
@@ -21,13 +20,22 @@ std::vector<Affine> storage_places(const Rig& rig) {
   return places;
 }
 
-std::vector<double> key_times(const RigClip& clip, std::size_t most) {
+std::set<double> key_times(const RigClip& clip) {
   std::set<double> keys;
   for (const RigChannel& channel : clip.channels) keys.insert(channel.times.begin(), channel.times.end());
-  std::vector<double> times(keys.begin(), keys.end());
-  const std::size_t count = times.size();
-  for (std::size_t i = 1; i < count; ++i) times.push_back((times[i - 1] + times[i]) / 2);
-  std::sort(times.begin(), times.end());
+  return keys;
+}
+
+std::vector<double> times_between(const std::set<double>& keys, std::size_t parts, std::size_t most) {
+  const std::size_t fitting = most / std::max<std::size_t>(keys.size(), 1);
+  parts = std::clamp<std::size_t>(fitting, 1, parts);
+  std::vector<double> times;
+  for (const double key : keys) {
+    const double before = times.empty() ? key : times.back();
+    for (std::size_t i = 1; i < parts && before < key; ++i)
+      times.push_back(before + (key - before) * static_cast<double>(i) / static_cast<double>(parts));
+    times.push_back(key);
+  }
   std::vector<double> some;
   const std::size_t wanted = std::min(most, times.size());
   for (std::size_t i = 0; i < wanted; ++i) some.push_back(times[i * times.size() / wanted]);
@@ -68,6 +76,8 @@ double largest_delta(const Model& model) {
 Box reach_of(const Model& model) {
   constexpr double kMargin = 0.02;  // of the extent, on each side
   constexpr std::size_t kMostPosed = 4'000'000;
+  constexpr std::size_t kParts =
+      16;  // of the time between keys: curves are between them farther than at them
   const Vec3 any = model.parts[0].mesh.positions[0];
   Box box{any, any};
   for (const ModelPart& part : model.parts) {
@@ -77,7 +87,8 @@ Box reach_of(const Model& model) {
   const std::size_t clips = std::max<std::size_t>(model.rig->clips.size(), 1);
   const std::size_t most = std::max<std::size_t>(kMostPosed / (model.vertex_count() * clips), 16);
   for (const RigClip& clip : model.rig->clips) {
-    for (const double time : key_times(clip, most)) extend(box, model, pose_at(*model.rig, clip, time));
+    for (const double time : times_between(key_times(clip), kParts, most))
+      extend(box, model, pose_at(*model.rig, clip, time));
   }
   // What a morph target adds has 16 bits, too.
   const Vec3 middle = (box.low + box.high) * 0.5;

@@ -4,7 +4,7 @@
 #include <arcspan_tools/mesh/plain/model.hpp>
 #include <arcspan_tools/mesh/plain/rig.hpp>
 
-#include <string>
+#include <set>
 #include <vector>
 
 namespace arcspan::tools {
@@ -15,11 +15,16 @@ namespace arcspan::tools {
 [[nodiscard]] std::vector<Affine> storage_places(const Rig& rig);
 
 /// `model` with its vertices as they are stored for its rig, in place of the pose at rest, and with `reach`:
-/// a box around them, and around the poses at all keys of all clips and in the middle of each two, with a
-/// margin for poses that programs make.
+/// a box around them, and around the poses at all keys of all clips and at times between, with a margin for
+/// poses that programs make.
 [[nodiscard]] Model as_stored(const Model& model);
 
-/// The times of the keys of a clip and those in the middle of each two; of more than `most` times so many.
-[[nodiscard]] std::vector<double> key_times(const RigClip& clip, std::size_t most);
+/// The times of the keys of all channels of a clip.
+[[nodiscard]] std::set<double> key_times(const RigClip& clip);
+
+/// `keys`, and between each two the times that divide theirs into `parts` equal parts: into fewer, or some of
+/// the keys, if there would be more than `most`.
+[[nodiscard]] std::vector<double> times_between(const std::set<double>& keys, std::size_t parts,
+                                                std::size_t most);
 
 }  // namespace arcspan::tools

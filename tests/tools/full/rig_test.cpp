@@ -5,7 +5,11 @@
 #include <arcspan/animate/posed_bound.hpp>
 #include <arcspan/animate/skinned_mesh.hpp>
 
+<<<<<<< HEAD
 #include <arcspan_tools/command/runtime_model.hpp>
+=======
+#include <arcspan_tools/fixed_point/stored_pose.hpp>
+>>>>>>> 61e30376 (The reported error of an animation is that of what a device draws)
 #include <arcspan_tools/mesh/compile/animation_error.hpp>
 #include <arcspan_tools/mesh/compile/compile_mesh.hpp>
 #include <arcspan_tools/mesh/compile/make_animation.hpp>
@@ -72,6 +76,52 @@ GltfRig bending() {
   rig.clip("bend");
   rig.channel(2, "rotation", {0, .5f, 1, 2},
               rig.quadruples(joined({turn_z(0), turn_z(45), turn_z(90), turn_z(0)})));
+  return rig;
+}
+
+/// The tube with a morph target that pulls all its vertices 2 along x.
+GltfRig stretching_tube() {
+  GltfRig rig = bending_tube();
+  Floats pull;
+  for (int i = 0; i < 36; ++i) pull.insert(pull.end(), {2, 0, 0});
+  rig.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", rig.vectors(pull)}}};
+  return rig;
+}
+
+/// A chain of so many joints from the first one up, half a unit apart, with a square at each. All turn by
+/// `degrees` in a second.
+GltfRig curling_chain(std::size_t joints, double degrees) {
+  GltfRig rig;
+  Floats positions;
+  Floats weights;
+  std::vector<std::uint8_t> numbers;
+  std::vector<std::uint16_t> indices;
+  Floats bind;
+  rig.json["nodes"] = json::parse(R"([{"mesh": 0, "skin": 0}])");
+  rig.clip("curl");
+  for (std::size_t i = 0; i < joints; ++i) {
+    const float y = static_cast<float>(i) / 2;
+    const auto first = static_cast<std::uint16_t>(4 * i);
+    for (const Floats& p : {Floats{0, y, 0}, {.2f, y, 0}, {.2f, y + .5f, 0}, {0, y + .5f, 0}}) {
+      positions.insert(positions.end(), p.begin(), p.end());
+      weights.insert(weights.end(), {1, 0, 0, 0});
+      numbers.insert(numbers.end(), {static_cast<std::uint8_t>(i), 0, 0, 0});
+    }
+    for (const int k : {0, 1, 2, 0, 2, 3}) indices.push_back(static_cast<std::uint16_t>(first + k));
+    bind.insert(bind.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -y, 0, 1});
+    rig.json["nodes"].push_back({{"translation", {0, i == 0 ? 0 : .5, 0}}});
+    rig.json["nodes"][i]["children"] = {i + 1};
+    rig.json["skins"][0]["joints"].push_back(i + 1);
+    rig.channel(static_cast<int>(i) + 1, "rotation", {0, 1},
+                rig.quadruples(joined({turn_z(0), turn_z(degrees)})));
+  }
+  rig.json["skins"][0]["inverseBindMatrices"] = rig.accessor("MAT4", 16, bind);
+  rig.json["meshes"] = {{{"primitives",
+                          {{{"attributes",
+                             {{"POSITION", rig.vectors(positions)},
+                              {"JOINTS_0", rig.accessor("VEC4", 4, numbers)},
+                              {"WEIGHTS_0", rig.quadruples(weights)}}},
+                            {"indices", rig.accessor("SCALAR", 1, indices)}}}}}};
   return rig;
 }
 
@@ -678,6 +728,34 @@ TEST_CASE("rigs: poses between keys are within 16 bits") {
     CAPTURE(i);
     CHECK(worst_of_pipeline(jumps, 0, i / 32.) < kLimit);
   }
+}
+
+TEST_CASE("rigs: the reported error is that of the pipeline, at times of whole microseconds") {
+  // Rotations of a chain that are off add up most at a fifth of the time between two keys.
+  const FixedModel chain = stored(loaded(curling_chain(24, 20)));
+  const double reported = animation_error(chain).position;
+  CHECK(reported > .7 * worst_of_pipeline(chain, 0, .2) - 2);
+  // As floats, 0.9 is less and 0.7 more than so many microseconds.
+  GltfRig steps = bending_tube();
+  steps.clip("steps");
+  steps.channel(2, "translation", {0, .1f, .7f, .9f}, steps.vectors({0, 1, 0, 1, 1, 0, -1, 1, 0, 1, 2, 0}),
+                "STEP");
+  CHECK(animation_error(stored(loaded(steps))).position < 32);
+}
+
+TEST_CASE("rigs: the reported error saturates positions as the pipeline does") {
+  FixedModel fixed = stored(loaded(stretching_tube()));
+  auto animation = std::make_shared<FixedAnimation>(*fixed.animation);
+  for (auto& of_vertex : animation->parts[0].morph->records) {
+    for (FixedMorphRecord& record : of_vertex) record.position = {32767, 0, 0};
+  }
+  animation->parts[0].morph->weights = {32767};
+  fixed.animation = animation;
+  double farthest = 0;
+  const StoredPose pose(fixed);
+  for (std::size_t i = 0; i < fixed.meshes[0].positions.size(); ++i)
+    farthest = std::max(farthest, pose.vertex(0, i).position.x);
+  CHECK(farthest == 32767);
 }
 
 TEST_CASE("rigs: a jump between keys in one microsecond stays a jump") {

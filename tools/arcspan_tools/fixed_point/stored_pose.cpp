@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/mesh/packed_normal.hpp>
 
+#include <arcspan_tools/fixed_point/rounding.hpp>
 #include <arcspan_tools/fixed_point/stored_pose.hpp>
 #include <arcspan_tools/mesh/plain/node_transform.hpp>
 
@@ -87,6 +88,12 @@ Affine matrix_of(const FixedJoint& joint) {
   return {column(0, 24), column(1, 24), column(2, 24), column(3, 8)};
 }
 
+/// Within 16 bits, as each mesh of the pipeline limits what it makes of a position.
+Vec3 saturated(Vec3 p) {
+  const auto limited = [](double c) { return std::clamp(c, -32768.0, 32767.0); };
+  return {limited(p.x), limited(p.y), limited(p.z)};
+}
+
 }  // namespace
 
 StoredPose::StoredPose(const FixedModel& model) : StoredPose(model, {}, 0) {}
@@ -105,7 +112,7 @@ StoredPose::StoredPose(const FixedModel& model, const FixedClip& clip, double se
     morph_weights_.push_back(part.morph ? numbers(part.morph->weights, 12) : Numbers{});
   for (const FixedChannel& channel : clip.channels) {
     std::vector<Numbers>* const of[] = {&translations, &rotations, &scales, &morph_weights_};
-    (*of[static_cast<int>(channel.path)])[channel.target] = value_at(channel, seconds * 1e6);
+    (*of[static_cast<int>(channel.path)])[channel.target] = value_at(channel, rounded(seconds * 1e6));
   }
   place_nodes(translations, rotations, scales);
 }
@@ -144,6 +151,7 @@ StoredPose::Vertex StoredPose::shaped(std::size_t part, std::size_t i) const {
     out.position = out.position + Vec3{position[0], position[1], position[2]} * weight;
     out.normal = out.normal + Vec3{normal[0], normal[1], normal[2]} * weight;
   }
+  out.position = saturated(out.position);
   return out;
 }
 
@@ -155,7 +163,7 @@ StoredPose::Vertex StoredPose::vertex(std::size_t part, std::size_t i) const {
   Affine sum{{}, {}, {}, {}};
   for (std::size_t k = 0; k < weights.count; ++k)
     add_weighted(sum, joints_[motion.skin][weights.joints[k]], weights.weights[k] / 1024.0);
-  return {sum.point(own.position), sum.direction(own.normal)};
+  return {saturated(sum.point(own.position)), sum.direction(own.normal)};
 }
 
 }  // namespace arcspan::tools

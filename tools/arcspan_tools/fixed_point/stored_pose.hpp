@@ -9,7 +9,7 @@
 namespace arcspan::tools {
 
 /// Poses a model by the numbers of its stored animation, computing in doubles as docs/animation-binary.md
-/// says. The model must outlive this.
+/// says, with positions limited to 16 bits as in the pipeline. The model must outlive this.
 class StoredPose {
  public:
   struct Vertex {
@@ -19,7 +19,7 @@ class StoredPose {
 
   /// At rest.
   explicit StoredPose(const FixedModel& model);
-  /// At a time of a clip, in seconds.
+  /// At a time of a clip, in seconds, which is rounded to microseconds.
   StoredPose(const FixedModel& model, const FixedClip& clip, double seconds);
 
   [[nodiscard]] Vertex vertex(std::size_t part, std::size_t i) const;

@@ -15,9 +15,9 @@ struct AnimationError {
   double seconds = 0;
 };
 
-/// The largest error over the keys of all clips and the middle of each two, of large models over fewer times.
-/// The stored numbers are computed with in doubles: how a device rounds comes on top of it. `model` must have
-/// a rig and its animation.
+/// The largest error over the keys of all clips, the file's and the stored ones, and at times between; of
+/// large models over fewer times. The stored numbers are computed with in doubles, and positions limited to
+/// 16 bits as on a device; how it rounds comes on top of it. `model` must have a rig and its animation.
 [[nodiscard]] AnimationError animation_error(const FixedModel& model);
 
 }  // namespace arcspan::tools

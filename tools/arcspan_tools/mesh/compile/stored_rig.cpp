@@ -6,6 +6,12 @@
 #include <cmath>
 
 namespace arcspan::tools {
+namespace {
+
+/// Of the time between two keys: curves are farther out between them than at them.
+constexpr std::size_t kParts = 16;
+
+}  // namespace
 
 std::vector<Affine> storage_places(const Rig& rig) {
   const RigPoser rest(rig, rest_pose(rig));
@@ -42,6 +48,35 @@ std::vector<double> times_between(const std::set<double>& keys, std::size_t part
   return some;
 }
 
+void WeightRange::extend(double weight) {
+  low = std::min(low, weight);
+  high = std::max(high, weight);
+}
+
+std::vector<WeightRange> weight_ranges(const Rig& rig, std::size_t instance) {
+  const RigInstance& of = rig.instances[instance];
+  std::vector<WeightRange> ranges(of.morph_weights.size());
+  const auto extend = [&ranges](const std::vector<double>& weights) {
+    for (std::size_t i = 0; i < ranges.size(); ++i) ranges[i].extend(weights[i]);
+  };
+  extend(of.morph_weights);
+  for (const RigClip& clip : rig.clips) {
+    for (const RigChannel& channel : clip.channels) {
+      if (channel.node != of.node || channel.path != ChannelPath::kMorphWeights) continue;
+      const std::set<double> keys(channel.times.begin(), channel.times.end());
+      for (const double time : times_between(keys, kParts, kParts * keys.size())) extend(channel.at(time));
+    }
+  }
+  return ranges;
+}
+
+void widen(Box& box, Vec3 delta, const WeightRange& range) {
+  const Vec3 a = delta * range.low;
+  const Vec3 b = delta * range.high;
+  box.low = box.low + Vec3{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+  box.high = box.high + Vec3{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
 namespace {
 
 void extend(Box& box, Vec3 p) {
@@ -72,12 +107,28 @@ double largest_delta(const Model& model) {
   return largest;
 }
 
+/// Makes `box` hold what morph targets make of the stored vertices before joints move them, which has 16
+/// bits, too.
+void extend_by_morphs(Box& box, const Rig& rig) {
+  const std::vector<Affine> places = storage_places(rig);
+  std::vector<std::vector<WeightRange>> ranges;
+  for (std::size_t i = 0; i < rig.instances.size(); ++i) ranges.push_back(weight_ranges(rig, i));
+  for (const RigVertex& vertex : rig.vertices) {
+    const Affine& place = places[vertex.instance];
+    const Vec3 stored = place.point(vertex.position);
+    Box shapes{stored, stored};
+    for (std::size_t i = 0; i < vertex.deltas.size(); ++i)
+      widen(shapes, place.direction(vertex.deltas[i].position), ranges[vertex.instance][i]);
+    if (vertex.deltas.empty()) continue;
+    extend(box, shapes.low);
+    extend(box, shapes.high);
+  }
+}
+
 /// A box around the stored vertices and all poses.
 Box reach_of(const Model& model) {
   constexpr double kMargin = 0.02;  // of the extent, on each side
   constexpr std::size_t kMostPosed = 4'000'000;
-  constexpr std::size_t kParts =
-      16;  // of the time between keys: curves are between them farther than at them
   const Vec3 any = model.parts[0].mesh.positions[0];
   Box box{any, any};
   for (const ModelPart& part : model.parts) {
@@ -90,6 +141,7 @@ Box reach_of(const Model& model) {
     for (const double time : times_between(key_times(clip), kParts, most))
       extend(box, model, pose_at(*model.rig, clip, time));
   }
+  extend_by_morphs(box, *model.rig);
   // What a morph target adds has 16 bits, too.
   const Vec3 middle = (box.low + box.high) * 0.5;
   const double most_added = largest_delta(model);

@@ -19,6 +19,20 @@ namespace arcspan::tools {
 /// poses that programs make.
 [[nodiscard]] Model as_stored(const Model& model);
 
+/// The least and the largest weight of a morph target.
+struct WeightRange {
+  double low = 0;
+  double high = 1;
+
+  void extend(double weight);
+};
+
+/// The ranges of the weights of an instance's morph targets: 0...1, with those at rest and of all clips.
+[[nodiscard]] std::vector<WeightRange> weight_ranges(const Rig& rig, std::size_t instance);
+
+/// Makes `box` hold all that a morph target, which adds `delta` at weight 1, makes of its points.
+void widen(Box& box, Vec3 delta, const WeightRange& range);
+
 /// The times of the keys of all channels of a clip.
 [[nodiscard]] std::set<double> key_times(const RigClip& clip);
 

@@ -740,6 +740,17 @@ TEST_CASE("rigs: what a morph target adds before joints move it is within 16 bit
   for (const double time : {0., .25, .5, 1.}) CHECK(worst_of_pipeline(fixed, 0, time) < 32);
 }
 
+TEST_CASE("rigs: the bound of a part holds it at all morph weights of its clips and at rest") {
+  GltfRig rig = stretching_tube();
+  rig.json["meshes"][0]["weights"] = {-3};
+  rig.clip("pull");
+  rig.channel(3, "weights", {0, 1}, rig.scalars({0, 2, 7, 0, 2, 0}), "CUBICSPLINE");  // up to 2 + 7 * 4/27
+  const Binary binary(stored(loaded(rig)));
+  CHECK(posed_by_pipeline(binary, 0, {}).size() == 36);
+  for (const std::uint32_t time : {0u, 333'333u, 1'000'000u})
+    CHECK(posed_by_pipeline(binary, 0, {{binary.animation.clip(0), time}, {}, 0}).size() == 36);
+}
+
 TEST_CASE("rigs: the reported error is that of the pipeline, at times of whole microseconds") {
   // Rotations of a chain that are off add up most at a fifth of the time between two keys.
   const FixedModel chain = stored(loaded(curling_chain(24, 20)));

@@ -3,7 +3,6 @@
 
 #include <arcspan_tools/fixed_point/rounding.hpp>
 #include <arcspan_tools/mesh/compile/part_motion.hpp>
-#include <arcspan_tools/mesh/compile/stored_rig.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <algorithm>
@@ -44,38 +43,22 @@ BoundingSphere sphere_around(const std::vector<Vec3>& points) {
   return sphere;
 }
 
-/// The corners of the box in which morph targets move a vertex at weights of 0...1.
-std::vector<Vec3> reached(const ObjectPosition& p, const std::vector<FixedMorphRecord>& records) {
-  Vec3 low{double(p.x), double(p.y), double(p.z)};
-  Vec3 high = low;
+/// The corners of the box in which morph targets move a vertex at all weights of `ranges`.
+std::vector<Vec3> reached(const ObjectPosition& p, const std::vector<FixedMorphRecord>& records,
+                          const std::vector<WeightRange>& ranges) {
+  const Vec3 stored{double(p.x), double(p.y), double(p.z)};
+  Box box{stored, stored};
   for (const FixedMorphRecord& record : records) {
     const auto& d = record.position;
-    low = low + Vec3{std::min(0.0, double(d[0])), std::min(0.0, double(d[1])), std::min(0.0, double(d[2]))};
-    high = high + Vec3{std::max(0.0, double(d[0])), std::max(0.0, double(d[1])), std::max(0.0, double(d[2]))};
+    widen(box, {double(d[0]), double(d[1]), double(d[2])}, ranges[record.target]);
   }
+  const auto& [low, high] = box;
   if (low == high) return {low};
   std::vector<Vec3> corners;
   corners.reserve(8);
   for (int i = 0; i < 8; ++i)
     corners.push_back({(i & 1) ? high.x : low.x, (i & 2) ? high.y : low.y, (i & 4) ? high.z : low.z});
   return corners;
-}
-
-std::vector<FixedBound> bounds_of(const FixedMesh& mesh, const FixedPartMotion& motion) {
-  std::map<std::size_t, std::vector<Vec3>> points;  // of each joint
-  for (std::size_t i = 0; i < motion.weights.size(); ++i) {
-    const std::vector<Vec3> corners =
-        reached(mesh.positions[i], motion.morph ? motion.morph->records[i] : std::vector<FixedMorphRecord>{});
-    const FixedWeights& weights = motion.weights[i];
-    for (std::size_t k = 0; k < weights.count; ++k) {
-      std::vector<Vec3>& of = points[weights.joints[k]];
-      of.insert(of.end(), corners.begin(), corners.end());
-    }
-  }
-  std::vector<FixedBound> bounds;
-  bounds.reserve(points.size());
-  for (const auto& [joint, of] : points) bounds.push_back({joint, sphere_around(of)});
-  return bounds;
 }
 
 }  // namespace
@@ -102,6 +85,7 @@ std::vector<std::uint16_t> fixed_weights(std::vector<double> weights) {
 PartMotions::PartMotions(const Rig& rig, AnimationSpace& space, const std::string& subject)
     : rig_(rig), space_(space), subject_(subject), places_(storage_places(rig)) {
   for (const Affine& place : places_) back_.push_back(*inverse(place));
+  for (std::size_t i = 0; i < rig.instances.size(); ++i) ranges_.push_back(weight_ranges(rig, i));
 }
 
 bool PartMotions::follows(std::uint32_t source) const {
@@ -178,6 +162,25 @@ std::optional<FixedMorph> PartMotions::morph_of(const FixedMesh& mesh) const {
   }
   if (morph.weights.empty()) return std::nullopt;
   return morph;
+}
+
+std::vector<FixedBound> PartMotions::bounds_of(const FixedMesh& mesh, const FixedPartMotion& motion) const {
+  const std::vector<FixedMorphRecord> none;
+  std::map<std::size_t, std::vector<Vec3>> points;  // of each joint
+  for (std::size_t i = 0; i < motion.weights.size(); ++i) {
+    const std::vector<FixedMorphRecord>& records = motion.morph ? motion.morph->records[i] : none;
+    const auto& ranges = ranges_[records.empty() ? 0 : rig_.vertices[mesh.sources[i]].instance];
+    const std::vector<Vec3> corners = reached(mesh.positions[i], records, ranges);
+    const FixedWeights& weights = motion.weights[i];
+    for (std::size_t k = 0; k < weights.count; ++k) {
+      std::vector<Vec3>& of = points[weights.joints[k]];
+      of.insert(of.end(), corners.begin(), corners.end());
+    }
+  }
+  std::vector<FixedBound> bounds;
+  bounds.reserve(points.size());
+  for (const auto& [joint, of] : points) bounds.push_back({joint, sphere_around(of)});
+  return bounds;
 }
 
 FixedPartMotion PartMotions::motion(const FixedMesh& mesh) {

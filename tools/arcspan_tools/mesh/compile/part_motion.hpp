@@ -4,6 +4,7 @@
 #include <arcspan_tools/fixed_point/fixed_animation.hpp>
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/compile/animation_space.hpp>
+#include <arcspan_tools/mesh/compile/stored_rig.hpp>
 #include <arcspan_tools/mesh/plain/rig.hpp>
 
 #include <map>
@@ -33,12 +34,14 @@ class PartMotions {
   [[nodiscard]] FixedWeights weights_of(std::uint32_t source, std::map<JointKey, std::size_t>& keys,
                                         FixedSkin& skin);
   [[nodiscard]] std::optional<FixedMorph> morph_of(const FixedMesh& mesh) const;
+  [[nodiscard]] std::vector<FixedBound> bounds_of(const FixedMesh& mesh, const FixedPartMotion& motion) const;
 
   const Rig& rig_;
   AnimationSpace& space_;
   std::string subject_;
   std::vector<Affine> back_;  ///< of each instance, from storage to the space of its mesh
   std::vector<Affine> places_;
+  std::vector<std::vector<WeightRange>> ranges_;  ///< of the morph targets of each instance
   std::vector<FixedSkin> skins_;
 };
 

@@ -751,6 +751,13 @@ TEST_CASE("rigs: the bound of a part holds it at all morph weights of its clips 
     CHECK(posed_by_pipeline(binary, 0, {{binary.animation.clip(0), time}, {}, 0}).size() == 36);
 }
 
+TEST_CASE("rigs: morph weights at rest that the format cannot hold are refused") {
+  GltfRig rig = stretching_tube();
+  rig.json["meshes"][0]["weights"] = {8.5};
+  CHECK(message_of<Failure>([&] { (void)stored(loaded(rig)); }) ==
+        "rig: a morph weight at rest (8.5) of the node 3 '' is out of range (weights are below 8)");
+}
+
 TEST_CASE("rigs: the reported error is that of the pipeline, at times of whole microseconds") {
   // Rotations of a chain that are off add up most at a fifth of the time between two keys.
   const FixedModel chain = stored(loaded(curling_chain(24, 20)));

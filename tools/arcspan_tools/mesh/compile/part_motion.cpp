@@ -4,6 +4,7 @@
 #include <arcspan_tools/fixed_point/rounding.hpp>
 #include <arcspan_tools/mesh/compile/part_motion.hpp>
 #include <arcspan_tools/support/failure.hpp>
+#include <arcspan_tools/support/text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -137,18 +138,29 @@ FixedWeights PartMotions::weights_of(std::uint32_t source, std::map<JointKey, st
   return out;
 }
 
-std::optional<FixedMorph> PartMotions::morph_of(const FixedMesh& mesh) const {
+std::vector<std::int16_t> PartMotions::rest_weights(std::size_t instance) const {
   constexpr double kWeightUnit = 4096;
+  constexpr double kMost = 32767;
+  const RigInstance& of = rig_.instances[instance];
+  std::vector<std::int16_t> fixed;
+  for (const double weight : of.morph_weights) {
+    if (!(std::abs(weight * kWeightUnit) <= kMost)) {
+      throw Failure(subject_, formatted("a morph weight at rest (%g) of the node %zu '", weight, of.node) +
+                                  rig_.nodes[of.node].name + "' is out of range (weights are below 8)");
+    }
+    fixed.push_back(half_word(weight * kWeightUnit, kMost));
+  }
+  return fixed;
+}
+
+std::optional<FixedMorph> PartMotions::morph_of(const FixedMesh& mesh) const {
   constexpr double kNormalUnit = 16384;
   FixedMorph morph;
   for (const std::uint32_t source : mesh.sources) {
     std::vector<FixedMorphRecord>& records = morph.records.emplace_back();
     if (source == kNoSource) continue;
     const RigVertex& vertex = rig_.vertices[source];
-    const std::vector<double>& weights = rig_.instances[vertex.instance].morph_weights;
-    if (morph.weights.empty()) {
-      for (const double weight : weights) morph.weights.push_back(half_word(weight * kWeightUnit, 32767));
-    }
+    if (morph.weights.empty()) morph.weights = rest_weights(vertex.instance);
     const Affine& place = places_[vertex.instance];
     const double size = length(place.normal(vertex.normal));
     for (std::size_t i = 0; i < vertex.deltas.size(); ++i) {

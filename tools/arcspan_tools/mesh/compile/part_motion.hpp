@@ -33,6 +33,7 @@ class PartMotions {
   /// Weights with joints as numbers of `keys`, to which new ones are added.
   [[nodiscard]] FixedWeights weights_of(std::uint32_t source, std::map<JointKey, std::size_t>& keys,
                                         FixedSkin& skin);
+  [[nodiscard]] std::vector<std::int16_t> rest_weights(std::size_t instance) const;
   [[nodiscard]] std::optional<FixedMorph> morph_of(const FixedMesh& mesh) const;
   [[nodiscard]] std::vector<FixedBound> bounds_of(const FixedMesh& mesh, const FixedPartMotion& motion) const;
 

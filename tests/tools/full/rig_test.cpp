@@ -804,6 +804,31 @@ TEST_CASE("rigs: a jump between keys in one microsecond stays a jump") {
   CHECK(last.animation->clips[0].duration == 1'000'001);
 }
 
+TEST_CASE("rigs: a joint that grows from a small scale at rest, and vertices that follow a small joint") {
+  for (const float small : {.01f, .001f}) {
+    CAPTURE(small);
+    GltfRig rig = bending_tube();
+    rig.json["nodes"][1]["scale"] = {small, small, small};
+    rig.clip("grow");
+    rig.channel(1, "scale", {0, 1}, rig.vectors({small, small, small, 1, 1, 1}));
+    const FixedModel fixed = stored(loaded(rig));
+    for (const double time : {0., .5, 1.}) CHECK(worst_of_pipeline(fixed, 0, time) < 32);
+  }
+}
+
+TEST_CASE("rigs: a first joint far away that moves no vertex costs no precision") {
+  GltfRig rig = bending_tube();
+  rig.json["nodes"].push_back({{"translation", {400, 0, 0}}});
+  rig.json["nodes"][0]["children"].push_back(4);
+  rig.json["skins"][0] = {{"joints", {4, 1, 2}}};
+  std::vector<std::uint8_t> joints;
+  for (int i = 0; i < 36; ++i) joints.insert(joints.end(), {1, 2, 0, 0});
+  rig.json["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] = rig.accessor("VEC4", 4, joints);
+  rig.json["nodes"][2]["translation"] = {0, 0, 0};
+  const FixedModel fixed = stored(loaded(rig));
+  CHECK(fixed.meshes[0].unit * 65534 < 2.5);
+}
+
 TEST_CASE("rigs: models of the loader's own collection") {
   const std::string folder = "/usr/share/assimp/models/glTF2/";
   if (!std::filesystem::exists(folder)) return;

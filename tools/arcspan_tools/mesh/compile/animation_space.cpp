@@ -5,6 +5,7 @@
 #include <arcspan_tools/support/failure.hpp>
 #include <arcspan_tools/support/text.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace arcspan::tools {
@@ -18,10 +19,30 @@ constexpr std::int32_t kMostLength = (1 << 30) - 1;
 constexpr std::int32_t kMostScale = 1 << 22;
 constexpr std::int32_t kMostEntry = 0x7FFFFFFF;
 
-/// The size of a scale: its geometric mean, or 1 if a factor is 0.
+/// The geometric mean of a scale.
+double mean_of(Vec3 s) { return std::cbrt(std::abs(s.x) * std::abs(s.y) * std::abs(s.z)); }
+
+/// The size of a scale: its mean, or 1 if a factor is 0.
 double size_of(Vec3 s) {
-  const double size = std::cbrt(std::abs(s.x) * std::abs(s.y) * std::abs(s.z));
+  const double size = mean_of(s);
   return size > 0 && std::isfinite(size) ? size : 1;
+}
+
+/// The size of a node's scale: that at rest, or of a node that grows far beyond it the largest in a clip.
+double size_of(const Rig& rig, std::size_t node, Vec3 rest) {
+  constexpr double kFar = 16;  // scales are below 64
+  double largest = 0;
+  for (const RigClip& clip : rig.clips) {
+    for (const RigChannel& channel : clip.channels) {
+      if (channel.node != node || channel.path != ChannelPath::kScale) continue;
+      for (std::size_t key = 0; key < channel.keys(); ++key) {
+        const double* const s = channel.value(key);
+        largest = std::max(largest, mean_of({s[0], s[1], s[2]}));
+      }
+    }
+  }
+  const bool grows = largest > kFar * mean_of(rest) && std::isfinite(largest);
+  return grows ? largest : size_of(rest);
 }
 
 }  // namespace
@@ -45,6 +66,7 @@ AnimationSpace::AnimationSpace(const Rig& rig, double unit, Vec3 centre, const s
       rest_(RigPoser(rig, rest_pose(rig)).nodes()),
       numbers_(rig.nodes.size()) {
   choose_nodes();
+  leave_out_far_nodes();
   for (std::size_t i = 0; i < rig.nodes.size(); ++i) {
     if (needed_[i] && moves_[i]) add(i);
   }
@@ -72,6 +94,30 @@ void AnimationSpace::choose_nodes() {
     if (!parent || !moves_[*parent]) continue;
     moves_[i] = true;
     needed_[i] = needed_[i] || needed_[*parent];
+  }
+}
+
+/// A joint that moves no vertex may be too far away for the format; nothing is lost without it.
+void AnimationSpace::leave_out_far_nodes() {
+  std::vector<bool> is_used(rig_.nodes.size());
+  for (const RigVertex& vertex : rig_.vertices) {
+    const RigInstance& instance = rig_.instances[vertex.instance];
+    if (!instance.skin) is_used[instance.node] = true;
+    for (std::size_t i = 0; i < kMostWeights && instance.skin; ++i) {
+      if (vertex.weights[i] > 0) is_used[rig_.skins[*instance.skin].joints[vertex.joints[i]]] = true;
+    }
+  }
+  for (std::size_t i = rig_.nodes.size(); i > 0; --i) {
+    const std::optional<std::size_t> parent = rig_.nodes[i - 1].parent;
+    if (parent && is_used[i - 1]) is_used[*parent] = true;
+  }
+  std::vector<bool> is_left_out(rig_.nodes.size());
+  for (std::size_t i = 0; i < rig_.nodes.size(); ++i) {
+    const std::optional<std::size_t> parent = rig_.nodes[i].parent;
+    const double away = length(rest_[i].translation - centre_) / unit_;
+    is_left_out[i] =
+        !is_used[i] && (away > std::ldexp(kMostLength, -kLengthBits) || (parent && is_left_out[*parent]));
+    if (is_left_out[i]) needed_[i] = false;
   }
 }
 
@@ -127,7 +173,7 @@ void AnimationSpace::add(std::size_t node) {
   fixed.parent = hangs_on_moving ? *numbers_[*of.parent] : root(of.parent);
   fixed.rotation = fixed_rotation(parts->rotation);
   numbers_[node] = nodes_.size();
-  scales_.push_back(scales_[*fixed.parent] * size_of(parts->scale));
+  scales_.push_back(scales_[*fixed.parent] * size_of(rig_, node, parts->scale));
   nodes_.push_back(fixed);
   nodes_.back().translation = translation(node, parts->translation);
   nodes_.back().scale = scale(node, parts->scale);

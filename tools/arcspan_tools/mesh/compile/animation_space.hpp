@@ -33,6 +33,7 @@ class AnimationSpace {
 
  private:
   void choose_nodes();
+  void leave_out_far_nodes();
   void add(std::size_t node);
   /// The root of nodes whose parent is `still`, or nothing.
   std::size_t root(std::optional<std::size_t> still);

@@ -11,17 +11,61 @@ namespace {
 /// Of the time between two keys: curves are farther out between them than at them.
 constexpr std::size_t kParts = 16;
 
+/// By how much a volume must be larger to count as larger.
+constexpr double kLarger = 1.01;
+
+/// The joints that move vertices of each instance; without any, or a skin, the first.
+std::vector<std::set<std::size_t>> used_joints(const Rig& rig) {
+  std::vector<std::set<std::size_t>> used(rig.instances.size());
+  for (const RigVertex& vertex : rig.vertices) {
+    for (std::size_t i = 0; i < kMostWeights; ++i) {
+      if (vertex.weights[i] > 0) used[vertex.instance].insert(vertex.joints[i]);
+    }
+  }
+  for (std::set<std::size_t>& joints : used) {
+    if (joints.empty()) joints.insert(0);
+  }
+  return used;
+}
+
+double volume(const Affine& a) { return std::abs(dot(a.x, cross(a.y, a.z))); }
+
+/// Replaces `place` by that of the first joint of an instance which is by `factor` larger in a pose, in
+/// volume.
+void take_larger(Affine& place, const RigPoser& poser, std::size_t instance,
+                 const std::set<std::size_t>& joints, double factor) {
+  double most = volume(place) * factor;
+  for (const std::size_t joint : joints) {
+    RigVertex probe;
+    probe.instance = instance;
+    probe.joints[0] = joint;
+    probe.weights[0] = 1;
+    const Affine other = poser.place(probe);
+    if (volume(other) <= most) continue;
+    place = other;
+    most = volume(other) * kLarger;
+  }
+}
+
 }  // namespace
 
 std::vector<Affine> storage_places(const Rig& rig) {
-  const RigPoser rest(rig, rest_pose(rig));
-  std::vector<Affine> places;
-  for (std::size_t i = 0; i < rig.instances.size(); ++i) {
-    RigVertex first;
-    first.instance = i;
-    first.weights[0] = 1;
-    const Affine place = rest.place(first);
-    places.push_back(inverse(place) ? place : Affine{});
+  constexpr double kFar = 16 * 16 * 16;
+  constexpr std::size_t kMostTimes = 64;
+  const Affine nowhere{{}, {}, {}, {}};
+  const std::vector<std::set<std::size_t>> joints = used_joints(rig);
+  std::vector<Affine> places(rig.instances.size(), nowhere);
+  const auto take = [&](const RigPose& pose, double factor) {
+    const RigPoser poser(rig, pose);
+    for (std::size_t i = 0; i < places.size(); ++i) take_larger(places[i], poser, i, joints[i], factor);
+  };
+  take(rest_pose(rig), 1);
+  for (const RigClip& clip : rig.clips) {
+    for (const double time : times_between(key_times(clip), 1, kMostTimes))
+      take(pose_at(rig, clip, time), kFar);
+  }
+  for (Affine& place : places) {
+    if (!inverse(place)) place = Affine{};
   }
   return places;
 }

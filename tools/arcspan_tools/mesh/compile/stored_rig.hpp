@@ -10,8 +10,9 @@
 namespace arcspan::tools {
 
 /// The space in which the vertices of each instance of a rig are stored, as a transform from that of its
-/// mesh: where its node, or the first joint of its skin, puts it at rest. There a model whose skin is not
-/// used stands upright and has its size.
+/// mesh: where its node, or the largest joint of its skin that moves vertices, puts it at rest, or at
+/// keys of clips that make it far larger. There a model whose skin is not used stands upright and has its
+/// size.
 [[nodiscard]] std::vector<Affine> storage_places(const Rig& rig);
 
 /// `model` with its vertices as they are stored for its rig, in place of the pose at rest, and with `reach`:

@@ -804,6 +804,50 @@ TEST_CASE("rigs: a jump between keys in one microsecond stays a jump") {
   CHECK(last.animation->clips[0].duration == 1'000'001);
 }
 
+TEST_CASE("rigs: a stretched joint does not bend the normals of vertices that follow another") {
+  GltfRig rig = bending_tube();
+  // Joint 0 has no vertex; all follow joint 1.
+  json& attributes = rig.json["meshes"][0]["primitives"][0]["attributes"];
+  Floats weights;
+  for (int i = 0; i < 36; ++i) weights.insert(weights.end(), {0, 1, 0, 0});
+  attributes["WEIGHTS_0"] = rig.quadruples(weights);
+  Floats pull;
+  for (int i = 0; i < 36; ++i) pull.insert(pull.end(), {1, 1, 0});
+  rig.json["meshes"][0]["primitives"][0]["targets"] = {{{"NORMAL", rig.vectors(pull)}}};
+  rig.json["nodes"] = json::parse(R"([{"mesh": 0, "skin": 0, "children": [1, 2]}, {"scale": [3, 1, 1]},
+    {"translation": [0, 1, 0]}])");
+  rig.json["nodes"][2]["rotation"] = turn_z(30);
+  rig.clip("turn");
+  rig.channel(2, "rotation", {0, 1}, rig.quadruples(joined({turn_z(30), turn_z(70)})));
+  rig.channel(0, "weights", {0, 1}, rig.scalars({0, 1}));
+  const FixedModel fixed = stored(loaded(rig));
+  const Binary binary(fixed);
+  const RigPoser poser(*fixed.rig, pose_at(*fixed.rig, fixed.rig->clips[0], 1));
+  const std::vector<PosedVertex> posed =
+      posed_by_pipeline(binary, 0, {{binary.animation.clip(0), 1'000'000}, {}, 0});
+  for (std::size_t i = 0; i < posed.size(); ++i) {
+    const arcspan::Direction& n = posed[i].direction;
+    const Vec3 right = normalised(poser.normal(fixed.rig->vertices[fixed.meshes[0].sources[i]]));
+    CHECK(length(Vec3{n.x.raw() / 32768., n.y.raw() / 32768., n.z.raw() / 32768.} - right) < 0.005);
+  }
+  CHECK(animation_error(fixed).normal_degrees < 0.3);
+}
+
+TEST_CASE("rigs: a skin whose joints are all stretched has the normals of the stretched shape at rest") {
+  GltfRig rig = bending_tube();
+  rig.json["nodes"][0]["scale"] = {3, 1, 1};
+  Floats slanted;
+  for (int i = 0; i < 36; ++i) slanted.insert(slanted.end(), {.6f, .8f, 0});
+  rig.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = rig.vectors(slanted);
+  const FixedModel fixed = stored(loaded(rig));
+  const Vec3 right = normalised(Vec3{.6 / 3, .8, 0});
+  for (const PosedVertex& v : posed_by_pipeline(Binary(fixed), 0, {})) {
+    const arcspan::Direction& n = v.direction;
+    CHECK(length(Vec3{n.x.raw() / 32768., n.y.raw() / 32768., n.z.raw() / 32768.} - right) < 0.005);
+  }
+  CHECK(animation_error(fixed).normal_degrees < 0.3);
+}
+
 TEST_CASE("rigs: a joint that grows from a small scale at rest, and vertices that follow a small joint") {
   for (const float small : {.01f, .001f}) {
     CAPTURE(small);

@@ -21,7 +21,7 @@ double degrees_between(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), 
 
 class ErrorSearch {
  public:
-  explicit ErrorSearch(const FixedModel& model) : model_(model) {}
+  explicit ErrorSearch(const FixedModel& model) : model_(model), rest_(*model.rig, rest_pose(*model.rig)) {}
 
   void measure(const RigPose& pose, const StoredPose& stored, const std::string& clip, double seconds) {
     const RigPoser poser(*model_.rig, pose);
@@ -38,7 +38,7 @@ class ErrorSearch {
           worst_.clip = clip;
           worst_.seconds = seconds;
         }
-        const Vec3 normal = poser.normal(vertex);
+        const Vec3 normal = normal_of(vertex, poser);
         if (length(normal) > 0 && length(found.normal) > 0)
           worst_.normal_degrees = std::max(worst_.normal_degrees, degrees_between(normal, found.normal));
       }
@@ -47,7 +47,14 @@ class ErrorSearch {
   [[nodiscard]] const AnimationError& worst() const { return worst_; }
 
  private:
+  /// Right at rest, and carried on by the linear part of joints, as is usual.
+  [[nodiscard]] Vec3 normal_of(const RigVertex& vertex, const RigPoser& poser) const {
+    if (!model_.rig->instances[vertex.instance].skin) return poser.normal(vertex);
+    return poser.place(vertex).direction(carried_normal(rest_, vertex, poser.shaped_normal(vertex)));
+  }
+
   const FixedModel& model_;
+  RigPoser rest_;
   AnimationError worst_;
 };
 

@@ -84,7 +84,7 @@ std::vector<std::uint16_t> fixed_weights(std::vector<double> weights) {
 }
 
 PartMotions::PartMotions(const Rig& rig, AnimationSpace& space, const std::string& subject)
-    : rig_(rig), space_(space), subject_(subject), places_(storage_places(rig)) {
+    : rig_(rig), space_(space), subject_(subject), rest_(rig, rest_pose(rig)), places_(storage_places(rig)) {
   for (const Affine& place : places_) back_.push_back(*inverse(place));
   for (std::size_t i = 0; i < rig.instances.size(); ++i) ranges_.push_back(weight_ranges(rig, i));
 }
@@ -162,10 +162,11 @@ std::optional<FixedMorph> PartMotions::morph_of(const FixedMesh& mesh) const {
     const RigVertex& vertex = rig_.vertices[source];
     if (morph.weights.empty()) morph.weights = rest_weights(vertex.instance);
     const Affine& place = places_[vertex.instance];
-    const double size = length(place.normal(vertex.normal));
+    const auto stored = [&](Vec3 normal) { return place.direction(carried_normal(rest_, vertex, normal)); };
+    const double size = length(stored(vertex.normal));
     for (std::size_t i = 0; i < vertex.deltas.size(); ++i) {
       FixedMorphRecord record{i, half_words(place.direction(vertex.deltas[i].position), 1 / mesh.unit), {}};
-      if (size > 0) record.normal = half_words(place.normal(vertex.deltas[i].normal), kNormalUnit / size);
+      if (size > 0) record.normal = half_words(stored(vertex.deltas[i].normal), kNormalUnit / size);
       const bool turns = record.normal != std::array<std::int16_t, 3>{};
       if (!turns && record.position == std::array<std::int16_t, 3>{}) continue;
       morph.has_normals = morph.has_normals || turns;

@@ -6,6 +6,7 @@
 #include <arcspan_tools/mesh/compile/animation_space.hpp>
 #include <arcspan_tools/mesh/compile/stored_rig.hpp>
 #include <arcspan_tools/mesh/plain/rig.hpp>
+#include <arcspan_tools/mesh/plain/rig_pose.hpp>
 
 #include <map>
 #include <string>
@@ -40,6 +41,7 @@ class PartMotions {
   const Rig& rig_;
   AnimationSpace& space_;
   std::string subject_;
+  RigPoser rest_;
   std::vector<Affine> back_;  ///< of each instance, from storage to the space of its mesh
   std::vector<Affine> places_;
   std::vector<std::vector<WeightRange>> ranges_;  ///< of the morph targets of each instance

@@ -28,6 +28,15 @@ std::vector<std::set<std::size_t>> used_joints(const Rig& rig) {
   return used;
 }
 
+/// A vertex that follows one joint of an instance.
+RigVertex follower(std::size_t instance, std::size_t joint) {
+  RigVertex vertex;
+  vertex.instance = instance;
+  vertex.joints[0] = joint;
+  vertex.weights[0] = 1;
+  return vertex;
+}
+
 double volume(const Affine& a) { return std::abs(dot(a.x, cross(a.y, a.z))); }
 
 /// Replaces `place` by that of the first joint of an instance which is by `factor` larger in a pose, in
@@ -36,11 +45,7 @@ void take_larger(Affine& place, const RigPoser& poser, std::size_t instance,
                  const std::set<std::size_t>& joints, double factor) {
   double most = volume(place) * factor;
   for (const std::size_t joint : joints) {
-    RigVertex probe;
-    probe.instance = instance;
-    probe.joints[0] = joint;
-    probe.weights[0] = 1;
-    const Affine other = poser.place(probe);
+    const Affine other = poser.place(follower(instance, joint));
     if (volume(other) <= most) continue;
     place = other;
     most = volume(other) * kLarger;
@@ -68,6 +73,12 @@ std::vector<Affine> storage_places(const Rig& rig) {
     if (!inverse(place)) place = Affine{};
   }
   return places;
+}
+
+Vec3 carried_normal(const RigPoser& rest, const RigVertex& vertex, Vec3 normal) {
+  const Affine joint = rest.place(follower(vertex.instance, vertex.joints[0]));
+  const std::optional<Affine> back = inverse(joint);
+  return back ? back->direction(joint.normal(normal)) : normal;
 }
 
 std::set<double> key_times(const RigClip& clip) {
@@ -209,7 +220,8 @@ Model as_stored(const Model& model) {
       const RigVertex& vertex = rig.vertices[mesh.sources[i]];
       const Affine& place = places[vertex.instance];
       mesh.positions[i] = place.point(vertex.position);
-      mesh.normals[i] = normalised(place.normal(stored_normal(vertex, mesh.normals[i], rest)));
+      const Vec3 normal = stored_normal(vertex, mesh.normals[i], rest);
+      mesh.normals[i] = normalised(place.direction(carried_normal(rest, vertex, normal)));
     }
   }
   out.reach = reach_of(out);

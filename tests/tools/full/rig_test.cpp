@@ -873,6 +873,16 @@ TEST_CASE("rigs: a first joint far away that moves no vertex costs no precision"
   CHECK(fixed.meshes[0].unit * 65534 < 2.5);
 }
 
+TEST_CASE("rigs: a rotation below a stretched node that stands still is kept as a node") {
+  GltfRig rig = moved_square("rotation", {0, 1}, joined({turn_z(0), turn_z(80)}), "LINEAR");
+  rig.json["nodes"] =
+      json::parse(R"([{"mesh": 0}, {"children": [0]}, {"children": [1], "scale": [1, 2, 1]}])");
+  rig.json["nodes"][1]["rotation"] = turn_z(45);
+  rig.json["scenes"][0]["nodes"] = {2};
+  const FixedModel fixed = stored(loaded(rig));
+  for (const double time : {0., .3, 1.}) CHECK(worst_of_pipeline(fixed, 0, time) < 32);
+}
+
 TEST_CASE("rigs: models of the loader's own collection") {
   const std::string folder = "/usr/share/assimp/models/glTF2/";
   if (!std::filesystem::exists(folder)) return;

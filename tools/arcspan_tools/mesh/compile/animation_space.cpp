@@ -146,7 +146,10 @@ std::size_t AnimationSpace::root(std::optional<std::size_t> still) {
   if (!is_new) return at->second;
   const Affine place = still ? rest_[*still] : Affine{};
   const std::optional<NodeTransform> parts = split(place);
-  if (!parts) fail(*still, "is flat or sheared");
+  if (!parts) {  // the node alone may be neither
+    add(*still);
+    return at->second = *numbers_[*still];
+  }
   FixedNode node;
   node.name = still ? rig_.nodes[*still].name : "";
   scales_.push_back(size_of(parts->scale));

@@ -848,6 +848,20 @@ TEST_CASE("rigs: a skin whose joints are all stretched has the normals of the st
   CHECK(animation_error(fixed).normal_degrees < 0.3);
 }
 
+TEST_CASE("rigs: a clip's own name is not given to another") {
+  const auto names = [](const Lines& of_file) {
+    std::vector<RigClip> clips;
+    for (const std::string& name : of_file) clips.push_back({name, {}});
+    name_clips(clips);
+    Lines given;
+    for (const RigClip& clip : clips) given.push_back(clip.name);
+    return given;
+  };
+  CHECK(names({"a", "a", "a2"}) == Lines{"a", "a3", "a2"});
+  CHECK(names({"", "clip1", ""}) == Lines{"clip2", "clip1", "clip3"});
+  CHECK(names({"", "", "b"}) == Lines{"clip1", "clip2", "b"});
+}
+
 TEST_CASE("rigs: a joint that grows from a small scale at rest, and vertices that follow a small joint") {
   for (const float small : {.01f, .001f}) {
     CAPTURE(small);

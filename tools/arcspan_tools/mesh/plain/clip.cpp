@@ -97,12 +97,17 @@ std::optional<std::string> wrong_values(const RigChannel& channel) {
 }
 
 void name_clips(std::vector<RigClip>& clips) {
-  std::set<std::string> taken;
+  std::set<std::string> taken;  // first by the file
+  for (const RigClip& clip : clips) taken.insert(clip.name);
+  std::set<std::string> met;
   for (std::size_t i = 0; i < clips.size(); ++i) {
     std::string& name = clips[i].name;
+    if (!name.empty() && met.insert(name).second) continue;
     const std::string base = name.empty() ? "clip" : name;
-    if (name.empty()) name = base + std::to_string(i + 1);
-    for (std::size_t n = 2; !taken.insert(name).second; ++n) name = base + std::to_string(n);
+    std::size_t n = name.empty() ? i + 1 : 2;
+    do {
+      name = base + std::to_string(n++);
+    } while (!taken.insert(name).second);
   }
 }
 

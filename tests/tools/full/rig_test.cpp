@@ -848,6 +848,30 @@ TEST_CASE("rigs: a skin whose joints are all stretched has the normals of the st
   CHECK(animation_error(fixed).normal_degrees < 0.3);
 }
 
+TEST_CASE("rigs: a name that is too long is cut at a character, and stays the only one of its clip or node") {
+  GltfRig rig = bending_tube();
+  const std::string thirty = std::string(29, 'a') + "|";
+  const std::string umlaut = std::string(30, 'u') + "\u00fc";
+  for (const std::string& name : {thirty + "walk", thirty + "r", thirty + "run", umlaut}) {
+    rig.clip(name.c_str());
+    rig.channel(2, "translation", {0}, rig.vectors({0, 1, 0}));
+  }
+  rig.json["nodes"][1]["name"] = thirty + "left";
+  rig.json["nodes"][2]["name"] = thirty + "lower";
+  const FixedModel fixed = stored(loaded(rig));
+  const Binary binary(fixed);
+  Lines clips;
+  for (std::size_t i = 0; i < binary.animation.clip_count(); ++i)
+    clips.emplace_back(binary.animation.clip(i).name());
+  CHECK(clips == Lines{thirty + "w", thirty + "r", std::string(29, 'a') + "|2", std::string(30, 'u')});
+  Lines nodes;
+  for (std::size_t i = 0; i < binary.animation.nodes().size(); ++i)
+    nodes.emplace_back(binary.animation.node_name(i));
+  CHECK(std::count(nodes.begin(), nodes.end(), thirty + "l") == 1);
+  CHECK(std::count(nodes.begin(), nodes.end(), thirty + "2") == 1);
+  CHECK(animation_error(fixed).position < 32);  // finds each clip
+}
+
 TEST_CASE("rigs: a clip's own name is not given to another") {
   const auto names = [](const Lines& of_file) {
     std::vector<RigClip> clips;

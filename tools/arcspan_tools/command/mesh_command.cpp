@@ -232,8 +232,7 @@ void run_mesh(MeshArguments& arguments) {
   }
   if (!arguments.stats.empty()) results.push_back({arguments.stats, to_json(report)});
   write_results(results, to_text(report));
-  const std::string caution = warning(report);
-  if (!caution.empty()) warn(arguments.model, caution);
+  for (const std::string& caution : warnings(report)) warn(arguments.model, caution);
 }
 
 /// `DEGREES,SHARE`.

@@ -7,6 +7,7 @@
 #include <arcspan_tools/command/forecast_report.hpp>
 #include <arcspan_tools/command/mesh_report.hpp>
 #include <arcspan_tools/command/render_report.hpp>
+#include <arcspan_tools/mesh/file/text_lines.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/support/printable.hpp>
 #include <arcspan_tools/support/text.hpp>
@@ -306,12 +307,21 @@ std::string to_json(const MeshReport& r) {
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string warning(const MeshReport& r) {
-  if (r.figures.wide_triangles == 0) return {};
-  return formatted(
-      "%zu of %zu triangles have normals more than 60 degrees apart, which makes them look bent (keep more "
-      "triangles, or more edges sharp by --crease 60 or a smaller angle)",
-      r.figures.wide_triangles, triangles(r));
+std::vector<std::string> warnings(const MeshReport& r) {
+  std::vector<std::string> lines;
+  if (r.figures.wide_triangles > 0) {
+    lines.push_back(formatted(
+        "%zu of %zu triangles have normals more than 60 degrees apart, which makes them look bent (keep more "
+        "triangles, or more edges sharp by --crease 60 or a smaller angle)",
+        r.figures.wide_triangles, triangles(r)));
+  }
+  const auto& animation = r.compiled.model.animation;
+  if (animation != nullptr && !animation->cut_names.empty()) {
+    lines.push_back(
+        formatted("names of clips and nodes are cut after 31 bytes (%zu): ", animation->cut_names.size()) +
+        in_quotes(animation->cut_names[0]));
+  }
+  return lines;
 }
 
 }  // namespace arcspan::tools

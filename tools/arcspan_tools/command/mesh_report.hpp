@@ -41,7 +41,8 @@ struct MeshReport {
 /// For machines: one object.
 [[nodiscard]] std::string to_json(const MeshReport& report);
 
-/// Returns a warning if normals of a triangle are more than 60 degrees apart, otherwise an empty string.
-[[nodiscard]] std::string warning(const MeshReport& report);
+/// What may look wrong or is not as in the file: normals of a triangle that are more than 60 degrees apart,
+/// names that are cut.
+[[nodiscard]] std::vector<std::string> warnings(const MeshReport& report);
 
 }  // namespace arcspan::tools

@@ -121,6 +121,7 @@ void RuntimeModel::view_binary() {
   const std::string& subject = subject_;
   require_ok(view_model_binary(bytes_of(*binary_), model_), subject);
   require_ok(view_animation(model_, animation_), subject);
+  if (stored_.rig != nullptr) clip_names_ = stored_clip_names(*stored_.rig);
   stored_.rig = nullptr;
   stored_.animation = nullptr;
 }
@@ -159,7 +160,8 @@ FixedModel RuntimeModel::posed_in_doubles(const std::string& clip, double second
 
 FixedModel RuntimeModel::posed(const std::string& clip, double seconds) const {
   if (in_doubles_.rig != nullptr) return posed_in_doubles(clip, seconds);
-  const std::string name = clip.substr(0, animation_binary::kNameBytes - 1);
+  const auto stored = clip_names_.find(clip);
+  const std::string& name = stored == clip_names_.end() ? clip : stored->second;
   const std::size_t number = animation_.find_clip(name.c_str());
   ClipBlend blend;
   if (!clip.empty() && number != StoredAnimation::kNone) {

@@ -8,6 +8,7 @@
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/plain/model.hpp>
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -49,9 +50,10 @@ class RuntimeModel {
                  FixedMesh& posed) const;
 
   std::string subject_;
-  Model in_doubles_;                ///< with a rig that cannot be stored
-  FixedModel stored_;               ///< as it is before it is posed
-  std::shared_ptr<const Rig> rig_;  ///< of a model of another program's file, or null
+  std::map<std::string, std::string> clip_names_;  ///< those of the binary, by the names of the file
+  Model in_doubles_;                               ///< with a rig that cannot be stored
+  FixedModel stored_;                              ///< as it is before it is posed
+  std::shared_ptr<const Rig> rig_;                 ///< of a model of another program's file, or null
   std::shared_ptr<const MovingBinary> binary_;
   StoredModel model_;
   StoredAnimation animation_;

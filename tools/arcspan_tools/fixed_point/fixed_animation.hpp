@@ -88,6 +88,7 @@ struct FixedAnimation {
   std::vector<FixedSkin> skins{};
   std::vector<FixedPartMotion> parts{};
   std::vector<FixedClip> clips{};
+  std::vector<std::string> cut_names{};  ///< those of the file that are longer than the format's
 };
 
 }  // namespace arcspan::tools

@@ -2,12 +2,14 @@
 #include <arcspan_tools/fixed_point/rounding.hpp>
 #include <arcspan_tools/fixed_point/stored_pose.hpp>
 #include <arcspan_tools/mesh/compile/animation_error.hpp>
+#include <arcspan_tools/mesh/compile/make_animation.hpp>
 #include <arcspan_tools/mesh/compile/stored_rig.hpp>
 #include <arcspan_tools/mesh/compile/thin_keys.hpp>
 #include <arcspan_tools/mesh/plain/rig_pose.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -84,10 +86,12 @@ AnimationError animation_error(const FixedModel& model) {
   search.measure(rest_pose(rig), StoredPose(model), "", 0);
   const std::size_t most = std::max<std::size_t>(
       kMostPosedVertices / std::max<std::size_t>(model.vertex_count() * rig.clips.size(), 1), 2);
+  const std::map<std::string, std::string> names = stored_clip_names(rig);
   for (const RigClip& clip : rig.clips) {
+    const std::string& name = names.at(clip.name);
     const auto& clips = model.animation->clips;
     const auto same =
-        std::find_if(clips.begin(), clips.end(), [&](const FixedClip& c) { return c.name == clip.name; });
+        std::find_if(clips.begin(), clips.end(), [&](const FixedClip& c) { return c.name == name; });
     if (same == clips.end()) continue;
     // Neither side is asked between two microseconds, where a step may be of one of them only.
     const RigClip right = in_microseconds(clip);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/animate/animation_binary.hpp>
+
 #include <arcspan_tools/fixed_point/rounding.hpp>
 #include <arcspan_tools/mesh/compile/animation_space.hpp>
 #include <arcspan_tools/mesh/compile/make_animation.hpp>
@@ -16,6 +18,7 @@ namespace {
 constexpr double kMicroseconds = 1e6;
 constexpr double kRotationTangent = 8192;
 constexpr double kMorphWeight = 4096;
+constexpr std::size_t kMostNameBytes = animation_binary::kNameBytes - 1;
 constexpr double kExtent = 65534;  // of the largest side of a model, in object units
 
 /// Makes the clips of a model.
@@ -27,11 +30,12 @@ class ClipMaker {
         space_(space),
         animation_(animation),
         tolerance_{options.degrees, options.share * kExtent * model.meshes[0].unit, options.share},
-        subject_(subject) {}
+        subject_(subject),
+        names_(stored_clip_names(*model.rig)) {}
 
   FixedClip make(const RigClip& clip) {
     FixedClip out;
-    out.name = clip.name;
+    out.name = names_.at(clip.name);
     name_ = clip.name;
     for (const RigChannel& channel : clip.channels) {
       const RigChannel thin = smaller(in_microseconds(with_close_rotations(channel)));
@@ -154,10 +158,31 @@ class ClipMaker {
   const FixedAnimation& animation_;
   ClipTolerance tolerance_;
   std::string subject_;
+  std::map<std::string, std::string> names_;
   std::string name_;
 };
 
+/// Names of nodes that fit, the long ones each its own.
+void shorten_names(FixedAnimation& animation) {
+  std::vector<std::string> names;
+  for (const FixedNode& node : animation.nodes) names.push_back(node.name);
+  const std::vector<std::string> fitting = shortened(names, kMostNameBytes);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (fitting[i] != names[i]) animation.cut_names.push_back(names[i]);
+    animation.nodes[i].name = fitting[i];
+  }
+}
+
 }  // namespace
+
+std::map<std::string, std::string> stored_clip_names(const Rig& rig) {
+  std::vector<std::string> names;
+  for (const RigClip& clip : rig.clips) names.push_back(clip.name);
+  const std::vector<std::string> fitting = shortened(names, kMostNameBytes);
+  std::map<std::string, std::string> stored;
+  for (std::size_t i = 0; i < names.size(); ++i) stored.emplace(names[i], fitting[i]);
+  return stored;
+}
 
 FixedAnimation make_animation(const FixedModel& model, const ClipOptions& options,
                               const std::string& subject) {
@@ -167,10 +192,13 @@ FixedAnimation make_animation(const FixedModel& model, const ClipOptions& option
   for (const FixedMesh& mesh : model.meshes) animation.parts.push_back(motions.motion(mesh));
   animation.skins = motions.skins();
   animation.nodes = space.nodes();
+  shorten_names(animation);
   ClipMaker maker(model, space, animation, options, subject);
   for (const RigClip& clip : model.rig->clips) {
     FixedClip made = maker.make(clip);
-    if (!made.channels.empty()) animation.clips.push_back(std::move(made));
+    if (made.channels.empty()) continue;
+    if (made.name != clip.name) animation.cut_names.push_back(clip.name);
+    animation.clips.push_back(std::move(made));
   }
   return animation;
 }

@@ -5,7 +5,7 @@
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/compile/thin_keys.hpp>
 
-#include <optional>
+#include <map>
 #include <string>
 
 namespace arcspan::tools {
@@ -16,6 +16,10 @@ struct ClipOptions {
   double share =
       0;  ///< of translations, in parts of the model's extent; of scales and morph weights as it is
 };
+
+/// The name that each clip of a rig has in its animation, by its own: the same, or if that is too long a
+/// part.
+[[nodiscard]] std::map<std::string, std::string> stored_clip_names(const Rig& rig);
 
 /// The animation of a compiled model that has a rig, in the formats of docs/animation-binary.md. Throws a
 /// Failure about `subject` for what they cannot hold.

@@ -31,6 +31,15 @@ std::vector<double> spline(const RigChannel& channel, std::size_t key, double t,
   return value;
 }
 
+/// At most so many bytes of a longer text, up to the end of a UTF-8 character.
+std::string beginning(const std::string& text, std::size_t bytes) {
+  const auto continues = [&text](std::size_t i) {
+    return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
+  };
+  while (bytes > 0 && continues(bytes)) --bytes;
+  return text.substr(0, bytes);
+}
+
 }  // namespace
 
 const double* RigChannel::value(std::size_t key) const {
@@ -109,6 +118,23 @@ void name_clips(std::vector<RigClip>& clips) {
       name = base + std::to_string(n++);
     } while (!taken.insert(name).second);
   }
+}
+
+std::vector<std::string> shortened(std::vector<std::string> names, std::size_t most) {
+  std::set<std::string> taken;
+  for (const std::string& name : names) {
+    if (name.size() <= most) taken.insert(name);
+  }
+  for (std::string& name : names) {
+    if (name.size() <= most) continue;
+    const std::string whole = name;
+    name = beginning(whole, most);
+    for (std::size_t n = 2; !taken.insert(name).second; ++n) {
+      const std::string number = std::to_string(n);
+      name = beginning(whole, most - number.size()) + number;
+    }
+  }
+  return names;
 }
 
 }  // namespace arcspan::tools

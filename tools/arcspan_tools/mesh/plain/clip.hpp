@@ -59,4 +59,8 @@ inline constexpr std::size_t kMostKeyNumbers = std::size_t{1} << 24;
 /// Gives a name to clips without one ("clip1"), and another one to clips that are called as an earlier one.
 void name_clips(std::vector<RigClip>& clips);
 
+/// `names` of at most `most` bytes. Longer ones are cut at a whole UTF-8 character, and end in a number if
+/// that makes the name of another.
+[[nodiscard]] std::vector<std::string> shortened(std::vector<std::string> names, std::size_t most);
+
 }  // namespace arcspan::tools

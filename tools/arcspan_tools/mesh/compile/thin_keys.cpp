@@ -98,7 +98,7 @@ RigChannel in_microseconds(const RigChannel& channel) {
 }
 
 RigChannel with_close_rotations(const RigChannel& channel) {
-  constexpr double kMostDegrees = 0.02;
+  constexpr double kMostDegrees = 0.002;  // along a chain of joints they add up
   if (channel.path != ChannelPath::kRotation || channel.interpolation != Interpolation::kLinear)
     return channel;
   RigChannel out = with_keys(channel, {0});
@@ -121,7 +121,7 @@ RigChannel with_close_rotations(const RigChannel& channel) {
       return degrees_between(straight, slerp(a, b, kPlace)) <= kMostDegrees;
     };
     int parts = 1;
-    while (parts < 16 && !is_close(parts)) ++parts;
+    while (parts < 32 && !is_close(parts)) ++parts;
     for (int i = 1; i < parts; ++i) add(from + (to - from) * i / parts);
     add(to);
   }

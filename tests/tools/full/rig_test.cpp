@@ -5,11 +5,8 @@
 #include <arcspan/animate/posed_bound.hpp>
 #include <arcspan/animate/skinned_mesh.hpp>
 
-<<<<<<< HEAD
 #include <arcspan_tools/command/runtime_model.hpp>
-=======
 #include <arcspan_tools/fixed_point/stored_pose.hpp>
->>>>>>> 61e30376 (The reported error of an animation is that of what a device draws)
 #include <arcspan_tools/mesh/compile/animation_error.hpp>
 #include <arcspan_tools/mesh/compile/compile_mesh.hpp>
 #include <arcspan_tools/mesh/compile/make_animation.hpp>

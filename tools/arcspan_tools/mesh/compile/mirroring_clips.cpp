@@ -27,7 +27,7 @@ std::optional<std::size_t> mirrored_node(const Rig& rig, const RigClip& clip) {
   constexpr std::size_t kMostPosedNodes = 1'000'000;
   const std::vector<bool> followed = followed_nodes(rig);
   const RigPoser rest(rig, rest_pose(rig));
-  for (const double time : key_times(clip, kMostPosedNodes / rig.nodes.size())) {
+  for (const double time : times_between(key_times(clip), 2, kMostPosedNodes / rig.nodes.size())) {
     const RigPoser poser(rig, pose_at(rig, clip, time));
     for (std::size_t i = 0; i < rig.nodes.size(); ++i) {
       if (followed[i] && poser.nodes()[i].mirrors() != rest.nodes()[i].mirrors()) return i;
